@@ -1,6 +1,7 @@
 // Steps of `rewire` that surfaces and volumes share: which new elements take the descriptors of old ones, and the lists of edges and of verts.
 #pragma once
 
+#include <concino/core/small_array.hpp>
 #include <concino/mesh/detail/alive_elements.hpp>
 #include <concino/mesh/detail/cavity_edges.hpp>
 #include <concino/mesh/detail/jagged_array.hpp>
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <type_traits>
 
 namespace concino::detail {
 
@@ -22,20 +24,27 @@ template<class Elements>
 void pair_with_left_over(Elements& all, std::size_t fresh, std::size_t left_over) {
   constexpr std::size_t most_pairs = 4096;  // more take too long to compare
   if (fresh == 0 || left_over == 0) return;
-  auto* const first = std::find_if(all.begin(), all.end(), [](const auto& x) { return x.is_left_over(); });
-  const auto pair = [](auto& x, auto& old) { x.partner = &old, old.partner = &x; };
-  std::size_t left = std::min(fresh, left_over);
+  using element = std::remove_reference_t<decltype(*all.begin())>;
+  core::small_array<element*, 64> left;
+  for (element& x : all)
+    if (x.is_left_over()) left.push_back(&x);
+  const auto pair = [&left](element& x, std::size_t i) {
+    x.partner = left[i], left[i]->partner = &x;
+    std::copy(left.begin() + i + 1, left.end(), left.begin() + i);
+    left.resize(left.size() - 1, nullptr);
+  };
   if (fresh * left_over <= most_pairs)
-    for (auto *x = all.begin(); x != all.end() && left > 0; ++x) {
+    for (element* x = all.begin(); x != all.end() && !left.empty(); ++x) {
       if (!x->id.is_none()) continue;
-      const auto old = std::find_if(first, all.end(), [x](const auto& y) { return y.is_left_over() && !y.partner && x->shares_all_but_one(y); });
-      if (old != all.end()) pair(*x, *old), --left;
+      std::size_t i = 0;
+      while (i < left.size() && !x->shares_all_but_one(*left[i])) ++i;
+      if (i < left.size()) pair(*x, i);
     }
-  auto* old = first;
-  for (auto *x = all.begin(); x != all.end() && left > 0; ++x) {
+  std::size_t next = 0;
+  for (element* x = all.begin(); x != all.end() && next < left.size(); ++x) {
     if (!x->id.is_none() || x->partner) continue;
-    while (!old->is_left_over() || old->partner) ++old;
-    pair(*x, *old), --left;
+    x->partner = left[next], left[next]->partner = x;
+    ++next;
   }
 }
 
@@ -78,30 +87,26 @@ void change_edges(cavity_edges& all, alive_elements<edge_id>& edges, jagged_arra
     if (!old.is_left_over()) continue;
     for (const unsigned v : {old.a, old.b}) {
       const cavity_edge* const x = old.partner;
-      const vert_id other = vert(v == old.a ? old.b : old.a);
-      if (x && has(*x, v)) {
-        v2v.replace(vert(v).raw(), other, vert(x->a == v ? x->b : x->a));
-      } else {
-        v2v.remove(vert(v).raw(), other);
-        v2e.remove(vert(v).raw(), old.id);
-      }
+      const std::size_t row = vert(v).raw(), k = v2e.position(row, old.id);
+      if (x && has(*x, v)) v2v.begin(row)[k] = vert(x->a == v ? x->b : x->a);
+      else v2v.remove_at(row, k), v2e.remove_at(row, k);
     }
     if (!old.partner) edges.remove(old.id);
   }
   for (cavity_edge& x : all) {
     if (!x.id.is_none()) continue;
-    const vert_id a = vert(x.a), b = vert(x.b);
-    if (!x.partner) {
-      x.id = add_edge(edges, ends, v2v, v2e, a, b);
-      continue;
+    const vert_id a = vert(x.a), b = vert(x.b), two[] = {std::min(a, b), std::max(a, b)};
+    if (x.partner) {
+      x.id = x.partner->id;
+      std::copy_n(two, 2, ends.begin(x.id.raw()));
+    } else {
+      x.id = edges.add();
+      ends.add_row(two, two + 2);
     }
-    x.id = x.partner->id;
-    ends.begin(x.id.raw())[0] = std::min(a, b);
-    ends.begin(x.id.raw())[1] = std::max(a, b);
     for (const unsigned v : {x.a, x.b}) {
-      if (has(*x.partner, v)) continue;
-      v2v.push(vert(v).raw(), vert(v == x.a ? x.b : x.a));
-      v2e.push(vert(v).raw(), x.id);
+      if (x.partner && has(*x.partner, v)) continue;
+      v2v.push_reserved(vert(v).raw(), v == x.a ? b : a);
+      v2e.push_reserved(vert(v).raw(), x.id);
     }
   }
 }

@@ -46,16 +46,17 @@ class cavity_edges {
     numbers_.resize(verts > largest_matrix ? n : std::size_t{verts} * verts, 0);
   }
 
-  /// The edge between two verts; it is added if it is new.
-  cavity_edge& at(unsigned a, unsigned b) {
+  /// The number of the edge between two verts; it is added if it is new.
+  unsigned number(unsigned a, unsigned b) {
     if (b < a) std::swap(a, b);
-    std::uint32_t& number = number_at(a, b);
-    if (number == 0) {
+    std::uint32_t& plus_one = number_at(a, b);
+    if (plus_one == 0) {
       edges_.push_back({a, b, {}});
-      number = static_cast<std::uint32_t>(edges_.size());
+      plus_one = static_cast<std::uint32_t>(edges_.size());
     }
-    return edges_[number - 1];
+    return plus_one - 1;
   }
+  cavity_edge& at(unsigned a, unsigned b) { return edges_[number(a, b)]; }
 
   std::size_t size() const { return edges_.size(); }
   unsigned number(const cavity_edge& x) const { return static_cast<unsigned>(&x - edges_.begin()); }

@@ -23,7 +23,8 @@ struct cavity_face {
   bool is_left_over() const { return !id.is_none() && new_polys == 0 && old_polys == num_polys; }
   bool shares_all_but_one(const cavity_face& x) const {
     unsigned common = 0;
-    for (const unsigned v : verts) common += std::find(x.verts, x.verts + N, v) != x.verts + N;
+    for (const unsigned v : verts)
+      for (const unsigned w : x.verts) common += v == w;
     return common + 1 == N;
   }
 };

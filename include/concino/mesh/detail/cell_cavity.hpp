@@ -59,7 +59,7 @@ class cell_cavity {
 
   /// Writes the numbers of the edges and faces of a poly with corners v.
   void find(const unsigned* v, std::uint32_t* edges_of_poly, std::uint32_t* faces_of_poly) {
-    for (unsigned j = 0; j < Shape::edges; ++j) edges_of_poly[j] = edges.number(edges.at(v[Shape::edge_vert[j][0]], v[Shape::edge_vert[j][1]]));
+    for (unsigned j = 0; j < Shape::edges; ++j) edges_of_poly[j] = edges.number(v[Shape::edge_vert[j][0]], v[Shape::edge_vert[j][1]]);
     if (fans.size() < edges.size()) fans.resize(edges.size(), {});
     for (unsigned k = 0; k < Shape::faces; ++k) {
       unsigned w[Shape::face_verts];
@@ -176,8 +176,10 @@ class cell_cavity {
   }
   /// The other face of new poly k at edge e.
   std::uint32_t other_face_at(unsigned e, std::uint32_t k, std::uint32_t j) const {
-    const std::uint32_t* const all = edges_of_new.begin() + k * Shape::edges;
-    const std::uint8_t* const two = shape.edge_face[std::find(all, all + Shape::edges, e) - all];
+    const std::uint32_t* const at = edges_of_new.begin() + k * Shape::edges;
+    unsigned i = 0;
+    while (at[i] != e) ++i;
+    const std::uint8_t* const two = shape.edge_face[i];
     return two[two[0] == j];
   }
 

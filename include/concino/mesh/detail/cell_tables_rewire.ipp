@@ -125,14 +125,20 @@ template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::rewiring::change_polys_of_verts() {
   // `others`: the corners of all polys at the other time
   const auto keeps = [this](std::size_t k, unsigned local, const unsigned* others) {
-    return k < c_.kept && std::find(others + k * Shape::verts, others + (k + 1) * Shape::verts, local) != others + (k + 1) * Shape::verts;
+    if (k >= c_.kept) return false;
+    bool has = false;
+    for (unsigned i = 0; i < Shape::verts; ++i) has |= others[k * Shape::verts + i] == local;
+    return has;
   };
   for (std::size_t k = 0; k < c_.polys.size(); ++k)
     for (unsigned i = 0; i < Shape::verts; ++i)
-      if (const unsigned v = x_.corners_of_old[k * Shape::verts + i]; !keeps(k, v, c_.corners.begin())) t_.v2p_.remove(x_.verts[v].raw(), c_.polys[k]);
+      if (const unsigned v = x_.corners_of_old[k * Shape::verts + i]; !keeps(k, v, c_.corners.begin())) {
+        const std::size_t row = x_.verts[v].raw();
+        t_.v2p_.remove_at(row, t_.v2p_.position(row, c_.polys[k]));
+      }
   for (std::size_t k = 0; k < x_.num_new(); ++k)
     for (unsigned i = 0; i < Shape::verts; ++i)
-      if (const unsigned v = x_.corners(k)[i]; !keeps(k, v, x_.corners_of_old.begin())) t_.v2p_.push(vert(v).raw(), new_poly(k));
+      if (const unsigned v = x_.corners(k)[i]; !keeps(k, v, x_.corners_of_old.begin())) t_.v2p_.push_reserved(vert(v).raw(), new_poly(k));
 }
 
 template<class Shape, class Lists>

@@ -148,7 +148,7 @@ void basic_polyhedra_tables<Lists>::rewiring::commit(const detail::native_cavity
   }
   for (const poly_id p : c_.polys) {
     t_.facet_adjacency_.detach(p);
-    for (const vert_id v : t_.adj_p2v(p)) t_.v2p_.remove(v.raw(), p);
+    for (const vert_id v : t_.adj_p2v(p)) t_.v2p_.remove_at(v.raw(), t_.v2p_.position(v.raw(), p));
   }
   remove_faces();
   detail::change_edges(x_.edges, t_.edges_, t_.e2v_, t_.v2v_, t_.v2e_, [this](unsigned v) { return vert(v); });
@@ -209,7 +209,7 @@ void basic_polyhedra_tables<Lists>::rewiring::replace_polys() {
     const unsigned* const e = x_.edges_of_new.begin() + x_.begin_of(x_.edges_end, k);
     for (std::size_t i = 0; i < x_.num_verts_of(k); ++i) {
       t_.p2v_.begin(p.raw())[i] = vert(v[i]);
-      t_.v2p_.push(vert(v[i]).raw(), p);
+      t_.v2p_.push_reserved(vert(v[i]).raw(), p);
     }
     for (std::size_t i = 0; i < x_.num_edges_of(k); ++i) t_.p2e_.begin(p.raw())[i] = x_.edges[e[i]].id;
     for (std::uint32_t j = 0; j < n; ++j) {
