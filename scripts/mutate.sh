@@ -136,6 +136,13 @@ mesh/detail/facet_adjacency             mesh/detail/facet_adjacency mesh/cell_ta
 mesh/detail/facet_adjacency_ranges       mesh/detail/facet_adjacency validate/dense_meshes
 mesh/detail/row_lookup        mesh/detail/row_lookup mesh/detail/facet_adjacency validate/dense_meshes
 mesh/detail/jagged_array              mesh/detail/jagged_array mesh/native_mesh edit/elements
+mesh/detail/compaction           edit/garbage_collect
+mesh/detail/surface_compact      edit/garbage_collect
+mesh/detail/cell_tables_compact  edit/garbage_collect
+mesh/detail/polyhedra_compact    edit/garbage_collect
+edit/garbage_collect             edit/garbage_collect
+edit/remove_unreferenced         edit/remove_unreferenced
+edit/flip_winding                edit/flip_winding
 mesh/detail/vertex_incidence             mesh/native_mesh edit/elements
 mesh/detail/checks            mesh/native_mesh edit/elements
 mesh/face_soup         mesh/face_soup io/load io/detail/read_medit validate/dense_meshes
