@@ -9,7 +9,12 @@
 #include <concino/edit/face_split.hpp>
 #include <concino/edit/flip_winding.hpp>
 #include <concino/edit/garbage_collect.hpp>
+#include <concino/edit/invariants.hpp>
+#include <concino/edit/keep_labels.hpp>
+#include <concino/edit/max_distance.hpp>
 #include <concino/edit/poly_split.hpp>
+#include <concino/edit/proposed_edit.hpp>
+#include <concino/edit/protect.hpp>
 #include <concino/edit/remove_unreferenced.hpp>
 #include <concino/edit/transaction.hpp>
 #include <concino/edit/vert_split.hpp>

@@ -37,7 +37,7 @@ TEST_CASE("face_split: the parts of two tets and of three at one face") {
     const unsigned first = raw(cn::adj_f2v(m, f))[0];
     std::vector<unsigned> expected = raw(cn::adj_p2v(m, cn::poly_id{1}));
     std::replace(expected.begin(), expected.end(), first, 6u);
-    REQUIRE(cn::can_face_split(m, f));
+    REQUIRE(cn::can_face_split(m, f, {1, 1, 0}));
     const auto made = cn::face_split(m, f, {1, 1, 0});
     REQUIRE(made);
     CHECK(made.vert == cn::vert_id{6});
@@ -73,13 +73,13 @@ TEST_CASE("face_split: counts, volume and topology of a mesh of which many faces
 TEST_CASE("face_split: refuses hexes, and throws for faces of other meshes and points that are not finite; nothing changes") {
   cn::hexmesh h = cn::testing::grid<cn::hexmesh>(2);
   const auto before = cn::testing::whole(h);
-  CHECK(cn::can_face_split(h, cn::face_id{0}).reason == cn::refusal::not_simplices);
+  CHECK(cn::can_face_split(h, cn::face_id{0}, {}).reason == cn::refusal::not_simplices);
   CHECK(cn::face_split(h, cn::face_id{0}, {0, 0, 0}).why == "a poly at the element is not a triangle or a tet");
   CHECK(cn::testing::whole(h) == before);
   cn::tetmesh m = cn::testing::grid<cn::tetmesh>(1);
   const auto old = cn::testing::whole(m);
   CHECK_THROWS_WITH_AS(cn::face_split(m, cn::face_id{99}, {}), "face_split: face 99 is not a face of the mesh", cn::invalid_mesh);
-  CHECK_THROWS_AS(cn::can_face_split(m, cn::face_id{99}), cn::invalid_mesh);
+  CHECK_THROWS_AS(cn::can_face_split(m, cn::face_id{99}, {}), cn::invalid_mesh);
   CHECK_THROWS_AS(cn::face_split(m, cn::face_id{0}, {std::numeric_limits<double>::quiet_NaN(), 0, 0}), cn::invalid_argument);
   CHECK(cn::testing::whole(m) == old);
 }

@@ -41,7 +41,7 @@ std::multiset<std::pair<std::vector<unsigned>, bool>> oriented_polys(const M& m,
 template<class M>
 void is_refused_split(M m, unsigned v, const some_polys& moved, cn::refusal reason) {
   const auto before = cn::testing::whole(m);
-  CHECK(cn::can_vert_split(m, cn::vert_id{v}, moved).reason == reason);
+  CHECK(cn::can_vert_split(m, cn::vert_id{v}, moved, {1, 2, 3}).reason == reason);
   const auto made = cn::vert_split(m, cn::vert_id{v}, moved, {1, 2, 3}, {.kept_point = cn::vec3{5, 5, 5}});
   CHECK(made.reason == reason);
   CHECK_FALSE(made.why.empty());
@@ -86,7 +86,7 @@ TEST_CASE_TEMPLATE("vert_split: undoes edge_collapse", M, cn::trimesh, cn::tetme
     const auto counts = element_counts(m), before = topology(m);
     const double measure = cn::total_measure(m);
     if (!cn::edge_collapse(m, e)) continue;
-    REQUIRE(cn::can_vert_split(m, ends.first, undo.moved, {.opened = undo.opened}));
+    REQUIRE(cn::can_vert_split(m, ends.first, undo.moved, y, {.opened = undo.opened}));
     const auto made = cn::vert_split(m, ends.first, undo.moved, y, {.kept_point = x, .opened = undo.opened});
     REQUIRE(made);
     CHECK(oriented_polys(m, made.vert.raw(), ends.second.raw()) == polys);
@@ -154,7 +154,7 @@ TEST_CASE("vert_split: what is refused") {
   cn::trimesh copy = m;
   CHECK_THROWS_WITH_AS(cn::vert_split(copy, cn::vert_id{99}, at, {}), "vert_split: vert 99 is not a vert of the mesh", cn::invalid_mesh);
   CHECK_THROWS_WITH_AS(cn::vert_split(copy, cn::vert_id{4}, some_polys{poly_id{99}}, {}), "vert_split: poly 99 is not a poly of the mesh", cn::invalid_mesh);
-  CHECK_THROWS_AS(cn::can_vert_split(copy, cn::vert_id{99}, at), cn::invalid_mesh);
+  CHECK_THROWS_AS(cn::can_vert_split(copy, cn::vert_id{99}, at, {}), cn::invalid_mesh);
   const cn::vec3 infinite{0, 0, std::numeric_limits<double>::infinity()};
   CHECK_THROWS_AS(cn::vert_split(copy, cn::vert_id{4}, some_polys{at[0]}, infinite), cn::invalid_argument);
   CHECK_THROWS_AS(cn::vert_split(copy, cn::vert_id{4}, some_polys{at[0]}, {}, {.kept_point = infinite}), cn::invalid_argument);

@@ -1,7 +1,7 @@
 // Collapses an edge of triangles or tets: its two ends become one vert.
 #pragma once
 
-#include <concino/edit/detail/cavity_builder.hpp>
+#include <concino/edit/detail/propose.hpp>
 #include <concino/edit/detail/link_condition.hpp>
 
 #include <concino/concepts/end_verts.hpp>
@@ -10,6 +10,7 @@
 namespace concino {
 
 struct edge_collapse_options {
+  std::vector<invariant> keep = {};  // see edit_options
   double at = 0.5;  // in [0, 1]: the remaining vert lies at (1 - at) a + at b, where a and b are the ends as end_verts lists them
 };
 
@@ -19,7 +20,7 @@ inline constexpr permission breaks_link_condition{refusal::link_condition, "the 
 
 /// Old polys are those at the second end, first the ones that the first end lacks; neighbours the other ones at the first end.
 template<class M>
-permission edge_collapse_cavity(const M& m, const edge_t<M>& e, cavity_builder<M>& c) {
+permission edge_collapse_cavity(const M& m, const edge_t<M>& e, double t, cavity_builder<M>& c) {
   constexpr unsigned n = cavity_builder<M>::size - 1;
   const auto ends = end_verts(m, e);
   const unsigned a = c.vert(ends.first), b = c.vert(ends.second);
@@ -48,23 +49,33 @@ permission edge_collapse_cavity(const M& m, const edge_t<M>& e, cavity_builder<M
   }
   for (unsigned k = c.num_old(); k < c.num_polys(); ++k) add_link_simplex<n>(link_a, c.corners(k), c.size, a, a);
   c.keep(moved);
-  c.remove(b);
-  return can_collapse<n>(link_a, link_b, link_ab, c.num_verts()) ? permission{} : breaks_link_condition;
+  c.merge(a, b, t);
+  if (!can_collapse<n>(link_a, link_b, link_ab, c.num_verts())) return breaks_link_condition;
+  const vec3 x = to_vec3(point(m, ends.first)), y = to_vec3(point(m, ends.second));
+  if (t > 0) c.move(a, t == 1 ? y : (1 - t) * x + t * y);
+  return {};
+}
+
+inline void check_collapse(const edge_collapse_options& options, const char* edit) {
+  if (!(options.at >= 0 && options.at <= 1)) core::throw_joined<invalid_argument>({edit, ": options.at is ", core::number_text(options.at), "; it must be in [0, 1]"});
 }
 
 }  // namespace detail
 
 /// Whether e can be collapsed without a change of the topology: the link condition holds. Boundaries and non-manifold edges are kept.
 /// Needs:  EditableMesh M, an edge of m.
-/// Result: true, or the reason: a poly at an end is no simplex, or the link condition does not hold, as for the last triangle or tet of a part.
+/// Result: true, or the reason: a poly at an end is no simplex, the link condition does not hold, as for the last triangle or tet of a part, or an invariant
+///         does not hold.
 /// Cost:   the polys at the ends, and sorting these.
-/// Errors: invalid_mesh if e is not an edge of m.
+/// Errors: as edge_collapse.
 /// Source: Dey, Edelsbrunner, Guha and Nekhayev 1999, "Topology preserving edge contraction".
 template<EditableMesh M>
-permission can_edge_collapse(const M& m, edge_t<M> e) {
+permission can_edge_collapse(const M& m, edge_t<M> e, const edge_collapse_options& options = {}) {
   detail::check_element(m, e, "can_edge_collapse", "edge");
+  detail::check_collapse(options, "can_edge_collapse");
   detail::cavity_builder<M> c(m);
-  return detail::edge_collapse_cavity(m, e, c);
+  if (const permission p = detail::edge_collapse_cavity(m, e, options.at, c); !p) return p;
+  return detail::ask(options.keep, m, c);
 }
 
 /// Collapses e: its first end remains, its second end and the polys at e are removed.
@@ -77,15 +88,13 @@ permission can_edge_collapse(const M& m, edge_t<M> e) {
 template<EditableMesh M>
 vert_result<M> edge_collapse(M& m, edge_t<M> e, const edge_collapse_options& options = {}) {
   detail::check_element(m, e, "edge_collapse", "edge");
-  const double t = options.at;
-  if (!(t >= 0 && t <= 1)) core::throw_joined<invalid_argument>({"edge_collapse: options.at is ", core::number_text(t), "; it must be in [0, 1]"});
+  detail::check_collapse(options, "edge_collapse");
   detail::cavity_builder<M> c(m);
-  if (const permission p = detail::edge_collapse_cavity(m, e, c); !p) return {p, {}};
-  const auto ends = end_verts(m, e);
-  c.merge(0, 1, t);
-  if (t > 0) c.move(0, t == 1 ? to_vec3(point(m, ends.second)) : (1 - t) * to_vec3(point(m, ends.first)) + t * to_vec3(point(m, ends.second)));
+  if (const permission p = detail::edge_collapse_cavity(m, e, options.at, c); !p) return {p, {}};
+  if (const permission p = detail::ask(options.keep, m, c); !p) return {p, {}};
+  const vert_t<M> kept = end_verts(m, e).first;
   c.apply(m);
-  return {{}, ends.first};
+  return {{}, kept};
 }
 
 }  // namespace concino

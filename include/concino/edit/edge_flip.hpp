@@ -9,6 +9,7 @@ namespace concino {
 
 /// Options of edge_flip for volumes.
 struct edge_flip_options {
+  std::vector<invariant> keep = {};  // see edit_options
   unsigned diagonal = 0;  // 0 or 1. Of the two edges that may replace one with four tets: 0, the one at the first vert of the first tet of adj_e2p that
                           // is no end of the edge; 1, the other one
 };
@@ -28,14 +29,13 @@ inline void check_diagonal(const edge_flip_options& options, const char* edit) {
 
 }  // namespace detail
 
-/// Whether e can be flipped: it has two triangles, which are consistently oriented, and the verts opposite to it are not joined yet.
+/// Whether e can be flipped: it has two triangles, which are consistently oriented, and the verts opposite to it are not joined yet. The invariants hold.
 /// Needs:  EditableSurfaceMesh M, an edge of m.      Result: true, or the reason.
 /// Cost:   the edges at an opposite vert.            Errors: invalid_mesh if e is not an edge of m.
 template<EditableSurfaceMesh M>
-permission can_edge_flip(const M& m, edge_t<M> e) {
+permission can_edge_flip(const M& m, edge_t<M> e, const edit_options& options = {}) {
   detail::check_element(m, e, "can_edge_flip", "edge");
-  detail::facet_flip<M> f(m);
-  return detail::facet_flip_cavity(m, e, f);
+  return detail::can_flip_facet(m, e, options.keep);
 }
 
 /// Replaces e by the edge between the two verts opposite to it.
@@ -45,14 +45,14 @@ permission can_edge_flip(const M& m, edge_t<M> e) {
 /// Cost:   the elements at the verts of the triangles, but O(mesh) the first time.
 /// Errors: invalid_mesh if e is not an edge of m. The mesh is unchanged then, also if memory runs out.
 template<EditableSurfaceMesh M>
-edge_result<M> edge_flip(M& m, edge_t<M> e) {
+edge_result<M> edge_flip(M& m, edge_t<M> e, const edit_options& options = {}) {
   detail::check_element(m, e, "edge_flip", "edge");
-  return detail::flip_facet(m, e);
+  return detail::flip_facet(m, e, options.keep);
 }
 
-/// Whether e can be flipped: it is surrounded by three or four tets, which are consistently oriented, and the new face or edge does not exist yet.
+/// Whether e can be flipped: it is surrounded by three or four tets, which are consistently oriented, and the new face or edge does not exist yet. The invariants hold.
 /// Needs:  EditableVolumeMesh M, an edge of m.
-/// Result: true, or the reason. Whether the new tets are not inverted is not asked.
+/// Result: true, or the reason. Only no_inversion asks whether the new tets are not inverted.
 /// Cost:   the faces at a vert.
 /// Errors: invalid_mesh if e is not an edge of m; invalid_argument if options.diagonal is not 0 or 1.
 template<EditableVolumeMesh M>
@@ -60,7 +60,8 @@ permission can_edge_flip(const M& m, edge_t<M> e, const edge_flip_options& optio
   detail::check_element(m, e, "can_edge_flip", "edge");
   detail::check_diagonal(options, "can_edge_flip");
   detail::edge_ring<M> r(m);
-  return detail::edge_ring_cavity(m, e, options.diagonal, r);
+  if (const permission p = detail::edge_ring_cavity(m, e, options.diagonal, r); !p) return p;
+  return detail::ask(options.keep, m, r.cavity);
 }
 
 /// Replaces e and its three tets by a face with two, or e and its four tets by another edge with four.
@@ -76,6 +77,7 @@ edge_flip_result<M> edge_flip(M& m, edge_t<M> e, const edge_flip_options& option
   detail::check_diagonal(options, "edge_flip");
   detail::edge_ring<M> r(m);
   if (const permission p = detail::edge_ring_cavity(m, e, options.diagonal, r); !p) return {p, {}, {}};
+  if (const permission p = detail::ask(options.keep, m, r.cavity); !p) return {p, {}, {}};
   detail::cavity_builder<M>& c = r.cavity;
   c.apply(m);
   const unsigned d = options.diagonal;

@@ -1,7 +1,7 @@
 // Splits an edge of triangles or tets at a point between its ends.
 #pragma once
 
-#include <concino/edit/detail/cavity_builder.hpp>
+#include <concino/edit/detail/propose.hpp>
 
 #include <concino/concepts/end_verts.hpp>
 #include <concino/core/number_text.hpp>
@@ -23,16 +23,21 @@ permission edge_split_cavity(const M& m, const edge_t<M>& e, double t, cavity_bu
   return {};
 }
 
+inline void check_parameter(double t, const char* edit) {
+  if (!(t > 0 && t < 1)) core::throw_joined<invalid_argument>({edit, ": the parameter is ", core::number_text(t), "; it must be between 0 and 1"});
+}
+
 }  // namespace detail
 
-/// Whether e can be split: all polys at it are triangles in a surface, tets in a volume. Any number of polys is allowed.
-/// Needs:  EditableMesh M, an edge of m.      Result: true, or the reason.      Cost: O(polys at e).      Errors: invalid_mesh if e is not an edge of m.
+/// Whether e can be split: all polys at it are triangles in a surface, tets in a volume, and the invariants hold. Any number of polys is allowed.
+/// Needs:  EditableMesh M, an edge of m.      Result: true, or the reason.      Cost: O(polys at e).      Errors: as edge_split.
 template<EditableMesh M>
-permission can_edge_split(const M& m, edge_t<M> e) {
+permission can_edge_split(const M& m, edge_t<M> e, double t = 0.5, const edit_options& options = {}) {
   detail::check_element(m, e, "can_edge_split", "edge");
-  for (const poly_t<M> p : adj_e2p(m, e))
-    if (num_elements(adj_p2v(m, p)) != detail::cavity_builder<M>::size) return detail::not_simplices;
-  return {};
+  detail::check_parameter(t, "can_edge_split");
+  detail::cavity_builder<M> c(m);
+  if (const permission p = detail::edge_split_cavity(m, e, t, c); !p) return p;
+  return detail::ask(options.keep, m, c);
 }
 
 /// Splits e at (1 - t) a + t b, where a and b are its ends as end_verts lists them, and each poly at it into two.
@@ -41,11 +46,12 @@ permission can_edge_split(const M& m, edge_t<M> e) {
 /// Cost:   the elements at the verts of the polys at e, but O(mesh) the first time.
 /// Errors: invalid_mesh if e is not an edge of m; invalid_argument if t is not between 0 and 1. The mesh is unchanged then, also if memory runs out.
 template<EditableMesh M>
-vert_result<M> edge_split(M& m, edge_t<M> e, double t = 0.5) {
+vert_result<M> edge_split(M& m, edge_t<M> e, double t = 0.5, const edit_options& options = {}) {
   detail::check_element(m, e, "edge_split", "edge");
-  if (!(t > 0 && t < 1)) core::throw_joined<invalid_argument>({"edge_split: the parameter is ", core::number_text(t), "; it must be between 0 and 1"});
+  detail::check_parameter(t, "edge_split");
   detail::cavity_builder<M> c(m);
   if (const permission p = detail::edge_split_cavity(m, e, t, c); !p) return {p, {}};
+  if (const permission p = detail::ask(options.keep, m, c); !p) return {p, {}};
   c.apply(m);
   return {{}, c.new_vert()};
 }

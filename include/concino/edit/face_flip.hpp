@@ -5,14 +5,13 @@
 
 namespace concino {
 
-/// Whether f can be flipped: it has two tets, which are consistently oriented, and the verts opposite to it are not joined yet.
-/// Needs:  EditableVolumeMesh M, a face of m.      Result: true, or the reason. Whether the three tets are not inverted is not asked.
+/// Whether f can be flipped: it has two tets, which are consistently oriented, and the verts opposite to it are not joined yet. The invariants hold.
+/// Needs:  EditableVolumeMesh M, a face of m.      Result: true, or the reason. Only no_inversion asks whether the three tets are not inverted.
 /// Cost:   the edges at an opposite vert.          Errors: invalid_mesh if f is not a face of m.
 template<EditableVolumeMesh M>
-permission can_face_flip(const M& m, face_t<M> f) {
+permission can_face_flip(const M& m, face_t<M> f, const edit_options& options = {}) {
   detail::check_element(m, f, "can_face_flip", "face");
-  detail::facet_flip<M> c(m);
-  return detail::facet_flip_cavity(m, f, c);
+  return detail::can_flip_facet(m, f, options.keep);
 }
 
 /// Replaces f and its two tets by three tets at the edge between the two verts opposite to f. edge_flip of this edge is the inverse.
@@ -22,9 +21,9 @@ permission can_face_flip(const M& m, face_t<M> f) {
 /// Errors: invalid_mesh if f is not a face of m. The mesh is unchanged then, also if memory runs out.
 /// Source: Freitag and Ollivier-Gooch 1997, "Tetrahedral mesh improvement using swapping and smoothing".
 template<EditableVolumeMesh M>
-edge_result<M> face_flip(M& m, face_t<M> f) {
+edge_result<M> face_flip(M& m, face_t<M> f, const edit_options& options = {}) {
   detail::check_element(m, f, "face_flip", "face");
-  return detail::flip_facet(m, f);
+  return detail::flip_facet(m, f, options.keep);
 }
 
 }  // namespace concino

@@ -1,7 +1,7 @@
 // Splits a face of tets into three, at a point inside, and each tet at it too.
 #pragma once
 
-#include <concino/edit/detail/cavity_builder.hpp>
+#include <concino/edit/detail/propose.hpp>
 
 namespace concino {
 
@@ -24,14 +24,15 @@ permission face_split_cavity(const M& m, const face_t<M>& f, const vec3& x, cavi
 
 }  // namespace detail
 
-/// Whether f can be split: all polys at it are tets.
-/// Needs:  EditableVolumeMesh M, a face of m.      Result: true, or the reason.      Cost: O(polys at f).      Errors: invalid_mesh if f is not a face of m.
+/// Whether f can be split at x: all polys at it are tets, and the invariants hold.
+/// Needs:  EditableVolumeMesh M, a face of m.      Result: true, or the reason.      Cost: O(polys at f).      Errors: as face_split.
 template<EditableVolumeMesh M>
-permission can_face_split(const M& m, face_t<M> f) {
+permission can_face_split(const M& m, face_t<M> f, const vec3& x, const edit_options& options = {}) {
   detail::check_element(m, f, "can_face_split", "face");
-  for (const poly_t<M> p : adj_f2p(m, f))
-    if (num_elements(adj_p2v(m, p)) != detail::cavity_builder<M>::size) return detail::not_simplices;
-  return {};
+  detail::check_point(x, "can_face_split");
+  detail::cavity_builder<M> c(m);
+  if (const permission p = detail::face_split_cavity(m, f, x, c); !p) return p;
+  return detail::ask(options.keep, m, c);
 }
 
 /// Splits f at x, and each tet at it into three.
@@ -41,11 +42,12 @@ permission can_face_split(const M& m, face_t<M> f) {
 /// Cost:   the elements at the verts of the tets, but O(mesh) the first time.
 /// Errors: invalid_mesh if f is not a face of m; invalid_argument if x is not finite. The mesh is unchanged then, also if memory runs out.
 template<EditableVolumeMesh M>
-vert_result<M> face_split(M& m, face_t<M> f, const vec3& x) {
+vert_result<M> face_split(M& m, face_t<M> f, const vec3& x, const edit_options& options = {}) {
   detail::check_element(m, f, "face_split", "face");
   detail::check_point(x, "face_split");
   detail::cavity_builder<M> c(m);
   if (const permission p = detail::face_split_cavity(m, f, x, c); !p) return {p, {}};
+  if (const permission p = detail::ask(options.keep, m, c); !p) return {p, {}};
   c.apply(m);
   return {{}, c.new_vert()};
 }

@@ -1,7 +1,7 @@
 // Splits a triangle into three or a tet into four, at a point inside.
 #pragma once
 
-#include <concino/edit/detail/cavity_builder.hpp>
+#include <concino/edit/detail/propose.hpp>
 
 namespace concino {
 
@@ -16,14 +16,30 @@ permission poly_split_cavity(const poly_t<M>& p, const vec3& x, cavity_builder<M
   return {};
 }
 
+template<class M>
+vec3 mean_of_verts(const M& m, const poly_t<M>& p) {
+  vec3 sum;
+  double n = 0;
+  for (const vert_t<M> v : adj_p2v(m, p)) sum += to_vec3(point(m, v)), ++n;
+  return sum / n;
+}
+
 }  // namespace detail
 
-/// Whether p can be split: it is a triangle or a tet.
-/// Needs:  EditableMesh M, a poly of m.      Result: true, or the reason.      Cost: O(1).      Errors: invalid_mesh if p is not a poly of m.
+/// Whether p can be split at x: it is a triangle or a tet, and the invariants hold.
+/// Needs:  EditableMesh M, a poly of m.      Result: true, or the reason.      Cost: O(1).      Errors: as poly_split.
+template<EditableMesh M>
+permission can_poly_split(const M& m, poly_t<M> p, const vec3& x, const edit_options& options = {}) {
+  detail::check_element(m, p, "can_poly_split", "poly");
+  detail::check_point(x, "can_poly_split");
+  detail::cavity_builder<M> c(m);
+  if (const permission allowed = detail::poly_split_cavity(p, x, c); !allowed) return allowed;
+  return detail::ask(options.keep, m, c);
+}
 template<EditableMesh M>
 permission can_poly_split(const M& m, poly_t<M> p) {
   detail::check_element(m, p, "can_poly_split", "poly");
-  return num_elements(adj_p2v(m, p)) == detail::cavity_builder<M>::size ? permission{} : detail::not_simplices;
+  return can_poly_split(m, p, detail::mean_of_verts(m, p));
 }
 
 /// Splits p at x into one poly for each of its facets.
@@ -32,11 +48,12 @@ permission can_poly_split(const M& m, poly_t<M> p) {
 /// Cost:   the elements at the verts of p, but O(mesh) the first time.
 /// Errors: invalid_mesh if p is not a poly of m; invalid_argument if x is not finite. The mesh is unchanged then, also if memory runs out.
 template<EditableMesh M>
-vert_result<M> poly_split(M& m, poly_t<M> p, const vec3& x) {
+vert_result<M> poly_split(M& m, poly_t<M> p, const vec3& x, const edit_options& options = {}) {
   detail::check_element(m, p, "poly_split", "poly");
   detail::check_point(x, "poly_split");
   detail::cavity_builder<M> c(m);
   if (const permission allowed = detail::poly_split_cavity(p, x, c); !allowed) return {allowed, {}};
+  if (const permission allowed = detail::ask(options.keep, m, c); !allowed) return {allowed, {}};
   c.apply(m);
   return {{}, c.new_vert()};
 }
@@ -46,10 +63,7 @@ vert_result<M> poly_split(M& m, poly_t<M> p, const vec3& x) {
 template<EditableMesh M>
 vert_result<M> poly_split(M& m, poly_t<M> p) {
   detail::check_element(m, p, "poly_split", "poly");
-  vec3 sum;
-  double n = 0;
-  for (const vert_t<M> v : adj_p2v(m, p)) sum += to_vec3(point(m, v)), ++n;
-  return poly_split(m, p, sum / n);
+  return poly_split(m, p, detail::mean_of_verts(m, p));
 }
 
 }  // namespace concino

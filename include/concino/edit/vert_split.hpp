@@ -1,7 +1,7 @@
 // Splits a vert of triangles or tets into two that are joined by an edge: the inverse of edge_collapse.
 #pragma once
 
-#include <concino/edit/detail/cavity_builder.hpp>
+#include <concino/edit/detail/propose.hpp>
 #include <concino/edit/detail/link_condition.hpp>
 
 #include <concino/concepts/end_verts.hpp>
@@ -15,6 +15,7 @@ namespace concino {
 
 template<class M>
 struct vert_split_options {
+  std::vector<invariant> keep = {};            // see edit_options
   std::optional<vec3> kept_point = {};         // where the old vert moves; none: it stays
   std::span<const facet_t<M>> opened = {};     // further facets at the vert that open, which only moved polys have, or only others
 };
@@ -108,12 +109,12 @@ bool find_opened_facets(const M& m, unsigned v, std::span<const facet_t<M>> open
 
 /// A new poly is made of each facet that opens and the new vert.
 template<class M>
-permission vert_split_cavity(const M& m, const vert_t<M>& v, std::span<const poly_t<M>> moved, std::span<const facet_t<M>> opened, cavity_builder<M>& c) {
+permission vert_split_cavity(const M& m, const vert_t<M>& v, std::span<const poly_t<M>> moved, const vec3& x, const vert_split_options<M>& options, cavity_builder<M>& c) {
   constexpr unsigned n = cavity_builder<M>::size - 1, added = cavity_builder<M>::added;
-  if (const permission p = find_polys_at(m, v, moved, opened, c); !p) return p;
+  if (const permission p = find_polys_at(m, v, moved, options.opened, c); !p) return p;
   const unsigned a = c.vert(v), b = c.num_verts();  // b: the number of the new vert in the links
   core::small_array<opened_facet<n - 1>, 64> all;
-  if (!find_opened_facets(m, a, opened, c, all)) return not_polys_at_vert;
+  if (!find_opened_facets(m, a, options.opened, c, all)) return not_polys_at_vert;
   if (all.empty()) return nothing_opens;
   simplex_list<n> link_a, link_b;
   simplex_list<n - 1> link_ab;
@@ -124,8 +125,8 @@ permission vert_split_cavity(const M& m, const vert_t<M>& v, std::span<const pol
     const bool is_moved = f.poly < c.num_old();
     unsigned corners[n + 1], of_facet[n];
     for (unsigned i = 0; i <= n; ++i) {
-      const unsigned x = c.corners(f.poly)[i];
-      corners[i] = x == f.opposite ? (is_moved ? a : added) : x == a && is_moved ? added : x;
+      const unsigned y = c.corners(f.poly)[i];
+      corners[i] = y == f.opposite ? (is_moved ? a : added) : y == a && is_moved ? added : y;
     }
     std::swap(corners[0], corners[1]);
     c.add_new(corners, f.poly);
@@ -135,14 +136,18 @@ permission vert_split_cavity(const M& m, const vert_t<M>& v, std::span<const pol
     link_ab.push_back(f.verts);
   }
   c.keep(c.num_old());
+  c.add_point(x, {a, a, 0});
+  if (options.kept_point) c.move(a, *options.kept_point);
   return can_collapse<n>(link_a, link_b, link_ab, b + 1) ? permission{} : split_breaks_link_condition;
 }
 
 template<class M>
-void check_vert_split(const M& m, const vert_t<M>& v, std::span<const poly_t<M>> moved, const vert_split_options<M>& options, const char* edit) {
+void check_vert_split(const M& m, const vert_t<M>& v, std::span<const poly_t<M>> moved, const vec3& x, const vert_split_options<M>& options, const char* edit) {
   check_element(m, v, edit, "vert");
   for (const poly_t<M>& p : moved) check_element(m, p, edit, "poly");
   for (const facet_t<M>& f : options.opened) check_element(m, f, edit, dimension_v<M> == 2 ? "edge" : "face");
+  check_point(x, edit);
+  if (options.kept_point) check_point(*options.kept_point, edit);
 }
 
 }  // namespace detail
@@ -171,16 +176,17 @@ vert_split_input<M> inverse_of_collapse(const M& m, edge_t<M> e) {
   return undo;
 }
 
-/// Whether v can be split so that these polys go to the new vert: a facet opens, and collapsing the new edge would be allowed.
+/// Whether v can be split so that these polys go to the new vert: a facet opens, and collapsing the new edge would be allowed. The invariants hold.
 /// Needs:  EditableMesh M, polys of m.
 /// Result: true, or the reason: the polys or facets are not at v, a poly at v is no simplex, no facet opens, or the topology would change.
 /// Cost:   the polys at v, and sorting these.
-/// Errors: invalid_mesh if v is not a vert, or one of the polys or facets not a poly or facet of m.
+/// Errors: as vert_split.
 template<EditableMesh M>
-permission can_vert_split(const M& m, vert_t<M> v, std::span<const std::type_identity_t<poly_t<M>>> moved, const vert_split_options<M>& options = {}) {
-  detail::check_vert_split<M>(m, v, moved, options, "can_vert_split");
+permission can_vert_split(const M& m, vert_t<M> v, std::span<const std::type_identity_t<poly_t<M>>> moved, const vec3& x, const vert_split_options<M>& options = {}) {
+  detail::check_vert_split<M>(m, v, moved, x, options, "can_vert_split");
   detail::cavity_builder<M> c(m);
-  return detail::vert_split_cavity<M>(m, v, moved, options.opened, c);
+  if (const permission p = detail::vert_split_cavity<M>(m, v, moved, x, options, c); !p) return p;
+  return detail::ask(options.keep, m, c);
 }
 
 /// Splits v: the moved polys get a new vert at x in its place. Each facet at v between a moved poly and another one opens into a new poly, whose verts are
@@ -194,14 +200,10 @@ permission can_vert_split(const M& m, vert_t<M> v, std::span<const std::type_ide
 /// Source: Hoppe 1996, "Progressive meshes".
 template<EditableMesh M>
 vert_result<M> vert_split(M& m, vert_t<M> v, std::span<const std::type_identity_t<poly_t<M>>> moved, const vec3& x, const vert_split_options<M>& options = {}) {
-  detail::check_vert_split<M>(m, v, moved, options, "vert_split");
-  detail::check_point(x, "vert_split");
-  if (options.kept_point) detail::check_point(*options.kept_point, "vert_split");
+  detail::check_vert_split<M>(m, v, moved, x, options, "vert_split");
   detail::cavity_builder<M> c(m);
-  if (const permission p = detail::vert_split_cavity<M>(m, v, moved, options.opened, c); !p) return {p, {}};
-  const unsigned a = c.vert(v);
-  c.add_point(x, {a, a, 0});
-  if (options.kept_point) c.move(a, *options.kept_point);
+  if (const permission p = detail::vert_split_cavity<M>(m, v, moved, x, options, c); !p) return {p, {}};
+  if (const permission p = detail::ask(options.keep, m, c); !p) return {p, {}};
   c.apply(m);
   return {{}, c.new_vert()};
 }

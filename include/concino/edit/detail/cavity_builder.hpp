@@ -8,7 +8,7 @@
 #include <concino/core/vec3.hpp>
 #include <concino/edit/detail/local_numbers.hpp>
 #include <concino/edit/detail/value_carrier.hpp>
-#include <concino/edit/permission.hpp>
+#include <concino/edit/proposed_edit.hpp>
 
 #include <cmath>
 
@@ -19,7 +19,6 @@ struct vert_origin {
   unsigned a, b;
   double t;
 };
-using poly_origin = edit_outline::poly_origins;
 
 /// Models whose named properties follow the edits.
 template<class M> concept carries_values = HasProperties<M> && requires(const M& m, poly_t<M> p) { traits<M>::first_corner(m, p); };
@@ -112,8 +111,6 @@ class cavity_builder {
   void add_point(const vec3& x, const vert_origin& from) { point_ = x, origin_ = from, has_point_ = true; }
   /// Moves a vert that stays.
   void move(unsigned v, const vec3& x) { moved_ = v, moved_to_ = x; }
-  /// Removes a vert, which no new poly has.
-  void remove(unsigned v) { removed_ = v; }
   /// Adds a new poly: poly k with vert `by` instead of `v`.
   void add_new(unsigned k, unsigned v, unsigned by) {
     for (unsigned i = 0; i < size; ++i) new_corners_.push_back(corners(k)[i] == v ? by : corners(k)[i]);
@@ -130,8 +127,8 @@ class cavity_builder {
   void split_at(const unsigned* verts, unsigned n) {
     for (unsigned i = 0; i < n; ++i) split_.push_back(verts[i]);
   }
-  /// Vert b will be removed, and a will be at (1 - t) a + t b.
-  void merge(unsigned a, unsigned b, double t) { origin_ = {a, b, t}; }
+  /// Removes vert b, which no new poly has. It becomes one with a, at (1 - t) a + t b.
+  void merge(unsigned a, unsigned b, double t) { removed_ = b, origin_ = {a, b, t}; }
   /// The first n new polys have the descriptors of the first n old ones.
   void keep(std::size_t n) { kept_ = n; }
   /// Each new poly comes from all old ones.
@@ -140,6 +137,14 @@ class cavity_builder {
   }
 
   const vert_t<M>& new_vert() const { return new_vert_; }
+  const core::small_array<unsigned, 96>& new_corners() const { return new_corners_; }
+  const core::small_array<poly_origin, 32>& origins() const { return origins_; }
+  unsigned removed_vert() const { return removed_; }
+  unsigned kept_vert() const { return removed_ == none ? none : origin_.a; }
+  unsigned moved_vert() const { return moved_; }
+  const vec3& moved_to() const { return moved_to_; }
+  bool has_point() const { return has_point_; }
+  const vec3& point_of_new() const { return point_; }
 
   /// Replaces the polys. Named properties follow, by the origins of the new elements.
   void apply(M& m) {
@@ -231,27 +236,5 @@ class cavity_builder {
     }
   }
 };
-
-/// Replaces each old poly of c by one for each of the `n` verts `split`, in which the new vert takes the place of that vert.
-template<class M>
-void split_old_polys(cavity_builder<M>& c, const unsigned* split, unsigned n) {
-  for (unsigned i = 0; i < n; ++i)
-    for (unsigned k = 0; k < c.num_old(); ++k) c.add_new(k, split[i], cavity_builder<M>::added);
-  c.split_at(split, n);
-  c.keep(c.num_old());
-}
-
-/// Errors: invalid_mesh if x is not an element of m.
-template<class M, class X>
-void check_element(const M& m, const X& x, const char* edit, const char* kind) {
-  if (!contains(m, x)) core::throw_joined<invalid_mesh>({edit, ": ", kind, " ", index_of(m, x), " is not ", *kind == 'e' ? "an " : "a ", kind, " of the mesh"});
-}
-
-/// Errors: invalid_argument if x is not finite.
-inline void check_point(const vec3& x, const char* edit) {
-  if (!is_finite(x)) core::throw_joined<invalid_argument>({edit, ": the point is not finite"});
-}
-
-inline constexpr permission not_simplices{refusal::not_simplices, "a poly at the element is not a triangle or a tet"};
 
 }  // namespace concino::detail

@@ -1,7 +1,7 @@
 // The cavity of a flip of a facet between two simplices: an edge between triangles, a face between tets.
 #pragma once
 
-#include <concino/edit/detail/cavity_builder.hpp>
+#include <concino/edit/detail/propose.hpp>
 
 #include <concino/concepts/end_verts.hpp>
 #include <concino/concepts/facets.hpp>
@@ -65,11 +65,19 @@ permission facet_flip_cavity(const M& m, const facet_t<M>& x, facet_flip<M>& f) 
   return {};
 }
 
+template<class M>
+permission can_flip_facet(const M& m, const facet_t<M>& x, const std::vector<invariant>& keep) {
+  facet_flip<M> f(m);
+  if (const permission p = facet_flip_cavity(m, x, f); !p) return p;
+  return ask(keep, m, f.cavity);
+}
+
 /// The edge that a flip of facet x makes.
 template<class M>
-edge_result<M> flip_facet(M& m, const facet_t<M>& x) {
+edge_result<M> flip_facet(M& m, const facet_t<M>& x, const std::vector<invariant>& keep) {
   facet_flip<M> f(m);
   if (const permission p = facet_flip_cavity(m, x, f); !p) return {p, {}};
+  if (const permission p = ask(keep, m, f.cavity); !p) return {p, {}};
   f.cavity.apply(m);
   return {{}, edge_between_verts(m, f.cavity.vert_at(f.first), f.cavity.vert_at(f.second))};
 }

@@ -10,6 +10,7 @@
 #include <concino/concepts/end_verts.hpp>
 #include <concino/core/small_array.hpp>
 #include <concino/core/vec3.hpp>
+#include <concino/edit/proposed_edit.hpp>
 #include <concino/mesh/carried_values.hpp>
 #include <concino/mesh/property.hpp>
 
@@ -38,14 +39,11 @@ struct simplex_key {
 struct edit_outline {
   static constexpr unsigned none = ~0u, added = none - 1;  // `added` is the number of the new vert
 
-  struct poly_origins {
-    unsigned first, count;
-  };
   unsigned size = 0;                       // verts of a simplex
   unsigned num_old = 0, num_new = 0;       // polys
   const unsigned* old_corners = nullptr;   // of these, one poly after another
   const unsigned* new_corners = nullptr;
-  const poly_origins* origins = nullptr;   // of new polys: old ones with successive numbers
+  const poly_origin* origins = nullptr;    // of new polys
   const double* old_measures = nullptr;
   const double* new_measures = nullptr;
   core::small_array<origin, 4> around;     // the verts of the simplex in which the new vert lies, and its weights
