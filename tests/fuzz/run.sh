@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Fuzzes the readers of the library with libFuzzer, the address sanitizer and the undefined behaviour sanitizer.
-#   tests/fuzz/run.sh SECONDS [reader...]    each reader for that many seconds; default: all (CONCINO_FUZZ=list <program> lists them)
+#   tests/fuzz/run.sh SECONDS [reader...]    each reader for that many seconds; default: all (CONCINO_FUZZ=list <program> lists them); 0 only compiles
 # Prints a line per reader, and the input and the report of what is found. Fails if anything is found.
 # Environment: CONCINO_FUZZ_BUILD (default build/fuzz; keeps the inputs that were found interesting), CONCINO_CORPUS (default ../shared/data),
 # CONCINO_FUZZ_PROGRAM (a built program, else it is compiled), CXX (clang++), CONCINO_JOBS (2: readers at a time).
@@ -28,6 +28,7 @@ if [ -z "${CONCINO_FUZZ_PROGRAM:-}" ]; then
       tests/fuzz/fuzz_readers.cpp -lz -o "$program" || exit 1
   fi
 fi
+[ "$seconds" -gt 0 ] || exit 0
 grep -qx "${1:-obj}" <(CONCINO_FUZZ=list "$program") || { echo "no reader ${1:-obj}; there are:"; CONCINO_FUZZ=list "$program"; exit 2; }
 
 # The extensions of a reader's files, to find seeds in the corpus.
