@@ -106,6 +106,26 @@ class basic_cell_builder {
     return s == cell_shape::general ? check_polyhedron(v) : check_cell(s, v);
   }
 
+  /// Adds all cells of a volume that has cells of one shape only. Needs: no cell was added before.
+  /// Result: the number of cells; less if one is not valid, as for add_cell: then its position.
+  std::size_t add_all_cells(cell_shape s, std::vector<vert_id>&& verts) {
+    const standard_cell& cell = standard_cell_of(s);
+    verts_ = std::move(verts);
+    const std::size_t n = verts_.size() / cell.num_verts;
+    for (std::size_t c = 0; c < n; ++c) {
+      vert_id* const v = verts_.data() + c * cell.num_verts;
+      const std::size_t k = detail::first_repeated(v, cell.num_verts, scratch_);
+      if (k != cell.num_verts ? !reject_repeated(v[k], "a cell") : !can_hold(s) && !reject(cell.name, cell.num_faces)) return c;
+      num_negative_ += make_volume_positive(s, v, points_);
+    }
+    for (unsigned f = 0; f < cell.num_faces; ++f) corners_ += n * cell.face_size[f];
+    if (verts_.size() > detail::max_ids || corners_ > detail::max_ids) core::throw_joined<unsupported>({in_.name, ": more than ", detail::max_ids, " corners of faces"});
+    all_faces_ = n * cell.num_faces;
+    only_ = s;
+    cells_ = n;
+    return n;
+  }
+
   /// Moves the points and the cells into the contents.
   void finish(Contents& out) {
     const std::size_t arity = cells_ && only_ != cell_shape::general ? standard_cell_of(only_).num_verts : 0;

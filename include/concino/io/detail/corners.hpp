@@ -5,7 +5,6 @@
 #include <concino/core/sort_numbers.hpp>
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -27,11 +26,6 @@ inline constexpr std::uint64_t max_ids = 0xFFFFFFFEu;  // 32-bit ids, one of whi
 
 /// The position of the first vert that occurs earlier in the list, or the length of the list. Quadratic for lists as short as most polys.
 inline std::size_t first_repeated(const vert_id* verts, std::size_t n, std::vector<std::uint64_t>& scratch) {
-  if (n > 4 && n < 16) {  // nearly all polygons have verts with different last bits
-    std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < n; ++i) bits |= std::uint64_t{1} << (verts[i].raw() & 63);
-    if (static_cast<std::size_t>(std::popcount(bits)) == n) return n;
-  }
   if (n > 32) return first_repeated_of_many(verts, n, scratch);
   for (std::size_t i = 1; i < n; ++i)
     for (std::size_t j = 0; j < i; ++j)

@@ -128,6 +128,11 @@ class vtk_mesh {
 
   void make_volume(bool lists_faces) {
     basic_cell_builder<Contents> cells(in_, grid_.points, 0);
+    if (has_one_shape()) {
+      const std::size_t n = grid_.size(), added = cells.add_all_cells(shape_of_vtk_cell(grid_.types[0]), std::move(grid_.verts));
+      if (added != n) places_.fail_at_cell(added, {cells.expected}, {cells.found});
+      return cells.finish(out_);
+    }
     identity_ = lists_as_builder();
     if (identity_) cells.take(std::move(grid_.verts));
     else cells.reserve_numbers(grid_.verts.size());
@@ -141,6 +146,16 @@ class vtk_mesh {
     cells.finish(out_);
   }
 
+  /// Whether all cells are tets, or hexes, and so on. Checks their verts.
+  bool has_one_shape() {
+    const std::uint8_t type = grid_.types.empty() ? std::uint8_t{0} : grid_.types[0];
+    if (shape_of_vtk_cell(type) == cell_shape::general || type == 11) return false;
+    for (const std::uint8_t t : grid_.types)
+      if (t != type) return false;
+    for (std::size_t c = 0; c < grid_.size(); ++c) verts_of(c);
+    identity_ = true;
+    return true;
+  }
   /// Whether all cells are listed as cell_builder does it: tets, hexes, prisms, pyramids, and polyhedra unless these have to become tets or hexes.
   bool lists_as_builder() const {
     const bool takes_polyhedra = in_.wanted.polyhedra || !in_.wanted.cells;
