@@ -1,5 +1,6 @@
 // remove_unreferenced and remove_face: what belongs to no poly is removed, and nothing else changes.
 #include <concino/edit/remove_unreferenced.hpp>
+#include <concino/edit/transaction.hpp>
 #include <concino/mesh.hpp>
 
 #include <support/kinds.hpp>
@@ -88,4 +89,17 @@ TEST_CASE("remove_face: a face without polys") {
   CHECK(cn::num_faces(m) + cn::num_edges(m) == 0);
   CHECK(cn::num_verts(m) == 3);
   CHECK_THROWS_AS(cn::remove_face(m, f), cn::invalid_mesh);
+}
+
+TEST_CASE_TEMPLATE("remove_unreferenced: a transaction undoes it", M, CONCINO_KINDS) {
+  M m = cn::testing::two_grids<M>(1);
+  const auto polys = raw(cn::polys(m));
+  for (std::size_t i = 0; i < polys.size() / 2; ++i) cn::remove_poly(m, cn::poly_id{polys[i]});
+  const auto before = cn::testing::whole(m);
+  {
+    cn::transaction t(m);
+    CHECK(cn::remove_unreferenced(m).verts == 1 + (cn::vert_index_bound(m) - 1) / 2);
+    keeps_all_laws(m);
+  }
+  CHECK(cn::testing::whole(m) == before);
 }

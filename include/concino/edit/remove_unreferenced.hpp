@@ -1,6 +1,7 @@
 // Removes what belongs to no poly.
 #pragma once
 
+#include <concino/concepts/editable.hpp>
 #include <concino/edit/elements.hpp>
 
 #include <cstddef>
@@ -35,7 +36,7 @@ bool is_unreferenced(const M& m, const vert_t<M>& v) {
 /// Needs:  AnyMesh M whose traits have remove_vert, and remove_face if faces without polys can exist. In surfaces, verts with edges stay.
 /// Result: how many elements were removed. Other elements keep their descriptors; garbage_collect(m) closes the gaps in their numbers.
 /// Cost:   O(verts and faces), and the elements at those that are removed.
-/// Errors: none of its own. If memory runs out, nothing is removed.
+/// Errors: unsupported if faces without polys would be removed while a transaction is open. Nothing is removed then, nor if memory runs out.
 template<requirement::has_remove_vert M>
   requires AnyMesh<M>
 removed_counts remove_unreferenced(M& m) {
@@ -49,9 +50,14 @@ removed_counts remove_unreferenced(M& m) {
     for (const face_t<M> f : faces(m))
       if (detail::is_empty_range(adj_f2p(m, f))) unused_faces.push_back(f);
     removed.faces = unused_faces.size();
-    if (removed.faces + removed.verts > 0) detail::reserve_removal(m, {});
+    if (removed.faces > 0) detail::reserve_removal(m, {});
     for (const face_t<M> f : unused_faces) traits<M>::remove_face(m, f);
-  } else if (removed.verts > 0) {
+  }
+  if (removed.verts > 0 && removed.faces == 0) {
+    if constexpr (EditableMesh<M>) {  // all at once, also while a transaction is open
+      rewire(m, cavity<M>{.verts = {unused.data(), unused.data() + unused.size()}, .removed = unused.size()}, cavity_result<M>{});
+      return removed;
+    }
     detail::reserve_removal(m, {});
   }
   for (const vert_t<M> v : unused) traits<M>::remove_vert(m, v);
