@@ -173,6 +173,13 @@ class jagged_array<T, 0> {
   /// The number of values in memory, including those that edits left unused.
   std::size_t num_values() const { return data_.size(); }
 
+  /// Requests the memory that tells where row i is, which will be read soon.
+  void prefetch_row(std::size_t i) const {
+    __builtin_prefetch(first_ + i);
+    __builtin_prefetch(last_ + i);
+    if (!packed_) __builtin_prefetch(room_.data() + i);
+  }
+
   /// The offsets, which other tables with rows of the same lengths can share; null after an edit.
   const std::shared_ptr<const offsets>& shared_offsets() const { return packed_; }
   /// Shares the equal offsets of another table, so that they are stored once.
