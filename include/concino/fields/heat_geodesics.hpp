@@ -64,7 +64,7 @@ prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> pre
 ///         for n elements. For several queries prepare_heat_geodesics factorises once.
 ///         Iterative solvers, such as multigrid, are only used for the potential of the gradient: one set-up to prepare, and one solve per query. Heat is
 ///         found by conjugate gradients in bands of verts, from the sources outwards, in 10 to 100 short iterations. At 10^6 triangles a query takes the time of
-///         20 to 30 cycles of multigrid, and up to 60 where triangles are long or obtuse. Distances differ by about 1e-4 of the largest from those
+///         20 to 30 cycles of multigrid, and about 60 where triangles are long or obtuse. Distances differ by about 1e-4 of the largest from those
 ///         by factorisation. A tolerance of 1e-6 of the solver is enough. Only bands with many edges far shorter than the square root of the time need a set-up
 ///         and a solve of their own.
 /// Errors: invalid_argument if time is out of its range, there is no source, or an initial distance is not finite. invalid_mesh if a source is no
