@@ -17,6 +17,27 @@ struct prolongation {
   int columns = 0;
 };
 
+/// The same by columns: row[k] has weight[k] for coarse value c, for k in [begin[c], begin[c + 1]). Cycles use it, since columns have more entries than rows.
+struct restriction {
+  std::vector<int> begin, row;
+  std::vector<float> weight;
+
+  restriction() = default;
+  explicit restriction(const prolongation& p) : begin(static_cast<std::size_t>(p.columns) + 2), row(p.column.size()), weight(p.column.size()) {
+    for (const int c : p.column) ++begin[static_cast<std::size_t>(c) + 2];
+    for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
+    for (std::size_t i = 0; i + 1 < p.begin.size(); ++i)
+      for (auto k = static_cast<std::size_t>(p.begin[i]); k < static_cast<std::size_t>(p.begin[i + 1]); ++k) {
+        const auto to = static_cast<std::size_t>(begin[static_cast<std::size_t>(p.column[k]) + 1]++);
+        row[to] = static_cast<int>(i);
+        weight[to] = p.weight[k];
+      }
+    begin.pop_back();
+  }
+
+  int size() const { return static_cast<int>(begin.size()) - 1; }
+};
+
 /// Rows i and j are strongly connected if a_ij is negative and -a_ij is at least 0.6 min(m_i, m_j), where m_i is the largest -a_ij of row i. An aggregate
 /// is a row and those strongly connected to it. Rows that are dominated by their diagonal entry belong to none, since Gauss-Seidel solves them. The filtered
 /// matrix has the strong entries only; all others are added to its diagonal.

@@ -21,7 +21,7 @@ CONCINO_INLINE void conjugate_gradients::factorize(const Eigen::SparseMatrix<dou
 CONCINO_INLINE Eigen::VectorXd conjugate_gradients::solve(const Eigen::VectorXd& rhs) const {
   const std::int64_t patience = 500 + 4 * static_cast<std::int64_t>(std::sqrt(static_cast<double>(a_.cols())));
   return system_.solve("conjugate_gradients", a_, rhs, options_, patience, report_,
-                       [&](const Eigen::VectorXd& r, Eigen::VectorXd& z) { preconditioner_.solve(a_, r, z); });
+                       [&](const Eigen::VectorXd& r, Eigen::VectorXd& z, Eigen::VectorXd&) { return preconditioner_.solve(a_, r, z), false; });
 }
 
 }  // namespace concino

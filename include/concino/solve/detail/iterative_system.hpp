@@ -83,7 +83,7 @@ class iterative_system {
   /// a: the prepared matrix; precondition and patience as in preconditioned_iteration; report: about this solve.
   Eigen::VectorXd solve(const char* caller, const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& rhs, const conjugate_gradients_options& options,
                         std::int64_t patience, iteration_report& report,
-                        function_ref<void(const Eigen::VectorXd&, Eigen::VectorXd&)> precondition) const {
+                        function_ref<bool(const Eigen::VectorXd&, Eigen::VectorXd&, Eigen::VectorXd&)> precondition) const {
     core::check_right_hand_side(caller, rhs, size_);
     report = {};
     double largest = 0;

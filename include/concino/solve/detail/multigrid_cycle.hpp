@@ -26,99 +26,92 @@ inline double* row_of(double* x, int i) { return x + static_cast<std::ptrdiff_t>
 template<int W>
 inline const double* row_of(const double* x, int i) { return x + static_cast<std::ptrdiff_t>(i) * W; }
 
-/// Gauss-Seidel from 0, first to last row.
+/// Gauss-Seidel from 0, last to first row. inverse: of the diagonal. r: the residual afterwards.
 template<int W>
-void smooth_first(const lower_entries& m, const double* b, double* x) {
-  for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(m.n) * W; ++i) x[i] = b[i];
-  for (int c = 0; c < m.n; ++c) {
-    const double diagonal = m.a[m.starts[c]];
-    double xc[W], *const at = row_of<W>(x, c);
-    for (int l = 0; l < W; ++l) xc[l] = at[l] /= diagonal;
-    for (int k = m.starts[c] + 1; k < m.starts[c + 1]; ++k) {
-      const double a = m.a[k];
-      double* const to = row_of<W>(x, m.rows[k]);
-      for (int l = 0; l < W; ++l) to[l] -= a * xc[l];
-    }
-  }
-}
-
-/// Gauss-Seidel from x, last to first row.
-template<int W>
-void smooth_last(const lower_entries& m, const double* b, double* x) {
-  for (int c = m.n - 1; c >= 0; --c) {  // x = b - L x; entries below c are done
-    double xc[W], *const at = row_of<W>(x, c);
-    for (int l = 0; l < W; ++l) {
-      xc[l] = at[l];
-      at[l] = row_of<W>(b, c)[l];
-    }
-    for (int k = m.starts[c] + 1; k < m.starts[c + 1]; ++k) {
-      const double a = m.a[k];
-      double* const to = row_of<W>(x, m.rows[k]);
-      for (int l = 0; l < W; ++l) to[l] -= a * xc[l];
-    }
-  }
-  for (int c = m.n - 1; c >= 0; --c) {
-    double xc[W], *const at = row_of<W>(x, c);
-    for (int l = 0; l < W; ++l) xc[l] = at[l];
+void smooth_first(const lower_entries& m, const double* inverse, const double* b, double* x, double* r) {
+  for (int c = m.n - 1; c >= 0; --c) {  // x_c = (b - L^T x)_c / d_c for the x known so far; r = -L x
+    double xc[W], *const at = row_of<W>(x, c), *const left = row_of<W>(r, c);
+    for (int l = 0; l < W; ++l) xc[l] = row_of<W>(b, c)[l];
     for (int k = m.starts[c] + 1; k < m.starts[c + 1]; ++k) {
       const double a = m.a[k];
       const double* const from = row_of<W>(x, m.rows[k]);
       for (int l = 0; l < W; ++l) xc[l] -= a * from[l];
     }
-    const double diagonal = m.a[m.starts[c]];
-    for (int l = 0; l < W; ++l) at[l] = xc[l] / diagonal;
+    for (int l = 0; l < W; ++l) {
+      at[l] = xc[l] *= inverse[c];
+      left[l] = 0;
+    }
+    for (int k = m.starts[c] + 1; k < m.starts[c + 1]; ++k) {
+      const double a = m.a[k];
+      double* const to = row_of<W>(r, m.rows[k]);
+      for (int l = 0; l < W; ++l) to[l] -= a * xc[l];
+    }
   }
 }
 
-/// Restricts the residual after smooth_first, which is -L^T x.
+/// Gauss-Seidel from x, first to last row. Afterwards A x = y + L^T x.
 template<int W>
-void restrict_residual(const lower_entries& m, const prolongation& p, const double* x, double* coarse) {
-  for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(p.columns) * W; ++i) coarse[i] = 0;
-  for (int c = 0; c < m.n; ++c) {
-    double r[W] = {};
+void smooth_last(const lower_entries& m, const double* inverse, const double* b, double* x, double* y) {
+  for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(m.n) * W; ++i) y[i] = 0;
+  for (int c = 0; c < m.n; ++c) {  // y is L x from row c, and b - L^T x, with the x before, above it
+    double sum[W], xc[W], *const at = row_of<W>(x, c), *const known = row_of<W>(y, c);
+    for (int l = 0; l < W; ++l) sum[l] = row_of<W>(b, c)[l];
     for (int k = m.starts[c] + 1; k < m.starts[c + 1]; ++k) {
       const double a = m.a[k];
       const double* const from = row_of<W>(x, m.rows[k]);
-      for (int l = 0; l < W; ++l) r[l] -= a * from[l];
+      for (int l = 0; l < W; ++l) sum[l] -= a * from[l];
     }
-    for (auto k = static_cast<std::size_t>(p.begin[static_cast<std::size_t>(c)]); k < static_cast<std::size_t>(p.begin[static_cast<std::size_t>(c) + 1]); ++k) {
-      double* const to = row_of<W>(coarse, p.column[k]);
-      const auto weight = static_cast<double>(p.weight[k]);
-      for (int l = 0; l < W; ++l) to[l] += weight * r[l];
+    for (int l = 0; l < W; ++l) {
+      at[l] = xc[l] = (sum[l] - known[l]) * inverse[c];
+      known[l] = sum[l];
+    }
+    for (int k = m.starts[c] + 1; k < m.starts[c + 1]; ++k) {
+      const double a = m.a[k];
+      double* const to = row_of<W>(y, m.rows[k]);
+      for (int l = 0; l < W; ++l) to[l] += a * xc[l];
     }
   }
 }
 
+/// y += L^T x, the rest of A x after smooth_last.
 template<int W>
-void add_interpolated(const prolongation& p, const double* coarse, double* x, int n) {
-  for (int i = 0; i < n; ++i) {
-    double sum[W] = {}, *const to = row_of<W>(x, i);
-    for (auto k = static_cast<std::size_t>(p.begin[static_cast<std::size_t>(i)]); k < static_cast<std::size_t>(p.begin[static_cast<std::size_t>(i) + 1]); ++k) {
-      const double* const from = row_of<W>(coarse, p.column[k]);
-      const auto weight = static_cast<double>(p.weight[k]);
-      for (int l = 0; l < W; ++l) sum[l] += weight * from[l];
+void add_upper_product(const lower_entries& m, const double* x, double* y) {
+  for (int c = 0; c < m.n; ++c) {
+    double sum[W] = {}, *const to = row_of<W>(y, c);
+    for (int k = m.starts[c] + 1; k < m.starts[c + 1]; ++k) {
+      const double a = m.a[k];
+      const double* const from = row_of<W>(x, m.rows[k]);
+      for (int l = 0; l < W; ++l) sum[l] += a * from[l];
     }
     for (int l = 0; l < W; ++l) to[l] += sum[l];
   }
 }
 
-/// r = b - A x.
+/// coarse = P^T r.
 template<int W>
-void subtract_product(const lower_entries& m, const double* x, const double* b, double* r) {
-  for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(m.n) * W; ++i) r[i] = b[i];
-  for (int c = 0; c < m.n; ++c) {
-    double xc[W], sum[W], *const at = row_of<W>(r, c);
-    const double diagonal = m.a[m.starts[c]];
-    for (int l = 0; l < W; ++l) xc[l] = row_of<W>(x, c)[l];
-    for (int l = 0; l < W; ++l) sum[l] = diagonal * xc[l];
-    for (int k = m.starts[c] + 1; k < m.starts[c + 1]; ++k) {
-      const double a = m.a[k];
-      double* const to = row_of<W>(r, m.rows[k]);
-      const double* const from = row_of<W>(x, m.rows[k]);
-      for (int l = 0; l < W; ++l) to[l] -= a * xc[l];
-      for (int l = 0; l < W; ++l) sum[l] += a * from[l];
+void restrict_to(const restriction& p, const double* r, double* coarse) {
+  for (int c = 0; c < p.size(); ++c) {
+    double sum[W] = {};
+    for (int k = p.begin[static_cast<std::size_t>(c)]; k < p.begin[static_cast<std::size_t>(c) + 1]; ++k) {
+      const double* const from = row_of<W>(r, p.row[static_cast<std::size_t>(k)]);
+      const auto weight = static_cast<double>(p.weight[static_cast<std::size_t>(k)]);
+      for (int l = 0; l < W; ++l) sum[l] += weight * from[l];
     }
-    for (int l = 0; l < W; ++l) at[l] -= sum[l];
+    for (int l = 0; l < W; ++l) row_of<W>(coarse, c)[l] = sum[l];
+  }
+}
+
+/// x += P coarse.
+template<int W>
+void add_interpolated(const restriction& p, const double* coarse, double* x) {
+  for (int c = 0; c < p.size(); ++c) {
+    double value[W];
+    for (int l = 0; l < W; ++l) value[l] = row_of<W>(coarse, c)[l];
+    for (int k = p.begin[static_cast<std::size_t>(c)]; k < p.begin[static_cast<std::size_t>(c) + 1]; ++k) {
+      double* const to = row_of<W>(x, p.row[static_cast<std::size_t>(k)]);
+      const auto weight = static_cast<double>(p.weight[static_cast<std::size_t>(k)]);
+      for (int l = 0; l < W; ++l) to[l] += weight * value[l];
+    }
   }
 }
 

@@ -35,26 +35,16 @@ class coarse_matrix {
     }
   }
 
-  void multiply(const Eigen::SparseMatrix<double>& a, const prolongation& p) {
+  void multiply(const Eigen::SparseMatrix<double>& a, const prolongation& p, const restriction& by_column) {
     const int *const starts = a.outerIndexPtr(), *const rows = a.innerIndexPtr(), n = static_cast<int>(a.cols());
     const double* const x = a.valuePtr();
-    std::vector<int> begin(n_ + 2), from(p.column.size()), at(n_, -1);  // the entries of each column of p: their rows
-    std::vector<float> weight(p.column.size());
-    for (const int c : p.column) ++begin[static_cast<std::size_t>(c) + 2];
-    for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
-    for (int i = 0; i < n; ++i)
-      for (auto k = static_cast<std::size_t>(p.begin[static_cast<std::size_t>(i)]),
-                end = static_cast<std::size_t>(p.begin[static_cast<std::size_t>(i) + 1]); k < end; ++k) {
-        const auto to = static_cast<std::size_t>(begin[static_cast<std::size_t>(p.column[k]) + 1]++);
-        from[to] = i;
-        weight[to] = p.weight[k];
-      }
+    std::vector<int> at(n_, -1);
     std::vector<int> fine_at(static_cast<std::size_t>(n), -1), fine;  // row c of P^T U
     std::vector<double> fine_value;
     for (std::size_t c = 0; c < n_; ++c) {
-      for (auto m = static_cast<std::size_t>(begin[c]); m < static_cast<std::size_t>(begin[c + 1]); ++m) {
-        const int i = from[m];
-        const double w = static_cast<double>(weight[m]);
+      for (auto m = static_cast<std::size_t>(by_column.begin[c]); m < static_cast<std::size_t>(by_column.begin[c + 1]); ++m) {
+        const int i = by_column.row[m];
+        const double w = static_cast<double>(by_column.weight[m]);
         bound_[c] += w * w * x[starts[i]];
         for (int k = starts[i]; k < starts[i + 1]; ++k) add(rows[k], k == starts[i] ? w * x[k] / 2 : w * x[k], 0, fine_at, fine, fine_value);
       }
@@ -72,9 +62,10 @@ class coarse_matrix {
   }
 
  public:
-  coarse_matrix(const Eigen::SparseMatrix<double>& a, const prolongation& p)
+  /// by_column: the same as p.
+  coarse_matrix(const Eigen::SparseMatrix<double>& a, const prolongation& p, const restriction& by_column)
       : n_(static_cast<std::size_t>(p.columns)), end_(n_ + 1), bound_(n_) {
-    multiply(a, p);
+    multiply(a, p, by_column);
   }
 
   /// P^T A P. A diagonal entry that is only rounding errors belongs to the kernel of A, and is replaced by a positive number; has_kernel: then set.
@@ -121,7 +112,8 @@ class coarse_matrix {
 class multigrid_levels {
   struct level {
     Eigen::SparseMatrix<double> a;  // lower triangle
-    prolongation to_this;           // from the next level
+    std::vector<double> inverse;    // of its diagonal
+    restriction to_next;            // its transpose interpolates from the next level
     bool visits_next_twice = false;
   };
   std::vector<level> levels_;
@@ -134,7 +126,7 @@ class multigrid_levels {
 
   /// Vectors of each level.
   struct workspace {
-    std::vector<Eigen::VectorXd> b, x, r, e;
+    std::vector<Eigen::VectorXd> b, x, y, e;
   };
 
   const Eigen::SparseMatrix<double>& finest() const { return levels_.front().a; }
@@ -152,25 +144,30 @@ class multigrid_levels {
     levels_.emplace_back().a.swap(a);
     while (levels_.back().a.cols() > max_bottom && add_level()) {}
     has_bottom_ = levels_.back().a.cols() <= max_bottom && bottom_.factorize(levels_.back().a, has_kernel_);
+    for (level& l : levels_) {
+      const auto n = static_cast<std::size_t>(l.a.cols());
+      l.inverse.resize(n);
+      for (std::size_t i = 0; i < n; ++i) l.inverse[i] = 1 / l.a.valuePtr()[l.a.outerIndexPtr()[i]];
+    }
     choose_visits();
   }
 
   /// width: the number of right-hand sides at once.
   workspace make_workspace(Eigen::Index width = 1) const {
     workspace w;
-    for (auto* const v : {&w.b, &w.x, &w.r, &w.e}) v->resize(levels_.size());
+    for (auto* const v : {&w.b, &w.x, &w.y, &w.e}) v->resize(levels_.size());
     for (std::size_t i = 1; i < levels_.size(); ++i) {
       const Eigen::Index n = levels_[i].a.cols() * width;
-      for (auto* const v : {&w.b, &w.x, &w.r, &w.e}) (*v)[i].resize(n);
+      for (auto* const v : {&w.b, &w.x, &w.y, &w.e}) (*v)[i].resize(n);
     }
     if (levels_.size() == 1 && has_bottom_) w.e[0].resize(levels_[0].a.cols() * width);
     return w;
   }
 
   /// x = M b for a symmetric positive definite M that approximates the inverse of the matrix of this level. For W vectors at once; the W entries of a row are
-  /// next to each other.
-  template<int W = 1>
-  void cycle(std::size_t at, const double* b, double* x, workspace& w) const {
+  /// next to each other. y: as many numbers; see smooth_last for what they are afterwards.
+  template<int W>
+  void cycle(std::size_t at, const double* b, double* x, double* y, workspace& w) const {
     const level& l = levels_[at];
     const lower_entries a(l.a);
     const bool is_last = at + 1 == levels_.size();
@@ -178,20 +175,29 @@ class multigrid_levels {
       bottom_.solve<W>(b, x, w.e[at].data());
       return;
     }
-    smooth_first<W>(a, b, x);
+    smooth_first<W>(a, l.inverse.data(), b, x, y);
     if (!is_last) {
-      double *const coarse_b = w.b[at + 1].data(), *const coarse_x = w.x[at + 1].data();
-      restrict_residual<W>(a, l.to_this, x, coarse_b);
-      cycle<W>(at + 1, coarse_b, coarse_x, w);
+      double *const coarse_b = w.b[at + 1].data(), *const coarse_x = w.x[at + 1].data(), *const coarse_y = w.y[at + 1].data();
+      restrict_to<W>(l.to_next, y, coarse_b);
+      cycle<W>(at + 1, coarse_b, coarse_x, coarse_y, w);
       if (l.visits_next_twice) {
-        double *const r = w.r[at + 1].data(), *const e = w.e[at + 1].data();
-        subtract_product<W>(lower_entries(levels_[at + 1].a), coarse_x, coarse_b, r);
-        cycle<W>(at + 1, r, e, w);
-        for (Eigen::Index i = 0; i < w.e[at + 1].size(); ++i) coarse_x[i] += e[i];
+        double* const more = w.e[at + 1].data();
+        add_upper_product<W>(lower_entries(levels_[at + 1].a), coarse_x, coarse_y);
+        for (Eigen::Index i = 0; i < w.b[at + 1].size(); ++i) coarse_b[i] -= coarse_y[i];
+        cycle<W>(at + 1, coarse_b, more, coarse_y, w);
+        for (Eigen::Index i = 0; i < w.b[at + 1].size(); ++i) coarse_x[i] += more[i];
       }
-      add_interpolated<W>(l.to_this, coarse_x, x, a.n);
+      add_interpolated<W>(l.to_next, coarse_x, x);
     }
-    smooth_last<W>(a, b, x);
+    smooth_last<W>(a, l.inverse.data(), b, x, y);
+  }
+
+  /// x = M b for one vector, and y = A x unless there is one level only. Returns whether it has set y.
+  bool apply(const double* b, double* x, double* y, workspace& w) const {
+    cycle<1>(0, b, x, y, w);
+    if (levels_.size() == 1 && has_bottom_) return false;
+    add_upper_product<1>(lower_entries(finest()), x, y);
+    return true;
   }
 
  private:
@@ -203,22 +209,25 @@ class multigrid_levels {
     prolongation p = groups.smoothed(static_cast<std::size_t>(entries));
     groups.forget_strong_entries();
     Eigen::SparseMatrix<double> coarse;
-    if (p.columns > 0) coarse_matrix(levels_.back().a, p).lower(has_kernel_).swap(coarse);
+    restriction by_column(p);
+    if (p.columns > 0) coarse_matrix(levels_.back().a, p, by_column).lower(has_kernel_).swap(coarse);
     if (p.columns == 0 || coarse.nonZeros() > entries / 4 * 3) {
       p = groups.piecewise_constant();
-      coarse_matrix(levels_.back().a, p).lower(has_kernel_).swap(coarse);
+      by_column = restriction(p);
+      coarse_matrix(levels_.back().a, p, by_column).lower(has_kernel_).swap(coarse);
     }
-    levels_.back().to_this = std::move(p);
+    levels_.back().to_next = std::move(by_column);
     levels_.emplace_back().a.swap(coarse);
     return true;
   }
 
-  /// A W-cycle needs hardly more iterations on large meshes than on small ones. Cycles are V-shaped where a W would cost too much.
+  /// A W-cycle needs hardly more iterations on large meshes than on small ones. Cycles are V-shaped where a W would cost too much, and on the finest level,
+  /// where it would take twice the time to save one iteration in ten.
   void choose_visits() {
     double cost = 0;  // of a cycle that begins on the next level, in entries of matrices
     for (std::size_t i = levels_.size(); i-- > 0;) {
       const auto entries = static_cast<double>(levels_[i].a.nonZeros());
-      levels_[i].visits_next_twice = i + 2 < levels_.size() && cost <= entries;
+      levels_[i].visits_next_twice = i > 0 && i + 2 < levels_.size() && cost <= entries;
       cost = entries + (levels_[i].visits_next_twice ? 2 : 1) * cost;
     }
     entries_per_cycle_ = cost;

@@ -16,7 +16,7 @@ namespace concino::detail {
 /// Applies cycles of multigrid to many vectors, eight at once, in several threads.
 class multigrid_panels {
   struct worker {
-    std::vector<double> b, x;
+    std::vector<double> b, x, y;
     multigrid_levels::workspace work;
   };
   const multigrid_levels& levels_;
@@ -28,6 +28,7 @@ class multigrid_panels {
     for (worker& w : workers_) {
       w.b.resize(static_cast<std::size_t>(levels.finest().cols() * panel_width));
       w.x.resize(w.b.size());
+      w.y.resize(w.b.size());
       w.work = levels.make_workspace(panel_width);
     }
   }
@@ -46,7 +47,7 @@ class multigrid_panels {
     const std::size_t width = std::min<std::size_t>(panel_width, column.size() - from);
     for (int i = 0; i < n; ++i)
       for (std::size_t l = 0; l < width; ++l) row_of<panel_width>(w.b.data(), i)[l] = x.row(i)[column[from + l]];
-    levels_.cycle<panel_width>(0, w.b.data(), w.x.data(), w.work);
+    levels_.cycle<panel_width>(0, w.b.data(), w.x.data(), w.y.data(), w.work);
     for (int i = 0; i < n; ++i)
       for (std::size_t l = 0; l < width; ++l) y.row(i)[from + l] = row_of<panel_width>(w.x.data(), i)[l];
   }

@@ -28,27 +28,30 @@ class preconditioned_iteration : public iteration_report {
   const Eigen::SparseMatrix<double>& a_;
   double tolerance_;
   std::int64_t max_iterations_, patience_;
+  std::vector<double> diagonal_;
 
   struct products {
-    double energy, diagonal;  // x.Ax, and the contribution of the diagonal to it
+    double energy, diagonal;  // p.Ap, and the contribution of the diagonal to it
   };
 
  public:
   /// patience: the number of iterations without progress after which the iteration stops.
   preconditioned_iteration(const Eigen::SparseMatrix<double>& a, double tolerance, std::int64_t max_iterations, std::int64_t patience)
-      : a_(a), tolerance_(tolerance), max_iterations_(max_iterations > 0 ? max_iterations : 2 * static_cast<std::int64_t>(a.cols())), patience_(patience) {}
+      : a_(a), tolerance_(tolerance), max_iterations_(max_iterations > 0 ? max_iterations : 2 * static_cast<std::int64_t>(a.cols())), patience_(patience),
+        diagonal_(static_cast<std::size_t>(a.cols())) {
+    for (std::size_t i = 0; i < diagonal_.size(); ++i) diagonal_[i] = a.valuePtr()[a.outerIndexPtr()[i]];
+  }
 
-  /// precondition(r, z) sets z to an approximate solution of A z = r.
+  /// precondition(r, z, y) sets z to an approximate solution of A z = r. Returns whether it has set y to A z.
   /// Iterates until the estimates of error and residual are small. Then computes the residual from x itself. If it differs, or the
   /// preconditioned residual shows a larger error, restarts the iteration from x, as long as that helps.
-  void run(const Eigen::VectorXd& b, Eigen::VectorXd& x, function_ref<void(const Eigen::VectorXd&, Eigen::VectorXd&)> precondition) {
+  void run(const Eigen::VectorXd& b, Eigen::VectorXd& x, function_ref<bool(const Eigen::VectorXd&, Eigen::VectorXd&, Eigen::VectorXd&)> precondition) {
     const double unknown = std::numeric_limits<double>::infinity(), wanted = tolerance_ * tolerance_;
     const Eigen::Index n = a_.cols();
-    Eigen::VectorXd r = b, z(n), p(n);
-    Eigen::VectorXd& q = z;  // A p; needed while z is not
+    Eigen::VectorXd r = b, z(n), y(n), p(n), q(n);  // y = A z, q = A p
     for (Eigen::Index i = 0; i < n; ++i) x[i] = 0;
     energy_gains gained;
-    precondition(r, z);
+    bool has_product = precondition(r, z, y);
     double along = dot(r, z);  // |r|^2 in the norm of the preconditioner
     double left = unknown;     // the square of the error
     residual = 1;
@@ -61,7 +64,10 @@ class preconditioned_iteration : public iteration_report {
       bool is_stuck = !(along > 0 && std::isfinite(along));
       for (double turn = 0; !is_stuck && iterations < max_iterations_;) {
         for (Eigen::Index i = 0; i < n; ++i) p[i] = turn == 0 ? z[i] : z[i] + turn * p[i];
-        const products product = multiply(p, q);
+        if (!has_product) multiply(p, q);
+        else
+          for (Eigen::Index i = 0; i < n; ++i) q[i] = turn == 0 ? y[i] : y[i] + turn * q[i];
+        const products product = products_of(p, q);
         if (!(product.energy > 1e-16 * product.diagonal && std::isfinite(product.energy))) break;  // the matrix is not definite
         const double step = along / product.energy;
         for (Eigen::Index i = 0; i < n; ++i) {
@@ -72,7 +78,7 @@ class preconditioned_iteration : public iteration_report {
         gained.add(step * along);
         left = gained.left();
         if (gained.is_exhausted() || (left <= wanted * gained.all() && largest_residual(r, b, x) <= tolerance_)) break;
-        precondition(r, z);
+        has_product = precondition(r, z, y);
         const double before = along;
         along = dot(r, z);
         turn = along / before;
@@ -86,13 +92,13 @@ class preconditioned_iteration : public iteration_report {
       if (has_long_rows()) {
         subtract_exactly(x, b, r);
       } else {
-        multiply(x, q);
-        for (Eigen::Index i = 0; i < n; ++i) r[i] = b[i] - q[i];
+        multiply(x, y);
+        for (Eigen::Index i = 0; i < n; ++i) r[i] = b[i] - y[i];
       }
-      precondition(r, z);
+      has_product = precondition(r, z, y);
       along = dot(r, z);
       if (left == unknown) left = gained.has_any() ? gained.recent() : left_before;
-      left = along == 0 ? 0 : left * std::max(1.0, along / expected);
+      left = along == 0 ? 0 : expected == 0 ? along : left * std::max(1.0, along / expected);  // |r|^2 is near the square of the error
       residual = largest_residual(r, b, x);
       error = gained.all() > 0 ? std::sqrt(left / gained.all()) : 1;
       has_converged = error <= tolerance_ && residual <= tolerance_;
@@ -111,25 +117,35 @@ class preconditioned_iteration : public iteration_report {
     return (sum[0] + sum[1]) + (sum[2] + sum[3]);
   }
 
+  products products_of(const Eigen::VectorXd& p, const Eigen::VectorXd& q) const {
+    const auto n = static_cast<Eigen::Index>(diagonal_.size());
+    double energy[4] = {}, diagonal[4] = {};
+    const auto add = [&](Eigen::Index i, Eigen::Index k) {
+      energy[k] += p[i] * q[i];
+      diagonal[k] += diagonal_[static_cast<std::size_t>(i)] * p[i] * p[i];
+    };
+    Eigen::Index i = 0;
+    for (; i + 4 <= n; i += 4)
+      for (Eigen::Index k = 0; k < 4; ++k) add(i + k, k);
+    for (; i < n; ++i) add(i, 0);
+    return {(energy[0] + energy[1]) + (energy[2] + energy[3]), (diagonal[0] + diagonal[1]) + (diagonal[2] + diagonal[3])};
+  }
+
   /// y = A x.
-  products multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
+  void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
     const auto n = static_cast<int>(a_.cols());
     const int *const starts = a_.outerIndexPtr(), *const rows = a_.innerIndexPtr();
     const double* const a = a_.valuePtr();
-    products r{0, 0};
     for (int c = 0; c < n; ++c) y[c] = 0;
     for (int c = 0; c < n; ++c) {
-      const double xc = x[c], on = a[starts[c]] * xc;
-      double sum = 0;
+      const double xc = x[c];
+      double sum = a[starts[c]] * xc;
       for (int k = starts[c] + 1; k < starts[c + 1]; ++k) {
         y[rows[k]] += a[k] * xc;
         sum += a[k] * x[rows[k]];
       }
-      y[c] += on + sum;
-      r.diagonal += on * xc;
-      r.energy += (on + 2 * sum) * xc;
+      y[c] += sum;
     }
-    return r;
   }
 
   /// Whether a row has so many entries that rounding errors of its sum are far above those of one number.
@@ -165,17 +181,15 @@ class preconditioned_iteration : public iteration_report {
 
   /// The largest |r|_i / (|b|_i + a_ii max|x|), or its value with the unknowns scaled to a diagonal of 1, if that is larger for a row.
   double largest_residual(const Eigen::VectorXd& r, const Eigen::VectorXd& b, const Eigen::VectorXd& x) const {
-    const int* const starts = a_.outerIndexPtr();
-    const double* const a = a_.valuePtr();
     double largest = 0, largest_scaled = 0, worst = 0;
     for (Eigen::Index i = 0; i < a_.cols(); ++i) {
       const double xi = x[i] * x[i];
       largest = std::max(largest, xi);
-      largest_scaled = std::max(largest_scaled, a[starts[i]] * xi);
+      largest_scaled = std::max(largest_scaled, diagonal_[static_cast<std::size_t>(i)] * xi);
     }
     largest = std::sqrt(largest);
     for (Eigen::Index i = 0; i < a_.cols(); ++i) {
-      const double d = a[starts[i]], allowed = std::abs(b[i]) + std::min(d * largest, std::sqrt(d * largest_scaled));
+      const double d = diagonal_[static_cast<std::size_t>(i)], allowed = std::abs(b[i]) + std::min(d * largest, std::sqrt(d * largest_scaled));
       const double e = r[i] == 0 ? 0 : std::abs(r[i]) / allowed;
       if (e > worst || std::isnan(e)) worst = e;
     }
