@@ -50,8 +50,7 @@ class aggregates {
 
   std::size_t n_;
   std::vector<int> begin_, neighbour_;
-  std::vector<double> strength_;  // -a of strong entries
-  std::vector<double> diagonal_;  // of the filtered matrix
+  std::vector<float> strength_;  // -a of strong entries, divided by the diagonal entry of the filtered matrix
   std::vector<int> of_;           // the aggregate of each row; -1: none
   int num_ = 0;
 
@@ -67,7 +66,7 @@ class aggregates {
   /// Frees the strong entries. Afterwards, interpolation can be constant only.
   void forget_strong_entries() {
     for (auto* const v : {&begin_, &neighbour_}) std::vector<int>().swap(*v);
-    for (auto* const v : {&strength_, &diagonal_}) std::vector<double>().swap(*v);
+    std::vector<float>().swap(strength_);
   }
 
   /// Interpolation that is constant on each aggregate.
@@ -93,19 +92,12 @@ class aggregates {
     p.begin.push_back(0);
     std::vector<int> position(static_cast<std::size_t>(num_), -1), columns;
     std::vector<double> weights;
-    std::size_t entries = 0;
     for (std::size_t i = 0; i < n_; ++i) {
       smooth_row(i, position, columns, weights);
-      entries += columns.size();
-      if (entries > max_entries) return {};
-      p.begin.push_back(static_cast<int>(entries));
-    }
-    p.column.reserve(entries);
-    p.weight.reserve(entries);
-    for (std::size_t i = 0; i < n_; ++i) {
-      smooth_row(i, position, columns, weights);
+      if (p.column.size() + columns.size() > max_entries) return {};
       p.column.insert(p.column.end(), columns.begin(), columns.end());
       append_rounded(weights, p.weight);
+      p.begin.push_back(static_cast<int>(p.column.size()));
     }
     return p;
   }
@@ -129,7 +121,7 @@ class aggregates {
     if (count > 0) add(of_[i], count > max_per_row ? 1 : 1 - damping);
     if (count <= max_per_row)
       for (auto k = static_cast<std::size_t>(begin_[i]); k < static_cast<std::size_t>(begin_[i + 1]); ++k)
-        add(of_[static_cast<std::size_t>(neighbour_[k])], damping * strength_[k] / diagonal_[i]);
+        add(of_[static_cast<std::size_t>(neighbour_[k])], damping * static_cast<double>(strength_[k]));
     for (const int to : columns) position[static_cast<std::size_t>(to)] = -1;
   }
 
@@ -160,38 +152,42 @@ class aggregates {
       sum[j] += std::abs(e);
     });
     const auto is_strong = [&](std::size_t i, std::size_t j, double e) { return e < 0 && -e >= strong * std::min(largest[i], largest[j]); };
-    begin_.assign(n_ + 2, 0);
-    diagonal_.resize(n_);
-    for (int c = 0; c < n; ++c) diagonal_[static_cast<std::size_t>(c)] = x[starts[c]];
     of_.assign(n_, -1);
     for (std::size_t i = 0; i < n_; ++i)
-      if (diagonal_[i] >= dominance * sum[i]) of_[i] = -2;  // Gauss-Seidel solves such rows
-    for_each_entry([&](std::size_t i, std::size_t j, double e) {
-      if (is_strong(i, j, e)) {
-        ++begin_[i + 2];
-        ++begin_[j + 2];
-      } else {
-        diagonal_[i] += e;
-        diagonal_[j] += e;
+      if (x[starts[i]] >= dominance * sum[i]) of_[i] = -2;  // Gauss-Seidel solves such rows
+    begin_.assign(n_ + 2, 0);
+    std::vector<double>& strong_sum = sum;
+    std::vector<double> diagonal(n_);  // of the filtered matrix
+    for (std::size_t i = 0; i < n_; ++i) {
+      strong_sum[i] = 0;
+      diagonal[i] = x[starts[i]];
+    }
+    for_each_entry([&](std::size_t i, std::size_t j, double e) {  // adds zeros where others would branch, unpredictably
+      const bool s = is_strong(i, j, e);
+      const double strength = s ? -e : 0, rest = s ? 0 : e;
+      for (const std::size_t k : {i, j}) {
+        begin_[k + 2] += s;
+        strong_sum[k] += strength;
+        diagonal[k] += rest;
       }
     });
+    for (std::size_t i = 0; i < n_; ++i) diagonal[i] = 1 / std::max(diagonal[i], strong_sum[i]);  // rows of negative sum: as if the sum were 0
     for (std::size_t i = 2; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
-    neighbour_.resize(static_cast<std::size_t>(begin_.back()));
+    const auto unused = static_cast<std::size_t>(begin_.back());  // where entries are written that are not strong
+    neighbour_.resize(unused + 1);
     strength_.resize(neighbour_.size());
     for_each_entry([&](std::size_t i, std::size_t j, double e) {
-      if (!is_strong(i, j, e)) return;
-      for (const bool second : {false, true}) {
-        const auto at = static_cast<std::size_t>(begin_[(second ? j : i) + 1]++);
-        neighbour_[at] = static_cast<int>(second ? i : j);
-        strength_[at] = -e;
-      }
+      const bool s = is_strong(i, j, e);
+      const auto add = [&](std::size_t row, std::size_t other) {
+        const std::size_t at = s ? static_cast<std::size_t>(begin_[row + 1]) : unused;
+        neighbour_[at] = static_cast<int>(other);
+        strength_[at] = static_cast<float>(-e * diagonal[row]);
+        begin_[row + 1] += s;
+      };
+      add(i, j);
+      add(j, i);
     });
     begin_.pop_back();
-    for (std::size_t i = 0; i < n_; ++i) {  // rows of negative sum: as if the sum were 0
-      double sum_of_strong = 0;
-      for (auto k = static_cast<std::size_t>(begin_[i]); k < static_cast<std::size_t>(begin_[i + 1]); ++k) sum_of_strong += strength_[k];
-      diagonal_[i] = std::max(diagonal_[i], sum_of_strong);
-    }
   }
 
   void aggregate() {
@@ -202,13 +198,13 @@ class aggregates {
     for (std::size_t i = 0; i < n_; ++i) {  // rows whose neighbours are all free become centres
       if (of_[i] != -1) continue;
       bool is_free = true, has_any = false;
-      neighbours(i, [&](std::size_t j, double) {
+      neighbours(i, [&](std::size_t j, float) {
         is_free = is_free && of_[j] < 0;
         has_any = has_any || of_[j] == -1;
       });
       if (!is_free || !has_any) continue;
       of_[i] = num_;
-      neighbours(i, [&](std::size_t j, double) {
+      neighbours(i, [&](std::size_t j, float) {
         if (of_[j] == -1) of_[j] = num_;
       });
       ++num_;
@@ -217,8 +213,8 @@ class aggregates {
     std::vector<int> joined(n_, -1);
     for (std::size_t i = 0; i < n_; ++i) {  // the others join the aggregate of their strongest neighbour
       if (of_[i] != -1) continue;
-      double strongest = 0;
-      neighbours(i, [&](std::size_t j, double s) {
+      float strongest = 0;
+      neighbours(i, [&](std::size_t j, float s) {
         if (of_[j] >= 0 && of_[j] < of_centres && s > strongest) {
           strongest = s;
           joined[i] = of_[j];
