@@ -18,13 +18,14 @@ namespace concino {
 /// A solution is accepted as by conjugate_gradients: if error() and residual(), defined there, are at most the tolerance. iterations(), error(),
 /// residual() and has_converged() describe the last solve. So one object must not solve in several threads at once.
 /// Iterations to a tolerance of 1e-10 for Poisson's equation with 10^4 and 10^6 unknowns, and values given on the boundary:
-/// - uniform meshes: triangles 13 and 14, quads 14 and 14, Voronoi polygons 15 and 17, tets 13 and 13, hexes 13 and 14, Voronoi polyhedra 12 and 13;
-/// - graded by x^3: triangles, quads, tets and hexes 13 to 15 and 14 to 17, Voronoi polyhedra 15 and 18, Voronoi polygons 22 and 42;
-/// - cells stretched 1 : 100: triangles, quads, tets and hexes 13 to 15 and 13 to 15, Voronoi polygons 36 and 102.
+/// - uniform meshes: triangles 14 and 14, quads 15 and 15, Voronoi polygons 17 and 24, tets 13 and 14, hexes 14 and 15;
+/// - graded by x^3: triangles, quads and tets 14 to 15 and 14 to 16, hexes 13 and 24, Voronoi polygons 28 and 60;
+/// - cells stretched 1 : 100: triangles, quads, tets and hexes 13 to 16 and 14 to 17, Voronoi polygons 47 and 146.
+/// Voronoi polyhedra take 13 to 18 with up to 10^5 unknowns.
 /// The worst case are flat cells other than triangles and tets, if no values are given along their large faces. Hexes graded by x^3, with values on two
-/// sides only, take 72 iterations at 10^4 and 173 at 10^5 unknowns. The stabilisation of virtual elements then dominates, and its kernel is larger than the
+/// sides only, take 86 iterations at 10^4 and 194 at 10^5 unknowns. The stabilisation of virtual elements then dominates, and its kernel is larger than the
 /// constants that the interpolation reproduces. Trilinear elements on the same grids take 18.
-/// Memory held after factorize: 1.6 to 2.9 times that of the lower triangle; at most 5.2 times while it runs, 0.6 GiB for 10^6 hexes.
+/// Memory held after factorize: 1.6 to about 3 times that of the lower triangle; at most 5.2 times while it runs, 0.6 GiB for 10^6 hexes.
 /// Errors: as conjugate_gradients; messages begin with multigrid.
 /// Source: Vanek, Mandel, Brezina 1996, "Algebraic multigrid by smoothed aggregation for second and fourth order elliptic problems".
 class multigrid {

@@ -162,7 +162,7 @@ CONCINO_INLINE bool auto_solver::state::iterate(const Eigen::VectorXd& b, Eigen:
     const bool is_limited = limit < most;
     try {
       system.solve("multigrid", levels.finest(), b, {given.tolerance, static_cast<int>(std::min(limit, most)), true}, 100, report,
-                   [&](const Eigen::VectorXd& r, Eigen::VectorXd& z, Eigen::VectorXd& product) { return levels.apply(r.data(), z.data(), product.data(), work); }).swap(x);
+                   [&](const Eigen::VectorXd& r, Eigen::VectorXd& z, Eigen::VectorXd& y) { return levels.apply(r.data(), z.data(), y.data(), work); }).swap(x);
     } catch (const solver_error&) {  // the solution is not finite
       if (!replace_after_miss(false)) throw;
       return false;

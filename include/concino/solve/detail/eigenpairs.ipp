@@ -3,6 +3,7 @@
 
 #include <concino/core/number_text.hpp>
 #include <concino/core/system_checks.hpp>
+#include <concino/solve/detail/incomplete_cholesky.hpp>
 #include <concino/solve/detail/lobpcg.hpp>
 #include <concino/solve/eigenpairs.hpp>
 
@@ -116,9 +117,8 @@ class shifted_levels {
         core::throw_joined<solver_error>({"eigenpairs: the matrix is not positive semidefinite: the diagonal entry of row ",
                                           static_cast<std::size_t>(problem.row[i]), " is negative; give it the other sign if it is a Laplacian"});
     order.keep(breadth_first_order(a));
-    order(a).swap(a);
-    sorted_transpose(a).swap(a);
-    sorted_transpose(order(problem.mass)).swap(mass);
+    order.lower(a).swap(a);
+    order.lower(problem.mass).swap(mass);
     levels.build(a);
   }
 };

@@ -53,23 +53,6 @@ inline std::vector<int> breadth_first_order(const Eigen::SparseMatrix<double>& l
   return order;
 }
 
-/// The transpose, with sorted columns. So the transpose of an upper triangle is a lower one whose columns begin with the diagonal.
-inline Eigen::SparseMatrix<double> sorted_transpose(const Eigen::SparseMatrix<double>& a) {
-  const auto n = static_cast<int>(a.rows());
-  Eigen::SparseMatrix<double> r(a.cols(), n);
-  r.resizeNonZeros(a.nonZeros());
-  std::vector<int> next(static_cast<std::size_t>(n) + 1);
-  for (Eigen::Index k = 0; k < a.nonZeros(); ++k) ++next[static_cast<std::size_t>(a.innerIndexPtr()[k]) + 1];
-  for (std::size_t i = 1; i < next.size(); ++i) r.outerIndexPtr()[i] = next[i] += next[i - 1];
-  for (int c = 0; c < a.cols(); ++c)
-    for (int k = a.outerIndexPtr()[c]; k < a.outerIndexPtr()[c + 1]; ++k) {
-      const int at = next[static_cast<std::size_t>(a.innerIndexPtr()[k])]++;
-      r.innerIndexPtr()[at] = c;
-      r.valuePtr()[at] = a.valuePtr()[k];
-    }
-  return r;
-}
-
 /// L with L L^T near a matrix, with the pattern of its lower triangle. At first fill-in outside the pattern is added to the diagonal, except for a small
 /// part. Then the row sums of L L^T are nearly those of the matrix, and the number of steps, n otherwise, is reduced to some root of n. Single
 /// small pivots are increased. If there are many, fill-in is dropped instead, and the diagonal is raised until all pivots are positive.

@@ -67,7 +67,7 @@ class iterative_system {
     }
     scale_ = core::power_of_two_to_scale(largest);
     pattern_.update(input, [&](const auto& m) { order_.keep(breadth_first_order(m)); });
-    Eigen::SparseMatrix<double> a = sorted_transpose(order_(input));
+    Eigen::SparseMatrix<double> a = order_.lower(input);
     for (Eigen::Index k = 0; k < a.nonZeros(); ++k) a.valuePtr()[k] *= scale_;
     return a;
   }
@@ -75,7 +75,7 @@ class iterative_system {
   /// The lower triangle of the matrix that `prepare` made a of.
   Eigen::SparseMatrix<double> restore(const Eigen::SparseMatrix<double>& a) const {
     const elimination_order inverse{order_.row, order_.position};
-    Eigen::SparseMatrix<double> r = sorted_transpose(inverse(a));
+    Eigen::SparseMatrix<double> r = inverse.lower(a);
     for (Eigen::Index k = 0; k < r.nonZeros(); ++k) r.valuePtr()[k] /= scale_;
     return r;
   }

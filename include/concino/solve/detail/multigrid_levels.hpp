@@ -3,7 +3,7 @@
 
 #include <concino/solve/detail/aggregates.hpp>
 #include <concino/solve/detail/bottom_solver.hpp>
-#include <concino/solve/detail/incomplete_cholesky.hpp>
+#include <concino/solve/detail/coarse_matrix.hpp>
 #include <concino/solve/detail/multigrid_cycle.hpp>
 
 #include <Eigen/SparseCore>
@@ -14,99 +14,6 @@
 #include <vector>
 
 namespace concino::detail {
-
-/// Computes P^T A P for the lower triangle of A; the result is a lower triangle too, with sorted columns. With U the upper triangle of A and half of its
-/// diagonal, P^T A P = T + T^T for T = P^T U P.
-class coarse_matrix {
-  std::size_t n_;  // coarse unknowns
-  std::vector<std::size_t> end_;  // row c of T: entries [end_[c], end_[c + 1])
-  std::vector<int> column_;
-  std::vector<double> value_, bound_;  // bound_: a sum of non-negative terms of the diagonal, which it may not cancel
-
-  /// Adds an entry to those from position `first`, or to the one of them with the same index, whose position is at[index].
-  static void add(int index, double x, std::size_t first, std::vector<int>& at, std::vector<int>& indices, std::vector<double>& values) {
-    int& position = at[static_cast<std::size_t>(index)];
-    if (position < static_cast<int>(first)) {
-      position = static_cast<int>(indices.size());
-      indices.push_back(index);
-      values.push_back(x);
-    } else {
-      values[static_cast<std::size_t>(position)] += x;
-    }
-  }
-
-  void multiply(const Eigen::SparseMatrix<double>& a, const prolongation& p, const restriction& by_column) {
-    const int *const starts = a.outerIndexPtr(), *const rows = a.innerIndexPtr(), n = static_cast<int>(a.cols());
-    const double* const x = a.valuePtr();
-    std::vector<int> at(n_, -1);
-    std::vector<int> fine_at(static_cast<std::size_t>(n), -1), fine;  // row c of P^T U
-    std::vector<double> fine_value;
-    for (std::size_t c = 0; c < n_; ++c) {
-      for (auto m = static_cast<std::size_t>(by_column.begin[c]); m < static_cast<std::size_t>(by_column.begin[c + 1]); ++m) {
-        const int i = by_column.row[m];
-        const double w = static_cast<double>(by_column.weight[m]);
-        bound_[c] += w * w * x[starts[i]];
-        for (int k = starts[i]; k < starts[i + 1]; ++k) add(rows[k], k == starts[i] ? w * x[k] / 2 : w * x[k], 0, fine_at, fine, fine_value);
-      }
-      const std::size_t first = column_.size();
-      for (std::size_t k = 0; k < fine.size(); ++k) {
-        const auto j = static_cast<std::size_t>(fine[k]);
-        fine_at[j] = -1;
-        for (auto l = static_cast<std::size_t>(p.begin[j]); l < static_cast<std::size_t>(p.begin[j + 1]); ++l)
-          add(p.column[l], fine_value[k] * static_cast<double>(p.weight[l]), first, at, column_, value_);
-      }
-      fine.clear();
-      fine_value.clear();
-      end_[c + 1] = column_.size();
-    }
-  }
-
- public:
-  /// by_column: the same as p.
-  coarse_matrix(const Eigen::SparseMatrix<double>& a, const prolongation& p, const restriction& by_column)
-      : n_(static_cast<std::size_t>(p.columns)), end_(n_ + 1), bound_(n_) {
-    multiply(a, p, by_column);
-  }
-
-  /// P^T A P. A diagonal entry that is only rounding errors belongs to the kernel of A, and is replaced by a positive number; has_kernel: then set.
-  Eigen::SparseMatrix<double> lower(bool& has_kernel) const {
-    std::vector<int> next(n_ + 2), row(column_.size()), rows, at(n_, -1);  // column j of the upper triangle: entries (i, j) and (j, i) of T for i <= j
-    std::vector<double> sorted(column_.size()), values;
-    const auto for_each_entry = [&](auto visit) {
-      for (std::size_t c = 0; c < n_; ++c)
-        for (std::size_t k = end_[c]; k < end_[c + 1]; ++k) {
-          const auto other = static_cast<std::size_t>(column_[k]);
-          visit(std::min(c, other), std::max(c, other), c == other ? 2 * value_[k] : value_[k]);
-        }
-    };
-    for_each_entry([&](std::size_t, std::size_t j, double) { ++next[j + 2]; });
-    for (std::size_t i = 2; i < next.size(); ++i) next[i] += next[i - 1];
-    for_each_entry([&](std::size_t i, std::size_t j, double x) {
-      const auto to = static_cast<std::size_t>(next[j + 1]++);
-      row[to] = static_cast<int>(i);
-      sorted[to] = x;
-    });
-    Eigen::SparseMatrix<double> upper(static_cast<Eigen::Index>(n_), static_cast<Eigen::Index>(n_));
-    rows.reserve(row.size() / 2 + n_);
-    values.reserve(row.size() / 2 + n_);
-    for (std::size_t c = 0; c < n_; ++c) {
-      const std::size_t first = rows.size();
-      for (auto k = static_cast<std::size_t>(next[c]); k < static_cast<std::size_t>(next[c + 1]); ++k) add(row[k], sorted[k], first, at, rows, values);
-      upper.outerIndexPtr()[c + 1] = static_cast<int>(rows.size());
-    }
-    upper.resizeNonZeros(static_cast<Eigen::Index>(rows.size()));
-    std::copy(rows.begin(), rows.end(), upper.innerIndexPtr());
-    std::copy(values.begin(), values.end(), upper.valuePtr());
-    Eigen::SparseMatrix<double> r = sorted_transpose(upper);
-    for (std::size_t c = 0; c < n_; ++c) {
-      double& d = r.valuePtr()[r.outerIndexPtr()[c]];
-      if (d > 1e-13 * bound_[c]) continue;
-      d = bound_[c];
-      has_kernel = true;
-    }
-    return r;
-  }
-};
 
 /// The matrices of multigrid, from the finest to one with few unknowns, and the interpolations between them.
 class multigrid_levels {

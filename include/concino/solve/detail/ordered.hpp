@@ -1,6 +1,8 @@
 // A fill-reducing elimination order of a symmetric matrix.
 #pragma once
 
+#include <concino/solve/detail/sorted_columns.hpp>
+
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 
@@ -35,25 +37,13 @@ struct elimination_order {
   }
 
   /// The upper triangle of the reordered matrix, from the lower one of a, which is compressed.
-  Eigen::SparseMatrix<double> operator()(const Eigen::SparseMatrix<double>& a) const {
-    const int *const starts = a.outerIndexPtr(), *const rows = a.innerIndexPtr(), *const to = position.data();
-    const auto n = static_cast<int>(a.cols());
-    Eigen::SparseMatrix<double> upper(n, n);
-    int* const next = upper.outerIndexPtr();  // entry c + 1, for column c: first the count, then the next position, finally the end
-    for (int c = 0; c < n; ++c)
-      for (int k = starts[c]; k < starts[c + 1]; ++k)
-        if (rows[k] >= c && std::max(to[rows[k]], to[c]) + 2 <= n) ++next[std::max(to[rows[k]], to[c]) + 2];
-    for (int c = 2; c <= n; ++c) next[c] += next[c - 1];
-    upper.resizeNonZeros(a.nonZeros());
-    for (int c = 0; c < n; ++c)
-      for (int k = starts[c]; k < starts[c + 1]; ++k)
-        if (rows[k] >= c) {
-          const int i = to[rows[k]], j = to[c], at = next[std::max(i, j) + 1]++;
-          upper.innerIndexPtr()[at] = std::min(i, j);
-          upper.valuePtr()[at] = a.valuePtr()[k];
-        }
-    upper.resizeNonZeros(next[n]);
-    return upper;
+  Eigen::SparseMatrix<double> operator()(const Eigen::SparseMatrix<double>& a) const { return triangle<true>(a); }
+
+  /// Its lower triangle, with sorted columns.
+  Eigen::SparseMatrix<double> lower(const Eigen::SparseMatrix<double>& a) const {
+    Eigen::SparseMatrix<double> r = triangle<false>(a);
+    sort_columns(r);
+    return r;
   }
 
   /// A pattern with an entry, of any value, wherever a or its transpose has one.
@@ -81,6 +71,30 @@ struct elimination_order {
     }
     pattern.resizeNonZeros(at);
     return pattern;
+  }
+
+ private:
+  template<bool is_upper>
+  Eigen::SparseMatrix<double> triangle(const Eigen::SparseMatrix<double>& a) const {
+    const int *const starts = a.outerIndexPtr(), *const rows = a.innerIndexPtr(), *const to = position.data();
+    const auto n = static_cast<int>(a.cols());
+    const auto column_of = [](int i, int j) { return is_upper ? std::max(i, j) : std::min(i, j); };
+    Eigen::SparseMatrix<double> r(n, n);
+    int* const next = r.outerIndexPtr();  // entry c + 1, for column c: first the count, then the next position, finally the end
+    for (int c = 0; c < n; ++c)
+      for (int k = starts[c]; k < starts[c + 1]; ++k)
+        if (rows[k] >= c && column_of(to[rows[k]], to[c]) + 2 <= n) ++next[column_of(to[rows[k]], to[c]) + 2];
+    for (int c = 2; c <= n; ++c) next[c] += next[c - 1];
+    r.resizeNonZeros(a.nonZeros());
+    for (int c = 0; c < n; ++c)
+      for (int k = starts[c]; k < starts[c + 1]; ++k)
+        if (rows[k] >= c) {
+          const int i = to[rows[k]], j = to[c], at = next[column_of(i, j) + 1]++;
+          r.innerIndexPtr()[at] = is_upper ? std::min(i, j) : std::max(i, j);
+          r.valuePtr()[at] = a.valuePtr()[k];
+        }
+    r.resizeNonZeros(next[n]);
+    return r;
   }
 };
 

@@ -63,10 +63,9 @@ class preconditioned_iteration : public iteration_report {
       left = unknown;
       bool is_stuck = !(along > 0 && std::isfinite(along));
       for (double turn = 0; !is_stuck && iterations < max_iterations_;) {
-        for (Eigen::Index i = 0; i < n; ++i) p[i] = turn == 0 ? z[i] : z[i] + turn * p[i];
-        if (!has_product) multiply(p, q);
-        else
-          for (Eigen::Index i = 0; i < n; ++i) q[i] = turn == 0 ? y[i] : y[i] + turn * q[i];
+        follow(turn, z, p);
+        if (has_product) follow(turn, y, q);
+        else multiply(p, q);
         const products product = products_of(p, q);
         if (!(product.energy > 1e-16 * product.diagonal && std::isfinite(product.energy))) break;  // the matrix is not definite
         const double step = along / product.energy;
@@ -115,6 +114,11 @@ class preconditioned_iteration : public iteration_report {
       for (Eigen::Index k = 0; k < 4; ++k) sum[k] += x[i + k] * y[i + k];
     for (Eigen::Index i = n; i < x.size(); ++i) sum[0] += x[i] * y[i];
     return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+  }
+
+  /// p = z + turn p; with turn = 0 what was in p does not matter.
+  static void follow(double turn, const Eigen::VectorXd& z, Eigen::VectorXd& p) {
+    for (Eigen::Index i = 0; i < z.size(); ++i) p[i] = turn == 0 ? z[i] : z[i] + turn * p[i];
   }
 
   products products_of(const Eigen::VectorXd& p, const Eigen::VectorXd& q) const {
