@@ -17,7 +17,7 @@ struct fixed_surface {
 }  // namespace
 
 template<>
-struct cn::mesh_traits<fixed_surface> : cn::indexed_surface<fixed_surface> {
+struct concino::mesh_traits<fixed_surface> : concino::indexed_surface<fixed_surface> {
   static const auto& tables(const fixed_surface& m) { return m.inside.tables(); }
   static const cn::vec3& point(const fixed_surface& m, cn::vert_id v) { return m.inside.points()[v.raw()]; }
 };

@@ -3,6 +3,8 @@
 #include <concino/generate/icosphere.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/mesh.hpp>
+#include <concino/quality/mean_ratio.hpp>
+#include <concino/quality/scaled_jacobian.hpp>
 
 #include <support/simplex_edits.hpp>
 

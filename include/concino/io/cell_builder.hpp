@@ -108,9 +108,9 @@ class basic_cell_builder {
 
   /// Adds all cells of a volume that has cells of one shape only. Needs: no cell was added before.
   /// Result: the number of cells; less if one is not valid, as for add_cell: then its position.
-  std::size_t add_all_cells(cell_shape s, std::vector<vert_id>&& verts) {
+  std::size_t add_all_cells(cell_shape s, std::vector<vert_id>&& list) {
     const standard_cell& cell = standard_cell_of(s);
-    verts_ = std::move(verts);
+    verts_ = std::move(list);
     const std::size_t n = verts_.size() / cell.num_verts;
     for (std::size_t c = 0; c < n; ++c) {
       vert_id* const v = verts_.data() + c * cell.num_verts;

@@ -151,7 +151,7 @@ TEST_CASE("write_off: components of colours read back as the same floats") {
     const float x = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
     if (!std::isfinite(x)) continue;
     text_sink out;
-    detail::write_part(out, x, true);
+    concino::detail::write_part(out, x, true);
     const std::string text = std::move(out).release();
     double back = 0;
     CHECK(parse_real(text.data(), text.data() + text.size(), back) == text.data() + text.size());
