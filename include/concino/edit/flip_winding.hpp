@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/edit/detail/cavity_builder.hpp>
+#include <concino/edit/detail/operator_checks.hpp>
 #include <concino/mesh/standard_cells.hpp>
 
 #include <algorithm>
