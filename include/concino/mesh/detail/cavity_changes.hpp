@@ -19,7 +19,7 @@ struct vert_change {
 };
 
 /// New edges or faces take the descriptors of old ones that are left over: first of those with which they share all verts but one, then of any.
-/// `fresh` are new to the mesh, `left_over` have no poly afterwards.
+/// `fresh` are new to the mesh, `left_over` have no poly afterwards. It may run out of memory, so it comes before anything changes.
 template<class Elements>
 void pair_with_left_over(Elements& all, std::size_t fresh, std::size_t left_over) {
   constexpr std::size_t most_pairs = 4096;  // more take too long to compare

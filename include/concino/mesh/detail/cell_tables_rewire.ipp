@@ -59,6 +59,8 @@ void cell_tables<Shape, Lists>::rewiring::save(detail::edit_log& log) const {
 
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::rewiring::reserve(function_ref<void(const detail::index_bounds&)> grow) {
+  detail::pair_with_left_over(x_.edges, x_.fresh_edges, x_.left_over_edges);
+  detail::pair_with_left_over(x_.faces, x_.fresh_faces, x_.left_over_faces);
   const std::size_t more_edges = x_.fresh_edges - std::min(x_.fresh_edges, x_.left_over_edges);
   const std::size_t more_faces = x_.fresh_faces - std::min(x_.fresh_faces, x_.left_over_faces);
   detail::reserve_lists_of_verts(t_.v2v_, t_.v2e_, t_.v2p_, x_.changes, x_.num_old_verts, [this](unsigned v) { return vert(v); });
@@ -104,8 +106,6 @@ void cell_tables<Shape, Lists>::rewiring::commit(const detail::native_cavity_res
   }
   for (const poly_id p : c_.polys) t_.facet_adjacency_.detach(p);
   change_polys_of_verts();
-  detail::pair_with_left_over(x_.edges, x_.fresh_edges, x_.left_over_edges);
-  detail::pair_with_left_over(x_.faces, x_.fresh_faces, x_.left_over_faces);
   for (const detail::cavity_edge& x : x_.edges)
     if (x.is_left_over() && t_.is_non_manifold(x.id)) t_.poly_lists_.clear_row(t_.poly_list_number(x.id));
   detail::change_edges(x_.edges, t_.edges_, t_.e2v_, t_.v2v_, t_.v2e_, [this](unsigned v) { return vert(v); });

@@ -165,6 +165,7 @@ std::size_t surface_tables<Arity, Lists>::rewiring::values_of_rows() const {
 
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::rewiring::reserve(function_ref<void(const detail::index_bounds&)> grow) {
+  detail::pair_with_left_over(edges_, fresh_, left_over_);
   const std::size_t more_edges = fresh_ > left_over_ ? fresh_ - left_over_ : 0;
   detail::reserve_lists_of_verts(t_.v2v_, t_.v2e_, t_.v2p_, changes_, num_old_verts_, [this](unsigned v) { return vert(v); });
   reserve_poly_lists();
@@ -195,7 +196,6 @@ void surface_tables<Arity, Lists>::rewiring::commit(const detail::native_cavity_
   }
   for (const poly_id p : c_.polys) t_.facet_adjacency_.detach(p);
   change_polys_of_verts();
-  detail::pair_with_left_over(edges_, fresh_, left_over_);
   detail::change_edges(edges_, t_.edges_, t_.e2v_, t_.v2v_, t_.v2e_, [this](unsigned v) { return vert(v); });
   while (t_.facet_adjacency_.num_facets() < t_.edges_.bound()) t_.facet_adjacency_.add_facet();
   replace_polys();
