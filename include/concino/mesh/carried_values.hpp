@@ -25,8 +25,6 @@ class carried_values {
   /// left out.
   carried_values(const property_set& properties, const correspondence& origins, const correspondence& of_sums);
 
-  /// Whether some property of this kind of elements has values to write.
-  bool has(element_kind kind) const;
   /// Writes the values of one of these elements to the element with this index, or the corner with this number, of the mesh after.
   void write(element_kind kind, std::size_t number, std::size_t index) noexcept;
 };

@@ -17,12 +17,6 @@ CONCINO_INLINE carried_values::carried_values(const property_set& properties, co
   }
 }
 
-CONCINO_INLINE bool carried_values::has(element_kind kind) const {
-  for (const values& x : all_)
-    if (x.kind == kind) return true;
-  return false;
-}
-
 CONCINO_INLINE void carried_values::write(element_kind kind, std::size_t number, std::size_t index) noexcept {
   for (values& x : all_)
     if (x.kind == kind) x.to->take(index, *x.found, number);

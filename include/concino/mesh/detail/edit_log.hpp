@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <span>
 #include <vector>
 
 namespace concino::detail {
@@ -95,7 +94,6 @@ struct saved<column> {
 };
 
 class edit_log {
- public:
   struct row {
     std::uint32_t array, index;
     std::size_t first;  // of its bytes
@@ -104,7 +102,6 @@ class edit_log {
     std::size_t first_row, first_byte, first_size;
   };
 
- private:
   std::vector<unsigned char> bytes_;
   std::vector<row> rows_;
   std::vector<std::uint64_t> sizes_;  // of the arrays before each step, two each
@@ -112,8 +109,6 @@ class edit_log {
 
  public:
   std::size_t num_steps() const { return steps_.size(); }
-  std::span<const row> rows() const { return rows_; }
-  std::span<const std::uint64_t> first_sizes() const { return sizes_; }
 
   /// Begins a step. save() of the rows that will change must follow, before anything changes. If something fails, call drop_step().
   template<class Mesh>
