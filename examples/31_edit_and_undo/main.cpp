@@ -50,6 +50,12 @@ int main() {
   edits.redo();
   print("done again:");
 
+  // Verts of any mesh can be merged, unless polys become degenerate. Verts at which parts of a surface only touch are split again.
+  const cn::vert_id v{0}, near = *cn::adj_v2v(m, v).begin(), far{3};
+  fmt::print("vert {} stays: {}\n", cn::index_of(m, near), cn::can_merge_verts(m, v, {near}).why);
+  cn::merge_verts(m, v, {far});
+  for (const auto& split_again : cn::split_vert_fans(m)) fmt::print("vert {} is split again, the new vert is {}\n", cn::index_of(m, split_again.origin), cn::index_of(m, split_again.vert));
+
   // Removed elements leave gaps in the numbering. This closes them and tells the new descriptors.
   cn::edge_collapse(m, cn::edge_id{5});
   fmt::print("{} verts, indices below {}\n", cn::num_verts(m), cn::vert_index_bound(m));

@@ -12,9 +12,11 @@
 #include <concino/edit/invariants.hpp>
 #include <concino/edit/keep_labels.hpp>
 #include <concino/edit/max_distance.hpp>
+#include <concino/edit/merge_verts.hpp>
 #include <concino/edit/poly_split.hpp>
 #include <concino/edit/proposed_edit.hpp>
 #include <concino/edit/protect.hpp>
 #include <concino/edit/remove_unreferenced.hpp>
+#include <concino/edit/split_vert_fans.hpp>
 #include <concino/edit/transaction.hpp>
 #include <concino/edit/vert_split.hpp>

@@ -85,6 +85,22 @@ TEST_CASE_TEMPLATE("cleaning up that runs out of memory changes nothing", M, CON
   CHECK(all_or_nothing(m, [](M& x) { cn::garbage_collect(x); }) > 20);
 }
 
+TEST_CASE_TEMPLATE("merging and splitting verts that runs out of memory changes nothing", M, CONCINO_ALL_KINDS) {
+  M m = cn::testing::two_grids<M>(1);
+  cn::testing::give_properties(m);
+  cn::vert_id at_one, at_two;
+  for (const auto v : cn::verts(m)) {
+    if (cn::point(m, v) == cn::vec3{1, 0, 0}) at_one = v;
+    if (cn::point(m, v) == cn::vec3{2, 0, 0}) at_two = v;
+  }
+  const auto merge = [&](M& x) { return bool(cn::merge_verts(x, at_one, {at_two}, {.at_mean = true})); };
+  CHECK(all_or_nothing(m, merge) > 20);
+  REQUIRE(merge(m));
+  CHECK(all_or_nothing(m, [](M& x) { cn::split_vert_fans(x); }) > 20);
+  const cn::vert_id first = *cn::adj_v2v(m, at_one).begin();
+  CHECK(all_or_nothing(m, [&](M& x) { cn::merge_verts(x, at_one, {first}, {.degenerate = cn::degenerate_polys::remove}); }) > 20);
+}
+
 TEST_CASE("an edit of long polygons that runs out of memory changes nothing") {
   // two polygons of 40 verts that share every third edge, and a third polygon at one of these edges
   std::vector<cn::vec3> points(80);

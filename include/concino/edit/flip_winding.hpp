@@ -3,6 +3,7 @@
 
 #include <concino/edit/detail/cavity_builder.hpp>
 #include <concino/edit/detail/operator_checks.hpp>
+#include <concino/edit/detail/saved_edit.hpp>
 #include <concino/mesh/standard_cells.hpp>
 
 #include <algorithm>
@@ -72,22 +73,10 @@ class winding_cavity {
     }
     carried_values values(traits<M>::properties(m), origins, origins);
     std::vector<unsigned> corner_at(verts_.size());
-    if constexpr (saves_values<M>) {
-      if (auto* const recorder = traits<M>::edits(m).recorder) {
-        const std::size_t before = recorder->log.num_steps();
-        recorder->save_values([&](const auto& save) {
-          for (std::size_t i = 0; i < origins.corners.size(); ++i) save(element_kind::corner, origins.corners.only(i));
-        });
-        try {
-          replace(m);
-        } catch (...) {
-          recorder->roll_back(before);
-          throw;
-        }
-        return write(m, values, corner_at.data());
-      }
-    }
-    replace(m);
+    const auto for_each_replaced = [&](const auto& save) {
+      for (std::size_t i = 0; i < origins.corners.size(); ++i) save(element_kind::corner, origins.corners.only(i));
+    };
+    replace_saved(m, for_each_replaced, [&] { replace(m); });
     write(m, values, corner_at.data());
   }
   void write(const M& m, carried_values& values, unsigned* corner_at) const noexcept {

@@ -16,6 +16,8 @@ enum class refusal : unsigned char {
   link_condition,  // the mesh would no longer be of the same kind: two parts would touch, or a part would vanish
   wrong_set,       // the polys that an operator is given are not those that it needs
   winding,         // the polys at the element run in contradictory directions
+  degenerate,      // a poly would have a vert twice, or too few of them
+  loose_face,      // a face without polys is at the element
   invariant,       // a condition in the options does not hold afterwards
 };
 
