@@ -197,3 +197,62 @@ TEST_CASE("transaction: a copy of a mesh is not part of it") {
   t.roll_back();
   CHECK(whole(copy) == changed);
 }
+
+TEST_CASE("transaction: faces and polys of polyhedra that are added and removed one by one") {
+  std::mt19937 random(8);
+  const auto listed = [](const auto& range) { return std::vector<std::remove_cvref_t<decltype(*range.begin())>>(range.begin(), range.end()); };
+  const auto edit = [&](cn::polyhedralmesh& m) {
+    const auto verts = listed(cn::verts(m));
+    const auto faces = listed(cn::faces(m));
+    const auto polys = listed(cn::polys(m));
+    const auto v = verts[random() % verts.size()];
+    switch (polys.empty() || faces.size() < 3 ? 0 : random() % 7) {
+      case 0: cn::add_face(m, {v, cn::add_vert(m, {1, 2, 3}), cn::add_vert(m, {1, 2, 4})}); break;
+      case 1: {
+        std::vector<cn::vert_id> corners;
+        for (const unsigned i : cn::testing::some_of(random, static_cast<unsigned>(verts.size()), 4)) corners.push_back(verts[i]);
+        cn::add_face(m, std::span<const cn::vert_id>(corners));
+        break;
+      }
+      case 2:
+      case 3: {
+        const auto some = cn::testing::some_of(random, static_cast<unsigned>(faces.size()), 3);
+        cn::add_poly(m, {{faces[some[0]], true}, {faces[some[1]], false}, {faces[some[2]], true}});
+        break;
+      }
+      case 4: cn::remove_face(m, faces[random() % faces.size()]); break;
+      case 5: cn::remove_vert(m, v); break;
+      default: cn::remove_poly(m, polys[random() % polys.size()]);
+    }
+  };
+  for (unsigned round = 0; round < 8; ++round) {
+    auto m = round % 2 ? cn::testing::grid<cn::polyhedralmesh>(2) : cn::testing::random_soup<cn::polyhedralmesh>(random, 15, 9).mesh();
+    const auto a = cn::vert_property<double>(m, "a");
+    for (const auto v : cn::verts(m)) a[v] = v.raw();
+    cn::face_property<int>(m, "i");
+    const auto before = whole(m);
+    {
+      cn::transaction t(m);
+      for (unsigned i = 0; i < 6; ++i) edit(m);
+      if (round % 3 == 0) cn::remove_unreferenced(m);
+      keeps_all_laws(m);
+      CHECK(whole(m) != before);
+    }
+    CHECK(whole(m) == before);
+    keeps_all_laws(m);
+    cn::transaction t(m);
+    for (unsigned i = 0; i < 6; ++i) edit(m);
+    const auto after = whole(m);
+    auto edits = t.commit();
+    for (unsigned times = 0; times < 2; ++times) {
+      edits.undo();
+      CHECK(whole(m) == before);
+      keeps_all_laws(m);
+      edits.redo();
+      CHECK(whole(m) == after);
+      keeps_all_laws(m);
+    }
+    for (unsigned i = 0; i < 6; ++i) edit(m);
+    keeps_all_laws(m);
+  }
+}

@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include <functional>
 #include <optional>
 #include <random>
 
@@ -34,7 +35,7 @@ void edit_often(M& m) {
   for (unsigned i = 0; i < 20; ++i) {
     const cn::edge_id e{random() % cn::edge_index_bound(m)};
     const cn::poly_id p{random() % cn::poly_index_bound(m)};
-    switch (i % 5) {
+    switch (i % 7) {
       case 0:
         if (cn::contains(m, e)) cn::edge_split(m, e, 0.25);
         break;
@@ -47,6 +48,12 @@ void edit_often(M& m) {
       case 3:
         if (cn::contains(m, p)) cn::poly_split(m, p);
         break;
+      case 4: {
+        const cn::vert_id v = *cn::verts(m).begin(), w{random() % cn::vert_index_bound(m)};
+        if (cn::contains(m, w)) cn::merge_verts(m, v, {w}, {.degenerate = cn::degenerate_polys::remove, .at_mean = true});
+        break;
+      }
+      case 5: cn::split_vert_fans(m); break;
       default:
         cn::add_vert(m, {1, 2, 3});
         if (cn::contains(m, p)) cn::remove_poly(m, p);
@@ -109,5 +116,52 @@ TEST_CASE_TEMPLATE("an operator that runs out of memory changes nothing, also in
       }
     });
     CHECK(result.failed > 10);
+  }
+}
+
+TEST_CASE_TEMPLATE("an edit of elements that runs out of memory inside a transaction changes nothing", M, CONCINO_ALL_KINDS) {
+  M before = cn::testing::two_grids<M>(1);
+  const auto a = cn::vert_property<double>(before, "a");
+  for (const auto v : cn::verts(before)) a[v] = v.raw();
+  cn::edge_property<int>(before, "e");
+  cn::corner_property<int>(before, "c");
+  const cn::vert_id loose = cn::add_vert(before, {1, 2, 3});
+  cn::vert_id at_one, at_two;
+  for (const auto v : cn::verts(before)) {
+    if (cn::point(before, v) == cn::vec3{1, 0, 0}) at_one = v;
+    if (cn::point(before, v) == cn::vec3{2, 0, 0}) at_two = v;
+  }
+  std::vector<std::function<void(M&)>> edits{
+      [&](M& m) { cn::add_vert(m, {0, 0, 0}); },
+      [&](M& m) { cn::set_point(m, loose, cn::vec3{0, 0, 0}); },
+      [&](M& m) { cn::remove_poly(m, cn::poly_id{0}); },
+      [&](M& m) { cn::remove_vert(m, at_one); },
+      [&](M& m) { cn::remove_unreferenced(m); },
+      [&](M& m) { cn::flip_winding(m); },
+      [&](M& m) { cn::merge_verts(m, at_one, {at_two, loose}, {.at_mean = true}); },
+      [&](M& m) { cn::split_vert_fans(m); },
+  };
+  if constexpr (cn::VolumeMesh<M>) edits.push_back([](M& m) { cn::remove_face(m, *cn::faces(m).begin()); });
+  if constexpr (std::same_as<M, cn::polyhedralmesh>) {
+    cn::add_face(before, {loose, at_one, cn::add_vert(before, {1, 2, 3})});
+    edits.push_back([&](M& m) { cn::add_face(m, {at_two, at_one, loose}); });
+    edits.push_back([](M& m) { cn::add_poly(m, {{cn::face_id{0}, true}, {cn::face_id{7}, true}, {cn::face_id{1}, true}}); });
+  } else {
+    REQUIRE(cn::merge_verts(before, at_one, {at_two}));  // for split_vert_fans
+    edits[6] = [&](M& m) { cn::merge_verts(m, at_one, {*cn::adj_v2v(m, at_one).begin()}, {.degenerate = cn::degenerate_polys::remove}); };
+  }
+  const std::vector<double> old = whole(before);
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    INFO("edit ", i);
+    const auto result = for_each_failing_allocation([&](const auto& attempt) {
+      M m = before;
+      cn::transaction t(m);
+      const bool failed = attempt([&] { edits[i](m); });
+      if (failed) CHECK(whole(m) == old);
+      t.roll_back();
+      CHECK(whole(m) == old);
+    });
+    CHECK(result.failed > 0);
+    CHECK(result.leaks == 0);
   }
 }

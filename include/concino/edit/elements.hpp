@@ -6,6 +6,7 @@
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/error.hpp>
 #include <concino/core/vec3.hpp>
+#include <concino/edit/transaction.hpp>
 
 #include <cassert>
 #include <initializer_list>
@@ -119,9 +120,11 @@ void remove_face(M& m, face_t<M> f) {
   std::vector<poly_t<M>> at_face;
   for (const auto& p : adj_f2p(m, f)) at_face.push_back(p);
   detail::reserve_removal(m, at_face);
-  for (const auto& p : at_face) traits<M>::remove_poly(m, p);
-  if constexpr (requirement::has_remove_face<M>)
-    if (contains(m, f)) traits<M>::remove_face(m, f);
+  detail::edit_in_steps(m, [&] {
+    for (const auto& p : at_face) traits<M>::remove_poly(m, p);
+    if constexpr (requirement::has_remove_face<M>)
+      if (contains(m, f)) traits<M>::remove_face(m, f);
+  });
 }
 
 /// Removes v, after the polys at it. The edit has the strong exception guarantee if the traits have reserve_removal(m, polys).
@@ -136,8 +139,10 @@ void remove_vert(M& m, vert_t<M> v) {
   std::vector<poly_t<M>> around;
   for (const auto& p : adj_v2p(m, v)) around.push_back(p);
   detail::reserve_removal(m, around);
-  for (const auto& p : around) traits<M>::remove_poly(m, p);
-  traits<M>::remove_vert(m, v);
+  detail::edit_in_steps(m, [&] {
+    for (const auto& p : around) traits<M>::remove_poly(m, p);
+    traits<M>::remove_vert(m, v);
+  });
 }
 
 }  // namespace concino

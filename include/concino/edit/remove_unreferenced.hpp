@@ -30,13 +30,30 @@ bool is_unreferenced(const M& m, const vert_t<M>& v) {
   return requirement::has_remove_face<M> || is_empty_range(adj_v2e(m, v));  // with remove_face, its edges are removed with their last faces
 }
 
+struct no_faces {
+  static constexpr bool empty() { return true; }
+};
+
+/// The faces without polys, in a mesh from which they can be removed.
+template<class M>
+auto faces_without_polys(const M& m) {
+  if constexpr (requirement::has_remove_face<M>) {
+    std::vector<face_t<M>> all;
+    for (const face_t<M> f : faces(m))
+      if (is_empty_range(adj_f2p(m, f))) all.push_back(f);
+    return all;
+  } else {
+    return no_faces{};
+  }
+}
+
 }  // namespace detail
 
 /// Removes all verts without polys and, in a mesh of general polyhedra, all faces and edges without polys.
 /// Needs:  AnyMesh M whose traits have remove_vert, and remove_face if faces without polys can exist. In surfaces, verts with edges stay.
 /// Result: how many elements were removed. Other elements keep their descriptors; garbage_collect(m) closes the gaps in their numbers.
 /// Cost:   O(verts and faces), and the elements at those that are removed.
-/// Errors: unsupported if faces without polys would be removed while a transaction is open. Nothing is removed then, nor if memory runs out.
+/// Errors: none of its own. If memory runs out, nothing is removed.
 template<requirement::has_remove_vert M>
   requires AnyMesh<M>
 removed_counts remove_unreferenced(M& m) {
@@ -44,23 +61,19 @@ removed_counts remove_unreferenced(M& m) {
   for (const vert_t<M> v : verts(m))
     if (detail::is_unreferenced(m, v)) unused.push_back(v);
   removed_counts removed{unused.size()};
-  const std::size_t num_edges_before = num_edges(m);
-  if constexpr (requirement::has_remove_face<M>) {
-    std::vector<face_t<M>> unused_faces;
-    for (const face_t<M> f : faces(m))
-      if (detail::is_empty_range(adj_f2p(m, f))) unused_faces.push_back(f);
-    removed.faces = unused_faces.size();
-    if (removed.faces > 0) detail::reserve_removal(m, {});
-    for (const face_t<M> f : unused_faces) traits<M>::remove_face(m, f);
-  }
-  if (removed.verts > 0 && removed.faces == 0) {
-    if constexpr (EditableMesh<M>) {  // all at once, also while a transaction is open
-      rewire(m, cavity<M>{.verts = {unused.data(), unused.data() + unused.size()}, .removed = unused.size()}, cavity_result<M>{});
+  const auto unused_faces = detail::faces_without_polys(m);
+  if constexpr (EditableMesh<M>)
+    if (unused_faces.empty()) {  // all at once
+      if (!unused.empty()) rewire(m, cavity<M>{.verts = {unused.data(), unused.data() + unused.size()}, .removed = unused.size()}, cavity_result<M>{});
       return removed;
     }
-    detail::reserve_removal(m, {});
-  }
-  for (const vert_t<M> v : unused) traits<M>::remove_vert(m, v);
+  const std::size_t num_edges_before = num_edges(m);
+  detail::reserve_removal(m, {});
+  detail::edit_in_steps(m, [&] {
+    if constexpr (requirement::has_remove_face<M>)
+      for (const face_t<M> f : unused_faces) traits<M>::remove_face(m, f), ++removed.faces;
+    for (const vert_t<M> v : unused) traits<M>::remove_vert(m, v);
+  });
   removed.edges = num_edges_before - num_edges(m);
   return removed;
 }

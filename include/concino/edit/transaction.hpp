@@ -126,4 +126,21 @@ class transaction {
   }
 };
 
+namespace detail {
+
+/// Calls edit(), which consists of several edits. While a transaction is open, they are undone if it fails.
+template<class M, class Edit>
+void edit_in_steps(M& m, const Edit& edit) {
+  if constexpr (requirement::has_edits<M>)
+    if (traits<M>::edits(m).recorder) {
+      transaction<M> t(m);
+      edit();
+      t.commit();
+      return;
+    }
+  edit();
+}
+
+}  // namespace detail
+
 }  // namespace concino

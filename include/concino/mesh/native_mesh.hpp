@@ -159,7 +159,11 @@ struct native_traits : Base<M> {
     return v;
   }
   static void remove_vert(M& m, vert_id v) {
-    if (is_recorded(m)) return void(edit_by_rewire(m, {.verts = {&v, &v + 1}, .removed = 1}));
+    if (is_recorded(m)) {
+      remove_faces_without_polys(m, v);
+      edit_by_rewire(m, {.verts = {&v, &v + 1}, .removed = 1});
+      return;
+    }
     m.tables().remove_vert(v);
     count_edit(m);
   }
@@ -180,17 +184,17 @@ struct native_traits : Base<M> {
   static face_id add_face(M& m, std::span<const vert_id> corners)
     requires requires { m.tables().add_face(corners); }
   {
-    refuse_recording(m, "add_face");
-    const face_id f = m.tables().add_face(corners, growing(m));
-    count_edit(m);
+    edit_step<typename M::native> step(m);
+    const face_id f = m.tables().add_face(corners, growing(m), step.log());
+    step.finish();
     return f;
   }
   static poly_id add_poly(M& m, std::span<const face_id> list, std::span<const std::uint8_t> outward)
     requires requires { m.tables().add_poly(list, outward); }
   {
-    refuse_recording(m, "add_poly");
-    const poly_id p = m.tables().add_poly(list, outward, growing(m));
-    count_edit(m);
+    edit_step<typename M::native> step(m);
+    const poly_id p = m.tables().add_poly(list, outward, growing(m), step.log());
+    step.finish();
     return p;
   }
   static void rewire(M& m, const native_cavity& c, const native_cavity_result& made)
@@ -227,9 +231,9 @@ struct native_traits : Base<M> {
   static void remove_face(M& m, face_id f)
     requires requires { m.tables().remove_face(f); }
   {
-    refuse_recording(m, "remove_face");
-    m.tables().remove_face(f);
-    count_edit(m);
+    edit_step<typename M::native> step(m);
+    m.tables().remove_face(f, step.log());
+    step.finish();
   }
 
  private:
@@ -237,10 +241,15 @@ struct native_traits : Base<M> {
     return [&m](const index_bounds& after) { m.properties().grow(bounds_of(m.tables()), after); };
   }
   static bool is_recorded(M& m) { return m.edits().recorder != nullptr; }
-  static void count_edit(M& m) { m.edits().version = ++m.edits().last_version; }
-  static void refuse_recording(M& m, const char* edit) {
-    if (is_recorded(m)) core::throw_joined<unsupported>({edit, ": faces cannot be added or removed one by one while a transaction is open; use rewire"});
+  static void remove_faces_without_polys(M& m, vert_id v) {
+    if constexpr (requires(face_id f) { m.tables().remove_face(f); }) {
+      std::vector<face_id> all;
+      for (const face_id f : m.tables().adj_v2f(v))
+        if (num_elements(m.tables().adj_f2p(f)) == 0) all.push_back(f);
+      for (const face_id f : all) remove_face(m, f);
+    }
   }
+  static void count_edit(M& m) { m.edits().version = ++m.edits().last_version; }
   struct new_elements {
     vert_id vert;
     poly_id poly;

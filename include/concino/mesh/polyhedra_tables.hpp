@@ -99,11 +99,12 @@ class basic_polyhedra_tables {
 
   /// Adds a face on existing verts, without polys. A second face on the same verts is a different face.
   /// Errors: invalid_mesh as in the constructor; the tables are unchanged then.
-  face_id add_face(std::span<const vert_id> corners, function_ref<void(const detail::index_bounds&)> grow = {});
+  face_id add_face(std::span<const vert_id> corners, function_ref<void(const detail::index_bounds&)> grow = {}, detail::edit_log* log = nullptr);
 
   /// Adds a poly of existing faces; outward[k] as in the constructor. Cost: at most the square of the corners of its faces.
   /// Errors: invalid_mesh as in the constructor; the tables are unchanged then.
-  poly_id add_poly(std::span<const face_id> list, std::span<const std::uint8_t> outward, function_ref<void(const detail::index_bounds&)> grow = {});
+  poly_id add_poly(std::span<const face_id> list, std::span<const std::uint8_t> outward, function_ref<void(const detail::index_bounds&)> grow = {},
+                   detail::edit_log* log = nullptr);
 
   /// Replaces a few polys by others, as concepts/editable.hpp says. A new face is the existing one, or the other new one, that has the same verts in the same
   /// or the reversed cyclic order. Cost: the old and new polys, and the edges, faces and polys at their verts.
@@ -127,7 +128,7 @@ class basic_polyhedra_tables {
   void remove_poly(poly_id p);
 
   /// Removes a face that has no polys.
-  void remove_face(face_id f);
+  void remove_face(face_id f, detail::edit_log* log = nullptr);
 
   /// Removes a vert that has no polys, and the faces at it, which have none either.
   void remove_vert(vert_id v);
@@ -158,6 +159,12 @@ class basic_polyhedra_tables {
   class rewiring;
 
   static constexpr std::size_t faces_of_new_edge = 4;  // for which memory is reserved
+
+  /// The arrays as for_each_array() numbers them.
+  enum array_number : std::uint32_t { of_verts, of_edges, of_faces, of_polys, of_f2v, of_p2v, of_p2e, of_outward, of_e2v, of_e2f, of_v2v, of_v2e, of_v2p, of_facets };
+
+  /// Saves what changes when a face with these verts is added or removed.
+  void save_around_face(detail::edit_log& log, id_span<vert_id> corners) const;
 
   /// Result: the number of verts of the faces of all polys, a face counted for every poly that has it.
   std::size_t check(std::size_t vert_count, const jagged<face_id>& polys) const;

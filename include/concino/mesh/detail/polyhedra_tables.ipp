@@ -30,9 +30,19 @@ vert_id basic_polyhedra_tables<Lists>::add_vert(function_ref<void(const detail::
 }
 
 template<class Lists>
-face_id basic_polyhedra_tables<Lists>::add_face(std::span<const vert_id> corners, function_ref<void(const detail::index_bounds&)> grow) {
+void basic_polyhedra_tables<Lists>::save_around_face(detail::edit_log& log, id_span<vert_id> corners) const {
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    log.save(of_v2v, v2v_, corners[i].raw()), log.save(of_v2e, v2e_, corners[i].raw());
+    const edge_id e = edge_between(corners[i], corners[i + 1 == corners.size() ? 0 : i + 1]);
+    if (!e.is_none()) log.save(of_edges, edges_, e.raw()), log.save(of_e2f, e2f_, e.raw());
+  }
+}
+
+template<class Lists>
+face_id basic_polyhedra_tables<Lists>::add_face(std::span<const vert_id> corners, function_ref<void(const detail::index_bounds&)> grow, detail::edit_log* log) {
   const face_id f{faces_.bound()};
   detail::check_new_verts({corners.data(), corners.data() + corners.size()}, verts_, "add_face: face", f.raw());
+  if (log) save_around_face(*log, {corners.data(), corners.data() + corners.size()});
   const std::size_t n = corners.size();
   const vert_id* const c = f2v_.stage_row(corners.data(), n);  // corners may have been in a row that moved
   const auto next = [&](std::size_t i) { return c[i + 1 == n ? 0 : i + 1]; };
@@ -67,7 +77,8 @@ face_id basic_polyhedra_tables<Lists>::add_face(std::span<const vert_id> corners
 }
 
 template<class Lists>
-poly_id basic_polyhedra_tables<Lists>::add_poly(std::span<const face_id> list, std::span<const std::uint8_t> outward, function_ref<void(const detail::index_bounds&)> grow) {
+poly_id basic_polyhedra_tables<Lists>::add_poly(std::span<const face_id> list, std::span<const std::uint8_t> outward, function_ref<void(const detail::index_bounds&)> grow,
+                                                detail::edit_log* log) {
   const poly_id p{polys_.bound()};
   const auto name = [&] { return core::joined({"add_poly: poly ", p.raw()}); };
   if (list.empty() || list.size() != outward.size()) core::throw_joined<invalid_mesh>({name(), " needs at least one face and an outward flag for each"});
@@ -76,6 +87,11 @@ poly_id basic_polyhedra_tables<Lists>::add_poly(std::span<const face_id> list, s
     if (std::find(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(k), list[k]) != list.begin() + static_cast<std::ptrdiff_t>(k))
       core::throw_joined<invalid_mesh>({name(), " has face ", list[k].raw(), " twice; its faces must differ"});
   }
+  if (log)
+    for (const face_id f : list) {
+      facet_adjacency_.save_facet(*log, of_facets, f);
+      for (const vert_id v : adj_f2v(f)) log->save(of_v2p, v2p_, v.raw());
+    }
   const auto n = static_cast<std::uint32_t>(list.size());
   const face_id* const faces = facet_adjacency_.stage_poly(n, list.data());  // list may have been in a row that moved
   outward_.stage_row(outward.data(), n);
@@ -128,8 +144,9 @@ void basic_polyhedra_tables<Lists>::remove_poly(poly_id p) {
 }
 
 template<class Lists>
-void basic_polyhedra_tables<Lists>::remove_face(face_id f) {
+void basic_polyhedra_tables<Lists>::remove_face(face_id f, detail::edit_log* log) {
   assert(!facet_adjacency_.is_owned(f));
+  if (log) log->save(of_faces, faces_, f.raw()), save_around_face(*log, adj_f2v(f));
   reserve_removal({});
   const id_span<vert_id> corners = adj_f2v(f);
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -312,11 +329,12 @@ void basic_polyhedra_tables<Lists>::build_corners(std::size_t vert_count, const 
 template basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::basic_polyhedra_tables(std::size_t, std::vector<std::uint32_t>, std::vector<vert_id>, std::vector<std::uint32_t>, std::vector<face_id>,
                                                   std::vector<std::uint8_t>);
 template vert_id basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::add_vert(function_ref<void(const detail::index_bounds&)>);
-template face_id basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::add_face(std::span<const vert_id>, function_ref<void(const detail::index_bounds&)>);
-template poly_id basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::add_poly(std::span<const face_id>, std::span<const std::uint8_t>, function_ref<void(const detail::index_bounds&)>);
+template face_id basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::add_face(std::span<const vert_id>, function_ref<void(const detail::index_bounds&)>, detail::edit_log*);
+template poly_id basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::add_poly(std::span<const face_id>, std::span<const std::uint8_t>, function_ref<void(const detail::index_bounds&)>,
+                                                                                                    detail::edit_log*);
 template void basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::reserve_removal(std::span<const poly_id>);
 template void basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::remove_poly(poly_id);
-template void basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::remove_face(face_id);
+template void basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::remove_face(face_id, detail::edit_log*);
 template void basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::remove_vert(vert_id);
 #endif
 

@@ -37,10 +37,9 @@ class basic_polyhedra_tables<Lists>::rewiring {
   void commit(const detail::native_cavity_result& made);
 };
 
-/// Saves all rows that reserve() and commit() may change. The arrays are numbered as for_each_array() visits them.
+/// Saves all rows that reserve() and commit() may change.
 template<class Lists>
 void basic_polyhedra_tables<Lists>::rewiring::save(detail::edit_log& log) const {
-  enum : std::uint32_t { of_verts, of_edges, of_faces, of_polys, of_f2v, of_p2v, of_p2e, of_outward, of_e2v, of_e2f, of_v2v, of_v2e, of_v2p, of_facets };
   for (const vert_id x : c_.verts) {
     const std::size_t v = x.raw();
     log.save(of_verts, t_.verts_, v), log.save(of_v2v, t_.v2v_, v), log.save(of_v2e, t_.v2e_, v), log.save(of_v2p, t_.v2p_, v);
