@@ -10,6 +10,7 @@
 #include <concino/geometry/corner_angles.hpp>
 #include <concino/geometry/dihedral_angles.hpp>
 #include <concino/geometry/edge_length.hpp>
+#include <concino/geometry/hausdorff_distance.hpp>
 #include <concino/geometry/lines_and_planes.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/geometry/normals.hpp>
