@@ -126,6 +126,20 @@ TEST_CASE("write_off: binary rounds numbers to floats, and keeps colours and lab
   CHECK_THROWS_AS(save_text(m, file_format::obj, {.binary = true}), unsupported);
 }
 
+TEST_CASE("write_off: binary rounds labels to floats that are labels") {
+  auto m = grid<trimesh>(1);
+  auto label = poly_property<int>(m, "label");
+  constexpr int least = std::numeric_limits<int>::min(), largest = std::numeric_limits<int>::max();
+  for (const int written : {least, least + 1, 0x1000001, largest}) {
+    CAPTURE(written);
+    label[poly_id{1}] = written;
+    const auto text = save_text(m, file_format::off, {.binary = true});
+    const auto again = load_text<trimesh>(text, file_format::off);
+    CHECK(find_poly_property<int>(again, "label")[poly_id{1}] == doctest::Approx(written).epsilon(1e-7));
+    CHECK(save_text(again, file_format::off, {.binary = true}) == text);
+  }
+}
+
 TEST_CASE("write_off: throws for volumes and points that are not finite; other numbers become 0") {
   CHECK_THROWS_AS(save_text(grid<tetmesh>(1), file_format::off), unsupported);
   auto m = grid<trimesh>(1);

@@ -200,7 +200,7 @@ class off_binary_reader {
       extra.poly_colors.push_back(color(n));
     } else if (n == 1) {
       const double x = real();
-      const bool is_index = x == std::floor(x) && std::abs(x) < 2147483648.0;
+      const bool is_index = x == std::floor(x) && x >= -2147483648.0 && x < 2147483648.0;
       if (is_index) {
         extra.poly_labels.resize(f);
         const int label = static_cast<int>(x);

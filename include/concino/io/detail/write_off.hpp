@@ -5,6 +5,7 @@
 #include <concino/io/detail/off_format.hpp>
 #include <concino/io/detail/write_common.hpp>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -74,8 +75,9 @@ class off_numbers {
   [[gnu::noinline]] void poly_label(int label) {
     if (!binary_) return integer(label);
     integer(1);
-    part(static_cast<float>(label));
-    rounded = rounded || static_cast<double>(static_cast<float>(label)) != label;
+    const float nearest = std::min(static_cast<float>(label), 0x1.fffffep30f);  // the next float is no label
+    part(nearest);
+    rounded = rounded || static_cast<double>(nearest) != label;
   }
 };
 
