@@ -64,7 +64,6 @@ std::multiset<std::set<unsigned>> polys_as_sets(const M& m) {
 namespace detail {
 
 using simplices = std::multiset<std::set<unsigned>>;
-constexpr unsigned extra_vert = ~0u;
 
 inline std::set<std::set<unsigned>> closure(const simplices& all) {
   std::set<std::set<unsigned>> c;
@@ -80,53 +79,144 @@ inline std::set<std::set<unsigned>> closure(const simplices& all) {
   return c;
 }
 
-/// The simplices s for which s and t together are a simplex of `all`, s and t being disjoint.
-inline std::set<std::set<unsigned>> link(const std::set<std::set<unsigned>>& all, const std::set<unsigned>& t) {
-  std::set<std::set<unsigned>> l;
-  for (const auto& s : all) {
-    if (!std::includes(s.begin(), s.end(), t.begin(), t.end())) continue;
+}  // namespace detail
+
+namespace detail {
+
+/// The simplices of `polys` without the verts of t, of those that have them.
+inline simplices link_of(const simplices& polys, const std::set<unsigned>& t) {
+  simplices l;
+  for (const auto& p : polys) {
+    if (!std::includes(p.begin(), p.end(), t.begin(), t.end())) continue;
     std::set<unsigned> rest;
-    std::set_difference(s.begin(), s.end(), t.begin(), t.end(), std::inserter(rest, rest.end()));
-    if (!rest.empty()) l.insert(rest);
+    std::set_difference(p.begin(), p.end(), t.begin(), t.end(), std::inserter(rest, rest.end()));
+    l.insert(rest);
   }
   return l;
 }
 
+inline std::ptrdiff_t euler_characteristic(const simplices& all) {
+  std::ptrdiff_t chi = 0;
+  for (const auto& s : closure(all)) chi += s.size() % 2 ? 1 : -1;
+  return chi;
+}
+
+inline bool is_connected(const simplices& all) {
+  std::set<unsigned> reached = *all.begin();
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (const auto& s : all) {
+      const bool meets = std::any_of(s.begin(), s.end(), [&](unsigned v) { return reached.count(v) > 0; });
+      if (!meets || std::includes(reached.begin(), reached.end(), s.begin(), s.end())) continue;
+      reached.insert(s.begin(), s.end());
+      grows = true;
+    }
+  }
+  return closure(all).size() > 0 && std::all_of(all.begin(), all.end(), [&](const auto& s) { return reached.count(*s.begin()) > 0; });
+}
+
+/// A graph without its verts of degree 2: the ends of its arcs. A circle is an arc with a vert that it keeps.
+inline std::vector<std::pair<unsigned, unsigned>> arcs_of(const simplices& graph) {
+  std::vector<std::pair<unsigned, unsigned>> arcs;
+  std::set<unsigned> verts;
+  for (const auto& e : graph) arcs.emplace_back(*e.begin(), *e.rbegin()), verts.insert(e.begin(), e.end());
+  for (const unsigned v : verts) {
+    std::vector<std::size_t> at;
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      if (arcs[i].first == v) at.push_back(i);
+      if (arcs[i].second == v) at.push_back(i);
+    }
+    if (at.size() != 2 || at[0] == at[1]) continue;
+    const auto other = [&](std::size_t i) { return arcs[i].first == v ? arcs[i].second : arcs[i].first; };
+    arcs[at[0]] = {other(at[0]), other(at[1])};
+    arcs.erase(arcs.begin() + static_cast<std::ptrdiff_t>(at[1]));
+  }
+  return arcs;
+}
+
+/// The order of a simplex whose link is a graph: 0 for a circle, 1 for arcs between the same two verts, else 2.
+inline int order_by_graph(const simplices& graph) {
+  const auto arcs = arcs_of(graph);
+  if (arcs.size() == 1 && arcs[0].first == arcs[0].second) return 0;
+  for (const auto& x : arcs)
+    if (x.first == x.second || std::minmax(x.first, x.second) != std::minmax(arcs[0].first, arcs[0].second)) return 2;
+  return 1;
+}
+
+/// The order of simplex s, -1 if the complex does not have it.
+inline int order_of(const simplices& polys, const std::set<unsigned>& s) {
+  const simplices l = link_of(polys, s);
+  if (l.empty()) return -1;
+  if (l.begin()->empty()) return 0;
+  if (l.begin()->size() == 1) return l.size() == 2 ? 0 : 1;
+  if (l.begin()->size() == 2) return order_by_graph(l);
+  simplices odd;
+  std::set<unsigned> verts, singular;
+  for (const auto& t : l) verts.insert(t.begin(), t.end());
+  for (const unsigned v : verts)
+    if (order_by_graph(link_of(l, {v})) == 2) singular.insert(v);
+  for (const auto& e : closure(l))
+    if (e.size() == 2 && link_of(l, e).size() != 2) odd.insert(e);
+  const std::ptrdiff_t chi = euler_characteristic(l);
+  if (!is_connected(l)) return 3;
+  if (singular.empty() && odd.empty()) return chi == 2 ? 0 : 3;
+  if (singular.empty()) return is_connected(odd) && chi == static_cast<std::ptrdiff_t>(link_of(l, *odd.begin()).size()) ? 1 : 3;
+  if (singular.size() != 2) return 3;
+  const simplices g = link_of(l, {*singular.begin()}), h = link_of(l, {*singular.rbegin()});
+  const auto degrees = [](const simplices& graph) {
+    std::map<unsigned, unsigned> at;
+    for (const auto& e : graph)
+      for (const unsigned v : e) ++at[v];
+    std::multiset<unsigned> all;
+    for (const auto& [v, n] : at)
+      if (n != 2) all.insert(n);
+    return all;
+  };
+  return degrees(g) == degrees(h) && euler_characteristic(g) == euler_characteristic(h) && chi == 2 - euler_characteristic(g) ? 2 : 3;
+}
+
 }  // namespace detail
 
-/// Whether collapsing edge ab of the complex of these polys keeps its topology, by the definitions of Dey et al. 1999, in time proportional to the mesh.
-inline bool obeys_link_condition(detail::simplices polys, unsigned a, unsigned b) {
-  detail::simplices at_edge;
-  for (const auto& p : polys)
-    if (p.count(a) && p.count(b)) at_edge.insert(p);
+/// Whether collapsing edge ab of the complex of these polys keeps its topology: by the definitions of Dey et al. 1999, for every simplex s of the links of a and b
+/// the order of abs is not smaller than those of as and bs both.
+inline bool obeys_link_condition(const detail::simplices& polys, unsigned a, unsigned b) {
+  const detail::simplices at_edge = detail::link_of(polys, {a, b});
   for (const auto& p : at_edge)
     if (at_edge.count(p) > 1) return false;
-  std::map<std::set<unsigned>, unsigned> weight;  // of the simplices after the first round: the number of polys; in the first round they may be repeated
-  while (!polys.empty() && polys.begin()->size() > 1) {
-    std::map<std::set<unsigned>, std::multiset<unsigned>> weights;
-    for (const auto& p : polys)
-      for (const unsigned v : p) {
-        std::set<unsigned> facet = p;
-        facet.erase(v);
-        weights[facet].insert(weight.count(p) ? weight[p] : 1);
-      }
-    detail::simplices odd, with_cone = polys;
-    weight.clear();
-    for (const auto& [facet, w] : weights)
-      if (w.size() != 2 || *w.begin() != *w.rbegin()) {
-        odd.insert(facet);
-        for (const unsigned x : w) weight[facet] += x;
-        std::set<unsigned> cone = facet;
-        cone.insert(detail::extra_vert);
-        with_cone.insert(cone);
-      }
-    const auto all = detail::closure(with_cone);
-    const auto link_a = detail::link(all, {a}), link_b = detail::link(all, {b}), link_ab = detail::link(all, {a, b});
-    for (const auto& s : link_a)
-      if (link_b.count(s) && !link_ab.count(s)) return false;
-    polys = odd;
+  auto all = detail::closure(detail::link_of(polys, {a}));
+  all.insert(std::set<unsigned>());
+  for (auto s : all) {
+    if (s.count(b)) continue;
+    s.insert(a);
+    const int of_a = detail::order_of(polys, s);
+    s.erase(a), s.insert(b);
+    const int of_b = detail::order_of(polys, s);
+    s.insert(a);
+    if (std::min(of_a, of_b) > detail::order_of(polys, s)) return false;
   }
   return true;
+}
+
+/// The links of verts of triangles that are neither manifold nor at a curve in which sheets meet, up to homeomorphism: for each arc, the numbers of arcs
+/// at its ends. No collapse changes them.
+template<class M>
+std::multiset<std::multiset<std::pair<std::size_t, std::size_t>>> singular_links(const M& m) {
+  std::multiset<std::multiset<std::pair<std::size_t, std::size_t>>> all;
+  const auto sets = polys_as_sets(m);
+  for (const auto v : verts(m)) {
+    const auto graph = detail::link_of(sets, {v.raw()});
+    if (graph.empty() || detail::order_by_graph(graph) < 2) continue;
+    const auto arcs = detail::arcs_of(graph);
+    const auto degree = [&](unsigned x) {
+      std::size_t n = 0;
+      for (const auto& y : arcs) n += (y.first == x) + (y.second == x);
+      return n;
+    };
+    std::multiset<std::pair<std::size_t, std::size_t>> of_vert;
+    for (const auto& x : arcs) of_vert.insert(std::minmax({degree(x.first), degree(x.second)}));
+    all.insert(of_vert);
+  }
+  return all;
 }
 
 }  // namespace concino::testing

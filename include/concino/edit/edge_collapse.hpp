@@ -62,7 +62,7 @@ inline void check_collapse(const edge_collapse_options& options, const char* edi
 
 }  // namespace detail
 
-/// Whether e can be collapsed without a change of the topology: the link condition holds. Boundaries and non-manifold edges are kept.
+/// Whether e can be collapsed without a change of the topology: the link condition holds. Boundaries, non-manifold edges and non-manifold verts are kept.
 /// Needs:  EditableMesh M, an edge of m.
 /// Result: true, or the reason: a poly at an end is no simplex, the link condition does not hold, as for the last triangle or tet of a part, or an invariant
 ///         does not hold.
