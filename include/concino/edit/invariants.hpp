@@ -3,6 +3,7 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/edit/proposed_edit.hpp>
+#include <concino/quality/metric.hpp>
 
 namespace concino {
 
@@ -17,20 +18,15 @@ struct no_inversion_invariant {
 /// Source: Shewchuk 1997, as orient3d.
 inline constexpr no_inversion_invariant no_inversion{};
 
-/// What min_quality compares.
-enum class quality_metric : unsigned char {
-  mean_ratio,       // see <concino/quality/mean_ratio.hpp>
-  scaled_jacobian,  // see <concino/quality/scaled_jacobian.hpp>
-};
-
-/// Refuses edits that make a poly whose quality is less than `min_value`.
+/// Refuses edits that make a poly whose quality is worse than `limit`.
 struct min_quality {
-  double min_value;
-  quality_metric metric;
+  double limit;
+  metric what;
 
-  /// Needs:  a quality, at most 1.      Result: an invariant for `keep`.      Cost: the polys of the edit, at each edit.
-  /// Errors: none.
-  explicit constexpr min_quality(double value, quality_metric measured_by = quality_metric::mean_ratio) : min_value(value), metric(measured_by) {}
+  /// Needs:  a value of a metric that is defined for triangles and tets, and that does not depend on other polys (see <concino/quality/metric.hpp>).
+  /// Result: an invariant for `keep`.      Cost: the polys of the edit, at each edit.
+  /// Errors: none; an edit of polys for whose shape the metric is not defined throws unsupported.
+  explicit constexpr min_quality(double worst_value, metric measured_by = metric::mean_ratio) : limit(worst_value), what(measured_by) {}
   permission operator()(const proposed_edit& e) const;
 };
 

@@ -8,6 +8,7 @@
 #include <concino/io.hpp>
 #include <concino/mesh.hpp>
 #include <concino/operators.hpp>
+#include <concino/quality.hpp>
 #include <concino/render.hpp>
 #include <concino/validate.hpp>
 
@@ -62,6 +63,9 @@ void no_adapter(const stranger& other) {
   cn::for_each_outer_polygon(other);  // refused
   cn::measures(other);  // refused
   cn::total_measure(other);  // refused
+  cn::quality(other);  // refused
+  cn::worst(other);  // refused
+  cn::histogram(other);  // refused
   cn::normal(other);  // refused
   cn::vert_normal(other);  // refused
   cn::poly_normals(other);  // refused
@@ -128,6 +132,7 @@ void temporary() {
   cn::dihedral_angles(made());  // refused
   cn::edge_lengths(made());  // refused
   cn::measures(made());  // refused
+  cn::quality(made(), cn::metric::area);  // refused
   cn::boundary_verts(made());  // refused
   cn::poly_normals(made());  // refused
   cn::face_normals(made());  // refused
@@ -183,6 +188,9 @@ void no_points(const cn::trimesh& m) {
   cn::outward_vector(pure);  // refused
   cn::measures(pure);  // refused
   cn::total_measure(pure);  // refused
+  cn::quality(pure, cn::metric::area);  // refused
+  cn::worst(pure, cn::metric::area);  // refused
+  cn::histogram(pure, cn::metric::area);  // refused
   cn::normal(pure);  // refused
   cn::vert_normal(pure);  // refused
   cn::poly_normals(pure);  // refused
@@ -250,6 +258,7 @@ void numbers(const cn::trimesh& m) {
   cn::dihedral_angle(m, 0);  // refused
   cn::edge_length(m, 0);  // refused
   cn::area(m, 0);  // refused
+  cn::quality(m, 0, cn::metric::area);  // refused
   cn::volume(m, 0);  // refused
   cn::measure(m, 0);  // refused
   cn::outward_vector(m, 0);  // refused

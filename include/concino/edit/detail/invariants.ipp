@@ -3,10 +3,11 @@
 
 #include <concino/edit/invariants.hpp>
 #include <concino/geometry/orientation.hpp>
-#include <concino/quality/mean_ratio.hpp>
-#include <concino/quality/scaled_jacobian.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <span>
 
 namespace concino {
 
@@ -23,6 +24,8 @@ inline bool is_degenerate_triangle(const vec3& a, const vec3& b, const vec3& c) 
   const auto turned = [](const vec3& x) { return vec3{x.y, x.z, x.x}; };
   return orient2d(a, b, c) == 0 && orient2d(turned(a), turned(b), turned(c)) == 0 && orient2d(turned(turned(a)), turned(turned(b)), turned(turned(c))) == 0;
 }
+
+inline double largest_coordinate(const vec3& u) { return std::max({std::abs(u.x), std::abs(u.y), std::abs(u.z)}); }
 
 /// A vector along the normal, of a length that neither overflows nor underflows; zero for one point.
 inline vec3 scaled_normal(const std::array<vec3, 4>& p) {
@@ -55,10 +58,9 @@ CONCINO_INLINE permission no_inversion_invariant::operator()(const proposed_edit
 CONCINO_INLINE permission min_quality::operator()(const proposed_edit& e) const {
   for (std::size_t k = 0; k < e.num_new_polys(); ++k) {
     const auto p = detail::points_of(e, e.new_poly(k), e.points_after);
-    double quality = 0;
-    if (e.corners_per_poly == 4) quality = metric == quality_metric::mean_ratio ? mean_ratio(p[0], p[1], p[2], p[3]) : scaled_jacobian(p[0], p[1], p[2], p[3]);
-    else quality = metric == quality_metric::mean_ratio ? mean_ratio(p[0], p[1], p[2]) : scaled_jacobian(p[0], p[1], p[2]);
-    if (!(quality >= min_value)) return {refusal::invariant, "min_quality: a new poly would have less than the minimum quality"};
+    const bool is_tet = e.corners_per_poly == 4;
+    const double value = quality(is_tet ? poly_shape::tet : poly_shape::triangle, std::span(p).first(e.corners_per_poly), what);
+    if (std::isnan(value) || is_worse(what, value, limit)) return {refusal::invariant, "min_quality: a new poly would have less than the minimum quality"};
   }
   return {};
 }

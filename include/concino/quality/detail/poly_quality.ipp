@@ -1,0 +1,30 @@
+// Defines what poly_quality.hpp, worst.hpp and histogram.hpp do not compute from the mesh.
+#pragma once
+
+#include <concino/quality/poly_quality.hpp>
+
+#include <cmath>
+
+namespace concino::detail {
+
+CONCINO_INLINE metric_rows::metric_rows(metric what) : what_(what) {
+  for (std::size_t i = 0; i < num_poly_shapes; ++i) of_shape_[i] = find_row(what, static_cast<poly_shape>(i));
+}
+
+CONCINO_INLINE bool metric_rows::are_relative() const {
+  return what_ == metric::relative_size_squared || what_ == metric::shape_and_size || what_ == metric::shear_and_size;
+}
+
+CONCINO_INLINE double metric_rows::evaluate_at(const poly_geometry& g, std::size_t poly_index) const {
+  const metric_row* const row = of_shape_[static_cast<unsigned>(g.shape)];
+  if (row == nullptr)
+    core::throw_joined<unsupported>({"quality: ", name_of(what_), " is not defined for a ", name_of(g.shape), ", such as poly ", poly_index,
+                                     "; scaled_jacobian, mean_ratio, planarity and star_shapedness are defined for all shapes"});
+  return evaluate(*row, g);
+}
+
+CONCINO_INLINE void check_mean_size(double size) {
+  if (!(size >= 0 && std::isfinite(size))) core::throw_joined<invalid_argument>({"quality_options: mean_size must be finite and not negative"});
+}
+
+}  // namespace concino::detail
