@@ -1,15 +1,16 @@
 // Planarity of faces, and the part of a polygon or polyhedron from which all of it is visible: its kernel.
 #pragma once
 
-#include <concino/core/compiled.hpp>
 #include <concino/core/vec3.hpp>
-#include <concino/quality/detail/metric_row.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <span>
 
 namespace concino::detail {
+
+struct poly_geometry;  // of metric_row.hpp, which includes the definitions of what is declared here
 
 /// 1 - thickness / (twice the largest distance of a vert from their mean); 0 for a loop without vector area.
 template<class PointOf>
@@ -20,7 +21,7 @@ double planarity_of_loop(std::size_t n, const PointOf& at) {
   const vec3 mean = sum / static_cast<double>(n);
   const double length = norm(doubled);
   if (length == 0) return 0;
-  double low = infinite, high = -infinite, largest = 0;
+  double low = 0, high = 0, largest = 0;  // some verts are on each side of the mean
   for (std::size_t i = 0; i < n; ++i) {
     const vec3 x = at(i) - at(0) - mean;
     const double height = dot(x, doubled) / length;

@@ -1,6 +1,7 @@
 // Defines visible_part.hpp: a convex polygon or polyhedron, first the bounding box, is cut by the lines or planes of all facets.
 #pragma once
 
+#include <concino/quality/detail/metric_row.hpp>
 #include <concino/quality/detail/visible_part.hpp>
 
 #include <cmath>
