@@ -30,31 +30,34 @@ std::string deflated(const std::string& bytes) {
 template<class T>
 std::string bytes_of_numbers(const std::vector<T>& all) { return {reinterpret_cast<const char*>(all.data()), all.size() * sizeof(T)}; }
 
-/// An array in blocks of `block` bytes, with the sizes before them.
+/// An array in blocks of `block` bytes, with the sizes before them as integers of type Word.
+template<class Word>
 std::string in_blocks(const std::string& bytes, std::size_t block) {
-  std::vector<std::uint32_t> header = {0, static_cast<std::uint32_t>(block), static_cast<std::uint32_t>(bytes.size() % block)};
+  std::vector<Word> header = {0, static_cast<Word>(block), static_cast<Word>(bytes.size() % block)};
   std::string data;
-  for (std::size_t i = 0; i < bytes.size(); i += block) {
+  for (std::size_t i = 0; i < bytes.size();) {
     const std::string one = deflated(bytes.substr(i, block));
+    i += std::min(block, bytes.size() - i);
     ++header[0];
-    header.push_back(static_cast<std::uint32_t>(one.size()));
+    header.push_back(static_cast<Word>(one.size()));
     data += one;
   }
   return bytes_of_numbers(header) + data;
 }
 
 /// One tet, compressed, in appended raw arrays.
+template<class Word = std::uint32_t>
 std::string compressed_tet(std::size_t block) {
   std::string appended;
   const auto array = [&](const std::string& type, const std::string& name, const std::string& bytes) {
     const std::string tag = "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" + (name == "Points" ? "3" : "1") + "\" format=\"appended\" offset=\"" + std::to_string(appended.size()) + "\"/>";
-    appended += in_blocks(bytes, block);
+    appended += in_blocks<Word>(bytes, block);
     return tag;
   };
   const std::string tags = "<Points>" + array("Float64", "Points", bytes_of_numbers<double>({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0.1})) + "</Points><Cells>" +
                            array("Int64", "connectivity", bytes_of_numbers<std::int64_t>({0, 1, 2, 3})) + array("Int64", "offsets", bytes_of_numbers<std::int64_t>({4})) +
                            array("UInt8", "types", "\x0a") + "</Cells>";
-  return "<VTKFile type=\"UnstructuredGrid\" compressor=\"vtkZLibDataCompressor\"><UnstructuredGrid><Piece NumberOfPoints=\"4\" NumberOfCells=\"1\">" + tags +
+  return "<VTKFile type=\"UnstructuredGrid\" compressor=\"vtkZLibDataCompressor\" header_type=\"UInt" + std::to_string(8 * sizeof(Word)) + "\"><UnstructuredGrid><Piece NumberOfPoints=\"4\" NumberOfCells=\"1\">" + tags +
          "</Piece></UnstructuredGrid><AppendedData encoding=\"raw\">_" + appended + "</AppendedData></VTKFile>";
 }
 
@@ -84,8 +87,13 @@ TEST_CASE("zlib: inflates data of exactly the announced size") {
   CHECK(inflates(deflated(""), 0));
 }
 
+TEST_CASE("zlib: the announced size of blocks can be any number, if there is one block only") {
+  const auto m = load_text<tetmesh>(compressed_tet<std::uint64_t>(~std::size_t{0}), file_format::vtu, {.inflate = zlib_inflate});
+  CHECK(num_polys(m) == 1);
+}
+
 TEST_CASE("zlib: compressed .vtu files are read, in blocks of any size") {
-  for (const std::size_t block : {std::size_t{8}, std::size_t{24}, std::size_t{96}, std::size_t{32768}}) {
+  for (const std::size_t block : {std::size_t{5}, std::size_t{8}, std::size_t{24}, std::size_t{96}, std::size_t{32768}}) {
     const auto m = load_text<tetmesh>(compressed_tet(block), file_format::vtu, {.inflate = zlib_inflate});
     CHECK(num_polys(m) == 1);
     CHECK(point(m, vert_id{3}).z == 0.1);

@@ -24,6 +24,7 @@ struct save_report {
 };
 
 /// Decompresses zlib data: n bytes at `from` into `size` bytes at `to`. Returns false if they are not zlib data of exactly this size.
+/// Several threads may call it at once.
 using inflate_function = bool (*)(const unsigned char* from, std::size_t n, unsigned char* to, std::size_t size);
 
 struct load_options {
