@@ -90,8 +90,8 @@ vert_result<M> edge_collapse(M& m, edge_t<M> e, const edge_collapse_options& opt
   detail::check_element(m, e, "edge_collapse", "edge");
   detail::check_collapse(options, "edge_collapse");
   detail::cavity_builder<M> c(m);
-  if (const permission p = detail::edge_collapse_cavity(m, e, options.at, c); !p) return {p, {}};
-  if (const permission p = detail::ask(options.keep, m, c); !p) return {p, {}};
+  if (const permission p = detail::edge_collapse_cavity(m, e, options.at, c); !p) return {p};
+  if (const permission p = detail::ask(options.keep, m, c); !p) return {p};
   const vert_t<M> kept = end_verts(m, e).first;
   c.apply(m);
   return {{}, kept};

@@ -76,8 +76,8 @@ edge_flip_result<M> edge_flip(M& m, edge_t<M> e, const edge_flip_options& option
   detail::check_element(m, e, "edge_flip", "edge");
   detail::check_diagonal(options, "edge_flip");
   detail::edge_ring<M> r(m);
-  if (const permission p = detail::edge_ring_cavity(m, e, options.diagonal, r); !p) return {p, {}, {}};
-  if (const permission p = detail::ask(options.keep, m, r.cavity); !p) return {p, {}, {}};
+  if (const permission p = detail::edge_ring_cavity(m, e, options.diagonal, r); !p) return {p};
+  if (const permission p = detail::ask(options.keep, m, r.cavity); !p) return {p};
   detail::cavity_builder<M>& c = r.cavity;
   c.apply(m);
   const unsigned d = options.diagonal;

@@ -50,8 +50,8 @@ vert_result<M> edge_split(M& m, edge_t<M> e, double t = 0.5, const edit_options&
   detail::check_element(m, e, "edge_split", "edge");
   detail::check_parameter(t, "edge_split");
   detail::cavity_builder<M> c(m);
-  if (const permission p = detail::edge_split_cavity(m, e, t, c); !p) return {p, {}};
-  if (const permission p = detail::ask(options.keep, m, c); !p) return {p, {}};
+  if (const permission p = detail::edge_split_cavity(m, e, t, c); !p) return {p};
+  if (const permission p = detail::ask(options.keep, m, c); !p) return {p};
   c.apply(m);
   return {{}, c.new_vert()};
 }

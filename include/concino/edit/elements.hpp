@@ -3,11 +3,13 @@
 // unchanged, even if memory ran out (std::bad_alloc) or a property's default value threw.
 #pragma once
 
+#include <concino/concepts/editable.hpp>
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/error.hpp>
 #include <concino/core/vec3.hpp>
 #include <concino/edit/transaction.hpp>
 
+#include <algorithm>
 #include <cassert>
 #include <initializer_list>
 #include <span>
@@ -106,6 +108,19 @@ void reserve_removal(M& m, const std::vector<poly_t<M>>& polys) {
   if constexpr (requires { traits<M>::reserve_removal(m, std::span<const poly_t<M>>(polys)); }) traits<M>::reserve_removal(m, std::span<const poly_t<M>>(polys));
 }
 
+/// Removes the polys of a surface at v, and v, at once.
+template<class M>
+void remove_polys_and_vert(M& m, const std::vector<poly_t<M>>& polys, const vert_t<M>& v) {
+  std::vector<vert_t<M>> all;
+  for (const poly_t<M>& p : polys)
+    for (const vert_t<M> x : adj_p2v(m, p))
+      if (!(x == v)) all.push_back(x);
+  std::sort(all.begin(), all.end(), [&](const vert_t<M>& a, const vert_t<M>& b) { return index_of(m, a) < index_of(m, b); });
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  all.push_back(v);
+  rewire(m, cavity<M>{.polys = {polys.data(), polys.data() + polys.size()}, .verts = {all.data(), all.data() + all.size()}, .removed = 1}, cavity_result<M>{});
+}
+
 }  // namespace detail
 
 /// Removes f, after the polys at it. Edges that have no other face are removed too; verts stay.
@@ -127,7 +142,7 @@ void remove_face(M& m, face_t<M> f) {
   });
 }
 
-/// Removes v, after the polys at it. The edit has the strong exception guarantee if the traits have reserve_removal(m, polys).
+/// Removes v and the polys at it. The edit has the strong exception guarantee in an EditableSurfaceMesh, or if the traits have reserve_removal(m, polys).
 /// Needs:  a mesh whose traits have remove_vert and remove_poly.
 /// Result: none; other elements keep their descriptors.
 /// Cost:   that of removing the polys at v one after another.
@@ -138,6 +153,7 @@ void remove_vert(M& m, vert_t<M> v) {
   if (!contains(m, v)) core::throw_joined<invalid_mesh>({"remove_vert: vert ", index_of(m, v), " cannot be removed: it is not a vert of the mesh"});
   std::vector<poly_t<M>> around;
   for (const auto& p : adj_v2p(m, v)) around.push_back(p);
+  if constexpr (EditableSurfaceMesh<M>) return detail::remove_polys_and_vert(m, around, v);  // in volumes a removed vert may have faces without polys
   detail::reserve_removal(m, around);
   detail::edit_in_steps(m, [&] {
     for (const auto& p : around) traits<M>::remove_poly(m, p);

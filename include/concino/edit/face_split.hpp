@@ -46,8 +46,8 @@ vert_result<M> face_split(M& m, face_t<M> f, const vec3& x, const edit_options& 
   detail::check_element(m, f, "face_split", "face");
   detail::check_point(x, "face_split");
   detail::cavity_builder<M> c(m);
-  if (const permission p = detail::face_split_cavity(m, f, x, c); !p) return {p, {}};
-  if (const permission p = detail::ask(options.keep, m, c); !p) return {p, {}};
+  if (const permission p = detail::face_split_cavity(m, f, x, c); !p) return {p};
+  if (const permission p = detail::ask(options.keep, m, c); !p) return {p};
   c.apply(m);
   return {{}, c.new_vert()};
 }

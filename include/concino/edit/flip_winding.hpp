@@ -116,8 +116,8 @@ class winding_cavity {
 /// Needs:  EditableMesh M, a poly of m.
 /// Result: none. All elements keep their descriptors. Named properties stay at their elements, those of corners at the same verts.
 /// Cost:   the elements at the verts of p, but O(mesh) the first time.
-/// Errors: invalid_mesh if p is not a poly of m, or if the library of m cannot link neighbours of different winding. The mesh is unchanged then, also if
-///         memory runs out.
+/// Errors: invalid_mesh if p is not a poly of m; unsupported if the library of m cannot link neighbours of different winding. The mesh is unchanged then, also
+///         if memory runs out.
 template<EditableMesh M>
 void flip_winding(M& m, poly_t<M> p) {
   detail::check_element(m, p, "flip_winding", "poly");

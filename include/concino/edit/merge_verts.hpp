@@ -3,6 +3,7 @@
 
 #include <concino/edit/detail/operator_checks.hpp>
 #include <concino/edit/detail/relabelled_values.hpp>
+#include <concino/edit/detail/representable.hpp>
 
 #include <initializer_list>
 #include <span>
@@ -81,7 +82,9 @@ permission merge_cavity(const M& m, const vert_t<M>& kept, std::span<const vert_
   for (unsigned i = 0; i < c.num_removed(); ++i)
     for (const poly_t<M> p : adj_v2p(m, c.vert_at(i))) c.set_label(c.add(p), i, a);
   if (!c.build() && options.degenerate == degenerate_polys::refuse) return becomes_degenerate;
-  return has_polys_on_same_verts(m, kept, c) ? polys_on_same_verts : permission{};
+  if (has_polys_on_same_verts(m, kept, c)) return polys_on_same_verts;
+  c.prepare();
+  return is_representable(m, c.lists());
 }
 
 template<class M>
@@ -102,7 +105,8 @@ relabelled_vert origins_of_merged(const M& m, const vert_t<M>& kept, std::span<c
 
 }  // namespace detail
 
-/// Whether verts can be merged: they are different, no poly becomes degenerate unless options allow that, and no two polys would have the same verts.
+/// Whether verts can be merged: they are different, no poly becomes degenerate unless options allow that, no two polys would have the same
+/// verts, and the library of m can represent the result.
 /// Needs:  EditableMesh M, verts of m.      Result: true, or the reason.
 /// Cost:   the polys at the verts, and sorting these.
 /// Errors: invalid_mesh if one of the verts is not a vert of m.
@@ -124,13 +128,12 @@ permission can_merge_verts(const M& m, vert_t<M> kept, std::initializer_list<ver
 /// Result: the remaining vert, or the reason why not. Other descriptors remain valid, apart from those of the removed verts, of degenerate polys, and of one of
 ///         each two edges or faces that become one. The values of properties at elements that become one follow their rules.
 /// Cost:   that of can_merge_verts, and the elements at the verts of the polys at the removed verts, but O(mesh) the first time.
-/// Errors: invalid_mesh if one of the verts is not a vert of m, or if the library of m cannot link the result. The mesh is unchanged then, also if memory
-///         runs out.
+/// Errors: invalid_mesh if one of the verts is not a vert of m. The mesh is unchanged then, also if memory runs out.
 template<EditableMesh M>
 vert_result<M> merge_verts(M& m, vert_t<M> kept, std::span<const std::type_identity_t<vert_t<M>>> removed, const merge_verts_options& options = {}) {
   detail::check_merge<M>(m, kept, removed, "merge_verts");
   detail::relabelled_cavity<M> c(m);
-  if (const permission p = detail::merge_cavity<M>(m, kept, removed, options, c); !p) return {p, {}};
+  if (const permission p = detail::merge_cavity<M>(m, kept, removed, options, c); !p) return {p};
   if (removed.empty()) return {{}, kept};
   const std::vector<detail::relabelled_vert> changed{detail::origins_of_merged<M>(m, kept, removed, options.at_mean, c.num_removed())};
   vec3 mean = to_vec3(point(m, kept));

@@ -19,6 +19,7 @@ enum class refusal : unsigned char {
   degenerate,      // a poly would have a vert twice, or too few of them
   loose_face,      // a face without polys is at the element
   invariant,       // a condition in the options does not hold afterwards
+  unsupported,     // the library of the mesh cannot represent the result
 };
 
 /// The answer of can_edge_flip(m, e) and its siblings: true, or a reason. An edit that is refused changes nothing, and returns the same answer.

@@ -52,8 +52,8 @@ vert_result<M> poly_split(M& m, poly_t<M> p, const vec3& x, const edit_options& 
   detail::check_element(m, p, "poly_split", "poly");
   detail::check_point(x, "poly_split");
   detail::cavity_builder<M> c(m);
-  if (const permission allowed = detail::poly_split_cavity(p, x, c); !allowed) return {allowed, {}};
-  if (const permission allowed = detail::ask(options.keep, m, c); !allowed) return {allowed, {}};
+  if (const permission allowed = detail::poly_split_cavity(p, x, c); !allowed) return {allowed};
+  if (const permission allowed = detail::ask(options.keep, m, c); !allowed) return {allowed};
   c.apply(m);
   return {{}, c.new_vert()};
 }

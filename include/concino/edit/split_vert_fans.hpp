@@ -68,7 +68,7 @@ void split_fans_at(const M& m, const vert_t<M>& v, relabelled_cavity<M>& c, std:
   const unsigned number = c.number(v);
   for (unsigned i = 0; i < fans.num_fans; ++i) {
     changed.push_back({i == 0 ? number : c.add_vert(v), {{index}}, {{index, 0}}});
-    if (i > 0) made.push_back({{}, v});
+    if (i > 0) made.push_back({vert_t<M>{}, v});
   }
   for (unsigned k = 0; k < fans.polys.size(); ++k) {
     relabelled_vert& x = changed[first + fans.fan_of(k)];
@@ -85,6 +85,7 @@ std::vector<vert_of_fan<M>> split_fans(M& m, const Verts& all) {
   for (const vert_t<M> v : all) split_fans_at<M>(m, v, c, changed, made);
   if (made.empty()) return made;
   c.build();
+  c.prepare();
   apply_relabelling(m, c, changed, [&] { c.apply(m); });
   for (std::size_t i = 0; i < made.size(); ++i) made[i].vert = c.new_verts[i];
   return made;

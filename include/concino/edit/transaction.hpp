@@ -24,7 +24,8 @@ template<class M> concept has_edits = requires(std::remove_cvref_t<M>& m) { trai
 
 namespace detail {
 
-template<class M> using recorder_of = std::remove_pointer_t<decltype(traits<M>::edits(std::declval<M&>()).recorder)>;
+template<class M> using edits_of = std::remove_reference_t<decltype(traits<M>::edits(std::declval<M&>()))>;
+template<class M> using recorder_of = std::remove_pointer_t<decltype(edits_of<M>::recorder)>;
 
 }  // namespace detail
 
@@ -37,16 +38,19 @@ class committed_edits {
   std::unique_ptr<decltype(detail::recorder_of<M>::log)> after_;
   std::uint64_t version_before_ = 0, version_after_ = 0;
 
-  void check(std::uint64_t version, const char* caller) const {
-    if (m_ && traits<M>::edits(*m_).recorder) core::throw_joined<invalid_argument>({caller, ": a transaction is open; commit it or let it end first"});
-    if (!m_ || traits<M>::edits(*m_).version != version)
+  /// The edits of the mesh. Finding them may need memory in meshes of other libraries, so this comes first.
+  detail::edits_of<M>* check(std::uint64_t version, const char* caller) const {
+    detail::edits_of<M>* const edits = m_ ? &traits<M>::edits(*m_) : nullptr;
+    if (edits && edits->recorder) core::throw_joined<invalid_argument>({caller, ": a transaction is open; commit it or let it end first"});
+    if (!edits || edits->version != version)
       core::throw_joined<invalid_argument>({caller, ": the mesh is not in the state that these edits ", version == version_after_ ? "made" : "began with", "; undo later edits first"});
+    return edits;
   }
 
  public:
   committed_edits() = default;
-  committed_edits(M& m, std::unique_ptr<detail::recorder_of<M>> log, std::uint64_t version_before)
-      : m_(&m), before_(std::move(log)), version_before_(version_before), version_after_(traits<M>::edits(m).version) {}
+  committed_edits(M& m, std::unique_ptr<detail::recorder_of<M>> log, std::uint64_t version_before, std::uint64_t version_after)
+      : m_(&m), before_(std::move(log)), version_before_(version_before), version_after_(version_after) {}
 
   /// Whether these are the edits of a whole transaction; those of an inner one belong to the outer one.
   explicit operator bool() const { return m_ != nullptr; }
@@ -55,20 +59,20 @@ class committed_edits {
   /// Needs:  the mesh exists, at the same address.      Result: none; the mesh is as before the edits.      Cost: linear in what the edits changed.
   /// Errors: invalid_argument if the mesh has been edited since, these edits are undone already, or a transaction is open. std::bad_alloc; nothing changes then.
   void undo() {
-    check(version_after_, "undo");
+    detail::edits_of<M>* const edits = check(version_after_, "undo");
     if (!after_) after_ = std::make_unique<decltype(detail::recorder_of<M>::log)>(before_->changes());
     before_->undo();
-    traits<M>::edits(*m_).version = version_before_;
+    edits->version = version_before_;
   }
 
   /// Does the edits again after undo().
   /// Needs:  the mesh exists, at the same address.      Result: none; the mesh is as after the edits.      Cost: linear in what the edits changed.
   /// Errors: invalid_argument if the mesh has been edited since undo(), or a transaction is open.
   void redo() {
-    check(version_before_, "redo");
+    detail::edits_of<M>* const edits = check(version_before_, "redo");
     if (!after_) core::throw_joined<invalid_argument>({"redo: the edits were not undone"});
     before_->redo(*after_);
-    traits<M>::edits(*m_).version = version_after_;
+    edits->version = version_after_;
   }
 };
 
@@ -78,6 +82,7 @@ template<class M>
   requires requirement::has_edits<M>
 class transaction {
   M& m_;
+  detail::edits_of<M>& edits_;
   std::unique_ptr<detail::recorder_of<M>> own_;  // empty in an inner transaction
   std::size_t first_step_ = 0;
   std::uint64_t version_before_;
@@ -86,11 +91,10 @@ class transaction {
  public:
   /// Needs:  a mesh that records its edits: those of this library.      Cost: O(properties); edits inside take longer, by what they save.
   /// Errors: unsupported if a property of m has values that cannot be copied byte by byte, such as std::string.
-  explicit transaction(M& m) : m_(m), version_before_(traits<M>::edits(m).version) {
-    auto& state = traits<M>::edits(m);
-    if (!state.recorder) own_ = std::make_unique<detail::recorder_of<M>>(m);
-    if (own_) state.recorder = own_.get();
-    first_step_ = state.recorder->log.num_steps();
+  explicit transaction(M& m) : m_(m), edits_(traits<M>::edits(m)), version_before_(edits_.version) {
+    if (!edits_.recorder) own_ = std::make_unique<detail::recorder_of<M>>(m);
+    if (own_) edits_.recorder = own_.get();
+    first_step_ = edits_.recorder->log.num_steps();
   }
   transaction(const transaction&) = delete;
   transaction& operator=(const transaction&) = delete;
@@ -104,8 +108,8 @@ class transaction {
   committed_edits<M> commit() {
     end("commit");
     if (!own_) return {};
-    traits<M>::edits(m_).recorder = nullptr;
-    return committed_edits<M>(m_, std::move(own_), version_before_);
+    edits_.recorder = nullptr;
+    return committed_edits<M>(m_, std::move(own_), version_before_, edits_.version);
   }
 
   /// Undoes the edits of this transaction now, and ends it. Allocates no memory.
@@ -113,10 +117,9 @@ class transaction {
   /// Errors: invalid_argument if the transaction has ended.
   void roll_back() {
     end("roll_back");
-    auto& state = traits<M>::edits(m_);
-    state.recorder->roll_back(first_step_);
-    state.version = version_before_;
-    if (own_) state.recorder = nullptr;
+    edits_.recorder->roll_back(first_step_);
+    edits_.version = version_before_;
+    if (own_) edits_.recorder = nullptr;
   }
 
  private:

@@ -202,8 +202,8 @@ template<EditableMesh M>
 vert_result<M> vert_split(M& m, vert_t<M> v, std::span<const std::type_identity_t<poly_t<M>>> moved, const vec3& x, const vert_split_options<M>& options = {}) {
   detail::check_vert_split<M>(m, v, moved, x, options, "vert_split");
   detail::cavity_builder<M> c(m);
-  if (const permission p = detail::vert_split_cavity<M>(m, v, moved, x, options, c); !p) return {p, {}};
-  if (const permission p = detail::ask(options.keep, m, c); !p) return {p, {}};
+  if (const permission p = detail::vert_split_cavity<M>(m, v, moved, x, options, c); !p) return {p};
+  if (const permission p = detail::ask(options.keep, m, c); !p) return {p};
   c.apply(m);
   return {{}, c.new_vert()};
 }

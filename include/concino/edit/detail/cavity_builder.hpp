@@ -7,6 +7,7 @@
 #include <concino/core/small_array.hpp>
 #include <concino/core/vec3.hpp>
 #include <concino/edit/detail/local_numbers.hpp>
+#include <concino/edit/detail/open_recorder.hpp>
 #include <concino/edit/detail/value_carrier.hpp>
 #include <concino/edit/proposed_edit.hpp>
 
@@ -22,9 +23,6 @@ struct vert_origin {
 
 /// Models whose named properties follow the edits.
 template<class M> concept carries_values = HasProperties<M> && requires(const M& m, poly_t<M> p) { traits<M>::first_corner(m, p); };
-/// Models that can save values of properties while a transaction is open.
-template<class M> concept saves_values = requires(M& m) { traits<M>::edits(m).recorder->log; };
-
 /// All verts have local numbers, in the order in which they are met.
 template<class M>
 class cavity_builder {
@@ -168,7 +166,7 @@ class cavity_builder {
                       span(ends_.data(), ends_.size()), {}, kept_, removed_ == none ? 0u : 1u};
     const vert_t<M> moving = moved_ == none ? vert_t<M>{} : verts_[moved_ == last ? removed_ : moved_];
     if constexpr (saves_values<M>)
-      if (auto* const recorder = traits<M>::edits(m).recorder) return replace_recorded(m, c, moving, *recorder);
+      if (auto* const recorder = open_recorder(m)) return replace_recorded(m, c, moving, *recorder);
     rewire(m, c, cavity_result<M>{&new_vert_, new_polys_.data()});
     if (moved_ != none) set_point(m, moving, moved_to_);
   }
@@ -204,7 +202,7 @@ class cavity_builder {
     describe_verts(e);
     value_carrier<M> carrier(m, e, verts_.data(), num_old_verts_, polys_.data());
     if constexpr (saves_values<M>) {
-      if (auto* const recorder = traits<M>::edits(m).recorder) {
+      if (auto* const recorder = open_recorder(m)) {
         const std::size_t before = recorder->log.num_steps();
         recorder->save_values([&](const auto& save) { carrier.for_each_replaced(save); });
         try {

@@ -26,7 +26,7 @@ edge_t<M> edge_between_verts(const M& m, const vert_t<M>& a, const vert_t<M>& b)
     const auto ends = end_verts(m, e);
     if (ends.first == b || ends.second == b) return e;
   }
-  return {};
+  return edge_t<M>{};
 }
 
 template<class M>
@@ -76,8 +76,8 @@ permission can_flip_facet(const M& m, const facet_t<M>& x, const std::vector<inv
 template<class M>
 edge_result<M> flip_facet(M& m, const facet_t<M>& x, const std::vector<invariant>& keep) {
   facet_flip<M> f(m);
-  if (const permission p = facet_flip_cavity(m, x, f); !p) return {p, {}};
-  if (const permission p = ask(keep, m, f.cavity); !p) return {p, {}};
+  if (const permission p = facet_flip_cavity(m, x, f); !p) return {p};
+  if (const permission p = ask(keep, m, f.cavity); !p) return {p};
   f.cavity.apply(m);
   return {{}, edge_between_verts(m, f.cavity.vert_at(f.first), f.cavity.vert_at(f.second))};
 }

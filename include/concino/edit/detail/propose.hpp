@@ -3,6 +3,7 @@
 
 #include <concino/edit/detail/cavity_builder.hpp>
 #include <concino/edit/detail/operator_checks.hpp>
+#include <concino/edit/detail/representable.hpp>
 #include <concino/edit/proposed_edit.hpp>
 
 namespace concino::detail {
@@ -10,9 +11,28 @@ namespace concino::detail {
 /// Its address stands for the type of a mesh.
 template<class M> inline constexpr char type_tag = 0;
 
-/// The first refusal. Nothing is computed if there are no invariants.
+/// Whether m can represent the result of the edit.
+template<class M>
+permission is_representable(const M& m, const cavity_builder<M>& c) {
+  core::small_array<vert_t<M>, 32> verts;
+  core::small_array<unsigned, 96> corners, ends;
+  const unsigned last = c.num_verts() - 1, removed = c.removed_vert();
+  for (unsigned i = 0; i <= last; ++i) verts.push_back(c.vert_at(i));
+  if (removed != c.none) std::swap(verts[removed], verts[last]);
+  for (const unsigned i : c.new_corners()) {
+    corners.push_back(i == c.added ? last + 1 : i == last && removed != c.none ? removed : i);
+    if (corners.size() % c.size == 0) ends.push_back(static_cast<unsigned>(corners.size()));
+  }
+  const auto all = [](const auto& list) { return id_span(list.begin(), list.end()); };
+  const vec3& x = c.point_of_new();
+  return is_representable(m, cavity<M>{{&c.poly(0), &c.poly(0) + c.num_old()}, all(verts), {&x, &x + c.has_point()}, all(corners), all(ends), {}, 0, removed != c.none});
+}
+
+/// The first refusal. Nothing is computed if there are no invariants and m can represent every result.
 template<class M>
 permission ask(const std::vector<invariant>& keep, const M& m, const cavity_builder<M>& c) {
+  if constexpr (says_why_not_rewire<M>)
+    if (const permission p = is_representable(m, c); !p) return p;
   if (keep.empty()) return {};
   constexpr unsigned size = cavity_builder<M>::size;
   core::small_array<std::size_t, 32> verts, polys;

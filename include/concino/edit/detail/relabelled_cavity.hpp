@@ -169,7 +169,7 @@ class relabelled_cavity {
   }
   unsigned label_of(const vert_t<M>& v) const { return label_of_[numbers_.find(index_of(m_, v))]; }
 
-  /// Allocates the memory that apply() needs.
+  /// Makes the lists, and allocates the memory that apply() needs.
   void prepare() {
     for (const unsigned k : survivors_) replaced_.push_back(polys_[k]);
     for (const unsigned k : degenerate_) replaced_.push_back(polys_[k]);
@@ -180,10 +180,10 @@ class relabelled_cavity {
     new_verts.resize(points_.size());
     new_polys.resize(survivors_.size());
   }
-  void apply(M& m) {
-    rewire(m, cavity<M>{span(replaced_), span(verts_of_cavity_), span(points_), span(corners_), span(ends_), span(poly_ends_), survivors_.size(), num_removed_},
-           cavity_result<M>{new_verts.data(), new_polys.data()});
+  cavity<M> lists() const {
+    return {span(replaced_), span(verts_of_cavity_), span(points_), span(corners_), span(ends_), span(poly_ends_), survivors_.size(), num_removed_};
   }
+  void apply(M& m) { rewire(m, lists(), cavity_result<M>{new_verts.data(), new_polys.data()}); }
 
   std::vector<vert_t<M>> new_verts;
   std::vector<poly_t<M>> new_polys;  // the survivors

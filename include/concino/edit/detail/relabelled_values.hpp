@@ -237,7 +237,6 @@ class relabelled_values {
 /// Calls replace(), which calls c.apply(m). Named properties follow; `verts` are those that have other values afterwards.
 template<class M, class Replace>
 void apply_relabelling(M& m, relabelled_cavity<M>& c, const std::vector<relabelled_vert>& verts, const Replace& replace) {
-  c.prepare();
   if constexpr (carries_values<M>)
     if (traits<M>::properties(m).size() > 0) {
       relabelled_values<M> values(c, verts);

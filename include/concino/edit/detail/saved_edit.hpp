@@ -2,12 +2,13 @@
 #pragma once
 
 #include <concino/edit/detail/cavity_builder.hpp>
+#include <concino/edit/detail/open_recorder.hpp>
 
 namespace concino::detail {
 
 template<class M>
 bool has_open_transaction(M& m) {
-  if constexpr (saves_values<M>) return traits<M>::edits(m).recorder != nullptr;
+  if constexpr (saves_values<M>) return open_recorder(m) != nullptr;
   else return false;
 }
 
@@ -16,7 +17,7 @@ bool has_open_transaction(M& m) {
 template<class M, class Visit, class Replace>
 void replace_saved(M& m, const Visit& for_each_replaced, const Replace& replace) {
   if constexpr (saves_values<M>)
-    if (auto* const recorder = traits<M>::edits(m).recorder) {
+    if (auto* const recorder = open_recorder(m)) {
       const std::size_t before = recorder->log.num_steps();
       try {
         recorder->save_values(for_each_replaced);
