@@ -32,7 +32,6 @@ TEST_CASE("OpenMesh: status attributes are requested again after std::bad_alloc"
   const auto result = cn::testing::for_each_failing_allocation([&](const auto& attempt) {
     mesh m = fan();
     const bool failed = attempt([&] { cn::remove_poly(m, poly{1}); });
-    if (failed && m.has_edge_status() && m.has_face_status()) return;  // the failed allocation was in OpenMesh itself
     if (failed) {
       ++refused;
       CHECK(cn::num_polys(m) == 4);

@@ -59,10 +59,11 @@ struct allocation_failures {
 
 /// Calls f(attempt) for n = 1, 2, ... with a failing n-th allocation, until attempt(g) needs fewer than n. It does so twice for each n: only that
 /// allocation fails, or all later ones too. Allocations of f outside of attempt(g) do not fail: there it prepares g and checks the state afterwards.
+/// With a `sparsity` s > 0, the number grows by n / s from one attempt to the next.
 template<class F>
-allocation_failures for_each_failing_allocation(F&& f) {
+allocation_failures for_each_failing_allocation(F&& f, std::size_t sparsity = 0) {
   allocation_failures result;
-  for (std::size_t n = 1;; ++n) {
+  for (std::size_t n = 1;; n += 1 + (sparsity ? n / sparsity : 0)) {
     for (const bool all_later : {false, true}) {
       const std::ptrdiff_t before = detail::blocks_in_use();
       failing_attempt attempt(n, all_later);

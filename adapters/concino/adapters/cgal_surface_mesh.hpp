@@ -6,7 +6,11 @@
 //
 // Stored: nothing. Cost: every ring takes time proportional to its length, as in CGAL; neighbours, ends and indices take constant time.
 // Removed elements that wait for collect_garbage() are not part of the mesh: they are skipped, but index bounds include them.
-// Property maps of the mesh are maps: map[v] reads and writes. add_vert and add_poly add elements; they throw for polys that CGAL cannot link.
+// Property maps of the mesh are maps: map[v] reads and writes. Meshes with points in space that can be written are editable: all operators of
+// <concino/edit.hpp> work on them. What CGAL cannot represent is refused with the reason. Properties stay at elements that keep their descriptors; new ones have
+// default values, but a new edge that takes the descriptor of a removed one also takes its values.
+// Transactions undo what functions of this library change; removed elements come back with their descriptors and values. Values that are written in a transaction
+// are not undone, and redo() gives new elements default values. The first transaction adds a property map of edges, "e:concino".
 // point(m, v) returns the coordinates of CGAL's points as doubles. Those of inexact kernels are copied, those of exact kernels are converted by
 // CGAL::to_double. That is exact for numbers that are doubles; for others a lazy kernel's relative precision holds, 1e-5 by default.
 // CGAL::to_double may evaluate lazy numbers, which is as thread-safe as the kernel. Points in the plane have z = 0.
@@ -21,6 +25,8 @@
 #pragma once
 
 #include <concino/adapters/detail/cgal_point.hpp>
+#include <concino/adapters/detail/cgal_surface_kernel.hpp>
+#include <concino/concepts/editable.hpp>
 #include <concino/concepts/halfedge_kernel.hpp>
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/error.hpp>
@@ -120,13 +126,17 @@ struct cgal_surface_links {
   static decltype(auto) point(const mesh& m, vert v) requires readable_point<P> { return read_point(m.point(v)); }
   template<class X>
     requires writable_point<P>
-  static void set_point(mesh& m, vert v, const X& x) { assign_point(m.point(v), x); }
+  static void set_point(mesh& m, vert v, const X& x) {
+    if (auto* const recorder = recorder_of(m)) recorder->save_point(v.idx());
+    assign_point(m.point(v), x);
+  }
 
   static vert add_vert(mesh& m, const vec3& x)
     requires writable_point<P>
   {
-    const vert v = m.add_vertex();
-    assign_point(m.point(v), x);
+    const vec3 copy = x;  // x may be a point of m, which moves
+    vert v;
+    rewire(m, {.points = {&copy, &copy + 1}}, {&v, nullptr});
     return v;
   }
   static poly add_poly(mesh& m, std::span<const vert> corners) {
@@ -137,15 +147,44 @@ struct cgal_surface_links {
       if (std::find(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(i), corners[i]) != corners.begin() + static_cast<std::ptrdiff_t>(i))
         refuse(core::joined({"has vert ", corners[i].idx(), " twice; its verts must differ"}));
     }
+    if constexpr (writable_point<P>)
+      if (recorder_of(m)) return add_poly_by_rewire(m, corners);
+    auto* const before = kernel::find_edits(m);
+    kernel::reserve(m, 0, static_cast<unsigned>(corners.size()), 1, false);
     const poly p = m.add_face(corners);
     if (p == mesh::null_face())
       refuse("cannot be linked: in CGAL::Surface_mesh at most two polys share an edge, in opposite directions, and each vert of a new poly is on the boundary");
+    concino::detail::count_edit(before);
     return p;
   }
-  static void remove_vert(mesh& m, vert v) { m.remove_vertex(v); }
+  static void remove_poly(mesh& m, poly p)
+    requires writable_point<P>
+  {
+    remove_poly_by_rewire(m, p);
+  }
+  static void remove_vert(mesh& m, vert v) {
+    if constexpr (writable_point<P>) return remove_vert_by_rewire(m, v);
+    m.remove_vertex(v);
+  }
+
+  // Half-edges are linked here, since CGAL refuses polys that it could hold later. New edges take the places of removed ones, as in CGAL's flip.
+  static void rewire(mesh& m, const cavity_of<vert, poly>& c, const cavity_result_of<vert, poly>& made)
+    requires writable_point<P>
+  {
+    const auto set_new_point = [&](unsigned v, std::size_t k) { assign_point(m.point(vert(v)), c.points[k]); };
+    rewire_recorded<kernel>(m, c, 0, set_new_point, made);
+  }
+  static const char* why_not_rewire(const mesh& m, const cavity_of<vert, poly>& c)
+    requires writable_point<P>
+  {
+    return detail::why_not_rewire<kernel>(m, c, 0);
+  }
+  static auto& edits(mesh& m) requires writable_point<P> { return kernel::edits_of(m); }
+  static auto* edits_if_any(mesh& m) requires writable_point<P> { return kernel::find_edits(m); }
 
   // If memory runs out while CGAL shrinks its arrays, it leaves an incomplete mesh.
   static correspondence garbage_collect(mesh& m) {
+    if (recorder_of(m)) refuse_garbage_collection();
     std::vector<std::uint32_t> of_verts(m.number_of_vertices()), of_edges(m.number_of_edges()), of_polys(m.number_of_faces());
     for (auto* list : {&of_verts, &of_edges, &of_polys})
       for (std::size_t i = 0; i < list->size(); ++i) (*list)[i] = static_cast<std::uint32_t>(i);
@@ -154,8 +193,18 @@ struct cgal_surface_links {
       for (unsigned i = 0; i < of_edges.size(); ++i) of_edges[i] = halfedge_before[halfedge(2 * i)].idx() / 2;
       for (unsigned i = 0; i < of_polys.size(); ++i) of_polys[i] = poly_before[poly(i)].idx();
     };
+    auto* const before = kernel::find_edits(m);
+    if (before) before->version = ++before->last_version;  // CGAL may copy the edits, and they are lost then
     m.collect_garbage(read);
     return {element_origins(std::move(of_verts)), element_origins(std::move(of_edges)), {}, element_origins(std::move(of_polys))};
+  }
+
+ private:
+  using kernel = cgal_surface_kernel<P>;
+
+  static auto* recorder_of(mesh& m) {
+    const auto* const edits = kernel::find_edits(m);
+    return edits ? edits->recorder : nullptr;
   }
 };
 
@@ -172,6 +221,6 @@ struct mesh_traits<M> : mesh_traits<CGAL::Surface_mesh<typename decltype(detail:
 template<class P>
 struct mesh_traits<CGAL::Surface_mesh<P>> : halfedge_kernel<CGAL::Surface_mesh<P>, detail::cgal_surface_links<P>> {};
 
-static_assert(SurfaceMesh<CGAL::Surface_mesh<vec3>> && MutablePoints<CGAL::Surface_mesh<vec3>> && SurfaceMesh<CGAL::Surface_mesh<int>>);
+static_assert(EditableSurfaceMesh<CGAL::Surface_mesh<vec3>> && SurfaceMesh<CGAL::Surface_mesh<int>>);
 
 }  // namespace concino

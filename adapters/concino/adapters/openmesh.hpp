@@ -4,11 +4,17 @@
 // Elements that are deleted but not yet collected as garbage are skipped; hidden ones are not, since hiding concerns only display. num_verts and
 // its siblings count what is left, in time proportional to all. Polys that touch only at a vert are all in the rings of that vert, since
 // OpenMesh links their borders. OpenMesh cannot represent edges of more than two polys.
+// Meshes with points in space are editable: all operators of <concino/edit.hpp> work on them. What OpenMesh cannot represent is refused with the reason. Properties
+// stay at elements that keep their handles; new ones have default values, but a new edge that takes the handle of a removed one also takes its values.
+// Transactions undo what functions of this library change. Removed elements come back with their handles and values. Values that are written in a transaction are
+// not undone, and redo() gives new elements default values. A copy of a mesh has no edits that can be undone.
 // Needs: OpenMesh (Debian: libopenmesh-dev).
 #pragma once
 
+#include <concino/adapters/detail/openmesh_compaction.hpp>
+#include <concino/adapters/detail/openmesh_kernel.hpp>
 #include <concino/adapters/detail/openmesh_links.hpp>
-#include <concino/adapters/detail/openmesh_numbers.hpp>
+#include <concino/concepts/editable.hpp>
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/error.hpp>
 #include <concino/core/vec3.hpp>
@@ -35,67 +41,78 @@ struct mesh_traits<M> : halfedge_kernel<OpenMesh::PolyConnectivity, detail::open
   template<class X>
     requires(detail::openmesh_coordinates<M> >= 3)
   static void set_point(M& m, vert v, const X& x) {
-    using scalar = typename OpenMesh::vector_traits<typename M::Point>::value_type;
+    if (auto* const recorder = recorder_of(m)) recorder->save_point(static_cast<unsigned>(v.idx()));
     typename M::Point p = m.point(v);
-    p[0] = static_cast<scalar>(x[0]);
-    p[1] = static_cast<scalar>(x[1]);
-    p[2] = static_cast<scalar>(x[2]);
+    assign_point(p, x);
     m.set_point(v, p);
   }
 
   static vert add_vert(M& m, const vec3& x) requires(detail::openmesh_coordinates<M> >= 3) {
-    const vert v = m.OpenMesh::PolyConnectivity::add_vertex();
-    set_point(m, v, x);
+    const vec3 copy = x;  // x may be a point of m, which moves
+    vert v;
+    rewire(m, {.points = {&copy, &copy + 1}}, {&v, nullptr});
     return v;
   }
   static poly add_poly(M& m, std::span<const vert> corners) {
     detail::check_openmesh_poly(m, corners, arity);
+    if constexpr (detail::openmesh_coordinates<M> >= 3)
+      if (recorder_of(m)) return detail::add_poly_by_rewire(m, corners);
+    auto* const before = kernel::find_edits(m);
+    kernel::reserve(m, 0, static_cast<unsigned>(corners.size()), 1, false);
     const poly p = m.OpenMesh::PolyConnectivity::add_face(corners.data(), corners.size());
     assert(p.is_valid() && "check_openmesh_poly has refused the polys that OpenMesh refuses");
+    detail::count_edit(before);
     return p;
   }
   // OpenMesh deletes by status attributes. If the mesh has none, they are requested, as users of OpenMesh do themselves.
   static void reserve_removal(M& m, std::span<const poly>) {
-    request_vert_status(m);
-    request_status(m);
+    detail::openmesh_status::request_of_verts(m);
+    detail::openmesh_status::request_of_edges_and_polys(m);
   }
   static void remove_poly(M& m, poly p) {
-    request_status(m);
+    if constexpr (detail::openmesh_coordinates<M> >= 3) return detail::remove_poly_by_rewire(m, p);  // OpenMesh allocates memory while it removes
+    detail::openmesh_status::request_of_edges_and_polys(m);
     m.OpenMesh::PolyConnectivity::delete_face(p, false);
   }
   static void remove_vert(M& m, vert v) {
-    request_vert_status(m);
+    if constexpr (detail::openmesh_coordinates<M> >= 3) return detail::remove_vert_by_rewire(m, v);
+    detail::openmesh_status::request_of_verts(m);
     m.status(v).set_deleted(true);  // as delete_vertex does for a vert without polys, which allocates memory for none
   }
-  // If memory runs out in OpenMesh's own function, it may leave an incomplete mesh.
+
+  // Half-edges are linked here, since OpenMesh refuses polys that it could hold later. New edges take the places of removed ones, as in OpenMesh's flip.
+  static void rewire(M& m, const cavity_of<vert, poly>& c, const cavity_result_of<vert, poly>& made) requires(detail::openmesh_coordinates<M> >= 3) {
+    const auto set_new_point = [&, points = kernel::find_points(m)](unsigned v, std::size_t k) { assign_point(kernel::point_of(m, points, v), c.points[k]); };
+    detail::rewire_recorded<kernel>(m, c, arity, set_new_point, made);
+  }
+  static const char* why_not_rewire(const M& m, const cavity_of<vert, poly>& c) requires(detail::openmesh_coordinates<M> >= 3) {
+    return detail::why_not_rewire<kernel>(m, c, arity);
+  }
+  static auto& edits(M& m) requires(detail::openmesh_coordinates<M> >= 3) { return kernel::edits_of(m); }
+  static auto* edits_if_any(M& m) requires(detail::openmesh_coordinates<M> >= 3) { return kernel::find_edits(m); }
+
   static correspondence garbage_collect(M& m) {
-    using base = mesh_traits<M>;
-    detail::openmesh_numbers<OpenMesh::VPropHandleT<int>> of_verts(m, m.n_vertices());
-    detail::openmesh_numbers<OpenMesh::EPropHandleT<int>> of_edges(m, m.n_edges());
-    detail::openmesh_numbers<OpenMesh::FPropHandleT<int>> of_polys(m, m.n_faces());
-    m.OpenMesh::ArrayKernel::garbage_collection();
-    return {of_verts.origins(base::verts(m), m.n_vertices()), of_edges.origins(base::edges(m), m.n_edges()), {}, of_polys.origins(base::polys(m), m.n_faces())};
+    if (recorder_of(m)) detail::refuse_garbage_collection();
+    auto* const before = kernel::find_edits(m);
+    detail::openmesh_compaction compaction(m);
+    compaction.make();
+    detail::count_edit(before);
+    return compaction.origins();
   }
 
  private:
-  // OpenMesh counts a failed request as successful and leaves the attribute incomplete. So it is released then, and the next request
-  // starts again. Each attribute is requested separately, since there may be memory for one and not for the other.
-  template<class Request, class Release>
-  static void request_or_release(bool has, const Request& request, const Release& release) {
-    if (has) return;
-    try {
-      request();
-    } catch (...) {
-      release();
-      throw;
-    }
+  using kernel = detail::openmesh_kernel<typename detail::openmesh_point<M>::type>;
+
+  template<class Point, class X>
+  static void assign_point(Point& p, const X& x) {
+    using scalar = typename OpenMesh::vector_traits<Point>::value_type;
+    p[0] = static_cast<scalar>(x[0]);
+    p[1] = static_cast<scalar>(x[1]);
+    p[2] = static_cast<scalar>(x[2]);
   }
-  static void request_vert_status(M& m) {
-    request_or_release(m.has_vertex_status(), [&] { m.request_vertex_status(); }, [&] { m.release_vertex_status(); });
-  }
-  static void request_status(M& m) {
-    request_or_release(m.has_edge_status(), [&] { m.request_edge_status(); }, [&] { m.release_edge_status(); });
-    request_or_release(m.has_face_status(), [&] { m.request_face_status(); }, [&] { m.release_face_status(); });
+  static auto* recorder_of(M& m) {
+    const auto* const edits = kernel::find_edits(m);
+    return edits ? edits->recorder : nullptr;
   }
 };
 
@@ -133,7 +150,7 @@ auto as_map(M& m, const P& handle) {
 }
 
 static_assert(SurfaceMesh<OpenMesh::PolyConnectivity> && TriMesh<OpenMesh::TriConnectivity>);
-static_assert(SurfaceMesh<OpenMesh::PolyMesh_ArrayKernelT<>> && MutablePoints<OpenMesh::PolyMesh_ArrayKernelT<>>);
-static_assert(TriMesh<OpenMesh::TriMesh_ArrayKernelT<>> && MutablePoints<OpenMesh::TriMesh_ArrayKernelT<>>);
+static_assert(EditableSurfaceMesh<OpenMesh::PolyMesh_ArrayKernelT<>>);
+static_assert(TriMesh<OpenMesh::TriMesh_ArrayKernelT<>> && EditableSurfaceMesh<OpenMesh::TriMesh_ArrayKernelT<>>);
 
 }  // namespace concino

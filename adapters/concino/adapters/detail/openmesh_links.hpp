@@ -16,6 +16,12 @@
 
 namespace concino::detail {
 
+/// A property of an OpenMesh mesh, without the assertion of m.property(x), which allocates memory.
+template<class Iterator, class Handle>
+auto& openmesh_property(Iterator all, const Handle& x) {
+  return static_cast<OpenMesh::PropertyT<typename Handle::Value>&>(*all[x.idx()]);
+}
+
 /// The elements of one kind that are not deleted, in order of index.
 template<class Handle>
 class openmesh_elements {
@@ -33,6 +39,12 @@ class openmesh_elements {
       return m_->has_face_status() && m_->is_boundary(m_->halfedge_handle(Handle(i), 0)) &&
              m_->is_boundary(m_->halfedge_handle(Handle(i), 1));
     return false;
+  }
+
+  static auto all_properties(const mesh& m) {
+    if constexpr (std::same_as<Handle, OpenMesh::VertexHandle>) return m.vprops_begin();
+    else if constexpr (std::same_as<Handle, OpenMesh::EdgeHandle>) return m.eprops_begin();
+    else return m.fprops_begin();
   }
 
  public:
@@ -55,7 +67,7 @@ class openmesh_elements {
 
   openmesh_elements() = default;
   openmesh_elements(const mesh& m, std::size_t bound) : m_(&m), bound_(static_cast<int>(bound)) {
-    if (const auto property = m.status_pph(Handle()); property.is_valid()) status_ = m.property(property).data();
+    if (const auto property = m.status_pph(Handle()); property.is_valid()) status_ = openmesh_property(all_properties(m), property).data();
   }
   iterator begin() const { return {*this, 0}; }
   iterator end() const { return {*this, bound_}; }
@@ -108,6 +120,12 @@ template<class M> inline constexpr std::size_t openmesh_coordinates = 0;
 template<class M>
   requires requires { typename M::Point; }
 inline constexpr std::size_t openmesh_coordinates<M> = OpenMesh::vector_traits<typename M::Point>::size_;
+
+/// The type of the points of a mesh, or an unused type if it has none.
+template<class M> struct openmesh_point { using type = OpenMesh::Vec3f; };
+template<class M>
+  requires requires { typename M::Point; }
+struct openmesh_point<M> { using type = typename M::Point; };
 
 /// Throws for polys that OpenMesh cannot represent, with the reason, before anything changes. OpenMesh's add_face makes the last three tests
 /// too, but prints its messages to the standard error stream.

@@ -1,0 +1,139 @@
+// Undoing edits of half-edge meshes of other libraries: what traits need for transactions. The struct K of halfedge_log.hpp also has:
+//
+//   static halfedge_edits<K>* find_edits(mesh&);    // null if the mesh has had no transaction
+#pragma once
+
+#include <concino/adapters/detail/halfedge_log.hpp>
+#include <concino/concepts/mesh_traits.hpp>
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace concino::detail {
+
+/// The record of a mesh while a transaction is open.
+template<class K>
+class halfedge_recorder {
+  using mesh = typename K::mesh;
+
+  mesh& m_;
+  typename K::points points_;
+
+ public:
+  static constexpr bool records = true;
+  halfedge_log<K> log;
+
+  explicit halfedge_recorder(mesh& m) : m_(m), points_(K::find_points(m)) {}
+
+  void save_point(unsigned v) {
+    log.begin_step(m_, 0, 1, 0, 0, 0);
+    log.save_point(m_, points_, v);
+  }
+  /// Begins the step of a plan.
+  void save(const halfedge_plan<K>& plan, const halfedge_cavity<K>& c) {
+    log.begin_step(m_, 2 * plan.edges.size() + plan.border_links.size() + c.verts.size() + c.polys.size(), 0, c.removed, plan.edges.size(), c.polys.size());
+    const unsigned bound = 2 * K::num_edges(m_);
+    for (const planned_edge& e : plan.edges)
+      if (!e.is_new) log.save_halfedge(m_, e.halfedge), log.save_halfedge(m_, e.halfedge ^ 1);
+    for (const auto& x : plan.border_links)
+      if (x.in < bound) log.save_halfedge(m_, x.in);
+    for (const unsigned v : c.verts) log.save_vert(m_, v);
+    for (const unsigned p : c.polys) log.save_poly(m_, p);
+  }
+  /// These meshes have no properties of this library.
+  template<class Visit> void save_values(const Visit&) const {}
+  void add_removed_vert(unsigned v) { log.add_removed_vert(v); }
+  void add_removed_edge(unsigned e) { log.add_removed_edge(e); }
+  void add_removed_poly(unsigned p) { log.add_removed_poly(p); }
+
+  void roll_back(std::size_t to_step) noexcept { log.roll_back(m_, points_, to_step); }
+  void undo() {
+    K::reserve(m_, 1, 1, 1, false);  // revive() adds an element of each kind for a moment
+    log.restore_before(m_, points_);
+  }
+  halfedge_log<K> changes() { return log.of_changes(m_, points_); }
+  void redo(const halfedge_log<K>& after) { after.restore_after(m_, points_); }
+};
+
+/// What is known of the edits of a mesh, as edit_state of native meshes. The first number differs between meshes.
+template<class K>
+struct halfedge_edits {
+  halfedge_recorder<K>* recorder = nullptr;
+  std::uint64_t version, last_version;
+
+  halfedge_edits() : version(static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count()) << 20), last_version(version) {}
+};
+
+/// Called after an edit. `edits` may be null.
+template<class K>
+void count_edit(halfedge_edits<K>* edits) noexcept {
+  if (edits) edits->version = ++edits->last_version;
+}
+
+/// A value that a mesh stores as a property and that copies of the mesh do not have.
+template<class T>
+class uncopied {
+  std::unique_ptr<T> value_;
+
+ public:
+  uncopied() = default;
+  uncopied(const uncopied&) noexcept {}
+  uncopied(uncopied&&) noexcept = default;
+  uncopied& operator=(const uncopied&) noexcept { return *this; }  // a default value that is assigned to the property changes nothing
+  uncopied& operator=(uncopied&&) noexcept = default;
+  ~uncopied() = default;
+
+  T* get() const { return value_.get(); }
+  T& get_or_make() {
+    if (!value_) value_ = std::make_unique<T>();
+    return *value_;
+  }
+};
+
+/// rewire for traits.
+template<class K, class SetPoint>
+void rewire_recorded(typename K::mesh& m, const typename halfedge_cavity<K>::cavity& c, unsigned arity, const SetPoint& set_point,
+                     const cavity_result_of<typename K::vert, typename K::poly>& made) {
+  halfedge_edits<K>* const edits = K::find_edits(m);
+  no_record none;
+  if (edits && edits->recorder) rewire_halfedges<K>(m, c, arity, *edits->recorder, set_point, made);
+  else rewire_halfedges<K>(m, c, arity, none, set_point, made);
+  count_edit(edits);
+}
+
+/// Why the library cannot represent the mesh that a cavity leads to, or null.
+template<class K>
+const char* why_not_rewire(const typename K::mesh& m, const typename halfedge_cavity<K>::cavity& lists, unsigned arity) {
+  const halfedge_cavity<K> c(m, lists, arity);
+  return halfedge_plan<K>(m, c).refused.why;
+}
+
+/// Edits of one element as replacements.
+template<class M>
+poly_t<M> add_poly_by_rewire(M& m, std::span<const vert_t<M>> corners) {
+  std::vector<unsigned> all(corners.size());
+  for (unsigned k = 0; k < all.size(); ++k) all[k] = k;
+  const auto n = static_cast<unsigned>(all.size());
+  poly_t<M> p;
+  traits<M>::rewire(m, {.verts = {corners.data(), corners.data() + n}, .corners = {all.data(), all.data() + n}, .ends = {&n, &n + 1}}, {nullptr, &p});
+  return p;
+}
+template<class M>
+void remove_poly_by_rewire(M& m, const poly_t<M>& p) {
+  std::vector<vert_t<M>> all;
+  for (const vert_t<M> v : traits<M>::adj_p2v(m, p)) all.push_back(v);
+  traits<M>::rewire(m, {.polys = {&p, &p + 1}, .verts = {all.data(), all.data() + all.size()}}, {});
+}
+template<class M>
+void remove_vert_by_rewire(M& m, const vert_t<M>& v) {
+  traits<M>::rewire(m, {.verts = {&v, &v + 1}, .removed = 1}, {});
+}
+
+[[noreturn]] inline void refuse_garbage_collection() {
+  throw unsupported("garbage_collect: elements cannot be renumbered while a transaction is open; call it before or after");
+}
+
+}  // namespace concino::detail

@@ -1,0 +1,89 @@
+// rewire on CGAL::Surface_mesh: it does what the laws say, or refuses what half-edges cannot represent, and changes nothing then.
+#include <concino/adapters/cgal_surface_mesh.hpp>
+
+#include <support/cgal.hpp>
+#include <support/foreign_operators.hpp>
+
+#include <CGAL/Simple_cartesian.h>
+
+using namespace concino;
+namespace ct = concino::testing;
+using kernel_point = CGAL::Simple_cartesian<double>::Point_3;
+
+static_assert(EditableSurfaceMesh<CGAL::Surface_mesh<kernel_point>> && EditableSurfaceMesh<CGAL::Surface_mesh<vec3>> && !EditableSurfaceMesh<CGAL::Surface_mesh<int>>);
+
+TEST_CASE_TEMPLATE("CGAL: random cavities", P, kernel_point, vec3) {
+  std::mt19937 random(11);
+  unsigned done = 0, refused = 0;
+  for (unsigned round = 0; round < 12; ++round) {
+    auto m = ct::cgal_surface<P>(round % 2 ? ct::triangle_grid(3) : ct::polygon_grid(4));
+    for (unsigned i = 0; i < 40; ++i) {
+      (ct::rewires_by_the_laws(m, ct::random_foreign_cavity(m, random)) ? done : refused) += 1;
+      CHECK(m.is_valid(false));
+    }
+    ct::foreign_laws_hold(m);
+  }
+  CHECK(done > 100);
+  CHECK(refused > 100);
+}
+
+TEST_CASE("CGAL: every operator keeps the topology, or refuses and changes nothing") {
+  std::mt19937 random(12);
+  ct::keeps_topology(ct::cgal_surface<kernel_point>(ct::triangle_grid(4)), random, 60);
+}
+
+TEST_CASE_TEMPLATE("CGAL: transactions leave no trace, and can be undone and done again", P, kernel_point, vec3) {
+  std::mt19937 random(13);
+  for (unsigned round = 0; round < 5; ++round) {
+    auto m = ct::cgal_surface<P>(ct::triangle_grid(2));
+    ct::transactions_leave_no_trace(m, random, [](const auto& x) { CHECK(x.is_valid(false)); });
+  }
+}
+
+TEST_CASE("CGAL: properties follow their elements") {
+  std::mt19937 random(14);
+  auto m = ct::cgal_surface<kernel_point>(ct::triangle_grid(3));
+  using mesh = decltype(m);
+  const auto v = m.add_property_map<mesh::Vertex_index, int>("v:number").first;
+  const auto e = m.add_property_map<mesh::Edge_index, int>("e:number").first;
+  const auto f = m.add_property_map<mesh::Face_index, int>("f:number").first;
+  ct::values_follow(m, random, v, e, f);
+  CHECK(m.does_recycle_garbage());
+}
+
+TEST_CASE("CGAL: a copy of a mesh is not part of its transaction") {
+  std::mt19937 random(15);
+  auto m = ct::cgal_surface<kernel_point>(ct::triangle_grid(2));
+  transaction t(m);
+  ct::edit_some_times(m, random, 5);
+  auto copy = m;
+  remove_poly(copy, *polys(copy).begin());
+  const auto changed = ct::foreign_state(copy);
+  t.roll_back();
+  CHECK(ct::foreign_state(copy) == changed);
+}
+
+TEST_CASE("CGAL: a transaction on an empty mesh") {
+  CGAL::Surface_mesh<vec3> m;
+  {
+    transaction t(m);
+    for (int i = 0; i < 3; ++i) add_vert(m, {i, i * i, 0});
+    add_poly(m, {CGAL::SM_Vertex_index(0), CGAL::SM_Vertex_index(1), CGAL::SM_Vertex_index(2)});
+    CHECK(num_polys(m) == 1);
+  }
+  CHECK(num_verts(m) + num_edges(m) + num_polys(m) == 0);
+  CHECK(m.is_valid(false));
+}
+
+TEST_CASE("CGAL: what cannot be linked is refused with the reason") {
+  auto m = ct::cgal_surface<kernel_point>(ct::triangle_grid(6));
+  const auto before = ct::foreign_state(m);
+  for (const auto p : polys(m))
+    CHECK_THROWS_WITH_AS(flip_winding(m, p), doctest::Contains("cannot be linked: in CGAL::Surface_mesh at most two polys share an edge, in opposite directions"), unsupported);
+  const auto refused = merge_verts(m, CGAL::SM_Vertex_index(24), {CGAL::SM_Vertex_index(0)});
+  CHECK(refused.reason == refusal::unsupported);
+  CHECK(refused.why == "in CGAL::Surface_mesh a closed fan of polys is the only one at its vert");
+  CHECK(ct::foreign_state(m) == before);
+  flip_winding(m);
+  ct::foreign_laws_hold(m);
+}

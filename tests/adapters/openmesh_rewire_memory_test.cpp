@@ -1,0 +1,36 @@
+// Edits of OpenMesh meshes and their transactions change nothing if memory runs out.
+#include <support/failing_allocations.hpp>
+#include <support/foreign_operators.hpp>
+#include <support/openmesh.hpp>
+
+using namespace concino;
+using namespace concino::testing::om;
+
+TEST_CASE_TEMPLATE("OpenMesh: edits that run out of memory change nothing", M, tri_double, tri_status) {
+  M m;
+  fill(m, testing::triangle_grid(2));
+  testing::edits_are_all_or_nothing(m, 3, [](const auto& f) { return testing::for_each_failing_allocation(f, 8); });  // OpenMesh's assertions allocate memory
+}
+
+TEST_CASE_TEMPLATE("OpenMesh: garbage_collect that runs out of memory changes nothing", M, tri_double, tri_status) {
+  M start;
+  fill(start, two_grids<M>(2));
+  OpenMesh::VPropHandleT<int> number;
+  start.add_property(number);
+  for (const auto v : verts(start)) start.property(number, v) = v.idx();
+  for (const int p : {1, 3, 4}) remove_poly(start, start.face_handle(static_cast<unsigned>(p)));
+  remove_vert(start, start.vertex_handle(0));
+  const auto before = testing::foreign_state(start);
+  const auto result = testing::for_each_failing_allocation([&](const auto& attempt) {
+    M m = start;
+    if (attempt([&] { garbage_collect(m); })) {
+      CHECK(testing::foreign_state(m) == before);
+      for (const auto v : verts(m)) CHECK(m.property(number, v) == v.idx());
+      garbage_collect(m);
+    }
+    CHECK(vert_index_bound(m) == num_verts(m));
+    CHECK(check_laws(m).empty());
+  });
+  CHECK(result.failed > 5);
+  CHECK(result.leaks == 0);
+}
