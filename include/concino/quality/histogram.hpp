@@ -50,10 +50,7 @@ quality_histogram histogram(const M& m, metric what, const histogram_options& op
   const detail::metric_rows rows(what);
   const double mean_size = detail::chosen_mean_size(m, rows, {options.mean_size});
   poly_map<M, detail::shaped_value> value(m, poly_index_bound(m), detail::shaped_value{});
-  detail::for_each_geometry(m, [&](const poly_t<M>& p, detail::poly_geometry g) {
-    g.mean_size = mean_size;
-    value[p] = {rows.evaluate_at(g, index_of(m, p)), g.shape};
-  });
+  detail::for_each_quality(m, rows, mean_size, [&](const poly_t<M>& p, double q, poly_shape shape) { value[p] = {q, shape}; });
   std::vector<detail::shaped_value> values;
   values.reserve(num_polys(m));
   for (const poly_t<M> p : polys(m)) values.push_back(value[p]);

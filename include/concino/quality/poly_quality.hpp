@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace concino {
@@ -22,6 +23,10 @@ struct quality_options {
 };
 
 namespace detail {
+
+/// The shape of all polys of a mesh type with a fixed number of verts per poly.
+template<class M>
+inline constexpr poly_shape known_shape = dimension_v<M> == 2 ? (arity_v<M> == 3 ? poly_shape::triangle : poly_shape::quad) : arity_v<M> == 4 ? poly_shape::tet : poly_shape::hex;
 
 /// Reads the geometry of one poly after another.
 template<EmbeddedMesh M>
@@ -33,10 +38,10 @@ class poly_reader {
 
  public:
   poly_geometry operator()(const M& m, const poly_t<M>& p) {
-    if constexpr (TriMesh<M> || QuadMesh<M> || TetMesh<M> || HexMesh<M>) {  // the shape is known
+    if constexpr (arity_v<M> > 0) {  // the shape is known
       std::size_t n = 0;
       for (const vert_t<M> v : adj_p2v(m, p)) corners_[n++] = to_vec3(point(m, v));
-      poly_geometry g{TriMesh<M> ? poly_shape::triangle : QuadMesh<M> ? poly_shape::quad : TetMesh<M> ? poly_shape::tet : poly_shape::hex, {corners_, n}, {}, {}, 0};
+      poly_geometry g{known_shape<M>, {corners_, n}, {}, {}, 0};
       set_standard_faces(g);
       return g;
     } else if constexpr (SurfaceMesh<M>) {  // a cycle of verts; a volume has faces
@@ -77,20 +82,65 @@ class metric_rows {
  public:
   explicit metric_rows(metric what);
   bool are_relative() const;
-  /// Errors: unsupported if the metric is not defined for the shape of this poly.
-  double evaluate_at(const poly_geometry& g, std::size_t poly_index) const;
+  /// The values of n polys of one shape, whose points follow one another.
+  /// Errors: unsupported that names poly_index if the metric is not defined for their shape.
+  void evaluate_at(const poly_geometry& all, std::size_t n, double* values, std::size_t poly_index) const;
+  double evaluate_at(const poly_geometry& g, std::size_t poly_index) const {
+    double value = 0;
+    evaluate_at(g, 1, &value, poly_index);
+    return value;
+  }
 };
 
 /// Errors: invalid_argument if it is negative or not finite.
 void check_mean_size(double size);
 
-/// Calls f(poly, its geometry) for all polys, in parallel.
+/// Evaluates a metric for the polys of a part of a mesh, and calls f(poly, value, shape) for each. Polys of a known shape are evaluated together.
+template<EmbeddedMesh M, class Part, class F>
+void for_each_quality_of(const M& m, const Part& part, const metric_rows& rows, double mean_size, const F& f) {
+  if constexpr (arity_v<M> > 0) {  // the shape is known
+    constexpr std::size_t arity = arity_v<M>, block = 32;
+    poly_t<M> block_polys[block];
+    vec3 corners[block * arity];
+    double values[block];
+    std::size_t n = 0;
+    const auto evaluate_block = [&] {
+      poly_geometry all{known_shape<M>, {corners, n * arity}, {}, {}, mean_size};
+      set_standard_faces(all);
+      rows.evaluate_at(all, n, values, index_of(m, block_polys[0]));
+      for (std::size_t i = 0; i < n; ++i) f(block_polys[i], values[i], all.shape);
+      n = 0;
+    };
+    for (const poly_t<M> p : part) {
+      vec3* corner = corners + n * arity;
+      for (const vert_t<M> v : adj_p2v(m, p)) *corner++ = to_vec3(point(m, v));
+      block_polys[n++] = p;
+      if (n == block) evaluate_block();
+    }
+    if (n > 0) evaluate_block();
+  } else {
+    poly_reader<M> read;
+    for (const poly_t<M> p : part) {
+      poly_geometry g = read(m, p);
+      g.mean_size = mean_size;
+      f(p, rows.evaluate_at(g, index_of(m, p)), g.shape);
+    }
+  }
+}
+
+/// Calls f(poly, value, shape) for all polys, in parallel.
 template<class M, class F>
-void for_each_geometry(const M& m, const F& f) {
-  core::poly_chunks<M>(m).template for_each<poly_reader<M>>([&](poly_reader<M>& read, const poly_t<M>& p, std::size_t) {
-    f(p, read(m, p));
-    return 0;
-  });
+void for_each_quality(const M& m, const metric_rows& rows, double mean_size, const F& f) {
+  if constexpr (const auto& all = polys(m); core::is_divisible<std::remove_cvref_t<decltype(all)>>) {
+    core::run_chunks(all.index_bound(), 1024, [&](std::size_t first, std::size_t last) { for_each_quality_of(m, all.part(first, last), rows, mean_size, f); }, {});
+  } else {
+    core::poly_chunks<M>(m).template for_each<poly_reader<M>>([&](poly_reader<M>& read, const poly_t<M>& p, std::size_t) {
+      poly_geometry g = read(m, p);
+      g.mean_size = mean_size;
+      f(p, rows.evaluate_at(g, index_of(m, p)), g.shape);
+      return 0;
+    });
+  }
 }
 
 }  // namespace detail
@@ -150,10 +200,7 @@ poly_map<M, double> quality(M&& m, metric what, const quality_options& options =
   const detail::metric_rows rows(what);
   const double mean_size = detail::chosen_mean_size(m, rows, options);
   poly_map<M, double> value(m, poly_index_bound(m), detail::unwritten{});
-  detail::for_each_geometry(m, [&](const poly_t<M>& p, detail::poly_geometry g) {
-    g.mean_size = mean_size;
-    value[p] = rows.evaluate_at(g, index_of(m, p));
-  });
+  detail::for_each_quality(m, rows, mean_size, [&](const poly_t<M>& p, double q, poly_shape) { value[p] = q; });
   return value;
 }
 

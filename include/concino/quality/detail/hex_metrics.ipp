@@ -16,7 +16,7 @@ struct hex_metrics {
       return ratio_or_infinite(std::sqrt(squares() * (dot(a, a) + dot(b, b) + dot(c, c))), 3 * determinant());
     }
     double scaled_determinant() const {
-      const double lengths = norm(u) * norm(v) * norm(w);
+      const double lengths = length_of(u) * length_of(v) * length_of(w);
       return lengths > 0 ? std::clamp(determinant() / lengths, -1.0, 1.0) : 0;
     }
     double mean_ratio() const {
@@ -45,7 +45,7 @@ struct hex_metrics {
             (p[4] - p[0]) + (p[5] - p[1]) + (p[6] - p[2]) + (p[7] - p[3])};
     const double rounding = 1e-15 * std::sqrt(f.squares());
     for (vec3* const x : {&f.u, &f.v, &f.w})
-      if (norm(*x) < rounding) *x = {};
+      if (length_of(*x) < rounding) *x = {};
     return f;
   }
   /// The smallest or largest value of f at the corners.
@@ -61,15 +61,15 @@ struct hex_metrics {
   }
   double shortest_edge() const {
     double q = infinite;
-    for (const auto& e : edges) q = std::min(q, norm(p[e[1]] - p[e[0]]));
+    for (const auto& e : edges) q = std::min(q, length_of(p[e[1]] - p[e[0]]));
     return q;
   }
   double longest_edge() const {
     double q = 0;
-    for (const auto& e : edges) q = std::max(q, norm(p[e[1]] - p[e[0]]));
+    for (const auto& e : edges) q = std::max(q, length_of(p[e[1]] - p[e[0]]));
     return q;
   }
-  std::array<double, 4> diagonals() const { return {norm(p[6] - p[0]), norm(p[7] - p[1]), norm(p[4] - p[2]), norm(p[5] - p[3])}; }
+  std::array<double, 4> diagonals() const { return {length_of(p[6] - p[0]), length_of(p[7] - p[1]), length_of(p[4] - p[2]), length_of(p[5] - p[3])}; }
 
   double diagonal() const {
     const auto d = diagonals();
@@ -134,7 +134,7 @@ struct hex_metrics {
   }
   double max_edge_ratio() const {
     const frame f = axes();
-    const double x = norm(f.u), y = norm(f.v), z = norm(f.w);
+    const double x = length_of(f.u), y = length_of(f.v), z = length_of(f.w);
     return ratio_or_infinite(std::max({x, y, z}), std::min({x, y, z}));
   }
   double nodal_jacobian_ratio() const {
@@ -152,7 +152,7 @@ struct hex_metrics {
   double shear_and_size() const { return shear() * relative_size_squared(); }
   double skew() const {
     const frame f = axes();
-    const double x = norm(f.u), y = norm(f.v), z = norm(f.w);
+    const double x = length_of(f.u), y = length_of(f.v), z = length_of(f.w);
     if (!(std::min({x, y, z}) > 0)) return infinite;
     return std::min(1.0, std::max({std::abs(dot(f.u, f.v)) / (x * y), std::abs(dot(f.u, f.w)) / (x * z), std::abs(dot(f.v, f.w)) / (y * z)}));
   }
@@ -162,10 +162,10 @@ struct hex_metrics {
   }
   double taper() const {
     const frame f = axes();
-    const double x = norm(f.u), y = norm(f.v), z = norm(f.w);
-    const double xy = norm((p[2] - p[3]) - (p[1] - p[0]) + (p[6] - p[7]) - (p[5] - p[4]));
-    const double xz = norm((p[5] - p[1]) - (p[4] - p[0]) + (p[6] - p[2]) - (p[7] - p[3]));
-    const double yz = norm((p[7] - p[4]) - (p[3] - p[0]) + (p[6] - p[5]) - (p[2] - p[1]));
+    const double x = length_of(f.u), y = length_of(f.v), z = length_of(f.w);
+    const double xy = length_of((p[2] - p[3]) - (p[1] - p[0]) + (p[6] - p[7]) - (p[5] - p[4]));
+    const double xz = length_of((p[5] - p[1]) - (p[4] - p[0]) + (p[6] - p[2]) - (p[7] - p[3]));
+    const double yz = length_of((p[7] - p[4]) - (p[3] - p[0]) + (p[6] - p[5]) - (p[2] - p[1]));
     return std::max({ratio_or_infinite(xy, std::min(x, y)), ratio_or_infinite(xz, std::min(x, z)), ratio_or_infinite(yz, std::min(y, z))});
   }
 };

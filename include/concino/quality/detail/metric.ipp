@@ -75,14 +75,27 @@ CONCINO_INLINE const metric_row* find_row(metric what, poly_shape shape) {
   for (vec3& p : local) p = {std::ldexp(p.x, -exponent), std::ldexp(p.y, -exponent), std::ldexp(p.z, -exponent)};
   g.points = local;
   g.mean_size = std::ldexp(g.mean_size, -scale * (g.shape < poly_shape::tet ? 2 : 3));
-  return std::ldexp(row.value(g), scale * static_cast<int>(row.limits.length_power));
+  double value = 0;
+  row.compute(g, 1, &value);
+  return std::ldexp(value, scale * static_cast<int>(row.limits.length_power));
 }
 
-CONCINO_INLINE double evaluate(const metric_row& row, const poly_geometry& g) {
-  double size = 0;
-  for (const vec3& p : g.points) size += std::abs(p.x - g.points[0].x) + std::abs(p.y - g.points[0].y) + std::abs(p.z - g.points[0].z);
-  if (size > 1e-25 && size < 1e25) [[likely]] return row.value(g);
-  return evaluate_scaled(row, g);
+CONCINO_INLINE void evaluate(const metric_row& row, const poly_geometry& all, std::size_t n, double* values) {
+  const std::size_t size = all.points.size() / n;
+  bool moderate = true;
+  for (std::size_t i = 0; i < n; ++i) {
+    const vec3* const p = all.points.data() + i * size;
+    double sum = 0;
+    for (std::size_t k = 1; k < size; ++k) sum += std::abs(p[k].x - p[0].x) + std::abs(p[k].y - p[0].y) + std::abs(p[k].z - p[0].z);
+    moderate = moderate && sum > 1e-25 && sum < 1e25;
+  }
+  if (moderate) [[likely]] return row.compute(all, n, values);
+  poly_geometry g = all;
+  for (std::size_t i = 0; i < n; ++i) {
+    g.points = all.points.subspan(i * size, size);
+    if (n > 1) evaluate(row, g, 1, values + i);
+    else values[i] = evaluate_scaled(row, g);
+  }
 }
 
 }  // namespace detail
@@ -141,7 +154,9 @@ CONCINO_INLINE double quality(poly_shape shape, std::span<const vec3> points, me
     core::throw_joined<invalid_argument>({"quality: a ", name_of(shape), " has ", n, shape == poly_shape::polygon ? " points or more, not " : " points, not ", points.size()});
   detail::poly_geometry g{shape, points, {}, {}, mean_size};
   detail::set_standard_faces(g);
-  return detail::evaluate(*row, g);
+  double value = 0;
+  detail::evaluate(*row, g, 1, &value);
+  return value;
 }
 
 }  // namespace concino

@@ -22,17 +22,28 @@ struct poly_geometry {
   double mean_size = 0;                      // the mean area or volume of the polys of the mesh
 };
 
-using metric_function = double (*)(const poly_geometry&);
+/// Computes the values of n polys of one shape, whose points follow one another. One call for many polys takes less than half the time for simple metrics.
+using metric_function = void (*)(const poly_geometry& all, std::size_t n, double* values);
 
 struct metric_row {
   metric what;
-  metric_function value;  // products of 8 lengths neither overflow nor underflow
+  metric_function compute;  // products of 8 lengths neither overflow nor underflow
   metric_limits limits;
 };
 
 /// Calls a member function of an object that is constructed from the poly.
 template<class Kernel, double (Kernel::*Value)() const>
-double metric_of(const poly_geometry& g) { return (Kernel(g).*Value)(); }
+void metric_of(const poly_geometry& all, std::size_t n, double* values) {
+  poly_geometry g = all;
+  const std::size_t size = all.points.size() / n;
+  for (std::size_t i = 0; i < n; ++i) {
+    g.points = all.points.subspan(i * size, size);
+    values[i] = (Kernel(g).*Value)();
+  }
+}
+
+/// The length of a vector that is not so short or long that its square has fewer digits.
+inline double length_of(const vec3& x) { return std::sqrt(dot(x, x)); }
 
 inline constexpr double infinite = std::numeric_limits<double>::infinity();
 inline constexpr double no_ideal = std::numeric_limits<double>::quiet_NaN();
@@ -52,7 +63,7 @@ inline double ratio_or_zero(double a, double b) { return b > 0 ? a / b : 0; }
 inline double in_degrees(double radians) { return radians * (180 / std::numbers::pi); }
 
 /// The angle between two vectors, in degrees; 0 if one has no length.
-inline double angle_in_degrees(const vec3& a, const vec3& b) { return in_degrees(std::atan2(norm(cross(a, b)), dot(a, b) + 0.0)); }  // -0 counts as 0
+inline double angle_in_degrees(const vec3& a, const vec3& b) { return in_degrees(std::atan2(length_of(cross(a, b)), dot(a, b) + 0.0)); }  // -0 counts as 0
 
 /// min(s, 1/s)^2 for s = size / mean; 0 if either is not positive.
 inline double squared_relative_size(double size, double mean) {
@@ -74,8 +85,8 @@ std::span<const metric_row> polyhedron_rows();  // of all volume cells; tets and
 /// The row of a metric, or null if it is not defined for the shape.
 const metric_row* find_row(metric what, poly_shape shape);
 
-/// The value of a metric for points of any magnitude. NaN if a point is not finite.
-double evaluate(const metric_row& row, const poly_geometry& g);
+/// The values of a metric for n polys of one shape with points of any magnitude. NaN if a point is not finite.
+void evaluate(const metric_row& row, const poly_geometry& all, std::size_t n, double* values);
 
 /// The verts of the faces of a standard shape.
 void set_standard_faces(poly_geometry& g);

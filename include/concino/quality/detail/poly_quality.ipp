@@ -15,12 +15,12 @@ CONCINO_INLINE bool metric_rows::are_relative() const {
   return what_ == metric::relative_size_squared || what_ == metric::shape_and_size || what_ == metric::shear_and_size;
 }
 
-CONCINO_INLINE double metric_rows::evaluate_at(const poly_geometry& g, std::size_t poly_index) const {
-  const metric_row* const row = of_shape_[static_cast<unsigned>(g.shape)];
+CONCINO_INLINE void metric_rows::evaluate_at(const poly_geometry& all, std::size_t n, double* values, std::size_t poly_index) const {
+  const metric_row* const row = of_shape_[static_cast<unsigned>(all.shape)];
   if (row == nullptr)
-    core::throw_joined<unsupported>({"quality: ", name_of(what_), " is not defined for a ", name_of(g.shape), ", such as poly ", poly_index,
+    core::throw_joined<unsupported>({"quality: ", name_of(what_), " is not defined for a ", name_of(all.shape), ", such as poly ", poly_index,
                                      "; scaled_jacobian, mean_ratio, planarity and star_shapedness are defined for all shapes"});
-  return evaluate(*row, g);
+  evaluate(*row, all, n, values);
 }
 
 CONCINO_INLINE void check_mean_size(double size) {

@@ -28,7 +28,7 @@ struct polygon_metrics {
   /// Calls f(corner) for each; all determinants are 0 if the polygon has no vector area.
   template<class F> void for_each_corner(const F& f) const {
     vec3 n = area_vector();
-    const double length = norm(n);
+    const double length = length_of(n);
     if (length > 0) n /= length;
     vec3 in = edge(size() - 1);
     for (std::size_t i = 0; i < size(); ++i) {
@@ -53,7 +53,7 @@ struct polygon_metrics {
   }
   value_range squared_lengths() const { return range_at_corners([](const corner& c) { return dot(c.out, c.out); }); }
 
-  double area() const { return norm(area_vector()); }
+  double area() const { return length_of(area_vector()); }
   double edge_ratio() const {
     const value_range r = squared_lengths();
     return ratio_or_infinite(std::sqrt(r.high), std::sqrt(r.low));
@@ -65,7 +65,7 @@ struct polygon_metrics {
   double scaled_jacobian() const {
     const double sine = std::sin(regular_angle());
     const auto q = range_at_corners([&](const corner& c) {
-      const double lengths = norm(c.in) * norm(c.out);
+      const double lengths = length_of(c.in) * length_of(c.out);
       return lengths > 0 ? c.det / (lengths * sine) : 0;
     });
     return std::clamp(q.low, -1.0, 1.0);

@@ -94,7 +94,7 @@ struct polyhedron_metrics {
   double scaled_jacobian() const {
     const double det = regular().det;
     return smallest_at_corners([&](const corner& c) {
-      const double lengths = norm(c.u) * norm(c.v) * norm(c.w);
+      const double lengths = length_of(c.u) * length_of(c.v) * length_of(c.w);
       return lengths > 0 ? dot(c.u, cross(c.v, c.w)) / (lengths * det) : 0;
     });
   }

@@ -17,13 +17,13 @@ struct quad_metrics {
   vec3 axis(unsigned k) const { return edge[k] - edge[k + 2]; }
   vec3 corner_normal(unsigned i) const { return cross(before(i), edge[i]); }
   double length_squared(unsigned i) const { return dot(edge[i], edge[i]); }
-  std::array<double, 4> lengths() const { return {norm(edge[0]), norm(edge[1]), norm(edge[2]), norm(edge[3])}; }
-  double longest_diagonal() const { return std::max(norm(edge[0] + edge[1]), norm(edge[1] + edge[2])); }
+  std::array<double, 4> lengths() const { return {length_of(edge[0]), length_of(edge[1]), length_of(edge[2]), length_of(edge[3])}; }
+  double longest_diagonal() const { return std::max(length_of(edge[0] + edge[1]), length_of(edge[1] + edge[2])); }
 
   /// The Jacobian determinants of the corners, as seen along the normal at the centre; 0 if that has no length.
   std::array<double, 4> determinants() const {
     vec3 n = cross(axis(0), axis(1));
-    const double length = norm(n);
+    const double length = length_of(n);
     if (length == 0) return {};
     n /= length;
     return {dot(n, corner_normal(0)), dot(n, corner_normal(1)), dot(n, corner_normal(2)), dot(n, corner_normal(3))};
@@ -50,11 +50,11 @@ struct quad_metrics {
     bool flat = true;
     for (unsigned i = 0; i < 4; ++i) {
       n[i] = corner_normal(i);
-      const double length = norm(n[i]);
+      const double length = length_of(n[i]);
       q = std::min(q, std::copysign(length, dot(n[i], centre)));
       if (length > 0) n[i] /= length;
       flat = flat && std::abs(dot(n[0], n[i])) >= 0.99;
-      area += norm(cross(near * edge[i] - far * edge[(i + 2) % 4], far * edge[(i + 1) % 4] - near * before(i))) / 4;
+      area += length_of(cross(near * edge[i] - far * edge[(i + 2) % 4], far * edge[(i + 1) % 4] - near * before(i))) / 4;
     }
     if (area == 0) return 0;
     const double half = flat ? 0 : 0.0005 * std::sqrt(area) / std::numbers::sqrt3;
@@ -70,11 +70,11 @@ struct quad_metrics {
   }
   double edge_ratio() const { return ratio_or_infinite(largest(lengths()), smallest(lengths())); }
   double jacobian() const { return smallest(determinants()); }
-  double frobenius_of_corner(unsigned i) const { return ratio_or_infinite(length_squared(i) + length_squared((i + 3) % 4), 2 * norm(corner_normal(i))); }
+  double frobenius_of_corner(unsigned i) const { return ratio_or_infinite(length_squared(i) + length_squared((i + 3) % 4), 2 * length_of(corner_normal(i))); }
   double max_aspect_frobenius() const { return largest({frobenius_of_corner(0), frobenius_of_corner(1), frobenius_of_corner(2), frobenius_of_corner(3)}); }
   double med_aspect_frobenius() const { return sum({frobenius_of_corner(0), frobenius_of_corner(1), frobenius_of_corner(2), frobenius_of_corner(3)}) / 4; }
   double max_edge_ratio() const {
-    const double x = norm(axis(0)), y = norm(axis(1));
+    const double x = length_of(axis(0)), y = length_of(axis(1));
     return ratio_or_infinite(std::max(x, y), std::min(x, y));
   }
   /// Angles at concave corners are more than 180 degrees.
@@ -101,7 +101,7 @@ struct quad_metrics {
   }
   double radius_ratio() const {
     const double squares = length_squared(0) + length_squared(1) + length_squared(2) + length_squared(3);
-    const double smallest_area = smallest({norm(corner_normal(0)), norm(corner_normal(1)), norm(corner_normal(2)), norm(corner_normal(3))});
+    const double smallest_area = smallest({length_of(corner_normal(0)), length_of(corner_normal(1)), length_of(corner_normal(2)), length_of(corner_normal(3))});
     return ratio_or_infinite(std::sqrt(squares) * std::max(largest(lengths()), longest_diagonal()), 2 * std::numbers::sqrt2 * smallest_area);
   }
   double relative_size_squared() const { return squared_relative_size(area(), mean_size); }
@@ -126,16 +126,16 @@ struct quad_metrics {
   double shear() const { return std::max(0.0, scaled_jacobian()); }
   double shear_and_size() const { return shear() * relative_size_squared(); }
   double skew() const {
-    const double x = norm(axis(0)), y = norm(axis(1));
+    const double x = length_of(axis(0)), y = length_of(axis(1));
     return x * y > 0 ? std::min(1.0, std::abs(dot(axis(0), axis(1))) / (x * y)) : 1;
   }
   double stretch() const { return ratio_or_zero(std::numbers::sqrt2 * smallest(lengths()), longest_diagonal()); }
-  double taper() const { return ratio_or_infinite(norm(edge[0] + edge[2]), std::min(norm(axis(0)), norm(axis(1)))); }
+  double taper() const { return ratio_or_infinite(length_of(edge[0] + edge[2]), std::min(length_of(axis(0)), length_of(axis(1)))); }
   double warpage() const {
     vec3 n[4];
     for (unsigned i = 0; i < 4; ++i) {
       n[i] = corner_normal(i);
-      const double length = norm(n[i]);
+      const double length = length_of(n[i]);
       if (length == 0) return infinite;
       n[i] /= length;
     }

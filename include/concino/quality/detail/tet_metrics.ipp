@@ -16,11 +16,11 @@ struct tet_metrics {
 
   double squared(unsigned i) const { return dot(edge[i], edge[i]); }
   double squared_edges() const { return squared(0) + squared(1) + squared(2) + squared(3) + squared(4) + squared(5); }
-  std::array<double, 6> lengths() const { return {norm(edge[0]), norm(edge[1]), norm(edge[2]), norm(edge[3]), norm(edge[4]), norm(edge[5])}; }
+  std::array<double, 6> lengths() const { return {length_of(edge[0]), length_of(edge[1]), length_of(edge[2]), length_of(edge[3]), length_of(edge[4]), length_of(edge[5])}; }
   static double largest(const std::array<double, 6>& x) { return *std::max_element(x.begin(), x.end()); }
   static double smallest(const std::array<double, 6>& x) { return *std::min_element(x.begin(), x.end()); }
   /// Twice the areas of the faces opposite the verts.
-  std::array<double, 4> doubled_areas() const { return {norm(cross(edge[1], edge[4])), norm(cross(edge[2], edge[3])), norm(cross(edge[0], edge[3])), norm(cross(edge[2], edge[0]))}; }
+  std::array<double, 4> doubled_areas() const { return {length_of(cross(edge[1], edge[4])), length_of(cross(edge[2], edge[3])), length_of(cross(edge[0], edge[3])), length_of(cross(edge[2], edge[0]))}; }
   double surface() const {
     const auto a = doubled_areas();
     return (a[0] + a[1] + a[2] + a[3]) / 2;
@@ -34,7 +34,7 @@ struct tet_metrics {
     return ratio_or_infinite(root_mean_square * root_mean_square * root_mean_square, std::numbers::sqrt2 * std::abs(jacobian()));
   }
   double aspect_ratio() const { return ratio_or_infinite(largest(lengths()) * surface(), std::sqrt(6.0) * std::abs(jacobian())); }
-  double circumradius() const { return norm(squared(3) * cross(edge[2], edge[0]) + squared(2) * cross(edge[3], edge[0]) + squared(0) * cross(edge[3], edge[2])) / (2 * std::abs(jacobian())); }
+  double circumradius() const { return length_of(squared(3) * cross(edge[2], edge[0]) + squared(2) * cross(edge[3], edge[0]) + squared(0) * cross(edge[3], edge[2])) / (2 * std::abs(jacobian())); }
   double inradius() const { return std::abs(jacobian()) / (2 * surface()); }
   double radius_ratio() const { return jacobian() != 0 ? circumradius() / (3 * inradius()) : infinite; }
   double aspect_beta() const { return jacobian() > 0 ? radius_ratio() : infinite; }

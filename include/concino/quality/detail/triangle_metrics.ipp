@@ -12,9 +12,9 @@ struct triangle_metrics {
   explicit triangle_metrics(const poly_geometry& g)
       : edge{g.points[1] - g.points[0], g.points[2] - g.points[1], g.points[0] - g.points[2]}, mean_size(g.mean_size) {}
 
-  double doubled_area() const { return norm(cross(edge[0], edge[1])); }
+  double doubled_area() const { return length_of(cross(edge[0], edge[1])); }
   double squared_edges() const { return dot(edge[0], edge[0]) + dot(edge[1], edge[1]) + dot(edge[2], edge[2]); }
-  std::array<double, 3> lengths() const { return {norm(edge[0]), norm(edge[1]), norm(edge[2])}; }
+  std::array<double, 3> lengths() const { return {length_of(edge[0]), length_of(edge[1]), length_of(edge[2])}; }
 
   double area() const { return doubled_area() / 2; }
   double aspect_ratio() const {
