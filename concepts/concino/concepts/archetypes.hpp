@@ -12,6 +12,7 @@
 // Errors: none.
 #pragma once
 
+#include <concino/concepts/archetypes/editable.hpp>
 #include <concino/concepts/archetypes/opaque.hpp>
 #include <concino/concepts/archetypes/traits.hpp>
 #include <concino/concepts/mesh.hpp>
@@ -61,5 +62,23 @@ template<EmbeddedMesh M>
   requires(arity_v<M> > 0)
 constexpr auto only_fixed_arity_mesh(const M& m) { return archetypes::archetype<M, archetypes::mesh | archetypes::points | archetypes::arity>(m); }
 template<class M> void only_fixed_arity_mesh(const M&& m) = delete;  // give the mesh a name: auto m = ...;
+
+/// m reduced to EditableMesh, that is to EditableSurfaceMesh or EditableVolumeMesh, according to its dimension. Edits of the result change m.
+template<EditableMesh M>
+  requires(!std::is_const_v<M>)
+constexpr auto only_editable_mesh(M& m) { return archetypes::editable<M>(m); }
+template<class M> void only_editable_mesh(const M&& m) = delete;  // give the mesh a name: auto m = ...;
+
+/// m reduced to EditableSurfaceMesh.
+template<EditableSurfaceMesh M>
+  requires(!std::is_const_v<M>)
+constexpr auto only_editable_surface_mesh(M& m) { return archetypes::editable<M>(m); }
+template<class M> void only_editable_surface_mesh(const M&& m) = delete;  // give the mesh a name: auto m = ...;
+
+/// m reduced to EditableVolumeMesh.
+template<EditableVolumeMesh M>
+  requires(!std::is_const_v<M>)
+constexpr auto only_editable_volume_mesh(M& m) { return archetypes::editable<M>(m); }
+template<class M> void only_editable_volume_mesh(const M&& m) = delete;  // give the mesh a name: auto m = ...;
 
 }  // namespace concino

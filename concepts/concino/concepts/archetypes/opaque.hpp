@@ -25,6 +25,12 @@ class opaque {
 struct access {
   template<class O, class Base> static constexpr O wrap(const Base& b) { return O(b, 0); }
   template<class Base, class Tag> static constexpr const Base& base(const opaque<Base, Tag>& o) { return o.base_; }
+  // For arrays. An opaque descriptor has one member, which has the same address.
+  template<class Base, class Tag> static const Base* base_array(const opaque<Base, Tag>* o) {
+    static_assert(sizeof(Base) == sizeof(*o) && std::is_standard_layout_v<opaque<Base, Tag>>);
+    return reinterpret_cast<const Base*>(o);
+  }
+  template<class Base, class Tag> static Base* base_array(opaque<Base, Tag>* o) { return const_cast<Base*>(base_array<Base>(static_cast<const opaque<Base, Tag>*>(o))); }
 };
 
 /// A number of elements or an index: converts to std::size_t.
