@@ -1,5 +1,5 @@
 // edge_split: counts, measure, descriptors and winding of the halves, also at edges of one and of many triangles.
-#include <concino/edit/edge_split.hpp>
+#include <concino/edit.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/mesh.hpp>
 
@@ -119,4 +119,19 @@ TEST_CASE("edge_split: tets, inside, at the boundary and around one edge that ha
     keeps_all_laws(m);
     equals_rebuilt(m);
   }
+}
+
+TEST_CASE("edge_split and other operators refuse general polyhedra, also if they are tetrahedra") {
+  cn::polyhedralmesh m;
+  std::vector<cn::vert_id> v;
+  for (const cn::vec3& x : {cn::vec3{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) v.push_back(cn::add_vert(m, x));
+  const auto a = cn::add_face(m, {v[0], v[2], v[1]}), b = cn::add_face(m, {v[0], v[1], v[3]}), c = cn::add_face(m, {v[1], v[2], v[3]}), d = cn::add_face(m, {v[0], v[3], v[2]});
+  const cn::poly_id p = cn::add_poly(m, {{a, true}, {b, true}, {c, true}, {d, true}});
+  const auto before = cn::testing::whole(m);
+  CHECK(cn::can_edge_split(m, cn::edge_id{0}).reason == cn::refusal::not_simplices);
+  CHECK(cn::edge_split(m, cn::edge_id{0}).reason == cn::refusal::not_simplices);
+  CHECK(cn::edge_collapse(m, cn::edge_id{0}).reason == cn::refusal::not_simplices);
+  CHECK(cn::poly_split(m, p).reason == cn::refusal::not_simplices);
+  CHECK(cn::face_split(m, a, {0.3, 0.3, 0}).reason == cn::refusal::not_simplices);
+  CHECK(cn::testing::whole(m) == before);
 }

@@ -10,7 +10,7 @@ namespace concino {
 /// Why an edit is refused.
 enum class refusal : unsigned char {
   none,            // it is allowed
-  not_simplices,   // a poly at the element is not a triangle or a tet
+  not_simplices,   // a poly at the element is not a triangle or a tet; a general polyhedron is none
   wrong_number,    // the element has another number of polys than the operator needs
   same_verts,      // an edge, face or poly on the new verts exists already
   link_condition,  // the mesh would no longer be of the same kind: two parts would touch, or a part would vanish

@@ -50,6 +50,7 @@ class cavity_builder {
   static id_span<T> span(const T* first, std::size_t n) { return {first, first + n}; }
 
   bool add(const poly_t<M>& p) {
+    if constexpr (VolumeMesh<M> && arity_v<M> == 0) return false;  // general polyhedra, whose verts come in any order
     unsigned n = 0;
     for (const vert_t<M> v : adj_p2v(*m_, p)) {
       if (++n > size) return false;
@@ -72,7 +73,7 @@ class cavity_builder {
     return i;
   }
 
-  /// Adds an old poly. Returns false if it is not a simplex.
+  /// Adds an old poly. Returns false if it is not a simplex; in volumes, one of a mesh of tets.
   bool add_old(const poly_t<M>& p) {
     const bool is_simplex = add(p);
     num_old_ = static_cast<unsigned>(polys_.size());
