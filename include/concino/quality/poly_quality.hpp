@@ -155,14 +155,15 @@ poly_shape shape_of_poly(const M& m, const poly_t<M>& p) {
 }
 
 /// The mean area of the polys of a surface, or the mean volume of those of a volume.
-/// Needs:  EmbeddedMesh.      Result: in units of the mesh; inverted cells count negative; 0 for an empty mesh.      Cost: O(size of the mesh).
-/// Errors: none.
+/// Needs:  EmbeddedMesh.      Result: in units of the mesh; inverted cells count negative; 0 for an empty mesh.
+/// Cost:   O(size of the mesh); parallel; 8 bytes per poly for the time of the call.      Errors: none.
 template<EmbeddedMesh M>
 double mean_poly_size(const M& m) {
   const detail::metric_rows rows(dimension_v<M> == 2 ? metric::area : metric::volume);
-  detail::poly_reader<M> read;
+  poly_map<M, double> size(m, poly_index_bound(m), detail::unwritten{});
+  detail::for_each_quality(m, rows, 0, [&](const poly_t<M>& p, double q, poly_shape) { size[p] = q; });
   double sum = 0;
-  for (const poly_t<M> p : polys(m)) sum += rows.evaluate_at(read(m, p), 0) / static_cast<double>(num_polys(m));
+  for (const poly_t<M> p : polys(m)) sum += size[p] / static_cast<double>(num_polys(m));
   return sum;
 }
 

@@ -15,9 +15,12 @@ CONCINO_INLINE quality_histogram histogram_of(metric what, const std::vector<sha
   quality_histogram h;
   h.counts.assign(options.bins, 0);
   h.min_value = infinite, h.max_value = -infinite;
+  value_range acceptable[num_poly_shapes];
+  for (std::size_t i = 0; i < num_poly_shapes; ++i)
+    if (const metric_row* const row = find_row(what, static_cast<poly_shape>(i))) acceptable[i] = row->limits.acceptable;
   std::size_t num_finite = 0;
   for (const shaped_value& x : values) {
-    if (!find_row(what, x.shape)->limits.acceptable.contains(x.value)) ++h.unacceptable;
+    if (!acceptable[static_cast<unsigned>(x.shape)].contains(x.value)) ++h.unacceptable;
     if (!std::isfinite(x.value)) continue;
     h.min_value = std::min(h.min_value, x.value), h.max_value = std::max(h.max_value, x.value);
     h.mean += (x.value - h.mean) / static_cast<double>(++num_finite);
