@@ -3,4 +3,4 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE_TEMPLATE("convergence: errors match the two coarsest sizes of the table, quads and hexes", M, quadmesh, hexmesh) { check_convergence_of<M>(); }
+TEST_CASE_TEMPLATE("convergence: errors match the coarsest sizes of the table, quads and hexes", M, quadmesh, hexmesh) { check_convergence_of<M>(); }

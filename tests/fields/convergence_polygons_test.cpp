@@ -3,4 +3,4 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE("convergence: errors match the two coarsest sizes of the table, polygons") { check_convergence_of<polygonmesh>(); }
+TEST_CASE("convergence: errors match the coarsest sizes of the table, polygons") { check_convergence_of<polygonmesh>(); }

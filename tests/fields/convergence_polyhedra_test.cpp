@@ -3,4 +3,4 @@
 using namespace concino;
 using namespace concino::testing;
 
-TEST_CASE("convergence: errors match the two coarsest sizes of the table, polyhedra") { check_convergence_of<polyhedralmesh>(); }
+TEST_CASE("convergence: errors match the coarsest sizes of the table, polyhedra") { check_convergence_of<polyhedralmesh>(); }

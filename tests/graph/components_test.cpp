@@ -18,8 +18,8 @@ template<class G> concept has_components = requires { connected_components(std::
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("connected_components: equal Boost's on 1,000 random meshes with barriers", M, CONCINO_KINDS) {
-  for_random_graphs<M>(1000, [](const auto& g) {
+TEST_CASE_TEMPLATE("connected_components: equal Boost's on random meshes with barriers", M, CONCINO_KINDS) {
+  for_random_graphs<M>(num_random_meshes(), [](const auto& g) {
     using side = typename std::remove_cvref_t<decltype(g)>::side;
     const auto graph = side::view(g.m);
     const auto cc = connected_components(graph, {.may_enter = g.enter(), .may_cross = g.cross()});

@@ -121,8 +121,8 @@ TEST_CASE_TEMPLATE("homology_generators: run on the archetype, with the same res
   }
 }
 
-TEST_CASE_TEMPLATE("homology_generators: are right on 1,000 random closed surfaces, orientable or not", M, CONCINO_SURFACE_KINDS) {
-  for_random_closed_surfaces<M>(1000, [](const M& m, int chi) {
+TEST_CASE_TEMPLATE("homology_generators: are right on random closed surfaces, orientable or not", M, CONCINO_SURFACE_KINDS) {
+  for_random_closed_surfaces<M>(num_random_meshes(), [](const M& m, int chi) {
     const int pieces = topology_of(m).pieces;
     if (pieces == 1) return check_generators(m, static_cast<std::size_t>(2 - chi));
     const auto loops = homology_generators(m);

@@ -24,8 +24,8 @@ template<class M> auto node_map(const M& m, poly_t<M>) { return make_poly_map<po
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("predecessors: form trees that agree with Boost's distances, on 1,000 random meshes", M, CONCINO_KINDS) {
-  for_random_graphs<M>(1000, [](const auto& g) {
+TEST_CASE_TEMPLATE("predecessors: form trees that agree with Boost's distances, on random meshes", M, CONCINO_KINDS) {
+  for_random_graphs<M>(num_random_meshes(), [](const auto& g) {
     const auto& m = g.m;
     const auto nodes = g.nodes();
     using node = typename std::remove_cvref_t<decltype(g)>::node;
@@ -65,8 +65,8 @@ TEST_CASE_TEMPLATE("predecessors: form trees that agree with Boost's distances, 
   });
 }
 
-TEST_CASE_TEMPLATE("bfs, dijkstra: targets and bounds are obeyed on 1,000 random meshes", M, CONCINO_KINDS) {
-  for_random_graphs<M>(1000, [](const auto& g) {
+TEST_CASE_TEMPLATE("bfs, dijkstra: targets and bounds are obeyed on random meshes", M, CONCINO_KINDS) {
+  for_random_graphs<M>(num_random_meshes(), [](const auto& g) {
     const auto& m = g.m;
     const auto nodes = g.nodes();
     if (nodes.size() < 3) return;

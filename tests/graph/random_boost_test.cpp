@@ -79,16 +79,16 @@ void check_filter(const G& g) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("boost: components, trees and shortest paths are right on 1,000 random meshes", M, CONCINO_KINDS) {
-  for_random_graphs<M>(1000, [](auto g) {
+TEST_CASE_TEMPLATE("boost: components, trees and shortest paths are right on random meshes", M, CONCINO_KINDS) {
+  for_random_graphs<M>(num_random_meshes(), [](auto g) {
     std::fill(g.free_crossing.begin(), g.free_crossing.end(), 1);
     std::fill(g.free_node.begin(), g.free_node.end(), 1);
     check_views(g);
   });
 }
 
-TEST_CASE_TEMPLATE("boost: a filter excludes the same as may_enter, on 1,000 random meshes", M, cn::polygonmesh, cn::tetmesh) {
-  for_random_graphs<M>(1000, [](auto g) {
+TEST_CASE_TEMPLATE("boost: a filter excludes the same as may_enter, on random meshes", M, cn::polygonmesh, cn::tetmesh) {
+  for_random_graphs<M>(num_random_meshes(), [](auto g) {
     std::fill(g.free_crossing.begin(), g.free_crossing.end(), 1);
     check_filter(g);
   });

@@ -52,8 +52,8 @@ std::vector<int> grown_by_step(const G& g, const std::vector<typename G::node>& 
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("grow_regions: assigns the nearest seed by Boost's distances, on 1,000 random meshes", M, CONCINO_KINDS) {
-  for_random_graphs<M>(1000, [](const auto& g) {
+TEST_CASE_TEMPLATE("grow_regions: assigns the nearest seed by Boost's distances, on random meshes", M, CONCINO_KINDS) {
+  for_random_graphs<M>(num_random_meshes(), [](const auto& g) {
     const auto seeds = some_seeds(g);
     if (seeds.empty()) return;
     for (const double least_step : {1.0, 0.0}) {
@@ -76,8 +76,8 @@ TEST_CASE_TEMPLATE("grow_regions: assigns the nearest seed by Boost's distances,
   });
 }
 
-TEST_CASE_TEMPLATE("grow_regions: always takes the cheapest step, on 1,000 random meshes with barriers", M, CONCINO_KINDS) {
-  for_random_graphs<M>(1000, [](const auto& g) {
+TEST_CASE_TEMPLATE("grow_regions: always takes the cheapest step, on random meshes with barriers", M, CONCINO_KINDS) {
+  for_random_graphs<M>(num_random_meshes(), [](const auto& g) {
     const auto seeds = some_seeds(g);
     if (seeds.empty()) return;
     const auto cost = distinct_cost(g);

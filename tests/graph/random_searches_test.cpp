@@ -24,8 +24,8 @@ template<class M> vec3 place(const M& m, poly_id p) { return vert_mean(m, p); }
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("bfs, dijkstra: agree with Boost from several sources, on 1,000 random meshes", M, CONCINO_KINDS) {
-  for_random_graphs<M>(1000, [](auto g) {
+TEST_CASE_TEMPLATE("bfs, dijkstra: agree with Boost from several sources, on random meshes", M, CONCINO_KINDS) {
+  for_random_graphs<M>(num_random_meshes(), [](auto g) {
     const auto& m = g.m;
     const auto nodes = g.nodes();
     if (nodes.empty()) return;
@@ -48,8 +48,8 @@ TEST_CASE_TEMPLATE("bfs, dijkstra: agree with Boost from several sources, on 1,0
   });
 }
 
-TEST_CASE_TEMPLATE("dijkstra: default lengths are distances, on 1,000 random meshes with barriers", M, CONCINO_KINDS) {
-  for_random_graphs<M>(1000, [](const auto& g) {
+TEST_CASE_TEMPLATE("dijkstra: default lengths are distances, on random meshes with barriers", M, CONCINO_KINDS) {
+  for_random_graphs<M>(num_random_meshes(), [](const auto& g) {
     const auto& m = g.m;
     const auto nodes = g.nodes();
     if (nodes.empty()) return;

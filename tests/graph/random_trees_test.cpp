@@ -28,8 +28,8 @@ std::set<std::pair<std::size_t, std::size_t>> ends(const M& m, const T& tree) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("spanning_tree: is a spanning tree with the weight of Boost's, on 1,000 random meshes", M, CONCINO_KINDS) {
-  for_random_graphs<M>(1000, [](const auto& g) {
+TEST_CASE_TEMPLATE("spanning_tree: is a spanning tree with the weight of Boost's, on random meshes", M, CONCINO_KINDS) {
+  for_random_graphs<M>(num_random_meshes(), [](const auto& g) {
     using side = typename std::remove_cvref_t<decltype(g)>::side;
     const auto graph = side::view(g.m);
     const auto length = g.even_length();

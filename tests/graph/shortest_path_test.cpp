@@ -20,8 +20,8 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("shortest_path: is a path with the length of Boost's, on 1,000 random meshes", M, CONCINO_KINDS) {
-  for_random_graphs<M>(1000, [](const auto& g) {
+TEST_CASE_TEMPLATE("shortest_path: is a path with the length of Boost's, on random meshes", M, CONCINO_KINDS) {
+  for_random_graphs<M>(num_random_meshes(), [](const auto& g) {
     const auto& m = g.m;
     const auto nodes = g.nodes();
     if (nodes.empty()) return;

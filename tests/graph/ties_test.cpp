@@ -20,8 +20,8 @@ template<class M> auto node_map(const M& m, poly_t<M>) { return make_poly_map<po
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("bfs: the predecessor is the first one reached, on 1,000 random meshes", M, CONCINO_KINDS) {
-  for_random_graphs<M>(1000, [](const auto& g) {
+TEST_CASE_TEMPLATE("bfs: the predecessor is the first one reached, on random meshes", M, CONCINO_KINDS) {
+  for_random_graphs<M>(num_random_meshes(), [](const auto& g) {
     using side = typename std::remove_cvref_t<decltype(g)>::side;
     const auto graph = side::view(g.m);
     const auto nodes = g.nodes();
@@ -52,8 +52,8 @@ TEST_CASE_TEMPLATE("bfs: the predecessor is the first one reached, on 1,000 rand
   });
 }
 
-TEST_CASE_TEMPLATE("dijkstra: among equal predecessors the first settled is kept, on 1,000 random meshes", M, CONCINO_KINDS) {
-  for_random_graphs<M>(1000, [](const auto& g) {
+TEST_CASE_TEMPLATE("dijkstra: among equal predecessors the first settled is kept, on random meshes", M, CONCINO_KINDS) {
+  for_random_graphs<M>(num_random_meshes(), [](const auto& g) {
     const auto nodes = g.nodes();
     if (nodes.empty()) return;
     const auto s = nodes[g.salt % nodes.size()];

@@ -166,9 +166,9 @@ TEST_CASE("tree_cotree: decomposes random voxel surfaces, or throws if they are 
   CHECK(done > 30);
 }
 
-TEST_CASE_TEMPLATE("tree_cotree: is right on 1,000 random closed surfaces", M, CONCINO_SURFACE_KINDS) {
+TEST_CASE_TEMPLATE("tree_cotree: is right on random closed surfaces", M, CONCINO_SURFACE_KINDS) {
   std::set<std::size_t> left;
-  for_random_closed_surfaces<M>(1000, [&](const M& m, int chi) {
+  for_random_closed_surfaces<M>(num_random_meshes(), [&](const M& m, int chi) {
     check_decomposition(m);
     left.insert(tree_cotree(m).rest.size());
     CHECK(topology_of(m).chi == chi);

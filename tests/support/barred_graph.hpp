@@ -6,6 +6,7 @@
 #include <concino/concepts/views.hpp>
 
 #include <support/boost_graph.hpp>
+#include <support/corpus.hpp>
 #include <support/random_meshes.hpp>
 
 #include <boost/graph/adjacency_list.hpp>

@@ -4,19 +4,20 @@
 #include <concino/solve/ldlt.hpp>
 
 #include <support/convergence.hpp>
+#include <support/corpus.hpp>
 
 #include <doctest/doctest.h>
 
 namespace concino::testing {
 
-/// Computes the rows of a kind for its two coarsest sizes again.
+/// Computes the rows of a kind for its coarsest size again, and in long runs for its two coarsest sizes.
 template<class M>
 void check_convergence_of() {
   const auto table = read_convergence_table();
   std::size_t stored = 0, computed = 0;
   for (const convergence_row& row : table) stored += row.kind == kind_name<M> && row.what != "geodesics";
   for (const family f : families<M>()) {
-    const auto rows = measure_convergence<M>(f, 2, [](double) { return ldlt(); });
+    const auto rows = measure_convergence<M>(f, long_run() ? 2 : 1, [](double) { return ldlt(); });
     for (const convergence_row& row : rows) {
       CAPTURE(row.what);
       CAPTURE(row.discretisation);

@@ -39,6 +39,9 @@ inline bool long_run() {
   return asked && *asked && std::string(asked) != "0";
 }
 
+/// How many random meshes of each kind the tests of graph algorithms look at.
+inline unsigned num_random_meshes() { return long_run() ? 1000 : 200; }
+
 }  // namespace concino::testing
 
 /// Declares `name` as the path of a file of the corpus, or skips the running test case by its name.

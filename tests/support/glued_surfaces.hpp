@@ -3,6 +3,7 @@
 
 #include <concino/mesh/arrays.hpp>
 
+#include <support/corpus.hpp>
 #include <support/kinds.hpp>
 
 #include <algorithm>
