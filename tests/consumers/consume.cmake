@@ -31,6 +31,9 @@ if(NOT DEFINED link)
 endif()
 # A unity build takes half the time.
 set(arguments -DCONCINO_LINK=${link} -G ${generator} -DCMAKE_CXX_COMPILER=${compiler} -DCONCINO_SOURCE=${source} -DCMAKE_UNITY_BUILD=ON)
+if(link STREQUAL "compiled")  # without optimisation, which this build has tried when it compiled the library itself
+  list(APPEND arguments -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=)
+endif()
 if(way STREQUAL "find_package")
   set(prefix ${scratch}/prefix)
   run(${CMAKE_COMMAND} --install ${library_build} --prefix ${prefix})
