@@ -38,8 +38,9 @@ finish() {
   [ "$failed" -eq 0 ] || exit 1
   exit 0
 }
+background=
 trap finish EXIT
-trap 'exit 1' INT TERM
+trap '[ -z "$background" ] || kill -- "-$background"; exit 1' INT TERM
 
 say() { printf '[%3d s] %s\n' $SECONDS "$*"; }
 
@@ -128,24 +129,50 @@ fuzz() {
 # builds most tests of every kind of mesh for two kinds, and not the matrix of algorithms and models. The tests whose templates cost most, it checks
 # without generating code. Programs that must not compile are left to clang++, and those of users to g++.
 batches=(-D CONCINO_TEST_BATCHES=ON)
-fewer=(-D CONCINO_TEST_AGREEMENT=OFF -D CONCINO_TEST_FEW_KINDS=ON "-DCONCINO_TEST_SYNTAX_ONLY=adapters;fields;graph;operators" -D CONCINO_BUILD_EXAMPLES=OFF)
-[ $quick -eq 1 ] || fewer+=(-D CONCINO_TEST_WITHOUT=must_not_compile)
+fewer=(-D CONCINO_TEST_AGREEMENT=OFF -D CONCINO_TEST_FEW_KINDS=ON -D CONCINO_BUILD_EXAMPLES=OFF)
+checked="adapters;fields;graph;operators"
+[ $quick -eq 1 ] || { checked+=";edit;generate;solve;validate"; fewer+=(-D CONCINO_TEST_WITHOUT=must_not_compile); }
+fewer+=("-DCONCINO_TEST_SYNTAX_ONLY=$checked")
+
+# build_sanitized: all that clang++ compiles, in one call of ninja.
+build_sanitized() {
+  configure sanitized sanitized "$clang" "${batches[@]}" || return
+  make sanitized "$clang: build (sanitized), every public header alone, the fuzzer" all headers_alone fuzz_readers && passed=$((passed + 1))
+}
+
+# with_both: clang++ builds in the background with all jobs while g++ builds and runs with half of them, so that no core waits for the last file of a part.
+with_both() {
+  local counts=$build/sanitized.counts
+  rm -f "$counts"
+  set -m  # a process group, which can be ended
+  (
+    renice -n 10 -p $BASHPID >/dev/null
+    passed=0 failed=0
+    build_sanitized
+    echo "$passed $failed" >"$counts"
+  ) &
+  background=$!
+  set +m
+  [ "$jobs" -gt 1 ] || wait $background
+  jobs=$(((jobs + 1) / 2)) whole gcc dev-gcc "$gcc" "${batches[@]}" "${fewer[@]}"
+  wait $background
+  background=
+  read -r built not_built <"$counts" || { built=0 not_built=1; }
+  passed=$((passed + built))
+  failed=$((failed + not_built))
+  selection+=(-E '^consumers/')
+  check sanitized "$clang: run (sanitized)" "${selection[@]}"
+}
 if [ $long -eq 1 ]; then
   whole gcc dev-gcc "$gcc"
   whole clang dev-clang "$clang"
   headers headers_gcc "$gcc" -D CONCINO_VERIFY_DETAILS=ON
   headers headers_clang "$clang" -D CONCINO_VERIFY_DETAILS=ON
   whole asan asan "$clang" "${batches[@]}"
-else
+elif [ $quick -eq 1 ]; then
   whole gcc dev-gcc "$gcc" "${batches[@]}" "${fewer[@]}"
-  if [ $quick -eq 0 ]; then
-    # One call of ninja for all that clang++ compiles: it keeps all cores busy until the end.
-    selection+=(-E '^consumers/')
-    if configure sanitized sanitized "$clang" "${batches[@]}"; then
-      make sanitized "$clang: build (sanitized), every header alone, the fuzzer" all all_verify_interface_header_sets fuzz_readers && passed=$((passed + 1))
-      check sanitized "$clang: run (sanitized)" "${selection[@]}"
-    fi
-  fi
+else
+  with_both
 fi
 [ $quick -eq 1 ] || fuzz $((long == 1 ? 300 : 5))
 if [ $long -eq 1 ]; then
