@@ -91,6 +91,7 @@ struct value_type {
   void (*scale)(void* at, const void* from, double factor);     // constructs factor * from; null: the values cannot be split
   void (*add)(void* at, const void* from, double factor);       // adds factor * from, with the factor 1 if values cannot be split; null: there is no sum
   bool moves_without_throwing;
+  std::size_t num_parts = 1;                                    // the functions scale and add apply to each of so many parts of equal size
 };
 
 /// Numbers and arrays of numbers need few functions, as files have them in many types.
@@ -118,6 +119,17 @@ struct value_functions {
     return t;
   }
 };
+/// Arrays of numbers use the functions of one number: files have arrays of many lengths.
+template<class T, std::size_t N>
+  requires(std::is_arithmetic_v<T> && N > 0)
+struct value_functions<std::array<T, N>> {
+  static constexpr value_type type() {
+    value_type t = value_functions<T>::type();
+    t.size = sizeof(std::array<T, N>), t.type = &typeid(std::array<T, N>), t.num_parts = N;
+    if constexpr (std::integral<T>) t.add = nullptr;
+    return t;
+  }
+};
 template<class T>
 inline constexpr value_type values_of = value_functions<T>::type();
 
@@ -133,6 +145,7 @@ class column {
   void make_room(std::size_t n);
   void make_default();
   void copy_value(const column& o, std::size_t from);
+  void apply_to_parts(void (*f)(void*, const void*, double), std::size_t i, const column& o, std::size_t from, double factor);
   void interpolate(const column& o, const element_origins& from);
   void copy_largest(const column& o, const element_origins& from);
   void sum(const column& o, const element_origins& from);

@@ -68,6 +68,12 @@ CONCINO_INLINE void column::copy_value(const column& o, std::size_t from) {
   ++size_;
 }
 
+/// Calls scale or add for value i and a value of another column.
+CONCINO_INLINE void column::apply_to_parts(void (*f)(void*, const void*, double), std::size_t i, const column& o, std::size_t from, double factor) {
+  const std::size_t size = type_->size / type_->num_parts;
+  for (std::size_t k = 0; k < type_->num_parts; ++k) f(at(i) + k * size, o.at(from) + k * size, factor);
+}
+
 /// The origin of one element with the largest weight; the first of several.
 CONCINO_INLINE std::uint32_t largest_origin(const element_origins::range& origins) {
   origin largest = origins[0];
@@ -99,9 +105,9 @@ CONCINO_INLINE void column::interpolate(const column& o, const element_origins& 
     for (const origin x : origins) total += x.weight;
     const auto weight = [&](const origin& x) { return total > 0 ? x.weight / total : 1 / static_cast<double>(origins.size()); };
     const std::size_t here = size_;
-    type_->scale(at(here), o.at(origins[0].index), weight(origins[0]));
+    apply_to_parts(type_->scale, here, o, origins[0].index, weight(origins[0]));
     ++size_;
-    for (std::size_t k = 1; k < origins.size(); ++k) type_->add(at(here), o.at(origins[k].index), weight(origins[k]));
+    for (std::size_t k = 1; k < origins.size(); ++k) apply_to_parts(type_->add, here, o, origins[k].index, weight(origins[k]));
   }
 }
 
@@ -136,9 +142,9 @@ CONCINO_INLINE void column::sum(const column& o, const element_origins& from) {
       parts& p = all[number(x.index)];
       if (!can_be_parted && std::exchange(p.owner, p.owner == here ? from.size() : p.owner) != here) continue;  // an owner may have it as origin twice
       const double part = !can_be_parted || p.count == 1 ? 1 : p.total > 0 ? x.weight / p.total : 1 / static_cast<double>(p.count);
-      if (size_ > here) type_->add(at(here), o.at(x.index), part);
+      if (size_ > here) apply_to_parts(type_->add, here, o, x.index, part);
       else if (part == 1) copy_value(o, x.index);
-      else type_->scale(at(here), o.at(x.index), part), ++size_;
+      else apply_to_parts(type_->scale, here, o, x.index, part), ++size_;
     }
     if (size_ == here) make_default(), ++size_;
   }
