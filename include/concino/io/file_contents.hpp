@@ -51,6 +51,13 @@ struct property_column {
   std::shared_ptr<detail::column> values;
 };
 
+namespace detail {
+
+/// n default values.
+[[gnu::noinline]] inline std::shared_ptr<column> make_column(const value_type& type, std::size_t n) { return std::make_shared<column>(type, n); }
+
+}  // namespace detail
+
 /// Edges, or faces of a volume, that a file lists by their verts to give them values: element i has verts[offsets[i]] .. verts[offsets[i+1]-1].
 /// The elements of the mesh are found by their verts, in any order.
 struct listed_elements {
@@ -87,7 +94,7 @@ struct file_contents {
   /// Adds a property with n default values.
   /// Result: where to store the n values; valid as long as the contents.
   void* add_property(element_kind kind, std::string_view property, const detail::value_type& type, std::size_t n) {
-    properties.push_back({kind, std::string(property), std::make_shared<detail::column>(type, n)});
+    properties.push_back({kind, std::string(property), detail::make_column(type, n)});
     return properties.back().values->data();
   }
   template<class T>

@@ -173,7 +173,7 @@ class vtk_reader : public vtk_cells_reader {
       report_.skipped.push_back(core::joined({"array \"", array, "\" of ", tuples, " values of ", components, " numbers: properties have one value for each element, of 1, 2, 3, 4, 6 or 9 numbers"}));
       return skip_values(type, n);
     }
-    grid_.columns.push_back({kind_, array, std::make_shared<detail::column>(*stored, tuples)});
+    grid_.columns.push_back({kind_, array, make_column(*stored, tuples)});
     void* const to = grid_.columns.back().values->data();
     if (!as_doubles || type == vtk_number::float64) return read_values_of(type, to, n);
     with_number_type(type, [&]<class T>(std::type_identity<T>) {
@@ -193,7 +193,7 @@ class vtk_reader : public vtk_cells_reader {
     if (components != 3 && components != 4) return column(array, type, components, tuples_, from, false);
     require_room(from, tuples_ * components, type);
     rename(array, "color");
-    grid_.columns.push_back({kind_, array, std::make_shared<detail::column>(values_of<rgba>, tuples_)});
+    grid_.columns.push_back({kind_, array, make_column(values_of<rgba>, tuples_)});
     auto* const to = static_cast<rgba*>(grid_.columns.back().values->data());
     for (std::uint64_t i = 0; i < tuples_; ++i) {
       float rgba_part[4] = {1, 1, 1, 1};

@@ -45,7 +45,8 @@ class vtk_mesh {
     if (num_cells && !in_.wanted.cells && !in_.wanted.polyhedra) throw_wrong_dimension(in_.name, true, num_cells);
     if (const std::size_t lines = count[static_cast<unsigned>(vtk_kind::line)])
       in_.report->skipped.push_back(core::joined({lines, " cells that are verts or lines"}));
-    const bool has_values = std::any_of(grid_.columns.begin(), grid_.columns.end(), [](const property_column& c) { return c.kind == element_kind::poly; });
+    bool has_values = false;
+    for (const property_column& c : grid_.columns) has_values = has_values || c.kind == element_kind::poly;
     if (num_cells && num_polygons && !has_values)
       in_.report->skipped.push_back(core::joined({num_polygons, " polygons: the faces of a volume are those of its cells, and these have no values"}));
     if (grid_.num_ghosts) in_.report->skipped.push_back(core::joined({grid_.num_ghosts, " ghost cells"}));
@@ -115,7 +116,7 @@ class vtk_mesh {
         if (in_.wanted.arity && n != in_.wanted.arity)
           places_.fail_at_cell(c, {name_of_poly(false, in_.wanted.arity), " (polygonmesh and load_any take any polygon)"}, {"a polygon of ", n, " corners"});
         const std::size_t first = s.verts.size();
-        s.verts.insert(s.verts.end(), v, v + n);
+        for (std::size_t i = 0; i < n; ++i) s.verts.push_back(v[i]);
         if (s.verts.size() > max_ids) core::throw_joined<unsupported>({in_.name, ": more than ", max_ids, " corners"});
         end_poly(s, arity, first);
         poly_cells_.push_back(static_cast<std::uint32_t>(c));
@@ -230,7 +231,8 @@ class vtk_mesh {
   /// Moves the values of verts, and copies those of cells to the polys and faces that the cells became. Values of faces only, or of polys only, have
   /// default values at the others in the file: they become no property of these.
   void set_columns_of_grid() {
-    for (const element_kind kind : {element_kind::vert, element_kind::poly, element_kind::face, element_kind::mesh})
+    constexpr element_kind kinds[] = {element_kind::vert, element_kind::poly, element_kind::face, element_kind::mesh};
+    for (const element_kind kind : kinds)
       for (property_column& c : grid_.columns) {
         const bool of_cells = kind == element_kind::poly || kind == element_kind::face;
         if (c.kind != (of_cells ? element_kind::poly : kind)) continue;
@@ -252,7 +254,9 @@ class vtk_mesh {
     const value_type& type = c.values->operations();
     const column defaults(type, 1);
     const auto* const values = static_cast<const unsigned char*>(c.values->data());
-    return std::any_of(cells.begin(), cells.end(), [&](std::uint32_t i) { return std::memcmp(values + i * type.size, defaults.data(), type.size) != 0; });
+    for (const std::uint32_t i : cells)
+      if (std::memcmp(values + i * type.size, defaults.data(), type.size) != 0) return true;
+    return false;
   }
   static bool is_identity(const std::vector<std::uint32_t>& cells) {
     for (std::size_t i = 0; i < cells.size(); ++i)

@@ -104,20 +104,24 @@ struct vtk_property_type {
   return {};
 }
 
+template<class T>
+void swap_bytes_of(unsigned char* p, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i, p += sizeof(T)) {
+    T x;
+    std::memcpy(&x, p, sizeof x);
+    if constexpr (sizeof(T) == 2) x = __builtin_bswap16(x);
+    else if constexpr (sizeof(T) == 4) x = __builtin_bswap32(x);
+    else x = __builtin_bswap64(x);
+    std::memcpy(p, &x, sizeof x);
+  }
+}
+
 /// Reverses the bytes of each of n numbers of `size` bytes: between big-endian and little-endian.
 inline void swap_bytes(void* numbers, std::size_t n, std::size_t size) {
-  auto* p = static_cast<unsigned char*>(numbers);
-  const auto swap_as = [&]<class T>(T, auto reversed) {
-    for (std::size_t i = 0; i < n; ++i, p += sizeof(T)) {
-      T x;
-      std::memcpy(&x, p, sizeof x);
-      x = reversed(x);
-      std::memcpy(p, &x, sizeof x);
-    }
-  };
-  if (size == 2) swap_as(std::uint16_t{}, [](std::uint16_t x) { return __builtin_bswap16(x); });
-  if (size == 4) swap_as(std::uint32_t{}, [](std::uint32_t x) { return __builtin_bswap32(x); });
-  if (size == 8) swap_as(std::uint64_t{}, [](std::uint64_t x) { return __builtin_bswap64(x); });
+  auto* const p = static_cast<unsigned char*>(numbers);
+  if (size == 2) swap_bytes_of<std::uint16_t>(p, n);
+  if (size == 4) swap_bytes_of<std::uint32_t>(p, n);
+  if (size == 8) swap_bytes_of<std::uint64_t>(p, n);
 }
 
 }  // namespace concino::detail

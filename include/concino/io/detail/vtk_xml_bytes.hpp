@@ -53,7 +53,9 @@ class vtk_xml_bytes : public vtk_cursor {
   }
 
   bool is_empty(const vtk_xml_array& a) const {
-    return a.format == "binary" && std::all_of(a.begin, a.end, [](char c) { return is_space(c); });
+    const char* p = a.begin;
+    while (p != a.end && is_space(*p)) ++p;
+    return a.format == "binary" && p == a.end;
   }
 
   /// Reads the sizes that precede the data of an array, and compares them with the size of the file.
@@ -144,7 +146,8 @@ class vtk_xml_bytes : public vtk_cursor {
     if (last > block_size_ || (blocks && block_size_ > ~std::uint64_t{0} / blocks)) fail_array(a, {"sizes of blocks"}, {block_size_, " and ", last});
     bytes_ = blocks ? block_size_ * (blocks - (last ? 1 : 0)) + last : 0;
     std::uint64_t sum = 0;
-    block_begins_.assign(1, 0);
+    block_begins_.clear();
+    block_begins_.push_back(0);
     for (std::uint64_t i = 0; i < blocks; ++i) {
       const std::uint64_t n = word(a);
       if (n > in_.text.size()) fail_array(a, {"blocks no larger than the file"}, {n, " bytes"});

@@ -6,7 +6,7 @@
 #include <concino/io/detail/vtk_xml_tags.hpp>
 #include <concino/mesh/limits.hpp>
 
-#include <algorithm>
+#include <cstring>
 
 namespace concino::detail {
 
@@ -21,9 +21,10 @@ class vtk_xml_cells : public vtk_xml_data {
 
   /// Null if there is none.
   const vtk_xml_array* find(std::size_t piece, vtk_xml_part part, std::string_view name) const {
-    auto e = std::partition_point(index_.entries.begin(), index_.entries.end(), [&](const vtk_xml_entry& x) { return x.piece < piece; });
-    for (; e != index_.entries.end() && e->piece == piece; ++e)
-      if (e->part == part && (name.empty() || e->array.name == name)) return &e->array;
+    for (std::size_t i = index_.pieces[piece].first_entry; i < index_.entries.size() && index_.entries[i].piece == piece; ++i) {
+      const vtk_xml_entry& e = index_.entries[i];
+      if (e.part == part && (name.empty() || e.array.name == name)) return &e.array;
+    }
     return nullptr;
   }
   const vtk_xml_array& need(std::size_t piece, vtk_xml_part part, std::string_view name) const {
@@ -100,7 +101,13 @@ class vtk_xml_cells : public vtk_xml_data {
     for (const std::uint32_t e : ends) grid_.cell_ends.push_back(before + e);
   }
 
-  [[gnu::noinline]] void polydata_cells(std::size_t p, unsigned list) {
+  /// Adds n cells without verts.
+  void empty_lists(std::size_t n) {
+    core::reserve_large(grid_.cell_ends, grid_.cell_ends.size() + n);
+    for (std::size_t i = 0; i < n; ++i) grid_.cell_ends.push_back(static_cast<std::uint32_t>(grid_.verts.size()));
+  }
+
+  [[gnu::noinline, gnu::cold]] void polydata_cells(std::size_t p, unsigned list) {
     const std::uint64_t n = index_.pieces[p].lists[list];
     if (n == 0) return;
     constexpr std::uint8_t types[] = {2, 4, 6, 7};
@@ -110,9 +117,11 @@ class vtk_xml_cells : public vtk_xml_data {
     if (!ends.empty() && ends.back() > 0) {
       lists(need(p, part, "connectivity"), p, ends);
     } else {
-      grid_.cell_ends.insert(grid_.cell_ends.end(), ends.size(), static_cast<std::uint32_t>(grid_.verts.size()));
+      empty_lists(ends.size());
     }
-    grid_.types.insert(grid_.types.end(), n, types[list]);
+    const std::size_t first = grid_.types.size();
+    grid_.types.resize(first + n);
+    std::memset(grid_.types.data() + first, types[list], n);
   }
 
   [[gnu::noinline]] void grid_cells(std::size_t p) {
@@ -131,7 +140,7 @@ class vtk_xml_cells : public vtk_xml_data {
     });
     const std::size_t first = grid_.verts.size();
     if (ends.back() > 0) lists(need(p, vtk_xml_part::cells, "connectivity"), p, ends);
-    else grid_.cell_ends.insert(grid_.cell_ends.end(), ends.size(), static_cast<std::uint32_t>(first));
+    else empty_lists(ends.size());
     if (any_polyhedron) polyhedra(p, first, ends);
   }
 

@@ -13,12 +13,12 @@ namespace concino::detail {
 class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
   load_report& report_;
   std::vector<std::uint32_t> kept_cells_;              // without ghosts; empty: all
-  std::vector<std::uint8_t> is_ghost_;
+  std::shared_ptr<detail::column> is_ghost_;                   // of each cell; null if the file does not say
 
  public:
   vtk_xml_reader(const read_context& in, vtk_grid& grid) : vtk_xml_cells(in, grid), report_(*in.report) {}
 
-  [[gnu::noinline]] void read() {
+  [[gnu::noinline, gnu::cold]] void read() {
     vtk_xml_tags(in_, index_).read();
     encoding_ = index_.encoding;
     for (std::size_t p = 0; p < index_.pieces.size(); ++p) {
@@ -37,16 +37,19 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
   }
 
   [[noreturn, gnu::noinline, gnu::cold]] void fail_at_cell(std::size_t cell, core::message expected, core::message found) override {
-    const auto [p, k] = piece_of(cell);
-    fail(index_.pieces[p].at, expected, {core::joined(found), " in cell ", k, " of the piece"});
+    const place_in_piece x = piece_of(cell);
+    fail(index_.pieces[x.piece].at, expected, {core::joined(found), " in cell ", x.cell, " of the piece"});
   }
   [[gnu::noinline, gnu::cold]] std::string place_of_cell(std::size_t cell) override {
-    const auto [p, k] = piece_of(cell);
-    return core::joined({"position ", k, " of the piece on line ", line_of(index_.pieces[p].at)});
+    const place_in_piece x = piece_of(cell);
+    return core::joined({"position ", x.cell, " of the piece on line ", line_of(index_.pieces[x.piece].at)});
   }
 
  private:
-  std::pair<std::size_t, std::size_t> piece_of(std::size_t cell) const {
+  struct place_in_piece {
+    std::size_t piece, cell;
+  };
+  place_in_piece piece_of(std::size_t cell) const {
     if (!kept_cells_.empty()) cell = kept_cells_[cell];
     std::size_t p = 0;
     while (p + 1 < index_.pieces.size() && cell >= first_cell_[p + 1]) ++p;
@@ -54,7 +57,7 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
   }
 
   /// Reads the arrays that all pieces have. The arrays of one name become a list.
-  [[gnu::noinline]] void columns() {
+  [[gnu::noinline, gnu::cold]] void columns() {
     name_table names;
     std::vector<std::uint32_t> first, last;
     for (std::size_t i = 0; i < index_.entries.size(); ++i) {
@@ -79,7 +82,7 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
         {"array \"", array_name, "\": properties have one value for each element, in all pieces, of 1, 2, 3, 4, 6 or 9 numbers, and it has ", components}));
   }
 
-  [[gnu::noinline]] void column(const vtk_xml_entry& start) {
+  [[gnu::noinline, gnu::cold]] void column(const vtk_xml_entry& start) {
     const vtk_xml_part part = start.part;
     const std::string& array_name = start.array.name;
     const element_kind kind = part == vtk_xml_part::of_points ? element_kind::vert : part == vtk_xml_part::of_cells ? element_kind::poly : element_kind::mesh;
@@ -102,15 +105,15 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
     if (!fits || num_values != total) return skip_column(array_name, one.components);
     for (const vtk_xml_entry* e = &start; e; e = next(e)) require_numbers(e->array, count(e->piece) * one.components);
     if (property != array_name) report_.notes.push_back(core::joined({"the array \"", array_name, "\" is the property \"", property, "\""}));
-    auto values = std::make_shared<detail::column>(*type, total);
+    const std::shared_ptr<detail::column> values = make_column(*type, total);
     auto* to = static_cast<unsigned char*>(values->data());
     for (const vtk_xml_entry* e = &start; e; e = next(e)) {
       read_column(e->array, count(e->piece) * one.components, as_doubles, to);
       to += count(e->piece) * type->size;
     }
     const bool is_ghost_array = array_name == "vtkGhostType" && one.type == vtk_number::uint8 && one.components == 1;
-    if (!is_ghost_array) grid_.columns.push_back({kind, property, std::move(values)});
-    else if (kind == element_kind::poly) is_ghost_.assign(static_cast<const std::uint8_t*>(values->data()), static_cast<const std::uint8_t*>(values->data()) + total);
+    if (!is_ghost_array) grid_.columns.push_back({kind, property, values});
+    else if (kind == element_kind::poly) is_ghost_ = values;
   }
   void read_column(const vtk_xml_array& a, std::uint64_t n, bool as_doubles, unsigned char* to) {
     if (!as_doubles || a.type == vtk_number::float64) return read_array(a, n, to);
@@ -127,7 +130,8 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
     std::vector<std::uint32_t> number(n), kept, table(std::bit_ceil(2 * n + 1), ~0u);
     const auto slot_of = [&](const vec3& x) {
       std::uint64_t h = 0;
-      for (const double part : {x.x + 0.0, x.y + 0.0, x.z + 0.0}) {
+      const double parts[] = {x.x + 0.0, x.y + 0.0, x.z + 0.0};
+      for (const double part : parts) {
         h = (h ^ std::bit_cast<std::uint64_t>(part)) * 0x9e3779b97f4a7c15u;
         h ^= h >> 29;
       }
@@ -194,12 +198,14 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
     constexpr unsigned duplicate = 1, hidden = 32;
     std::size_t verts = 0;
     std::vector<std::uint32_t> kept;
-    for (std::size_t c = 0; c < is_ghost_.size(); ++c)
-      if ((is_ghost_[c] & (duplicate | hidden)) == 0) kept.push_back(static_cast<std::uint32_t>(c));
-    if (is_ghost_.empty() || kept.size() == grid_.size()) return;
+    if (!is_ghost_) return;
+    const auto* const is_ghost = static_cast<const std::uint8_t*>(is_ghost_->data());
+    for (std::size_t c = 0; c < is_ghost_->size(); ++c)
+      if ((is_ghost[c] & (duplicate | hidden)) == 0) kept.push_back(static_cast<std::uint32_t>(c));
+    if (kept.size() == grid_.size()) return;
     grid_.num_ghosts = grid_.size() - kept.size();
     std::size_t first = 0;
-    for (std::size_t c = 0, k = 0; c < is_ghost_.size(); ++c) {
+    for (std::size_t c = 0, k = 0; c < is_ghost_->size(); ++c) {
       const std::size_t end = grid_.cell_ends[c];
       if (k < kept.size() && kept[k] == c) {
         for (std::size_t i = first; i < end; ++i) grid_.verts[verts++] = grid_.verts[i];

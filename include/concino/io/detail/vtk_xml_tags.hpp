@@ -4,8 +4,6 @@
 #include <concino/io/detail/vtk_xml_data.hpp>
 #include <concino/io/detail/xml_scanner.hpp>
 
-#include <charconv>
-
 namespace concino::detail {
 
 /// The parts of a piece. The order of lists of cells is that of their values.
@@ -15,6 +13,7 @@ struct vtk_xml_piece {
   const char* at = nullptr;
   std::uint64_t points = 0, cells = 0;   // of an UnstructuredGrid
   std::uint64_t lists[4] = {};           // of PolyData: the numbers of verts, lines, strips, polys
+  std::size_t first_entry = 0;           // of its arrays
 };
 
 /// An array, and where it belongs.
@@ -37,7 +36,7 @@ struct vtk_xml_index {
 
 class vtk_xml_tags : xml_scanner {
   vtk_xml_index& index_;
-  std::vector<std::string_view> open_;  // names of elements
+  std::vector<std::uint64_t> open_;  // the elements around the next tag: where the name of each begins in the text, and its size
   vtk_xml_part part_ = vtk_xml_part::none;
   bool in_grid_ = false;
 
@@ -48,44 +47,56 @@ class vtk_xml_tags : xml_scanner {
     xml_tag tag;
     if (!next(tag) || tag.name != "VTKFile" || !tag.begins) fail(tag.at ? tag.at : at, "<VTKFile>");
     file(tag);
-    open_.push_back(tag.name);
+    open(tag.name);
     while (!open_.empty() && next(tag)) {
       if (tag.begins) {
         if (tag.name == "AppendedData") return appended(tag);
         begin(tag);
-        if (!tag.ends) open_.push_back(tag.name);
-      } else if (open_.back() != tag.name) {
-        fail(tag.at, {"</", open_.back(), ">"}, {"</", tag.name.substr(0, 40), ">"});
+        if (!tag.ends) open(tag.name);
+      } else if (last_open() != tag.name) {
+        fail(tag.at, {"</", last_open(), ">"}, {"</", tag.name.substr(0, 40), ">"});
       } else {
-        open_.pop_back();
+        open_.pop_back(), open_.pop_back();
         if (part_of(tag.name) != vtk_xml_part::none) part_ = vtk_xml_part::none;
       }
     }
-    if (!open_.empty()) fail(end(), {"</", open_.back().substr(0, 40), ">"}, {"the end of the file"});
+    if (!open_.empty()) fail(end(), {"</", last_open().substr(0, 40), ">"}, {"the end of the file"});
     if (!in_grid_) fail(end(), "<UnstructuredGrid> or <PolyData>");
   }
 
  private:
-  [[gnu::noinline]] std::string text_of(const xml_tag& tag, std::string_view name) const {
+  void open(std::string_view element) {
+    open_.push_back(static_cast<std::uint64_t>(element.data() - text_cursor::begin()));
+    open_.push_back(element.size());
+  }
+  std::string_view last_open() const { return {text_cursor::begin() + open_[open_.size() - 2], open_.back()}; }
+
+  [[gnu::noinline, gnu::cold]] std::string text_of(const xml_tag& tag, std::string_view name) const {
     std::string value;
     attribute(tag, name, value);
     return value;
   }
-  [[gnu::noinline]] std::uint64_t number_of(const xml_tag& tag, std::string_view name, std::uint64_t otherwise) const {
+  [[gnu::noinline, gnu::cold]] std::uint64_t number_of(const xml_tag& tag, std::string_view name, std::uint64_t otherwise) const {
     std::string value;
     if (!attribute(tag, name, value)) return otherwise;
     std::uint64_t n = 0;
     const char* first = value.data();
     const char* const last = first + value.size();
     while (first != last && is_space(*first)) ++first;
-    const auto r = std::from_chars(first, last, n);
-    const char* rest = r.ptr;
+    const char* rest = first;
+    bool fits = true;
+    for (; rest != last && is_digit(*rest); ++rest) {
+      const auto digit = static_cast<std::uint64_t>(*rest - '0');
+      fits = fits && n <= (~std::uint64_t{0} - digit) / 10;
+      n = 10 * n + digit;
+    }
+    fits = fits && rest != first;
     while (rest != last && is_space(*rest)) ++rest;
-    if (r.ec != std::errc() || rest != last) fail(tag.at, {name, ", a number"}, {"'", std::string_view(value).substr(0, 40), "'"});
+    if (!fits || rest != last) fail(tag.at, {name, ", a number"}, {"'", std::string_view(value).substr(0, 40), "'"});
     return n;
   }
 
-  void file(const xml_tag& tag) {
+  [[gnu::noinline, gnu::cold]] void file(const xml_tag& tag) {
     const std::string type = text_of(tag, "type"), order = text_of(tag, "byte_order"), header = text_of(tag, "header_type"), compressor = text_of(tag, "compressor");
     index_.is_polydata = type == "PolyData";
     if (!index_.is_polydata && type != "UnstructuredGrid")
@@ -107,13 +118,14 @@ class vtk_xml_tags : xml_scanner {
     return vtk_xml_part::none;
   }
 
-  [[gnu::noinline]] void begin(const xml_tag& tag) {
+  [[gnu::noinline, gnu::cold]] void begin(const xml_tag& tag) {
     if (tag.name == (index_.is_polydata ? "PolyData" : "UnstructuredGrid")) {
       in_grid_ = true;
     } else if (tag.name == "Piece") {
       if (!in_grid_) fail(tag.at, "<UnstructuredGrid> or <PolyData> before a piece");
       vtk_xml_piece piece;
       piece.at = tag.at;
+      piece.first_entry = index_.entries.size();
       piece.points = number_of(tag, "NumberOfPoints", 0);
       piece.cells = number_of(tag, "NumberOfCells", 0);
       constexpr std::string_view lists[] = {"NumberOfVerts", "NumberOfLines", "NumberOfStrips", "NumberOfPolys"};
@@ -131,7 +143,7 @@ class vtk_xml_tags : xml_scanner {
     }
   }
 
-  void array(const xml_tag& tag) {
+  [[gnu::noinline, gnu::cold]] void array(const xml_tag& tag) {
     vtk_xml_array a;
     a.at = tag.at;
     a.name = text_of(tag, "Name");
@@ -144,7 +156,8 @@ class vtk_xml_tags : xml_scanner {
     if (a.type == vtk_number::none) fail(tag.at, {"a type of numbers, such as Float64 or Int32"}, {"'", std::string_view(type).substr(0, 40), "'"});
     a.components = std::max<std::uint64_t>(1, number_of(tag, "NumberOfComponents", 1));
     a.tuples = number_of(tag, "NumberOfTuples", 1);
-    for (const std::string_view known : {"ascii", "binary", "appended"})
+    constexpr std::string_view formats[] = {"ascii", "binary", "appended"};
+    for (const std::string_view known : formats)
       if (format == known) a.format = known;
     if (a.format.empty()) fail(tag.at, {"format ascii, binary or appended"}, {"'", std::string_view(format).substr(0, 40), "'"});
     if (a.format == "appended") a.offset = number_of(tag, "offset", ~std::uint64_t{0});
@@ -158,7 +171,7 @@ class vtk_xml_tags : xml_scanner {
   }
 
   /// The rest of the file is data.
-  void appended(const xml_tag& tag) {
+  [[gnu::noinline, gnu::cold]] void appended(const xml_tag& tag) {
     const std::string encoding = text_of(tag, "encoding");
     if (encoding != "raw" && encoding != "base64") fail(tag.at, {"encoding raw or base64"}, {"'", std::string_view(encoding).substr(0, 40), "'"});
     skip_space();
