@@ -1,7 +1,8 @@
 // Prints what docs/ says about concepts and algorithms, found by asking the compiler: `verbs` and `algorithms` are tables, `lattice` is a graph for dot.
-// `convergence ...` is a table of errors, from the file that docs/convergence writes.
+// `metrics` is the table of quality metrics; `convergence ...` is a table of errors, from the file that docs/convergence writes.
 #include "../convergence/tables.hpp"
 #include "lacking.hpp"
+#include "metrics.hpp"
 
 #include <concino/concepts/archetypes.hpp>
 #include <concino/convert.hpp>
@@ -10,6 +11,7 @@
 #include <concino/graph.hpp>
 #include <concino/mesh.hpp>
 #include <concino/operators.hpp>
+#include <concino/quality.hpp>
 #include <concino/validate.hpp>
 
 #include <fmt/core.h>
@@ -160,6 +162,7 @@ void print_algorithms() {
   ALGORITHM("measure(m, poly)", cn::measure(m, p));
   ALGORITHM("total_measure(m)", cn::total_measure(m));
   ALGORITHM("centroid(m, poly)", cn::centroid(m, p));
+  ALGORITHM("quality(m, metric)", cn::quality(m, cn::metric::mean_ratio));
   ALGORITHM("laplacian(m)", cn::laplacian(m));
   ALGORITHM("laplacian(m, uniform)", cn::laplacian(m, cn::uniform));
   ALGORITHM("mass_matrix(m)", cn::mass_matrix(m));
@@ -204,6 +207,7 @@ int main(int argc, char** argv) {
   if (what == "verbs") print_verbs();
   else if (what == "algorithms") print_algorithms();
   else if (what == "lattice") print_lattice();
+  else if (what == "metrics") metrics::print_metrics();
   else if (what.starts_with("convergence ")) return convergence::print_table(what.substr(12)) ? 0 : 1;
   else return 1;
 }

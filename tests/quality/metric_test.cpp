@@ -164,7 +164,7 @@ TEST_CASE("metric: regular shapes have the ideal values, and no other shape has 
       const double value = cn::quality(r.shape, r.points, what, 0.5);
       if (!std::isnan(limits.ideal)) {
         CHECK(value == doctest::Approx(limits.ideal).epsilon(1e-12));
-        CHECK((limits.acceptable.low - 1e-12 <= value && value <= limits.acceptable.high + 1e-12));
+        CHECK(cn::is_acceptable(what, r.shape, value));
       }
       for (const double by : {0.01, 0.1, 0.4, 2.0})
         for (unsigned k = 0; k < 10; ++k) {
@@ -271,6 +271,10 @@ TEST_CASE("metric: names, limits and errors") {
   CHECK(cn::is_worse(metric::shape, std::nan(""), -inf));
   CHECK_FALSE(cn::is_worse(metric::shape, -inf, std::nan("")));
   CHECK_FALSE(cn::is_worse(metric::shape, std::nan(""), std::nan("")));
+  CHECK(cn::is_acceptable(metric::edge_ratio, poly_shape::tet, 3));
+  CHECK_FALSE(cn::is_acceptable(metric::edge_ratio, poly_shape::tet, 3.01));
+  CHECK_FALSE(cn::is_acceptable(metric::shape, poly_shape::tet, std::nan("")));
+  CHECK_THROWS_AS(cn::is_acceptable(metric::oddy, poly_shape::tet, 1), cn::unsupported);
   // all metrics of the manual
   const auto count = [](poly_shape shape) {
     int n = 0;

@@ -22,7 +22,7 @@ struct quality_histogram {
   std::vector<std::size_t> counts;  // per bin
   std::size_t below = 0, above = 0;  // values less than low and greater than high, infinite ones among them
   std::size_t undefined = 0;        // NaN: polys with points that are not finite
-  std::size_t unacceptable = 0;     // values outside limits_of(what, shape of the poly).acceptable, and NaN. These are counted above too
+  std::size_t unacceptable = 0;     // values that are not is_acceptable(what, shape of the poly, value), NaN among them. They are counted above too
   double min_value = 0, max_value = 0;  // of the finite values; 0 if there are none
   double mean = 0;                  // likewise
 

@@ -83,6 +83,11 @@ bool is_defined(metric what, poly_shape shape);
 /// Source: Stimpson, Ernst, Knupp, Pebay and Thompson 2007, "The Verdict geometric quality library", SAND2007-1751.
 metric_limits limits_of(metric what, poly_shape shape);
 
+/// Whether a value is acceptable: not worse than all of limits_of(what, shape).acceptable. The better end of that range is the ideal value, which rounding
+/// errors may exceed.
+/// Needs:  a metric that is defined for the shape.      Result: no for NaN.      Cost: O(1).      Errors: unsupported if it is not defined.
+bool is_acceptable(metric what, poly_shape shape, double value);
+
 /// Whether larger values of a metric are worse, as for aspect_ratio; else smaller ones are, as for scaled_jacobian, area and volume.
 /// Needs:  nothing.      Result: the same for all shapes.      Cost: O(1).      Errors: none.
 bool larger_is_worse(metric what);

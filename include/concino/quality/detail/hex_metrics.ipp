@@ -26,7 +26,7 @@ struct hex_metrics {
     double oddy() const {
       const double uu = dot(u, u), vv = dot(v, v), ww = dot(w, w), uv = dot(u, v), vw = dot(v, w), wu = dot(w, u);
       const double tensor = uu * uu + vv * vv + ww * ww + 2 * (uv * uv + vw * vw + wu * wu), trace = uu + vv + ww, det = determinant();
-      return det > 0 ? std::max(0.0, tensor - trace * trace / 3) / (det * std::cbrt(det)) : infinite;
+      return det > 0 ? std::max(0.0, tensor - trace * trace / 3) / (det * std::cbrt(det)) : no_limit;
     }
   };
   static constexpr unsigned edges[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
@@ -60,7 +60,7 @@ struct hex_metrics {
     return q;
   }
   double shortest_edge() const {
-    double q = infinite;
+    double q = no_limit;
     for (const auto& e : edges) q = std::min(q, length_of(p[e[1]] - p[e[0]]));
     return q;
   }
@@ -102,7 +102,7 @@ struct hex_metrics {
     const double v = volume();
     if (v == 0) return 0;
     const double near = (1 + 1 / std::numbers::sqrt3) / 4, far = (1 - 1 / std::numbers::sqrt3) / 4;
-    double q = infinite;
+    double q = no_limit;
     for (unsigned i = 0; i < 8; ++i) {
       q = std::min(q, corner(i).determinant() / v);
       // Derivatives along an axis at the Gauss point nearest to vert i: means of the 4 edges along it, by their distances.
@@ -140,7 +140,7 @@ struct hex_metrics {
   double nodal_jacobian_ratio() const {
     const auto det = [](const frame& f) { return f.determinant(); };
     const double largest = largest_at_corners(det);
-    return largest > 0 ? smallest_at_corners(det) / largest : -infinite;
+    return largest > 0 ? smallest_at_corners(det) / largest : -no_limit;
   }
   double oddy() const { return std::max(largest_at_corners([](const frame& f) { return f.oddy(); }), axes().oddy()); }
   double relative_size_squared() const { return squared_relative_size(volume(), mean_size); }
@@ -153,7 +153,7 @@ struct hex_metrics {
   double skew() const {
     const frame f = axes();
     const double x = length_of(f.u), y = length_of(f.v), z = length_of(f.w);
-    if (!(std::min({x, y, z}) > 0)) return infinite;
+    if (!(std::min({x, y, z}) > 0)) return no_limit;
     return std::min(1.0, std::max({std::abs(dot(f.u, f.v)) / (x * y), std::abs(dot(f.u, f.w)) / (x * z), std::abs(dot(f.v, f.w)) / (y * z)}));
   }
   double stretch() const {
@@ -175,26 +175,26 @@ CONCINO_INLINE std::span<const metric_row> hex_rows() {
   static constexpr metric_row rows[] = {
       {metric::condition, metric_of<h, &h::max_aspect_frobenius>, ratio_to(3)},  // another name
       {metric::diagonal, metric_of<h, &h::diagonal>, part_from(0.65)},
-      {metric::dimension, metric_of<h, &h::dimension>, {{0, infinite}, {0, infinite}, std::numbers::inv_sqrt3, 1}},
-      {metric::distortion, metric_of<h, &h::distortion>, {{0.5, 1}, {-infinite, infinite}, 1, 0}},
-      {metric::edge_ratio, metric_of<h, &h::edge_ratio>, ratio_to(infinite)},
+      {metric::dimension, metric_of<h, &h::dimension>, {{0, no_limit}, {0, no_limit}, std::numbers::inv_sqrt3, 1}},
+      {metric::distortion, metric_of<h, &h::distortion>, {{0.5, 1}, {-no_limit, no_limit}, 1, 0}},
+      {metric::edge_ratio, metric_of<h, &h::edge_ratio>, ratio_to(no_limit)},
       {metric::equiangle_skew, metric_of<h, &h::equiangle_skew>, deviation_to(0.5, 1)},
       {metric::jacobian, metric_of<h, &h::jacobian>, size_of(1, 3)},
       {metric::max_aspect_frobenius, metric_of<h, &h::max_aspect_frobenius>, ratio_to(3)},
       {metric::max_edge_ratio, metric_of<h, &h::max_edge_ratio>, ratio_to(1.3)},
       {metric::mean_ratio, metric_of<h, &h::mean_ratio>, signed_part_from(0.3)},
       {metric::med_aspect_frobenius, metric_of<h, &h::med_aspect_frobenius>, ratio_to(3)},
-      {metric::nodal_jacobian_ratio, metric_of<h, &h::nodal_jacobian_ratio>, {{0, 1}, {-infinite, 1}, 1, 0}},
-      {metric::oddy, metric_of<h, &h::oddy>, deviation_to(0.5, infinite)},
+      {metric::nodal_jacobian_ratio, metric_of<h, &h::nodal_jacobian_ratio>, {{0, 1}, {-no_limit, 1}, 1, 0}},
+      {metric::oddy, metric_of<h, &h::oddy>, deviation_to(0.5, no_limit)},
       {metric::relative_size_squared, metric_of<h, &h::relative_size_squared>, relative_from(0.5)},
       {metric::scaled_jacobian, metric_of<h, &h::scaled_jacobian>, signed_part_from(0.5)},
       {metric::shape, metric_of<h, &h::shape>, part_from(0.3)},
       {metric::shape_and_size, metric_of<h, &h::shape_and_size>, relative_from(0.2)},
       {metric::shear, metric_of<h, &h::shear>, part_from(0.3)},
       {metric::shear_and_size, metric_of<h, &h::shear_and_size>, relative_from(0.2)},
-      {metric::skew, metric_of<h, &h::skew>, deviation_to(0.5, infinite)},
-      {metric::stretch, metric_of<h, &h::stretch>, {{0.25, 1}, {0, infinite}, 1, 0}},
-      {metric::taper, metric_of<h, &h::taper>, deviation_to(0.5, infinite)},
+      {metric::skew, metric_of<h, &h::skew>, deviation_to(0.5, no_limit)},
+      {metric::stretch, metric_of<h, &h::stretch>, {{0.25, 1}, {0, no_limit}, 1, 0}},
+      {metric::taper, metric_of<h, &h::taper>, deviation_to(0.5, no_limit)},
       {metric::volume, metric_of<h, &h::volume>, size_of(1, 3)},
   };
   return rows;

@@ -14,13 +14,14 @@ CONCINO_INLINE quality_histogram histogram_of(metric what, const std::vector<sha
     core::throw_joined<invalid_argument>({"histogram: low and high must be finite, or NaN for those of the values, and low not greater than high"});
   quality_histogram h;
   h.counts.assign(options.bins, 0);
-  h.min_value = infinite, h.max_value = -infinite;
+  h.min_value = no_limit, h.max_value = -no_limit;
+  const bool larger = larger_is_worse(what);
   value_range acceptable[num_poly_shapes];
   for (std::size_t i = 0; i < num_poly_shapes; ++i)
     if (const metric_row* const row = find_row(what, static_cast<poly_shape>(i))) acceptable[i] = row->limits.acceptable;
   std::size_t num_finite = 0;
   for (const shaped_value& x : values) {
-    if (!acceptable[static_cast<unsigned>(x.shape)].contains(x.value)) ++h.unacceptable;
+    if (!is_acceptable_in(acceptable[static_cast<unsigned>(x.shape)], larger, x.value)) ++h.unacceptable;
     if (!std::isfinite(x.value)) continue;
     h.min_value = std::min(h.min_value, x.value), h.max_value = std::max(h.max_value, x.value);
     h.mean += (x.value - h.mean) / static_cast<double>(++num_finite);

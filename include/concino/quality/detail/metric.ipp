@@ -108,6 +108,10 @@ CONCINO_INLINE metric_limits limits_of(metric what, poly_shape shape) {
   return row->limits;
 }
 
+CONCINO_INLINE bool is_acceptable(metric what, poly_shape shape, double value) {
+  return detail::is_acceptable_in(limits_of(what, shape).acceptable, larger_is_worse(what), value);
+}
+
 CONCINO_INLINE bool larger_is_worse(metric what) {
   switch (what) {
     case metric::aspect_beta:

@@ -45,19 +45,19 @@ void metric_of(const poly_geometry& all, std::size_t n, double* values) {
 /// The length of a vector that is not so short or long that its square has fewer digits.
 inline double length_of(const vec3& x) { return std::sqrt(dot(x, x)); }
 
-inline constexpr double infinite = std::numeric_limits<double>::infinity();
+inline constexpr double no_limit = std::numeric_limits<double>::infinity();
 inline constexpr double no_ideal = std::numeric_limits<double>::quiet_NaN();
 
 // Limits that many metrics share: ratios that are at least 1, parts of 1, measures.
-constexpr metric_limits ratio_to(double acceptable) { return {{1, acceptable}, {1, infinite}, 1, 0}; }
+constexpr metric_limits ratio_to(double acceptable) { return {{1, acceptable}, {1, no_limit}, 1, 0}; }
 constexpr metric_limits part_from(double acceptable) { return {{acceptable, 1}, {0, 1}, 1, 0}; }
 constexpr metric_limits signed_part_from(double acceptable) { return {{acceptable, 1}, {-1, 1}, 1, 0}; }
 constexpr metric_limits relative_from(double acceptable) { return {{acceptable, 1}, {0, 1}, no_ideal, 0}; }
 constexpr metric_limits deviation_to(double acceptable, double full) { return {{0, acceptable}, {0, full}, 0, 0}; }
-constexpr metric_limits size_of(double ideal, unsigned length_power) { return {{0, infinite}, {-infinite, infinite}, ideal, length_power}; }
+constexpr metric_limits size_of(double ideal, unsigned length_power) { return {{0, no_limit}, {-no_limit, no_limit}, ideal, length_power}; }
 
 /// a / b, or infinity if b is not positive: for metrics that are at least 0 and worse if larger.
-inline double ratio_or_infinite(double a, double b) { return b > 0 ? a / b : infinite; }
+inline double ratio_or_infinite(double a, double b) { return b > 0 ? a / b : no_limit; }
 /// a / b, or 0 if b is not positive: for metrics that are worse if smaller.
 inline double ratio_or_zero(double a, double b) { return b > 0 ? a / b : 0; }
 inline double in_degrees(double radians) { return radians * (180 / std::numbers::pi); }
@@ -81,6 +81,9 @@ std::span<const metric_row> tet_rows();
 std::span<const metric_row> hex_rows();
 std::span<const metric_row> polygon_rows();     // of all polygons; triangles and quads have rows of their own besides
 std::span<const metric_row> polyhedron_rows();  // of all volume cells; tets and hexes have rows of their own besides
+
+/// Whether a value is not worse than all of a range.
+inline bool is_acceptable_in(const value_range& range, bool larger_values_are_worse, double value) { return larger_values_are_worse ? value <= range.high : value >= range.low; }
 
 /// The row of a metric, or null if it is not defined for the shape.
 const metric_row* find_row(metric what, poly_shape shape);

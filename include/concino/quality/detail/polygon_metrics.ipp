@@ -38,7 +38,7 @@ struct polygon_metrics {
     }
   }
   template<class F> value_range range_at_corners(const F& f) const {
-    value_range r{infinite, -infinite};
+    value_range r{no_limit, -no_limit};
     for_each_corner([&](const corner& c) {
       const double q = f(c);
       r.low = std::min(r.low, q), r.high = std::max(r.high, q);
@@ -87,7 +87,7 @@ CONCINO_INLINE std::span<const metric_row> polygon_rows() {
   static constexpr metric_row rows[] = {
       {metric::area, metric_of<s, &s::area>, size_of(no_ideal, 2)},
       {metric::edge_ratio, metric_of<s, &s::edge_ratio>, ratio_to(3)},
-      {metric::equiangle_skew, metric_of<s, &s::equiangle_skew>, deviation_to(0.5, infinite)},
+      {metric::equiangle_skew, metric_of<s, &s::equiangle_skew>, deviation_to(0.5, no_limit)},
       {metric::maximum_angle, metric_of<s, &s::maximum_angle>, {{0, 170}, {0, 360}, no_ideal, 0}},
       {metric::mean_ratio, metric_of<s, &s::mean_ratio>, signed_part_from(0.3)},
       {metric::minimum_angle, metric_of<s, &s::minimum_angle>, {{45, 180}, {0, 360}, no_ideal, 0}},

@@ -63,7 +63,7 @@ struct polyhedron_metrics {
     return std::max(-1.0, q);
   }
   value_range squared_lengths() const {
-    value_range r{infinite, 0};
+    value_range r{no_limit, 0};
     for (std::size_t k = 0; k < num_faces(); ++k) {
       const auto loop = face(k);
       for (std::size_t i = 0; i < loop.size(); ++i) {

@@ -46,7 +46,7 @@ struct quad_metrics {
     const double near = (1 + 1 / std::numbers::sqrt3) / 2, far = 1 - near;
     const vec3 centre = cross(axis(0), axis(1));
     vec3 n[4];
-    double q = infinite, area = 0;
+    double q = no_limit, area = 0;
     bool flat = true;
     for (unsigned i = 0; i < 4; ++i) {
       n[i] = corner_normal(i);
@@ -136,7 +136,7 @@ struct quad_metrics {
     for (unsigned i = 0; i < 4; ++i) {
       n[i] = corner_normal(i);
       const double length = length_of(n[i]);
-      if (length == 0) return infinite;
+      if (length == 0) return no_limit;
       n[i] /= length;
     }
     const double cosine = std::min(dot(n[0], n[2]), dot(n[1], n[3]));
@@ -150,9 +150,9 @@ CONCINO_INLINE std::span<const metric_row> quad_rows() {
       {metric::area, metric_of<q, &q::area>, size_of(1, 2)},
       {metric::aspect_ratio, metric_of<q, &q::aspect_ratio>, ratio_to(1.3)},
       {metric::condition, metric_of<q, &q::condition>, ratio_to(4)},
-      {metric::distortion, metric_of<q, &q::distortion>, {{0.5, 1}, {-infinite, infinite}, 1, 0}},
+      {metric::distortion, metric_of<q, &q::distortion>, {{0.5, 1}, {-no_limit, no_limit}, 1, 0}},
       {metric::edge_ratio, metric_of<q, &q::edge_ratio>, ratio_to(1.3)},
-      {metric::equiangle_skew, metric_of<q, &q::equiangle_skew>, deviation_to(0.5, infinite)},
+      {metric::equiangle_skew, metric_of<q, &q::equiangle_skew>, deviation_to(0.5, no_limit)},
       {metric::jacobian, metric_of<q, &q::jacobian>, size_of(1, 2)},
       {metric::max_aspect_frobenius, metric_of<q, &q::max_aspect_frobenius>, ratio_to(1.3)},
       {metric::max_edge_ratio, metric_of<q, &q::max_edge_ratio>, ratio_to(1.3)},
@@ -160,7 +160,7 @@ CONCINO_INLINE std::span<const metric_row> quad_rows() {
       {metric::mean_ratio, metric_of<q, &q::mean_ratio>, signed_part_from(0.3)},
       {metric::med_aspect_frobenius, metric_of<q, &q::med_aspect_frobenius>, ratio_to(1.3)},
       {metric::minimum_angle, metric_of<q, &q::minimum_angle>, {{45, 90}, {0, 360}, 90, 0}},
-      {metric::oddy, metric_of<q, &q::oddy>, deviation_to(0.5, infinite)},
+      {metric::oddy, metric_of<q, &q::oddy>, deviation_to(0.5, no_limit)},
       {metric::radius_ratio, metric_of<q, &q::radius_ratio>, ratio_to(1.3)},
       {metric::relative_size_squared, metric_of<q, &q::relative_size_squared>, relative_from(0.3)},
       {metric::scaled_jacobian, metric_of<q, &q::scaled_jacobian>, signed_part_from(0.3)},
@@ -169,9 +169,9 @@ CONCINO_INLINE std::span<const metric_row> quad_rows() {
       {metric::shear, metric_of<q, &q::shear>, part_from(0.3)},
       {metric::shear_and_size, metric_of<q, &q::shear_and_size>, relative_from(0.2)},
       {metric::skew, metric_of<q, &q::skew>, deviation_to(0.5, 1)},
-      {metric::stretch, metric_of<q, &q::stretch>, {{0.25, 1}, {0, infinite}, 1, 0}},
-      {metric::taper, metric_of<q, &q::taper>, deviation_to(0.7, infinite)},
-      {metric::warpage, metric_of<q, &q::warpage>, deviation_to(0.7, infinite)},
+      {metric::stretch, metric_of<q, &q::stretch>, {{0.25, 1}, {0, no_limit}, 1, 0}},
+      {metric::taper, metric_of<q, &q::taper>, deviation_to(0.7, no_limit)},
+      {metric::warpage, metric_of<q, &q::warpage>, deviation_to(0.7, no_limit)},
   };
   return rows;
 }

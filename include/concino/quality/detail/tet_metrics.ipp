@@ -36,11 +36,11 @@ struct tet_metrics {
   double aspect_ratio() const { return ratio_or_infinite(largest(lengths()) * surface(), std::sqrt(6.0) * std::abs(jacobian())); }
   double circumradius() const { return length_of(squared(3) * cross(edge[2], edge[0]) + squared(2) * cross(edge[3], edge[0]) + squared(0) * cross(edge[3], edge[2])) / (2 * std::abs(jacobian())); }
   double inradius() const { return std::abs(jacobian()) / (2 * surface()); }
-  double radius_ratio() const { return jacobian() != 0 ? circumradius() / (3 * inradius()) : infinite; }
-  double aspect_beta() const { return jacobian() > 0 ? radius_ratio() : infinite; }
+  double radius_ratio() const { return jacobian() != 0 ? circumradius() / (3 * inradius()) : no_limit; }
+  double aspect_beta() const { return jacobian() > 0 ? radius_ratio() : no_limit; }
   double normalized_inradius() const {
     const double r = radius_ratio();
-    return r == infinite ? 0 : std::copysign(1 / r, jacobian());
+    return r == no_limit ? 0 : std::copysign(1 / r, jacobian());
   }
   double collapse_ratio() const {
     static constexpr unsigned face_edges[4][3] = {{1, 4, 5}, {2, 3, 5}, {0, 3, 4}, {0, 1, 2}};  // opposite the verts
@@ -85,7 +85,7 @@ struct tet_metrics {
     return std::max(skew_of_angles(low, high, 60), skew_of_angles(smallest(dihedral), largest(dihedral), in_degrees(std::acos(1.0 / 3))));
   }
   double equivolume_skew() const {
-    if (jacobian() == 0) return infinite;
+    if (jacobian() == 0) return no_limit;
     const double length = circumradius() * std::sqrt(8.0 / 3);
     return 1 - volume() * 6 * std::numbers::sqrt2 / (length * length * length);
   }
@@ -111,12 +111,12 @@ CONCINO_INLINE std::span<const metric_row> tet_rows() {
       {metric::aspect_frobenius, metric_of<t, &t::aspect_frobenius>, ratio_to(1.3)},
       {metric::aspect_gamma, metric_of<t, &t::aspect_gamma>, ratio_to(3)},
       {metric::aspect_ratio, metric_of<t, &t::aspect_ratio>, ratio_to(3)},
-      {metric::collapse_ratio, metric_of<t, &t::collapse_ratio>, {{0.1, infinite}, {-infinite, infinite}, 0.81649658092772603, 0}},  // sqrt(2/3)
+      {metric::collapse_ratio, metric_of<t, &t::collapse_ratio>, {{0.1, no_limit}, {-no_limit, no_limit}, 0.81649658092772603, 0}},  // sqrt(2/3)
       {metric::condition, metric_of<t, &t::condition>, ratio_to(3)},
-      {metric::distortion, metric_of<t, &t::distortion>, {{0.5, 1}, {-infinite, infinite}, 1, 0}},
+      {metric::distortion, metric_of<t, &t::distortion>, {{0.5, 1}, {-no_limit, no_limit}, 1, 0}},
       {metric::edge_ratio, metric_of<t, &t::edge_ratio>, ratio_to(3)},
       {metric::equiangle_skew, metric_of<t, &t::equiangle_skew>, deviation_to(0.5, 1)},
-      {metric::equivolume_skew, metric_of<t, &t::equivolume_skew>, deviation_to(0.7, infinite)},
+      {metric::equivolume_skew, metric_of<t, &t::equivolume_skew>, deviation_to(0.7, no_limit)},
       {metric::jacobian, metric_of<t, &t::jacobian>, size_of(std::numbers::sqrt2 / 2, 3)},
       {metric::mean_ratio, metric_of<t, &t::mean_ratio>, signed_part_from(0.3)},
       {metric::minimum_angle, metric_of<t, &t::minimum_angle>, {{40, 70.528779365509309}, {0, 70.528779365509309}, 70.528779365509309, 0}},

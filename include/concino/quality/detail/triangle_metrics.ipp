@@ -46,7 +46,7 @@ struct triangle_metrics {
   }
   double normalized_inradius() const {
     const double r = radius_ratio();
-    return r == infinite ? 0 : 1 / r;
+    return r == no_limit ? 0 : 1 / r;
   }
   double relative_size_squared() const { return squared_relative_size(area(), mean_size); }
   double scaled_jacobian() const {
@@ -65,7 +65,7 @@ CONCINO_INLINE std::span<const metric_row> triangle_rows() {
       {metric::aspect_frobenius, metric_of<t, &t::aspect_frobenius>, ratio_to(1.3)},
       {metric::aspect_ratio, metric_of<t, &t::aspect_ratio>, ratio_to(1.3)},
       {metric::condition, metric_of<t, &t::aspect_frobenius>, ratio_to(1.3)},  // equal for triangles
-      {metric::distortion, metric_of<t, &t::distortion>, {{0.5, 1}, {-infinite, infinite}, 1, 0}},
+      {metric::distortion, metric_of<t, &t::distortion>, {{0.5, 1}, {-no_limit, no_limit}, 1, 0}},
       {metric::edge_ratio, metric_of<t, &t::edge_ratio>, ratio_to(1.3)},
       {metric::equiangle_skew, metric_of<t, &t::equiangle_skew>, deviation_to(0.5, 1)},
       {metric::maximum_angle, metric_of<t, &t::maximum_angle>, {{60, 90}, {0, 180}, 60, 0}},

@@ -39,7 +39,7 @@ CONCINO_INLINE double visible_part_of_polygon(std::span<const vec3> points, cons
   e /= norm(e);
   const vec3 f = cross(n, e);
   std::vector<vec3> flat;
-  vec3 low{infinite, infinite, 0}, high{-infinite, -infinite, 0};
+  vec3 low{no_limit, no_limit, 0}, high{-no_limit, -no_limit, 0};
   for (const vec3& p : points) {
     const vec3 x{dot(p - points[0], e), dot(p - points[0], f), 0};
     flat.push_back(x);
