@@ -237,3 +237,19 @@ TEST_CASE("editing: an added cell shares an existing face, whatever its orientat
     equals_rebuilt(m);
   }
 }
+
+TEST_CASE("editing: polys that are added after others were replaced") {
+  // a replaced poly is attached to its edges and faces after its neighbours, whatever its number
+  cn::trimesh s(std::vector<cn::vec3>(6), std::vector<list>{{0, 1, 2}, {1, 0, 3}});
+  cn::flip_winding(s, cn::poly_id{0});
+  cn::add_poly(s, {cn::vert_id{0}, cn::vert_id{1}, cn::vert_id{4}});
+  CHECK(raw(cn::adj_p2p(s, cn::poly_id{2})) == list{0, 1});
+  keeps_all_laws(s);
+  equals_rebuilt(s);
+  cn::tetmesh v(std::vector<cn::vec3>(6), std::vector<list>{{0, 1, 2, 3}, {1, 0, 2, 4}});
+  cn::flip_winding(v, cn::poly_id{0});
+  cn::add_poly(v, {cn::vert_id{0}, cn::vert_id{1}, cn::vert_id{2}, cn::vert_id{5}});
+  CHECK(raw(cn::adj_p2p(v, cn::poly_id{2})) == list{0, 1});
+  keeps_all_laws(v);
+  equals_rebuilt(v);
+}

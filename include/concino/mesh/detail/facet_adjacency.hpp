@@ -467,7 +467,8 @@ class facet_adjacency {
     if (first.is_non_manifold()) {
       poly_lists_.push(first.poly_list(), poly_id{p});
     } else {
-      const poly_id three[] = {poly_id{s.poly}, poly_id{first.poly()}, poly_id{p}};
+      const std::uint32_t q = first.poly();  // smaller than the owner, if an edit has replaced it
+      const poly_id three[] = {poly_id{std::min(s.poly, q)}, poly_id{std::max(s.poly, q)}, poly_id{p}};
       const std::uint32_t raw = encoded_neighbour::special | encoded_neighbour::non_manifold_bit | static_cast<std::uint32_t>(poly_lists_.size());
       poly_lists_.add_row(three, three + 3, min_list_capacity);
       first.raw = raw;
