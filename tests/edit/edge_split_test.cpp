@@ -135,3 +135,29 @@ TEST_CASE("edge_split and other operators refuse general polyhedra, also if they
   CHECK(cn::face_split(m, a, {0.3, 0.3, 0}).reason == cn::refusal::not_simplices);
   CHECK(cn::testing::whole(m) == before);
 }
+
+TEST_CASE("edge_split: polys on the same verts are refused, as edges would become one") {
+  const std::vector<cn::vec3> x{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}};
+  using lists = std::vector<std::vector<unsigned>>;
+  cn::trimesh s(x, lists{{0, 1, 2}, {1, 0, 2}, {0, 1, 3}});  // a sphere of two triangles, and a third one
+  cn::tetmesh v(x, lists{{0, 1, 2, 3}, {1, 0, 2, 3}, {0, 1, 2, 4}});
+  const auto refuse = [](auto& m, unsigned a, unsigned b) {
+    const auto before = cn::testing::whole(m);
+    const auto e = cn::testing::edge_between_verts(m, a, b);
+    CHECK(cn::can_edge_split(m, e).reason == cn::refusal::same_verts);
+    CHECK(cn::edge_split(m, e).reason == cn::refusal::same_verts);
+    CHECK(cn::testing::whole(m) == before);
+  };
+  refuse(s, 0, 1), refuse(s, 0, 2), refuse(v, 0, 1), refuse(v, 2, 3);
+  CHECK(cn::edge_split(s, cn::testing::edge_between_verts(s, 0, 3)));
+  CHECK(cn::edge_split(v, cn::testing::edge_between_verts(v, 0, 4)));
+  const std::size_t n = 40;  // many triangles at one edge, of which two are the same
+  std::vector<cn::vec3> points(n + 2);
+  lists book;
+  for (unsigned i = 0; i < n; ++i) book.push_back({0, 1, i + 2});
+  cn::trimesh m(points, book);
+  CHECK(cn::can_edge_split(m, cn::testing::edge_between_verts(m, 0, 1)));
+  book.push_back({30, 0, 1});
+  cn::trimesh twice(points, book);
+  refuse(twice, 0, 1);
+}

@@ -148,6 +148,7 @@ TEST_CASE("face_flip and edge_flip of tets: what is refused") {
   edge_is_refused(cn::tetmesh(x, lists{{0, 1, 2, 3}, {0, 1, 3, 4}}), 0, 1, refusal::wrong_number);
   edge_is_refused(cn::tetmesh(x, lists{{0, 1, 2, 3}, {0, 1, 3, 4}, {0, 1, 4, 5}}), 0, 1, refusal::wrong_number);  // not all around it
   edge_is_refused(cn::tetmesh(x, lists{{0, 1, 2, 3}, {0, 1, 3, 4}, {0, 1, 2, 4}}), 0, 1, refusal::winding);
+  edge_is_refused(cn::tetmesh(x, lists{{0, 1, 2, 3}, {1, 0, 2, 3}, {0, 1, 4, 5}, {1, 0, 4, 5}}), 0, 1, refusal::wrong_number);  // two pairs
   edge_is_refused(cn::tetmesh(x, lists{{0, 1, 2, 3}, {0, 1, 3, 4}, {0, 1, 4, 2}, {2, 3, 4, 5}}), 0, 1, refusal::same_verts);
   cn::tetmesh m = octahedron();
   for (const auto e : cn::edges(m))

@@ -17,6 +17,7 @@ permission edge_split_cavity(const M& m, const edge_t<M>& e, double t, cavity_bu
   const unsigned a = c.vert(ends.first), b = c.vert(ends.second), split[] = {b, a};
   for (const poly_t<M> p : adj_e2p(m, e))
     if (!c.add_old(p)) return not_simplices;
+  if (has_repeated_polys(c)) return polys_on_same_verts;
   const vec3 first = to_vec3(point(m, ends.first)), second = to_vec3(point(m, ends.second));
   c.add_point((1 - t) * first + t * second, {a, b, t});
   split_old_polys(c, split, 2);
@@ -29,7 +30,8 @@ inline void check_parameter(double t, const char* edit) {
 
 }  // namespace detail
 
-/// Whether e can be split: all polys at it are triangles in a surface, tets in a volume, and the invariants hold. Any number of polys is allowed.
+/// Whether e can be split: all polys at it are triangles in a surface, tets in a volume, no two have the same verts, and the invariants hold. Any
+/// number of polys is allowed.
 /// Needs:  EditableMesh M, an edge of m.      Result: true, or the reason.      Cost: O(polys at e).      Errors: as edge_split.
 template<EditableMesh M>
 permission can_edge_split(const M& m, edge_t<M> e, double t = 0.5, const edit_options& options = {}) {

@@ -17,6 +17,7 @@ permission face_split_cavity(const M& m, const face_t<M>& f, const vec3& x, cavi
   }
   for (const poly_t<M> p : adj_f2p(m, f))
     if (!c.add_old(p)) return not_simplices;
+  if (has_repeated_polys(c)) return polys_on_same_verts;
   c.add_point(x, {cavity_builder<M>::none, cavity_builder<M>::none, 0});
   split_old_polys(c, split, 3);
   return {};
@@ -24,7 +25,7 @@ permission face_split_cavity(const M& m, const face_t<M>& f, const vec3& x, cavi
 
 }  // namespace detail
 
-/// Whether f can be split at x: all polys at it are tets, and the invariants hold.
+/// Whether f can be split at x: all polys at it are tets, no two have the same verts, and the invariants hold.
 /// Needs:  EditableVolumeMesh M, a face of m.      Result: true, or the reason.      Cost: O(polys at f).      Errors: as face_split.
 template<EditableVolumeMesh M>
 permission can_face_split(const M& m, face_t<M> f, const vec3& x, const edit_options& options = {}) {

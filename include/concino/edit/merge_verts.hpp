@@ -26,7 +26,6 @@ namespace detail {
 
 inline constexpr permission repeated_vert{refusal::wrong_set, "the verts that are merged are not all different"};
 inline constexpr permission becomes_degenerate{refusal::degenerate, "a poly would become degenerate; options.degenerate can remove it"};
-inline constexpr permission polys_on_same_verts{refusal::same_verts, "two polys would have the same verts"};
 inline constexpr permission face_without_polys{refusal::loose_face, "a face without polys is at a vert that is removed; remove_unreferenced(m) removes it"};
 
 template<class M>

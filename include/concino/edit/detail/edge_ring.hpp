@@ -59,7 +59,7 @@ permission find_ring(const M& m, const edge_t<M>& e, edge_ring<M>& r) {
     at = two[0] == at ? two[1] : two[0];
     r.tet[i] = last = next;
   }
-  if (at != r.ring[0]) return not_three_or_four;
+  if (at != r.ring[0] || has_repeated_polys(c)) return not_three_or_four;
   for (unsigned i = 0; i < n; ++i)
     if (!c.is_consistent(r.tet[i], r.ring[i], r.tet[(i + 1) % n], r.ring[(i + 2) % n])) return contradictory_winding;
   return {};
