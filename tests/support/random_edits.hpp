@@ -1,0 +1,403 @@
+// Random edits by every operator of this library, on meshes of any kind: after each, the numbers of elements and the total area or volume are as predicted;
+// at intervals laws, validation and a newly constructed mesh agree; refused edits, rolled back transactions and conditions that throw leave equal meshes.
+#pragma once
+
+#include <concino/edit.hpp>
+#include <concino/geometry/measure.hpp>
+#include <concino/mesh.hpp>
+#include <concino/validate/validate.hpp>
+
+#include <support/simplex_edits.hpp>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <random>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+namespace concino::testing {
+
+/// The first operators keep the topology.
+enum random_operator : unsigned {
+  split_edge, collapse_edge, flip_edge, split_poly, split_vert, flip_face, split_face,
+  add_a_vert, remove_a_vert, add_a_poly, remove_a_poly, move_a_vert, reverse_a_poly, merge_two_verts, split_fans, remove_unused, collect_garbage, add_a_face, remove_a_face,
+  num_random_operators
+};
+inline constexpr unsigned num_topological_operators = add_a_vert;
+
+template<class M> inline constexpr bool is_of_simplices = arity_v<M> == dimension_v<M> + 1;
+
+/// Whether a mesh of this kind has the operator.
+template<class M>
+constexpr bool has_operator(unsigned what) {
+  constexpr bool is_volume = VolumeMesh<M>, has_faces_of_its_own = requirement::has_add_face<M>;
+  if (what < num_topological_operators) return is_of_simplices<M> && (is_volume || what < flip_face);
+  if (what == add_a_face) return has_faces_of_its_own;
+  return what != remove_a_face || is_volume;
+}
+
+/// What an operator should change, if it was allowed.
+struct predicted_change {
+  permission answer = {};
+  std::optional<std::ptrdiff_t> chi = 0;  // the number of verts - edges + faces - polys; unknown if empty
+  std::optional<double> measure = 0;      // the sum of all areas or signed volumes
+};
+
+struct condition_failed : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The number of verts - edges + faces - polys, in constant time.
+template<class M>
+std::ptrdiff_t alternating_count(const M& m) {
+  const auto n = [](std::size_t x) { return static_cast<std::ptrdiff_t>(x); };
+  const std::ptrdiff_t chi = n(num_verts(m)) - n(num_edges(m));
+  if constexpr (VolumeMesh<M>) return chi + n(num_faces(m)) - n(num_polys(m));
+  else return chi + n(num_polys(m));
+}
+
+/// What alternating_count() loses with these polys, and with these faces without polys.
+template<class M>
+std::ptrdiff_t count_lost(const M& m, const std::set<poly_id>& removed, const std::set<face_id>& loose = {}) {
+  std::set<face_id> lost = loose;
+  std::set<edge_id> candidates;
+  std::ptrdiff_t edges_lost = 0;
+  const auto all_in = [](const auto& range, const auto& set) {
+    for (const auto x : range)
+      if (!set.count(x)) return false;
+    return true;
+  };
+  for (const poly_id p : removed) {
+    for (const edge_id e : adj_p2e(m, p)) candidates.insert(e);
+    if constexpr (VolumeMesh<M>)
+      for (const face_id f : adj_p2f(m, p))
+        if (all_in(adj_f2p(m, f), removed)) lost.insert(f);
+  }
+  if constexpr (VolumeMesh<M>) {
+    for (const face_id f : loose)
+      for (const edge_id e : adj_f2e(m, f)) candidates.insert(e);
+    for (const edge_id e : candidates) edges_lost += all_in(adj_e2f(m, e), lost);
+    return static_cast<std::ptrdiff_t>(lost.size()) - edges_lost - static_cast<std::ptrdiff_t>(removed.size());
+  } else {
+    for (const edge_id e : candidates) edges_lost += all_in(adj_e2p(m, e), removed);
+    return static_cast<std::ptrdiff_t>(removed.size()) - edges_lost;
+  }
+}
+
+template<class M>
+std::set<poly_id> polys_at(const M& m, std::initializer_list<vert_id> all) {
+  std::set<poly_id> found;
+  for (const vert_id v : all)
+    if (contains(m, v))
+      for (const poly_id p : adj_v2p(m, v)) found.insert(p);
+  return found;
+}
+template<class M>
+double measure_of(const M& m, const std::set<poly_id>& all) {
+  double sum = 0;
+  for (const poly_id p : all) sum += measure(m, p);
+  return sum;
+}
+
+/// One mesh that is edited at random.
+template<class M>
+class random_editor {
+  std::mt19937& random_;
+  bool throws_ = false;      // the next condition
+  bool wants_prediction_ = true;
+
+  template<class Id, class Range>
+  Id some(const Range& all, std::size_t bound) {
+    for (unsigned i = 0; i < 64; ++i)
+      if (const Id x{random_() % bound}; contains(m, x)) return x;
+    const std::vector<Id> listed(all.begin(), all.end());
+    return listed[random_() % listed.size()];
+  }
+  edge_id edge() { return some<edge_id>(edges(m), edge_index_bound(m)); }
+  poly_id poly() { return some<poly_id>(polys(m), poly_index_bound(m)); }
+  vert_id vert() { return some<vert_id>(verts(m), vert_index_bound(m)); }
+  vec3 somewhere() {
+    const auto x = [&] { return static_cast<double>(random_() % 1024) / 1024; };
+    return {x(), x(), x()};
+  }
+  std::vector<invariant> conditions() {
+    if (!throws_) return {};
+    return {[](const proposed_edit&) -> permission { throw condition_failed("a condition of the caller"); }};
+  }
+  std::vector<vert_id> some_verts(std::size_t n) {
+    std::vector<vert_id> all;
+    for (unsigned i = 0; all.size() < n && i < 100; ++i)
+      if (const vert_id v = vert(); std::find(all.begin(), all.end(), v) == all.end()) all.push_back(v);
+    return all;
+  }
+  std::set<face_id> loose_faces_at(vert_id v) const {
+    std::set<face_id> all;
+    if constexpr (VolumeMesh<M>)
+      for (const face_id f : adj_v2f(m, v))
+        if (num_elements(adj_f2p(m, f)) == 0) all.insert(f);
+    return all;
+  }
+
+  /// The measure after the edit minus the one before, of polys at these verts.
+  template<class Edit>
+  predicted_change with_measure_at(std::initializer_list<vert_id> touched, const Edit& edit) {
+    if (!wants_prediction_) return {edit(), 0, std::nullopt};
+    const double before = measure_of(m, polys_at(m, touched));
+    predicted_change c{edit()};
+    c.measure = measure_of(m, polys_at(m, touched)) - before;
+    return c;
+  }
+
+ public:
+  M m;
+
+  random_editor(const M& start, std::mt19937& random) : random_(random), m(start) {}
+
+  /// Whether the conditions that operators ask throw, and whether the measure is predicted.
+  void throw_in_conditions(bool yes) { throws_ = yes; }
+  void predict(bool yes) { wants_prediction_ = yes; }
+
+  predicted_change apply(unsigned what) {
+    if constexpr (is_of_simplices<M>)
+      if (what < num_topological_operators) return topological(what);
+    return elementary(what);
+  }
+
+ private:
+  predicted_change topological(unsigned what)
+    requires is_of_simplices<M>
+  {
+    switch (what) {
+      case split_edge: return {edge_split(m, edge(), 0.3, {.keep = conditions()})};
+      case collapse_edge: {
+        const edge_id e = edge();
+        const auto ends = end_verts(m, e);
+        return with_measure_at({ends.first, ends.second}, [&] { return edge_collapse(m, e, {.keep = conditions(), .at = 0.5 * double(random_() % 3)}); });
+      }
+      case flip_edge: return flip_an_edge(edge());
+      case split_poly: {
+        const poly_id p = poly();
+        vec3 middle;
+        for (const vert_id v : adj_p2v(m, p)) middle += point(m, v) / double(arity_v<M>);
+        return {poly_split(m, p, middle, {.keep = conditions()})};
+      }
+      case split_vert: return split_a_vert();
+      default:
+        if constexpr (VolumeMesh<M>) {
+          const face_id f = some<face_id>(faces(m), face_index_bound(m));
+          if (what == flip_face) return {face_flip(m, f, {.keep = conditions()})};
+          vec3 middle;
+          for (const vert_id v : adj_f2v(m, f)) middle += point(m, v) / 3;
+          return {face_split(m, f, middle, {.keep = conditions()})};
+        }
+        return {};
+    }
+  }
+  predicted_change flip_an_edge(edge_id e) {
+    if constexpr (VolumeMesh<M>) {
+      return {edge_flip(m, e, {.keep = conditions(), .diagonal = random_() % 2 ? 1u : 0u})};  // volumes have signs, so their sum is that of the cavity
+    } else {
+      double before = 0, after = 0;
+      for (const poly_id p : adj_e2p(m, e)) before += measure(m, p);
+      const auto made = edge_flip(m, e, {.keep = conditions()});
+      if (!made) return {made};
+      for (const poly_id p : adj_e2p(m, made.edge)) after += measure(m, p);
+      return {made, 0, after - before};
+    }
+  }
+  /// The moved polys of tets are those at an edge: a ball.
+  predicted_change split_a_vert() {
+    const vert_id v = *adj_p2v(m, poly()).begin();
+    std::vector<poly_id> moved;
+    if constexpr (VolumeMesh<M>) {
+      for (const edge_id e : adj_v2e(m, v))
+        if (random_() % 4 == 0) {
+          for (const poly_id p : adj_e2p(m, e)) moved.push_back(p);
+          break;
+        }
+    } else {
+      for (const poly_id p : adj_v2p(m, v))
+        if (random_() % 3 == 0) moved.push_back(p);
+    }
+    const double before = measure_of(m, polys_at(m, {v}));
+    const auto made = vert_split(m, v, moved, somewhere(), {.keep = conditions()});
+    if (!made) return {made};
+    return {made, 0, measure_of(m, polys_at(m, {v, made.vert})) - before};
+  }
+
+  predicted_change elementary(unsigned what) {
+    switch (what) {
+      case add_a_vert: return add_vert(m, somewhere()), predicted_change{{}, 1};
+      case move_a_vert: {
+        const vert_id v = vert();
+        return with_measure_at({v}, [&] { return set_point(m, v, somewhere()), permission{}; });
+      }
+      case reverse_a_poly: {
+        const poly_id p = poly();
+        const double before = measure(m, p);
+        flip_winding(m, p);
+        return {{}, 0, measure(m, p) - before};
+      }
+      case remove_a_vert: {
+        const vert_id v = vert();
+        const auto gone = polys_at(m, {v});
+        const predicted_change c{{}, -1 - count_lost(m, gone, loose_faces_at(v)), -measure_of(m, gone)};
+        return remove_vert(m, v), c;
+      }
+      case remove_a_poly: {
+        const poly_id p = poly();
+        const predicted_change c{{}, -count_lost(m, std::set<poly_id>{p}), -measure(m, p)};
+        return remove_poly(m, p), c;
+      }
+      case add_a_poly: return add_some_poly();
+      case merge_two_verts: {
+        const vert_id v = vert(), w = vert();
+        predicted_change c = with_measure_at({v, w}, [&] {
+          return merge_verts(m, v, {w}, {.degenerate = random_() % 2 ? degenerate_polys::remove : degenerate_polys::refuse, .at_mean = random_() % 2 == 0});
+        });
+        c.chi = std::nullopt;
+        return c;
+      }
+      case split_fans: return split_vert_fans(m, vert()), predicted_change{{}, std::nullopt};
+      case remove_unused: return remove_unreferenced(m), predicted_change{{}, std::nullopt};
+      case collect_garbage: return collect();
+      default: return change_faces(what);
+    }
+  }
+  predicted_change collect() {
+    if (traits<M>::edits(m).recorder) return {};  // refused while a transaction is open
+    garbage_collect(m);
+    CHECK(num_verts(m) == vert_index_bound(m));
+    CHECK(num_polys(m) == poly_index_bound(m));
+    return {};
+  }
+  predicted_change add_some_poly() {
+    poly_id p;
+    if constexpr (requirement::has_add_poly_of_faces<M>) {
+      std::set<face_id> different;
+      for (unsigned i = 0; i < 4; ++i) different.insert(some<face_id>(faces(m), face_index_bound(m)));
+      const std::vector<face_id> list(different.begin(), different.end());
+      const std::vector<std::uint8_t> outward(list.size(), 1);
+      p = traits<M>::add_poly(m, std::span<const face_id>(list), std::span<const std::uint8_t>(outward));
+      return {{}, -1, measure(m, p)};
+    } else {
+      const std::size_t n = arity_v<M> > 0 ? arity_v<M> : 3 + random_() % 3;
+      const auto corners = some_verts(n);
+      if (corners.size() < n) return {};
+      p = add_poly(m, std::span<const vert_id>(corners));
+      return {{}, count_lost(m, std::set<poly_id>{p}), measure(m, p)};
+    }
+  }
+  predicted_change change_faces(unsigned what) {
+    if constexpr (VolumeMesh<M>) {
+      if constexpr (requirement::has_add_face<M>)
+        if (what == add_a_face) {
+          const auto corners = some_verts(3 + random_() % 2);
+          if (corners.size() < 3) return {};
+          const face_id f = add_face(m, std::span<const vert_id>(corners));
+          return {{}, count_lost(m, {}, {f})};
+        }
+      if (what == remove_a_face) {
+        const face_id f = some<face_id>(faces(m), face_index_bound(m));
+        const auto at_face = adj_f2p(m, f);
+        const std::set<poly_id> gone(at_face.begin(), at_face.end());
+        const predicted_change c{{}, -count_lost(m, gone, {f}), -measure_of(m, gone)};
+        return remove_face(m, f), c;
+      }
+    }
+    return {};
+  }
+};
+
+/// Checks every edit of a mesh at random.
+template<class M>
+class random_edits_check {
+  static constexpr unsigned compared = 256;  // one edit in so many is compared with the mesh before
+
+  random_editor<M> editor_;
+  std::mt19937& random_;
+
+  bool one_in(unsigned n) { return random_() % n == 0; }
+  static bool are_close(double a, double b) { return std::abs(a - b) < 1e-9 * (1 + std::abs(a) + std::abs(b)); }
+
+  /// An edit whose conditions throw: nothing changes.
+  void check_throwing(unsigned what) {
+    const auto before = whole(editor_.m);
+    editor_.throw_in_conditions(true);
+    try {
+      const permission p = editor_.apply(what).answer;
+      CHECK_FALSE(p);  // another reason came first
+    } catch (const condition_failed&) {
+    }
+    editor_.throw_in_conditions(false);
+    CHECK(whole(editor_.m) == before);
+  }
+  /// A few edits that are undone.
+  void check_roll_back(unsigned what) {
+    const auto before = whole(editor_.m);
+    transaction<M> t(editor_.m);
+    editor_.predict(false);
+    for (unsigned i = 0; i < 3 && num_polys(editor_.m) > 0; ++i) editor_.apply(what);
+    t.roll_back();
+    CHECK(whole(editor_.m) == before);
+  }
+
+ public:
+  unsigned done[num_random_operators] = {}, refused[num_random_operators] = {};
+
+  random_edits_check(const M& start, std::mt19937& random) : editor_(start, random), random_(random) {}
+  M& mesh() { return editor_.m; }
+  void check(unsigned what) {
+    INFO("operator ", what);
+    const M& m = editor_.m;
+    if (one_in(compared) && what < num_topological_operators) check_throwing(what);
+    if (one_in(compared)) check_roll_back(what);
+    const bool is_compared = one_in(compared), is_measured = one_in(16);
+    const auto before = is_compared ? whole(m) : std::vector<double>();
+    const double size = is_measured ? total_measure(m) : 0;
+    const std::ptrdiff_t chi = alternating_count(m);
+    editor_.predict(is_measured);
+    const predicted_change c = editor_.apply(what);
+    ++(c.answer ? done : refused)[what];
+    if (!c.answer) {
+      if (is_compared) CHECK(whole(m) == before);
+      return;
+    }
+    if (c.chi && alternating_count(m) != chi + *c.chi) FAIL("the Euler characteristic is " << alternating_count(m) << ", not " << chi << " + " << *c.chi << " after operator " << what);
+    if (is_measured && c.measure && !are_close(total_measure(m), size + *c.measure))
+      FAIL("the sum of measures is " << total_measure(m) << ", not " << size << " + " << *c.measure << " after operator " << what);
+  }
+};
+
+/// Edits copies of `start` by the operators below `end`, each `tries` times; they are replaced by `start` when they have become too large or too small.
+/// Result: how often each operator was allowed. Topology: facts that all edits keep.
+template<class M>
+random_edits_check<M> edit_at_random(const M& start, std::mt19937& random, unsigned tries, unsigned end) {
+  const bool keeps_topology = end <= num_topological_operators;
+  const std::size_t most = num_polys(start) + 40;
+  const auto facts = topology(start);
+  random_edits_check<M> r(start, random);
+  M& m = r.mesh();
+  for (unsigned i = 0; i < tries; ++i) {
+    for (unsigned what = 0; what < end; ++what) {
+      if (!has_operator<M>(what)) continue;
+      r.check(what);
+      if (num_polys(m) < num_polys(start) / 2 || num_polys(m) < 4) m = start;
+    }
+    if constexpr (is_of_simplices<M>)
+      for (unsigned k = 0; k < 20 && num_polys(m) > most; ++k) r.check(collapse_edge);
+    if (num_polys(m) > 2 * most) m = start;
+    if (edge_index_bound(m) > 8 * num_edges(m) + 100) garbage_collect(m);
+    if (i % 512 != 0 && i + 1 != tries) continue;
+    keeps_all_laws(m);
+    equals_rebuilt(m);
+    if (keeps_topology) CHECK(topology(m) == facts);
+  }
+  return r;
+}
+
+}  // namespace concino::testing
