@@ -91,6 +91,28 @@ TEST_CASE("read_vtu: polyhedra in both layouts") {
   CHECK(tet.num_polys() == 1);
 }
 
+TEST_CASE("read_vtu: a program that reads surfaces only takes polyhedra for cells of a volume, whatever their faces are") {
+  const std::string of_tet = vtu_array("Int64", "faces", "4  3 0 1 2  3 0 1 4  3 1 2 4  3 0 2 4") + vtu_array("Int64", "faceoffsets", "17");
+  const auto says = [](const std::string& text) { return complaint<trimesh>(text, file_format::vtu); };
+  const std::string is_volume = "text: holds a volume of ";
+  for (const std::string& layout : {of_tet, std::string(), vtu_array("Int64", "faces", "99 -7") + vtu_array("Int64", "faceoffsets", "1000000")}) {
+    const std::string one = vtu_cells("0 1 2 4", "4", "42", layout);
+    CHECK_THROWS_AS(load_text<trimesh>(cube_file(one, 1), file_format::vtu), unsupported);
+    CHECK_THROWS_AS(load_text<polygonmesh>(cube_file(one, 1), file_format::vtu), unsupported);
+    // Points of the second piece are at those of the first one, so that the verts of all cells are renumbered.
+    const std::string cells = vtu_cells("8 7 6 5  0 1 2", "4 7", "42 5", layout);
+    const std::string pieces = vtu_piece(9, 2, points_of_cube() + cells) + vtu_piece(9, 2, points_of_cube() + cells);
+    CHECK_THROWS_WITH_AS(load_text<trimesh>(vtu_file(pieces), file_format::vtu), (is_volume + "2 polyhedra, but a surface mesh was requested; load it as polyhedralmesh or with load_any").c_str(), unsupported);
+    // A hidden polyhedron is dropped with the faces that were not read.
+    const std::string hidden = "<CellData>\n" + vtu_array("UInt8", "vtkGhostType", "32 0") + "</CellData>\n";
+    load_report r;
+    const auto m = load_text<surface_arrays>(vtu_file(vtu_piece(9, 2, points_of_cube() + cells + hidden)), file_format::vtu, {.report = &r});
+    CHECK(raw(m.verts) == std::vector<unsigned>{0, 1, 2});
+    CHECK(r.skipped == std::vector<std::string>{"1 ghost cells"});
+  }
+  CHECK(says(cube_file(vtu_cells("0 1 2 9", "4", "42", of_tet), 1)) == "13: point indices below 9 | 9 in the array \"connectivity\"");
+}
+
 TEST_CASE("read_vtu: base64 and appended arrays, in both byte orders and widths of headers, are the same as text") {
   for (const bool reversed : {false, true})
     for (const bool wide : {false, true})

@@ -15,6 +15,7 @@ class vtk_xml_cells : public vtk_xml_data {
   vtk_grid& grid_;
   vtk_xml_index index_;
   std::vector<std::size_t> first_point_, first_cell_;  // of each piece, and the end
+  bool has_faces_ = false;                             // the grid has the faces of polyhedra instead of their verts
 
   vtk_xml_cells(const read_context& in, vtk_grid& grid) : vtk_xml_data(in), grid_(grid) {}
   ~vtk_xml_cells() = default;

@@ -20,6 +20,7 @@ class vtk_xml_volume_reader : public vtk_xml_reader {
  private:
   /// Replaces the verts of polyhedra by their faces.
   [[gnu::noinline, gnu::cold]] void polyhedra(std::size_t p, std::size_t first, const std::vector<std::uint32_t>& ends) override {
+    has_faces_ = true;
     std::vector<vert_id> verts;
     if (first == 0) verts.swap(grid_.verts);
     else verts.assign(grid_.verts.begin() + static_cast<std::ptrdiff_t>(first), grid_.verts.end());

@@ -171,7 +171,7 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
   void renumber(std::size_t c, const std::vector<std::uint32_t>& number) {
     const std::size_t end = grid_.cell_ends[c];
     std::size_t i = grid_.first(c);
-    if (grid_.types[c] != vtk_polyhedron) {
+    if (grid_.types[c] != vtk_polyhedron || !has_faces_) {
       for (; i < end; ++i) grid_.verts[i] = vert_id{number[grid_.verts[i].raw()]};
       return;
     }
