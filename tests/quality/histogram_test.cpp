@@ -1,5 +1,5 @@
 // histogram: each poly is counted once, in the right bin.
-#include <concino/quality/histogram.hpp>
+#include <concino/quality.hpp>
 
 #include <concino/concepts/archetypes.hpp>
 
@@ -65,4 +65,21 @@ TEST_CASE("histogram: equal values, no polys, errors") {
   CHECK_THROWS_AS(cn::histogram(m, metric::volume, {.low = 2, .high = 1}), cn::invalid_argument);
   CHECK_THROWS_AS(cn::histogram(m, metric::volume, {.high = std::numeric_limits<double>::infinity()}), cn::invalid_argument);
   CHECK_THROWS_AS(cn::histogram(m, metric::oddy), cn::unsupported);
+}
+
+TEST_CASE("quality: the calls of docs/quality.md") {
+  const cn::tetmesh m = cn::testing::grid<cn::tetmesh>(2);
+  const cn::poly_id p{0};
+  //! [calls]
+  double q = cn::scaled_jacobian(m, p);                        // of one poly
+  auto map = cn::quality(m, cn::metric::mean_ratio);           // of all: map[p]
+  auto w = cn::worst(m, cn::metric::aspect_ratio);             // w.poly, w.value
+  auto h = cn::histogram(m, cn::metric::minimum_angle);        // h.counts, h.unacceptable
+  bool fine = cn::is_acceptable(cn::metric::edge_ratio, cn::poly_shape::tet, 2.5);
+  //! [calls]
+  CHECK(q == doctest::Approx(1 / std::sqrt(3.0)));  // each corner of a tet of the grid has edges along axes and diagonals
+  CHECK(map[p] == cn::mean_ratio(m, p));
+  CHECK(w.value == cn::quality(m, w.poly, metric::aspect_ratio));
+  CHECK(h.unacceptable == 0);
+  CHECK(fine);
 }
