@@ -4,20 +4,18 @@
 #include <concino/mesh.hpp>
 #include <concino/validate/validate.hpp>
 
-#include <support/kinds.hpp>
-#include <support/rebuilt.hpp>
-#include <support/soups.hpp>
-#include <support/whole_mesh.hpp>
+#include <support/simplex_edits.hpp>
 
 #include <doctest/doctest.h>
 
+#include <map>
 #include <random>
+#include <set>
 
 namespace cn = concino;
 using cn::testing::equals_rebuilt;
 using cn::testing::keeps_all_laws;
 using cn::testing::raw;
-using cn::testing::raw_set;
 using cn::testing::whole;
 
 namespace {
@@ -218,11 +216,7 @@ TEST_CASE("merge_verts: values follow by their rules") {
   const auto corner = cn::corner_property<double>(m, "corner");
   for (const auto p : cn::polys(m))
     for (std::uint32_t k = 0; k < 3; ++k) corner[{p, k}] = 10 * p.raw() + k;
-  const auto edge = [&](unsigned a, unsigned b) {
-    for (const auto e : cn::edges(m))
-      if (raw_set(cn::adj_e2v(m, e)) == std::set<unsigned>{a, b}) return e;
-    return cn::edge_id{};
-  };
+  const auto edge = [&](unsigned a, unsigned b) { return cn::testing::edge_between_verts(m, a, b); };
   const double mark_before = mark[edge(1, 2)];
   const auto before = whole(m);
   {

@@ -2,26 +2,18 @@
 #include <concino/edit.hpp>
 #include <concino/mesh.hpp>
 
-#include <support/kinds.hpp>
-#include <support/rebuilt.hpp>
-#include <support/whole_mesh.hpp>
+#include <support/simplex_edits.hpp>
 
 #include <doctest/doctest.h>
 
+#include <set>
 #include <string>
 
 namespace cn = concino;
-using cn::testing::raw;
+using cn::testing::edge_between_verts;
 using cn::testing::whole;
 
 namespace {
-
-template<class M>
-cn::edge_id edge_with(const M& m, unsigned a, unsigned b) {
-  for (const auto e : cn::edges(m))
-    if (raw(cn::adj_e2v(m, e)) == std::vector<unsigned>{a, b}) return e;
-  return {};
-}
 
 cn::trimesh square() { return cn::trimesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}); }
 
@@ -45,13 +37,13 @@ TEST_CASE("values: edge_split interpolates at the new vert, copies labels and di
   cn::set_property_rule(m, cn::element_kind::poly, "label", cn::property_rule::copy);
   for (const auto p : cn::polys(m)) label[p] = 7 + static_cast<int>(p.raw()), mass[p] = 1 + p.raw();
   const auto sharp = cn::edge_property<int>(m, "sharp");
-  sharp[edge_with(m, 0, 2)] = 5;
-  sharp[edge_with(m, 0, 1)] = 4;
+  sharp[edge_between_verts(m, 0, 2)] = 5;
+  sharp[edge_between_verts(m, 0, 1)] = 4;
   const auto length = cn::edge_property<double>(m, "length");
   cn::set_property_rule(m, cn::element_kind::edge, "length", cn::property_rule::sum);
-  length[edge_with(m, 0, 2)] = 8;
+  length[edge_between_verts(m, 0, 2)] = 8;
 
-  const auto made = cn::edge_split(m, edge_with(m, 0, 2), 0.25);
+  const auto made = cn::edge_split(m, edge_between_verts(m, 0, 2), 0.25);
   REQUIRE(made);
   CHECK(u[made.vert] == doctest::Approx(5));
   CHECK(name[made.vert] == "0");
@@ -60,12 +52,12 @@ TEST_CASE("values: edge_split interpolates at the new vert, copies labels and di
   CHECK(mass[cn::poly_id{0}] == doctest::Approx(0.25));
   CHECK(mass[cn::poly_id{2}] == doctest::Approx(0.75));
   CHECK(sum_over(m, mass) == doctest::Approx(3));
-  CHECK(sharp[edge_with(m, 0, 4)] == 5);
-  CHECK(sharp[edge_with(m, 2, 4)] == 5);
-  CHECK(sharp[edge_with(m, 1, 4)] == 0);
-  CHECK(sharp[edge_with(m, 0, 1)] == 4);
-  CHECK(length[edge_with(m, 0, 4)] == doctest::Approx(2));
-  CHECK(length[edge_with(m, 2, 4)] == doctest::Approx(6));
+  CHECK(sharp[edge_between_verts(m, 0, 4)] == 5);
+  CHECK(sharp[edge_between_verts(m, 2, 4)] == 5);
+  CHECK(sharp[edge_between_verts(m, 1, 4)] == 0);
+  CHECK(sharp[edge_between_verts(m, 0, 1)] == 4);
+  CHECK(length[edge_between_verts(m, 0, 4)] == doctest::Approx(2));
+  CHECK(length[edge_between_verts(m, 2, 4)] == doctest::Approx(6));
 }
 
 TEST_CASE("values: edge_collapse merges the ends") {
@@ -100,7 +92,7 @@ TEST_CASE("values: edge_flip mixes by area, and the new edge has none") {
   mass[cn::poly_id{0}] = 1, mass[cn::poly_id{1}] = 3;
   const auto tag = cn::edge_property<int>(m, "tag");
   for (const auto e : cn::edges(m)) tag[e] = 9;
-  const auto made = cn::edge_flip(m, edge_with(m, 0, 2));
+  const auto made = cn::edge_flip(m, edge_between_verts(m, 0, 2));
   REQUIRE(made);
   for (const auto p : cn::polys(m)) CHECK(u[p] == doctest::Approx(2));
   CHECK(sum_over(m, mass) == doctest::Approx(4));
@@ -114,7 +106,7 @@ TEST_CASE("values: corners keep those of the poly from which they come") {
     unsigned k = 0;
     for (double& x : uv.of(p)) x = 100.0 * p.raw() + 10 * k++;
   }
-  const auto made = cn::edge_split(m, edge_with(m, 0, 2), 0.5);
+  const auto made = cn::edge_split(m, edge_between_verts(m, 0, 2), 0.5);
   REQUIRE(made);
   // poly 0 was (0, 1, 2) with 0, 10, 20, and is (0, 1, v); poly 2 is (v, 1, 2)
   CHECK(std::vector<double>(uv.of(cn::poly_id{0}).begin(), uv.of(cn::poly_id{0}).end()) == std::vector<double>{0, 10, 10});
@@ -136,7 +128,7 @@ TEST_CASE("values: faces of tets, and what poly_split and face_split make") {
     return cn::face_id{};
   };
   const int outer = label[face_with({0, 1, 2})], inner = label[face_with({1, 2, 3})];
-  REQUIRE(cn::edge_split(m, edge_with(m, 1, 2)));
+  REQUIRE(cn::edge_split(m, edge_between_verts(m, 1, 2)));
   CHECK(label[face_with({0, 1, 5})] == outer);
   CHECK(label[face_with({0, 2, 5})] == outer);
   CHECK(label[face_with({1, 3, 5})] == inner);
