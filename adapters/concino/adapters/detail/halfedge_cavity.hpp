@@ -45,13 +45,14 @@ struct planned_edge {
   unsigned halfedge = none;                // the one from verts[0] to verts[1]. New edges are numbered from the mesh's index bound
   unsigned corner[2] = {none, none};       // for each direction: the corner of a new poly where it begins
   bool has_other_poly[2] = {false, false};  // for each direction: whether it has a poly that stays
-  bool is_new = false, had_old_poly = false;
+  bool has_old_poly[2] = {false, false};    // for each direction: whether it has a poly that goes
+  bool is_new = false;
 
-  bool remains() const { return !had_old_poly || corner[0] != none || corner[1] != none || has_other_poly[0] || has_other_poly[1]; }
+  bool remains() const { return !(has_old_poly[0] || has_old_poly[1]) || corner[0] != none || corner[1] != none || has_other_poly[0] || has_other_poly[1]; }
 };
 
 /// A cavity by indices: verts have local numbers, the existing ones as they are listed, then the new ones. K: what a library says of its half-edges, see
-/// halfedge_plan.hpp.
+/// halfedge_edge_plan.hpp.
 template<class K>
 struct halfedge_cavity {
   using mesh = typename K::mesh;

@@ -1,5 +1,5 @@
 // A log of what verts, half-edges, polys and points were before edits of a mesh of another library. The struct K
-// of halfedge_plan.hpp and halfedge_rewire.hpp also has:
+// of halfedge_edge_plan.hpp and halfedge_rewire.hpp also has:
 //
 //   using point = ..., points = ...;                                  // `points` finds a point fast
 //   static points find_points(mesh&);                           static point& point_of(mesh&, points, unsigned v);

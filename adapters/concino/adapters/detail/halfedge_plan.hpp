@@ -1,30 +1,18 @@
-// What `rewire` changes in a half-edge mesh of another library, found before anything changes. A library is described by a struct K of static functions, whose
-// half-edges are numbers: those of edge e are 2 e and 2 e + 1.
-//
-//   struct K {
-//     using mesh = ..., vert = ..., poly = ...;
-//     static constexpr char two_polys[] = "in ... at most two polys share an edge, ...", one_closed_fan[] = "...", one_edge[] = "...";
-//     static unsigned index(vert), index(poly);                     static bool contains(const mesh&, vert), contains(const mesh&, poly);
-//     static unsigned next(const mesh&, unsigned h);                static void set_next(mesh&, unsigned h, unsigned next);       // and the previous of `next`
-//     static unsigned target(const mesh&, unsigned h);              static void set_target(mesh&, unsigned h, unsigned v);
-//     static unsigned poly_of(const mesh&, unsigned h);             static void set_poly(mesh&, unsigned h, unsigned p);          // `none`: at the border
-//     static unsigned halfedge_from(const mesh&, unsigned v);       static void set_halfedge_from(mesh&, unsigned v, unsigned h); // `none`: no edges
-//     static unsigned halfedge_of(const mesh&, unsigned p);         static void set_halfedge_of(mesh&, unsigned p, unsigned h);   // it ends at the first vert
-//     static unsigned num_edges(const mesh&);                       // the index bound
-//   };
+// What `rewire` changes in a half-edge mesh of another library, found before anything changes: the edges, then the fans of polys round each vert.
 #pragma once
 
-#include <concino/adapters/detail/halfedge_cavity.hpp>
-
-#include <utility>
+#include <concino/adapters/detail/halfedge_edge_plan.hpp>
 
 namespace concino::detail {
 
 template<class K>
-class halfedge_plan {
+class halfedge_plan : public halfedge_edge_plan<K> {
+  using base = halfedge_edge_plan<K>;
+  using base::c_, base::existing_, base::m_, base::new_edges_, base::next_corner_;
+
  public:
-  using mesh = typename K::mesh;
-  static constexpr unsigned none = ~0u;
+  using typename base::mesh;
+  using base::corner_halfedges, base::edges, base::none, base::refused;
 
   /// The half-edge `out` follows `in` along the border.
   struct border_link {
@@ -34,143 +22,21 @@ class halfedge_plan {
   struct leaving_halfedge {
     unsigned vert, halfedge;
   };
-  /// Why the library cannot represent the mesh, and where.
-  struct obstacle {
-    const char* why = nullptr;
-    unsigned vert = none, other_vert = none;  // local numbers
-  };
-
-  core::small_array<planned_edge, 32> edges;
-  core::small_array<unsigned, 96> corner_halfedges;  // the half-edge that begins at each new corner
   core::small_array<border_link, 32> border_links;
   core::small_array<leaving_halfedge, 32> leaving;
-  unsigned num_new_edges = 0;
-  obstacle refused;
 
   /// Needs: a checked cavity of m, which must exist while the plan is used.
-  halfedge_plan(const mesh& m, const halfedge_cavity<K>& c) : m_(m), c_(c) {
-    list_keys();
-    if (!add_old_polys() || !add_new_polys() || !find_other_edges()) return;
+  halfedge_plan(const mesh& m, const halfedge_cavity<K>& c) : base(m, c) {
+    if (refused.why) return;
     list_edges_at_verts();
     for (unsigned v = 0; v < c_.num_all_verts(); ++v)
       if (!plan_vert(v)) return;
   }
 
-  /// The corner after i in its poly.
-  unsigned next_corner(unsigned i) const { return next_corner_[i]; }
-
  private:
-  const mesh& m_;
-  const halfedge_cavity<K>& c_;
-  core::small_array<std::uint64_t, 96> keys_;       // of edges, sorted: both verts
-  core::small_array<unsigned, 96> next_corner_;
-  core::small_array<unsigned, 32> new_edges_;       // places in `edges`
-  places_of_numbers existing_;                      // places in `edges` of edges of the mesh
-  core::small_array<unsigned, 32> first_edge_at_;   // of each vert, in edges_at_
+  core::small_array<unsigned, 32> first_edge_at_;  // of each vert, in edges_at_
   core::small_array<unsigned, 64> edges_at_;
   core::small_array<unsigned, 32> ring_;
-
-  bool refuse(const char* why, unsigned v, unsigned w = none) {
-    refused = {why, v, w};
-    return false;
-  }
-  static std::uint64_t key(unsigned a, unsigned b) { return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b); }
-  planned_edge& edge_of(unsigned a, unsigned b) { return edges[static_cast<std::size_t>(std::lower_bound(keys_.begin(), keys_.end(), key(a, b)) - keys_.begin())]; }
-
-  unsigned local_target(unsigned h, unsigned p) const {
-    const unsigned v = K::target(m_, h), i = c_.local.find(v);
-    if (i == none) core::throw_joined<invalid_mesh>({"rewire: vert ", v, " of old poly ", p, " is not among the verts of the cavity; list all verts of old and new polys"});
-    return i;
-  }
-  /// Calls f(half-edge, local number of its start, that of its end) for all half-edges of old polys.
-  template<class F>
-  bool for_each_old(const F& f) const {
-    for (const unsigned p : c_.polys) {
-      const unsigned first = K::halfedge_of(m_, p);
-      unsigned h = first, from = local_target(h ^ 1, p);
-      do {
-        const unsigned to = local_target(h, p);
-        if (!f(h, from, to)) return false;
-        from = to;
-        h = K::next(m_, h);
-      } while (h != first);
-    }
-    return true;
-  }
-
-  void list_keys() {
-    for_each_old([&](unsigned, unsigned a, unsigned b) {
-      keys_.push_back(key(a, b));
-      return true;
-    });
-    next_corner_.resize(c_.num_corners(), none);
-    for (unsigned k = 0, i = 0; k < c_.ends.size(); ++k)
-      for (const unsigned first = i; i < c_.ends[k]; ++i) {
-        next_corner_[i] = i + 1 < c_.ends[k] ? i + 1 : first;
-        keys_.push_back(key(c_.corners[i], c_.corners[next_corner_[i]]));
-      }
-    core::sort_numbers(keys_.begin(), keys_.end());
-    keys_.resize(static_cast<std::size_t>(std::unique(keys_.begin(), keys_.end()) - keys_.begin()), 0);
-    for (const std::uint64_t k : keys_) {
-      planned_edge e;
-      e.verts[0] = static_cast<unsigned>(k >> 32), e.verts[1] = static_cast<unsigned>(k);
-      edges.push_back(e);
-    }
-  }
-  bool add_old_polys() {
-    return for_each_old([&](unsigned h, unsigned a, unsigned b) {
-      planned_edge& e = edge_of(a, b);
-      const unsigned ascending = a < b ? h : h ^ 1;
-      if (e.halfedge != none && e.halfedge != ascending) return refuse(K::one_edge, a, b);
-      e.halfedge = ascending;
-      return e.had_old_poly = true;
-    });
-  }
-  bool add_new_polys() {
-    for (unsigned i = 0; i < c_.num_corners(); ++i) {
-      const unsigned a = c_.corners[i], b = c_.corners[next_corner_[i]];
-      planned_edge& e = edge_of(a, b);
-      if (e.corner[a > b] != none) return refuse(K::two_polys, a, b);
-      e.corner[a > b] = i;
-    }
-    return true;
-  }
-  /// The half-edge from a to b, or `none`: searched at the one that has fewer edges.
-  unsigned find_halfedge(unsigned a, unsigned b) const {
-    const unsigned at_a = K::halfedge_from(m_, a), at_b = K::halfedge_from(m_, b);
-    if (at_a == none || at_b == none) return none;
-    unsigned g = at_a, h = at_b;
-    do {
-      if (K::target(m_, g) == b) return g;
-      if (K::target(m_, h) == a) return h ^ 1;
-      g = K::next(m_, g ^ 1), h = K::next(m_, h ^ 1);
-    } while (g != at_a && h != at_b);
-    return none;
-  }
-  bool find_other_edges() {
-    corner_halfedges.resize(c_.num_corners(), none);
-    for (unsigned i = 0; i < edges.size(); ++i) {
-      planned_edge& e = edges[i];
-      const unsigned a = e.verts[0], b = e.verts[1];
-      if (e.halfedge == none && b < c_.num_verts()) e.halfedge = find_halfedge(c_.verts[a], c_.verts[b]);
-      e.is_new = e.halfedge == none;
-      if (e.is_new) {
-        e.halfedge = 2 * (K::num_edges(m_) + num_new_edges++);
-        new_edges_.push_back(i);
-      } else {
-        existing_.add(e.halfedge >> 1, i);
-      }
-      for (const unsigned d : {0u, 1u}) {
-        const unsigned p = e.is_new ? none : K::poly_of(m_, e.halfedge ^ d);
-        e.has_other_poly[d] = p != none && c_.old.find(p) == none;
-        if (e.corner[d] == none) continue;
-        if (e.has_other_poly[d]) return refuse(K::two_polys, e.verts[d], e.verts[1 - d]);
-        corner_halfedges[e.corner[d]] = e.halfedge ^ d;
-      }
-    }
-    existing_.sort();
-    return true;
-  }
 
   void list_edges_at_verts() {
     first_edge_at_.resize(c_.num_all_verts() + 1, 0);
@@ -197,6 +63,11 @@ class halfedge_plan {
     if (e.corner[d] != none) return corner_halfedges[next_corner_[e.corner[d]]];
     return e.has_other_poly[d] ? K::next(m_, h) : none;
   }
+  /// A half-edge that leaves v and remains.
+  unsigned remaining_halfedge(unsigned v) const {
+    for (unsigned k = first_edge_at_[v];; ++k)
+      if (const planned_edge& e = edges[edges_at_[k]]; e.remains()) return e.halfedge ^ (e.verts[0] != v);
+  }
   /// Lists the half-edges that will leave v.
   void list_ring(unsigned v) {
     ring_.clear();
@@ -212,10 +83,45 @@ class halfedge_plan {
     for (unsigned k = first_edge_at_[v]; k < first_edge_at_[v + 1]; ++k)
       if (const planned_edge& e = edges[edges_at_[k]]; e.is_new) ring_.push_back(e.halfedge ^ (e.verts[0] != v));
   }
+  /// Whether new polys fill, between the same edges, the same parts of the ring round v as old ones. Then the ring is otherwise as before.
+  bool keeps_ring(unsigned v) const {
+    unsigned sectors = 0, met = 0;  // of old and of new polys, and those that a walk from one edge to another meets
+    for (unsigned k = first_edge_at_[v]; k < first_edge_at_[v + 1]; ++k) {
+      const planned_edge& e = edges[edges_at_[k]];
+      const unsigned in = e.verts[0] == v;  // the direction towards v
+      const bool old_in = e.has_old_poly[in], old_out = e.has_old_poly[1 - in], new_in = e.corner[in] != none, new_out = e.corner[1 - in] != none;
+      sectors += old_in + new_in;
+      if ((old_in && !old_out) != (new_in && !new_out) || (!old_in && old_out) != (!new_in && new_out)) return false;
+      if (!old_in || old_out) continue;
+      const auto end = [&](const auto& next_of, const auto& goes_on) {
+        for (unsigned g = e.halfedge ^ in;;) {
+          const unsigned h = next_of(g);
+          ++met;
+          if (!goes_on(h ^ 1)) return h;
+          g = h ^ 1;
+        }
+      };
+      const auto is_old = [&](unsigned h) {
+        const planned_edge& x = edges[place_of(h)];
+        return x.has_old_poly[h != x.halfedge];
+      };
+      const auto is_new = [&](unsigned h) {
+        const planned_edge& x = edges[place_of(h)];
+        return x.corner[h != x.halfedge] != none;
+      };
+      if (end([&](unsigned g) { return K::next(m_, g); }, is_old) != end([&](unsigned g) { return next_in_poly(g); }, is_new)) return false;
+    }
+    return met == sectors;
+  }
   /// Links the fans of polys at v along the border, in the order of their first half-edges.
   bool plan_vert(unsigned v) {
     if (first_edge_at_[v] == first_edge_at_[v + 1]) {
       if (c_.is_removed(v) && K::halfedge_from(m_, c_.verts[v]) != none) c_.refuse_removal(v);
+      return true;
+    }
+    if (v < c_.num_verts() && !c_.is_removed(v) && keeps_ring(v)) {
+      const unsigned h = K::halfedge_from(m_, c_.verts[v]), i = existing_.find(h >> 1);
+      if (i != none && !edges[i].remains()) leaving.push_back({v, remaining_halfedge(v)});
       return true;
     }
     list_ring(v);
@@ -237,7 +143,7 @@ class halfedge_plan {
       border_links.push_back({follow(h), at_border});
     }
     if (at_border == none && !ring_.empty()) follow(ring_[0]);
-    if (met != ring_.size()) return refuse(K::one_closed_fan, v);
+    if (met != ring_.size()) return this->refuse(K::one_closed_fan, v);
     leaving.push_back({v, ring_.empty() ? none : at_border == none ? ring_[0] : at_border});
     return true;
   }

@@ -1,4 +1,4 @@
-// Replaces polys of a half-edge mesh of another library at once, after a plan. The struct K of halfedge_plan.hpp also has:
+// Replaces polys of a half-edge mesh of another library at once, after a plan. The struct K of halfedge_edge_plan.hpp also has:
 //
 //   static void reserve(mesh&, unsigned verts, unsigned edges, unsigned polys, bool removes);  // then nothing below fails
 //   static unsigned add_vert(mesh&), add_edge(mesh&), add_poly(mesh&);                         // the index

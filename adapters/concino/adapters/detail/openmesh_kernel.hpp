@@ -1,4 +1,4 @@
-// How `rewire` changes the half-edges of an OpenMesh mesh; see halfedge_plan.hpp.
+// How `rewire` changes the half-edges of an OpenMesh mesh; see halfedge_edge_plan.hpp.
 #pragma once
 
 #include <concino/adapters/detail/halfedge_recorder.hpp>
