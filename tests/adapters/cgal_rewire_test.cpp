@@ -15,7 +15,7 @@ static_assert(EditableSurfaceMesh<CGAL::Surface_mesh<kernel_point>> && EditableS
 TEST_CASE_TEMPLATE("CGAL: random cavities", P, kernel_point, vec3) {
   std::mt19937 random(11);
   unsigned done = 0, refused = 0;
-  for (unsigned round = 0; round < 12; ++round) {
+  for (unsigned round = 0; round < 8; ++round) {
     auto m = ct::cgal_surface<P>(round % 2 ? ct::triangle_grid(3) : ct::polygon_grid(4));
     for (unsigned i = 0; i < 40; ++i) {
       (ct::rewires_by_the_laws(m, ct::random_foreign_cavity(m, random)) ? done : refused) += 1;
@@ -23,13 +23,13 @@ TEST_CASE_TEMPLATE("CGAL: random cavities", P, kernel_point, vec3) {
     }
     ct::foreign_laws_hold(m);
   }
-  CHECK(done > 100);
-  CHECK(refused > 100);
+  CHECK(done > 40);
+  CHECK(refused > 40);
 }
 
 TEST_CASE("CGAL: every operator keeps the topology, or refuses and changes nothing") {
   std::mt19937 random(12);
-  ct::keeps_topology(ct::cgal_surface<kernel_point>(ct::triangle_grid(4)), random, 60);
+  ct::keeps_topology(ct::cgal_surface<kernel_point>(ct::triangle_grid(3)), random);
 }
 
 TEST_CASE_TEMPLATE("CGAL: transactions leave no trace, and can be undone and done again", P, kernel_point, vec3) {
@@ -61,6 +61,21 @@ TEST_CASE("CGAL: a copy of a mesh is not part of its transaction") {
   const auto changed = ct::foreign_state(copy);
   t.roll_back();
   CHECK(ct::foreign_state(copy) == changed);
+}
+
+TEST_CASE("CGAL: transactions of classes that derive from Surface_mesh") {
+  struct own : CGAL::Surface_mesh<kernel_point> {
+    explicit own(const CGAL::Surface_mesh<kernel_point>& m) : CGAL::Surface_mesh<kernel_point>(m) {}
+  };
+  own m(ct::cgal_surface<kernel_point>(ct::triangle_grid(2)));
+  const auto before = ct::foreign_state(m);
+  {
+    transaction t(m);
+    CHECK(edge_split(m, *edges(m).begin()));
+    CGAL::Surface_mesh<kernel_point>& base = m;
+    CHECK(edge_split(base, *edges(base).begin()));  // is part of it
+  }
+  CHECK(ct::foreign_state(m) == before);
 }
 
 TEST_CASE("CGAL: a transaction on an empty mesh") {

@@ -186,6 +186,7 @@ permission can_vert_split(const M& m, vert_t<M> v, std::span<const std::type_ide
   detail::check_vert_split<M>(m, v, moved, x, options, "can_vert_split");
   detail::cavity_builder<M> c(m);
   if (const permission p = detail::vert_split_cavity<M>(m, v, moved, x, options, c); !p) return p;
+  if (const permission p = detail::is_representable(m, c); !p) return p;
   return detail::ask(options.keep, m, c);
 }
 
@@ -203,6 +204,7 @@ vert_result<M> vert_split(M& m, vert_t<M> v, std::span<const std::type_identity_
   detail::check_vert_split<M>(m, v, moved, x, options, "vert_split");
   detail::cavity_builder<M> c(m);
   if (const permission p = detail::vert_split_cavity<M>(m, v, moved, x, options, c); !p) return {p};
+  if (const permission p = detail::is_representable(m, c); !p) return {p};
   if (const permission p = detail::ask(options.keep, m, c); !p) return {p};
   c.apply(m);
   return {{}, c.new_vert()};

@@ -11,7 +11,7 @@ namespace concino::detail {
 /// Its address stands for the type of a mesh.
 template<class M> inline constexpr char type_tag = 0;
 
-/// Whether m can represent the result of the edit.
+/// Whether m can represent the result of the edit. Needed only if the edit may change the topology of a mesh that m can represent.
 template<class M>
 permission is_representable(const M& m, const cavity_builder<M>& c) {
   core::small_array<vert_t<M>, 32> verts;
@@ -28,11 +28,9 @@ permission is_representable(const M& m, const cavity_builder<M>& c) {
   return is_representable(m, cavity<M>{{&c.poly(0), &c.poly(0) + c.num_old()}, all(verts), {&x, &x + c.has_point()}, all(corners), all(ends), {}, 0, removed != c.none});
 }
 
-/// The first refusal. Nothing is computed if there are no invariants and m can represent every result.
+/// The first refusal. Nothing is computed if there are no invariants.
 template<class M>
 permission ask(const std::vector<invariant>& keep, const M& m, const cavity_builder<M>& c) {
-  if constexpr (says_why_not_rewire<M>)
-    if (const permission p = is_representable(m, c); !p) return p;
   if (keep.empty()) return {};
   constexpr unsigned size = cavity_builder<M>::size;
   core::small_array<std::size_t, 32> verts, polys;
