@@ -37,7 +37,7 @@ M soup_of_different_polys(std::mt19937& random, unsigned verts, unsigned polys) 
 }
 
 /// For each operator, in all test cases together.
-unsigned num_tries() { return long_run() ? 1000000 : 10000; }
+unsigned num_tries() { return long_run() ? 400000 : 10000; }
 
 }  // namespace
 
