@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -72,10 +73,18 @@ const std::vector<example> examples = {
      {{metric::volume, 166.66666667}, {metric::condition, 1.2247448714}, {metric::jacobian, 1000}, {metric::shape, 0.83994736660}, {metric::distortion, 1},
       {metric::edge_ratio, std::numbers::sqrt2}, {metric::radius_ratio, 1.3660254038}, {metric::aspect_ratio, 1.3660254038},
       {metric::aspect_frobenius, 1.1905507890}, {metric::minimum_angle, 54.735610317}, {metric::collapse_ratio, 0.40824829046},
-      {metric::equivolume_skew, 0.5}, {metric::equiangle_skew, 0.25}}},
+      {metric::equivolume_skew, 0.5}, {metric::equiangle_skew, 0.25}, {metric::normalized_inradius, 0.61401440738235424}}},
     {"tet_test2_singular", poly_shape::tet, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
      {{metric::volume, 0}, {metric::condition, inf}, {metric::jacobian, 0}, {metric::shape, 0}, {metric::distortion, 1}, {metric::edge_ratio, inf},
       {metric::radius_ratio, inf}, {metric::aspect_ratio, inf}, {metric::aspect_frobenius, inf}, {metric::equivolume_skew, inf}}},
+    {"tet_incircle_right", poly_shape::tet, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{metric::inradius, 0.5 - 1 / std::sqrt(12.0)}}},
+    {"tet_incircle_flat", poly_shape::tet, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.5, 0.5, 0}}, {{metric::inradius, 0}}},
+    {"tet_incircle_inverted", poly_shape::tet, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}}, {{metric::inradius, -0.5 + 1 / std::sqrt(12.0)}}},
+    {"tet_incircle_regression", poly_shape::tet, {{12, 44, 13.3}, {17, 0.003, 66}, {3, 33, 234}, {14, -123, 21}}, {{metric::inradius, 3.2723844167}}},
+    {"wedge_simple", poly_shape::prism, {{0, 0, 0}, {-1, 1, 0}, {-1, 0, 0}, {0, 0, 1}, {-1, 1, 1}, {-1, 0, 1}},
+     {{metric::volume, 0.5}, {metric::equiangle_skew, 0.25}, {metric::edge_ratio, std::numbers::sqrt2}}},
+    {"wedge_singularity", poly_shape::prism, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+     {{metric::volume, 0}, {metric::equiangle_skew, 1}, {metric::edge_ratio, inf}}},
     {"hex_test1", poly_shape::hex, {{-.2, -.7, -.3}, {-.7, .4, -.6}, {-.5, .5, .3}, {-.3, -.5, .5}, {.5, -.8, -.2}, {.4, .4, -.6}, {.2, .5, .2}, {.5, -.3, .8}},
      {{metric::skew, 0.24588970374}, {metric::taper, 0.17845765256}, {metric::volume, 0.81566666667}, {metric::stretch, 0.62097029970},
       {metric::diagonal, 0.68962192988}, {metric::dimension, 0.52459420058}, {metric::condition, 1.2730598257}, {metric::max_aspect_frobenius, 1.2730598257},
@@ -223,7 +232,7 @@ TEST_CASE("metric: degenerate, inverted and non-finite polys") {
         broken.back().y = bad;
         CHECK(std::isnan(cn::quality(r.shape, broken, what, 1)));
       }
-      const bool has_sign = what == metric::scaled_jacobian || what == metric::mean_ratio || what == metric::jacobian || what == metric::volume || what == metric::collapse_ratio;
+      const bool has_sign = what == metric::scaled_jacobian || what == metric::mean_ratio || what == metric::jacobian || what == metric::volume || what == metric::collapse_ratio || what == metric::inradius;
       if (r.shape >= poly_shape::tet && has_sign) CHECK(cn::quality(r.shape, mirrored, what) == doctest::Approx(-cn::quality(r.shape, r.points, what)));
     });
   }
@@ -235,6 +244,37 @@ TEST_CASE("metric: the mean ratio of tets is Verdict's to the power 2/3") {
     const double q = cn::quality(poly_shape::tet, corner(z), metric::mean_ratio);
     CHECK(std::copysign(std::pow(std::abs(q), 1.5), q) == doctest::Approx(value).epsilon(1e-5));
   }
+}
+
+TEST_CASE("metric: relations between metrics of a poly") {
+  std::mt19937 random(9);
+  for (const regular& r : regular_shapes())
+    for (unsigned k = 0; k < 20; ++k) {
+      const auto points = jittered_points(r.points, 0.3, random);
+      const auto q = [&](metric what) { return cn::quality(r.shape, points, what, 0.4); };
+      const double ratio = q(metric::mean_ratio);
+      CHECK(q(metric::scaled_jacobian) * ratio >= 0);
+      if (r.shape == poly_shape::triangle) {
+        CHECK(q(metric::condition) == q(metric::aspect_frobenius));
+        CHECK(q(metric::shape) == doctest::Approx(1 / q(metric::condition)));
+        CHECK(q(metric::normalized_inradius) == doctest::Approx(1 / q(metric::radius_ratio)));
+        CHECK(q(metric::shape_and_size) == doctest::Approx(q(metric::shape) * q(metric::relative_size_squared)));
+      }
+      if (r.shape == poly_shape::quad || r.shape == poly_shape::hex) {
+        CHECK(q(metric::shear) == doctest::Approx(std::max(0.0, q(metric::scaled_jacobian))));
+        CHECK(q(metric::shear_and_size) == doctest::Approx(q(metric::shear) * q(metric::relative_size_squared)));
+        CHECK(q(metric::shape_and_size) == doctest::Approx(q(metric::shape) * q(metric::relative_size_squared)));
+        CHECK(q(metric::shape) == doctest::Approx(std::max(0.0, ratio)));
+      }
+      if (r.shape == poly_shape::quad && ratio > 0) CHECK(q(metric::condition) == doctest::Approx(1 / q(metric::shape)));
+      if (r.shape == poly_shape::tet) {
+        CHECK(q(metric::volume) == doctest::Approx(q(metric::jacobian) / 6));
+        CHECK(q(metric::aspect_gamma) == doctest::Approx(std::pow(std::abs(ratio), -1.5)));
+        CHECK(q(metric::aspect_frobenius) == doctest::Approx(1 / std::abs(ratio)));
+        if (ratio > 0) CHECK(q(metric::aspect_beta) == doctest::Approx(q(metric::radius_ratio)));
+        else CHECK(q(metric::aspect_beta) == inf);
+      }
+    }
 }
 
 TEST_CASE("metric: special cases of polygons") {

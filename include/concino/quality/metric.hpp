@@ -32,6 +32,7 @@ enum class metric : unsigned char {
   edge_ratio,              // longest over shortest edge
   equiangle_skew,          // largest deviation of an angle from that of the regular shape
   equivolume_skew,         // deviation of the volume from that of the regular tet in the same sphere
+  inradius,                // of the inscribed sphere; negative if inverted
   jacobian,                // smallest Jacobian determinant of the corners, and of the centre of hexes
   max_aspect_frobenius,    // the largest condition number of the corners
   max_edge_ratio,          // longest over shortest principal axis
@@ -40,7 +41,7 @@ enum class metric : unsigned char {
   med_aspect_frobenius,    // the mean condition number of the corners
   minimum_angle,           // smallest angle between edges, or dihedral angle of a tet, in degrees
   nodal_jacobian_ratio,    // smallest over largest Jacobian determinant of the corners
-  normalized_inradius,     // inradius over circumradius
+  normalized_inradius,     // smallest inradius of the parts between midpoints of edges, over the circumradius; of triangles 1 / radius_ratio
   oddy,                    // largest deviation of the metric tensor of a corner
   planarity,               // of the least planar face: 1 - thickness / (twice the largest distance of a vert from the mean)
   radius_ratio,            // circumradius over inradius
@@ -57,7 +58,7 @@ enum class metric : unsigned char {
   warpage,                 // 1 - cosine^3 between normals at opposite corners
   aspect = aspect_ratio,   // the short name
 };
-inline constexpr std::size_t num_metrics = 37;
+inline constexpr std::size_t num_metrics = 38;
 
 /// A closed interval.
 struct value_range {
@@ -111,7 +112,7 @@ metric metric_named(std::string_view name);
 ///         mean_size, a mean area or volume; they are 0 if it is 0.
 /// Result: within limits_of(what, shape).full, up to rounding. NaN if a point is not finite. A degenerate poly, for which the definition divides by 0,
 ///         has the value 0 where smaller ones are worse, else the high end of the full range, mostly infinity (Verdict: 1e30). Inverted cells have negative
-///         scaled_jacobian, mean_ratio, jacobian, volume and collapse_ratio. Polys of any magnitude are evaluated as if scaled by a power of two.
+///         scaled_jacobian, mean_ratio, jacobian, volume, inradius and collapse_ratio. Polys of any magnitude are evaluated as if scaled by a power of two.
 /// Cost:   O(points); star_shapedness of polys that are not convex O(points^2).
 /// Errors: unsupported if the metric is not defined for the shape, or for a polyhedron, which needs its faces; invalid_argument for a wrong number of points.
 /// Source: as limits_of. Where the manual and the values of Verdict's tests differ, the tests are followed, except for warpage, which is that of the

@@ -15,7 +15,7 @@ namespace detail {
 
 inline constexpr std::string_view metric_names[] = {
     "area", "volume", "aspect_beta", "aspect_frobenius", "aspect_gamma", "aspect_ratio", "collapse_ratio", "condition", "diagonal", "dimension", "distortion",
-    "edge_ratio", "equiangle_skew", "equivolume_skew", "jacobian", "max_aspect_frobenius", "max_edge_ratio", "maximum_angle", "mean_ratio",
+    "edge_ratio", "equiangle_skew", "equivolume_skew", "inradius", "jacobian", "max_aspect_frobenius", "max_edge_ratio", "maximum_angle", "mean_ratio",
     "med_aspect_frobenius", "minimum_angle", "nodal_jacobian_ratio", "normalized_inradius", "oddy", "planarity", "radius_ratio", "relative_size_squared",
     "scaled_jacobian", "shape", "shape_and_size", "shear", "shear_and_size", "skew", "star_shapedness", "stretch", "taper", "warpage"};
 inline constexpr std::string_view poly_shape_names[] = {"triangle", "quad", "polygon", "tet", "hex", "prism", "pyramid", "polyhedron"};

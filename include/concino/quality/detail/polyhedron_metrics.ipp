@@ -90,6 +90,22 @@ struct polyhedron_metrics {
     const value_range r = squared_lengths();
     return ratio_or_infinite(std::sqrt(r.high), std::sqrt(r.low));
   }
+  /// That of the worst face.
+  double equiangle_skew() const {
+    double q = 0;
+    for (std::size_t k = 0; k < num_faces(); ++k) {
+      const auto loop = face(k);
+      const std::size_t n = loop.size();
+      value_range angles{180, 0};
+      for (std::size_t i = 0; i < n; ++i) {
+        const vec3& at = g.points[loop[i]];
+        const double angle = angle_in_degrees(g.points[loop[(i + 1) % n]] - at, g.points[loop[(i + n - 1) % n]] - at);
+        angles = {std::min(angles.low, angle), std::max(angles.high, angle)};
+      }
+      q = std::max(q, skew_of_angles(angles.low, angles.high, 180 - 360 / static_cast<double>(n)));
+    }
+    return q;
+  }
   double relative_size_squared() const { return squared_relative_size(volume(), g.mean_size); }
   double scaled_jacobian() const {
     const double det = regular().det;
@@ -121,6 +137,7 @@ CONCINO_INLINE std::span<const metric_row> polyhedron_rows() {
   using s = polyhedron_metrics;
   static constexpr metric_row rows[] = {
       {metric::edge_ratio, metric_of<s, &s::edge_ratio>, ratio_to(3)},
+      {metric::equiangle_skew, metric_of<s, &s::equiangle_skew>, deviation_to(0.5, 1)},
       {metric::mean_ratio, metric_of<s, &s::mean_ratio>, signed_part_from(0.3)},
       {metric::planarity, metric_of<s, &s::planarity>, part_from(0.9)},
       {metric::relative_size_squared, metric_of<s, &s::relative_size_squared>, relative_from(0.3)},

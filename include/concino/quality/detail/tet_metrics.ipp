@@ -35,12 +35,30 @@ struct tet_metrics {
   }
   double aspect_ratio() const { return ratio_or_infinite(largest(lengths()) * surface(), std::sqrt(6.0) * std::abs(jacobian())); }
   double circumradius() const { return length_of(squared(3) * cross(edge[2], edge[0]) + squared(2) * cross(edge[3], edge[0]) + squared(0) * cross(edge[3], edge[2])) / (2 * std::abs(jacobian())); }
-  double inradius() const { return std::abs(jacobian()) / (2 * surface()); }
-  double radius_ratio() const { return jacobian() != 0 ? circumradius() / (3 * inradius()) : no_limit; }
+  double inradius() const {
+    const double area = surface();
+    return area > 0 ? jacobian() / (2 * area) : 0;
+  }
+  double radius_ratio() const { return jacobian() != 0 ? circumradius() / (3 * std::abs(inradius())) : no_limit; }
   double aspect_beta() const { return jacobian() > 0 ? radius_ratio() : no_limit; }
+  static double inradius_of(const vec3& a, const vec3& b, const vec3& c, const vec3& d) {
+    const vec3 u = b - a, v = c - a, w = d - a;
+    return ratio_or_zero(std::abs(dot(cross(u, v), w)), length_of(cross(u, v)) + length_of(cross(v, w)) + length_of(cross(w, u)) + length_of(cross(v - u, w - u)));
+  }
+  /// The smallest inradius of 12 parts, over the circumradius; divided by that of the regular tet. The parts are 4 tets at the verts, up to the midpoints of
+  /// edges, and 8 in the octahedron between these midpoints, about their mean.
   double normalized_inradius() const {
-    const double r = radius_ratio();
-    return r == no_limit ? 0 : std::copysign(1 / r, jacobian());
+    const double det = jacobian();
+    if (det == 0) return 0;
+    const vec3 p[] = {{}, edge[0], -edge[2], edge[3]};
+    const vec3 mean = (p[1] + p[2] + p[3]) / 4;
+    double q = no_limit;
+    for (unsigned k = 0; k < 4; ++k) {
+      const vec3 &a = p[k], &b = p[(k + 1) % 4], &c = p[(k + 2) % 4], &d = p[(k + 3) % 4];
+      const vec3 ab = (a + b) / 2, ac = (a + c) / 2, ad = (a + d) / 2, bc = (b + c) / 2, bd = (b + d) / 2, cd = (c + d) / 2;
+      q = std::min({q, inradius_of(a, ab, ac, ad), inradius_of(ab, ac, ad, mean), inradius_of(bc, bd, cd, mean)});
+    }
+    return std::copysign(q / circumradius() * 6 / (std::numbers::sqrt3 - 1), det);
   }
   double collapse_ratio() const {
     static constexpr unsigned face_edges[4][3] = {{1, 4, 5}, {2, 3, 5}, {0, 3, 4}, {0, 1, 2}};  // opposite the verts
@@ -117,6 +135,7 @@ CONCINO_INLINE std::span<const metric_row> tet_rows() {
       {metric::edge_ratio, metric_of<t, &t::edge_ratio>, ratio_to(3)},
       {metric::equiangle_skew, metric_of<t, &t::equiangle_skew>, deviation_to(0.5, 1)},
       {metric::equivolume_skew, metric_of<t, &t::equivolume_skew>, deviation_to(0.7, no_limit)},
+      {metric::inradius, metric_of<t, &t::inradius>, size_of(0.20412414523193151, 1)},  // sqrt(6) / 12
       {metric::jacobian, metric_of<t, &t::jacobian>, size_of(std::numbers::sqrt2 / 2, 3)},
       {metric::mean_ratio, metric_of<t, &t::mean_ratio>, signed_part_from(0.3)},
       {metric::minimum_angle, metric_of<t, &t::minimum_angle>, {{40, 70.528779365509309}, {0, 70.528779365509309}, 70.528779365509309, 0}},
