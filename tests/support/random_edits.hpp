@@ -396,6 +396,9 @@ random_edits_check<M> edit_at_random(const M& start, std::mt19937& random, unsig
     keeps_all_laws(m);
     equals_rebuilt(m);
     if (keeps_topology) CHECK(topology(m) == facts);
+    M used = m;
+    remove_unreferenced(used);  // validate does not count faces without polys
+    CHECK(validate(used).facts.euler_characteristic == euler_characteristic(used));
   }
   return r;
 }
