@@ -12,6 +12,21 @@ TEST_CASE_TEMPLATE("OpenMesh: edits that run out of memory change nothing", M, t
   testing::edits_are_all_or_nothing(m, 3, [](const auto& f) { return testing::for_each_failing_allocation(f, 8); });  // OpenMesh's assertions allocate memory
 }
 
+TEST_CASE("OpenMesh: a transaction for which there is no memory can be opened later") {
+  tri_status start;
+  fill(start, testing::triangle_grid(1));
+  const auto result = testing::for_each_failing_allocation([&](const auto& attempt) {
+    tri_status m = start;
+    attempt([&] { transaction t(m); });
+    {
+      transaction t(m);
+      edge_split(m, *edges(m).begin());
+    }
+    CHECK(testing::foreign_state(m) == testing::foreign_state(start));
+  });
+  CHECK(result.failed > 2);
+}
+
 TEST_CASE_TEMPLATE("OpenMesh: garbage_collect that runs out of memory changes nothing", M, tri_double, tri_status) {
   M start;
   fill(start, two_grids<M>(2));

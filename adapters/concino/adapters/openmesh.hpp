@@ -42,9 +42,7 @@ struct mesh_traits<M> : halfedge_kernel<OpenMesh::PolyConnectivity, detail::open
     requires(detail::openmesh_coordinates<M> >= 3)
   static void set_point(M& m, vert v, const X& x) {
     if (auto* const recorder = recorder_of(m)) recorder->save_point(static_cast<unsigned>(v.idx()));
-    typename M::Point p = m.point(v);
-    assign_point(p, x);
-    m.set_point(v, p);
+    assign_point(detail::openmesh_property(m.vprops_begin(), m.points_property_handle())[v.idx()], x);  // allocates no memory
   }
 
   static vert add_vert(M& m, const vec3& x) requires(detail::openmesh_coordinates<M> >= 3) {

@@ -121,21 +121,34 @@ struct openmesh_kernel : openmesh_elements_kernel {
   using edits_property = OpenMesh::MPropHandleT<uncopied<edits>>;
   static constexpr char name_of_edits[] = "concino:edits";
 
-  static points find_points(mesh& m) {
-    OpenMesh::VPropHandleT<P> p;
-    m.get_property_handle(p, "v:points");
-    return &m.property(p);
-  }
+  static points find_points(mesh& m) { return find_property<P>(m.vprops_begin(), m.vprops_end(), "v:points"); }
   static P& point_of(mesh&, points p, unsigned v) { return (*p)[static_cast<int>(v)]; }
 
   static edits* find_edits(mesh& m) {
-    edits_property p;
-    return m.get_property_handle(p, name_of_edits) ? m.property(p).get() : nullptr;
+    auto* const found = find_property<uncopied<edits>>(m.mprops_begin(), m.mprops_end(), name_of_edits);
+    return found ? (*found)[0].get() : nullptr;
   }
   static edits& edits_of(mesh& m) {
     edits_property p;
-    if (!m.get_property_handle(p, name_of_edits)) m.add_property(p, name_of_edits);
+    if (!m.get_property_handle(p, name_of_edits)) {
+      try {
+        m.add_property(p, name_of_edits);
+      } catch (...) {  // OpenMesh keeps an incomplete property
+        if (p.is_valid()) m.remove_property(p);
+        throw;
+      }
+    }
     return m.property(p).get_or_make();
+  }
+
+ private:
+  /// The property of this name, or null. m.get_property_handle(...) allocates memory for the name of the type.
+  template<class T, class Iterator>
+  static OpenMesh::PropertyT<T>* find_property(Iterator first, Iterator last, const char* name) {
+    for (; first != last; ++first)
+      if (*first && (*first)->name() == name)
+        if (auto* const found = dynamic_cast<OpenMesh::PropertyT<T>*>(*first)) return found;
+    return nullptr;
   }
 };
 
