@@ -1,7 +1,8 @@
-// Defines what poly_quality.hpp, worst.hpp and histogram.hpp do not compute from the mesh.
+// Defines what poly_reader.hpp does not read from the mesh.
 #pragma once
 
-#include <concino/quality/poly_quality.hpp>
+#include <concino/core/error.hpp>
+#include <concino/quality/detail/poly_reader.hpp>
 
 #include <cmath>
 
