@@ -1,5 +1,7 @@
 // Files beyond 4 GiB: sparse ones, which take no space on the disk, and text from a pipe.
 #include <concino/io/load_any.hpp>
+#include <concino/mesh/property.hpp>
+#include <concino/mesh/trimesh.hpp>
 
 #include <support/corpus.hpp>
 #include <support/reading.hpp>
@@ -46,6 +48,12 @@ std::string words(std::initializer_list<std::uint32_t> all) {
   return bytes;
 }
 std::uint32_t real(float x) { return std::bit_cast<std::uint32_t>(x); }
+
+std::vector<vec3> points_of(const trimesh& m) {
+  std::vector<vec3> all;
+  for (const vert_id v : verts(m)) all.push_back(point(m, v));
+  return all;
+}
 
 std::uint64_t free_memory() {
   return static_cast<std::uint64_t>(::sysconf(_SC_AVPHYS_PAGES)) * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
@@ -113,6 +121,76 @@ TEST_CASE("large files: binary OFF beyond 4 GiB can be mapped and read") {
                         std::to_string(polys_at))
                            .c_str(),
                        parse_error);
+}
+
+// Arrays may stand anywhere behind the tags.
+TEST_CASE("large files: .vtu with arrays beyond 4 GiB can be mapped and read") {
+  constexpr std::uint64_t far = 5 * gib;
+  const auto array = [](const std::string& type, const std::string& name, std::uint64_t offset) {
+    return "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" + (name == "Points" ? "3" : "1") + "\" format=\"appended\" offset=\"" + std::to_string(offset) + "\"/>\n";
+  };
+  const std::string tags = "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n"
+                           "<Piece NumberOfPoints=\"3\" NumberOfCells=\"1\">\n<PointData>\n" + array("Float32", "heat", far + 1024) + "</PointData>\n<Points>\n" +
+                           array("Float32", "Points", 0) + "</Points>\n<Cells>\n" + array("Int32", "connectivity", far) + array("Int32", "offsets", far + 256) +
+                           array("UInt8", "types", far + 512) + "</Cells>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
+  const auto little = [](std::initializer_list<std::uint32_t> all) {
+    std::string bytes;
+    for (const std::uint32_t x : all)
+      for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(x >> shift & 255);
+    return bytes;
+  };
+  const temporary_folder dir;
+  sparse_file file(dir / "a.vtu", tags.size() + far + 2048);
+  file.write(0, tags + little({36, 0, 0, 0, 0, real(1), 0, 0, 0, real(1), 0}));
+  file.write(tags.size() + far, little({12, 0, 2, 0, 1}));
+  file.write(tags.size() + far + 256, little({4, 0, 3}));
+  file.write(tags.size() + far + 512, little({1, 0, 5}));
+  file.write(tags.size() + far + 1024, little({12, 0, real(7), real(8), real(9)}));
+  const auto m = load<trimesh>(file.path, {.map = true});
+  CHECK(points_of(m) == std::vector<vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  CHECK(find_vert_property<float>(m, "heat")[vert_id{2}] == 9);
+  file.write(tags.size() + far, little({12, 0, 2, 0, 3}));
+  CHECK_THROWS_AS(load<trimesh>(file.path, {.map = true}), parse_error);
+}
+
+TEST_CASE("large files: .vtk with an array behind 4 GiB of another one can be mapped and read") {
+  const temporary_folder dir;
+  std::string head = "# vtk DataFile Version 3.0\nlarge\nBINARY\nDATASET POLYDATA\nPOINTS 3 float\n" + words({0, 0, 0, real(1), 0, 0, 0, real(1), 0}) +
+                     "\nPOLYGONS 1 4\n" + words({3, 0, 1, 2}) + "\nPOINT_DATA 3\nFIELD values 2\nlarge 1500000000 3 unsigned_char\n";
+  const std::uint64_t behind = head.size() + 4'500'000'000u;
+  static_assert(4'500'000'000u > 4 * gib);
+  const std::string tail = "\nheat 1 3 float\n" + words({real(7), real(8), real(9)}) + "\n";
+  sparse_file file(dir / "a.vtk", behind + tail.size());
+  file.write(0, head);
+  file.write(behind, tail);
+  load_report report;
+  const auto m = load<trimesh>(file.path, {.report = &report, .map = true});
+  CHECK(find_vert_property<float>(m, "heat")[vert_id{2}] == 9);
+  CHECK(report.skipped.size() == 1);
+}
+
+TEST_CASE("large files: .meshb with sections beyond 4 GiB can be mapped and read") {
+  const auto ints = [](std::initializer_list<std::uint64_t> all, unsigned size) {
+    std::string bytes;
+    for (const std::uint64_t x : all)
+      for (unsigned k = 0; k < size; ++k) bytes += static_cast<char>(x >> (8 * k) & 255);
+    return bytes;
+  };
+  constexpr std::uint64_t far = 5 * gib;
+  const temporary_folder dir;
+  // version 3: positions of 64 bits; the section of an unknown keyword ends beyond 4 GiB
+  const std::string head = ints({1, 3, 3}, 4) + ints({24}, 8) + ints({3, 900}, 4) + ints({far}, 8);
+  std::string points = ints({4}, 4);
+  const std::string coordinates = ints({3}, 4) + ints({0, 0, 0}, 8) + ints({0}, 4) + ints({std::bit_cast<std::uint64_t>(1.0), 0, 0}, 8) + ints({0}, 4) +
+                                  ints({0, std::bit_cast<std::uint64_t>(1.0), 0}, 8) + ints({0}, 4);
+  points += ints({far + 12 + coordinates.size()}, 8) + coordinates;
+  const std::string triangles = ints({6}, 4) + ints({far + points.size() + 12 + 20}, 8) + ints({1, 1, 2, 3, 7}, 4) + ints({54}, 4) + ints({0}, 8);
+  sparse_file file(dir / "a.meshb", far + points.size() + triangles.size());
+  file.write(0, head);
+  file.write(far, points + triangles);
+  const auto m = load<trimesh>(file.path, {.map = true});
+  CHECK(points_of(m) == std::vector<vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  CHECK(find_poly_property<int>(m, "label")[poly_id{0}] == 7);
 }
 
 TEST_CASE("large files: counts beyond 32 bits are errors even if the file could hold the elements") {
