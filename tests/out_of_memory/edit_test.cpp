@@ -74,6 +74,19 @@ TEST_CASE_TEMPLATE("an edit that runs out of memory changes nothing", M, CONCINO
   }
 }
 
+TEST_CASE("edits of triangles without properties that run out of memory change nothing") {
+  cn::trimesh m = cn::testing::grid<cn::trimesh>(4);
+  std::size_t failed = 0;
+  for (unsigned i = 0; i < 24; ++i) {
+    const cn::edge_id e{7 * i};
+    if (!cn::contains(m, e)) continue;
+    const auto edit = [i, e](cn::trimesh& x) { return i % 3 == 0 ? bool(cn::edge_split(x, e)) : i % 3 == 1 ? bool(cn::edge_flip(x, e)) : bool(cn::edge_collapse(x, e)); };
+    failed += all_or_nothing(m, edit);
+    edit(m);
+  }
+  CHECK(failed > 20);
+}
+
 TEST_CASE_TEMPLATE("cleaning up that runs out of memory changes nothing", M, CONCINO_ALL_KINDS) {
   M m = cn::testing::grid<M>(1);
   cn::testing::give_properties(m);

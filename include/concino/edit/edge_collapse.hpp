@@ -1,8 +1,9 @@
 // Collapses an edge of triangles or tets: its two ends become one vert.
 #pragma once
 
-#include <concino/edit/detail/propose.hpp>
+#include <concino/edit/detail/direct_edits.hpp>
 #include <concino/edit/detail/link_condition.hpp>
+#include <concino/edit/detail/propose.hpp>
 
 #include <concino/concepts/end_verts.hpp>
 #include <concino/core/number_text.hpp>
@@ -52,7 +53,7 @@ permission edge_collapse_cavity(const M& m, const edge_t<M>& e, double t, cavity
   c.merge(a, b, t);
   if (!can_collapse<n>(link_a, link_b, link_ab, c.num_verts())) return breaks_link_condition;
   const vec3 x = to_vec3(point(m, ends.first)), y = to_vec3(point(m, ends.second));
-  if (t > 0) c.move(a, t == 1 ? y : (1 - t) * x + t * y);
+  if (t > 0) c.move(a, point_between(x, y, t));
   return {};
 }
 
@@ -89,10 +90,14 @@ template<EditableMesh M>
 vert_result<M> edge_collapse(M& m, edge_t<M> e, const edge_collapse_options& options = {}) {
   detail::check_element(m, e, "edge_collapse", "edge");
   detail::check_collapse(options, "edge_collapse");
+  const auto ends = end_verts(m, e);
+  const vert_t<M> kept = ends.first;
+  if constexpr (detail::collapses_edges<M>)
+    if (options.keep.empty() && traits<M>::collapse_edge(m, e, detail::point_between(to_vec3(point(m, kept)), to_vec3(point(m, ends.second)), options.at)))
+      return {{}, kept};
   detail::cavity_builder<M> c(m);
   if (const permission p = detail::edge_collapse_cavity(m, e, options.at, c); !p) return {p};
   if (const permission p = detail::ask(options.keep, m, c); !p) return {p};
-  const vert_t<M> kept = end_verts(m, e).first;
   c.apply(m);
   return {{}, kept};
 }

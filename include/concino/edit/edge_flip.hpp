@@ -2,6 +2,7 @@
 // (3-2), one with four tets by another edge (4-4).
 #pragma once
 
+#include <concino/edit/detail/direct_edits.hpp>
 #include <concino/edit/detail/edge_ring.hpp>
 #include <concino/edit/detail/facet_flip.hpp>
 
@@ -47,6 +48,8 @@ permission can_edge_flip(const M& m, edge_t<M> e, const edit_options& options = 
 template<EditableSurfaceMesh M>
 edge_result<M> edge_flip(M& m, edge_t<M> e, const edit_options& options = {}) {
   detail::check_element(m, e, "edge_flip", "edge");
+  if constexpr (detail::flips_edges<M>)
+    if (options.keep.empty() && traits<M>::flip_edge(m, e)) return {{}, e};
   return detail::flip_facet(m, e, options.keep);
 }
 

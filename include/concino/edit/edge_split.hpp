@@ -1,6 +1,7 @@
 // Splits an edge of triangles or tets at a point between its ends.
 #pragma once
 
+#include <concino/edit/detail/direct_edits.hpp>
 #include <concino/edit/detail/propose.hpp>
 
 #include <concino/concepts/end_verts.hpp>
@@ -19,7 +20,7 @@ permission edge_split_cavity(const M& m, const edge_t<M>& e, double t, cavity_bu
     if (!c.add_old(p)) return not_simplices;
   if (has_repeated_polys(c)) return polys_on_same_verts;
   const vec3 first = to_vec3(point(m, ends.first)), second = to_vec3(point(m, ends.second));
-  c.add_point((1 - t) * first + t * second, {a, b, t});
+  c.add_point(point_between(first, second, t), {a, b, t});
   split_old_polys(c, split, 2);
   return {};
 }
@@ -51,6 +52,12 @@ template<EditableMesh M>
 vert_result<M> edge_split(M& m, edge_t<M> e, double t = 0.5, const edit_options& options = {}) {
   detail::check_element(m, e, "edge_split", "edge");
   detail::check_parameter(t, "edge_split");
+  if constexpr (detail::splits_edges<M>)
+    if (options.keep.empty()) {
+      const auto ends = end_verts(m, e);
+      const vert_t<M> made = traits<M>::split_edge(m, e, detail::point_between(to_vec3(point(m, ends.first)), to_vec3(point(m, ends.second)), t));
+      if (made != vert_t<M>{}) return {{}, made};
+    }
   detail::cavity_builder<M> c(m);
   if (const permission p = detail::edge_split_cavity(m, e, t, c); !p) return {p};
   if (const permission p = detail::ask(options.keep, m, c); !p) return {p};

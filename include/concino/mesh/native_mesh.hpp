@@ -210,6 +210,36 @@ struct native_traits : Base<M> {
     }
     m.points().insert(m.points().end(), c.points.begin(), c.points.end());
   }
+
+  // See edit/detail/direct_edits.hpp. An edit that is recorded, or whose properties must follow, is left to rewire.
+
+  static vert_id split_edge(M& m, edge_id e, const vec3& x)
+    requires requires { m.tables().split_edge(e); }
+  {
+    if (!may_edit_directly(m)) return {};
+    reserve_more(m.points(), 1);
+    const vert_id v = m.tables().split_edge(e);
+    if (v.is_none()) return v;
+    m.points().push_back(x);
+    count_edit(m);
+    return v;
+  }
+  static bool flip_edge(M& m, edge_id e)
+    requires requires { m.tables().flip_edge(e); }
+  {
+    const bool is_done = may_edit_directly(m) && m.tables().flip_edge(e);
+    if (is_done) count_edit(m);
+    return is_done;
+  }
+  static bool collapse_edge(M& m, edge_id e, const vec3& x)
+    requires requires { m.tables().collapse_edge(e); }
+  {
+    const vert_id kept = m.tables().adj_e2v(e)[0];
+    if (!may_edit_directly(m) || !m.tables().collapse_edge(e)) return false;
+    m.points()[kept.raw()] = x;
+    count_edit(m);
+    return true;
+  }
   static edit_state<typename M::native>& edits(M& m) { return m.edits(); }
   static correspondence garbage_collect(M& m) {
     if (is_recorded(m)) throw unsupported("garbage_collect: elements cannot be renumbered while a transaction is open; call it before or after");
@@ -240,6 +270,7 @@ struct native_traits : Base<M> {
   static auto growing(M& m) {
     return [&m](const index_bounds& after) { m.properties().grow(bounds_of(m.tables()), after); };
   }
+  static bool may_edit_directly(M& m) { return !is_recorded(m) && m.properties().size() == 0; }
   static bool is_recorded(M& m) { return m.edits().recorder != nullptr; }
   static void remove_faces_without_polys(M& m, vert_id v) {
     if constexpr (requires(face_id f) { m.tables().remove_face(f); }) {

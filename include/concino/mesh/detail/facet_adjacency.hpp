@@ -281,6 +281,26 @@ class facet_adjacency {
       first = second = own;
     }
   }
+  // Edits that know that no poly has a neighbour behind two facets or a non-manifold facet, before and afterwards.
+
+  /// Makes f facet k of p. Behind it is `outside`, to which f belongs first, or nothing.
+  void put(poly_id p, std::uint32_t k, Facet f, encoded_neighbour outside) {
+    facets_.begin(p.raw())[k] = f;
+    neighbours_.begin(p.raw())[k] = outside;
+    if (outside.is_none()) return set_owner(f, p.raw(), k);
+    const std::uint32_t j = local(outside.raw, f);
+    neighbours_.begin(outside.raw)[j].raw = p.raw();
+    set_owner(f, outside.raw, j);
+  }
+  /// Makes f facet k of p, to which it belongs first, and facet j of q.
+  void put_between(poly_id p, std::uint32_t k, poly_id q, std::uint32_t j, Facet f) {
+    facets_.begin(p.raw())[k] = facets_.begin(q.raw())[j] = f;
+    neighbours_.begin(p.raw())[k].raw = q.raw();
+    neighbours_.begin(q.raw())[j].raw = p.raw();
+    set_owner(f, p.raw(), k);
+  }
+  /// Of the two polys at f, its facet k, p becomes the first.
+  void set_first(Facet f, poly_id p, std::uint32_t k) { set_owner(f, p.raw(), k); }
   /// Marks the incidences of p whose neighbour is already behind an earlier facet or a non-manifold facet of p, and no others. The scratch memory needs
   /// room for its facets, if these are more than `max_scanned_facets`.
   template<class Scratch>

@@ -9,6 +9,7 @@ namespace concino {
 CONCINO_SURFACE_TABLES(, 0);
 CONCINO_SURFACE_TABLES(, 3);
 CONCINO_SURFACE_TABLES(, 4);
+CONCINO_TRIANGLE_EDITS();
 
 }  // namespace concino
 #endif
