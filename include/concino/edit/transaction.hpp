@@ -89,7 +89,8 @@ class transaction {
   bool is_open_ = true;
 
  public:
-  /// Needs:  a mesh that records its edits: those of this library.      Cost: O(properties); edits inside take longer, by what they save.
+  /// Needs:  a mesh that records its edits: those of this library, OpenMesh and CGAL::Surface_mesh.
+  /// Cost:   O(properties), in OpenMesh and CGAL the first time O(edges); edits inside take longer, by what they save.
   /// Errors: unsupported if a property of m has values that cannot be copied byte by byte, such as std::string.
   explicit transaction(M& m) : m_(m), edits_(traits<M>::edits(m)), version_before_(edits_.version) {
     if (!edits_.recorder) own_ = std::make_unique<detail::recorder_of<M>>(m);
