@@ -4,6 +4,8 @@
 #include <concino/fields/poisson.hpp>
 #include <concino/generate/grade.hpp>
 #include <concino/generate/grid.hpp>
+#include <concino/generate/random_points.hpp>
+#include <concino/generate/voronoi_polygons.hpp>
 #include <concino/graph/boundary_verts.hpp>
 #include <concino/operators/laplacian.hpp>
 #include <concino/solve/ldlt.hpp>
@@ -89,6 +91,26 @@ TEST_CASE_TEMPLATE("multigrid: takes few iterations on graded and stretched grid
   const std::size_t n = dimension_v<M> == 2 ? 60 : 14;
   CHECK(check_solution(fixed_boundary(graded_grid<M>(n, 3)), 1e-8) < 30);
   CHECK(check_solution(fixed_boundary(make_grid<M>({.cells = {n, n, n}, .max = {100, 1, 1}})), 1e-8) < 30);
+}
+
+TEST_CASE("multigrid: takes at most three times as many iterations on stretched Voronoi polygons as on even ones") {
+  const box square{{0, 0, 0}, {1, 1, 0}};
+  polygonmesh m = voronoi_polygons(random_points(2500, square), square);
+  std::vector<int> iterations;
+  for (const double length : {1.0, 100.0}) {
+    for (const auto v : verts(m)) {
+      vec3 x = point(m, v);
+      x.x *= length;
+      set_point(m, v, x);
+    }
+    multigrid solver({.tolerance = 1e-10});
+    const sparse a = fixed_boundary(m);
+    solver.factorize(a);
+    solver.solve(random_vector(a.cols()));
+    iterations.push_back(solver.iterations());
+  }
+  CHECK(iterations[0] <= 18);
+  CHECK(iterations[1] <= 27);
 }
 
 TEST_CASE("multigrid: iterations hardly depend on the number of unknowns") {

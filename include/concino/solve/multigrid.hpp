@@ -20,7 +20,7 @@ namespace concino {
 /// Iterations to a tolerance of 1e-10 for Poisson's equation with 10^4 and 10^6 unknowns, and values given on the boundary:
 /// - uniform meshes: triangles 14 and 14, quads 15 and 15, Voronoi polygons 17 and 24, tets 13 and 14, hexes 14 and 15;
 /// - graded by x^3: triangles, quads and tets 14 to 15 and 14 to 16, hexes 13 and 24, Voronoi polygons 28 and 60;
-/// - cells stretched 1 : 100: triangles, quads, tets and hexes 13 to 16 and 14 to 17, Voronoi polygons 47 and 146.
+/// - cells stretched 1 : 100: triangles, quads, tets and hexes 13 to 16 and 14 to 17, Voronoi polygons 27 and 66.
 /// Voronoi polyhedra take 13 to 18 with up to 10^5 unknowns.
 /// The worst case are flat cells other than triangles and tets, if no values are given along their large faces. Hexes graded by x^3, with values on two
 /// sides only, take 86 iterations at 10^4 and 194 at 10^5 unknowns. The stabilisation of virtual elements then dominates, and its kernel is larger than the

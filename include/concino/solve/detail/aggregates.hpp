@@ -38,6 +38,18 @@ struct restriction {
   int size() const { return static_cast<int>(begin.size()) - 1; }
 };
 
+/// Rounds weights to multiples of 2^-22, so that those with the sum 1 still have exactly that sum: constants are interpolated without rounding errors.
+inline void append_rounded(const std::vector<double>& weights, std::vector<float>& rounded) {
+  constexpr double unit = 0x1p-22;
+  double sum = 0, others = 0;
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    sum += weights[k];
+    if (k > 0) others += std::nearbyint(weights[k] / unit);
+  }
+  for (std::size_t k = 0; k < weights.size(); ++k)
+    rounded.push_back(static_cast<float>((k > 0 ? std::nearbyint(weights[k] / unit) : std::nearbyint(sum / unit) - others) * unit));
+}
+
 /// Rows i and j are strongly connected if a_ij is negative and -a_ij is at least 0.6 min(m_i, m_j), where m_i is the largest -a_ij of row i. An aggregate
 /// is a row and those strongly connected to it. Rows that are dominated by their diagonal entry belong to none, since Gauss-Seidel solves them. The filtered
 /// matrix has the strong entries only; all others are added to its diagonal.
@@ -84,8 +96,13 @@ class aggregates {
   }
 
   /// The same, smoothed by one step of damped Jacobi with the filtered matrix. Rows with more than `max_per_row` strong entries are not smoothed, so that the
-  /// coarse matrix of a vert with thousands of edges stays sparse. Empty if the result had more than `max_entries` entries.
+  /// coarse matrix of a vert with thousands of edges stays sparse; nor are rows i with stays_constant(i). Empty if the result had more than `max_entries`
+  /// entries.
   prolongation smoothed(std::size_t max_entries) const {
+    return smoothed(max_entries, [](std::size_t) { return false; });
+  }
+  template<class StaysConstant>
+  prolongation smoothed(std::size_t max_entries, const StaysConstant& stays_constant) const {
     prolongation p;
     p.columns = num_;
     p.begin.reserve(n_ + 1);
@@ -93,7 +110,7 @@ class aggregates {
     std::vector<int> position(static_cast<std::size_t>(num_), -1), columns;
     std::vector<double> weights;
     for (std::size_t i = 0; i < n_; ++i) {
-      smooth_row(i, position, columns, weights);
+      smooth_row(i, !stays_constant(i), position, columns, weights);
       if (p.column.size() + columns.size() > max_entries) return {};
       p.column.insert(p.column.end(), columns.begin(), columns.end());
       append_rounded(weights, p.weight);
@@ -104,7 +121,7 @@ class aggregates {
 
  private:
   /// The aggregates and weights from which row i is interpolated. position: -1 for each aggregate, before and after.
-  void smooth_row(std::size_t i, std::vector<int>& position, std::vector<int>& columns, std::vector<double>& weights) const {
+  void smooth_row(std::size_t i, bool is_smoothed, std::vector<int>& position, std::vector<int>& columns, std::vector<double>& weights) const {
     columns.clear();
     weights.clear();
     const auto add = [&](int to, double w) {
@@ -118,23 +135,12 @@ class aggregates {
       weights[static_cast<std::size_t>(at)] += w;
     };
     const int count = begin_[i + 1] - begin_[i];
-    if (count > 0) add(of_[i], count > max_per_row ? 1 : 1 - damping);
-    if (count <= max_per_row)
+    is_smoothed = is_smoothed && count <= max_per_row;
+    if (count > 0) add(of_[i], is_smoothed ? 1 - damping : 1);
+    if (is_smoothed)
       for (auto k = static_cast<std::size_t>(begin_[i]); k < static_cast<std::size_t>(begin_[i + 1]); ++k)
         add(of_[static_cast<std::size_t>(neighbour_[k])], damping * static_cast<double>(strength_[k]));
     for (const int to : columns) position[static_cast<std::size_t>(to)] = -1;
-  }
-
-  /// Rounds weights to multiples of 2^-22, so that those with the sum 1 still have exactly that sum: constants are interpolated without rounding errors.
-  static void append_rounded(const std::vector<double>& weights, std::vector<float>& rounded) {
-    constexpr double unit = 0x1p-22;
-    double sum = 0, others = 0;
-    for (std::size_t k = 0; k < weights.size(); ++k) {
-      sum += weights[k];
-      if (k > 0) others += std::nearbyint(weights[k] / unit);
-    }
-    for (std::size_t k = 0; k < weights.size(); ++k)
-      rounded.push_back(static_cast<float>((k > 0 ? std::nearbyint(weights[k] / unit) : std::nearbyint(sum / unit) - others) * unit));
   }
 
   void find_strong_entries(const Eigen::SparseMatrix<double>& a) {

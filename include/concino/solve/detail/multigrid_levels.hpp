@@ -3,6 +3,7 @@
 
 #include <concino/solve/detail/aggregates.hpp>
 #include <concino/solve/detail/bottom_solver.hpp>
+#include <concino/solve/detail/cancelling_rows.hpp>
 #include <concino/solve/detail/coarse_matrix.hpp>
 #include <concino/solve/detail/multigrid_cycle.hpp>
 
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -25,7 +27,7 @@ class multigrid_levels {
   };
   std::vector<level> levels_;
   bottom_solver bottom_;
-  bool has_bottom_ = false, has_kernel_ = false;
+  bool has_bottom_ = false, has_kernel_ = false, smooths_whole_rows_ = false;
   double entries_per_cycle_ = 0;
 
  public:
@@ -49,6 +51,7 @@ class multigrid_levels {
     levels_.reserve(32);  // Eigen's matrices are copied where a vector grows
     has_kernel_ = false;
     levels_.emplace_back().a.swap(a);
+    smooths_whole_rows_ = cancelling_rows::pay_for(finest());
     while (levels_.back().a.cols() > max_bottom && add_level()) {}
     has_bottom_ = levels_.back().a.cols() <= max_bottom && bottom_.factorize(levels_.back().a, has_kernel_);
     for (level& l : levels_) {
@@ -110,19 +113,32 @@ class multigrid_levels {
  private:
   /// Returns false if there is nothing to aggregate. The interpolation is smoothed unless it or the coarse matrix would be large.
   bool add_level() {
+    const Eigen::Index entries = levels_.back().a.nonZeros();
     aggregates groups(levels_.back().a);
     if (groups.size() == 0) return false;
-    const Eigen::Index entries = levels_.back().a.nonZeros();
+    if (smooths_whole_rows_ && add_level_below(smoothed_by_whole_rows(groups), entries / 4 * 3)) return true;
+    smooths_whole_rows_ = false;
     prolongation p = groups.smoothed(static_cast<std::size_t>(entries));
     groups.forget_strong_entries();
-    Eigen::SparseMatrix<double> coarse;
+    if (!add_level_below(std::move(p), entries / 4 * 3)) add_level_below(groups.piecewise_constant(), std::numeric_limits<Eigen::Index>::max());
+    return true;
+  }
+
+  prolongation smoothed_by_whole_rows(const aggregates& groups) const {
+    const Eigen::SparseMatrix<double>& a = levels_.back().a;
+    const cancelling_rows rows(a);
+    const auto most = static_cast<std::size_t>(a.nonZeros());
+    return rows.smooth(groups.smoothed(most, [&](std::size_t i) { return rows.contains(i); }), most);
+  }
+
+  /// Returns false if the interpolation is empty, or the coarse matrix would have more entries.
+  bool add_level_below(prolongation p, Eigen::Index max_entries) {
+    if (p.columns == 0) return false;
     restriction by_column(p);
-    if (p.columns > 0) coarse_matrix(levels_.back().a, p, by_column).lower(has_kernel_).swap(coarse);
-    if (p.columns == 0 || coarse.nonZeros() > entries / 4 * 3) {
-      p = groups.piecewise_constant();
-      by_column = restriction(p);
-      coarse_matrix(levels_.back().a, p, by_column).lower(has_kernel_).swap(coarse);
-    }
+    bool has_kernel = has_kernel_;
+    Eigen::SparseMatrix<double> coarse = coarse_matrix(levels_.back().a, p, by_column).lower(has_kernel);
+    if (coarse.nonZeros() > max_entries) return false;
+    has_kernel_ = has_kernel;
     levels_.back().to_next = std::move(by_column);
     levels_.emplace_back().a.swap(coarse);
     return true;
