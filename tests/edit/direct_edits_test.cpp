@@ -35,13 +35,13 @@ bool edits_agree(unsigned what, cn::trimesh& m, cn::edge_id e, double t) {
     done = cn::edge_split(m, e, t);
   } else if (what == 1) {
     const auto made = cn::edge_flip(by_rewire, e, {.keep = {anything}});
-    is_direct = traits::flip_edge(direct, e);
+    is_direct = traits::flip_edge(direct, e) == concino::direct_edit::done;
     const auto own = cn::edge_flip(m, e);
     CHECK(own.edge == made.edge);
     asked = made, done = own;
   } else {
     const auto made = cn::edge_collapse(by_rewire, e, {.keep = {anything}, .at = t});
-    is_direct = traits::collapse_edge(direct, e, x);
+    is_direct = traits::collapse_edge(direct, e, x) == concino::direct_edit::done;
     const auto own = cn::edge_collapse(m, e, {.at = t});
     CHECK(own.vert == made.vert);
     asked = made, done = own;
@@ -97,13 +97,13 @@ TEST_CASE("edits of triangles: values of properties and transactions are left to
   const cn::edge_id e{3};
   const auto before = whole(m);
   CHECK(concino::mesh_traits<cn::trimesh>::split_edge(m, e, {0, 0, 0}) == cn::vert_id{});
-  CHECK(!concino::mesh_traits<cn::trimesh>::flip_edge(m, e));
-  CHECK(!concino::mesh_traits<cn::trimesh>::collapse_edge(m, e, {0, 0, 0}));
+  CHECK(concino::mesh_traits<cn::trimesh>::flip_edge(m, e) == concino::direct_edit::left_to_rewire);
+  CHECK(concino::mesh_traits<cn::trimesh>::collapse_edge(m, e, {0, 0, 0}) == concino::direct_edit::left_to_rewire);
   cn::trimesh other = cn::icosphere(1);
   const auto other_before = whole(other);
   {
     cn::transaction t(other);
-    CHECK(!concino::mesh_traits<cn::trimesh>::flip_edge(other, e));
+    CHECK(concino::mesh_traits<cn::trimesh>::flip_edge(other, e) == concino::direct_edit::left_to_rewire);
     CHECK(cn::edge_flip(other, e));
     CHECK(cn::edge_split(other, e));
   }

@@ -93,8 +93,11 @@ vert_result<M> edge_collapse(M& m, edge_t<M> e, const edge_collapse_options& opt
   const auto ends = end_verts(m, e);
   const vert_t<M> kept = ends.first;
   if constexpr (detail::collapses_edges<M>)
-    if (options.keep.empty() && traits<M>::collapse_edge(m, e, detail::point_between(to_vec3(point(m, kept)), to_vec3(point(m, ends.second)), options.at)))
-      return {{}, kept};
+    if (options.keep.empty()) {
+      const direct_edit x = traits<M>::collapse_edge(m, e, detail::point_between(to_vec3(point(m, kept)), to_vec3(point(m, ends.second)), options.at));
+      if (x == direct_edit::done) return {{}, kept};
+      if (x == direct_edit::refused) return {detail::breaks_link_condition};
+    }
   detail::cavity_builder<M> c(m);
   if (const permission p = detail::edge_collapse_cavity(m, e, options.at, c); !p) return {p};
   if (const permission p = detail::ask(options.keep, m, c); !p) return {p};

@@ -224,21 +224,22 @@ struct native_traits : Base<M> {
     count_edit(m);
     return v;
   }
-  static bool flip_edge(M& m, edge_id e)
+  static direct_edit flip_edge(M& m, edge_id e)
     requires requires { m.tables().flip_edge(e); }
   {
-    const bool is_done = may_edit_directly(m) && m.tables().flip_edge(e);
-    if (is_done) count_edit(m);
-    return is_done;
+    const direct_edit x = may_edit_directly(m) ? m.tables().flip_edge(e) : direct_edit::left_to_rewire;
+    if (x == direct_edit::done) count_edit(m);
+    return x;
   }
-  static bool collapse_edge(M& m, edge_id e, const vec3& x)
+  static direct_edit collapse_edge(M& m, edge_id e, const vec3& x)
     requires requires { m.tables().collapse_edge(e); }
   {
     const vert_id kept = m.tables().adj_e2v(e)[0];
-    if (!may_edit_directly(m) || !m.tables().collapse_edge(e)) return false;
+    const direct_edit result = may_edit_directly(m) ? m.tables().collapse_edge(e) : direct_edit::left_to_rewire;
+    if (result != direct_edit::done) return result;
     m.points()[kept.raw()] = x;
     count_edit(m);
-    return true;
+    return result;
   }
   static edit_state<typename M::native>& edits(M& m) { return m.edits(); }
   static correspondence garbage_collect(M& m) {

@@ -11,6 +11,7 @@
 #include <concino/mesh/detail/edit_log.hpp>
 #include <concino/mesh/detail/facet_adjacency.hpp>
 #include <concino/mesh/detail/vertex_incidence.hpp>
+#include <concino/mesh/direct_edit.hpp>
 
 namespace concino {
 
@@ -98,17 +99,17 @@ class surface_tables {
   void rewire(const detail::native_cavity& c, const detail::native_cavity_result& made, function_ref<void(const detail::index_bounds&)> grow = {},
               detail::edit_log* log = nullptr);
 
-  // Edits of an edge of triangles, faster than by rewire and with the same result. They do nothing if the edit is none of the regular ones, of triangles
-  // without non-manifold edges that have different neighbours; the caller then uses rewire, or finds out why the edit is impossible.
+  // Edits of an edge of triangles, faster than by rewire and with the same result. They leave an edit to rewire if a triangle has a non-manifold edge or a
+  // neighbour behind two of its edges.
 
   /// Splits e, and each poly at it into two. Returns the new vert, or none if nothing is done.
   vert_id split_edge(edge_id e)
     requires(Arity == 3);
-  /// Replaces e by the edge between the verts opposite to it. Returns whether it is done.
-  bool flip_edge(edge_id e)
+  /// Replaces e by the edge between the verts opposite to it. It is refused if these have an edge already.
+  direct_edit flip_edge(edge_id e)
     requires(Arity == 3);
-  /// Collapses e if the link condition certainly holds: its first end remains. Returns whether it is done.
-  bool collapse_edge(edge_id e)
+  /// Collapses e: its first end remains. It is refused if the link condition does not hold.
+  direct_edit collapse_edge(edge_id e)
     requires(Arity == 3);
 
   /// Calls f for every array of the tables, for undoing edits.
@@ -140,7 +141,7 @@ class surface_tables {
   static constexpr std::uint32_t longest_fan = 32;
   std::uint32_t find_triangles(edge_id e, vert_id a, side_of_edge* two) const;
   bool have_common_edge(vert_id a, vert_id b) const;
-  bool is_closed_fan_apart_from(vert_id a, vert_id b, const side_of_edge* s) const;
+  bool is_closed_fan(vert_id b, const side_of_edge* s) const;
   void remove_edge_at(vert_id v, edge_id e);
   void push_edge_at(vert_id v, vert_id other, edge_id e);
   void set_ends(edge_id e, vert_id a, vert_id b);
@@ -173,10 +174,10 @@ class surface_tables {
   EXTERN template surface_tables<ARITY> surface_tables<ARITY>::compacted(const detail::compaction&) const;                            \
   EXTERN template void surface_tables<ARITY>::check(std::size_t) const;                                                               \
   EXTERN template void surface_tables<ARITY>::build(std::size_t)
-#define CONCINO_TRIANGLE_EDITS(EXTERN)                             \
-  EXTERN template vert_id surface_tables<3>::split_edge(edge_id); \
-  EXTERN template bool surface_tables<3>::flip_edge(edge_id);     \
-  EXTERN template bool surface_tables<3>::collapse_edge(edge_id)
+#define CONCINO_TRIANGLE_EDITS(EXTERN)                                 \
+  EXTERN template vert_id surface_tables<3>::split_edge(edge_id);      \
+  EXTERN template direct_edit surface_tables<3>::flip_edge(edge_id);   \
+  EXTERN template direct_edit surface_tables<3>::collapse_edge(edge_id)
 #ifdef CONCINO_COMPILED
 CONCINO_SURFACE_TABLES(extern, 0);
 CONCINO_SURFACE_TABLES(extern, 3);

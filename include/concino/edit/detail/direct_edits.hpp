@@ -1,20 +1,21 @@
 // Operators that a mesh does itself, faster than by rewire.
 //
-// mesh_traits<M> may have split_edge(m, e, x), which returns the new vert or none, flip_edge(m, e) and collapse_edge(m, e, x), which return whether the edit is
-// done; x is the point of the new vert, or of the first end of e, which remains. Each leaves the same mesh as the operator by rewire, or does nothing: then the
-// operator goes on with rewire, or says why the edit is impossible. Like rewire, they change nothing if memory runs out. They are asked if there are no invariants.
+// mesh_traits<M> may have split_edge(m, e, x), which returns the new vert or none, flip_edge(m, e) and collapse_edge(m, e, x), which return a direct_edit. Here x
+// is the point of the new vert, or of the first end of e, which remains. Each leaves the same mesh as the operator by rewire, or does nothing. Like rewire, they
+// change nothing if memory runs out. They are asked if there are no invariants.
 #pragma once
 
 #include <concino/core/vec3.hpp>
 #include <concino/concepts/mesh_traits.hpp>
+#include <concino/mesh/direct_edit.hpp>
 
 #include <concepts>
 
 namespace concino::detail {
 
 template<class M> concept splits_edges = requires(M& m, edge_t<M> e, const vec3& x) { { traits<M>::split_edge(m, e, x) } -> std::same_as<vert_t<M>>; };
-template<class M> concept flips_edges = requires(M& m, edge_t<M> e) { { traits<M>::flip_edge(m, e) } -> std::same_as<bool>; };
-template<class M> concept collapses_edges = requires(M& m, edge_t<M> e, const vec3& x) { { traits<M>::collapse_edge(m, e, x) } -> std::same_as<bool>; };
+template<class M> concept flips_edges = requires(M& m, edge_t<M> e) { { traits<M>::flip_edge(m, e) } -> std::same_as<direct_edit>; };
+template<class M> concept collapses_edges = requires(M& m, edge_t<M> e, const vec3& x) { { traits<M>::collapse_edge(m, e, x) } -> std::same_as<direct_edit>; };
 
 /// The point (1 - t) a + t b of the edge between a and b; its ends to the bit for 0 and 1.
 inline vec3 point_between(const vec3& a, const vec3& b, double t) {

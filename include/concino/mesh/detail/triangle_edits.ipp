@@ -136,14 +136,15 @@ vert_id surface_tables<Arity, Lists>::split_edge(edge_id e)
 }
 
 template<unsigned Arity, class Lists>
-bool surface_tables<Arity, Lists>::flip_edge(edge_id e)
+direct_edit surface_tables<Arity, Lists>::flip_edge(edge_id e)
   requires(Arity == 3)
 {
   const vert_id a = e2v_[e.raw()][0], b = e2v_[e.raw()][1];
   side_of_edge s[2];
-  if (find_triangles(e, a, s) != 2) return false;
+  if (find_triangles(e, a, s) != 2) return direct_edit::left_to_rewire;
   const auto runs_to_b = [](const side_of_edge& x) { return x.corner_a == x.at_edge; };
-  if (runs_to_b(s[0]) == runs_to_b(s[1]) || have_common_edge(s[0].c, s[1].c)) return false;
+  if (runs_to_b(s[0]) == runs_to_b(s[1])) return direct_edit::left_to_rewire;
+  if (have_common_edge(s[0].c, s[1].c)) return direct_edit::refused;
   for (const side_of_edge& x : s) {
     detail::reserve_edges_at(v2v_, v2e_, x.c, 1);
     v2p_.reserve_in_row(x.c.raw(), 1);
@@ -163,15 +164,14 @@ bool surface_tables<Arity, Lists>::flip_edge(edge_id e)
   facet_adjacency_.put(q, s[1].at_edge, p_b.e, p_b.outside);
   facet_adjacency_.put(q, s[1].at_b, q_b.e, q_b.outside);
   facet_adjacency_.put_between(p, s[0].at_b, q, s[1].at_a, e);
-  return true;
+  return direct_edit::done;
 }
 
-/// Whether the polys at b are one closed fan of regular triangles that contains both sides, and its verts other than those of the sides have no edge to a.
-/// The link of b is a circle then, which meets that of a in two verts, so that edge ab can be collapsed.
+/// Whether the polys at b are one closed fan of at least four regular triangles that contains both sides, so that the link of b is a circle.
 template<unsigned Arity, class Lists>
-bool surface_tables<Arity, Lists>::is_closed_fan_apart_from(vert_id a, vert_id b, const side_of_edge* s) const {
+bool surface_tables<Arity, Lists>::is_closed_fan(vert_id b, const side_of_edge* s) const {
   const std::uint32_t n = v2p_.length(b.raw());
-  if (n < 4 || n > longest_fan || v2v_.length(b.raw()) != n) return false;
+  if (n < 4) return false;
   poly_id p = s[0].p;
   std::uint32_t k = s[0].at_b, met = 0;
   do {
@@ -183,19 +183,19 @@ bool surface_tables<Arity, Lists>::is_closed_fan_apart_from(vert_id a, vert_id b
     const std::uint32_t j = facet_adjacency_.position_of(p, e), next = side_of_edge::next(j);
     k = p2v_.begin(p.raw())[j] == b ? side_of_edge::next(next) : next;
   } while (p != s[0].p);
-  if (met != n) return false;
-  for (const vert_id x : v2v_[b.raw()])
-    if (x != a && x != s[0].c && x != s[1].c && have_common_edge(x, a)) return false;
-  return true;
+  return met == n;
 }
 
 template<unsigned Arity, class Lists>
-bool surface_tables<Arity, Lists>::collapse_edge(edge_id e)
+direct_edit surface_tables<Arity, Lists>::collapse_edge(edge_id e)
   requires(Arity == 3)
 {
   const vert_id a = e2v_[e.raw()][0], b = e2v_[e.raw()][1];
   side_of_edge s[2];
-  if (find_triangles(e, a, s) != 2 || !is_closed_fan_apart_from(a, b, s)) return false;
+  if (v2v_.length(b.raw()) > longest_fan || find_triangles(e, a, s) != 2) return direct_edit::left_to_rewire;
+  for (const vert_id x : v2v_[b.raw()])  // the link condition: both links have no other common verts
+    if (x != a && x != s[0].c && x != s[1].c && have_common_edge(x, a)) return direct_edit::refused;
+  if (v2v_.length(b.raw()) != v2p_.length(b.raw()) || !is_closed_fan(b, s)) return direct_edit::left_to_rewire;
   const std::uint32_t more = v2p_.length(b.raw()) - 4;
   v2v_.reserve_in_row(a.raw(), more), v2e_.reserve_in_row(a.raw(), more), v2p_.reserve_in_row(a.raw(), more);
   verts_.reserve_change(1, 0), edges_.reserve_change(3, 0), polys_.reserve_change(2, 0);
@@ -225,7 +225,7 @@ bool surface_tables<Arity, Lists>::collapse_edge(edge_id e)
   }
   v2v_.clear_row(b.raw()), v2e_.clear_row(b.raw()), v2p_.clear_row(b.raw());
   verts_.remove(b);
-  return true;
+  return direct_edit::done;
 }
 
 /// Makes an edge of `from`, which is edge k of p and of another poly, one of `to`, once.
