@@ -24,7 +24,7 @@ struct merge_verts_options {
 
 namespace detail {
 
-inline constexpr permission repeated_vert{refusal::wrong_set, "the verts that are merged are not all different"};
+inline constexpr permission equal_verts{refusal::wrong_set, "the verts that are merged are not all different"};
 inline constexpr permission becomes_degenerate{refusal::degenerate, "a poly would become degenerate; options.degenerate can remove it"};
 inline constexpr permission face_without_polys{refusal::loose_face, "a face without polys is at a vert that is removed; remove_unreferenced(m) removes it"};
 
@@ -73,7 +73,7 @@ template<class M>
 permission merge_cavity(const M& m, const vert_t<M>& kept, std::span<const vert_t<M>> removed, const merge_verts_options& options, relabelled_cavity<M>& c) {
   for (const vert_t<M>& v : removed) {
     const unsigned before = c.num_verts();
-    if (v == kept || c.number(v) < before) return repeated_vert;
+    if (v == kept || c.number(v) < before) return equal_verts;
     if (has_loose_face(m, v)) return face_without_polys;
   }
   c.end_removed();
