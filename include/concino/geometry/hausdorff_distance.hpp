@@ -18,7 +18,7 @@ struct distance_bounds {
 
 struct hausdorff_options {
   double tolerance = 0.01;  // in [0, 1): the bounds are refined until they differ by at most this part of the upper one
-  double max_cuts = 10;     // and until triangles were cut into four this many times, on average over all triangles of both surfaces
+  double max_cuts = 20;     // and until parts of triangles were cut this many times, on average over all triangles of both surfaces
 };
 
 namespace detail {
@@ -44,7 +44,7 @@ std::vector<triangle_points> all_triangles(const M& m) {
 /// Needs:  two surfaces of any shape and type; polygons of more than three verts are the triangles of triangulate_polygon.
 /// Result: bounds of the distance, in units of the meshes, up to rounding. They hold for all points of a, not for its verts only. 0 if a has no polys, infinite
 ///         if only b has none.
-///         They differ by more than the tolerance if max_cuts is reached, as for parallel surfaces with long edges and a small gap.
+///         They differ by more than the tolerance if max_cuts is reached, as where a has many points equally far from several parts of b.
 /// Cost:   O(n log n) for n triangles, in parallel, if the tree of b is as quick as for bounding_tree.
 /// Errors: invalid_mesh if a vert of a poly is not finite; invalid_argument if an option is out of its range.
 /// Source: branch and bound, as in Tang, Lee and Kim 2009, "Interactive Hausdorff distance computation for general polygonal models".

@@ -1,5 +1,5 @@
-// Defines hausdorff_distance.hpp. The distance from a triangle is a convex function, so on another triangle it is largest at a corner. That gives an upper bound
-// for each triangle from any of the triangles near it. Only triangles whose bound exceeds the largest distance met so far are cut into smaller ones.
+// Defines hausdorff_distance.hpp. The distance from a triangle is a convex function, so on a convex polygon it is largest at a corner. That gives an upper bound
+// for each polygon from any of the triangles near it. Only polygons whose bound exceeds the largest distance met so far are cut into smaller ones.
 #pragma once
 
 #include <concino/core/parallel.hpp>
@@ -31,6 +31,7 @@ class triangle_tree {
     triangles_ = std::move(triangles);
   }
 
+  const triangle_points& triangle(std::size_t i) const { return triangles_[i]; }
   double squared_distance(const vec3& x, std::size_t i) const {
     const triangle_points& t = triangles_[i];
     const vec3 d = x - closest_point(x, t[0], t[1], t[2]);
@@ -54,64 +55,79 @@ class triangle_tree {
   }
 };
 
-/// A part of a triangle, with what is nearest to its corners. All distances in it are at most `upper`, squared.
-struct triangle_part {
-  triangle_points corners;
-  std::array<triangle_tree::place, 3> nearest;
-  double upper;
+/// A convex part of a triangle. The squared distances of its points are at most `upper`.
+struct polygon_part {
+  static constexpr unsigned max_corners = 10;
+  static constexpr double unit = 0x1p-46;  // distances are no more exact than this, in coordinates of at most 1
 
-  bool operator<(const triangle_part& other) const { return upper < other.upper; }
+  std::array<vec3, max_corners> corners;
+  unsigned n = 0;
+  std::size_t candidate = 0;  // the triangle nearest to the mean of the corners
+  double upper = std::numeric_limits<double>::infinity();
 
-  void lower_upper_bound(const triangle_tree& to, std::size_t candidate) {
-    double most = 0;
-    for (const vec3& x : corners) most = std::max(most, to.squared_distance(x, candidate));
-    upper = std::min(upper, most);
+  bool operator<(const polygon_part& other) const { return upper < other.upper; }
+  void add(const vec3& x) { corners[n++] = x; }
+  vec3 mean() const {
+    vec3 sum;
+    for (unsigned k = 0; k < n; ++k) sum += corners[k];
+    return sum / n;
   }
-  /// The bounds that follow from the corners.
-  void bound(const triangle_tree& to) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      lower_upper_bound(to, nearest[k].triangle);
-      double reach = 0;
-      for (const vec3& x : corners) reach = std::max(reach, distance(x, corners[k]));
-      const double most = std::sqrt(nearest[k].squared) + reach;
-      upper = std::min(upper, most * most);
+
+  /// Finds the candidate and the bounds that follow from it. Returns the squared distance of the mean.
+  double bound(const triangle_tree& to, std::size_t guess) {
+    const vec3 x = mean();
+    const auto found = to.nearest(x, guess);
+    candidate = found.triangle;
+    double most = 0, reach = 0;
+    for (unsigned k = 0; k < n; ++k) {
+      most = std::max(most, to.squared_distance(corners[k], candidate));
+      reach = std::max(reach, distance(x, corners[k]));
     }
+    const double around = std::sqrt(found.squared) + reach;
+    upper = std::min({upper, most, around * around});
+    return found.squared;
+  }
+
+  /// Splits at the plane through `at` with normal m: what is behind it and what is before it. Both are empty if up to rounding all corners are on one side.
+  std::array<polygon_part, 2> split(const vec3& at, const vec3& m) const {
+    std::array<polygon_part, 2> sides;
+    for (polygon_part& p : sides) p.upper = upper, p.candidate = candidate;
+    const auto height = [&](const vec3& x) { return dot(x - at, m); };
+    double least = 0, most = 0;
+    for (unsigned k = 0; k < n; ++k) least = std::min(least, height(corners[k])), most = std::max(most, height(corners[k]));
+    if (!(std::min(-least, most) > unit * norm(m))) return sides;
+    for (unsigned k = 0; k < n; ++k) {
+      const vec3 &x = corners[k], &y = corners[k + 1 < n ? k + 1 : 0];
+      const double hx = height(x), hy = height(y);
+      if (hx <= 0) sides[0].add(x);
+      if (hx >= 0) sides[1].add(x);
+      if ((hx < 0 && hy > 0) || (hx > 0 && hy < 0)) {
+        const vec3 between = x + hx / (hx - hy) * (y - x);
+        for (polygon_part& p : sides) p.add(between);
+      }
+    }
+    return sides;
+  }
+  /// Splits into halves of about equal length.
+  std::array<polygon_part, 2> halves() const {
+    unsigned i = 0, j = 1;
+    for (unsigned k = 0; k < n; ++k)
+      for (unsigned l = k + 1; l < n; ++l)
+        if (distance(corners[k], corners[l]) > distance(corners[i], corners[j])) i = k, j = l;
+    return split((corners[i] + corners[j]) / 2, corners[j] - corners[i]);
   }
 };
 
 class distance_search {
   const triangle_tree& to_;
-  std::vector<triangle_part> parts_;  // a heap: those that may have a larger distance than `lower_`
+  std::vector<polygon_part> parts_;  // a heap: those that may have a larger distance than `lower_`
   double lower_ = 0;
   double done_ = 0;  // the upper bound of the parts that were left out because they hardly exceed the lower one
   double enough_;    // bounds may differ by this factor
 
-  static constexpr double unit = 0x1p-46;  // distances are no more exact than this, in coordinates of at most 1
+  bool matters(double upper) const { return upper > enough_ * lower_ && upper > polygon_part::unit * polygon_part::unit; }
 
-  bool matters(double upper) const { return upper > enough_ * lower_ && upper > unit * unit; }
-
-  void cut(const triangle_part& whole) {
-    std::array<triangle_part, 4> parts;
-    std::array<vec3, 3> middle;  // middle[k] lies opposite to corner k
-    std::array<triangle_tree::place, 3> near;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-      middle[k] = (whole.corners[i] + whole.corners[j]) / 2;
-      near[k] = to_.nearest(middle[k], whole.nearest[i].triangle);
-      lower_ = std::max(lower_, near[k].squared);
-    }
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-      parts[k] = {{whole.corners[k], middle[j], middle[i]}, {whole.nearest[k], near[j], near[i]}, whole.upper};
-    }
-    parts[3] = {middle, near, whole.upper};
-    for (triangle_part& p : parts) {
-      p.bound(to_);
-      add(p);
-    }
-  }
-
-  void add(const triangle_part& p) {
+  void add(const polygon_part& p) {
     if (!matters(p.upper)) {
       done_ = std::max(done_, p.upper);
       return;
@@ -119,31 +135,49 @@ class distance_search {
     parts_.push_back(p);
     std::push_heap(parts_.begin(), parts_.end());
   }
+  void bound_and_add(polygon_part& p) {
+    lower_ = std::max(lower_, p.bound(to_, p.candidate));
+    add(p);
+  }
+  /// Splits a part at the edges of its candidate, seen along the normal of that: the part above the candidate has no other bound than its distance from it. If that
+  /// splits nothing, the part is halved.
+  void cut(polygon_part p) {
+    const triangle_points& t = to_.triangle(p.candidate);
+    const vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
+    bool any = false;
+    for (std::size_t k = 0; k < 3 && p.n + 1 < polygon_part::max_corners; ++k) {
+      auto [inside, outside] = p.split(t[k], cross(t[k == 2 ? 0 : k + 1] - t[k], normal));
+      if (inside.n < 3 || outside.n < 3) continue;
+      bound_and_add(outside);
+      p = inside;
+      any = true;
+    }
+    if (any) return bound_and_add(p);
+    auto halves = p.halves();
+    if (halves[0].n < 3 || halves[1].n < 3) done_ = std::max(done_, p.upper);  // it is a point, up to rounding
+    else for (polygon_part& half : halves) bound_and_add(half);
+  }
 
  public:
   distance_search(const triangle_tree& to, double tolerance) : to_(to), enough_(1 / ((1 - tolerance) * (1 - tolerance))) {}
 
   void start(const std::vector<triangle_points>& from) {
-    std::vector<triangle_part> all(from.size());
+    std::vector<polygon_part> all(from.size());
+    std::vector<double> largest(from.size());
     parallel_for(from.size(), [&](std::size_t i) {
-      const triangle_points& t = from[i];
-      triangle_part& p = all[i];
-      const auto middle = to_.nearest((t[0] + t[1] + t[2]) / 3, 0);
-      p = {t, {}, std::numeric_limits<double>::infinity()};
-      for (std::size_t k = 0; k < 3; ++k) p.nearest[k] = to_.nearest(t[k], middle.triangle);
-      p.bound(to_);
-      p.lower_upper_bound(to_, middle.triangle);
+      for (const vec3& x : from[i]) all[i].add(x);
+      largest[i] = all[i].bound(to_, 0);
+      for (const vec3& x : from[i]) largest[i] = std::max(largest[i], to_.nearest(x, all[i].candidate).squared);
     }, 256);
-    for (const triangle_part& p : all)
-      for (const auto& place : p.nearest) lower_ = std::max(lower_, place.squared);
-    for (const triangle_part& p : all) add(p);
+    for (const double d : largest) lower_ = std::max(lower_, d);
+    for (const polygon_part& p : all) add(p);
   }
 
   /// Squared bounds.
   distance_bounds run(double max_cuts) {
     for (double cuts = 0; cuts < max_cuts && !parts_.empty() && matters(parts_[0].upper); ++cuts) {
       std::pop_heap(parts_.begin(), parts_.end());
-      const triangle_part p = parts_.back();
+      const polygon_part p = parts_.back();
       parts_.pop_back();
       cut(p);
     }
