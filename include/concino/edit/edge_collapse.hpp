@@ -8,20 +8,25 @@
 #include <concino/concepts/end_verts.hpp>
 #include <concino/core/number_text.hpp>
 
+#include <optional>
+
 namespace concino {
 
 struct edge_collapse_options {
   std::vector<invariant> keep = {};  // see edit_options
   double at = 0.5;  // in [0, 1]: the remaining vert lies at (1 - at) a + at b, where a and b are the ends as end_verts lists them
+  std::optional<vec3> point = {};  // if given, the remaining vert lies here; values of properties are interpolated by `at`
 };
 
 namespace detail {
 
 inline constexpr permission breaks_link_condition{refusal::link_condition, "the link condition does not hold: parts of the mesh would touch or vanish"};
 
+inline vec3 merged_point(const edge_collapse_options& options, const vec3& a, const vec3& b) { return options.point ? *options.point : point_between(a, b, options.at); }
+
 /// Old polys are those at the second end, first the ones that the first end lacks; neighbours the other ones at the first end.
 template<class M>
-permission edge_collapse_cavity(const M& m, const edge_t<M>& e, double t, cavity_builder<M>& c) {
+permission edge_collapse_cavity(const M& m, const edge_t<M>& e, const edge_collapse_options& options, cavity_builder<M>& c) {
   constexpr unsigned n = cavity_builder<M>::size - 1;
   const auto ends = end_verts(m, e);
   const unsigned a = c.vert(ends.first), b = c.vert(ends.second);
@@ -50,15 +55,17 @@ permission edge_collapse_cavity(const M& m, const edge_t<M>& e, double t, cavity
   }
   for (unsigned k = c.num_old(); k < c.num_polys(); ++k) add_link_simplex<n>(link_a, c.corners(k), c.size, a, a);
   c.keep(moved);
+  const double t = options.at;
   c.merge(a, b, t);
   if (!can_collapse<n>(link_a, link_b, link_ab, c.num_verts())) return breaks_link_condition;
   const vec3 x = to_vec3(point(m, ends.first)), y = to_vec3(point(m, ends.second));
-  if (t > 0) c.move(a, point_between(x, y, t));
+  if (options.point || t > 0) c.move(a, merged_point(options, x, y));
   return {};
 }
 
 inline void check_collapse(const edge_collapse_options& options, const char* edit) {
   if (!(options.at >= 0 && options.at <= 1)) core::throw_joined<invalid_argument>({edit, ": options.at is ", core::number_text(options.at), "; it must be in [0, 1]"});
+  if (options.point && !is_finite(*options.point)) core::throw_joined<invalid_argument>({edit, ": options.point is not finite"});
 }
 
 }  // namespace detail
@@ -75,7 +82,7 @@ permission can_edge_collapse(const M& m, edge_t<M> e, const edge_collapse_option
   detail::check_element(m, e, "can_edge_collapse", "edge");
   detail::check_collapse(options, "can_edge_collapse");
   detail::cavity_builder<M> c(m);
-  if (const permission p = detail::edge_collapse_cavity(m, e, options.at, c); !p) return p;
+  if (const permission p = detail::edge_collapse_cavity(m, e, options, c); !p) return p;
   return detail::ask(options.keep, m, c);
 }
 
@@ -85,22 +92,27 @@ permission can_edge_collapse(const M& m, edge_t<M> e, const edge_collapse_option
 ///         end; they are those that vert_split needs to undo the collapse. Other descriptors remain valid, apart from those of the second end, of e, of the
 ///         polys at e, and of one of each two edges or faces that become one.
 /// Cost:   that of can_edge_collapse, and the elements at the verts of the polys at the second end, but O(mesh) the first time.
-/// Errors: invalid_mesh if e is not an edge of m; invalid_argument if options.at is not in [0, 1]. The mesh is unchanged then, also if memory runs out.
+/// Errors: invalid_mesh if e is not an edge of m; invalid_argument if options.at is not in [0, 1] or options.point is not finite. The mesh is unchanged then, also if memory runs out.
 template<EditableMesh M>
 vert_result<M> edge_collapse(M& m, edge_t<M> e, const edge_collapse_options& options = {}) {
   detail::check_element(m, e, "edge_collapse", "edge");
   detail::check_collapse(options, "edge_collapse");
   const auto ends = end_verts(m, e);
   const vert_t<M> kept = ends.first;
-  if constexpr (detail::collapses_edges<M>)
-    if (options.keep.empty()) {
-      const direct_edit x = traits<M>::collapse_edge(m, e, detail::point_between(to_vec3(point(m, kept)), to_vec3(point(m, ends.second)), options.at));
-      if (x == direct_edit::done) return {{}, kept};
-      if (x == direct_edit::refused) return {detail::breaks_link_condition};
-    }
   detail::cavity_builder<M> c(m);
-  if (const permission p = detail::edge_collapse_cavity(m, e, options.at, c); !p) return {p};
-  if (const permission p = detail::ask(options.keep, m, c); !p) return {p};
+  const auto propose = [&] {
+    const permission p = detail::edge_collapse_cavity(m, e, options, c);
+    return p ? detail::ask(options.keep, m, c) : p;
+  };
+  if (!options.keep.empty())
+    if (const permission p = propose(); !p) return {p};
+  if constexpr (detail::collapses_edges<M>) {
+    const direct_edit x = traits<M>::collapse_edge(m, e, detail::merged_point(options, to_vec3(point(m, kept)), to_vec3(point(m, ends.second))));
+    if (x == direct_edit::done) return {{}, kept};
+    if (x == direct_edit::refused) return {detail::breaks_link_condition};
+  }
+  if (options.keep.empty())
+    if (const permission p = propose(); !p) return {p};
   c.apply(m);
   return {{}, kept};
 }

@@ -13,9 +13,21 @@ namespace concino {
 
 namespace detail {
 
+inline double largest_coordinate(const vec3& u) { return std::max({std::abs(u.x), std::abs(u.y), std::abs(u.z)}); }
+
+/// The corners of a poly. If their products would overflow or underflow, they are scaled by a power of two, on which neither signs nor qualities depend.
 inline std::array<vec3, 4> points_of(const proposed_edit& e, std::span<const unsigned> poly, std::span<const vec3> points) {
   std::array<vec3, 4> p{};
-  for (unsigned i = 0; i < e.corners_per_poly; ++i) p[i] = points[poly[i]];
+  double largest = 0;
+  for (unsigned i = 0; i < e.corners_per_poly; ++i) {
+    p[i] = points[poly[i]];
+    largest = std::max(largest, largest_coordinate(p[i]));
+  }
+  if (largest > 0x1p-200 && largest < 0x1p200) return p;
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  const double scale = std::ldexp(1.0, std::clamp(-exponent, -1000, 1000));
+  for (vec3& x : p) x *= scale;
   return p;
 }
 
@@ -24,8 +36,6 @@ inline bool is_degenerate_triangle(const vec3& a, const vec3& b, const vec3& c) 
   const auto turned = [](const vec3& x) { return vec3{x.y, x.z, x.x}; };
   return orient2d(a, b, c) == 0 && orient2d(turned(a), turned(b), turned(c)) == 0 && orient2d(turned(turned(a)), turned(turned(b)), turned(turned(c))) == 0;
 }
-
-inline double largest_coordinate(const vec3& u) { return std::max({std::abs(u.x), std::abs(u.y), std::abs(u.z)}); }
 
 /// A vector along the normal, of a length that neither overflows nor underflows; zero for one point.
 inline vec3 scaled_normal(const std::array<vec3, 4>& p) {
