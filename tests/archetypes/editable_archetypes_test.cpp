@@ -1,7 +1,9 @@
 // Every operator of edits compiles on the archetype of the concept that it names, and edits the mesh to which the archetype refers as it edits the mesh itself.
 #include <concino/concepts/archetypes.hpp>
 #include <concino/edit.hpp>
+#include <concino/generate/icosphere.hpp>
 #include <concino/mesh.hpp>
+#include <concino/remesh.hpp>
 
 #include <support/soups.hpp>
 #include <support/whole_mesh.hpp>
@@ -150,5 +152,14 @@ TEST_CASE("editable archetypes: flips") {
   edits_alike(volume, [&](auto& m) -> cn::permission {
     CHECK(cn::can_face_split(m, named(m, f), {0.3, 0.3, 0.3}));
     return cn::face_split(m, named(m, f), {0.3, 0.3, 0.3});
+  });
+}
+
+TEST_CASE("editable archetypes: decimation") {
+  edits_alike(cn::icosphere(1), [](auto& m) -> cn::permission {
+    const auto d = cn::decimate(m, {.target_polys = 40});
+    CHECK(d.num_collapses == 20);
+    CHECK(cn::decimate(m, {.max_error = 0.5, .memoryless = true, .keep = all_invariants(m)}).stopped_by == cn::decimation_end::refused);
+    return {};
   });
 }

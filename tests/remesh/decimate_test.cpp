@@ -1,0 +1,268 @@
+#include <concino/remesh/decimate.hpp>
+
+#include <concino/concepts/end_verts.hpp>
+#include <concino/convert/convert.hpp>
+#include <concino/edit/transaction.hpp>
+#include <concino/generate/icosphere.hpp>
+#include <concino/generate/torus.hpp>
+#include <concino/geometry/bounding_tree.hpp>
+#include <concino/geometry/centroid.hpp>
+#include <concino/geometry/measure.hpp>
+#include <concino/io/load.hpp>
+#include <concino/validate/check_laws.hpp>
+#include <concino/validate/validate.hpp>
+
+#include <support/corpus.hpp>
+#include <support/kinds.hpp>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+
+template<class M>
+long chi(const M& m) {
+  return static_cast<long>(num_verts(m)) - static_cast<long>(num_edges(m)) + static_cast<long>(num_polys(m));
+}
+
+double total_area(const trimesh& m) {
+  double sum = 0;
+  for (const auto p : polys(m)) sum += area(m, p);
+  return sum;
+}
+
+/// Checks the result of a decimation against the mesh before it.
+template<class M>
+void check_result(const M& before, const M& after, const decimation& d) {
+  CHECK(check_laws(after).empty());
+  CHECK(chi(after) == chi(before));
+  CHECK(num_polys(after) < num_polys(before));
+  const auto tree = bounding_tree(before), other = bounding_tree(after);
+  double most = 0;
+  for (const auto v : verts(before)) most = std::max(most, other.closest(point(before, v)).distance);
+  for (const auto p : polys(after)) most = std::max(most, tree.closest(centroid(after, p)).distance);
+  CHECK(most <= d.error * (1 + 1e-9));
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("decimate: a sphere keeps its topology and shape", M, trimesh, polygonmesh) {
+  const auto sphere = convert<M>(icosphere(3));
+  for (const bool memoryless : {false, true}) {
+    auto m = sphere;
+    const auto d = decimate(m, {.target_polys = 200, .memoryless = memoryless});
+    CHECK(num_polys(m) <= 200);
+    CHECK(num_polys(m) >= 198);
+    CHECK(d.stopped_by == decimation_end::target);
+    CHECK(d.num_collapses == (num_polys(sphere) - num_polys(m)) / 2);
+    check_result(sphere, m, d);
+    CHECK(d.error < 0.05);
+    for (const auto p : polys(m)) CHECK(dot(normal(m, p), centroid(m, p)) > 0.9);
+  }
+}
+
+TEST_CASE("decimate: flat parts cost nothing, and corners and boundaries remain") {
+  auto m = grid<trimesh>(12);
+  const double before = total_area(m);
+  const auto d = decimate(m, {.target_polys = 2});
+  CHECK(num_polys(m) <= 20);
+  CHECK(d.error < 1e-6);
+  CHECK(total_area(m) == doctest::Approx(before).epsilon(1e-7));
+  for (const double x : {0.0, 1.0})
+    for (const double y : {0.0, 1.0}) {
+      double least = 1;
+      for (const auto v : verts(m)) least = std::min(least, distance(point(m, v), {x, y, point(m, v).z}));
+      CHECK(least < 1e-6);
+    }
+}
+
+TEST_CASE("decimate: finds the coarse surface of which a fine one was made") {
+  // triangles of a sphere cut into 16 each, so that the edges of the sphere are shallow creases
+  auto m = icosphere(2);
+  const trimesh coarse = m;
+  for (int round = 0; round < 2; ++round) {
+    surface_arrays a{{}, {}, {}, 3};
+    std::map<std::pair<vert_id, vert_id>, vert_id> middle;
+    for (const auto v : verts(m)) a.points.push_back(point(m, v));
+    for (const auto e : edges(m)) {
+      const auto ends = end_verts(m, e);
+      middle[{std::min(ends.first, ends.second), std::max(ends.first, ends.second)}] = vert_id(a.points.size());
+      a.points.push_back((point(m, ends.first) + point(m, ends.second)) / 2);
+    }
+    for (const auto p : polys(m)) {
+      std::vector<vert_id> v;
+      for (const auto x : adj_p2v(m, p)) v.push_back(x);
+      const auto between = [&](std::size_t i, std::size_t j) { return middle[{std::min(v[i], v[j]), std::max(v[i], v[j])}]; };
+      const vert_id c = between(0, 1), d = between(1, 2), e = between(2, 0);
+      for (const vert_id x : {v[0], c, e, c, v[1], d, e, d, v[2], c, d, e}) a.verts.push_back(x);
+    }
+    m = trimesh(a);
+  }
+  const auto d = decimate(m, {.target_polys = num_polys(coarse) + num_polys(coarse) / 10});
+  CHECK(d.error < 1e-4);
+  CHECK(d.stopped_by == decimation_end::target);
+}
+
+TEST_CASE("decimate: stops where nothing can be collapsed, and says why") {
+  const trimesh tetrahedron({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}});
+  auto m = tetrahedron;
+  const auto d = decimate(m, {.target_polys = 1});
+  CHECK(d.stopped_by == decimation_end::refused);
+  CHECK(d.last_refusal.reason == refusal::link_condition);
+  CHECK(d.num_collapses == 0);
+  CHECK(d.error < 1e-12);
+  CHECK(num_polys(m) == 4);
+
+  trimesh none;
+  CHECK(decimate(none, {.target_polys = 1}).stopped_by == decimation_end::target);
+  auto quads = grid<polygonmesh>(3);
+  const std::size_t before = num_polys(quads);
+  CHECK(decimate(quads, {.max_error = 1}).stopped_by == decimation_end::refused);
+  CHECK(num_polys(quads) <= before);
+  CHECK(check_laws(quads).empty());
+}
+
+TEST_CASE("decimate: non-manifold surfaces") {
+  // three fans of triangles at a common line of edges
+  surface_arrays a{{}, {}, {}, 3};
+  constexpr unsigned n = 8;
+  for (unsigned sheet = 0; sheet < 3; ++sheet)
+    for (unsigned i = 0; i <= n; ++i)
+      for (unsigned j = sheet == 0 ? 0 : 1; j <= n; ++j) {
+        const double angle = 2.0 * sheet, r = double(j) / n;
+        a.points.push_back({r * std::cos(angle), r * std::sin(angle), double(i) / n});
+      }
+  const auto at = [&](unsigned sheet, unsigned i, unsigned j) {
+    if (sheet == 0 || j == 0) return vert_id{i * (n + 1) + j};
+    return vert_id{(n + 1) * (n + 1) + (sheet - 1) * (n + 1) * n + i * n + j - 1};
+  };
+  for (unsigned sheet = 0; sheet < 3; ++sheet)
+    for (unsigned i = 0; i < n; ++i)
+      for (unsigned j = 0; j < n; ++j) {
+        for (const vert_id v : {at(sheet, i, j), at(sheet, i, j + 1), at(sheet, i + 1, j + 1)}) a.verts.push_back(v);
+        for (const vert_id v : {at(sheet, i, j), at(sheet, i + 1, j + 1), at(sheet, i + 1, j)}) a.verts.push_back(v);
+      }
+  const trimesh before(a);
+  auto m = before;
+  const auto d = decimate(m, {.target_polys = 40});
+  check_result(before, m, d);
+  CHECK(num_polys(m) <= 40);
+  CHECK(d.error < 1e-6);
+}
+
+TEST_CASE("decimate: max_error bounds the distance of the result from the input") {
+  const auto before = make_torus<trimesh>({.cells = {40, 20}});
+  auto m = before;
+  const auto d = decimate(m, {.max_error = 0.01});
+  CHECK(d.stopped_by == decimation_end::refused);
+  CHECK(num_polys(m) < num_polys(before));
+  const auto tree = bounding_tree(before);
+  for (const auto p : polys(m)) CHECK(tree.closest(centroid(m, p)).distance <= 0.01);
+  for (const auto v : verts(m)) CHECK(tree.closest(point(m, v)).distance <= 0.01);
+  check_result(before, m, d);
+}
+
+TEST_CASE("decimate: features sharper than the angle are held in place") {
+  // a roof over a grid: the ridge at x = 1/2
+  auto roof = grid<trimesh>(16);
+  for (const auto v : verts(roof)) {
+    const vec3 x = point(roof, v);
+    set_point(roof, v, vec3{x.x, x.y, 0.6 - 1.2 * std::abs(x.x - 0.5)});
+  }
+  auto m = roof;
+  const auto d = decimate(m, {.target_polys = 30, .feature_angle_deg = 40});
+  CHECK(d.error < 1e-4);
+  check_result(roof, m, d);
+}
+
+TEST_CASE("decimate: invariants of the caller, and properties") {
+  auto m = icosphere(3);
+  auto height = vert_property<double>(m, "height");
+  for (const auto v : verts(m)) height[v] = point(m, v).z;
+  auto cap = [&](const proposed_edit& e) {
+    for (const vec3& x : e.points_before)
+      if (x.z > 0.5) return permission{refusal::invariant, "the cap stays"};
+    return permission{};
+  };
+  std::vector<vec3> kept;
+  for (const auto v : verts(m))
+    if (point(m, v).z > 0.5) kept.push_back(point(m, v));
+  decimate(m, {.target_polys = 500, .keep = {no_inversion, cap}});
+  for (const vec3& x : kept) {
+    bool found = false;
+    for (const auto v : verts(m)) found = found || point(m, v) == x;
+    CHECK(found);
+  }
+  for (const auto v : verts(m)) CHECK(std::abs(height[v] - point(m, v).z) < 0.2);
+}
+
+TEST_CASE("decimate: the same result at any power of two, and each time") {
+  const auto sphere = icosphere(3);
+  auto m = sphere;
+  const auto d = decimate(m, {.target_polys = 300});
+  for (const double factor : {1.0, 0x1p-700, 0x1p600}) {
+    auto scaled = sphere;
+    for (const auto v : verts(scaled)) set_point(scaled, v, factor * point(scaled, v));
+    const auto other = decimate(scaled, {.target_polys = 300});
+    CHECK(other.error == factor * d.error);
+    CHECK(num_polys(scaled) == num_polys(m));
+    for (const auto v : verts(m)) CHECK(point(scaled, v) == factor * point(m, v));
+  }
+}
+
+TEST_CASE("decimate: can be cancelled; a transaction then restores the mesh") {
+  const auto before = icosphere(4);
+  auto stop = [](double fraction, const char*) { return fraction < 0.3; };
+  auto m = before;
+  CHECK_THROWS_AS(decimate(m, {.target_polys = 100, .progress = stop}), cancelled);
+  CHECK(check_laws(m).empty());
+  CHECK(num_polys(m) < num_polys(before));
+  CHECK(num_polys(m) > 100);
+  m = before;
+  try {
+    transaction t(m);
+    decimate(m, {.target_polys = 100, .progress = stop});
+    t.commit();
+    CHECK(false);
+  } catch (const cancelled&) {
+  }
+  CHECK(num_polys(m) == num_polys(before));
+  for (const auto v : verts(m)) CHECK(point(m, v) == point(before, v));
+}
+
+TEST_CASE("decimate: errors leave the mesh as it was") {
+  auto m = icosphere(1);
+  const std::size_t n = num_polys(m);
+  CHECK_THROWS_AS(decimate(m, {}), invalid_argument);
+  CHECK_THROWS_AS(decimate(m, {.target_polys = 10, .max_error = -1}), invalid_argument);
+  CHECK_THROWS_AS(decimate(m, {.target_polys = 10, .feature_angle_deg = std::nan("")}), invalid_argument);
+  CHECK_THROWS_AS(decimate(m, {.target_polys = 10, .boundary_weight = -1}), invalid_argument);
+  set_point(m, vert_id{3}, vec3{0, std::nan(""), 0});
+  CHECK_THROWS_AS(decimate(m, {.target_polys = 10}), invalid_mesh);
+  CHECK(num_polys(m) == n);
+}
+
+TEST_CASE("decimate: real surfaces, to a tenth") {
+  for (const char* name : {"tri/torus.obj", "tri/two_spheres.obj", "tri/3holes.obj", "tri/fan3_nonmanifold_edge.obj", "tri/hourglass_nonmanifold_vertex.obj",
+                           "tri/maxFace_open.obj", "tri/socket_genus7.off", "tri/cactus.off", "tri/bunny.obj", "tri/sphere.obj", "tri/spot_textured.obj", "tri/gravgen_nonmanifold.obj"}) {
+    const auto file = corpus(name);
+    if (file.empty()) return skip("no corpus file " + std::string(name));
+    CAPTURE(name);
+    const auto before = load<trimesh>(file.string());
+    if (num_polys(before) > 10000 && !long_run()) continue;
+    auto m = before;
+    const std::size_t target = num_polys(before) / 10 + 1;
+    const auto d = decimate(m, {.target_polys = target});
+    CHECK((d.stopped_by == decimation_end::refused || num_polys(m) <= target));
+    if (d.num_collapses > 0) check_result(before, m, d);
+  }
+}
