@@ -9,6 +9,7 @@
 #include <concino/mesh.hpp>
 #include <concino/operators.hpp>
 #include <concino/quality.hpp>
+#include <concino/remesh.hpp>
 #include <concino/render.hpp>
 #include <concino/validate.hpp>
 
@@ -65,6 +66,7 @@ void no_adapter(const stranger& other) {
   cn::total_measure(other);  // refused
   cn::quality(other);  // refused
   cn::worst(other);  // refused
+  cn::decimate(other, {});  // refused
   cn::histogram(other);  // refused
   cn::normal(other);  // refused
   cn::vert_normal(other);  // refused
