@@ -105,6 +105,7 @@ solve/solve_columns    solve/solve_columns
 optimize/solve_with_values    optimize/solve_with_values
 optimize/detail/known_values    optimize/solve_with_values optimize/least_squares
 solve/detail/energy_gains  solve/detail/energy_gains
+solve/detail/penalty_rows  solve/detail/penalty_rows solve/iterative_accuracy
 core/equilibrate   core/equilibrate solve/qr
 core/residual  core/residual optimize/solve_with_values fields/laplace_system fields/harmonic_map
 core/detail/residual    core/residual optimize/solve_with_values fields/laplace_system fields/harmonic_map

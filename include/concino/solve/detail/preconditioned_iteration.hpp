@@ -3,6 +3,7 @@
 
 #include <concino/core/function_ref.hpp>
 #include <concino/solve/detail/energy_gains.hpp>
+#include <concino/solve/detail/penalty_rows.hpp>
 
 #include <Eigen/SparseCore>
 
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace concino::detail {
@@ -29,6 +31,7 @@ class preconditioned_iteration : public iteration_report {
   double tolerance_;
   std::int64_t max_iterations_, patience_;
   std::vector<double> diagonal_;
+  std::optional<penalty_rows> penalties_;  // found when they are first asked for
 
   struct products {
     double energy, diagonal;  // p.Ap, and the contribution of the diagonal to it
@@ -43,10 +46,10 @@ class preconditioned_iteration : public iteration_report {
   }
 
   /// precondition(r, z, y) sets z to an approximate solution of A z = r. Returns whether it has set y to A z.
-  /// Iterates until the estimates of error and residual are small. Then computes the residual from x itself. If it differs, or the
-  /// preconditioned residual shows a larger error, restarts the iteration from x, as long as that helps.
+  /// Iterates until the estimates of error and residual are small. The error is compared with the energy of x without penalties. Then computes the
+  /// residual from x itself. If it differs, or the preconditioned residual shows a larger error, restarts the iteration from x, as long as that helps.
   void run(const Eigen::VectorXd& b, Eigen::VectorXd& x, function_ref<bool(const Eigen::VectorXd&, Eigen::VectorXd&, Eigen::VectorXd&)> precondition) {
-    const double unknown = std::numeric_limits<double>::infinity(), wanted = tolerance_ * tolerance_;
+    const double unknown = std::numeric_limits<double>::infinity();
     const Eigen::Index n = a_.cols();
     Eigen::VectorXd r = b, z(n), y(n), p(n), q(n);  // y = A z, q = A p
     for (Eigen::Index i = 0; i < n; ++i) x[i] = 0;
@@ -55,6 +58,7 @@ class preconditioned_iteration : public iteration_report {
     double along = dot(r, z);  // |r|^2 in the norm of the preconditioner
     double left = unknown;     // the square of the error
     residual = 1;
+    double error_of_all = 1;  // beside the energy with penalties
     for (;;) {
       gained.start();
       const double first = along, residual_before = residual, left_before = left;
@@ -76,7 +80,7 @@ class preconditioned_iteration : public iteration_report {
         ++iterations;
         gained.add(step * along);
         left = gained.left();
-        if (gained.is_exhausted() || (left <= wanted * gained.all() && largest_residual(r, b, x) <= tolerance_)) break;
+        if (gained.is_exhausted() || (is_small(left, gained.all(), x) && largest_residual(r, b, x) <= tolerance_)) break;
         has_product = precondition(r, z, y);
         const double before = along;
         along = dot(r, z);
@@ -88,25 +92,45 @@ class preconditioned_iteration : public iteration_report {
         is_stuck = !(along > 0 && std::isfinite(along)) || iterations - of_smallest > patience_;
       }
       const double expected = along;
-      if (has_long_rows()) {
-        subtract_exactly(x, b, r);
-      } else {
-        multiply(x, y);
-        for (Eigen::Index i = 0; i < n; ++i) r[i] = b[i] - y[i];
-      }
+      subtract(x, b, y, r);
       has_product = precondition(r, z, y);
       along = dot(r, z);
       if (left == unknown) left = gained.has_any() ? gained.recent() : left_before;
-      left = along == 0 ? 0 : expected == 0 ? along : left * std::max(1.0, along / expected);  // |r|^2 is near the square of the error
+      left = along == 0 ? 0 : expected == 0 ? along : left * std::max(1.0, rest_of(along, r, z) / expected);  // |r|^2 is near the square of the error
       residual = largest_residual(r, b, x);
-      error = gained.all() > 0 ? std::sqrt(left / gained.all()) : 1;
+      error_of_all = gained.all() > 0 ? std::sqrt(left / gained.all()) : 1;
+      error = gained.all() > 0 ? std::sqrt(left / energy_of_rest(gained.all(), x)) : 1;
       has_converged = error <= tolerance_ && residual <= tolerance_;
       if (has_converged || iterations >= max_iterations_ || !(along < first / 4 || residual < residual_before / 2)) break;
     }
-    has_converged |= residual <= 1e-14 && error <= 1e-6;
+    has_converged |= is_limited_by_rounding(error_of_all);
   }
 
  private:
+  /// Whether the iteration can do no better. error_of_all: beside the energy with penalties.
+  bool is_limited_by_rounding(double error_of_all) const {
+    return (residual <= 1e-14 && error_of_all <= 1e-6) || (residual <= tolerance_ && error_of_all <= tolerance_ && iterations < max_iterations_);
+  }
+
+  /// left: the square of the error; all: x.Ax.
+  bool is_small(double left, double all, const Eigen::VectorXd& x) {
+    const double wanted = tolerance_ * tolerance_;
+    return left <= wanted * all && left <= wanted * energy_of_rest(all, x);
+  }
+
+  /// all: x.Ax. Returns the same without penalties.
+  double energy_of_rest(double all, const Eigen::VectorXd& x) {
+    if (!penalties_) penalties_.emplace(a_);
+    const double rest = penalties_->any() ? penalties_->energy_of_rest(x) : 0;
+    return rest > 0 ? std::min(all, rest) : all;
+  }
+
+  /// along: r.z. Returns the same without penalties, whose rows have large rounding errors in r, and small ones in x.
+  double rest_of(double along, const Eigen::VectorXd& r, const Eigen::VectorXd& z) {
+    if (!penalties_) penalties_.emplace(a_);
+    return penalties_->any() ? penalties_->product_of_rest(r, z) : along;
+  }
+
   static double dot(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
     double sum[4] = {};  // several, so that additions are independent
     const Eigen::Index n = x.size() / 4 * 4;
@@ -161,6 +185,13 @@ class preconditioned_iteration : public iteration_report {
     for (std::size_t c = 0; c < n; ++c)
       if (entries[c] + a_.outerIndexPtr()[c + 1] - a_.outerIndexPtr()[c] > long_row) return true;
     return false;
+  }
+
+  /// r = b - A x; y: for a product.
+  void subtract(const Eigen::VectorXd& x, const Eigen::VectorXd& b, Eigen::VectorXd& y, Eigen::VectorXd& r) const {
+    if (has_long_rows()) return subtract_exactly(x, b, r);
+    multiply(x, y);
+    for (Eigen::Index i = 0; i < r.size(); ++i) r[i] = b[i] - y[i];
   }
 
   /// r = b - A x, with the rounding errors of all additions added up beside.
