@@ -1,4 +1,5 @@
 // Meshes with fewer or better polys for the same shape.
 #pragma once
 
+#include <concino/remesh/adaptive_size.hpp>
 #include <concino/remesh/decimate.hpp>

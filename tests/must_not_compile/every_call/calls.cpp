@@ -67,6 +67,7 @@ void no_adapter(const stranger& other) {
   cn::quality(other);  // refused
   cn::worst(other);  // refused
   cn::decimate(other, {});  // refused
+  cn::adaptive_size(other, {});  // refused
   cn::histogram(other);  // refused
   cn::normal(other);  // refused
   cn::vert_normal(other);  // refused
@@ -132,6 +133,7 @@ void temporary() {
   cn::centroids(made());  // refused
   cn::angle_defects(made());  // refused
   cn::dihedral_angles(made());  // refused
+  cn::adaptive_size(made());  // refused
   cn::edge_lengths(made());  // refused
   cn::measures(made());  // refused
   cn::quality(made(), cn::metric::area);  // refused
@@ -182,6 +184,7 @@ void no_points(const cn::trimesh& m) {
   cn::angle_defects(pure);  // refused
   cn::dihedral_angle(pure);  // refused
   cn::dihedral_angles(pure);  // refused
+  cn::adaptive_size(pure);  // refused
   cn::edge_length(pure);  // refused
   cn::edge_lengths(pure);  // refused
   cn::area(pure);  // refused
