@@ -193,6 +193,49 @@ TEST_CASE("large files: .meshb with sections beyond 4 GiB can be mapped and read
   CHECK(find_poly_property<int>(m, "label")[poly_id{0}] == 7);
 }
 
+TEST_CASE("large files: .vtp with arrays beyond 4 GiB can be mapped and read") {
+  constexpr std::uint64_t far = 5 * gib;
+  const auto array = [](const std::string& type, const std::string& name, const std::string& components, std::uint64_t offset) {
+    return "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" + components + "\" format=\"appended\" offset=\"" + std::to_string(offset) + "\"/>\n";
+  };
+  const std::string tags = "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PolyData>\n<Piece NumberOfPoints=\"3\" NumberOfPolys=\"1\">\n"
+                           "<Points>\n" + array("Float32", "Points", "3", 0) + "</Points>\n<Polys>\n" + array("Int32", "connectivity", "1", far) + array("Int32", "offsets", "1", far + 256) +
+                           "</Polys>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
+  const auto little = [](std::initializer_list<std::uint32_t> all) {
+    std::string bytes;
+    for (const std::uint32_t x : all)
+      for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(x >> shift & 255);
+    return bytes;
+  };
+  const temporary_folder dir;
+  sparse_file file(dir / "a.vtp", tags.size() + far + 1024);
+  file.write(0, tags + little({36, 0, 0, 0, 0, real(1), 0, 0, 0, real(1), 0}));
+  file.write(tags.size() + far, little({12, 0, 2, 0, 1}));
+  file.write(tags.size() + far + 256, little({4, 0, 3}));
+  const auto m = load<trimesh>(file.path, {.map = true});
+  CHECK(points_of(m) == std::vector<vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  file.write(tags.size() + far, little({12, 0, 2, 0, 3}));
+  CHECK_THROWS_AS(load<trimesh>(file.path, {.map = true}), parse_error);
+}
+
+// A comment of zeros takes no space on the disk.
+TEST_CASE("large files: .tet and .iv with a comment beyond 4 GiB can be mapped and read") {
+  constexpr std::uint64_t far = 4 * gib + 100;
+  const temporary_folder dir;
+  sparse_file a(dir / "a.tet", far);
+  a.write(0, "4 vertices\n1 tets\n# ");
+  a.write(far, "\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n4 0 1 2 3\n");
+  const auto cells = load<polyhedra_arrays>(a.path, {.map = true});
+  CHECK(cells.points.size() == 4);
+  CHECK(cells.num_faces() == 4);
+  sparse_file b(dir / "b.iv", far);
+  b.write(0, "#Inventor V2.1 ascii\nCoordinate3 { point [ 0 0 0, 1 0 0, 0 1 0 ] }\n# ");
+  b.write(far, "\nIndexedFaceSet { coordIndex [ 0, 1, x, -1 ] }\n");
+  CHECK_THROWS_WITH_AS(load<surface_arrays>(b.path, {.map = true}), (b.path + ":4: expected the index of a vert or -1, found 'x,'").c_str(), parse_error);
+  b.write(far, "\nIndexedFaceSet { coordIndex [ 0, 1, 2, -1 ] }\n");
+  CHECK(raw(load<surface_arrays>(b.path, {.map = true}).verts) == std::vector<unsigned>{0, 1, 2});
+}
+
 TEST_CASE("large files: counts beyond 32 bits are errors even if the file could hold the elements") {
   const temporary_folder dir;
   const auto refused = [&](const std::string& name, const std::string& head) {
