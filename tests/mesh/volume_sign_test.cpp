@@ -1,5 +1,6 @@
 #include <concino/mesh/volume_sign.hpp>
 
+#include <concino/io/detail/oriented_faces.hpp>
 #include <concino/mesh/standard_cells.hpp>
 
 #include <support/unit_cells.hpp>
@@ -8,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
+#include <utility>
 #include <vector>
 
 using namespace concino;
@@ -57,4 +60,34 @@ TEST_CASE("volume_sign: a cell and its mirror image are never both negative") {
       if (spread < 30) CHECK((one || other));
     }
   CHECK(num_decided < 19000);  // of the flattest ones, no double can tell
+}
+
+TEST_CASE("volume_sign: cells of coordinates of all magnitudes have one sign, whether they are given by verts or by faces") {
+  std::mt19937 random(8);
+  const auto number = [&](int exponent) -> double {  // or 0, or about 1
+    const double x = (random() % 2 ? 1 : -1) * (1 + 0.001 * static_cast<double>(random() % 1000));
+    const auto kind = random() % 6;
+    return kind < 2 ? 0 : kind == 2 ? x : std::ldexp(x, exponent);
+  };
+  const int exponents[] = {-1050, -1000, -300, -30, 0, 40, 300, 850, 1000};
+  for (const cell_shape s : standard_shapes)
+    for (int i = 0; i < 5000; ++i) {
+      const standard_cell& t = standard_cell_of(s);
+      std::vector<vec3> points(t.num_verts);
+      const int x = exponents[random() % 9], y = exponents[random() % 9], z = exponents[random() % 9];
+      for (vec3& p : points) p = {number(x), number(y), number(z)};
+      const auto [one, other] = are_negative(s, points);
+      CHECK_FALSE((one && other));
+      std::vector<vert_id> face_verts;
+      std::vector<std::uint32_t> offsets{0};
+      for (unsigned f = 0; f < t.num_faces; ++f) {
+        for (unsigned k = 0; k < t.face_size[f]; ++k) face_verts.push_back(vert_id{t.face_vert[f][k]});
+        offsets.push_back(static_cast<std::uint32_t>(face_verts.size()));
+      }
+      std::vector<std::uint8_t> outward(t.num_faces, 1), inward(t.num_faces, 0);
+      const bool by_faces = detail::has_negative_volume({offsets.data(), face_verts.data(), outward.data(), t.num_faces}, points, true);
+      const bool mirrored = detail::has_negative_volume({offsets.data(), face_verts.data(), inward.data(), t.num_faces}, points, true);
+      CHECK(by_faces == one);
+      CHECK(mirrored == other);
+    }
 }

@@ -85,8 +85,12 @@ inline double six_times_volume(cell_shape s, const vert_id* v, std::span<const v
 /// Errors: none.
 inline bool has_negative_volume(cell_shape s, const vert_id* v, std::span<const vec3> points) {
   const double x = six_times_volume(s, v, points);
-  if (x > 1e-100 && x < 1e100) return false;  // nearly all cells
   const standard_cell& t = standard_cell_of(s);
+  if (x > 1e-100 && x < 1e100) {  // nearly all cells
+    bool is_certain = true;
+    for (unsigned i = 0; i < t.num_verts; ++i) is_certain = is_certain && has_moderate_coordinates(points[v[i].raw()]);
+    if (is_certain) return false;
+  }
   volume_box box;
   std::size_t num_corners = 0;
   for (unsigned i = 0; i < t.num_verts; ++i) box.add(points[v[i].raw()]);

@@ -9,6 +9,11 @@
 
 namespace concino {
 
+/// Whether products of three such coordinates do not overflow, and what underflows in them is negligible beside 1e-100.
+/// Needs:  nothing.                          Result: true if they are; of not a number, false.
+/// Cost:   O(1).                             Errors: none.
+inline bool has_moderate_coordinates(const vec3& p) { return std::abs(p.x) + std::abs(p.y) + std::abs(p.z) < 1e100; }
+
 /// The box of the points of a cell, which bounds the rounding errors of its volume. Volumes that are zero but for rounding have no sign, so that
 /// a cell without volume is not turned over again each time it is read.
 class volume_box {
