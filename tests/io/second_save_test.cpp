@@ -68,7 +68,7 @@ class random_obj {
       case 3: text_ += "vn" + (below(8) ? numbers(3) : std::string(one_of({" nan nan nan", " inf 0 0", " 1"}))) + '\n', ++normals_; break;
       case 4: text_ += "o " + name() + '\n'; break;
       case 5: text_ += "g " + name() + '\n'; break;
-      case 6: text_ += "usemtl " + name() + '\n'; break;
+      case 6: text_ += (below(4) ? "usemtl " : "mtllib ") + name() + '\n'; break;
       case 7: text_ += one_of({"s 1\n", "s off\n", "l 1 2\n", "p 1\n", "# c \\\n", "mtllib a.mtl b.mtl\n", "mtllib a\tb\n", "mtllib\n", "g\n", "o\n", "usemtl\n", "\\\n", "vp 1 2\n"}); break;
       default: face();
     }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <initializer_list>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -144,7 +145,9 @@ class mtl_names {
     if (library_) libraries = library_->choose_or_write(needed_, undefined_, table_, c_.report);
     else if (table_) libraries = table_->libraries;
     bool ignored = false;
-    for (const std::string& name : libraries) c_.out << "mtllib " << line_name(name, ignored) << '\n';
+    std::set<std::string> written;  // different names can have equal lines
+    for (const std::string& name : libraries)
+      if (const auto [line, is_new] = written.insert(std::string(line_name(name, ignored))); is_new) c_.out << "mtllib " << *line << '\n';
   }
 
   /// The material of the k-th poly of polys(m).
