@@ -17,6 +17,7 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
     std::size_t value_size = 4;  // of binary numbers
     std::vector<vert_id> verts;
     std::vector<std::uint32_t> ends;
+    std::uint32_t largest = vtk_grid::unknown;  // number in verts
   };
   static constexpr std::string_view polydata_sections[] = {"vertices", "lines", "polygons", "triangle_strips"};
   static constexpr std::uint32_t max_index = 0x7FFFFFFF;  // indices are written as signed integers
@@ -85,6 +86,7 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
     if (!is_polydata_) {
       grid_.verts = std::move(parts_[0].verts);
       grid_.cell_ends = std::move(parts_[0].ends);
+      grid_.largest = parts_[0].largest;
       return;
     }
     for (part& p : parts_) {
@@ -130,32 +132,47 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
     }
     if (used != size) reject(last, {"cells of ", size, " numbers"}, {n, " cells of ", used});
   }
-  /// The same in binary files: converts all numbers, then moves the verts together.
+  /// The same in binary files, in one pass over the file.
   [[gnu::noinline]] void binary_rows(part& p, std::uint64_t n, std::uint64_t size, const char* from) {
-    core::reserve_large(p.verts, size);
-    vert_id some[1024];
-    for (std::uint64_t k, left = size; left > 0; left -= k) {
-      k = std::min<std::uint64_t>(std::size(some), left);
-      read_values_of(vtk_number::int32, some, k);
-      p.verts.insert(p.verts.end(), some, some + k);
-    }
-    vert_id *to = p.verts.data(), *in = to;
-    const vert_id* const end = to + size;
-    const auto position = [&] { return p.at + 4 * (in - p.verts.data()); };
+    constexpr std::size_t step = 4096;  // verts by which the list grows, which stay in the cache until they are overwritten
+    const std::uint64_t total = size - n;
+    core::reserve_large(p.verts, total);
+    const char* last = from;
+    std::uint64_t left = size, num_verts = 0;
+    p.largest = 0;
     for (std::uint64_t c = 0; c < n; ++c) {
-      if (in == end) reject(position(), {"cells of ", size, " numbers"}, {n, " cells of more"});
-      const std::uint32_t k = in->raw();
-      if (k > max_index) reject(position(), {"an index of a point"}, {static_cast<std::int32_t>(k)});
-      if (k >= static_cast<std::uint64_t>(end - in)) reject(position(), {"cells of ", size, " numbers"}, {"a cell of ", k, " where ", end - in - 1, " are left"});
-      const vert_id* const last = ++in + k;
-      for (; in != last; ++in) {
-        if (in->raw() > max_index) reject(position(), {"an index of a point"}, {static_cast<std::int32_t>(in->raw())});
-        *to++ = *in;
-      }
-      p.ends.push_back(static_cast<std::uint32_t>(to - p.verts.data()));
+      last = at;
+      if (left == 0) reject(last, {"cells of ", size, " numbers"}, {n, " cells of more"});
+      const auto k = value<std::uint32_t>();
+      if (k > max_index) fail_index(last, 0);
+      if (k >= left) reject(last, {"cells of ", size, " numbers"}, {"a cell of ", k, " where ", left - 1, " are left"});
+      left -= std::uint64_t{k} + 1;
+      if (p.verts.size() < num_verts + k) p.verts.resize(std::max(num_verts + k, std::min(total, num_verts + step)));
+      p.largest = std::max(p.largest, read_ids(p.verts.data() + num_verts, k));
+      if (p.largest > max_index) fail_index(last, k);
+      p.ends.push_back(static_cast<std::uint32_t>(num_verts += k));
     }
-    if (in != end) reject(n ? position() - 4 * (p.ends.back() - (n > 1 ? p.ends[n - 2] : 0) + 1) : from, {"cells of ", size, " numbers"}, {n, " cells of ", in - p.verts.data()});
-    p.verts.resize(size - n);
+    if (left > 0) reject(last, {"cells of ", size, " numbers"}, {n, " cells of ", size - left});
+  }
+  /// Reads n binary numbers.   Result: the largest.
+  std::uint32_t read_ids(vert_id* to, std::size_t n) {
+    std::uint32_t largest = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      std::uint32_t x = 0;
+      std::memcpy(&x, at + 4 * i, sizeof x);
+      if constexpr (std::endian::native == std::endian::little) x = __builtin_bswap32(x);
+      largest = std::max(largest, x);
+      to[i] = vert_id{x};
+    }
+    at += 4 * n;
+    return largest;
+  }
+  /// Errors: parse_error for the first number that is negative, of n + 1 in binary form.
+  [[noreturn, gnu::noinline, gnu::cold]] void fail_index(const char* position, std::size_t n) {
+    at = position;
+    for (std::size_t i = 0; i < n && value<std::int32_t>() >= 0; ++i) position = at;
+    at = position;
+    reject(position, {"an index of a point"}, {value<std::int32_t>()});
   }
   std::uint32_t next_index_value(const char* position) {
     const auto i = value<std::int32_t>();

@@ -12,11 +12,13 @@ namespace concino::detail {
 
 /// A grid: points, cells of many types, and their values.
 struct vtk_grid {
+  static constexpr std::uint32_t unknown = ~0u;
   std::vector<vec3> points;
   std::vector<vert_id> verts;            // of all cells, unchecked; of a polyhedron its faces: their number, and for each the number of its verts and these
   std::vector<std::uint32_t> cell_ends;  // where the verts of each cell end
   std::vector<std::uint8_t> types;       // VTK's number of the type of each cell
   std::vector<property_column> columns;  // of verts, of all cells (element_kind::poly) and of the mesh
+  std::uint32_t largest = unknown;       // number in verts
   std::uint64_t num_ghosts = 0;          // cells that were dropped
 
   std::size_t size() const { return types.size(); }

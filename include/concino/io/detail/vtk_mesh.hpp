@@ -31,9 +31,11 @@ class vtk_mesh {
   vtk_mesh(vtk_grid& grid, const read_context& in, vtk_places& places, Contents& out) : grid_(grid), in_(in), places_(places), out_(out) {}
 
   void make() {
-    std::uint32_t largest = 0;
-    for (const vert_id v : grid_.verts) largest = std::max(largest, v.raw());
-    in_range_ = largest < grid_.points.size();
+    if (grid_.largest == vtk_grid::unknown) {
+      grid_.largest = 0;
+      for (const vert_id v : grid_.verts) grid_.largest = std::max(grid_.largest, v.raw());
+    }
+    in_range_ = grid_.largest < grid_.points.size();
     std::size_t count[5] = {};
     for (std::size_t c = 0; c < grid_.size(); ++c) {
       const vtk_kind k = kind_of_vtk_cell(grid_.types[c]);
