@@ -68,10 +68,10 @@ struct basic_face_soup {
   static constexpr unsigned max_compared = 64;                    // faces with the same smallest vert, before they are sorted
 
   struct entry {
-    std::uint64_t sum;   // of the verts, which equal faces have in common
+    std::uint32_t sum;   // of the verts modulo 2^32, which equal faces have in common
     std::uint32_t next;  // an earlier face with the same smallest vert
-    std::uint32_t twin;  // the first face that is equal
   };
+  std::vector<face_id> twins_;  // the first face that is equal to each
 
   std::uint32_t size(std::size_t f) const { return face_offsets[f + 1] - face_offsets[f]; }
   Vert* first(std::size_t f) { return face_verts.data() + face_offsets[f]; }
@@ -79,20 +79,20 @@ struct basic_face_soup {
   /// Adds the entry of face f, and finds its twin among the faces that have the same smallest vert.
   /// Result: 1 if the directions are equal, -1 if they are not, 0 if there is none.
   int find_twin(std::vector<entry>& entries, std::uint32_t f, std::vector<std::uint32_t>& last) {
-    std::uint32_t smallest = none;
-    std::uint64_t sum = 0;
+    std::uint32_t smallest = none, sum = 0;
     for (const Vert *v = first(f), *end = v + size(f); v != end; ++v) {
       smallest = std::min(smallest, v->raw());
       sum += v->raw();
     }
     const std::uint32_t before = last[smallest];
-    entries.push_back({sum, before, f});
+    entries.push_back({sum, before});
+    twins_.push_back(face_id{f});
     if (before == too_many) return 0;
     unsigned compared = 0;
     for (std::uint32_t g = before; g != none; g = entries[g].next, ++compared) {
       if (entries[g].sum != sum || size(g) != size(f)) continue;
       if (const int order = compare_cycles(first(g), first(f), size(f))) {
-        entries[f].twin = g;
+        twins_[f] = face_id{g};
         return order;
       }
     }
@@ -101,41 +101,42 @@ struct basic_face_soup {
   }
 
   /// Finds the twins of the faces whose smallest verts have many faces: sorts them, so that equal ones are consecutive.
-  [[gnu::noinline, gnu::cold]] void find_twins_by_sorting(std::vector<entry>& entries, const std::vector<std::uint32_t>& last, std::vector<std::uint8_t>& outward) {
+  [[gnu::noinline, gnu::cold]] void find_twins_by_sorting(const std::vector<std::uint32_t>& last, std::vector<std::uint8_t>& outward) {
     std::vector<cycle> cycles;
-    for (std::uint32_t f = 0; f < entries.size(); ++f)
+    for (std::uint32_t f = 0; f < twins_.size(); ++f)
       if (last[std::min_element(first(f), first(f) + size(f))->raw()] == too_many) cycles.push_back(cycle(first(f), size(f), f));
     std::sort(cycles.begin(), cycles.end());
     std::uint32_t original = none;
     for (const cycle& c : cycles) {
       const std::uint32_t f = c.face();
-      if (entries[f].twin != f) continue;
+      if (twins_[f] != face_id{f}) continue;
       const int order = original != none && size(original) == size(f) ? compare_cycles(first(original), first(f), size(f)) : 0;
       if (order == 0) {
         original = f;
         continue;
       }
-      entries[f].twin = original;
+      twins_[f] = face_id{original};
       outward[f] ^= order < 0;
     }
   }
 
   /// Result: polyhedra with the faces that are their own twins; the other faces refer to their twin.
-  polyhedra_arrays keep_first_faces(std::vector<vec3>&& points, const std::vector<entry>& entries, std::vector<std::uint8_t>&& outward) {
-    const std::size_t n = entries.size();
+  polyhedra_arrays keep_first_faces(std::vector<vec3>&& points, std::vector<std::uint8_t>&& outward) {
+    const std::size_t n = twins_.size();
     std::size_t num_first = 0;
-    for (std::size_t f = 0; f < n; ++f) num_first += entries[f].twin == f;
+    for (std::size_t f = 0; f < n; ++f) num_first += twins_[f] == face_id{f};
     polyhedra_arrays out;
     out.points = std::move(points);
     out.poly_offsets = std::move(poly_offsets);
     out.outward = std::move(outward);
-    out.poly_faces = core::large_vector(n, face_id{});
+    out.poly_faces = std::move(twins_);
     out.face_offsets = core::large_vector(num_first + 1, std::uint32_t{0});
     std::uint32_t corners = 0, face_count = 0;
-    // In place: a face that is kept moves forward, over faces already read.
+    // In place: a face that is kept moves forward, over faces already read. Twins come before, and have their numbers already.
     for (std::size_t f = 0; f < n; ++f) {
-      const bool is_first = entries[f].twin == f;
-      out.poly_faces[f] = is_first ? face_id{face_count} : out.poly_faces[entries[f].twin];
+      face_id& face = out.poly_faces[f];
+      const bool is_first = face == face_id{f};
+      face = is_first ? face_id{face_count} : out.poly_faces[face.raw()];
       if (!is_first) continue;
       const std::uint32_t k = size(f);
       const Vert* const from = first(f);
@@ -156,11 +157,14 @@ struct basic_face_soup {
     std::vector<std::uint32_t> last = core::large_vector(points.size(), none);  // the last different face with each smallest vert
     std::vector<entry> entries;
     core::reserve_large(entries, n);
+    twins_.clear();
+    core::reserve_large(twins_, n);
     for (std::uint32_t f = 0; f < n; ++f)
       if (find_twin(entries, f, last) < 0) outward[f] ^= 1;
-    if (std::find(last.begin(), last.end(), too_many) != last.end()) find_twins_by_sorting(entries, last, outward);
-    last = {};
-    return keep_first_faces(std::move(points), entries, std::move(outward));
+    if (std::find(last.begin(), last.end(), too_many) != last.end()) find_twins_by_sorting(last, outward);
+    std::vector<std::uint32_t>().swap(last);
+    std::vector<entry>().swap(entries);
+    return keep_first_faces(std::move(points), std::move(outward));
   }
 };
 using face_soup = basic_face_soup<vert_id>;
