@@ -1,6 +1,6 @@
 #include <concino/mesh/volume_sign.hpp>
 
-#include <concino/io/detail/oriented_faces.hpp>
+#include <concino/io/detail/orient.hpp>
 #include <concino/mesh/standard_cells.hpp>
 
 #include <support/unit_cells.hpp>
@@ -85,8 +85,13 @@ TEST_CASE("volume_sign: cells of coordinates of all magnitudes have one sign, wh
         offsets.push_back(static_cast<std::uint32_t>(face_verts.size()));
       }
       std::vector<std::uint8_t> outward(t.num_faces, 1), inward(t.num_faces, 0);
-      const bool by_faces = detail::has_negative_volume({offsets.data(), face_verts.data(), outward.data(), t.num_faces}, points, true);
-      const bool mirrored = detail::has_negative_volume({offsets.data(), face_verts.data(), inward.data(), t.num_faces}, points, true);
+      const auto is_negative = [&](std::vector<std::uint8_t>& flags) {  // as readers find out
+        const detail::oriented_faces p{offsets.data(), face_verts.data(), flags.data(), t.num_faces};
+        detail::winding_check<vert_id> is_wound_well;
+        CHECK(is_wound_well(p, points));
+        return detail::has_negative_volume(p, points, is_wound_well.six_times_volume());
+      };
+      const bool by_faces = is_negative(outward), mirrored = is_negative(inward);
       CHECK(by_faces == one);
       CHECK(mirrored == other);
     }

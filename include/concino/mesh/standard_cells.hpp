@@ -49,15 +49,14 @@ inline constexpr const standard_cell& standard_cell_of(cell_shape s) { return st
 /// Errors: none.
 template<class Point>
 double six_times_volume_under(std::size_t n, const Point& point_of, const vec3& apex) {
-  vec3 middle, doubled_area, a = point_of(n - 1) - apex;
-  // The sum over the triangles is the dot product of the mean point and the vector area of the face.
+  detail::volume_under_face volume;
+  vec3 a = point_of(n - 1) - apex;
   for (std::size_t i = 0; i < n; ++i) {
     const vec3 b = point_of(i) - apex;
-    middle += b;
-    doubled_area += cross(a, b);
+    volume.add_edge(a, b);
     a = b;
   }
-  return dot(middle, doubled_area) / static_cast<double>(n);
+  return volume.six_times(n);
 }
 
 /// Six times the signed volume of a standard cell. Each face is split into triangles from its mean point.

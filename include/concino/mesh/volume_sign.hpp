@@ -7,6 +7,23 @@
 #include <cmath>
 #include <cstddef>
 
+namespace concino::detail {
+
+/// The volume between a face and the origin, from its edges.
+class volume_under_face {
+  vec3 middle_, doubled_area_;
+
+ public:
+  void add_edge(const vec3& a, const vec3& b) {
+    middle_ += b;
+    doubled_area_ += cross(a, b);
+  }
+  /// Six times the signed volume after n edges. The sum over the triangles is the dot product of the mean point and the vector area of the face.
+  double six_times(std::size_t n) const { return dot(middle_, doubled_area_) / static_cast<double>(n); }
+};
+
+}  // namespace concino::detail
+
 namespace concino {
 
 /// Whether products of three such coordinates do not overflow, and what underflows in them is negligible beside 1e-100.

@@ -135,9 +135,9 @@ TEST_CASE("winding_check: returns false if too many edges collide in its table, 
   const auto faces = [&](std::uint32_t first, std::uint32_t size) {
     return oriented_faces{m.face_offsets.data() + first, m.face_verts.data(), m.outward.data() + first, size};
   };
-  CHECK(!agree(faces(0, 2000)));
-  CHECK(agree(faces(0, 1)));  // edges of earlier polys do not count
-  CHECK(agree(faces(1999, 1)));
+  CHECK(!agree(faces(0, 2000), m.points));
+  CHECK(agree(faces(0, 1), m.points));  // edges of earlier polys do not count
+  CHECK(agree(faces(1999, 1), m.points));
 }
 
 TEST_CASE("orient: an open poly is turned over or not whatever the order of its verts") {

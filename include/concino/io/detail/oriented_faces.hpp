@@ -73,16 +73,10 @@ double six_times_poly_volume(const oriented_faces& p, std::span<const vec3> poin
   return sum;
 }
 
-/// Whether the volume of a poly is negative, by more than rounding errors. If its faces do not close it, volumes are measured from the centre of its
-/// box, so that the result does not depend on the order of its verts.
-inline bool has_negative_volume(const oriented_faces& p, std::span<const vec3> points, bool is_closed) {
-  double x = 0;
-  if (is_closed) x = six_times_poly_volume(p, points);
-  if (x > 1e-100 && x < 1e100) {  // nearly all polys
-    bool is_certain = true;
-    for (std::uint32_t i = p.offsets[0]; i < p.offsets[p.size]; ++i) is_certain = is_certain && has_moderate_coordinates(points[p.verts[i].raw()]);
-    if (is_certain) return false;
-  }
+/// Whether the volume of a poly is negative, by more than rounding errors. x is six times its volume if this is known, of moderate coordinates, else 0.
+/// The volume is then measured from the centre of its box, so that the result does not depend on the order of the verts if faces do not close the poly.
+inline bool has_negative_volume(const oriented_faces& p, std::span<const vec3> points, double x) {
+  if (x > 1e-100 && x < 1e100) return false;  // nearly all polys
   if (p.num_corners() == 0) return false;
   volume_box box;
   for (std::uint32_t i = p.offsets[0]; i < p.offsets[p.size]; ++i) box.add(points[p.verts[i].raw()]);
