@@ -3,3 +3,4 @@
 
 #include <concino/remesh/adaptive_size.hpp>
 #include <concino/remesh/decimate.hpp>
+#include <concino/remesh/remesh.hpp>

@@ -163,3 +163,12 @@ TEST_CASE("editable archetypes: decimation") {
     return {};
   });
 }
+
+TEST_CASE("editable archetypes: remeshing") {
+  edits_alike(cn::icosphere(1), [](auto& m) -> cn::permission {
+    CHECK(cn::remesh(m, {.edge_length = 0.4}).num_splits > 0);
+    auto sizes = cn::make_vert_map<double>(m, 0.5);
+    CHECK(cn::remesh(m, sizes).share_of_lengths > 0.9);
+    return {};
+  });
+}

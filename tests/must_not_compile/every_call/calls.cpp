@@ -68,6 +68,7 @@ void no_adapter(const stranger& other) {
   cn::worst(other);  // refused
   cn::decimate(other, {});  // refused
   cn::adaptive_size(other, {});  // refused
+  cn::remesh(other, {});  // refused
   cn::histogram(other);  // refused
   cn::normal(other);  // refused
   cn::vert_normal(other);  // refused

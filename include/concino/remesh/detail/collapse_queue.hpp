@@ -4,9 +4,9 @@
 #include <concino/edit/edge_collapse.hpp>
 #include <concino/edit/invariants.hpp>
 #include <concino/edit/max_distance.hpp>
-#include <concino/geometry/bounding_box.hpp>
 #include <concino/geometry/normals.hpp>
 #include <concino/remesh/detail/quadric.hpp>
+#include <concino/remesh/detail/unit_points.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ struct quadric_options {
   bool memoryless;
 };
 
-/// The quadrics of all verts and a heap of edges by cost. Points are moved to the middle of their box and scaled by a power of two to about 1.
+/// The quadrics of all verts and a heap of edges by cost. All points are unit points.
 template<class M>
 class collapse_queue {
   struct entry {
@@ -40,8 +40,7 @@ class collapse_queue {
 
   quadric_options options_;
   double feature_cosine_;
-  vec3 centre_;
-  double to_unit_ = 1, to_mesh_ = 1;
+  unit_points unit_;
   std::vector<quadric> quadrics_;
   std::vector<std::uint32_t> stamps_;  // of verts; they grow with each change
   static constexpr std::uint32_t removed_stamp = 1u << 31;
@@ -49,20 +48,7 @@ class collapse_queue {
   permission last_refusal_{refusal::link_condition, "there is no edge"};
   bool any_since_refused_ = false;
 
-  vec3 unit_point(const M& m, const vert_t<M>& v) const { return to_unit_ * (to_vec3(point(m, v)) - centre_); }
-
-  void scale(const M& m) {
-    for (const vert_t<M> v : verts(m))
-      if (!is_finite(to_vec3(point(m, v)))) core::throw_joined<invalid_mesh>({"decimate: the point of vert ", index_of(m, v), " is not finite; validate(m) lists all of them"});
-    const box b = bounding_box(m);
-    if (num_verts(m) == 0) return;
-    centre_ = 0.5 * b.min + 0.5 * b.max;
-    const vec3 half = b.max - centre_;
-    int exponent = 0;
-    std::frexp(std::max({half.x, half.y, half.z, 1e-300}), &exponent);
-    exponent = std::min(exponent, 1000);
-    to_unit_ = std::ldexp(1.0, -exponent), to_mesh_ = std::ldexp(1.0, exponent);
-  }
+  vec3 unit_point(const M& m, const vert_t<M>& v) const { return unit_.at(m, v); }
 
   /// The normal of a triangle, times twice its area.
   vec3 vector_area(const M& m, const poly_t<M>& p) const {
@@ -164,9 +150,9 @@ class collapse_queue {
   collapse_queue(const M& m, const quadric_options& options)
       : options_(options),
         feature_cosine_(options.feature_angle_deg >= 180 ? -2 : std::cos(options.feature_angle_deg * std::numbers::pi / 180)),
+        unit_(m, "decimate"),
         quadrics_(vert_index_bound(m)),
         stamps_(vert_index_bound(m)) {
-    scale(m);
     for (const poly_t<M> p : polys(m)) {
       const quadric q = quadric_of(m, p);
       for (const vert_t<M> v : adj_p2v(m, p)) quadrics_[index_of(m, v)] += q;
@@ -195,7 +181,7 @@ class collapse_queue {
       const vec3 at = place(sum_at(x.a, x.b), a, b);
       const double along = dot(at - a, b - a), whole = dot(b - a, b - a);
       options.at = along > 0 && whole > 0 ? std::min(along / whole, 1.0) : 0;
-      options.point = to_mesh_ * at + centre_;
+      options.point = unit_.to_mesh(at);
       const vert_result<M> r = edge_collapse(m, x.edge, options);
       if (!r) {
         last_refusal_ = r;
