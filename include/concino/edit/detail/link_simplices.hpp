@@ -25,7 +25,7 @@ template<std::size_t N>
 void add_link_simplex(simplex_list<N>& all, const unsigned* corners, unsigned size, unsigned a, unsigned b) {
   local_simplex<N> s{};
   unsigned n = 0;
-  for (unsigned i = 0; i < size; ++i) {
+  for (unsigned i = 0; i < size && n < N; ++i) {  // there are N others
     if (corners[i] == a || corners[i] == b) continue;
     unsigned k = n++;
     for (; k > 0 && s[k - 1] > corners[i]; --k) s[k] = s[k - 1];
