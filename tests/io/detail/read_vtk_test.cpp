@@ -217,4 +217,11 @@ TEST_CASE("read_vtk: errors in binary files name the byte") {
   CHECK(says(head + points + cells) == "3: a point index below 3 | 3 at byte " + std::to_string(head.size() + points.size() + 11));
   CHECK(says(head + points.substr(1)) == "3: a count that fits into the file | 9 float numbers, and 35 bytes at byte " + std::to_string(head.size() - 15));
   CHECK(says(head + big_endian_list<float>({0, 0, 0, 1, 0, 0, 0, std::numeric_limits<float>::infinity(), 0})).starts_with("3: the coordinates of a point, finite numbers | "));
+  const std::size_t first = head.size() + points.size() + std::string("\nCELLS 1 4\n").size();
+  const auto row = [&](const char* n, std::initializer_list<std::int32_t> numbers) { return says(head + points + "\nCELLS " + n + " 4\n" + big_endian_list(numbers)); };
+  CHECK(row("1", {3, 0, 1, -3}) == "3: an index of a point | -3 at byte " + std::to_string(first + 12));
+  CHECK(row("1", {-3, 0, 1, 2}) == "3: an index of a point | -3 at byte " + std::to_string(first));
+  CHECK(row("1", {4, 0, 1, 2}) == "3: cells of 4 numbers | a cell of 4 where 3 are left at byte " + std::to_string(first));
+  CHECK(row("1", {2, 0, 1, 2}) == "3: cells of 4 numbers | 1 cells of 3 at byte " + std::to_string(first));
+  CHECK(row("2", {3, 0, 1, 2}) == "3: cells of 4 numbers | 2 cells of more at byte " + std::to_string(first + 16));
 }
