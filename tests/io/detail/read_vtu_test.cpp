@@ -142,6 +142,19 @@ TEST_CASE("read_vtu: base64 and appended arrays, in both byte orders and widths 
       }
 }
 
+TEST_CASE("read_vtu: polyhedra beside other cells, in two pieces") {
+  const std::string face_lists = "5 4 4 5 6 7 3 4 5 8 3 5 6 8 3 6 7 8 3 7 4 8  4 3 0 1 2 3 0 1 8 3 1 2 8 3 0 2 8";
+  const std::string both = vtu_cells("4 5 6 7 8  0 1 2 3 4 5 6 7  0 1 2 8", "5 13 17", "42 12 42", vtu_array("Int64", "faces", face_lists) + vtu_array("Int64", "faceoffsets", "22 -1 39"));
+  const std::string piece = vtu_piece(9, 3, points_of_cube() + both);
+  const auto one = vtu<polyhedra_arrays>(vtu_file(piece)), two = vtu<polyhedra_arrays>(vtu_file(piece + piece));
+  CHECK(one.poly_offsets == std::vector<std::uint32_t>{0, 5, 11, 15});
+  CHECK(two.poly_offsets == std::vector<std::uint32_t>{0, 5, 11, 15, 20, 26, 30});
+  CHECK(two.face_verts == one.face_verts);
+  std::vector<face_id> twice = one.poly_faces;
+  twice.insert(twice.end(), one.poly_faces.begin(), one.poly_faces.end());
+  CHECK(two.poly_faces == twice);
+}
+
 TEST_CASE("read_vtu: pieces are joined at equal points, and ghost cells dropped") {
   const auto piece = [](const std::string& points, const std::string& cells, const std::string& ghosts, const std::string& values) {
     return vtu_piece(4, 1, "<Points>\n" + vtu_array("Float32", "Points", points, "NumberOfComponents='3' ") + "</Points>\n" + cells + "<CellData>\n" + vtu_array("UInt8", "vtkGhostType", ghosts) +

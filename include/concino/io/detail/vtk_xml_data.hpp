@@ -37,11 +37,8 @@ class vtk_xml_data : public vtk_xml_bytes {
   [[gnu::noinline]] void read_array(const vtk_xml_array& a, std::uint64_t n, void* to) {
     if (n == 0) return;
     if (a.format == "ascii") {
-      token_cursor& here = *this;
-      here = token_cursor(in_.text.substr(0, static_cast<std::size_t>(a.end - in_.text.data())), in_.name, in_.progress, 0);
-      at = a.begin;
-      read_values_of(a.type, to, n);
-      return;
+      begin_text(a);
+      return read_values_of(a.type, to, n);
     }
     read_bytes(a, static_cast<unsigned char*>(to));
     if (encoding_.swapped) swap_bytes(to, n, vtk_names_of(a.type).size);
@@ -60,8 +57,19 @@ class vtk_xml_data : public vtk_xml_bytes {
         use(part, count);
       }
     };
-    if (n && encoding_.compressed && a.format != "ascii") for_each_block(a, size, use_parts);
-    else use_parts(bytes_of(a, n), n);
+    if (n && a.format == "ascii") {
+      unsigned char part[8 * largest_part];
+      begin_text(a);
+      for (std::uint64_t count; n > 0; n -= count) {
+        count = std::min<std::uint64_t>(largest_part, n);
+        read_values_of(a.type, part, count);
+        use_parts(part, count);
+      }
+    } else if (n && encoding_.compressed) {
+      for_each_block(a, size, use_parts);
+    } else {
+      use_parts(bytes_of(a, n), n);
+    }
     buffer_.clear();
     if (buffer_.capacity() > std::size_t{1} << 20) std::vector<unsigned char>().swap(buffer_);
   }
@@ -78,7 +86,13 @@ class vtk_xml_data : public vtk_xml_bytes {
   }
 
  private:
-  /// The n numbers of an array, in the file if they stand there as they are in memory, else in the buffer. Needs: as read_array.
+  /// Moves to the numbers of an array that is text.
+  void begin_text(const vtk_xml_array& a) {
+    token_cursor& here = *this;
+    here = token_cursor(in_.text.substr(0, static_cast<std::size_t>(a.end - in_.text.data())), in_.name, in_.progress, 0);
+    at = a.begin;
+  }
+  /// The n numbers of an array, in the file if they stand there as they are in memory, else in the buffer. Needs: as read_array; no text.
   [[gnu::noinline]] const unsigned char* bytes_of(const vtk_xml_array& a, std::uint64_t n) {
     if (n && a.format == "appended" && !encoding_.base64_appended && !encoding_.compressed && !encoding_.swapped) {
       open(a);

@@ -24,11 +24,14 @@ class vtk_xml_volume_reader : public vtk_xml_reader {
     std::vector<vert_id> verts;
     if (first == 0) verts.swap(grid_.verts);
     else verts.assign(grid_.verts.begin() + static_cast<std::ptrdiff_t>(first), grid_.verts.end());
-    grid_.verts.resize(first);
     const auto part = vtk_xml_part::cells;
     const bool is_new = !find(p, part, "faces");
     const vtk_xml_array& faces = need(p, part, is_new && find(p, part, "polyhedron_to_faces") ? "polyhedron_to_faces" : "faces");
-    id_list list = is_new ? id_list{} : ids(faces);
+    // The list of faces is read behind the room for the verts of other cells, and changed in place: what is written never reaches what is not read yet.
+    const std::size_t list_begin = first + (is_new ? 0 : num_verts_of_others(first_cell_[p], ends));
+    id_list list;
+    grid_.verts.resize(list_begin);
+    if (!is_new) list = append_ids(faces);
     const std::vector<std::int64_t> cell_ends = integers(need(p, part, is_new ? "polyhedron_offsets" : "faceoffsets"));
     std::vector<std::int64_t> cell_faces, face_ends, face_verts;
     if (is_new) {
@@ -38,19 +41,14 @@ class vtk_xml_volume_reader : public vtk_xml_reader {
     }
     if (cell_ends.size() < ends.size()) fail_array(faces, {"an end for each of ", ends.size(), " cells"}, {cell_ends.size()});
     if (is_new) check_shared_faces(cell_faces, face_ends, face_verts.size());
-    // The list of polyhedra alone is changed in place.
-    const std::size_t size = is_new ? cell_faces.size() : list.ids.size();
-    const auto is_polyhedron = [](std::uint8_t t) { return t == vtk_polyhedron; };
-    const bool in_place = !is_new && first == 0 && std::all_of(grid_.types.begin() + static_cast<std::ptrdiff_t>(first_cell_[p]), grid_.types.end(), is_polyhedron);
-    if (in_place) grid_.verts.swap(list.ids);
-    else if (!is_new) core::reserve_large(grid_.verts, first + verts.size() + size);
-    const vert_id* const source = in_place ? grid_.verts.data() : list.ids.data();
+    const std::size_t size = is_new ? cell_faces.size() : grid_.verts.size() - list_begin;
     std::size_t written = first, at_list = 0;
     for (std::size_t c = 0; c < ends.size(); ++c) {
       const std::uint32_t from = c ? ends[c - 1] : 0;
       if (grid_.types[first_cell_[p] + c] != vtk_polyhedron) {
-        grid_.verts.insert(grid_.verts.end(), verts.begin() + from, verts.begin() + ends[c]);
-        written = grid_.verts.size();
+        if (is_new) grid_.verts.resize(written + (ends[c] - from));
+        std::copy(verts.begin() + from, verts.begin() + ends[c], grid_.verts.begin() + static_cast<std::ptrdiff_t>(written));
+        written += ends[c] - from;
       } else {
         const auto end = static_cast<std::size_t>(cell_ends[c]);
         if (cell_ends[c] < 0 || end < at_list || end > size) fail_array(faces, {"ends of polyhedra that increase to ", size}, {cell_ends[c]});
@@ -58,9 +56,8 @@ class vtk_xml_volume_reader : public vtk_xml_reader {
           listed_faces(faces, p, cell_faces, face_ends, face_verts, static_cast<std::int64_t>(at_list), cell_ends[c]);
           written = grid_.verts.size();
         } else {
-          if (!in_place) grid_.verts.resize(written + end - at_list);
-          written = static_cast<std::size_t>(face_stream(faces, p, list, source, at_list, end, grid_.verts.data() + written) - grid_.verts.data());
-          if (!in_place) grid_.verts.resize(written);
+          vert_id* const all = grid_.verts.data();
+          written = static_cast<std::size_t>(face_stream(faces, p, list, all + list_begin, at_list, end, all + written) - all);
         }
         at_list = end;
       }
@@ -68,6 +65,13 @@ class vtk_xml_volume_reader : public vtk_xml_reader {
       grid_.cell_ends[first_cell_[p] + c] = static_cast<std::uint32_t>(written);
     }
     grid_.verts.resize(written);
+  }
+  /// The number of verts of the cells of a piece that are no polyhedra.
+  std::size_t num_verts_of_others(std::size_t first_cell, const std::vector<std::uint32_t>& ends) const {
+    std::size_t n = 0;
+    for (std::size_t c = 0; c < ends.size(); ++c)
+      if (grid_.types[first_cell + c] != vtk_polyhedron) n += ends[c] - (c ? ends[c - 1] : 0);
+    return n;
   }
   /// Errors: unsupported if the faces of all polyhedra have far more corners than the file lists.
   void check_shared_faces(const std::vector<std::int64_t>& cell_faces, const std::vector<std::int64_t>& face_ends, std::size_t num_verts) const {
@@ -98,23 +102,26 @@ class vtk_xml_volume_reader : public vtk_xml_reader {
     for_each_integers(a, n, [&](const std::int64_t* values, std::size_t count) { all.insert(all.end(), values, values + count); });
     return all;
   }
-  /// Integers as ids. Those that are too large or negative become "no id"; the first of them is remembered, for errors.
+  /// The first of the integers of a list that are too large or negative, for errors. They become "no id".
   struct id_list {
-    std::vector<vert_id> ids;
     std::size_t first_bad = ~std::size_t{0};
     std::int64_t bad = 0;
 
     std::int64_t number(std::size_t k, vert_id id) const { return k == first_bad ? bad : std::int64_t{id.raw()}; }
   };
-  id_list ids(const vtk_xml_array& a) {
+  /// Appends integers to the verts of the grid, as ids.
+  id_list append_ids(const vtk_xml_array& a) {
     const std::uint64_t n = length_of(a);
     require_numbers(a, n);
     id_list list;
-    core::reserve_large(list.ids, n);
-    std::vector<vert_id> some;
+    std::vector<vert_id>& ids = grid_.verts;
+    const std::size_t before = ids.size();
+    core::reserve_large(ids, before + n);
     for_each_integers(a, n, [&](const std::int64_t* values, std::size_t count) {
       std::uint64_t all = 0;
-      some.resize(count);
+      const std::size_t at_ids = ids.size();
+      ids.resize(at_ids + count);
+      vert_id* const some = ids.data() + at_ids;
       for (std::size_t i = 0; i < count; ++i) {
         const auto x = static_cast<std::uint64_t>(values[i]);
         all |= x;
@@ -123,9 +130,8 @@ class vtk_xml_volume_reader : public vtk_xml_reader {
       for (std::size_t i = 0; all > max_index && i < count; ++i) {
         if (values[i] >= 0 && values[i] <= max_index) continue;
         some[i] = vert_id{};
-        if (list.first_bad == ~std::size_t{0}) list.first_bad = list.ids.size() + i, list.bad = values[i];
+        if (list.first_bad == ~std::size_t{0}) list.first_bad = at_ids - before + i, list.bad = values[i];
       }
-      list.ids.insert(list.ids.end(), some.begin(), some.end());
     });
     return list;
   }
