@@ -18,7 +18,7 @@ namespace concino::detail {
 ///
 /// An iterative solver is accurate relative to the largest values only, and heat decreases by many orders of magnitude. But at one vert it hardly depends on
 /// what is further out: what comes back from there has decreased on both ways. So verts are ordered by expected heat and solved in bands, in which heat decreases
-/// by a factor of about e^10. The equations of a band get the heat of the verts before it, which is known, and end e^-4 behind it, as if there were no heat
+/// by a factor of about e^12. The equations of a band get the heat of the verts before it, which is known, and end e^-8 behind it, as if there were no heat
 /// after that; the last part is only solved to be solved again. This is one pass of Schwarz' alternating method, with subdomains that overlap in the
 /// direction in which heat flows. Each band has a unit of its own, so that nothing underflows.
 ///
@@ -28,7 +28,7 @@ namespace concino::detail {
 /// Source: Schwarz 1870; Dryja, Widlund 1990, "Towards a unified theory of domain decomposition algorithms for elliptic problems".
 class heat_bands {
   static constexpr int no_heat = std::numeric_limits<int>::min() / 2;  // the exponent of 0
-  static constexpr double width = 10, overlap = 4;  // of bands, in units of log_guess
+  static constexpr double width = 12, overlap = 8;  // of bands, in units of log_guess
 
   std::span<const int> order_;
   heat_rows rows_;
@@ -45,7 +45,7 @@ class heat_bands {
   /// is none. Rows are in the order of verts.
   using other_solver = function_ref<bool(std::span<const int> verts, const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& load, Eigen::VectorXd& x)>;
 
-  /// The verts in the order of decreasing log_guess.
+  /// The verts in the order of decreasing log_guess, which has no NaN; equal ones in the order of their numbers.
   static std::vector<int> order_by(std::span<const double> log_guess);
 
   /// lower: the lower triangle of A, with positive diagonal entries. load: b, 0 or more. log_guess: approximates the logarithm of u, up to a constant; -inf
