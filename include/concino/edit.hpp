@@ -1,6 +1,7 @@
 // Editing of meshes: adding and removing elements, splitting, collapsing and flipping, undoing edits.
 #pragma once
 
+#include <concino/edit/connected_verts.hpp>
 #include <concino/edit/edge_collapse.hpp>
 #include <concino/edit/edge_flip.hpp>
 #include <concino/edit/edge_split.hpp>
@@ -17,6 +18,7 @@
 #include <concino/edit/proposed_edit.hpp>
 #include <concino/edit/protect.hpp>
 #include <concino/edit/remove_unreferenced.hpp>
+#include <concino/edit/simplex_cavity.hpp>
 #include <concino/edit/split_vert_fans.hpp>
 #include <concino/edit/transaction.hpp>
 #include <concino/edit/vert_split.hpp>

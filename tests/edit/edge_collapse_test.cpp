@@ -37,7 +37,10 @@ unsigned collapse_at_random(M& m, std::mt19937& random, unsigned tries) {
     const auto singular = cn::testing::singular_links(m);
     const auto old = cn::testing::whole(m);
     const std::size_t polys = cn::num_polys(m), at_edge = cn::num_elements(cn::adj_e2p(m, e)), verts = cn::num_verts(m);
-    const auto made = cn::edge_collapse(m, e, {.at = 0.25 * double(random() % 5)});
+    const bool keeps_second = i % 3 == 0;
+    const double at = 0.25 * double(random() % 5);
+    const cn::vec3 a = cn::point(m, ends.first), b = cn::point(m, ends.second);
+    const auto made = cn::edge_collapse(m, e, {.at = at, .keeps_second = keeps_second});
     CHECK(bool(made) == expected);
     if (!made) {
       CHECK(made.reason == cn::refusal::link_condition);
@@ -45,8 +48,9 @@ unsigned collapse_at_random(M& m, std::mt19937& random, unsigned tries) {
       continue;
     }
     ++done;
-    CHECK(made.vert == ends.first);
-    CHECK_FALSE(cn::contains(m, ends.second));
+    CHECK(made.vert == (keeps_second ? ends.second : ends.first));
+    CHECK_FALSE(cn::contains(m, keeps_second ? ends.first : ends.second));
+    CHECK(cn::distance(cn::point(m, made.vert), (1 - at) * a + at * b) < 1e-12);
     CHECK(cn::num_polys(m) == polys - at_edge);
     CHECK(cn::num_verts(m) == verts - 1);
     CHECK(topology(m) == before);

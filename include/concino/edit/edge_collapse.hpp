@@ -16,19 +16,19 @@ struct edge_collapse_options {
   std::vector<invariant> keep = {};  // see edit_options
   double at = 0.5;  // in [0, 1]: the remaining vert lies at (1 - at) a + at b, where a and b are the ends as end_verts lists them
   std::optional<vec3> point = {};  // if given, the remaining vert lies here; values of properties are interpolated by `at`
+  bool keeps_second = false;       // b remains instead of a
 };
 
 namespace detail {
 
 inline constexpr permission breaks_link_condition{refusal::link_condition, "the link condition does not hold: parts of the mesh would touch or vanish"};
 
-inline vec3 merged_point(const edge_collapse_options& options, const vec3& a, const vec3& b) { return options.point ? *options.point : point_between(a, b, options.at); }
-
-/// Old polys are those at the second end, first the ones that the first end lacks; neighbours the other ones at the first end.
+/// Old polys are those at the end that is removed, first the ones that the other end lacks; neighbours the other ones at the end that remains.
 template<class M>
 permission edge_collapse_cavity(const M& m, const edge_t<M>& e, const edge_collapse_options& options, cavity_builder<M>& c) {
   constexpr unsigned n = cavity_builder<M>::size - 1;
-  const auto ends = end_verts(m, e);
+  auto ends = end_verts(m, e);
+  if (options.keeps_second) std::swap(ends.first, ends.second);
   const unsigned a = c.vert(ends.first), b = c.vert(ends.second);
   simplex_list<n> link_a, link_b;
   simplex_list<n - 1> link_ab;
@@ -55,11 +55,11 @@ permission edge_collapse_cavity(const M& m, const edge_t<M>& e, const edge_colla
   }
   for (unsigned k = c.num_old(); k < c.num_polys(); ++k) add_link_simplex<n>(link_a, c.corners(k), c.size, a, a);
   c.keep(moved);
-  const double t = options.at;
+  const double t = options.keeps_second ? 1 - options.at : options.at;
   c.merge(a, b, t);
   if (!can_collapse<n>(link_a, link_b, link_ab, c.num_verts())) return breaks_link_condition;
   const vec3 x = to_vec3(point(m, ends.first)), y = to_vec3(point(m, ends.second));
-  if (options.point || t > 0) c.move(a, merged_point(options, x, y));
+  if (options.point || t > 0) c.move(a, options.point ? *options.point : point_between(x, y, t));
   return {};
 }
 
@@ -86,19 +86,19 @@ permission can_edge_collapse(const M& m, edge_t<M> e, const edge_collapse_option
   return detail::ask(options.keep, m, c);
 }
 
-/// Collapses e: its first end remains, its second end and the polys at e are removed.
+/// Collapses e: its first end remains, or its second one if the options say so; the other end and the polys at e are removed.
 /// Needs:  EditableMesh M.
-/// Result: the remaining vert, or the reason why not. The other polys at the second end keep their descriptors, and their corners there are now at the first
-///         end; they are those that vert_split needs to undo the collapse. Other descriptors remain valid, apart from those of the second end, of e, of the
-///         polys at e, and of one of each two edges or faces that become one.
-/// Cost:   that of can_edge_collapse, and the elements at the verts of the polys at the second end, but O(mesh) the first time.
+/// Result: the remaining vert, or the reason why not. The other polys at the removed end keep their descriptors, and their corners there are now at the
+///         remaining end; they are those that vert_split needs to undo the collapse. Other descriptors remain valid, apart from those of the removed end, of
+///         e, of the polys at e, and of one of each two edges or faces that become one, which is that of the removed end.
+/// Cost:   that of can_edge_collapse, and the elements at the verts of the polys at the removed end, but O(mesh) the first time.
 /// Errors: invalid_mesh if e is not an edge of m; invalid_argument if options.at is not in [0, 1] or options.point is not finite. The mesh is unchanged then, also if memory runs out.
 template<EditableMesh M>
 vert_result<M> edge_collapse(M& m, edge_t<M> e, const edge_collapse_options& options = {}) {
   detail::check_element(m, e, "edge_collapse", "edge");
   detail::check_collapse(options, "edge_collapse");
   const auto ends = end_verts(m, e);
-  const vert_t<M> kept = ends.first;
+  const vert_t<M> kept = options.keeps_second ? ends.second : ends.first;
   detail::cavity_builder<M> c(m);
   const auto propose = [&] {
     const permission p = detail::edge_collapse_cavity(m, e, options, c);
@@ -107,9 +107,12 @@ vert_result<M> edge_collapse(M& m, edge_t<M> e, const edge_collapse_options& opt
   if (!options.keep.empty())
     if (const permission p = propose(); !p) return {p};
   if constexpr (detail::collapses_edges<M>) {
-    const direct_edit x = traits<M>::collapse_edge(m, e, detail::merged_point(options, to_vec3(point(m, kept)), to_vec3(point(m, ends.second))));
-    if (x == direct_edit::done) return {{}, kept};
-    if (x == direct_edit::refused) return {detail::breaks_link_condition};
+    if (!options.keeps_second) {
+      const vec3 at = options.point ? *options.point : detail::point_between(to_vec3(point(m, ends.first)), to_vec3(point(m, ends.second)), options.at);
+      const direct_edit x = traits<M>::collapse_edge(m, e, at);
+      if (x == direct_edit::done) return {{}, kept};
+      if (x == direct_edit::refused) return {detail::breaks_link_condition};
+    }
   }
   if (options.keep.empty())
     if (const permission p = propose(); !p) return {p};

@@ -8,17 +8,6 @@ namespace concino::detail {
 inline constexpr permission not_three_or_four{refusal::wrong_number, "the edge is not surrounded by three or four tets"};
 inline constexpr permission face_exists{refusal::same_verts, "the three verts that the new face would have are those of a face already"};
 
-/// Whether three verts have a common face of three verts, which is then `f`.
-template<class M>
-bool find_face(const M& m, const vert_t<M>& a, const vert_t<M>& b, const vert_t<M>& c, face_t<M>& f) {
-  for (const face_t<M> x : adj_v2f(m, a)) {
-    unsigned found = 0, other = 0;
-    for (const vert_t<M> v : adj_f2v(m, x)) ++(v == a || v == b || v == c ? found : other);
-    if (found == 3 && other == 0) return f = x, true;
-  }
-  return false;
-}
-
 template<class M>
 struct edge_ring {
   cavity_builder<M> cavity;
@@ -75,8 +64,7 @@ permission edge_ring_cavity(const M& m, const edge_t<M>& e, unsigned diagonal, e
     c.add_new(r.tet[i], r.a, by);
   };
   if (c.num_old() == 3) {
-    face_t<M> f;
-    if (find_face(m, c.vert_at(r.ring[0]), c.vert_at(r.ring[1]), c.vert_at(r.ring[2]), f)) return face_exists;
+    if (are_joined(m, c.vert_at(r.ring[0]), c.vert_at(r.ring[1]), c.vert_at(r.ring[2]))) return face_exists;
     replace(0, r.ring[2]);
   } else {
     if (are_joined(m, c.vert_at(r.ring[diagonal]), c.vert_at(r.ring[diagonal + 2]))) return opposite_verts_joined;

@@ -1,6 +1,7 @@
 // The cavity of a flip of a facet between two simplices: an edge between triangles, a face between tets.
 #pragma once
 
+#include <concino/edit/connected_verts.hpp>
 #include <concino/edit/detail/propose.hpp>
 
 #include <concino/concepts/end_verts.hpp>
@@ -11,13 +12,6 @@ namespace concino::detail {
 inline constexpr permission not_two_polys{refusal::wrong_number, "the edge does not have two triangles, or the face does not have two tets"};
 inline constexpr permission opposite_verts_joined{refusal::same_verts, "the two verts that the new edge would join are the same, or are joined already"};
 inline constexpr permission contradictory_winding{refusal::winding, "the polys at the element run in contradictory directions"};
-
-template<class M>
-bool are_joined(const M& m, const vert_t<M>& a, const vert_t<M>& b) {
-  for (const vert_t<M> v : adj_v2v(m, a))
-    if (v == b) return true;
-  return false;
-}
 
 /// The edge between two verts, which are joined.
 template<class M>
