@@ -3,4 +3,6 @@
 
 #include <concino/remesh/adaptive_size.hpp>
 #include <concino/remesh/decimate.hpp>
+#include <concino/remesh/improve.hpp>
 #include <concino/remesh/remesh.hpp>
+#include <concino/remesh/smooth_points.hpp>

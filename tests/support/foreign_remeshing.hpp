@@ -6,6 +6,7 @@
 #include <concino/generate/torus.hpp>
 #include <concino/remesh/adaptive_size.hpp>
 #include <concino/remesh/remesh.hpp>
+#include <concino/remesh/smooth_points.hpp>
 
 #include <support/foreign_edits.hpp>
 #include <support/kinds.hpp>
@@ -27,8 +28,22 @@ void remeshes_as_trimesh_does(const trimesh& native, double length) {
   CHECK(hausdorff_distance(native, m).upper <= b.error * (1 + 1e-9));
 }
 
+/// Smoothing gives the same shapes.
+template<class M>
+void smooths_as_trimesh_does() {
+  auto native = make_torus<trimesh>({.cells = {20, 12}});
+  for (const vert_id v : verts(native))
+    if (v.raw() % 3 == 0) set_point(native, v, point(native, v) + vec3{0.05, 0, 0.05});
+  auto m = convert<M>(native);
+  const auto a = smooth_points(native, {.feature_angle_deg = 90}), b = smooth_points(m, {.feature_angle_deg = 90});
+  CHECK(a.num_moves > 100);
+  CHECK(b.min_shape_before == doctest::Approx(a.min_shape_before));
+  CHECK(b.min_shape_after == doctest::Approx(a.min_shape_after).epsilon(1e-3));
+}
+
 template<class M>
 void remeshes_as_trimesh_does() {
+  smooths_as_trimesh_does<M>();
   const auto sphere = icosphere(2);
   remeshes_as_trimesh_does<M>(sphere, 0.7 * mean_edge_length(sphere));
   remeshes_as_trimesh_does<M>(make_torus<trimesh>({.cells = {20, 12}}), 0.35);

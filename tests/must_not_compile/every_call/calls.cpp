@@ -69,6 +69,8 @@ void no_adapter(const stranger& other) {
   cn::decimate(other, {});  // refused
   cn::adaptive_size(other, {});  // refused
   cn::remesh(other, {});  // refused
+  cn::improve(other);  // refused
+  cn::smooth_points(other);  // refused
   cn::histogram(other);  // refused
   cn::normal(other);  // refused
   cn::vert_normal(other);  // refused
