@@ -32,6 +32,10 @@ class tet_insertion {
   double before_ = 1;  // the least quality of the old tets
   vec3 x_;
 
+  void clear() {
+    old_.clear(), faces_.clear();
+    before_ = 1;
+  }
   void add(const poly_t<M>& p, const tet_corners<M>& t) {
     const M& m = tets_.mesh;
     const auto k = static_cast<unsigned>(old_.size());
@@ -57,8 +61,7 @@ class tet_insertion {
 
   /// Begins with p, or with all tets at an edge of it.
   void begin(const poly_t<M>& p, const edge_t<M>* e) {
-    old_.clear(), faces_.clear();
-    before_ = 1;
+    clear();
     if (!e) return add(p, tets_.corners(p));
     for (const poly_t<M> q : adj_e2p(tets_.mesh, *e))
       if (old_.size() < max_tets) add(q, tets_.corners(q));
@@ -83,11 +86,9 @@ class tet_insertion {
       if (const double q = worst_face().quality; q > best) best = q, best_size = old_.size();
     }
     if (best_size == old_.size() && !faces_.empty()) return;
-    const core::small_array<old_tet, max_tets + 12>& all = old_;
     core::small_array<old_tet, max_tets + 12> kept;
-    for (std::size_t i = 0; i < best_size; ++i) kept.push_back(all[i]);
-    old_.clear(), faces_.clear();
-    before_ = 1;
+    for (std::size_t i = 0; i < best_size; ++i) kept.push_back(old_[i]);
+    clear();
     for (const old_tet& t : kept) add(t.poly, t.corners);
   }
 
