@@ -112,10 +112,12 @@ class basic_cell_builder {
     const standard_cell& cell = standard_cell_of(s);
     verts_ = std::move(list);
     const std::size_t n = verts_.size() / cell.num_verts;
+    const bool fits = can_hold(s), are_tets = s == cell_shape::tet && fits && have_moderate_coordinates();
     for (std::size_t c = 0; c < n; ++c) {
       vert_id* const v = verts_.data() + c * cell.num_verts;
+      if (are_tets && is_plain_tet(v)) continue;
       const std::size_t k = detail::first_repeated(v, cell.num_verts, scratch_);
-      if (k != cell.num_verts ? !reject_repeated(v[k], "a cell") : !can_hold(s) && !reject(cell.name, cell.num_faces)) return c;
+      if (k != cell.num_verts ? !reject_repeated(v[k], "a cell") : !fits && !reject(cell.name, cell.num_faces)) return c;
       num_negative_ += make_volume_positive(s, v, points_);
     }
     for (unsigned f = 0; f < cell.num_faces; ++f) corners_ += n * cell.face_size[f];
@@ -137,6 +139,19 @@ class basic_cell_builder {
   }
 
  private:
+  bool have_moderate_coordinates() const {
+    bool all = true;
+    for (const vec3& p : points_) all &= concino::has_moderate_coordinates(p);
+    return all;
+  }
+  /// Whether a tet has four different verts and a positive volume without doubt, as nearly all tets. Needs: have_moderate_coordinates().
+  bool is_plain_tet(const vert_id* v) const {
+    const vec3* const p = points_.data();
+    const vec3 &a = p[v[0].raw()], &b = p[v[1].raw()], &c = p[v[2].raw()], &d = p[v[3].raw()];
+    const double volume = dot(b - a, cross(c - a, d - a));
+    return volume > 1e-100 && volume < 1e100 && v[0] != v[1] && v[0] != v[2] && v[0] != v[3] && v[1] != v[2] && v[1] != v[3] && v[2] != v[3];
+  }
+
   /// The number of verts that every cell must have: that of the wanted mesh, else that of the cells so far, else the one given.
   std::uint32_t wanted_arity(std::uint32_t otherwise) const {
     return in_.wanted.arity ? in_.wanted.arity : cells_ ? standard_cell_of(only_).num_verts : otherwise;
@@ -198,7 +213,7 @@ class basic_cell_builder {
     const std::uint32_t n = verts_[first_].raw();
     const face_soup soup = detail::faces_of_cells<vert_id>({verts_.begin() + static_cast<std::ptrdiff_t>(first_), verts_.end()}, 1, {}, cell_shape::general);
     std::vector<std::uint8_t> outward(n, 1);
-    const bool turned = orient(soup, outward) != 0;
+    const bool turned = detail::orient_polyhedra(soup, points_, outward) != 0;
     cell_recogniser known;
     for (std::uint32_t f = 0; f < n; ++f) {
       known.begin_face();
@@ -214,8 +229,6 @@ class basic_cell_builder {
     return true;
   }
 
-  std::size_t orient(const face_soup& soup, std::vector<std::uint8_t>& outward) const { return detail::orient_polyhedra(soup, points_, outward); }
-
   [[gnu::noinline, gnu::cold]] void report_reoriented() {
     load_report& r = *in_.report;
     r.reoriented_polys += num_negative_ + num_turned_;
@@ -227,7 +240,7 @@ class basic_cell_builder {
     face_soup soup = detail::faces_of_cells(std::exchange(verts_, {}), cells_, shapes_, only_, all_faces_, corners_);
     std::vector<cell_shape>().swap(shapes_);
     std::vector<std::uint8_t> outward = core::large_vector(soup.face_offsets.size() - 1, std::uint8_t{1});
-    if (num_general_) num_turned_ += orient(soup, outward);
+    if (num_general_) num_turned_ += detail::orient_polyhedra(soup, points_, outward);
     return std::move(soup).unite(std::move(points_), std::move(outward));
   }
 };

@@ -234,12 +234,56 @@ TEST_CASE("read_vtu: errors name the line") {
   const auto with_faces = [&](const std::string& list, const std::string& ends) {
     return says(cube_file(vtu_cells("0 1 2 4", "4", "42", vtu_array("Int64", "faces", list) + vtu_array("Int64", "faceoffsets", ends)), 1));
   };
+  CHECK(says(cube_file(vtu_cells("0 1 2 9", "4", "42", vtu_array("Int64", "faces", "4  3 0 1 2  3 0 1 4  3 1 2 4  3 0 2 4") + vtu_array("Int64", "faceoffsets", "17")), 1)) ==
+        "13: point indices below 9 | 9 in the array \"connectivity\"");  // although a polyhedron needs only its faces
   CHECK(with_faces("4  3 0 1 2  3 0 1 4  3 1 2 4  3 0 2 4", "99") == "22: ends of polyhedra that increase to 17 | 99 in the array \"faces\"");
   CHECK(with_faces("4  3 0 1 2  3 0 1 4  3 1 2 4  4 0 2 4", "17") == "22: the number of verts of a face | 4 in the array \"faces\"");
   CHECK(with_faces("4  3 0 1 2  3 0 1 4  3 1 2 4  3 0 2 9", "17") == "22: point indices below 9 | 9 in the array \"faces\"");
   CHECK_THROWS_WITH_AS(load_text<trimesh>("<VTKFile type=\"ImageData\"/>", file_format::vtu), "text: type=\"ImageData\" is not supported; UnstructuredGrid and PolyData are", unsupported);
   CHECK_THROWS_AS(load_text<trimesh>(vtu_file("", "compressor=\"vtkLZ4DataCompressor\""), file_format::vtu), unsupported);
   CHECK_THROWS_AS(load_text<polyhedralmesh>(cube_file(vtu_cells("0 1 2 4", "4", "24"), 1), file_format::vtu), unsupported);
+}
+
+TEST_CASE("read_vtu: long arrays are checked as short ones") {
+  constexpr unsigned n = 1500;  // more than are converted at a time
+  std::string corners, ends, types, points;
+  for (unsigned i = 0; i < n; ++i) {
+    corners += "0 1 2\n", types += "5 ";
+    ends += std::to_string(3 * i + 3) + " ";
+    points += std::to_string(i) + " .5 " + std::to_string(i * i) + "\n";
+  }
+  const auto changed = [](std::string text, const std::string& from, const std::string& to) { return text.replace(text.find(from), from.size(), to); };
+  const auto file = [&](const std::string& v, const std::string& e, const std::string& t) {
+    return vtu_file(vtu_piece(n, n, "<Points>\n" + vtu_array("Float32", "Points", points, "NumberOfComponents='3' ") + "</Points>\n" +
+                                        changed(vtu_cells(v, e, t), "UInt8", "Int16")));
+  };
+  const auto m = vtu<surface_arrays>(file(corners, ends, types));
+  REQUIRE(m.points.size() == n);
+  for (unsigned i = 0; i < n; ++i) CHECK((m.points[i] == vec3{double(i), .5, double(i * i)}));
+  CHECK(m.verts.size() == 3 * n);
+  CHECK(m.arity == 3);
+  const auto says = [&](const std::string& v, const std::string& e, const std::string& t) { return complaint<surface_arrays>(file(v, e, t), file_format::vtu); };
+  // 3072 = 3 * 1024 is the last number of the first part; 3075 the first one of the second.
+  CHECK(says(corners, changed(ends, " 3075 ", " 3071 "), types).ends_with("ends that do not decrease | 3071 after 3072 in the array \"offsets\""));
+  CHECK(says(corners, changed(ends, " 3072 ", " 9999999999 "), types).find("9999999999") != std::string::npos);
+  CHECK(says(corners, ends, types + "\n").empty());
+  CHECK(says(corners, ends, changed(types, "5 5 5 ", "5 -1 5 ")).ends_with("cell types from 0 to 255 | -1 in the array \"types\""));
+  CHECK(says(corners, ends, types.substr(0, 2 * n - 4) + "261 5").ends_with("cell types from 0 to 255 | 261 in the array \"types\""));
+  CHECK(says(corners.substr(0, corners.size() - 2) + "1500", ends, types).ends_with("point indices below 1500 | 1500 in the array \"connectivity\""));
+  CHECK(says(corners.substr(0, corners.size() - 2) + "1", ends, types).find("different points at the corners of a polygon") != std::string::npos);
+  CHECK(says(corners, changed(ends, " 30 ", " 31 "), types).find("3 points, for a cell of type 5 | 4") != std::string::npos);
+  points.replace(points.rfind(".5"), 2, "nan");
+  CHECK(says(corners, ends, types).ends_with("finite coordinates | others at point 1499 in the array \"Points\""));
+}
+
+TEST_CASE("read_vtu: quads and pixels") {
+  const auto verts_of = [&](const std::string& types, const std::string& corners) { return raw(vtu<surface_arrays>(cube_file(vtu_cells(corners, "4 8", types), 2)).verts); };
+  CHECK(verts_of("9 9", "0 1 2 3 4 5 6 7") == std::vector<unsigned>{0, 1, 2, 3, 4, 5, 6, 7});
+  CHECK(verts_of("8 8", "0 1 3 2 4 5 7 6") == std::vector<unsigned>{0, 1, 2, 3, 4, 5, 6, 7});
+  CHECK(verts_of("9 8", "0 1 2 3 4 5 7 6") == std::vector<unsigned>{0, 1, 2, 3, 4, 5, 6, 7});
+  const auto says = [](const std::string& text) { return complaint<surface_arrays>(text, file_format::vtu); };
+  CHECK(says(cube_file(vtu_cells("0 1 2 3 4 5 4 7", "4 8", "9 9"), 2)) == "5: different points at the corners of a polygon | point 4 twice in cell 1 of the piece");
+  CHECK(complaint<trimesh>(cube_file(vtu_cells("0 1 2 3 4 5 6 7", "4 8", "9 9"), 2), file_format::vtu).find("a polygon of 4 corners") != std::string::npos);
 }
 
 TEST_CASE("read_vtu: sizes in base64 and appended data are compared with the file") {

@@ -18,7 +18,7 @@ struct vtk_grid {
   std::vector<std::uint32_t> cell_ends;  // where the verts of each cell end
   std::vector<std::uint8_t> types;       // VTK's number of the type of each cell
   std::vector<property_column> columns;  // of verts, of all cells (element_kind::poly) and of the mesh
-  std::uint32_t largest = unknown;       // number in verts
+  std::uint32_t largest = unknown;       // number in verts, or more
   std::uint64_t num_ghosts = 0;          // cells that were dropped
 
   std::size_t size() const { return types.size(); }

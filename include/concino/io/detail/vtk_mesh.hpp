@@ -37,10 +37,11 @@ class vtk_mesh {
     }
     in_range_ = grid_.largest < grid_.points.size();
     std::size_t count[5] = {};
-    for (std::size_t c = 0; c < grid_.size(); ++c) {
+    for (std::size_t c = 0, end; c < grid_.size(); c = end) {
       const vtk_kind k = kind_of_vtk_cell(grid_.types[c]);
       if (k == vtk_kind::unknown) fail_type(c);
-      ++count[static_cast<unsigned>(k)];
+      for (end = c + 1; end < grid_.size() && grid_.types[end] == grid_.types[c];) ++end;
+      count[static_cast<unsigned>(k)] += end - c;
     }
     const std::size_t num_polygons = count[static_cast<unsigned>(vtk_kind::polygon)], num_cells = count[static_cast<unsigned>(vtk_kind::cell)];
     if (num_cells ? !volumes : !in_.wanted.surface && num_polygons > 0) throw_wrong_dimension(in_.name, num_cells != 0, num_cells ? num_cells : num_polygons);
@@ -75,6 +76,15 @@ class vtk_mesh {
     check_verts(c, first, n);
     return verts_ + first;
   }
+  /// The number of verts of each cell, if all have the same type and as many verts as that, which are points of the grid; else 0.
+  std::size_t common_size() const {
+    const std::size_t n = grid_.types.empty() ? 0 : size_of_vtk_cell(grid_.types[0]);
+    if (n == 0 || !in_range_ || std::memcmp(grid_.types.data(), grid_.types.data() + 1, grid_.size() - 1) != 0) return 0;
+    bool is_common = true;
+    std::uint32_t end = 0;
+    for (const std::uint32_t e : grid_.cell_ends) is_common &= e == (end += static_cast<std::uint32_t>(n));
+    return is_common ? n : 0;
+  }
   void check_verts(std::size_t c, std::size_t first, std::size_t n) {
     for (std::size_t i = first; !in_range_ && i < first + n; ++i)
       if (verts_[i].raw() >= grid_.points.size()) fail_vert(c, verts_[i]);
@@ -107,8 +117,25 @@ class vtk_mesh {
       places_.fail_at_cell(c, {"different points at the corners of a polygon"}, {"point ", v[k].raw(), " twice"});
   }
 
+  /// Takes over the verts of all cells, if they are different triangles or quads, as in most files. Returns whether it did.
+  bool take_polygons(surface_arrays& s) {
+    const std::size_t n = common_size();
+    if ((n != 3 && (n != 4 || grid_.types[0] != 9)) || (in_.wanted.arity && n != in_.wanted.arity)) return false;
+    bool distinct = true;
+    for (const vert_id *v = verts_, *end = v + grid_.verts.size(); v != end; v += n) {
+      distinct &= v[0] != v[1] && v[0] != v[2] && v[1] != v[2];
+      if (n == 4) distinct &= v[0] != v[3] && v[1] != v[3] && v[2] != v[3];
+    }
+    if (!distinct) return false;
+    s.verts = std::move(grid_.verts);
+    s.points = std::move(grid_.points);
+    s.arity = static_cast<std::uint32_t>(n);
+    return identity_ = true;
+  }
+
   void make_surface() {
     surface_arrays& s = out_.surface;
+    if (take_polygons(s)) return;
     std::uint32_t arity = 0;
     core::reserve_large(s.verts, grid_.verts.size());
     for (std::size_t c = 0; c < grid_.size(); ++c) {
@@ -149,15 +176,9 @@ class vtk_mesh {
     cells.finish(out_);
   }
 
-  /// Whether all cells are tets, or hexes, and so on. Checks their verts.
+  /// Whether all cells are tets, or hexes, and so on, and none has a wrong vert.
   bool has_one_shape() {
-    const std::uint8_t type = grid_.types.empty() ? std::uint8_t{0} : grid_.types[0];
-    if (shape_of_vtk_cell(type) == cell_shape::general || type == 11) return false;
-    for (const std::uint8_t t : grid_.types)
-      if (t != type) return false;
-    for (std::size_t c = 0; c < grid_.size(); ++c) verts_of(c);
-    identity_ = true;
-    return true;
+    return identity_ = common_size() && shape_of_vtk_cell(grid_.types[0]) != cell_shape::general && grid_.types[0] != 11;
   }
   /// Whether all cells are listed as cell_builder does it: tets, hexes, prisms, pyramids, and polyhedra unless these have to become tets or hexes.
   bool lists_as_builder() const {

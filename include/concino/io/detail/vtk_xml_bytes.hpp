@@ -92,7 +92,8 @@ class vtk_xml_bytes : public vtk_cursor {
   /// Calls use(bytes, count) for the numbers of a compressed array, some blocks at a time, which remain in the cache.
   [[gnu::noinline]] void for_each_block(const vtk_xml_array& a, std::size_t number_size, function_ref<void(const unsigned char*, std::uint64_t)> use) {
     open(a);
-    const std::size_t most = 1 + (std::size_t{1} << 20) / std::max<std::uint64_t>(block_size_, 1);
+    const std::size_t size_at_once = std::size_t{1} << (core::num_threads() == 1 ? 16 : 20);  // one thread needs no more than a block
+    const std::size_t most = std::max<std::size_t>(size_at_once / std::max<std::uint64_t>(block_size_, 1), 1);
     std::uint64_t carried = 0;  // the bytes of a number of which the last block has a part
     for (std::size_t first = 0, count = 0; first < num_blocks(); first += count) {
       count = std::min(most, num_blocks() - first);

@@ -16,6 +16,7 @@ class vtk_xml_cells : public vtk_xml_data {
   vtk_xml_index index_;
   std::vector<std::size_t> first_point_, first_cell_;  // of each piece, and the end
   bool has_faces_ = false;                             // the grid has the faces of polyhedra instead of their verts
+  bool reads_polyhedra_ = false;
 
   vtk_xml_cells(const read_context& in, vtk_grid& grid) : vtk_xml_data(in), grid_(grid) {}
   ~vtk_xml_cells() = default;
@@ -42,22 +43,32 @@ class vtk_xml_cells : public vtk_xml_data {
     if (n > max_ids || grid_.points.size() + n > max_ids) fail_to_count("points");
     require_numbers(a, 3 * n);
     const std::size_t first = grid_.points.size();
-    if (a.type == vtk_number::float64) {
+    core::reserve_large(grid_.points, first + n);
+    const auto check_from = [&](std::size_t i) {
+      for (; i < grid_.points.size(); ++i)
+        if (!is_finite(grid_.points[i])) fail_array(a, {"finite coordinates"}, {"others at point ", i - first});
+    };
+    if (a.type == vtk_number::float64 && !encoding_.compressed) {
       grid_.points.resize(first + n);
       read_array(a, 3 * n, grid_.points.data() + first);
-    } else {
-      core::reserve_large(grid_.points, first + n);
-      double x[3];
-      unsigned k = 0;
-      for_each_part<double>(a, 3 * n, [&](const double* values, std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i) {
-          x[k++] = values[i];
+      return check_from(first);
+    }
+    double x[3];
+    unsigned k = 0;
+    for_each_part<double>(a, 3 * n, [&](const double* values, std::size_t count) {
+      const double* const end = values + count;
+      const std::size_t before = grid_.points.size();
+      const auto push_parts = [&](const double* last) {  // of a point that is in two parts of the array
+        for (; values != last; ++values) {
+          x[k++] = *values;
           if (k == 3) grid_.points.push_back({x[0], x[1], x[2]}), k = 0;
         }
-      });
-    }
-    for (std::size_t i = first; i < grid_.points.size(); ++i)
-      if (!is_finite(grid_.points[i])) fail_array(a, {"finite coordinates"}, {"others at point ", i - first});
+      };
+      push_parts(values + std::min<std::size_t>((3 - k) % 3, count));
+      for (; end - values >= 3; values += 3) grid_.points.push_back({values[0], values[1], values[2]});
+      push_parts(end);
+      check_from(before);
+    });
   }
 
   /// Checks a vert of a piece, and adds its number in the grid.
@@ -66,46 +77,42 @@ class vtk_xml_cells : public vtk_xml_data {
     grid_.verts.push_back(vert_id{first_point_[p] + static_cast<std::size_t>(v)});
   }
 
-  /// The ends of n lists, which do not decrease.
-  std::vector<std::uint32_t> ends_of(const vtk_xml_array& a, std::uint64_t n) {
+  /// Adds n cells whose verts end where an array says, counted from those that the grid has. The ends do not decrease.
+  /// Result: how many verts the cells have.
+  std::uint32_t add_ends(const vtk_xml_array& a, std::uint64_t n) {
     require_numbers(a, n);
-    std::vector<std::uint32_t> ends;
-    core::reserve_large(ends, n);
-    std::int64_t last = 0;
-    for_each_integer(a, n, [&](std::int64_t e) {
-      if (e < last || e > static_cast<std::int64_t>(max_ids)) fail_array(a, {"ends that do not decrease"}, {e, " after ", last});
-      ends.push_back(static_cast<std::uint32_t>(last = e));
-    });
-    return ends;
-  }
-
-  /// Adds cells whose verts end at `ends` in the array.
-  void lists(const vtk_xml_array& a, std::size_t p, const std::vector<std::uint32_t>& ends) {
-    const std::uint64_t total = ends.empty() ? 0 : ends.back();
-    if (grid_.verts.size() + total > max_ids) fail_to_count("corners");
+    std::vector<std::uint32_t>& ends = grid_.cell_ends;
+    core::reserve_large(ends, ends.size() + n);
     const auto before = static_cast<std::uint32_t>(grid_.verts.size());
-    require_numbers(a, total);
-    core::reserve_large(grid_.verts, grid_.verts.size() + total);
-    const std::uint64_t bound = index_.pieces[p].points, first = first_point_[p];
-    for_each_integers(a, total, [&](const std::int64_t* values, std::size_t count) {
-      const std::size_t at_verts = grid_.verts.size();
-      grid_.verts.resize(at_verts + count);
-      vert_id* const to = grid_.verts.data() + at_verts;
-      bool fits = true;
-      for (std::size_t i = 0; i < count; ++i) {
-        fits = fits && static_cast<std::uint64_t>(values[i]) < bound;
-        to[i] = vert_id{static_cast<std::uint32_t>(first + static_cast<std::uint64_t>(values[i]))};
-      }
-      for (std::size_t i = 0; !fits && i < count; ++i) push_vert(a, p, values[i]);  // throws
+    std::int64_t last = 0;
+    for_each_integers(a, n, [&](const std::int64_t* values, std::size_t count) {
+      ends.resize(ends.size() + count);
+      std::uint32_t* const to = ends.data() + (ends.size() - count);
+      bool fits = values[0] >= last && values[count - 1] <= static_cast<std::int64_t>(max_ids);
+      for (std::size_t i = 1; i < count; ++i) fits &= values[i] >= values[i - 1];
+      for (std::size_t i = 0; !fits && i < count; last = values[i++])
+        if (values[i] < last || values[i] > static_cast<std::int64_t>(max_ids)) fail_array(a, {"ends that do not decrease"}, {values[i], " after ", last});
+      for (std::size_t i = 0; i < count; ++i) to[i] = before + static_cast<std::uint32_t>(values[i]);
+      last = values[count - 1];
     });
-    core::reserve_large(grid_.cell_ends, grid_.cell_ends.size() + ends.size());
-    for (const std::uint32_t e : ends) grid_.cell_ends.push_back(before + e);
+    return static_cast<std::uint32_t>(last);
   }
 
-  /// Adds n cells without verts.
-  void empty_lists(std::size_t n) {
-    core::reserve_large(grid_.cell_ends, grid_.cell_ends.size() + n);
-    for (std::size_t i = 0; i < n; ++i) grid_.cell_ends.push_back(static_cast<std::uint32_t>(grid_.verts.size()));
+  /// Adds the verts of the last cells, or only checks them.
+  void add_verts(const vtk_xml_array& a, std::size_t p, std::uint32_t n, bool only_check = false) {
+    if (grid_.verts.size() + n > max_ids) fail_to_count("corners");
+    require_numbers(a, n);
+    if (!only_check) core::reserve_large(grid_.verts, grid_.verts.size() + n);
+    const std::uint64_t bound = index_.pieces[p].points, first = first_point_[p];
+    for_each_integers(a, n, [&](const std::int64_t* values, std::size_t count) {
+      bool fits = true;
+      for (std::size_t i = 0; i < count; ++i) fits &= static_cast<std::uint64_t>(values[i]) < bound;
+      for (std::size_t i = 0; !fits && i < count; ++i) push_vert(a, p, values[i]);  // throws
+      if (only_check) return;
+      grid_.verts.resize(grid_.verts.size() + count);
+      vert_id* const to = grid_.verts.data() + (grid_.verts.size() - count);
+      for (std::size_t i = 0; i < count; ++i) to[i] = vert_id{static_cast<std::uint32_t>(first + static_cast<std::uint64_t>(values[i]))};
+    });
   }
 
   [[gnu::noinline, gnu::cold]] void polydata_cells(std::size_t p, unsigned list) {
@@ -114,12 +121,8 @@ class vtk_xml_cells : public vtk_xml_data {
     constexpr std::uint8_t types[] = {2, 4, 6, 7};
     const auto part = static_cast<vtk_xml_part>(list);
     if (n > max_ids || grid_.size() + n > max_ids) fail_to_count("cells");
-    const std::vector<std::uint32_t> ends = ends_of(need(p, part, "offsets"), n);
-    if (!ends.empty() && ends.back() > 0) {
-      lists(need(p, part, "connectivity"), p, ends);
-    } else {
-      empty_lists(ends.size());
-    }
+    const std::uint32_t verts = add_ends(need(p, part, "offsets"), n);
+    if (verts > 0) add_verts(need(p, part, "connectivity"), p, verts);
     const std::size_t first = grid_.types.size();
     grid_.types.resize(first + n);
     std::memset(grid_.types.data() + first, types[list], n);
@@ -130,25 +133,32 @@ class vtk_xml_cells : public vtk_xml_data {
     if (n == 0) return;
     if (n > max_ids || grid_.size() + n > max_ids) fail_to_count("cells");
     const vtk_xml_array& types = need(p, vtk_xml_part::cells, "types");
-    const std::vector<std::uint32_t> ends = ends_of(need(p, vtk_xml_part::cells, "offsets"), n);
+    const std::uint32_t verts = add_ends(need(p, vtk_xml_part::cells, "offsets"), n);
     require_numbers(types, n);
     core::reserve_large(grid_.types, grid_.types.size() + n);
-    bool any_polyhedron = false;
-    for_each_integer(types, n, [&](std::int64_t t) {
-      if (t < 0 || t > 255) fail_array(types, {"cell types from 0 to 255"}, {t});
-      any_polyhedron = any_polyhedron || t == vtk_polyhedron;
-      grid_.types.push_back(static_cast<std::uint8_t>(t));
+    std::size_t num_polyhedra = 0;
+    for_each_integers(types, n, [&](const std::int64_t* values, std::size_t count) {
+      grid_.types.resize(grid_.types.size() + count);
+      std::uint8_t* const to = grid_.types.data() + (grid_.types.size() - count);
+      std::uint64_t all = 0, polyhedra_here = 0;
+      for (std::size_t i = 0; i < count; ++i) {
+        all |= static_cast<std::uint64_t>(values[i]);
+        polyhedra_here += values[i] == vtk_polyhedron;
+        to[i] = static_cast<std::uint8_t>(values[i]);
+      }
+      num_polyhedra += polyhedra_here;
+      for (std::size_t i = 0; all > 255 && i < count; ++i)
+        if (values[i] < 0 || values[i] > 255) fail_array(types, {"cell types from 0 to 255"}, {values[i]});
     });
     const std::size_t first = grid_.verts.size();
-    if (ends.back() > 0) lists(need(p, vtk_xml_part::cells, "connectivity"), p, ends);
-    else empty_lists(ends.size());
-    if (any_polyhedron) polyhedra(p, first, ends);
+    if (verts > 0) add_verts(need(p, vtk_xml_part::cells, "connectivity"), p, verts, reads_polyhedra_ && num_polyhedra == n);
+    if (num_polyhedra) polyhedra(p, first);
   }
 
  private:
   /// Replaces the verts of the polyhedra of a piece by their faces, if the program reads volumes; if not, that there are cells is an error later.
-  /// The verts begin at `first` in the grid, and those of each cell end at `ends` behind that.
-  virtual void polyhedra(std::size_t, std::size_t /*first*/, const std::vector<std::uint32_t>& /*ends*/) {}
+  /// The verts begin at `first` in the grid; they are not there if all cells are polyhedra.
+  virtual void polyhedra(std::size_t, std::size_t /*first*/) {}
 };
 
 }  // namespace concino::detail

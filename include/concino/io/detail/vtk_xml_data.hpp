@@ -78,12 +78,6 @@ class vtk_xml_data : public vtk_xml_bytes {
     if (a.type == vtk_number::float32 || a.type == vtk_number::float64) fail(a.at, {"integers"}, {"reals in the array \"", a.name, "\""});
     for_each_part<std::int64_t>(a, n, use);
   }
-  template<class Use>
-  void for_each_integer(const vtk_xml_array& a, std::uint64_t n, const Use& use) {
-    for_each_integers(a, n, [&](const std::int64_t* values, std::size_t count) {
-      for (std::size_t i = 0; i < count; ++i) use(values[i]);
-    });
-  }
 
  private:
   /// Moves to the numbers of an array that is text.

@@ -15,12 +15,14 @@ class vtk_xml_volume_reader : public vtk_xml_reader {
   static constexpr std::int64_t max_index = 0xFFFFFFFE;
 
  public:
-  using vtk_xml_reader::vtk_xml_reader;
+  vtk_xml_volume_reader(const read_context& in, vtk_grid& grid) : vtk_xml_reader(in, grid) { reads_polyhedra_ = true; }
 
  private:
   /// Replaces the verts of polyhedra by their faces.
-  [[gnu::noinline, gnu::cold]] void polyhedra(std::size_t p, std::size_t first, const std::vector<std::uint32_t>& ends) override {
+  [[gnu::noinline, gnu::cold]] void polyhedra(std::size_t p, std::size_t first) override {
     has_faces_ = true;
+    std::uint32_t* const ends = grid_.cell_ends.data() + first_cell_[p];
+    const std::size_t num_cells = grid_.size() - first_cell_[p];
     std::vector<vert_id> verts;
     if (first == 0) verts.swap(grid_.verts);
     else verts.assign(grid_.verts.begin() + static_cast<std::ptrdiff_t>(first), grid_.verts.end());
@@ -28,7 +30,7 @@ class vtk_xml_volume_reader : public vtk_xml_reader {
     const bool is_new = !find(p, part, "faces");
     const vtk_xml_array& faces = need(p, part, is_new && find(p, part, "polyhedron_to_faces") ? "polyhedron_to_faces" : "faces");
     // The list of faces is read behind the room for the verts of other cells, and changed in place: what is written never reaches what is not read yet.
-    const std::size_t list_begin = first + (is_new ? 0 : num_verts_of_others(first_cell_[p], ends));
+    const std::size_t list_begin = first + (is_new ? 0 : num_verts_of_others(first_cell_[p], first));
     id_list list;
     grid_.verts.resize(list_begin);
     if (!is_new) list = append_ids(faces);
@@ -39,16 +41,16 @@ class vtk_xml_volume_reader : public vtk_xml_reader {
       face_ends = integers(need(p, part, "face_offsets"));
       face_verts = integers(need(p, part, "face_connectivity"));
     }
-    if (cell_ends.size() < ends.size()) fail_array(faces, {"an end for each of ", ends.size(), " cells"}, {cell_ends.size()});
+    if (cell_ends.size() < num_cells) fail_array(faces, {"an end for each of ", num_cells, " cells"}, {cell_ends.size()});
     if (is_new) check_shared_faces(cell_faces, face_ends, face_verts.size());
     const std::size_t size = is_new ? cell_faces.size() : grid_.verts.size() - list_begin;
-    std::size_t written = first, at_list = 0;
-    for (std::size_t c = 0; c < ends.size(); ++c) {
-      const std::uint32_t from = c ? ends[c - 1] : 0;
+    std::size_t written = first, at_list = 0, from = 0;
+    for (std::size_t c = 0; c < num_cells; ++c) {
+      const std::size_t verts_end = ends[c] - first;
       if (grid_.types[first_cell_[p] + c] != vtk_polyhedron) {
-        if (is_new) grid_.verts.resize(written + (ends[c] - from));
-        std::copy(verts.begin() + from, verts.begin() + ends[c], grid_.verts.begin() + static_cast<std::ptrdiff_t>(written));
-        written += ends[c] - from;
+        if (is_new) grid_.verts.resize(written + (verts_end - from));
+        std::copy(verts.data() + from, verts.data() + verts_end, grid_.verts.data() + written);
+        written += verts_end - from;
       } else {
         const auto end = static_cast<std::size_t>(cell_ends[c]);
         if (cell_ends[c] < 0 || end < at_list || end > size) fail_array(faces, {"ends of polyhedra that increase to ", size}, {cell_ends[c]});
@@ -62,15 +64,16 @@ class vtk_xml_volume_reader : public vtk_xml_reader {
         at_list = end;
       }
       if (written > max_ids) fail_to_count("corners of faces");
-      grid_.cell_ends[first_cell_[p] + c] = static_cast<std::uint32_t>(written);
+      ends[c] = static_cast<std::uint32_t>(written);
+      from = verts_end;
     }
     grid_.verts.resize(written);
   }
   /// The number of verts of the cells of a piece that are no polyhedra.
-  std::size_t num_verts_of_others(std::size_t first_cell, const std::vector<std::uint32_t>& ends) const {
-    std::size_t n = 0;
-    for (std::size_t c = 0; c < ends.size(); ++c)
-      if (grid_.types[first_cell + c] != vtk_polyhedron) n += ends[c] - (c ? ends[c - 1] : 0);
+  std::size_t num_verts_of_others(std::size_t first_cell, std::size_t first_vert) const {
+    std::size_t n = 0, from = first_vert;
+    for (std::size_t c = first_cell; c < grid_.size(); from = grid_.cell_ends[c++])
+      if (grid_.types[c] != vtk_polyhedron) n += grid_.cell_ends[c] - from;
     return n;
   }
   /// Errors: unsupported if the faces of all polyhedra have far more corners than the file lists.

@@ -34,6 +34,7 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
     if (index_.num_texts) report_.skipped.push_back(core::joined({index_.num_texts, " arrays of texts"}));
     merge_pieces();
     drop_ghosts();
+    if (!grid_.points.empty()) grid_.largest = static_cast<std::uint32_t>(grid_.points.size() - 1);  // all verts were compared with it
   }
 
   [[noreturn, gnu::noinline, gnu::cold]] void fail_at_cell(std::size_t cell, core::message expected, core::message found) override {
