@@ -247,8 +247,8 @@ TEST_CASE("auto_solver: several threads may solve at once") {
   std::vector<std::thread> threads;
   for (unsigned t = 0; t < worst.size(); ++t)
     threads.emplace_back([&, t] {
-      for (unsigned i = 0; i < 6; ++i) {
-        const Eigen::VectorXd x = random_vector(a.cols(), 10 * t + i);
+      for (unsigned i = 0; i < 25; ++i) {
+        const Eigen::VectorXd x = random_vector(a.cols(), 100 * t + i);
         worst[t] = std::max(worst[t], distance(solver.solve(product(a, x)), x));
       }
     });
