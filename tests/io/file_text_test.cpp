@@ -176,8 +176,8 @@ TEST_CASE("file_text: a file whose size differs from the reported one is an io_e
 TEST_CASE("file_text: a file whose size keeps changing is read or is an io_error") {
   const testing::temporary_folder dir;
   const std::string path = dir / "a";
-  testing::write_file(path, "x");
   for (const std::size_t large : {4'000'000u, 12'000'000u}) {
+    testing::write_file(path, "x");  // the other thread may begin late
     std::atomic<bool> stop = false;
     std::thread other([&] {
       for (bool grow = true; !stop; grow = !grow) ::truncate(path.c_str(), grow ? static_cast<::off_t>(large) : 1);
