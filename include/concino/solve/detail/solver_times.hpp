@@ -15,17 +15,17 @@ struct solver_times {
   double unknowns = 0, entries = 0;  // of the lower triangle
 
   /// Everything about a factor except its numbers.
-  double ordering() const { return 3e-7 * entries; }
-  double factorization(const factor_size& f) const { return 4.5e-10 * f.multiplications + 2e-8 * f.entries + 3e-8 * unknowns; }
+  double ordering() const { return 2e-7 * entries; }
+  double factorization(const factor_size& f) const { return 4.5e-10 * f.multiplications + 3e-8 * unknowns; }
   double substitution(const factor_size& f) const { return 2e-9 * f.entries + 1.2e-8 * unknowns; }
 
   double levels() const { return 7e-8 * entries + 3.5e-7 * unknowns; }
   /// One iteration of multigrid. entries_per_cycle: of the matrices that a cycle visits; at first a typical number. Matrices that stay in the cache take about
   /// half of the time.
   double iteration(double entries_per_cycle) const {
-    constexpr double cached = 2e6;  // entries
+    constexpr double cached = 4e6;  // entries
     const double visited = entries + entries_per_cycle;
-    return (0.45 + 0.55 * std::min(1.0, visited / cached)) * (2e-9 * visited + 5e-8 * unknowns);
+    return (0.45 + 0.55 * std::min(1.0, visited / cached)) * (1.7e-9 * visited + 4.2e-8 * unknowns);
   }
   double iteration() const { return iteration(2 * entries); }
   static double num_iterations(double tolerance) { return std::max(1.0, -1.7 * std::log10(tolerance)); }
