@@ -1,4 +1,4 @@
-// Edits of triangles that change the tables directly give the same mesh as rewire: the same descriptors, points, and entries of all lists in the same order.
+// Edits of triangles and tets that change the tables directly give the same mesh as rewire: the same descriptors, points, and entries of all lists in the same order.
 #include <concino/edit.hpp>
 #include <concino/generate/icosphere.hpp>
 #include <concino/mesh.hpp>
@@ -9,6 +9,7 @@
 #include <doctest/doctest.h>
 
 #include <random>
+#include <utility>
 
 namespace cn = concino;
 using cn::testing::whole;
@@ -109,4 +110,51 @@ TEST_CASE("edits of triangles: values of properties and transactions are left to
   }
   CHECK(whole(m) == before);
   CHECK(whole(other) == other_before);
+}
+
+namespace {
+
+/// Collapses random edges of m directly or by rewire. Returns how often it was done directly, and how often that was refused.
+std::pair<unsigned, unsigned> collapse_at_random(cn::tetmesh m, std::mt19937& random, unsigned rounds) {
+  std::pair<unsigned, unsigned> n{};
+  for (unsigned i = 0; i < rounds && cn::num_polys(m) > 0; ++i) {
+    cn::edge_id e;
+    do e = cn::edge_id{random() % cn::edge_index_bound(m)};
+    while (!cn::contains(m, e));
+    if (random() % 4 == 0) {
+      cn::edge_split(m, e);
+      continue;
+    }
+    const double t = 0.5 * double(random() % 3);
+    cn::tetmesh by_rewire = m;
+    const auto ends = cn::end_verts(m, e);
+    const cn::vec3 x = concino::detail::point_between(cn::point(m, ends.first), cn::point(m, ends.second), t);
+    cn::edge_property<int>(by_rewire, "left to rewire");
+    const cn::permission asked = cn::edge_collapse(by_rewire, e, {.at = t});
+    cn::remove_property(by_rewire, cn::element_kind::edge, "left to rewire");
+    const auto before = whole(m);
+    const concino::direct_edit result = concino::mesh_traits<cn::tetmesh>::collapse_edge(m, e, x);
+    if (result == concino::direct_edit::refused) CHECK(!asked);
+    if (result != concino::direct_edit::done) {
+      CHECK(whole(m) == before);
+      CHECK(bool(cn::edge_collapse(m, e, {.at = t})) == bool(asked));
+    }
+    n.first += result == concino::direct_edit::done, n.second += result == concino::direct_edit::refused;
+    REQUIRE(whole(m) == whole(by_rewire));
+    if (i % 64 == 0) cn::testing::keeps_all_laws(m);
+  }
+  cn::testing::keeps_all_laws(m);
+  cn::testing::equals_rebuilt(m);
+  return n;
+}
+
+}  // namespace
+
+TEST_CASE("collapses of edges of tets: directly or by rewire") {
+  std::mt19937 random(23);
+  const unsigned rounds = cn::testing::long_run() ? 2000 : 150;
+  const auto n = collapse_at_random(cn::testing::grid<cn::tetmesh>(4), random, rounds);
+  CHECK(n.first > rounds / 10);
+  CHECK(n.second > 0);
+  for (unsigned round = 0; round < 10; ++round) collapse_at_random(cn::testing::random_soup<cn::tetmesh>(random, 9, 6 + 2 * round).mesh(), random, 40);
 }
