@@ -22,7 +22,7 @@ struct direct_counts {
   unsigned done[3] = {};
 };
 
-/// Edits a copy of m by rewire, as an invariant asks for it, and m in any way; both must agree. Returns whether m was edited directly.
+/// Edits a copy of m by rewire, as an invariant or a property asks for it, and m in any way; both must agree. Returns whether m was edited directly.
 bool edits_agree(unsigned what, cn::trimesh& m, cn::edge_id e, double t) {
   using traits = concino::mesh_traits<cn::trimesh>;
   cn::trimesh by_rewire = m, direct = m;
@@ -41,7 +41,9 @@ bool edits_agree(unsigned what, cn::trimesh& m, cn::edge_id e, double t) {
     CHECK(own.edge == made.edge);
     asked = made, done = own;
   } else {
-    const auto made = cn::edge_collapse(by_rewire, e, {.keep = {anything}, .at = t});
+    cn::edge_property<int>(by_rewire, "left to rewire");  // an invariant would not be enough
+    const auto made = cn::edge_collapse(by_rewire, e, {.at = t});
+    cn::remove_property(by_rewire, cn::element_kind::edge, "left to rewire");
     is_direct = traits::collapse_edge(direct, e, x) == concino::direct_edit::done;
     const auto own = cn::edge_collapse(m, e, {.at = t});
     CHECK(own.vert == made.vert);

@@ -2,7 +2,7 @@
 //
 // mesh_traits<M> may have split_edge(m, e, x), which returns the new vert or none, flip_edge(m, e) and collapse_edge(m, e, x), which return a direct_edit. Here x
 // is the point of the new vert, or of the first end of e, which remains. Each leaves the same mesh as the operator by rewire, or does nothing. Like rewire, they
-// change nothing if memory runs out. They are asked if there are no invariants.
+// change nothing if memory runs out. split_edge and flip_edge are asked if there are no invariants, collapse_edge also if the invariants hold.
 #pragma once
 
 #include <concino/core/vec3.hpp>
