@@ -21,7 +21,7 @@ class winding_cavity {
   const M& m_;
   std::vector<poly_t<M>> polys_;
   std::vector<vert_t<M>> verts_;
-  local_numbers numbers_;
+  core::local_numbers numbers_;
   std::vector<unsigned> corners_, ends_, poly_ends_;
   std::vector<unsigned> old_corners_, old_ends_;  // in the order of adj_p2v
 

@@ -20,7 +20,7 @@ namespace detail {
 /// The fans at one vert: polys that facets at this vert connect.
 template<class M>
 class vert_fans {
-  local_numbers numbers_;
+  core::local_numbers numbers_;
   std::vector<unsigned> fan_of_, stack_;
 
  public:

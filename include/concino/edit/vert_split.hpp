@@ -58,7 +58,7 @@ void list_facets_at(const cavity_builder<M>& c, unsigned v, unsigned first, unsi
 /// Old polys are the moved ones, neighbours the others at v.
 template<class M>
 permission find_polys_at(const M& m, const vert_t<M>& v, std::span<const poly_t<M>> moved, std::span<const facet_t<M>> opened, cavity_builder<M>& c) {
-  local_numbers numbers;
+  core::local_numbers numbers;
   for (const poly_t<M>& p : moved) {
     if (numbers.find(index_of(m, p)) != numbers.none) return not_polys_at_vert;
     numbers.add(index_of(m, p));

@@ -3,10 +3,10 @@
 
 #include <concino/concepts/editable.hpp>
 #include <concino/core/error.hpp>
+#include <concino/core/local_numbers.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/small_array.hpp>
 #include <concino/core/vec3.hpp>
-#include <concino/edit/detail/local_numbers.hpp>
 #include <concino/edit/detail/open_recorder.hpp>
 #include <concino/edit/detail/value_carrier.hpp>
 #include <concino/edit/proposed_edit.hpp>
@@ -29,7 +29,7 @@ class cavity_builder {
   static constexpr unsigned simplex_size = dimension_v<M> + 1;
 
   const M* m_;
-  local_numbers numbers_;
+  core::local_numbers numbers_;
   core::small_array<vert_t<M>, 32> verts_;   // of old polys, then of neighbours
   core::small_array<poly_t<M>, 32> polys_;   // old polys, then neighbours
   core::small_array<unsigned, 96> corners_;  // of these, one after another

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <concino/concepts/editable.hpp>
+#include <concino/core/local_numbers.hpp>
 #include <concino/core/vec3.hpp>
-#include <concino/edit/detail/local_numbers.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -16,7 +16,7 @@ namespace concino::detail {
 template<class M>
 class relabelled_cavity {
   const M& m_;
-  local_numbers numbers_, poly_numbers_;
+  core::local_numbers numbers_, poly_numbers_;
   std::vector<vert_t<M>> verts_;
   std::vector<poly_t<M>> polys_;
   std::vector<unsigned> old_corners_, labels_, first_corner_{0};  // of the polys, in the order of adj_p2v

@@ -178,7 +178,7 @@ class relabelled_values {
 
   std::size_t index_at(unsigned label) const { return index_of(c_.mesh(), label < c_.new_label ? c_.vert_at(label) : c_.new_verts[label - c_.new_label]); }
   unsigned label_after(std::size_t index) const {
-    if (const unsigned i = c_.find_number(index); i != local_numbers::none) return i;
+    if (const unsigned i = c_.find_number(index); i != core::local_numbers::none) return i;
     return std::lower_bound(new_verts_.begin(), new_verts_.end(), std::pair{index, 0u})->second;
   }
   template<class Verts>

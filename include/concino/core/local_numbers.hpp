@@ -3,11 +3,12 @@
 
 #include <concino/core/small_array.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-namespace concino::detail {
+namespace concino::core {
 
 /// The numbers of keys, which are indices of elements.
 class local_numbers {
@@ -54,4 +55,4 @@ class local_numbers {
   const std::size_t* end() const { return keys_.end(); }
 };
 
-}  // namespace concino::detail
+}  // namespace concino::core
