@@ -15,10 +15,24 @@ struct edge_point {
   double parameter;
 };
 
-/// A point on a surface or in a volume: at a vert, on an edge, or inside a poly, with its coordinates.
+namespace detail {
+
+template<class M>
+struct point_elements {
+  using type = std::variant<vert_t<M>, edge_point<M>, poly_t<M>>;
+};
+template<class M>
+  requires requires { typename face_t<M>; }
+struct point_elements<M> {
+  using type = std::variant<vert_t<M>, edge_point<M>, face_t<M>, poly_t<M>>;
+};
+
+}  // namespace detail
+
+/// A point on a surface or in a volume: at a vert, on an edge, inside a face of a volume, or inside a poly, with its coordinates.
 template<class M>
 struct mesh_point {
-  std::variant<vert_t<M>, edge_point<M>, poly_t<M>> element;
+  typename detail::point_elements<M>::type element;
   vec3 position;
 };
 

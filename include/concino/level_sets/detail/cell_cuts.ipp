@@ -1,0 +1,163 @@
+// How a level set cuts the cells of a volume; see cell_cuts.hpp.
+#pragma once
+
+#include <concino/core/error.hpp>
+#include <concino/core/sort_numbers.hpp>
+#include <concino/level_sets/detail/cell_cuts.hpp>
+#include <concino/level_sets/detail/level_states.hpp>
+
+namespace concino::detail {
+
+CONCINO_INLINE cell_cuts::cell_cuts(const crossed_volume& v, cells_are surface, const char* caller, const std::vector<std::uint32_t>& cell_indices) : v_(v) {
+  number_sides();
+  mates_.resize(v_.num_corners());
+  for (std::uint32_t c = 0; c < v_.num_cells(); ++c)
+    if (!find_mates(c, surface))
+      core::throw_joined<unsupported>({caller, ": the faces of poly ", cell_indices[c], " do not form one closed surface without handles that are oriented outward, ",
+                                       "so that it has no inside; validate(m) says more"});
+  find_twins();
+  find_chords();
+  find_regions();
+  find_loops();
+}
+
+CONCINO_INLINE void cell_cuts::number_sides() {
+  cell_of_.resize(v_.num_sides());
+  side_of_.resize(v_.num_corners());
+  for (std::uint32_t c = 0; c < v_.num_cells(); ++c)
+    for (std::uint32_t s = v_.first_side[c]; s < v_.first_side[c + 1]; ++s) {
+      cell_of_[s] = c;
+      for (std::uint32_t k = v_.first_corner[s]; k < v_.first_corner[s + 1]; ++k) side_of_[k] = s;
+    }
+}
+
+/// Pairs the two uses of each edge by the sides of a cell. Returns false if its surface is not a sphere.
+CONCINO_INLINE bool cell_cuts::find_mates(std::uint32_t cell, cells_are surface) {
+  surface_.clear();
+  const std::uint32_t first = v_.first_corner[v_.first_side[cell]];
+  for (std::uint32_t s = v_.first_side[cell]; s < v_.first_side[cell + 1]; ++s) {
+    for (std::uint32_t k = v_.first_corner[s]; k < v_.first_corner[s + 1]; ++k) surface_.add_corner(v_.verts[k]);
+    surface_.end_side(v_.outward[s]);
+  }
+  if (!surface_.find_mates() || (surface == cells_are::unknown && !surface_.is_sphere())) return false;
+  for (std::uint32_t k = 0; k < surface_.mates().size(); ++k) mates_[first + k] = first + surface_.mates()[k];
+  return true;
+}
+
+CONCINO_INLINE void cell_cuts::find_twins() {
+  twins_.assign(v_.num_sides(), none);
+  std::vector<std::uint64_t> order;
+  for (std::uint32_t s = 0; s < v_.num_sides(); ++s)
+    if (v_.num_polys[s] == 2) order.push_back(std::uint64_t{v_.faces[s]} << 32 | s);
+  core::sort_numbers(order.data(), order.data() + order.size());
+  for (std::size_t i = 1; i < order.size(); ++i)
+    if (order[i] >> 32 == order[i - 1] >> 32) {
+      const auto a = static_cast<std::uint32_t>(order[i - 1]), b = static_cast<std::uint32_t>(order[i]);
+      twins_[a] = b, twins_[b] = a;
+    }
+}
+
+CONCINO_INLINE void cell_cuts::find_chords() {
+  chord_at_.assign(v_.num_corners(), none);
+  for (std::uint32_t s = 0; s < v_.num_sides(); ++s) {
+    first_chord_.push_back(static_cast<std::uint32_t>(chords_.size()));
+    const std::uint32_t twin = twins_[s];
+    if (twin >= s) {
+      find_chords_of(s);
+      continue;
+    }
+    // The other side of the face has been crossed already: corner after corner the same.
+    const std::uint32_t from = first_chord_[twin], to = first_chord_[twin + 1], shift = v_.first_corner[s] - v_.first_corner[twin];
+    for (std::uint32_t i = from; i < to; ++i) {
+      chord c = chords_[i];
+      c.side = s;
+      c.from += shift, c.to += shift;
+      chord_at_[c.from] = chord_at_[c.to] = static_cast<std::uint32_t>(chords_.size());
+      chords_.push_back(c);
+    }
+  }
+  first_chord_.push_back(static_cast<std::uint32_t>(chords_.size()));
+}
+
+CONCINO_INLINE void cell_cuts::find_chords_of(std::uint32_t side) {
+  const std::uint32_t first = v_.first_corner[side], last = v_.first_corner[side + 1];
+  unsigned char joint = 0;
+  for (std::uint32_t k = first; k < last; ++k) joint |= v_.states[v_.verts[k]];
+  if (!is_crossed(joint)) return;
+  above_.clear(), values_.clear(), points_.clear();
+  std::uint32_t start = 0;
+  for (std::uint32_t k = first; k < last; ++k) {
+    const std::uint32_t v = v_.verts[k];
+    above_.push_back(v_.states[v] != below_level);
+    values_.push_back(v_.values[v]);
+    points_.push_back(v_.points[v]);
+    if (v_.vert_indices[v] < v_.vert_indices[v_.verts[first + start]]) start = k - first;
+  }
+  crossings_.find(above_, values_, points_, v_.level(), start);
+  const auto inner = static_cast<std::uint32_t>(inner_.size());
+  for (const crossed_diagonal& d : crossings_.inner()) inner_.push_back({v_.verts[first + d.below], v_.verts[first + d.above]});
+  for (const level_chord& c : crossings_.chords()) {
+    chord_at_[first + c.from] = chord_at_[first + c.to] = static_cast<std::uint32_t>(chords_.size());
+    chords_.push_back({first + c.from, first + c.to, inner + c.inner_begin, inner + c.inner_end, side});
+  }
+}
+
+/// Unites the verts of each region: the ends of edges that are not crossed, and the verts on either side of a chord.
+CONCINO_INLINE void cell_cuts::find_regions() {
+  std::vector<std::uint32_t> cell_seen(v_.points.size(), none), number(v_.points.size());
+  cell_vert_.resize(v_.num_corners());
+  std::vector<unsigned char> states;
+  for (std::uint32_t k = 0; k < v_.num_corners(); ++k) {
+    const std::uint32_t v = v_.verts[k], cell = cell_of_[side_of_[k]];
+    if (cell_seen[v] != cell) {
+      cell_seen[v] = cell;
+      number[v] = static_cast<std::uint32_t>(states.size());
+      states.push_back(v_.states[v]);
+    }
+    cell_vert_[k] = number[v];
+  }
+  regions_ = disjoint_sets(states.size());
+  for (std::uint32_t k = 0; k < v_.num_corners(); ++k)
+    if (chord_at_[k] == none) regions_.unite(cell_vert_[k], cell_vert_[next(k)]);
+  for (const chord& c : chords_) {
+    regions_.unite(cell_vert_[c.from], cell_vert_[next(c.to)]);
+    regions_.unite(cell_vert_[next(c.from)], cell_vert_[c.to]);
+  }
+  region_states_.assign(states.size(), is_below);
+  for (std::uint32_t i = 0; i < states.size(); ++i)
+    if (states[i] != below_level) {
+      unsigned char& of_region = region_states_[regions_.root(i)];
+      if (of_region != is_above) of_region = states[i] == above_level ? is_above : is_dropped;
+    }
+}
+
+CONCINO_INLINE void cell_cuts::find_loops() {
+  for (std::uint32_t i = 0; i < chords_.size(); ++i) {
+    if (chords_[i].loop != none) continue;
+    const auto number = static_cast<std::uint32_t>(loops_.size()), first = static_cast<std::uint32_t>(loop_chords_.size());
+    const bool cuts = state(chords_[i].from) == is_above;
+    for (std::uint32_t at = i; chords_[at].loop == none; at = chord_at_[mates_[end(chords_[at])]]) {
+      chords_[at].loop = number;
+      loop_chords_.push_back(at);
+    }
+    loops_.push_back({first, static_cast<std::uint32_t>(loop_chords_.size()), cell_of_[chords_[i].side], cuts});
+  }
+}
+
+/// A chord that crosses between two cells has the same number among those of both sides.
+CONCINO_INLINE bool cell_cuts::is_active(std::uint32_t chord) const {
+  const std::uint32_t side = chords_[chord].side, twin = twins_[side];
+  return loops_[chords_[chord].loop].cuts || (twin != none && loops_[chords_[chord - first_chord_[side] + first_chord_[twin]].loop].cuts);
+}
+
+CONCINO_INLINE level_place cell_cuts::place_between(level_place::kind_type kind, std::uint32_t element, std::uint32_t below, std::uint32_t above) const {
+  if (v_.states[above] == on_level) return {level_place::vert, above, above, above};
+  return {kind, element, below, above};
+}
+
+CONCINO_INLINE level_place cell_cuts::crossing(std::uint32_t corner) const {
+  const std::uint32_t a = v_.verts[corner], b = v_.verts[next(corner)];
+  return v_.states[a] == below_level ? place_between(level_place::edge, v_.edges[corner], a, b) : place_between(level_place::edge, v_.edges[corner], b, a);
+}
+
+}  // namespace concino::detail

@@ -1,0 +1,59 @@
+// The surface of a cell: which sides meet at each edge, and whether it is a sphere.
+#pragma once
+
+#include <concino/core/compiled.hpp>
+#include <concino/graph/disjoint_sets.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace concino::detail {
+
+/// Reads the sides of one cell after another and reuses its memory. Edges are known by their verts.
+class cell_surface {
+  static constexpr std::uint32_t none = ~0u;
+
+  std::vector<std::uint32_t> verts_;     // by corner
+  std::vector<std::uint32_t> ends_;      // by side: where its corners end
+  std::vector<unsigned char> outward_;   // by side
+  std::vector<std::uint64_t> edges_;     // by corner: the two verts of the edge to the next corner, the smaller one first
+  std::vector<std::uint32_t> sides_;     // by corner
+  std::vector<std::uint32_t> mates_, slots_;
+  disjoint_sets pieces_;
+
+ public:
+  void clear() { verts_.clear(), ends_.clear(), outward_.clear(); }
+  void add_corner(std::uint32_t vert) { verts_.push_back(vert); }
+  void end_side(bool is_outward) {
+    ends_.push_back(static_cast<std::uint32_t>(verts_.size()));
+    outward_.push_back(is_outward);
+  }
+
+  /// The n corners that were added last.
+  const std::uint32_t* last_corners(std::size_t n) const { return verts_.data() + (verts_.size() - n); }
+
+  /// Whether each edge is used twice, in opposite directions if sides are seen from outside. Then mates() has the other use of each edge.
+  bool find_mates();
+  const std::vector<std::uint32_t>& mates() const { return mates_; }
+
+  /// Whether the sides form one closed oriented surface without handles that does not touch itself.
+  bool is_sphere();
+  /// The same, faster if the numbers of verts and edges are known.
+  bool is_sphere(std::size_t num_verts, std::size_t num_edges);
+
+ private:
+  static constexpr std::uint32_t few = 32;  // verts, and sides, of which tables are small
+
+  bool is_small_sphere(bool& is_small) const;
+  template<class Key>
+  std::uint32_t& slot_of(const std::vector<Key>& keys, std::uint32_t corner);
+  void clear_slots();
+  void list_edges();
+};
+
+}  // namespace concino::detail
+
+#ifndef CONCINO_COMPILED
+#include <concino/level_sets/detail/cell_surface.ipp>
+#endif

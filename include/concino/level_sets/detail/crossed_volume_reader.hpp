@@ -1,0 +1,88 @@
+// Reads the polys of any volume that a level set crosses.
+#pragma once
+
+#include <concino/concepts/end_verts.hpp>
+#include <concino/concepts/oriented_edges.hpp>
+#include <concino/level_sets/detail/crossed_volume.hpp>
+#include <concino/level_sets/detail/level_place.hpp>
+#include <concino/level_sets/detail/level_states.hpp>
+#include <concino/mesh/mesh_point.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace concino::detail {
+
+/// The polys of a volume that a level set crosses: in flat arrays, and as descriptors by number.
+template<class M>
+class crossed_volume_reader {
+  core::local_numbers edge_numbers_;
+
+ public:
+  crossed_volume arrays;
+  std::vector<poly_t<M>> polys;
+  std::vector<std::uint32_t> poly_indices;
+  std::vector<vert_t<M>> verts;  // by number; a face that was replaced by triangles has its first vert at its centre
+  std::vector<edge_t<M>> edges;  // crossed ones
+  std::vector<face_t<M>> faces;  // by side
+
+  template<class U>
+  crossed_volume_reader(const M& m, const U& u, std::vector<poly_t<M>> crossed, double level)
+      : arrays(level, edge_index_bound(m)), polys(std::move(crossed)) {
+    for (const poly_t<M>& p : polys) {
+      poly_indices.push_back(static_cast<std::uint32_t>(index_of(m, p)));
+      for (const face_t<M> f : adj_p2f(m, p)) add_side(m, u, p, f);
+      arrays.end_cell();
+    }
+  }
+
+  bool is_edge_of_mesh(std::uint32_t index) const { return edge_numbers_.find(index) != core::local_numbers::none; }
+  const edge_t<M>& edge_of(std::uint32_t index) const { return edges[edge_numbers_.find(index)]; }
+
+  mesh_point<M> mesh_point_of(const M& m, const level_place& x) const {
+    const bool is_vert = x.kind == level_place::vert;
+    const double t = is_vert ? 1 : crossing_parameter(arrays.values[x.below], arrays.values[x.above], arrays.level());
+    const vec3 position = is_vert ? arrays.points[x.above] : point_between(arrays.points[x.below], arrays.points[x.above], t);
+    for (const std::uint32_t end : {x.below, x.above})
+      if (arrays.vert_indices[end] == arrays.none) return {face_at_centre(end), position};
+    if (is_vert) return {verts[x.above], position};
+    if (x.kind == level_place::inside) return {face_of_index(x.element), position};
+    const edge_t<M>& e = edge_of(x.element);
+    return {edge_point<M>{e, end_verts(m, e).first == verts[x.below] ? t : 1 - t}, position};
+  }
+
+ private:
+  template<class U>
+  void add_side(const M& m, const U& u, const poly_t<M>& p, const face_t<M>& f) {
+    for (const auto& [e, from, to] : oriented_edges(m, f)) {
+      const std::size_t index = index_of(m, from);
+      const std::uint32_t number = arrays.number_of_vert(index);
+      if (number == arrays.points.size()) {
+        arrays.add_vert(static_cast<std::uint32_t>(index), to_vec3(point(m, from)), static_cast<double>(u[from]));
+        verts.push_back(from);
+      }
+      arrays.verts.push_back(number);
+      const std::size_t edge_index = index_of(m, e);
+      arrays.edges.push_back(static_cast<std::uint32_t>(edge_index));
+      if (edge_numbers_.add(edge_index) == edges.size()) edges.push_back(e);
+    }
+    unsigned char n = 0;
+    for ([[maybe_unused]] const poly_t<M> q : adj_f2p(m, f)) n = n < 3 ? static_cast<unsigned char>(n + 1) : n;
+    arrays.end_side(static_cast<std::uint32_t>(index_of(m, f)), face_is_outward(m, p, f), n);
+    faces.resize(arrays.num_sides(), f);
+    verts.resize(arrays.points.size(), verts.front());
+  }
+
+  face_t<M> face_at_centre(std::uint32_t vert) const {
+    for (const crossed_volume::centre& c : arrays.centres)
+      if (c.vert == vert) return faces[c.side];
+    return faces.front();
+  }
+  face_t<M> face_of_index(std::uint32_t index) const {
+    for (std::size_t s = 0; s < faces.size(); ++s)
+      if (arrays.faces[s] == index) return faces[s];
+    return faces.front();
+  }
+};
+
+}  // namespace concino::detail

@@ -1,0 +1,67 @@
+// The verts below, on and above a level set, checks of the values at verts, and the polys that a level set crosses.
+#pragma once
+
+#include <concino/concepts/maps.hpp>
+#include <concino/concepts/mesh.hpp>
+#include <concino/core/collect.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/flat_array.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace concino::detail {
+
+/// Where the value of a vert lies, as bits, so that those of several verts can be joined. Verts on the level set count as above.
+inline constexpr unsigned char below_level = 1, on_level = 2, above_level = 4;
+
+inline unsigned char level_state(double x, double level) {
+  return x < level ? below_level : x == level ? on_level : above_level;
+}
+inline bool is_crossed(unsigned char joint_states) { return (joint_states & below_level) && joint_states != below_level; }
+
+/// Errors: invalid_argument if u is a map of another mesh, or was made before verts were added.
+template<class M, class U>
+void check_vert_values(const M& m, const U& u, const char* caller) {
+  if constexpr (!is_view_v<M> && requires { { u.mesh() } -> std::same_as<const M&>; })
+    if (&u.mesh() != &m) core::throw_joined<invalid_argument>({caller, ": the values belong to another mesh; make the map with make_vert_map<double>(m)"});
+  if constexpr (requires { u.values().size(); })
+    if (const std::size_t size = u.values().size(), bound = vert_index_bound(m); size < bound)
+      core::throw_joined<invalid_argument>({caller, ": there are values for the verts below index ", size, ", but the mesh has verts up to index ", bound - 1,
+                                            "; the map was made for another mesh, or before verts were added"});
+}
+
+[[noreturn, gnu::cold, gnu::noinline]] inline void throw_value_is_nan(const char* caller, std::size_t vert) {
+  core::throw_joined<invalid_argument>({caller, ": the value at vert ", vert, " is not a number (NaN)"});
+}
+/// The states of all verts, by index. Those of deleted verts are not set.
+/// Errors: invalid_argument that names a vert whose value is NaN.
+template<class M, class U>
+core::flat_array<unsigned char> level_states(const M& m, const U& u, double level, const char* caller) {
+  core::flat_array<unsigned char> states(vert_index_bound(m));
+  unsigned char* const all = states.data();
+  parallel_for_each(
+      verts(m),
+      [&m, &u, all, level, caller](const vert_t<M>& v) {
+        const double x = static_cast<double>(u[v]);
+        if (std::isnan(x)) [[unlikely]] throw_value_is_nan(caller, index_of(m, v));
+        all[index_of(m, v)] = level_state(x, level);
+      },
+      8192);
+  return states;
+}
+
+/// The polys with verts below the level set and others, in the order of polys(m).
+template<class M>
+std::vector<poly_t<M>> crossed_polys(const M& m, const core::flat_array<unsigned char>& states) {
+  const unsigned char* const all = states.data();
+  return core::collect_if(polys(m), [&m, all](const poly_t<M>& p) {
+    unsigned char joint = 0;
+    for (const vert_t<M> v : adj_p2v(m, p)) joint |= all[index_of(m, v)];
+    return is_crossed(joint);
+  });
+}
+
+}  // namespace concino::detail

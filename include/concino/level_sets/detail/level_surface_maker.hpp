@@ -1,0 +1,139 @@
+// Makes the level set of a volume as polygons, in the fast way where that is possible.
+#pragma once
+
+#include <concino/concepts/end_verts.hpp>
+#include <concino/level_sets/detail/crossed_volume_reader.hpp>
+#include <concino/level_sets/detail/edge_numbers.hpp>
+#include <concino/level_sets/detail/level_polygons.hpp>
+#include <concino/level_sets/detail/simple_caps.hpp>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace concino::detail {
+
+/// A level set as polygons.
+template<class M>
+struct level_surface_parts {
+  std::vector<mesh_point<M>> places;  // by vert
+  std::vector<std::uint32_t> verts;   // the corners of all polygons
+  std::vector<std::uint32_t> ends;    // by polygon: where its corners end
+  std::vector<poly_t<M>> polys;       // by polygon
+};
+
+/// The level set of one value.
+template<class M, class U>
+class level_surface_maker {
+  static constexpr auto surface = arity_v<M> > 0 ? cell_cuts::cells_are::spheres : cell_cuts::cells_are::unknown;
+  static constexpr std::size_t chunk = 512;
+
+  const M& m_;
+  const U& u_;
+  double level_;
+  const char* caller_;
+  core::flat_array<unsigned char> states_;
+  std::vector<poly_t<M>> cells_;
+
+ public:
+  level_surface_maker(const M& m, const U& u, double level, const char* caller)
+      : m_(m), u_(u), level_(level), caller_(caller), states_(level_states(m, u, level, caller)), cells_(crossed_polys(m, states_)) {}
+
+  /// The level set by any way.
+  level_surface_parts<M> make_general() const {
+    const crossed_volume_reader<M> crossed(m_, u_, cells_, level_);
+    cell_cuts cuts(crossed.arrays, surface, caller_, crossed.poly_indices);
+    level_surface_arrays made = level_polygons(cuts).make();
+    level_surface_parts<M> parts;
+    for (const level_place& x : made.places) parts.places.push_back(crossed.mesh_point_of(m_, x));
+    parts.verts = std::move(made.verts);
+    parts.ends = std::move(made.ends);
+    for (const std::uint32_t c : made.cells) parts.polys.push_back(cells_[c]);
+    return parts;
+  }
+
+  /// The level set, if no vert lies on it. It may lack the last step: verts are not doubled where fans meet, and polygons that cancel are kept.
+  /// Returns false if a vert lies on the level set.
+  bool make_simple(level_surface_parts<M>& parts) const {
+    std::vector<simple_cap_list<M>> lists((cells_.size() + chunk - 1) / chunk);
+    const unsigned char* const states = states_.data();
+    parallel_for(
+        lists.size(),
+        [&](std::size_t i) {
+          simple_cap_reader<M> reader(m_, states);
+          const std::size_t last = std::min(cells_.size(), (i + 1) * chunk);
+          for (std::size_t c = i * chunk; c < last && !lists[i].meets_verts; ++c) reader.read(cells_[c], static_cast<std::uint32_t>(c), lists[i]);
+        },
+        1);
+    std::vector<poly_t<M>> difficult;
+    std::vector<std::uint32_t> difficult_numbers;
+    for (const simple_cap_list<M>& list : lists) {
+      if (list.meets_verts) return false;
+      for (const std::uint32_t c : list.difficult) difficult.push_back(cells_[c]), difficult_numbers.push_back(c);
+    }
+    const crossed_volume_reader<M> others(m_, u_, std::move(difficult), level_);
+    level_surface_arrays other_caps;
+    if (!others.polys.empty()) {
+      cell_cuts cuts(others.arrays, surface, caller_, others.poly_indices);
+      other_caps = level_polygons(cuts).make();
+    }
+    join(lists, others, other_caps, difficult_numbers, parts);
+    return true;
+  }
+
+ private:
+  /// Numbers the corners, and merges the caps of simple and of difficult cells in the order of the cells.
+  void join(const std::vector<simple_cap_list<M>>& lists, const crossed_volume_reader<M>& others, const level_surface_arrays& other_caps,
+            const std::vector<std::uint32_t>& difficult, level_surface_parts<M>& parts) const {
+    edge_numbers<M> numbers(edge_index_bound(m_));
+    place_numbers other_places;
+    std::vector<std::uint32_t> number_of_other;  // by number in other_places
+    std::vector<std::pair<std::uint32_t, level_place>> inside;
+    std::size_t other = 0;
+    const auto add_others_before = [&](std::uint32_t cell) {
+      for (; other < other_caps.ends.size() && difficult[other_caps.cells[other]] < cell; ++other) {
+        for (std::uint32_t k = other == 0 ? 0 : other_caps.ends[other - 1]; k < other_caps.ends[other]; ++k) {
+          const level_place& x = other_caps.places[other_caps.verts[k]];
+          if (x.kind == level_place::edge && others.is_edge_of_mesh(x.element)) {
+            parts.verts.push_back(numbers.add(m_, others.edge_of(x.element)));
+            continue;
+          }
+          const std::uint32_t n = other_places.add(x);
+          if (n == number_of_other.size()) {
+            number_of_other.push_back(numbers.add_other());
+            inside.push_back({number_of_other.back(), x});
+          }
+          parts.verts.push_back(number_of_other[n]);
+        }
+        parts.ends.push_back(static_cast<std::uint32_t>(parts.verts.size()));
+        parts.polys.push_back(others.polys[other_caps.cells[other]]);
+      }
+    };
+    for (const simple_cap_list<M>& list : lists) {
+      std::uint32_t k = 0;
+      for (std::size_t i = 0; i < list.ends.size(); ++i) {
+        if (other < other_caps.ends.size()) add_others_before(list.cells[i]);
+        for (; k < list.ends[i]; ++k) parts.verts.push_back(numbers.add(m_, list.corners[k]));
+        parts.ends.push_back(static_cast<std::uint32_t>(parts.verts.size()));
+        parts.polys.push_back(cells_[list.cells[i]]);
+      }
+    }
+    add_others_before(~0u);
+    parts.places.resize(numbers.edges.size());
+    parallel_for(numbers.edges.size(), [&](std::size_t i) {
+      if (numbers.is_edge(i)) parts.places[i] = on_edge(numbers.edges[i]);
+    });
+    for (const auto& [number, x] : inside) parts.places[number] = others.mesh_point_of(m_, x);
+  }
+
+  mesh_point<M> on_edge(const edge_t<M>& e) const {
+    const auto ends = end_verts(m_, e);
+    const double a = static_cast<double>(u_[ends.first]), b = static_cast<double>(u_[ends.second]);
+    const bool rises = a < level_;
+    const double t = rises ? crossing_parameter(a, b, level_) : crossing_parameter(b, a, level_);
+    const vec3 x = to_vec3(point(m_, ends.first)), y = to_vec3(point(m_, ends.second));
+    return {edge_point<M>{e, rises ? t : 1 - t}, rises ? point_between(x, y, t) : point_between(y, x, t)};
+  }
+};
+
+}  // namespace concino::detail

@@ -1,0 +1,133 @@
+// The crossing of a polygon by a level set; see polygon_crossings.hpp.
+#pragma once
+
+#include <concino/core/local_numbers.hpp>
+#include <concino/level_sets/detail/polygon_crossings.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace concino::detail {
+
+CONCINO_INLINE bool is_convex_polygon(std::span<const vec3> corners) {
+  const std::size_t n = corners.size();
+  if (n < 4) return true;
+  vec3 normal, previous = corners[1] - corners[0];
+  for (std::size_t i = 2; i < n; ++i) {
+    const vec3 step = corners[i] - corners[0];
+    normal += cross(previous, step);
+    previous = step;
+  }
+  vec3 before = corners[0] - corners[n - 1];
+  for (std::size_t i = 0; i < n; ++i) {
+    const vec3 after = corners[i + 1 < n ? i + 1 : 0] - corners[i];
+    const double turn = dot(cross(before, after), normal);
+    if (turn < 0 && turn < -1e-14 * norm(normal) * norm(before) * norm(after)) return false;
+    before = after;
+  }
+  return true;
+}
+
+CONCINO_INLINE bool is_planar_polygon(std::span<const vec3> corners) {
+  vec3 mean, normal, previous;
+  double size = 0, farthest = 0;  // largest coordinates, relative to the first corner and to the origin
+  for (const vec3& x : corners) {
+    const vec3 step = x - corners[0];
+    normal += cross(previous, step);
+    mean += step;
+    previous = step;
+    size = std::max({size, std::abs(step.x), std::abs(step.y), std::abs(step.z)});
+    farthest = std::max({farthest, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
+  }
+  mean /= static_cast<double>(corners.size());
+  const double tolerance = (1e-14 * size + 1e-15 * farthest) * norm(normal);
+  for (const vec3& x : corners)
+    if (std::abs(dot(x - corners[0] - mean, normal)) > tolerance) return false;
+  return true;
+}
+
+CONCINO_INLINE bool mean_is_above(std::span<const double> values, double level) {
+  double sum = 0;
+  for (const double x : values) sum += x;
+  const double n = static_cast<double>(values.size());
+  if (std::isfinite(sum)) return sum / n >= level;
+  sum = 0;
+  for (const double x : values) sum += x / n;
+  return sum >= level;
+}
+
+CONCINO_INLINE void polygon_crossings::find(std::span<const unsigned char> above, std::span<const double> values, std::span<const vec3> points, double level,
+                                            std::uint32_t start) {
+  chords_.clear(), inner_.clear(), crossed_.clear();
+  const auto n = static_cast<std::uint32_t>(above.size());
+  for (std::uint32_t k = 0; k < n; ++k)
+    if (above[k] != above[k + 1 < n ? k + 1 : 0]) crossed_.push_back(k);
+  if (crossed_.empty()) return;
+  if (!is_convex_polygon(points)) cross_triangles(above, points, start);
+  else cut_off_runs(above, crossed_.size() > 2 && mean_is_above(values, level));
+}
+
+/// A run of corners begins behind one crossed edge and ends before the next. Of two runs, either can be cut off.
+CONCINO_INLINE void polygon_crossings::cut_off_runs(std::span<const unsigned char> above, bool centre_is_above) {
+  const std::size_t n = crossed_.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::uint32_t before = crossed_[i], after = crossed_[i + 1 < n ? i + 1 : 0];
+    const bool run_is_above = !above[before];
+    if (run_is_above == centre_is_above) continue;
+    if (run_is_above) chords_.push_back({after, before, 0, 0});
+    else chords_.push_back({before, after, 0, 0});
+  }
+}
+
+/// The other crossed side of the triangle of `side`. Side 3 t + k of triangle t joins its corners k and k + 1.
+CONCINO_INLINE std::uint32_t polygon_crossings::next_crossed_side(std::span<const unsigned char> above, std::uint32_t side) const {
+  const std::uint32_t t = side / 3, k = side % 3;
+  return 3 * t + (above[sides_[3 * t + (k + 1) % 3]] != above[sides_[3 * t + (k + 2) % 3]] ? k + 1 : k + 2) % 3;
+}
+
+/// Sets the first corner of each side of each triangle, and the other side of the same two corners, if it is a diagonal. Then follows the side of each
+/// edge of the polygon.
+CONCINO_INLINE void polygon_crossings::link_triangles(std::span<const polygon_triangle> triangles, std::uint32_t start, std::uint32_t n) {
+  const auto num_sides = static_cast<std::uint32_t>(3 * triangles.size());
+  sides_.clear();
+  mates_.assign(num_sides + n, none);
+  core::local_numbers diagonals;
+  std::vector<std::uint32_t> first_side;
+  for (const polygon_triangle& t : triangles)
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const auto side = static_cast<std::uint32_t>(sides_.size());
+      const std::uint32_t a = (t[k] + start) % n, b = (t[(k + 1) % 3] + start) % n;
+      sides_.push_back(a);
+      if (b == (a + 1) % n) {
+        mates_[num_sides + a] = side;
+        continue;
+      }
+      const unsigned number = diagonals.add(std::size_t{a < b ? a : b} * n + (a < b ? b : a));
+      if (number == first_side.size()) {
+        first_side.push_back(side);
+      } else {
+        mates_[side] = first_side[number];
+        mates_[first_side[number]] = side;
+      }
+    }
+}
+
+CONCINO_INLINE void polygon_crossings::cross_triangles(std::span<const unsigned char> above, std::span<const vec3> points, std::uint32_t start) {
+  const auto n = static_cast<std::uint32_t>(above.size());
+  rotated_.clear();
+  for (std::uint32_t k = 0; k < n; ++k) rotated_.push_back(points[(start + k) % n]);
+  link_triangles(triangulate_(rotated_), start, n);
+  const auto num_sides = static_cast<std::uint32_t>(sides_.size());
+  for (const std::uint32_t k : crossed_) {
+    if (!above[k]) continue;
+    const auto begin = static_cast<std::uint32_t>(inner_.size());
+    std::uint32_t side = next_crossed_side(above, mates_[num_sides + k]);
+    for (; mates_[side] != none; side = next_crossed_side(above, mates_[side])) {
+      const std::uint32_t a = sides_[side], b = sides_[side % 3 == 2 ? side - 2 : side + 1];
+      inner_.push_back(above[a] ? crossed_diagonal{b, a} : crossed_diagonal{a, b});
+    }
+    chords_.push_back({k, sides_[side], begin, static_cast<std::uint32_t>(inner_.size())});
+  }
+}
+
+}  // namespace concino::detail

@@ -1,0 +1,132 @@
+// isolines: the curves on a surface where a function of its verts has a value, as polylines.
+#pragma once
+
+#include <concino/concepts/end_verts.hpp>
+#include <concino/concepts/oriented_edges.hpp>
+#include <concino/core/local_numbers.hpp>
+#include <concino/core/mistakes.hpp>
+#include <concino/level_sets/detail/level_states.hpp>
+#include <concino/level_sets/detail/level_values.hpp>
+#include <concino/level_sets/detail/line_pieces.hpp>
+#include <concino/mesh/mesh_point.hpp>
+
+#include <initializer_list>
+#include <variant>
+#include <vector>
+
+namespace concino {
+
+/// One polyline of a level set. If it is closed, the last point is joined to the first one, which is not repeated.
+template<class M>
+struct level_line {
+  std::vector<vec3> points;
+  std::vector<mesh_point<M>> places;       // of the points: at a vert, on an edge, or inside a poly, on a diagonal of a poly that is not convex
+  std::vector<edge_point<M>> edge_points;  // of the points at verts and on edges, in order; a vert is the end of one of its edges
+  bool closed = false;
+  double value = 0;                        // of the level set
+};
+
+namespace detail {
+
+/// The polys of a surface that a level set crosses: in flat arrays, and as descriptors by number.
+template<class M>
+class crossed_surface_reader {
+  core::local_numbers vert_numbers_, edge_numbers_;
+
+ public:
+  crossed_surface arrays;
+  std::vector<poly_t<M>> polys;
+  std::vector<vert_t<M>> verts;
+  std::vector<edge_t<M>> edges;
+
+  template<class U>
+  crossed_surface_reader(const M& m, const U& u, const core::flat_array<unsigned char>& states) : polys(crossed_polys(m, states)) {
+    for (const poly_t<M>& p : polys) {
+      for (const auto& [e, from, to] : oriented_edges(m, p)) {
+        add_vert(m, u, states, from);
+        add_edge(m, e);
+      }
+      arrays.first_corner.push_back(static_cast<std::uint32_t>(arrays.verts.size()));
+    }
+  }
+
+  mesh_point<M> mesh_point_of(const M& m, const level_place& x, double level) const {
+    if (x.kind == level_place::vert) return {verts[x.above], arrays.points[x.above]};
+    const double t = crossing_parameter(arrays.values[x.below], arrays.values[x.above], level);
+    const vec3 position = point_between(arrays.points[x.below], arrays.points[x.above], t);
+    if (x.kind == level_place::inside) return {polys[x.element], position};
+    const edge_t<M>& e = edges[x.element];
+    return {edge_point<M>{e, end_verts(m, e).first == verts[x.below] ? t : 1 - t}, position};
+  }
+
+ private:
+  template<class U>
+  void add_vert(const M& m, const U& u, const core::flat_array<unsigned char>& states, const vert_t<M>& v) {
+    const std::size_t index = index_of(m, v);
+    const unsigned number = vert_numbers_.add(index);
+    arrays.verts.push_back(number);
+    if (number < verts.size()) return;
+    verts.push_back(v);
+    arrays.vert_indices.push_back(static_cast<std::uint32_t>(index));
+    arrays.points.push_back(to_vec3(point(m, v)));
+    arrays.values.push_back(static_cast<double>(u[v]));
+    arrays.states.push_back(states[index]);
+  }
+  void add_edge(const M& m, const edge_t<M>& e) {
+    const unsigned number = edge_numbers_.add(index_of(m, e));
+    arrays.edges.push_back(number);
+    if (number < edges.size()) return;
+    edges.push_back(e);
+    unsigned char n = 0;
+    for ([[maybe_unused]] const poly_t<M> p : adj_e2p(m, e)) n = n < 3 ? static_cast<unsigned char>(n + 1) : n;
+    arrays.num_polys.push_back(n);
+  }
+};
+
+template<class M>
+void add_edge_point(const M& m, const mesh_point<M>& x, std::vector<edge_point<M>>& to) {
+  if (const auto* on_edge = std::get_if<edge_point<M>>(&x.element)) to.push_back(*on_edge);
+  else if (const auto* vert = std::get_if<vert_t<M>>(&x.element))
+    for (const edge_t<M> e : adj_v2e(m, *vert)) {
+      to.push_back({e, end_verts(m, e).first == *vert ? 0.0 : 1.0});
+      break;
+    }
+}
+
+}  // namespace detail
+
+/// The level sets {u = value} of a function that is linear on edges: lines across the polys of a surface.
+/// Needs:  Embedded SurfaceMesh; u[v] is a number for each vert, readable from several threads; one value or several.
+/// Result: polylines, value after value, ascending, and by their first polys. A line is closed, or ends at the boundary or at an edge with three polys or
+///         more; lines through one vert are separate. Larger values are to the left of a line, seen from the side from which its first poly is
+///         counter-clockwise. Verts with u = value count as above it. The lines bound {u < value}; where this only touches the boundary of m, or parts of
+///         polys without larger values, there is none. They are straight in convex polys; other polys are crossed triangle by triangle of
+///         triangulate_polygon. Points and parameters do not depend on the order of adj_e2v. Infinite values are limits of finite ones.
+/// Cost:   O(verts + polys) a value, in parallel, and O(n log n) for lines of n points.
+/// Errors: invalid_argument if a value is NaN, naming the vert, or if u is a map of another mesh.
+/// Source: paper section 2.2, "Fields"; capabilities of marching triangles for polygons of any shape.
+template<SurfaceMesh M, class U, class V = std::initializer_list<double>>
+  requires Embedded<M> && requirement::gives_numbers<U, vert_t<M>> && requirement::is_value_list<V>
+std::vector<level_line<M>> isolines(const M& m, const U& u, const V& values) {
+  std::vector<level_line<M>> lines;
+  detail::check_vert_values(m, u, "isolines");
+  for (const double level : detail::sorted_levels(values, "isolines")) {
+    const auto states = detail::level_states(m, u, level, "isolines");
+    const detail::crossed_surface_reader<M> crossed(m, u, states);
+    const detail::level_lines joined = detail::line_pieces(crossed.arrays, level).join();
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < joined.ends.size(); ++i) {
+      level_line<M>& line = lines.emplace_back();
+      line.closed = joined.closed[i] != 0;
+      line.value = level;
+      for (; k < joined.ends[i]; ++k) {
+        line.places.push_back(crossed.mesh_point_of(m, joined.places[k], level));
+        line.points.push_back(line.places.back().position);
+        detail::add_edge_point(m, line.places.back(), line.edge_points);
+      }
+    }
+  }
+  return lines;
+}
+
+}  // namespace concino
