@@ -90,25 +90,34 @@ std::uint32_t face_around(const M& m, const elements_by_index<vert_t<M>>& by_ind
   return found;
 }
 
+/// The origin of an edge of m between the origins of its ends; `none` if there is no such edge.
 template<class From, class To>
-element_origins match_edges(const From& before, const To& m, const element_origins& of_verts, const elements_by_index<vert_t<From>>& by_index) {
-  std::vector<origin> found(edge_index_bound(m), origin{element_origins::none, 0});
-  for (const edge_t<To> e : edges(m)) {
-    const auto ends = end_verts(m, e);
-    const auto first = of_verts[index_of(m, ends.first)], second = of_verts[index_of(m, ends.second)];
-    joint_origins joint;
-    joint.add(first), joint.add(second);
-    if (first.empty() || second.empty() || joint.verts.size() != 2) continue;
-    const std::uint32_t a = joint.verts[0], b = joint.verts[1];
-    const double length = part_of(first, a) - part_of(second, a);  // of the old edge, as a fraction of it
-    found[index_of(m, e)] = {find_edge(before, by_index, a, b), length < 0 ? -length : length};
-  }
+origin match_edge(const From& before, const To& m, const element_origins& of_verts, const elements_by_index<vert_t<From>>& by_index, const edge_t<To>& e) {
+  const auto ends = end_verts(m, e);
+  const auto first = of_verts[index_of(m, ends.first)], second = of_verts[index_of(m, ends.second)];
+  joint_origins joint;
+  joint.add(first), joint.add(second);
+  if (first.empty() || second.empty() || joint.verts.size() != 2) return {element_origins::none, 0};
+  const std::uint32_t a = joint.verts[0], b = joint.verts[1];
+  const double length = part_of(first, a) - part_of(second, a);  // of the old edge, as a fraction of it
+  return {find_edge(before, by_index, a, b), length < 0 ? -length : length};
+}
+
+/// Origins by index, each at most one.
+inline element_origins single_origins(const std::vector<origin>& found) {
   element_origins origins;
   for (const origin& x : found) {
     if (x.index == element_origins::none || x.weight == 1) origins.add(x.index);
     else origins.add({x});
   }
   return origins;
+}
+
+template<class From, class To>
+element_origins match_edges(const From& before, const To& m, const element_origins& of_verts, const elements_by_index<vert_t<From>>& by_index) {
+  std::vector<origin> found(edge_index_bound(m), origin{element_origins::none, 0});
+  for (const edge_t<To> e : edges(m)) found[index_of(m, e)] = match_edge(before, m, of_verts, by_index, e);
+  return single_origins(found);
 }
 
 template<class From, class To>

@@ -56,7 +56,9 @@ class cell_cuts {
   std::uint32_t mate(std::uint32_t corner) const { return mates_[corner]; }
   /// The side of the other crossed cell at the same face; none if there is none.
   std::uint32_t twin(std::uint32_t side) const { return twins_[side]; }
-  /// The number of the vert of a corner among those of its cell. Regions are known by the number of one of their verts.
+  /// Verts have a number for each of their cells. Regions are known by the smallest number of their verts.
+  std::uint32_t num_cell_verts() const { return static_cast<std::uint32_t>(regions_.size()); }
+  std::uint32_t number_in_cells(std::uint32_t corner) const { return cell_vert_[corner]; }
   std::uint32_t region(std::uint32_t corner) { return static_cast<std::uint32_t>(regions_.root(cell_vert_[corner])); }
   region_state state(std::uint32_t corner) { return static_cast<region_state>(region_states_[region(corner)]); }
 

@@ -6,8 +6,10 @@
 #include <concino/level_sets/detail/crossed_volume.hpp>
 #include <concino/level_sets/detail/level_place.hpp>
 #include <concino/level_sets/detail/level_states.hpp>
+#include <concino/mesh/element_origins.hpp>
 #include <concino/mesh/mesh_point.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -44,11 +46,22 @@ class crossed_volume_reader {
     const double t = is_vert ? 1 : crossing_parameter(arrays.values[x.below], arrays.values[x.above], arrays.level());
     const vec3 position = is_vert ? arrays.points[x.above] : point_between(arrays.points[x.below], arrays.points[x.above], t);
     for (const std::uint32_t end : {x.below, x.above})
-      if (arrays.vert_indices[end] == arrays.none) return {face_at_centre(end), position};
+      if (arrays.vert_indices[end] == arrays.none) return {faces[centre_at(end).side], position};
     if (is_vert) return {verts[x.above], position};
     if (x.kind == level_place::inside) return {face_of_index(x.element), position};
     const edge_t<M>& e = edge_of(x.element);
     return {edge_point<M>{e, end_verts(m, e).first == verts[x.below] ? t : 1 - t}, position};
+  }
+
+  /// Adds the verts of the mesh of which a vert was made: itself, or the corners of a face at its centre.
+  void add_origins(std::uint32_t vert, double weight, std::vector<origin>& list) const {
+    if (arrays.vert_indices[vert] != arrays.none) {
+      list.push_back({arrays.vert_indices[vert], weight});
+      return;
+    }
+    const crossed_volume::fan& f = arrays.fans[arrays.fan_of[centre_at(vert).side]];
+    for (std::uint32_t k = f.first_corner; k < f.last_corner; ++k)
+      list.push_back({arrays.vert_indices[arrays.whole_verts[k]], weight / static_cast<double>(f.last_corner - f.first_corner)});
   }
 
  private:
@@ -73,10 +86,8 @@ class crossed_volume_reader {
     verts.resize(arrays.points.size(), verts.front());
   }
 
-  face_t<M> face_at_centre(std::uint32_t vert) const {
-    for (const crossed_volume::centre& c : arrays.centres)
-      if (c.vert == vert) return faces[c.side];
-    return faces.front();
+  const crossed_volume::centre& centre_at(std::uint32_t vert) const {
+    return *std::lower_bound(arrays.centres.begin(), arrays.centres.end(), vert, [](const crossed_volume::centre& c, std::uint32_t v) { return c.vert < v; });
   }
   face_t<M> face_of_index(std::uint32_t index) const {
     for (std::size_t s = 0; s < faces.size(); ++s)

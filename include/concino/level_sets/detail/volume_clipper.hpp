@@ -1,0 +1,189 @@
+// Cuts a volume along a level set.
+#pragma once
+
+#include <concino/geometry/measure.hpp>
+#include <concino/level_sets/clip_options.hpp>
+#include <concino/level_sets/detail/cell_parts.hpp>
+#include <concino/level_sets/detail/clip_verts.hpp>
+#include <concino/level_sets/detail/convex_cells.hpp>
+#include <concino/level_sets/detail/crossed_volume_reader.hpp>
+
+#include <utility>
+#include <vector>
+
+namespace concino::detail {
+
+/// The polys of the result are those that are kept whole, in the order of m, and then parts of polys. Likewise faces.
+template<class M, class U>
+class volume_clipper {
+  static constexpr auto surface = arity_v<M> > 0 ? cell_cuts::cells_are::spheres : cell_cuts::cells_are::unknown;
+
+  const M& m_;
+  double level_;
+  bool both_;
+  core::flat_array<unsigned char> states_;
+  crossed_volume_reader<M> crossed_;
+  cell_cuts cuts_;
+  std::vector<poly_t<M>> whole_;
+  std::vector<std::uint32_t> cut_;          // parts
+  std::vector<std::uint32_t> face_number_;  // by index of the face in m
+  std::vector<std::uint32_t> new_face_;     // by face of the parts
+  polyhedra_arrays a_;
+  clipped_volume<M> result_;
+
+ public:
+  volume_clipper(const M& m, const U& u, double level, bool both, const char* caller)
+      : m_(m), level_(level), both_(both), states_(level_states(m, u, level, caller)), crossed_(m, u, crossed_polys(m, states_), level),
+        cuts_(crossed_.arrays, surface, caller, crossed_.poly_indices), face_number_(face_index_bound(m), ~0u) {}
+
+  clipped_volume<M> run(const clip_options& options, const char* caller) {
+    report_concave_polys(options, caller);
+    const cell_parts parts(cuts_);
+    for (const std::uint32_t v : parts.moved_verts) result_.report.moved_verts.push_back(crossed_.verts[v]);
+    report_progress(options.progress, 0.3, "clipping");
+    clip_verts<M, crossed_volume> verts_of(m_, crossed_.arrays, parts.places, level_);
+    choose_polys(parts, verts_of);
+    build_faces(parts, verts_of);
+    build_polys(parts);
+    a_.points = std::move(verts_of.points);
+    result_.from.verts = std::move(verts_of.origins);
+    report_progress(options.progress, 0.5, "clipping");
+    result_.mesh = polyhedralmesh(std::move(a_));
+    report_progress(options.progress, 0.8, "clipping");
+    list_poly_origins(parts);
+    list_edge_origins();
+    if (options.properties) transfer_if_any(m_, result_.mesh, result_.from);
+    report_progress(options.progress, 1, "clipping");
+    return std::move(result_);
+  }
+
+ private:
+  void report_concave_polys(const clip_options& options, const char* caller) {
+    std::vector<unsigned char> is_cut(crossed_.polys.size(), 0);
+    for (const cell_cuts::loop& l : cuts_.loops()) is_cut[l.cell] |= l.cuts;
+    for (std::uint32_t c = 0; c < is_cut.size(); ++c) {
+      if (!is_cut[c]) continue;
+      ++result_.report.cut_polys;
+      if (is_convex_cell(crossed_.arrays, c)) continue;
+      if (options.convex_only) throw_not_convex(caller, crossed_.poly_indices[c]);
+      ++result_.report.concave_polys;
+    }
+  }
+
+  void choose_polys(const cell_parts& parts, clip_verts<M, crossed_volume>& verts_of) {
+    const auto keep = [&](const poly_t<M>& p, bool above) {
+      if (!above && !both_) return;
+      for (const face_t<M> f : adj_p2f(m_, p)) face_number_[index_of(m_, f)] = 0;
+      whole_.push_back(p);
+      result_.above.push_back(above);
+    };
+    std::size_t next = 0, part = 0;
+    for (const poly_t<M> p : polys(m_)) {
+      if (next == crossed_.polys.size() || !(crossed_.polys[next] == p)) {
+        const auto& ring = adj_p2v(m_, p);
+        const vert_t<M> first = *ring.begin();
+        keep(p, states_[index_of(m_, first)] != below_level);
+        continue;
+      }
+      for (; part < parts.parts.size() && parts.parts[part].cell == next; ++part) {
+        const cell_parts::part& x = parts.parts[part];
+        if (x.is_whole) keep(p, x.is_above);
+        else if (x.is_above || both_) cut_.push_back(static_cast<std::uint32_t>(part));
+      }
+      ++next;
+    }
+    new_face_.assign(parts.faces.size(), ~0u);
+    for (const std::uint32_t i : cut_)
+      for (std::uint32_t k = parts.parts[i].first; k < parts.parts[i].last; ++k) {
+        const std::uint32_t f = parts.part_faces[k];
+        if (parts.faces[f].is_whole) {
+          face_number_[parts.faces[f].origin] = 0;
+          continue;
+        }
+        new_face_[f] = 0;
+        for (std::uint32_t j = parts.faces[f].first; j < parts.faces[f].last; ++j) verts_of.mark_place(parts.face_places[j]);
+      }
+    for (const face_t<M> f : faces(m_))
+      if (face_number_[index_of(m_, f)] != ~0u)
+        for (const vert_t<M> v : adj_f2v(m_, f)) verts_of.mark(v);
+  }
+
+  void build_faces(const cell_parts& parts, clip_verts<M, crossed_volume>& verts_of) {
+    verts_of.number([&](std::uint32_t v, double weight, std::vector<origin>& list) { crossed_.add_origins(v, weight, list); });
+    std::uint32_t n = number_marked(m_, faces(m_), face_number_);
+    a_.face_offsets.push_back(0);
+    const auto end_face = [&](std::uint32_t origin) {
+      a_.face_offsets.push_back(static_cast<std::uint32_t>(a_.face_verts.size()));
+      result_.from.faces.add(origin);
+    };
+    for (const face_t<M> f : faces(m_)) {
+      const auto index = static_cast<std::uint32_t>(index_of(m_, f));
+      if (face_number_[index] == ~0u) continue;
+      for (const vert_t<M> v : adj_f2v(m_, f)) a_.face_verts.push_back(verts_of.of(v));
+      end_face(index);
+    }
+    for (std::size_t i = 0; i < parts.faces.size(); ++i) {
+      const cell_parts::face& f = parts.faces[i];
+      if (new_face_[i] != ~0u) {
+        new_face_[i] = n++;
+        for (std::uint32_t k = f.first; k < f.last; ++k) a_.face_verts.push_back(verts_of.of_place(parts.face_places[k]));
+        end_face(f.origin);
+      } else if (f.is_whole) {
+        new_face_[i] = face_number_[f.origin];
+      }
+      if (f.is_cut && new_face_[i] != ~0u) result_.cut_faces.push_back(face_id{new_face_[i]});
+    }
+  }
+
+  void build_polys(const cell_parts& parts) {
+    a_.poly_offsets.push_back(0);
+    const auto end_poly = [&] { a_.poly_offsets.push_back(static_cast<std::uint32_t>(a_.poly_faces.size())); };
+    for (const poly_t<M>& p : whole_) {
+      for (const face_t<M> f : adj_p2f(m_, p)) {
+        a_.poly_faces.push_back(face_id{face_number_[index_of(m_, f)]});
+        a_.outward.push_back(face_is_outward(m_, p, f));
+      }
+      end_poly();
+    }
+    for (const std::uint32_t i : cut_) {
+      for (std::uint32_t k = parts.parts[i].first; k < parts.parts[i].last; ++k) {
+        a_.poly_faces.push_back(face_id{new_face_[parts.part_faces[k]]});
+        a_.outward.push_back(parts.outward[k]);
+      }
+      end_poly();
+      result_.above.push_back(parts.parts[i].is_above);
+    }
+  }
+
+  void list_poly_origins(const cell_parts& parts) {
+    for (const poly_t<M>& p : whole_) result_.from.polys.add(static_cast<std::uint32_t>(index_of(m_, p)));
+    for (std::size_t i = 0; i < cut_.size(); ++i) {
+      const double size = volume(result_.mesh, poly_id{whole_.size() + i});
+      if (!(size > 0)) ++result_.report.inverted_parts;
+      result_.from.polys.add({origin{crossed_.poly_indices[parts.parts[cut_[i]].cell], size > 0 ? size : 0}});
+    }
+  }
+
+  /// Faces that are kept whole have the same edges in the same order; other edges follow from their verts.
+  void list_edge_origins() {
+    std::vector<origin> found(num_edges(result_.mesh), origin{element_origins::none, 0});
+    std::vector<unsigned char> is_known(found.size(), 0);
+    std::uint32_t n = 0;
+    for (const face_t<M> f : faces(m_)) {
+      if (face_number_[index_of(m_, f)] == ~0u) continue;
+      const auto& old_edges = adj_f2e(m_, f);
+      auto old = old_edges.begin();
+      for (const edge_id e : adj_f2e(result_.mesh, face_id{n++})) {
+        found[e.raw()] = {static_cast<std::uint32_t>(index_of(m_, *old)), 1};
+        is_known[e.raw()] = 1;
+        ++old;
+      }
+    }
+    const elements_by_index<vert_t<M>> by_index(m_, verts(m_), vert_index_bound(m_));
+    for (const edge_id e : edges(result_.mesh))
+      if (!is_known[e.raw()]) found[e.raw()] = match_edge(m_, result_.mesh, result_.from.verts, by_index, e);
+    result_.from.edges = single_origins(found);
+  }
+};
+
+}  // namespace concino::detail
