@@ -34,6 +34,30 @@ void add_edge_point(const M& m, const mesh_point<M>& x, std::vector<edge_point<M
     }
 }
 
+template<class M, class U, class V>
+std::vector<level_line<M>> find_isolines(const M& m, const U& u, const V& values, const char* caller) {
+  std::vector<level_line<M>> lines;
+  check_vert_values(m, u, caller);
+  for (const double level : sorted_levels(values, caller)) {
+    const auto states = level_states(m, u, level, caller);
+    const crossed_surface_reader<M> crossed(m, u, states, crossed_polys(m, states));
+    const poly_cuts cuts(crossed.arrays, level);
+    const level_lines joined = line_pieces(cuts).join();
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < joined.ends.size(); ++i) {
+      level_line<M>& line = lines.emplace_back();
+      line.closed = joined.closed[i] != 0;
+      line.value = level;
+      for (; k < joined.ends[i]; ++k) {
+        line.places.push_back(crossed.mesh_point_of(m, joined.places[k], level));
+        line.points.push_back(line.places.back().position);
+        add_edge_point(m, line.places.back(), line.edge_points);
+      }
+    }
+  }
+  return lines;
+}
+
 }  // namespace detail
 
 /// The level sets {u = value} of a function that is linear on edges: lines across the polys of a surface.
@@ -45,30 +69,18 @@ void add_edge_point(const M& m, const mesh_point<M>& x, std::vector<edge_point<M
 ///         triangulate_polygon. Points and parameters do not depend on the order of adj_e2v. Infinite values are limits of finite ones.
 /// Cost:   O(verts + polys) a value, in parallel, and O(n log n) for lines of n points.
 /// Errors: invalid_argument if a value is NaN, naming the vert, or if u is a map of another mesh.
-/// Source: paper section 2.2, "Fields"; capabilities of marching triangles for polygons of any shape.
+/// Source: paper section 2.2, "Fields".
 template<SurfaceMesh M, class U, class V = std::initializer_list<double>>
   requires Embedded<M> && requirement::gives_numbers<U, vert_t<M>> && requirement::is_value_list<V>
 std::vector<level_line<M>> isolines(const M& m, const U& u, const V& values) {
-  std::vector<level_line<M>> lines;
-  detail::check_vert_values(m, u, "isolines");
-  for (const double level : detail::sorted_levels(values, "isolines")) {
-    const auto states = detail::level_states(m, u, level, "isolines");
-    const detail::crossed_surface_reader<M> crossed(m, u, states, detail::crossed_polys(m, states));
-    const detail::poly_cuts cuts(crossed.arrays, level);
-    const detail::level_lines joined = detail::line_pieces(cuts).join();
-    std::size_t k = 0;
-    for (std::size_t i = 0; i < joined.ends.size(); ++i) {
-      level_line<M>& line = lines.emplace_back();
-      line.closed = joined.closed[i] != 0;
-      line.value = level;
-      for (; k < joined.ends[i]; ++k) {
-        line.places.push_back(crossed.mesh_point_of(m, joined.places[k], level));
-        line.points.push_back(line.places.back().position);
-        detail::add_edge_point(m, line.places.back(), line.edge_points);
-      }
-    }
-  }
-  return lines;
+  return detail::find_isolines(m, u, values, "isolines");
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void isolines(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+template<class... T> void isolines(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class M, class U, class R = mistake::remedy<mistake::give_numbers_at_verts>>
+  requires(SurfaceMesh<M> && Embedded<M> && !requirement::gives_numbers<U, vert_t<M>>)
+void isolines(M&&, const U&, ...) = delete;  // a number at each vert: make_vert_map<double>(m)
 
 }  // namespace concino

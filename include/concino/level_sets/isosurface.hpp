@@ -6,11 +6,14 @@
 #include <concino/level_sets/detail/level_values.hpp>
 #include <concino/level_sets/detail/simple_surface.hpp>
 #include <concino/level_sets/detail/surface_builder.hpp>
+#include <concino/mesh/correspondence.hpp>
 #include <concino/mesh/polygonmesh.hpp>
+#include <concino/mesh/property.hpp>
 #include <concino/mesh/trimesh.hpp>
 
 #include <concepts>
 #include <initializer_list>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -29,34 +32,83 @@ struct level_surface {
   double value_of(poly_t<To> p) const { return values[index_of(mesh, p)]; }
 };
 
-template<class To = polygonmesh, VolumeMesh M, class U, class V = std::initializer_list<double>>
-  requires Embedded<M> && requirement::gives_numbers<U, vert_t<M>> && requirement::is_value_list<V> && (std::same_as<To, polygonmesh> || std::same_as<To, trimesh>)
-level_surface<M, To> isosurface(const M& m, const U& u, const V& values) {
-  detail::check_vert_values(m, u, "isosurface");
-  const std::vector<double> levels = detail::sorted_levels(values, "isosurface");
-  const auto make = [&](bool simple_ones) {
-    level_surface<M, To> result;
-    detail::surface_builder builder(arity_v<To> == 3);
-    for (const double level : levels) {
-      const detail::level_surface_maker<M, U> maker(m, u, level, "isosurface");
-      detail::level_surface_parts<M> parts;
-      if (!simple_ones || !maker.make_simple(parts)) parts = maker.make_general();
-      for (const mesh_point<M>& x : parts.places) builder.add_point(x.position);
-      for (std::size_t i = 0; i < parts.ends.size(); ++i) {
-        const std::size_t first = i == 0 ? 0 : parts.ends[i - 1];
-        const std::size_t n = builder.add_polygon({parts.verts.data() + first, parts.ends[i] - first});
-        result.polys.insert(result.polys.end(), n, parts.polys[i]);
-        result.values.insert(result.values.end(), n, level);
-      }
-      builder.end_part();
-      if (result.places.empty()) result.places = std::move(parts.places);
-      else result.places.insert(result.places.end(), parts.places.begin(), parts.places.end());
+namespace requirement {
+
+template<class To> concept is_level_surface_mesh = std::same_as<To, polygonmesh> || std::same_as<To, trimesh>;
+
+}  // namespace requirement
+
+namespace detail {
+
+/// fast: in the fast way where a value allows it; the surface may then not be a manifold.
+template<class To, class M, class U>
+level_surface<M, To> collect_isosurface(const M& m, const U& u, const std::vector<double>& levels, bool fast, const char* caller) {
+  level_surface<M, To> result;
+  surface_builder builder(arity_v<To> == 3);
+  correspondence from;
+  bool has_properties = false;
+  if constexpr (ShowsProperties<M>) has_properties = traits<M>::properties(m).size() > 0;
+  for (const double level : levels) {
+    const level_surface_maker<M, U> maker(m, u, level, has_properties, caller);
+    level_surface_parts<M> parts;
+    if (!fast || !maker.make_simple(parts)) parts = maker.make_general();
+    for (const mesh_point<M>& x : parts.places) builder.add_point(x.position);
+    for (std::size_t i = 0; i < parts.ends.size(); ++i) {
+      const std::size_t first = i == 0 ? 0 : parts.ends[i - 1];
+      const std::size_t n = builder.add_polygon({parts.verts.data() + first, parts.ends[i] - first});
+      result.polys.insert(result.polys.end(), n, parts.polys[i]);
+      result.values.insert(result.values.end(), n, level);
     }
-    result.mesh = To(std::move(builder).arrays());
-    return result;
-  };
-  level_surface<M, To> result = make(true);
-  return detail::is_simple_surface(result.mesh) ? std::move(result) : make(false);
+    builder.end_part();
+    result.places.insert(result.places.end(), parts.places.begin(), parts.places.end());
+    for (std::size_t i = 0; i < parts.origins.size(); ++i) {
+      std::vector<origin> list;
+      for (const origin x : parts.origins[i]) list.push_back(x);
+      from.verts.add(std::span<const origin>(list));
+    }
+  }
+  result.mesh = To(std::move(builder).arrays());
+  if constexpr (ShowsProperties<M>) {
+    if (!has_properties) return result;
+    for (const poly_t<M>& p : result.polys) from.polys.add(static_cast<std::uint32_t>(index_of(m, p)));
+    traits<To>::properties(result.mesh).transfer_verts_and_polys(traits<M>::properties(m), from);
+  }
+  return result;
 }
+
+template<class To, class M, class U, class V>
+level_surface<M, To> find_isosurface(const M& m, const U& u, const V& values, const char* caller) {
+  check_vert_values(m, u, caller);
+  const std::vector<double> levels = sorted_levels(values, caller);
+  level_surface<M, To> result = collect_isosurface<To>(m, u, levels, true, caller);
+  return is_simple_surface(result.mesh) ? std::move(result) : collect_isosurface<To>(m, u, levels, false, caller);
+}
+
+}  // namespace detail
+
+/// The level sets {u = value} of a function that is linear on edges: surfaces through the polys of a volume.
+/// Needs:  Embedded VolumeMesh with polys whose faces form spheres; u[v] is a number for each vert, readable from several threads; one value or several.
+/// Result: a polygonmesh, or as isosurface<trimesh> its triangulation, value after value, ascending, and by the polys of m. Its polys are counter-clockwise
+///         seen from larger values. It is a manifold: each edge has two polys or lies on the boundary of m. Verts with u = value count as above it. The surface bounds
+///         {u < value}; where this only touches the boundary of m, or parts of polys without larger values, there is none. Each poly is cut along
+///         closed cycles of chords across its faces, and each cycle is filled by one polygon. Chords are straight in convex faces; other faces are crossed
+///         triangle by triangle of triangulate_polygon, and faces on the boundary that are not planar triangle by triangle about the mean of their points. Named properties of verts are
+///         interpolated, those of polys inherited. Points do not depend on the order of adj_e2v. Infinite values are limits of finite ones.
+/// Cost:   O(verts + polys) a value, and O(n log n) for n polys that are cut; in parallel, with the same result for any number of threads.
+/// Errors: invalid_argument if a value is NaN, naming the vert, or if u is a map of another mesh. unsupported that names a poly that is to be cut, but
+///         whose faces do not form a sphere.
+/// Source: marching tetrahedra, Doi and Koide 1991; for other polys the rule above.
+template<class To = polygonmesh, VolumeMesh M, class U, class V = std::initializer_list<double>>
+  requires Embedded<M> && requirement::gives_numbers<U, vert_t<M>> && requirement::is_value_list<V> && requirement::is_level_surface_mesh<To>
+level_surface<M, To> isosurface(const M& m, const U& u, const V& values) {
+  return detail::find_isosurface<To>(m, u, values, "isosurface");
+}
+
+// What to write instead of calls that cannot compile.
+template<class... T> void isosurface(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+template<class... T> void isosurface(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class M, class U, class R = mistake::remedy<mistake::give_numbers_at_verts>>
+  requires(VolumeMesh<M> && Embedded<M> && !requirement::gives_numbers<U, vert_t<M>>)
+void isosurface(M&&, const U&, ...) = delete;  // a number at each vert: make_vert_map<double>(m)
 
 }  // namespace concino

@@ -22,19 +22,9 @@ struct origin {
 /// The origins of the elements of one kind in a new mesh, by index: the elements of that kind in the mesh before of which each was made; none, one
 /// or several. Copies and parts of a split element have that element as origin. A merged element has several origins, and so has an interpolated one.
 class element_origins {
-  std::vector<std::uint32_t> single_;  // used while no element has more than one origin, with the weight 1
-  std::vector<std::size_t> first_;     // otherwise: where the origins of each element begin, and where the last end
+  std::vector<std::uint32_t> single_;  // of the elements before the first one that has several origins, or a weight other than 1
+  std::vector<std::size_t> first_;     // of the others: where the origins of each begin, and where the last end
   std::vector<origin> list_;
-
-  void make_lists() {
-    if (!first_.empty()) return;
-    first_.push_back(0);
-    for (const std::uint32_t i : single_) {
-      if (i != none) list_.push_back({i});
-      first_.push_back(list_.size());
-    }
-    single_ = {};
-  }
 
  public:
   static constexpr std::uint32_t none = ~0u;
@@ -79,11 +69,12 @@ class element_origins {
   explicit element_origins(std::vector<std::uint32_t> single) : single_(std::move(single)) {}
 
   /// The number of elements with known origins: the index bound of the new mesh, once it is complete.
-  std::size_t size() const { return first_.empty() ? single_.size() : first_.size() - 1; }
+  std::size_t size() const { return single_.size() + (first_.empty() ? 0 : first_.size() - 1); }
   range operator[](std::size_t i) const {
     assert(i < size());
-    if (first_.empty()) return range(single_[i]);
-    return range(list_.data() + first_[i], first_[i + 1] - first_[i]);
+    if (i < single_.size()) return range(single_[i]);
+    const std::size_t k = i - single_.size();
+    return range(list_.data() + first_[k], first_[k + 1] - first_[k]);
   }
   /// The origin of an element that has exactly one, else `none`.
   std::uint32_t only(std::size_t i) const {
@@ -101,7 +92,7 @@ class element_origins {
     }
   }
   void add(std::span<const origin> several) {
-    make_lists();
+    if (first_.empty()) first_.push_back(0);
     const std::size_t before = list_.size();
     list_.resize(before + several.size());
     for (std::size_t k = 0; k < several.size(); ++k) list_[before + k] = several[k];

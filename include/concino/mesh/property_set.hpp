@@ -194,6 +194,8 @@ class property_set {
   };
   std::vector<entry> entries_;
 
+  void transfer_kinds(const property_set& source, const correspondence& c, const bool (&wanted)[6]);
+
  public:
   property_set();
   property_set(const property_set& o);
@@ -218,6 +220,8 @@ class property_set {
   /// Transfers the properties of another mesh, of whose elements the elements of this one were made, and those of that mesh as a whole. Properties of
   /// the same kind and name are replaced. Strong exception guarantee.
   void transfer(const property_set& source, const correspondence& c);
+  /// The same for properties of verts, of polys and of the mesh only, for a mesh of another dimension.
+  void transfer_verts_and_polys(const property_set& source, const correspondence& c);
 
   /// Moves values to where their elements are now; c says where they were, each in at most one place. Handles remain valid. Strong exception guarantee.
   void renumber(const correspondence& c);

@@ -91,7 +91,9 @@ class cell_cuts {
   std::vector<loop> loops_;
   std::vector<std::uint32_t> loop_chords_;
   disjoint_sets regions_;
-  std::vector<unsigned char> region_states_;  // at the root of each region
+  std::vector<unsigned char> region_states_;     // at the root of each region
+  std::vector<unsigned char> cell_vert_states_;  // by number of a vert in a cell
+  std::vector<std::uint32_t> seen_in_, number_in_cell_;  // by vert: the last cell that has it, and its number there
 
   void number_sides();
   bool find_mates(std::uint32_t cell, cells_are surface);

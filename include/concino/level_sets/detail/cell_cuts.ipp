@@ -11,6 +11,9 @@ namespace concino::detail {
 CONCINO_INLINE cell_cuts::cell_cuts(const crossed_volume& v, cells_are surface, const char* caller, const std::vector<std::uint32_t>& cell_indices) : v_(v) {
   number_sides();
   mates_.resize(v_.num_corners());
+  cell_vert_.resize(v_.num_corners());
+  seen_in_.assign(v_.points.size(), none);
+  number_in_cell_.resize(v_.points.size());
   for (std::uint32_t c = 0; c < v_.num_cells(); ++c)
     if (!find_mates(c, surface))
       core::throw_joined<unsupported>({caller, ": the faces of poly ", cell_indices[c], " do not form one closed surface without handles that are oriented outward, ",
@@ -31,15 +34,26 @@ CONCINO_INLINE void cell_cuts::number_sides() {
     }
 }
 
-/// Pairs the two uses of each edge by the sides of a cell. Returns false if its surface is not a sphere.
+/// Pairs the two uses of each edge by the sides of a cell, and numbers its verts. Returns false if its surface is not a sphere.
 CONCINO_INLINE bool cell_cuts::find_mates(std::uint32_t cell, cells_are surface) {
   surface_.clear();
   const std::uint32_t first = v_.first_corner[v_.first_side[cell]];
+  std::size_t num_verts = 0;
   for (std::uint32_t s = v_.first_side[cell]; s < v_.first_side[cell + 1]; ++s) {
-    for (std::uint32_t k = v_.first_corner[s]; k < v_.first_corner[s + 1]; ++k) surface_.add_corner(v_.verts[k]);
+    for (std::uint32_t k = v_.first_corner[s]; k < v_.first_corner[s + 1]; ++k) {
+      const std::uint32_t v = v_.verts[k];
+      surface_.add_corner(v);
+      if (seen_in_[v] != cell) {
+        seen_in_[v] = cell;
+        number_in_cell_[v] = static_cast<std::uint32_t>(cell_vert_states_.size());
+        cell_vert_states_.push_back(v_.states[v]);
+        ++num_verts;
+      }
+      cell_vert_[k] = number_in_cell_[v];
+    }
     surface_.end_side(v_.outward[s]);
   }
-  if (!surface_.find_mates() || (surface == cells_are::unknown && !surface_.is_sphere())) return false;
+  if (!surface_.find_mates() || (surface == cells_are::unknown && !surface_.is_sphere(num_verts))) return false;
   for (std::uint32_t k = 0; k < surface_.mates().size(); ++k) mates_[first + k] = first + surface_.mates()[k];
   return true;
 }
@@ -104,18 +118,7 @@ CONCINO_INLINE void cell_cuts::find_chords_of(std::uint32_t side) {
 
 /// Unites the verts of each region: the ends of edges that are not crossed, and the verts on either side of a chord.
 CONCINO_INLINE void cell_cuts::find_regions() {
-  std::vector<std::uint32_t> cell_seen(v_.points.size(), none), number(v_.points.size());
-  cell_vert_.resize(v_.num_corners());
-  std::vector<unsigned char> states;
-  for (std::uint32_t k = 0; k < v_.num_corners(); ++k) {
-    const std::uint32_t v = v_.verts[k], cell = cell_of_[side_of_[k]];
-    if (cell_seen[v] != cell) {
-      cell_seen[v] = cell;
-      number[v] = static_cast<std::uint32_t>(states.size());
-      states.push_back(v_.states[v]);
-    }
-    cell_vert_[k] = number[v];
-  }
+  const std::vector<unsigned char>& states = cell_vert_states_;
   regions_ = disjoint_sets(states.size());
   for (std::uint32_t k = 0; k < v_.num_corners(); ++k)
     if (chord_at_[k] == none) regions_.unite(cell_vert_[k], cell_vert_[next(k)]);

@@ -37,17 +37,14 @@ class cell_surface {
   bool find_mates();
   const std::vector<std::uint32_t>& mates() const { return mates_; }
 
-  /// Whether the sides form one closed oriented surface without handles that does not touch itself.
-  bool is_sphere();
-  /// The same, faster if the numbers of verts and edges are known.
+  /// Whether the sides form one closed oriented surface without handles that does not touch itself, after find_mates() was true.
+  bool is_sphere(std::size_t num_verts);
+  /// The same without find_mates(), if the number of edges is known.
   bool is_sphere(std::size_t num_verts, std::size_t num_edges);
 
  private:
-  static constexpr std::uint32_t few = 32;  // verts, and sides, of which tables are small
-
-  bool is_small_sphere(bool& is_small) const;
-  template<class Key>
-  std::uint32_t& slot_of(const std::vector<Key>& keys, std::uint32_t corner);
+  bool are_connected();
+  std::uint32_t& slot_of(std::uint32_t corner);
   void clear_slots();
   void list_edges();
 };

@@ -27,6 +27,7 @@ class clip_verts {
   const Crossed& crossed_;
   const std::vector<level_place>& places_;
   double level_;
+  std::uint32_t num_old_ = 0;
   std::vector<std::uint32_t> number_;           // by index of the vert in m
   std::vector<std::uint32_t> number_of_place_;  // by place that is not a vert of m
 
@@ -46,9 +47,9 @@ class clip_verts {
     else number_of_place_[place] = 0;
   }
 
-  /// add_origins(v, weight, list) adds the verts of m of which vert v of the crossed mesh was made.
-  template<class AddOrigins>
-  void number(const AddOrigins& add_origins) {
+  /// origins_of(place) lists the verts of m of which a place was made.
+  template<class OriginsOf>
+  void number(const OriginsOf& origins_of) {
     std::uint32_t n = 0;
     for (const vert_t<M> v : verts(m_)) {
       const auto index = static_cast<std::uint32_t>(index_of(m_, v));
@@ -57,25 +58,19 @@ class clip_verts {
       points.push_back(to_vec3(point(m_, v)));
       origins.add(index);
     }
-    std::vector<origin> list;
+    num_old_ = n;
     for (std::size_t i = 0; i < places_.size(); ++i) {
       if (number_of_place_[i] == ~0u) continue;
       number_of_place_[i] = n++;
       const level_place& x = places_[i];
-      list.clear();
-      if (x.kind == level_place::vert) {
-        points.push_back(crossed_.points[x.above]);
-        add_origins(x.above, 1.0, list);
-      } else {
-        const double t = crossing_parameter(crossed_.values[x.below], crossed_.values[x.above], level_);
-        points.push_back(point_between(crossed_.points[x.below], crossed_.points[x.above], t));
-        add_origins(x.below, 1 - t, list);
-        add_origins(x.above, t, list);
-      }
-      origins.add(std::span<const origin>(list));
+      const double t = x.kind == level_place::vert ? 1 : crossing_parameter(crossed_.values[x.below], crossed_.values[x.above], level_);
+      points.push_back(point_between(crossed_.points[x.below], crossed_.points[x.above], t));
+      origins.add(std::span<const origin>(origins_of(x)));
     }
   }
 
+  /// Whether a vert of the result is a vert of m.
+  bool is_old(vert_id v) const { return v.raw() < num_old_; }
   vert_id of(const vert_t<M>& v) const { return vert_id{number_[index_of(m_, v)]}; }
   vert_id of_place(std::uint32_t place) const {
     const level_place& x = places_[place];

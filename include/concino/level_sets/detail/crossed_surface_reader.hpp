@@ -7,6 +7,7 @@
 #include <concino/level_sets/detail/level_place.hpp>
 #include <concino/level_sets/detail/level_states.hpp>
 #include <concino/level_sets/detail/poly_cuts.hpp>
+#include <concino/mesh/element_origins.hpp>
 #include <concino/mesh/mesh_point.hpp>
 
 #include <cstdint>
@@ -44,6 +45,13 @@ class crossed_surface_reader {
     if (x.kind == level_place::inside) return {polys[x.element], position};
     const edge_t<M>& e = edges[x.element];
     return {edge_point<M>{e, end_verts(m, e).first == verts[x.below] ? t : 1 - t}, position};
+  }
+
+  /// The verts of the mesh of which a place was made.
+  std::vector<origin> origins_of(const level_place& x, double level) const {
+    if (x.kind == level_place::vert) return {{arrays.vert_indices[x.above]}};
+    const double t = crossing_parameter(arrays.values[x.below], arrays.values[x.above], level);
+    return {{arrays.vert_indices[x.below], 1 - t}, {arrays.vert_indices[x.above], t}};
   }
 
  private:

@@ -29,11 +29,11 @@ class crossed_volume_reader {
   std::vector<face_t<M>> faces;  // by side
 
   template<class U>
-  crossed_volume_reader(const M& m, const U& u, std::vector<poly_t<M>> crossed, double level)
+  crossed_volume_reader(const M& m, const U& u, const core::flat_array<unsigned char>& states, std::vector<poly_t<M>> crossed, double level)
       : arrays(level, edge_index_bound(m)), polys(std::move(crossed)) {
     for (const poly_t<M>& p : polys) {
       poly_indices.push_back(static_cast<std::uint32_t>(index_of(m, p)));
-      for (const face_t<M> f : adj_p2f(m, p)) add_side(m, u, p, f);
+      for (const face_t<M> f : adj_p2f(m, p)) add_side(m, u, states, p, f);
       arrays.end_cell();
     }
   }
@@ -53,6 +53,18 @@ class crossed_volume_reader {
     return {edge_point<M>{e, end_verts(m, e).first == verts[x.below] ? t : 1 - t}, position};
   }
 
+  /// The verts of the mesh of which a place was made.
+  std::vector<origin> origins_of(const level_place& x) const {
+    std::vector<origin> list;
+    if (x.kind == level_place::vert) {
+      add_origins(x.above, 1, list);
+      return list;
+    }
+    const double t = crossing_parameter(arrays.values[x.below], arrays.values[x.above], arrays.level());
+    add_origins(x.below, 1 - t, list);
+    add_origins(x.above, t, list);
+    return list;
+  }
   /// Adds the verts of the mesh of which a vert was made: itself, or the corners of a face at its centre.
   void add_origins(std::uint32_t vert, double weight, std::vector<origin>& list) const {
     if (arrays.vert_indices[vert] != arrays.none) {
@@ -66,7 +78,7 @@ class crossed_volume_reader {
 
  private:
   template<class U>
-  void add_side(const M& m, const U& u, const poly_t<M>& p, const face_t<M>& f) {
+  void add_side(const M& m, const U& u, const core::flat_array<unsigned char>& states, const poly_t<M>& p, const face_t<M>& f) {
     for (const auto& [e, from, to] : oriented_edges(m, f)) {
       const std::size_t index = index_of(m, from);
       const std::uint32_t number = arrays.number_of_vert(index);
@@ -77,7 +89,8 @@ class crossed_volume_reader {
       arrays.verts.push_back(number);
       const std::size_t edge_index = index_of(m, e);
       arrays.edges.push_back(static_cast<std::uint32_t>(edge_index));
-      if (edge_numbers_.add(edge_index) == edges.size()) edges.push_back(e);
+      const bool is_crossed = (states[index] == below_level) != (states[index_of(m, to)] == below_level);
+      if (is_crossed && edge_numbers_.add(edge_index) == edges.size()) edges.push_back(e);
     }
     unsigned char n = 0;
     for ([[maybe_unused]] const poly_t<M> q : adj_f2p(m, f)) n = n < 3 ? static_cast<unsigned char>(n + 1) : n;

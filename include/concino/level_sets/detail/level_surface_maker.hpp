@@ -8,7 +8,9 @@
 #include <concino/level_sets/detail/simple_caps.hpp>
 
 #include <algorithm>
+#include <span>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace concino::detail {
@@ -20,6 +22,7 @@ struct level_surface_parts {
   std::vector<std::uint32_t> verts;   // the corners of all polygons
   std::vector<std::uint32_t> ends;    // by polygon: where its corners end
   std::vector<poly_t<M>> polys;       // by polygon
+  element_origins origins;            // of the verts, if asked for
 };
 
 /// The level set of one value.
@@ -32,20 +35,24 @@ class level_surface_maker {
   const U& u_;
   double level_;
   const char* caller_;
+  bool with_origins_;
   core::flat_array<unsigned char> states_;
   std::vector<poly_t<M>> cells_;
 
  public:
-  level_surface_maker(const M& m, const U& u, double level, const char* caller)
-      : m_(m), u_(u), level_(level), caller_(caller), states_(level_states(m, u, level, caller)), cells_(crossed_polys(m, states_)) {}
+  level_surface_maker(const M& m, const U& u, double level, bool with_origins, const char* caller)
+      : m_(m), u_(u), level_(level), caller_(caller), with_origins_(with_origins), states_(level_states(m, u, level, caller)), cells_(crossed_polys(m, states_)) {}
 
   /// The level set by any way.
   level_surface_parts<M> make_general() const {
-    const crossed_volume_reader<M> crossed(m_, u_, cells_, level_);
+    const crossed_volume_reader<M> crossed(m_, u_, states_, cells_, level_);
     cell_cuts cuts(crossed.arrays, surface, caller_, crossed.poly_indices);
     level_surface_arrays made = level_polygons(cuts).make();
     level_surface_parts<M> parts;
-    for (const level_place& x : made.places) parts.places.push_back(crossed.mesh_point_of(m_, x));
+    for (const level_place& x : made.places) {
+      parts.places.push_back(crossed.mesh_point_of(m_, x));
+      if (with_origins_) parts.origins.add(std::span<const origin>(crossed.origins_of(x)));
+    }
     parts.verts = std::move(made.verts);
     parts.ends = std::move(made.ends);
     for (const std::uint32_t c : made.cells) parts.polys.push_back(cells_[c]);
@@ -71,7 +78,7 @@ class level_surface_maker {
       if (list.meets_verts) return false;
       for (const std::uint32_t c : list.difficult) difficult.push_back(cells_[c]), difficult_numbers.push_back(c);
     }
-    const crossed_volume_reader<M> others(m_, u_, std::move(difficult), level_);
+    const crossed_volume_reader<M> others(m_, u_, states_, std::move(difficult), level_);
     level_surface_arrays other_caps;
     if (!others.polys.empty()) {
       cell_cuts cuts(others.arrays, surface, caller_, others.poly_indices);
@@ -124,6 +131,18 @@ class level_surface_maker {
       if (numbers.is_edge(i)) parts.places[i] = on_edge(numbers.edges[i]);
     });
     for (const auto& [number, x] : inside) parts.places[number] = others.mesh_point_of(m_, x);
+    if (!with_origins_) return;
+    auto next = inside.begin();
+    for (std::size_t i = 0; i < numbers.edges.size(); ++i) {
+      if (numbers.is_edge(i)) add_origins(parts.places[i], parts.origins);
+      else parts.origins.add(std::span<const origin>(others.origins_of((next++)->second)));
+    }
+  }
+
+  void add_origins(const mesh_point<M>& x, element_origins& to) const {
+    const edge_point<M>& on_edge = std::get<edge_point<M>>(x.element);
+    const auto ends = end_verts(m_, on_edge.edge);
+    to.add({{static_cast<std::uint32_t>(index_of(m_, ends.first)), 1 - on_edge.parameter}, {static_cast<std::uint32_t>(index_of(m_, ends.second)), on_edge.parameter}});
   }
 
   mesh_point<M> on_edge(const edge_t<M>& e) const {

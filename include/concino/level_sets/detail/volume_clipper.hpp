@@ -1,6 +1,8 @@
 // Cuts a volume along a level set.
 #pragma once
 
+#include <concino/concepts/end_verts.hpp>
+#include <concino/core/large_pages.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/level_sets/clip_options.hpp>
 #include <concino/level_sets/detail/cell_parts.hpp>
@@ -28,12 +30,13 @@ class volume_clipper {
   std::vector<std::uint32_t> cut_;          // parts
   std::vector<std::uint32_t> face_number_;  // by index of the face in m
   std::vector<std::uint32_t> new_face_;     // by face of the parts
+  std::size_t num_faces_ = 0, num_corners_ = 0;  // of the faces of the result
   polyhedra_arrays a_;
   clipped_volume<M> result_;
 
  public:
   volume_clipper(const M& m, const U& u, double level, bool both, const char* caller)
-      : m_(m), level_(level), both_(both), states_(level_states(m, u, level, caller)), crossed_(m, u, crossed_polys(m, states_), level),
+      : m_(m), level_(level), both_(both), states_(level_states(m, u, level, caller)), crossed_(m, u, states_, crossed_polys(m, states_), level),
         cuts_(crossed_.arrays, surface, caller, crossed_.poly_indices), face_number_(face_index_bound(m), ~0u) {}
 
   clipped_volume<M> run(const clip_options& options, const char* caller) {
@@ -51,7 +54,7 @@ class volume_clipper {
     result_.mesh = polyhedralmesh(std::move(a_));
     report_progress(options.progress, 0.8, "clipping");
     list_poly_origins(parts);
-    list_edge_origins();
+    list_edge_origins(verts_of);
     if (options.properties) transfer_if_any(m_, result_.mesh, result_.from);
     report_progress(options.progress, 1, "clipping");
     return std::move(result_);
@@ -100,17 +103,25 @@ class volume_clipper {
           face_number_[parts.faces[f].origin] = 0;
           continue;
         }
+        if (new_face_[f] == ~0u) ++num_faces_, num_corners_ += parts.faces[f].last - parts.faces[f].first;
         new_face_[f] = 0;
         for (std::uint32_t j = parts.faces[f].first; j < parts.faces[f].last; ++j) verts_of.mark_place(parts.face_places[j]);
       }
-    for (const face_t<M> f : faces(m_))
-      if (face_number_[index_of(m_, f)] != ~0u)
-        for (const vert_t<M> v : adj_f2v(m_, f)) verts_of.mark(v);
+    for (const face_t<M> f : faces(m_)) {
+      if (face_number_[index_of(m_, f)] == ~0u) continue;
+      ++num_faces_;
+      for (const vert_t<M> v : adj_f2v(m_, f)) {
+        verts_of.mark(v);
+        ++num_corners_;
+      }
+    }
   }
 
   void build_faces(const cell_parts& parts, clip_verts<M, crossed_volume>& verts_of) {
-    verts_of.number([&](std::uint32_t v, double weight, std::vector<origin>& list) { crossed_.add_origins(v, weight, list); });
+    verts_of.number([&](const level_place& x) { return crossed_.origins_of(x); });
     std::uint32_t n = number_marked(m_, faces(m_), face_number_);
+    core::reserve_large(a_.face_offsets, num_faces_ + 1);
+    core::reserve_large(a_.face_verts, num_corners_);
     a_.face_offsets.push_back(0);
     const auto end_face = [&](std::uint32_t origin) {
       a_.face_offsets.push_back(static_cast<std::uint32_t>(a_.face_verts.size()));
@@ -136,6 +147,9 @@ class volume_clipper {
   }
 
   void build_polys(const cell_parts& parts) {
+    core::reserve_large(a_.poly_offsets, whole_.size() + cut_.size() + 1);
+    core::reserve_large(a_.poly_faces, 2 * num_faces_);
+    core::reserve_large(a_.outward, 2 * num_faces_);
     a_.poly_offsets.push_back(0);
     const auto end_poly = [&] { a_.poly_offsets.push_back(static_cast<std::uint32_t>(a_.poly_faces.size())); };
     for (const poly_t<M>& p : whole_) {
@@ -164,24 +178,39 @@ class volume_clipper {
     }
   }
 
-  /// Faces that are kept whole have the same edges in the same order; other edges follow from their verts.
-  void list_edge_origins() {
-    std::vector<origin> found(num_edges(result_.mesh), origin{element_origins::none, 0});
-    std::vector<unsigned char> is_known(found.size(), 0);
-    std::uint32_t n = 0;
-    for (const face_t<M> f : faces(m_)) {
-      if (face_number_[index_of(m_, f)] == ~0u) continue;
-      const auto& old_edges = adj_f2e(m_, f);
-      auto old = old_edges.begin();
-      for (const edge_id e : adj_f2e(result_.mesh, face_id{n++})) {
-        found[e.raw()] = {static_cast<std::uint32_t>(index_of(m_, *old)), 1};
-        is_known[e.raw()] = 1;
-        ++old;
+  /// Edges between two verts of m follow from the edges there, which are in about the same order in both meshes; others follow from their verts.
+  void list_edge_origins(const clip_verts<M, crossed_volume>& verts_of) {
+    std::vector<origin> found(num_edges(result_.mesh), origin{element_origins::none, 1});
+    std::vector<unsigned char> is_new(found.size(), 1);
+    struct old_edge {
+      vert_id to;
+      std::uint32_t index;
+    };
+    std::vector<old_edge> row;
+    for (const vert_t<M> v : verts(m_)) {
+      const vert_id from = verts_of.of(v);
+      if (from.is_none()) continue;
+      row.clear();
+      for (const edge_t<M> e : adj_v2e(m_, v)) {
+        const auto ends = end_verts(m_, e);
+        row.push_back({verts_of.of(ends.first == v ? ends.second : ends.first), static_cast<std::uint32_t>(index_of(m_, e))});
+      }
+      std::size_t at = 0;
+      for (const edge_id e : adj_v2e(result_.mesh, from)) {
+        const auto ends = end_verts(result_.mesh, e);
+        if (ends.first != from || !verts_of.is_old(ends.second)) continue;
+        is_new[e.raw()] = 0;
+        for (std::size_t k = 0; k < row.size(); ++k, ++at) {
+          if (at >= row.size()) at = 0;
+          if (row[at].to != ends.second) continue;
+          found[e.raw()].index = row[at].index;
+          break;
+        }
       }
     }
     const elements_by_index<vert_t<M>> by_index(m_, verts(m_), vert_index_bound(m_));
     for (const edge_id e : edges(result_.mesh))
-      if (!is_known[e.raw()]) found[e.raw()] = match_edge(m_, result_.mesh, result_.from.verts, by_index, e);
+      if (is_new[e.raw()]) found[e.raw()] = match_edge(m_, result_.mesh, result_.from.verts, by_index, e);
     result_.from.edges = single_origins(found);
   }
 };

@@ -275,10 +275,18 @@ CONCINO_INLINE bool property_set::has(element_kind kind) const {
 }
 
 CONCINO_INLINE void property_set::transfer(const property_set& source, const correspondence& c) {
+  transfer_kinds(source, c, {true, true, true, true, true, true});
+}
+CONCINO_INLINE void property_set::transfer_verts_and_polys(const property_set& source, const correspondence& c) {
+  transfer_kinds(source, c, {true, false, false, true, true, false});
+}
+
+CONCINO_INLINE void property_set::transfer_kinds(const property_set& source, const correspondence& c, const bool (&wanted)[6]) {
   const element_origins the_mesh(std::vector<std::uint32_t>{0u});
   const element_origins* const origins[] = {&c.verts, &c.edges, &c.faces, &c.polys, &the_mesh, &c.corners};
   std::vector<entry> all = entries_;
   for (const entry& e : source.entries_) {
+    if (!wanted[static_cast<unsigned>(e.kind)]) continue;
     auto values = std::make_shared<detail::column>(*e.values, *origins[static_cast<unsigned>(e.kind)]);
     std::size_t same = 0;
     while (same < all.size() && !(all[same].kind == e.kind && all[same].name == e.name)) ++same;
