@@ -40,7 +40,7 @@ std::vector<level_line<M>> find_isolines(const M& m, const U& u, const V& values
   check_vert_values(m, u, caller);
   for (const double level : sorted_levels(values, caller)) {
     const auto states = level_states(m, u, level, caller);
-    const crossed_surface_reader<M> crossed(m, u, states, crossed_polys(m, states));
+    const crossed_surface_reader<M> crossed(m, u, level, crossed_polys(m, states));
     const poly_cuts cuts(crossed.arrays, level);
     const level_lines joined = line_pieces(cuts).join();
     std::size_t k = 0;

@@ -28,10 +28,10 @@ class crossed_surface_reader {
   std::vector<edge_t<M>> edges;
 
   template<class U>
-  crossed_surface_reader(const M& m, const U& u, const core::flat_array<unsigned char>& states, std::vector<poly_t<M>> crossed) : polys(std::move(crossed)) {
+  crossed_surface_reader(const M& m, const U& u, double level, std::vector<poly_t<M>> crossed) : polys(std::move(crossed)) {
     for (const poly_t<M>& p : polys) {
       for (const auto& [e, from, to] : oriented_edges(m, p)) {
-        add_vert(m, u, states, from);
+        add_vert(m, u, level, from);
         add_edge(m, e);
       }
       arrays.first_corner.push_back(static_cast<std::uint32_t>(arrays.verts.size()));
@@ -56,7 +56,7 @@ class crossed_surface_reader {
 
  private:
   template<class U>
-  void add_vert(const M& m, const U& u, const core::flat_array<unsigned char>& states, const vert_t<M>& v) {
+  void add_vert(const M& m, const U& u, double level, const vert_t<M>& v) {
     const std::size_t index = index_of(m, v);
     const unsigned number = vert_numbers_.add(index);
     arrays.verts.push_back(number);
@@ -65,7 +65,7 @@ class crossed_surface_reader {
     arrays.vert_indices.push_back(static_cast<std::uint32_t>(index));
     arrays.points.push_back(to_vec3(point(m, v)));
     arrays.values.push_back(static_cast<double>(u[v]));
-    arrays.states.push_back(states[index]);
+    arrays.states.push_back(level_state(arrays.values.back(), level));
   }
   void add_edge(const M& m, const edge_t<M>& e) {
     const unsigned number = edge_numbers_.add(index_of(m, e));

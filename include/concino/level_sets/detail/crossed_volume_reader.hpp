@@ -29,11 +29,11 @@ class crossed_volume_reader {
   std::vector<face_t<M>> faces;  // by side
 
   template<class U>
-  crossed_volume_reader(const M& m, const U& u, const core::flat_array<unsigned char>& states, std::vector<poly_t<M>> crossed, double level)
+  crossed_volume_reader(const M& m, const U& u, double level, std::vector<poly_t<M>> crossed)
       : arrays(level, edge_index_bound(m)), polys(std::move(crossed)) {
     for (const poly_t<M>& p : polys) {
       poly_indices.push_back(static_cast<std::uint32_t>(index_of(m, p)));
-      for (const face_t<M> f : adj_p2f(m, p)) add_side(m, u, states, p, f);
+      for (const face_t<M> f : adj_p2f(m, p)) add_side(m, u, p, f);
       arrays.end_cell();
     }
   }
@@ -78,7 +78,7 @@ class crossed_volume_reader {
 
  private:
   template<class U>
-  void add_side(const M& m, const U& u, const core::flat_array<unsigned char>& states, const poly_t<M>& p, const face_t<M>& f) {
+  void add_side(const M& m, const U& u, const poly_t<M>& p, const face_t<M>& f) {
     for (const auto& [e, from, to] : oriented_edges(m, f)) {
       const std::size_t index = index_of(m, from);
       const std::uint32_t number = arrays.number_of_vert(index);
@@ -89,7 +89,7 @@ class crossed_volume_reader {
       arrays.verts.push_back(number);
       const std::size_t edge_index = index_of(m, e);
       arrays.edges.push_back(static_cast<std::uint32_t>(edge_index));
-      const bool is_crossed = (states[index] == below_level) != (states[index_of(m, to)] == below_level);
+      const bool is_crossed = (arrays.states[number] == below_level) != (static_cast<double>(u[to]) < arrays.level());
       if (is_crossed && edge_numbers_.add(edge_index) == edges.size()) edges.push_back(e);
     }
     unsigned char n = 0;

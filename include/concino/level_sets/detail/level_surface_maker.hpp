@@ -45,7 +45,7 @@ class level_surface_maker {
 
   /// The level set by any way.
   level_surface_parts<M> make_general() const {
-    const crossed_volume_reader<M> crossed(m_, u_, states_, cells_, level_);
+    const crossed_volume_reader<M> crossed(m_, u_, level_, cells_);
     cell_cuts cuts(crossed.arrays, surface, caller_, crossed.poly_indices);
     level_surface_arrays made = level_polygons(cuts).make();
     level_surface_parts<M> parts;
@@ -78,7 +78,7 @@ class level_surface_maker {
       if (list.meets_verts) return false;
       for (const std::uint32_t c : list.difficult) difficult.push_back(cells_[c]), difficult_numbers.push_back(c);
     }
-    const crossed_volume_reader<M> others(m_, u_, states_, std::move(difficult), level_);
+    const crossed_volume_reader<M> others(m_, u_, level_, std::move(difficult));
     level_surface_arrays other_caps;
     if (!others.polys.empty()) {
       cell_cuts cuts(others.arrays, surface, caller_, others.poly_indices);

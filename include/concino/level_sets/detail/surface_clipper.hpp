@@ -28,7 +28,7 @@ class surface_clipper {
 
  public:
   surface_clipper(const M& m, const U& u, double level, bool both, const char* caller)
-      : m_(m), level_(level), both_(both), states_(level_states(m, u, level, caller)), crossed_(m, u, states_, crossed_polys(m, states_)),
+      : m_(m), level_(level), both_(both), states_(level_states(m, u, level, caller)), crossed_(m, u, level, crossed_polys(m, states_)),
         cuts_(crossed_.arrays, level) {}
 
   clipped_surface<M> run(const clip_options& options, const char* caller) {

@@ -36,7 +36,7 @@ class volume_clipper {
 
  public:
   volume_clipper(const M& m, const U& u, double level, bool both, const char* caller)
-      : m_(m), level_(level), both_(both), states_(level_states(m, u, level, caller)), crossed_(m, u, states_, crossed_polys(m, states_), level),
+      : m_(m), level_(level), both_(both), states_(level_states(m, u, level, caller)), crossed_(m, u, level, crossed_polys(m, states_)),
         cuts_(crossed_.arrays, surface, caller, crossed_.poly_indices), face_number_(face_index_bound(m), ~0u) {}
 
   clipped_volume<M> run(const clip_options& options, const char* caller) {
