@@ -39,8 +39,8 @@ double cut_measure_above(const M& m, const U& u, double level, std::vector<poly_
 /// The area of a surface, or the volume of a volume, between consecutive values of a function of its verts.
 /// Needs:  EmbeddedMesh; u[v] is a number for each vert; two values or more, which are sorted.
 /// Result: of the values a, b, c: the measures of {a <= u < b} and {b <= u <= c}; equal values count once. They are differences of the measures of
-///         clip(m, u, a), clip(m, u, b) ..., and continuous in the values on triangles and tets; on other polys they may jump where a value passes that of a
-///         vert, or the mean of the values at a face. Units of measure(m, p).
+///         clip(m, u, a), clip(m, u, b) ... On triangles and tets they are continuous in the values; on other polys they may jump where a value passes
+///         that of a vert, or the mean of the values at a face. Units of measure(m, p).
 /// Cost:   O(verts + polys), and O(n log n) for n polys that are cut, at each value by which they are cut.
 /// Errors: invalid_argument if a value is NaN, naming the vert, if u is a map of another mesh, or if there are fewer than two values. unsupported as
 ///         isosurface.

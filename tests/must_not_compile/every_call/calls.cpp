@@ -6,6 +6,7 @@
 #include <concino/geometry.hpp>
 #include <concino/graph.hpp>
 #include <concino/io.hpp>
+#include <concino/level_sets.hpp>
 #include <concino/mesh.hpp>
 #include <concino/operators.hpp>
 #include <concino/quality.hpp>
@@ -66,6 +67,12 @@ void no_adapter(const stranger& other) {
   cn::total_measure(other);  // refused
   cn::quality(other);  // refused
   cn::worst(other);  // refused
+  cn::isolines(other);  // refused
+  cn::isosurface(other);  // refused
+  cn::slice(other);  // refused
+  cn::clip(other);  // refused
+  cn::split(other);  // refused
+  cn::measure_between(other);  // refused
   cn::decimate(other, {});  // refused
   cn::adaptive_size(other, {});  // refused
   cn::remesh(other, {});  // refused
@@ -226,6 +233,22 @@ void no_points(const cn::trimesh& m) {
   cn::prepare_heat_geodesics(pure);  // refused
   cn::heat_geodesics(pure);  // refused
   cn::convert_with_correspondence<cn::polygonmesh>(pure);  // refused
+  cn::isolines(pure);  // refused
+  cn::isosurface(pure);  // refused
+  cn::slice(pure);  // refused
+  cn::clip(pure);  // refused
+  cn::split(pure);  // refused
+  cn::measure_between(pure);  // refused
+}
+
+// Level sets of what is not a number at each vert.
+void no_values(const cn::trimesh& m, const cn::tetmesh& t) {
+  const auto colours = cn::make_vert_map<cn::vec3>(m);
+  cn::isolines(m, colours, 0.5);  // refused
+  cn::isosurface(t, colours, 0.5);  // refused
+  cn::clip(m, colours, 0.5);  // refused
+  cn::split(m, colours, 0.5);  // refused
+  cn::measure_between(m, colours, {0.0, 1.0});  // refused
 }
 
 // A graph, for which no discretisation is the default.

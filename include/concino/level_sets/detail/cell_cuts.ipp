@@ -9,7 +9,7 @@
 namespace concino::detail {
 
 CONCINO_INLINE cell_cuts::cell_cuts(const crossed_volume& v, cells_are surface, const char* caller, const std::vector<std::uint32_t>& cell_indices) : v_(v) {
-  number_sides();
+  number_facets();
   mates_.resize(v_.num_corners());
   cell_vert_.resize(v_.num_corners());
   seen_in_.assign(v_.points.size(), none);
@@ -24,22 +24,22 @@ CONCINO_INLINE cell_cuts::cell_cuts(const crossed_volume& v, cells_are surface, 
   find_loops();
 }
 
-CONCINO_INLINE void cell_cuts::number_sides() {
-  cell_of_.resize(v_.num_sides());
-  side_of_.resize(v_.num_corners());
+CONCINO_INLINE void cell_cuts::number_facets() {
+  cell_of_.resize(v_.num_facets());
+  facet_of_.resize(v_.num_corners());
   for (std::uint32_t c = 0; c < v_.num_cells(); ++c)
-    for (std::uint32_t s = v_.first_side[c]; s < v_.first_side[c + 1]; ++s) {
+    for (std::uint32_t s = v_.first_facet[c]; s < v_.first_facet[c + 1]; ++s) {
       cell_of_[s] = c;
-      for (std::uint32_t k = v_.first_corner[s]; k < v_.first_corner[s + 1]; ++k) side_of_[k] = s;
+      for (std::uint32_t k = v_.first_corner[s]; k < v_.first_corner[s + 1]; ++k) facet_of_[k] = s;
     }
 }
 
-/// Pairs the two uses of each edge by the sides of a cell, and numbers its verts. Returns false if its surface is not a sphere.
+/// Pairs the two uses of each edge by the facets of a cell, and numbers its verts. Returns false if its surface is not a sphere.
 CONCINO_INLINE bool cell_cuts::find_mates(std::uint32_t cell, cells_are surface) {
   surface_.clear();
-  const std::uint32_t first = v_.first_corner[v_.first_side[cell]];
+  const std::uint32_t first = v_.first_corner[v_.first_facet[cell]];
   std::size_t num_verts = 0;
-  for (std::uint32_t s = v_.first_side[cell]; s < v_.first_side[cell + 1]; ++s) {
+  for (std::uint32_t s = v_.first_facet[cell]; s < v_.first_facet[cell + 1]; ++s) {
     for (std::uint32_t k = v_.first_corner[s]; k < v_.first_corner[s + 1]; ++k) {
       const std::uint32_t v = v_.verts[k];
       surface_.add_corner(v);
@@ -51,7 +51,7 @@ CONCINO_INLINE bool cell_cuts::find_mates(std::uint32_t cell, cells_are surface)
       }
       cell_vert_[k] = number_in_cell_[v];
     }
-    surface_.end_side(v_.outward[s]);
+    surface_.end_facet(v_.outward[s]);
   }
   if (!surface_.find_mates() || (surface == cells_are::unknown && !surface_.is_sphere(num_verts))) return false;
   for (std::uint32_t k = 0; k < surface_.mates().size(); ++k) mates_[first + k] = first + surface_.mates()[k];
@@ -59,9 +59,9 @@ CONCINO_INLINE bool cell_cuts::find_mates(std::uint32_t cell, cells_are surface)
 }
 
 CONCINO_INLINE void cell_cuts::find_twins() {
-  twins_.assign(v_.num_sides(), none);
+  twins_.assign(v_.num_facets(), none);
   std::vector<std::uint64_t> order;
-  for (std::uint32_t s = 0; s < v_.num_sides(); ++s)
+  for (std::uint32_t s = 0; s < v_.num_facets(); ++s)
     if (v_.num_polys[s] == 2) order.push_back(std::uint64_t{v_.faces[s]} << 32 | s);
   core::sort_numbers(order.data(), order.data() + order.size());
   for (std::size_t i = 1; i < order.size(); ++i)
@@ -73,18 +73,18 @@ CONCINO_INLINE void cell_cuts::find_twins() {
 
 CONCINO_INLINE void cell_cuts::find_chords() {
   chord_at_.assign(v_.num_corners(), none);
-  for (std::uint32_t s = 0; s < v_.num_sides(); ++s) {
+  for (std::uint32_t s = 0; s < v_.num_facets(); ++s) {
     first_chord_.push_back(static_cast<std::uint32_t>(chords_.size()));
     const std::uint32_t twin = twins_[s];
     if (twin >= s) {
       find_chords_of(s);
       continue;
     }
-    // The other side of the face has been crossed already: corner after corner the same.
+    // The other facet of the face has been crossed already: corner after corner the same.
     const std::uint32_t from = first_chord_[twin], to = first_chord_[twin + 1], shift = v_.first_corner[s] - v_.first_corner[twin];
     for (std::uint32_t i = from; i < to; ++i) {
       chord c = chords_[i];
-      c.side = s;
+      c.facet = s;
       c.from += shift, c.to += shift;
       chord_at_[c.from] = chord_at_[c.to] = static_cast<std::uint32_t>(chords_.size());
       chords_.push_back(c);
@@ -93,8 +93,8 @@ CONCINO_INLINE void cell_cuts::find_chords() {
   first_chord_.push_back(static_cast<std::uint32_t>(chords_.size()));
 }
 
-CONCINO_INLINE void cell_cuts::find_chords_of(std::uint32_t side) {
-  const std::uint32_t first = v_.first_corner[side], last = v_.first_corner[side + 1];
+CONCINO_INLINE void cell_cuts::find_chords_of(std::uint32_t facet) {
+  const std::uint32_t first = v_.first_corner[facet], last = v_.first_corner[facet + 1];
   unsigned char joint = 0;
   for (std::uint32_t k = first; k < last; ++k) joint |= v_.states[v_.verts[k]];
   if (!is_crossed(joint)) return;
@@ -112,7 +112,7 @@ CONCINO_INLINE void cell_cuts::find_chords_of(std::uint32_t side) {
   for (const crossed_diagonal& d : crossings_.inner()) inner_.push_back({v_.verts[first + d.below], v_.verts[first + d.above]});
   for (const level_chord& c : crossings_.chords()) {
     chord_at_[first + c.from] = chord_at_[first + c.to] = static_cast<std::uint32_t>(chords_.size());
-    chords_.push_back({first + c.from, first + c.to, inner + c.inner_begin, inner + c.inner_end, side});
+    chords_.push_back({first + c.from, first + c.to, inner + c.inner_begin, inner + c.inner_end, facet});
   }
 }
 
@@ -143,14 +143,14 @@ CONCINO_INLINE void cell_cuts::find_loops() {
       chords_[at].loop = number;
       loop_chords_.push_back(at);
     }
-    loops_.push_back({first, static_cast<std::uint32_t>(loop_chords_.size()), cell_of_[chords_[i].side], cuts});
+    loops_.push_back({first, static_cast<std::uint32_t>(loop_chords_.size()), cell_of_[chords_[i].facet], cuts});
   }
 }
 
 /// A chord that crosses between two cells has the same number among those of both sides.
-CONCINO_INLINE bool cell_cuts::is_active(std::uint32_t chord) const {
-  const std::uint32_t side = chords_[chord].side, twin = twins_[side];
-  return loops_[chords_[chord].loop].cuts || (twin != none && loops_[chords_[chord - first_chord_[side] + first_chord_[twin]].loop].cuts);
+CONCINO_INLINE bool cell_cuts::is_active(std::uint32_t number) const {
+  const std::uint32_t facet = chords_[number].facet, twin = twins_[facet];
+  return loops_[chords_[number].loop].cuts || (twin != none && loops_[chords_[number - first_chord_[facet] + first_chord_[twin]].loop].cuts);
 }
 
 CONCINO_INLINE level_place cell_cuts::place_between(level_place::kind_type kind, std::uint32_t element, std::uint32_t below, std::uint32_t above) const {

@@ -65,8 +65,8 @@ class cell_parts {
   void add_place(const level_place& x) { polygon_.push_back(numbers_.add(x)); }
   void add_crossing_if_added(std::uint32_t corner);
   void add_chord(std::uint32_t chord, bool forward);
-  void add_sides();
-  void add_side(std::uint32_t side, std::vector<unsigned char>& is_done);
+  void add_facets();
+  void add_facet(std::uint32_t facet, std::vector<unsigned char>& is_done);
   void add_fan(std::uint32_t fan);
   void add_piece(std::uint32_t corner, std::uint32_t face_index, bool is_whole);
   void add_caps();

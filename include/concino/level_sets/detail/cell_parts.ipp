@@ -14,7 +14,7 @@ CONCINO_INLINE cell_parts::cell_parts(cell_cuts& cuts) : cuts_(cuts), v_(cuts.vo
   moved_verts = remove_flat_parts(cuts_);
   join_regions();
   find_added_edges();
-  add_sides();
+  add_facets();
   add_caps();
   merge_equal_faces();
   list_parts();
@@ -58,33 +58,33 @@ CONCINO_INLINE void cell_parts::add_chord(std::uint32_t chord, bool forward) {
   const cell_cuts::chord& c = cuts_.chords()[chord];
   const std::uint32_t n = c.inner_end - c.inner_begin;
   add_place(cuts_.crossing(forward ? c.from : c.to));
-  for (std::uint32_t k = 0; k < n; ++k) add_place(cuts_.crossing(c.side, cuts_.inner()[forward ? c.inner_begin + k : c.inner_end - 1 - k]));
+  for (std::uint32_t k = 0; k < n; ++k) add_place(cuts_.crossing(c.facet, cuts_.inner()[forward ? c.inner_begin + k : c.inner_end - 1 - k]));
   add_place(cuts_.crossing(forward ? c.to : c.from));
 }
 
 /// Adds the parts of each face once, for the cells on both sides of it.
-CONCINO_INLINE void cell_parts::add_sides() {
+CONCINO_INLINE void cell_parts::add_facets() {
   std::vector<unsigned char> is_done(v_.num_corners(), 0);
-  for (std::uint32_t s = 0; s < v_.num_sides(); ++s) {
+  for (std::uint32_t s = 0; s < v_.num_facets(); ++s) {
     if (const std::uint32_t fan = v_.fan_of[s]; fan != none) {
       const crossed_volume::fan& f = v_.fans[fan];
       bool any = false;
-      for (std::uint32_t i = cuts_.first_chord(f.first_side); i < cuts_.first_chord(f.last_side); ++i) any = any || cuts_.is_active(i);
+      for (std::uint32_t i = cuts_.first_chord(f.first_facet); i < cuts_.first_chord(f.last_facet); ++i) any = any || cuts_.is_active(i);
       if (!any) {
-        if (s == f.first_side) add_fan(fan);
+        if (s == f.first_facet) add_fan(fan);
         continue;
       }
     }
-    if (cuts_.twin(s) >= s) add_side(s, is_done);
+    if (cuts_.twin(s) >= s) add_facet(s, is_done);
   }
 }
 
-CONCINO_INLINE void cell_parts::add_side(std::uint32_t side, std::vector<unsigned char>& is_done) {
-  const std::uint32_t first = v_.first_corner[side], last = v_.first_corner[side + 1];
+CONCINO_INLINE void cell_parts::add_facet(std::uint32_t facet, std::vector<unsigned char>& is_done) {
+  const std::uint32_t first = v_.first_corner[facet], last = v_.first_corner[facet + 1];
   for (std::uint32_t corner = first; corner < last; ++corner) {
     if (is_done[corner]) continue;
     polygon_.clear();
-    bool is_whole = v_.fan_of[side] == none;
+    bool is_whole = v_.fan_of[facet] == none;
     for (std::uint32_t k = corner; !is_done[k];) {
       is_done[k] = 1;
       const std::uint32_t v = v_.verts[k], chord = cuts_.chord_at(k);
@@ -101,7 +101,7 @@ CONCINO_INLINE void cell_parts::add_side(std::uint32_t side, std::vector<unsigne
       add_chord(chord, c.from == k);
       k = cuts_.next(c.from == k ? c.to : c.from);
     }
-    add_piece(corner, v_.faces[side], is_whole);
+    add_piece(corner, v_.faces[facet], is_whole);
   }
 }
 
@@ -110,27 +110,27 @@ CONCINO_INLINE void cell_parts::add_fan(std::uint32_t fan) {
   const crossed_volume::fan& f = v_.fans[fan];
   polygon_.clear();
   bool is_whole = true;
-  for (std::uint32_t s = f.first_side; s < f.last_side; ++s) {
+  for (std::uint32_t s = f.first_facet; s < f.last_facet; ++s) {
     const std::uint32_t corner = v_.first_corner[s], v = v_.verts[corner];
     add_place({level_place::vert, v, v, v});
     const std::size_t before = polygon_.size();
     add_crossing_if_added(corner);
     is_whole = is_whole && polygon_.size() == before;
   }
-  add_piece(v_.first_corner[f.first_side], v_.faces[f.first_side], is_whole);
+  add_piece(v_.first_corner[f.first_facet], v_.faces[f.first_facet], is_whole);
 }
 
 /// Adds the current polygon as a face of the part at a corner, and of the part on the other side.
 CONCINO_INLINE void cell_parts::add_piece(std::uint32_t corner, std::uint32_t face_index, bool is_whole) {
-  const std::uint32_t side = cuts_.side_of(corner), twin = cuts_.twin(side), part = part_at(corner);
-  const std::uint32_t other = twin == none ? none : part_at(corner - v_.first_corner[side] + v_.first_corner[twin]);
+  const std::uint32_t facet = cuts_.facet_of(corner), twin = cuts_.twin(facet), here = part_at(corner);
+  const std::uint32_t across = twin == none ? none : part_at(corner - v_.first_corner[facet] + v_.first_corner[twin]);
   // A cell across that is not crossed is above if it has a vert above.
-  const bool above_across = other != none ? is_above_[other] != 0 : v_.states[v_.verts[corner]] != below_level;
-  const bool is_cut = v_.num_polys[side] == 2 && above_across != (is_above_[part] != 0);
+  const bool above_across = across != none ? is_above_[across] != 0 : v_.states[v_.verts[corner]] != below_level;
+  const bool is_cut = v_.num_polys[facet] == 2 && above_across != (is_above_[here] != 0);
   const auto first = static_cast<std::uint32_t>(faces.size()), n = add_faces(face_index, is_whole, is_cut);
   for (std::uint32_t i = first; i < first + n; ++i) {
-    uses_.push_back({part, i, v_.outward[side] != 0});
-    if (other != none) uses_.push_back({other, i, v_.outward[twin] != 0});
+    uses_.push_back({here, i, v_.outward[facet] != 0});
+    if (across != none) uses_.push_back({across, i, v_.outward[twin] != 0});
   }
 }
 
@@ -225,7 +225,7 @@ CONCINO_INLINE int cell_parts::compare_places(const face& a, const face& b) cons
   return same ? 1 : opposite ? -1 : 0;
 }
 
-/// Lists the faces of each part. A face that a part uses twice, from both sides, is not one of its faces; a part without faces has no inside.
+/// Lists the faces of each part. A face that a part uses twice, from both facets, is not one of its faces; a part without faces has no inside.
 CONCINO_INLINE void cell_parts::list_parts() {
   std::vector<std::uint64_t> order;
   for (std::uint32_t i = 0; i < uses_.size(); ++i) order.push_back(std::uint64_t{uses_[i].part} << 32 | i);
@@ -233,7 +233,7 @@ CONCINO_INLINE void cell_parts::list_parts() {
   std::vector<use> of_part;
   std::size_t i = 0;
   std::vector<std::uint32_t> cell_of_vert(cuts_.num_cell_verts());
-  for (std::uint32_t k = 0; k < v_.num_corners(); ++k) cell_of_vert[cuts_.number_in_cells(k)] = cuts_.cell_of(cuts_.side_of(k));
+  for (std::uint32_t k = 0; k < v_.num_corners(); ++k) cell_of_vert[cuts_.number_in_cells(k)] = cuts_.cell_of(cuts_.facet_of(k));
   while (i < order.size()) {
     const auto root = static_cast<std::uint32_t>(order[i] >> 32);
     of_part.clear();

@@ -1,4 +1,4 @@
-// The surface of a cell: which sides meet at each edge, and whether it is a sphere.
+// The surface of a cell: which facets meet at each edge, and whether it is a sphere.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -10,22 +10,22 @@
 
 namespace concino::detail {
 
-/// Reads the sides of one cell after another and reuses its memory. Edges are known by their verts.
+/// Reads the facets of one cell after another and reuses its memory. Edges are known by their verts.
 class cell_surface {
   static constexpr std::uint32_t none = ~0u;
 
   std::vector<std::uint32_t> verts_;     // by corner
-  std::vector<std::uint32_t> ends_;      // by side: where its corners end
-  std::vector<unsigned char> outward_;   // by side
+  std::vector<std::uint32_t> ends_;      // by facet: where its corners end
+  std::vector<unsigned char> outward_;   // by facet
   std::vector<std::uint64_t> edges_;     // by corner: the two verts of the edge to the next corner, the smaller one first
-  std::vector<std::uint32_t> sides_;     // by corner
+  std::vector<std::uint32_t> facets_;     // by corner
   std::vector<std::uint32_t> mates_, slots_;
   disjoint_sets pieces_;
 
  public:
   void clear() { verts_.clear(), ends_.clear(), outward_.clear(); }
   void add_corner(std::uint32_t vert) { verts_.push_back(vert); }
-  void end_side(bool is_outward) {
+  void end_facet(bool is_outward) {
     ends_.push_back(static_cast<std::uint32_t>(verts_.size()));
     outward_.push_back(is_outward);
   }
@@ -33,11 +33,11 @@ class cell_surface {
   /// The n corners that were added last.
   const std::uint32_t* last_corners(std::size_t n) const { return verts_.data() + (verts_.size() - n); }
 
-  /// Whether each edge is used twice, in opposite directions if sides are seen from outside. Then mates() has the other use of each edge.
+  /// Whether each edge is used twice, in opposite directions if facets are seen from outside. Then mates() has the other use of each edge.
   bool find_mates();
   const std::vector<std::uint32_t>& mates() const { return mates_; }
 
-  /// Whether the sides form one closed oriented surface without handles that does not touch itself, after find_mates() was true.
+  /// Whether the facets form one closed oriented surface without handles that does not touch itself, after find_mates() was true.
   bool is_sphere(std::size_t num_verts);
   /// The same without find_mates(), if the number of edges is known.
   bool is_sphere(std::size_t num_verts, std::size_t num_edges);

@@ -8,13 +8,13 @@
 namespace concino::detail {
 
 CONCINO_INLINE void cell_surface::list_edges() {
-  edges_.clear(), sides_.clear();
+  edges_.clear(), facets_.clear();
   std::uint32_t first = 0;
-  for (std::uint32_t side = 0; side < ends_.size(); first = ends_[side++])
-    for (std::uint32_t k = first; k < ends_[side]; ++k) {
-      const std::uint32_t a = verts_[k], b = verts_[k + 1 < ends_[side] ? k + 1 : first];
+  for (std::uint32_t facet = 0; facet < ends_.size(); first = ends_[facet++])
+    for (std::uint32_t k = first; k < ends_[facet]; ++k) {
+      const std::uint32_t a = verts_[k], b = verts_[k + 1 < ends_[facet] ? k + 1 : first];
       edges_.push_back(a < b ? std::uint64_t{a} << 32 | b : std::uint64_t{b} << 32 | a);
-      sides_.push_back(side);
+      facets_.push_back(facet);
     }
 }
 
@@ -45,23 +45,23 @@ CONCINO_INLINE bool cell_surface::find_mates() {
       continue;
     }
     const bool same_way = verts_[slot] == verts_[k];
-    if (mates_[slot] != none || same_way == (outward_[sides_[slot]] == outward_[sides_[k]])) return false;
+    if (mates_[slot] != none || same_way == (outward_[facets_[slot]] == outward_[facets_[k]])) return false;
     mates_[slot] = k, mates_[k] = slot;
   }
   return std::find(mates_.begin(), mates_.end(), none) == mates_.end();
 }
 
-/// Whether all sides are connected across edges, after find_mates().
+/// Whether all facets are connected across edges, after find_mates().
 CONCINO_INLINE bool cell_surface::are_connected() {
   pieces_ = disjoint_sets(ends_.size());
   std::size_t num_pieces = ends_.size();
   for (std::uint32_t k = 0; k < verts_.size(); ++k)
-    if (mates_[k] > k) num_pieces -= pieces_.unite(sides_[k], sides_[mates_[k]]);
+    if (mates_[k] > k) num_pieces -= pieces_.unite(facets_[k], facets_[mates_[k]]);
   return num_pieces == 1;
 }
 
-/// Edges have two sides each. So the sides form closed surfaces, whose Euler characteristics sum to V - E + F plus one for each additional fan of sides at a
-/// vert. One surface has at most 2, and 2 only if it is a sphere that does not touch itself. Two surfaces have at least 8 sides: a tetrahedron has 4, and a torus 7.
+/// Edges have two facets each. So the facets form closed surfaces, whose Euler characteristics sum to V - E + F plus one for each additional fan of facets at a
+/// vert. One surface has at most 2, and 2 only if it is a sphere that does not touch itself. Two surfaces have at least 8 facets: a tetrahedron has 4, and a torus 7.
 CONCINO_INLINE bool cell_surface::is_sphere(std::size_t num_verts) {
   return num_verts + ends_.size() == verts_.size() / 2 + 2 && (ends_.size() < 8 || are_connected());
 }
@@ -73,14 +73,14 @@ CONCINO_INLINE bool cell_surface::is_sphere(std::size_t num_verts, std::size_t n
   if (ends_.size() >= 8) return find_mates() && are_connected();
   std::uint64_t sum = 0;
   std::uint32_t first = 0;
-  for (std::uint32_t side = 0; side < ends_.size(); first = ends_[side++]) {
-    std::uint64_t of_side = 0, a = verts_[ends_[side] - 1];
-    for (std::uint32_t k = first; k < ends_[side]; ++k) {
+  for (std::uint32_t facet = 0; facet < ends_.size(); first = ends_[facet++]) {
+    std::uint64_t of_facet = 0, a = verts_[ends_[facet] - 1];
+    for (std::uint32_t k = first; k < ends_[facet]; ++k) {
       const std::uint64_t b = verts_[k], hash = ((a < b ? a << 32 | b : b << 32 | a) + 1) * 0x9e3779b97f4a7c15u, mixed = (hash ^ hash >> 31) * 0xbf58476d1ce4e5b9u;
-      of_side += a < b ? mixed : std::uint64_t{0} - mixed;
+      of_facet += a < b ? mixed : std::uint64_t{0} - mixed;
       a = b;
     }
-    sum += outward_[side] ? of_side : std::uint64_t{0} - of_side;
+    sum += outward_[facet] ? of_facet : std::uint64_t{0} - of_facet;
   }
   return sum == 0;
 }

@@ -64,7 +64,7 @@ class clip_verts {
       number_of_place_[i] = n++;
       const level_place& x = places_[i];
       const double t = x.kind == level_place::vert ? 1 : crossing_parameter(crossed_.values[x.below], crossed_.values[x.above], level_);
-      points.push_back(point_between(crossed_.points[x.below], crossed_.points[x.above], t));
+      points.push_back(crossing_point(crossed_.points[x.below], crossed_.points[x.above], t));
       origins.add(std::span<const origin>(origins_of(x)));
     }
   }

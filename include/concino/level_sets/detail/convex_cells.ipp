@@ -10,7 +10,7 @@ namespace concino::detail {
 
 CONCINO_INLINE bool is_convex_cell(const crossed_volume& v, std::uint32_t cell) {
   std::vector<std::uint32_t> verts;
-  for (std::uint32_t k = v.first_corner[v.first_side[cell]]; k < v.first_corner[v.first_side[cell + 1]]; ++k)
+  for (std::uint32_t k = v.first_corner[v.first_facet[cell]]; k < v.first_corner[v.first_facet[cell + 1]]; ++k)
     if (v.vert_indices[v.verts[k]] != v.none) verts.push_back(v.verts[k]);
   std::sort(verts.begin(), verts.end());
   verts.erase(std::unique(verts.begin(), verts.end()), verts.end());
@@ -30,11 +30,11 @@ CONCINO_INLINE bool is_convex_cell(const crossed_volume& v, std::uint32_t cell) 
       return std::find(first, last, x) == last && dot(v.points[x] - origin - mean, normal) > tolerance;
     });
   };
-  for (std::uint32_t s = v.first_side[cell]; s < v.first_side[cell + 1]; ++s) {
+  for (std::uint32_t s = v.first_facet[cell]; s < v.first_facet[cell + 1]; ++s) {
     const std::uint32_t fan = v.fan_of[s];
     if (fan == v.none) {
       if (is_outside(v.verts.data() + v.first_corner[s], v.verts.data() + v.first_corner[s + 1], v.outward[s] != 0)) return false;
-    } else if (s == v.fans[fan].first_side) {
+    } else if (s == v.fans[fan].first_facet) {
       if (is_outside(v.whole_verts.data() + v.fans[fan].first_corner, v.whole_verts.data() + v.fans[fan].last_corner, v.outward[s] != 0)) return false;
     }
   }

@@ -41,7 +41,7 @@ class crossed_surface_reader {
   mesh_point<M> mesh_point_of(const M& m, const level_place& x, double level) const {
     if (x.kind == level_place::vert) return {verts[x.above], arrays.points[x.above]};
     const double t = crossing_parameter(arrays.values[x.below], arrays.values[x.above], level);
-    const vec3 position = point_between(arrays.points[x.below], arrays.points[x.above], t);
+    const vec3 position = crossing_point(arrays.points[x.below], arrays.points[x.above], t);
     if (x.kind == level_place::inside) return {polys[x.element], position};
     const edge_t<M>& e = edges[x.element];
     return {edge_point<M>{e, end_verts(m, e).first == verts[x.below] ? t : 1 - t}, position};

@@ -17,27 +17,27 @@ CONCINO_INLINE void crossed_volume::add_vert(std::uint32_t index, const vec3& x,
   states.push_back(level_state(value, level_));
 }
 
-CONCINO_INLINE void crossed_volume::push_side(std::uint32_t face, bool is_outward, unsigned char polys, std::uint32_t fan) {
+CONCINO_INLINE void crossed_volume::push_facet(std::uint32_t face, bool is_outward, unsigned char polys, std::uint32_t fan_number) {
   faces.push_back(face);
   outward.push_back(is_outward);
   num_polys.push_back(polys);
-  fan_of.push_back(fan);
+  fan_of.push_back(fan_number);
   first_corner.push_back(num_corners());
 }
 
-CONCINO_INLINE void crossed_volume::end_side(std::uint32_t face, bool is_outward, unsigned char polys) {
+CONCINO_INLINE void crossed_volume::end_facet(std::uint32_t face, bool is_outward, unsigned char polys) {
   const std::uint32_t first = first_corner.back(), n = num_corners() - first;
   if (polys != 2 && n > 3) {
     unsigned char joint = 0;
     for (std::uint32_t c = first; c < first + n; ++c) joint |= states[verts[c]];
-    side_points_.clear();
-    for (std::uint32_t c = first; c < first + n; ++c) side_points_.push_back(points[verts[c]]);
-    if (is_crossed(joint) && !is_planar_polygon(side_points_)) {
+    facet_points_.clear();
+    for (std::uint32_t c = first; c < first + n; ++c) facet_points_.push_back(points[verts[c]]);
+    if (is_crossed(joint) && !is_planar_polygon(facet_points_)) {
       replace_by_fan(face, is_outward, polys);
       return;
     }
   }
-  push_side(face, is_outward, polys, none);
+  push_facet(face, is_outward, polys, none);
 }
 
 /// The number of the centre of a face with these corners in whole_verts.
@@ -51,7 +51,7 @@ CONCINO_INLINE std::uint32_t crossed_volume::centre_of(std::uint32_t face, std::
     mean += (points[whole_verts[c]] - points[whole_verts[first]]) / n;
     value += values[whole_verts[c]] / n;
   }
-  centres.push_back({static_cast<std::uint32_t>(vert_indices.size()), static_cast<std::uint32_t>(next_edge_), num_sides()});
+  centres.push_back({static_cast<std::uint32_t>(vert_indices.size()), static_cast<std::uint32_t>(next_edge_), num_facets()});
   next_edge_ += last - first;
   numbers_.add(~std::size_t{0} - face);  // no vert of the mesh has this index
   add_vert(none, points[whole_verts[first]] + mean, std::isnan(value) ? level_ : value);
@@ -64,13 +64,13 @@ CONCINO_INLINE void crossed_volume::replace_by_fan(std::uint32_t face, bool is_o
   whole_edges.insert(whole_edges.end(), edges.begin() + first, edges.end());
   verts.resize(first), edges.resize(first);
   const centre to = centres[centre_of(face, whole, whole + n)];
-  const std::uint32_t fan_number = static_cast<std::uint32_t>(fans.size()), side = num_sides();
-  fans.push_back({side, side + n, whole, whole + n});
+  const std::uint32_t fan_number = static_cast<std::uint32_t>(fans.size()), facet = num_facets();
+  fans.push_back({facet, facet + n, whole, whole + n});
   for (std::uint32_t k = 0; k < n; ++k) {
     const std::uint32_t next = k + 1 < n ? k + 1 : 0;
     verts.insert(verts.end(), {whole_verts[whole + k], whole_verts[whole + next], to.vert});
     edges.insert(edges.end(), {whole_edges[whole + k], to.first_edge + next, to.first_edge + k});
-    push_side(face, is_outward, polys, fan_number);
+    push_facet(face, is_outward, polys, fan_number);
   }
 }
 

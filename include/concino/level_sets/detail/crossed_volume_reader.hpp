@@ -26,14 +26,14 @@ class crossed_volume_reader {
   std::vector<std::uint32_t> poly_indices;
   std::vector<vert_t<M>> verts;  // by number; a face that was replaced by triangles has its first vert at its centre
   std::vector<edge_t<M>> edges;  // crossed ones
-  std::vector<face_t<M>> faces;  // by side
+  std::vector<face_t<M>> faces;  // by facet
 
   template<class U>
   crossed_volume_reader(const M& m, const U& u, double level, std::vector<poly_t<M>> crossed)
       : arrays(level, edge_index_bound(m)), polys(std::move(crossed)) {
     for (const poly_t<M>& p : polys) {
       poly_indices.push_back(static_cast<std::uint32_t>(index_of(m, p)));
-      for (const face_t<M> f : adj_p2f(m, p)) add_side(m, u, p, f);
+      for (const face_t<M> f : adj_p2f(m, p)) add_facet(m, u, p, f);
       arrays.end_cell();
     }
   }
@@ -44,9 +44,9 @@ class crossed_volume_reader {
   mesh_point<M> mesh_point_of(const M& m, const level_place& x) const {
     const bool is_vert = x.kind == level_place::vert;
     const double t = is_vert ? 1 : crossing_parameter(arrays.values[x.below], arrays.values[x.above], arrays.level());
-    const vec3 position = is_vert ? arrays.points[x.above] : point_between(arrays.points[x.below], arrays.points[x.above], t);
+    const vec3 position = is_vert ? arrays.points[x.above] : crossing_point(arrays.points[x.below], arrays.points[x.above], t);
     for (const std::uint32_t end : {x.below, x.above})
-      if (arrays.vert_indices[end] == arrays.none) return {faces[centre_at(end).side], position};
+      if (arrays.vert_indices[end] == arrays.none) return {faces[centre_at(end).facet], position};
     if (is_vert) return {verts[x.above], position};
     if (x.kind == level_place::inside) return {face_of_index(x.element), position};
     const edge_t<M>& e = edge_of(x.element);
@@ -71,14 +71,14 @@ class crossed_volume_reader {
       list.push_back({arrays.vert_indices[vert], weight});
       return;
     }
-    const crossed_volume::fan& f = arrays.fans[arrays.fan_of[centre_at(vert).side]];
+    const crossed_volume::fan& f = arrays.fans[arrays.fan_of[centre_at(vert).facet]];
     for (std::uint32_t k = f.first_corner; k < f.last_corner; ++k)
       list.push_back({arrays.vert_indices[arrays.whole_verts[k]], weight / static_cast<double>(f.last_corner - f.first_corner)});
   }
 
  private:
   template<class U>
-  void add_side(const M& m, const U& u, const poly_t<M>& p, const face_t<M>& f) {
+  void add_facet(const M& m, const U& u, const poly_t<M>& p, const face_t<M>& f) {
     for (const auto& [e, from, to] : oriented_edges(m, f)) {
       const std::size_t index = index_of(m, from);
       const std::uint32_t number = arrays.number_of_vert(index);
@@ -94,8 +94,8 @@ class crossed_volume_reader {
     }
     unsigned char n = 0;
     for ([[maybe_unused]] const poly_t<M> q : adj_f2p(m, f)) n = n < 3 ? static_cast<unsigned char>(n + 1) : n;
-    arrays.end_side(static_cast<std::uint32_t>(index_of(m, f)), face_is_outward(m, p, f), n);
-    faces.resize(arrays.num_sides(), f);
+    arrays.end_facet(static_cast<std::uint32_t>(index_of(m, f)), face_is_outward(m, p, f), n);
+    faces.resize(arrays.num_facets(), f);
     verts.resize(arrays.points.size(), verts.front());
   }
 

@@ -31,7 +31,7 @@ inline double crossing_parameter(double below, double above, double level) {
 }
 
 /// The point at a parameter from a to b. Coordinates in which a and b agree stay as they are.
-inline vec3 point_between(const vec3& a, const vec3& b, double t) {
+inline vec3 crossing_point(const vec3& a, const vec3& b, double t) {
   if (t == 1) return b;
   const vec3 step = b - a;
   if (is_finite(step)) [[likely]] return a + t * step;

@@ -7,7 +7,7 @@ namespace concino::detail {
 
 CONCINO_INLINE void level_polygons::number_segments() {
   std::uint32_t n = 0;
-  for (std::uint32_t s = 0; s < v_.num_sides(); ++s) {
+  for (std::uint32_t s = 0; s < v_.num_facets(); ++s) {
     const std::uint32_t first = cuts_.first_chord(s), last = cuts_.first_chord(s + 1), twin = cuts_.twin(s);
     for (std::uint32_t i = first; i < last; ++i) {
       const cell_cuts::chord& c = cuts_.chords()[i];
@@ -36,7 +36,7 @@ CONCINO_INLINE void level_polygons::add_chord(std::uint32_t chord, bool forward)
       sheets_.add_corner(numbers_.add(cuts_.crossing(forward ? c.from : c.to)));
     } else {
       const crossed_diagonal& d = cuts_.inner()[forward ? c.inner_begin + k - 1 : c.inner_end - k];
-      sheets_.add_corner(numbers_.add(cuts_.crossing(c.side, d)));
+      sheets_.add_corner(numbers_.add(cuts_.crossing(c.facet, d)));
     }
     use_segment(forward ? first + k : first + n - k, static_cast<std::uint32_t>(sheets_.places.size() - 1));
   }
@@ -45,27 +45,27 @@ CONCINO_INLINE void level_polygons::add_chord(std::uint32_t chord, bool forward)
 CONCINO_INLINE void level_polygons::add_cap(const cell_cuts::loop& loop) {
   for (std::uint32_t i = loop.first; i < loop.last; ++i) {
     const std::uint32_t chord = cuts_.loop_chords()[i];
-    add_chord(chord, v_.outward[cuts_.chords()[chord].side] != 0);
+    add_chord(chord, v_.outward[cuts_.chords()[chord].facet] != 0);
   }
   sheets_.end_polygon();
   cells_.push_back(loop.cell);
 }
 
-/// Finds the parts of sides that are dropped in their own cell, and above in the cell across.
+/// Finds the parts of facets that are dropped in their own cell, and above in the cell across.
 CONCINO_INLINE void level_polygons::find_facets() {
   has_facet_.assign(v_.num_corners(), 0);
   edge_user_.assign(v_.num_corners(), none);
   for (std::uint32_t k = 0; k < v_.num_corners(); ++k) {
     if (cuts_.state(k) != cell_cuts::is_dropped) continue;
-    const std::uint32_t side = cuts_.side_of(k), twin = cuts_.twin(side);
-    if (v_.num_polys[side] != 2) continue;
-    has_facet_[k] = twin == none || cuts_.state(k - v_.first_corner[side] + v_.first_corner[twin]) == cell_cuts::is_above;
+    const std::uint32_t facet = cuts_.facet_of(k), twin = cuts_.twin(facet);
+    if (v_.num_polys[facet] != 2) continue;
+    has_facet_[k] = twin == none || cuts_.state(k - v_.first_corner[facet] + v_.first_corner[twin]) == cell_cuts::is_above;
   }
 }
 
-/// Adds the part of a side at a corner on the level set: counter-clockwise seen from outside the cell of the side, which is below.
+/// Adds the part of a facet at a corner on the level set: counter-clockwise seen from outside the cell of the facet, which is below.
 CONCINO_INLINE void level_polygons::add_facet(std::uint32_t corner, std::vector<unsigned char>& is_done) {
-  const bool forward = v_.outward[cuts_.side_of(corner)] != 0;
+  const bool forward = v_.outward[cuts_.facet_of(corner)] != 0;
   for (std::uint32_t k = corner; !is_done[k];) {
     is_done[k] = 1;
     const std::uint32_t edge = forward ? k : cuts_.previous(k), chord = cuts_.chord_at(edge), here = static_cast<std::uint32_t>(sheets_.places.size());
@@ -85,7 +85,7 @@ CONCINO_INLINE void level_polygons::add_facet(std::uint32_t corner, std::vector<
     k = forward ? cuts_.next(other) : other;
   }
   sheets_.end_polygon();
-  cells_.push_back(cuts_.cell_of(cuts_.side_of(corner)));
+  cells_.push_back(cuts_.cell_of(cuts_.facet_of(corner)));
 }
 
 /// Finds the neighbour of each facet at each edge on the level set: it bounds the same parts below, through which the search turns around the edge.
@@ -94,9 +94,9 @@ CONCINO_INLINE void level_polygons::link_edges() {
     if (edge_user_[k] == none) continue;
     std::uint32_t at = cuts_.mate(k);
     for (std::uint32_t steps = v_.num_corners(); steps > 0 && edge_user_[at] == none; --steps) {
-      const std::uint32_t side = cuts_.side_of(at), twin = cuts_.twin(side);
-      if (v_.num_polys[side] != 2 || twin == none) break;
-      at = cuts_.mate(at - v_.first_corner[side] + v_.first_corner[twin]);
+      const std::uint32_t facet = cuts_.facet_of(at), twin = cuts_.twin(facet);
+      if (v_.num_polys[facet] != 2 || twin == none) break;
+      at = cuts_.mate(at - v_.first_corner[facet] + v_.first_corner[twin]);
     }
     if (edge_user_[at] != none) sheets_.make_neighbours(edge_user_[k], edge_user_[at]);
   }
@@ -110,7 +110,7 @@ CONCINO_INLINE level_surface_arrays level_polygons::make() {
   for (std::uint32_t c = 0; c < v_.num_cells(); ++c) {
     for (; loop < cuts_.loops().size() && cuts_.loops()[loop].cell == c; ++loop)
       if (cuts_.loops()[loop].cuts) add_cap(cuts_.loops()[loop]);
-    for (std::uint32_t k = v_.first_corner[v_.first_side[c]]; k < v_.first_corner[v_.first_side[c + 1]]; ++k)
+    for (std::uint32_t k = v_.first_corner[v_.first_facet[c]]; k < v_.first_corner[v_.first_facet[c + 1]]; ++k)
       if (has_facet_[k] && !is_done[k]) add_facet(k, is_done);
   }
   link_edges();

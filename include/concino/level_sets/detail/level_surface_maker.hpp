@@ -3,7 +3,7 @@
 
 #include <concino/concepts/end_verts.hpp>
 #include <concino/level_sets/detail/crossed_volume_reader.hpp>
-#include <concino/level_sets/detail/edge_numbers.hpp>
+#include <concino/level_sets/detail/crossed_edge_numbers.hpp>
 #include <concino/level_sets/detail/level_polygons.hpp>
 #include <concino/level_sets/detail/simple_caps.hpp>
 
@@ -92,7 +92,7 @@ class level_surface_maker {
   /// Numbers the corners, and merges the caps of simple and of difficult cells in the order of the cells.
   void join(const std::vector<simple_cap_list<M>>& lists, const crossed_volume_reader<M>& others, const level_surface_arrays& other_caps,
             const std::vector<std::uint32_t>& difficult, level_surface_parts<M>& parts) const {
-    edge_numbers<M> numbers(edge_index_bound(m_));
+    crossed_edge_numbers<M> numbers(edge_index_bound(m_));
     place_numbers other_places;
     std::vector<std::uint32_t> number_of_other;  // by number in other_places
     std::vector<std::pair<std::uint32_t, level_place>> inside;
@@ -151,7 +151,7 @@ class level_surface_maker {
     const bool rises = a < level_;
     const double t = rises ? crossing_parameter(a, b, level_) : crossing_parameter(b, a, level_);
     const vec3 x = to_vec3(point(m_, ends.first)), y = to_vec3(point(m_, ends.second));
-    return {edge_point<M>{e, rises ? t : 1 - t}, rises ? point_between(x, y, t) : point_between(y, x, t)};
+    return {edge_point<M>{e, rises ? t : 1 - t}, rises ? crossing_point(x, y, t) : crossing_point(y, x, t)};
   }
 };
 

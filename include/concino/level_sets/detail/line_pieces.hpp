@@ -2,7 +2,9 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
+#include <concino/level_sets/detail/chord_places.hpp>
 #include <concino/level_sets/detail/level_place.hpp>
+#include <concino/level_sets/detail/opposite_steps.hpp>
 #include <concino/level_sets/detail/poly_cuts.hpp>
 
 #include <cstddef>
@@ -18,21 +20,28 @@ struct level_lines {
   std::vector<unsigned char> closed;
 };
 
-/// The pieces of a level set are the chords that cut polys, and edges on the level set between a part below and a part above.
+/// The level set consists of curves: the chords that cut polys, and edges on the level set between a part below and a part above. Steps of curves that are
+/// taken in both directions have nothing above between them and cancel; what is left of a curve are its pieces.
 class line_pieces {
   static constexpr std::uint32_t none = ~0u;
+  static constexpr std::size_t no_step = ~std::size_t{0};
 
   struct piece {
-    std::uint32_t chord;                   // or none
-    std::uint32_t corner;                  // of an edge: its first corner in the poly below
-    std::uint32_t link[2] = {none, none};  // what follows at the start and at the end: 2 piece + (0 at the start of that piece, 1 at its end)
+    std::uint32_t curve;                        // a chord, or the number of chords plus the first corner of an edge in the poly below
+    std::uint32_t first = 0, last = 0;          // its places, from the first to the last one
+    std::size_t cancelled[2] = {no_step, no_step};  // the steps before its first and behind its last place, in cancelled_
+    std::uint32_t link[2] = {none, none};       // what follows at the start and at the end: 2 piece + (0 at the start of that piece, 1 at its end)
+  };
+  struct piece_range {
+    std::uint32_t first = none, last = none;
   };
 
   const poly_cuts& cuts_;
   const crossed_surface& s_;
-  std::vector<std::uint32_t> piece_at_;        // by corner, at edges on the level set
-  std::vector<std::uint32_t> piece_of_chord_;  // or none
   std::vector<piece> pieces_;
+  std::vector<piece_range> pieces_of_;         // by curve
+  std::vector<opposite_step> cancelled_;
+  std::vector<std::uint32_t> piece_before_;    // by step of cancelled_: the piece that ends there; the next one begins behind it
   std::vector<unsigned char> is_joined_;
 
  public:
@@ -42,7 +51,13 @@ class line_pieces {
   level_lines join();
 
  private:
-  void make_pieces();
+  bool is_chord(std::uint32_t curve) const { return curve < cuts_.chords().size(); }
+  std::uint32_t curve_of_edge(std::uint32_t corner) const { return static_cast<std::uint32_t>(cuts_.chords().size()) + corner; }
+  std::uint32_t num_places(std::uint32_t curve) const { return is_chord(curve) ? chord_places(cuts_, cuts_.chords()[curve]).size() : 2; }
+  level_place place(std::uint32_t curve, std::uint32_t k) const;
+
+  std::vector<std::uint32_t> find_curves() const;
+  void make_pieces(const std::vector<std::uint32_t>& curves);
   void link_pieces();
   std::uint32_t follow(std::uint32_t piece, unsigned end) const;
   std::uint32_t follow_chord(std::uint32_t corner) const;

@@ -4,27 +4,62 @@
 #include <concino/level_sets/detail/level_states.hpp>
 #include <concino/level_sets/detail/line_pieces.hpp>
 
+#include <algorithm>
+
 namespace concino::detail {
 
 CONCINO_INLINE line_pieces::line_pieces(const poly_cuts& cuts) : cuts_(cuts), s_(cuts.surface()) {
-  make_pieces();
+  make_pieces(find_curves());
   link_pieces();
 }
 
-CONCINO_INLINE void line_pieces::make_pieces() {
-  piece_at_.assign(cuts_.num_corners(), none);
-  piece_of_chord_.assign(cuts_.chords().size(), none);
+CONCINO_INLINE level_place line_pieces::place(std::uint32_t curve, std::uint32_t k) const {
+  if (is_chord(curve)) return chord_places(cuts_, cuts_.chords()[curve])[k];
+  const std::uint32_t corner = curve - curve_of_edge(0), v = s_.verts[k == 0 ? cuts_.next(corner) : corner];  // the poly below is to the right of an edge
+  return {level_place::vert, v, v, v};
+}
+
+/// The curves, by the corners of their polys.
+CONCINO_INLINE std::vector<std::uint32_t> line_pieces::find_curves() const {
+  std::vector<std::uint32_t> curves;
   for (std::uint32_t c = 0; c < cuts_.num_corners(); ++c) {
     if (const std::uint32_t chord = cuts_.chord_at(c); chord != none) {
-      if (cuts_.chords()[chord].from != c || !cuts_.chords()[chord].cuts) continue;
-      piece_of_chord_[chord] = static_cast<std::uint32_t>(pieces_.size());
-      pieces_.push_back({chord, c});
+      if (cuts_.chords()[chord].from == c && cuts_.chords()[chord].cuts) curves.push_back(chord);
     } else if (cuts_.state(c) == poly_cuts::is_dropped && s_.num_polys[s_.edges[c]] == 2) {
       const std::uint32_t other = cuts_.other_use(c);
-      if (other != none && cuts_.state(other) != poly_cuts::is_above) continue;
-      piece_at_[c] = static_cast<std::uint32_t>(pieces_.size());
-      pieces_.push_back({none, c});
+      if (other == none || cuts_.state(other) == poly_cuts::is_above) curves.push_back(curve_of_edge(c));
     }
+  }
+  return curves;
+}
+
+CONCINO_INLINE void line_pieces::make_pieces(const std::vector<std::uint32_t>& curves) {
+  std::vector<vert_step> steps;
+  for (const std::uint32_t curve : curves)
+    for (std::uint32_t k = 0, n = num_places(curve); k + 1 < n; ++k) {
+      const level_place a = place(curve, k), b = place(curve, k + 1);
+      if (a.kind == level_place::vert && b.kind == level_place::vert && a != b) steps.push_back({a.element, b.element, curve, k});
+    }
+  cancelled_ = find_opposite_steps(steps);
+  piece_before_.resize(cancelled_.size());
+  pieces_of_.assign(cuts_.chords().size() + cuts_.num_corners(), {});
+  for (const std::uint32_t curve : curves) {
+    const auto is_before = [&](const opposite_step& x) { return x.curve < curve; };
+    auto at = static_cast<std::size_t>(std::partition_point(cancelled_.begin(), cancelled_.end(), is_before) - cancelled_.begin());
+    piece x{curve};
+    pieces_of_[curve].first = static_cast<std::uint32_t>(pieces_.size());
+    for (; at < cancelled_.size() && cancelled_[at].curve == curve; ++at) {
+      x.last = cancelled_[at].step;
+      x.cancelled[1] = at;
+      piece_before_[at] = static_cast<std::uint32_t>(pieces_.size());
+      pieces_.push_back(x);
+      x.first = cancelled_[at].step + 1;
+      x.cancelled[0] = at;
+      x.cancelled[1] = no_step;
+    }
+    x.last = num_places(curve) - 1;
+    pieces_of_[curve].last = static_cast<std::uint32_t>(pieces_.size());
+    pieces_.push_back(x);
   }
 }
 
@@ -40,16 +75,16 @@ CONCINO_INLINE void line_pieces::link_pieces() {
 /// What follows behind an end of a piece, as in piece::link.
 CONCINO_INLINE std::uint32_t line_pieces::follow(std::uint32_t i, unsigned end) const {
   const piece& x = pieces_[i];
-  if (x.chord != none) return follow_chord(end == 0 ? cuts_.chords()[x.chord].from : cuts_.chords()[x.chord].to);
-  const std::uint32_t vert = s_.verts[end == 0 ? cuts_.next(x.corner) : x.corner];  // the poly below is to the right of an edge
-  return rotate(edge_beside(x.corner, vert), vert);
+  if (x.cancelled[end] != no_step) return 2 * piece_before_[cancelled_[x.cancelled[end]].other] + (end == 0 ? 1u : 2u);
+  if (is_chord(x.curve)) return follow_chord(end == 0 ? cuts_.chords()[x.curve].from : cuts_.chords()[x.curve].to);
+  return rotate(edge_beside(x.curve - curve_of_edge(0), place(x.curve, end).element), place(x.curve, end).element);
 }
 
 /// The end, as in piece::link, of the chord at a crossed edge; none if there is none that cuts.
 CONCINO_INLINE std::uint32_t line_pieces::chord_end_at(std::uint32_t corner) const {
   const std::uint32_t chord = cuts_.chord_at(corner);
-  if (chord == none || piece_of_chord_[chord] == none) return none;
-  return 2 * piece_of_chord_[chord] + (cuts_.chords()[chord].from == corner ? 0u : 1u);
+  if (chord == none || pieces_of_[chord].first == none) return none;
+  return cuts_.chords()[chord].from == corner ? 2 * pieces_of_[chord].first : 2 * pieces_of_[chord].last + 1;
 }
 
 /// What follows a chord behind its end at a crossed edge.
@@ -70,7 +105,7 @@ CONCINO_INLINE std::uint32_t line_pieces::edge_beside(std::uint32_t corner, std:
 CONCINO_INLINE std::uint32_t line_pieces::rotate(std::uint32_t corner, std::uint32_t vert) const {
   for (std::uint32_t steps = cuts_.num_corners(); steps > 0; --steps) {
     const std::uint32_t other = cuts_.other_use(corner);
-    if (const std::uint32_t piece = piece_at_[corner]; piece != none) return 2 * piece + (s_.verts[corner] == vert ? 1u : 0u);
+    if (const piece_range x = pieces_of_[curve_of_edge(corner)]; x.first != none) return s_.verts[corner] == vert ? 2 * x.last + 1 : 2 * x.first;
     if (other == none) return none;
     if (const std::uint32_t end = chord_end_at(other); end != none) return end;
     corner = edge_beside(other, vert);
@@ -113,16 +148,7 @@ CONCINO_INLINE void line_pieces::add_place(level_lines& lines, const level_place
 
 CONCINO_INLINE void line_pieces::append(level_lines& lines, std::uint32_t i, bool forward) const {
   const piece& x = pieces_[i];
-  if (x.chord == none) {
-    const std::uint32_t from = s_.verts[cuts_.next(x.corner)], to = s_.verts[x.corner];
-    for (const std::uint32_t v : {forward ? from : to, forward ? to : from}) add_place(lines, {level_place::vert, v, v, v});
-    return;
-  }
-  const poly_cuts::chord& c = cuts_.chords()[x.chord];
-  const std::uint32_t n = c.inner_end - c.inner_begin;
-  add_place(lines, cuts_.crossing(forward ? c.from : c.to));
-  for (std::uint32_t k = 0; k < n; ++k) add_place(lines, cuts_.crossing(c, forward ? c.inner_begin + k : c.inner_end - 1 - k));
-  add_place(lines, cuts_.crossing(forward ? c.to : c.from));
+  for (std::uint32_t k = x.first; k <= x.last; ++k) add_place(lines, place(x.curve, forward ? k : x.first + x.last - k));
 }
 
 /// Ends the current line. One that has become a point or, if closed, a segment and back, has no size and is removed.

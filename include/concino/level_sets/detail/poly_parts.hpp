@@ -3,6 +3,7 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/core/local_numbers.hpp>
+#include <concino/level_sets/detail/chord_places.hpp>
 #include <concino/level_sets/detail/place_numbers.hpp>
 #include <concino/level_sets/detail/poly_cuts.hpp>
 
@@ -47,6 +48,7 @@ class poly_parts {
   void remove_flat_chords();
   bool change(poly_cuts::chord& a, poly_cuts::chord& b, bool above);
   std::vector<std::uint32_t> corners_of_part(const poly_cuts::chord& c, bool above) const;
+  bool is_segment(const poly_cuts::chord& c) const;
   void find_added_edges();
   void add_part(std::uint32_t corner);
   void add_polygons(std::uint32_t poly, bool is_above, bool is_whole);

@@ -50,6 +50,14 @@ CONCINO_INLINE bool poly_parts::change(poly_cuts::chord& a, poly_cuts::chord& b,
   return true;
 }
 
+/// Whether all places of a chord are one of its ends.
+CONCINO_INLINE bool poly_parts::is_segment(const poly_cuts::chord& c) const {
+  const chord_places x(cuts_, c);
+  for (std::uint32_t k = 1; k + 1 < x.size(); ++k)
+    if (x[k] != x[0] && x[k] != x[x.size() - 1]) return false;
+  return true;
+}
+
 /// Where two chords have the same ends in opposite order, and a part at both of them has the same verts, there is nothing between the chords but edges that two
 /// polys share. These chords no longer cut: the part counts as what is around it.
 CONCINO_INLINE void poly_parts::remove_flat_chords() {
@@ -60,7 +68,7 @@ CONCINO_INLINE void poly_parts::remove_flat_chords() {
   std::vector<ends> all;
   for (std::uint32_t i = 0; i < cuts_.chords().size(); ++i) {
     const poly_cuts::chord& c = cuts_.chords()[i];
-    if (!c.cuts || c.inner_begin != c.inner_end) continue;
+    if (!c.cuts || !is_segment(c)) continue;
     const std::uint32_t a = numbers_.add(cuts_.crossing(c.from)), b = numbers_.add(cuts_.crossing(c.to));
     all.push_back({std::min(a, b), std::max(a, b), i, b < a});
   }
@@ -140,27 +148,32 @@ CONCINO_INLINE void poly_parts::add_polygons(std::uint32_t poly, bool is_above, 
   add(0);
 }
 
-/// The chords that cut, and edges on the level set between a part below and a part above.
+/// The chords that cut, and edges on the level set between a part below and a part above. Where two of these coincide, there is nothing between them, and
+/// what is on both sides is of one kind.
 CONCINO_INLINE void poly_parts::find_cut_edges() {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
   const auto add = [&](const level_place& a, const level_place& b) {
     const std::uint32_t x = numbers_.add(a), y = numbers_.add(b);
-    if (x != y) cut_edges.push_back({x, y});
+    if (x != y) all.push_back({x, y});
   };
   for (const poly_cuts::chord& c : cuts_.chords()) {
     if (!c.cuts) continue;
-    level_place before = cuts_.crossing(c.from);
-    for (std::uint32_t i = c.inner_begin; i < c.inner_end; ++i) {
-      const level_place x = cuts_.crossing(c, i);
-      add(before, x);
-      before = x;
-    }
-    add(before, cuts_.crossing(c.to));
+    const chord_places x(cuts_, c);
+    for (std::uint32_t k = 0; k + 1 < x.size(); ++k) add(x[k], x[k + 1]);
   }
   for (std::uint32_t k = 0; k < cuts_.num_corners(); ++k) {
     if (cuts_.chord_at(k) != none || part_above_[part_at_[k]] || s_.num_polys[s_.edges[k]] != 2) continue;
     const std::uint32_t other = cuts_.other_use(k), a = s_.verts[k], b = s_.verts[cuts_.next(k)];
     const bool above_across = other == none ? s_.states[a] != below_level : part_above_[part_at_[other]] != 0;
     if (above_across) add({level_place::vert, a, a, a}, {level_place::vert, b, b, b});
+  }
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> sorted = all;
+  for (auto& [x, y] : sorted)
+    if (y < x) std::swap(x, y);
+  std::sort(sorted.begin(), sorted.end());
+  for (const auto& [x, y] : all) {
+    const auto same = std::equal_range(sorted.begin(), sorted.end(), std::minmax({x, y}));
+    if ((same.second - same.first) % 2) cut_edges.push_back({x, y});
   }
 }
 

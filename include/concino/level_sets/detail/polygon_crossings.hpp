@@ -37,7 +37,7 @@ class polygon_crossings {
 
   std::vector<level_chord> chords_;
   std::vector<crossed_diagonal> inner_;
-  std::vector<std::uint32_t> crossed_, sides_, mates_;
+  std::vector<std::uint32_t> crossed_, edges_, mates_;
   std::vector<vec3> rotated_;
   polygon_triangulator triangulate_;
 
@@ -58,7 +58,7 @@ class polygon_crossings {
   void cut_off_runs(std::span<const unsigned char> above, bool centre_is_above);
   void cross_triangles(std::span<const unsigned char> above, std::span<const vec3> points, std::uint32_t start);
   void link_triangles(std::span<const polygon_triangle> triangles, std::uint32_t start, std::uint32_t n);
-  std::uint32_t next_crossed_side(std::span<const unsigned char> above, std::uint32_t side) const;
+  std::uint32_t next_crossed_edge(std::span<const unsigned char> above, std::uint32_t edge) const;
 };
 
 /// Whether the mean of some values is at least `level`.

@@ -79,35 +79,35 @@ CONCINO_INLINE void polygon_crossings::cut_off_runs(std::span<const unsigned cha
   }
 }
 
-/// The other crossed side of the triangle of `side`. Side 3 t + k of triangle t joins its corners k and k + 1.
-CONCINO_INLINE std::uint32_t polygon_crossings::next_crossed_side(std::span<const unsigned char> above, std::uint32_t side) const {
-  const std::uint32_t t = side / 3, k = side % 3;
-  return 3 * t + (above[sides_[3 * t + (k + 1) % 3]] != above[sides_[3 * t + (k + 2) % 3]] ? k + 1 : k + 2) % 3;
+/// The other crossed edge of the triangle of `edge`. Edge 3 t + k of triangle t joins its corners k and k + 1.
+CONCINO_INLINE std::uint32_t polygon_crossings::next_crossed_edge(std::span<const unsigned char> above, std::uint32_t edge) const {
+  const std::uint32_t t = edge / 3, k = edge % 3;
+  return 3 * t + (above[edges_[3 * t + (k + 1) % 3]] != above[edges_[3 * t + (k + 2) % 3]] ? k + 1 : k + 2) % 3;
 }
 
-/// Sets the first corner of each side of each triangle, and the other side of the same two corners, if it is a diagonal. Then follows the side of each
-/// edge of the polygon.
+/// Sets the first corner of each edge of each triangle, and the other edge of the same two corners, if it is a diagonal. Then the edge of a
+/// triangle that is each edge of the polygon.
 CONCINO_INLINE void polygon_crossings::link_triangles(std::span<const polygon_triangle> triangles, std::uint32_t start, std::uint32_t n) {
-  const auto num_sides = static_cast<std::uint32_t>(3 * triangles.size());
-  sides_.clear();
-  mates_.assign(num_sides + n, none);
+  const auto num_edges = static_cast<std::uint32_t>(3 * triangles.size());
+  edges_.clear();
+  mates_.assign(num_edges + n, none);
   core::local_numbers diagonals;
-  std::vector<std::uint32_t> first_side;
+  std::vector<std::uint32_t> first_edge;
   for (const polygon_triangle& t : triangles)
     for (std::uint32_t k = 0; k < 3; ++k) {
-      const auto side = static_cast<std::uint32_t>(sides_.size());
+      const auto edge = static_cast<std::uint32_t>(edges_.size());
       const std::uint32_t a = (t[k] + start) % n, b = (t[(k + 1) % 3] + start) % n;
-      sides_.push_back(a);
+      edges_.push_back(a);
       if (b == (a + 1) % n) {
-        mates_[num_sides + a] = side;
+        mates_[num_edges + a] = edge;
         continue;
       }
       const unsigned number = diagonals.add(std::size_t{a < b ? a : b} * n + (a < b ? b : a));
-      if (number == first_side.size()) {
-        first_side.push_back(side);
+      if (number == first_edge.size()) {
+        first_edge.push_back(edge);
       } else {
-        mates_[side] = first_side[number];
-        mates_[first_side[number]] = side;
+        mates_[edge] = first_edge[number];
+        mates_[first_edge[number]] = edge;
       }
     }
 }
@@ -117,16 +117,16 @@ CONCINO_INLINE void polygon_crossings::cross_triangles(std::span<const unsigned 
   rotated_.clear();
   for (std::uint32_t k = 0; k < n; ++k) rotated_.push_back(points[(start + k) % n]);
   link_triangles(triangulate_(rotated_), start, n);
-  const auto num_sides = static_cast<std::uint32_t>(sides_.size());
+  const auto num_edges = static_cast<std::uint32_t>(edges_.size());
   for (const std::uint32_t k : crossed_) {
     if (!above[k]) continue;
     const auto begin = static_cast<std::uint32_t>(inner_.size());
-    std::uint32_t side = next_crossed_side(above, mates_[num_sides + k]);
-    for (; mates_[side] != none; side = next_crossed_side(above, mates_[side])) {
-      const std::uint32_t a = sides_[side], b = sides_[side % 3 == 2 ? side - 2 : side + 1];
+    std::uint32_t edge = next_crossed_edge(above, mates_[num_edges + k]);
+    for (; mates_[edge] != none; edge = next_crossed_edge(above, mates_[edge])) {
+      const std::uint32_t a = edges_[edge], b = edges_[edge % 3 == 2 ? edge - 2 : edge + 1];
       inner_.push_back(above[a] ? crossed_diagonal{b, a} : crossed_diagonal{a, b});
     }
-    chords_.push_back({k, sides_[side], begin, static_cast<std::uint32_t>(inner_.size())});
+    chords_.push_back({k, edges_[edge], begin, static_cast<std::uint32_t>(inner_.size())});
   }
 }
 

@@ -37,7 +37,7 @@ class flat_part_finder {
         const bool forward = cuts_.start(c) == c.from;
         add(cuts_.crossing(cuts_.start(c)));
         for (std::uint32_t j = 0; j < c.inner_end - c.inner_begin; ++j)
-          add(cuts_.crossing(c.side, cuts_.inner()[forward ? c.inner_begin + j : c.inner_end - 1 - j]));
+          add(cuts_.crossing(c.facet, cuts_.inner()[forward ? c.inner_begin + j : c.inner_end - 1 - j]));
       }
       while (places_.size() - first > 1 && places_.back() == places_[first]) places_.pop_back();
       loops_.push_back(i);
@@ -64,7 +64,7 @@ class flat_part_finder {
     const std::uint32_t wanted = cuts_.region(corner(loop, above)), cell = cuts_.loops()[loop].cell;
     const crossed_volume& v = cuts_.volume();
     std::vector<std::uint32_t> verts;
-    for (std::uint32_t k = v.first_corner[v.first_side[cell]]; k < v.first_corner[v.first_side[cell + 1]]; ++k)
+    for (std::uint32_t k = v.first_corner[v.first_facet[cell]]; k < v.first_corner[v.first_facet[cell + 1]]; ++k)
       if (cuts_.region(k) == wanted) verts.push_back(v.verts[k]);
     std::sort(verts.begin(), verts.end());
     verts.erase(std::unique(verts.begin(), verts.end()), verts.end());

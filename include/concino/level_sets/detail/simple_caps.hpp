@@ -1,4 +1,4 @@
-// The caps of cells that a level set cuts simply, without flat arrays of their sides: the fast way, for most cells of a smooth function.
+// The caps of cells that a level set cuts simply, without flat arrays of their facets: the fast way, for most cells of a smooth function.
 #pragma once
 
 #include <concino/concepts/end_verts.hpp>
@@ -24,7 +24,7 @@ struct simple_cap_list {
   bool meets_verts = false;              // some cell has a vert on the level set
 };
 
-/// Finds the caps of one cell after another. A cell is difficult if a crossed side has more than one chord, is not convex, or is on the boundary and not
+/// Finds the caps of one cell after another. A cell is difficult if a crossed facet has more than one chord, is not convex, or is on the boundary and not
 /// planar, and if its surface may not be a sphere.
 template<class M>
 class simple_cap_reader {
@@ -85,23 +85,23 @@ class simple_cap_reader {
         ++n;
       }
       const bool outward = face_is_outward(m_, p, f);
-      surface_.end_side(outward);
+      surface_.end_facet(outward);
       if (joint & on_level) list.meets_verts = true;
       if (is_crossed(joint) && !(add_chord(n, outward) && (n == 3 || is_flat(f)))) return false;
     }
-    if constexpr (arity_v<M> == 0) return surface_.is_sphere(num_elements(adj_p2v(m_, p)), num_elements(adj_p2e(m_, p)));
+    if constexpr (arity_v<M> == 0) return surface_.is_sphere(num_elements(adj_p2v(m_, p)), num_elements(adj_p2e(m_, p)));  // cells of fixed arity are spheres
     else return true;
   }
 
-  /// Adds the chord of the last side, which has n corners. Returns false if it has more than one.
+  /// Adds the chord of the last facet, which has n corners. Returns false if it has more than one.
   bool add_chord(std::size_t n, bool outward) {
     unsigned crossings = 0;
     chord c{};
-    const std::uint32_t* const side = surface_.last_corners(n);
-    edge_key a = side[n - 1];
+    const std::uint32_t* const facet = surface_.last_corners(n);
+    edge_key a = facet[n - 1];
     bool above = states_[a] != below_level;
     for (std::size_t k = 0; k < n; ++k) {
-      const edge_key b = side[k];
+      const edge_key b = facet[k];
       const bool next_above = states_[b] != below_level;
       if (above != next_above) {
         ++crossings;

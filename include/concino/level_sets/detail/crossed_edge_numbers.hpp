@@ -12,7 +12,7 @@
 namespace concino::detail {
 
 template<class M>
-class edge_numbers {
+class crossed_edge_numbers {
   core::flat_array<std::uint32_t> number_;  // by index of the edge; its pages are touched only where edges are
   std::vector<std::uint64_t> known_;        // a bit for each index
   std::vector<std::uint32_t> others_;       // numbers of other things, ascending
@@ -20,7 +20,7 @@ class edge_numbers {
  public:
   std::vector<edge_t<M>> edges;  // by number
 
-  explicit edge_numbers(std::size_t bound) : number_(bound), known_((bound + 63) / 64) {}
+  explicit crossed_edge_numbers(std::size_t bound) : number_(bound), known_((bound + 63) / 64) {}
 
   std::uint32_t add(const M& m, const edge_t<M>& e) {
     const std::size_t i = index_of(m, e);
