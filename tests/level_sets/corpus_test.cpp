@@ -45,12 +45,12 @@ TEST_CASE("level sets: on every mesh of the corpus") {
   if (rows.empty()) return skip("no corpus");
   std::size_t cut = 0, refused = 0;
   for (const auto& row : rows) {
-    if (std::filesystem::file_size(row.file) > 2'000'000) continue;  // larger meshes have no other kinds of polys
+    if (!long_run() && std::filesystem::file_size(row.file) > 150'000) continue;
     INFO(row.name);
     const auto any = load_any(row.file.string());
     const bool can_be_cut = std::visit([](const auto& m) { return check_level_sets(m); }, any);
     ++(can_be_cut ? cut : refused);
   }
-  CHECK(cut > 30);
+  CHECK(cut > 20);
   CHECK(refused == 0);
 }

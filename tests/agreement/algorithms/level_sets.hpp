@@ -3,7 +3,6 @@
 
 #include <agreement/matched.hpp>
 
-#include <concino/geometry/bounding_box.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/level_sets/clip.hpp>
 #include <concino/level_sets/isolines.hpp>
@@ -133,11 +132,32 @@ struct clips {
     const auto& a = expected->mesh;
     const auto& b = found->mesh;
     expect(num_verts(a) == num_verts(b) && num_edges(a) == num_edges(b) && num_polys(a) == num_polys(b), "as many elements");
-    expect(expected->above == found->above, "the same parts above");
     expect(expected->report.moved_verts.size() == found->report.moved_verts.size(), "as many moved verts");
+    std::vector<unsigned> number(poly_index_bound(both.native)), number_there(poly_index_bound(both.other));
+    for (const auto p : both.polys.all) {
+      number[p.raw()] = p.raw();
+      number_there[index_of(both.other, both.polys.to(p))] = p.raw();
+    }
+    const auto here = parts_of(*expected, number), there = parts_of(*found, number_there);
     const double largest = largest_of(polys(a), [&](const auto p) { return measure(a, p); });
-    for (const auto p : polys(a)) expect_close(measure(a, p), measure(b, p), largest, "the measure of a part");
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      expect(here[i].poly == there[i].poly && here[i].above == there[i].above, "parts of the same polys in order");
+      expect_close(here[i].size, there[i].size, largest, "the measure of a part");
+    }
     return true;
+  }
+
+  struct part {
+    unsigned poly, above;
+    double size;
+  };
+  /// The parts of the polys in order, those of one poly below before above, and by size.
+  template<class C>
+  static std::vector<part> parts_of(const C& c, const std::vector<unsigned>& number) {
+    std::vector<part> parts;
+    for (const auto p : polys(c.mesh)) parts.push_back({number[(*c.from.polys[p.raw()].begin()).index], c.above[p.raw()], measure(c.mesh, p)});
+    std::sort(parts.begin(), parts.end(), [](const part& a, const part& b) { return std::tie(a.poly, a.above, a.size) < std::tie(b.poly, b.above, b.size); });
+    return parts;
   }
 };
 

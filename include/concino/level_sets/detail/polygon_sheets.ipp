@@ -108,6 +108,10 @@ CONCINO_INLINE void polygon_sheets::unite_fans() {
   for (const std::uint32_t c : polygons) {
     const std::uint32_t other = neighbours[c];
     if (other == none) continue;
+    if (places[c] != places[next_[other]] || places[next_[c]] != places[other]) {  // at a face that both cells use as if it were theirs
+      neighbours[c] = neighbours[other] = none;
+      continue;
+    }
     fans_.unite(c, next_[other]);
     fans_.unite(next_[c], other);
   }
