@@ -7,3 +7,4 @@
 #include <concino/level_sets/isosurface.hpp>
 #include <concino/level_sets/measure_between.hpp>
 #include <concino/level_sets/slice.hpp>
+#include <concino/level_sets/to_verts.hpp>

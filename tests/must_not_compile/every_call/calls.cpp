@@ -73,6 +73,7 @@ void no_adapter(const stranger& other) {
   cn::clip(other);  // refused
   cn::split(other);  // refused
   cn::measure_between(other);  // refused
+  cn::to_verts(other);  // refused
   cn::decimate(other, {});  // refused
   cn::adaptive_size(other, {});  // refused
   cn::remesh(other, {});  // refused
@@ -239,6 +240,7 @@ void no_points(const cn::trimesh& m) {
   cn::clip(pure);  // refused
   cn::split(pure);  // refused
   cn::measure_between(pure);  // refused
+  cn::to_verts(pure);  // refused
 }
 
 // Level sets of what is not a number at each vert.
