@@ -38,7 +38,8 @@ inline constexpr tet_polygon tet_polygons[16] = {
 inline surface<0> level_polygons(const cells<tet_shape>& m, const buffer<double>& u, double level) {
   surface<0> s;
   const u32 np = m.num_polys();
-  buffer<u32> number(m.num_edges(), 0xff);
+  buffer<u32> number(m.num_edges());  // a bit says whether it is set, so that most pages of it are never touched
+  buffer<std::uint64_t> known((m.num_edges() + 63) / 64, 0);
   u32 n = 0;
   s.p_off.push(0);
   for (u32 p = 0; p < np; ++p) {
@@ -48,7 +49,9 @@ inline surface<0> level_polygons(const cells<tet_shape>& m, const buffer<double>
     const tet_polygon& polygon = tet_polygons[above];
     for (u32 i = 0; i < polygon.size; ++i) {
       const u32 edge = e[polygon.edges[i]];
-      if (number[edge] == none) {
+      const std::uint64_t bit = std::uint64_t{1} << edge % 64;
+      if (!(known[edge / 64] & bit)) {
+        known[edge / 64] |= bit;
         number[edge] = n++;
         const u32 a = m.e2v[2 * edge], b = m.e2v[2 * edge + 1];
         const vector3 x = crossing(at(m.points, a), at(m.points, b), u[a], u[b], level);
