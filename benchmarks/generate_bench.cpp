@@ -1,4 +1,5 @@
 // Measures the dual of a large triangle mesh against a floor that walks around its verts, and the dual of a tet mesh against building the result alone.
+#include "support/arrays_of.hpp"
 #include "support/kinds.hpp"
 
 #include <concino/generate/dual_mesh.hpp>
@@ -68,22 +69,7 @@ int main(int argc, char** argv) {
     if (p.wants("dual.tet200k")) {
       const cn::tetmesh m(p.data.tet200k());
       const auto ours = [&] { return cn::dual_mesh(m); };
-      const auto d = ours();
-      cn::polyhedra_arrays a;  // the result without its adjacencies
-      a.points = d.points();
-      a.face_offsets.push_back(0);
-      a.poly_offsets.push_back(0);
-      for (const auto face : cn::faces(d)) {
-        for (const auto v : cn::adj_f2v(d, face)) a.face_verts.push_back(v);
-        a.face_offsets.push_back(static_cast<u32>(a.face_verts.size()));
-      }
-      for (const auto q : cn::polys(d)) {
-        for (const auto face : cn::adj_p2f(d, q)) {
-          a.poly_faces.push_back(face);
-          a.outward.push_back(cn::face_is_outward(d, q, face));
-        }
-        a.poly_offsets.push_back(static_cast<u32>(a.poly_faces.size()));
-      }
+      const cn::polyhedra_arrays a = bench::arrays_of(ours());
       p.print(bench::compare("dual.tet200k", p.rounds,
                              {{"concino", timed(ours)}, {"build-alone", timed([&] { return cn::polyhedralmesh(cn::polyhedra_arrays(a)); })}}));
     }

@@ -1,0 +1,203 @@
+// Measures the level sets of the squared distance from a point: lines on triangles and polygons across tets against loops over flat arrays, polygons across
+// other cells, and clipping against building the result alone. The native meshes build their adjacencies when they are constructed, so this part of
+// isosurface is measured again on the same arrays and subtracted; rows of its own say what it takes.
+#include "floor/level_sets.hpp"
+#include "support/arrays_of.hpp"
+#include "support/kinds.hpp"
+
+#include <concino/convert/convert.hpp>
+#include <concino/geometry/bounding_box.hpp>
+#include <concino/geometry/measure.hpp>
+#include <concino/level_sets.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace {
+
+using bench::u32;
+namespace floors = bench::floors;
+namespace cn = concino;
+
+const auto timed = [](auto work) { return [work] { return bench::seconds_of(work); }; };
+
+bool close(double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(b); }
+
+void expect(bool same, const std::string& work, const char* what) {
+  if (!same) throw std::runtime_error(work + ": " + what);
+}
+
+/// The squared distance of each vert from a point.
+floors::buffer<double> squared_distances(const std::vector<cn::vec3>& points, const cn::vec3& centre) {
+  floors::buffer<double> u(points.size());
+  for (std::size_t v = 0; v < points.size(); ++v) u[v] = cn::dot(points[v] - centre, points[v] - centre);
+  return u;
+}
+
+template<class M>
+auto as_map(const M& m, const floors::buffer<double>& values) {
+  auto u = cn::make_vert_map<double>(m);
+  for (const auto v : cn::verts(m)) u[v] = values[cn::index_of(m, v)];
+  return u;
+}
+
+template<class M>
+double area_of(const M& m) {
+  double sum = 0;
+  for (const auto p : cn::polys(m)) sum += cn::norm(cn::area_vector(m, p));
+  return sum;
+}
+
+double area_of(const floors::surface<0>& s) {
+  double sum = 0;
+  for (u32 p = 0; p < s.num_polys(); ++p) {
+    const u32 first = s.first(p);
+    sum += floors::norm(floors::doubled_area(s.points, s.last(p) - first, [&](u32 i) { return s.p2v[first + i]; })) / 2;
+  }
+  return sum;
+}
+
+void isolines(const bench::program& p) {
+  const std::string work = "isolines.tri1m";
+  if (!p.wants(work)) return;
+  const auto arrays = p.data.tri1m();
+  const auto flat = bench::flat_surface<3>(arrays);
+  const cn::trimesh m(arrays);
+  const auto values = squared_distances(arrays.points, cn::bounding_box(m).centre());
+  const double level = (*std::min_element(values.begin(), values.end()) + *std::max_element(values.begin(), values.end())) / 2;
+  const auto u = as_map(m, values);
+  const auto floor = [&] { return floors::level_segments(flat.points, flat.p2v, values, level); };
+  const auto ours = [&] { return cn::isolines(m, u, level); };
+
+  const auto ends = floor();
+  double floor_length = 0, length = 0;
+  for (std::size_t i = 0; i < ends.size(); i += 2) floor_length += floors::norm(ends[i + 1] - ends[i]);
+  std::size_t segments = 0;
+  for (const auto& line : ours()) {
+    const std::size_t n = line.points.size(), of_line = line.closed ? n : n - 1;
+    for (std::size_t i = 0; i < of_line; ++i) length += cn::norm(line.points[(i + 1) % n] - line.points[i]);
+    segments += of_line;
+  }
+  expect(segments > 0 && 2 * segments == ends.size() && close(length, floor_length), work, "the floor's lines and the library's differ");
+  p.print(bench::compare(work, p.rounds, {{"floor", timed(floor)}, {"concino", timed(ours)}}));
+}
+
+/// A sphere in a grid of cells. Its radius, as a part of the width of the grid, is such that it cuts about 3 % of the cells.
+template<class M>
+struct sphere {
+  floors::buffer<double> values;
+  double level;
+  decltype(cn::make_vert_map<double>(std::declval<const M&>())) u;
+  std::size_t cut = 0, cut_edges = 0, outside = 0;  // polys and edges that are cut, and polys outside
+
+  sphere(const bench::program& p, const std::string& work, const M& m, double radius)
+      : values(squared_distances(m.points(), cn::bounding_box(m).centre())), level(square(radius * (cn::bounding_box(m).max.x - cn::bounding_box(m).min.x))), u(as_map(m, values)) {
+    const auto above = [&](auto v) { return u[v] >= level; };
+    for (const auto q : cn::polys(m)) {
+      std::size_t n = 0, all = 0;
+      for (const auto v : cn::adj_p2v(m, q)) n += above(v), ++all;
+      cut += n > 0 && n < all;
+      outside += n == all;
+    }
+    for (const auto e : cn::edges(m)) {
+      const auto ends = cn::adj_e2v(m, e);
+      cut_edges += above(*ends.begin()) != above(*std::next(ends.begin()));
+    }
+    const double share = static_cast<double>(cut) / static_cast<double>(cn::num_polys(m));
+    expect(p.data.tiny || (0.029 < share && share < 0.031), work, "the sphere does not cut about 3 % of the polys");
+  }
+  static double square(double x) { return x * x; }
+};
+
+/// Prints the rows of isosurface on m, and of the adjacencies of its result. `floor` may be null: there is no floor for this shape.
+template<class M, class Floor>
+void isosurface(const bench::program& p, const std::string& name, const M& m, const sphere<M>& s, Floor floor) {
+  constexpr bool has_floor = !std::is_null_pointer_v<Floor>;
+  const std::string work = "isosurface." + name, apart = "isosurface.adjacency." + name;
+  if (!p.wants(work) && !p.wants(apart)) return;
+  const auto ours = [&] { return cn::isosurface(m, s.u, s.level); };
+  cn::surface_arrays arrays;
+  {
+    const auto found = ours();
+    const auto& surface = found.mesh;
+    expect(cn::num_verts(surface) == s.cut_edges && cn::num_polys(surface) >= s.cut && cn::num_verts(surface) + cn::num_polys(surface) == cn::num_edges(surface) + 2,
+           work, "the surface is no sphere with a vert on each edge that is cut");
+    arrays = bench::arrays_of(surface);
+    if constexpr (has_floor) {
+      const auto expected = floor();
+      expect(cn::num_verts(surface) == expected.num_verts() && cn::num_polys(surface) == expected.num_polys() && arrays.verts.size() == expected.p2v.size() &&
+                 close(area_of(surface), area_of(expected)),
+             work, "the floor's surface and the library's differ");
+    }
+  }
+  const auto adjacency = [&] {
+    cn::surface_arrays copy = arrays;
+    return bench::seconds_of([&] { return cn::polygonmesh(std::move(copy)); });
+  };
+  const auto alone = [&] {
+    const double whole = bench::seconds_of(ours);
+    return whole - adjacency();
+  };
+  if (p.wants(work)) {
+    std::vector<bench::contender> them{{"concino", alone}};
+    if constexpr (has_floor) them.insert(them.begin(), {"floor", timed(floor)});
+    p.print(bench::compare(work, p.rounds, them));
+  }
+  if (p.wants(apart))
+    p.print(bench::compare(apart, p.rounds, {{"floor", [&] {
+                                                auto flat = bench::flat_surface<0>(arrays);
+                                                return bench::seconds_of([&] { build(flat); return std::move(flat); });
+                                              }},
+                                             {"concino", adjacency}}));
+}
+
+template<class M>
+void clip(const bench::program& p, const std::string& name, const M& m, const sphere<M>& s) {
+  const std::string work = "clip." + name;
+  if (!p.wants(work)) return;
+  const auto ours = [&] { return cn::clip(m, s.u, s.level, {.properties = false}); };
+  cn::polyhedra_arrays arrays;
+  {
+    const auto found = ours();
+    const std::size_t n = cn::num_polys(found.mesh), caps = cn::num_polys(cn::isosurface(m, s.u, s.level).mesh);
+    expect(s.outside + s.cut <= n && n <= s.outside + caps, work, "polys are missing");  // a poly with two caps may have two parts outside
+    expect(found.report.cut_polys == s.cut && found.report.inverted_parts == 0 && found.cut_faces.size() == caps, work, "the cut is not the surface of isosurface");
+    arrays = bench::arrays_of(found.mesh);
+  }
+  p.print(bench::compare(work, p.rounds, {{"concino", timed(ours)}, {"build", [&] {
+                                                                       cn::polyhedra_arrays copy = arrays;
+                                                                       return bench::seconds_of([&] { return cn::polyhedralmesh(std::move(copy)); });
+                                                                     }}}));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return bench::run_program(argc, argv, [](const bench::program& p) {
+    const auto any = [&](const std::string& name) {
+      for (const char* work : {"isosurface.", "isosurface.adjacency.", "clip."})
+        if (p.wants(work + name)) return true;
+      return false;
+    };
+    isolines(p);
+    if (any("tet1m")) {
+      const auto arrays = p.data.tet1m();
+      const cn::tetmesh m(arrays);
+      const sphere s(p, "isosurface.tet1m", m, 0.34);
+      const auto flat = bench::built<floors::tet_shape>(arrays);
+      isosurface(p, "tet1m", m, s, [&] { return floors::level_polygons(flat, s.values, s.level); });
+    }
+    if (any("hex1m")) {
+      const cn::hexmesh m(p.data.hex1m());
+      isosurface(p, "hex1m", m, sphere(p, "isosurface.hex1m", m, 0.4), nullptr);
+    }
+    if (any("poly1m")) {
+      const auto m = cn::convert<cn::polyhedralmesh>(cn::hexmesh(p.data.hex1m()));
+      const sphere s(p, "isosurface.poly1m", m, 0.4);
+      isosurface(p, "poly1m", m, s, nullptr);
+      clip(p, "poly1m", m, s);
+    }
+  });
+}
