@@ -225,7 +225,7 @@ CONCINO_INLINE int cell_parts::compare_places(const face& a, const face& b) cons
   return same ? 1 : opposite ? -1 : 0;
 }
 
-/// Lists the faces of each part. A face that a part uses twice, from both facets, is not one of its faces; a part without faces has no inside.
+/// Lists the faces of each part. A face that a part uses twice, from both sides, is not one of its faces; a part without faces has no inside.
 CONCINO_INLINE void cell_parts::list_parts() {
   std::vector<std::uint64_t> order;
   for (std::uint32_t i = 0; i < uses_.size(); ++i) order.push_back(std::uint64_t{uses_[i].part} << 32 | i);
