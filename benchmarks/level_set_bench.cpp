@@ -12,7 +12,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 namespace {
@@ -43,20 +45,28 @@ auto as_map(const M& m, const floors::buffer<double>& values) {
   return u;
 }
 
-template<class M>
-double area_of(const M& m) {
-  double sum = 0;
-  for (const auto p : cn::polys(m)) sum += cn::norm(cn::area_vector(m, p));
-  return sum;
+/// The area of a surface, and the volume inside, which is negative if it is turned over.
+struct size_of_surface { double area = 0, volume = 0; };
+
+size_of_surface size_of(const cn::polygonmesh& m) {
+  size_of_surface s;
+  for (const auto p : cn::polys(m)) {
+    const cn::vec3 a = cn::area_vector(m, p);
+    s.area += cn::norm(a);
+    s.volume += cn::dot(a, cn::point(m, *cn::adj_p2v(m, p).begin())) / 3;
+  }
+  return s;
 }
 
-double area_of(const floors::surface<0>& s) {
-  double sum = 0;
-  for (u32 p = 0; p < s.num_polys(); ++p) {
-    const u32 first = s.first(p);
-    sum += floors::norm(floors::doubled_area(s.points, s.last(p) - first, [&](u32 i) { return s.p2v[first + i]; })) / 2;
+size_of_surface size_of(const floors::surface<0>& m) {
+  size_of_surface s;
+  for (u32 p = 0; p < m.num_polys(); ++p) {
+    const u32* const v = m.p2v.data() + m.first(p);
+    const floors::vector3 a = floors::doubled_area(m.points, m.last(p) - m.first(p), [&](u32 i) { return v[i]; });
+    s.area += floors::norm(a) / 2;
+    s.volume += floors::dot(a, floors::at(m.points, v[0])) / 6;
   }
-  return sum;
+  return s;
 }
 
 void isolines(const bench::program& p) {
@@ -93,7 +103,11 @@ struct sphere {
   std::size_t cut = 0, cut_edges = 0, outside = 0;  // polys and edges that are cut, and polys outside
 
   sphere(const bench::program& p, const std::string& work, const M& m, double radius)
-      : values(squared_distances(m.points(), cn::bounding_box(m).centre())), level(square(radius * (cn::bounding_box(m).max.x - cn::bounding_box(m).min.x))), u(as_map(m, values)) {
+      : sphere(p, work, m, cn::bounding_box(m), radius) {}
+
+ private:
+  sphere(const bench::program& p, const std::string& work, const M& m, const cn::box& b, double radius)
+      : values(squared_distances(m.points(), b.centre())), level(square(radius * (b.max.x - b.min.x))), u(as_map(m, values)) {
     const auto above = [&](auto v) { return u[v] >= level; };
     for (const auto q : cn::polys(m)) {
       std::size_t n = 0, all = 0;
@@ -122,13 +136,15 @@ void isosurface(const bench::program& p, const std::string& name, const M& m, co
   {
     const auto found = ours();
     const auto& surface = found.mesh;
-    expect(cn::num_verts(surface) == s.cut_edges && cn::num_polys(surface) >= s.cut && cn::num_verts(surface) + cn::num_polys(surface) == cn::num_edges(surface) + 2,
-           work, "the surface is no sphere with a vert on each edge that is cut");
+    const std::size_t nv = cn::num_verts(surface), np = cn::num_polys(surface);
+    expect(nv == s.cut_edges && np >= s.cut && nv + np == cn::num_edges(surface) + 2, work,
+           "the surface is no sphere with a vert on each edge that is cut");
     arrays = bench::arrays_of(surface);
     if constexpr (has_floor) {
       const auto expected = floor();
-      expect(cn::num_verts(surface) == expected.num_verts() && cn::num_polys(surface) == expected.num_polys() && arrays.verts.size() == expected.p2v.size() &&
-                 close(area_of(surface), area_of(expected)),
+      const size_of_surface a = size_of(surface), b = size_of(expected);
+      expect(cn::num_verts(surface) == expected.num_verts() && cn::num_polys(surface) == expected.num_polys() &&
+                 arrays.verts.size() == expected.p2v.size() && close(a.area, b.area) && close(a.volume, b.volume),
              work, "the floor's surface and the library's differ");
     }
   }
@@ -163,7 +179,8 @@ void clip(const bench::program& p, const std::string& name, const M& m, const sp
     const auto found = ours();
     const std::size_t n = cn::num_polys(found.mesh), caps = cn::num_polys(cn::isosurface(m, s.u, s.level).mesh);
     expect(s.outside + s.cut <= n && n <= s.outside + caps, work, "polys are missing");  // a poly with two caps may have two parts outside
-    expect(found.report.cut_polys == s.cut && found.report.inverted_parts == 0 && found.cut_faces.size() == caps, work, "the cut is not the surface of isosurface");
+    expect(found.report.cut_polys == s.cut && found.report.inverted_parts == 0 && found.cut_faces.size() == caps, work,
+           "the cut is not the surface of isosurface");
     arrays = bench::arrays_of(found.mesh);
   }
   p.print(bench::compare(work, p.rounds, {{"concino", timed(ours)}, {"build", [&] {
