@@ -1,0 +1,134 @@
+// embed_isolines and embed_isosurface: level sets become edges or faces of a mesh.
+#pragma once
+
+#include <concino/core/mistakes.hpp>
+#include <concino/core/number_text.hpp>
+#include <concino/level_sets/detail/level_embedder.hpp>
+#include <concino/level_sets/detail/level_states.hpp>
+
+#include <string_view>
+#include <vector>
+
+namespace concino {
+
+struct embed_options {
+  double snap = 0;  // where the level set crosses an edge nearer to a vert than this fraction of it, the value there is changed instead; 0 to below 0.5
+};
+
+/// Level sets of a surface of type M, as edges of it.
+template<class M>
+struct embedded_lines {
+  std::vector<edge_t<M>> edges;        // those on the level set
+  std::vector<vert_t<M>> verts;        // new ones
+  std::vector<vert_t<M>> snapped;      // those at which the function now has the value
+  std::vector<vert_t<M>> moved_verts;  // verts that stay on the other side; see clip_report
+};
+
+/// Level sets of a volume of type M, as faces of it.
+template<class M>
+struct embedded_surface {
+  std::vector<face_t<M>> faces;        // those on the level set
+  std::vector<vert_t<M>> verts;        // new ones
+  std::vector<vert_t<M>> snapped;      // those at which the function now has the value
+  std::vector<vert_t<M>> moved_verts;  // verts that stay on the other side; see clip_report
+};
+
+namespace requirement {
+
+/// Meshes that can have the parts of their polys: of general polys, of triangles or of tets.
+template<class M> concept has_room_for_parts = arity_v<M> == 0 || arity_v<M> == dimension_v<M> + 1;
+
+}  // namespace requirement
+
+namespace detail {
+
+inline void check_snap(double snap, const char* caller) {
+  if (!(snap >= 0 && snap < 0.5)) core::throw_joined<invalid_argument>({caller, ": .snap is ", core::number_text(snap), "; it must be at least 0 and below 0.5"});
+}
+
+}  // namespace detail
+
+/// Makes the level set {u = value} of a property of verts edges of the surface.
+/// Needs:  EditableSurfaceMesh M of general polygons or of triangles, with named properties; the property `name` of verts, of type double.
+/// Result: the edges of the level set, as isolines finds it. Polygons are cut to polygons, triangles to triangles. One part of each poly keeps its descriptor, and
+///         elements that are not cut keep theirs. Named properties follow as in replace_polys; u is `value` at all new verts. With {.snap = f} no edge of the
+///         level set's polys is cut nearer to a vert than the fraction f: u is set to the value there.
+/// Cost:   O(elements of m), and O(n log n) for n polys that are cut.
+/// Errors: invalid_argument if there is no such property, a value is NaN, naming the vert, or options.snap is not in [0, 0.5); unsupported if the library of m
+///         cannot represent the result. The mesh is unchanged then, also if memory runs out. In an open transaction it can be undone.
+/// Source: paper section 2.2, "Fields".
+template<EditableSurfaceMesh M>
+  requires HasProperties<M> && requirement::has_room_for_parts<M>
+embedded_lines<M> embed_isolines(M& m, std::string_view name, double value, const embed_options& options = {}) {
+  constexpr const char* caller = "embed_isolines";
+  detail::check_snap(options.snap, caller);
+  auto u = detail::level_property(m, name, value, caller);
+  embedded_lines<M> result;
+  result.snapped = detail::verts_to_snap(m, u, value, options.snap);
+  auto values = make_vert_map<double>(m);
+  for (const vert_t<M> v : verts(m)) values[v] = u[v];
+  for (const vert_t<M>& v : result.snapped) values[v] = value;
+  const auto states = detail::level_states(m, values, value, caller);
+  const detail::crossed_surface_reader<M> crossed(m, values, value, detail::crossed_polys(m, states));
+  detail::poly_cuts cuts(crossed.arrays, value);
+  const detail::poly_parts parts(cuts);
+  const auto lists = detail::list_embedding(parts, crossed.arrays, arity_v<M> == 3);
+  detail::level_embedder<M, detail::crossed_surface_reader<M>> embedder(m, crossed, value, lists, parts.places, [&](const detail::level_place& x) { return crossed.origins_of(x, value); });
+  for (const std::uint32_t v : parts.moved_verts) result.moved_verts.push_back(crossed.verts[v]);
+  result.edges.reserve(lists.cut_ends.size());
+  embedder.run(m, u, result.snapped, caller);
+  embedder.for_each_cut([&](const std::vector<vert_t<M>>& ends) {
+    for (const edge_t<M> e : adj_v2e(m, ends[0])) {
+      const auto both = end_verts(m, e);
+      if (both.first == ends[1] || both.second == ends[1]) return result.edges.push_back(e);
+    }
+  });
+  result.verts = std::move(embedder.new_verts);
+  return result;
+}
+
+/// Makes the level set {u = value} of a property of verts faces of the volume.
+/// Needs:  EditableVolumeMesh M of general polyhedra or of tets, with named properties; the property `name` of verts, of type double.
+/// Result: as embed_isolines: the faces of the level set, as isosurface finds it. Polyhedra are cut to polyhedra. Tets are cut to tets that agree at common faces.
+/// Cost:   as embed_isolines.
+/// Errors: as embed_isolines, and unsupported that names a poly that is to be cut, but whose faces do not form a sphere.
+/// Source: paper section 2.2, "Fields"; tets of parts by their smallest verts: Dompierre, Labbe, Vallet, Camarero 1999.
+template<EditableVolumeMesh M>
+  requires HasProperties<M> && requirement::has_room_for_parts<M>
+embedded_surface<M> embed_isosurface(M& m, std::string_view name, double value, const embed_options& options = {}) {
+  constexpr const char* caller = "embed_isosurface";
+  detail::check_snap(options.snap, caller);
+  auto u = detail::level_property(m, name, value, caller);
+  embedded_surface<M> result;
+  result.snapped = detail::verts_to_snap(m, u, value, options.snap);
+  auto values = make_vert_map<double>(m);
+  for (const vert_t<M> v : verts(m)) values[v] = u[v];
+  for (const vert_t<M>& v : result.snapped) values[v] = value;
+  const auto states = detail::level_states(m, values, value, caller);
+  const detail::crossed_volume_reader<M> crossed(m, values, value, detail::crossed_polys(m, states));
+  detail::cell_cuts cuts(crossed.arrays, arity_v<M> == 0 ? detail::cell_cuts::cells_are::unknown : detail::cell_cuts::cells_are::spheres, caller, crossed.poly_indices);
+  const detail::cell_parts parts(cuts);
+  const auto lists = detail::list_embedding(parts, crossed.arrays, arity_v<M> == 4);
+  detail::level_embedder<M, detail::crossed_volume_reader<M>> embedder(m, crossed, value, lists, parts.places, [&](const detail::level_place& x) { return crossed.origins_of(x); });
+  for (const std::uint32_t v : parts.moved_verts) result.moved_verts.push_back(crossed.verts[v]);
+  result.faces.reserve(lists.cut_ends.size());
+  embedder.run(m, u, result.snapped, caller);
+  embedder.for_each_cut([&](const std::vector<vert_t<M>>& corners) {
+    for (const face_t<M> f : adj_v2f(m, corners[0])) {
+      std::size_t n = 0, met = 0;
+      for (const vert_t<M> v : adj_f2v(m, f)) {
+        ++n;
+        met += std::find(corners.begin(), corners.end(), v) != corners.end();
+      }
+      if (n == corners.size() && met == n) return result.faces.push_back(f);
+    }
+  });
+  result.verts = std::move(embedder.new_verts);
+  return result;
+}
+
+// What to write instead of calls that cannot compile.
+template<class... T> void embed_isolines(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+template<class... T> void embed_isosurface(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+
+}  // namespace concino
