@@ -24,20 +24,16 @@ class flat_array {
   std::size_t size_ = 0, capacity_ = 0;
   std::vector<T> adopted_;  // not empty: data_ is its memory
 
-  /// realloc() cannot move an array on large pages without a copy, which it writes to small ones. So that copy is made here.
-  bool moves_by_copy(std::size_t n) const { return !adopted_.empty() || (n > capacity_ && capacity_ * sizeof(T) >= min_bytes_on_large_pages); }
-
   [[gnu::noinline]] void reallocate(std::size_t n) {
     if (n > static_cast<std::size_t>(-1) / 2 / sizeof(T)) throw std::bad_alloc();
-    const bool copied = moves_by_copy(n);
-    void* const p = std::realloc(copied ? nullptr : static_cast<void*>(data_), n * sizeof(T));
+    const bool was_adopted = !adopted_.empty();
+    void* const p = std::realloc(was_adopted ? nullptr : static_cast<void*>(data_), n * sizeof(T));
     if (!p) throw std::bad_alloc();
-    if (n > capacity_) prefer_large_pages(p, n * sizeof(T));
-    if (copied) {
+    if (was_adopted) {
       std::memcpy(p, static_cast<const void*>(data_), size_ * sizeof(T));
-      if (adopted_.empty()) std::free(data_);
       std::vector<T>().swap(adopted_);
     }
+    if (n > capacity_) prefer_large_pages(p, n * sizeof(T));
     data_ = static_cast<T*>(p);
     capacity_ = n;
   }

@@ -8,20 +8,20 @@
 
 #if defined(__linux__)
 #include <sys/mman.h>
+#include <unistd.h>
 #endif
 
 namespace concino::core {
 
-/// Arrays of fewer bytes remain on small pages.
-inline constexpr std::size_t min_bytes_on_large_pages = std::size_t{1} << 22;
-
-/// Requests large pages for memory that will be written. This is only advice: no result depends on it, and smaller arrays are ignored.
+/// Requests large pages for memory that will be written. This is only advice: no result depends on it, and arrays of less than
+/// 4 MiB are ignored. The request is for all small pages that the memory is on, although large ones fit into the middle only: Linux moves memory of different
+/// kinds by a copy, and realloc() would take longer.
 inline void prefer_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
 #if defined(__linux__)
-  constexpr std::uintptr_t page = std::uintptr_t{1} << 21;
-  if (bytes < min_bytes_on_large_pages) return;
-  const std::uintptr_t first = (reinterpret_cast<std::uintptr_t>(memory) + page - 1) & ~(page - 1);
-  const std::uintptr_t last = (reinterpret_cast<std::uintptr_t>(memory) + bytes) & ~(page - 1);
+  if (bytes < std::size_t{1} << 22) return;
+  const auto page = static_cast<std::uintptr_t>(::getpagesize());
+  const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(memory) & ~(page - 1);
+  const std::uintptr_t last = (reinterpret_cast<std::uintptr_t>(memory) + bytes + page - 1) & ~(page - 1);
   ::madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
 #endif
 }

@@ -1,8 +1,7 @@
 // row_places: where rows of values of any lengths are in a flat array. jagged_array has one such array, vertex_edges has two with rows at the same places.
 #pragma once
 
-#include <concino/core/error.hpp>
-#include <concino/mesh/detail/alive_elements.hpp>
+#include <concino/core/flat_array.hpp>
 #include <concino/mesh/detail/offsets.hpp>
 
 #include <algorithm>
@@ -20,7 +19,7 @@ namespace concino::detail {
 /// between first(i) and last(i), and packed rows have last_ = first_ + 1.
 class row_places {
   std::shared_ptr<const offsets> packed_;
-  offsets loose_first_, loose_last_, room_;
+  core::flat_array<std::uint32_t> loose_first_, loose_last_, room_;
   const std::uint32_t* first_ = nullptr;
   const std::uint32_t* last_ = nullptr;
   std::size_t size_ = 0;
@@ -85,15 +84,14 @@ class row_places {
   }
   static std::uint32_t room_for(std::uint32_t n) { return (n + room_unit - 1) / room_unit * room_unit; }
   /// Where the last row ends that loose() has made.
-  std::size_t end_of_values() const { return size_ == 0 ? 0 : std::size_t{loose_first_.back()} + room_.back(); }
+  std::size_t end_of_values() const { return size_ == 0 ? 0 : std::size_t{loose_first_[size_ - 1]} + room_[size_ - 1]; }
 
   /// After this call, n calls of add() cannot fail.
   void reserve(std::size_t n) {
     make_loose();
-    if (std::min({loose_first_.capacity(), loose_last_.capacity(), room_.capacity()}) - size_ >= n) return;
-    reserve_more(loose_first_, n), update_pointers();
-    reserve_more(loose_last_, n), update_pointers();
-    reserve_more(room_, n);
+    loose_first_.reserve_back(n), update_pointers();
+    loose_last_.reserve_back(n), update_pointers();
+    room_.reserve_back(n);
   }
   void add(std::size_t first, std::size_t length, std::size_t room) {
     loose_first_.push_back(static_cast<std::uint32_t>(first));
