@@ -140,6 +140,7 @@ class surface_tables {
   static constexpr std::uint32_t longest_fan = 32;
   void prefetch_vert(vert_id v) const;
   void prefetch_poly(poly_id p) const;
+  void prefetch_fan(vert_id b) const;
   std::uint32_t find_triangles(edge_id e, vert_id a, vert_id b, side_of_edge* two) const;
   void reserve_split(const side_of_edge* s, std::uint32_t n);
   void split_edges(edge_id e, vert_id x, const side_of_edge* s, std::uint32_t n, edge_id* to);

@@ -186,6 +186,15 @@ direct_edit surface_tables<Arity, Lists>::flip_edge(edge_id e)
   return direct_edit::done;
 }
 
+/// Requests what a collapse reads and writes of the polys, edges and neighbours of b.
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::prefetch_fan(vert_id b) const {
+  for (const poly_id p : v2p_[b.raw()]) prefetch_poly(p);
+  for (const edge_id e : incident_edges_.edges(b)) __builtin_prefetch(e2v_.begin(e.raw()), 1);
+  for (const vert_id v : incident_edges_.verts(b)) incident_edges_.prefetch_place(v);
+  for (const vert_id v : incident_edges_.verts(b)) incident_edges_.prefetch_values(v);
+}
+
 /// Whether the polys at b are one closed fan of at least four regular triangles that contains both sides, so that the link of b is a circle.
 template<unsigned Arity, class Lists>
 bool surface_tables<Arity, Lists>::is_closed_fan(vert_id b, const side_of_edge* s) const {
@@ -201,6 +210,8 @@ bool surface_tables<Arity, Lists>::is_closed_fan(vert_id b, const side_of_edge* 
     if (facet_adjacency_.is_marked(p.raw())) return false;
     const std::uint32_t j = facet_adjacency_.position_of(p, e), next = side_of_edge::next(j);
     k = p2v_.begin(p.raw())[j] == b ? side_of_edge::next(next) : next;
+    const outer_edge opposite(*this, p, 3 - j - k);
+    facet_adjacency_.prefetch_outside(opposite.e, opposite.outside);
   } while (p != s[0].p);
   return met == n;
 }
@@ -212,6 +223,7 @@ direct_edit surface_tables<Arity, Lists>::collapse_edge(edge_id e)
   const vert_id a = e2v_[e.raw()][0], b = e2v_[e.raw()][1];
   side_of_edge s[2];
   if (incident_edges_.num_edges(b) > longest_fan || find_triangles(e, a, b, s) != 2) return direct_edit::left_to_rewire;
+  prefetch_fan(b);
   for (const vert_id x : incident_edges_.verts(b))  // the link condition: both links have no other common verts
     if (x != a && x != s[0].c && x != s[1].c && have_common_edge(a, x)) return direct_edit::refused;
   if (incident_edges_.num_edges(b) != v2p_.length(b.raw()) || !is_closed_fan(b, s)) return direct_edit::left_to_rewire;
@@ -237,9 +249,9 @@ direct_edit surface_tables<Arity, Lists>::collapse_edge(edge_id e)
     v2p_.push_reserved(a.raw(), p);
     for (std::uint32_t k = 0; k < 3; ++k) {
       const outer_edge x(*this, p, k);
-      if (k == side_of_edge::next(at_b)) facet_adjacency_.put(p, k, x.e, x.outside);
-      else if (x.e == lost[0].e) facet_adjacency_.put(p, k, kept[0].e, kept[0].outside);
-      else if (x.e == lost[1].e) facet_adjacency_.put(p, k, kept[1].e, kept[1].outside);
+      if (k == side_of_edge::next(at_b)) facet_adjacency_.put(p, k, x.e, x.outside, p);
+      else if (x.e == lost[0].e) facet_adjacency_.put(p, k, kept[0].e, kept[0].outside, s[0].p);
+      else if (x.e == lost[1].e) facet_adjacency_.put(p, k, kept[1].e, kept[1].outside, s[1].p);
       else move_end(x.e, b, a, p, k);
     }
   }
