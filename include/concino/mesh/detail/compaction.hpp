@@ -1,6 +1,7 @@
 // Compaction of tables after elements were removed: the remaining elements are numbered 0, 1, 2, ... in the same order, and rows become packed.
 #pragma once
 
+#include <concino/mesh/detail/alive_elements.hpp>
 #include <concino/mesh/detail/facet_adjacency.hpp>
 #include <concino/mesh/detail/incident_edges.hpp>
 
