@@ -56,11 +56,11 @@ void agrees(const incident_edges& all, const std::vector<pairs>& oracle) {
   }
 }
 
-void edit_at_random(incident_edges& all, std::vector<pairs>& oracle, std::mt19937& random, int rounds) {
-  for (int step = 0; step < rounds; ++step) {
+/// Random edits. Each takes the next number for what is new, which so occurs once.
+void edit_at_random(incident_edges& all, std::vector<pairs>& oracle, std::mt19937& random, std::size_t& number, int rounds) {
+  for (int step = 0; step < rounds; ++step, ++number) {
     const std::size_t i = random() % oracle.size();
-    const vert_id v{i}, other{20000 + static_cast<std::size_t>(step)};
-    const edge_id e{random() + std::size_t{50000}};
+    const vert_id v{i}, other{20000 + number};
     pairs& at = oracle[i];
     const std::size_t k = at.empty() ? 0 : random() % at.size();
     switch (random() % 8) {
@@ -81,8 +81,8 @@ void edit_at_random(incident_edges& all, std::vector<pairs>& oracle, std::mt1993
         if (random() % 8 == 0) all.clear(v), at.clear();
         break;
       default:
-        all.reserve_at(v, 1), all.push(v, other, edge_id{static_cast<std::size_t>(step) + 1000});
-        at.emplace_back(other, edge_id{static_cast<std::size_t>(step) + 1000});
+        all.reserve_at(v, 1), all.push(v, other, edge_id{1000 + number});
+        at.emplace_back(other, edge_id{1000 + number});
     }
   }
 }
@@ -94,7 +94,8 @@ TEST_CASE("incident_edges: random edits agree with vectors of pairs") {
   std::vector<pairs> oracle = oracle_of(12);
   incident_edges all = packed(oracle);
   agrees(all, oracle);
-  edit_at_random(all, oracle, random, 2000);
+  std::size_t number = 0;
+  edit_at_random(all, oracle, random, number, 2000);
   agrees(all, oracle);
 }
 
@@ -117,17 +118,18 @@ TEST_CASE("incident_edges: saved rows come back, also if they were packed when t
   std::mt19937 random(6);
   std::vector<pairs> oracle = oracle_of(12);
   incident_edges all = packed(oracle);
+  std::size_t number = 0;
   for (int round = 0; round < 20; ++round) {
     const std::vector<pairs> before = oracle;
     std::uint64_t sizes[2];
     saved::sizes(all, sizes);
     std::vector<std::vector<unsigned char>> rows(oracle.size());
     for (std::size_t v = 0; v < oracle.size(); ++v) saved::put(all, v, rows[v]);
-    edit_at_random(all, oracle, random, 60);
+    edit_at_random(all, oracle, random, number, 60);
     for (std::size_t v = before.size(); v-- > 0;) saved::restore(all, v, rows[v].data(), rows[v].size());
     saved::resize(all, sizes);
     oracle = before;
     agrees(all, oracle);
-    if (round % 3 == 0) edit_at_random(all, oracle, random, 60);
+    if (round % 3 == 0) edit_at_random(all, oracle, random, number, 60);
   }
 }
