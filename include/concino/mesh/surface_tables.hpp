@@ -142,8 +142,10 @@ class surface_tables {
   void prefetch_poly(poly_id p) const;
   void prefetch_fan(vert_id b) const;
   std::uint32_t find_triangles(edge_id e, vert_id a, vert_id b, side_of_edge* two) const;
-  void reserve_split(const side_of_edge* s, std::uint32_t n);
-  void split_edges(edge_id e, vert_id x, const side_of_edge* s, std::uint32_t n, edge_id* to);
+  void reserve_split(const side_of_edge* s, std::uint32_t n)
+    requires(Arity == 3);
+  void split_edges(edge_id e, vert_id x, const side_of_edge* s, std::uint32_t n, edge_id* to)
+    requires(Arity == 3);
   bool have_common_edge(vert_id a, vert_id b) const;
   bool is_closed_fan(vert_id b, const side_of_edge* s) const;
   void set_ends(edge_id e, vert_id a, vert_id b);

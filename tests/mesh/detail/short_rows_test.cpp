@@ -11,7 +11,7 @@ TEST_CASE("short_rows: the first of equal values is found") {
   std::mt19937 random(3);
   for (int round = 0; round < 500; ++round) {
     std::array<unsigned, 8> row;
-    for (unsigned& x : row) x = random() % 5;
+    for (unsigned& x : row) x = static_cast<unsigned>(random() % 5);
     for (unsigned value = 0; value < 6; ++value) {
       const auto at = std::find(row.begin(), row.end(), value);
       CHECK(concino::detail::find_in_eight(row.data(), value) == at - row.begin());

@@ -90,7 +90,9 @@ std::uint32_t surface_tables<Arity, Lists>::find_triangles(edge_id e, vert_id a,
 
 /// Allocates the memory for the split of an edge with n triangles.
 template<unsigned Arity, class Lists>
-void surface_tables<Arity, Lists>::reserve_split(const side_of_edge* s, std::uint32_t n) {
+void surface_tables<Arity, Lists>::reserve_split(const side_of_edge* s, std::uint32_t n)
+  requires(Arity == 3)
+{
   detail::make_vertex_incidence_growable(incident_edges_, v2p_);
   for (std::uint32_t i = 0; i < n; ++i) incident_edges_.reserve_at(s[i].c, 1), v2p_.reserve_in_row(s[i].c.raw(), 1);
   detail::reserve_lists_of_new_verts(incident_edges_, v2p_, 1, n + 2, 2 * n);
@@ -101,7 +103,9 @@ void surface_tables<Arity, Lists>::reserve_split(const side_of_edge* s, std::uin
 
 /// The edges at the new vert x, which has no lists yet, when e is split. to[i] leads from x to the third vert of triangle i, to[n] to b.
 template<unsigned Arity, class Lists>
-void surface_tables<Arity, Lists>::split_edges(edge_id e, vert_id x, const side_of_edge* s, std::uint32_t n, edge_id* to) {
+void surface_tables<Arity, Lists>::split_edges(edge_id e, vert_id x, const side_of_edge* s, std::uint32_t n, edge_id* to)
+  requires(Arity == 3)
+{
   const vert_id a = e2v_[e.raw()][0], b = e2v_[e.raw()][1];
   const bool edge_is_first = s[0].at_edge < s[0].at_b;
   incident_edges_.set_other_end(a, e, x);
