@@ -26,6 +26,17 @@ inline void prefer_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] s
 #endif
 }
 
+/// Whether realloc() would copy this memory to small pages when it becomes large. Memory that glibc has mapped begins 16 bytes behind a page and is moved
+/// without a copy. No result depends on the answer.
+inline bool is_copied_by_realloc([[maybe_unused]] const void* memory, [[maybe_unused]] std::size_t bytes) {
+#if defined(__GLIBC__)
+  constexpr std::uintptr_t small_page = 4096;
+  return memory && bytes >= std::size_t{1} << 22 && reinterpret_cast<std::uintptr_t>(memory) % small_page != 16;
+#else
+  return false;
+#endif
+}
+
 /// Like v.reserve(n). Values that move to other memory are written there after the request.
 template<class T>
 void reserve_large(std::vector<T>& v, std::size_t n) {
