@@ -1,4 +1,4 @@
-// row_places: where rows of values of any lengths are in a flat array. jagged_array has one such array, vertex_edges has two with rows at the same places.
+// row_places: where rows of values of any lengths are in a flat array. jagged_array has one such array, incident_edges has two with rows at the same places.
 #pragma once
 
 #include <concino/core/flat_array.hpp>
