@@ -36,6 +36,8 @@ io/detail/iv_cursor           io/detail/read_iv
 io/detail/read_hybrid         io/detail/read_hybrid
 io/detail/polyhedra_reader    io/detail/read_hedra io/detail/read_hybrid io/load
 io/detail/orient              io/detail/orient io/detail/read_hedra io/load
+io/detail/polyhedra_builder   io/detail/polyhedra_builder io/cell_builder io/detail/read_vtu
+io/detail/regular_poly_check  io/detail/polyhedra_builder
 io/detail/read_mtl            io/detail/read_mtl io/detail/material_library_file io/detail/write_mtl
 io/detail/write_mtl           io/detail/write_mtl io/detail/material_library_file
 io/detail/material_library_file        io/detail/material_library_file io/killed_save io/detail/write_mtl
@@ -146,6 +148,7 @@ edit/remove_unreferenced         edit/remove_unreferenced
 edit/flip_winding                edit/flip_winding
 mesh/detail/vertex_incidence             mesh/native_mesh edit/elements
 mesh/detail/checks            mesh/native_mesh edit/elements
+mesh/face_merger       mesh/face_merger mesh/face_soup io/cell_builder
 mesh/face_soup         mesh/face_soup io/load io/detail/read_medit validate/dense_meshes
 mesh/detail/to_polyhedra mesh/face_soup io/load
 graph/dijkstra         graph/dijkstra graph/predecessors graph/shortest_path

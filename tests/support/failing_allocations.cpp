@@ -2,6 +2,8 @@
 // operator new of support/allocations.cpp calls them too. Calls inside shared libraries are not replaced.
 #include "failing_allocations.hpp"
 
+#include "allocations.hpp"
+
 #include <atomic>
 
 extern "C" {
@@ -34,6 +36,7 @@ void* counted(void* p) {
 namespace concino::testing::detail {
 
 void begin_failing(std::size_t n, bool all_later) {
+  allocated_so_far();  // a program without allocations.cpp does not link: its operator new would never fail
   asked = 0;
   later = all_later;
   failing = n;

@@ -11,6 +11,8 @@
 // default values, but a new edge that takes the descriptor of a removed one also takes its values.
 // Transactions undo what functions of this library change; removed elements come back with their descriptors and values. Values that are written in a transaction
 // are not undone, and redo() gives new elements default values. The first transaction adds a property map of edges, "e:concino".
+// garbage_collect(m) changes nothing if memory runs out. If copies of a property's values can fail, as of strings, it makes a copy of the mesh before; the mesh becomes
+// that copy if they do fail, and property maps obtained before are invalid then.
 // point(m, v) returns the coordinates of CGAL's points as doubles. Those of inexact kernels are copied, those of exact kernels are converted by
 // CGAL::to_double. That is exact for numbers that are doubles; for others a lazy kernel's relative precision holds, 1e-5 by default.
 // CGAL::to_double may evaluate lazy numbers, which is as thread-safe as the kernel. Points in the plane have z = 0.
@@ -24,6 +26,7 @@
 //   template<> struct concino::mesh_traits<my_mesh> : concino::mesh_traits<CGAL::Surface_mesh<Point>> { static constexpr int arity = 3; };
 #pragma once
 
+#include <concino/adapters/detail/cgal_compaction.hpp>
 #include <concino/adapters/detail/cgal_point.hpp>
 #include <concino/adapters/detail/cgal_surface_kernel.hpp>
 #include <concino/concepts/editable.hpp>
@@ -182,21 +185,12 @@ struct cgal_surface_links {
   static auto& edits(mesh& m) requires writable_point<P> { return kernel::edits_of(m); }
   static auto* edits_if_any(mesh& m) requires writable_point<P> { return kernel::find_edits(m); }
 
-  // If memory runs out while CGAL shrinks its arrays, it leaves an incomplete mesh.
   static correspondence garbage_collect(mesh& m) {
     if (recorder_of(m)) refuse_garbage_collection();
-    std::vector<std::uint32_t> of_verts(m.number_of_vertices()), of_edges(m.number_of_edges()), of_polys(m.number_of_faces());
-    for (auto* list : {&of_verts, &of_edges, &of_polys})
-      for (std::size_t i = 0; i < list->size(); ++i) (*list)[i] = static_cast<std::uint32_t>(i);
-    const auto read = [&](const auto& vert_before, const auto& halfedge_before, const auto& poly_before) {  // not called if nothing was removed
-      for (unsigned i = 0; i < of_verts.size(); ++i) of_verts[i] = vert_before[vert(i)].idx();
-      for (unsigned i = 0; i < of_edges.size(); ++i) of_edges[i] = halfedge_before[halfedge(2 * i)].idx() / 2;
-      for (unsigned i = 0; i < of_polys.size(); ++i) of_polys[i] = poly_before[poly(i)].idx();
-    };
-    auto* const before = kernel::find_edits(m);
-    if (before) before->version = ++before->last_version;  // CGAL may copy the edits, and they are lost then
-    m.collect_garbage(read);
-    return {element_origins(std::move(of_verts)), element_origins(std::move(of_edges)), {}, element_origins(std::move(of_polys))};
+    cgal_compaction<P> compaction(m);
+    compaction.make();
+    concino::detail::count_edit(kernel::find_edits(m));  // CGAL may have lost the edits
+    return compaction.origins();
   }
 
  private:

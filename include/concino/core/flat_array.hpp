@@ -26,14 +26,16 @@ class flat_array {
 
   [[gnu::noinline]] void reallocate(std::size_t n) {
     if (n > static_cast<std::size_t>(-1) / 2 / sizeof(T)) throw std::bad_alloc();
-    const bool was_adopted = !adopted_.empty();
-    void* const p = std::realloc(was_adopted ? nullptr : static_cast<void*>(data_), n * sizeof(T));
+    const bool was_adopted = !adopted_.empty(), grows = n > capacity_;
+    const bool copies = was_adopted || (grows && is_copied_by_realloc(data_, n * sizeof(T)));
+    void* const p = std::realloc(copies ? nullptr : static_cast<void*>(data_), n * sizeof(T));
     if (!p) throw std::bad_alloc();
-    if (was_adopted) {
-      std::memcpy(p, static_cast<const void*>(data_), size_ * sizeof(T));
-      std::vector<T>().swap(adopted_);
+    if (grows) prefer_large_pages(p, n * sizeof(T));
+    if (copies) {
+      if (size_ > 0) std::memcpy(p, static_cast<const void*>(data_), size_ * sizeof(T));
+      if (was_adopted) std::vector<T>().swap(adopted_);
+      else std::free(data_);
     }
-    if (n > capacity_) prefer_large_pages(p, n * sizeof(T));
     data_ = static_cast<T*>(p);
     capacity_ = n;
   }

@@ -8,27 +8,69 @@
 
 #if defined(__linux__)
 #include <sys/mman.h>
+#include <unistd.h>
 #endif
 
 namespace concino::core {
 
 /// Requests large pages for memory that will be written. This is only advice: no result depends on it, and arrays of less than
-/// 4 MiB are ignored.
+/// a large page, 2 MiB, are ignored. The request is for all small pages that the memory is on, although large ones fit into the middle only: Linux moves memory
+/// of different kinds by a copy, and realloc() would take longer.
 inline void prefer_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
 #if defined(__linux__)
-  constexpr std::uintptr_t page = std::uintptr_t{1} << 21;
-  if (bytes < 2 * page) return;
-  const std::uintptr_t first = (reinterpret_cast<std::uintptr_t>(memory) + page - 1) & ~(page - 1);
-  const std::uintptr_t last = (reinterpret_cast<std::uintptr_t>(memory) + bytes) & ~(page - 1);
+  constexpr std::size_t large_page = std::size_t{1} << 21, header = 32;
+  if (bytes + header < large_page) return;
+  const auto page = static_cast<std::uintptr_t>(::getpagesize());
+  const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(memory) & ~(page - 1);
+  const std::uintptr_t last = (reinterpret_cast<std::uintptr_t>(memory) + bytes + page - 1) & ~(page - 1);
   ::madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
 #endif
 }
 
+/// Whether realloc() would copy this memory to small pages when it becomes large. Memory that glibc has mapped begins 16 bytes behind a page and is moved
+/// without a copy. No result depends on the answer.
+inline bool is_copied_by_realloc([[maybe_unused]] const void* memory, [[maybe_unused]] std::size_t bytes) {
+#if defined(__GLIBC__)
+  constexpr std::uintptr_t small_page = 4096;
+  return memory && bytes >= std::size_t{1} << 22 && reinterpret_cast<std::uintptr_t>(memory) % small_page != 16;
+#else
+  return false;
+#endif
+}
+
+/// A size of at least `bytes` that fills large pages together with the header of malloc, so that the system aligns the memory. It is `bytes` if more than
+/// `max_unused` bytes would be added.
+inline std::size_t whole_pages(std::size_t bytes, std::size_t max_unused) {
+#if defined(__linux__)
+  constexpr std::size_t page = std::size_t{1} << 21, header = 32;
+  const std::size_t whole = ((bytes + header + page - 1) & ~(page - 1)) - header;
+  if (whole - bytes <= max_unused) return whole;
+#endif
+  return bytes;
+}
+
+/// Requests pages for memory that will be written at once, which takes the system less time than the first access to each page. This is only advice.
+inline void request_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
+#if defined(MADV_POPULATE_WRITE)
+  constexpr std::uintptr_t page = 1 << 12;
+  if (bytes < 4 * page) return;
+  const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(memory) & ~(page - 1);
+  const std::uintptr_t last = (reinterpret_cast<std::uintptr_t>(memory) + bytes + page - 1) & ~(page - 1);
+  ::madvise(reinterpret_cast<void*>(first), last - first, MADV_POPULATE_WRITE);
+#endif
+}
+
+/// Reserves memory for n elements, and at most a third more, in large pages if these can be filled. Values that move to other memory are written there after
+/// the request.
 template<class T>
 void reserve_large(std::vector<T>& v, std::size_t n) {
   if (n <= v.capacity()) return;
-  v.reserve(n);
-  prefer_large_pages(v.data(), n * sizeof(T));
+  const std::size_t bytes = whole_pages(n * sizeof(T), n * sizeof(T) / 3);
+  std::vector<T> larger;
+  larger.reserve(bytes / sizeof(T));
+  prefer_large_pages(larger.data(), bytes);
+  larger.assign(v.begin(), v.end());
+  v.swap(larger);
 }
 
 /// A vector of n equal values.
@@ -36,8 +78,38 @@ template<class T>
 std::vector<T> large_vector(std::size_t n, const T& value) {
   std::vector<T> v;
   reserve_large(v, n);
+  request_pages(v.data(), n * sizeof(T));
   v.assign(n, value);
   return v;
+}
+
+/// The same for a short time: large pages may be three times as large as the values.
+template<class T>
+std::vector<T> temporary_vector(std::size_t n, const T& value) {
+  std::vector<T> v;
+  const std::size_t bytes = n * sizeof(T);
+  reserve_large(v, whole_pages(bytes, 2 * bytes) / sizeof(T));
+  request_pages(v.data(), bytes);
+  v.assign(n, value);
+  return v;
+}
+
+/// Resizes a vector to n elements or some more, so that those at its end can be assigned one after another, which takes less time than push_back.
+/// trim() ends this.
+template<class T>
+void make_room(std::vector<T>& v, std::size_t n) {
+  if (n <= v.size()) return;
+  if (n > v.capacity()) reserve_large(v, n > v.size() + v.size() ? n : v.size() + v.size());
+  const std::size_t before = v.size(), size = n + 65536 / sizeof(T) < v.capacity() ? n + 65536 / sizeof(T) : v.capacity();
+  request_pages(v.data() + before, (size - before) * sizeof(T));
+  v.resize(size);
+}
+
+/// Resizes a vector to n elements, and releases its memory if it has room for far more.
+template<class T>
+void trim(std::vector<T>& v, std::size_t n) {
+  v.resize(n);
+  if (v.capacity() > n + n / 2) v.shrink_to_fit();
 }
 
 }  // namespace concino::core

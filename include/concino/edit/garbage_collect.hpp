@@ -92,8 +92,7 @@ class renumbering {
 /// Result: map[x], the new descriptor of x or none if x was removed. All old descriptors, and values in maps outside the mesh, are meaningless in m.
 ///         In meshes of this library the elements of each kind keep their order; OpenMesh and CGAL move the last ones into the gaps.
 /// Cost:   O(elements) time; memory for a second mesh while it runs.
-/// Errors: unsupported while a transaction of m is open. The mesh is unchanged then, also if memory runs out; but CGAL does not promise that, since it copies
-///         its arrays last. Transactions committed before cannot be undone.
+/// Errors: unsupported while a transaction of m is open. The mesh is unchanged then, also if memory runs out. Transactions committed before cannot be undone.
 template<requirement::has_garbage_collect M>
   requires AnyMesh<M>
 renumbering<M> garbage_collect(M& m) {

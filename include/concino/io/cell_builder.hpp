@@ -1,12 +1,11 @@
 // cell_builder: collects the cells of a volume, of any shapes in any order, for the readers of file formats.
 #pragma once
 
-#include <concino/io/detail/cell_lists.hpp>
 #include <concino/io/detail/contents.hpp>
-#include <concino/io/detail/orient.hpp>
-#include <concino/mesh/face_soup.hpp>
+#include <concino/io/detail/polyhedra_builder.hpp>
 
 #include <concepts>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,16 +30,16 @@ class basic_cell_builder {
   const read_context& in_;
   std::vector<vec3>& points_;
   std::size_t first_number_;           // of verts, in messages
-  std::vector<vert_id> verts_;         // of the cells; of a polyhedron: the number of its faces, then for each the number of its verts and these
+  std::vector<vert_id> verts_;         // of the cells before the first polyhedron, or those that were taken over; of a polyhedron its list
   std::vector<cell_shape> shapes_;     // of each cell, once they differ
   cell_shape only_ = cell_shape::tet;  // of all cells so far
   std::size_t cells_ = 0, num_general_ = 0, num_negative_ = 0, num_turned_ = 0;
   std::uint64_t corners_ = 0;          // of the faces of all cells
-  std::size_t all_faces_ = 0;          // of all cells; a face of two cells twice
-  std::size_t taken_ = 0;              // the numbers of the list that was taken over that belong to cells
+  std::size_t numbers_ = 0;            // of the lists of all cells
+  std::size_t expected_ = 0;           // the same when all cells are added, if known
   std::size_t first_ = 0, faces_ = 0;  // of the polyhedron that is being added
   std::vector<std::uint64_t> scratch_;
-  detail::faces_check<vert_id> check_;
+  std::optional<detail::polyhedra_builder<vert_id>> polyhedra_;  // all cells, once one is a polyhedron
 
  public:
   std::string expected, found;  // the reason why a function below returned false
@@ -56,7 +55,10 @@ class basic_cell_builder {
   /// Makes room for n more cells of a shape. Needs: n was compared with the size of the file.
   void reserve(cell_shape s, std::size_t n) { reserve_numbers(n * standard_cell_of(s).num_verts); }
   /// Makes room for more cells, whose lists have so many numbers. Needs: as above.
-  void reserve_numbers(std::size_t n) { core::reserve_large(verts_, verts_.size() + n); }
+  void reserve_numbers(std::size_t n) {
+    expect_numbers(numbers_ + n);
+    if (!polyhedra_) core::reserve_large(verts_, verts_.size() + n);
+  }
 
   /// Whether the wanted mesh can hold a cell of this shape.
   bool can_hold(cell_shape s) const {
@@ -69,9 +71,9 @@ class basic_cell_builder {
   bool add_cell(cell_shape s, const vert_id* v) {
     const std::size_t first = verts_.size(), n = standard_cell_of(s).num_verts;
     verts_.insert(verts_.end(), v, v + n);
-    if (check_cell(s, verts_.data() + first)) return true;
-    verts_.resize(first);
-    return false;
+    const bool is_valid = check_cell(s, verts_.data() + first);
+    if (!is_valid || polyhedra_) verts_.resize(first);
+    return is_valid;
   }
 
   /// Adds a face of the next polyhedron.
@@ -90,20 +92,28 @@ class basic_cell_builder {
     if (faces_ == 0) return reject_with({"a polyhedron of at least one face"}, {"one without faces"});
     verts_[first_] = vert_id{std::exchange(faces_, 0)};
     const bool is_recognised = in_.wanted.cells && !in_.wanted.polyhedra;
-    if (is_recognised ? are_valid_faces(verts_.data() + first_) && add_recognised() : check_polyhedron(verts_.data() + first_)) return true;
-    verts_.resize(first_);
-    return false;
+    const bool is_valid = is_recognised ? add_recognised() : check_polyhedron(verts_.data() + first_, verts_.size() - first_);
+    if (!is_valid || polyhedra_) verts_.resize(first_);
+    return is_valid;
   }
+
+  /// The same with a list: the number of the faces, and for each the number of its verts and these.
+  /// Needs:  the wanted mesh can hold polyhedra. So many numbers, which are right.
+  bool add_polyhedron(const vert_id* list, std::size_t numbers) { return check_polyhedron(list, numbers); }
+  /// Says how many numbers the lists of all cells have. Needs: as above.
+  void expect_numbers(std::size_t n) { expected_ = n; }
 
   /// Takes over a list of all cells, which is not copied: the verts of standard cells in their order; of a polyhedron the number of its faces, and for
   /// each the number of its verts and these. add_taken then adds each of its cells.
   /// Needs:  no cell was added before. The wanted mesh can hold polyhedra, if there are any.
-  void take(std::vector<vert_id>&& list) { verts_ = std::move(list); }
+  void take(std::vector<vert_id>&& list) {
+    verts_ = std::move(list);
+    expected_ = verts_.size();
+  }
   /// Adds the next n numbers of the list as a cell. Returns false as add_cell and end_polyhedron. Needs: n is right for the shape.
   bool add_taken(cell_shape s, std::size_t n) {
-    vert_id* const v = verts_.data() + taken_;
-    taken_ += n;
-    return s == cell_shape::general ? check_polyhedron(v) : check_cell(s, v);
+    vert_id* const v = verts_.data() + numbers_;
+    return s == cell_shape::general ? check_polyhedron(v, n) : check_cell(s, v);
   }
 
   /// Adds all cells of a volume that has cells of one shape only. Needs: no cell was added before.
@@ -122,9 +132,9 @@ class basic_cell_builder {
     }
     for (unsigned f = 0; f < cell.num_faces; ++f) corners_ += n * cell.face_size[f];
     if (verts_.size() > detail::max_ids || corners_ > detail::max_ids) core::throw_joined<unsupported>({in_.name, ": more than ", detail::max_ids, " corners of faces"});
-    all_faces_ = n * cell.num_faces;
     only_ = s;
     cells_ = n;
+    expected_ = verts_.size();
     return n;
   }
 
@@ -157,12 +167,14 @@ class basic_cell_builder {
     return in_.wanted.arity ? in_.wanted.arity : cells_ ? standard_cell_of(only_).num_verts : otherwise;
   }
 
-  void end_cell(cell_shape s) {
+  void end_cell(cell_shape s, std::size_t numbers) {
     if (verts_.size() > detail::max_ids || corners_ > detail::max_ids) core::throw_joined<unsupported>({in_.name, ": more than ", detail::max_ids, " corners of faces"});
     if (cells_ == 0) only_ = s;
     if (s != only_ && shapes_.empty()) shapes_.assign(cells_, only_);
     if (!shapes_.empty()) shapes_.push_back(s);
     ++cells_;
+    numbers_ += numbers;
+    if (polyhedra_) expect_polyhedra();
   }
 
   /// Ends a cell whose verts are in the list, if it is valid.
@@ -172,33 +184,48 @@ class basic_cell_builder {
     if (!can_hold(s)) return reject(cell.name, cell.num_faces);
     num_negative_ += make_volume_positive(s, v, points_);
     for (unsigned f = 0; f < cell.num_faces; ++f) corners_ += cell.face_size[f];
-    all_faces_ += cell.num_faces;
-    end_cell(s);
+    if (polyhedra_) polyhedra_->add_cell(s, v);
+    end_cell(s, cell.num_verts);
     return true;
   }
 
-  /// The same with the list of a polyhedron.
-  bool check_polyhedron(const vert_id* list) {
-    if (!are_valid_faces(list)) return false;
+  /// The same with the list of a polyhedron, which has so many numbers.
+  bool check_polyhedron(const vert_id* list, std::size_t numbers) {
+    if (!polyhedra_) begin_polyhedra();
+    if (const detail::face_fault fault = polyhedra_->add(list, numbers); fault != detail::face_fault::none) {
+      const std::uint32_t number = polyhedra_->checked().number;
+      if (num_general_ == 0) polyhedra_.reset();
+      return reject_faces(fault, number);
+    }
     ++num_general_;
-    all_faces_ += list->raw();
-    end_cell(cell_shape::general);
+    corners_ += numbers - 1 - list->raw();
+    end_cell(cell_shape::general, numbers);
     return true;
   }
 
-  bool are_valid_faces(const vert_id* list) {
-    const detail::face_fault fault = check_(list);
-    corners_ += check_.num_corners;
-    return fault == detail::face_fault::none || reject_faces(fault);
+  /// Makes polyhedra of all cells that there are.
+  [[gnu::noinline, gnu::cold]] void begin_polyhedra() {
+    polyhedra_.emplace(points_);
+    const vert_id* v = verts_.data();
+    for (std::size_t c = 0; c < cells_; ++c) {
+      const cell_shape s = shapes_.empty() ? only_ : shapes_[c];
+      polyhedra_->add_cell(s, v);
+      v += standard_cell_of(s).num_verts;
+      if (c == 1023) polyhedra_->reserve_times(static_cast<double>(expected_) / static_cast<double>(v - verts_.data()));
+    }
+  }
+  /// Makes room for the expected polyhedra, as soon as there are enough of them to know how large they are.
+  void expect_polyhedra() {
+    if (cells_ == 1024 && expected_ > numbers_) polyhedra_->reserve_times(static_cast<double>(expected_) / static_cast<double>(numbers_));
   }
   [[gnu::noinline, gnu::cold]] bool reject_with(core::message what, core::message instead) {
     expected = core::joined(what);
     found = core::joined(instead);
     return false;
   }
-  [[gnu::noinline, gnu::cold]] bool reject_faces(detail::face_fault fault) {
-    if (fault == detail::face_fault::too_few_verts) return reject_with({"a face of at least three verts"}, {"one of ", check_.number});
-    if (fault == detail::face_fault::repeated_vert) return reject_repeated(vert_id{check_.number}, "a face");
+  [[gnu::noinline, gnu::cold]] bool reject_faces(detail::face_fault fault, std::uint32_t number) {
+    if (fault == detail::face_fault::too_few_verts) return reject_with({"a face of at least three verts"}, {"one of ", number});
+    if (fault == detail::face_fault::repeated_vert) return reject_repeated(vert_id{number}, "a face");
     return reject_with({"different faces in a polyhedron"}, {"two with the same verts"});
   }
   [[gnu::noinline, gnu::cold]] bool reject_repeated(vert_id v, const char* where) {
@@ -209,23 +236,27 @@ class basic_cell_builder {
   }
 
   /// Replaces the polyhedron at the end of the list by a tet or a hex.
-  bool add_recognised() {
-    const std::uint32_t n = verts_[first_].raw();
-    const face_soup soup = detail::faces_of_cells<vert_id>({verts_.begin() + static_cast<std::ptrdiff_t>(first_), verts_.end()}, 1, {}, cell_shape::general);
-    std::vector<std::uint8_t> outward(n, 1);
-    const bool turned = detail::orient_polyhedra(soup, points_, outward) != 0;
+  [[gnu::noinline, gnu::cold]] bool add_recognised() {
+    detail::faces_check<vert_id> check;
+    detail::face_list_decoder<vert_id> decode;
+    const vert_id* const list = verts_.data() + first_;
+    if (const detail::face_fault fault = check(list); fault != detail::face_fault::none) return reject_faces(fault, check.number);
+    const detail::oriented_faces listed = decode(list);
+    const bool turned = detail::poly_orienter<vert_id>(points_)(listed);
     cell_recogniser known;
-    for (std::uint32_t f = 0; f < n; ++f) {
+    for (std::uint32_t f = 0; f < listed.size; ++f) {
       known.begin_face();
-      for (std::uint32_t k = soup.face_offsets[f]; k < soup.face_offsets[f + 1]; ++k) known.push(soup.face_verts[k]);
-      if (!outward[f]) known.reverse_face();
+      for (std::uint32_t k = listed.offsets[f]; k < listed.offsets[f + 1]; ++k) known.push(listed.verts[k]);
+      if (!listed.outward[f]) known.reverse_face();
     }
     const cell_shape s = known.recognise();
-    if (s == cell_shape::general || !can_hold(s)) return reject(s == cell_shape::general ? "polyhedron" : standard_cell_of(s).name, n);
+    if (s == cell_shape::general || !can_hold(s)) return reject(s == cell_shape::general ? "polyhedron" : standard_cell_of(s).name, listed.size);
+    const std::uint32_t n = standard_cell_of(s).num_verts;
     num_turned_ += turned;
+    corners_ += check.num_corners;
     verts_.resize(first_);
-    verts_.insert(verts_.end(), known.cell, known.cell + standard_cell_of(s).num_verts);
-    end_cell(s);
+    verts_.insert(verts_.end(), known.cell, known.cell + n);
+    end_cell(s, n);
     return true;
   }
 
@@ -237,11 +268,11 @@ class basic_cell_builder {
   }
 
   polyhedra_arrays polyhedra() {
-    face_soup soup = detail::faces_of_cells(std::exchange(verts_, {}), cells_, shapes_, only_, all_faces_, corners_);
+    if (!polyhedra_) begin_polyhedra();
+    std::vector<vert_id>().swap(verts_);
     std::vector<cell_shape>().swap(shapes_);
-    std::vector<std::uint8_t> outward = core::large_vector(soup.face_offsets.size() - 1, std::uint8_t{1});
-    if (num_general_) num_turned_ += detail::orient_polyhedra(soup, points_, outward);
-    return std::move(soup).unite(std::move(points_), std::move(outward));
+    num_turned_ += polyhedra_->num_turned();
+    return polyhedra_->finish(std::move(points_));
   }
 };
 using cell_builder = basic_cell_builder<volume_contents>;

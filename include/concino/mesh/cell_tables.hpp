@@ -38,8 +38,7 @@ class cell_tables {
   detail::jagged_array<vert_id, 2> e2v_;
   core::flat_array<std::uint32_t> e2p_;  // one poly at the edge, or `special` and the number of its list in poly_lists_
   jagged<poly_id> poly_lists_;
-  jagged<vert_id> v2v_;
-  jagged<edge_id> v2e_;
+  detail::incident_edges incident_edges_;
   jagged<poly_id> v2p_;
 
  public:
@@ -67,7 +66,7 @@ class cell_tables {
     requires(!std::same_as<Lists, detail::jagged_array<vert_id, Shape::verts>>)
       : verts_(std::move(built.verts_)), edges_(std::move(built.edges_)), faces_(std::move(built.faces_)), polys_(std::move(built.polys_)),
         p2v_(std::move(elsewhere)), p2e_(std::move(built.p2e_)), facet_adjacency_(std::move(built.facet_adjacency_)), e2v_(std::move(built.e2v_)),
-        e2p_(std::move(built.e2p_)), poly_lists_(std::move(built.poly_lists_)), v2v_(std::move(built.v2v_)), v2e_(std::move(built.v2e_)),
+        e2p_(std::move(built.e2p_)), poly_lists_(std::move(built.poly_lists_)), incident_edges_(std::move(built.incident_edges_)),
         v2p_(std::move(built.v2p_)) {}
 
   const detail::alive_elements<vert_id>& verts() const { return verts_; }
@@ -75,8 +74,8 @@ class cell_tables {
   const detail::alive_elements<face_id>& faces() const { return faces_; }
   const detail::alive_elements<poly_id>& polys() const { return polys_; }
 
-  id_span<vert_id> adj_v2v(vert_id v) const { return v2v_[v.raw()]; }
-  id_span<edge_id> adj_v2e(vert_id v) const { return v2e_[v.raw()]; }
+  id_span<vert_id> adj_v2v(vert_id v) const { return incident_edges_.verts(v); }
+  id_span<edge_id> adj_v2e(vert_id v) const { return incident_edges_.edges(v); }
   auto adj_v2f(vert_id v) const { return detail::owned_faces<cell_tables, id_span<poly_id>, detail::faces_at_vert, detail::shape_tables<Shape>::valence>(this, adj_v2p(v), {v}); }
   id_span<poly_id> adj_v2p(vert_id v) const { return v2p_[v.raw()]; }
   id_span<vert_id> adj_e2v(edge_id e) const { return e2v_[e.raw()]; }
@@ -144,10 +143,10 @@ class cell_tables {
   /// Calls f for every array of the tables, for undoing edits.
   template<class F>
   void for_each_array(const F& f) {
-    f(verts_), f(edges_), f(faces_), f(polys_), f(p2v_), f(p2e_), f(e2v_), f(e2p_), f(poly_lists_), f(v2v_), f(v2e_), f(v2p_);
+    f(verts_), f(edges_), f(faces_), f(polys_), f(p2v_), f(p2e_), f(e2v_), f(e2p_), f(poly_lists_), f(incident_edges_), f(v2p_);
     facet_adjacency_.for_each_array(f);
   }
-  static constexpr std::uint32_t num_arrays = 12 + detail::facet_adjacency<face_id, Shape::faces>::num_arrays;
+  static constexpr std::uint32_t num_arrays = 11 + detail::facet_adjacency<face_id, Shape::faces>::num_arrays;
 
   /// Allocates the memory for the removal of these polys and of verts without polys. These removals cannot fail afterwards.
   void reserve_removal(std::span<const poly_id> polys);

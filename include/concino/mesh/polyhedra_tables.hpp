@@ -33,8 +33,9 @@ class basic_polyhedra_tables {
   detail::alive_elements<face_id> faces_;
   detail::alive_elements<poly_id> polys_;
   Lists f2v_;
-  jagged<vert_id> p2v_, v2v_;
-  jagged<edge_id> v2e_, p2e_;
+  jagged<vert_id> p2v_;
+  detail::incident_edges incident_edges_;
+  jagged<edge_id> p2e_;
   jagged<face_id> e2f_;
   jagged<poly_id> v2p_;
   detail::facet_adjacency<face_id, 0> facet_adjacency_;
@@ -58,7 +59,7 @@ class basic_polyhedra_tables {
   basic_polyhedra_tables(basic_polyhedra_tables<jagged<vert_id>>&& built, Lists elsewhere)
     requires(!std::same_as<Lists, jagged<vert_id>>)
       : verts_(std::move(built.verts_)), edges_(std::move(built.edges_)), faces_(std::move(built.faces_)), polys_(std::move(built.polys_)),
-        f2v_(std::move(elsewhere)), p2v_(std::move(built.p2v_)), v2v_(std::move(built.v2v_)), v2e_(std::move(built.v2e_)),
+        f2v_(std::move(elsewhere)), p2v_(std::move(built.p2v_)), incident_edges_(std::move(built.incident_edges_)),
         p2e_(std::move(built.p2e_)), e2f_(std::move(built.e2f_)), v2p_(std::move(built.v2p_)), facet_adjacency_(std::move(built.facet_adjacency_)),
         face_vert_lookup_(std::move(built.face_vert_lookup_)), outward_(std::move(built.outward_)), e2v_(std::move(built.e2v_)) {}
 
@@ -67,8 +68,8 @@ class basic_polyhedra_tables {
   const detail::alive_elements<face_id>& faces() const { return faces_; }
   const detail::alive_elements<poly_id>& polys() const { return polys_; }
 
-  id_span<vert_id> adj_v2v(vert_id v) const { return v2v_[v.raw()]; }
-  id_span<edge_id> adj_v2e(vert_id v) const { return v2e_[v.raw()]; }
+  id_span<vert_id> adj_v2v(vert_id v) const { return incident_edges_.verts(v); }
+  id_span<edge_id> adj_v2e(vert_id v) const { return incident_edges_.edges(v); }
   detail::faces_at_edges<basic_polyhedra_tables> adj_v2f(vert_id v) const { return {this, v}; }
   id_span<poly_id> adj_v2p(vert_id v) const { return v2p_[v.raw()]; }
   id_span<vert_id> adj_e2v(edge_id e) const { return e2v_[e.raw()]; }
@@ -116,10 +117,10 @@ class basic_polyhedra_tables {
   /// Calls f for every array of the tables, for undoing edits.
   template<class F>
   void for_each_array(const F& f) {
-    f(verts_), f(edges_), f(faces_), f(polys_), f(f2v_), f(p2v_), f(p2e_), f(outward_), f(e2v_), f(e2f_), f(v2v_), f(v2e_), f(v2p_);
+    f(verts_), f(edges_), f(faces_), f(polys_), f(f2v_), f(p2v_), f(p2e_), f(outward_), f(e2v_), f(e2f_), f(incident_edges_), f(v2p_);
     facet_adjacency_.for_each_array(f);
   }
-  static constexpr std::uint32_t num_arrays = 13 + detail::facet_adjacency<face_id, 0>::num_arrays;
+  static constexpr std::uint32_t num_arrays = 12 + detail::facet_adjacency<face_id, 0>::num_arrays;
 
   /// Allocates the memory for the removal of these polys, and of faces and verts without polys. These removals cannot fail afterwards.
   void reserve_removal(std::span<const poly_id>);
@@ -140,9 +141,9 @@ class basic_polyhedra_tables {
   // Used by the ranges above.
   edge_id edge_between(vert_id a, vert_id b) const {
     const auto [smaller, larger] = std::minmax({a, b});
-    if (v2v_.length(larger.raw()) > detail::row_lookup::longest_scan) [[unlikely]]
+    if (incident_edges_.num_edges(larger) > detail::row_lookup::longest_scan) [[unlikely]]
       if (const edge_id e = edge_to_smaller(larger, smaller); !e.is_none()) return e;
-    return detail::edge_between(v2v_, v2e_, larger, smaller);
+    return incident_edges_.edge_between(larger, smaller);
   }
   vert_id next_in_face(face_id f, vert_id v) const {
     const auto corners = adj_f2v(f);
@@ -161,7 +162,7 @@ class basic_polyhedra_tables {
   static constexpr std::size_t faces_of_new_edge = 4;  // for which memory is reserved
 
   /// The arrays as for_each_array() numbers them.
-  enum array_number : std::uint32_t { of_verts, of_edges, of_faces, of_polys, of_f2v, of_p2v, of_p2e, of_outward, of_e2v, of_e2f, of_v2v, of_v2e, of_v2p, of_facets };
+  enum array_number : std::uint32_t { of_verts, of_edges, of_faces, of_polys, of_f2v, of_p2v, of_p2e, of_outward, of_e2v, of_e2f, of_incident_edges, of_v2p, of_facets };
 
   /// Saves what changes when a face with these verts is added or removed.
   void save_around_face(detail::edit_log& log, id_span<vert_id> corners) const;
@@ -186,9 +187,9 @@ class basic_polyhedra_tables {
 
 template<class Lists>
 [[gnu::noinline]] edge_id basic_polyhedra_tables<Lists>::edge_to_smaller(vert_id v, vert_id smaller) const {
-  const id_span<vert_id> near = v2v_[v.raw()];
+  const id_span<vert_id> near = incident_edges_.verts(v);
   const vert_id* const at = std::lower_bound(near.begin(), near.end(), smaller);
-  return at != near.end() && *at == smaller ? v2e_.begin(v.raw())[at - near.begin()] : edge_id{};
+  return at != near.end() && *at == smaller ? incident_edges_.edges(v)[static_cast<std::size_t>(at - near.begin())] : edge_id{};
 }
 
 using polyhedra_tables = basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>;

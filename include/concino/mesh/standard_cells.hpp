@@ -125,15 +125,14 @@ inline int compare_cycles(const vert_id* a, const vert_id* b, std::size_t n) {
   std::size_t k = 0;
   while (k < n && b[k] != a[0]) ++k;
   if (k == n) return 0;
-  std::size_t up = k, down = k;  // positions in b
-  bool same = true, opposite = true;
-  for (std::size_t i = 1; i < n && (same || opposite); ++i) {
-    up = up + 1 == n ? 0 : up + 1;
-    down = (down == 0 ? n : down) - 1;
-    same = same && a[i] == b[up];
-    opposite = opposite && a[i] == b[down];
+  const auto at = [&](std::size_t i) { return b[i < n ? i : i - n]; };  // i < 2 n
+  std::size_t i = 1;
+  if (n < 2 || a[1] == at(k + 1)) {
+    while (i < n && a[i] == at(k + i)) ++i;
+    return i == n ? 1 : 0;
   }
-  return same ? 1 : opposite ? -1 : 0;
+  while (i < n && a[i] == at(k + n - i)) ++i;
+  return i == n ? -1 : 0;
 }
 
 }  // namespace concino

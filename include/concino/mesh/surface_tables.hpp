@@ -29,8 +29,7 @@ class surface_tables {
   Lists p2v_;
   detail::facet_adjacency<edge_id, Arity> facet_adjacency_;
   detail::jagged_array<vert_id, 2> e2v_;
-  jagged<vert_id> v2v_;
-  jagged<edge_id> v2e_;
+  detail::incident_edges incident_edges_;
   jagged<poly_id> v2p_;
 
  public:
@@ -61,7 +60,7 @@ class surface_tables {
   surface_tables(surface_tables<Arity>&& built, Lists elsewhere)
     requires(!std::same_as<Lists, per_poly<vert_id>>)
       : verts_(std::move(built.verts_)), edges_(std::move(built.edges_)), polys_(std::move(built.polys_)), p2v_(std::move(elsewhere)),
-        facet_adjacency_(std::move(built.facet_adjacency_)), e2v_(std::move(built.e2v_)), v2v_(std::move(built.v2v_)), v2e_(std::move(built.v2e_)),
+        facet_adjacency_(std::move(built.facet_adjacency_)), e2v_(std::move(built.e2v_)), incident_edges_(std::move(built.incident_edges_)),
         v2p_(std::move(built.v2p_)) {
     if constexpr (Arity == 0) p2v_.share_offsets(built.p2v_);
   }
@@ -70,8 +69,8 @@ class surface_tables {
   const detail::alive_elements<edge_id>& edges() const { return edges_; }
   const detail::alive_elements<poly_id>& polys() const { return polys_; }
 
-  id_span<vert_id> adj_v2v(vert_id v) const { return v2v_[v.raw()]; }
-  id_span<edge_id> adj_v2e(vert_id v) const { return v2e_[v.raw()]; }
+  id_span<vert_id> adj_v2v(vert_id v) const { return incident_edges_.verts(v); }
+  id_span<edge_id> adj_v2e(vert_id v) const { return incident_edges_.edges(v); }
   id_span<poly_id> adj_v2p(vert_id v) const { return v2p_[v.raw()]; }
   id_span<vert_id> adj_e2v(edge_id e) const { return e2v_[e.raw()]; }
   detail::polys_of_facet adj_e2p(edge_id e) const { return facet_adjacency_.polys_of(e); }
@@ -115,10 +114,10 @@ class surface_tables {
   /// Calls f for every array of the tables, for undoing edits.
   template<class F>
   void for_each_array(const F& f) {
-    f(verts_), f(edges_), f(polys_), f(p2v_), f(e2v_), f(v2v_), f(v2e_), f(v2p_);
+    f(verts_), f(edges_), f(polys_), f(p2v_), f(e2v_), f(incident_edges_), f(v2p_);
     facet_adjacency_.for_each_array(f);
   }
-  static constexpr std::uint32_t num_arrays = 8 + detail::facet_adjacency<edge_id, Arity>::num_arrays;
+  static constexpr std::uint32_t num_arrays = 7 + detail::facet_adjacency<edge_id, Arity>::num_arrays;
 
   /// Allocates the memory for the removal of these polys and of verts without polys. These removals cannot fail afterwards.
   void reserve_removal(std::span<const poly_id>);
@@ -139,11 +138,16 @@ class surface_tables {
   struct side_of_edge;
   struct outer_edge;
   static constexpr std::uint32_t longest_fan = 32;
-  std::uint32_t find_triangles(edge_id e, vert_id a, side_of_edge* two) const;
+  void prefetch_vert(vert_id v) const;
+  void prefetch_poly(poly_id p) const;
+  void prefetch_fan(vert_id b) const;
+  std::uint32_t find_triangles(edge_id e, vert_id a, vert_id b, side_of_edge* two) const;
+  void reserve_split(const side_of_edge* s, std::uint32_t n)
+    requires(Arity == 3);
+  void split_edges(edge_id e, vert_id x, const side_of_edge* s, std::uint32_t n, edge_id* to)
+    requires(Arity == 3);
   bool have_common_edge(vert_id a, vert_id b) const;
   bool is_closed_fan(vert_id b, const side_of_edge* s) const;
-  void remove_edge_at(vert_id v, edge_id e);
-  void push_edge_at(vert_id v, vert_id other, edge_id e);
   void set_ends(edge_id e, vert_id a, vert_id b);
   void move_end(edge_id e, vert_id from, vert_id to, poly_id p, std::uint32_t k);
 

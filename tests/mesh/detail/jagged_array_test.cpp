@@ -54,9 +54,26 @@ TEST_CASE("jagged_array: copies are independent, moved-from arrays are empty") {
   CHECK(row(a, 1) == std::vector<int>{9, 10});
 }
 
+TEST_CASE("jagged_array: rows have room to grow after make_growable()") {
+  jagged_array<int, 0> r = three_rows();
+  r.make_growable();
+  CHECK(row(r, 0) == std::vector<int>{0, 1});
+  CHECK(row(r, 1).empty());
+  CHECK(row(r, 2) == std::vector<int>{2, 3, 4});
+  const std::size_t values = r.num_values();
+  for (std::size_t i = 0; i < 3; ++i) r.push(i, 7), r.push(i, 8);
+  CHECK(r.num_values() == values);
+  CHECK(row(r, 1) == std::vector<int>{7, 8});
+  CHECK(row(r, 2) == std::vector<int>{2, 3, 4, 7, 8});
+  CHECK(r.find_in_row(2, 8) == 4);
+  CHECK(r.find_in_row(2, 1) == 5);
+}
+
 TEST_CASE("jagged_array: random edits agree with vectors of vectors") {
   std::mt19937 random(1);
   jagged_array<int, 0> r = three_rows();
+  SUBCASE("where the rows were") {}
+  SUBCASE("spread") { r.make_growable(); }
   std::vector<std::vector<int>> oracle{{0, 1}, {}, {2, 3, 4}};
   for (int step = 0; step < 3000; ++step) {
     const std::size_t i = random() % oracle.size();
@@ -75,6 +92,7 @@ TEST_CASE("jagged_array: random edits agree with vectors of vectors") {
       case 3:
         if (!oracle[i].empty()) {
           const int value = oracle[i][random() % oracle[i].size()];
+          CHECK(r.find_in_row(i, value) == std::find(oracle[i].begin(), oracle[i].end(), value) - oracle[i].begin());
           r.remove(i, value);
           oracle[i].erase(std::find(oracle[i].begin(), oracle[i].end(), value));
         }

@@ -88,6 +88,15 @@ struct cgal_surface_kernel {
     revive_kind<poly_list>(m, polys);
     m.set_recycle_garbage(was_recycling);
   }
+  /// No element is a removed one any more. Before: the last elements of each kind are the removed ones.
+  static void forget_removed(mesh& m) noexcept {
+    const bool was_recycling = m.does_recycle_garbage();
+    m.set_recycle_garbage(true);
+    forget_removed_of_kind<vert_list>(m, m.number_of_removed_vertices(), m.num_vertices());
+    forget_removed_of_kind<edge_list>(m, m.number_of_removed_edges(), m.num_edges());
+    forget_removed_of_kind<poly_list>(m, m.number_of_removed_faces(), m.num_faces());
+    m.set_recycle_garbage(was_recycling);
+  }
 
  private:
   // CGAL links removed elements of a kind to a list, whose first one is private. The link of an element is stored in its connectivity.
@@ -133,6 +142,20 @@ struct cgal_surface_kernel {
     List::add(m);
     const auto flags = m.template property_map<typename List::key, bool>(List::name).first;
     for (const unsigned i : removed) flags[typename List::key(i)] = false;
+  }
+  // Adds the last element as often as elements were removed. It is removed once more before, which makes it the first one of the list.
+  template<class List>
+  static void forget_removed_of_kind(mesh& m, unsigned removed, unsigned bound) noexcept {
+    if (removed == 0) return;
+    const unsigned x = bound - 1;
+    List::remove(m, x);
+    for (unsigned i = 0; i <= removed; ++i) {
+      List::set_link(m, x, i < removed ? List::value(x) : none);
+      try {
+        List::add(m);
+      } catch (...) {  // a default value of x cannot be copied; it is not needed
+      }
+    }
   }
   static unsigned opposite(unsigned h) { return h == none ? none : h ^ 1; }
   // In powers of two, so that the arrays grow rarely.

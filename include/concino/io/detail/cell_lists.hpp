@@ -4,13 +4,10 @@
 #include <concino/core/sort_numbers.hpp>
 #include <concino/io/detail/corners.hpp>
 #include <concino/io/detail/face_key.hpp>
-#include <concino/mesh/face_soup.hpp>
 
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <span>
-#include <utility>
 #include <vector>
 
 namespace concino::detail {
@@ -19,7 +16,7 @@ namespace concino::detail {
 enum class face_fault : std::uint8_t { none, too_few_verts, repeated_vert, equal_faces };
 
 /// Checks the faces of one polyhedron at a time.
-template<class Vert>  // vert_id, as in face_soup
+template<class Vert>  // vert_id, as in face_merger
 class faces_check {
   std::vector<std::uint64_t> scratch_;
   std::vector<std::uint32_t> sums_;  // of the verts of each face
@@ -71,43 +68,5 @@ class faces_check {
     return has_equal_sums() && has_equal_faces(list) ? face_fault::equal_faces : face_fault::none;
   }
 };
-
-/// The faces of n cells, whose shapes are `only` if none are listed. Polyhedra alone are decoded in place.
-/// Needs: all_corners is the number of corners of all faces, unless there are polyhedra only.
-template<class Vert>
-basic_face_soup<Vert> faces_of_cells(std::vector<Vert>&& list, std::size_t n, std::span<const cell_shape> shapes, cell_shape only, std::size_t all_faces = 0,
-                                std::size_t all_corners = 0) {
-  basic_face_soup<Vert> soup;
-  soup.poly_offsets.resize(n + 1);
-  core::reserve_large(soup.face_offsets, all_faces + 1);
-  const bool in_place = shapes.empty() && only == cell_shape::general;
-  if (!in_place) soup.face_verts = core::large_vector(all_corners, Vert{});
-  const Vert* from = list.data();
-  Vert* const to = in_place ? list.data() : soup.face_verts.data();
-  std::uint32_t corners = 0;
-  for (std::size_t p = 0; p < n; ++p) {
-    const cell_shape shape = shapes.empty() ? only : shapes[p];
-    if (shape == cell_shape::general) {
-      for (std::uint32_t left = from++->raw(); left > 0; --left) {
-        const std::uint32_t size = from++->raw();
-        for (std::uint32_t i = 0; i < size; ++i) to[corners + i] = from[i];
-        from += size;
-        soup.face_offsets.push_back(corners += size);
-      }
-    } else {
-      const standard_cell& cell = standard_cell_of(shape);
-      for (unsigned f = 0; f < cell.num_faces; ++f) {
-        for (unsigned i = 0; i < cell.face_size[f]; ++i) to[corners++] = from[cell.face_vert[f][i]];
-        soup.face_offsets.push_back(corners);
-      }
-      from += cell.num_verts;
-    }
-    soup.poly_offsets[p + 1] = static_cast<std::uint32_t>(soup.face_offsets.size() - 1);
-  }
-  if (!in_place) return soup;
-  list.resize(corners);
-  soup.face_verts = std::move(list);
-  return soup;
-}
 
 }  // namespace concino::detail

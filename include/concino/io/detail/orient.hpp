@@ -3,7 +3,6 @@
 
 #include <concino/io/detail/oriented_faces.hpp>
 #include <concino/mesh/cell_recogniser.hpp>
-#include <concino/mesh/face_soup.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -29,7 +28,7 @@ inline cell_shape recognise(const polyhedra_arrays& m, std::size_t p, cell_recog
 /// Checks whether the faces of a polyhedron are consistently oriented at every edge that two of them share. This is fast, for the majority that
 /// needs no repair. The edges of one polyhedron are in a small hash table with open addressing, at most a quarter full; entries of earlier ones are
 /// recognised by their stamp.
-template<class Vert>  // vert_id, as in face_soup
+template<class Vert>  // vert_id, as in face_merger
 class winding_check {
   enum : std::uint32_t { down, up, agreeing, opposed, many };  // the one face, the two faces or the more faces of an edge
   struct entry {
@@ -104,7 +103,7 @@ class winding_check {
 /// Orients the faces of one poly at a time consistently, by a search from face to face through the edges that two of them share.
 /// It is not `bfs`, because there is no mesh yet, only the arrays of a file.
 /// The faces of a poly are numbered by their positions in its list.
-template<class Vert>  // vert_id, as in face_soup
+template<class Vert>  // vert_id, as in face_merger
 class face_orienter {
   struct incidence {
     std::uint64_t edge;  // smaller vert, larger vert
@@ -190,7 +189,7 @@ class face_orienter {
 
 /// Orients the faces of polys consistently, and outward, so that the volume is positive. Polys that are already oriented so, or that are
 /// consistent and have no volume, are not changed.      Cost: O(n log n) in the edges of a poly; O(n) if it is oriented consistently.
-template<class Vert>  // vert_id, as in face_soup
+template<class Vert>  // vert_id, as in face_merger
 class poly_orienter {
   std::span<const vec3> points_;
   winding_check<Vert> wound_well_;
@@ -215,18 +214,6 @@ std::size_t orient_polyhedra(Arrays& m) {
   face_lister<vert_id> faces_of;
   std::size_t changed = 0;
   for (std::size_t p = 0; p < m.num_polys(); ++p) changed += orient(faces_of(m, p));
-  return changed;
-}
-
-/// The same with separate faces; outward has a flag for each of them.
-template<class Vert>
-std::size_t orient_polyhedra(const basic_face_soup<Vert>& soup, std::span<const vec3> points, std::vector<std::uint8_t>& outward) {
-  poly_orienter<Vert> orient(points);
-  std::size_t changed = 0;
-  for (std::size_t p = 0; p + 1 < soup.poly_offsets.size(); ++p) {
-    const std::uint32_t first = soup.poly_offsets[p];
-    changed += orient({soup.face_offsets.data() + first, soup.face_verts.data(), outward.data() + first, soup.poly_offsets[p + 1] - first});
-  }
   return changed;
 }
 

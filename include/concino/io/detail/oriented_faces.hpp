@@ -34,7 +34,7 @@ struct oriented_faces {
 };
 
 /// Lists the faces of the polys of a mesh, one poly at a time.
-template<class Vert>  // vert_id, as in face_soup
+template<class Vert>  // vert_id, as in face_merger
 class face_lister {
   std::vector<std::uint32_t> offsets_;
   std::vector<Vert> verts_;

@@ -157,6 +157,10 @@ class vtk_mesh {
   }
 
   void make_volume(bool lists_faces) {
+    if (auto* const built = static_cast<basic_cell_builder<Contents>*>(grid_.cell_builder.get())) {
+      identity_ = true;
+      return built->finish(out_);
+    }
     basic_cell_builder<Contents> cells(in_, grid_.points, 0);
     if (has_one_shape()) {
       const std::size_t n = grid_.size(), added = cells.add_all_cells(shape_of_vtk_cell(grid_.types[0]), std::move(grid_.verts));
@@ -228,6 +232,7 @@ class vtk_mesh {
   /// Checks the list of the faces of a polyhedron.
   void check_faces(std::size_t c) {
     std::size_t at = grid_.first(c);
+    if (grid_.has_checked_faces && verts_[at].raw() > 0) return;
     const std::size_t end = grid_.cell_ends[c];
     const std::size_t faces = at < end ? verts_[at++].raw() : 0;
     for (std::size_t f = 0; f < faces; ++f) {

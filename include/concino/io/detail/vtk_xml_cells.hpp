@@ -44,6 +44,7 @@ class vtk_xml_cells : public vtk_xml_data {
     require_numbers(a, 3 * n);
     const std::size_t first = grid_.points.size();
     core::reserve_large(grid_.points, first + n);
+    core::request_pages(grid_.points.data() + first, n * sizeof(vec3));
     const auto check_from = [&](std::size_t i) {
       for (; i < grid_.points.size(); ++i)
         if (!is_finite(grid_.points[i])) fail_array(a, {"finite coordinates"}, {"others at point ", i - first});
@@ -83,6 +84,7 @@ class vtk_xml_cells : public vtk_xml_data {
     require_numbers(a, n);
     std::vector<std::uint32_t>& ends = grid_.cell_ends;
     core::reserve_large(ends, ends.size() + n);
+    core::request_pages(ends.data() + ends.size(), n * sizeof ends[0]);
     const auto before = static_cast<std::uint32_t>(grid_.verts.size());
     std::int64_t last = 0;
     for_each_integers(a, n, [&](const std::int64_t* values, std::size_t count) {
@@ -98,20 +100,25 @@ class vtk_xml_cells : public vtk_xml_data {
     return static_cast<std::uint32_t>(last);
   }
 
-  /// Adds the verts of the last cells, or only checks them.
-  void add_verts(const vtk_xml_array& a, std::size_t p, std::uint32_t n, bool only_check = false) {
+  /// Adds the n verts of the last cells. Those of polyhedra are only checked if the program reads volumes, as they are those of the faces, too.
+  void add_verts(const vtk_xml_array& a, std::size_t p, std::uint32_t n, bool has_polyhedra = false) {
     if (grid_.verts.size() + n > max_ids) fail_to_count("corners");
     require_numbers(a, n);
-    if (!only_check) core::reserve_large(grid_.verts, grid_.verts.size() + n);
-    const std::uint64_t bound = index_.pieces[p].points, first = first_point_[p];
+    if (!has_polyhedra) core::reserve_large(grid_.verts, grid_.verts.size() + n);
+    const std::uint64_t bound = index_.pieces[p].points;
+    std::size_t cell = first_cell_[p], read = grid_.verts.size();  // the end of the verts that were read
     for_each_integers(a, n, [&](const std::int64_t* values, std::size_t count) {
       bool fits = true;
       for (std::size_t i = 0; i < count; ++i) fits &= static_cast<std::uint64_t>(values[i]) < bound;
       for (std::size_t i = 0; !fits && i < count; ++i) push_vert(a, p, values[i]);  // throws
-      if (only_check) return;
-      grid_.verts.resize(grid_.verts.size() + count);
-      vert_id* const to = grid_.verts.data() + (grid_.verts.size() - count);
-      for (std::size_t i = 0; i < count; ++i) to[i] = vert_id{static_cast<std::uint32_t>(first + static_cast<std::uint64_t>(values[i]))};
+      if (!has_polyhedra) return append_verts(values, count, first_point_[p]);
+      for (const std::size_t end = read + count; read < end;) {
+        const std::size_t cell_end = std::min<std::size_t>(grid_.cell_ends[cell], end);
+        if (grid_.types[cell] != vtk_polyhedron) append_verts(values, cell_end - read, first_point_[p]);
+        values += cell_end - read;
+        read = cell_end;
+        while (cell < grid_.size() && grid_.cell_ends[cell] <= read) ++cell;
+      }
     });
   }
 
@@ -151,13 +158,19 @@ class vtk_xml_cells : public vtk_xml_data {
         if (values[i] < 0 || values[i] > 255) fail_array(types, {"cell types from 0 to 255"}, {values[i]});
     });
     const std::size_t first = grid_.verts.size();
-    if (verts > 0) add_verts(need(p, vtk_xml_part::cells, "connectivity"), p, verts, reads_polyhedra_ && num_polyhedra == n);
+    if (verts > 0) add_verts(need(p, vtk_xml_part::cells, "connectivity"), p, verts, reads_polyhedra_ && num_polyhedra);
     if (num_polyhedra) polyhedra(p, first);
   }
 
  private:
-  /// Replaces the verts of the polyhedra of a piece by their faces, if the program reads volumes; if not, that there are cells is an error later.
-  /// The verts begin at `first` in the grid; they are not there if all cells are polyhedra.
+  /// Appends verts of a piece, which have been checked.
+  void append_verts(const std::int64_t* values, std::size_t count, std::uint64_t first) {
+    grid_.verts.resize(grid_.verts.size() + count);
+    vert_id* const to = grid_.verts.data() + (grid_.verts.size() - count);
+    for (std::size_t i = 0; i < count; ++i) to[i] = vert_id{static_cast<std::uint32_t>(first + static_cast<std::uint64_t>(values[i]))};
+  }
+  /// Adds the faces of the polyhedra of a piece, if the program reads volumes; if not, that there are cells is an error later.
+  /// The verts of its other cells begin at `first` in the grid.
   virtual void polyhedra(std::size_t, std::size_t /*first*/) {}
 };
 

@@ -44,17 +44,19 @@ class vtk_xml_data : public vtk_xml_bytes {
     if (encoding_.swapped) swap_bytes(to, n, vtk_names_of(a.type).size);
   }
 
-  /// Calls use(values, count) for parts of the n numbers of an array, converted to T.
+  /// Calls use(values, count) for parts of the n numbers of an array, converted to T: double or std::int64_t.
   template<class T>
   [[gnu::noinline]] void for_each_part(const vtk_xml_array& a, std::uint64_t n, function_ref<void(const T*, std::size_t)> use) {
     require_numbers(a, n);
     const std::size_t size = vtk_names_of(a.type).size;
+    const bool is_same = std::is_same_v<T, double> ? a.type == vtk_number::float64 : a.type == vtk_number::int64 || a.type == vtk_number::uint64;
     const auto use_parts = [&](const unsigned char* from, std::uint64_t m) {
+      const bool in_place = is_same && reinterpret_cast<std::uintptr_t>(from) % alignof(T) == 0;
       T part[largest_part];
       for (std::uint64_t i = 0; i < m; i += std::size(part)) {
         const std::size_t count = std::min<std::uint64_t>(std::size(part), m - i);
-        convert(a.type, from + i * size, count, part);
-        use(part, count);
+        if (!in_place) convert(a.type, from + i * size, count, part);
+        use(in_place ? reinterpret_cast<const T*>(from) + i : part, count);
       }
     };
     if (n && a.format == "ascii") {

@@ -1,10 +1,15 @@
 // Reads the polyhedra of .vtu files, in the layout before version 2.3 of the format, and in that of shared faces since then.
 #pragma once
 
+#include <concino/io/cell_builder.hpp>
+#include <concino/io/detail/vtk_id_list.hpp>
 #include <concino/io/detail/vtk_xml_reader.hpp>
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace concino::detail {
@@ -12,25 +17,24 @@ namespace concino::detail {
 /// Reads volumes too. A template only so that programs without volumes need not compile it.
 template<class Contents>
 class vtk_xml_volume_reader : public vtk_xml_reader {
-  static constexpr std::int64_t max_index = 0xFFFFFFFE;
+  using id_list = vtk_id_list<vert_id>;
 
  public:
   vtk_xml_volume_reader(const read_context& in, vtk_grid& grid) : vtk_xml_reader(in, grid) { reads_polyhedra_ = true; }
 
  private:
-  /// Replaces the verts of polyhedra by their faces.
+  /// Puts the faces of polyhedra between the verts of other cells.
   [[gnu::noinline, gnu::cold]] void polyhedra(std::size_t p, std::size_t first) override {
-    has_faces_ = true;
+    has_faces_ = grid_.has_checked_faces = true;
     std::uint32_t* const ends = grid_.cell_ends.data() + first_cell_[p];
     const std::size_t num_cells = grid_.size() - first_cell_[p];
-    std::vector<vert_id> verts;
-    if (first == 0) verts.swap(grid_.verts);
-    else verts.assign(grid_.verts.begin() + static_cast<std::ptrdiff_t>(first), grid_.verts.end());
+    const std::vector<vert_id> others(grid_.verts.begin() + static_cast<std::ptrdiff_t>(first), grid_.verts.end());
     const auto part = vtk_xml_part::cells;
     const bool is_new = !find(p, part, "faces");
     const vtk_xml_array& faces = need(p, part, is_new && find(p, part, "polyhedron_to_faces") ? "polyhedron_to_faces" : "faces");
+    if (!is_new && can_build()) return build_cells(p, faces, others);
     // The list of faces is read behind the room for the verts of other cells, and changed in place: what is written never reaches what is not read yet.
-    const std::size_t list_begin = first + (is_new ? 0 : num_verts_of_others(first_cell_[p], first));
+    const std::size_t list_begin = first + (is_new ? 0 : others.size());
     id_list list;
     grid_.verts.resize(list_begin);
     if (!is_new) list = append_ids(faces);
@@ -44,13 +48,15 @@ class vtk_xml_volume_reader : public vtk_xml_reader {
     if (cell_ends.size() < num_cells) fail_array(faces, {"an end for each of ", num_cells, " cells"}, {cell_ends.size()});
     if (is_new) check_shared_faces(cell_faces, face_ends, face_verts.size());
     const std::size_t size = is_new ? cell_faces.size() : grid_.verts.size() - list_begin;
-    std::size_t written = first, at_list = 0, from = 0;
+    std::size_t written = first, at_list = 0, other = 0, from = first;
     for (std::size_t c = 0; c < num_cells; ++c) {
-      const std::size_t verts_end = ends[c] - first;
+      const std::size_t num_verts = ends[c] - from;
+      from = ends[c];
       if (grid_.types[first_cell_[p] + c] != vtk_polyhedron) {
-        if (is_new) grid_.verts.resize(written + (verts_end - from));
-        std::copy(verts.data() + from, verts.data() + verts_end, grid_.verts.data() + written);
-        written += verts_end - from;
+        if (is_new) grid_.verts.resize(written + num_verts);
+        std::copy_n(others.data() + other, num_verts, grid_.verts.data() + written);
+        other += num_verts;
+        written += num_verts;
       } else {
         const auto end = static_cast<std::size_t>(cell_ends[c]);
         if (cell_ends[c] < 0 || end < at_list || end > size) fail_array(faces, {"ends of polyhedra that increase to ", size}, {cell_ends[c]});
@@ -58,23 +64,18 @@ class vtk_xml_volume_reader : public vtk_xml_reader {
           listed_faces(faces, p, cell_faces, face_ends, face_verts, static_cast<std::int64_t>(at_list), cell_ends[c]);
           written = grid_.verts.size();
         } else {
-          vert_id* const all = grid_.verts.data();
-          written = static_cast<std::size_t>(face_stream(faces, p, list, all + list_begin, at_list, end, all + written) - all);
+          const vert_id* const source = grid_.verts.data() + list_begin + at_list;
+          const std::size_t n = length_of_faces(faces, p, list, source, at_list, end);
+          std::memmove(grid_.verts.data() + written, source, n * sizeof *source);
+          add_to_listed_verts(grid_.verts.data() + written, static_cast<std::uint32_t>(first_point_[p]));
+          written += n;
         }
         at_list = end;
       }
       if (written > max_ids) fail_to_count("corners of faces");
       ends[c] = static_cast<std::uint32_t>(written);
-      from = verts_end;
     }
     grid_.verts.resize(written);
-  }
-  /// The number of verts of the cells of a piece that are no polyhedra.
-  std::size_t num_verts_of_others(std::size_t first_cell, std::size_t first_vert) const {
-    std::size_t n = 0, from = first_vert;
-    for (std::size_t c = first_cell; c < grid_.size(); from = grid_.cell_ends[c++])
-      if (grid_.types[c] != vtk_polyhedron) n += grid_.cell_ends[c] - from;
-    return n;
   }
   /// Errors: unsupported if the faces of all polyhedra have far more corners than the file lists.
   void check_shared_faces(const std::vector<std::int64_t>& cell_faces, const std::vector<std::int64_t>& face_ends, std::size_t num_verts) const {
@@ -102,63 +103,94 @@ class vtk_xml_volume_reader : public vtk_xml_reader {
     const std::uint64_t n = length_of(a);
     require_numbers(a, n);
     core::reserve_large(all, n);
+    core::request_pages(all.data(), n * sizeof all[0]);
     for_each_integers(a, n, [&](const std::int64_t* values, std::size_t count) { all.insert(all.end(), values, values + count); });
     return all;
   }
-  /// The first of the integers of a list that are too large or negative, for errors. They become "no id".
-  struct id_list {
-    std::size_t first_bad = ~std::size_t{0};
-    std::int64_t bad = 0;
-
-    std::int64_t number(std::size_t k, vert_id id) const { return k == first_bad ? bad : std::int64_t{id.raw()}; }
-  };
-  /// Appends integers to the verts of the grid, as ids.
+  /// Appends the integers of an array to the verts of the grid.
   id_list append_ids(const vtk_xml_array& a) {
     const std::uint64_t n = length_of(a);
     require_numbers(a, n);
     id_list list;
-    std::vector<vert_id>& ids = grid_.verts;
-    const std::size_t before = ids.size();
-    core::reserve_large(ids, before + n);
-    for_each_integers(a, n, [&](const std::int64_t* values, std::size_t count) {
-      std::uint64_t all = 0;
-      const std::size_t at_ids = ids.size();
-      ids.resize(at_ids + count);
-      vert_id* const some = ids.data() + at_ids;
-      for (std::size_t i = 0; i < count; ++i) {
-        const auto x = static_cast<std::uint64_t>(values[i]);
-        all |= x;
-        some[i] = vert_id{static_cast<std::uint32_t>(x)};
-      }
-      for (std::size_t i = 0; all > max_index && i < count; ++i) {
-        if (values[i] >= 0 && values[i] <= max_index) continue;
-        some[i] = vert_id{};
-        if (list.first_bad == ~std::size_t{0}) list.first_bad = at_ids - before + i, list.bad = values[i];
-      }
-    });
+    core::reserve_large(grid_.verts, grid_.verts.size() + n);
+    core::request_pages(grid_.verts.data() + grid_.verts.size(), n * sizeof(vert_id));
+    for_each_integers(a, n, [&](const std::int64_t* values, std::size_t count) { list.append(values, count, grid_.verts); });
     return list;
   }
-  /// Copies the number of faces of a polyhedron, and for each the number of its verts and these, from begin to end of a list.
-  /// Result: the end of the copy.
-  vert_id* face_stream(const vtk_xml_array& a, std::size_t p, const id_list& list, const vert_id* source, std::size_t begin, std::size_t end, vert_id* to) {
-    const std::uint64_t bound = index_.pieces[p].points, first = first_point_[p];
+  /// The length of the list of a polyhedron, as far as it is used: the number of its faces, and for each the number of its verts and these.
+  /// The list begins at `begin` in its array, and ends at most at `end`.
+  std::size_t length_of_faces(const vtk_xml_array& a, std::size_t p, const id_list& list, const vert_id* source, std::size_t begin, std::size_t end) {
+    const std::uint64_t bound = index_.pieces[p].points;
+    const std::size_t n = end - begin;
     const auto fail_at = [&](const char* what, std::size_t k) {
-      if (k == end) fail_array(a, {what}, {"the end of the polyhedron"});
-      fail_array(a, {what}, {list.number(k, source[k])});
+      if (k == n) fail_array(a, {what}, {"the end of the polyhedron"});
+      fail_array(a, {what}, {list.number(begin + k, source[k])});
     };
-    std::size_t k = begin;
-    if (k == end || source[k].raw() >= end - k) fail_at("the number of faces of a polyhedron", k);
-    const std::uint32_t faces = source[k].raw();
-    *to++ = source[k++];
-    for (std::uint32_t f = 0; f < faces; ++f) {
-      if (k == end || source[k].raw() >= end - k) fail_at("the number of verts of a face", k);
+    std::size_t k = 0;
+    if (k == n || source[k].raw() >= n - k) fail_at("the number of faces of a polyhedron", k);
+    const bool are_verts = list.largest < bound;  // nearly always
+    for (std::uint32_t left = source[k++].raw(); left > 0; --left) {
+      if (k == n || source[k].raw() >= n - k) fail_at("the number of verts of a face", k);
       const std::size_t last = k + 1 + source[k].raw();
-      for (*to++ = source[k++]; k < last; ++k) {
-        if (source[k].raw() >= bound) fail_array(a, {"point indices below ", bound}, {list.number(k, source[k])});
-        *to++ = vert_id{static_cast<std::uint32_t>(first + source[k].raw())};
-      }
+      for (std::size_t i = k + 1; !are_verts && i < last; ++i)
+        if (source[i].raw() >= bound) fail_array(a, {"point indices below ", bound}, {list.number(begin + i, source[i])});
+      k = last;
     }
-    return to;
+    return k;
+  }
+  /// Whether the cells can be built while the list of their faces is read: they stay as they are, and the mesh can hold polyhedra.
+  bool can_build() const {
+    if (!in_.wanted.polyhedra || index_.pieces.size() != 1) return false;
+    for (const vtk_xml_entry& e : index_.entries)
+      if (e.part == vtk_xml_part::of_cells && e.array.name == "vtkGhostType") return false;
+    for (const std::uint8_t t : grid_.types)
+      if (t != vtk_polyhedron && (shape_of_vtk_cell(t) == cell_shape::general || t == 11)) return false;
+    return true;
+  }
+  /// Builds all cells, each while its faces are in the cache. `others` has the verts of cells that are no polyhedra.
+  void build_cells(std::size_t p, const vtk_xml_array& faces, const std::vector<vert_id>& others) {
+    const std::vector<std::int64_t> ends = integers(need(p, vtk_xml_part::cells, "faceoffsets"));
+    const std::uint64_t size = length_of(faces);
+    require_numbers(faces, size);
+    if (ends.size() < grid_.size()) fail_array(faces, {"an end for each of ", grid_.size(), " cells"}, {ends.size()});
+    const auto cells = std::make_shared<basic_cell_builder<Contents>>(in_, grid_.points, 0);
+    grid_.cell_builder = cells;
+    cells->expect_numbers(size + others.size());
+    std::size_t c = 0, at_list = 0;            // the next cell, and where its list begins
+    const vert_id* other = others.data();
+    std::vector<vert_id> part;                 // of the list, from there on
+    id_list list;
+    const auto add_cells = [&] {
+      const vert_id* source = part.data();
+      for (; c < grid_.size(); ++c) {
+        const cell_shape shape = shape_of_vtk_cell(grid_.types[c]);
+        bool is_valid = true;
+        if (shape != cell_shape::general) {
+          is_valid = cells->add_cell(shape, other_cell(c, other));
+        } else {
+          const auto end = static_cast<std::size_t>(ends[c]);
+          if (ends[c] < 0 || end < at_list || end > size) fail_array(faces, {"ends of polyhedra that increase to ", size}, {ends[c]});
+          if (end > list.size) break;
+          const std::size_t n = length_of_faces(faces, p, list, source, at_list, end);
+          is_valid = source->raw() > 0 ? cells->add_polyhedron(source, n) : cells->end_polyhedron();
+          source += end - at_list;
+          at_list = end;
+        }
+        if (!is_valid) this->fail_at_cell(c, {cells->expected}, {cells->found});
+      }
+      part.erase(part.begin(), part.begin() + (source - part.data()));
+    };
+    add_cells();
+    for_each_integers(faces, size, [&](const std::int64_t* values, std::size_t count) {
+      list.append(values, count, part);
+      add_cells();
+    });
+  }
+  /// The verts of a cell that is no polyhedron. Errors: parse_error if it has another number of verts than its type.
+  const vert_id* other_cell(std::size_t c, const vert_id*& other) {
+    const std::size_t n = grid_.cell_ends[c] - grid_.first(c), expected = size_of_vtk_cell(grid_.types[c]);
+    if (n != expected) this->fail_at_cell(c, {expected, " points, for a cell of type ", unsigned{grid_.types[c]}}, {n});
+    return std::exchange(other, other + n);
   }
   /// The same from lists of faces and of their verts.
   void listed_faces(const vtk_xml_array& a, std::size_t p, const std::vector<std::int64_t>& cell_faces, const std::vector<std::int64_t>& face_ends,

@@ -50,46 +50,30 @@ void pair_with_left_over(Elements& all, std::size_t fresh, std::size_t left_over
 
 /// Allocates memory for the lists of the verts as they will be. Memory for removals too. `vert` gives the vert with a local number.
 template<class Changes, class Verts>
-void reserve_lists_of_verts(jagged_array<vert_id, 0>& v2v, jagged_array<edge_id, 0>& v2e, jagged_array<poly_id, 0>& v2p, const Changes& changes, unsigned num_old, const Verts& vert) {
-  v2v.make_editable();
-  v2e.make_editable();
-  v2p.make_editable();
+void reserve_lists_of_verts(incident_edges& edges_at, jagged_array<poly_id, 0>& v2p, const Changes& changes, unsigned num_old, const Verts& vert) {
+  make_vertex_incidence_growable(edges_at, v2p);
   for (unsigned v = 0; v < num_old; ++v) {
     const vert_change& x = changes[v];
-    if (x.edges_gained > x.edges_lost) reserve_edges_at(v2v, v2e, vert(v), x.edges_gained - x.edges_lost);
+    if (x.edges_gained > x.edges_lost) edges_at.reserve_at(vert(v), x.edges_gained - x.edges_lost);
     if (x.polys_after > x.polys_before) v2p.reserve_in_row(vert(v).raw(), x.polys_after - x.polys_before);
   }
   const std::size_t num_new = changes.size() - num_old;
   if (num_new == 0) return;
   std::size_t edges = 0, polys = 0;
   for (std::size_t v = num_old; v < changes.size(); ++v) edges += changes[v].edges_gained, polys += changes[v].polys_after;
-  v2v.reserve_rows(num_new, edges);
-  v2e.reserve_rows(num_new, edges);
-  v2p.reserve_rows(num_new, polys);
-}
-
-/// Adds the rows of a new vert.
-inline void add_lists_of_vert(jagged_array<vert_id, 0>& v2v, jagged_array<edge_id, 0>& v2e, jagged_array<poly_id, 0>& v2p, const vert_change& x) {
-  const auto add = [](auto& rows, std::size_t room) {
-    rows.stage_row(nullptr, 0, room);
-    rows.commit_row(0, room);
-  };
-  add(v2v, x.edges_gained);
-  add(v2e, x.edges_gained);
-  add(v2p, x.polys_after);
+  reserve_lists_of_new_verts(edges_at, v2p, num_new, edges, polys);
 }
 
 /// Removes the edges that are left over, and gives all new ones their descriptors.
 template<class Verts>
-void change_edges(cavity_edges& all, alive_elements<edge_id>& edges, jagged_array<vert_id, 2>& ends, jagged_array<vert_id, 0>& v2v, jagged_array<edge_id, 0>& v2e, const Verts& vert) {
+void change_edges(cavity_edges& all, alive_elements<edge_id>& edges, jagged_array<vert_id, 2>& ends, incident_edges& edges_at, const Verts& vert) {
   const auto has = [](const cavity_edge& x, unsigned v) { return x.a == v || x.b == v; };
   for (const cavity_edge& old : all) {
     if (!old.is_left_over()) continue;
     for (const unsigned v : {old.a, old.b}) {
       const cavity_edge* const x = old.partner;
-      const std::size_t row = vert(v).raw(), k = v2e.position(row, old.id);
-      if (x && has(*x, v)) v2v.begin(row)[k] = vert(x->a == v ? x->b : x->a);
-      else v2v.remove_at(row, k), v2e.remove_at(row, k);
+      if (x && has(*x, v)) edges_at.set_other_end(vert(v), old.id, vert(x->a == v ? x->b : x->a));
+      else edges_at.replace_by_last(vert(v), old.id);
     }
     if (!old.partner) edges.remove(old.id);
   }
@@ -105,8 +89,7 @@ void change_edges(cavity_edges& all, alive_elements<edge_id>& edges, jagged_arra
     }
     for (const unsigned v : {x.a, x.b}) {
       if (x.partner && has(*x.partner, v)) continue;
-      v2v.push_reserved(vert(v).raw(), v == x.a ? b : a);
-      v2e.push_reserved(vert(v).raw(), x.id);
+      edges_at.push(vert(v), v == x.a ? b : a, x.id);
     }
   }
 }

@@ -115,7 +115,7 @@ class cell_cavity {
       if (x.new_polys++ > 0) continue;
       fans[n].first_new = static_cast<std::uint32_t>(k * Shape::edges + j);
       if (!x.id.is_none() || x.b >= num_old_verts) continue;
-      x.id = edge_between(t.v2v_, t.v2e_, verts[x.a], verts[x.b]);
+      x.id = t.incident_edges_.edge_between(verts[x.a], verts[x.b]);
       fans[n].is_irregular = !x.id.is_none();
     }
     for (unsigned j = 0; j < Shape::faces; ++j) {

@@ -216,8 +216,7 @@ void cell_tables<Shape, Lists>::builder::hand_over() {
   v2e_.shrink_to_fit();
   t_.e2p_.shrink_to_fit();
   t_.e2v_ = detail::jagged_array<vert_id, 2>(std::move(ends_));
-  t_.v2v_ = {std::make_shared<const detail::offsets>(std::move(vert_offsets_)), std::move(v2v_)};
-  t_.v2e_ = {t_.v2v_.shared_offsets(), std::move(v2e_)};
+  t_.incident_edges_ = {std::make_shared<const detail::offsets>(std::move(vert_offsets_)), std::move(v2v_), std::move(v2e_)};
   t_.verts_ = detail::alive_elements<vert_id>(vert_count_);
   t_.edges_ = detail::alive_elements<edge_id>(edge_count_);
   t_.faces_ = detail::alive_elements<face_id>(face_count_);

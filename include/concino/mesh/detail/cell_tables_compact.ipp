@@ -13,9 +13,7 @@ cell_tables<Shape, Lists> cell_tables<Shape, Lists>::compacted(const detail::com
   t.p2e_ = detail::packed_rows(p2e_, kept.polys, kept.edges);
   t.facet_adjacency_ = facet_adjacency_.compacted(kept.faces, kept.polys);
   t.e2v_ = detail::packed_rows(e2v_, kept.edges, kept.verts);
-  t.v2v_ = detail::packed_rows(v2v_, kept.verts, kept.verts);
-  t.v2e_ = detail::packed_rows(v2e_, kept.verts, kept.edges);
-  t.v2e_.share_offsets(t.v2v_);
+  t.incident_edges_ = detail::packed_edges(incident_edges_, kept.verts, kept.edges);
   t.v2p_ = detail::packed_rows(v2p_, kept.verts, kept.polys);
   t.verts_ = detail::alive_elements<vert_id>(kept.verts.size());
   t.edges_ = detail::alive_elements<edge_id>(kept.edges.size());

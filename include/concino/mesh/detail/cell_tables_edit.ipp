@@ -7,10 +7,10 @@ namespace concino {
 
 template<class Shape, class Lists>
 vert_id cell_tables<Shape, Lists>::add_vert(function_ref<void(const detail::index_bounds&)> grow) {
-  detail::stage_vertex_incidence(v2v_, v2e_, v2p_);
+  detail::reserve_lists_of_new_verts(incident_edges_, v2p_, 1, 0, 0);
   verts_.reserve(1);
   if (grow) grow(detail::index_bounds{verts_.bound() + 1, edges_.bound(), faces_.bound(), polys_.bound(), p2v_.num_values()});
-  detail::commit_vertex_incidence(v2v_, v2e_, v2p_);
+  detail::add_lists_of_vert(incident_edges_, v2p_, 0, 0);
   return verts_.add();
 }
 
@@ -31,7 +31,7 @@ poly_id cell_tables<Shape, Lists>::add_poly(std::span<const vert_id> corners, fu
     more_faces += f[k].is_none();
   }
   for (unsigned i = 0; i < Shape::verts; ++i) {
-    detail::reserve_edges_at(v2v_, v2e_, c[i], at.more_at[i]);
+    detail::reserve_edges_at(incident_edges_, c[i], at.more_at[i]);
     v2p_.reserve_in_row(c[i].raw(), 1);
   }
   p2v_.reserve_rows(1);
@@ -48,7 +48,7 @@ poly_id cell_tables<Shape, Lists>::add_poly(std::span<const vert_id> corners, fu
 
   for (unsigned j = 0; j < Shape::edges; ++j)
     if (e[j].is_none()) {
-      e[j] = detail::add_edge(edges_, e2v_, v2v_, v2e_, c[Shape::edge_vert[j][0]], c[Shape::edge_vert[j][1]]);
+      e[j] = detail::add_edge(edges_, e2v_, incident_edges_, c[Shape::edge_vert[j][0]], c[Shape::edge_vert[j][1]]);
       e2p_.push_back(p.raw());
     }
   p2v_.add_row(c, c + Shape::verts);
@@ -74,7 +74,7 @@ auto cell_tables<Shape, Lists>::find_edges(const vert_id* corners) const -> edge
   edges_of_new_poly at;
   for (unsigned j = 0; j < Shape::edges; ++j) {
     const unsigned a = Shape::edge_vert[j][0], b = Shape::edge_vert[j][1];
-    at.edges[j] = detail::edge_between(v2v_, v2e_, corners[a], corners[b]);
+    at.edges[j] = incident_edges_.edge_between(corners[a], corners[b]);
     at.num_polys[j] = 1;
     if (at.edges[j].is_none()) ++at.more, ++at.more_at[a], ++at.more_at[b];
     else at.num_polys[j] += count_polys(at.edges[j]);
@@ -97,9 +97,7 @@ void cell_tables<Shape, Lists>::reserve_poly_lists_at(const edges_of_new_poly& a
 
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::reserve_removal(std::span<const poly_id> polys) {
-  v2v_.make_editable();
-  v2e_.make_editable();
-  v2p_.make_editable();
+  detail::make_vertex_incidence_growable(incident_edges_, v2p_);
   poly_lists_.make_editable();
   facet_adjacency_.reserve_removal();
   verts_.reserve_removal();

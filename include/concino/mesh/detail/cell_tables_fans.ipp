@@ -18,7 +18,7 @@ void cell_tables<Shape, Lists>::update_fan(edge_id e, std::uint32_t n) {
   const std::size_t poly_list = was_non_manifold ? poly_list_number(e) : poly_lists_.size();
   if (was_non_manifold) poly_lists_.clear_row(poly_list);
   if (n == 0) {
-    detail::remove_edge(edges_, e2v_, v2v_, v2e_, e);
+    detail::remove_edge(edges_, e2v_, incident_edges_, e);
     return;
   }
   poly_id first;

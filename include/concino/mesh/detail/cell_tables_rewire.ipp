@@ -36,10 +36,10 @@ class cell_tables<Shape, Lists>::rewiring {
 /// Saves all rows that reserve() and commit() may change. The arrays are numbered as for_each_array() visits them.
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::rewiring::save(detail::edit_log& log) const {
-  enum : std::uint32_t { of_verts, of_edges, of_faces, of_polys, of_p2v, of_p2e, of_e2v, of_e2p, of_poly_lists, of_v2v, of_v2e, of_v2p, of_facets };
+  enum : std::uint32_t { of_verts, of_edges, of_faces, of_polys, of_p2v, of_p2e, of_e2v, of_e2p, of_poly_lists, of_incident_edges, of_v2p, of_facets };
   for (const vert_id x : c_.verts) {
     const std::size_t v = x.raw();
-    log.save(of_verts, t_.verts_, v), log.save(of_v2v, t_.v2v_, v), log.save(of_v2e, t_.v2e_, v), log.save(of_v2p, t_.v2p_, v);
+    log.save(of_verts, t_.verts_, v), log.save(of_incident_edges, t_.incident_edges_, v), log.save(of_v2p, t_.v2p_, v);
   }
   for (const detail::cavity_edge& x : x_.edges) {
     if (x.id.is_none()) continue;
@@ -63,7 +63,7 @@ void cell_tables<Shape, Lists>::rewiring::reserve(function_ref<void(const detail
   detail::pair_with_left_over(x_.faces, x_.fresh_faces, x_.left_over_faces);
   const std::size_t more_edges = x_.fresh_edges - std::min(x_.fresh_edges, x_.left_over_edges);
   const std::size_t more_faces = x_.fresh_faces - std::min(x_.fresh_faces, x_.left_over_faces);
-  detail::reserve_lists_of_verts(t_.v2v_, t_.v2e_, t_.v2p_, x_.changes, x_.num_old_verts, [this](unsigned v) { return vert(v); });
+  detail::reserve_lists_of_verts(t_.incident_edges_, t_.v2p_, x_.changes, x_.num_old_verts, [this](unsigned v) { return vert(v); });
   reserve_poly_lists();
   t_.p2v_.reserve_rows(x_.num_added());
   t_.p2e_.reserve_rows(x_.num_added());
@@ -101,14 +101,14 @@ void cell_tables<Shape, Lists>::rewiring::reserve_poly_lists() {
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::rewiring::commit(const detail::native_cavity_result& made) {
   for (unsigned v = x_.num_old_verts; v < x_.num_verts; ++v) {
-    detail::add_lists_of_vert(t_.v2v_, t_.v2e_, t_.v2p_, x_.changes[v]);
+    detail::add_lists_of_vert(t_.incident_edges_, t_.v2p_, x_.changes[v].edges_gained, x_.changes[v].polys_after);
     made.verts[v - x_.num_old_verts] = t_.verts_.add();
   }
   for (const poly_id p : c_.polys) t_.facet_adjacency_.detach(p);
   change_polys_of_verts();
   for (const detail::cavity_edge& x : x_.edges)
     if (x.is_left_over() && t_.is_non_manifold(x.id)) t_.poly_lists_.clear_row(t_.poly_list_number(x.id));
-  detail::change_edges(x_.edges, t_.edges_, t_.e2v_, t_.v2v_, t_.v2e_, [this](unsigned v) { return vert(v); });
+  detail::change_edges(x_.edges, t_.edges_, t_.e2v_, t_.incident_edges_, [this](unsigned v) { return vert(v); });
   t_.e2p_.resize(t_.edges_.bound());
   change_faces();
   replace_polys();
@@ -134,7 +134,7 @@ void cell_tables<Shape, Lists>::rewiring::change_polys_of_verts() {
     for (unsigned i = 0; i < Shape::verts; ++i)
       if (const unsigned v = x_.corners_of_old[k * Shape::verts + i]; !keeps(k, v, c_.corners.begin())) {
         const std::size_t row = x_.verts[v].raw();
-        t_.v2p_.remove_at(row, t_.v2p_.position(row, c_.polys[k]));
+        t_.v2p_.remove_at(row, t_.v2p_.find_in_row(row, c_.polys[k]));
       }
   for (std::size_t k = 0; k < x_.num_new(); ++k)
     for (unsigned i = 0; i < Shape::verts; ++i)
@@ -200,7 +200,7 @@ template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::rewire(const detail::native_cavity& c, const detail::native_cavity_result& made, function_ref<void(const detail::index_bounds&)> grow,
                                         detail::edit_log* log) {
   for (const vert_id v : c.verts)  // in random order, most of the time would be spent in waiting for these
-    if (verts_.contains(v)) v2v_.prefetch_row(v.raw()), v2e_.prefetch_row(v.raw()), v2p_.prefetch_row(v.raw());
+    if (verts_.contains(v)) incident_edges_.prefetch_place(v), v2p_.prefetch_place(v.raw());
   rewiring r(*this, c);
   if (log) r.save(*log);
   r.reserve(grow);

@@ -1,7 +1,9 @@
 // Compaction of tables after elements were removed: the remaining elements are numbered 0, 1, 2, ... in the same order, and rows become packed.
 #pragma once
 
+#include <concino/mesh/detail/alive_elements.hpp>
 #include <concino/mesh/detail/facet_adjacency.hpp>
+#include <concino/mesh/detail/incident_edges.hpp>
 
 #include <cstdint>
 #include <utility>
@@ -66,6 +68,21 @@ jagged_array<T, N> packed_rows(const jagged_array<T, N>& rows, const compact_num
   for (std::size_t i = 0; i < kept.size(); ++i)
     for (const T& x : rows[kept.before(i)]) *to++ = renumber(x);
   return packed;
+}
+
+/// The edges of the remaining verts.
+inline incident_edges packed_edges(const incident_edges& all, const compact_numbers<vert_id>& kept_verts, const compact_numbers<edge_id>& kept_edges) {
+  offsets where(kept_verts.size() + 1, 0);
+  for (std::size_t i = 0; i < kept_verts.size(); ++i) where[i + 1] = all.num_edges(vert_id{kept_verts.before(i)});
+  prefix_sum(where);
+  core::flat_array<vert_id> verts(where.back());
+  core::flat_array<edge_id> edges(where.back());
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < kept_verts.size(); ++i) {
+    const vert_id v{kept_verts.before(i)};
+    for (std::size_t k = 0; k < all.num_edges(v); ++k, ++at) verts[at] = kept_verts(all.verts(v)[k]), edges[at] = kept_edges(all.edges(v)[k]);
+  }
+  return {std::make_shared<const offsets>(std::move(where)), std::move(verts), std::move(edges)};
 }
 
 inline non_manifold_facets non_manifold_facets::compacted(const std::vector<std::uint32_t>& lists, const compact_numbers<poly_id>& kept) const {

@@ -6,7 +6,7 @@
 
 #include <concino/concepts/descriptors.hpp>
 #include <concino/mesh/detail/alive_elements.hpp>
-#include <concino/mesh/detail/jagged_array.hpp>
+#include <concino/mesh/detail/incident_edges.hpp>
 #include <concino/mesh/property_set.hpp>
 
 #include <cstddef>
@@ -30,29 +30,36 @@ struct saved_array {
   static void restore(array& a, std::size_t row, const unsigned char* bytes, std::size_t) { std::memcpy(static_cast<void*>(a.begin(row)), bytes, N * sizeof(T)); }
 };
 
-template<class T>
-struct saved_array<T, 0> {
-  using array = jagged_array<T, 0>;
+/// Rows of any lengths: the place of a row, then its values in each array.
+template<class Array>
+struct saved_rows {
+  using array = Array;
   static std::size_t num_rows(const array& a) { return a.size(); }
-  static void sizes(const array& a, std::uint64_t* two) { two[0] = a.size(), two[1] = a.num_values(); }
+  static void sizes(const array& a, std::uint64_t* two) { two[0] = a.size(), two[1] = a.values_to_restore(); }
   static void resize(array& a, const std::uint64_t* two) { a.restore_size(two[0], two[1]); }
   static void put(const array& a, std::size_t row, std::vector<unsigned char>& bytes) {
-    const auto where = a.place_of(row);
-    const auto* const head = reinterpret_cast<const unsigned char*>(&where);
-    const auto* const first = reinterpret_cast<const unsigned char*>(a.begin(row));
-    bytes.insert(bytes.end(), head, head + sizeof where);
-    bytes.insert(bytes.end(), first, first + a.length(row) * sizeof(T));
+    const row_places::place where = a.place_of(row);
+    const auto append = [&bytes](const void* first, const void* last) { bytes.insert(bytes.end(), static_cast<const unsigned char*>(first), static_cast<const unsigned char*>(last)); };
+    append(&where, &where + 1);
+    a.for_each_array_at(row, append);
   }
-  static void restore(array& a, std::size_t row, const unsigned char* bytes, std::size_t n) {
-    typename array::place where;
+  static void restore(array& a, std::size_t row, const unsigned char* bytes, std::size_t) {
+    row_places::place where;
     std::memcpy(&where, bytes, sizeof where);
     a.restore_place(row, where);
-    std::memcpy(static_cast<void*>(a.begin(row)), bytes + sizeof where, n - sizeof where);
+    bytes += sizeof where;
+    a.for_each_array_at(row, [&bytes](void* first, void* last) {
+      const auto n = static_cast<std::size_t>(static_cast<unsigned char*>(last) - static_cast<unsigned char*>(first));
+      if (n > 0) std::memcpy(first, bytes, n);
+      bytes += n;
+    });
   }
 };
+template<class T> struct saved_array<T, 0> : saved_rows<jagged_array<T, 0>> {};
 
 template<class Array> struct saved;
 template<class T, unsigned N> struct saved<jagged_array<T, N>> : saved_array<T, N> {};
+template<> struct saved<incident_edges> : saved_rows<incident_edges> {};
 
 template<class Id>
 struct saved<alive_elements<Id>> {

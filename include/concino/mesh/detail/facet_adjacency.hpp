@@ -281,16 +281,31 @@ class facet_adjacency {
       first = second = own;
     }
   }
+  /// Requests the rows of p, or what put() reads and writes besides those of p.
+  void prefetch_poly(poly_id p) const {
+    __builtin_prefetch(facets_.begin(p.raw()), 1);
+    __builtin_prefetch(neighbours_.begin(p.raw()), 1);
+  }
+  void prefetch_outside(Facet f, encoded_neighbour outside) const {
+    __builtin_prefetch(owner_.data() + f.raw(), 1);
+    if (!outside.is_none()) __builtin_prefetch(neighbours_.begin(outside.poly()), 1);
+  }
   // Edits that know that no poly has a neighbour behind two facets or a non-manifold facet, before and afterwards.
 
   /// Makes f facet k of p. Behind it is `outside`, to which f belongs first, or nothing.
   void put(poly_id p, std::uint32_t k, Facet f, encoded_neighbour outside) {
-    facets_.begin(p.raw())[k] = f;
-    neighbours_.begin(p.raw())[k] = outside;
-    if (outside.is_none()) return set_owner(f, p.raw(), k);
-    const std::uint32_t j = local(outside.raw, f);
-    neighbours_.begin(outside.raw)[j].raw = p.raw();
-    set_owner(f, outside.raw, j);
+    put_before(p, k, f, outside, outside.is_none() ? 0 : local(outside.raw, f));
+  }
+  /// The same if `before` was behind f seen from outside, which is read in fewer places.
+  void put(poly_id p, std::uint32_t k, Facet f, encoded_neighbour outside, poly_id before)
+    requires(N == 3)
+  {
+    std::uint32_t j = 0;
+    if (!outside.is_none()) {
+      const encoded_neighbour* const s = neighbours_.begin(outside.raw);
+      j = static_cast<std::uint32_t>(s[1].raw == before.raw()) + 2 * static_cast<std::uint32_t>(s[2].raw == before.raw());
+    }
+    put_before(p, k, f, outside, j);
   }
   /// Makes f facet k of p, to which it belongs first, and facet j of q.
   void put_between(poly_id p, std::uint32_t k, poly_id q, std::uint32_t j, Facet f) {
@@ -468,6 +483,15 @@ class facet_adjacency {
     for (std::uint32_t k = 0; k < row_lookup::longest_scan; ++k)
       if (at[k] == f) [[likely]] return k;
     return facet_lookup_.find(p, facets_[p], f);
+  }
+
+  /// Makes f facet k of p, and facet j of `outside`, which exists already.
+  void put_before(poly_id p, std::uint32_t k, Facet f, encoded_neighbour outside, std::uint32_t j) {
+    facets_.begin(p.raw())[k] = f;
+    neighbours_.begin(p.raw())[k] = outside;
+    if (outside.is_none()) return set_owner(f, p.raw(), k);
+    neighbours_.begin(outside.raw)[j].raw = p.raw();
+    set_owner(f, outside.raw, j);
   }
 
   void set_owner(Facet f, std::uint32_t p, std::uint32_t k) { owner_[f.raw()] = N > 0 ? N * p + k : p; }

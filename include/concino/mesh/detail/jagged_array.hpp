@@ -6,9 +6,9 @@
 #include <concino/concepts/ranges.hpp>
 #include <concino/core/error.hpp>
 #include <concino/core/flat_array.hpp>
-#include <concino/mesh/detail/alive_elements.hpp>
 #include <concino/mesh/detail/equal_rows.hpp>
-#include <concino/mesh/detail/offsets.hpp>
+#include <concino/mesh/detail/row_places.hpp>
+#include <concino/mesh/detail/short_rows.hpp>
 
 #include <algorithm>
 #include <cassert>
@@ -21,131 +21,101 @@
 
 namespace concino::detail {
 
-/// Rows of any lengths. Before the first edit the rows are consecutive ("packed"): row i ends where row i+1 begins, so one array of offsets is
-/// enough, and tables whose rows have equal lengths share it. The first edit that changes the length of a row gives every row an end of its
-/// own ("loose"). A row that exceeds its capacity moves to the end. Reading is the same in both states: row i is between first_[i] and last_[i],
-/// and packed rows have last_ = first_ + 1.
+/// Rows of any lengths, packed before the first edit and loose afterwards (row_places.hpp). A row that exceeds its capacity moves to the end.
 template<class T>
 class jagged_array<T, 0> {
-  std::shared_ptr<const offsets> packed_;
-  offsets loose_first_, loose_last_, room_;
-  const std::uint32_t* first_ = nullptr;
-  const std::uint32_t* last_ = nullptr;
-  std::size_t size_ = 0;
+  row_places places_;
   core::flat_array<T> data_;
-
-  void update_pointers() {
-    first_ = packed_ ? packed_->data() : loose_first_.data();
-    last_ = packed_ ? packed_->data() + 1 : loose_last_.data();
-  }
 
   void check_index_range(std::size_t more) const {
     if (data_.size() + more > std::numeric_limits<std::uint32_t>::max()) throw unsupported("jagged_array: the mesh has more than 2^32 adjacencies of one kind");
   }
 
-  void reserve_offsets(std::size_t n) {
-    make_editable();
-    if (std::min({loose_first_.capacity(), loose_last_.capacity(), room_.capacity()}) - size_ >= n) return;
-    reserve_more(loose_first_, n), update_pointers();
-    reserve_more(loose_last_, n), update_pointers();
-    reserve_more(room_, n);
-  }
+  /// Whether eight values can be read from the first one of row i on, though they may be those of other rows.
+  bool has_eight(std::size_t i) const { return data_.size() - places_.first(i) >= 8; }
 
-  void move_row(std::size_t i, std::uint32_t room) {
+  [[gnu::noinline]] void move_row(std::size_t i, std::uint32_t room) {
     check_index_range(room);
-    const std::size_t n = loose_last_[i] - loose_first_[i];
-    const std::size_t from = loose_first_[i], to = data_.size();
+    const std::size_t from = places_.first(i), to = data_.size();
     data_.reserve_back(room);
     data_.resize(to + room);
+    const std::uint32_t n = places_.length(i);
     std::copy_n(data_.data() + from, n, data_.data() + to);
-    loose_first_[i] = static_cast<std::uint32_t>(to);
-    loose_last_[i] = static_cast<std::uint32_t>(to + n);
-    room_[i] = room;
+    std::fill_n(data_.data() + to + n, room - n, T{});
+    places_.move_row(i, to, room);
   }
 
  public:
   jagged_array() = default;
   jagged_array(std::shared_ptr<const offsets> where, std::vector<T> data) : jagged_array(std::move(where), core::flat_array<T>(std::move(data))) {}
-  jagged_array(std::shared_ptr<const offsets> where, core::flat_array<T> data) : packed_(std::move(where)), data_(std::move(data)) {
-    assert(packed_ && !packed_->empty() && packed_->back() == data_.size());
-    size_ = packed_->size() - 1;
-    update_pointers();
-  }
-  jagged_array(const jagged_array& o)
-      : packed_(o.packed_), loose_first_(o.loose_first_), loose_last_(o.loose_last_), room_(o.room_), size_(o.size_), data_(o.data_) {
-    if (o.first_) update_pointers();
-  }
-  jagged_array(jagged_array&& o) noexcept { swap(o); }
-  jagged_array& operator=(jagged_array o) noexcept {
-    swap(o);
-    return *this;
-  }
-  void swap(jagged_array& o) noexcept {
-    using std::swap;
-    swap(packed_, o.packed_), swap(loose_first_, o.loose_first_), swap(loose_last_, o.loose_last_), swap(room_, o.room_);
-    swap(first_, o.first_), swap(last_, o.last_), swap(size_, o.size_), swap(data_, o.data_);
+  jagged_array(std::shared_ptr<const offsets> where, core::flat_array<T> data) : places_(std::move(where)), data_(std::move(data)) {
+    assert(places_.shared_offsets()->back() == data_.size());
   }
 
-  std::size_t size() const { return size_; }
+  std::size_t size() const { return places_.size(); }
   /// The position of the first value of row i among all values. It does not change while only commit_row() adds values.
-  std::size_t first(std::size_t i) const { return first_[i]; }
-  const T* begin(std::size_t i) const { return data_.data() + first_[i]; }
-  const T* end(std::size_t i) const { return data_.data() + last_[i]; }
-  T* begin(std::size_t i) { return data_.data() + first_[i]; }
+  std::size_t first(std::size_t i) const { return places_.first(i); }
+  const T* begin(std::size_t i) const { return data_.data() + places_.first(i); }
+  const T* end(std::size_t i) const { return data_.data() + places_.last(i); }
+  T* begin(std::size_t i) { return data_.data() + places_.first(i); }
   id_span<T> operator[](std::size_t i) const { return {begin(i), end(i)}; }
-  std::uint32_t length(std::size_t i) const { return last_[i] - first_[i]; }
+  std::uint32_t length(std::size_t i) const { return places_.length(i); }
   /// The number of values in memory, including those that edits left unused.
   std::size_t num_values() const { return data_.size(); }
 
-  /// Requests the memory that tells where row i is, which will be read soon.
-  void prefetch_row(std::size_t i) const {
-    __builtin_prefetch(first_ + i);
-    __builtin_prefetch(last_ + i);
-    if (!packed_) __builtin_prefetch(room_.data() + i);
+  /// The first place of a value in row i, or the length of the row if it has none.
+  std::uint32_t find_in_row(std::size_t i, const T& value) const {
+    const T* const row = begin(i);
+    const std::uint32_t n = length(i);
+    std::uint32_t k = 0;
+    if constexpr (is_short_value<T>)
+      if (has_eight(i)) {
+        k = find_in_eight(row, value);
+        if (k < 8) [[likely]] return std::min(k, n);
+      }
+    while (k < n && !(row[k] == value)) ++k;
+    return std::min(k, n);
   }
 
+  /// Requests the memory that tells where row i is, or that of its first values, which will be used soon.
+  void prefetch_place(std::size_t i) const { places_.prefetch(i); }
+  void prefetch_values(std::size_t i) const { __builtin_prefetch(begin(i), 1); }
+
   /// The offsets, which other tables with rows of the same lengths can share; null after an edit.
-  const std::shared_ptr<const offsets>& shared_offsets() const { return packed_; }
+  const std::shared_ptr<const offsets>& shared_offsets() const { return places_.shared_offsets(); }
   /// Shares the equal offsets of another table, so that they are stored once.
-  template<class U>
-  void share_offsets(const jagged_array<U, 0>& o) {
-    assert(packed_ && o.shared_offsets() && *packed_ == *o.shared_offsets());
-    packed_ = o.shared_offsets();
-    update_pointers();
-  }
+  template<class Rows>
+  void share_offsets(const Rows& o) { places_.share_offsets(o.shared_offsets()); }
 
   // Edits allocate their memory first, which changes no row, and cannot fail afterwards.
 
-  /// After this call remove() and clear_row() cannot fail.
-  void make_editable() {
-    if (!packed_) return;
-    offsets first(size_), last(size_), room(size_);
-    for (std::size_t i = 0; i < size_; ++i) {
-      first[i] = first_[i];
-      last[i] = last_[i];
-      room[i] = last[i] - first[i];
-    }
-    loose_first_ = std::move(first);
-    loose_last_ = std::move(last);
-    room_ = std::move(room);
-    packed_.reset();
-    update_pointers();
+  /// After this call remove() and clear_row() cannot fail. Rows stay where they are.
+  void make_editable() { places_.make_loose(); }
+  /// The same, but most rows get room for more values, so that they need not move soon.
+  void make_growable() {
+    if (!places_.is_packed()) return;
+    row_places spread = places_.spread();
+    core::flat_array<T> data(spread.end_of_values(), T{});
+    for (std::size_t i = 0; i < size(); ++i) std::copy_n(begin(i), length(i), data.data() + spread.first(i));
+    places_.swap(spread);
+    data_.swap(data);
   }
   /// After this call, n calls of add_row() with that many values in all cannot fail.
   void reserve_rows(std::size_t n, std::size_t values) {
-    reserve_offsets(n);
+    places_.reserve(n);
     check_index_range(values);
     data_.reserve_back(values);
   }
   /// After this call, n calls of push(i) cannot fail. It uses memory that reserve_rows() reserved, so it must come before that.
   void reserve_in_row(std::size_t i, std::uint32_t n) {
+    if (places_.has_room(i, n)) [[likely]] return;
     make_editable();
-    if (room_[i] - length(i) < n) move_row(i, std::max({std::uint32_t{4}, 2 * room_[i], length(i) + n}));
+    if (!places_.has_room(i, n)) move_row(i, places_.larger_room(i, length(i) + n));
   }
   /// Writes a row behind the last one; commit_row(), which cannot fail, adds it. The values may be in these rows; if `first` is null, the caller
   /// writes them.
   T* stage_row(const T* first, std::size_t n, std::size_t room = 0) {
-    reserve_offsets(1);
+    places_.reserve(1);
     check_index_range(std::max(n, room));
     return data_.stage(first, n, std::max(n, room));
   }
@@ -153,12 +123,9 @@ class jagged_array<T, 0> {
   void commit_row(std::size_t n, std::size_t room = 0) {
     room = std::max(n, room);
     const std::size_t at = data_.size();
-    loose_first_.push_back(static_cast<std::uint32_t>(at));
-    loose_last_.push_back(static_cast<std::uint32_t>(at + n));
-    room_.push_back(static_cast<std::uint32_t>(room));
+    places_.add(at, n, room);
     data_.resize(at + room);
-    ++size_;
-    update_pointers();
+    std::fill_n(data_.data() + at + n, room - n, T{});
   }
 
   /// Adds a row with a capacity of at least `room` values.
@@ -171,7 +138,7 @@ class jagged_array<T, 0> {
   void push(std::size_t i, const T& value) {
     const T kept = value;  // a copy: value may be in these rows
     reserve_in_row(i, 1);
-    data_[loose_last_[i]++] = kept;
+    push_reserved(i, kept);
   }
   /// Adds a value to row i, which is sorted and remains so.
   void insert_sorted(std::size_t i, const T& value) {
@@ -182,61 +149,53 @@ class jagged_array<T, 0> {
   /// Removes the value from row i; the others keep their order.
   void remove(std::size_t i, const T& value) {
     make_editable();
-    T* const e = data_.data() + loose_last_[i];
-    T* at = begin(i);
-    while (at != e && !(*at == value)) ++at;
-    if (at == e) return;
-    for (; at + 1 != e; ++at) *at = at[1];
-    --loose_last_[i];
+    T* const row = begin(i);
+    const std::uint32_t n = length(i), k = find_in_row(i, value);
+    if (k == n) return;
+    if constexpr (is_short_value<T>) {
+      if (n <= 8 && has_eight(i)) close_gap_in_eight(row, k, n);
+      else std::copy(row + k + 1, row + n, row + k);
+    } else {
+      std::copy(row + k + 1, row + n, row + k);
+    }
+    places_.shorten(i);
   }
   // After reserve_in_row() these are faster than the functions above.
 
   /// Adds a value to row i, which has room for it.
-  void push_reserved(std::size_t i, const T& value) {
-    assert(!packed_ && length(i) < room_[i]);
-    data_[loose_last_[i]++] = value;
-  }
+  void push_reserved(std::size_t i, const T& value) { data_[places_.extend(i)] = value; }
   /// Removes the k-th value of row i; the last one takes its place.
   void remove_at(std::size_t i, std::size_t k) {
-    assert(!packed_ && k < length(i));
-    begin(i)[k] = data_[--loose_last_[i]];
-  }
-  /// The place of a value in row i, which has it.
-  std::size_t position(std::size_t i, const T& value) const {
-    const T* const row = begin(i);
-    std::size_t k = 0;
-    while (!(row[k] == value)) ++k;
-    return k;
+    assert(k < length(i));
+    const T last = data_[places_.shorten(i)];
+    begin(i)[k] = last;
   }
   void clear_row(std::size_t i) {
     make_editable();
-    loose_last_[i] = loose_first_[i];
+    places_.set_length(i, 0);
   }
   /// The number of values that resize_row(i, n) needs behind the last row; reserve_rows() reserves them.
-  std::uint32_t growth_of_row(std::size_t i, std::size_t n) const {
-    const std::uint32_t room = packed_ ? length(i) : room_[i];
-    return n <= room ? 0 : std::max({std::uint32_t{4}, 2 * room, static_cast<std::uint32_t>(n)});
-  }
+  std::uint32_t growth_of_row(std::size_t i, std::size_t n) const { return n <= places_.room(i) ? 0 : places_.larger_room(i, n); }
   /// Sets the length of row i, whose values the caller then writes. A row that becomes too long moves behind the others.
   void resize_row(std::size_t i, std::size_t n) {
     make_editable();
     if (const std::uint32_t room = growth_of_row(i, n)) move_row(i, room);
-    loose_last_[i] = loose_first_[i] + static_cast<std::uint32_t>(n);
+    places_.set_length(i, n);
   }
-  /// Where the values of a row are, for undoing. Only for rows that can be edited; restore_size() also takes the number of all values in memory.
-  struct place {
-    std::uint32_t first, last, room;
-  };
-  place place_of(std::size_t i) const { return {first_[i], last_[i], packed_ ? length(i) : room_[i]}; }
-  void restore_place(std::size_t i, const place& x) {
-    if (!packed_) loose_first_[i] = x.first, loose_last_[i] = x.last, room_[i] = x.room;
-  }
+
+  /// For undoing: where row i is, and the numbers of rows and of values in memory, which is `any_number` of packed rows.
+  static constexpr std::size_t any_number = static_cast<std::size_t>(-1);
+  row_places::place place_of(std::size_t i) const { return places_.place_of(i); }
+  template<class F>
+  void for_each_array_at(std::size_t i, const F& f) const { f(begin(i), end(i)); }
+  template<class F>
+  void for_each_array_at(std::size_t i, const F& f) { f(begin(i), begin(i) + length(i)); }
+  void restore_place(std::size_t i, const row_places::place& x) { places_.restore_place(i, x); }
+  std::size_t values_to_restore() const { return places_.is_packed() ? any_number : data_.size(); }
   void restore_size(std::size_t rows, std::size_t values) {
-    if (packed_) return;
-    loose_first_.resize(rows), loose_last_.resize(rows), room_.resize(rows);
-    data_.resize(values);
-    size_ = rows;
-    update_pointers();
+    if (places_.is_packed()) return;
+    places_.restore_size(rows);
+    if (values != any_number) data_.resize(values);
   }
 };
 

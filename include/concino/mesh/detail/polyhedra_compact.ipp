@@ -16,12 +16,10 @@ basic_polyhedra_tables<Lists> basic_polyhedra_tables<Lists>::compacted(const det
   t.p2e_ = detail::packed_rows(p2e_, kept.polys, kept.edges);
   t.e2f_ = detail::packed_rows(e2f_, kept.edges, kept.faces);
   t.e2v_ = detail::packed_rows(e2v_, kept.edges, kept.verts);
-  t.v2v_ = detail::packed_rows(v2v_, kept.verts, kept.verts);
-  t.v2e_ = detail::packed_rows(v2e_, kept.verts, kept.edges);
-  t.v2e_.share_offsets(t.v2v_);
+  t.incident_edges_ = detail::packed_edges(incident_edges_, kept.verts, kept.edges);
   t.sort_smaller_neighbours();
   t.v2p_ = detail::packed_rows(v2p_, kept.verts, kept.polys);
-  if (*t.v2p_.shared_offsets() == *t.v2v_.shared_offsets()) t.v2p_.share_offsets(t.v2v_);
+  if (*t.v2p_.shared_offsets() == *t.incident_edges_.shared_offsets()) t.v2p_.share_offsets(t.incident_edges_);
   t.facet_adjacency_ = facet_adjacency_.compacted(kept.faces, kept.polys);
   t.outward_ = detail::packed_rows(outward_, kept.polys, [](std::uint8_t x) { return x; });
   t.outward_.share_offsets(t.facet_adjacency_.facet_rows());
@@ -41,14 +39,16 @@ void basic_polyhedra_tables<Lists>::sort_smaller_neighbours() {
     edge_id edge;
   };
   std::vector<neighbour> row;
-  for (std::size_t i = 0; i < v2v_.size(); ++i) {
-    const std::uint32_t n = v2v_.length(i);
+  for (std::size_t i = 0; i < incident_edges_.size(); ++i) {
+    const std::uint32_t n = incident_edges_.num_edges(vert_id{i});
     if (n <= detail::row_lookup::longest_scan) continue;
     row.clear();
-    for (std::uint32_t k = 0; k < n; ++k) row.push_back({v2v_.begin(i)[k], v2e_.begin(i)[k]});
+    vert_id* const verts = incident_edges_.verts_begin(vert_id{i});
+    edge_id* const edges = incident_edges_.edges_begin(vert_id{i});
+    for (std::uint32_t k = 0; k < n; ++k) row.push_back({verts[k], edges[k]});
     const auto rank = [i](const neighbour& x) { return x.vert.raw() < i ? x.vert.raw() : static_cast<std::uint32_t>(i); };
     std::stable_sort(row.begin(), row.end(), [&](const neighbour& a, const neighbour& b) { return rank(a) < rank(b); });
-    for (std::uint32_t k = 0; k < n; ++k) v2v_.begin(i)[k] = row[k].vert, v2e_.begin(i)[k] = row[k].edge;
+    for (std::uint32_t k = 0; k < n; ++k) verts[k] = row[k].vert, edges[k] = row[k].edge;
   }
 }
 

@@ -22,17 +22,17 @@ basic_polyhedra_tables<Lists>::basic_polyhedra_tables(std::size_t vert_count, st
 
 template<class Lists>
 vert_id basic_polyhedra_tables<Lists>::add_vert(function_ref<void(const detail::index_bounds&)> grow) {
-  detail::stage_vertex_incidence(v2v_, v2e_, v2p_);
+  detail::reserve_lists_of_new_verts(incident_edges_, v2p_, 1, 0, 0);
   verts_.reserve(1);
   if (grow) grow(detail::index_bounds{verts_.bound() + 1, edges_.bound(), faces_.bound(), polys_.bound(), p2v_.num_values()});
-  detail::commit_vertex_incidence(v2v_, v2e_, v2p_);
+  detail::add_lists_of_vert(incident_edges_, v2p_, 0, 0);
   return verts_.add();
 }
 
 template<class Lists>
 void basic_polyhedra_tables<Lists>::save_around_face(detail::edit_log& log, id_span<vert_id> corners) const {
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    log.save(of_v2v, v2v_, corners[i].raw()), log.save(of_v2e, v2e_, corners[i].raw());
+    log.save(of_incident_edges, incident_edges_, corners[i].raw());
     const edge_id e = edge_between(corners[i], corners[i + 1 == corners.size() ? 0 : i + 1]);
     if (!e.is_none()) log.save(of_edges, edges_, e.raw()), log.save(of_e2f, e2f_, e.raw());
   }
@@ -52,7 +52,7 @@ face_id basic_polyhedra_tables<Lists>::add_face(std::span<const vert_id> corners
   for (std::size_t i = 0; i < n; ++i) {
     const edge_id e = edge_between(c[i], next(i));
     if (!e.is_none()) e2f_.reserve_in_row(e.raw(), 1);
-    detail::reserve_edges_at(v2v_, v2e_, c[i], (e.is_none() ? 1u : 0u) + (last_is_new ? 1u : 0u));
+    detail::reserve_edges_at(incident_edges_, c[i], (e.is_none() ? 1u : 0u) + (last_is_new ? 1u : 0u));
     last_is_new = e.is_none();
     more += last_is_new;
   }
@@ -68,7 +68,7 @@ face_id basic_polyhedra_tables<Lists>::add_face(std::span<const vert_id> corners
   for (std::size_t i = 0; i < n; ++i) {
     edge_id e = edge_between(c[i], next(i));
     if (e.is_none()) {
-      e = detail::add_edge(edges_, e2v_, v2v_, v2e_, c[i], next(i));
+      e = detail::add_edge(edges_, e2v_, incident_edges_, c[i], next(i));
       e2f_.add_row(&f, &f, faces_of_new_edge);
     }
     e2f_.push(e.raw(), f);
@@ -122,9 +122,7 @@ poly_id basic_polyhedra_tables<Lists>::add_poly(std::span<const face_id> list, s
 
 template<class Lists>
 void basic_polyhedra_tables<Lists>::reserve_removal(std::span<const poly_id>) {
-  v2v_.make_editable();
-  v2e_.make_editable();
-  v2p_.make_editable();
+  detail::make_vertex_incidence_growable(incident_edges_, v2p_);
   e2f_.make_editable();
   facet_adjacency_.reserve_removal();
   verts_.reserve_removal();
@@ -152,7 +150,7 @@ void basic_polyhedra_tables<Lists>::remove_face(face_id f, detail::edit_log* log
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const edge_id e = edge_between(corners[i], corners[i + 1 == corners.size() ? 0 : i + 1]);
     e2f_.remove(e.raw(), f);
-    if (adj_e2f(e).empty()) detail::remove_edge(edges_, e2v_, v2v_, v2e_, e);
+    if (adj_e2f(e).empty()) detail::remove_edge(edges_, e2v_, incident_edges_, e);
   }
   faces_.remove(f);
 }
@@ -270,7 +268,7 @@ core::flat_array<std::uint32_t> basic_polyhedra_tables<Lists>::build_edges(std::
   }
   ends.shrink_to_fit();
   e2v_ = detail::jagged_array<vert_id, 2>(std::move(ends));
-  detail::fill_vertex_incidence(std::move(degrees), e2v_, edge_to, v2v_, v2e_);
+  incident_edges_ = detail::make_incident_edges(std::move(degrees), e2v_, edge_to);
   return edge_to;
 }
 
@@ -322,7 +320,7 @@ void basic_polyhedra_tables<Lists>::build_corners(std::size_t vert_count, const 
   poly_id* const polys = v2p_.begin(0);
   for (std::uint32_t p = 0; p < poly_count; ++p)
     for (const vert_id v : p2v_[p]) polys[vert_met[v.raw()]++] = poly_id{p};
-  if (*v2p_.shared_offsets() == *v2v_.shared_offsets()) v2p_.share_offsets(v2v_);
+  if (*v2p_.shared_offsets() == *incident_edges_.shared_offsets()) v2p_.share_offsets(incident_edges_);
 }
 
 #ifdef CONCINO_COMPILED

@@ -42,7 +42,7 @@ template<class Lists>
 void basic_polyhedra_tables<Lists>::rewiring::save(detail::edit_log& log) const {
   for (const vert_id x : c_.verts) {
     const std::size_t v = x.raw();
-    log.save(of_verts, t_.verts_, v), log.save(of_v2v, t_.v2v_, v), log.save(of_v2e, t_.v2e_, v), log.save(of_v2p, t_.v2p_, v);
+    log.save(of_verts, t_.verts_, v), log.save(of_incident_edges, t_.incident_edges_, v), log.save(of_v2p, t_.v2p_, v);
   }
   for (const detail::cavity_edge& x : x_.edges) {
     const std::size_t e = x.id.raw();
@@ -62,7 +62,7 @@ void basic_polyhedra_tables<Lists>::rewiring::save(detail::edit_log& log) const 
 
 template<class Lists>
 void basic_polyhedra_tables<Lists>::rewiring::reserve(function_ref<void(const detail::index_bounds&)> grow) {
-  detail::reserve_lists_of_verts(t_.v2v_, t_.v2e_, t_.v2p_, x_.changes, x_.num_old_verts, [this](unsigned v) { return vert(v); });
+  detail::reserve_lists_of_verts(t_.incident_edges_, t_.v2p_, x_.changes, x_.num_old_verts, [this](unsigned v) { return vert(v); });
   reserve_faces_of_edges();
   reserve_faces();
   const std::size_t corners = reserve_polys();
@@ -142,15 +142,15 @@ void basic_polyhedra_tables<Lists>::rewiring::reserve_scratch() {
 template<class Lists>
 void basic_polyhedra_tables<Lists>::rewiring::commit(const detail::native_cavity_result& made) {
   for (unsigned v = x_.num_old_verts; v < x_.num_verts; ++v) {
-    detail::add_lists_of_vert(t_.v2v_, t_.v2e_, t_.v2p_, x_.changes[v]);
+    detail::add_lists_of_vert(t_.incident_edges_, t_.v2p_, x_.changes[v].edges_gained, x_.changes[v].polys_after);
     made.verts[v - x_.num_old_verts] = t_.verts_.add();
   }
   for (const poly_id p : c_.polys) {
     t_.facet_adjacency_.detach(p);
-    for (const vert_id v : t_.adj_p2v(p)) t_.v2p_.remove_at(v.raw(), t_.v2p_.position(v.raw(), p));
+    for (const vert_id v : t_.adj_p2v(p)) t_.v2p_.remove_at(v.raw(), t_.v2p_.find_in_row(v.raw(), p));
   }
   remove_faces();
-  detail::change_edges(x_.edges, t_.edges_, t_.e2v_, t_.v2v_, t_.v2e_, [this](unsigned v) { return vert(v); });
+  detail::change_edges(x_.edges, t_.edges_, t_.e2v_, t_.incident_edges_, [this](unsigned v) { return vert(v); });
   for (const detail::cavity_edge& x : x_.edges)
     if (x.id.raw() == t_.e2f_.size()) t_.e2f_.add_row(static_cast<const face_id*>(nullptr), static_cast<const face_id*>(nullptr), std::max<std::size_t>(x.new_polys, faces_of_new_edge));
   add_faces();

@@ -13,11 +13,9 @@ surface_tables<Arity, Lists> surface_tables<Arity, Lists>::compacted(const detai
   t.facet_adjacency_ = facet_adjacency_.compacted(kept.edges, kept.polys);
   if constexpr (Arity == 0) t.p2v_.share_offsets(t.facet_adjacency_.facet_rows());
   t.e2v_ = detail::packed_rows(e2v_, kept.edges, kept.verts);
-  t.v2v_ = detail::packed_rows(v2v_, kept.verts, kept.verts);
-  t.v2e_ = detail::packed_rows(v2e_, kept.verts, kept.edges);
-  t.v2e_.share_offsets(t.v2v_);
+  t.incident_edges_ = detail::packed_edges(incident_edges_, kept.verts, kept.edges);
   t.v2p_ = detail::packed_rows(v2p_, kept.verts, kept.polys);
-  if (*t.v2p_.shared_offsets() == *t.v2v_.shared_offsets()) t.v2p_.share_offsets(t.v2v_);
+  if (*t.v2p_.shared_offsets() == *t.incident_edges_.shared_offsets()) t.v2p_.share_offsets(t.incident_edges_);
   t.verts_ = detail::alive_elements<vert_id>(kept.verts.size());
   t.edges_ = detail::alive_elements<edge_id>(kept.edges.size());
   t.polys_ = detail::alive_elements<poly_id>(kept.polys.size());

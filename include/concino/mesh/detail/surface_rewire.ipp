@@ -110,7 +110,7 @@ void surface_tables<Arity, Lists>::rewiring::find_new_edges() {
       cavity_edge& x = edges_.at(a, b);
       edges_of_new_.push_back(edges_.number(x));
       if (++x.new_polys > 1 || !x.id.is_none() || a >= num_old_verts_ || b >= num_old_verts_) continue;
-      x.id = detail::edge_between(t_.v2v_, t_.v2e_, verts_[a], verts_[b]);
+      x.id = t_.incident_edges_.edge_between(verts_[a], verts_[b]);
       if (!x.id.is_none()) x.num_polys = static_cast<std::uint32_t>(num_elements(t_.adj_e2p(x.id)));
     }
   }
@@ -127,10 +127,10 @@ void surface_tables<Arity, Lists>::rewiring::count_edges() {
 /// Saves all rows that reserve() and commit() may change. The arrays are numbered as for_each_array() visits them.
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::rewiring::save(detail::edit_log& log) const {
-  enum : std::uint32_t { of_verts, of_edges, of_polys, of_p2v, of_e2v, of_v2v, of_v2e, of_v2p, of_facets };
+  enum : std::uint32_t { of_verts, of_edges, of_polys, of_p2v, of_e2v, of_incident_edges, of_v2p, of_facets };
   for (unsigned i = 0; i < num_old_verts_; ++i) {
     const std::size_t v = verts_[i].raw();
-    log.save(of_verts, t_.verts_, v), log.save(of_v2v, t_.v2v_, v), log.save(of_v2e, t_.v2e_, v), log.save(of_v2p, t_.v2p_, v);
+    log.save(of_verts, t_.verts_, v), log.save(of_incident_edges, t_.incident_edges_, v), log.save(of_v2p, t_.v2p_, v);
   }
   for (const cavity_edge& x : edges_) {
     if (x.id.is_none()) continue;
@@ -167,7 +167,7 @@ template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::rewiring::reserve(function_ref<void(const detail::index_bounds&)> grow) {
   detail::pair_with_left_over(edges_, fresh_, left_over_);
   const std::size_t more_edges = fresh_ > left_over_ ? fresh_ - left_over_ : 0;
-  detail::reserve_lists_of_verts(t_.v2v_, t_.v2e_, t_.v2p_, changes_, num_old_verts_, [this](unsigned v) { return vert(v); });
+  detail::reserve_lists_of_verts(t_.incident_edges_, t_.v2p_, changes_, num_old_verts_, [this](unsigned v) { return vert(v); });
   reserve_poly_lists();
   const std::size_t values = values_of_rows();
   t_.p2v_.reserve_rows(num_added(), values);
@@ -191,12 +191,12 @@ void surface_tables<Arity, Lists>::rewiring::reserve(function_ref<void(const det
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::rewiring::commit(const detail::native_cavity_result& made) {
   for (unsigned v = num_old_verts_; v < num_verts_; ++v) {
-    detail::add_lists_of_vert(t_.v2v_, t_.v2e_, t_.v2p_, changes_[v]);
+    detail::add_lists_of_vert(t_.incident_edges_, t_.v2p_, changes_[v].edges_gained, changes_[v].polys_after);
     made.verts[v - num_old_verts_] = vert(v);
   }
   for (const poly_id p : c_.polys) t_.facet_adjacency_.detach(p);
   change_polys_of_verts();
-  detail::change_edges(edges_, t_.edges_, t_.e2v_, t_.v2v_, t_.v2e_, [this](unsigned v) { return vert(v); });
+  detail::change_edges(edges_, t_.edges_, t_.e2v_, t_.incident_edges_, [this](unsigned v) { return vert(v); });
   while (t_.facet_adjacency_.num_facets() < t_.edges_.bound()) t_.facet_adjacency_.add_facet();
   replace_polys();
   refresh_marks();

@@ -7,10 +7,10 @@ namespace concino {
 
 template<unsigned Arity, class Lists>
 vert_id surface_tables<Arity, Lists>::add_vert(function_ref<void(const detail::index_bounds&)> grow) {
-  detail::stage_vertex_incidence(v2v_, v2e_, v2p_);
+  detail::reserve_lists_of_new_verts(incident_edges_, v2p_, 1, 0, 0);
   verts_.reserve(1);
   if (grow) grow(detail::index_bounds{verts_.bound() + 1, edges_.bound(), 0, polys_.bound(), p2v_.num_values()});
-  detail::commit_vertex_incidence(v2v_, v2e_, v2p_);
+  detail::add_lists_of_vert(incident_edges_, v2p_, 0, 0);
   return verts_.add();
 }
 
@@ -25,12 +25,12 @@ poly_id surface_tables<Arity, Lists>::add_poly(std::span<const vert_id> corners,
   edge_id* const e = facet_adjacency_.stage_poly(n);
   std::size_t more = 0;
   for (std::uint32_t k = 0; k < n; ++k) {
-    e[k] = detail::edge_between(v2v_, v2e_, c[k], c[k + 1 == n ? 0 : k + 1]);
+    e[k] = incident_edges_.edge_between(c[k], c[k + 1 == n ? 0 : k + 1]);
     more += e[k].is_none();
   }
   for (std::uint32_t k = 0; k < n; ++k) {
     const std::uint32_t at_corner = (e[k].is_none() ? 1u : 0u) + (e[k == 0 ? n - 1 : k - 1].is_none() ? 1u : 0u);
-    detail::reserve_edges_at(v2v_, v2e_, c[k], at_corner);
+    detail::reserve_edges_at(incident_edges_, c[k], at_corner);
     v2p_.reserve_in_row(c[k].raw(), 1);
   }
   e2v_.reserve_rows(more);
@@ -44,7 +44,7 @@ poly_id surface_tables<Arity, Lists>::add_poly(std::span<const vert_id> corners,
   for (std::uint32_t k = 0; k < n; ++k) {
     edge_id edge = e[k];
     if (edge.is_none()) {
-      edge = detail::add_edge(edges_, e2v_, v2v_, v2e_, c[k], c[k + 1 == n ? 0 : k + 1]);
+      edge = detail::add_edge(edges_, e2v_, incident_edges_, c[k], c[k + 1 == n ? 0 : k + 1]);
       facet_adjacency_.add_facet();
     }
     facet_adjacency_.link(p.raw(), k, edge);
@@ -56,9 +56,7 @@ poly_id surface_tables<Arity, Lists>::add_poly(std::span<const vert_id> corners,
 
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::reserve_removal(std::span<const poly_id>) {
-  v2v_.make_editable();
-  v2e_.make_editable();
-  v2p_.make_editable();
+  detail::make_vertex_incidence_growable(incident_edges_, v2p_);
   facet_adjacency_.reserve_removal();
   verts_.reserve_removal();
   edges_.reserve_removal();
@@ -70,7 +68,7 @@ void surface_tables<Arity, Lists>::remove_poly(poly_id p) {
   reserve_removal({&p, 1});
   facet_adjacency_.unlink(p.raw());
   for (const edge_id e : facet_adjacency_.facets(p))
-    if (!facet_adjacency_.is_owned(e)) detail::remove_edge(edges_, e2v_, v2v_, v2e_, e);
+    if (!facet_adjacency_.is_owned(e)) detail::remove_edge(edges_, e2v_, incident_edges_, e);
   for (const vert_id v : adj_p2v(p)) v2p_.remove(v.raw(), p);
   polys_.remove(p);
 }
@@ -185,8 +183,8 @@ void surface_tables<Arity, Lists>::build(std::size_t vert_count) {
   ends.shrink_to_fit();
   e2v_ = detail::jagged_array<vert_id, 2>(std::move(ends));
 
-  detail::fill_vertex_incidence(std::move(degrees), e2v_, scratch, v2v_, v2e_);
-  if (*v2p_.shared_offsets() == *v2v_.shared_offsets()) v2p_.share_offsets(v2v_);
+  incident_edges_ = detail::make_incident_edges(std::move(degrees), e2v_, scratch);
+  if (*v2p_.shared_offsets() == *incident_edges_.shared_offsets()) v2p_.share_offsets(incident_edges_);
   verts_ = detail::alive_elements<vert_id>(vert_count);
   edges_ = detail::alive_elements<edge_id>(edge_count);
   polys_ = detail::alive_elements<poly_id>(poly_count);

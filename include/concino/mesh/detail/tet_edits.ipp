@@ -101,7 +101,7 @@ bool cell_tables<Shape, Lists>::collapse::find_polys() {
 /// Whether the link of b is a sphere: its triangles are connected, each edge has two, and the Euler characteristic is that of a sphere.
 template<class Shape, class Lists>
 bool cell_tables<Shape, Lists>::collapse::is_sphere() {
-  if (2 * t_.v2v_.length(b_.raw()) != n_ + 4) return false;
+  if (2 * t_.incident_edges_.num_edges(b_) != n_ + 4) return false;
   std::uint8_t found[max_polys];
   bool is_found[max_polys] = {true};
   found[0] = 0;
@@ -134,8 +134,8 @@ void cell_tables<Shape, Lists>::collapse::find_ring() {
 
 template<class Shape, class Lists>
 bool cell_tables<Shape, Lists>::collapse::have_common_edge(vert_id x, vert_id y) const {
-  if (t_.v2v_.length(y.raw()) < t_.v2v_.length(x.raw())) std::swap(x, y);
-  for (const vert_id v : t_.v2v_[x.raw()])
+  if (t_.incident_edges_.num_edges(y) < t_.incident_edges_.num_edges(x)) std::swap(x, y);
+  for (const vert_id v : t_.incident_edges_.verts(x))
     if (v == y) return true;
   return false;
 }
@@ -151,7 +151,7 @@ bool cell_tables<Shape, Lists>::collapse::has_face(edge_id e, vert_id v) const {
 /// Whether the common simplices of the links of a and b are those of the link of e. As b is inside a manifold, this is enough.
 template<class Shape, class Lists>
 bool cell_tables<Shape, Lists>::collapse::link_condition_holds() const {
-  for (const vert_id x : t_.v2v_[b_.raw()])
+  for (const vert_id x : t_.incident_edges_.verts(b_))
     if (x != a_ && !ring_vert_at(x) && have_common_edge(x, a_)) return false;
   for (std::uint32_t k = 0; k < n_; ++k) {
     if (at_a_[k] != none) continue;
@@ -178,8 +178,8 @@ bool cell_tables<Shape, Lists>::collapse::link_condition_holds() const {
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::collapse::reserve() {
   const auto at_edge = static_cast<std::uint32_t>(at_edge_.size()), moved = n_ - at_edge;
-  const std::uint32_t fresh = t_.v2v_.length(b_.raw()) - 1 - at_edge;
-  detail::reserve_lists_of_verts(t_.v2v_, t_.v2e_, t_.v2p_, std::array{detail::vert_change{at_edge, moved, 1, fresh}}, 1, [this](unsigned) { return a_; });
+  const std::uint32_t fresh = t_.incident_edges_.num_edges(b_) - 1 - at_edge;
+  detail::reserve_lists_of_verts(t_.incident_edges_, t_.v2p_, std::array{detail::vert_change{at_edge, moved, 1, fresh}}, 1, [this](unsigned) { return a_; });
   t_.verts_.reserve_change(1, 0);
   t_.edges_.reserve_change(1 + at_edge, 0);
   t_.faces_.reserve_change(2 * at_edge, 0);
@@ -190,15 +190,14 @@ void cell_tables<Shape, Lists>::collapse::reserve() {
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::collapse::remove_polys_at_edge() {
   const auto remove_edge_at = [this](vert_id v, edge_id e) {
-    const std::size_t k = t_.v2e_.position(v.raw(), e);
-    t_.v2v_.remove_at(v.raw(), k), t_.v2e_.remove_at(v.raw(), k);
+    t_.incident_edges_.replace_by_last(v, e);
   };
   for (const poly_id p : at_edge_) {
     const std::uint32_t k = number(p.raw());
     for (std::uint32_t i = 0; i < Shape::verts; ++i) {
       const std::size_t v = t_.p2v_.begin(p.raw())[i].raw();
       if (i == at_b_[k]) continue;
-      t_.v2p_.remove_at(v, t_.v2p_.position(v, p));
+      t_.v2p_.remove_at(v, t_.v2p_.find_in_row(v, p));
       t_.faces_.remove(t_.facet_adjacency_.facets(p)[opposite(i)]);
     }
     t_.polys_.remove(p);
@@ -223,8 +222,8 @@ void cell_tables<Shape, Lists>::collapse::move_edges() {
       if ((ends[0] != b_ && ends[1] != b_) || !t_.edges_.contains(e)) continue;
       const vert_id v = ends[0] == b_ ? ends[1] : ends[0];
       ends[0] = std::min(a_, v), ends[1] = std::max(a_, v);
-      t_.v2v_.begin(v.raw())[t_.v2e_.position(v.raw(), e)] = a_;
-      t_.v2v_.push_reserved(a_.raw(), v), t_.v2e_.push_reserved(a_.raw(), e);
+      t_.incident_edges_.set_other_end(v, e, a_);
+      t_.incident_edges_.push(a_, v, e);
     }
   }
 }
@@ -270,7 +269,7 @@ direct_edit cell_tables<Shape, Lists>::collapse::run() {
   move_edges();
   for (std::uint32_t k = n_; k-- > 0;)
     if (at_a_[k] == none) change_poly(k);
-  t_.v2v_.clear_row(b_.raw()), t_.v2e_.clear_row(b_.raw()), t_.v2p_.clear_row(b_.raw());
+  t_.incident_edges_.clear(b_), t_.v2p_.clear_row(b_.raw());
   t_.verts_.remove(b_);
   return direct_edit::done;
 }

@@ -1,0 +1,44 @@
+#include <concino/core/large_pages.hpp>
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+using namespace concino::core;
+
+TEST_CASE("large_pages: whole_pages is at least the size, and adds at most what it may add") {
+  for (const std::size_t bytes : {0u, 1u, 1000u, 1500000u, 2097119u, 2097120u, 2097121u, 2097152u, 4000000u, 50000000u})
+    for (const std::size_t max_unused : {std::size_t{0}, bytes / 3, 2 * bytes}) {
+      const std::size_t size = whole_pages(bytes, max_unused);
+      CHECK(size >= bytes);
+      CHECK(size - bytes <= max_unused);
+    }
+}
+
+TEST_CASE("large_pages: vectors have their values, whatever their size") {
+  for (const std::size_t n : {0u, 1u, 1000u, 300000u, 1500000u}) {
+    CHECK(large_vector(n, 7) == std::vector<int>(n, 7));
+    CHECK(temporary_vector(n, 7) == std::vector<int>(n, 7));
+    std::vector<int> v{1, 2, 3};
+    reserve_large(v, n);
+    CHECK(v.capacity() >= n);
+    CHECK(v == std::vector<int>{1, 2, 3});
+  }
+}
+
+TEST_CASE("large_pages: make_room keeps the values, and trim ends the growth") {
+  std::vector<int> v;
+  for (std::size_t n = 0; n < 100000; ++n) {
+    make_room(v, n + 1);
+    REQUIRE(v.size() > n);
+    v[n] = static_cast<int>(n);
+  }
+  trim(v, 100000);
+  REQUIRE(v.size() == 100000);
+  bool all = true;
+  for (std::size_t n = 0; n < v.size(); ++n) all &= v[n] == static_cast<int>(n);
+  CHECK(all);
+  trim(v, 10);
+  CHECK(v == std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
+  CHECK(v.capacity() <= 15);
+}
