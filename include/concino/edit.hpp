@@ -18,6 +18,7 @@
 #include <concino/edit/proposed_edit.hpp>
 #include <concino/edit/protect.hpp>
 #include <concino/edit/remove_unreferenced.hpp>
+#include <concino/edit/replace_polys.hpp>
 #include <concino/edit/simplex_cavity.hpp>
 #include <concino/edit/split_vert_fans.hpp>
 #include <concino/edit/transaction.hpp>

@@ -68,7 +68,7 @@ class replaced_values {
     return x;
   }
   /// The existing verts of which these were made, each once.
-  std::vector<std::uint32_t> made_of(const key& x) const {
+  std::vector<std::uint32_t> origin_verts(const key& x) const {
     std::vector<std::uint32_t> all;
     for (const unsigned v : x) {
       if (v < c_.verts.size()) all.push_back(static_cast<std::uint32_t>(index_of(m_, c_.verts[v])));
@@ -103,7 +103,7 @@ class replaced_values {
     element_origins origins;
     std::vector<key> kept;
     for (key& x : all.keys) {
-      const auto wanted = made_of(x);
+      const auto wanted = origin_verts(x);
       const bool is_old = x.back() < c_.verts.size() && std::binary_search(old.begin(), old.end(), std::pair{wanted, std::size_t{0}}, [](const auto& a, const auto& b) { return a.first < b.first; });
       if (is_old) continue;
       std::vector<origin> found;

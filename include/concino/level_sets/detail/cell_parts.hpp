@@ -74,6 +74,7 @@ class cell_parts {
   void merge_equal_faces();
   int compare_places(const face& a, const face& b) const;
   void list_parts();
+  std::size_t end_of_piece(std::vector<use>& uses, std::size_t first);
 };
 
 }  // namespace concino::detail

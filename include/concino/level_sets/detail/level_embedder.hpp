@@ -62,6 +62,7 @@ class level_embedder {
   std::vector<vert_t<M>> verts_;
   std::vector<vec3> points_;
   correspondence from_;
+  std::vector<vert_t<M>> corners_;  // of one edge or face on the level set; no memory is needed after the edit
 
   template<class T>
   static id_span<T> span(const std::vector<T>& v) { return {v.data(), v.data() + v.size()}; }
@@ -86,6 +87,9 @@ class level_embedder {
     for (const std::uint32_t old : lists.origins) from_.polys.add(static_cast<std::uint32_t>(index_of(m, polys_[old])));
     new_verts.resize(points_.size());
     new_polys.resize(lists.origins.size());
+    std::size_t most = 0;
+    for (std::size_t i = 0; i < lists.cut_ends.size(); ++i) most = std::max<std::size_t>(most, lists.cut_ends[i] - (i == 0 ? 0 : lists.cut_ends[i - 1]));
+    corners_.reserve(most);
   }
 
   /// Replaces the polys, and sets u at new verts and at those that are snapped.
@@ -108,13 +112,12 @@ class level_embedder {
   }
   /// Calls f(verts) for each edge or face on the level set.
   template<class F>
-  void for_each_cut(const F& f) const {
-    std::vector<vert_t<M>> list;
+  void for_each_cut(const F& f) {
     std::size_t k = 0;
     for (const std::uint32_t end : lists_.cut_ends) {
-      list.clear();
-      for (; k < end; ++k) list.push_back(vert_at(lists_.cut_places[k]));
-      f(list);
+      corners_.clear();
+      for (; k < end; ++k) corners_.push_back(vert_at(lists_.cut_places[k]));
+      f(corners_);
     }
   }
 };
