@@ -74,6 +74,8 @@ void no_adapter(const stranger& other) {
   cn::split(other);  // refused
   cn::measure_between(other);  // refused
   cn::to_verts(other);  // refused
+  cn::embed_isolines(other);  // refused
+  cn::embed_isosurface(other);  // refused
   cn::decimate(other, {});  // refused
   cn::adaptive_size(other, {});  // refused
   cn::remesh(other, {});  // refused
