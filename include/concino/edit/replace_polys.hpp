@@ -6,6 +6,7 @@
 #include <concino/edit/detail/representable.hpp>
 
 #include <span>
+#include <type_traits>
 
 namespace concino {
 
@@ -19,14 +20,15 @@ void save_verts(const M& m, std::span<const vert_t<M>> changed, const auto& save
 }  // namespace detail
 
 /// Replaces polys as rewire does, and carries the values of named properties over.
-/// Needs:  EditableMesh M; a cavity with the laws of rewire; from.verts: the verts of which each new vert was made, in the order of c.points; from.polys: the old
-///         poly of which each new one was made. finish() changes values of properties at the verts `changed` and at new ones; it cannot fail.
-/// Result: none; `made` has the new elements. A new edge or face has the values of an old one that has all verts of which its own were made, else default ones;
-///         corners have those of the old poly. In an open transaction all of it can be undone.
+/// Needs:  EditableMesh M; a cavity with the laws of rewire; from.verts: the verts of which each new vert was made, in the order of c.points; from.polys:
+///         the old poly of which each new one was made. finish() changes values of properties at the verts `changed` and at new ones; it cannot fail.
+/// Result: none; `made` has the new elements. A new edge or face has the values of an old one that has all verts of which its own were made, else default
+///         ones; corners have those of the old poly. In an open transaction all of it can be undone.
 /// Cost:   the elements at the verts of the cavity, but O(mesh) the first time, and sorting these.
 /// Errors: those of rewire. The mesh is unchanged then, also if memory runs out.
 template<EditableMesh M, class Finish>
-void replace_polys(M& m, const cavity<M>& c, const cavity_result<M>& made, const correspondence& from, std::span<const std::type_identity_t<vert_t<M>>> changed, const Finish& finish) {
+void replace_polys(M& m, const cavity<M>& c, const cavity_result<M>& made, const correspondence& from,
+                   std::span<const std::type_identity_t<vert_t<M>>> changed, const Finish& finish) {
   const auto rewire_all = [&] {
     if (c.polys.size() > 0) rewire(m, c, made);
   };

@@ -5,14 +5,19 @@
 #include <concino/core/number_text.hpp>
 #include <concino/level_sets/detail/level_embedder.hpp>
 #include <concino/level_sets/detail/level_states.hpp>
+#include <concino/mesh/element_map.hpp>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace concino {
 
 struct embed_options {
-  double snap = 0;  // where the level set crosses an edge nearer to a vert than this fraction of it, the value there is changed instead; 0 to below 0.5
+  double snap = 0;  // where the level set crosses an edge nearer to a vert than this fraction, the value there is changed; below 0.5
 };
 
 /// Level sets of a surface of type M, as edges of it.
@@ -43,19 +48,61 @@ template<class M> concept has_room_for_parts = arity_v<M> == 0 || arity_v<M> == 
 namespace detail {
 
 inline void check_snap(double snap, const char* caller) {
-  if (!(snap >= 0 && snap < 0.5)) core::throw_joined<invalid_argument>({caller, ": .snap is ", core::number_text(snap), "; it must be at least 0 and below 0.5"});
+  if (!(snap >= 0 && snap < 0.5))
+    core::throw_joined<invalid_argument>({caller, ": .snap is ", core::number_text(snap), "; it must be at least 0 and below 0.5"});
+}
+
+/// The edge or the face with these verts.
+template<class M>
+void add_element(const M& m, const std::vector<vert_t<M>>& corners, std::vector<edge_t<M>>& to) {
+  for (const edge_t<M> e : adj_v2e(m, corners[0])) {
+    const auto ends = end_verts(m, e);
+    if (ends.first == corners[1] || ends.second == corners[1]) return to.push_back(e);
+  }
+}
+template<class M>
+void add_element(const M& m, const std::vector<vert_t<M>>& corners, std::vector<face_t<M>>& to) {
+  for (const face_t<M> f : adj_v2f(m, corners[0])) {
+    std::size_t n = 0, met = 0;
+    for (const vert_t<M> v : adj_f2v(m, f)) {
+      ++n;
+      met += std::find(corners.begin(), corners.end(), v) != corners.end();
+    }
+    if (n == corners.size() && met == n) return to.push_back(f);
+  }
+}
+
+/// Cuts m along the level set of the values, which are those of u, or `level` at snapped verts. cut: the edges or faces on it.
+template<class M, class U, class Crossed, class Parts, class Result, class Elements, class OriginsOf>
+void embed_parts(M& m, U& u, double level, const Crossed& crossed, const Parts& parts, Result& result, Elements& cut, const OriginsOf& origins_of, const char* caller) {
+  const embedding_lists lists = list_embedding(parts, crossed.arrays, arity_v<M> != 0);
+  level_embedder<M, Crossed> embedder(m, crossed, level, lists, parts.places, origins_of);
+  for (const std::uint32_t v : parts.moved_verts) result.moved_verts.push_back(crossed.verts[v]);
+  cut.reserve(lists.cut_ends.size());
+  embedder.run(m, u, result.snapped, caller);
+  embedder.for_each_cut([&](const std::vector<vert_t<M>>& corners) { add_element(m, corners, cut); });
+  result.verts = std::move(embedder.new_verts);
+}
+
+/// The values of u, and `level` at verts that are snapped.
+template<class M, class U>
+vert_map<M, double> snapped_values(const M& m, const U& u, double level, const std::vector<vert_t<M>>& snapped) {
+  auto values = make_vert_map<double>(m);
+  for (const vert_t<M> v : verts(m)) values[v] = u[v];
+  for (const vert_t<M>& v : snapped) values[v] = level;
+  return values;
 }
 
 }  // namespace detail
 
 /// Makes the level set {u = value} of a property of verts edges of the surface.
 /// Needs:  EditableSurfaceMesh M of general polygons or of triangles, with named properties; the property `name` of verts, of type double.
-/// Result: the edges of the level set, as isolines finds it. Polygons are cut to polygons, triangles to triangles. One part of each poly keeps its descriptor, and
-///         elements that are not cut keep theirs. Named properties follow as in replace_polys; u is `value` at all new verts. With {.snap = f} no edge of the
-///         level set's polys is cut nearer to a vert than the fraction f: u is set to the value there.
+/// Result: the edges of the level set, as isolines finds it. Polygons are cut to polygons, triangles to triangles. One part of each poly keeps its
+///         descriptor, and elements that are not cut keep theirs. Named properties follow as in replace_polys; u is `value` at all new verts. With
+///         {.snap = f} no edge is cut nearer to a vert than the fraction f of it: u is set to the value there.
 /// Cost:   O(elements of m), and O(n log n) for n polys that are cut.
-/// Errors: invalid_argument if there is no such property, a value is NaN, naming the vert, or options.snap is not in [0, 0.5); unsupported if the library of m
-///         cannot represent the result. The mesh is unchanged then, also if memory runs out. In an open transaction it can be undone.
+/// Errors: invalid_argument if there is no such property, a value is NaN, naming the vert, or options.snap is not in [0, 0.5); unsupported if the library
+///         of m cannot represent the result. The mesh is unchanged then, also if memory runs out. In an open transaction it can be undone.
 /// Source: paper section 2.2, "Fields".
 template<EditableSurfaceMesh M>
   requires HasProperties<M> && requirement::has_room_for_parts<M>
@@ -65,31 +112,18 @@ embedded_lines<M> embed_isolines(M& m, std::string_view name, double value, cons
   auto u = detail::level_property(m, name, value, caller);
   embedded_lines<M> result;
   result.snapped = detail::verts_to_snap(m, u, value, options.snap);
-  auto values = make_vert_map<double>(m);
-  for (const vert_t<M> v : verts(m)) values[v] = u[v];
-  for (const vert_t<M>& v : result.snapped) values[v] = value;
-  const auto states = detail::level_states(m, values, value, caller);
-  const detail::crossed_surface_reader<M> crossed(m, values, value, detail::crossed_polys(m, states));
+  const auto values = detail::snapped_values(m, u, value, result.snapped);
+  const detail::crossed_surface_reader<M> crossed(m, values, value, detail::crossed_polys(m, detail::level_states(m, values, value, caller)));
   detail::poly_cuts cuts(crossed.arrays, value);
   const detail::poly_parts parts(cuts);
-  const auto lists = detail::list_embedding(parts, crossed.arrays, arity_v<M> == 3);
-  detail::level_embedder<M, detail::crossed_surface_reader<M>> embedder(m, crossed, value, lists, parts.places, [&](const detail::level_place& x) { return crossed.origins_of(x, value); });
-  for (const std::uint32_t v : parts.moved_verts) result.moved_verts.push_back(crossed.verts[v]);
-  result.edges.reserve(lists.cut_ends.size());
-  embedder.run(m, u, result.snapped, caller);
-  embedder.for_each_cut([&](const std::vector<vert_t<M>>& ends) {
-    for (const edge_t<M> e : adj_v2e(m, ends[0])) {
-      const auto both = end_verts(m, e);
-      if (both.first == ends[1] || both.second == ends[1]) return result.edges.push_back(e);
-    }
-  });
-  result.verts = std::move(embedder.new_verts);
+  detail::embed_parts(m, u, value, crossed, parts, result, result.edges, [&](const detail::level_place& x) { return crossed.origins_of(x, value); }, caller);
   return result;
 }
 
 /// Makes the level set {u = value} of a property of verts faces of the volume.
 /// Needs:  EditableVolumeMesh M of general polyhedra or of tets, with named properties; the property `name` of verts, of type double.
-/// Result: as embed_isolines: the faces of the level set, as isosurface finds it. Polyhedra are cut to polyhedra. Tets are cut to tets that agree at common faces.
+/// Result: as embed_isolines: the faces of the level set, as isosurface finds it. Polyhedra are cut to polyhedra. Tets are cut to tets that agree at
+///         common faces. Faces of polyhedra on the boundary that are cut but not planar become triangles, as in clip; u is its mean at their middles.
 /// Cost:   as embed_isolines.
 /// Errors: as embed_isolines, and unsupported that names a poly that is to be cut, but whose faces do not form a sphere.
 /// Source: paper section 2.2, "Fields"; tets of parts by their smallest verts: Dompierre, Labbe, Vallet, Camarero 1999.
@@ -101,29 +135,12 @@ embedded_surface<M> embed_isosurface(M& m, std::string_view name, double value, 
   auto u = detail::level_property(m, name, value, caller);
   embedded_surface<M> result;
   result.snapped = detail::verts_to_snap(m, u, value, options.snap);
-  auto values = make_vert_map<double>(m);
-  for (const vert_t<M> v : verts(m)) values[v] = u[v];
-  for (const vert_t<M>& v : result.snapped) values[v] = value;
-  const auto states = detail::level_states(m, values, value, caller);
-  const detail::crossed_volume_reader<M> crossed(m, values, value, detail::crossed_polys(m, states));
-  detail::cell_cuts cuts(crossed.arrays, arity_v<M> == 0 ? detail::cell_cuts::cells_are::unknown : detail::cell_cuts::cells_are::spheres, caller, crossed.poly_indices);
+  const auto values = detail::snapped_values(m, u, value, result.snapped);
+  const detail::crossed_volume_reader<M> crossed(m, values, value, detail::crossed_polys(m, detail::level_states(m, values, value, caller)));
+  constexpr auto surface = arity_v<M> == 0 ? detail::cell_cuts::cells_are::unknown : detail::cell_cuts::cells_are::spheres;
+  detail::cell_cuts cuts(crossed.arrays, surface, caller, crossed.poly_indices);
   const detail::cell_parts parts(cuts);
-  const auto lists = detail::list_embedding(parts, crossed.arrays, arity_v<M> == 4);
-  detail::level_embedder<M, detail::crossed_volume_reader<M>> embedder(m, crossed, value, lists, parts.places, [&](const detail::level_place& x) { return crossed.origins_of(x); });
-  for (const std::uint32_t v : parts.moved_verts) result.moved_verts.push_back(crossed.verts[v]);
-  result.faces.reserve(lists.cut_ends.size());
-  embedder.run(m, u, result.snapped, caller);
-  embedder.for_each_cut([&](const std::vector<vert_t<M>>& corners) {
-    for (const face_t<M> f : adj_v2f(m, corners[0])) {
-      std::size_t n = 0, met = 0;
-      for (const vert_t<M> v : adj_f2v(m, f)) {
-        ++n;
-        met += std::find(corners.begin(), corners.end(), v) != corners.end();
-      }
-      if (n == corners.size() && met == n) return result.faces.push_back(f);
-    }
-  });
-  result.verts = std::move(embedder.new_verts);
+  detail::embed_parts(m, u, value, crossed, parts, result, result.faces, [&](const detail::level_place& x) { return crossed.origins_of(x); }, caller);
   return result;
 }
 

@@ -89,11 +89,11 @@ level_surface<M, To> find_isosurface(const M& m, const U& u, const V& values, co
 /// The level sets {u = value} of a function that is linear on edges: surfaces through the polys of a volume.
 /// Needs:  Embedded VolumeMesh with polys whose faces form spheres; u[v] is a number for each vert, readable from several threads; one value or several.
 /// Result: a polygonmesh, or as isosurface<trimesh> its triangulation, value after value, ascending, and by the polys of m. Its polys are counter-clockwise
-///         seen from larger values. It is a manifold: each edge has two polys or lies on the boundary of m. Verts with u = value count as above it. The surface bounds
-///         {u < value}; where this only touches the boundary of m, or parts of polys without larger values, there is none. Each poly is cut along
-///         closed cycles of chords across its faces, and each cycle is filled by one polygon. Chords are straight in convex faces; other faces are crossed
-///         triangle by triangle of triangulate_polygon, and faces on the boundary that are not planar triangle by triangle about the mean of their points. Named properties of verts are
-///         interpolated, those of polys inherited. Points do not depend on the order of adj_e2v. Infinite values are limits of finite ones.
+///         seen from larger values. It is a manifold: each edge has two polys or lies on the boundary of m. Verts with u = value count as above it. The
+///         surface bounds {u < value}; where this only touches the boundary of m, or parts of polys without larger values, there is none. Each poly is cut
+///         along closed cycles of chords across its faces, and each cycle is filled by one polygon. Chords are straight in convex faces; other faces are
+///         crossed triangle by triangle of triangulate_polygon, and faces on the boundary that are not planar triangle by triangle about the mean of their
+///         points. Named properties of verts are interpolated, those of polys inherited. Points do not depend on the order of adj_e2v. Infinite values are limits of finite ones.
 /// Cost:   O(verts + polys) a value, and O(n log n) for n polys that are cut; in parallel, with the same result for any number of threads.
 /// Errors: invalid_argument if a value is NaN, naming the vert, or if u is a map of another mesh. unsupported that names a poly that is to be cut, but
 ///         whose faces do not form a sphere.

@@ -4,6 +4,7 @@
 #include <concino/concepts/maps.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/geometry/measure.hpp>
+#include <concino/mesh/element_map.hpp>
 
 #include <cmath>
 #include <type_traits>
@@ -12,7 +13,8 @@ namespace concino {
 
 /// Values at the verts of a mesh from values at its polys: the mean over the polys at each vert, weighted by their measures.
 /// Needs:  EmbeddedMesh, not a temporary; q[p] is a number for each poly.
-/// Result: a map of double. Where the measures of all polys at a vert are 0, the mean is not weighted; a vert without polys has the value 0. Constants stay what they are.
+/// Result: a map of double. Constants stay what they are. Where the measures of all polys at a vert are 0, the mean is not weighted; a vert without polys
+///         has the value 0.
 /// Cost:   O(elements).
 /// Errors: none; a value or a point that is not a number makes those of the verts around it not a number, which level sets refuse.
 template<class M, class Q>

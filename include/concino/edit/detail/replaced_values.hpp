@@ -104,10 +104,11 @@ class replaced_values {
     std::vector<key> kept;
     for (key& x : all.keys) {
       const auto wanted = origin_verts(x);
-      const bool is_old = x.back() < c_.verts.size() && std::binary_search(old.begin(), old.end(), std::pair{wanted, std::size_t{0}}, [](const auto& a, const auto& b) { return a.first < b.first; });
+      const auto by_verts = [](const auto& a, const auto& b) { return a.first < b.first; };
+      const bool is_old = x.back() < c_.verts.size() && std::binary_search(old.begin(), old.end(), std::pair{wanted, std::size_t{0}}, by_verts);
       if (is_old) continue;
       std::vector<origin> found;
-      const auto at = std::equal_range(old_at.begin(), old_at.end(), std::pair{wanted[0], std::size_t{0}}, [](const auto& a, const auto& b) { return a.first < b.first; });
+      const auto at = std::equal_range(old_at.begin(), old_at.end(), std::pair{wanted[0], std::size_t{0}}, by_verts);
       for (auto i = at.first; i != at.second && found.empty(); ++i)
         if (const auto& list = old[i->second]; std::includes(list.first.begin(), list.first.end(), wanted.begin(), wanted.end()))
           found.push_back({static_cast<std::uint32_t>(list.second)});

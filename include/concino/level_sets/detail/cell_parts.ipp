@@ -262,7 +262,10 @@ CONCINO_INLINE void cell_parts::list_parts() {
 /// Where what was between two pieces of a part had no size, they only touch, at a vert or an edge. Sorts one of them to the front of the uses from `first`
 /// on, and returns where it ends. Edges with two faces connect.
 CONCINO_INLINE std::size_t cell_parts::end_of_piece(std::vector<use>& uses, std::size_t first) {
-  const auto is_on_level = [&](std::uint32_t place) { return numbers_.places[place].kind == level_place::vert && v_.states[numbers_.places[place].above] == on_level; };
+  const auto is_on_level = [&](std::uint32_t place) {
+    const level_place& x = numbers_.places[place];
+    return x.kind == level_place::vert && v_.states[x.above] == on_level;
+  };
   struct edge_use {
     std::uint32_t low, high, use;
   };
@@ -280,7 +283,9 @@ CONCINO_INLINE std::size_t cell_parts::end_of_piece(std::vector<use>& uses, std:
       edges.push_back({std::min(a, b), std::max(a, b), static_cast<std::uint32_t>(i - first)});
     }
   }
-  std::sort(edges.begin(), edges.end(), [](const edge_use& a, const edge_use& b) { return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.use < b.use; });
+  std::sort(edges.begin(), edges.end(), [](const edge_use& a, const edge_use& b) {
+    return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.use < b.use;
+  });
   disjoint_sets pieces(uses.size() - first);
   for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
     while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high) ++end;

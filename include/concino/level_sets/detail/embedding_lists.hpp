@@ -24,8 +24,8 @@ struct embedding_lists {
 /// The parts of polygons. triangulate: cut into triangles, by diagonals at the vert with the smallest number.
 embedding_lists list_embedding(const poly_parts& parts, const crossed_surface& s, bool triangulate);
 
-/// The parts of cells. triangulate: faces are cut by diagonals at their verts with the smallest numbers, so that both cells at one agree, and convex parts into the
-/// tets between their vert with the smallest number and the triangles of faces that do not have it.
+/// The parts of cells. triangulate: faces are cut by diagonals at their verts with the smallest numbers, so that both cells at one agree, and convex parts
+/// into the tets between their vert with the smallest number and the triangles of faces that do not have it.
 embedding_lists list_embedding(const cell_parts& parts, const crossed_volume& v, bool triangulate);
 
 }  // namespace concino::detail

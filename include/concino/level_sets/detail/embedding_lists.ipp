@@ -66,7 +66,7 @@ class embedding_collector {
       if (!is_first[i]) order.push_back(i);
     for (const std::size_t i : order) {
       for (std::size_t l = polys_[i].first; l < polys_[i].last; ++l) {
-        result_.corners.insert(result_.corners.end(), corners_.begin() + static_cast<std::ptrdiff_t>(lists_[l]), corners_.begin() + static_cast<std::ptrdiff_t>(lists_[l + 1]));
+        result_.corners.insert(result_.corners.end(), corners_.data() + lists_[l], corners_.data() + lists_[l + 1]);
         result_.ends.push_back(static_cast<unsigned>(result_.corners.size()));
       }
       if (are_polyhedra) result_.poly_ends.push_back(static_cast<unsigned>(result_.ends.size()));
@@ -85,7 +85,7 @@ class embedding_collector {
       return;
     }
     if (face.size() > 3)
-      std::rotate(face.begin(), std::min_element(face.begin(), face.end(), [&](std::uint32_t a, std::uint32_t b) { return number(a) < number(b); }), face.end());
+      std::rotate(face.begin(), std::min_element(face.begin(), face.end(), [&](auto a, auto b) { return number(a) < number(b); }), face.end());
     for (std::size_t k = 1; k + 1 < face.size(); ++k) add_cut({face[0], face[k], face[k + 1]});
   }
 };
@@ -183,7 +183,7 @@ CONCINO_INLINE embedding_lists list_embedding(const cell_parts& parts, const cro
   for (const std::uint32_t f : parts.part_faces) is_used[f] = 1;
   for (std::size_t i = 0; i < parts.faces.size(); ++i)
     if (const cell_parts::face& f = parts.faces[i]; f.is_cut && is_used[i])
-      all.add_cut_face({parts.face_places.begin() + static_cast<std::ptrdiff_t>(f.first), parts.face_places.begin() + static_cast<std::ptrdiff_t>(f.last)}, triangulate);
+      all.add_cut_face({parts.face_places.data() + f.first, parts.face_places.data() + f.last}, triangulate);
   all.finish(!triangulate);
   return result;
 }

@@ -35,7 +35,9 @@ CONCINO_INLINE std::vector<std::uint32_t> poly_parts::corners_of_part(const poly
 /// Whether the parts on one side of two chords have the same verts and no other chords. If so, the chords no longer cut.
 CONCINO_INLINE bool poly_parts::change(poly_cuts::chord& a, poly_cuts::chord& b, bool above) {
   const std::vector<std::uint32_t> at_a = corners_of_part(a, above), at_b = corners_of_part(b, above);
-  const auto chords = [&](const std::vector<std::uint32_t>& corners) { return std::count_if(corners.begin(), corners.end(), [&](std::uint32_t k) { return cuts_.chord_at(k) != none; }); };
+  const auto chords = [&](const std::vector<std::uint32_t>& corners) {
+    return std::count_if(corners.begin(), corners.end(), [&](std::uint32_t k) { return cuts_.chord_at(k) != none; });
+  };
   const auto verts = [&](const std::vector<std::uint32_t>& corners) {
     std::vector<std::uint32_t> all;
     for (const std::uint32_t k : corners) all.push_back(s_.verts[k]);
@@ -72,7 +74,9 @@ CONCINO_INLINE void poly_parts::remove_flat_chords() {
     const std::uint32_t a = numbers_.add(cuts_.crossing(c.from)), b = numbers_.add(cuts_.crossing(c.to));
     all.push_back({std::min(a, b), std::max(a, b), i, b < a});
   }
-  std::sort(all.begin(), all.end(), [](const ends& a, const ends& b) { return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.chord < b.chord; });
+  std::sort(all.begin(), all.end(), [](const ends& a, const ends& b) {
+    return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.chord < b.chord;
+  });
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = i + 1; j < all.size() && all[j].low == all[i].low && all[j].high == all[i].high; ++j) {
       poly_cuts::chord &a = cuts_.chords()[all[i].chord], &b = cuts_.chords()[all[j].chord];
