@@ -81,7 +81,7 @@ void check_sides(const C& c, double value) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("split: the parts are closed, sum to the whole, and meet in the level set", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("split: the parts are closed, sum to the whole, and meet in the level set", M, CONCINO_KINDS) {
   std::mt19937 random(1);
   std::size_t cut = 0;
   for (int i = 0; i < (long_run() ? 1000 : 50); ++i) {
@@ -107,7 +107,7 @@ TEST_CASE_TEMPLATE("split: the parts are closed, sum to the whole, and meet in t
   CHECK(cut > 100);
 }
 
-TEST_CASE_TEMPLATE("split: random meshes that are not manifold are cut to meshes, with the same measure", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("split: random meshes that are not manifold are cut to meshes, with the same measure", M, CONCINO_KINDS) {
   std::mt19937 random(6);
   std::size_t cut = 0;
   for (unsigned i = 0; i < num_random_meshes() / 2; ++i) {
@@ -129,7 +129,7 @@ TEST_CASE_TEMPLATE("split: random meshes that are not manifold are cut to meshes
   CHECK(cut > num_random_meshes() / 8);
 }
 
-TEST_CASE_TEMPLATE("clip: of a linear function it has the measure of the part of the box, and passes validate", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("clip: of a linear function it has the measure of the part of the box, and passes validate", M, CONCINO_KINDS) {
   const M m = make_grid<M>({.cells = {5, 4, 3}});
   const auto c = clip(m, plane{{2, 0, 0}, 0.6});  // x >= 0.3
   CHECK(total_measure(c.mesh) == doctest::Approx(0.7).epsilon(1e-13));
@@ -142,7 +142,7 @@ TEST_CASE_TEMPLATE("clip: of a linear function it has the measure of the part of
   for (const auto above : c.above) CHECK(above == 1);
 }
 
-TEST_CASE_TEMPLATE("clip: elements that are not cut keep their verts and their order", M, CONCINO_ALL_KINDS) {
+TEST_CASE_TEMPLATE("clip: elements that are not cut keep their verts and their order", M, CONCINO_KINDS) {
   const M m = make_grid<M>({.cells = {4, 4, 4}});
   auto u = make_vert_map<double>(m);
   for (const auto v : verts(m)) u[v] = point(m, v).x;
