@@ -25,7 +25,7 @@ class replaced_values {
   const correspondence& from_;
   core::local_numbers numbers_;                             // of existing verts
   std::vector<std::pair<std::size_t, unsigned>> new_verts_;  // index and number, sorted
-  std::vector<std::vector<unsigned>> verts_of_;             // by new poly: its verts, each once
+  std::vector<std::vector<unsigned>> verts_of_;             // by new poly: its verts, each once; if there are properties of corners
   std::vector<std::size_t> first_corner_;                   // by new poly: the number of its first corner in the correspondence
   struct parts {
     element_kind kind;
@@ -126,7 +126,12 @@ class replaced_values {
     core::local_numbers old_polys;
     for (const poly_t<M>& p : c_.polys) old_polys.add(index_of(m_, p));
     std::size_t n = 0;
+    verts_of_.resize(num_polys());
     for (std::size_t k = 0; k < num_polys(); ++k) {
+      for_each_list(k, [&](const unsigned* first, const unsigned* last) {
+        for (; first != last; ++first)
+          if (std::find(verts_of_[k].begin(), verts_of_[k].end(), *first) == verts_of_[k].end()) verts_of_[k].push_back(*first);
+      });
       first_corner_.push_back(n);
       n += verts_of_[k].size();
       const poly_t<M>& p = c_.polys[old_polys.find((*from_.polys[k].begin()).index)];
@@ -153,12 +158,6 @@ class replaced_values {
   carried_values find() {
     const property_set& all = traits<M>::properties(m_);
     for (const vert_t<M>& v : c_.verts) numbers_.add(index_of(m_, v));
-    verts_of_.resize(num_polys());
-    for (std::size_t k = 0; k < num_polys(); ++k)
-      for_each_list(k, [&](const unsigned* first, const unsigned* last) {
-        for (; first != last; ++first)
-          if (std::find(verts_of_[k].begin(), verts_of_[k].end(), *first) == verts_of_[k].end()) verts_of_[k].push_back(*first);
-      });
     correspondence origins;
     origins.verts = from_.verts;
     origins.polys = from_.polys;

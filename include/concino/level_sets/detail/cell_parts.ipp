@@ -254,7 +254,7 @@ CONCINO_INLINE void cell_parts::list_parts() {
       p.last = static_cast<std::uint32_t>(part_faces.size());
       parts.push_back(p);
     }
-    if (parts.size() > first + 1)  // the cell is no longer one
+    if (parts.size() > first + 1)  // one whose faces are all whole is not the whole cell
       for (std::size_t k = first; k < parts.size(); ++k) parts[k].is_whole = false;
   }
 }

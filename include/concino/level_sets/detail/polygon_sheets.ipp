@@ -108,7 +108,7 @@ CONCINO_INLINE void polygon_sheets::unite_fans() {
   for (const std::uint32_t c : polygons) {
     const std::uint32_t other = neighbours[c];
     if (other == none) continue;
-    if (places[c] != places[next_[other]] || places[next_[c]] != places[other]) {  // at a face that both cells use as if it were theirs
+    if (places[c] != places[next_[other]] || places[next_[c]] != places[other]) {  // at a face that both cells use in the same direction
       neighbours[c] = neighbours[other] = none;
       continue;
     }
