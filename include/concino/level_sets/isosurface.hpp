@@ -40,6 +40,13 @@ template<class To> concept is_level_surface_mesh = std::same_as<To, polygonmesh>
 
 namespace detail {
 
+/// The first values are moved, others are copied.
+template<class T>
+void append(std::vector<T>&& values, std::vector<T>& to) {
+  if (to.empty()) to = std::move(values);
+  else to.insert(to.end(), values.begin(), values.end());
+}
+
 /// fast: in the fast way where a value allows it; the surface may then not be a manifold.
 template<class To, class M, class U>
 level_surface<M, To> collect_isosurface(const M& m, const U& u, const std::vector<double>& levels, bool fast, const char* caller) {
@@ -52,15 +59,17 @@ level_surface<M, To> collect_isosurface(const M& m, const U& u, const std::vecto
     const level_surface_maker<M, U> maker(m, u, level, has_properties, caller);
     level_surface_parts<M> parts;
     if (!fast || !maker.make_simple(parts)) parts = maker.make_general();
+    builder.reserve(parts.places.size(), parts.verts.size(), parts.ends.size());
     for (const mesh_point<M>& x : parts.places) builder.add_point(x.position);
-    for (std::size_t i = 0; i < parts.ends.size(); ++i) {
-      const std::size_t first = i == 0 ? 0 : parts.ends[i - 1];
+    std::vector<poly_t<M>> polys;
+    for (std::size_t i = 0, first = 0; i < parts.ends.size(); first = parts.ends[i++]) {
       const std::size_t n = builder.add_polygon({parts.verts.data() + first, parts.ends[i] - first});
-      result.polys.insert(result.polys.end(), n, parts.polys[i]);
-      result.values.insert(result.values.end(), n, level);
+      if constexpr (arity_v<To> == 3) polys.insert(polys.end(), n, parts.polys[i]);
     }
     builder.end_part();
-    result.places.insert(result.places.end(), parts.places.begin(), parts.places.end());
+    append(std::move(parts.places), result.places);
+    append(arity_v<To> == 3 ? std::move(polys) : std::move(parts.polys), result.polys);
+    result.values.resize(result.polys.size(), level);
     for (std::size_t i = 0; i < parts.origins.size(); ++i) {
       std::vector<origin> list;
       for (const origin x : parts.origins[i]) list.push_back(x);

@@ -9,7 +9,9 @@
 #include <concino/mesh/property.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace concino {
@@ -103,21 +105,42 @@ origin match_edge(const From& before, const To& m, const element_origins& of_ver
   return {find_edge(before, by_index, a, b), length < 0 ? -length : length};
 }
 
-/// Origins by index, each at most one.
-inline element_origins single_origins(const std::vector<origin>& found) {
-  element_origins origins;
-  for (const origin& x : found) {
-    if (x.index == element_origins::none || x.weight == 1) origins.add(x.index);
-    else origins.add({x});
+/// Collects the origin of each element of one kind, of which it has at most one, in any order of their indices.
+class single_origins {
+  std::vector<std::uint32_t> index_;
+  std::vector<std::pair<std::uint32_t, origin>> weighted_;  // those with a weight other than 1
+
+ public:
+  explicit single_origins(std::size_t bound) : index_(bound, element_origins::none) {}
+
+  void set(std::size_t i, std::uint32_t index) { index_[i] = index; }
+  void set(std::size_t i, const origin& x) {
+    index_[i] = x.index;
+    if (x.index != element_origins::none && x.weight != 1) weighted_.push_back({static_cast<std::uint32_t>(i), x});
   }
-  return origins;
-}
+  bool is_set(std::size_t i) const { return index_[i] != element_origins::none; }
+
+  element_origins collect() && {
+    std::sort(weighted_.begin(), weighted_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    if (weighted_.empty()) return element_origins(std::move(index_));
+    const std::vector<std::uint32_t> last(index_.begin() + weighted_.front().first, index_.end());
+    std::uint32_t i = weighted_.front().first;
+    index_.resize(i);
+    element_origins origins(std::move(index_));
+    auto next = weighted_.begin();
+    for (const std::uint32_t index : last) {
+      if (next != weighted_.end() && next->first == i++) origins.add({(next++)->second});
+      else origins.add(index);
+    }
+    return origins;
+  }
+};
 
 template<class From, class To>
 element_origins match_edges(const From& before, const To& m, const element_origins& of_verts, const elements_by_index<vert_t<From>>& by_index) {
-  std::vector<origin> found(edge_index_bound(m), origin{element_origins::none, 0});
-  for (const edge_t<To> e : edges(m)) found[index_of(m, e)] = match_edge(before, m, of_verts, by_index, e);
-  return single_origins(found);
+  single_origins found(edge_index_bound(m));
+  for (const edge_t<To> e : edges(m)) found.set(index_of(m, e), match_edge(before, m, of_verts, by_index, e));
+  return std::move(found).collect();
 }
 
 template<class From, class To>

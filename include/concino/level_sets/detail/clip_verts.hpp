@@ -51,13 +51,15 @@ class clip_verts {
   template<class OriginsOf>
   void number(const OriginsOf& origins_of) {
     std::uint32_t n = 0;
+    std::vector<std::uint32_t> kept;
     for (const vert_t<M> v : verts(m_)) {
       const auto index = static_cast<std::uint32_t>(index_of(m_, v));
       if (number_[index] == ~0u) continue;
       number_[index] = n++;
       points.push_back(to_vec3(point(m_, v)));
-      origins.add(index);
+      kept.push_back(index);
     }
+    origins = element_origins(std::move(kept));
     num_old_ = n;
     for (std::size_t i = 0; i < places_.size(); ++i) {
       if (number_of_place_[i] == ~0u) continue;

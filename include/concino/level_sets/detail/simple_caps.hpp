@@ -7,6 +7,7 @@
 #include <concino/level_sets/detail/level_states.hpp>
 #include <concino/level_sets/detail/polygon_crossings.hpp>
 #include <concino/level_sets/detail/tet_caps.hpp>
+#include <concino/mesh/standard_cells.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -43,6 +44,7 @@ class simple_cap_reader {
   std::vector<crossed_edge> edges_;
   std::vector<vec3> points_;
   cell_surface surface_;
+  bool is_inside_ = false;  // each face of the cell leads to another cell of its own, which is faster to see than the cells of each face
 
  public:
   simple_cap_reader(const M& m, const unsigned char* states) : m_(m), states_(states) {}
@@ -51,6 +53,7 @@ class simple_cap_reader {
     if constexpr (arity_v<M> == 4) {  // faster: tets have one cap each, which follows from their signs
       read_tet(p, cell, list);
     } else {
+      is_inside_ = num_elements(adj_p2p(m_, p)) == num_elements(adj_p2f(m_, p));
       if (!find_chords(p, list) || !chain(p, cell, list)) list.difficult.push_back(cell);
     }
   }
@@ -74,6 +77,8 @@ class simple_cap_reader {
 
   bool find_chords(const poly_t<M>& p, simple_cap_list<M>& list) {
     chords_.clear();
+    if constexpr (arity_v<M> == 8)
+      if (is_inside_) return find_chords_of_hex(p, list);  // faster: the faces follow from the order of the verts
     surface_.clear();
     for (const face_t<M> f : adj_p2f(m_, p)) {
       unsigned char joint = 0;
@@ -87,17 +92,41 @@ class simple_cap_reader {
       const bool outward = face_is_outward(m_, p, f);
       surface_.end_facet(outward);
       if (joint & on_level) list.meets_verts = true;
-      if (is_crossed(joint) && !(add_chord(n, outward) && (n == 3 || is_flat(f)))) return false;
+      if (is_crossed(joint) && !(add_chord(surface_.last_corners(n), n, outward) == 2 && (n == 3 || is_flat(f)))) return false;
     }
     if constexpr (arity_v<M> == 0) return surface_.is_sphere(num_elements(adj_p2v(m_, p)), num_elements(adj_p2e(m_, p)));  // cells of fixed arity are spheres
     else return true;
   }
 
-  /// Adds the chord of the last facet, which has n corners. Returns false if it has more than one.
-  bool add_chord(std::size_t n, bool outward) {
+  /// The same for a hex that has a neighbour behind each of its faces.
+  bool find_chords_of_hex(const poly_t<M>& p, simple_cap_list<M>& list) {
+    constexpr const standard_cell& hex = standard_cell_of(cell_shape::hex);
+    std::uint32_t verts[8], ring[4];
+    vec3 points[8];
+    points_.resize(4);
+    unsigned char joint = 0;
+    unsigned k = 0;
+    for (const vert_t<M> v : adj_p2v(m_, p)) {
+      verts[k] = static_cast<std::uint32_t>(index_of(m_, v));
+      joint |= states_[verts[k]];
+      points[k++] = to_vec3(point(m_, v));
+    }
+    if (joint & on_level) list.meets_verts = true;
+    for (unsigned f = 0; f < 6; ++f) {
+      for (unsigned i = 0; i < 4; ++i) {
+        ring[i] = verts[hex.face_vert[f][i]];
+        points_[i] = points[hex.face_vert[f][i]];
+      }
+      const unsigned crossings = add_chord(ring, 4, true);
+      if (crossings > 2 || (crossings == 2 && !is_convex_polygon(points_))) return false;
+    }
+    return true;
+  }
+
+  /// Adds the chord of a face, if there is one. Returns how many of its edges are crossed.
+  unsigned add_chord(const std::uint32_t* facet, std::size_t n, bool outward) {
     unsigned crossings = 0;
     chord c{};
-    const std::uint32_t* const facet = surface_.last_corners(n);
     edge_key a = facet[n - 1];
     bool above = states_[a] != below_level;
     for (std::size_t k = 0; k < n; ++k) {
@@ -110,14 +139,14 @@ class simple_cap_reader {
       a = b;
       above = next_above;
     }
-    chords_.push_back(c);
-    return crossings == 2;
+    if (crossings > 0) chords_.push_back(c);
+    return crossings;
   }
   /// Whether a face is convex and, if it is on the boundary, planar.
   bool is_flat(const face_t<M>& f) {
     points_.clear();
     for (const vert_t<M> v : adj_f2v(m_, f)) points_.push_back(to_vec3(point(m_, v)));
-    return is_convex_polygon(points_) && (num_elements(adj_f2p(m_, f)) == 2 || is_planar_polygon(points_));
+    return is_convex_polygon(points_) && (is_inside_ || num_elements(adj_f2p(m_, f)) == 2 || is_planar_polygon(points_));
   }
 
   /// Joins the chords to cycles of edges. Returns false if they do not close.

@@ -1,64 +1,92 @@
 // Whether a surface is a manifold on which no two polys cover each other.
 #pragma once
 
-#include <concino/concepts/end_verts.hpp>
-#include <concino/concepts/facets.hpp>
 #include <concino/concepts/mesh.hpp>
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace concino::detail {
 
-/// Whether the polys at a vert follow each other across its edges, each of which has at most two polys.
+/// Looks at the polys of one vert after another. They have to be oriented alike.
 template<SurfaceMesh S>
-bool has_one_fan(const S& s, const vert_t<S>& v) {
-  std::size_t polys_at_v = 0, met = 1;
-  for ([[maybe_unused]] const poly_t<S> p : adj_v2p(s, v)) ++polys_at_v;
-  if (polys_at_v == 0) return false;
-  edge_t<S> start{};
-  bool any = false;
-  for (const edge_t<S> e : adj_v2e(s, v)) {
-    const bool is_open = num_elements(adj_e2p(s, e)) == 1;
-    if (!any || is_open) start = e;
-    any = true;
-    if (is_open) break;
-  }
-  edge_t<S> at = start;
-  poly_t<S> p = *adj_e2p(s, start).begin();
-  for (;; ++met) {
-    edge_t<S> next = at;
-    for (const edge_t<S> e : adj_p2e(s, p)) {
-      if (e == at) continue;
-      const auto ends = end_verts(s, e);
-      if (ends.first == v || ends.second == v) next = e;
+class fan_checker {
+  struct corner {
+    std::uint32_t previous, next;  // the neighbours of the vert in the poly
+  };
+
+  const S& s_;
+  std::vector<corner> corners_;
+
+  /// Returns false if p does not have v once.
+  bool add_corner(const poly_t<S>& p, std::uint32_t v) {
+    const auto& ring = adj_p2v(s_, p);
+    std::uint32_t first = ~0u, last = ~0u, before = ~0u, after = ~0u;
+    std::size_t met = 0;
+    for (const vert_t<S> x : ring) {
+      const auto at = static_cast<std::uint32_t>(index_of(s_, x));
+      if (first == ~0u) first = at;
+      if (last == v && met > 0) after = at;
+      if (at == v) before = last, ++met;
+      last = at;
     }
-    at = next;
-    bool crossed = false;
-    for (const poly_t<S> q : other_polys(s, p, at)) {
-      p = q;
-      crossed = true;
-      break;
-    }
-    if (!crossed || at == start) return met == polys_at_v;
-    if (met == polys_at_v) return false;
+    if (before == ~0u) before = last;
+    if (after == ~0u) after = first;
+    corners_.push_back({before, after});
+    return met == 1;
   }
-}
+
+  /// Whether all edges of p lead to one other poly.
+  bool is_covered(const poly_t<S>& p) const {
+    std::size_t others = 0;
+    for ([[maybe_unused]] const poly_t<S> q : adj_p2p(s_, p)) ++others;
+    if (others != 1) return false;
+    for (const edge_t<S> e : adj_p2e(s_, p))
+      if (is_boundary(s_, e)) return false;
+    return true;
+  }
+
+ public:
+  explicit fan_checker(const S& s) : s_(s) {}
+
+  /// Whether the polys at v follow each other around it, one behind each of their edges, and none covers another.
+  bool has_one_fan(const vert_t<S>& v) {
+    corners_.clear();
+    for (const poly_t<S> p : adj_v2p(s_, v))
+      if (!add_corner(p, static_cast<std::uint32_t>(index_of(s_, v)))) return false;
+    const std::size_t n = corners_.size();
+    if (n == 0) return false;
+    std::size_t start = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      bool is_last = true;  // no poly is behind its edge to the next vert
+      for (std::size_t k = 0; k < n; ++k) {
+        if (k < i && (corners_[k].previous == corners_[i].previous || corners_[k].next == corners_[i].next)) return false;
+        is_last = is_last && corners_[k].previous != corners_[i].next;
+      }
+      if (is_last) start = i;
+    }
+    std::size_t met = 1, at = start;
+    for (bool found = true; found; met += found) {
+      found = false;
+      for (std::size_t k = 0; k < n && !found; ++k)
+        if (corners_[k].next == corners_[at].previous && k != start) at = k, found = true;
+    }
+    if (met != n) return false;
+    if (n == 2 && corners_[0].next == corners_[1].previous && corners_[0].previous == corners_[1].next)
+      for (const poly_t<S> p : adj_v2p(s_, v))
+        if (is_covered(p)) return false;
+    return true;
+  }
+};
 
 /// Whether each edge has at most two polys and each vert one fan, and no poly has the same neighbour across all of its edges.
+/// Needs: the polys at each edge run along it in opposite directions; otherwise the answer may be false for a manifold.
 template<SurfaceMesh S>
 bool is_simple_surface(const S& s) {
-  for (const edge_t<S> e : edges(s))
-    if (num_elements(adj_e2p(s, e)) > 2) return false;
-  for (const poly_t<S> p : polys(s)) {
-    std::size_t others = 0;
-    for ([[maybe_unused]] const poly_t<S> q : adj_p2p(s, p)) ++others;
-    if (others != 1) continue;
-    bool is_closed = true;
-    for (const edge_t<S> e : adj_p2e(s, p)) is_closed = is_closed && !is_boundary(s, e);
-    if (is_closed) return false;
-  }
+  fan_checker<S> checker(s);
   for (const vert_t<S> v : verts(s))
-    if (!has_one_fan(s, v)) return false;
+    if (!checker.has_one_fan(v)) return false;
   return true;
 }
 

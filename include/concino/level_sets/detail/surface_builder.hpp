@@ -25,7 +25,9 @@ class surface_builder {
     else a_.offsets.push_back(0);
   }
 
+  /// Makes room for the first part; others make room as they come.
   void reserve(std::size_t points, std::size_t corners, std::size_t polygons) {
+    if (!a_.points.empty()) return;
     a_.points.reserve(points);
     a_.verts.reserve(corners);
     if (a_.arity == 0) a_.offsets.reserve(polygons + 1);

@@ -10,6 +10,7 @@
 #include <concino/level_sets/detail/convex_cells.hpp>
 #include <concino/level_sets/detail/crossed_volume_reader.hpp>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,7 @@ namespace concino::detail {
 /// The polys of the result are those that are kept whole, in the order of m, and then parts of polys. Likewise faces.
 template<class M, class U>
 class volume_clipper {
+  static constexpr std::uint32_t of_part_only = 1;  // in face_number_, before faces are numbered: a face of a part, and of no poly that is kept
   static constexpr auto surface = arity_v<M> > 0 ? cell_cuts::cells_are::spheres : cell_cuts::cells_are::unknown;
 
   const M& m_;
@@ -77,14 +79,15 @@ class volume_clipper {
     const auto keep = [&](const poly_t<M>& p, bool above) {
       if (!above && !both_) return;
       for (const face_t<M> f : adj_p2f(m_, p)) face_number_[index_of(m_, f)] = 0;
+      for (const vert_t<M> v : adj_p2v(m_, p)) verts_of.mark(v);
       whole_.push_back(p);
       result_.above.push_back(above);
     };
     std::size_t next = 0, part = 0;
     for (const poly_t<M> p : polys(m_)) {
       if (next == crossed_.polys.size() || !(crossed_.polys[next] == p)) {
-        const auto& ring = adj_p2v(m_, p);
-        const vert_t<M> first = *ring.begin();
+        const auto& corners = adj_p2v(m_, p);
+        const vert_t<M> first = *corners.begin();
         keep(p, states_[index_of(m_, first)] != below_level);
         continue;
       }
@@ -100,7 +103,7 @@ class volume_clipper {
       for (std::uint32_t k = parts.parts[i].first; k < parts.parts[i].last; ++k) {
         const std::uint32_t f = parts.part_faces[k];
         if (parts.faces[f].is_whole) {
-          face_number_[parts.faces[f].origin] = 0;
+          if (std::uint32_t& number = face_number_[parts.faces[f].origin]; number == ~0u) number = of_part_only;
           continue;
         }
         if (new_face_[f] == ~0u) ++num_faces_, num_corners_ += parts.faces[f].last - parts.faces[f].first;
@@ -110,10 +113,10 @@ class volume_clipper {
     for (const face_t<M> f : faces(m_)) {
       if (face_number_[index_of(m_, f)] == ~0u) continue;
       ++num_faces_;
-      for (const vert_t<M> v : adj_f2v(m_, f)) {
-        verts_of.mark(v);
-        ++num_corners_;
-      }
+      const auto& ring = adj_f2v(m_, f);
+      num_corners_ += num_elements(ring);
+      if (face_number_[index_of(m_, f)] == of_part_only)
+        for (const vert_t<M> v : ring) verts_of.mark(v);
     }
   }
 
@@ -123,9 +126,11 @@ class volume_clipper {
     core::reserve_large(a_.face_offsets, num_faces_ + 1);
     core::reserve_large(a_.face_verts, num_corners_);
     a_.face_offsets.push_back(0);
+    std::vector<std::uint32_t> origins;
+    core::reserve_large(origins, num_faces_);
     const auto end_face = [&](std::uint32_t origin) {
       a_.face_offsets.push_back(static_cast<std::uint32_t>(a_.face_verts.size()));
-      result_.from.faces.add(origin);
+      origins.push_back(origin);
     };
     for (const face_t<M> f : faces(m_)) {
       const auto index = static_cast<std::uint32_t>(index_of(m_, f));
@@ -144,6 +149,7 @@ class volume_clipper {
       }
       if (f.is_cut && new_face_[i] != ~0u) result_.cut_faces.push_back(face_id{new_face_[i]});
     }
+    result_.from.faces = element_origins(std::move(origins));
   }
 
   void build_polys(const cell_parts& parts) {
@@ -170,7 +176,7 @@ class volume_clipper {
   }
 
   void list_poly_origins(const cell_parts& parts) {
-    for (const poly_t<M>& p : whole_) result_.from.polys.add(static_cast<std::uint32_t>(index_of(m_, p)));
+    result_.from.polys = origins_of(m_, whole_);
     for (std::size_t i = 0; i < cut_.size(); ++i) {
       const double size = volume(result_.mesh, poly_id{whole_.size() + i});
       if (!(size > 0)) ++result_.report.inverted_parts;
@@ -180,38 +186,20 @@ class volume_clipper {
 
   /// Edges between two verts of m follow from the edges there, which are in about the same order in both meshes; others follow from their verts.
   void list_edge_origins(const clip_verts<M, crossed_volume>& verts_of) {
-    std::vector<origin> found(num_edges(result_.mesh), origin{element_origins::none, 1});
-    std::vector<unsigned char> is_new(found.size(), 1);
-    struct old_edge {
-      vert_id to;
-      std::uint32_t index;
-    };
-    std::vector<old_edge> row;
-    for (const vert_t<M> v : verts(m_)) {
-      const vert_id from = verts_of.of(v);
-      if (from.is_none()) continue;
-      row.clear();
-      for (const edge_t<M> e : adj_v2e(m_, v)) {
-        const auto ends = end_verts(m_, e);
-        row.push_back({verts_of.of(ends.first == v ? ends.second : ends.first), static_cast<std::uint32_t>(index_of(m_, e))});
-      }
-      std::size_t at = 0;
-      for (const edge_id e : adj_v2e(result_.mesh, from)) {
-        const auto ends = end_verts(result_.mesh, e);
-        if (ends.first != from || !verts_of.is_old(ends.second)) continue;
-        is_new[e.raw()] = 0;
-        for (std::size_t k = 0; k < row.size(); ++k, ++at) {
-          if (at >= row.size()) at = 0;
-          if (row[at].to != ends.second) continue;
-          found[e.raw()].index = row[at].index;
-          break;
-        }
-      }
+    const polyhedralmesh& made = result_.mesh;
+    single_origins found(edge_index_bound(made));
+    for (const edge_t<M> e : edges(m_)) {
+      const auto ends = end_verts(m_, e);
+      const vert_id a = verts_of.of(ends.first), b = verts_of.of(ends.second);
+      if (a.is_none() || b.is_none()) continue;
+      const auto others = adj_v2v(made, a);  // in the same order as the edges
+      const auto at = std::find(others.begin(), others.end(), b);
+      if (at != others.end()) found.set(adj_v2e(made, a)[at - others.begin()].raw(), static_cast<std::uint32_t>(index_of(m_, e)));
     }
     const elements_by_index<vert_t<M>> by_index(m_, verts(m_), vert_index_bound(m_));
     for (const edge_id e : edges(result_.mesh))
-      if (is_new[e.raw()]) found[e.raw()] = match_edge(m_, result_.mesh, result_.from.verts, by_index, e);
-    result_.from.edges = single_origins(found);
+      if (!found.is_set(e.raw())) found.set(e.raw(), match_edge(m_, result_.mesh, result_.from.verts, by_index, e));
+    result_.from.edges = std::move(found).collect();
   }
 };
 
