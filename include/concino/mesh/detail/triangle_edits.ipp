@@ -75,6 +75,7 @@ std::uint32_t surface_tables<Arity, Lists>::find_triangles(edge_id e, vert_id a,
   if (!facet_adjacency_.is_owned(e)) return 0;
   const auto [first, k] = facet_adjacency_.owner(e);
   const poly_id p{first};
+  prefetch_poly(p);
   prefetch_vert(a), prefetch_vert(b);
   const detail::encoded_neighbour behind = facet_adjacency_.neighbour(p, k);
   if (!behind.is_none() && !behind.is_first_occurrence()) return 0;
