@@ -36,32 +36,33 @@ M soup_of_different_polys(std::mt19937& random, unsigned verts, unsigned polys) 
   return M(random_points(random, verts), lists);
 }
 
-/// For each operator, in all test cases together.
-unsigned num_tries() { return long_run() ? 400000 : 10000; }
+/// For each operator, in all test cases of triangles together, and in those of tets. With those of random_elements_test.cpp they are 10,000.
+unsigned num_tries() { return long_run() ? 750000 : 8750; }
 
 }  // namespace
 
 TEST_CASE("random edits: a closed surface") {
   std::mt19937 random(1);
-  keeps_topology(cn::icosphere(0), random, num_tries() / 4);
+  keeps_topology(cn::icosphere(0), random, num_tries() / 2);
 }
 
 TEST_CASE("random edits: a surface with boundary") {
   std::mt19937 random(2);
-  keeps_topology(grid<cn::trimesh>(3), random, num_tries() / 8);
+  keeps_topology(grid<cn::trimesh>(3), random, num_tries() / 4);
 }
 
 TEST_CASE("random edits: non-manifold triangles") {
   std::mt19937 random(3);
-  for (unsigned round = 0; round < 5; ++round) keeps_topology(soup_of_different_polys<cn::trimesh>(random, 10, 14), random, num_tries() / 40);
+  for (unsigned round = 0; round < 5; ++round) keeps_topology(soup_of_different_polys<cn::trimesh>(random, 10, 14), random, num_tries() / 20);
 }
 
 TEST_CASE("random edits: tets") {
   std::mt19937 random(4);
-  keeps_topology(grid<cn::tetmesh>(2), random, num_tries() * 3 / 8);
+  keeps_topology(grid<cn::tetmesh>(2), random, num_tries() / 4);
+  keeps_topology(grid<cn::tetmesh>(1), random, num_tries() / 2);
 }
 
 TEST_CASE("random edits: non-manifold tets") {
   std::mt19937 random(5);
-  for (unsigned round = 0; round < 5; ++round) keeps_topology(soup_of_different_polys<cn::tetmesh>(random, 9, 10), random, num_tries() / 40, false);
+  for (unsigned round = 0; round < 5; ++round) keeps_topology(soup_of_different_polys<cn::tetmesh>(random, 9, 10), random, num_tries() / 20, false);
 }

@@ -8,7 +8,8 @@
 // Removed elements that wait for collect_garbage() are not part of the mesh: they are skipped, but index bounds include them.
 // Property maps of the mesh are maps: map[v] reads and writes. Meshes with points in space that can be written are editable: all operators of
 // <concino/edit.hpp> work on them. What CGAL cannot represent is refused with the reason. Properties stay at elements that keep their descriptors; new ones have
-// default values, but a new edge that takes the descriptor of a removed one also takes its values.
+// default values, but a new edge that takes the descriptor of a removed one also takes its values. No value is interpolated, as property_rule says for properties of
+// native meshes: write those of new elements after an edit, which returns them.
 // Transactions undo what functions of this library change; removed elements come back with their descriptors and values. Values that are written in a transaction
 // are not undone, and redo() gives new elements default values. The first transaction adds a property map of edges, "e:concino".
 // garbage_collect(m) changes nothing if memory runs out. If copies of a property's values can fail, as of strings, it makes a copy of the mesh before; the mesh becomes

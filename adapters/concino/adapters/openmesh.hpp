@@ -5,7 +5,8 @@
 // its siblings count what is left, in time proportional to all. Polys that touch only at a vert are all in the rings of that vert, since
 // OpenMesh links their borders. OpenMesh cannot represent edges of more than two polys.
 // Meshes with points in space are editable: all operators of <concino/edit.hpp> work on them. What OpenMesh cannot represent is refused with the reason. Properties
-// stay at elements that keep their handles; new ones have default values, but a new edge that takes the handle of a removed one also takes its values.
+// stay at elements that keep their handles; new ones have default values, but a new edge that takes the handle of a removed one also takes its values. No value is
+// interpolated, as property_rule says for properties of native meshes: write those of new elements after an edit, which returns them.
 // Transactions undo what functions of this library change. Removed elements come back with their handles and values. Values that are written in a transaction are
 // not undone, and redo() gives new elements default values. A copy of a mesh has no edits that can be undone.
 // Needs: OpenMesh (Debian: libopenmesh-dev).

@@ -15,18 +15,22 @@
 namespace concino::detail {
 
 /// Before the first edit the rows are consecutive ("packed"): row i ends where row i+1 begins, so one array of offsets is enough, and tables whose rows have
-/// equal lengths share it. The first edit gives every row an end and a capacity of its own ("loose"). Reading is the same in both states: row i is
-/// between first(i) and last(i), and packed rows have last_ = first_ + 1.
+/// equal lengths share it. The first edit gives every row an end and a capacity of its own ("loose"), which are beside its beginning, since edits in random
+/// order wait for each part of the memory that they use. Reading is the same in both states: row i is between first(i) and last(i), which are one number
+/// apart, and those of row i + 1 are 1 or 4 numbers behind them.
 class row_places {
+  struct loose_row {
+    std::uint32_t first, last, room, unused = 0;  // four numbers, so that no row is on two cache lines
+  };
   std::shared_ptr<const offsets> packed_;
-  core::flat_array<std::uint32_t> loose_first_, loose_last_, room_;
+  core::flat_array<loose_row> loose_;
   const std::uint32_t* first_ = nullptr;
-  const std::uint32_t* last_ = nullptr;
+  std::uint32_t shift_ = 0;  // the number of row i is at first_[i << shift_]
   std::size_t size_ = 0;
 
   void update_pointers() {
-    first_ = packed_ ? packed_->data() : loose_first_.data();
-    last_ = packed_ ? packed_->data() + 1 : loose_last_.data();
+    first_ = packed_ ? packed_->data() : reinterpret_cast<const std::uint32_t*>(loose_.data());
+    shift_ = packed_ ? 0 : 2;
   }
 
  public:
@@ -35,7 +39,7 @@ class row_places {
 
   row_places() = default;
   explicit row_places(std::shared_ptr<const offsets> packed) : packed_(std::move(packed)), size_(packed_->size() - 1) { update_pointers(); }
-  row_places(const row_places& o) : packed_(o.packed_), loose_first_(o.loose_first_), loose_last_(o.loose_last_), room_(o.room_), size_(o.size_) {
+  row_places(const row_places& o) : packed_(o.packed_), loose_(o.loose_), size_(o.size_) {
     if (o.first_) update_pointers();
   }
   row_places(row_places&& o) noexcept { swap(o); }
@@ -45,15 +49,15 @@ class row_places {
   }
   void swap(row_places& o) noexcept {
     using std::swap;
-    swap(packed_, o.packed_), swap(loose_first_, o.loose_first_), swap(loose_last_, o.loose_last_), swap(room_, o.room_);
-    swap(first_, o.first_), swap(last_, o.last_), swap(size_, o.size_);
+    swap(packed_, o.packed_), swap(loose_, o.loose_);
+    swap(first_, o.first_), swap(shift_, o.shift_), swap(size_, o.size_);
   }
 
   std::size_t size() const { return size_; }
-  std::uint32_t first(std::size_t i) const { return first_[i]; }
-  std::uint32_t last(std::size_t i) const { return last_[i]; }
-  std::uint32_t length(std::size_t i) const { return last_[i] - first_[i]; }
-  std::uint32_t room(std::size_t i) const { return packed_ ? length(i) : room_[i]; }
+  std::uint32_t first(std::size_t i) const { return first_[i << shift_]; }
+  std::uint32_t last(std::size_t i) const { return first_[(i << shift_) + 1]; }
+  std::uint32_t length(std::size_t i) const { return last(i) - first(i); }
+  std::uint32_t room(std::size_t i) const { return packed_ ? length(i) : loose_[i].room; }
   bool is_packed() const { return packed_ != nullptr; }
 
   const std::shared_ptr<const offsets>& shared_offsets() const { return packed_; }
@@ -63,11 +67,7 @@ class row_places {
     update_pointers();
   }
 
-  void prefetch(std::size_t i) const {
-    __builtin_prefetch(first_ + i);
-    __builtin_prefetch(last_ + i);
-    if (!packed_) __builtin_prefetch(room_.data() + i);
-  }
+  void prefetch(std::size_t i) const { __builtin_prefetch(first_ + (i << shift_), 1); }
 
   // Edits allocate their memory first, which changes no row, and cannot fail afterwards.
 
@@ -77,46 +77,43 @@ class row_places {
   }
   /// The same rows, apart from each other, so that most of them can grow where they are. Packed rows if the places were more than 32 bits can count.
   row_places spread() const {
-    std::uint64_t values = 0;
+    std::uint64_t values = num_before;
     for (std::size_t i = 0; i < size_; ++i) values += room_for(length(i) + 1);
     if (values > std::numeric_limits<std::uint32_t>::max()) return loose([](std::uint32_t n) { return n; });
-    return loose([](std::uint32_t n) { return room_for(n + 1); });
+    return loose([](std::uint32_t n) { return room_for(n + 1); }, num_before);
   }
   static std::uint32_t room_for(std::uint32_t n) { return (n + room_unit - 1) / room_unit * room_unit; }
   /// Where the last row ends that loose() has made.
-  std::size_t end_of_values() const { return size_ == 0 ? 0 : std::size_t{loose_first_[size_ - 1]} + room_[size_ - 1]; }
+  std::size_t end_of_values() const { return size_ == 0 ? 0 : std::size_t{loose_[size_ - 1].first} + loose_[size_ - 1].room; }
 
   /// After this call, n calls of add() cannot fail.
   void reserve(std::size_t n) {
     make_loose();
-    loose_first_.reserve_back(n), update_pointers();
-    loose_last_.reserve_back(n), update_pointers();
-    room_.reserve_back(n);
+    loose_.reserve_back(n);
+    update_pointers();
   }
   void add(std::size_t first, std::size_t length, std::size_t room) {
-    loose_first_.push_back(static_cast<std::uint32_t>(first));
-    loose_last_.push_back(static_cast<std::uint32_t>(first + length));
-    room_.push_back(static_cast<std::uint32_t>(room));
+    loose_.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(first + length), static_cast<std::uint32_t>(room)});
     ++size_;
     update_pointers();
   }
-  bool has_room(std::size_t i, std::uint32_t n) const { return !packed_ && room_[i] - length(i) >= n; }
+  bool has_room(std::size_t i, std::uint32_t n) const { return !packed_ && loose_[i].room - length(i) >= n; }
   /// The capacity of a loose row that becomes too long.
-  std::uint32_t larger_room(std::size_t i, std::size_t n) const { return std::max({std::uint32_t{4}, 2 * room(i), static_cast<std::uint32_t>(n)}); }
+  std::uint32_t larger_room(std::size_t i, std::size_t n) const { return room_for(std::max(2 * room(i), static_cast<std::uint32_t>(n))); }
   void move_row(std::size_t i, std::size_t first, std::uint32_t room) {
-    const std::uint32_t n = length(i);
-    loose_first_[i] = static_cast<std::uint32_t>(first), loose_last_[i] = loose_first_[i] + n, room_[i] = room;
+    const auto at = static_cast<std::uint32_t>(first);
+    loose_[i] = {at, at + length(i), room};
   }
-  void set_length(std::size_t i, std::size_t n) { loose_last_[i] = loose_first_[i] + static_cast<std::uint32_t>(n); }
+  void set_length(std::size_t i, std::size_t n) { loose_[i].last = loose_[i].first + static_cast<std::uint32_t>(n); }
   /// Where a value is added to row i, which has room for it.
   std::uint32_t extend(std::size_t i) {
     assert(has_room(i, 1));
-    return loose_last_[i]++;
+    return loose_[i].last++;
   }
   /// Where the last value of row i is, which it loses.
   std::uint32_t shorten(std::size_t i) {
     assert(!packed_ && length(i) > 0);
-    return --loose_last_[i];
+    return --loose_[i].last;
   }
 
   /// Where the values of a row are, for undoing. A row that was packed remains where it was moved since, where it has at least as much room.
@@ -124,31 +121,31 @@ class row_places {
     std::uint32_t first, last, room;
     bool is_packed;
   };
-  place place_of(std::size_t i) const { return {first_[i], last_[i], room(i), is_packed()}; }
+  place place_of(std::size_t i) const { return {first(i), last(i), room(i), is_packed()}; }
   void restore_place(std::size_t i, const place& x) {
     if (packed_) return;
     if (x.is_packed) set_length(i, x.last - x.first);
-    else loose_first_[i] = x.first, loose_last_[i] = x.last, room_[i] = x.room;
+    else loose_[i] = {x.first, x.last, x.room};
   }
   void restore_size(std::size_t rows) {
     if (packed_) return;
-    loose_first_.resize(rows), loose_last_.resize(rows), room_.resize(rows);
+    loose_.resize(rows);
     size_ = rows;
     update_pointers();
   }
 
  private:
+  /// The values before the first row of spread(), so that rows of `room_unit` values begin on cache lines: memory for large arrays begins 16 bytes behind one.
+  static constexpr std::uint32_t num_before = 12;
+
   /// Consecutive rows with the capacity room(length).
   template<class Room>
-  row_places loose(const Room& room) const {
+  row_places loose(const Room& room, std::uint32_t at = 0) const {
     row_places p;
-    p.loose_first_.resize(size_), p.loose_last_.resize(size_), p.room_.resize(size_);
-    std::uint32_t at = 0;
+    p.loose_.resize(size_);
     for (std::size_t i = 0; i < size_; ++i) {
-      p.loose_first_[i] = at;
-      p.loose_last_[i] = at + length(i);
-      p.room_[i] = room(length(i));
-      at += p.room_[i];
+      p.loose_[i] = {at, at + length(i), room(length(i))};
+      at += p.loose_[i].room;
     }
     p.size_ = size_;
     p.update_pointers();

@@ -6,6 +6,8 @@
 #include <concino/mesh/detail/cavity_changes.hpp>
 #include <concino/mesh/surface_tables.hpp>
 
+#include <memory>
+
 namespace concino {
 
 /// Edge k of a triangle, and what is behind it.
@@ -75,15 +77,16 @@ std::uint32_t surface_tables<Arity, Lists>::find_triangles(edge_id e, vert_id a,
   if (!facet_adjacency_.is_owned(e)) return 0;
   const auto [first, k] = facet_adjacency_.owner(e);
   const poly_id p{first};
+  prefetch_poly(p);
   prefetch_vert(a), prefetch_vert(b);
   const detail::encoded_neighbour behind = facet_adjacency_.neighbour(p, k);
   if (!behind.is_none() && !behind.is_first_occurrence()) return 0;
   if (!behind.is_none()) prefetch_poly(poly_id{behind.poly()});
-  two[0] = side_of_edge(*this, p, k, a);
+  std::construct_at(two, *this, p, k, a);  // in its place: a copy would be read before it has been written
   if (!two[0].is_regular()) return 0;
   if (behind.is_none()) return 1;
   const poly_id q{behind.poly()};
-  two[1] = side_of_edge(*this, q, facet_adjacency_.position_of(q, e), a);
+  std::construct_at(two + 1, *this, q, facet_adjacency_.position_of(q, e), a);
   for (const vert_id v : {a, b, two[0].c, two[1].c}) incident_edges_.prefetch_values(v), v2p_.prefetch_values(v.raw());
   return two[1].is_regular() ? 2 : 0;
 }
