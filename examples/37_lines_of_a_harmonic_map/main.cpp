@@ -1,5 +1,6 @@
 // Iso-lines: where a function on a surface has a value. They come joined to polylines, which know where they cross the edges of the mesh. Here: the lines of a
-// harmonic map on a ring, their lengths, and the area between them. On a ring the map is a logarithm, so the results can be checked.
+// harmonic map on a ring, their lengths, the area between them, and a line as edges. On a ring the map is a logarithm, so the results can be checked.
+#include <concino/convert.hpp>
 #include <concino/fields.hpp>
 #include <concino/generate.hpp>
 #include <concino/geometry.hpp>
@@ -55,4 +56,12 @@ int main() {
   const auto& on_edge = lines.front().edge_points.front();
   const auto [from, to] = cn::end_verts(m, on_edge.edge);
   fmt::print("the first point is at {:.3f} of the edge between verts {} and {}, where u is {:.3f} and {:.3f}\n", on_edge.parameter, from.raw(), to.raw(), u[from], u[to]);
+
+  // A line can become edges of a mesh that has room for the parts of its polys: of triangles or of general polygons.
+  auto polygons = cn::convert<cn::polygonmesh>(m);
+  auto w = cn::make_vert_map<double>(polygons);
+  for (const auto v : cn::verts(m)) w[v] = u[v];
+  const auto line = cn::isolines(polygons, w, 0.6).front();
+  const auto cut = cn::embed_path(polygons, line.places, {.closed = line.closed});
+  fmt::print("as edges of polygons: {} edges, {} new verts, {} polys instead of {}\n", cut.edges.size(), cut.new_verts.size(), cn::num_polys(polygons), cn::num_polys(m));
 }

@@ -4,6 +4,7 @@
 #include <concino/level_sets/clip.hpp>
 #include <concino/level_sets/clip_options.hpp>
 #include <concino/level_sets/embed.hpp>
+#include <concino/level_sets/embed_path.hpp>
 #include <concino/level_sets/isolines.hpp>
 #include <concino/level_sets/isosurface.hpp>
 #include <concino/level_sets/measure_between.hpp>

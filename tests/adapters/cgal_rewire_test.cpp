@@ -3,6 +3,7 @@
 
 #include <support/cgal.hpp>
 #include <support/foreign_operators.hpp>
+#include <support/foreign_paths.hpp>
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -101,4 +102,8 @@ TEST_CASE("CGAL: what cannot be linked is refused with the reason") {
   CHECK(ct::foreign_state(m) == before);
   flip_winding(m);
   ct::foreign_laws_hold(m);
+}
+
+TEST_CASE_TEMPLATE("CGAL: a path becomes edges", P, kernel_point, vec3) {
+  ct::embeds_a_path(ct::cgal_surface<P>(ct::triangle_grid(4)));
 }

@@ -1,5 +1,6 @@
 // rewire on OpenMesh meshes: it does what the laws say, or refuses what half-edges cannot represent, and changes nothing then.
 #include <support/foreign_operators.hpp>
+#include <support/foreign_paths.hpp>
 #include <support/openmesh.hpp>
 
 using namespace concino;
@@ -97,4 +98,10 @@ TEST_CASE("OpenMesh: what cannot be linked is refused with the reason") {
   flip_winding(grid);
   ct::foreign_laws_hold(grid);
   CHECK(num_polys(grid) == 72);
+}
+
+TEST_CASE_TEMPLATE("OpenMesh: a path becomes edges", M, tri_double, poly_status) {
+  M m;
+  fill(m, ct::triangle_grid(4));
+  ct::embeds_a_path(m);
 }

@@ -1,5 +1,5 @@
 // Embedding a level set that throws std::bad_alloc at any of its allocations changes neither the mesh, nor its properties.
-#include <concino/level_sets/embed.hpp>
+#include <concino/level_sets/embed_path.hpp>
 
 #include <concino/generate/grid.hpp>
 #include <concino/mesh.hpp>
@@ -8,6 +8,8 @@
 #include <support/whole_mesh.hpp>
 
 #include <doctest/doctest.h>
+
+#include <vector>
 
 namespace cn = concino;
 
@@ -20,5 +22,14 @@ TEST_CASE_TEMPLATE("embedding that runs out of memory changes nothing", M, cn::t
     if constexpr (cn::dimension_v<M> == 3) cn::embed_isosurface(x, "a", 0.45, {.snap = 0.2});
     else cn::embed_isolines(x, "a", 0.45, {.snap = 0.2});
   });
+  CHECK(failed > 20);
+}
+
+TEST_CASE_TEMPLATE("embedding a path that runs out of memory changes nothing", M, cn::trimesh, cn::polygonmesh) {
+  M m = cn::make_grid<M>({.cells = {2, 1, 1}});
+  cn::testing::give_properties(m);
+  std::vector<cn::edge_point<M>> path;
+  for (const auto e : cn::adj_p2e(m, *cn::polys(m).begin())) path.push_back({e, 0.4});
+  const std::size_t failed = cn::testing::all_or_nothing(m, [&](M& x) { cn::embed_path(x, path); });
   CHECK(failed > 20);
 }

@@ -76,6 +76,7 @@ void no_adapter(const stranger& other) {
   cn::to_verts(other);  // refused
   cn::embed_isolines(other);  // refused
   cn::embed_isosurface(other);  // refused
+  cn::embed_path(other);  // refused
   cn::decimate(other, {});  // refused
   cn::adaptive_size(other, {});  // refused
   cn::remesh(other, {});  // refused

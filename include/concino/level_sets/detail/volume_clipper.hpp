@@ -194,7 +194,7 @@ class volume_clipper {
       if (a.is_none() || b.is_none()) continue;
       const auto others = adj_v2v(made, a);  // in the same order as the edges
       const auto at = std::find(others.begin(), others.end(), b);
-      if (at != others.end()) found.set(adj_v2e(made, a)[at - others.begin()].raw(), static_cast<std::uint32_t>(index_of(m_, e)));
+      if (at != others.end()) found.set(adj_v2e(made, a)[static_cast<std::size_t>(at - others.begin())].raw(), static_cast<std::uint32_t>(index_of(m_, e)));
     }
     const elements_by_index<vert_t<M>> by_index(m_, verts(m_), vert_index_bound(m_));
     for (const edge_id e : edges(result_.mesh))

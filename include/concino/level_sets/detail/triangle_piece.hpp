@@ -1,0 +1,52 @@
+// Cuts a convex part of a triangle, with corners along its sides, into triangles none of which is flat.
+#pragma once
+
+#include <concino/core/vec3.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace concino::detail {
+
+/// A corner of the part. sides: a bit for each side of the triangle on which it is, so that no rounding decides what is flat.
+struct piece_corner {
+  std::uint32_t number;
+  unsigned char sides;
+  vec3 position;
+};
+
+/// Calls f(numbers) for each triangle. Of those that can be cut off next, the one of the best shape is. Changes the corners.
+/// Needs: three corners or more, not all on one side.
+template<class F>
+void triangulate_piece(std::vector<piece_corner>& corners, const F& f) {
+  const auto shape = [](const vec3& a, const vec3& b, const vec3& c) {
+    const vec3 x = b - a, y = c - b, z = a - c;
+    const double size = dot(x, x) + dot(y, y) + dot(z, z);
+    return size > 0 ? norm(cross(x, y)) / size : 0;
+  };
+  while (corners.size() > 3) {
+    const std::size_t n = corners.size();
+    std::size_t best = n;
+    double best_shape = -1;
+    for (std::size_t i = 0; i < n; ++i) {
+      const piece_corner &before = corners[(i + n - 1) % n], &corner = corners[i], &after = corners[(i + 1) % n];
+      if (before.sides & corner.sides & after.sides) continue;
+      unsigned char others = 0xff;
+      for (std::size_t k = 0; k < n; ++k)
+        if (k != i) others &= corners[k].sides;
+      if (others != 0) continue;  // nothing but a line would be left
+      const double s = shape(before.position, corner.position, after.position);
+      if (!(s > best_shape) && best < n) continue;
+      best = i;
+      best_shape = s;
+    }
+    f(std::array{corners[(best + n - 1) % n].number, corners[best].number, corners[(best + 1) % n].number});
+    corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(best));
+  }
+  f(std::array{corners[0].number, corners[1].number, corners[2].number});
+}
+
+}  // namespace concino::detail
