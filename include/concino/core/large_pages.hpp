@@ -83,17 +83,6 @@ std::vector<T> large_vector(std::size_t n, const T& value) {
   return v;
 }
 
-/// The same for a short time: large pages may be three times as large as the values.
-template<class T>
-std::vector<T> temporary_vector(std::size_t n, const T& value) {
-  std::vector<T> v;
-  const std::size_t bytes = n * sizeof(T);
-  reserve_large(v, whole_pages(bytes, 2 * bytes) / sizeof(T));
-  request_pages(v.data(), bytes);
-  v.assign(n, value);
-  return v;
-}
-
 /// Resizes a vector to n elements or some more, so that those at its end can be assigned one after another, which takes less time than push_back.
 /// trim() ends this.
 template<class T>

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <concino/core/large_pages.hpp>
+#include <concino/core/temporary_array.hpp>
 #include <concino/mesh/arrays.hpp>
 #include <concino/mesh/standard_cells.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -54,10 +54,9 @@ class basic_face_merger {
 
   std::vector<std::uint32_t> offsets_{0};  // of the different faces; this and the next two have room at their ends
   std::vector<Vert> verts_;
-  std::unique_ptr<entry[]> entries_;       // of the different faces; not a vector, which would set them to zero first
-  std::size_t entries_size_ = 0;
+  core::temporary_array<entry> entries_;   // of the different faces
   std::size_t num_faces_ = 0, num_corners_ = 0;
-  std::vector<std::uint32_t> last_;        // the last different face with each smallest vert
+  core::temporary_array<std::uint32_t> last_;  // the last different face with each smallest vert
   bool has_many_ = false;                  // some vert is the smallest one of too many faces
 
   std::uint32_t size(std::size_t f) const { return offsets_[f + 1] - offsets_[f]; }
@@ -72,12 +71,9 @@ class basic_face_merger {
   }
 
   void grow_entries(std::size_t n) {
-    const std::size_t bytes = n * sizeof(entry), size = core::whole_pages(bytes, 2 * bytes) / sizeof(entry);
-    std::unique_ptr<entry[]> larger(new entry[size]);
-    core::prefer_large_pages(larger.get(), size * sizeof(entry));
-    std::copy_n(entries_.get(), num_faces_, larger.get());
-    entries_ = std::move(larger);
-    entries_size_ = size;
+    core::temporary_array<entry> larger(n);
+    std::copy_n(entries_.data(), num_faces_, larger.data());
+    entries_.swap(larger);
   }
 
   /// The faces whose smallest verts have many faces, in an order in which equal ones are consecutive.
@@ -129,7 +125,7 @@ class basic_face_merger {
   };
 
   /// Needs: verts below `bound`.
-  explicit basic_face_merger(std::size_t bound) : last_(core::temporary_vector(bound, none)) {}
+  explicit basic_face_merger(std::size_t bound) : last_(bound, none) {}
 
   std::size_t num_faces() const { return num_faces_; }
   std::size_t num_corners() const { return num_corners_; }
@@ -137,13 +133,13 @@ class basic_face_merger {
   void reserve(std::size_t face_count, std::size_t corner_count) {
     core::reserve_large(offsets_, face_count + 1);
     core::reserve_large(verts_, corner_count);
-    if (face_count > entries_size_) grow_entries(face_count);
+    if (face_count > entries_.capacity()) grow_entries(face_count);
   }
   /// Makes room for the next faces. Needed before these are added, unlike reserve().
   void make_room(std::size_t face_count, std::size_t corner_count) {
     core::make_room(offsets_, num_faces_ + face_count + 1);
     core::make_room(verts_, num_corners_ + corner_count);
-    if (num_faces_ + face_count > entries_size_) grow_entries(std::max(num_faces_ + face_count, 2 * entries_size_));
+    if (num_faces_ + face_count > entries_.capacity()) grow_entries(std::max(num_faces_ + face_count, 2 * entries_.capacity()));
   }
 
   /// Adds a face, unless an equal one is there already.
@@ -174,8 +170,8 @@ class basic_face_merger {
   /// direction of the face of the merger, is outward for its poly, else 0.
   void finish(polyhedra_arrays& m) {
     if (has_many_) merge_many(m.poly_faces, m.outward);
-    entries_.reset();
-    std::vector<std::uint32_t>().swap(last_);
+    core::temporary_array<entry>().swap(entries_);
+    core::temporary_array<std::uint32_t>().swap(last_);
     core::trim(offsets_, num_faces_ + 1);
     core::trim(verts_, num_corners_);
     m.face_offsets = std::move(offsets_);

@@ -44,17 +44,25 @@ void read_as(const read_context& context, Contents& out) {
   report_progress(*context.progress, 1.0, "reading");
 }
 
-/// Constructs a mesh from the contents, if M can hold them.
-template<class M>
+/// Whether formats declare that their files have no other values than properties.
+template<class F>
+inline constexpr bool declares_only_properties = requires { requires F::has_only_properties; };
+template<class... F>
+constexpr bool all_have_only_properties(format_list<F...>) { return (declares_only_properties<F> && ...); }
+template<Formats F>
+inline constexpr bool only_properties = all_have_only_properties(list_of(F{}));
+
+/// Constructs a mesh from the contents, if M can hold them. OnlyProperties: as for set_properties.
+template<class M, bool OnlyProperties = false>
 M mesh_of(file_contents& contents, std::string_view, load_report* report) {
   M m(std::move(contents.surface));
-  set_properties(m, contents, report);
+  set_properties<OnlyProperties>(m, contents, report);
   return m;
 }
-template<class M>
+template<class M, bool OnlyProperties = false>
 M mesh_of(volume_contents& contents, std::string_view name, load_report* report) {
   const auto with_properties = [&](M m) {
-    set_properties(m, contents, report);
+    set_properties<OnlyProperties>(m, contents, report);
     return m;
   };
   if (contents.filled == arrays_kind::surface) {
@@ -113,14 +121,14 @@ M load_text_with(std::string_view text, std::string_view name, F formats, const 
   contents_for<M, F> contents;
   const std::size_t chosen = choose_format(candidates_for({}, formats, options.format), format_rows_of(known), &text);
   read_text<from_surface<M>, wants_volumes<M>>(text, name, known, chosen, wanted_for<M>, options, contents);
-  return mesh_of<M>(contents, name, options.report);
+  return mesh_of<M, only_properties<F>>(contents, name, options.report);
 }
 
 template<class M, Formats F>
 M load_with(const std::string& path, F formats, const load_options& options) {
   contents_for<M, F> contents;
   read_file<from_surface<M>, wants_volumes<M>>(path, formats, wanted_for<M>, options, contents);
-  return mesh_of<M>(contents, path, options.report);
+  return mesh_of<M, only_properties<F>>(contents, path, options.report);
 }
 
 }  // namespace detail

@@ -6,6 +6,8 @@
 #include <concino/mesh/corner_property.hpp>
 #include <concino/mesh/property.hpp>
 
+#include <cassert>
+
 namespace concino::detail {
 
 /// Sets the property `name` to values that are copied as bytes: the i-th value belongs to the element with index where[i].
@@ -22,6 +24,8 @@ void report_skipped(const file_contents& contents, load_report& report);
 
 /// Whether contents.properties has columns of a kind.
 bool has_columns(const file_contents& contents, element_kind kind);
+/// Whether there are no other values than contents.properties, and none of edges and corners.
+bool has_only_properties(const file_contents& contents);
 
 /// Sets the properties of contents.properties of a kind, and frees their columns. The i-th value belongs to the element with index where[i]; it is
 /// skipped if that is ~0u.
@@ -57,7 +61,8 @@ template<class M>
   }
 }
 
-template<class M>
+/// Needs: columns of verts, faces, polys and the mesh only, if OfPolys.
+template<bool OfPolys, class M>
 [[gnu::noinline, gnu::cold]] void set_all_columns(M& m, file_contents& contents, load_report* report) {
   property_set& all = traits<M>::properties(m);
   std::vector<std::uint32_t> where;
@@ -71,15 +76,17 @@ template<class M>
     set_columns(all, contents, element_kind::poly, where, poly_index_bound(m), report);
     where.clear();
   }
-  if (has_columns(contents, element_kind::corner)) set_columns_of_corners(m, contents, where, report);
-  const auto number_of = [&](const auto& v) { return static_cast<std::uint32_t>(index_of(m, v)); };
-  if (has_columns(contents, element_kind::edge)) {
-    element_finder finder(contents.edges);
-    for (const edge_t<M> e : edges(m)) {
-      for (const vert_t<M> v : adj_e2v(m, e)) finder.verts.push_back(number_of(v));
-      finder.match(index_of(m, e));
+  [[maybe_unused]] const auto number_of = [&](const auto& v) { return static_cast<std::uint32_t>(index_of(m, v)); };
+  if constexpr (!OfPolys) {
+    if (has_columns(contents, element_kind::corner)) set_columns_of_corners(m, contents, where, report);
+    if (has_columns(contents, element_kind::edge)) {
+      element_finder finder(contents.edges);
+      for (const edge_t<M> e : edges(m)) {
+        for (const vert_t<M> v : adj_e2v(m, e)) finder.verts.push_back(number_of(v));
+        finder.match(index_of(m, e));
+      }
+      set_columns(all, contents, element_kind::edge, finder.where, edge_index_bound(m), report);
     }
-    set_columns(all, contents, element_kind::edge, finder.where, edge_index_bound(m), report);
   }
   if constexpr (dimension_v<M> == 3) {  // surfaces have no faces
     if (has_columns(contents, element_kind::face)) {
@@ -97,9 +104,13 @@ template<class M>
 /// Sets the properties of a mesh from the values in a file, if the mesh can have properties: "label", "color", "normal", "texture", "object",
 /// "group" and "material" of elements, "materials" of the mesh itself, and those of contents.properties. The mesh has its elements in the order
 /// of the file.
-template<class M>
+/// OnlyProperties: the formats of the program have nothing but contents.properties of verts, faces, polys and the mesh; the rest is not compiled.
+template<bool OnlyProperties = false, class M>
 [[gnu::noinline, gnu::cold]] void set_properties(M& m, file_contents& contents, load_report* report) {
-  if constexpr (HasProperties<M>) {
+  if constexpr (HasProperties<M> && OnlyProperties) {
+    assert(has_only_properties(contents));
+    if (!contents.properties.empty()) set_all_columns<true>(m, contents, report);
+  } else if constexpr (HasProperties<M>) {
     if (!contents.table.empty()) *mesh_property<material_table>(m, "materials") = std::move(contents.table);
     std::vector<std::uint32_t> where;
     if (!contents.vert_labels.empty() || !contents.vert_colors.empty() || !contents.vert_normals.empty() || !contents.vert_textures.empty()) {
@@ -112,7 +123,7 @@ template<class M>
       for (const poly_t<M> p : polys(m)) where.push_back(static_cast<std::uint32_t>(index_of(m, p)));
       set_poly_property(traits<M>::properties(m), contents, where, poly_index_bound(m));
     }
-    if (!contents.properties.empty()) set_all_columns(m, contents, report);
+    if (!contents.properties.empty()) set_all_columns<false>(m, contents, report);
   } else if (report) {
     report_skipped(contents, *report);
   }

@@ -66,6 +66,12 @@ namespace concino::detail {
   for (const property_column& c : contents.properties) report.skipped.push_back(core::joined({to_string(c.kind), " property \"", c.name, "\""}));
 }
 
+CONCINO_INLINE bool has_only_properties(const file_contents& c) {
+  return c.table.empty() && c.vert_labels.empty() && c.vert_colors.empty() && c.vert_normals.empty() && c.vert_textures.empty() && c.poly_labels.empty() &&
+         c.poly_colors.empty() && c.objects.empty() && c.groups.empty() && c.materials.empty() && !has_columns(c, element_kind::edge) &&
+         !has_columns(c, element_kind::corner);
+}
+
 CONCINO_INLINE bool has_columns(const file_contents& contents, element_kind kind) {
   for (const property_column& c : contents.properties)
     if (c.kind == kind) return true;

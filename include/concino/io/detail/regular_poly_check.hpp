@@ -1,15 +1,15 @@
 // Checks whether a polyhedron is regular, without sorting and hashing.
 #pragma once
 
-#include <concino/core/large_pages.hpp>
+#include <concino/core/temporary_array.hpp>
 #include <concino/mesh/arrays.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <span>
-#include <vector>
 
 namespace concino::detail {
 
@@ -20,7 +20,13 @@ template<class Vert>  // vert_id, as in face_merger
 class regular_poly_check {
   static constexpr std::uint32_t max_verts = 64, max_faces = 64, stamp_step = 2 * max_verts;
   typedef float float4 __attribute__((vector_size(16)));  // with operators for each of its numbers
+  typedef double double4 __attribute__((vector_size(32)));
   typedef std::uint32_t uint4 __attribute__((vector_size(16)));
+  static constexpr std::array<double, max_verts + 1> reciprocal = [] {
+    std::array<double, max_verts + 1> x{};
+    for (std::uint32_t n = 1; n <= max_verts; ++n) x[n] = 1.0 / n;
+    return x;
+  }();
 
  public:
   struct face {
@@ -37,7 +43,7 @@ class regular_poly_check {
     std::uint64_t unused;          // so that the size is a power of two
   };
   std::span<const vec3> points_;
-  std::vector<std::uint32_t> numbers_;  // of verts, plus the stamp of the last poly that had them
+  core::temporary_array<std::uint32_t> numbers_;  // of verts, plus the stamp of the last poly that had them
   std::uint32_t stamp_ = 0, num_faces_ = 0, num_verts_ = 0;
   double scale_ = 0;                    // to a box of about size 1; 0 if volumes may overflow or underflow
   double volume_ = 0;                   // of the scaled poly, six times
@@ -46,13 +52,11 @@ class regular_poly_check {
   std::uint32_t sums_[2 * max_faces];
   vert_of_poly verts_[2 * max_verts];
 
-  void begin_vert(std::uint32_t number, const vec3& point, const vec3& origin) {
-    const vec3 p = (point - origin) * scale_;
-    const float x = static_cast<float>(p.x), y = static_cast<float>(p.y), z = static_cast<float>(p.z);
-    const float4 xyz = {x, y, z, 0}, yzx = {y, z, x, 0};
+  void begin_vert(std::uint32_t number, const vec3& point, const double4& origin) {
+    const double4 p = {point.x, point.y, point.z, 0};
     vert_of_poly& v = verts_[number];
-    v.xyz = xyz;
-    v.yzx = yzx;
+    v.xyz = __builtin_convertvector((p - origin) * scale_, float4);
+    v.yzx = __builtin_shufflevector(v.xyz, v.xyz, 1, 2, 0, 3);
     v.bit = std::uint64_t{1} << number % max_verts;
     v.next = v.previous = 0;
   }
@@ -61,7 +65,8 @@ class regular_poly_check {
   /// if a face has a vert twice or two faces an edge in the same direction.
   bool list_faces(const Vert* v) {
     const std::uint32_t stamp = stamp_;
-    const vec3 origin = points_[v[1].raw()];
+    const vec3& first_point = points_[v[1].raw()];
+    const double4 origin = {first_point.x, first_point.y, first_point.z, 0};
     std::uint32_t k = 0, num_verts = 0;
     std::uint64_t repeated = 0, error = 0;
     double volume = 0;
@@ -78,26 +83,34 @@ class regular_poly_check {
       const std::uint32_t n = v++->raw();
       if (n < 3 || n > max_verts) break;
       const Vert* const end = v + n;
-      std::uint32_t smallest = ~0u, sum = n;
-      vert_of_poly* from = find(end[-1]);
-      std::uint64_t verts = 0;
-      float4 a = from->xyz, turned_a = from->yzx, sum_of_points = {}, area = {};  // the doubled area, as z, x, y
-      do {
-        vert_of_poly* const to = find(*v);
-        smallest = std::min(smallest, v->raw());
-        sum += v->raw();
-        repeated |= (verts | from->next) & to->bit;
-        verts |= to->bit;
+      const Vert* const begin = v;
+      std::uint32_t smallest = v->raw(), sum = n + smallest;
+      vert_of_poly* const first = find(*v);
+      vert_of_poly* from = first;
+      std::uint64_t verts = first->bit;
+      float4 a = from->xyz, turned_a = from->yzx, sum_of_points = a, area = {};  // the doubled area, as z, x, y
+      const auto edge = [&](vert_of_poly* to) {
+        repeated |= from->next & to->bit;
         from->next |= to->bit;
         to->previous |= from->bit;
         const float4 b = to->xyz, turned_b = to->yzx;
         area += a * turned_b - turned_a * b;
-        sum_of_points += b;
-        from = to, a = b, turned_a = turned_b;
+        a = b, turned_a = turned_b, from = to;
+      };
+      ++v;
+      do {
+        vert_of_poly* const to = find(*v);
+        smallest = std::min(smallest, v->raw());
+        sum += v->raw();
+        repeated |= verts & to->bit;
+        verts |= to->bit;
+        edge(to);
+        sum_of_points += a;
       } while (++v != end);
-      volume += static_cast<double>(sum_of_points[0] * area[1] + sum_of_points[1] * area[2] + sum_of_points[2] * area[0]) / n;
+      edge(first);
+      volume += static_cast<double>(sum_of_points[0] * area[1] + sum_of_points[1] * area[2] + sum_of_points[2] * area[0]) * reciprocal[n];
       error += n * (n + 4);
-      faces_[k] = {end - n, n, smallest, sums_[k] = sum};
+      faces_[k] = {begin, n, smallest, sums_[k] = sum};
     }
     num_verts_ = num_verts;
     volume_ = volume;
@@ -134,7 +147,7 @@ class regular_poly_check {
 
  public:
   /// Needs: the points of all verts, as long as this exists.
-  explicit regular_poly_check(std::span<const vec3> points) : points_(points), numbers_(core::temporary_vector(points.size(), std::uint32_t{0})) {
+  explicit regular_poly_check(std::span<const vec3> points) : points_(points), numbers_(points.size(), 0u) {
     vec3 size;
     for (const vec3& p : points)
       for (std::size_t i = 0; i < 3; ++i) size[i] = std::max(size[i], std::abs(p[i]));
@@ -149,7 +162,7 @@ class regular_poly_check {
   bool operator()(const Vert* list) {
     num_faces_ = list->raw();
     if (num_faces_ < 4 || num_faces_ > max_faces || list[1].raw() < 3) return false;
-    if (stamp_ > ~0u - 2 * stamp_step) std::fill(numbers_.begin(), numbers_.end(), stamp_ = 0);
+    if (stamp_ > ~0u - 2 * stamp_step) std::fill_n(numbers_.data(), points_.size(), stamp_ = 0);
     stamp_ += stamp_step;
     return list_faces(list + 1) && is_oriented() && !has_equal_sums();
   }

@@ -12,6 +12,7 @@ struct vtk_format {
   static constexpr std::string_view extensions[] = {".vtk"};
   static constexpr bool holds_surfaces = true, holds_volumes = true;
   static constexpr bool has_binary = true;
+  static constexpr bool has_only_properties = true;
   static constexpr std::string_view signature = "# vtk DataFile";
 
   static bool has_signature(std::string_view text) { return text.starts_with(signature); }

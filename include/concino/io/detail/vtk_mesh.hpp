@@ -258,7 +258,7 @@ class vtk_mesh {
 
   /// Moves the values of verts, and copies those of cells to the polys and faces that the cells became. Values of faces only, or of polys only, have
   /// default values at the others in the file: they become no property of these.
-  void set_columns_of_grid() {
+  [[gnu::noinline, gnu::cold]] void set_columns_of_grid() {
     constexpr element_kind kinds[] = {element_kind::vert, element_kind::poly, element_kind::face, element_kind::mesh};
     for (const element_kind kind : kinds)
       for (property_column& c : grid_.columns) {

@@ -2,8 +2,7 @@
 #pragma once
 
 #include <concino/io/cell_builder.hpp>
-#include <concino/io/detail/vtk_id_list.hpp>
-#include <concino/io/detail/vtk_xml_reader.hpp>
+#include <concino/io/detail/vtk_xml_face_lists.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -16,11 +15,9 @@ namespace concino::detail {
 
 /// Reads volumes too. A template only so that programs without volumes need not compile it.
 template<class Contents>
-class vtk_xml_volume_reader : public vtk_xml_reader {
-  using id_list = vtk_id_list<vert_id>;
-
+class vtk_xml_volume_reader : public vtk_xml_face_lists<vert_id> {
  public:
-  vtk_xml_volume_reader(const read_context& in, vtk_grid& grid) : vtk_xml_reader(in, grid) { reads_polyhedra_ = true; }
+  vtk_xml_volume_reader(const read_context& in, vtk_grid& grid) : vtk_xml_face_lists(in, grid) { reads_polyhedra_ = true; }
 
  private:
   /// Puts the faces of polyhedra between the verts of other cells.
@@ -76,67 +73,6 @@ class vtk_xml_volume_reader : public vtk_xml_reader {
       ends[c] = static_cast<std::uint32_t>(written);
     }
     grid_.verts.resize(written);
-  }
-  /// Errors: unsupported if the faces of all polyhedra have far more corners than the file lists.
-  void check_shared_faces(const std::vector<std::int64_t>& cell_faces, const std::vector<std::int64_t>& face_ends, std::size_t num_verts) const {
-    std::uint64_t corners = 0;
-    for (const std::int64_t f : cell_faces) {
-      if (f < 0 || static_cast<std::size_t>(f) >= face_ends.size()) continue;
-      const std::int64_t n = face_ends[static_cast<std::size_t>(f)] - (f ? face_ends[static_cast<std::size_t>(f) - 1] : 0);
-      if (n > 0) corners += std::min<std::uint64_t>(static_cast<std::uint64_t>(n), num_verts);
-    }
-    check_poly_corners(corners, num_verts, cell_faces.size(), core::joined({in_.name, ": "}));
-  }
-  /// The number of integers in an array of any length.
-  std::uint64_t length_of(const vtk_xml_array& a) {
-    if (a.format != "ascii") return count_numbers(a);
-    std::uint64_t n = 0;
-    bool in_word = false;
-    for (const char* c = a.begin; c != a.end; ++c) {
-      n += !is_space(*c) && !in_word;
-      in_word = !is_space(*c);
-    }
-    return n;
-  }
-  std::vector<std::int64_t> integers(const vtk_xml_array& a) {
-    std::vector<std::int64_t> all;
-    const std::uint64_t n = length_of(a);
-    require_numbers(a, n);
-    core::reserve_large(all, n);
-    core::request_pages(all.data(), n * sizeof all[0]);
-    for_each_integers(a, n, [&](const std::int64_t* values, std::size_t count) { all.insert(all.end(), values, values + count); });
-    return all;
-  }
-  /// Appends the integers of an array to the verts of the grid.
-  id_list append_ids(const vtk_xml_array& a) {
-    const std::uint64_t n = length_of(a);
-    require_numbers(a, n);
-    id_list list;
-    core::reserve_large(grid_.verts, grid_.verts.size() + n);
-    core::request_pages(grid_.verts.data() + grid_.verts.size(), n * sizeof(vert_id));
-    for_each_integers(a, n, [&](const std::int64_t* values, std::size_t count) { list.append(values, count, grid_.verts); });
-    return list;
-  }
-  /// The length of the list of a polyhedron, as far as it is used: the number of its faces, and for each the number of its verts and these.
-  /// The list begins at `begin` in its array, and ends at most at `end`.
-  std::size_t length_of_faces(const vtk_xml_array& a, std::size_t p, const id_list& list, const vert_id* source, std::size_t begin, std::size_t end) {
-    const std::uint64_t bound = index_.pieces[p].points;
-    const std::size_t n = end - begin;
-    const auto fail_at = [&](const char* what, std::size_t k) {
-      if (k == n) fail_array(a, {what}, {"the end of the polyhedron"});
-      fail_array(a, {what}, {list.number(begin + k, source[k])});
-    };
-    std::size_t k = 0;
-    if (k == n || source[k].raw() >= n - k) fail_at("the number of faces of a polyhedron", k);
-    const bool are_verts = list.largest < bound;  // nearly always
-    for (std::uint32_t left = source[k++].raw(); left > 0; --left) {
-      if (k == n || source[k].raw() >= n - k) fail_at("the number of verts of a face", k);
-      const std::size_t last = k + 1 + source[k].raw();
-      for (std::size_t i = k + 1; !are_verts && i < last; ++i)
-        if (source[i].raw() >= bound) fail_array(a, {"point indices below ", bound}, {list.number(begin + i, source[i])});
-      k = last;
-    }
-    return k;
   }
   /// Whether the cells can be built while the list of their faces is read: they stay as they are, and the mesh can hold polyhedra.
   bool can_build() const {

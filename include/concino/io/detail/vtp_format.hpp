@@ -13,6 +13,7 @@ struct vtp_format {
   static constexpr std::string_view extensions[] = {".vtp"};
   static constexpr bool holds_surfaces = true, holds_volumes = false;
   static constexpr bool has_binary = true;
+  static constexpr bool has_only_properties = true;
   static constexpr std::string_view signature = "<VTKFile type=\"PolyData\"";
 
   static bool has_signature(std::string_view text) { return detail::is_vtk_xml(text, "PolyData"); }
