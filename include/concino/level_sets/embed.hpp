@@ -147,5 +147,11 @@ embedded_surface<M> embed_isosurface(M& m, std::string_view name, double value, 
 // What to write instead of calls that cannot compile.
 template<class... T> void embed_isolines(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
 template<class... T> void embed_isosurface(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+template<EditableSurfaceMesh M, class R = mistake::remedy<mistake::use_general_polys>>
+  requires(!requirement::has_room_for_parts<M>)
+void embed_isolines(M&, ...) = delete;  // convert<polygonmesh>(m) has room for the parts of quads
+template<EditableVolumeMesh M, class R = mistake::remedy<mistake::use_general_polys>>
+  requires(!requirement::has_room_for_parts<M>)
+void embed_isosurface(M&, ...) = delete;  // convert<polyhedralmesh>(m) has room for the parts of hexes
 
 }  // namespace concino

@@ -81,4 +81,5 @@ class cell_parts {
 
 #ifndef CONCINO_COMPILED
 #include <concino/level_sets/detail/cell_parts.ipp>
+#include <concino/level_sets/detail/cell_pieces.ipp>
 #endif
