@@ -64,7 +64,7 @@ level_surface<M, To> collect_isosurface(const M& m, const U& u, const std::vecto
     std::vector<poly_t<M>> polys;
     for (std::size_t i = 0, first = 0; i < parts.ends.size(); first = parts.ends[i++]) {
       const std::size_t n = builder.add_polygon({parts.verts.data() + first, parts.ends[i] - first});
-      if constexpr (arity_v<To> == 3) polys.insert(polys.end(), n, parts.polys[i]);
+      if constexpr (arity_v<To> == 3) polys.insert(polys.end(), n, parts.polys[i]);  // other polygons are not divided
     }
     builder.end_part();
     append(std::move(parts.places), result.places);

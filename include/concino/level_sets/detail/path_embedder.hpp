@@ -30,7 +30,7 @@ class path_embedder {
   std::vector<step> steps_;  // along the path, each an edge of the result
   core::local_numbers poly_numbers_, vert_numbers_;
   std::vector<poly_t<M>> polys_;            // those that change
-  std::vector<std::vector<step>> across_;   // by poly
+  std::vector<std::vector<step>> cuts_;   // by poly
   std::vector<vert_t<M>> verts_;
   std::vector<std::uint32_t> number_;       // of the vert at each place
   std::vector<vec3> points_;
@@ -74,7 +74,7 @@ class path_embedder {
     const unsigned n = poly_numbers_.add(index_of(m_, p));
     if (n == polys_.size()) {
       polys_.push_back(p);
-      across_.emplace_back();
+      cuts_.emplace_back();
     }
     return n;
   }
@@ -91,7 +91,7 @@ class path_embedder {
     if (path_.common_edge(a, b)) return;
     const auto p = path_.common_poly(a, b);
     if (!p) core::throw_joined<invalid_argument>({"embed_path: no poly has both point ", i, " and point ", next, "; a path needs a point on each edge that it crosses"});
-    across_[number_of_poly(*p)].push_back({a, b});
+    cuts_[number_of_poly(*p)].push_back({a, b});
   }
   void divide_steps_along_edges() {
     std::vector<step> all;
@@ -116,20 +116,21 @@ class path_embedder {
     }
   }
 
-  /// Lists the corners of poly k, with the points on its edges. sides: the edges on which each is, of a triangle.
-  void read_corners(std::uint32_t k, std::vector<std::uint32_t>& corners, std::vector<unsigned char>& sides) {
-    corners.clear(), sides.clear();
-    unsigned side = 0;
+  /// Lists the corners of poly k, with the points on its edges. on_edges: a bit for each edge of the poly, of a few, on which a corner is.
+  void read_corners(std::uint32_t k, std::vector<std::uint32_t>& corners, std::vector<unsigned char>& on_edges) {
+    corners.clear(), on_edges.clear();
+    unsigned edge = 0, before = (arity_v<M> + 7) % 8;
     for (const auto& [e, from, to] : oriented_edges(m_, polys_[k])) {
       corners.push_back(number_of_vert(from));
-      if constexpr (arity_v<M> == 3) sides.push_back(static_cast<unsigned char>(1u << side | 1u << (side + 2) % 3));
+      on_edges.push_back(static_cast<unsigned char>(1u << edge | 1u << before));
       const auto inside = path_.places_on(e);
       const bool forward = end_verts(m_, e).first == from;
       for (std::size_t i = 0; i < inside.size(); ++i) {
         corners.push_back(number_[inside[forward ? i : inside.size() - 1 - i]]);
-        if constexpr (arity_v<M> == 3) sides.push_back(static_cast<unsigned char>(1u << side));
+        on_edges.push_back(static_cast<unsigned char>(1u << edge));
       }
-      ++side;
+      before = edge;
+      edge = (edge + 1) % 8;
     }
   }
   vec3 position(std::uint32_t n) const { return n & is_new ? points_[n ^ is_new] : to_vec3(point(m_, verts_[n])); }
@@ -137,22 +138,22 @@ class path_embedder {
   void cut_polys() {
     polygon_splitter splitter;
     std::vector<std::uint32_t> corners;
-    std::vector<unsigned char> sides;
+    std::vector<unsigned char> on_edges;
     std::vector<piece_corner> piece_corners;
     for (std::uint32_t k = 0; k < polys_.size(); ++k) {
-      read_corners(k, corners, sides);
+      read_corners(k, corners, on_edges);
       splitter.start(corners);
-      for (const step& s : across_[k])
+      for (const step& s : cuts_[k])
         if (!splitter.split(number_[s.from], number_[s.to]))
           core::throw_joined<invalid_argument>({"embed_path: the path crosses itself inside poly ", index_of(m_, polys_[k]), "; embed its parts one after another"});
       bool is_first = true;
       for (std::size_t i = 0; i < splitter.num_pieces(); ++i) {
-        if constexpr (arity_v<M> == 0) {
+        if constexpr (arity_v<M> == 0) {  // a piece of a triangle is cut to triangles
           add_poly(k, splitter.piece(i), is_first);
         } else {
           piece_corners.clear();
           for (const std::uint32_t n : splitter.piece(i))
-            piece_corners.push_back({n, sides[static_cast<std::size_t>(std::find(corners.begin(), corners.end(), n) - corners.begin())], position(n)});
+            piece_corners.push_back({n, on_edges[static_cast<std::size_t>(std::find(corners.begin(), corners.end(), n) - corners.begin())], position(n)});
           triangulate_piece(piece_corners, [&](const std::array<std::uint32_t, 3>& triangle) { add_poly(k, triangle, is_first); });
         }
       }

@@ -77,8 +77,8 @@ class simple_cap_reader {
 
   bool find_chords(const poly_t<M>& p, simple_cap_list<M>& list) {
     chords_.clear();
-    if constexpr (arity_v<M> == 8)
-      if (is_inside_) return find_chords_of_hex(p, list);  // faster: the faces follow from the order of the verts
+    if constexpr (arity_v<M> == 8)  // faster: the faces follow from the order of the verts
+      if (is_inside_) return find_chords_of_hex(p, list);
     surface_.clear();
     for (const face_t<M> f : adj_p2f(m_, p)) {
       unsigned char joint = 0;

@@ -1,4 +1,4 @@
-// Cuts a convex part of a triangle, with corners along its sides, into triangles none of which is flat.
+// Cuts a convex part of a triangle, with corners along its edges, into triangles none of which is flat.
 #pragma once
 
 #include <concino/core/vec3.hpp>
@@ -11,15 +11,15 @@
 
 namespace concino::detail {
 
-/// A corner of the part. sides: a bit for each side of the triangle on which it is, so that no rounding decides what is flat.
+/// A corner of the part. on_edges: a bit for each edge of the triangle on which it is, so that no rounding decides what is flat.
 struct piece_corner {
   std::uint32_t number;
-  unsigned char sides;
+  unsigned char on_edges;
   vec3 position;
 };
 
 /// Calls f(numbers) for each triangle. Of those that can be cut off next, the one of the best shape is. Changes the corners.
-/// Needs: three corners or more, not all on one side.
+/// Needs: three corners or more, not all on one edge.
 template<class F>
 void triangulate_piece(std::vector<piece_corner>& corners, const F& f) {
   const auto shape = [](const vec3& a, const vec3& b, const vec3& c) {
@@ -33,10 +33,10 @@ void triangulate_piece(std::vector<piece_corner>& corners, const F& f) {
     double best_shape = -1;
     for (std::size_t i = 0; i < n; ++i) {
       const piece_corner &before = corners[(i + n - 1) % n], &corner = corners[i], &after = corners[(i + 1) % n];
-      if (before.sides & corner.sides & after.sides) continue;
+      if (before.on_edges & corner.on_edges & after.on_edges) continue;
       unsigned char others = 0xff;
       for (std::size_t k = 0; k < n; ++k)
-        if (k != i) others &= corners[k].sides;
+        if (k != i) others &= corners[k].on_edges;
       if (others != 0) continue;  // nothing but a line would be left
       const double s = shape(before.position, corner.position, after.position);
       if (!(s > best_shape) && best < n) continue;
