@@ -189,12 +189,36 @@ void clip(const bench::program& p, const std::string& name, const M& m, const sp
                                                                      }}}));
 }
 
+/// Cuts a copy of m along the sphere.
+template<class M>
+void embed(const bench::program& p, const std::string& name, const M& m, const sphere<M>& s) {
+  const std::string work = "embed." + name;
+  if (!p.wants(work)) return;
+  const auto with_values = [&] {
+    M copy = m;
+    const auto u = cn::vert_property<double>(copy, "u");
+    for (const auto v : cn::verts(copy)) u[v] = s.u[v];
+    return copy;
+  };
+  {
+    M copy = with_values();
+    const auto cut = cn::embed_isosurface(copy, "u", s.level);
+    double area = 0;
+    for (const auto f : cut.faces) area += cn::area(copy, f);
+    expect(cut.verts.size() == s.cut_edges && close(area, size_of(cn::isosurface(m, s.u, s.level).mesh).area), work, "the faces are not the surface of isosurface");
+  }
+  p.print(bench::compare(work, p.rounds, {{"concino", [&] {
+                                            M copy = with_values();
+                                            return bench::seconds_of([&] { return cn::embed_isosurface(copy, "u", s.level); });
+                                          }}}));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   return bench::run_program(argc, argv, [](const bench::program& p) {
     const auto any = [&](const std::string& name) {
-      for (const char* work : {"isosurface.", "isosurface.adjacency.", "clip."})
+      for (const char* work : {"isosurface.", "isosurface.adjacency.", "clip.", "embed."})
         if (p.wants(work + name)) return true;
       return false;
     };
@@ -205,6 +229,7 @@ int main(int argc, char** argv) {
       const sphere s(p, "isosurface.tet1m", m, 0.34);
       const auto flat = bench::built<floors::tet_shape>(arrays);
       isosurface(p, "tet1m", m, s, [&] { return floors::level_polygons(flat, s.values, s.level); });
+      embed(p, "tet1m", m, s);
     }
     if (any("hex1m")) {
       const cn::hexmesh m(p.data.hex1m());
