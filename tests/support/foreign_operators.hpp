@@ -8,12 +8,19 @@
 
 namespace concino::testing {
 
+/// The type of the numbers from which descriptors are made: int in OpenMesh, unsigned in CGAL.
+template<class X>
+struct descriptor_number { using type = int; };
+template<class X>
+  requires requires { typename X::size_type; }
+struct descriptor_number<X> { using type = typename X::size_type; };
+
 /// A random element of a range that is not empty. `bound`: of the indices of its elements. Most elements are found without listing them all.
 template<class M, class R>
 auto some_element_of(const M& m, const R& range, std::size_t bound, std::mt19937& random) {
   using element = typename R::iterator::value_type;
   for (unsigned i = 0; i < 64; ++i)
-    if (const element x(static_cast<int>(random() % bound)); contains(m, x)) return x;
+    if (const element x(static_cast<typename descriptor_number<element>::type>(random() % bound)); contains(m, x)) return x;
   std::vector<element> all;
   for (const auto x : range) all.push_back(x);
   return all[random() % all.size()];
