@@ -3,6 +3,7 @@
 
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
+#include <concino/level_sets/detail/add_edge_between.hpp>
 #include <concino/level_sets/detail/level_embedder.hpp>
 #include <concino/level_sets/detail/level_states.hpp>
 #include <concino/mesh/element_map.hpp>
@@ -55,10 +56,7 @@ inline void check_snap(double snap, const char* caller) {
 /// The edge or the face with these verts.
 template<class M>
 void add_element(const M& m, const std::vector<vert_t<M>>& corners, std::vector<edge_t<M>>& to) {
-  for (const edge_t<M> e : adj_v2e(m, corners[0])) {
-    const auto ends = end_verts(m, e);
-    if (ends.first == corners[1] || ends.second == corners[1]) return to.push_back(e);
-  }
+  add_edge_between(m, corners[0], corners[1], to);
 }
 template<class M>
 void add_element(const M& m, const std::vector<vert_t<M>>& corners, std::vector<face_t<M>>& to) {

@@ -123,14 +123,14 @@ class single_origins {
   element_origins collect() && {
     std::sort(weighted_.begin(), weighted_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     if (weighted_.empty()) return element_origins(std::move(index_));
-    const std::vector<std::uint32_t> last(index_.begin() + weighted_.front().first, index_.end());
-    std::uint32_t i = weighted_.front().first;
-    index_.resize(i);
+    const std::uint32_t first = weighted_.front().first;
+    const std::vector<std::uint32_t> others(index_.begin() + first, index_.end());
+    index_.resize(first);
     element_origins origins(std::move(index_));
     auto next = weighted_.begin();
-    for (const std::uint32_t index : last) {
-      if (next != weighted_.end() && next->first == i++) origins.add({(next++)->second});
-      else origins.add(index);
+    for (std::uint32_t k = 0; k < others.size(); ++k) {
+      if (next != weighted_.end() && next->first == first + k) origins.add({(next++)->second});
+      else origins.add(others[k]);
     }
     return origins;
   }

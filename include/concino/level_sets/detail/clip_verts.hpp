@@ -27,7 +27,6 @@ class clip_verts {
   const Crossed& crossed_;
   const std::vector<level_place>& places_;
   double level_;
-  std::uint32_t num_old_ = 0;
   std::vector<std::uint32_t> number_;           // by index of the vert in m
   std::vector<std::uint32_t> number_of_place_;  // by place that is not a vert of m
 
@@ -60,7 +59,6 @@ class clip_verts {
       kept.push_back(index);
     }
     origins = element_origins(std::move(kept));
-    num_old_ = n;
     for (std::size_t i = 0; i < places_.size(); ++i) {
       if (number_of_place_[i] == ~0u) continue;
       number_of_place_[i] = n++;
@@ -71,8 +69,6 @@ class clip_verts {
     }
   }
 
-  /// Whether a vert of the result is a vert of m.
-  bool is_old(vert_id v) const { return v.raw() < num_old_; }
   vert_id of(const vert_t<M>& v) const { return vert_id{number_[index_of(m_, v)]}; }
   vert_id of_place(std::uint32_t place) const {
     const level_place& x = places_[place];

@@ -3,6 +3,7 @@
 
 #include <concino/concepts/oriented_edges.hpp>
 #include <concino/edit/replace_polys.hpp>
+#include <concino/level_sets/detail/add_edge_between.hpp>
 #include <concino/level_sets/detail/path_places.hpp>
 #include <concino/level_sets/detail/polygon_splitter.hpp>
 #include <concino/level_sets/detail/triangle_piece.hpp>
@@ -30,7 +31,7 @@ class path_embedder {
   std::vector<step> steps_;  // along the path, each an edge of the result
   core::local_numbers poly_numbers_, vert_numbers_;
   std::vector<poly_t<M>> polys_;            // those that change
-  std::vector<std::vector<step>> cuts_;   // by poly
+  std::vector<std::vector<step>> cuts_;     // by poly
   std::vector<vert_t<M>> verts_;
   std::vector<std::uint32_t> number_;       // of the vert at each place
   std::vector<vec3> points_;
@@ -63,7 +64,7 @@ class path_embedder {
     replace_polys(m_, c, cavity_result<M>{new_verts.data(), made.data()}, from_, {}, [] {});
     const auto vert_at = [&](std::uint32_t place) { return number_[place] & is_new ? new_verts[number_[place] ^ is_new] : verts_[number_[place]]; };
     for (const std::uint32_t place : points) verts.push_back(vert_at(place));
-    for (const step& s : steps_) add_edge(vert_at(s.from), vert_at(s.to), edges);
+    for (const step& s : steps_) add_edge_between(m_, vert_at(s.from), vert_at(s.to), edges);
   }
 
  private:
@@ -116,10 +117,10 @@ class path_embedder {
     }
   }
 
-  /// Lists the corners of poly k, with the points on its edges. on_edges: a bit for each edge of the poly, of a few, on which a corner is.
+  /// Lists the corners of poly k, with the points on its edges. on_edges: for triangles, a bit for each edge on which a corner is.
   void read_corners(std::uint32_t k, std::vector<std::uint32_t>& corners, std::vector<unsigned char>& on_edges) {
     corners.clear(), on_edges.clear();
-    unsigned edge = 0, before = (arity_v<M> + 7) % 8;
+    unsigned edge = 0, before = 2;  // the last edge of a triangle
     for (const auto& [e, from, to] : oriented_edges(m_, polys_[k])) {
       corners.push_back(number_of_vert(from));
       on_edges.push_back(static_cast<unsigned char>(1u << edge | 1u << before));
@@ -171,13 +172,6 @@ class path_embedder {
     (is_first ? ends_ : more_ends_).push_back(static_cast<unsigned>(corners.size()));
     if (!is_first) more_polys_.push_back(old);
     is_first = false;
-  }
-
-  void add_edge(const vert_t<M>& a, const vert_t<M>& b, std::vector<edge_t<M>>& to) const {
-    for (const edge_t<M> e : adj_v2e(m_, a)) {
-      const auto ends = end_verts(m_, e);
-      if (ends.first == b || ends.second == b) return to.push_back(e);
-    }
   }
 };
 

@@ -1,6 +1,7 @@
 // Whether a surface is a manifold on which no two polys cover each other.
 #pragma once
 
+#include <concino/concepts/facets.hpp>
 #include <concino/concepts/mesh.hpp>
 
 #include <cstddef>
