@@ -45,6 +45,15 @@ void no_adapter(const stranger& other) {
   cn::smooth(other);  // refused
   cn::agglomerate(other);  // refused
   cn::dual_mesh(other);  // refused
+  cn::catmull_clark_limit(other);  // refused
+  cn::loop_limit(other);  // refused
+  cn::subdivide_1_to_4(other);  // refused
+  cn::subdivide_1_to_8(other);  // refused
+  cn::subdivide_barycentric(other);  // refused
+  cn::subdivide_catmull_clark(other);  // refused
+  cn::subdivide_loop(other);  // refused
+  cn::subdivide_midpoint(other);  // refused
+  cn::subdivide_root3(other);  // refused
   cn::grade(other);  // refused
   cn::jitter(other);  // refused
   cn::random_labels(other);  // refused
@@ -188,6 +197,15 @@ void no_points(const cn::trimesh& m) {
   cn::poisson(pure);  // refused
   cn::agglomerate(pure);  // refused
   cn::dual_mesh(pure);  // refused
+  cn::catmull_clark_limit(pure);  // refused
+  cn::loop_limit(pure);  // refused
+  cn::subdivide_1_to_4(pure);  // refused
+  cn::subdivide_1_to_8(pure);  // refused
+  cn::subdivide_barycentric(pure);  // refused
+  cn::subdivide_catmull_clark(pure);  // refused
+  cn::subdivide_loop(pure);  // refused
+  cn::subdivide_midpoint(pure);  // refused
+  cn::subdivide_root3(pure);  // refused
   cn::grade(pure);  // refused
   cn::jitter(pure);  // refused
   cn::bounding_box(pure);  // refused
