@@ -1,8 +1,13 @@
-// Measures the dual of a large triangle mesh against a floor that walks around its verts, and the dual of a tet mesh against building the result alone.
+// Measures the dual of a large triangle mesh against a floor that walks around its verts; the dual of a tet mesh and subdivisions against building the result
+// alone.
 #include "support/arrays_of.hpp"
 #include "support/kinds.hpp"
 
 #include <concino/generate/dual_mesh.hpp>
+#include <concino/generate/subdivide_1_to_4.hpp>
+#include <concino/generate/subdivide_catmull_clark.hpp>
+#include <concino/generate/subdivide_loop.hpp>
+#include <concino/generate/subdivide_midpoint.hpp>
 
 #include <stdexcept>
 
@@ -73,5 +78,18 @@ int main(int argc, char** argv) {
       p.print(bench::compare("dual.tet200k", p.rounds,
                              {{"concino", timed(ours)}, {"build-alone", timed([&] { return cn::polyhedralmesh(cn::polyhedra_arrays(a)); })}}));
     }
+    const auto subdivision = [&](const char* name, const auto& m, const auto& subdivide) {
+      if (!p.wants(name)) return;
+      using result = decltype(subdivide(m));
+      const auto ours = [&] { return subdivide(m); };
+      const auto a = bench::arrays_of(ours());
+      p.print(bench::compare(name, p.rounds, {{"concino", timed(ours)}, {"build-alone", timed([&] { return result(std::remove_cvref_t<decltype(a)>(a)); })}}));
+    };
+    const cn::trimesh triangles(p.data.tri1m());
+    subdivision("subdivide.1-to-4.tri1m", triangles, [](const auto& m) { return cn::subdivide_1_to_4(m); });
+    subdivision("subdivide.loop.tri1m", triangles, [](const auto& m) { return cn::subdivide_loop(m); });
+    subdivision("subdivide.catmull-clark.tri1m", triangles, [](const auto& m) { return cn::subdivide_catmull_clark(m); });
+    if (p.wants("subdivide.midpoint.tet200k"))
+      subdivision("subdivide.midpoint.tet200k", cn::tetmesh(p.data.tet200k()), [](const auto& m) { return cn::subdivide_midpoint(m); });
   });
 }

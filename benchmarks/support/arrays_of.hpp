@@ -16,6 +16,18 @@ inline concino::surface_arrays arrays_of(const concino::polygonmesh& m) {
   return a;
 }
 
+/// Triangles, quads, tets or hexes.
+template<class M>
+  requires(concino::arity_v<M> != 0)
+auto arrays_of(const M& m) {
+  std::conditional_t<concino::dimension_v<M> == 2, concino::surface_arrays, concino::cell_arrays> a;
+  a.arity = static_cast<std::uint32_t>(concino::arity_v<M>);
+  a.points = m.points();
+  for (const auto p : concino::polys(m))
+    for (const auto v : concino::adj_p2v(m, p)) a.verts.push_back(v);
+  return a;
+}
+
 inline concino::polyhedra_arrays arrays_of(const concino::polyhedralmesh& m) {
   concino::polyhedra_arrays a;
   a.points = m.points();

@@ -1,10 +1,13 @@
-// Compares bounding_tree, dual_mesh and agglomerate.
+// Compares bounding_tree, dual_mesh, agglomerate and subdivisions.
 #pragma once
 
 #include <agreement/matched.hpp>
 
 #include <concino/generate/agglomerate.hpp>
 #include <concino/generate/dual_mesh.hpp>
+#include <concino/generate/limit_points.hpp>
+#include <concino/generate/subdivide_catmull_clark.hpp>
+#include <concino/generate/subdivide_midpoint.hpp>
 #include <concino/geometry/bounding_tree.hpp>
 #include <concino/geometry/bounding_box.hpp>
 #include <concino/geometry/centroid.hpp>
@@ -58,6 +61,8 @@ bool expect_same_polys(const A& make_native, const B& make_other) {
       return std::optional(make());
     } catch (const invalid_mesh&) {
       return std::optional<decltype(make())>();
+    } catch (const unsupported&) {
+      return std::optional<decltype(make())>();
     }
   };
   const auto a = try_to(make_native);
@@ -83,6 +88,24 @@ struct duals {
     bool any = false;
     for (const auto boundary : {dual_boundary::clipped, dual_boundary::discarded})
       any = expect_same_polys([&] { return dual_mesh(both.native, {.boundary = boundary}); }, [&] { return dual_mesh(both.other, {.boundary = boundary}); }) || any;
+    return any;
+  }
+};
+
+struct subdivisions {
+  static constexpr const char* name = "subdivide";
+  template<class M> static constexpr bool runs_on = EmbeddedMesh<M>;
+
+  template<class B, class In>
+  static bool check(const B& both, const In&) {
+    const bool any = expect_same_polys([&] { return subdivide_midpoint(both.native); }, [&] { return subdivide_midpoint(both.other); });
+    if constexpr (dimension_v<decltype(both.native)> == 2) {
+      expect_same_polys([&] { return subdivide_catmull_clark(both.native); }, [&] { return subdivide_catmull_clark(both.other); });
+      const double extent = bounding_box(both.native).diagonal();
+      const auto here = catmull_clark_limit(both.native);
+      const auto there = catmull_clark_limit(both.other);
+      for (const auto v : both.verts.all) expect(!(norm(here.points[v] - there.points[both.verts[v]]) > 1e-9 * extent), "where a vert goes");
+    }
     return any;
   }
 };
