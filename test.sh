@@ -127,12 +127,13 @@ fuzz() {
 
 # All tests are built once with g++ and once with clang++ and sanitizers, a batch of files at a time. g++, which takes more than twice as long,
 # builds most tests of every kind of mesh for two kinds, and not the matrix of algorithms and models. It runs those of the modules on which all others
-# stand; the others it checks without generating code, in a third of the time. Programs that must not compile are left to clang++, and those of users to g++.
+# stand; the others it checks without generating code, in a third of the time. Programs that must not compile, lessons and tools are left to clang++, and those of
+# users to g++.
 batches=(-D CONCINO_TEST_BATCHES=ON)
-fewer=(-D CONCINO_TEST_AGREEMENT=OFF -D CONCINO_TEST_FEW_KINDS=ON -D CONCINO_BUILD_EXAMPLES=OFF)
+fewer=(-D CONCINO_TEST_AGREEMENT=OFF -D CONCINO_TEST_FEW_KINDS=ON -D CONCINO_BUILD_EXAMPLES=OFF -D CONCINO_BUILD_TOOLS=OFF)
 checked="adapters;fields;graph;operators"
 if [ $quick -eq 0 ]; then
-  generated=" archetypes concepts core geometry io laws mesh testing "
+  generated=" archetypes concepts core geometry mesh "
   checked=$(cd tests && for folder in */; do [[ $generated == *" ${folder%/} "* ]] || printf '%s;' "${folder%/}"; done)
   fewer+=(-D CONCINO_TEST_WITHOUT=must_not_compile)
 fi

@@ -9,6 +9,7 @@
 
 #include <doctest/doctest.h>
 #include <support/cgal.hpp>
+#include <support/kinds.hpp>
 #include <support/models.hpp>
 
 #include <array>
@@ -36,8 +37,8 @@ static_assert(testing::models_in_all_forms<mesh<int>>(testing::surface) && testi
 static_assert(std::same_as<decltype(point(mesh<exact::Point_3>(), CGAL::SM_Vertex_index())), vec3>);
 static_assert(std::same_as<decltype(point(mesh<std::array<float, 3>>(), CGAL::SM_Vertex_index())), const std::array<float, 3>&>);
 
-TEST_CASE_TEMPLATE("Surface_mesh: distances equal those on a trimesh", P, inexact::Point_3, exact::Point_3, floats::Point_3, inexact::Weighted_point_3, vec3,
-                   std::array<double, 3>) {
+TEST_CASE_TEMPLATE("Surface_mesh: distances equal those on a trimesh", P, CONCINO_FIRST_OF(inexact::Point_3, exact::Point_3, floats::Point_3, inexact::Weighted_point_3, vec3,
+                   std::array<double, 3>)) {
   surface_arrays arrays = testing::jittered(testing::triangle_grid(4), 0.05);
   for (vec3& x : arrays.points) x = {double(float(x.x)), double(float(x.y)), double(float(x.z))};
   const auto m = testing::cgal_surface<P>(arrays);
@@ -67,7 +68,7 @@ TEST_CASE("Surface_mesh: numbers that are not doubles are rounded") {
   CHECK(m.point(v).x() == third);
 }
 
-TEST_CASE_TEMPLATE("Surface_mesh: set_point moves a point", P, inexact::Point_3, exact::Point_3, floats::Point_3, vec3, std::array<float, 3>) {
+TEST_CASE_TEMPLATE("Surface_mesh: set_point moves a point", P, CONCINO_FIRST_OF(inexact::Point_3, exact::Point_3, floats::Point_3, vec3, std::array<float, 3>)) {
   auto m = testing::cgal_surface<P>(testing::triangle_grid(1));
   const CGAL::SM_Vertex_index v(2);
   set_point(m, v, vec3{1.5, -2, 3});

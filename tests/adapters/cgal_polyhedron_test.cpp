@@ -89,7 +89,7 @@ std::vector<surface_arrays> inputs() {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("CGAL polyhedra: laws hold for every polyhedron with ids", P, with_id, in_vectors) {
+TEST_CASE_TEMPLATE("CGAL polyhedra: laws hold for every polyhedron with ids", P, CONCINO_FIRST_OF(with_id, in_vectors)) {
   for (const surface_arrays& s : inputs()) {
     P p;
     build(p, s);
@@ -176,7 +176,7 @@ TEST_CASE("CGAL polyhedra: contains is true exactly for elements of the polyhedr
   CHECK_THROWS_AS(dijkstra(i, q.vertices_begin()), invalid_mesh);
 }
 
-TEST_CASE_TEMPLATE("CGAL polyhedra: algorithms take and return handles, and results equal those of the native mesh", P, plain, with_id) {
+TEST_CASE_TEMPLATE("CGAL polyhedra: algorithms take and return handles, and results equal those of the native mesh", P, CONCINO_FIRST_OF(plain, with_id)) {
   const auto arrays = testing::jittered(testing::triangle_grid(5), 0.03);
   P p;
   build(p, arrays);

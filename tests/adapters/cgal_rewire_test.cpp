@@ -4,6 +4,7 @@
 #include <support/cgal.hpp>
 #include <support/foreign_operators.hpp>
 #include <support/foreign_paths.hpp>
+#include <support/kinds.hpp>
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -13,7 +14,7 @@ using kernel_point = CGAL::Simple_cartesian<double>::Point_3;
 
 static_assert(EditableSurfaceMesh<CGAL::Surface_mesh<kernel_point>> && EditableSurfaceMesh<CGAL::Surface_mesh<vec3>> && !EditableSurfaceMesh<CGAL::Surface_mesh<int>>);
 
-TEST_CASE_TEMPLATE("CGAL: random cavities", P, kernel_point, vec3) {
+TEST_CASE_TEMPLATE("CGAL: random cavities", P, CONCINO_FIRST_OF(kernel_point, vec3)) {
   std::mt19937 random(11);
   unsigned done = 0, refused = 0;
   for (unsigned round = 0; round < 8; ++round) {
@@ -33,7 +34,7 @@ TEST_CASE("CGAL: every operator keeps the topology, or refuses and changes nothi
   ct::keeps_topology(ct::cgal_surface<kernel_point>(ct::triangle_grid(3)), random);
 }
 
-TEST_CASE_TEMPLATE("CGAL: transactions leave no trace, and can be undone and done again", P, kernel_point, vec3) {
+TEST_CASE_TEMPLATE("CGAL: transactions leave no trace, and can be undone and done again", P, CONCINO_FIRST_OF(kernel_point, vec3)) {
   std::mt19937 random(13);
   for (unsigned round = 0; round < 5; ++round) {
     auto m = ct::cgal_surface<P>(ct::triangle_grid(2));
@@ -104,6 +105,6 @@ TEST_CASE("CGAL: what cannot be linked is refused with the reason") {
   ct::foreign_laws_hold(m);
 }
 
-TEST_CASE_TEMPLATE("CGAL: a path becomes edges", P, kernel_point, vec3) {
+TEST_CASE_TEMPLATE("CGAL: a path becomes edges", P, CONCINO_FIRST_OF(kernel_point, vec3)) {
   ct::embeds_a_path(ct::cgal_surface<P>(ct::triangle_grid(4)));
 }

@@ -3,6 +3,7 @@
 #include <concino/edit/garbage_collect.hpp>
 #include <concino/edit/remove_unreferenced.hpp>
 
+#include <support/kinds.hpp>
 #include <support/openmesh.hpp>
 
 #include <doctest/doctest.h>
@@ -10,7 +11,7 @@
 namespace cn = concino;
 namespace om = concino::testing::om;
 
-TEST_CASE_TEMPLATE("OpenMesh: remove_unreferenced", M, om::tri_float, om::tri_status, om::poly_double) {
+TEST_CASE_TEMPLATE("OpenMesh: remove_unreferenced", M, CONCINO_FIRST_OF(om::tri_float, om::tri_status, om::poly_double)) {
   M m;
   om::fill(m, om::two_grids<M>(2));
   const std::size_t n = cn::num_verts(m), edges = cn::num_edges(m);
@@ -25,7 +26,7 @@ TEST_CASE_TEMPLATE("OpenMesh: remove_unreferenced", M, om::tri_float, om::tri_st
   om::check_laws_hold(m);
 }
 
-TEST_CASE_TEMPLATE("OpenMesh: garbage_collect", M, om::tri_float, om::tri_status, om::poly_double, om::mine) {
+TEST_CASE_TEMPLATE("OpenMesh: garbage_collect", M, CONCINO_FIRST_OF(om::tri_float, om::tri_status, om::poly_double, om::mine)) {
   M m;
   om::fill(m, om::two_grids<M>(3));
   OpenMesh::VPropHandleT<int> of_vert;

@@ -1,4 +1,5 @@
 // add_vert, add_poly and the other verbs that edit work on OpenMesh meshes.
+#include <support/kinds.hpp>
 #include <support/openmesh.hpp>
 
 #include <concino/edit.hpp>
@@ -14,7 +15,7 @@ static_assert(requirement::has_add_vert<only_one> && requirement::has_remove_ver
 static_assert(requirement::has_add_poly<only_one> && requirement::has_remove_poly<only_one>);
 static_assert(!requirement::has_add_vert<tri_planar> && requirement::has_add_poly<tri_planar>);
 
-TEST_CASE_TEMPLATE("OpenMesh: set_point converts to the point type of the mesh", M, only_one, tri_own, poly_eigen) {
+TEST_CASE_TEMPLATE("OpenMesh: set_point converts to the point type of the mesh", M, CONCINO_FIRST_OF(only_one, tri_own, poly_eigen)) {
   M m;
   const VertexHandle v = add_vert(m, {1, 2, 0.1});
   set_point(m, v, std::array{3, 4, 5});
@@ -23,7 +24,7 @@ TEST_CASE_TEMPLATE("OpenMesh: set_point converts to the point type of the mesh",
   CHECK(m.point(v)[0] == static_cast<typename M::Scalar>(0.1));
 }
 
-TEST_CASE_TEMPLATE("OpenMesh: a mesh can be built and removed, with or without status attributes", M, only_one, poly_double) {
+TEST_CASE_TEMPLATE("OpenMesh: a mesh can be built and removed, with or without status attributes", M, CONCINO_FIRST_OF(only_one, poly_double)) {
   const surface_arrays s = testing::with_offsets(testing::triangle_grid(3));
   M m;
   for (const vec3& x : s.points) add_vert(m, x);

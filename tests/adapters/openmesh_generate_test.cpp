@@ -1,4 +1,5 @@
 // OpenMesh meshes can be generated, jittered and agglomerated.
+#include <support/kinds.hpp>
 #include <support/openmesh.hpp>
 
 #include <concino/generate.hpp>
@@ -7,7 +8,7 @@
 using namespace concino;
 using namespace concino::testing::om;
 
-TEST_CASE_TEMPLATE("OpenMesh: generated meshes obey the laws and have the right size", M, tri_double, poly_double, poly_eigen) {
+TEST_CASE_TEMPLATE("OpenMesh: generated meshes obey the laws and have the right size", M, CONCINO_FIRST_OF(tri_double, poly_double, poly_eigen)) {
   const M flat = make_grid<M>({.cells = {5, 4}, .max = {5, 4, 1}});
   check_laws_hold(flat);
   CHECK(total_measure(flat) == doctest::Approx(20));
@@ -18,7 +19,7 @@ TEST_CASE_TEMPLATE("OpenMesh: generated meshes obey the laws and have the right 
   CHECK(num_polys(make_torus<M>({.cells = {6, 5}})) == (triangles_only<M> ? 60 : 30));
 }
 
-TEST_CASE_TEMPLATE("OpenMesh: moving verts agrees with the native mesh, also with deleted polys", M, tri_status, poly_status) {
+TEST_CASE_TEMPLATE("OpenMesh: moving verts agrees with the native mesh, also with deleted polys", M, CONCINO_FIRST_OF(tri_status, poly_status)) {
   using native = std::conditional_t<triangles_only<M>, trimesh, polygonmesh>;
   native own = make_grid<native>({.cells = {6, 6}});
   M m = make_grid<M>({.cells = {6, 6}});

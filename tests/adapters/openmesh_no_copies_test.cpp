@@ -1,6 +1,7 @@
 // No mesh data is copied: iterating over an OpenMesh mesh allocates nothing, algorithms allocate as much as on a native mesh, and they run on a
 // mesh that cannot be copied.
 #include <support/allocations.hpp>
+#include <support/kinds.hpp>
 #include <support/openmesh.hpp>
 #include <support/threads.hpp>
 
@@ -70,7 +71,7 @@ std::vector<allocations> allocated_on(const M& m) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("OpenMesh: iterating allocates nothing, and algorithms allocate as much as on a native mesh", M, only_one, tri_double) {
+TEST_CASE_TEMPLATE("OpenMesh: iterating allocates nothing, and algorithms allocate as much as on a native mesh", M, CONCINO_FIRST_OF(only_one, tri_double)) {
   const surface_arrays arrays = testing::jittered(testing::triangle_grid(30), 0.005);
   trimesh native(arrays);
   M m;

@@ -1,12 +1,13 @@
 // Edits of OpenMesh meshes and their transactions change nothing if memory runs out.
 #include <support/failing_allocations.hpp>
 #include <support/foreign_operators.hpp>
+#include <support/kinds.hpp>
 #include <support/openmesh.hpp>
 
 using namespace concino;
 using namespace concino::testing::om;
 
-TEST_CASE_TEMPLATE("OpenMesh: edits that run out of memory change nothing", M, tri_double, tri_status) {
+TEST_CASE_TEMPLATE("OpenMesh: edits that run out of memory change nothing", M, CONCINO_FIRST_OF(tri_double, tri_status)) {
   M m;
   fill(m, testing::triangle_grid(2));
   testing::edits_are_all_or_nothing(m, 3, [](const auto& f) { return testing::for_each_failing_allocation(f, 8); });  // OpenMesh's assertions allocate memory
@@ -27,7 +28,7 @@ TEST_CASE("OpenMesh: a transaction for which there is no memory can be opened la
   CHECK(result.failed > 2);
 }
 
-TEST_CASE_TEMPLATE("OpenMesh: garbage_collect that runs out of memory changes nothing", M, tri_double, tri_status) {
+TEST_CASE_TEMPLATE("OpenMesh: garbage_collect that runs out of memory changes nothing", M, CONCINO_FIRST_OF(tri_double, tri_status)) {
   M start;
   fill(start, two_grids<M>(2));
   OpenMesh::VPropHandleT<int> number;

@@ -1,6 +1,7 @@
 // rewire on OpenMesh meshes: it does what the laws say, or refuses what half-edges cannot represent, and changes nothing then.
 #include <support/foreign_operators.hpp>
 #include <support/foreign_paths.hpp>
+#include <support/kinds.hpp>
 #include <support/openmesh.hpp>
 
 using namespace concino;
@@ -10,7 +11,7 @@ namespace ct = concino::testing;
 static_assert(EditableSurfaceMesh<only_one> && EditableSurfaceMesh<tri_own> && EditableSurfaceMesh<poly_eigen> && !EditableSurfaceMesh<tri_planar>);
 static_assert(!EditableSurfaceMesh<OpenMesh::PolyConnectivity> && !EditableVolumeMesh<only_one>);
 
-TEST_CASE_TEMPLATE("OpenMesh: random cavities", M, tri_double, poly_status) {
+TEST_CASE_TEMPLATE("OpenMesh: random cavities", M, CONCINO_FIRST_OF(tri_double, poly_status)) {
   std::mt19937 random(11);
   unsigned done = 0, refused = 0;
   for (unsigned round = 0; round < 4; ++round) {
@@ -35,7 +36,7 @@ TEST_CASE_TEMPLATE("OpenMesh: every operator keeps the topology, or refuses and 
   ct::keeps_topology(m, random);
 }
 
-TEST_CASE_TEMPLATE("OpenMesh: transactions leave no trace, and can be undone and done again", M, tri_double, tri_status, only_one) {
+TEST_CASE_TEMPLATE("OpenMesh: transactions leave no trace, and can be undone and done again", M, CONCINO_FIRST_OF(tri_double, tri_status, only_one)) {
   std::mt19937 random(13);
   for (unsigned round = 0; round < 5; ++round) {
     M m;
@@ -44,7 +45,7 @@ TEST_CASE_TEMPLATE("OpenMesh: transactions leave no trace, and can be undone and
   }
 }
 
-TEST_CASE_TEMPLATE("OpenMesh: properties follow their elements", M, tri_double, tri_status) {
+TEST_CASE_TEMPLATE("OpenMesh: properties follow their elements", M, CONCINO_FIRST_OF(tri_double, tri_status)) {
   std::mt19937 random(14);
   M m;
   fill(m, two_grids<M>(3));
@@ -100,7 +101,7 @@ TEST_CASE("OpenMesh: what cannot be linked is refused with the reason") {
   CHECK(num_polys(grid) == 72);
 }
 
-TEST_CASE_TEMPLATE("OpenMesh: a path becomes edges", M, tri_double, poly_status) {
+TEST_CASE_TEMPLATE("OpenMesh: a path becomes edges", M, CONCINO_FIRST_OF(tri_double, poly_status)) {
   M m;
   fill(m, ct::triangle_grid(4));
   ct::embeds_a_path(m);

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Fuzzes the readers of the library with libFuzzer, the address sanitizer and the undefined behaviour sanitizer.
-#   tests/fuzz/run.sh SECONDS [reader...]    each reader for that many seconds; default: all (CONCINO_FUZZ=list <program> lists them); 0 only compiles
+#   tests/fuzz/run.sh SECONDS [reader...]    each reader for that many seconds; default: all (CONCINO_FUZZ=list <program> lists them); 0 only compiles,
+#                                            without optimisation, as for up to 10 seconds
 # Prints a line per reader, and the input and the report of what is found. Fails if anything is found.
 # Environment: CONCINO_FUZZ_BUILD (default build/fuzz; keeps the inputs that were found interesting), CONCINO_CORPUS (default ../shared/data),
 # CONCINO_FUZZ_PROGRAM (a built program, else it is compiled), CXX (clang++), CONCINO_JOBS (2: readers at a time).
@@ -9,7 +10,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.." || exit 1
 . scripts/packages.sh
 
 case "${1:-}" in
-  '' | *[!0-9]*) sed -n '2,6s/^# //p' tests/fuzz/run.sh; exit 2 ;;
+  '' | *[!0-9]*) sed -n '2,7s/^# //p' tests/fuzz/run.sh; exit 2 ;;
 esac
 seconds=$1
 shift
@@ -18,13 +19,16 @@ corpus=${CONCINO_CORPUS:-../shared/data}
 mkdir -p "$build" || exit 1
 build=$(cd "$build" && pwd)
 
-program=${CONCINO_FUZZ_PROGRAM:-$build/fuzz_readers}
+# A program for a few seconds, as in test.sh, is not optimised: the compiler would take longer than it runs.
+level=-O1 name=fuzz_readers
+[ "$seconds" -gt 10 ] || level=-O0 name=fuzz_readers_O0
+program=${CONCINO_FUZZ_PROGRAM:-$build/$name}
 if [ -z "${CONCINO_FUZZ_PROGRAM:-}" ]; then
   newest=$(find concepts include tests/fuzz -type f -newer "$program" -print -quit 2>/dev/null)
   if [ ! -x "$program" ] || [ -n "$newest" ]; then
     cxx=${CXX:-$(find_clang)} || { echo "no clang++ 14 or later"; exit 1; }
     eigen=$(pkg-config --cflags eigen3 2>/dev/null || echo -I/usr/include/eigen3)
-    "$cxx" -std=c++20 -O1 -g1 -fsanitize=fuzzer,address,undefined -fno-sanitize=function -fno-sanitize-recover=all -Iinclude -Iconcepts -Iadapters ${eigen//-I/-isystem } \
+    "$cxx" -std=c++20 $level -g1 -fsanitize=fuzzer,address,undefined -fno-sanitize=function -fno-sanitize-recover=all -Iinclude -Iconcepts -Iadapters ${eigen//-I/-isystem } \
       tests/fuzz/fuzz_readers.cpp -lz -o "$program" || exit 1
   fi
 fi

@@ -15,6 +15,13 @@
 #define CONCINO_ALL_VOLUME_KINDS concino::tetmesh, concino::hexmesh, concino::polyhedralmesh
 #define CONCINO_ALL_KINDS CONCINO_ALL_SURFACE_KINDS, CONCINO_ALL_VOLUME_KINDS
 
+// Of a list of types, such as meshes of other libraries with different traits: all of them, or the first.
+#ifdef CONCINO_TEST_FEW_KINDS
+#define CONCINO_FIRST_OF(first, ...) first
+#else
+#define CONCINO_FIRST_OF(...) __VA_ARGS__
+#endif
+
 #ifdef CONCINO_TEST_FEW_KINDS
 #define CONCINO_SURFACE_KINDS concino::polygonmesh
 #define CONCINO_VOLUME_KINDS concino::tetmesh

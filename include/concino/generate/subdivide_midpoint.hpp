@@ -30,7 +30,7 @@ To report_inverted(To m, const midpoint_options& o) {
 /// means of the verts of the faces at it, and the mean of the verts of the poly.
 /// Needs:  EmbeddedMesh. In volumes, three edges of each poly meet at each of its verts.
 /// Result: a quadmesh or hexmesh. Its verts are those of verts(m), then one for each edge, each face (in volumes) and each poly, in the order of m; its polys
-///         follow those of m, and the verts of each. Hexes are oriented as m. Areas and volumes do not change where polygons and faces are planar. Named
+///         follow those of m, and the verts of each in the order of adj_p2v. Hexes are oriented as m. Areas and volumes do not change where polygons and faces are planar. Named
 ///         properties are transferred by their rules. Quads and hexes in polys that are not convex may be inverted; options.inverted lists them.
 /// Cost:   O(size of the result); the points in parallel.
 /// Errors: unsupported that names a poly and its vert with other than three edges. invalid_mesh that names a poly whose faces are not closed around a vert.

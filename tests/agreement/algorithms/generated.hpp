@@ -104,7 +104,7 @@ struct subdivisions {
       const double extent = bounding_box(both.native).diagonal();
       const auto here = catmull_clark_limit(both.native);
       const auto there = catmull_clark_limit(both.other);
-      for (const auto v : both.verts.all) expect(!(norm(here.points[v] - there.points[both.verts[v]]) > 1e-9 * extent), "where a vert goes");
+      for (const auto v : both.verts.all) expect(!(norm(here.points[v] - there.points[both.verts.to(v)]) > 1e-9 * extent), "where a vert goes");
     }
     return any;
   }

@@ -7,7 +7,7 @@
 
 namespace concino::detail {
 
-/// The verts of a polyhedron with the new verts of the edges and faces around each.
+/// The verts of a polyhedron, in the order of adj_p2v, with the new verts of the edges and faces around each.
 class poly_corners {
   /// Counter-clockwise around its vert, as seen from outside the poly, a face begins at edge `first` and ends at edge `last`.
   struct sector {
@@ -22,10 +22,8 @@ class poly_corners {
   core::local_numbers numbers_;
   core::small_array<corner, 12> corners_;
 
-  void add(std::size_t index, vert_id v, const sector& s) {
-    const unsigned k = numbers_.add(index);
-    if (k == corners_.size()) corners_.push_back({v, 0, {}});
-    corner& c = corners_[k];
+  void add(std::size_t index, const sector& s) {
+    corner& c = corners_[numbers_.find(index)];
     if (c.count < 3) c.sectors[c.count] = s;
     ++c.count;
   }
@@ -33,11 +31,15 @@ class poly_corners {
  public:
   template<class M, class Refined>
   poly_corners(const M& m, const poly_t<M>& p, const Refined& refined) {
+    for (const vert_t<M> v : adj_p2v(m, p)) {
+      numbers_.add(index_of(m, v));
+      corners_.push_back({refined[v], 0, {}});
+    }
     for (const face_t<M> f : adj_p2f(m, p)) {
       const bool outward = face_is_outward(m, p, f);
       const vert_id face = refined[f];
       const auto add_corner = [&](const vert_t<M>& v, vert_id in, vert_id out) {
-        add(index_of(m, v), refined[v], outward ? sector{out, in, face} : sector{in, out, face});
+        add(index_of(m, v), outward ? sector{out, in, face} : sector{in, out, face});
       };
       bool is_first = true;
       vert_t<M> start{};
