@@ -53,18 +53,21 @@ struct trees {
   }
 };
 
+/// A mesh, or nothing if it is refused.
+template<class Make>
+auto try_to(const Make& make) {
+  try {
+    return std::optional(make());
+  } catch (const invalid_mesh&) {
+    return std::optional<decltype(make())>();
+  } catch (const unsupported&) {
+    return std::optional<decltype(make())>();
+  }
+}
+
 /// Checks that both fail, or return meshes with the same polys in the same order.
 template<class A, class B>
 bool expect_same_polys(const A& make_native, const B& make_other) {
-  const auto try_to = [](const auto& make) {
-    try {
-      return std::optional(make());
-    } catch (const invalid_mesh&) {
-      return std::optional<decltype(make())>();
-    } catch (const unsupported&) {
-      return std::optional<decltype(make())>();
-    }
-  };
   const auto a = try_to(make_native);
   const auto b = try_to(make_other);
   expect(a.has_value() == b.has_value(), "both meshes are refused or neither");
@@ -92,21 +95,51 @@ struct duals {
   }
 };
 
+/// Checks that each poly of two models is divided into the same hexes, in any order.
+template<class B>
+bool expect_same_hexes(const B& both) {
+  correspondence of_native, of_other;
+  midpoint_options to_native, to_other;
+  to_native.correspondence = &of_native, to_other.correspondence = &of_other;
+  const auto a = try_to([&] { return subdivide_midpoint(both.native, to_native); });
+  const auto b = try_to([&] { return subdivide_midpoint(both.other, to_other); });
+  expect(a.has_value() == b.has_value(), "both meshes are refused or neither");
+  if (!a) return false;
+  expect(num_verts(*a) == num_verts(*b) && num_edges(*a) == num_edges(*b) && num_polys(*a) == num_polys(*b), "as many elements");
+  const double largest = largest_of(polys(*a), [&](const auto p) { return measure(*a, p); }), extent = bounding_box(*a).diagonal();
+  const auto n = static_cast<unsigned>(num_polys(*a));
+  for (unsigned first = 0, last = 0; first < n; first = last) {
+    while (last < n && of_native.polys.only(last) == of_native.polys.only(first)) ++last;
+    for (unsigned i = first; i < last; ++i) {
+      expect(of_other.polys.only(i) == of_other.polys.only(first), "the poly that was divided");
+      const vec3 x = centroid(*a, poly_id{i});
+      unsigned k = first;
+      while (k < last && !(norm(centroid(*b, poly_id{k}) - x) <= 1e-9 * extent)) ++k;
+      if (!is_finite(x)) continue;
+      expect(k < last, "the centroid of a hex");
+      expect_close(measure(*a, poly_id{i}), measure(*b, poly_id{k}), largest, "the measure of a hex");
+    }
+  }
+  return true;
+}
+
 struct subdivisions {
   static constexpr const char* name = "subdivide";
   template<class M> static constexpr bool runs_on = EmbeddedMesh<M>;
 
   template<class B, class In>
   static bool check(const B& both, const In&) {
-    const bool any = expect_same_polys([&] { return subdivide_midpoint(both.native); }, [&] { return subdivide_midpoint(both.other); });
-    if constexpr (dimension_v<decltype(both.native)> == 2) {
+    if constexpr (VolumeMesh<decltype(both.native)>) {
+      return expect_same_hexes(both);
+    } else {
+      const bool any = expect_same_polys([&] { return subdivide_midpoint(both.native); }, [&] { return subdivide_midpoint(both.other); });
       expect_same_polys([&] { return subdivide_catmull_clark(both.native); }, [&] { return subdivide_catmull_clark(both.other); });
       const double extent = bounding_box(both.native).diagonal();
       const auto here = catmull_clark_limit(both.native);
       const auto there = catmull_clark_limit(both.other);
       for (const auto v : both.verts.all) expect(!(norm(here.points[v] - there.points[both.verts.to(v)]) > 1e-9 * extent), "where a vert goes");
+      return any;
     }
-    return any;
   }
 };
 
