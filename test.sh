@@ -127,7 +127,7 @@ fuzz() {
 
 # All tests are built once with g++ and once with clang++ and sanitizers, a batch of files at a time. g++, which takes more than twice as long,
 # builds most tests of every kind of mesh for two kinds, and not the matrix of algorithms and models. It runs those of the modules on which all others
-# stand; the others it checks without generating code, in a third of the time. Programs that must not compile, lessons and tools are left to clang++, and those of
+# stand; the others it checks without generating code, in a third of the time. Programs that must not compile, lessons and tools are left to clang++, projects of
 # users to g++.
 batches=(-D CONCINO_TEST_BATCHES=ON)
 fewer=(-D CONCINO_TEST_AGREEMENT=OFF -D CONCINO_TEST_FEW_KINDS=ON -D CONCINO_BUILD_EXAMPLES=OFF -D CONCINO_BUILD_TOOLS=OFF)

@@ -16,9 +16,7 @@ int main() {
   const auto label = cn::poly_property<int>(tets, "label");
   for (const auto p : cn::polys(tets)) label[p] = cn::centroid(tets, p).x < 0.5 ? 1 : 2;
   std::vector<cn::poly_id> inverted;
-  cn::midpoint_options options;
-  options.inverted = &inverted;
-  const cn::hexmesh hexes = cn::subdivide_midpoint(tets, options);
+  const cn::hexmesh hexes = cn::subdivide_midpoint(tets, {.inverted = &inverted});
   const auto label_of = cn::find_poly_property<int>(hexes, "label");
   double labelled = 0;
   for (const auto p : cn::polys(hexes)) labelled += label_of[p] == 1 ? cn::volume(hexes, p) : 0;

@@ -23,9 +23,7 @@ TEST_CASE_TEMPLATE("subdivide_midpoint: a quad or hex at each vert of each poly"
   std::vector<double> part(num_polys(m));
   correspondence c;
   std::vector<poly_id> inverted{poly_id{7}};
-  midpoint_options o;
-  o.correspondence = &c, o.inverted = &inverted;
-  const auto again = subdivide_midpoint(m, o);
+  const auto again = subdivide_midpoint(m, {.correspondence = &c, .inverted = &inverted});
   CHECK(record_of(again) == record_of(s));
   for (const poly_id p : polys(s)) part[c.polys.only(p.raw())] += measure(s, p);
   if constexpr (arity_v<M> != 0) {
@@ -42,9 +40,7 @@ TEST_CASE_TEMPLATE("subdivide_midpoint: a quad or hex at each vert of each poly"
 
 TEST_CASE_TEMPLATE("subdivide_midpoint: properties, correspondence, repetition", M, CONCINO_KINDS) {
   check_subdivision(grid<M>(1), [](const auto& m, const subdivide_options& o) {
-    midpoint_options all;
-    static_cast<subdivide_options&>(all) = o;
-    return subdivide_midpoint(m, all);
+    return subdivide_midpoint(m, {.times = o.times, .properties = o.properties, .correspondence = o.correspondence});
   });
 }
 
@@ -52,9 +48,7 @@ TEST_CASE("subdivide_midpoint: jittered tets give valid hexes, at every vert of 
   tetmesh m = grid<tetmesh>(3);
   jitter(m, 0.2);
   std::vector<poly_id> inverted;
-  midpoint_options o;
-  o.inverted = &inverted;
-  const hexmesh s = subdivide_midpoint(m, o);
+  const hexmesh s = subdivide_midpoint(m, {.inverted = &inverted});
   check_sound(s, 1);
   CHECK(inverted.empty());
   CHECK(num_polys(s) == 4 * num_polys(m));
@@ -65,9 +59,7 @@ TEST_CASE("subdivide_midpoint: Voronoi cells keep their volumes, and few hexes a
   const polyhedralmesh m = voronoi_polyhedra(random_points(60, {{0, 0, 0}, {1, 1, 1}}, 3), {{0, 0, 0}, {1, 1, 1}});
   std::vector<poly_id> inverted;
   correspondence c;
-  midpoint_options o;
-  o.inverted = &inverted, o.correspondence = &c;
-  const hexmesh s = subdivide_midpoint(m, o);
+  const hexmesh s = subdivide_midpoint(m, {.correspondence = &c, .inverted = &inverted});
   CHECK(check_laws(s).empty());
   std::vector<double> part(num_polys(m));
   for (const poly_id p : polys(s)) part[c.polys.only(p.raw())] += measure(s, p);

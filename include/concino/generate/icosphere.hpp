@@ -1,8 +1,8 @@
 // Spheres of triangles of nearly equal size, by subdividing an icosahedron.
 #pragma once
 
-#include <concino/concepts/oriented_edges.hpp>
 #include <concino/generate/detail/construct_from_arrays.hpp>
+#include <concino/generate/subdivide_1_to_4.hpp>
 #include <concino/mesh/trimesh.hpp>
 
 namespace concino {
@@ -32,29 +32,6 @@ inline surface_arrays icosahedron() {
   return a;
 }
 
-/// Splits each triangle into four, with the new verts projected to the unit sphere.
-inline surface_arrays quartered_on_sphere(const surface_arrays& triangles) {
-  const trimesh m(triangles);
-  surface_arrays a{triangles.points, {}, {}, 3};
-  a.verts.reserve(4 * triangles.verts.size());
-  for (const edge_id e : edges(m)) {
-    vec3 sum;
-    for (const vert_id v : adj_e2v(m, e)) sum += point(m, v);
-    a.points.push_back(sum / norm(sum));
-  }
-  for (const poly_id p : polys(m)) {
-    vert_id corner[3], middle[3];
-    std::size_t i = 0;
-    for (const auto& [e, from, to] : oriented_edges(m, p)) {
-      corner[i] = from;
-      middle[i++] = vert_id{num_verts(m) + index_of(m, e)};
-    }
-    for (const std::size_t k : {0u, 1u, 2u}) a.verts.insert(a.verts.end(), {corner[k], middle[k], middle[(k + 2) % 3]});
-    a.verts.insert(a.verts.end(), {middle[0], middle[1], middle[2]});
-  }
-  return a;
-}
-
 }  // namespace detail
 
 /// A sphere of triangles of nearly the same size: an icosahedron whose triangles are split into four repeatedly on the sphere.
@@ -68,10 +45,15 @@ inline trimesh icosphere(unsigned subdivisions, double radius = 1, const vec3& c
   if (subdivisions > 12) core::throw_joined<invalid_argument>({"icosphere: subdivisions is ", subdivisions, "; it must be at most 12"});
   detail::check_positive("icosphere", "radius", radius);
   detail::check_finite("icosphere", "centre", centre);
-  surface_arrays a = detail::icosahedron();
-  for (unsigned k = 0; k < subdivisions; ++k) a = detail::quartered_on_sphere(a);
-  for (vec3& x : a.points) x = centre + radius * x;
-  return trimesh(std::move(a));
+  trimesh m(detail::icosahedron());
+  for (unsigned k = 0; k < subdivisions; ++k) {
+    const std::size_t before = num_verts(m);
+    m = subdivide_1_to_4(m);
+    for (const vert_id v : verts(m))
+      if (v.raw() >= before) set_point(m, v, point(m, v) / norm(point(m, v)));
+  }
+  for (const vert_id v : verts(m)) set_point(m, v, centre + radius * point(m, v));
+  return m;
 }
 
 }  // namespace concino

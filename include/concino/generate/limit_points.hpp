@@ -28,13 +28,13 @@ template<class M>
 limit_surface<std::remove_cvref_t<M>> loop_limit(M&& m) {
   using mesh = std::remove_cvref_t<M>;
   for (const poly_t<mesh> p : polys(m)) detail::triangle_parts<mesh>("loop_limit", m, p);
-  return detail::limit_of<detail::loop_masks, limit_surface<mesh>>(m, detail::loop_rule<mesh, detail::no_creases>{m, detail::no_creases()});
+  return detail::limit_of<detail::smooth_scheme::loop, limit_surface<mesh>>(m, detail::loop_rule<mesh, detail::no_creases>{m, detail::no_creases()});
 }
 template<class M>
   requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M>
 limit_surface<std::remove_cvref_t<M>> catmull_clark_limit(M&& m) {
   using mesh = std::remove_cvref_t<M>;
-  return detail::limit_of<detail::catmull_clark_masks, limit_surface<mesh>>(m, detail::catmull_clark_rule<mesh, detail::no_creases>{m, detail::no_creases()});
+  return detail::limit_of<detail::smooth_scheme::catmull_clark, limit_surface<mesh>>(m, detail::catmull_clark_rule<mesh, detail::no_creases>{m, detail::no_creases()});
 }
 
 // What to write instead of calls that cannot compile.

@@ -15,9 +15,9 @@ namespace concino {
 template<SurfaceMesh M>
   requires Embedded<M>
 trimesh subdivide_1_to_4(const M& m, const subdivide_options& options = {}) {
-  return detail::subdivide_repeatedly("subdivide_1_to_4", 4, m, detail::no_creases(), options, [&](const auto& mesh, const auto&, unsigned) {
+  return detail::subdivide_repeatedly("subdivide_1_to_4", 4, m, detail::no_creases(), options, [&](const auto& mesh, const auto& creases, unsigned) {
     using mesh_type = std::remove_cvref_t<decltype(mesh)>;
-    return detail::subdivide_in_four("subdivide_1_to_4", mesh, detail::no_creases(), detail::mean_rule<mesh_type>{mesh}, options);
+    return detail::subdivide_in_four("subdivide_1_to_4", mesh, creases, detail::mean_rule<mesh_type>{mesh}, options);
   });
 }
 

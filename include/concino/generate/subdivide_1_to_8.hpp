@@ -24,8 +24,9 @@ void split_octahedron(const std::array<vert_id, 6>& middle, const std::vector<ve
 
 template<class M>
 subdivided<tetmesh> subdivide_tets(const M& m, const subdivide_options& o) {
-  check_element_counts<tetmesh>("subdivide_1_to_8", "times", static_cast<double>(num_verts(m) + num_edges(m)), 8.0 / 6 * static_cast<double>(num_polys(m)));
-  const refined_verts<M, refined_kinds{.edges = true}> refined(m);
+  using new_verts = refined_verts<M, refined_kinds{.edges = true}>;
+  check_subdivided_counts<tetmesh>("subdivide_1_to_8", new_verts::expected_size(m), 8.0 * static_cast<double>(num_polys(m)));
+  const new_verts refined(m);
   const mean_rule<M> rule{m};
   cell_arrays a{refined_points(refined, rule), core::large_vector(32 * num_polys(m), vert_id{}), 4};
   vert_id* next = a.verts.data();
@@ -43,12 +44,7 @@ subdivided<tetmesh> subdivide_tets(const M& m, const subdivide_options& o) {
     add(v[0], e[0], e[1], e[2]), add(e[0], v[1], e[3], e[4]), add(e[1], e[3], v[2], e[5]), add(e[2], e[4], e[5], v[3]);
     split_octahedron(e, a.points, add);
   }
-  subdivided<tetmesh> result{tetmesh(std::move(a))};
-  if (wants_origins(m, o)) {
-    result.from.polys = repeated_polys(m, 8);
-    set_origins(refined, rule, o, result);
-  }
-  return result;
+  return construct_subdivided<tetmesh>(refined, rule, std::move(a), o, [&] { return repeated_polys(m, 8); });
 }
 
 }  // namespace detail

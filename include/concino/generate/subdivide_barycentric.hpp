@@ -11,22 +11,17 @@ namespace detail {
 
 template<SurfaceMesh M>
 subdivided<trimesh> subdivide_at_centres(const M& m, const subdivide_options& o) {
-  std::size_t corners = 0;
-  for (const poly_t<M> p : polys(m)) corners += num_elements(adj_p2v(m, p));
-  check_element_counts<trimesh>("subdivide_barycentric", "times", static_cast<double>(num_verts(m) + num_edges(m) + num_polys(m)), static_cast<double>(corners));
-  const refined_verts<M, refined_kinds{.edges = true, .polys = true}> refined(m);
+  using new_verts = refined_verts<M, refined_kinds{.edges = true, .polys = true}>;
+  const std::size_t corners = num_poly_corners(m);
+  check_subdivided_counts<trimesh>("subdivide_barycentric", new_verts::expected_size(m), 2.0 * static_cast<double>(corners));
+  const new_verts refined(m);
   surface_arrays a{{}, {}, {}, 3};
   a.verts.reserve(6 * corners);
   for (const poly_t<M> p : polys(m))
     for (const auto& [e, from, to] : oriented_edges(m, p)) a.verts.insert(a.verts.end(), {refined[from], refined[e], refined[p], refined[e], refined[to], refined[p]});
   const mean_rule<M> rule{m};
   a.points = refined_points(refined, rule);
-  subdivided<trimesh> result{trimesh(std::move(a))};
-  if (wants_origins(m, o)) {
-    result.from.polys = polys_of_corners(m, 2);
-    set_origins(refined, rule, o, result);
-  }
-  return result;
+  return construct_subdivided<trimesh>(refined, rule, std::move(a), o, [&] { return polys_of_corners(m, 2); });
 }
 
 template<VolumeMesh M>
@@ -34,9 +29,9 @@ subdivided<tetmesh> subdivide_at_centres(const M& m, const subdivide_options& o)
   std::size_t corners = 0;  // of the faces of all polys
   for (const poly_t<M> p : polys(m))
     for (const face_t<M> f : adj_p2f(m, p)) corners += num_elements(adj_f2v(m, f));
-  check_element_counts<tetmesh>("subdivide_barycentric", "times", static_cast<double>(num_verts(m) + num_edges(m) + num_faces(m) + num_polys(m)),
-                                static_cast<double>(corners) / 3);
-  const refined_verts<M, refined_kinds{.edges = true, .faces = true, .polys = true}> refined(m);
+  using new_verts = refined_verts<M, refined_kinds{.edges = true, .faces = true, .polys = true}>;
+  check_subdivided_counts<tetmesh>("subdivide_barycentric", new_verts::expected_size(m), 2.0 * static_cast<double>(corners));
+  const new_verts refined(m);
   cell_arrays a{{}, {}, 4};
   a.verts.reserve(8 * corners);
   std::vector<std::uint32_t> from;
@@ -53,12 +48,7 @@ subdivided<tetmesh> subdivide_at_centres(const M& m, const subdivide_options& o)
   }
   const mean_rule<M> rule{m};
   a.points = refined_points(refined, rule);
-  subdivided<tetmesh> result{tetmesh(std::move(a))};
-  if (wanted) {
-    result.from.polys = element_origins(std::move(from));
-    set_origins(refined, rule, o, result);
-  }
-  return result;
+  return construct_subdivided<tetmesh>(refined, rule, std::move(a), o, [&] { return element_origins(std::move(from)); });
 }
 
 }  // namespace detail

@@ -8,20 +8,23 @@
 
 namespace concino {
 
-struct midpoint_options : subdivide_options {
-  std::vector<poly_id>* inverted = nullptr;  // unless null, filled with the polys of the result whose scaled Jacobian is not above 0
+struct midpoint_options {
+  unsigned times = 1;                                 // how often the mesh is subdivided, 1 or more
+  bool properties = true;                             // whether named properties are transferred, if m has any
+  concino::correspondence* correspondence = nullptr;  // unless null, filled with the elements of m of which those of the result were made
+  std::vector<poly_id>* inverted = nullptr;           // unless null, filled with the polys of the result whose scaled Jacobian is not above 0
 };
 
 namespace detail {
 
-template<class To>
-To report_inverted(To m, const midpoint_options& o) {
-  if (!o.inverted) return m;
-  o.inverted->clear();
+/// The polys whose scaled Jacobian is not above 0.
+template<class M>
+std::vector<poly_id> inverted_polys(const M& m) {
+  std::vector<poly_id> inverted;
   const auto value = quality(m, metric::scaled_jacobian);
   for (const poly_id p : polys(m))
-    if (!(value[p] > 0)) o.inverted->push_back(p);
-  return m;
+    if (!(value[p] > 0)) inverted.push_back(p);
+  return inverted;
 }
 
 }  // namespace detail
@@ -39,20 +42,21 @@ To report_inverted(To m, const midpoint_options& o) {
 template<SurfaceMesh M>
   requires Embedded<M>
 quadmesh subdivide_midpoint(const M& m, const midpoint_options& options = {}) {
-  return detail::report_inverted(
-      detail::subdivide_repeatedly("subdivide_midpoint", 4, m, detail::no_creases(), options, [&](const auto& mesh, const auto&, unsigned) {
-        using mesh_type = std::remove_cvref_t<decltype(mesh)>;
-        return detail::subdivide_in_quads("subdivide_midpoint", mesh, detail::no_creases(), detail::mean_rule<mesh_type>{mesh}, options);
-      }),
-      options);
+  const subdivide_options shared{options.times, options.properties, options.correspondence};
+  quadmesh result = detail::subdivide_repeatedly("subdivide_midpoint", 4, m, detail::no_creases(), shared, [&](const auto& mesh, const auto& creases, unsigned) {
+    return detail::subdivide_in_quads("subdivide_midpoint", mesh, creases, detail::mean_rule<std::remove_cvref_t<decltype(mesh)>>{mesh}, shared);
+  });
+  if (options.inverted) *options.inverted = detail::inverted_polys(result);
+  return result;
 }
 template<VolumeMesh M>
   requires Embedded<M>
 hexmesh subdivide_midpoint(const M& m, const midpoint_options& options = {}) {
-  return detail::report_inverted(
-      detail::subdivide_repeatedly("subdivide_midpoint", 8, m, detail::no_creases(), options,
-                                   [&](const auto& mesh, const auto&, unsigned) { return detail::subdivide_in_hexes("subdivide_midpoint", mesh, options); }),
-      options);
+  const subdivide_options shared{options.times, options.properties, options.correspondence};
+  hexmesh result = detail::subdivide_repeatedly("subdivide_midpoint", 8, m, detail::no_creases(), shared,
+                                                [&](const auto& mesh, const auto&, unsigned) { return detail::subdivide_in_hexes("subdivide_midpoint", mesh, shared); });
+  if (options.inverted) *options.inverted = detail::inverted_polys(result);
+  return result;
 }
 
 // What to write instead of calls that cannot compile.

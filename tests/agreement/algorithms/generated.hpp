@@ -99,10 +99,8 @@ struct duals {
 template<class B>
 bool expect_same_hexes(const B& both) {
   correspondence of_native, of_other;
-  midpoint_options to_native, to_other;
-  to_native.correspondence = &of_native, to_other.correspondence = &of_other;
-  const auto a = try_to([&] { return subdivide_midpoint(both.native, to_native); });
-  const auto b = try_to([&] { return subdivide_midpoint(both.other, to_other); });
+  const auto a = try_to([&] { return subdivide_midpoint(both.native, {.correspondence = &of_native}); });
+  const auto b = try_to([&] { return subdivide_midpoint(both.other, {.correspondence = &of_other}); });
   expect(a.has_value() == b.has_value(), "both meshes are refused or neither");
   if (!a) return false;
   expect(num_verts(*a) == num_verts(*b) && num_edges(*a) == num_edges(*b) && num_polys(*a) == num_polys(*b), "as many elements");

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <concino/concepts/oriented_edges.hpp>
+#include <concino/core/small_array.hpp>
 #include <concino/generate/detail/subdivision.hpp>
 #include <concino/mesh/hexmesh.hpp>
+
+#include <array>
 
 namespace concino::detail {
 
@@ -73,10 +76,10 @@ class poly_corners {
 
 template<class M>
 subdivided<hexmesh> subdivide_in_hexes(const char* caller, const M& m, const subdivide_options& o) {
-  std::size_t corners = 0;
-  for (const poly_t<M> p : polys(m)) corners += num_elements(adj_p2v(m, p));
-  check_element_counts<hexmesh>(caller, "times", static_cast<double>(num_verts(m) + num_edges(m) + num_faces(m) + num_polys(m)), static_cast<double>(corners));
-  const refined_verts<M, refined_kinds{.edges = true, .faces = true, .polys = true}> refined(m);
+  using new_verts = refined_verts<M, refined_kinds{.edges = true, .faces = true, .polys = true}>;
+  const std::size_t corners = num_poly_corners(m);
+  check_subdivided_counts<hexmesh>(caller, new_verts::expected_size(m), static_cast<double>(corners));
+  const new_verts refined(m);
   cell_arrays a{{}, {}, 8};
   a.verts.reserve(8 * corners);
   std::array<vert_id, 8> hex;
@@ -94,12 +97,7 @@ subdivided<hexmesh> subdivide_in_hexes(const char* caller, const M& m, const sub
   }
   const mean_rule<M> rule{m};
   a.points = refined_points(refined, rule);
-  subdivided<hexmesh> result{hexmesh(std::move(a))};
-  if (wants_origins(m, o)) {
-    result.from.polys = polys_of_corners(m, 1);
-    set_origins(refined, rule, o, result);
-  }
-  return result;
+  return construct_subdivided<hexmesh>(refined, rule, std::move(a), o, [&] { return polys_of_corners(m, 1); });
 }
 
 }  // namespace concino::detail

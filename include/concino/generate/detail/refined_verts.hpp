@@ -45,6 +45,15 @@ class refined_verts {
     if constexpr (kinds.polys) polys_ = numbered(polys(m), poly_index_bound(m));
   }
 
+  /// The number of new verts, as a double: it may be more than 32 bits hold.
+  static double expected_size(const M& m) {
+    double n = static_cast<double>(num_verts(m));
+    if constexpr (kinds.edges) n += static_cast<double>(num_edges(m));
+    if constexpr (kinds.faces) n += static_cast<double>(num_faces(m));
+    if constexpr (kinds.polys) n += static_cast<double>(num_polys(m));
+    return n;
+  }
+
   const M& mesh() const { return *m_; }
   std::size_t size() const { return count_; }
 
@@ -106,15 +115,19 @@ struct mean_rule {
   }
 };
 
-/// The points of the new verts. rule(x, take) calls take(v, weight) for the verts v of which the point of x is the weighted mean; the sum of weights is 1.
+/// The point of the new vert of x: rule(x, take) calls take(v, weight) for the verts v of which it is the weighted mean; the sum of weights is 1.
+template<class M, class Rule, class X>
+vec3 refined_point(const M& m, const Rule& rule, const X& x) {
+  vec3 sum;
+  rule(x, [&](const vert_t<M>& v, double weight) { sum += weight * to_vec3(point(m, v)); });
+  return sum;
+}
+
+/// The points of the new verts.
 template<class M, refined_kinds kinds, class Rule>
 std::vector<vec3> refined_points(const refined_verts<M, kinds>& refined, const Rule& rule) {
   std::vector<vec3> points = core::large_vector(refined.size(), vec3());
-  refined.for_each_in_parallel([&](const auto& x) {
-    vec3 sum;
-    rule(x, [&](const vert_t<M>& v, double weight) { sum += weight * to_vec3(point(refined.mesh(), v)); });
-    points[refined[x].raw()] = sum;
-  });
+  refined.for_each_in_parallel([&](const auto& x) { points[refined[x].raw()] = refined_point(refined.mesh(), rule, x); });
   return points;
 }
 

@@ -211,7 +211,7 @@ class root3_stepper {
 
 template<class M, class Creases>
 subdivided<trimesh> root3_step(const char* caller, const M& m, const Creases& creases, const subdivide_options& o, bool divides_sharp) {
-  check_element_counts<trimesh>(caller, "times", static_cast<double>(num_verts(m) + num_polys(m) + num_edges(m)), 1.5 * static_cast<double>(num_polys(m)));
+  check_subdivided_counts<trimesh>(caller, static_cast<double>(num_verts(m) + num_polys(m) + num_edges(m)), 3.0 * static_cast<double>(num_polys(m)));
   return root3_stepper<M, Creases>(caller, m, creases, divides_sharp, wants_origins(m, o)).result(o);
 }
 

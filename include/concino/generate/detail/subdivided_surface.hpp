@@ -11,8 +11,9 @@ namespace concino::detail {
 /// Splits each triangle into one at each vert and one in the middle.
 template<class M, class Creases, class Rule>
 subdivided<trimesh> subdivide_in_four(const char* caller, const M& m, const Creases& creases, const Rule& rule, const subdivide_options& o) {
-  check_element_counts<trimesh>(caller, "times", static_cast<double>(num_verts(m) + num_edges(m)), 2.0 * static_cast<double>(num_polys(m)));
-  const refined_verts<M, refined_kinds{.edges = true}> refined(m);
+  using new_verts = refined_verts<M, refined_kinds{.edges = true}>;
+  check_subdivided_counts<trimesh>(caller, new_verts::expected_size(m), 4.0 * static_cast<double>(num_polys(m)));
+  const new_verts refined(m);
   surface_arrays a{{}, {}, {}, 3};
   a.verts = core::large_vector(12 * num_polys(m), vert_id{});
   vert_id* next = a.verts.data();
@@ -20,14 +21,10 @@ subdivided<trimesh> subdivide_in_four(const char* caller, const M& m, const Crea
     const triangle_parts<M> t(caller, m, p);
     const vert_id v[] = {refined[t.verts[0]], refined[t.verts[1]], refined[t.verts[2]]};
     const vert_id e[] = {refined[t.edges[0]], refined[t.edges[1]], refined[t.edges[2]]};
-    for (const vert_id x : {v[0], e[0], e[2], e[0], v[1], e[1], e[2], e[1], v[2], e[0], e[1], e[2]}) *next++ = x;
+    for (const vert_id x : {v[0], e[0], e[2], v[1], e[1], e[0], v[2], e[2], e[1], e[0], e[1], e[2]}) *next++ = x;
   }
   a.points = refined_points(refined, rule);
-  subdivided<trimesh> result{trimesh(std::move(a))};
-  if (wants_origins(m, o)) {
-    result.from.polys = repeated_polys(m, 4);
-    set_origins(refined, rule, o, result);
-  }
+  auto result = construct_subdivided<trimesh>(refined, rule, std::move(a), o, [&] { return repeated_polys(m, 4); });
   result.has_crease = halved_creases(refined, creases, result.mesh);
   return result;
 }
@@ -35,10 +32,10 @@ subdivided<trimesh> subdivide_in_four(const char* caller, const M& m, const Crea
 /// Splits each polygon into a quad at each of its verts.
 template<class M, class Creases, class Rule>
 subdivided<quadmesh> subdivide_in_quads(const char* caller, const M& m, const Creases& creases, const Rule& rule, const subdivide_options& o) {
-  std::size_t corners = 0;
-  for (const poly_t<M> p : polys(m)) corners += num_elements(adj_p2v(m, p));
-  check_element_counts<quadmesh>(caller, "times", static_cast<double>(num_verts(m) + num_edges(m) + num_polys(m)), static_cast<double>(corners));
-  const refined_verts<M, refined_kinds{.edges = true, .polys = true}> refined(m);
+  using new_verts = refined_verts<M, refined_kinds{.edges = true, .polys = true}>;
+  const std::size_t corners = num_poly_corners(m);
+  check_subdivided_counts<quadmesh>(caller, new_verts::expected_size(m), static_cast<double>(corners));
+  const new_verts refined(m);
   surface_arrays a{{}, {}, {}, 4};
   a.verts = core::large_vector(4 * corners, vert_id{});
   vert_id* next = a.verts.data();
@@ -55,11 +52,7 @@ subdivided<quadmesh> subdivide_in_quads(const char* caller, const M& m, const Cr
     if (next != first) first[3] = before;
   }
   a.points = refined_points(refined, rule);
-  subdivided<quadmesh> result{quadmesh(std::move(a))};
-  if (wants_origins(m, o)) {
-    result.from.polys = polys_of_corners(m, 1);
-    set_origins(refined, rule, o, result);
-  }
+  auto result = construct_subdivided<quadmesh>(refined, rule, std::move(a), o, [&] { return polys_of_corners(m, 1); });
   result.has_crease = halved_creases(refined, creases, result.mesh);
   return result;
 }

@@ -1,15 +1,16 @@
 // What all subdivisions share: repeated steps, the origins of the elements of the result, and checks.
 #pragma once
 
+#include <concino/concepts/end_verts.hpp>
+#include <concino/concepts/oriented_edges.hpp>
 #include <concino/core/message.hpp>
-#include <concino/core/small_array.hpp>
+#include <concino/generate/detail/composed_origins.hpp>
 #include <concino/generate/detail/construct_from_arrays.hpp>
 #include <concino/generate/detail/refined_verts.hpp>
 #include <concino/generate/subdivide_options.hpp>
 #include <concino/mesh/correspondence.hpp>
 #include <concino/mesh/property.hpp>
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -31,7 +32,7 @@ struct no_creases {
 };
 struct inherited_creases {
   const std::vector<unsigned char>& flags;
-  bool operator[](edge_id e) const { return e.raw() < flags.size() && flags[e.raw()] != 0; }
+  bool operator[](edge_id e) const { return flags[e.raw()] != 0; }
 };
 
 /// Whether the origins of the elements of a subdivided mesh are needed.
@@ -40,30 +41,6 @@ bool wants_origins(const M& m, const subdivide_options& o) {
   if (o.correspondence) return true;
   if constexpr (ShowsProperties<M>) return o.properties && traits<M>::properties(m).size() > 0;
   else return false;
-}
-
-/// The origins, in the first of three meshes, of the elements of the third: `first` are those of the second mesh, `second` those of the third in the second.
-inline element_origins composed_origins(const element_origins& first, const element_origins& second) {
-  element_origins composed;
-  std::vector<origin> list;
-  for (std::size_t i = 0; i < second.size(); ++i) {
-    list.clear();
-    core::local_numbers met;
-    for (const origin middle : second[i])
-      for (const origin x : first[middle.index]) {
-        const unsigned k = met.add(x.index);
-        if (k == list.size()) list.push_back({x.index, 0});
-        list[k].weight += middle.weight * x.weight;
-      }
-    if (list.empty()) composed.add(element_origins::none);
-    else if (list.size() == 1 && list[0].weight == 1) composed.add(list[0].index);
-    else composed.add(list);
-  }
-  return composed;
-}
-inline correspondence composed_origins(const correspondence& a, const correspondence& b) {
-  return {composed_origins(a.verts, b.verts), composed_origins(a.edges, b.edges), composed_origins(a.faces, b.faces), composed_origins(a.polys, b.polys),
-          composed_origins(a.corners, b.corners)};
 }
 
 /// Sets the origins of the elements of a subdivided mesh, given those of its polys, and transfers the properties of m. `linear` are the origins of verts
@@ -78,11 +55,18 @@ void set_origins(const M& m, element_origins linear, element_origins smooth, con
   if constexpr (ShowsProperties<M>)
     if (o.properties && traits<M>::properties(m).size() > 0) transfer_properties(m, result.mesh, c);
 }
-template<class M, refined_kinds kinds, class Rule, class To>
-void set_origins(const refined_verts<M, kinds>& refined, const Rule& rule, const subdivide_options& o, subdivided<To>& result) {
+
+/// The mesh of the polys `a`, whose points follow by the rule. poly_origins() is called if origins are wanted.
+template<class To, class M, refined_kinds kinds, class Rule, class Arrays, class PolyOrigins>
+subdivided<To> construct_subdivided(const refined_verts<M, kinds>& refined, const Rule& rule, Arrays a, const subdivide_options& o, const PolyOrigins& poly_origins) {
+  const M& m = refined.mesh();
+  subdivided<To> result{To(std::move(a))};
+  if (!wants_origins(m, o)) return result;
+  result.from.polys = poly_origins();
   element_origins smooth;
   if constexpr (!std::is_same_v<Rule, mean_rule<M>>) smooth = refined_origins(refined, rule);
-  set_origins(refined.mesh(), refined_origins(refined, mean_rule<M>{refined.mesh()}), std::move(smooth), o, result);
+  set_origins(m, refined_origins(refined, mean_rule<M>{m}), std::move(smooth), o, result);
+  return result;
 }
 
 /// The origins of polys of which each n in turn were made of one poly of m.
@@ -101,11 +85,19 @@ element_origins polys_of_corners(const M& m, std::size_t times) {
   return element_origins(std::move(index));
 }
 
-/// Checks that a mesh can be subdivided so many times if each time multiplies its elements by `growth`.
+/// The number of corners of all polys.
 template<class M>
-void check_growth(const char* caller, const M& m, unsigned times, unsigned growth) {
-  const double factor = std::pow(static_cast<double>(growth), times), cut = arity_v<M> == 3 ? 2 : arity_v<M> == 4 && dimension_v<M> == 3 ? 6 : 1;
-  check_element_counts<M>(caller, "times", factor * static_cast<double>(num_verts(m)), factor * static_cast<double>(num_polys(m)) / cut);
+std::size_t num_poly_corners(const M& m) {
+  std::size_t n = 0;
+  for (const poly_t<M> p : polys(m)) n += num_elements(adj_p2v(m, p));
+  return n;
+}
+
+/// Errors: invalid_argument if a To with so many verts and polys has more elements than 32-bit descriptors.
+template<class To>
+void check_subdivided_counts(const char* caller, double vert_count, double poly_count) {
+  constexpr double per_cell = arity_v<To> == 3 ? 2 : arity_v<To> == 4 && dimension_v<To> == 3 ? 6 : 1;  // check_element_counts counts cells that it splits
+  check_element_counts<To>(caller, "times", vert_count, poly_count / per_cell);
 }
 
 /// Repeats a step: step(m, creases, round) returns a subdivided mesh. After the first one, each multiplies the number of polys by `growth`.
@@ -113,9 +105,13 @@ template<class M, class Creases, class Step>
 auto subdivide_repeatedly(const char* caller, unsigned growth, const M& m, const Creases& creases, const subdivide_options& o, const Step& step) {
   check_at_least(caller, "times", o.times, 1);
   auto done = step(m, creases, 0u);
-  check_growth(caller, done.mesh, o.times - 1, growth);
+  const double factor = std::pow(static_cast<double>(growth), o.times - 1);
+  check_subdivided_counts<decltype(done.mesh)>(caller, factor * static_cast<double>(num_verts(done.mesh)), factor * static_cast<double>(num_polys(done.mesh)));
   for (unsigned round = 1; round < o.times; ++round) {
-    auto next = step(done.mesh, inherited_creases{done.has_crease}, round);
+    auto next = [&] {
+      if constexpr (std::is_same_v<Creases, no_creases>) return step(done.mesh, creases, round);
+      else return step(done.mesh, inherited_creases{done.has_crease}, round);
+    }();
     if (o.correspondence) next.from = composed_origins(done.from, next.from);
     done = std::move(next);
   }
