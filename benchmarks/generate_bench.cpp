@@ -78,18 +78,19 @@ int main(int argc, char** argv) {
       p.print(bench::compare("dual.tet200k", p.rounds,
                              {{"concino", timed(ours)}, {"build-alone", timed([&] { return cn::polyhedralmesh(cn::polyhedra_arrays(a)); })}}));
     }
-    const auto subdivision = [&](const char* name, const auto& m, const auto& subdivide) {
+    const auto subdivision = [&](const char* name, const auto& mesh, const auto& subdivide) {
       if (!p.wants(name)) return;
+      const auto m = mesh();
       using result = decltype(subdivide(m));
       const auto ours = [&] { return subdivide(m); };
       const auto a = bench::arrays_of(ours());
       p.print(bench::compare(name, p.rounds, {{"concino", timed(ours)}, {"build-alone", timed([&] { return result(std::remove_cvref_t<decltype(a)>(a)); })}}));
     };
-    const cn::trimesh triangles(p.data.tri1m());
+    const auto triangles = [&] { return cn::trimesh(p.data.tri1m()); };
     subdivision("subdivide.1-to-4.tri1m", triangles, [](const auto& m) { return cn::subdivide_1_to_4(m); });
     subdivision("subdivide.loop.tri1m", triangles, [](const auto& m) { return cn::subdivide_loop(m); });
     subdivision("subdivide.catmull-clark.tri1m", triangles, [](const auto& m) { return cn::subdivide_catmull_clark(m); });
-    if (p.wants("subdivide.midpoint.tet200k"))
-      subdivision("subdivide.midpoint.tet200k", cn::tetmesh(p.data.tet200k()), [](const auto& m) { return cn::subdivide_midpoint(m); });
+    const auto tets = [&] { return cn::tetmesh(p.data.tet200k()); };
+    subdivision("subdivide.midpoint.tet200k", tets, [](const auto& m) { return cn::subdivide_midpoint(m); });
   });
 }
