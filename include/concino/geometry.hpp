@@ -6,6 +6,7 @@
 #include <concino/geometry/bounding_box.hpp>
 #include <concino/geometry/bounding_tree.hpp>
 #include <concino/geometry/centroid.hpp>
+#include <concino/geometry/circumcentre.hpp>
 #include <concino/geometry/closest_point.hpp>
 #include <concino/geometry/corner_angles.hpp>
 #include <concino/geometry/dihedral_angles.hpp>

@@ -89,8 +89,9 @@ struct duals {
   template<class B, class In>
   static bool check(const B& both, const In&) {
     bool any = false;
-    for (const auto boundary : {dual_boundary::clipped, dual_boundary::discarded})
-      any = expect_same_polys([&] { return dual_mesh(both.native, {.boundary = boundary}); }, [&] { return dual_mesh(both.other, {.boundary = boundary}); }) || any;
+    const dual_mesh_options all[] = {{}, {.crease_angle_deg = 40}, {.boundary = dual_boundary::closed}, {.boundary = dual_boundary::discarded}};
+    for (const dual_mesh_options& o : all)
+      any = expect_same_polys([&] { return dual_mesh(both.native, o); }, [&] { return dual_mesh(both.other, o); }) || any;
     return any;
   }
 };

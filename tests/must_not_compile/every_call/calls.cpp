@@ -60,6 +60,7 @@ void no_adapter(const stranger& other) {
   cn::bounding_box(other);  // refused
   cn::bounding_tree(other);  // refused
   cn::centroid(other);  // refused
+  cn::circumcentre(other);  // refused
   cn::centroids(other);  // refused
   cn::corner_angle(other);  // refused
   cn::angle_defects(other);  // refused
@@ -211,6 +212,7 @@ void no_points(const cn::trimesh& m) {
   cn::bounding_box(pure);  // refused
   cn::bounding_tree(pure);  // refused
   cn::centroid(pure);  // refused
+  cn::circumcentre(pure);  // refused
   cn::centroids(pure);  // refused
   cn::corner_angle(pure);  // refused
   cn::angle_defects(pure);  // refused
@@ -308,6 +310,7 @@ void numbers(const cn::trimesh& m) {
   cn::harmonic_map(m, 0);  // refused
   cn::prepare_poisson(m, 0);  // refused
   cn::centroid(m, 0);  // refused
+  cn::circumcentre(m, 0);  // refused
   cn::corner_angle(m, 0);  // refused
   cn::dihedral_angle(m, 0);  // refused
   cn::edge_length(m, 0);  // refused

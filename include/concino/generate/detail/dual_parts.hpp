@@ -4,7 +4,9 @@
 #include <concino/concepts/end_verts.hpp>
 #include <concino/concepts/facets.hpp>
 #include <concino/generate/detail/read_sectors.hpp>
+#include <concino/generate/dual_mesh_options.hpp>
 #include <concino/geometry/centroid.hpp>
+#include <concino/geometry/circumcentre.hpp>
 
 #include <array>
 
@@ -23,7 +25,8 @@ class dual_parts {
 
   /// For a volume, the last argument is the oriented_edge_table of its faces.
   template<class... OrientedEdges>
-  dual_parts(const M& m, bool clipped, const OrientedEdges&... oriented) : m_(m), polys_at_(facet_index_bound(m), {none, none}), fans_(centre_bound()) {
+  dual_parts(const M& m, bool clipped, dual_points where, const OrientedEdges&... oriented)
+      : m_(m), where_(where), polys_at_(facet_index_bound(m), {none, none}), fans_(centre_bound()) {
     read_polys();
     read_sectors(m, [&](const poly_t<M>& p) { return number_of(p); }, fans_, oriented...);
     add_facet_verts(clipped);
@@ -50,8 +53,11 @@ class dual_parts {
     return static_cast<std::uint32_t>(points.size() - 1);
   }
   std::uint32_t facet_vert(std::size_t facet) const { return facet_vert_[facet]; }
+  /// By index of the poly or facet; `none` where there is no dual vert.
+  const std::vector<std::uint32_t>& vert_of_poly() const { return poly_number_; }
+  const std::vector<std::uint32_t>& vert_of_facet() const { return facet_vert_; }
 
-  /// Appends the loop around a centre to `loop`, counter-clockwise. On the boundary it ends with centre_vert.
+  /// Appends the loop around a centre to `loop`, counter-clockwise. On the boundary it ends with centre_vert, unless that is `none`.
   /// Errors: invalid_mesh if the polys around the centre are not one fan.
   void add_loop(std::size_t centre, std::uint32_t centre_vert, std::vector<vert_id>& loop) {
     const fan_kind kind = fans_.arrange(centre, [&](std::uint32_t f) { return is_border(f); });
@@ -62,12 +68,13 @@ class dual_parts {
     }
     if (kind == fan_kind::open) {
       loop.push_back(vert_id{facet_vert_[fans_[centre].back().out]});
-      loop.push_back(vert_id{centre_vert});
+      if (centre_vert != none) loop.push_back(vert_id{centre_vert});
     }
   }
 
  private:
   const M& m_;
+  dual_points where_;
   std::vector<std::uint32_t> poly_number_;                   // by index
   core::flat_array<std::array<std::uint32_t, 2>> polys_at_;        // by facet
   std::vector<std::uint32_t> facet_vert_;
@@ -82,8 +89,9 @@ class dual_parts {
     poly_number_.assign(poly_index_bound(m_), none);
     core::reserve_large(points, num_polys(m_));
     for (const poly_t<M> p : polys(m_)) {
-      const vec3 x = TriMesh<M> || TetMesh<M> ? vert_mean(m_, p) : centroid(m_, p);
-      if (!is_finite(x)) throw_no_dual("poly ", index_of(m_, p), " has a vert whose point is not finite");
+      const vec3 x = centre_of(p);
+      if (!is_finite(x))
+        throw_no_dual("poly ", index_of(m_, p), where_ == dual_points::centroids ? " has a vert whose point is not finite" : " is flat or not finite: it has no circumcentre");
       const std::uint32_t n = poly_number_[index_of(m_, p)] = add_vert(x);
       for (const facet_t<M> f : adj_p2facet(m_, p)) {
         auto& [first, second] = polys_at_[index_of(m_, f)];
@@ -118,12 +126,16 @@ class dual_parts {
       if (std::uint32_t& v = facet_vert_[index_of(m_, f)]; v == wanted) v = add_vert(centre_of(f));
   }
 
+  vec3 centre_of(const poly_t<M>& p) const {
+    if (where_ == dual_points::circumcentres) return circumcentre(m_, p);
+    return TriMesh<M> || TetMesh<M> ? vert_mean(m_, p) : centroid(m_, p);
+  }
   vec3 centre_of(const facet_t<M>& x) const {
     if constexpr (is_surface) {  // an edge has a midpoint; centroid() is for polygons and polyhedra
       const auto [a, b] = end_verts(m_, x);
       return 0.5 * to_vec3(point(m_, a)) + 0.5 * to_vec3(point(m_, b));
     } else {
-      return centroid(m_, x);
+      return where_ == dual_points::circumcentres ? circumcentre(m_, x) : centroid(m_, x);
     }
   }
 };
