@@ -4,6 +4,7 @@
 #include <concino/generate/agglomerate.hpp>
 #include <concino/generate/box.hpp>
 #include <concino/generate/dual_mesh.hpp>
+#include <concino/generate/extrude.hpp>
 #include <concino/generate/grade.hpp>
 #include <concino/generate/grid.hpp>
 #include <concino/generate/icosphere.hpp>
