@@ -12,6 +12,7 @@
 #include <concino/generate/limit_points.hpp>
 #include <concino/generate/random_labels.hpp>
 #include <concino/generate/random_points.hpp>
+#include <concino/generate/revolve.hpp>
 #include <concino/generate/sphere.hpp>
 #include <concino/generate/subdivide_1_to_4.hpp>
 #include <concino/generate/subdivide_1_to_8.hpp>
