@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/generate/agglomerate.hpp>
+#include <concino/generate/boundary_surface.hpp>
 #include <concino/generate/box.hpp>
 #include <concino/generate/dual_mesh.hpp>
 #include <concino/generate/extrude.hpp>
