@@ -1,9 +1,10 @@
-// Measures the dual of a large triangle mesh against a floor that walks around its verts; the dual of a tet mesh and subdivisions against building the result
-// alone.
+// Measures the dual of a large triangle mesh against a floor that walks around its verts; the dual of a tet mesh and subdivisions and quads of
+// triangles against building the result alone.
 #include "support/arrays_of.hpp"
 #include "support/kinds.hpp"
 
 #include <concino/generate/dual_mesh.hpp>
+#include <concino/generate/quads_from_triangles.hpp>
 #include <concino/generate/subdivide_1_to_4.hpp>
 #include <concino/generate/subdivide_catmull_clark.hpp>
 #include <concino/generate/subdivide_loop.hpp>
@@ -78,7 +79,7 @@ int main(int argc, char** argv) {
       p.print(bench::compare("dual.tet200k", p.rounds,
                              {{"concino", timed(ours)}, {"build-alone", timed([&] { return cn::polyhedralmesh(cn::polyhedra_arrays(a)); })}}));
     }
-    const auto subdivision = [&](const char* name, const auto& mesh, const auto& subdivide) {
+    const auto against_building = [&](const char* name, const auto& mesh, const auto& subdivide) {
       if (!p.wants(name)) return;
       const auto m = mesh();
       using result = decltype(subdivide(m));
@@ -87,10 +88,12 @@ int main(int argc, char** argv) {
       p.print(bench::compare(name, p.rounds, {{"concino", timed(ours)}, {"build-alone", timed([&] { return result(std::remove_cvref_t<decltype(a)>(a)); })}}));
     };
     const auto triangles = [&] { return cn::trimesh(p.data.tri1m()); };
-    subdivision("subdivide.1-to-4.tri1m", triangles, [](const auto& m) { return cn::subdivide_1_to_4(m); });
-    subdivision("subdivide.loop.tri1m", triangles, [](const auto& m) { return cn::subdivide_loop(m); });
-    subdivision("subdivide.catmull-clark.tri1m", triangles, [](const auto& m) { return cn::subdivide_catmull_clark(m); });
+    against_building("subdivide.1-to-4.tri1m", triangles, [](const auto& m) { return cn::subdivide_1_to_4(m); });
+    against_building("subdivide.loop.tri1m", triangles, [](const auto& m) { return cn::subdivide_loop(m); });
+    against_building("subdivide.catmull-clark.tri1m", triangles, [](const auto& m) { return cn::subdivide_catmull_clark(m); });
+    const auto bunny = [&] { return cn::trimesh(p.data.bunny16()); };
+    against_building("quads-from-triangles.bunny16", bunny, [](const auto& m) { return cn::quads_from_triangles(m); });
     const auto tets = [&] { return cn::tetmesh(p.data.tet200k()); };
-    subdivision("subdivide.midpoint.tet200k", tets, [](const auto& m) { return cn::subdivide_midpoint(m); });
+    against_building("subdivide.midpoint.tet200k", tets, [](const auto& m) { return cn::subdivide_midpoint(m); });
   });
 }

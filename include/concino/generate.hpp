@@ -1,4 +1,4 @@
-// Mesh generation: grids, boxes, spheres, tori, Voronoi meshes; dual meshes, agglomeration and subdivision of a mesh.
+// Mesh generation: grids, boxes, spheres, tori, Voronoi meshes; dual meshes, agglomeration and subdivision of a mesh, and quads from triangles.
 #pragma once
 
 #include <concino/generate/agglomerate.hpp>
@@ -11,6 +11,7 @@
 #include <concino/generate/icosphere.hpp>
 #include <concino/generate/jitter.hpp>
 #include <concino/generate/limit_points.hpp>
+#include <concino/generate/quads_from_triangles.hpp>
 #include <concino/generate/random_labels.hpp>
 #include <concino/generate/random_points.hpp>
 #include <concino/generate/revolve.hpp>

@@ -2,6 +2,7 @@
 #include <support/kinds.hpp>
 #include <support/openmesh.hpp>
 
+#include <concino/edit/elements.hpp>
 #include <concino/generate.hpp>
 #include <concino/geometry/measure.hpp>
 
@@ -35,4 +36,20 @@ TEST_CASE_TEMPLATE("OpenMesh: moving verts agrees with the native mesh, also wit
   CHECK(check_laws(merged).empty());
   CHECK(num_polys(merged) < num_polys(m));
   CHECK(total_measure(merged) == doctest::Approx(total_measure(m)).epsilon(1e-12));
+}
+
+TEST_CASE("OpenMesh: quads from triangles agree with those of the native mesh, also with deleted polys") {
+  const surface_arrays a = concino::testing::jittered(concino::testing::triangle_grid(6), 0.02);
+  trimesh own(a);
+  tri_status m;
+  fill(m, a);
+  std::vector<poly_id> of_own, of_other;
+  const polygonmesh quads = quads_from_triangles(own), others = quads_from_triangles(m);
+  REQUIRE(num_polys(quads) == num_polys(others));
+  for (const poly_id p : polys(quads)) CHECK(measure(others, p) == measure(quads, p));
+  m.delete_face(m.face_handle(7), false);
+  remove_poly(own, poly_id{7});
+  CHECK(num_polys(quads_from_triangles(m, {.triangles = &of_other})) == num_polys(quads_from_triangles(own, {.triangles = &of_own})));
+  CHECK(of_own == of_other);
+  CHECK(of_own.size() == 1);
 }

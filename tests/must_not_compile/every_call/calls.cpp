@@ -47,6 +47,7 @@ void no_adapter(const stranger& other) {
   cn::dual_mesh(other);  // refused
   cn::catmull_clark_limit(other);  // refused
   cn::loop_limit(other);  // refused
+  cn::quads_from_triangles(other);  // refused
   cn::subdivide_1_to_4(other);  // refused
   cn::subdivide_1_to_8(other);  // refused
   cn::subdivide_barycentric(other);  // refused
@@ -203,6 +204,7 @@ void no_points(const cn::trimesh& m) {
   cn::dual_mesh(pure);  // refused
   cn::catmull_clark_limit(pure);  // refused
   cn::loop_limit(pure);  // refused
+  cn::quads_from_triangles(pure);  // refused
   cn::subdivide_1_to_4(pure);  // refused
   cn::subdivide_1_to_8(pure);  // refused
   cn::subdivide_barycentric(pure);  // refused
