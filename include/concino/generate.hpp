@@ -25,5 +25,6 @@
 #include <concino/generate/subdivide_options.hpp>
 #include <concino/generate/subdivide_root3.hpp>
 #include <concino/generate/torus.hpp>
+#include <concino/generate/unite.hpp>
 #include <concino/generate/voronoi_polygons.hpp>
 #include <concino/generate/voronoi_polyhedra.hpp>

@@ -58,6 +58,7 @@ void no_adapter(const stranger& other) {
   cn::boundary_surface(other);  // refused
   cn::extrude(other);  // refused
   cn::revolve(other);  // refused
+  cn::unite(other);  // refused
   cn::grade(other);  // refused
   cn::jitter(other);  // refused
   cn::random_labels(other);  // refused
@@ -215,6 +216,7 @@ void no_points(const cn::trimesh& m) {
   cn::boundary_surface(pure);  // refused
   cn::extrude(pure);  // refused
   cn::revolve(pure);  // refused
+  cn::unite(pure);  // refused
   cn::grade(pure);  // refused
   cn::jitter(pure);  // refused
   cn::bounding_box(pure);  // refused
