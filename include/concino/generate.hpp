@@ -28,3 +28,4 @@
 #include <concino/generate/unite.hpp>
 #include <concino/generate/voronoi_polygons.hpp>
 #include <concino/generate/voronoi_polyhedra.hpp>
+#include <concino/generate/voxel_hexes.hpp>

@@ -59,6 +59,7 @@ void no_adapter(const stranger& other) {
   cn::extrude(other);  // refused
   cn::revolve(other);  // refused
   cn::unite(other);  // refused
+  cn::voxel_hexes(other);  // refused
   cn::grade(other);  // refused
   cn::jitter(other);  // refused
   cn::random_labels(other);  // refused
@@ -217,6 +218,7 @@ void no_points(const cn::trimesh& m) {
   cn::extrude(pure);  // refused
   cn::revolve(pure);  // refused
   cn::unite(pure);  // refused
+  cn::voxel_hexes(pure);  // refused
   cn::grade(pure);  // refused
   cn::jitter(pure);  // refused
   cn::bounding_box(pure);  // refused
