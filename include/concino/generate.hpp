@@ -11,6 +11,8 @@
 #include <concino/generate/icosphere.hpp>
 #include <concino/generate/jitter.hpp>
 #include <concino/generate/limit_points.hpp>
+#include <concino/generate/planar_graph.hpp>
+#include <concino/generate/planar_segments.hpp>
 #include <concino/generate/quads_from_triangles.hpp>
 #include <concino/generate/random_labels.hpp>
 #include <concino/generate/random_points.hpp>
@@ -25,6 +27,7 @@
 #include <concino/generate/subdivide_options.hpp>
 #include <concino/generate/subdivide_root3.hpp>
 #include <concino/generate/torus.hpp>
+#include <concino/generate/triangulate.hpp>
 #include <concino/generate/unite.hpp>
 #include <concino/generate/voronoi_polygons.hpp>
 #include <concino/generate/voronoi_polyhedra.hpp>

@@ -155,3 +155,21 @@ TEST_CASE("triangulate_polygon: polygons that are not simple give n-2 triangles 
 TEST_CASE("triangulate_polygon: a hundred thousand corners take little time") {
   check_simple(spiral(50000));
 }
+
+TEST_CASE("triangulate_polygon: seen from above, by exact tests") {
+  polygon_triangulator cut;
+  const polygon bridged = {{0, 0, 9}, {3, 0, 1}, {3, 3, 0}, {0, 3, -5}, {0, 0, 9}, {1, 1, 0}, {1, 2, 0}, {2, 2, 0}, {2, 1, 0}, {1, 1, 0}};
+  double sum = 0;
+  for (const auto& t : cut.from_above(bridged)) {
+    CHECK(orient2d(bridged[t[0]], bridged[t[1]], bridged[t[2]]) == 1);
+    sum += cross(bridged[t[1]] - bridged[t[0]], bridged[t[2]] - bridged[t[0]]).z / 2;
+  }
+  CHECK(sum == doctest::Approx(8));
+  polygon nearly_flat;  // one step of rounding wide
+  for (int i = 0; i <= 100; ++i) nearly_flat.push_back({i, i, 0});
+  for (int i = 99; i > 0; --i) nearly_flat.push_back({i, std::nextafter(double(i), 200), 0});
+  const auto triangles = cut.from_above(nearly_flat);
+  check_joined(nearly_flat.size(), {triangles.begin(), triangles.end()});
+  for (const auto& t : triangles) CHECK(orient2d(nearly_flat[t[0]], nearly_flat[t[1]], nearly_flat[t[2]]) == 1);
+  CHECK(cut.from_above({}).empty());
+}

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <concino/core/vec3.hpp>
+#include <concino/geometry/orientation.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -26,14 +28,29 @@ class polygon_triangulator {
   ///         corners.                                           Cost: O(n) for most; ears are looked up in a grid if n is large.
   /// Source: ear clipping, Meisters 1975; the plane is that of the vector area.
   std::span<const polygon_triangle> operator()(std::span<const vec3> corners) {
+    exact_ = false;
     triangles_.clear();
     const std::size_t n = corners.size();
     if (n < 3) return {};
     if (n == 3) triangles_.push_back({0, 1, 2});
     else if (!flatten(corners)) fan(n);
-    else if (n == 4) cut_quad();
-    else if (fan_fits()) fan(n);
-    else clip_ears();
+    else cut(n);
+    return triangles_;
+  }
+
+  /// Triangulates the projection of a polygon along z, by exact tests.
+  /// Needs:  the corners in counter-clockwise order seen from above. Corners may be collinear, and edges may touch one another, as at bridges to
+  ///         holes, which are passed twice; no two edges cross. Coordinates x and y as orient2d needs them.
+  /// Result: as operator(). All triangles are counter-clockwise seen from above, none is degenerate.      Cost: as operator().
+  /// Errors: none.
+  /// Source: as operator(); Shewchuk 1997 for the tests.
+  std::span<const polygon_triangle> from_above(std::span<const vec3> corners) {
+    exact_ = true;
+    triangles_.clear();
+    if (corners.size() < 3) return {};
+    q_.clear();
+    for (const vec3& p : corners) q_.push_back({p.x, p.y});
+    cut(corners.size());
     return triangles_;
   }
 
@@ -50,12 +67,22 @@ class polygon_triangulator {
   index cells_ = 0;  // per axis; 0: no grid
   point2 low_ = {0, 0}, cell_ = {0, 0};
   index left_ = 0;
+  bool exact_ = false;
+
+  void cut(std::size_t n) {
+    if (n == 4) cut_quad();
+    else if (fan_fits()) fan(n);
+    else clip_ears();
+  }
 
   index size() const { return static_cast<index>(q_.size()); }
 
   double turn(index a, index b, index c) const {
     const point2 &p = q_[a], &q = q_[b], &r = q_[c];
-    return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+    const double doubled_area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+    if (!exact_) return doubled_area;
+    const int sign = orient2d({p.x, p.y, 0}, {q.x, q.y, 0}, {r.x, r.y, 0});
+    return sign == 0 ? 0 : std::copysign(std::max(std::abs(doubled_area), std::numeric_limits<double>::min()), sign);
   }
 
   // Projects to the plane of the vector area, scaled to about 1 to avoid overflow and underflow. False if there is no such plane.

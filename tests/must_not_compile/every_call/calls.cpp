@@ -342,6 +342,11 @@ void numbers(const cn::trimesh& m) {
   cn::prepare_exact_geodesics(m).distance_from({0, 1});  // refused
 }
 
+// A mesh instead of outlines.
+void outlines(const cn::trimesh& m) {
+  cn::triangulate(m);  // refused
+}
+
 // A class that is not a format.
 void no_format(const cn::trimesh& m, const stranger& other) {
   cn::load<cn::trimesh>("a", other);  // refused

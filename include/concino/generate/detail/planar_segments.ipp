@@ -1,0 +1,139 @@
+// Defines planar_segments_of of planar_segments.hpp.
+#pragma once
+
+#include <concino/generate/planar_segments.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace concino::detail {
+
+/// Fills a planar_segments, step by step.
+class planar_segment_reader {
+  static constexpr std::uint32_t none = core::planar_segments::none;
+
+  const planar_graph& g_;
+  core::planar_segments result_;
+
+  void require(bool good, core::message what) const {
+    if (!good) core::throw_joined<invalid_argument>({result_.caller, ": ", core::joined(what)});
+  }
+
+  void use(std::uint32_t p, core::message where) {
+    require(p < g_.points.size(), {core::joined(where), " names point ", p, ", but there are ", g_.points.size()});
+    require(is_finite(g_.points[p]), {"point ", p, " is not finite"});
+    result_.same_as[p] = p;
+  }
+
+ public:
+  planar_segment_reader(std::string_view caller, const planar_graph& g) : g_(g) { result_.caller = caller; }
+
+  void check_lines() {
+    require(g_.points.size() < (1u << 30) && g_.line_points.size() < (1u << 30), {"there are 2^30 points or more"});
+    require(g_.line_closed.size() == g_.num_lines(), {"line_closed has ", g_.line_closed.size(), " entries for ", g_.num_lines(), " lines"});
+    result_.same_as.assign(g_.points.size(), none);
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < g_.num_lines(); ++i) {
+      const std::size_t end = g_.line_ends[i], needed = g_.line_closed[i] ? 3 : 2;
+      require(begin <= end && end <= g_.line_points.size(), {"line_ends[", i, "] is ", end, "; it must not be below the one before, and there are ", g_.line_points.size(), " line_points"});
+      require(end - begin >= needed, {"line ", i, " has ", end - begin, " points; ", g_.line_closed[i] ? "an outline" : "a line", " needs ", needed});
+      for (std::size_t k = begin; k < end; ++k) use(g_.line_points[k], {"line ", i});
+      begin = end;
+    }
+    for (std::size_t i = 0; i < g_.isolated.size(); ++i) use(g_.isolated[i], {"isolated[", i, "]"});
+  }
+
+  /// Projects along n to axes that are counter-clockwise seen against n; without rounding if n is parallel to an axis.
+  void project(std::span<const vec3> holes, const vec3& n) {
+    require(is_finite(n) && norm(n) > 0, {"seen_from must be finite and not 0"});
+    std::size_t k = 0;
+    for (const std::size_t i : {1u, 2u})
+      if (std::abs(n[i]) >= std::abs(n[k])) k = i;
+    vec3 next;
+    next[(k + 1) % 3] = 1;
+    const vec3 unit = n / norm(n), up = cross(unit, next);
+    result_.axes[1] = up / norm(up);
+    result_.axes[0] = cross(result_.axes[1], unit);
+    double size = 0;
+    const auto put = [&](const vec3& p) {
+      const vec3 q{dot(p, result_.axes[0]), dot(p, result_.axes[1]), 0};
+      size = std::max({size, std::abs(q.x), std::abs(q.y)});
+      return q;
+    };
+    result_.points.resize(g_.points.size());
+    for (std::size_t p = 0; p < g_.points.size(); ++p)
+      if (result_.same_as[p] != none) result_.points[p] = put(g_.points[p]);
+    for (std::size_t h = 0; h < holes.size(); ++h) {
+      require(is_finite(holes[h]), {"hole point ", h, " is not finite"});
+      result_.holes.push_back(put(holes[h]));
+    }
+    require(std::isfinite(size), {"coordinates are too large to be projected"});
+    result_.exponent = size > 0 ? -std::ilogb(size) - 1 : 0;
+    for (auto* list : {&result_.points, &result_.holes})
+      for (vec3& q : *list) q = {std::ldexp(q.x, result_.exponent), std::ldexp(q.y, result_.exponent), 0};
+  }
+
+  void merge_points(bool merge) {
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t p = 0; p < g_.points.size(); ++p)
+      if (result_.same_as[p] != none) order.push_back(p);
+    const auto& x = result_.points;
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return result_.is_before(a, b) || (x[a] == x[b] && a < b); });
+    for (std::size_t i = 1; i < order.size(); ++i) {
+      if (!(x[order[i]] == x[order[i - 1]])) continue;
+      require(merge, {"points ", order[i - 1], " and ", order[i], " are at the same place; options.merge_points makes one vert of them"});
+      result_.same_as[order[i]] = result_.same_as[order[i - 1]];
+    }
+    for (std::uint32_t p = 0; p < g_.points.size(); ++p)
+      if (result_.same_as[p] == p) result_.used.push_back(p);
+  }
+
+  void read_segments() {
+    struct entry {
+      std::array<std::uint32_t, 2> ends;
+      std::uint32_t input;
+      std::uint8_t is_outline;
+    };
+    std::vector<entry> list;
+    list.reserve(g_.line_points.size());
+    for (std::size_t i = 0; i < g_.num_lines(); ++i) {
+      const auto line = g_.line(i);
+      for (std::size_t k = g_.line_closed[i] ? 0 : 1; k < line.size(); ++k) {
+        const std::size_t to = g_.line_closed[i] ? (k + 1) % line.size() : k, from = g_.line_closed[i] ? k : k - 1;
+        std::uint32_t a = result_.same_as[line[from]], b = result_.same_as[line[to]];
+        const auto number = static_cast<std::uint32_t>(list.size());
+        require(a != b, {"segment ", number, " (points ", line[from], " and ", line[to], ") has no length"});
+        if (result_.is_before(b, a)) std::swap(a, b);
+        list.push_back({{a, b}, number, g_.line_closed[i]});
+      }
+    }
+    result_.segment_of.resize(list.size());
+    std::sort(list.begin(), list.end(), [](const entry& s, const entry& t) { return s.ends < t.ends || (s.ends == t.ends && s.input < t.input); });
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (i == 0 || list[i].ends != list[i - 1].ends) {
+        result_.segments.push_back(list[i].ends);
+        result_.is_outline.push_back(0);
+        result_.first_input.push_back(list[i].input);
+      }
+      result_.is_outline.back() ^= list[i].is_outline != 0;
+      result_.segment_of[list[i].input] = static_cast<std::uint32_t>(result_.segments.size() - 1);
+    }
+  }
+
+  core::planar_segments& result() { return result_; }
+};
+
+}  // namespace concino::detail
+
+namespace concino::core {
+
+CONCINO_INLINE planar_segments planar_segments_of(std::string_view caller, const planar_graph& g, std::span<const vec3> holes, const vec3& seen_from, bool merge) {
+  detail::planar_segment_reader reader(caller, g);
+  reader.check_lines();
+  reader.project(holes, seen_from);
+  reader.merge_points(merge);
+  reader.read_segments();
+  return std::move(reader.result());
+}
+
+}  // namespace concino::core
