@@ -4,6 +4,8 @@
 #include <concino/generate/agglomerate.hpp>
 #include <concino/generate/boundary_surface.hpp>
 #include <concino/generate/box.hpp>
+#include <concino/generate/cone.hpp>
+#include <concino/generate/cylinder.hpp>
 #include <concino/generate/dual_mesh.hpp>
 #include <concino/generate/extrude.hpp>
 #include <concino/generate/grade.hpp>
