@@ -1,4 +1,4 @@
-// Mesh generation: grids, boxes, spheres, tori, Voronoi meshes; dual meshes, agglomeration and subdivision of a mesh, and quads from triangles.
+// Mesh generation: grids, boxes, spheres, tori, Voronoi meshes; dual meshes, agglomeration and subdivision of a mesh, quads from triangles, triangles and tets from all.
 #pragma once
 
 #include <concino/generate/agglomerate.hpp>
@@ -28,6 +28,8 @@
 #include <concino/generate/subdivide_midpoint.hpp>
 #include <concino/generate/subdivide_options.hpp>
 #include <concino/generate/subdivide_root3.hpp>
+#include <concino/generate/to_tets.hpp>
+#include <concino/generate/to_triangles.hpp>
 #include <concino/generate/torus.hpp>
 #include <concino/generate/triangulate.hpp>
 #include <concino/generate/unite.hpp>

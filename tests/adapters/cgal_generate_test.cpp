@@ -39,3 +39,12 @@ TEST_CASE("CGAL: generating, moving and merging agree with the native mesh") {
   CHECK(cn::num_polys(cn::make_torus<polygons>({.cells = {6, 5}})) == 30);
   CHECK(cn::total_measure(cn::make_box<polygons>({.cells = {2, 2, 2}})) == doctest::Approx(6));
 }
+
+TEST_CASE("CGAL: triangles, and quads of them, agree with those of the native mesh") {
+  auto m = cn::make_torus<polygons>({.cells = {9, 7}});
+  const auto own = cn::make_torus<cn::polygonmesh>({.cells = {9, 7}});
+  const cn::trimesh triangles = cn::to_triangles(m), of_own = cn::to_triangles(own);
+  REQUIRE(cn::num_polys(triangles) == cn::num_polys(of_own));
+  for (const auto p : cn::polys(of_own)) CHECK(cn::measure(triangles, p) == cn::measure(of_own, p));
+  CHECK(cn::num_polys(cn::quads_from_triangles(cn::convert<polygons>(triangles))) == cn::num_polys(triangles) / 2);
+}

@@ -53,3 +53,15 @@ TEST_CASE("OpenMesh: quads from triangles agree with those of the native mesh, a
   CHECK(of_own == of_other);
   CHECK(of_own.size() == 1);
 }
+
+TEST_CASE("OpenMesh: triangles agree with those of the native mesh, also with deleted polys") {
+  const surface_arrays a = concino::testing::polygon_grid(3);
+  polygonmesh own(a);
+  poly_status m;
+  fill(m, a);
+  m.delete_face(m.face_handle(4), false);
+  remove_poly(own, poly_id{4});
+  const trimesh of_own = to_triangles(own), of_other = to_triangles(m);
+  REQUIRE(num_polys(of_own) == num_polys(of_other));
+  for (const poly_id p : polys(of_own)) CHECK(measure(of_own, p) == measure(of_other, p));
+}

@@ -40,7 +40,7 @@ TEST_CASE("subdivide_1_to_4: any mesh of triangles, but no other polygons") {
   CHECK(num_polys(s) == 12);
   CHECK(num_verts(s) == num_verts(triangles) + num_edges(triangles));
   CHECK(check_laws(s).empty());
-  CHECK_THROWS_WITH_AS(subdivide_1_to_4(grid<quadmesh>(2)), "subdivide_1_to_4: poly 0 has 4 verts, but must have 3; subdivide_barycentric() makes triangles of all polygons", unsupported);
+  CHECK_THROWS_WITH_AS(subdivide_1_to_4(grid<quadmesh>(2)), "subdivide_1_to_4: poly 0 has 4 verts, but must have 3; to_triangles() cuts all polygons into triangles", unsupported);
 
   trimesh bad(std::vector<vec3>{{0, 0, 0}, {1, 0, 0}, {0, std::nan(""), 0}}, std::vector<std::vector<unsigned>>{{0, 1, 2}});
   CHECK(num_polys(subdivide_1_to_4(bad)) == 4);

@@ -3,6 +3,7 @@
 
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
+#include <concino/generate/detail/finite.hpp>
 #include <concino/generate/detail/subdivision.hpp>
 #include <concino/generate/detail/triangle_pairs.hpp>
 #include <concino/mesh/polygonmesh.hpp>
@@ -24,13 +25,9 @@ namespace detail {
 template<class M>
 triangle_list triangles_of(const char* caller, const M& m) {
   triangle_list list;
-  std::vector<std::uint32_t> number(vert_index_bound(m));
-  list.points.reserve(num_verts(m));
-  for (const vert_t<M> v : verts(m)) {
-    number[index_of(m, v)] = static_cast<std::uint32_t>(list.points.size());
-    list.points.push_back(to_vec3(point(m, v)));
-    if (!is_finite(list.points.back())) core::throw_joined<invalid_mesh>({caller, ": the point of vert ", index_of(m, v), " is not finite; validate() lists all such verts"});
-  }
+  check_points_finite(caller, m, "validate() lists all such verts");
+  const std::vector<std::uint32_t> number = numbered(m, verts(m), vert_index_bound(m));
+  list.points = copy_points(m);
   list.num_edges = edge_index_bound(m);
   list.polys.reserve(num_polys(m));
   list.verts.reserve(3 * num_polys(m));
@@ -44,15 +41,6 @@ triangle_list triangles_of(const char* caller, const M& m) {
     }
   }
   return list;
-}
-
-/// The origins of verts that are all copies, in the order of m.
-template<class M>
-element_origins copied_verts(const M& m) {
-  std::vector<std::uint32_t> index;
-  index.reserve(num_verts(m));
-  for (const vert_t<M> v : verts(m)) index.push_back(static_cast<std::uint32_t>(index_of(m, v)));
-  return element_origins(std::move(index));
 }
 
 }  // namespace detail

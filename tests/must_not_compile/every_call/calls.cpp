@@ -55,6 +55,8 @@ void no_adapter(const stranger& other) {
   cn::subdivide_loop(other);  // refused
   cn::subdivide_midpoint(other);  // refused
   cn::subdivide_root3(other);  // refused
+  cn::to_tets(other);  // refused
+  cn::to_triangles(other);  // refused
   cn::boundary_surface(other);  // refused
   cn::extrude(other);  // refused
   cn::revolve(other);  // refused
@@ -214,6 +216,8 @@ void no_points(const cn::trimesh& m) {
   cn::subdivide_loop(pure);  // refused
   cn::subdivide_midpoint(pure);  // refused
   cn::subdivide_root3(pure);  // refused
+  cn::to_tets(pure);  // refused
+  cn::to_triangles(pure);  // refused
   cn::boundary_surface(pure);  // refused
   cn::extrude(pure);  // refused
   cn::revolve(pure);  // refused

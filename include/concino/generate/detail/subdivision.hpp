@@ -85,6 +85,15 @@ element_origins polys_of_corners(const M& m, std::size_t times) {
   return element_origins(std::move(index));
 }
 
+/// The origins of verts that are all copies, in the order of m.
+template<class M>
+element_origins copied_verts(const M& m) {
+  std::vector<std::uint32_t> index;
+  index.reserve(num_verts(m));
+  for (const vert_t<M> v : verts(m)) index.push_back(static_cast<std::uint32_t>(index_of(m, v)));
+  return element_origins(std::move(index));
+}
+
 /// The number of corners of all polys.
 template<class M>
 std::size_t num_poly_corners(const M& m) {
@@ -154,7 +163,7 @@ struct triangle_parts {
 
  private:
   [[noreturn]] static void throw_no_triangle(const char* caller, std::size_t poly, std::size_t n) {
-    core::throw_joined<unsupported>({caller, ": poly ", poly, " has ", n, " verts, but must have 3; subdivide_barycentric() makes triangles of all polygons"});
+    core::throw_joined<unsupported>({caller, ": poly ", poly, " has ", n, " verts, but must have 3; to_triangles() cuts all polygons into triangles"});
   }
 };
 
