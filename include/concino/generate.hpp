@@ -13,6 +13,7 @@
 #include <concino/generate/icosphere.hpp>
 #include <concino/generate/jitter.hpp>
 #include <concino/generate/limit_points.hpp>
+#include <concino/generate/offset_shell.hpp>
 #include <concino/generate/planar_graph.hpp>
 #include <concino/generate/planar_segments.hpp>
 #include <concino/generate/quads_from_triangles.hpp>

@@ -62,6 +62,7 @@ void no_adapter(const stranger& other) {
   cn::revolve(other);  // refused
   cn::unite(other);  // refused
   cn::voxel_hexes(other);  // refused
+  cn::offset_shell(other);  // refused
   cn::grade(other);  // refused
   cn::jitter(other);  // refused
   cn::random_labels(other);  // refused
@@ -223,6 +224,7 @@ void no_points(const cn::trimesh& m) {
   cn::revolve(pure);  // refused
   cn::unite(pure);  // refused
   cn::voxel_hexes(pure);  // refused
+  cn::offset_shell(pure);  // refused
   cn::grade(pure);  // refused
   cn::jitter(pure);  // refused
   cn::bounding_box(pure);  // refused
