@@ -1,11 +1,13 @@
-// Compares bounding_tree, dual_mesh, agglomerate and subdivisions.
+// Compares bounding_tree, dual_mesh, agglomerate, subdivisions, shells and boundary surfaces.
 #pragma once
 
 #include <agreement/matched.hpp>
 
 #include <concino/generate/agglomerate.hpp>
+#include <concino/generate/boundary_surface.hpp>
 #include <concino/generate/dual_mesh.hpp>
 #include <concino/generate/limit_points.hpp>
+#include <concino/generate/offset_shell.hpp>
 #include <concino/generate/subdivide_catmull_clark.hpp>
 #include <concino/generate/subdivide_midpoint.hpp>
 #include <concino/geometry/bounding_tree.hpp>
@@ -137,6 +139,30 @@ struct subdivisions {
       const auto here = catmull_clark_limit(both.native);
       const auto there = catmull_clark_limit(both.other);
       for (const auto v : both.verts.all) expect(!(norm(here.points[v] - there.points[both.verts.to(v)]) > 1e-9 * extent), "where a vert goes");
+      return any;
+    }
+  }
+};
+
+/// From surfaces to volumes, and back.
+struct shells {
+  static constexpr const char* name = "between_kinds";
+  template<class M> static constexpr bool runs_on = EmbeddedMesh<M>;
+
+  template<class B, class In>
+  static bool check(const B& both, const In&) {
+    if constexpr (VolumeMesh<decltype(both.native)>) {
+      const auto a = boundary_surface(both.native);
+      const auto b = boundary_surface(both.other);
+      expect(num_verts(a) == num_verts(b) && num_edges(a) == num_edges(b) && num_polys(a) == num_polys(b), "as many elements");
+      expect_close(total_measure(a), total_measure(b), total_measure(a), "the area of the boundary");
+      return num_polys(a) > 0;
+    } else {
+      const double thickness = 0.01 * bounding_box(both.native).diagonal();
+      std::vector<poly_id> of_native, of_other;
+      const bool any = thickness > 0 && expect_same_polys([&] { return offset_shell(both.native, thickness, 2, {.inverted = &of_native}); },
+                                                          [&] { return offset_shell(both.other, thickness, 2, {.inverted = &of_other}); });
+      expect(of_native == of_other, "the inverted polys");
       return any;
     }
   }
