@@ -29,6 +29,8 @@
 #include <concino/generate/subdivide_midpoint.hpp>
 #include <concino/generate/subdivide_options.hpp>
 #include <concino/generate/subdivide_root3.hpp>
+#include <concino/generate/tetrahedralize.hpp>
+#include <concino/generate/tetrahedralize_options.hpp>
 #include <concino/generate/to_tets.hpp>
 #include <concino/generate/to_triangles.hpp>
 #include <concino/generate/torus.hpp>

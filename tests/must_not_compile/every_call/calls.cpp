@@ -58,6 +58,7 @@ void no_adapter(const stranger& other) {
   cn::to_tets(other);  // refused
   cn::to_triangles(other);  // refused
   cn::boundary_surface(other);  // refused
+  cn::tetrahedralize(other);  // refused
   cn::extrude(other);  // refused
   cn::revolve(other);  // refused
   cn::unite(other);  // refused
@@ -220,6 +221,7 @@ void no_points(const cn::trimesh& m) {
   cn::to_tets(pure);  // refused
   cn::to_triangles(pure);  // refused
   cn::boundary_surface(pure);  // refused
+  cn::tetrahedralize(pure);  // refused
   cn::extrude(pure);  // refused
   cn::revolve(pure);  // refused
   cn::unite(pure);  // refused
