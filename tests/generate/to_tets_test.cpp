@@ -190,6 +190,20 @@ TEST_CASE("to_tets: merged cells that their means do not see as a whole are list
   }
 }
 
+TEST_CASE("to_tets: merged hexes, whose faces have straight corners") {
+  const hexmesh m = grid<hexmesh>(4);
+  auto block = make_poly_map<int>(m, 0);
+  for (const poly_id p : polys(m)) {
+    const vec3 x = vert_mean(m, p);
+    block[p] = (x.x > 0.5) + 2 * (x.y > 0.5) + 4 * (x.z > (x.x > 0.5 ? 0.25 : 0.5));
+  }
+  const polyhedralmesh merged = agglomerate(m, block);
+  const checked_tets t = check_tets(merged);
+  CHECK(num_polys(merged) == 8);
+  CHECK(t.inverted_cells.empty());
+  check_sound(t.mesh, 1);
+}
+
 TEST_CASE("to_tets: cells of which a tet is inverted are cut from their mean, or listed") {
   std::map<std::size_t, unsigned> cut_from_mean, listed;
   const auto tets_of = [&](const hexmesh& m, std::vector<std::size_t>& cells) { return to_tets(m, {.inverted_cells = &cells}); };

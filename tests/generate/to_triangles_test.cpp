@@ -58,6 +58,22 @@ TEST_CASE("to_triangles: quads and merged polygons of closed surfaces") {
   CHECK(num_polys(t) == 6 * num_polys(sphere));
   CHECK(total_measure(t) == doctest::Approx(total_measure(sphere)).epsilon(1e-13));
   CHECK(record_of(to_triangles(sphere)) == record_of(sphere));
+  const auto flat = grid<quadmesh>(8);
+  check_triangles(agglomerate(flat, random_labels(flat, 12)), 1);
+}
+
+TEST_CASE("to_triangles: triangles have area if verts are on few lines") {
+  for (const unsigned n : {1u, 2u, 3u, 7u, 40u, 300u})
+    for (const unsigned sides : {3u, 4u, 5u}) {
+      const std::vector<vec3> ends = sides == 3   ? std::vector<vec3>{{0, 0, 0}, {1, 0, 2}, {0, 1, 1}}
+                                     : sides == 4 ? std::vector<vec3>{{0, 0, 0}, {3, 0, 0}, {3, 2, 4}, {0, 2, 4}}
+                                                  : std::vector<vec3>{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {0, 2, 0}};
+      surface_arrays a{{}, {0, sides * n}, {}, 0};
+      for (unsigned s = 0; s < sides; ++s)
+        for (unsigned k = 0; k < n; ++k) a.points.push_back(ends[s] + (ends[(s + 1) % sides] - ends[s]) * (double(k) / n));
+      for (unsigned k = 0; k < sides * n; ++k) a.verts.push_back(vert_id{k});
+      check_triangles(polygonmesh(a), 1);
+    }
 }
 
 TEST_CASE("to_triangles: properties, edges, archetype, deleted polys") {

@@ -39,7 +39,7 @@ face_triangles triangles_of_faces(const M& m, const std::vector<std::uint32_t>& 
 /// Cuts each polyhedron into tets. Every face is cut in the same way for both of its polys, so that the tets fit together.
 /// Needs:  Embedded VolumeMesh.
 /// Result: a tetmesh. Its verts are those of verts(m), then a new one for each poly that needs it; its polys follow those of m. A face is cut at its vert that is
-///         first in verts(m), if all triangles there have its orientation; otherwise as triangulate_polygon does. Tets, pyramids, prisms and hexes become 1, 2, 3
+///         first in verts(m), if all triangles there have its orientation; otherwise as to_triangles does. Tets, pyramids, prisms and hexes become 1, 2, 3
 ///         and 5 or 6 tets, without new verts. Other polys, and those of which a tet would not have positive volume, are cut from the mean of their verts,
 ///         which is a new vert. This works if the mean sees the whole boundary of the poly. Polys where neither way works are cut all the same, the
 ///         standard shapes without new verts, and are listed: options.inverted, options.inverted_cells. Signed volumes do not change where faces are planar.

@@ -4,8 +4,8 @@
 #include <concino/core/mistakes.hpp>
 #include <concino/generate/detail/construct_from_arrays.hpp>
 #include <concino/generate/detail/finite.hpp>
+#include <concino/generate/detail/flat_triangles.hpp>
 #include <concino/generate/detail/subdivision.hpp>
-#include <concino/geometry/triangulate_polygon.hpp>
 #include <concino/mesh/trimesh.hpp>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ inline void add_parts_of_polygon(std::span<const vec3> corners, std::span<const 
 /// Cuts each polygon into triangles by diagonals, without new verts.
 /// Needs:  Embedded SurfaceMesh. Its polygons may be concave, and need not be planar.
 /// Result: a trimesh. Its verts are those of verts(m); its polys follow those of m and have their orientation, n - 2 for a polygon of n verts, cut as
-///         triangulate_polygon does. Areas do not change where polygons are planar. Named properties are transferred by their rules; triangles count by
+///         triangulate_polygon does, with flips where a triangle of collinear verts would have no area. Areas do not change where polygons are planar. Named properties are transferred by their rules; triangles count by
 ///         their areas. Polygons that share two verts, but not the edge between them, may get the same diagonal, an edge of more than two triangles.
 /// Cost:   that of triangulate_polygon for all polygons.
 /// Errors: invalid_mesh that names a vert whose point is not finite. invalid_argument if the result would have too many elements.
@@ -50,7 +50,7 @@ trimesh to_triangles(const M& m, const to_triangles_options& options = {}) {
   surface_arrays a{detail::copy_points(m), {}, {}, 3};
   a.verts.reserve(6 * num_polys(m));
   element_origins from;
-  polygon_triangulator triangulate;
+  detail::polygon_cutter cut;
   std::vector<vert_id> loop;
   std::vector<vec3> corners;
   for (const poly_t<M> p : polys(m)) {
@@ -59,7 +59,7 @@ trimesh to_triangles(const M& m, const to_triangles_options& options = {}) {
       loop.push_back(vert_id{vert_number[index_of(m, v)]});
       corners.push_back(a.points[loop.back().raw()]);
     }
-    const auto triangles = triangulate(corners);
+    const auto triangles = cut(corners);
     for (const auto& [i, j, k] : triangles) a.verts.insert(a.verts.end(), {loop[i], loop[j], loop[k]});
     if (wanted) detail::add_parts_of_polygon(corners, triangles, static_cast<std::uint32_t>(index_of(m, p)), from);
   }

@@ -3,7 +3,7 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/core/function_ref.hpp>
-#include <concino/geometry/triangulate_polygon.hpp>
+#include <concino/generate/detail/flat_triangles.hpp>
 #include <concino/mesh/arrays.hpp>
 #include <concino/mesh/element_origins.hpp>
 
@@ -15,12 +15,12 @@
 namespace concino::detail {
 
 /// The triangles of all faces, which do not depend on the cells at a face. A face is cut at its vert of the smallest number, if all triangles there have the
-/// orientation of the face; otherwise as triangulate_polygon does.
+/// orientation of the face; otherwise as to_triangles does.
 class face_triangles {
   std::vector<std::size_t> first_, last_;  // by index of a face, in corners_
   std::vector<vert_id> corners_;
   std::vector<vec3> points_;  // of a face
-  polygon_triangulator triangulate_;
+  polygon_cutter cut_;
 
   bool is_fan(std::size_t from) const;
 

@@ -33,7 +33,7 @@ CONCINO_INLINE void face_triangles::add(std::size_t face, std::span<const vert_i
   if (n == 3 || (n > 3 && is_fan(from))) {
     for (std::size_t k = 2; k < n; ++k) corners_.insert(corners_.end(), {verts[from], verts[(from + k - 1) % n], verts[(from + k) % n]});
   } else {
-    for (const auto& [a, b, c] : triangulate_(points_)) corners_.insert(corners_.end(), {verts[a], verts[b], verts[c]});
+    for (const auto& [a, b, c] : cut_(points_)) corners_.insert(corners_.end(), {verts[a], verts[b], verts[c]});
   }
   last_[face] = corners_.size();
 }
