@@ -18,7 +18,7 @@ struct extrude_options {
 namespace detail {
 
 /// A vector of any size, which is not 0, scaled to length 1.
-inline vec3 scaled_to_unit(const vec3& a) {
+inline vec3 direction_of_length_1(const vec3& a) {
   const vec3 b = a / std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
   return b / norm(b);
 }
@@ -55,7 +55,7 @@ detail::swept_mesh<M> extrude(const M& m, const vec3& direction, std::size_t lay
   detail::check_finite("extrude", "direction", direction);
   if (direction == vec3()) core::throw_joined<invalid_argument>({"extrude: direction is 0; it must have a length"});
   detail::check_sweep_counts("extrude", "layers", layers, num_verts(m), num_polys(m), detail::num_swept_corners(m));
-  const vec3 unit = detail::scaled_to_unit(direction);
+  const vec3 unit = detail::direction_of_length_1(direction);
   const detail::sweep_direction towards{"extrude"};
   const auto s = detail::read_swept_surface("extrude", m, [&](const poly_t<M>& p) { return towards.is_reversed(index_of(m, p), normal(m, p), unit); });
   const detail::sweep_layers all{s.points.size(), layers};

@@ -44,7 +44,7 @@ class revolved_polys {
       }
       // The chords of the steps before and after: the cells on both sides of the poly must have positive volumes.
       for (const vec3& chord : {turn_(x, step_) - x, x - turn_(x, -step_)}) {
-        const bool clockwise = towards_.is_reversed(i, n, scaled_to_unit(chord));
+        const bool clockwise = towards_.is_reversed(i, n, direction_of_length_1(chord));
         if (is_known && clockwise != reversed)
           core::throw_joined<invalid_argument>({"revolve: verts of poly ", i, " move to both of its sides; it must not cross the axis, and more segments may be needed"});
         is_known = true, reversed = clockwise;
@@ -90,7 +90,7 @@ detail::swept_mesh<M> revolve(const M& m, const vec3& centre, const vec3& axis, 
   detail::check_sweep_counts("revolve", "segments", segments, num_verts(m), num_polys(m), detail::num_swept_corners(m));
   double far = 0;
   for (const vert_t<M> v : verts(m)) far = std::max(far, norm(to_vec3(point(m, v)) - centre));
-  const detail::rotation turn(centre, detail::scaled_to_unit(axis), 1e-12 * far);
+  const detail::rotation turn(centre, detail::direction_of_length_1(axis), 1e-12 * far);
   const double angle = options.angle_deg * (3.14159265358979323846 / 180), step = angle / static_cast<double>(segments);
   const auto s = detail::read_swept_surface("revolve", m, detail::revolved_polys<M>(m, turn, step));
   const bool closed = std::abs(options.angle_deg) == 360;
