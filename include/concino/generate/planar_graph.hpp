@@ -119,6 +119,7 @@ struct planar_triangulation {
   std::vector<edge_id> constraints;        // the edges of all segments, ascending, each once
   std::vector<std::size_t> segment_ends;   // segment i of planar_graph::segments() has the edges before segment_edges[segment_ends[i]], in order
   std::vector<edge_id> segment_edges;
+  std::vector<poly_id> small_angles = {};  // triangles with an angle below the one asked for, at small angles between segments
 
   /// The edges of a segment, in order from its first point to its second one; none if it is not in the mesh.
   std::span<const edge_id> edges_of(std::size_t segment) const {

@@ -62,6 +62,12 @@ swept_segments sweep(const planar_segments& g);
 /// Source: Garey, Johnson, Preparata and Tarjan 1978.
 std::vector<std::array<std::uint32_t, 2>> monotone_diagonals(const planar_segments& g, const std::vector<std::uint8_t>& above);
 
+/// The edge between each pair of verts.
+/// Needs:  pairs of verts of m, or of invalid ones.                Cost: O(n log n) for n edges and pairs, whatever the degrees of verts.
+/// Result: an invalid edge where there is none.
+/// Errors: none.
+std::vector<edge_id> edges_between(const trimesh& m, std::span<const std::array<vert_id, 2>> pairs);
+
 }  // namespace concino::core
 
 #ifndef CONCINO_COMPILED

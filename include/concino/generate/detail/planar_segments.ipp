@@ -1,6 +1,7 @@
 // Defines planar_segments_of of planar_segments.hpp.
 #pragma once
 
+#include <concino/concepts/end_verts.hpp>
 #include <concino/generate/planar_segments.hpp>
 
 #include <algorithm>
@@ -134,6 +135,30 @@ CONCINO_INLINE planar_segments planar_segments_of(std::string_view caller, const
   reader.merge_points(merge);
   reader.read_segments();
   return std::move(reader.result());
+}
+
+CONCINO_INLINE std::vector<edge_id> edges_between(const trimesh& m, std::span<const std::array<vert_id, 2>> pairs) {
+  struct entry {
+    std::array<std::uint32_t, 2> verts;
+    edge_id edge;
+    bool operator<(const entry& o) const { return verts < o.verts; }
+  };
+  const auto sorted = [](vert_id u, vert_id v) { return std::array<std::uint32_t, 2>{std::min(u.raw(), v.raw()), std::max(u.raw(), v.raw())}; };
+  std::vector<entry> entries;
+  entries.reserve(num_edges(m));
+  for (const edge_id e : edges(m)) {
+    const auto [u, v] = end_verts(m, e);
+    entries.push_back({sorted(u, v), e});
+  }
+  std::sort(entries.begin(), entries.end());
+  std::vector<edge_id> result;
+  result.reserve(pairs.size());
+  for (const auto& [u, v] : pairs) {
+    const entry wanted{sorted(u, v), {}};
+    const auto at = std::lower_bound(entries.begin(), entries.end(), wanted);
+    result.push_back(at != entries.end() && at->verts == wanted.verts ? at->edge : edge_id{});
+  }
+  return result;
 }
 
 }  // namespace concino::core

@@ -1,7 +1,6 @@
 // Defines triangulate.hpp.
 #pragma once
 
-#include <concino/concepts/end_verts.hpp>
 #include <concino/generate/detail/monotone_polygon.hpp>
 #include <concino/generate/detail/planar_faces.hpp>
 #include <concino/generate/triangulate.hpp>
@@ -123,26 +122,13 @@ class region_filler {
   }
 
  private:
-  /// The edges of segments, found by their verts.
   void add_edges(planar_triangulation& r) const {
-    using pair = std::array<std::uint32_t, 2>;
-    std::vector<std::pair<pair, edge_id>> edges_by_verts;
-    edges_by_verts.reserve(num_edges(r.mesh));
-    for (const edge_id e : edges(r.mesh)) {
-      const auto [u, v] = end_verts(r.mesh, e);
-      edges_by_verts.push_back({{std::min(u.raw(), v.raw()), std::max(u.raw(), v.raw())}, e});
-    }
-    std::sort(edges_by_verts.begin(), edges_by_verts.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
-    std::vector<edge_id> edge_of(g_.segments.size());
-    for (std::size_t s = 0; s < edge_of.size(); ++s) {
-      const vert_id u = r.vert_of[g_.segments[s][0]], v = r.vert_of[g_.segments[s][1]];
-      if (u.is_none() || v.is_none()) continue;
-      const pair verts_of_segment{std::min(u.raw(), v.raw()), std::max(u.raw(), v.raw())};
-      const auto at = std::lower_bound(edges_by_verts.begin(), edges_by_verts.end(), verts_of_segment, [](const auto& x, const pair& y) { return x.first < y; });
-      if (at == edges_by_verts.end() || at->first != verts_of_segment) continue;
-      edge_of[s] = at->second;
-      r.constraints.push_back(at->second);
-    }
+    std::vector<std::array<vert_id, 2>> ends;
+    ends.reserve(g_.segments.size());
+    for (const auto& [a, b] : g_.segments) ends.push_back({r.vert_of[a], r.vert_of[b]});
+    const std::vector<edge_id> edge_of = core::edges_between(r.mesh, ends);
+    for (const edge_id e : edge_of)
+      if (!e.is_none()) r.constraints.push_back(e);
     std::sort(r.constraints.begin(), r.constraints.end());
     for (const std::uint32_t s : g_.segment_of) {
       if (!edge_of[s].is_none()) r.segment_edges.push_back(edge_of[s]);
