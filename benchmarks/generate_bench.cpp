@@ -1,5 +1,5 @@
-// Measures the dual of a large triangle mesh against a floor that walks around its verts; the dual of a tet mesh and subdivisions and quads of
-// triangles against building the result alone.
+// Measures the dual of a large triangle mesh against a floor that walks around its verts; the dual of a tet mesh and subdivisions, quads of
+// triangles and tets of hexes against building the result alone.
 #include "support/arrays_of.hpp"
 #include "support/kinds.hpp"
 
@@ -9,6 +9,7 @@
 #include <concino/generate/subdivide_catmull_clark.hpp>
 #include <concino/generate/subdivide_loop.hpp>
 #include <concino/generate/subdivide_midpoint.hpp>
+#include <concino/generate/to_tets.hpp>
 
 #include <stdexcept>
 
@@ -93,6 +94,8 @@ int main(int argc, char** argv) {
     against_building("subdivide.catmull-clark.tri1m", triangles, [](const auto& m) { return cn::subdivide_catmull_clark(m); });
     const auto bunny = [&] { return cn::trimesh(p.data.bunny16()); };
     against_building("quads-from-triangles.bunny16", bunny, [](const auto& m) { return cn::quads_from_triangles(m); });
+    const auto hexes = [&] { return cn::polyhedralmesh(p.data.hex216k()); };
+    against_building("to-tets.hex216k", hexes, [](const auto& m) { return cn::to_tets(m); });
     const auto tets = [&] { return cn::tetmesh(p.data.tet200k()); };
     against_building("subdivide.midpoint.tet200k", tets, [](const auto& m) { return cn::subdivide_midpoint(m); });
   });

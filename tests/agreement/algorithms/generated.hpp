@@ -1,4 +1,4 @@
-// Compares bounding_tree, dual_mesh, agglomerate, subdivisions, shells and boundary surfaces.
+// Compares bounding_tree, dual_mesh, agglomerate, subdivisions, shells, boundary surfaces and simplices.
 #pragma once
 
 #include <agreement/matched.hpp>
@@ -8,8 +8,11 @@
 #include <concino/generate/dual_mesh.hpp>
 #include <concino/generate/limit_points.hpp>
 #include <concino/generate/offset_shell.hpp>
+#include <concino/generate/quads_from_triangles.hpp>
 #include <concino/generate/subdivide_catmull_clark.hpp>
 #include <concino/generate/subdivide_midpoint.hpp>
+#include <concino/generate/to_tets.hpp>
+#include <concino/generate/to_triangles.hpp>
 #include <concino/geometry/bounding_tree.hpp>
 #include <concino/geometry/bounding_box.hpp>
 #include <concino/geometry/centroid.hpp>
@@ -164,6 +167,36 @@ struct shells {
                                                           [&] { return offset_shell(both.other, thickness, 2, {.inverted = &of_other}); });
       expect(of_native == of_other, "the inverted polys");
       return any;
+    }
+  }
+};
+
+/// Triangles and tets of any polys, and quads of triangles.
+struct simplices {
+  static constexpr const char* name = "simplices";
+  template<class M> static constexpr bool runs_on = EmbeddedMesh<M>;
+
+  template<class B, class In>
+  static bool check(const B& both, const In&) {
+    if constexpr (VolumeMesh<decltype(both.native)>) {
+      const auto a = try_to([&] { return to_tets(both.native); });
+      const auto b = try_to([&] { return to_tets(both.other); });
+      expect(a.has_value() == b.has_value(), "both meshes are refused or neither");
+      if (!a) return false;
+      expect(num_verts(*a) == num_verts(*b) && num_edges(*a) == num_edges(*b) && num_polys(*a) == num_polys(*b), "as many elements");
+      expect_close(total_measure(*a), total_measure(*b), std::abs(total_measure(both.native)), "the volume");
+      return num_polys(*a) > 0;
+    } else {
+      const auto a = try_to([&] { return to_triangles(both.native); });
+      const auto b = try_to([&] { return to_triangles(both.other); });
+      expect(a.has_value() == b.has_value(), "both meshes are refused or neither");
+      if (!a) return false;
+      expect(num_verts(*a) == num_verts(*b) && num_polys(*a) == num_polys(*b), "as many elements");
+      const auto c = try_to([&] { return quads_from_triangles(both.native); });
+      const auto d = try_to([&] { return quads_from_triangles(both.other); });
+      expect(c.has_value() == d.has_value(), "both meshes are refused or neither");
+      if (c) expect(num_polys(*c) == num_polys(*d), "as many quads");
+      return num_polys(*a) > 0;
     }
   }
 };
