@@ -86,6 +86,20 @@ TEST_CASE("voxel_hexes: nested surfaces by either rule") {
   CHECK(num_polys(voxel_hexes(both, 6, {.rule = inside_rule::parity})) == 208);
 }
 
+TEST_CASE("voxel_hexes: centres on the surface, of which some columns see polygons edge-on only") {
+  const auto box_of = [](const vec3& min, const vec3& max) { return make_box<quadmesh>({.cells = {2, 1, 3}, .min = min, .max = max}); };
+  const quadmesh parts = unite(unite(box_of({0, 0, 0}, {6, 6, 6}), box_of({1.5, 1.5, 1.5}, {4.5, 4.5, 4.5})), box_of({2.5, 1, 2.5}, {3.5, 5.5, 3.25}));
+  const auto tree = bounding_tree(parts);
+  for (const inside_rule rule : {inside_rule::winding, inside_rule::parity}) {
+    std::size_t inside = 0;
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < 6; ++j)
+        for (int k = 0; k < 6; ++k) inside += tree.is_inside(vec3{i + 0.5, j + 0.5, k + 0.5}, {rule});
+    CHECK(num_polys(voxel_hexes(parts, 6, {.rule = rule})) == inside);
+    CHECK((inside == 216) == (rule == inside_rule::winding));
+  }
+}
+
 TEST_CASE("voxel_hexes: errors name what is wrong") {
   const trimesh closed = make_sphere<trimesh>({.cells = 2});
   CHECK_THROWS_WITH_AS(voxel_hexes(closed, 0), "voxel_hexes: n is 0; it must be at least 1", invalid_argument);

@@ -42,7 +42,7 @@ struct sweep_direction {
 /// The volume that a surface passes through when it moves by the vector `direction`: extrude(m, {0, 0, 1}, 10). Each poly gives a column of `layers` prisms.
 /// Needs:  Embedded SurfaceMesh; polys that share an edge move to the same side of the surface, as all do if m is a graph over a plane across the direction.
 /// Result: a hexmesh if M has quads only by type, else a polyhedralmesh. Verts are those of verts(m) for each of layers + 1 levels, from m on, level by level, and polys those of
-///         polys(m) for each layer. All cells have a positive volume, whichever way the direction points: polys with normals against it are reversed. Properties of verts and polys, and of
+///         polys(m) for each layer. All cells have a positive volume, whichever way the direction points: polys with normals against it are reversed. Hexes of quads that are not convex are inverted at a corner. Properties of verts and polys, and of
 ///         the mesh, are transferred by their rules.
 /// Cost:   O(size of the result); the points in parallel.
 /// Errors: invalid_argument if layers is 0, if direction is 0 or not finite, or if the result would have too many elements. It names a poly parallel to the direction, and
