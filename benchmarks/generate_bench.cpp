@@ -1,15 +1,18 @@
 // Measures the dual of a large triangle mesh against a floor that walks around its verts; the dual of a tet mesh and subdivisions, quads of
-// triangles and tets of hexes against building the result alone.
+// triangles, tets of hexes, shells, voxels and boundary surfaces against building the result alone.
 #include "support/arrays_of.hpp"
 #include "support/kinds.hpp"
 
+#include <concino/generate/boundary_surface.hpp>
 #include <concino/generate/dual_mesh.hpp>
+#include <concino/generate/offset_shell.hpp>
 #include <concino/generate/quads_from_triangles.hpp>
 #include <concino/generate/subdivide_1_to_4.hpp>
 #include <concino/generate/subdivide_catmull_clark.hpp>
 #include <concino/generate/subdivide_loop.hpp>
 #include <concino/generate/subdivide_midpoint.hpp>
 #include <concino/generate/to_tets.hpp>
+#include <concino/generate/voxel_hexes.hpp>
 
 #include <stdexcept>
 
@@ -94,9 +97,15 @@ int main(int argc, char** argv) {
     against_building("subdivide.catmull-clark.tri1m", triangles, [](const auto& m) { return cn::subdivide_catmull_clark(m); });
     const auto bunny = [&] { return cn::trimesh(p.data.bunny16()); };
     against_building("quads-from-triangles.bunny16", bunny, [](const auto& m) { return cn::quads_from_triangles(m); });
+    against_building("shell.bunny16", bunny, [](const auto& m) {
+      std::vector<cn::poly_id> inverted;
+      return cn::offset_shell(m, 1e-3, 2, {.inverted = &inverted});
+    });
+    against_building("voxels.bunny16", bunny, [](const auto& m) { return cn::voxel_hexes(m, 64); });
     const auto hexes = [&] { return cn::polyhedralmesh(p.data.hex216k()); };
     against_building("to-tets.hex216k", hexes, [](const auto& m) { return cn::to_tets(m); });
     const auto tets = [&] { return cn::tetmesh(p.data.tet200k()); };
+    against_building("boundary-surface.tet200k", tets, [](const auto& m) { return cn::boundary_surface(m); });
     against_building("subdivide.midpoint.tet200k", tets, [](const auto& m) { return cn::subdivide_midpoint(m); });
   });
 }
