@@ -232,7 +232,7 @@ TEST_CASE("quads_from_triangles: polys that are no triangles, points that are no
 TEST_CASE("quads_from_triangles: a path through a long strip, and many odd cycles, need no recursion") {
   // A strip of triangles whose best pairs leave one at each end; at one end it has an odd cycle.
   const unsigned n = 20000;
-  trimesh m(jittered(triangle_grid(long_run() ? 300 : 40), 0.001));
+  trimesh m(jittered(triangle_grid(long_run() ? 300 : 40), 0.0003));
   CHECK(2 * (num_polys(m) - num_polys(quads_from_triangles(m))) == num_polys(m));
   surface_arrays strip{{}, {}, {}, 3};
   for (unsigned i = 0; i <= n; ++i) strip.points.insert(strip.points.end(), {{i, 0, 0}, {i + 0.5 + 0.001, 1, 0}});

@@ -12,6 +12,7 @@
 
 #include <support/corpus_meshes.hpp>
 #include <support/kinds.hpp>
+#include <support/random_meshes.hpp>
 #include <support/subdivisions.hpp>
 #include <support/unit_cells.hpp>
 
@@ -250,6 +251,28 @@ TEST_CASE("to_tets: properties, origins, archetype, deleted polys") {
   const tetmesh plain = to_tets(m, {.properties = false});
   CHECK(property_list(plain).empty());
   CHECK(record_of(to_tets(only_embedded_mesh(m))) == record_of(plain));
+}
+
+TEST_CASE_TEMPLATE("to_tets: random cells of any shape, also flat, inverted and not closed", M, CONCINO_VOLUME_KINDS) {
+  std::mt19937 random(7);
+  for (unsigned i = 0; i < num_random_meshes() / 4; ++i) {
+    const M m = random_mesh<M>(random);
+    correspondence c;
+    std::vector<poly_id> inverted;
+    std::vector<std::size_t> cells;
+    const tetmesh t = to_tets(m, {.correspondence = &c, .inverted = &inverted, .inverted_cells = &cells});
+    CHECK(check_laws(t).empty());
+    std::vector<int> parts(poly_index_bound(m));
+    for (const poly_id p : polys(t)) {
+      REQUIRE(c.polys[p.raw()].size() == 1);
+      ++parts[c.polys.only(p.raw())];
+    }
+    for (const auto p : polys(m)) CHECK(parts[p.raw()] > 0);
+    CHECK(inverted.empty() == cells.empty());
+    double sum = 0;
+    for (const poly_id p : polys(t)) sum += measure(t, p);
+    if (arity_v<M> == 4) CHECK(sum == doctest::Approx(total_measure(m)).epsilon(1e-12));
+  }
 }
 
 TEST_CASE("to_tets: empty meshes, and points that are not finite") {
