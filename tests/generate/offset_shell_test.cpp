@@ -35,6 +35,18 @@ TEST_CASE_TEMPLATE("offset_shell: of a sphere, outward and inward", M, CONCINO_S
   }
 }
 
+TEST_CASE_TEMPLATE("offset_shell: the planes of a box move by the thickness, whatever the polys at its corners", M, trimesh, polygonmesh) {
+  const M m = make_box<M>({.cells = {3, 2, 1}, .max = {3, 2, 1}});
+  const auto v = offset_shell(m, 0.5, 2, {.distance = offset_distance::of_planes});
+  check_sound(v, 2);
+  CHECK(total_measure(v) == doctest::Approx(4 * 3 * 2 - 3 * 2 * 1).epsilon(1e-12));
+  CHECK(total_measure(offset_shell(m, -0.25, 1, {.distance = offset_distance::of_planes})) == doctest::Approx(6 - 2.5 * 1.5 * 0.5).epsilon(1e-12));
+  const double by_normals = total_measure(offset_shell(m, 0.5, 2));
+  CHECK(by_normals < 17);
+  const M flat = grid<M>(2);
+  CHECK(total_measure(offset_shell(flat, 0.5, 2, {.distance = offset_distance::of_planes})) == doctest::Approx(0.5).epsilon(1e-12));
+}
+
 TEST_CASE("offset_shell: inverted polys are listed, or an error") {
   const trimesh m = make_sphere<trimesh>({.cells = 4});
   std::vector<poly_id> inverted{poly_id{3}};

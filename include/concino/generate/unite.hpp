@@ -43,7 +43,7 @@ bool has_properties(const M& m) {
 /// Needs:  EmbeddedMesh both, of the same dimension. If faces of volumes are to be shared, they have the same verts in both.
 /// Result: a native mesh that can hold the polys of both: of triangles if both have triangles only by type, and so on, else a polygonmesh or polyhedralmesh. Verts and polys are those of a, then those of b, in
 ///         their orders; verts of b within the tolerance of verts of a are left out, and the nearest of these takes their place. Coincident verts of the same mesh remain apart. Where both meshes have a property of one name, elements of both have the value in a.
-/// Cost:   O(elements of both); searching for verts in parallel.
+/// Cost:   O(elements of both), and for each vert of b the verts of a within a few tolerances; searching for them in parallel.
 /// Errors: invalid_argument if the tolerance is below 0 or not finite; one that names a poly of b if two of its verts would become one; one if two properties of one name have values of different types.
 template<EmbeddedMesh A, EmbeddedMesh B>
   requires(dimension_v<A> == dimension_v<B>)
