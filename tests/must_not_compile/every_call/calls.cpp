@@ -45,6 +45,7 @@ void no_adapter(const stranger& other) {
   cn::smooth(other);  // refused
   cn::agglomerate(other);  // refused
   cn::dual_mesh(other);  // refused
+  cn::voronoi_polyhedra({{0, 0, 0}}, other);  // refused
   cn::catmull_clark_limit(other);  // refused
   cn::loop_limit(other);  // refused
   cn::quads_from_triangles(other);  // refused
@@ -208,6 +209,7 @@ void no_points(const cn::trimesh& m) {
   cn::poisson(pure);  // refused
   cn::agglomerate(pure);  // refused
   cn::dual_mesh(pure);  // refused
+  cn::voronoi_polyhedra({{0, 0, 0}}, pure);  // refused
   cn::catmull_clark_limit(pure);  // refused
   cn::loop_limit(pure);  // refused
   cn::quads_from_triangles(pure);  // refused

@@ -19,9 +19,16 @@ template<class T> constexpr T det(const std::array<T, 3>& a, const std::array<T,
   return a[0] * n[0] + a[1] * n[1] + a[2] * n[2];
 }
 
+/// A plane that bounds the domain, in lattice steps: {x : 2 n.x <= c} is inside. |n[k]| <= 2^48.
+template<int D>
+struct lattice_plane {
+  std::array<std::int64_t, D> n;
+  int128 c;
+};
+
 /// The half-spaces whose intersection is the cell of one site: {y : 2 n.y <= c}, with the site at the origin, in lattice steps. The first 2 D are
-/// the walls of the box (minus before plus in each direction), the others bisectors. Sites have infinitesimal weights, larger for lower indices,
-/// so that no plane ever passes through the common point of D others.
+/// the walls of the box (minus before plus in each direction), the others bisectors and further walls. Sites have infinitesimal weights, larger for lower
+/// indices, and further walls still smaller displacements, so that none of these planes ever passes through the common point of D others.
 /// Source: Edelsbrunner and Muecke 1990, "Simulation of simplicity".
 template<int D>
 class half_spaces {
@@ -40,6 +47,7 @@ class half_spaces {
 
   void begin(const site_lattice<D>& sites, std::uint32_t site) {
     site_ = site;
+    num_sites_ = sites.size();
     planes_.clear();
     for (std::size_t k = 0; k < D; ++k) {
       std::array<std::int64_t, D> n{};
@@ -58,9 +66,17 @@ class half_spaces {
     }
     add(n, c, other);
   }
+  /// A further wall of the domain; its number follows those of the sites and of the walls of the box.
+  void add_wall(const site_lattice<D>& sites, const lattice_plane<D>& wall, std::uint32_t number) {
+    int128 c = wall.c;
+    for (std::size_t k = 0; k < D; ++k) c -= 2 * static_cast<int128>(wall.n[k]) * sites[site_][k];
+    add(wall.n, c, number);
+  }
+  /// A lower bound of twice the distance of the last plane from the site.
+  double twice_distance_of_last() const { return planes_.back().rounded_c / planes_.back().length * (1 - 4 * unit); }
   void drop_last() { planes_.pop_back(); }
   std::uint32_t last() const { return static_cast<std::uint32_t>(planes_.size() - 1); }
-  /// The site on the other side of a plane; no_site for walls.
+  /// The site on the other side of a plane; no_site for walls of the box; the number of another wall.
   std::uint32_t beyond(std::uint32_t plane) const { return planes_[plane].other; }
 
   /// The corner of D planes. They are in an order in which their normals have a positive determinant.
@@ -107,7 +123,7 @@ class half_spaces {
     std::uint32_t other;
   };
 
-  std::uint32_t site_ = 0;
+  std::uint32_t site_ = 0, num_sites_ = 0;
   std::vector<half_space> planes_;
 
   void add(const std::array<std::int64_t, D>& n, int128 c, std::uint32_t other) {
@@ -173,7 +189,8 @@ class half_spaces {
     for (std::size_t k = 0; k < D; ++k) f = f + int256(p.n[k]) * y[k];
     if (f.sign() != 0) return f.sign() > 0;
 
-    // D + 2 sites lie on one sphere: the weights decide, first that of the lowest relevant index. c is |n|^2 + own weight - weight of the other.
+    // D + 2 sites lie on one sphere: the weights decide, first that of the lowest relevant index. c is |n|^2 + own weight - weight of the other; that of
+    // a wall is c + its displacement.
     std::uint32_t lowest = no_site;
     int sign = 0;
     const auto weigh = [&](std::uint32_t site, const int256& weight) {
@@ -182,8 +199,9 @@ class half_spaces {
       lowest = site;
       sign = s;
     };
-    int256 own = -w;
-    weigh(p.other, w);
+    const auto is_site = [&](std::uint32_t other) { return other < num_sites_; };
+    int256 own = is_site(p.other) ? -w : int256(std::int64_t{0});
+    weigh(p.other, is_site(p.other) ? w : -w);
     for (std::size_t k = 0; k < D; ++k) {
       const half_space& q = planes_[v.planes[k]];
       if (q.other == no_site) continue;
@@ -194,8 +212,8 @@ class half_spaces {
         if constexpr (D == 2) return det(a, b);
         else return det(a, b, exact_normal(planes_[planes[2]]));
       }();
-      own = own + slope;
-      weigh(q.other, -slope);
+      if (is_site(q.other)) own = own + slope;
+      weigh(q.other, is_site(q.other) ? -slope : slope);
     }
     weigh(site_, own);
     assert(sign != 0 && "the sum includes the weight of the cutting site, so it is not 0");

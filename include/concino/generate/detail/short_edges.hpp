@@ -14,6 +14,7 @@ struct cell_loops {
 
   std::vector<position> positions;          // by vert, in lattice steps
   std::vector<std::uint8_t> walls;          // by vert: a bit for each wall of the box on which it lies
+  std::vector<std::uint8_t> num_walls;      // by vert: the number of walls of the domain on which it lies
   std::vector<std::uint32_t> loop_offsets;  // by cell: its first loop
   std::vector<std::uint32_t> neighbours;    // by loop: the cell or wall behind it
   std::vector<std::uint32_t> vert_offsets;  // by loop: its first vert
@@ -43,16 +44,11 @@ disjoint_sets close_verts(const cell_loops<D>& c) {
 /// The positions of merged verts, by the root of their set: the position of the vert on the most walls, moved onto the walls of the others.
 template<int D>
 std::vector<typename cell_loops<D>::position> merged_positions(const cell_loops<D>& c, disjoint_sets& same, const site_lattice<D>& sites) {
-  const auto count = [](std::uint8_t bits) {
-    int n = 0;
-    for (; bits; bits = static_cast<std::uint8_t>(bits & (bits - 1))) ++n;
-    return n;
-  };
   std::vector<std::uint32_t> best(c.positions.size());
   std::vector<std::uint8_t> walls = c.walls;
   for (std::uint32_t v = 0; v < best.size(); ++v) {
     const std::size_t r = same.root(v);  // <= v
-    if (r == v || count(c.walls[v]) > count(c.walls[best[r]])) best[r] = v;
+    if (r == v || c.num_walls[v] > c.num_walls[best[r]]) best[r] = v;
     walls[r] |= c.walls[v];
   }
   std::vector<typename cell_loops<D>::position> positions(best.size());

@@ -62,6 +62,12 @@ class site_lattice {
     if (x >= static_cast<double>(size_[k])) return domain_.max[k];
     return std::clamp(domain_.min[k] + std::ldexp(x, exponent_), domain_.min[k], domain_.max[k]);
   }
+  /// The lattice point next to x, which may lie outside of the box.
+  lattice_point rounded(const vec3& x) const {
+    lattice_point p{};
+    for (std::size_t k = 0; k < D; ++k) p[k] = to_lattice(x[k], k);
+    return p;
+  }
   const box& domain() const { return domain_; }
 
   /// Calls visit(j, squared distance) for the other sites near site i, one ring of bins after the other, until no site within radius() is left.

@@ -31,6 +31,31 @@ class voronoi_cell {
   /// Removes the part that is nearer to the other site.
   void cut(const site_lattice<D>& sites, std::uint32_t other) {
     planes_.add_bisector(sites, other);
+    cut_last();
+  }
+
+  /// Removes the part outside of a wall of the domain.
+  void cut(const site_lattice<D>& sites, const lattice_plane<D>& wall, std::uint32_t number) {
+    planes_.add_wall(sites, wall, number);
+    if (planes_.twice_distance_of_last() > security_radius_) planes_.drop_last();
+    else cut_last();
+  }
+
+  /// The distance beyond which no site can cut the cell.
+  double security_radius() const { return security_radius_; }
+  const std::vector<vert>& verts() const { return verts_; }
+  /// The site on the other side of a plane; none for walls of the box, which are the first 2 D planes; the number of another wall.
+  std::uint32_t beyond(std::uint32_t plane) const { return planes_.beyond(plane); }
+  /// The position of a vert relative to the site.
+  std::array<double, D> position(const vert& v) const { return planes_.position(v); }
+
+ private:
+  half_spaces<D> planes_;
+  std::vector<vert> verts_;
+  std::vector<std::array<std::uint32_t, 2>> horizon_;
+  double security_radius_ = 0;
+
+  void cut_last() {
     const std::uint32_t m = planes_.last();
     horizon_.clear();
     bool any = false;
@@ -56,20 +81,6 @@ class voronoi_cell {
     }
     find_security_radius();
   }
-
-  /// The distance beyond which no site can cut the cell.
-  double security_radius() const { return security_radius_; }
-  const std::vector<vert>& verts() const { return verts_; }
-  /// The site on the other side of a plane; none for walls, which are the first 2 D planes.
-  std::uint32_t beyond(std::uint32_t plane) const { return planes_.beyond(plane); }
-  /// The position of a vert relative to the site.
-  std::array<double, D> position(const vert& v) const { return planes_.position(v); }
-
- private:
-  half_spaces<D> planes_;
-  std::vector<vert> verts_;
-  std::vector<std::array<std::uint32_t, 2>> horizon_;
-  double security_radius_ = 0;
 
   void add_vert(const std::array<std::uint32_t, D>& at) { verts_.push_back(planes_.meet(at)); }
 

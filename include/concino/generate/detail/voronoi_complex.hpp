@@ -14,9 +14,10 @@ template<int D>
 class voronoi_complex : private cell_loops<D> {
  public:
   using typename cell_loops<D>::position;
-  using key = std::array<std::uint32_t, D + 1>;  // the sites and walls that define a vert, ascending; wall k of the box is number of sites + k
+  using key = std::array<std::uint32_t, D + 1>;  // the sites and walls that define a vert, ascending; wall k is number of sites + k, those of the box first
 
-  explicit voronoi_complex(const site_lattice<D>& sites) : sites_(sites) {
+  /// domain: walls within the box.
+  explicit voronoi_complex(const site_lattice<D>& sites, std::span<const lattice_plane<D>> domain = {}) : sites_(sites), domain_(domain) {
     const std::size_t n = sites.size(), chunk = 256, chunks = (n + chunk - 1) / chunk;
     std::vector<part> parts(chunks);
     parallel_for(
@@ -32,6 +33,7 @@ class voronoi_complex : private cell_loops<D> {
     merge_short_edges<D>(*this, sites);
   }
 
+  std::uint32_t num_cells() const { return sites_.size(); }
   std::size_t num_verts() const { return positions.size(); }
   vec3 point(std::uint32_t v) const {
     vec3 x = sites_.domain().min;
@@ -64,18 +66,21 @@ class voronoi_complex : private cell_loops<D> {
 
   using cell_loops<D>::positions;
   using cell_loops<D>::walls;
+  using cell_loops<D>::num_walls;
   using cell_loops<D>::loop_offsets;
   using cell_loops<D>::neighbours;
   using cell_loops<D>::vert_offsets;
   using cell_loops<D>::loop_verts;
 
   const site_lattice<D>& sites_;
+  std::span<const lattice_plane<D>> domain_;
 
   void add_cell(voronoi_cell<D>& cell, std::uint32_t i, scratch& s, part& out) const {
     cell.begin(sites_, i);
     sites_.for_each_near(i, [&] { return cell.security_radius(); }, s.ring, [&](std::uint32_t j, double squared) {
       if (squared <= cell.security_radius() * cell.security_radius()) cell.cut(sites_, j);
     });
+    for (std::uint32_t w = 0; w < domain_.size(); ++w) cell.cut(sites_, domain_[w], sites_.size() + 2 * D + w);  // last, when few walls are near the cell
 
     const auto generator = [&](std::uint32_t plane) { return plane < 2 * D ? sites_.size() + plane : cell.beyond(plane); };
     for (const auto& v : cell.verts()) {
@@ -136,10 +141,13 @@ class voronoi_complex : private cell_loops<D> {
           if (x[0] == cell) {
             name.push_back(static_cast<std::uint32_t>(positions.size()));
             positions.push_back(p.positions[v]);
-            std::uint8_t on = 0;
-            for (const std::uint32_t g : x)
-              if (g >= sites_.size()) on = static_cast<std::uint8_t>(on | 1u << (g - sites_.size()));
+            std::uint8_t on = 0, count = 0;
+            for (const std::uint32_t g : x) {
+              if (g >= sites_.size()) ++count;
+              if (g >= sites_.size() && g < sites_.size() + 2 * D) on = static_cast<std::uint8_t>(on | 1u << (g - sites_.size()));
+            }
             walls.push_back(on);
+            num_walls.push_back(count);
           } else {
             std::size_t at = first_vert[x[0]];
             while (at < first_vert[x[0] + 1] && keys[at] != x) ++at;
