@@ -70,11 +70,14 @@ struct tetrahedralize_output {
 
 namespace requirement {
 
-/// A back end of tetrahedralize(): name() is used in messages.
+/// A back end of tetrahedralize(): name() is used in messages. One that approximates the surface has also `double surface_distance(double diagonal) const`, which
+/// says how far the boundary of the tets may be off, given the diagonal of the box of the surface; its output may have any points, and needs no facets.
 template<class B> concept is_tet_back_end = requires(const B& b, const tetrahedralize_input& in, const tetrahedralize_options& o) {
   { b.tetrahedralize(in, o) } -> std::same_as<tetrahedralize_output>;
   { b.name() } -> std::convertible_to<const char*>;
 };
+
+template<class B> concept approximates_surface = is_tet_back_end<B> && requires(const B& b) { { b.surface_distance(1.0) } -> std::convertible_to<double>; };
 
 }  // namespace requirement
 

@@ -91,6 +91,13 @@ inline void check_intersections(const polygon_arrays& s, const closed_surface& c
                                     pairs.size() == 1 ? "" : core::joined({", and ", pairs.size() - 1, " more pairs"}), "; self_intersections() lists those of a surface"});
 }
 
+CONCINO_INLINE double diagonal_of(const closed_surface& c) {
+  vec3 low = c.input.points.front(), high = low;
+  for (const vec3& p : c.input.points)
+    for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+  return norm(high - low);
+}
+
 CONCINO_INLINE closed_surface checked_surface(polygon_arrays s, const tetrahedralize_options& o) {
   if (s.num_polys() == 0) throw invalid_mesh("tetrahedralize: the surface has no polys");
   closed_surface c;

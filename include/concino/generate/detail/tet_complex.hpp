@@ -17,9 +17,9 @@ class tet_complex {
   static constexpr std::uint32_t none = ~0u;
 
   /// Takes the points and the tets of the output, which get a positive volume by the order of their corners.
-  /// Errors: unsupported that names the back end if a point of the surface is missing, a tet has no volume, more than two tets have a face, or a number is
+  /// Errors: unsupported that names the back end if points were to be kept and a point of the surface is missing, a tet has no volume, more than two tets have a face, or a number is
   ///         out of range.
-  tet_complex(const closed_surface& surface, tetrahedralize_output output, const char* back_end);
+  tet_complex(const closed_surface& surface, tetrahedralize_output output, const char* back_end, bool keeps_points = true);
 
   /// How often the surface winds around each tet. Outside it is 0, and it changes by 1 at each facet of the surface.
   /// Errors: unsupported if the boundary of the tets is not part of the surface, or tets are on both sides of it where they cannot be.

@@ -12,9 +12,10 @@
 
 namespace concino::detail {
 
-CONCINO_INLINE tet_complex::tet_complex(const closed_surface& surface, tetrahedralize_output output, const char* back_end) : surface_(surface), back_end_(back_end) {
+CONCINO_INLINE tet_complex::tet_complex(const closed_surface& surface, tetrahedralize_output output, const char* back_end, bool keeps_points)
+    : surface_(surface), back_end_(back_end) {
   const std::vector<vec3>& given = surface.input.points;
-  if (output.points.size() < given.size() || !std::equal(given.begin(), given.end(), output.points.begin())) throw_broken("other points than it was given");
+  if (keeps_points && (output.points.size() < given.size() || !std::equal(given.begin(), given.end(), output.points.begin()))) throw_broken("other points than it was given");
   if (output.tets.empty()) throw_broken("no tets");
   take_tets(output);
   find_facets(output);

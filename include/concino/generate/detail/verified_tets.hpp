@@ -23,6 +23,10 @@ struct verified_tets {
 /// Errors: unsupported if the back end returned something else than was promised. invalid_argument if no tet contains the point of a hole or region.
 verified_tets verified(const closed_surface& surface, tetrahedralize_output output, const tetrahedralize_options& options, const char* back_end);
 
+/// The same for a back end that approximates the surface within a distance: its boundary has to be as near, and the volume right to the area times the distance.
+/// Verts belong to points where they are equal; faces on the boundary belong to the nearest triangle.
+verified_tets verified_approximation(const closed_surface& surface, tetrahedralize_output output, double distance, const char* back_end);
+
 }  // namespace concino::detail
 
 #ifndef CONCINO_COMPILED

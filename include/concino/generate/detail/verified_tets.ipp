@@ -4,8 +4,13 @@
 #include <concino/core/error.hpp>
 #include <concino/generate/detail/tet_complex.hpp>
 #include <concino/generate/detail/verified_tets.hpp>
+#include <concino/geometry/bounding_tree.hpp>
+#include <concino/geometry/centroid.hpp>
+#include <concino/geometry/measure.hpp>
+#include <concino/mesh/trimesh.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -81,6 +86,40 @@ CONCINO_INLINE verified_tets verified(const closed_surface& surface, tetrahedral
   for (std::uint32_t k = 0; k < o.regions.size(); ++k)
     for (const poly_id p : part_at("region ", k, o.regions[k].inside)) region[p.raw()] = k;
   return kept_tets(c, surface.input.points.size(), dropped, region);
+}
+
+CONCINO_INLINE verified_tets verified_approximation(const closed_surface& surface, tetrahedralize_output output, double distance, const char* back_end) {
+  tet_complex c(surface, std::move(output), back_end, false);
+  const std::vector<vec3>& given = surface.input.points;
+  surface_arrays a;
+  a.points = given;
+  a.arity = 3;
+  double area = 0;
+  for (const auto& t : surface.input.triangles) {
+    for (const std::uint32_t v : t) a.verts.push_back(vert_id{v});
+    area += norm(cross(given[t[1]] - given[t[0]], given[t[2]] - given[t[0]])) / 2;
+  }
+  if (!(std::abs(total_measure(c.mesh()) - std::abs(surface.volume)) <= area * distance)) c.throw_broken("tets whose volume is too far from the enclosed one");
+  const trimesh triangles(std::move(a));
+  const auto tree = bounding_tree(triangles);
+  verified_tets result;
+  result.triangle_of_face.assign(face_index_bound(c.mesh()), verified_tets::no_triangle);
+  for (const face_id f : faces(c.mesh())) {
+    if (!is_boundary(c.mesh(), f)) continue;
+    for (const vert_id v : adj_f2v(c.mesh(), f))
+      if (!(tree.closest(point(c.mesh(), v)).distance <= distance)) c.throw_broken("a boundary too far from the surface");
+    result.triangle_of_face[f.raw()] = tree.closest(centroid(c.mesh(), f)).poly.raw();
+  }
+  const auto key = [](const vec3& p) { return std::array<double, 3>{p.x, p.y, p.z}; };
+  std::vector<std::pair<std::array<double, 3>, std::uint32_t>> places;
+  for (const vert_id v : verts(c.mesh())) places.push_back({key(point(c.mesh(), v)), v.raw()});
+  std::sort(places.begin(), places.end());
+  for (const vec3& p : given) {
+    const auto at = std::lower_bound(places.begin(), places.end(), std::pair(key(p), std::uint32_t{0}));
+    result.vert_of_point.push_back(at != places.end() && at->first == key(p) ? at->second : verified_tets::no_vert);
+  }
+  result.mesh = std::move(c.mesh());
+  return result;
 }
 
 }  // namespace concino::detail
