@@ -366,7 +366,7 @@ TEST_CASE("triangulate: slices and closed level lines are outlines") {
 
 TEST_CASE("triangulate: errors name lines, segments and points") {
   const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
-  CHECK(error_of(loop{{0, 0, 0}, {1, 0, 0}}) == "triangulate: line 0 has 2 points; an outline needs 3");
+  CHECK(error_of(loop{{0, 0, 0}, {1, 0, 0}}) == "triangulate: line 0: an outline needs 3 points, but has 2");
   CHECK(error_of(loop{{0, 0, 0}, {1, 0, 0}, {nan, 1, 0}}) == "triangulate: point 2 is not finite");
   CHECK(error_of(loop{{0, 0, 0}, {1, 0, 0}, {0, 1, inf}}) == "triangulate: point 2 is not finite");
   CHECK(error_of(loop{{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 2, 0}}) == "triangulate: segments 0 (points 0 and 1) and 2 (points 3 and 2) cross; divide them by a common point");
@@ -374,7 +374,7 @@ TEST_CASE("triangulate: errors name lines, segments and points") {
   CHECK(error_of(loop{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {2, 0, 0}, {1, 1, 0}}) == "triangulate: points 1 and 3 are at the same place; options.merge_points makes one vert of them");
   planar_graph g(square(0, 0, 4));
   g.add_line(loop{{0, 0, 0}});
-  CHECK(error_of(g) == "triangulate: line 1 has 1 points; a line needs 2");
+  CHECK(error_of(g) == "triangulate: line 1: an open line needs 2 points, but has 1");
   g = planar_graph(square(0, 0, 4));
   const std::uint32_t wrong[]{0, 1, 7}, twice[]{0, 1, 1, 2}, diagonals[]{0, 2};
   g.add_line_through(wrong);

@@ -166,7 +166,23 @@ TEST_CASE("voronoi_polyhedra in a surface: errors") {
   CHECK_THROWS_WITH_AS(voronoi_polyhedra({inside}, trimesh(two, both)), "Voronoi diagram: the surface has 2 pieces; it must have one", invalid_mesh);
   quadmesh bent = make_box<quadmesh>({.cells = {1, 1, 1}});
   set_point(bent, vert_id{0}, vec3{0.1, 0.1, 0.2});
-  CHECK_THROWS_AS(voronoi_polyhedra({{0.5, 0.5, 0.5}}, bent), invalid_mesh);
+  CHECK_THROWS_WITH_AS(voronoi_polyhedra({{0.5, 0.5, 0.5}}, bent), "Voronoi diagram: poly 0 of the surface is not planar", invalid_mesh);
+  std::vector<vec3> more = tet;
+  more.push_back({0.5, 0, 0});
+  const std::vector<std::vector<unsigned>> flat{{0, 2, 1}, {0, 1, 4}, {0, 4, 3}, {4, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  CHECK_THROWS_WITH_AS(voronoi_polyhedra({inside}, trimesh(more, flat)), "Voronoi diagram: poly 1 of the surface has no area", invalid_mesh);
+  more = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}, {0, 0, -1}};
+  const std::vector<std::vector<unsigned>> joined{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 4, 1}, {0, 1, 5}, {1, 4, 5}, {4, 0, 5}};
+  CHECK_THROWS_AS(voronoi_polyhedra({inside}, trimesh(more, joined)), invalid_mesh);
+  std::vector<vec3> twice{{0, 0, 1}, {0, 0, -1}};  // an octahedron around which the surface winds twice
+  std::vector<std::vector<unsigned>> winding;
+  const vec3 corners[]{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+  for (unsigned k = 0; k < 8; ++k) {
+    twice.push_back(corners[k % 4]);
+    winding.push_back({0, 2 + k, 2 + (k + 1) % 8});
+    winding.push_back({1, 2 + (k + 1) % 8, 2 + k});
+  }
+  CHECK_THROWS_WITH_AS(voronoi_polyhedra({{0, 0, 0}}, trimesh(twice, winding)), "voronoi_polyhedra: the surface is not convex: it winds around its inside more than once", invalid_mesh);
   trimesh infinite = icosphere(0);
   set_point(infinite, vert_id{0}, vec3{std::nan(""), 0, 0});
   CHECK_THROWS_AS(voronoi_polyhedra({{0, 0, 0}}, infinite), invalid_mesh);

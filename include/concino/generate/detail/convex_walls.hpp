@@ -74,6 +74,8 @@ class convex_walls {
       if (!(norm(s.area) > 0)) fail(p, "has no area");
       area_[index_of(m_, p)] = s.area;
       volume += dot(s.area, s.mean - origin);
+      const auto h = heights(unit(index_of(m_, p)), s.mean, p);
+      if (h[1] - h[0] > slack_) fail(p, "is not planar");
     }
     if (volume < 0)
       for (vec3& a : area_) a = -a;

@@ -37,7 +37,7 @@ class planar_segment_reader {
     for (std::size_t i = 0; i < g_.num_lines(); ++i) {
       const std::size_t end = g_.line_ends[i], needed = g_.line_closed[i] ? 3 : 2;
       require(begin <= end && end <= g_.line_points.size(), {"line_ends[", i, "] is ", end, "; it must not be below the one before, and there are ", g_.line_points.size(), " line_points"});
-      require(end - begin >= needed, {"line ", i, " has ", end - begin, " points; ", g_.line_closed[i] ? "an outline" : "a line", " needs ", needed});
+      require(end - begin >= needed, {"line ", i, ": ", g_.line_closed[i] ? "an outline" : "an open line", " needs ", needed, " points, but has ", end - begin});
       for (std::size_t k = begin; k < end; ++k) use(g_.line_points[k], {"line ", i});
       begin = end;
     }
