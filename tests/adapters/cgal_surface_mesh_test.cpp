@@ -189,10 +189,10 @@ TEST_CASE("Surface_mesh: algorithms take and return handles") {
 TEST_CASE("Surface_mesh: the ring of a poly has CGAL's order, that of an edge is source and target") {
   const surface_mesh m = testing::cgal_surface<kernel::Point_3>(testing::polygon_grid(2));
   for (const face f : m.faces()) {
-    std::vector<vertex> ring, cgal;
+    std::vector<vertex> ring, theirs;
     for (const vertex v : adj_p2v(m, f)) ring.push_back(v);
-    for (const vertex v : m.vertices_around_face(m.halfedge(f))) cgal.push_back(v);
-    CHECK(ring == cgal);
+    for (const vertex v : m.vertices_around_face(m.halfedge(f))) theirs.push_back(v);
+    CHECK(ring == theirs);
   }
   for (const edge e : m.edges()) {
     const auto ends = adj_e2v(m, e);
