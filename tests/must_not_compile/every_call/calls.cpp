@@ -357,6 +357,12 @@ void outlines(const cn::trimesh& m) {
   cn::triangulate(m);  // refused
 }
 
+// Without a back end.
+void no_back_end(const cn::trimesh& m) {
+  cn::tetrahedralize(m);  // refused
+  cn::tetrahedralize(m, {.radius_edge = 2});  // refused
+}
+
 // A class that is not a format.
 void no_format(const cn::trimesh& m, const stranger& other) {
   cn::load<cn::trimesh>("a", other);  // refused
