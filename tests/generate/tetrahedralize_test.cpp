@@ -1,5 +1,6 @@
 #include <concino/generate/tetrahedralize.hpp>
 
+#include <concino/concepts/archetypes.hpp>
 #include <concino/generate/sphere.hpp>
 #include <concino/geometry/circumcentre.hpp>
 #include <concino/geometry/dihedral_angles.hpp>
@@ -110,6 +111,15 @@ TEST_CASE("tetrahedralize: polys may be oriented in any way") {
   CHECK(total_measure(tetrahedralize(surface(corners, polygons), in_corner).mesh) == doctest::Approx(1.0 / 6));
   for (auto& p : polygons) std::reverse(p.begin(), p.end());
   CHECK(total_measure(tetrahedralize(surface(corners, polygons), in_corner).mesh) == doctest::Approx(1.0 / 6));
+}
+
+TEST_CASE("tetrahedralize: needs no more than its concepts promise") {
+  const polygonmesh m = make_sphere<polygonmesh>({.cells = 2});
+  const auto a = only_embedded_mesh(m);
+  const auto t = tetrahedralize(a, cone_back_end{});
+  const auto same = tetrahedralize(m, cone_back_end{});
+  CHECK(num_polys(t.mesh) == num_polys(same.mesh));
+  for (const auto v : verts(a)) CHECK(point(t.mesh, t.vert_of(v)) == to_vec3(point(a, v)));
 }
 
 TEST_CASE("tetrahedralize: verts without polys have no vert, and extra points that are not used have none") {
