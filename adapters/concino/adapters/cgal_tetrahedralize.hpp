@@ -11,6 +11,8 @@
 #include <concino/core/number_text.hpp>
 #include <concino/generate/tetrahedralize.hpp>
 
+#include <cmath>
+
 namespace concino {
 
 namespace detail {
@@ -22,10 +24,7 @@ struct cgal_mesher {
   static constexpr const char* name() { return "CGAL"; }
   double surface_distance(double diagonal) const { return options.facet_distance > 0 ? options.facet_distance : diagonal / 200; }
   tetrahedralize_output tetrahedralize(const tetrahedralize_input& in, const tetrahedralize_options&) const {
-    vec3 low = in.points.front(), high = low;
-    for (const vec3& p : in.points)
-      for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
-    return cgal_mesh_in_surface(in, options, norm(high - low)).fill(surface_distance(norm(high - low)));
+    return cgal_mesh_in_surface(in, options).fill(surface_distance(in.diagonal));
   }
 };
 
@@ -36,7 +35,7 @@ struct cgal_mesher {
 /// Result: tets of positive volume. The corners of boundary faces are within facet_distance of the surface, and the volume differs from the enclosed one by at
 ///         most that distance times the area. With features, their verts where they end or turn sharply are verts of the result, and vert_of finds them.
 ///         poly_of gives the nearest poly of the surface for each boundary face. The same each time.
-/// Cost:   that of CGAL, about ten times that of TetGen for as many tets.
+/// Cost:   that of CGAL, ten or more times that of TetGen for as many tets.
 /// Errors: as tetrahedralize(). unsupported if CGAL fails, makes more verts than allowed, or misses the distance. cancelled.
 /// Source: Jamin, Alliez, Yvinec, Boissonnat 2015, "CGALmesh: a generic framework for Delaunay mesh generation".
 template<SurfaceMesh M>

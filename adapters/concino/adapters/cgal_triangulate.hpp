@@ -6,6 +6,10 @@
 #include <concino/adapters/detail/cgal_planar_mesh.hpp>
 #include <concino/generate/planar_graph.hpp>
 
+#include <cmath>
+#include <limits>
+#include <numbers>
+
 namespace concino {
 
 struct cgal_triangulate_options {
@@ -65,7 +69,7 @@ class triangulator {
                                                             ", ", core::number_text(at.z), "); it must be above 0"});
       return s / scale_;
     };
-    const double sine = std::sin(options_.min_angle_deg * 0.01745329251994329577);
+    const double sine = std::sin(options_.min_angle_deg * (std::numbers::pi / 180));
     bounds b;
     b.squared_sine = sine * sine;
     b.max_area = options_.max_area / scale_ / scale_;

@@ -54,7 +54,7 @@ detail::swept_mesh<M> extrude(const M& m, const vec3& direction, std::size_t lay
   detail::check_at_least("extrude", "layers", layers, 1);
   detail::check_finite("extrude", "direction", direction);
   if (direction == vec3()) core::throw_joined<invalid_argument>({"extrude: direction is 0; it must have a length"});
-  detail::check_sweep_counts("extrude", "layers", layers, num_verts(m), num_polys(m), detail::num_swept_corners(m));
+  detail::check_sweep_counts("extrude", "layers", layers, num_verts(m), num_polys(m), detail::num_poly_corners(m));
   const vec3 unit = detail::direction_of_length_1(direction);
   const detail::sweep_direction towards{"extrude"};
   const auto s = detail::read_swept_surface("extrude", m, [&](const poly_t<M>& p) { return towards.is_reversed(index_of(m, p), normal(m, p), unit); });

@@ -64,7 +64,7 @@ detail::swept_mesh<M> offset_shell(const M& m, double thickness, std::size_t lay
   detail::check_at_least("offset_shell", "layers", layers, 1);
   if (!std::isfinite(thickness) || thickness == 0)
     core::throw_joined<invalid_argument>({"offset_shell: thickness is ", core::number_text(thickness), "; it must be finite and not 0"});
-  detail::check_sweep_counts("offset_shell", "layers", layers, num_verts(m), num_polys(m), detail::num_swept_corners(m));
+  detail::check_sweep_counts("offset_shell", "layers", layers, num_verts(m), num_polys(m), detail::num_poly_corners(m));
   const auto s = detail::read_swept_surface("offset_shell", m, [&](const poly_t<M>&) { return thickness < 0; });
   const std::vector<vec3> vectors = detail::offset_vectors(m, s, options.distance);
   detail::sweep_layers all{s.points.size(), layers, false, std::vector<std::uint32_t>(s.points.size(), ~0u), 0};

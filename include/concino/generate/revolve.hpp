@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace concino {
 
@@ -50,7 +51,7 @@ class revolved_polys {
         is_known = true, reversed = clockwise;
       }
     }
-    return is_known ? reversed : towards_.is_reversed(i, vec3(), vec3());
+    return is_known ? reversed : towards_.is_reversed(i, vec3(), vec3());  // all verts are on the axis: the error of a poly without area
   }
 };
 
@@ -87,11 +88,11 @@ template<SurfaceMesh M>
   requires Embedded<M>
 detail::swept_mesh<M> revolve(const M& m, const vec3& centre, const vec3& axis, std::size_t segments, const revolve_options& options = {}) {
   detail::check_revolution(centre, axis, segments, options.angle_deg);
-  detail::check_sweep_counts("revolve", "segments", segments, num_verts(m), num_polys(m), detail::num_swept_corners(m));
+  detail::check_sweep_counts("revolve", "segments", segments, num_verts(m), num_polys(m), detail::num_poly_corners(m));
   double far = 0;
   for (const vert_t<M> v : verts(m)) far = std::max(far, norm(to_vec3(point(m, v)) - centre));
   const detail::rotation turn(centre, detail::direction_of_length_1(axis), 1e-12 * far);
-  const double angle = options.angle_deg * (3.14159265358979323846 / 180), step = angle / static_cast<double>(segments);
+  const double angle = options.angle_deg * (std::numbers::pi / 180), step = angle / static_cast<double>(segments);
   const auto s = detail::read_swept_surface("revolve", m, detail::revolved_polys<M>(m, turn, step));
   const bool closed = std::abs(options.angle_deg) == 360;
   const auto layers = detail::layers_around_axis(s, turn, segments, closed);

@@ -40,7 +40,8 @@ struct tetrahedralization {
 ///         a consistent one: parts that are oriented consistently stay as they are, others get a positive volume. Polys with more than three verts are cut by
 ///         triangulate_polygon; the report lists those that are not planar.
 /// Result: verified before it is returned: all tets have a positive volume (by orient3d), the boundary is the surface (with keep_boundary its triangles, otherwise
-///         triangles that cover them), and the tets have the enclosed volume, to 1e-9 of it. Back ends that approximate the surface promise a distance instead. Tets that miss a wanted shape are in the report. The same each time.
+///         triangles that cover them), and the tets have the enclosed volume, to 1e-9 of it. Back ends that approximate the surface promise a distance instead.
+///         Tets that miss a wanted shape are in the report. The same each time.
 /// Cost:   that of the back end, and O(n log n) for the checks before and after it; the report has their times.
 /// Errors: invalid_mesh that names the elements if the surface is empty, open, flat, not orientable, intersects itself or a facet, has edges with more than two
 ///         polys, repeated points, points that are not finite, or polys without area. invalid_argument if an option is out of its range. unsupported if the back
@@ -57,14 +58,14 @@ tetrahedralization<M> tetrahedralize(const M& m, const BackEnd& back_end, const 
   steps.end_of_back_end();
   detail::verified_tets tets = [&] {
     if constexpr (!requirement::approximates_surface<BackEnd>) return detail::verified(surface, std::move(output), options, back_end.name());
-    else return detail::verified_approximation(surface, std::move(output), back_end.surface_distance(detail::diagonal_of(surface)), back_end.name());
+    else return detail::verified_approximation(surface, std::move(output), back_end.surface_distance(surface.input.diagonal), back_end.name());
   }();
 
   tetrahedralization<M> result{std::move(tets.mesh), {}, {}, {}, make_vert_map<vert_id>(m), {}};
   const auto vert_at = [&](std::size_t i) { return tets.vert_of_point[i] == tets.no_vert ? vert_id() : vert_id{tets.vert_of_point[i]}; };
   std::size_t position = 0, used = 0;
   for (const vert_t<M> v : verts(m))
-    if (const std::uint32_t i = point_of_vert[position++]; i != polygons.no_point) result.vert_map_of_surface[v] = vert_at(i), ++used;
+    if (const std::uint32_t i = point_of_vert[position++]; i != detail::polygon_arrays::no_point) result.vert_map_of_surface[v] = vert_at(i), ++used;
   for (; used < tets.vert_of_point.size(); ++used) result.extra_verts.push_back(vert_at(used));
   std::vector<poly_t<M>> surface_polys;
   for (const poly_t<M> p : polys(m)) surface_polys.push_back(p);

@@ -24,7 +24,7 @@ struct tet_region {
 
 /// Points are numbered for segments and facets: first the verts of the surface, in the order of verts(m), then the extra points.
 struct tetrahedralize_options {
-  double radius_edge = 0;       // largest ratio of the radius of the circumsphere of a tet to its shortest edge, above 1; 0: any
+  double radius_edge = 0;       // largest ratio of the radius of the circumsphere of a tet to its shortest edge, 1 or more; 0: any
   double min_dihedral_deg = 0;  // smallest dihedral angle of a tet, in degrees, below 70; 0: any
   double max_volume = 0;        // of a tet; 0: any
   function_ref<double(const vec3&)> edge_length = nullptr;  // the longest edge of a tet with its centroid there, above 0; a back end may call it in another process
@@ -58,6 +58,7 @@ struct tetrahedralize_input {
   std::vector<std::array<std::uint32_t, 3>> triangles;  // of the surface, then the facets inside
   std::size_t surface_triangles = 0;
   std::vector<std::array<std::uint32_t, 2>> segments;
+  double diagonal = 0;  // of the box around all points
 };
 
 /// What a back end returns. It fills the hull of the surface up to the outermost triangles; holes are removed afterwards.

@@ -33,7 +33,7 @@ struct triangulate_options {
 planar_triangulation triangulate(const planar_graph& g, const triangulate_options& options = {});
 
 // What to write instead of calls that cannot compile.
-template<class... T> void triangulate(mistake::any_mesh, ...) = delete;  // it takes outlines, a planar_graph; the triangles of a surface are convert<trimesh>(m)
+template<class... T> void triangulate(mistake::any_mesh, ...) = delete;  // it takes outlines, a planar_graph; the triangles of a surface are to_triangles(m)
 
 }  // namespace concino
 

@@ -16,8 +16,10 @@
 #include <CGAL/make_mesh_3.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <limits>
@@ -51,7 +53,6 @@ class cgal_mesh_in_surface {
 
   const tetrahedralize_input& in_;
   const cgal_tetrahedralize_options& options_;
-  double diagonal_;
 
   /// The largest radius of circumspheres at a point. CGAL calls copies of it often, so it also reports progress.
   struct cell_size {
@@ -113,7 +114,7 @@ class cgal_mesh_in_surface {
   }
 
  public:
-  cgal_mesh_in_surface(const tetrahedralize_input& in, const cgal_tetrahedralize_options& options, double diagonal) : in_(in), options_(options), diagonal_(diagonal) {}
+  cgal_mesh_in_surface(const tetrahedralize_input& in, const cgal_tetrahedralize_options& options) : in_(in), options_(options) {}
 
   tetrahedralize_output fill(double distance) const {
     namespace p = CGAL::parameters;
@@ -127,8 +128,8 @@ class cgal_mesh_in_surface {
       if (options_.feature_angle_deg < 180) d.detect_features(options_.feature_angle_deg);
       const double any = std::numeric_limits<double>::max();
       // the largest tet in a sphere is the regular one, of volume 8 sqrt(3) / 27 r^3
-      const double radius = options_.max_volume > 0 ? std::cbrt(options_.max_volume * 27 / (8 * std::sqrt(3.0))) : diagonal_;
-      const criteria wanted(p::edge_size = options_.feature_edge_length > 0 ? options_.feature_edge_length : diagonal_ / 20, p::facet_angle = options_.facet_angle_deg,
+      const double radius = options_.max_volume > 0 ? std::cbrt(options_.max_volume * 27 / (8 * std::sqrt(3.0))) : in_.diagonal;
+      const criteria wanted(p::edge_size = options_.feature_edge_length > 0 ? options_.feature_edge_length : in_.diagonal / 20, p::facet_angle = options_.facet_angle_deg,
                             p::facet_size = options_.facet_size > 0 ? options_.facet_size : any, p::facet_distance = distance / 2,
                             p::cell_radius_edge_ratio = options_.radius_edge, p::cell_size = cell_size{&options_, radius, &stop, &error, &calls});
       CGAL::Mesh_error_code code = CGAL::CGAL_MESH_3_NO_ERROR;

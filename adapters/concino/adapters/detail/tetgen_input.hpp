@@ -42,15 +42,16 @@ struct tetgen_input {
     for (std::size_t i = 0; i < points.size(); ++i)
       for (std::size_t k = 0; k < 3; ++k) in.pointlist[3 * i + k] = points[i][k];
     const auto& triangles = input.triangles;
-    in.numberoffacets = count(triangles.size());
     in.facetlist = new tetgenio::facet[triangles.size()];
+    for (std::size_t i = 0; i < triangles.size(); ++i) tetgenio::init(in.facetlist + i);
+    in.numberoffacets = count(triangles.size());  // after init(): the destructor of tetgenio reads the lists if memory runs out below
     in.facetmarkerlist = new int[triangles.size()];
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       tetgenio::facet& f = in.facetlist[i];
-      tetgenio::init(&f);
       f.polygonlist = new tetgenio::polygon[1];
-      f.numberofpolygons = 1;
       tetgenio::polygon& p = f.polygonlist[0];
+      tetgenio::init(&p);
+      f.numberofpolygons = 1;
       p.vertexlist = new int[3];
       p.numberofvertices = 3;
       for (std::size_t k = 0; k < 3; ++k) p.vertexlist[k] = static_cast<int>(triangles[i][k]);

@@ -18,9 +18,6 @@ struct closed_surface {
   double volume = 0;                            // enclosed; parts enclosed several times count as often
 };
 
-/// The diagonal of the box around all points.
-double diagonal_of(const closed_surface& surface);
-
 /// Orients the polys alike, cuts them into triangles, and adds the extra points, segments and facets.
 /// Errors: invalid_mesh if a point is not finite, two points coincide, a poly has no area or repeats a vert, an edge has one poly or more than two, the
 ///         surface has only one side, all points lie in one plane, or triangles intersect. invalid_argument if an option is out of its range.

@@ -91,9 +91,9 @@ inline void check_intersections(const polygon_arrays& s, const closed_surface& c
                                     pairs.size() == 1 ? "" : core::joined({", and ", pairs.size() - 1, " more pairs"}), "; self_intersections() lists those of a surface"});
 }
 
-CONCINO_INLINE double diagonal_of(const closed_surface& c) {
-  vec3 low = c.input.points.front(), high = low;
-  for (const vec3& p : c.input.points)
+inline double diagonal_of(const std::vector<vec3>& points) {
+  vec3 low = points.front(), high = low;
+  for (const vec3& p : points)
     for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
   return norm(high - low);
 }
@@ -104,6 +104,7 @@ CONCINO_INLINE closed_surface checked_surface(polygon_arrays s, const tetrahedra
   c.input.points = s.points;
   c.input.points.insert(c.input.points.end(), o.extra_points.begin(), o.extra_points.end());
   check_points(s, c.input.points);
+  c.input.diagonal = diagonal_of(c.input.points);
   orient_alike(s);
   cut_into_triangles(s, c);
   check_not_flat(c);

@@ -6,6 +6,7 @@
 #include <concino/core/message.hpp>
 #include <concino/generate/detail/composed_origins.hpp>
 #include <concino/generate/detail/construct_from_arrays.hpp>
+#include <concino/generate/detail/num_poly_corners.hpp>
 #include <concino/generate/detail/refined_verts.hpp>
 #include <concino/generate/subdivide_options.hpp>
 #include <concino/mesh/correspondence.hpp>
@@ -92,14 +93,6 @@ element_origins copied_verts(const M& m) {
   index.reserve(num_verts(m));
   for (const vert_t<M> v : verts(m)) index.push_back(static_cast<std::uint32_t>(index_of(m, v)));
   return element_origins(std::move(index));
-}
-
-/// The number of corners of all polys.
-template<class M>
-std::size_t num_poly_corners(const M& m) {
-  std::size_t n = 0;
-  for (const poly_t<M> p : polys(m)) n += num_elements(adj_p2v(m, p));
-  return n;
 }
 
 /// Errors: invalid_argument if a To with so many verts and polys has more elements than 32-bit descriptors.

@@ -5,6 +5,7 @@
 #include <concino/core/compiled.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/parallel.hpp>
+#include <concino/generate/detail/num_poly_corners.hpp>
 #include <concino/mesh/arrays.hpp>
 #include <concino/mesh/correspondence.hpp>
 #include <concino/mesh/hexmesh.hpp>
@@ -122,14 +123,6 @@ polyhedra_arrays swept_polyhedra(const swept_surface& s, const sweep_layers& lay
 
 /// The origins of the verts and polys of the volume.
 correspondence swept_origins(const swept_surface& s, const sweep_layers& layers);
-
-/// The number of corners of all polys of m.
-template<class M>
-std::size_t num_swept_corners(const M& m) {
-  std::size_t n = 0;
-  for (const poly_t<M> p : polys(m)) n += num_elements(adj_p2v(m, p));
-  return n;
-}
 
 /// Constructs the volume. at(level, v): the point of vert number v in a layer of verts. Layers of cells go from level k to k + 1.
 template<class M, class At>
