@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <vector>
 
 #if defined(__linux__)
@@ -24,6 +25,10 @@ inline void prefer_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] s
   const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(memory) & ~(page - 1);
   const std::uintptr_t last = (reinterpret_cast<std::uintptr_t>(memory) + bytes + page - 1) & ~(page - 1);
   ::madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
+  // malloc has written its header on a small page already, and the memory next to this may be in use. Both keep the rest of their large page small, unless
+  // the system makes one of them now. It refuses where the memory of the program ends inside.
+  constexpr int collapse = 25;  // MADV_COLLAPSE, Linux 6.1; glibc names it since 2.37
+  for (const std::uintptr_t x : {first, last - 1}) ::madvise(reinterpret_cast<void*>(x & ~(large_page - 1)), large_page, collapse);
 #endif
 }
 
