@@ -134,6 +134,7 @@ void no_adapter(const stranger& other) {
   cn::convert<cn::polygonmesh>(other);  // refused
   cn::prepare_exact_geodesics(other);  // refused
   cn::exact_geodesics(other);  // refused
+  cn::critical_points(other);  // refused
   cn::prepare_heat_geodesics(other);  // refused
   cn::heat_geodesics(other);  // refused
   cn::primal(other);  // refused
@@ -187,6 +188,7 @@ void temporary() {
   cn::ambient_occlusion(made());  // refused
   cn::prepare_exact_geodesics(made());  // refused
   cn::exact_geodesics(made());  // refused
+  cn::critical_points(made());  // refused
   cn::prepare_heat_geodesics(made());  // refused
   cn::heat_geodesics(made());  // refused
   cn::make_vert_map<int>(made());  // refused
