@@ -12,6 +12,7 @@
 #include <concino/operators/laplacian.hpp>
 #include <concino/operators/mass_matrix.hpp>
 #include <concino/operators/poly_mass_matrix.hpp>
+#include <concino/operators/rotated.hpp>
 #include <concino/operators/stiffness.hpp>
 #include <concino/operators/uniform.hpp>
 #include <concino/operators/vert_gradient_matrix.hpp>

@@ -115,6 +115,7 @@ void no_adapter(const stranger& other) {
   cn::divergence_matrix(other);  // refused
   cn::gradient(other);  // refused
   cn::vert_gradient(other);  // refused
+  cn::rotated(other);  // refused
   cn::gradient_matrix(other);  // refused
   cn::laplacian(other);  // refused
   cn::vert_masses(other);  // refused
@@ -181,6 +182,7 @@ void temporary() {
   cn::divergence(made());  // refused
   cn::gradient(made());  // refused
   cn::vert_gradient(made());  // refused
+  cn::rotated(made());  // refused
   cn::vert_masses(made());  // refused
   cn::poly_masses(made());  // refused
   cn::load_vert_field<double>(made());  // refused
@@ -265,6 +267,7 @@ void no_points(const cn::trimesh& m) {
   cn::divergence_matrix(pure);  // refused
   cn::gradient(pure);  // refused
   cn::vert_gradient(pure);  // refused
+  cn::rotated(pure);  // refused
   cn::gradient_matrix(pure);  // refused
   cn::vert_masses(pure);  // refused
   cn::mass_matrix(pure);  // refused
