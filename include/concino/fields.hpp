@@ -8,6 +8,7 @@
 #include <concino/fields/heat_flow.hpp>
 #include <concino/fields/heat_geodesics.hpp>
 #include <concino/fields/heat_geodesics_options.hpp>
+#include <concino/fields/persistence.hpp>
 #include <concino/fields/poisson.hpp>
 #include <concino/fields/prepared_heat_geodesics.hpp>
 #include <concino/fields/smooth.hpp>

@@ -136,6 +136,7 @@ void no_adapter(const stranger& other) {
   cn::prepare_exact_geodesics(other);  // refused
   cn::exact_geodesics(other);  // refused
   cn::critical_points(other);  // refused
+  cn::persistence(other);  // refused
   cn::prepare_heat_geodesics(other);  // refused
   cn::heat_geodesics(other);  // refused
   cn::primal(other);  // refused
