@@ -9,6 +9,7 @@
 #include <concino/fields/heat_geodesics.hpp>
 #include <concino/fields/heat_geodesics_options.hpp>
 #include <concino/fields/persistence.hpp>
+#include <concino/fields/log_map.hpp>
 #include <concino/fields/poisson.hpp>
 #include <concino/fields/prepared_heat_geodesics.hpp>
 #include <concino/fields/smooth.hpp>

@@ -8,6 +8,7 @@
 #include <concino/fields/detail/geodesic_sources.hpp>
 #include <concino/fields/exact_paths.hpp>
 #include <concino/geometry/closest_point.hpp>
+#include <concino/geometry/unfolded_surface.hpp>
 #include <concino/mesh/element_map.hpp>
 
 #include <algorithm>
@@ -29,54 +30,15 @@ namespace detail {
 
 /// Errors: as exact_geodesics.
 template<SurfaceMesh M>
-exact_preparation prepare_exact(const M& m) {
-  exact_preparation prepared;
-  prepared.triangle_of.resize(poly_index_bound(m));
-  unfolded_triangles& r = prepared.triangles;
-  double largest = 0;
-  for (const poly_t<M> p : polys(m))
-    for (const vert_t<M> v : adj_p2v(m, p)) {
-      const vec3 x = to_vec3(point(m, v));
-      largest = std::max({largest, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
-    }
-  if (largest > 0 && std::isfinite(largest)) r.exponent = std::clamp(std::ilogb(largest), -1000, 1000);
-  const double unit = std::ldexp(1.0, -r.exponent);
-  std::vector<int> edge_of;
+core::unfolded_surface prepare_exact(const M& m) {
   for (const poly_t<M> p : polys(m)) {
-    std::array<int, 3> corner{};
-    std::array<vec3, 3> x;
     std::size_t n = 0;
-    bool finite = true;
-    for (const vert_t<M> v : adj_p2v(m, p)) {
-      if (n < 3) {
-        corner[n] = static_cast<int>(index_of(m, v));
-        x[n] = unit * to_vec3(point(m, v));
-        finite = finite && is_finite(x[n]);
-      }
-      ++n;
-    }
-    const auto number = index_of(m, p);
-    prepared.triangle_of[number] = static_cast<int>(r.vert.size() / 3);
+    for ([[maybe_unused]] const vert_t<M> v : adj_p2v(m, p)) ++n;
     if (n != 3)
-      core::throw_joined<unsupported>(
-          {"exact_geodesics: poly ", number, " has ", n, " verts; all polys must be triangles: triangulate it, or use heat_geodesics"});
-    if (!finite || !r.add(corner, x))
-      core::throw_joined<invalid_mesh>({"exact_geodesics: poly ", number, " has no area, or points that are not finite; remove it or move its verts"});
-    std::array<int, 3> of_side{-1, -1, -1};
-    for (const edge_t<M> e : adj_p2e(m, p)) {
-      int ends[2] = {-1, -1};
-      std::size_t k = 0;
-      for (const vert_t<M> v : adj_e2v(m, e))
-        if (k < 2) ends[k++] = static_cast<int>(index_of(m, v));
-      for (std::size_t side = 0; side < 3; ++side) {
-        const int a = corner[side], b = corner[(side + 1) % 3];
-        if ((ends[0] == a && ends[1] == b) || (ends[0] == b && ends[1] == a)) of_side[side] = static_cast<int>(index_of(m, e));
-      }
-    }
-    edge_of.insert(edge_of.end(), of_side.begin(), of_side.end());
+      core::throw_joined<unsupported>({"exact_geodesics: poly ", index_of(m, p), " has ", n,
+                                       " verts; all polys must be triangles: triangulate it, or use heat_geodesics"});
   }
-  r.join(std::move(edge_of), edge_index_bound(m), vert_index_bound(m));
-  return prepared;
+  return core::unfold_surface(m, "exact_geodesics");
 }
 
 }  // namespace detail
@@ -85,9 +47,9 @@ exact_preparation prepare_exact(const M& m) {
 template<class M>
 class prepared_exact_geodesics {
   detail::mesh_ref<M> mesh_;
-  std::shared_ptr<const detail::exact_preparation> prepared_;
+  std::shared_ptr<const core::unfolded_surface> prepared_;
 
-  const detail::unfolded_triangles& triangles() const { return prepared_->triangles; }
+  const core::unfolded_triangles& triangles() const { return prepared_->triangles; }
 
   struct start {
     int vert;
@@ -130,7 +92,7 @@ class prepared_exact_geodesics {
 
  public:
   explicit prepared_exact_geodesics(const M& m)
-      : mesh_(m), prepared_(std::make_shared<const detail::exact_preparation>(detail::prepare_exact(m))) {}
+      : mesh_(m), prepared_(std::make_shared<const core::unfolded_surface>(detail::prepare_exact(m))) {}
 
   const M& mesh() const { return mesh_.get(); }
 

@@ -4,9 +4,10 @@
 #include <concino/concepts/mesh.hpp>
 #include <concino/concepts/surface_mesh.hpp>
 #include <concino/core/error.hpp>
+#include <concino/core/unfolded_triangles.hpp>
 #include <concino/core/vec3.hpp>
 #include <concino/fields/detail/path_tree.hpp>
-#include <concino/fields/detail/unfolded_triangles.hpp>
+#include <concino/geometry/unfolded_surface.hpp>
 #include <concino/mesh/element_map.hpp>
 #include <concino/mesh/mesh_point.hpp>
 
@@ -20,15 +21,6 @@
 #include <vector>
 
 namespace concino {
-
-namespace detail {
-
-struct exact_preparation {
-  unfolded_triangles triangles;
-  std::vector<int> triangle_of;  // by index of the poly
-};
-
-}  // namespace detail
 
 /// A shortest path over a surface. It is straight between consecutive points; each piece lies in one triangle or along an edge.
 /// points: from the source to the target, both included; one if they are the same, none if no path exists.
@@ -44,7 +36,7 @@ template<SurfaceMesh M>
   requires Embedded<M>
 class exact_paths {
   struct contents {
-    std::shared_ptr<const detail::exact_preparation> prepared;
+    std::shared_ptr<const core::unfolded_surface> prepared;
     detail::path_tree tree;
     std::optional<mesh_point<M>> source_point;  // the source, if it is inside a triangle
     std::vector<vert_t<M>> vert;         // by index
@@ -55,7 +47,7 @@ class exact_paths {
 
  public:
   /// Called by prepared_exact_geodesics::paths_from.
-  exact_paths(vert_map<M, double> distances, std::shared_ptr<const detail::exact_preparation> prepared, detail::path_tree tree,
+  exact_paths(vert_map<M, double> distances, std::shared_ptr<const core::unfolded_surface> prepared, detail::path_tree tree,
               std::optional<mesh_point<M>> source_point)
       : distances_(std::move(distances)) {
     const M& m = distances_.mesh();
@@ -81,7 +73,7 @@ class exact_paths {
     if (!contains(m, v)) throw invalid_mesh("exact_paths: the target is not a vert of the mesh; take it from verts(m)");
     geodesic_path<M> path;
     if (distances_[v] == std::numeric_limits<double>::infinity()) return path;
-    const detail::unfolded_triangles& t = contents_->prepared->triangles;
+    const core::unfolded_triangles& t = contents_->prepared->triangles;
     for (const detail::path_tree::stop& s : contents_->tree.path_to(t, static_cast<int>(index_of(m, v)))) path.points.push_back(point_at(m, t, s));
     const double unit = std::ldexp(1.0, -t.exponent);  // so that no square overflows
     double length = 0;
@@ -91,7 +83,7 @@ class exact_paths {
   }
 
  private:
-  mesh_point<M> point_at(const M& m, const detail::unfolded_triangles& t, const detail::path_tree::stop& s) const {
+  mesh_point<M> point_at(const M& m, const core::unfolded_triangles& t, const detail::path_tree::stop& s) const {
     if (s.vert >= 0) {
       const vert_t<M> v = contents_->vert[static_cast<std::size_t>(s.vert)];
       return {v, to_vec3(point(m, v))};

@@ -1,8 +1,8 @@
 // Shortest paths over triangles by windows: parts of edges that see their source along straight lines once the triangles between are unfolded.
 #pragma once
 
+#include <concino/core/unfolded_triangles.hpp>
 #include <concino/fields/detail/path_tree.hpp>
-#include <concino/fields/detail/unfolded_triangles.hpp>
 
 #include <algorithm>
 #include <array>
@@ -35,7 +35,7 @@ class exact_windows {
   using event = std::pair<double, int>;  // distance; a window, or -1 - a vert
   static constexpr auto later = [](const event& a, const event& b) { return a > b; };
 
-  const unfolded_triangles& t_;
+  const core::unfolded_triangles& t_;
   path_tree* const paths_;                    // where paths are recorded, if requested
   int from_ = path_tree::none;                // the node of this tree from which the current windows and arrivals come
   std::vector<int> node_;                     // the node of each window in this tree
@@ -47,7 +47,7 @@ class exact_windows {
 
   double& at(int v) { return distance_[static_cast<std::size_t>(v)]; }
   double length(int s) const { return t_.length[static_cast<std::size_t>(s)]; }
-  unfolded_triangles::plane_point apex(int s) const { return t_.apex[static_cast<std::size_t>(s)]; }
+  core::unfolded_triangles::plane_point apex(int s) const { return t_.apex[static_cast<std::size_t>(s)]; }
   double angle(int c) const { return t_.angle[static_cast<std::size_t>(c)]; }
 
   static double norm(double x, double y) { return std::sqrt(x * x + y * y); }
@@ -112,10 +112,10 @@ class exact_windows {
   }
 
   void cross_triangle(const window& w) {
-    const int s = w.side, to_right = unfolded_triangles::next(s), to_left = unfolded_triangles::previous(s);
+    const int s = w.side, to_right = core::unfolded_triangles::next(s), to_left = core::unfolded_triangles::previous(s);
     if (w.source >= 0 && w.before > at(w.source)) return;
     const double size = length(s);
-    const unfolded_triangles::plane_point top = apex(s);
+    const core::unfolded_triangles::plane_point top = apex(s);
     const double middle = w.x + (top.x - w.x) * (w.y / (w.y + top.y));  // where the line from the source to the apex crosses the side
     const bool meets_left = w.begin < middle, meets_right = w.end > middle;
     bool left = meets_left, right = meets_right;
@@ -158,7 +158,7 @@ class exact_windows {
 
   /// Continues paths from vert v into corner c, between two angles from the side that starts there, tolerance included.
   void propagate_into_corner(int v, int c, double low, double high) {
-    const int s = unfolded_triangles::next(c), last = unfolded_triangles::previous(c);
+    const int s = core::unfolded_triangles::next(c), last = core::unfolded_triangles::previous(c);
     const double x = apex(s).x, y = apex(s).y;
     const auto meeting = [&](double from_side) {
       const double along = y * std::cos(from_side) + x * std::sin(from_side), perpendicular = y * std::sin(from_side) - x * std::cos(from_side);
@@ -174,7 +174,7 @@ class exact_windows {
   void propagate_from_vert(int v) {
     const auto i = static_cast<std::size_t>(v);
     from_ = path_tree::at_vert(v);
-    const double from = direction_[i], whole = t_.whole_turn[i], half = std::numbers::pi - unfolded_triangles::turn_tolerance;
+    const double from = direction_[i], whole = t_.whole_turn[i], half = std::numbers::pi - core::unfolded_triangles::turn_tolerance;
     for (int k = t_.first_corner[i]; k < t_.first_corner[i + 1]; ++k) {
       const int c = t_.corner[static_cast<std::size_t>(k)];
       const double size = angle(c);
@@ -185,9 +185,9 @@ class exact_windows {
         else propagate_into_corner(v, c, low, high);
       };
       const double begin = t_.turn[static_cast<std::size_t>(c)];
-      if (t_.around[i] == unfolded_triangles::vert_fan::other || std::isnan(from)) {
+      if (t_.around[i] == core::unfolded_triangles::vert_fan::other || std::isnan(from)) {
         propagate_into_corner(v, c, 0, size);
-      } else if (t_.around[i] == unfolded_triangles::vert_fan::fan) {
+      } else if (t_.around[i] == core::unfolded_triangles::vert_fan::fan) {
         part(from + half - begin, from + whole - half - begin);
         part(from + half - begin - whole, from - half - begin);
       } else {
@@ -200,20 +200,20 @@ class exact_windows {
   /// The sides of a triangle, and a point in it relative to each side: along the side and perpendicular to it.
   struct in_triangle {
     std::array<int, 3> side;
-    std::array<unfolded_triangles::plane_point, 3> from;
+    std::array<core::unfolded_triangles::plane_point, 3> from;
   };
-  in_triangle seen_from_edges(int s, unfolded_triangles::plane_point p) const {
-    const int right = unfolded_triangles::next(s), left = unfolded_triangles::previous(s);
+  in_triangle seen_from_edges(int s, core::unfolded_triangles::plane_point p) const {
+    const int right = core::unfolded_triangles::next(s), left = core::unfolded_triangles::previous(s);
     const double back = length(s) - p.x, lx = apex(s).x / length(left), ly = apex(s).y / length(left);
     const double rx = (length(s) - apex(s).x) / length(right), ry = apex(s).y / length(right);
     return {{s, right, left}, {{p, {rx * back + ry * p.y, ry * back - rx * p.y}, {length(left) - (lx * p.x + ly * p.y), ly * p.x - lx * p.y}}}};
   }
-  bool is_off(int s, unfolded_triangles::plane_point p) const { return p.y > smallest_part * length(s); }
+  bool is_off(int s, core::unfolded_triangles::plane_point p) const { return p.y > smallest_part * length(s); }
 
   /// Starts straight paths from that point through the triangle.
   void start_in(const in_triangle& t) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const unfolded_triangles::plane_point p = t.from[k];
+      const core::unfolded_triangles::plane_point p = t.from[k];
       const int s = t.side[k];
       relax_vert(t_.start(s), norm(p.x, p.y), s, std::clamp(std::atan2(p.y, p.x), 0.0, angle(s)));
       if (is_off(s, p)) propagate(s, {0, length(s), p.x, p.y, 0, s, -1});
@@ -222,7 +222,7 @@ class exact_windows {
 
  public:
   /// paths: an empty tree, in which the shortest paths are recorded.
-  explicit exact_windows(const unfolded_triangles& t, path_tree* paths = nullptr)
+  explicit exact_windows(const core::unfolded_triangles& t, path_tree* paths = nullptr)
       : t_(t), paths_(paths), distance_(t.around.size(), infinity), direction_(t.around.size()), first_at_apex_(t.vert.size()) {}
 
   /// Adds a source at vert v, where the path length is length_before.
@@ -239,7 +239,7 @@ class exact_windows {
     std::vector<in_triangle> all{seen_from_edges(s, {x, y})};
     for (std::size_t k = 0; k < 3; ++k) {
       const int side = all[0].side[k];
-      const unfolded_triangles::plane_point p = all[0].from[k];
+      const core::unfolded_triangles::plane_point p = all[0].from[k];
       if (norm(p.x, p.y) <= smallest_part * length(side)) return add_vert(t_.start(side), norm(p.x, p.y));
       if (is_off(side, p)) continue;
       if (paths_) paths_->start_on(side, std::clamp(p.x / length(side), 0.0, 1.0));

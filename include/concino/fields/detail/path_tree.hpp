@@ -1,7 +1,7 @@
 // The windows on shortest paths, each with the window or vert from which it comes.
 #pragma once
 
-#include <concino/fields/detail/unfolded_triangles.hpp>
+#include <concino/core/unfolded_triangles.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -76,7 +76,7 @@ class path_tree {
   }
 
   /// The path from its source to vert v, which must have been reached. Its pieces are straight; each lies in one triangle or along an edge.
-  std::vector<stop> path_to(const unfolded_triangles& t, int v) const {
+  std::vector<stop> path_to(const core::unfolded_triangles& t, int v) const {
     std::vector<stop> r{{v, -1, 0}};
     int from = arrival_[static_cast<std::size_t>(v)];
     while (from != none) {
@@ -101,10 +101,10 @@ class path_tree {
   }
 
   /// Follows a path from the apex of a window's triangle back through the preceding windows, on the straight line to their source.
-  int straight_from(const unfolded_triangles& t, int i, std::vector<stop>& r) const {
+  int straight_from(const core::unfolded_triangles& t, int i, std::vector<stop>& r) const {
     constexpr double at_end = 1e-14;  // as a fraction of a side: points nearer to an end are at the vert
     const node* w = &nodes_[static_cast<std::size_t>(i)].window;
-    unfolded_triangles::plane_point p = t.apex[static_cast<std::size_t>(w->side)];
+    core::unfolded_triangles::plane_point p = t.apex[static_cast<std::size_t>(w->side)];
     while (true) {
       const double size = t.length[static_cast<std::size_t>(w->side)];
       const double part = std::clamp((w->x + (p.x - w->x) * (w->y / (w->y + p.y))) / size, 0.0, 1.0);
@@ -114,13 +114,13 @@ class path_tree {
       if (w->from < 0) return w->from;
       const node* before = &nodes_[static_cast<std::size_t>(w->from)].window;
       const auto edge = [&](int s) { return t.edge[static_cast<std::size_t>(s)]; };
-      const int right = unfolded_triangles::next(before->side);
+      const int right = core::unfolded_triangles::next(before->side);
       const bool is_right = edge(right) == edge(w->side);
-      const int side = is_right ? right : unfolded_triangles::previous(before->side);
+      const int side = is_right ? right : core::unfolded_triangles::previous(before->side);
       const double along = t.start(side) == t.start(w->side) ? part : 1 - part;  // fraction along the same edge, from the start of this side
-      const unfolded_triangles::plane_point top = t.apex[static_cast<std::size_t>(before->side)];
+      const core::unfolded_triangles::plane_point top = t.apex[static_cast<std::size_t>(before->side)];
       const double base = t.length[static_cast<std::size_t>(before->side)];
-      p = is_right ? unfolded_triangles::plane_point{base + along * (top.x - base), along * top.y} : unfolded_triangles::plane_point{(1 - along) * top.x, (1 - along) * top.y};
+      p = is_right ? core::unfolded_triangles::plane_point{base + along * (top.x - base), along * top.y} : core::unfolded_triangles::plane_point{(1 - along) * top.x, (1 - along) * top.y};
       w = before;
     }
   }

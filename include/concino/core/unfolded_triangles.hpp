@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace concino::detail {
+namespace concino::core {
 
 /// Side s = 3 t + k of triangle t runs from corner k to the next corner; corner k is numbered s as well. Lengths are in units of 2^exponent.
 struct unfolded_triangles {
@@ -143,4 +143,4 @@ struct unfolded_triangles {
   }
 };
 
-}  // namespace concino::detail
+}  // namespace concino::core
