@@ -8,8 +8,9 @@
 #include <concino/fields/heat_flow.hpp>
 #include <concino/fields/heat_geodesics.hpp>
 #include <concino/fields/heat_geodesics_options.hpp>
-#include <concino/fields/persistence.hpp>
 #include <concino/fields/log_map.hpp>
+#include <concino/fields/parallel_transport.hpp>
+#include <concino/fields/persistence.hpp>
 #include <concino/fields/poisson.hpp>
 #include <concino/fields/prepared_heat_geodesics.hpp>
 #include <concino/fields/smooth.hpp>

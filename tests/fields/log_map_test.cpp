@@ -6,6 +6,7 @@
 #include <concino/solve/multigrid.hpp>
 
 #include <support/geodesic_errors.hpp>
+#include <support/tangents.hpp>
 
 #include <doctest/doctest.h>
 
@@ -19,15 +20,6 @@ using namespace concino;
 using namespace concino::testing;
 
 namespace {
-
-/// The vector along the first edge of v, of length 1, in the plane of x and y.
-template<class M>
-vec3 first_edge(const M& m, const vert_t<M>& v) {
-  for (const auto e : adj_v2e(m, v))
-    for (const auto w : adj_e2v(m, e))
-      if (!(w == v)) return (point(m, w) - point(m, v)) / distance(point(m, w), point(m, v));
-  return {};
-}
 
 /// The largest difference from polar coordinates on a mesh in the plane of x and y, of distances and of directions times distances.
 template<class M>

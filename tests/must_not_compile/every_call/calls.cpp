@@ -141,6 +141,8 @@ void no_adapter(const stranger& other) {
   cn::heat_geodesics(other);  // refused
   cn::prepare_log_map(other);  // refused
   cn::log_map(other);  // refused
+  cn::prepare_parallel_transport(other);  // refused
+  cn::parallel_transport(other);  // refused
   cn::primal(other);  // refused
   cn::dual(other);  // refused
   cn::with_points(other);  // refused
@@ -198,6 +200,8 @@ void temporary() {
   cn::heat_geodesics(made());  // refused
   cn::prepare_log_map(made());  // refused
   cn::log_map(made());  // refused
+  cn::prepare_parallel_transport(made());  // refused
+  cn::parallel_transport(made());  // refused
   cn::make_vert_map<int>(made());  // refused
   cn::make_edge_map<int>(made());  // refused
   cn::make_face_map<int>(made());  // refused
@@ -290,6 +294,8 @@ void no_points(const cn::trimesh& m) {
   cn::heat_geodesics(pure);  // refused
   cn::prepare_log_map(pure);  // refused
   cn::log_map(pure);  // refused
+  cn::prepare_parallel_transport(pure);  // refused
+  cn::parallel_transport(pure);  // refused
   cn::convert_with_correspondence<cn::polygonmesh>(pure);  // refused
   cn::isolines(pure);  // refused
   cn::isosurface(pure);  // refused
@@ -360,9 +366,11 @@ void numbers(const cn::trimesh& m) {
   cn::prepare_heat_geodesics(m, 0);  // refused
   cn::heat_geodesics(m, 0);  // refused
   cn::log_map(m, 0);  // refused
+  cn::parallel_transport(m, 0);  // refused
   cn::prepare_harmonic_map(m, {cn::vert_id{0}}).with_values({{0, 1.0}});  // refused
   cn::prepare_heat_geodesics(m).distance_from(0);  // refused
   cn::prepare_log_map(m).log_map_from(0);  // refused
+  cn::prepare_parallel_transport(m).transport_from(0);  // refused
   cn::prepare_exact_geodesics(m).distance_from({0, 1});  // refused
 }
 
