@@ -136,6 +136,9 @@ void no_adapter(const stranger& other) {
   cn::prepare_exact_geodesics(other);  // refused
   cn::exact_geodesics(other);  // refused
   cn::critical_points(other);  // refused
+  cn::simplified(other);  // refused
+  cn::regions_of_maxima(other);  // refused
+  cn::regions_of_minima(other);  // refused
   cn::persistence(other);  // refused
   cn::prepare_heat_geodesics(other);  // refused
   cn::heat_geodesics(other);  // refused
@@ -196,6 +199,9 @@ void temporary() {
   cn::prepare_exact_geodesics(made());  // refused
   cn::exact_geodesics(made());  // refused
   cn::critical_points(made());  // refused
+  cn::simplified(made());  // refused
+  cn::regions_of_maxima(made());  // refused
+  cn::regions_of_minima(made());  // refused
   cn::prepare_heat_geodesics(made());  // refused
   cn::heat_geodesics(made());  // refused
   cn::prepare_log_map(made());  // refused
