@@ -95,6 +95,9 @@ int main(int argc, char** argv) {
     against_building("subdivide.1-to-4.tri1m", triangles, [](const auto& m) { return cn::subdivide_1_to_4(m); });
     against_building("subdivide.loop.tri1m", triangles, [](const auto& m) { return cn::subdivide_loop(m); });
     against_building("subdivide.catmull-clark.tri1m", triangles, [](const auto& m) { return cn::subdivide_catmull_clark(m); });
+    const auto bunny4 = [&] { return cn::trimesh(bench::split_triangles(p.data.bunny())); };  // to 457,000 triangles
+    against_building("subdivide.1-to-4.bunny4", bunny4, [](const auto& m) { return cn::subdivide_1_to_4(m); });
+    against_building("subdivide.loop.bunny4", bunny4, [](const auto& m) { return cn::subdivide_loop(m); });
     const auto bunny = [&] { return cn::trimesh(p.data.bunny16()); };
     against_building("quads-from-triangles.bunny16", bunny, [](const auto& m) { return cn::quads_from_triangles(m); });
     against_building("shell.bunny16", bunny, [](const auto& m) {

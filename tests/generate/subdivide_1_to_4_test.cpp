@@ -1,8 +1,12 @@
 #include <concino/generate/subdivide_1_to_4.hpp>
 
+#include <concino/edit/elements.hpp>
 #include <concino/generate/icosphere.hpp>
 
+#include <support/corpus.hpp>
 #include <support/kinds.hpp>
+#include <support/random_meshes.hpp>
+#include <support/rebuilt.hpp>
 #include <support/subdivisions.hpp>
 
 using namespace concino;
@@ -44,4 +48,33 @@ TEST_CASE("subdivide_1_to_4: any mesh of triangles, but no other polygons") {
 
   trimesh bad(std::vector<vec3>{{0, 0, 0}, {1, 0, 0}, {0, std::nan(""), 0}}, std::vector<std::vector<unsigned>>{{0, 1, 2}});
   CHECK(num_polys(subdivide_1_to_4(bad)) == 4);
+}
+
+TEST_CASE("subdivide_1_to_4: all adjacency is that of a mesh constructed from the verts of the triangles") {
+  const auto check = [](const auto& m, unsigned times = 1) {
+    const trimesh s = subdivide_1_to_4(m, {.times = times});
+    has_same_adjacency(s, rebuilt(s).first);
+  };
+  check(trimesh());
+  check(grid<trimesh>(4));
+  check(grid<trimesh>(2), 3);
+  check(icosphere(1), 2);
+  check(trimesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {7, 7, 7}}, {{0, 1, 2}, {2, 1, 0}}));             // two triangles with three common edges, and a vert without any
+  check(trimesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 1, 3}, {2, 0, 3}}));  // edges wound both ways
+  trimesh with_gaps = grid<trimesh>(3);
+  for (const unsigned p : {0u, 7u, 8u}) remove_poly(with_gaps, poly_id{p});
+  check(with_gaps);
+  std::mt19937 random(7);
+  for (int i = 0; i < (long_run() ? 2000 : 100); ++i) check(random_mesh<trimesh>(random));
+}
+
+TEST_CASE("subdivide_1_to_4: the result can be edited") {
+  trimesh s = subdivide_1_to_4(grid<trimesh>(2));
+  for (const unsigned p : {3u, 4u, 11u}) remove_poly(s, poly_id{p});
+  const vert_id v = add_vert(s, vec3{9, 9, 9});
+  const auto e = *edges(s).begin();
+  const auto [a, b] = end_verts(s, e);
+  add_poly(s, {a, b, v});
+  CHECK(check_laws(s).empty());
+  equals_rebuilt(s);
 }

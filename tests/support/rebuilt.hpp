@@ -52,6 +52,21 @@ std::pair<M, std::vector<unsigned>> rebuilt(const M& m) {
   }
 }
 
+/// Compares all adjacency of two surfaces, with the order of all lists.
+template<class M>
+void has_same_adjacency(const M& m, const M& other) {
+  REQUIRE(raw(verts(m)) == raw(verts(other)));
+  REQUIRE(raw(edges(m)) == raw(edges(other)));
+  REQUIRE(raw(polys(m)) == raw(polys(other)));
+  bool verts_agree = true, edges_agree = true, polys_agree = true;
+  for (const auto v : verts(m)) verts_agree &= raw(adj_v2v(m, v)) == raw(adj_v2v(other, v)) && raw(adj_v2e(m, v)) == raw(adj_v2e(other, v)) && raw(adj_v2p(m, v)) == raw(adj_v2p(other, v));
+  for (const auto e : edges(m)) edges_agree &= raw(adj_e2v(m, e)) == raw(adj_e2v(other, e)) && raw(adj_e2p(m, e)) == raw(adj_e2p(other, e));
+  for (const auto p : polys(m)) polys_agree &= raw(adj_p2v(m, p)) == raw(adj_p2v(other, p)) && raw(adj_p2e(m, p)) == raw(adj_p2e(other, p)) && raw(adj_p2p(m, p)) == raw(adj_p2p(other, p));
+  CHECK(verts_agree);
+  CHECK(edges_agree);
+  CHECK(polys_agree);
+}
+
 template<class M>
 void equals_rebuilt(const M& m) {
   const auto [fresh, old] = rebuilt(m);

@@ -44,7 +44,7 @@ subdivided<tetmesh> subdivide_tets(const M& m, const subdivide_options& o) {
     add(v[0], e[0], e[1], e[2]), add(e[0], v[1], e[3], e[4]), add(e[1], e[3], v[2], e[5]), add(e[2], e[4], e[5], v[3]);
     split_octahedron(e, a.points, add);
   }
-  return construct_subdivided<tetmesh>(refined, rule, std::move(a), o, [&] { return repeated_polys(m, 8); });
+  return with_origins(tetmesh(std::move(a)), refined, rule, o, [&] { return repeated_polys(m, 8); });
 }
 
 }  // namespace detail

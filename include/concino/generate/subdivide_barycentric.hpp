@@ -21,7 +21,7 @@ subdivided<trimesh> subdivide_at_centres(const M& m, const subdivide_options& o)
     for (const auto& [e, from, to] : oriented_edges(m, p)) a.verts.insert(a.verts.end(), {refined[from], refined[e], refined[p], refined[e], refined[to], refined[p]});
   const mean_rule<M> rule{m};
   a.points = refined_points(refined, rule);
-  return construct_subdivided<trimesh>(refined, rule, std::move(a), o, [&] { return polys_of_corners(m, 2); });
+  return with_origins(trimesh(std::move(a)), refined, rule, o, [&] { return polys_of_corners(m, 2); });
 }
 
 template<VolumeMesh M>
@@ -48,7 +48,7 @@ subdivided<tetmesh> subdivide_at_centres(const M& m, const subdivide_options& o)
   }
   const mean_rule<M> rule{m};
   a.points = refined_points(refined, rule);
-  return construct_subdivided<tetmesh>(refined, rule, std::move(a), o, [&] { return element_origins(std::move(from)); });
+  return with_origins(tetmesh(std::move(a)), refined, rule, o, [&] { return element_origins(std::move(from)); });
 }
 
 }  // namespace detail

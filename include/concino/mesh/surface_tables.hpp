@@ -12,6 +12,7 @@
 #include <concino/mesh/detail/facet_adjacency.hpp>
 #include <concino/mesh/detail/vertex_incidence.hpp>
 #include <concino/mesh/direct_edit.hpp>
+#include <concino/mesh/surface_adjacency.hpp>
 
 namespace concino {
 
@@ -56,6 +57,13 @@ class surface_tables {
     check(vert_count);
     build(vert_count);
   }
+  /// From finished tables, which are not checked.
+  explicit surface_tables(surface_adjacency<Arity>&& a)
+    requires(Arity > 0 && std::same_as<Lists, per_poly<vert_id>>)
+      : verts_(a.first_edge.size() - 1), edges_(a.first_corner.size()), polys_(a.p2v.size() / Arity), p2v_(std::move(a.p2v)),
+        facet_adjacency_(per_poly<edge_id>(std::move(a.p2e)), per_poly<detail::encoded_neighbour>(std::move(a.p2p)), std::move(a.first_corner)), e2v_(std::move(a.e2v)),
+        incident_edges_(std::make_shared<const detail::offsets>(std::move(a.first_edge)), std::move(a.v2v), std::move(a.v2e)),
+        v2p_(a.first_poly.empty() ? incident_edges_.shared_offsets() : std::make_shared<const detail::offsets>(std::move(a.first_poly)), std::move(a.v2p)) {}
   /// From lists stored elsewhere, and from tables that were built from a copy of these lists.
   surface_tables(surface_tables<Arity>&& built, Lists elsewhere)
     requires(!std::same_as<Lists, per_poly<vert_id>>)

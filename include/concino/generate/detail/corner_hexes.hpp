@@ -97,7 +97,7 @@ subdivided<hexmesh> subdivide_in_hexes(const char* caller, const M& m, const sub
   }
   const mean_rule<M> rule{m};
   a.points = refined_points(refined, rule);
-  return construct_subdivided<hexmesh>(refined, rule, std::move(a), o, [&] { return polys_of_corners(m, 1); });
+  return with_origins(hexmesh(std::move(a)), refined, rule, o, [&] { return polys_of_corners(m, 1); });
 }
 
 }  // namespace concino::detail

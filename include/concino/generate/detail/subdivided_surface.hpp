@@ -3,6 +3,7 @@
 
 #include <concino/concepts/oriented_edges.hpp>
 #include <concino/generate/detail/subdivision.hpp>
+#include <concino/generate/detail/triangles_in_four.hpp>
 #include <concino/mesh/quadmesh.hpp>
 #include <concino/mesh/trimesh.hpp>
 
@@ -14,17 +15,14 @@ subdivided<trimesh> subdivide_in_four(const char* caller, const M& m, const Crea
   using new_verts = refined_verts<M, refined_kinds{.edges = true}>;
   check_subdivided_counts<trimesh>(caller, new_verts::expected_size(m), 4.0 * static_cast<double>(num_polys(m)));
   const new_verts refined(m);
-  surface_arrays a{{}, {}, {}, 3};
-  a.verts = core::large_vector(12 * num_polys(m), vert_id{});
-  vert_id* next = a.verts.data();
+  numbered_triangles t{num_verts(m), num_edges(m), core::flat_array<numbered_triangles::corner>(3 * num_polys(m))};
+  numbered_triangles::corner* next = t.corners.data();
   for (const poly_t<M> p : polys(m)) {
-    const triangle_parts<M> t(caller, m, p);
-    const vert_id v[] = {refined[t.verts[0]], refined[t.verts[1]], refined[t.verts[2]]};
-    const vert_id e[] = {refined[t.edges[0]], refined[t.edges[1]], refined[t.edges[2]]};
-    for (const vert_id x : {v[0], e[0], e[2], v[1], e[1], e[0], v[2], e[2], e[1], e[0], e[1], e[2]}) *next++ = x;
+    const triangle_parts<M> parts(caller, m, p);
+    for (unsigned k = 0; k < 3; ++k) *next++ = {refined[parts.verts[k]].raw(), static_cast<std::uint32_t>(refined.edge_position(refined[parts.edges[k]]))};
   }
-  a.points = refined_points(refined, rule);
-  auto result = construct_subdivided<trimesh>(refined, rule, std::move(a), o, [&] { return repeated_polys(m, 4); });
+  auto tables = triangles_in_four(std::move(t));
+  auto result = with_origins(trimesh(refined_points(refined, rule), std::move(tables)), refined, rule, o, [&] { return repeated_polys(m, 4); });
   result.has_crease = halved_creases(refined, creases, result.mesh);
   return result;
 }
@@ -52,7 +50,7 @@ subdivided<quadmesh> subdivide_in_quads(const char* caller, const M& m, const Cr
     if (next != first) first[3] = before;
   }
   a.points = refined_points(refined, rule);
-  auto result = construct_subdivided<quadmesh>(refined, rule, std::move(a), o, [&] { return polys_of_corners(m, 1); });
+  auto result = with_origins(quadmesh(std::move(a)), refined, rule, o, [&] { return polys_of_corners(m, 1); });
   result.has_crease = halved_creases(refined, creases, result.mesh);
   return result;
 }

@@ -57,11 +57,11 @@ void set_origins(const M& m, element_origins linear, element_origins smooth, con
     if (o.properties && traits<M>::properties(m).size() > 0) transfer_properties(m, result.mesh, c);
 }
 
-/// The mesh of the polys `a`, whose points follow by the rule. poly_origins() is called if origins are wanted.
-template<class To, class M, refined_kinds kinds, class Rule, class Arrays, class PolyOrigins>
-subdivided<To> construct_subdivided(const refined_verts<M, kinds>& refined, const Rule& rule, Arrays a, const subdivide_options& o, const PolyOrigins& poly_origins) {
+/// A mesh whose verts are `refined`, at points that follow by the rule, with the origins of its elements if they are wanted. poly_origins() is called then.
+template<class To, class M, refined_kinds kinds, class Rule, class PolyOrigins>
+subdivided<To> with_origins(To mesh, const refined_verts<M, kinds>& refined, const Rule& rule, const subdivide_options& o, const PolyOrigins& poly_origins) {
   const M& m = refined.mesh();
-  subdivided<To> result{To(std::move(a))};
+  subdivided<To> result{std::move(mesh)};
   if (!wants_origins(m, o)) return result;
   result.from.polys = poly_origins();
   element_origins smooth;

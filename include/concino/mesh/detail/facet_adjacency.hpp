@@ -29,6 +29,10 @@ class facet_adjacency {
   facet_adjacency() = default;
   /// Starts without facets and with uninitialised neighbours. Call link() once for each incidence.
   facet_adjacency(jagged_array<Facet, N> facets, jagged_array<encoded_neighbour, N> unwritten) : facets_(std::move(facets)), neighbours_(std::move(unwritten)) {}
+  /// Finished: `first` is the first incidence of each facet, N * poly + k. No facet has more than two polys, and no two polys have two common facets.
+  facet_adjacency(jagged_array<Facet, N> facets, jagged_array<encoded_neighbour, N> neighbours, core::flat_array<std::uint32_t> first)
+    requires(N > 0)
+      : facets_(std::move(facets)), neighbours_(std::move(neighbours)), owner_(std::move(first)) {}
 
   std::size_t num_polys() const { return facets_.size(); }
   std::size_t num_facets() const { return owner_.size(); }

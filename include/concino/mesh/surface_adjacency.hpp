@@ -1,0 +1,37 @@
+// surface_adjacency: the finished tables of a surface, from an algorithm that can compute them faster than by a search for edges.
+#pragma once
+
+#include <concino/concepts/descriptors.hpp>
+#include <concino/core/flat_array.hpp>
+#include <concino/mesh/detail/facet_adjacency_ranges.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace concino {
+
+/// All adjacency of polygons of `Arity` verts, as surface_tables store it. A mesh that is constructed from it is the same as one that is constructed
+/// from p2v alone, if the edges have the numbers that this gives them: they are sorted by their smaller end. The edges of one smaller end have the order in which
+/// its polys, by increasing number, list them: of each poly first the edge behind the vert, then the edge before it.
+/// Needs:  no edge with more than two polys, no two polys with more than one edge in common.
+template<unsigned Arity>
+struct surface_adjacency {
+  core::flat_array<vert_id> p2v;                        // the verts of all polys, in cyclic order
+  core::flat_array<edge_id> p2e;                        // edge k of a poly joins its verts k and k + 1
+  core::flat_array<detail::encoded_neighbour> p2p;      // the other poly of that edge, or none
+  core::flat_array<vert_id> e2v;                        // the two ends of each edge, the smaller one first
+  core::flat_array<std::uint32_t> first_corner;         // of each edge: Arity * p + k, if it was met first as edge k of poly p
+  std::vector<std::uint32_t> first_edge;                // where the edges of each vert begin, and where those of the last one end
+  std::vector<std::uint32_t> first_poly;                // the same of polys; empty if it is the same
+  core::flat_array<vert_id> v2v;                        // the other ends of the edges of each vert
+  core::flat_array<edge_id> v2e;                        // the edges of each vert, ascending
+  core::flat_array<poly_id> v2p;                        // the polys of each vert, ascending
+
+  /// Allocates the memory for a surface of that size, uninitialised but for first_edge, which is 0. first_poly is empty. Memory that is allocated at once,
+  /// before any is written, is in larger pages.
+  surface_adjacency(std::size_t vert_count, std::size_t edge_count, std::size_t poly_count)
+      : p2v(Arity * poly_count), p2e(Arity * poly_count), p2p(Arity * poly_count), e2v(2 * edge_count), first_corner(edge_count),
+        first_edge(core::large_vector(vert_count + 1, 0u)), v2v(2 * edge_count), v2e(2 * edge_count), v2p(Arity * poly_count) {}
+};
+
+}  // namespace concino
