@@ -7,11 +7,12 @@
 
 namespace concino {
 
-/// A vector in the tangent plane of a vert or a poly of a surface.
+/// A vector in the tangent plane of a vert, an edge or a poly of a surface.
 ///
 /// At a vert, angles are measured along the surface. Angle 0 is along the first edge of adj_v2e. Angles increase counter-clockwise, as the first poly at the
 /// vert in the order of polys(m) is seen. At a vert inside the surface they are multiplied by 2 pi over the sum of the angles of the polys, so that a full
 /// turn is 2 pi. At the boundary they are those of the surface.
+/// On an edge, x is along it, from the first vert of adj_e2v to the second, and y is perpendicular, into the first poly of adj_e2p.
 /// In a poly, x is along its first edge, from the first vert of adj_p2v to the second, and y is perpendicular, in the plane of its vector area, to the left.
 struct tangent_vector {
   double x = 0, y = 0;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/concepts/surface_mesh.hpp>
-#include <concino/core/message.hpp>
+#include <concino/core/error.hpp>
 #include <concino/core/unfolded_triangles.hpp>
 #include <concino/core/vec3.hpp>
 #include <concino/geometry/triangulate_polygon.hpp>

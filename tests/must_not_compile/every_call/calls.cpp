@@ -7,6 +7,7 @@
 #include <concino/graph.hpp>
 #include <concino/io.hpp>
 #include <concino/level_sets.hpp>
+#include <concino/lines.hpp>
 #include <concino/mesh.hpp>
 #include <concino/operators.hpp>
 #include <concino/quality.hpp>
@@ -146,6 +147,8 @@ void no_adapter(const stranger& other) {
   cn::log_map(other);  // refused
   cn::prepare_parallel_transport(other);  // refused
   cn::parallel_transport(other);  // refused
+  cn::prepare_trace_geodesic(other);  // refused
+  cn::trace_geodesic(other);  // refused
   cn::primal(other);  // refused
   cn::dual(other);  // refused
   cn::with_points(other);  // refused
@@ -208,6 +211,8 @@ void temporary() {
   cn::log_map(made());  // refused
   cn::prepare_parallel_transport(made());  // refused
   cn::parallel_transport(made());  // refused
+  cn::prepare_trace_geodesic(made());  // refused
+  cn::trace_geodesic(made());  // refused
   cn::make_vert_map<int>(made());  // refused
   cn::make_edge_map<int>(made());  // refused
   cn::make_face_map<int>(made());  // refused
@@ -302,6 +307,8 @@ void no_points(const cn::trimesh& m) {
   cn::log_map(pure);  // refused
   cn::prepare_parallel_transport(pure);  // refused
   cn::parallel_transport(pure);  // refused
+  cn::prepare_trace_geodesic(pure);  // refused
+  cn::trace_geodesic(pure);  // refused
   cn::convert_with_correspondence<cn::polygonmesh>(pure);  // refused
   cn::isolines(pure);  // refused
   cn::isosurface(pure);  // refused
@@ -373,10 +380,12 @@ void numbers(const cn::trimesh& m) {
   cn::heat_geodesics(m, 0);  // refused
   cn::log_map(m, 0);  // refused
   cn::parallel_transport(m, 0);  // refused
+  cn::trace_geodesic(m, 0);  // refused
   cn::prepare_harmonic_map(m, {cn::vert_id{0}}).with_values({{0, 1.0}});  // refused
   cn::prepare_heat_geodesics(m).distance_from(0);  // refused
   cn::prepare_log_map(m).log_map_from(0);  // refused
   cn::prepare_parallel_transport(m).transport_from(0);  // refused
+  cn::prepare_trace_geodesic(m).trace_from(0);  // refused
   cn::prepare_exact_geodesics(m).distance_from({0, 1});  // refused
 }
 

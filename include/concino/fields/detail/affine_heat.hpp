@@ -45,7 +45,7 @@ struct affine_heat {
 };
 
 /// time: in the units of the triangles, squared; 0: the square of the length of edges, averaged by area.
-affine_heat make_affine_heat(const core::unfolded_triangles& triangles, const core::tangent_frames& frames, double time);
+affine_heat make_affine_heat(const core::unfolded_triangles& triangles, const std::vector<core::tangent_frame>& frames, double time);
 
 /// Heat of several sorts at each vert. All are scaled by one power of two of the vert, so that they do not underflow far from their sources.
 struct diffused {

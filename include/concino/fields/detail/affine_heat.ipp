@@ -16,14 +16,15 @@ inline double opposite_cotangent(const core::unfolded_triangles& t, int s) {
   return p.x / p.y;
 }
 
-inline transport_edge transport_along(const core::unfolded_triangles& t, const core::tangent_frames& frames, int s) {
+inline transport_edge transport_along(const core::unfolded_triangles& t, const std::vector<core::tangent_frame>& frames, int s) {
   constexpr double smallest_weight = 0.01;  // heat also flows along edges whose cotangents sum to less
   const int far = core::unfolded_triangles::next(s), twin = t.twin[static_cast<std::size_t>(s)];
   const double weight = 0.5 * (opposite_cotangent(t, s) + (twin == s ? 0 : opposite_cotangent(t, twin)));
   transport_edge e{t.start(s), t.end(s), std::max(weight, smallest_weight), {}, {}, 1, 0, false};
-  e.reflects = frames.is_oriented_as_triangle(t, s) != frames.is_oriented_as_triangle(t, far);
+  const core::tangent_frame &frame_a = frames[static_cast<std::size_t>(e.a)], &frame_b = frames[static_cast<std::size_t>(e.b)];
+  e.reflects = frame_a.is_oriented_as_triangle(t, s) != frame_b.is_oriented_as_triangle(t, far);
   const double length = t.length[static_cast<std::size_t>(s)];
-  const double at_a = frames.angle_of(e.a, t.fan_angle(s, 0)), at_b = frames.angle_of(e.b, t.fan_angle(far, t.angle[static_cast<std::size_t>(far)]));
+  const double at_a = frame_a.angle_of(t.fan_angle(s, 0)), at_b = frame_b.angle_of(t.fan_angle(far, t.angle[static_cast<std::size_t>(far)]));
   e.from_a = {length * std::cos(at_a), length * std::sin(at_a)};
   e.from_b = {length * std::cos(at_b), length * std::sin(at_b)};
   const double turn = std::numbers::pi + at_a + (e.reflects ? at_b : -at_b);
@@ -74,7 +75,7 @@ Eigen::SparseMatrix<double> heat_matrix_of(const affine_heat& h) {
   return a;
 }
 
-CONCINO_INLINE affine_heat make_affine_heat(const core::unfolded_triangles& t, const core::tangent_frames& frames, double time) {
+CONCINO_INLINE affine_heat make_affine_heat(const core::unfolded_triangles& t, const std::vector<core::tangent_frame>& frames, double time) {
   affine_heat h;
   h.mass.assign(t.around.size(), 0.0);
   h.is_used.assign(t.around.size(), 0);

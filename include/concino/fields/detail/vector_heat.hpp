@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/concepts/surface_mesh.hpp>
-#include <concino/core/message.hpp>
+#include <concino/core/error.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/core/residual.hpp>
 #include <concino/fields/detail/affine_heat.hpp>

@@ -1,0 +1,4 @@
+// Lines over meshes: geodesics.
+#pragma once
+
+#include <concino/lines/trace_geodesic.hpp>
