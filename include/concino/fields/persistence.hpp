@@ -26,12 +26,12 @@ struct persistence_pairs {
 
 namespace detail {
 
-template<class G, class V>
-void name_pairs(const G& g, bool of_maxima, std::vector<persistence_pair<V>>& to) {
+template<class V>
+void name_pairs(const ranked_graph& g, const std::vector<V>& verts, bool of_maxima, std::vector<persistence_pair<V>>& to) {
   const std::vector<extremum_pair> pairs = find_extremum_pairs(g, of_maxima);
   to.reserve(pairs.size());
   for (const extremum_pair& p : pairs)
-    to.push_back({g.verts[p.extremum], p.saddle == no_rank ? std::nullopt : std::optional<V>(g.verts[p.saddle]), p.persistence});
+    to.push_back({verts[p.extremum], p.saddle == no_rank ? std::nullopt : std::optional<V>(verts[p.saddle]), p.persistence});
 }
 
 }  // namespace detail
@@ -48,10 +48,11 @@ void name_pairs(const G& g, bool of_maxima, std::vector<persistence_pair<V>>& to
 template<PrimalGraph M, class U>
   requires requirement::gives_numbers<U, vert_t<M>>
 persistence_pairs<vert_t<M>> persistence(const M& m, const U& u) {
-  const detail::sorted_graph<M> g(m, u, "persistence");
+  const detail::sorted_verts<M> sorted(m, u, "persistence");
+  const detail::ranked_graph g = detail::make_ranked_graph(m, sorted);
   persistence_pairs<vert_t<M>> result;
-  detail::name_pairs(g, false, result.minima);
-  detail::name_pairs(g, true, result.maxima);
+  detail::name_pairs(g, sorted.verts, false, result.minima);
+  detail::name_pairs(g, sorted.verts, true, result.maxima);
   return result;
 }
 

@@ -25,7 +25,8 @@ namespace detail {
 /// Visits the verts from the extrema on, so that the steepest neighbour of each has its label already.
 template<class M, class U>
 extremum_regions<M> find_regions(const M& m, const U& u, bool of_maxima, const char* caller) {
-  const sorted_graph<M> g(m, u, caller);
+  const sorted_verts<M> sorted(m, u, caller);
+  const ranked_graph g = make_ranked_graph(m, sorted);
   extremum_regions<M> regions{{}, make_vert_map<int>(m, -1)};
   std::vector<int> label(g.size());
   for (std::uint32_t k = 0; k < g.size(); ++k) {
@@ -35,11 +36,11 @@ extremum_regions<M> find_regions(const M& m, const U& u, bool of_maxima, const c
       if (of_maxima ? neighbour > steepest : neighbour < steepest) steepest = neighbour;
     if (steepest == rank) {
       label[rank] = static_cast<int>(regions.extrema.size());
-      regions.extrema.push_back(g.verts[rank]);
+      regions.extrema.push_back(sorted.verts[rank]);
     } else {
       label[rank] = label[steepest];
     }
-    regions.labels[g.verts[rank]] = label[rank];
+    regions.labels[sorted.verts[rank]] = label[rank];
   }
   return regions;
 }

@@ -32,11 +32,11 @@ template<class M, class U>
 vert_map<M, double> simplified(M&& m, const U& u, const simplify_options& options) {
   using mesh = std::remove_cvref_t<M>;
   detail::check_thresholds(options.minima_below, options.maxima_below);
-  const detail::sorted_graph<mesh> g(m, u, "simplified");
+  const detail::sorted_verts<mesh> sorted(m, u, "simplified");
   const bool of_maxima = options.maxima_below > 0;
-  const std::vector<double> values = detail::flooded_values(g, of_maxima ? options.maxima_below : options.minima_below, of_maxima);
+  const std::vector<double> values = detail::flooded_values(detail::make_ranked_graph(m, sorted), of_maxima ? options.maxima_below : options.minima_below, of_maxima);
   auto result = make_vert_map<double>(m);
-  for (std::uint32_t rank = 0; rank < g.size(); ++rank) result[g.verts[rank]] = values[rank];
+  for (std::uint32_t rank = 0; rank < sorted.size(); ++rank) result[sorted.verts[rank]] = values[rank];
   return result;
 }
 

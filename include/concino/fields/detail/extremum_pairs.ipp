@@ -27,7 +27,7 @@ CONCINO_INLINE std::vector<extremum_pair> find_extremum_pairs(const ranked_graph
       root = sets.unite_roots(root, other);
       if (later == at) continue;  // the vert itself, which is no extremum
       const std::uint32_t extremum = turned(static_cast<std::uint32_t>(later)), saddle = turned(at);
-      pairs.push_back({extremum, saddle, std::abs(g.values[saddle] - g.values[extremum])});
+      pairs.push_back({extremum, saddle, std::abs(g.value(saddle) - g.value(extremum))});
     }
   }
   for (std::uint32_t at = 0; at < n; ++at)

@@ -31,8 +31,8 @@ CONCINO_INLINE std::vector<double> flooded_values(const ranked_graph& g, double 
     bool operator<(const entry& o) const { return value > o.value || (value == o.value && index > o.index); }  // the lowest is on top
   };
   const double sign = of_maxima ? -1 : 1;
-  const auto unchanged = [&](std::uint32_t rank) { return entry{sign * g.values[rank], of_maxima ? ~g.index[rank] : g.index[rank], rank}; };
-  std::vector<double> values = g.values;
+  const auto unchanged = [&](std::uint32_t rank) { return entry{sign * g.value(rank), of_maxima ? ~g.verts.index[rank] : g.verts.index[rank], rank}; };
+  std::vector<double> values = g.verts.values;
   std::vector<unsigned char> is_visited(g.size());
   std::priority_queue<entry> waiting;
   for (const extremum_pair& p : find_extremum_pairs(g, of_maxima)) {

@@ -7,7 +7,7 @@
 
 namespace concino::detail {
 
-CONCINO_INLINE std::vector<std::uint32_t> ranked_graph::sort(const vert_order& order) {
+CONCINO_INLINE void vert_ranks::sort(const vert_order& order) {
   struct entry {
     double value;
     std::uint32_t index;
@@ -17,14 +17,13 @@ CONCINO_INLINE std::vector<std::uint32_t> ranked_graph::sort(const vert_order& o
   entries.reserve(index.size());
   for (const std::uint32_t i : index) entries.push_back({order.value(i), i});
   std::sort(entries.begin(), entries.end());
-  std::vector<std::uint32_t> rank(order.values().size(), no_rank);
+  rank.assign(order.values().size(), no_rank);
   values.resize(entries.size());
   for (std::uint32_t r = 0; r < entries.size(); ++r) {
     values[r] = entries[r].value;
     index[r] = entries[r].index;
     rank[entries[r].index] = r;
   }
-  return rank;
 }
 
 }  // namespace concino::detail
