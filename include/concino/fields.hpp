@@ -1,6 +1,7 @@
 // Fields: functions on the verts of a mesh, such as solutions of equations and distances.
 #pragma once
 
+#include <concino/fields/contour_tree.hpp>
 #include <concino/fields/critical_points.hpp>
 #include <concino/fields/exact_geodesics.hpp>
 #include <concino/fields/exact_paths.hpp>

@@ -141,6 +141,7 @@ void no_adapter(const stranger& other) {
   cn::regions_of_maxima(other);  // refused
   cn::regions_of_minima(other);  // refused
   cn::persistence(other);  // refused
+  cn::contour_tree(other);  // refused
   cn::reeb_graph(other);  // refused
   cn::prepare_heat_geodesics(other);  // refused
   cn::heat_geodesics(other);  // refused
