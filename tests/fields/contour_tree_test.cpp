@@ -24,7 +24,7 @@ namespace {
 template<class M>
 void check_as_reeb_graph(const M& m, std::mt19937& random) {
   auto u = make_vert_map<double>(m);
-  const unsigned different = 1 + random() % 100;
+  const auto different = 1 + random() % 100;
   for (const auto v : verts(m)) u[v] = static_cast<double>(random() % different);
   const auto tree = contour_tree(m, u), graph = reeb_graph(m, u);
   CHECK(tree.nodes == graph.nodes);
