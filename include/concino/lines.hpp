@@ -1,4 +1,5 @@
 // Lines over meshes: geodesics.
 #pragma once
 
+#include <concino/lines/karcher_mean.hpp>
 #include <concino/lines/trace_geodesic.hpp>
