@@ -10,6 +10,7 @@
 #include <concino/fields/heat_geodesics.hpp>
 #include <concino/fields/heat_geodesics_options.hpp>
 #include <concino/fields/log_map.hpp>
+#include <concino/fields/normalized.hpp>
 #include <concino/fields/parallel_transport.hpp>
 #include <concino/fields/persistence.hpp>
 #include <concino/fields/poisson.hpp>
@@ -18,3 +19,5 @@
 #include <concino/fields/regions_of_maxima.hpp>
 #include <concino/fields/simplified.hpp>
 #include <concino/fields/smooth.hpp>
+#include <concino/fields/statistics.hpp>
+#include <concino/fields/to_polys.hpp>

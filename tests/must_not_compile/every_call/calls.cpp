@@ -141,6 +141,9 @@ void no_adapter(const stranger& other) {
   cn::regions_of_maxima(other);  // refused
   cn::regions_of_minima(other);  // refused
   cn::persistence(other);  // refused
+  cn::to_polys(other);  // refused
+  cn::statistics(other);  // refused
+  cn::normalized(other);  // refused
   cn::contour_tree(other);  // refused
   cn::reeb_graph(other);  // refused
   cn::prepare_heat_geodesics(other);  // refused
@@ -205,6 +208,8 @@ void temporary() {
   cn::prepare_exact_geodesics(made());  // refused
   cn::exact_geodesics(made());  // refused
   cn::critical_points(made());  // refused
+  cn::to_polys(made());  // refused
+  cn::normalized(made());  // refused
   cn::simplified(made());  // refused
   cn::regions_of_maxima(made());  // refused
   cn::regions_of_minima(made());  // refused
@@ -291,6 +296,8 @@ void no_points(const cn::trimesh& m) {
   cn::divergence_matrix(pure);  // refused
   cn::gradient(pure);  // refused
   cn::vert_gradient(pure);  // refused
+  cn::to_polys(pure);  // refused
+  cn::statistics(pure);  // refused
   cn::rotated(pure);  // refused
   cn::gradient_matrix(pure);  // refused
   cn::vert_masses(pure);  // refused
