@@ -126,7 +126,10 @@ vec3 refined_point(const M& m, const Rule& rule, const X& x) {
 /// The points of the new verts.
 template<class M, refined_kinds kinds, class Rule>
 std::vector<vec3> refined_points(const refined_verts<M, kinds>& refined, const Rule& rule) {
-  std::vector<vec3> points = core::large_vector(refined.size(), vec3());
+  std::vector<vec3> points;
+  points.reserve(refined.size());  // no more: a mesh copies points that have unused memory
+  core::prefer_large_pages(points.data(), refined.size() * sizeof(vec3));
+  points.resize(refined.size());
   refined.for_each_in_parallel([&](const auto& x) { points[refined[x].raw()] = refined_point(refined.mesh(), rule, x); });
   return points;
 }
