@@ -14,6 +14,17 @@
 
 namespace concino::core {
 
+/// Requests pages for memory that will be written at once, which takes the system less time than the first access to each page. This is only advice.
+inline void request_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
+#if defined(MADV_POPULATE_WRITE)
+  constexpr std::uintptr_t page = 1 << 12;
+  if (bytes < 4 * page) return;
+  const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(memory) & ~(page - 1);
+  const std::uintptr_t last = (reinterpret_cast<std::uintptr_t>(memory) + bytes + page - 1) & ~(page - 1);
+  ::madvise(reinterpret_cast<void*>(first), last - first, MADV_POPULATE_WRITE);
+#endif
+}
+
 /// Requests large pages for memory that will be written. This is only advice: no result depends on it, and arrays of less than
 /// a large page, 2 MiB, are ignored. The request is for all small pages that the memory is on, although large ones fit into the middle only: Linux moves memory
 /// of different kinds by a copy, and realloc() would take longer.
@@ -25,10 +36,15 @@ inline void prefer_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] s
   const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(memory) & ~(page - 1);
   const std::uintptr_t last = (reinterpret_cast<std::uintptr_t>(memory) + bytes + page - 1) & ~(page - 1);
   ::madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
-  // malloc has written its header on a small page already, and the memory next to this may be in use. Both keep the rest of their large page small, unless
-  // the system makes one of them now. It refuses where the memory of the program ends inside.
+  // At both ends, memory that is in use, such as the header of malloc, keeps the rest of its large page small, unless the system makes a large one of
+  // all now. It refuses where the memory of the program ends inside; then small pages are requested at once.
   constexpr int collapse = 25;  // MADV_COLLAPSE, Linux 6.1; glibc names it since 2.37
-  for (const std::uintptr_t x : {first, last - 1}) ::madvise(reinterpret_cast<void*>(x & ~(large_page - 1)), large_page, collapse);
+  for (const std::uintptr_t x : {first, last - 1}) {
+    const std::uintptr_t begin = x & ~(large_page - 1), end = begin + large_page;
+    if (::madvise(reinterpret_cast<void*>(begin), large_page, collapse) == 0) continue;
+    const std::uintptr_t from = begin < first ? first : begin, to = end < last ? end : last;
+    request_pages(reinterpret_cast<void*>(from), to - from);
+  }
 #endif
 }
 
@@ -52,17 +68,6 @@ inline std::size_t whole_pages(std::size_t bytes, std::size_t max_unused) {
   if (whole - bytes <= max_unused) return whole;
 #endif
   return bytes;
-}
-
-/// Requests pages for memory that will be written at once, which takes the system less time than the first access to each page. This is only advice.
-inline void request_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
-#if defined(MADV_POPULATE_WRITE)
-  constexpr std::uintptr_t page = 1 << 12;
-  if (bytes < 4 * page) return;
-  const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(memory) & ~(page - 1);
-  const std::uintptr_t last = (reinterpret_cast<std::uintptr_t>(memory) + bytes + page - 1) & ~(page - 1);
-  ::madvise(reinterpret_cast<void*>(first), last - first, MADV_POPULATE_WRITE);
-#endif
 }
 
 /// Reserves memory for n elements, and at most a third more, in large pages if these can be filled. Values that move to other memory are written there after

@@ -27,11 +27,27 @@ struct surface_adjacency {
   core::flat_array<edge_id> v2e;                        // the edges of each vert, ascending
   core::flat_array<poly_id> v2p;                        // the polys of each vert, ascending
 
-  /// Allocates the memory for a surface of that size, uninitialised but for first_edge, which is 0. first_poly is empty. Memory that is allocated at once,
-  /// before any is written, is in larger pages.
-  surface_adjacency(std::size_t vert_count, std::size_t edge_count, std::size_t poly_count)
-      : p2v(Arity * poly_count), p2e(Arity * poly_count), p2p(Arity * poly_count), e2v(2 * edge_count), first_corner(edge_count),
-        first_edge(core::large_vector(vert_count + 1, 0u)), v2v(2 * edge_count), v2e(2 * edge_count), v2p(Arity * poly_count) {}
+  /// Allocates the memory for a surface of that size, uninitialised but for first_edge, which is 0. first_poly is empty. The arrays end with a large page and
+  /// are allocated before any is written, so that the system need not make their pages one by one. shrink_to_fit() releases what is left.
+  surface_adjacency(std::size_t vert_count, std::size_t edge_count, std::size_t poly_count) : first_edge(core::large_vector(vert_count + 1, 0u)) {
+    const auto allocate = [](auto& values, std::size_t n) {
+      const std::size_t bytes = n * sizeof values[0];
+      values.reserve(core::whole_pages(bytes, bytes / 4) / sizeof values[0]);
+      values.resize(n);
+    };
+    for_each_array(allocate, edge_count, poly_count);
+  }
+  void shrink_to_fit() {
+    for_each_array([](auto& values, std::size_t) { values.shrink_to_fit(); }, 0, 0);
+  }
+
+ private:
+  /// Calls f(array, its size).
+  template<class F>
+  void for_each_array(const F& f, std::size_t edge_count, std::size_t poly_count) {
+    f(p2v, Arity * poly_count), f(p2e, Arity * poly_count), f(p2p, Arity * poly_count), f(e2v, 2 * edge_count), f(first_corner, edge_count);
+    f(v2v, 2 * edge_count), f(v2e, 2 * edge_count), f(v2p, Arity * poly_count);
+  }
 };
 
 }  // namespace concino

@@ -78,6 +78,7 @@ class four_triangles {
     list_edges_of_middles(a);
     list_verts(a.p2v.data());
     list_edges_and_neighbours(a);
+    a.shrink_to_fit();
     return a;
   }
 
