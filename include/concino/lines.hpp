@@ -2,4 +2,5 @@
 #pragma once
 
 #include <concino/lines/karcher_mean.hpp>
+#include <concino/lines/straighten.hpp>
 #include <concino/lines/trace_geodesic.hpp>

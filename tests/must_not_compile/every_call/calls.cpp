@@ -155,6 +155,7 @@ void no_adapter(const stranger& other) {
   cn::prepare_trace_geodesic(other);  // refused
   cn::trace_geodesic(other);  // refused
   cn::karcher_mean(other);  // refused
+  cn::straighten(other);  // refused
   cn::primal(other);  // refused
   cn::dual(other);  // refused
   cn::with_points(other);  // refused
@@ -222,6 +223,7 @@ void temporary() {
   cn::prepare_trace_geodesic(made());  // refused
   cn::trace_geodesic(made());  // refused
   cn::karcher_mean(made());  // refused
+  cn::straighten(made());  // refused
   cn::make_vert_map<int>(made());  // refused
   cn::make_edge_map<int>(made());  // refused
   cn::make_face_map<int>(made());  // refused
@@ -321,6 +323,7 @@ void no_points(const cn::trimesh& m) {
   cn::prepare_trace_geodesic(pure);  // refused
   cn::trace_geodesic(pure);  // refused
   cn::karcher_mean(pure);  // refused
+  cn::straighten(pure);  // refused
   cn::convert_with_correspondence<cn::polygonmesh>(pure);  // refused
   cn::isolines(pure);  // refused
   cn::isosurface(pure);  // refused
@@ -394,6 +397,7 @@ void numbers(const cn::trimesh& m) {
   cn::parallel_transport(m, 0);  // refused
   cn::trace_geodesic(m, 0);  // refused
   cn::karcher_mean(m, {0, 1});  // refused
+  cn::straighten(m, {0, 1});  // refused
   cn::prepare_harmonic_map(m, {cn::vert_id{0}}).with_values({{0, 1.0}});  // refused
   cn::prepare_heat_geodesics(m).distance_from(0);  // refused
   cn::prepare_log_map(m).log_map_from(0);  // refused
