@@ -17,6 +17,7 @@
 #include <concino/fields/prepared_heat_geodesics.hpp>
 #include <concino/fields/reeb_graph.hpp>
 #include <concino/fields/regions_of_maxima.hpp>
+#include <concino/fields/resample.hpp>
 #include <concino/fields/simplified.hpp>
 #include <concino/fields/smooth.hpp>
 #include <concino/fields/statistics.hpp>

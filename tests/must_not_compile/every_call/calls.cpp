@@ -141,6 +141,7 @@ void no_adapter(const stranger& other) {
   cn::regions_of_maxima(other);  // refused
   cn::regions_of_minima(other);  // refused
   cn::persistence(other);  // refused
+  cn::resample(other);  // refused
   cn::to_polys(other);  // refused
   cn::statistics(other);  // refused
   cn::normalized(other);  // refused
@@ -298,6 +299,7 @@ void no_points(const cn::trimesh& m) {
   cn::divergence_matrix(pure);  // refused
   cn::gradient(pure);  // refused
   cn::vert_gradient(pure);  // refused
+  cn::resample(pure);  // refused
   cn::to_polys(pure);  // refused
   cn::statistics(pure);  // refused
   cn::rotated(pure);  // refused
