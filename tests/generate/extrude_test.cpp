@@ -116,3 +116,19 @@ TEST_CASE("extrude: errors name what is wrong") {
   CHECK_THROWS_WITH_AS(extrude(trimesh(fan, std::vector<std::vector<unsigned>>{{0, 1, 3}, {0, 1, 4}}), {0, 0, 1}, 1),
                        doctest::Contains("extrude: polys 0 and 1 run along edge "), invalid_mesh);
 }
+
+TEST_CASE("extrude: cells of polygons that are not convex are listed") {
+  std::vector<poly_id> inverted{poly_id{7}};
+  extrude(grid<quadmesh>(2), {0, 0, 1}, 2, {.inverted = &inverted});
+  CHECK(inverted.empty());
+  // a square, and a quad with a reflex vert, 2
+  const std::vector<vec3> x{{0, 0, 0}, {1, 0, 0}, {0.25, 0.25, 0}, {0, 1, 0}, {-1, 0, 0}, {-1, 1, 0}};
+  const std::vector<std::vector<unsigned>> quads{{4, 0, 3, 5}, {0, 1, 2, 3}};
+  for (const double height : {2.0, -2.0}) {
+    const hexmesh v = extrude(quadmesh(x, quads), {0, 0, height}, 2, {.inverted = &inverted});
+    CHECK(inverted == std::vector<poly_id>{poly_id{1}, poly_id{3}});
+    CHECK(total_measure(v) == doctest::Approx(2.5));
+  }
+  extrude(polygonmesh(x, quads), {1, 0, 2}, 2, {.inverted = &inverted});
+  CHECK(inverted == std::vector<poly_id>{poly_id{1}, poly_id{3}});
+}

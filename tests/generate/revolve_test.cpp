@@ -115,3 +115,14 @@ TEST_CASE("revolve: errors name what is wrong") {
   for (const vert_id v : verts(line)) set_point(line, v, vec3{0, 0, static_cast<double>(v.raw())});
   CHECK_THROWS_WITH_AS(revolve(line, origin, z, 3), "revolve: poly 0 has no area; remove it first", invalid_mesh);
 }
+
+TEST_CASE("revolve: cells of polygons that are not convex are listed") {
+  std::vector<poly_id> inverted{poly_id{7}};
+  revolve(profile<trimesh>(2, 0), {0, 0, 0}, {0, 0, 1}, 6, {.inverted = &inverted});
+  CHECK(inverted.empty());
+  const std::vector<vec3> x{{1, 0, 0}, {2, 0, 0}, {1.25, 0, 0.25}, {1, 0, 1}, {0.5, 0, 0}, {0.5, 0, 1}};
+  const std::vector<std::vector<unsigned>> quads{{4, 0, 3, 5}, {0, 1, 2, 3}};  // the second one with a reflex vert, 2
+  revolve(quadmesh(x, quads), {0, 0, 0}, {0, 0, 1}, 12, {.angle_deg = 60, .inverted = &inverted});
+  REQUIRE(inverted.size() == 12);
+  for (unsigned k = 0; k < 12; ++k) CHECK(inverted[k] == poly_id{2 * k + 1});
+}

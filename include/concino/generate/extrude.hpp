@@ -3,6 +3,7 @@
 
 #include <concino/core/mistakes.hpp>
 #include <concino/generate/detail/construct_from_arrays.hpp>
+#include <concino/generate/detail/inverted_polys.hpp>
 #include <concino/generate/detail/swept_surface.hpp>
 #include <concino/geometry/normals.hpp>
 
@@ -13,6 +14,7 @@ namespace concino {
 struct extrude_options {
   bool properties = true;                             // whether named properties of verts, of polys and of the mesh are transferred, if m has any
   concino::correspondence* correspondence = nullptr;  // unless null, filled with the vert or poly of m of which each vert and poly was made
+  std::vector<poly_id>* inverted = nullptr;           // unless null, filled with the polys of the result whose scaled Jacobian is not above 0
 };
 
 namespace detail {
@@ -42,8 +44,8 @@ struct sweep_direction {
 /// The volume that a surface passes through when it moves by the vector `direction`: extrude(m, {0, 0, 1}, 10). Each poly gives a column of `layers` prisms.
 /// Needs:  Embedded SurfaceMesh; polys that share an edge move to the same side of the surface, as all do if m is a graph over a plane across the direction.
 /// Result: a hexmesh if M has quads only by type, else a polyhedralmesh. Verts are those of verts(m) for each of layers + 1 levels, from m on, level by level, and polys those of
-///         polys(m) for each layer. All cells have a positive volume, whichever way the direction points: polys with normals against it are reversed. Hexes of quads that are not convex are inverted at a corner. Properties of verts and polys, and of
-///         the mesh, are transferred by their rules.
+///         polys(m) for each layer. All cells have a positive volume, whichever way the direction points: polys with normals against it are reversed. Cells of polygons that are not
+///         convex are inverted at a corner, though their volume is right; options.inverted lists them. Properties of verts and polys, and of the mesh, are transferred by their rules.
 /// Cost:   O(size of the result); the points in parallel.
 /// Errors: invalid_argument if layers is 0, if direction is 0 or not finite, or if the result would have too many elements. It names a poly parallel to the direction, and
 ///         two polys that share an edge and face the direction with different sides. invalid_mesh that names a poly without area, a vert whose point is not finite, an edge of more than two polys, or one along
@@ -62,7 +64,9 @@ detail::swept_mesh<M> extrude(const M& m, const vec3& direction, std::size_t lay
   const auto at = [&](std::size_t level, std::uint32_t v) {
     return level == layers ? s.points[v] + direction : s.points[v] + (static_cast<double>(level) / static_cast<double>(layers)) * direction;
   };
-  return detail::construct_swept(m, s, all, at, options.properties, options.correspondence);
+  auto result = detail::construct_swept(m, s, all, at, options.properties, options.correspondence);
+  if (options.inverted) *options.inverted = detail::inverted_polys(result);
+  return result;
 }
 
 // What to write instead of calls that cannot compile.

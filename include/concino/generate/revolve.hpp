@@ -15,6 +15,7 @@ struct revolve_options {
   double angle_deg = 360;   // the whole angle in degrees, from -360 to 360, not 0; counter-clockwise seen from where the axis points to. 360 and -360 join the ends
   bool properties = true;                             // whether named properties of verts, of polys and of the mesh are transferred, if m has any
   concino::correspondence* correspondence = nullptr;  // unless null, filled with the vert or poly of m of which each vert and poly was made
+  std::vector<poly_id>* inverted = nullptr;           // unless null, filled with the polys of the result whose scaled Jacobian is not above 0
 };
 
 namespace detail {
@@ -79,8 +80,9 @@ inline sweep_layers layers_around_axis(const swept_surface& s, const rotation& t
 /// Needs:  Embedded SurfaceMesh on one side of the axis, whose polys all turn to one of their sides, as those of a surface in a half-plane that the axis bounds. Verts within 1e-12
 ///         times the largest distance of a vert from `centre` are on the axis.
 /// Result: a hexmesh if M has quads only by type, else a polyhedralmesh. Verts are those of verts(m), then those off the axis for each further level, and polys those of polys(m)
-///         for each segment. Verts on the axis are not repeated: polyhedra there have triangles, and edges on the axis no faces. Cells have a positive volume, whichever way the surface is wound. Properties of
-///         verts and polys, and of the mesh, are transferred by their rules. After a whole turn, the last level is the first one.
+///         for each segment. Verts on the axis are not repeated: polyhedra there have triangles, and edges on the axis no faces. Cells have a positive volume, whichever way the surface is wound. Those of polygons
+///         that are not convex are inverted at a corner; options.inverted lists them. Properties of verts and polys, and of the mesh, are transferred by their rules. After a whole turn, the last level is the
+///         first one.
 /// Cost:   O(size of the result); the points in parallel.
 /// Errors: invalid_argument if angle_deg is out of range, if a segment turns by 180 degrees or more, if the axis is 0, if it or the centre is not finite, or if the result would have too many elements. It names a poly
 ///         that crosses the axis or turns in itself, and two polys that share an edge and turn to different sides. unsupported that names a quad with a vert on the axis, if M has quads only by type. invalid_mesh as extrude.
@@ -97,7 +99,9 @@ detail::swept_mesh<M> revolve(const M& m, const vec3& centre, const vec3& axis, 
   const bool closed = std::abs(options.angle_deg) == 360;
   const auto layers = detail::layers_around_axis(s, turn, segments, closed);
   const auto at = [&](std::size_t level, std::uint32_t v) { return turn(s.points[v], angle * (static_cast<double>(level) / static_cast<double>(segments))); };
-  return detail::construct_swept(m, s, layers, at, options.properties, options.correspondence);
+  auto result = detail::construct_swept(m, s, layers, at, options.properties, options.correspondence);
+  if (options.inverted) *options.inverted = detail::inverted_polys(result);
+  return result;
 }
 
 // What to write instead of calls that cannot compile.

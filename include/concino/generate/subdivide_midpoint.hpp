@@ -3,8 +3,8 @@
 
 #include <concino/core/mistakes.hpp>
 #include <concino/generate/detail/corner_hexes.hpp>
+#include <concino/generate/detail/inverted_polys.hpp>
 #include <concino/generate/detail/subdivided_surface.hpp>
-#include <concino/quality/poly_quality.hpp>
 
 namespace concino {
 
@@ -14,20 +14,6 @@ struct midpoint_options {
   concino::correspondence* correspondence = nullptr;  // unless null, filled with the elements of m of which those of the result were made
   std::vector<poly_id>* inverted = nullptr;           // unless null, filled with the polys of the result whose scaled Jacobian is not above 0
 };
-
-namespace detail {
-
-/// The polys whose scaled Jacobian is not above 0.
-template<class M>
-std::vector<poly_id> inverted_polys(const M& m) {
-  std::vector<poly_id> inverted;
-  const auto value = quality(m, metric::scaled_jacobian);
-  for (const poly_id p : polys(m))
-    if (!(value[p] > 0)) inverted.push_back(p);
-  return inverted;
-}
-
-}  // namespace detail
 
 /// Splits each polygon into quads, or each polyhedron into hexes, one at each of its verts. The other corners are the midpoints of the edges at the vert, the
 /// means of the verts of the faces at it, and the mean of the verts of the poly.
