@@ -185,3 +185,81 @@ TEST_CASE("voronoi_polygons: throws if a site or the rectangle is invalid") {
   // three collinear sites so close that the cell between them is thinner than rounding errors
   refused({{0.5, 0.5, 0}, {0.5 + 0x1p-45, 0.5, 0}, {0.5 + 0x1p-44, 0.5, 0}}, unit_square, "site 1 ");
 }
+
+TEST_CASE("voronoi_polygons: cells in a convex outline fill it") {
+  const auto check = [](const std::vector<vec3>& outline, double area, std::size_t corners) {
+    box b;
+    for (const vec3& x : outline) b.add(x);
+    std::vector<vec3> sites;  // those inside
+    const polygonmesh whole(outline, std::vector<std::vector<unsigned>>{[&] {
+                              std::vector<unsigned> ring(outline.size());
+                              for (unsigned k = 0; k < ring.size(); ++k) ring[k] = k;
+                              if (area < 0) std::reverse(ring.begin(), ring.end());
+                              return ring;
+                            }()});
+    for (const vec3& x : random_points(300, b, 5))
+      if (outside(whole, poly_id{0}, x) < 0) sites.push_back(x);
+    REQUIRE(sites.size() > 20);
+    sites.push_back(outline[0]);
+    for (const unsigned relax : {0u, 2u}) {
+      const polygonmesh m = voronoi_polygons(sites, outline, {.relax = relax});
+      REQUIRE(num_polys(m) == sites.size());
+      CHECK(check_laws(m).empty());
+      CHECK(num_verts(m) + num_polys(m) == num_edges(m) + 1);
+      CHECK(total_measure(m) == doctest::Approx(std::abs(area)).epsilon(1e-12));
+      bool is_convex = true;
+      for (const poly_id p : polys(m)) is_convex &= area_vector(m, p).z > 0;
+      CHECK(is_convex);
+      std::size_t found = 0;
+      for (const vert_id v : verts(m)) {
+        CHECK(point(m, v).z == outline[0].z);
+        if (adj_v2p(m, v).size() > 1) continue;
+        for (const vec3& x : outline) found += norm(point(m, v) - vec3{x.x, x.y, outline[0].z}) < 1e-12;
+      }
+      CHECK(found == corners);
+      if (relax == 0)
+        for (const vec3& x : random_points(200, b, 6))
+          if (outside(whole, poly_id{0}, x) < 0) CHECK(outside(m, poly_id{nearest(sites, x)}, x) < 1e-12);
+    }
+  };
+  check({{0, 0, 2}, {3, 0, 2}, {1, 2, 2}}, 3, 3);
+  check({{1, 2, 2}, {3, 0, 2}, {0, 0, 2}}, -3, 3);
+  check({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {0, 1, 0}}, 2, 4);  // with points within sides
+  std::vector<vec3> circle;
+  for (unsigned k = 0; k < 40; ++k) circle.push_back({5 + std::cos(0.15707963267948966 * k), std::sin(0.15707963267948966 * k), 0});
+  check(circle, 20 * std::sin(0.15707963267948966), 40);
+}
+
+TEST_CASE("voronoi_polygons: a rectangle as an outline gives the same cells, and one site fills the outline") {
+  const std::vector<vec3> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const auto sites = random_points(60, unit_square, 3);
+  const polygonmesh m = voronoi_polygons(sites, square), same = voronoi_polygons(sites, unit_square);
+  REQUIRE(num_edges(m) == num_edges(same));
+  for (const poly_id p : polys(m)) CHECK(measure(m, p) == doctest::Approx(measure(same, p)).epsilon(1e-11));
+  const polygonmesh one = voronoi_polygons({{0.5, 0.5, 9}}, square);
+  CHECK(num_verts(one) == 4);
+  CHECK(total_measure(one) == doctest::Approx(1).epsilon(1e-13));
+}
+
+TEST_CASE("voronoi_polygons: throws if the outline is not convex or a site is outside of it") {
+  const auto message = [](const std::vector<vec3>& outline, const std::vector<vec3>& sites = {{0.5, 0.25, 0}}) -> std::string {
+    try {
+      voronoi_polygons(sites, outline);
+    } catch (const invalid_argument& e) {
+      return e.what();
+    }
+    return "";
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(message({}) == "Voronoi diagram: the outline has 0 points; it must have 3 or more");
+  CHECK(message({{0, 0, 0}, {1, nan, 0}, {0, 1, 0}}) == "Voronoi diagram: point 1 of the outline is not finite");
+  CHECK(message({{0, 0, 0}, {1, 0, 0}, {0.5, 0, 0}, {0.25, 0, 0}}, {{0.5, 0, 0}}) == "Voronoi diagram: the outline has no area");
+  CHECK(message({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}).find("Voronoi diagram: ") == 0);
+  CHECK(message({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0.6, 0.4, 0}, {0, 1, 0}}) == "Voronoi diagram: the outline is not convex at point 3");
+  CHECK(message({{0, 1, 0}, {0.6, 0.4, 0}, {1, 1, 0}, {1, 0, 0}, {0, 0, 0}}) == "Voronoi diagram: the outline is not convex at point 1");
+  CHECK(message({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1.5, 0, 0}, {1, 1, 0}}) == "Voronoi diagram: the outline is not convex at point 2");
+  std::vector<vec3> star;
+  for (const unsigned k : {0u, 2u, 4u, 1u, 3u}) star.push_back({std::cos(1.2566370614359172 * k), std::sin(1.2566370614359172 * k), 0});
+  CHECK(message(star, {{0, 0, 0}}) == "Voronoi diagram: the outline is not convex: it winds around its inside more than once");
+  CHECK(message({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0.25, 0.25, 0}, {0.75, 0.75, 0}}) == "Voronoi diagram: site 1 lies outside of the outline");
+}

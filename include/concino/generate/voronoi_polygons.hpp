@@ -1,6 +1,7 @@
-// The Voronoi cells of points in a rectangle, as a polygon mesh.
+// The Voronoi cells of points in a rectangle or a convex outline, as a polygon mesh.
 #pragma once
 
+#include <concino/generate/detail/convex_outline.hpp>
 #include <concino/generate/detail/relax_sites.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 
@@ -11,6 +12,22 @@ namespace concino {
 struct voronoi_options {
   unsigned relax = 0;  // number of Lloyd iterations: sites move to the centroids of their cells, so that cells become rounder and more uniform
 };
+
+namespace detail {
+
+/// The cells of a diagram in the plane, which have one loop each.
+inline polygonmesh polygons_of(const voronoi_complex<2>& cells) {
+  surface_arrays a;
+  for (std::uint32_t v = 0; v < cells.num_verts(); ++v) a.points.push_back(cells.point(v));
+  a.offsets.push_back(0);
+  for (std::uint32_t i = 0; i < cells.num_cells(); ++i) {
+    for (const std::uint32_t v : cells.verts(i)) a.verts.push_back(vert_id{v});
+    a.offsets.push_back(static_cast<std::uint32_t>(a.verts.size()));
+  }
+  return polygonmesh(std::move(a));
+}
+
+}  // namespace detail
 
 /// The Voronoi diagram of sites in a rectangle: poly i is the set of points that are nearer to site i than to any other site.
 /// Needs:  sites, a container of points (z is ignored) or points in braces, inside the rectangle (x and y of `domain`) or on its border; all
@@ -29,15 +46,27 @@ polygonmesh voronoi_polygons(const Sites& sites, const box& domain, const vorono
   if (!std::isfinite(domain.min.z)) throw invalid_argument("voronoi_polygons: min.z of the box is not finite; it is the height of the plane of the polygons");
   return detail::with_relaxed_sites<2>(sites, domain, options.relax, [](const std::vector<vec3>& x, const box& b) {
     const detail::site_lattice<2> lattice(x, b);
-    const detail::voronoi_complex<2> cells(lattice);
-    surface_arrays a;
-    for (std::uint32_t v = 0; v < cells.num_verts(); ++v) a.points.push_back(cells.point(v));
-    a.offsets.push_back(0);
-    for (std::uint32_t i = 0; i < lattice.size(); ++i) {  // each cell has one loop
-      for (const std::uint32_t v : cells.verts(i)) a.verts.push_back(vert_id{v});
-      a.offsets.push_back(static_cast<std::uint32_t>(a.verts.size()));
-    }
-    return polygonmesh(std::move(a));
+    return detail::polygons_of(detail::voronoi_complex<2>(lattice));
+  });
+}
+
+/// The Voronoi diagram of sites inside a convex polygon: cells are cut off at it.
+/// Needs:  the corners of a convex polygon, a container of at least 3 points in either direction; z of the first one is the height of the mesh, and z of
+///         the others is ignored. Points within its segments are allowed. Sites as above, inside the polygon or on its border.
+/// Result: as above, for the inside of the polygon instead of a rectangle. Precise relative to the box around the polygon, larger by an eighth.
+/// Cost:   as above, and O(n m) time for n sites and m corners.
+/// Errors: as above. invalid_argument that names a point of the outline that is not finite or at which it is not convex, or a site outside of it. The same if
+///         the outline has less than 3 points, no area, or winds around its inside more than once.
+/// Source: as above; cells cut by walls as by bisectors.
+template<class Sites = std::initializer_list<vec3>, class Outline>
+  requires detail::PointRange<Sites> && detail::PointRange<Outline>
+polygonmesh voronoi_polygons(const Sites& sites, const Outline& outline, const voronoi_options& options = {}) {
+  const detail::convex_outline domain(detail::points_of_sites(outline));
+  return detail::with_relaxed_sites<2>(sites, domain.domain(), options.relax, [&](const std::vector<vec3>& x, const box& b) {
+    const detail::site_lattice<2> lattice(x, b);
+    const auto walls = domain.walls(lattice);
+    detail::check_inside<2>(lattice, walls, "outline");
+    return detail::polygons_of(detail::voronoi_complex<2>(lattice, walls));
   });
 }
 

@@ -74,7 +74,7 @@ polyhedralmesh voronoi_polyhedra(const Sites& sites, const S& surface, const vor
     const detail::site_lattice<3> lattice(x, b);
     const detail::convex_walls<S> walls(surface, lattice);
     const auto planes = walls.planes();
-    detail::check_inside(lattice, planes);
+    detail::check_inside<3>(lattice, planes, "surface");
     polyhedralmesh m = detail::polyhedra_of(detail::voronoi_complex<3>(lattice, planes));
     if (!(std::abs(total_measure(m) - walls.enclosed_volume()) <= 1e-6 * walls.enclosed_volume()))
       throw invalid_mesh("voronoi_polyhedra: the surface is not convex: it winds around its inside more than once");

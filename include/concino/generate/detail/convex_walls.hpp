@@ -144,14 +144,4 @@ class convex_walls {
   }
 };
 
-/// Errors: invalid_argument that names a site outside of the walls.
-inline void check_inside(const site_lattice<3>& sites, std::span<const lattice_plane<3>> walls) {
-  for (std::uint32_t i = 0; i < sites.size(); ++i)
-    for (const lattice_plane<3>& w : walls) {
-      int128 c = w.c;
-      for (std::size_t k = 0; k < 3; ++k) c -= 2 * static_cast<int128>(w.n[k]) * sites[i][k];
-      if (c < 0) core::throw_joined<invalid_argument>({"Voronoi diagram: site ", i, " lies outside of the surface"});
-    }
-}
-
 }  // namespace concino::detail

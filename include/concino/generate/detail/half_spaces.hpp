@@ -6,6 +6,7 @@
 #include <concino/generate/detail/wide_integer.hpp>
 
 #include <cassert>
+#include <span>
 
 namespace concino::detail {
 
@@ -25,6 +26,17 @@ struct lattice_plane {
   std::array<std::int64_t, D> n;
   int128 c;
 };
+
+/// Errors: invalid_argument that names a site outside of the walls of `domain`.
+template<int D>
+void check_inside(const site_lattice<D>& sites, std::span<const lattice_plane<D>> walls, const char* domain) {
+  for (std::uint32_t i = 0; i < sites.size(); ++i)
+    for (const lattice_plane<D>& w : walls) {
+      int128 c = w.c;
+      for (std::size_t k = 0; k < D; ++k) c -= 2 * static_cast<int128>(w.n[k]) * sites[i][k];
+      if (c < 0) core::throw_joined<invalid_argument>({"Voronoi diagram: site ", i, " lies outside of the ", domain});
+    }
+}
 
 /// The half-spaces whose intersection is the cell of one site: {y : 2 n.y <= c}, with the site at the origin, in lattice steps. The first 2 D are
 /// the walls of the box (minus before plus in each direction), the others bisectors and further walls. Sites have infinitesimal weights, larger for lower
