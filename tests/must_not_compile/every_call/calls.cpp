@@ -141,6 +141,7 @@ void no_adapter(const stranger& other) {
   cn::regions_of_maxima(other);  // refused
   cn::regions_of_minima(other);  // refused
   cn::persistence(other);  // refused
+  cn::hodge_decomposition(other);  // refused
   cn::resample(other);  // refused
   cn::to_polys(other);  // refused
   cn::statistics(other);  // refused
@@ -210,6 +211,7 @@ void temporary() {
   cn::prepare_exact_geodesics(made());  // refused
   cn::exact_geodesics(made());  // refused
   cn::critical_points(made());  // refused
+  cn::hodge_decomposition(made());  // refused
   cn::to_polys(made());  // refused
   cn::normalized(made());  // refused
   cn::simplified(made());  // refused
@@ -299,6 +301,7 @@ void no_points(const cn::trimesh& m) {
   cn::divergence_matrix(pure);  // refused
   cn::gradient(pure);  // refused
   cn::vert_gradient(pure);  // refused
+  cn::hodge_decomposition(pure);  // refused
   cn::resample(pure);  // refused
   cn::to_polys(pure);  // refused
   cn::statistics(pure);  // refused

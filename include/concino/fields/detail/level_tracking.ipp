@@ -1,30 +1,15 @@
 // Follows components of level sets; see level_tracking.hpp.
 #pragma once
 
+#include <concino/fields/detail/grouped_numbers.hpp>
 #include <concino/fields/detail/level_tracking.hpp>
 #include <concino/fields/detail/link_cut_forest.hpp>
 #include <concino/graph/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cstddef>
-#include <span>
 
 namespace concino::detail {
-
-/// Numbers 0 .. in lists by key.
-class grouped_numbers {
-  std::vector<std::uint32_t> first_, numbers_;
-
- public:
-  template<class KeyOf>
-  grouped_numbers(std::uint32_t keys, std::size_t count, const KeyOf& key_of) : first_(keys + 1), numbers_(count) {
-    for (std::size_t i = 0; i < count; ++i) ++first_[key_of(i)];
-    std::uint32_t sum = 0;
-    for (std::uint32_t& f : first_) sum += f, f = sum;
-    for (std::size_t i = count; i-- > 0;) numbers_[--first_[key_of(i)]] = static_cast<std::uint32_t>(i);
-  }
-  std::span<const std::uint32_t> operator[](std::uint32_t key) const { return {numbers_.data() + first_[key], numbers_.data() + first_[key + 1]}; }
-};
 
 /// The level set of t has a node for each edge that t crosses. A triangle abc joins its edge ac to ab below b, and to bc above. These joints are kept as a spanning
 /// forest that prefers the joints that last longest, so that one that ends is never replaced by another.

@@ -1,0 +1,133 @@
+// A basis of the first cohomology; see closed_cochains.hpp.
+#pragma once
+
+#include <concino/fields/detail/closed_cochains.hpp>
+#include <concino/fields/detail/grouped_numbers.hpp>
+#include <concino/graph/disjoint_sets.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace concino::detail {
+
+/// Values on edges as linear combinations of symbols. Those of a spanning forest are 0. A triangle with one unknown edge determines it; where there is none, an unknown edge
+/// becomes a symbol. On surfaces these are as many as there are loops; otherwise, triangles whose edges were all known say how symbols depend on each other.
+class cochain_search {
+  using combination = std::vector<double>;  // coefficients of symbols; missing ones are 0
+
+  const edge_complex& complex_;
+  const grouped_numbers triangles_of_;  // by edge; corners 3 t + k of triangles t
+  std::vector<combination> value_;      // by edge; few are not empty
+  std::vector<unsigned char> is_known_, unknown_edges_;
+  std::vector<std::uint32_t> waiting_;  // edges that became known
+  std::vector<combination> relations_;  // in echelon form
+  std::size_t symbols_ = 0;
+
+  static void add(combination& sum, double factor, const combination& x) {
+    if (sum.size() < x.size()) sum.resize(x.size());
+    for (std::size_t k = 0; k < x.size(); ++k) sum[k] += factor * x[k];
+  }
+  static constexpr std::size_t none = ~std::size_t{0};
+  static std::size_t leading(const combination& x) {
+    for (std::size_t k = 0; k < x.size(); ++k)
+      if (std::abs(x[k]) > 1e-9) return k;  // of small integers and their quotients
+    return none;
+  }
+
+  void add_relation(combination x) {
+    for (const combination& r : relations_) {
+      const std::size_t k = leading(r);
+      if (k < x.size() && x[k] != 0) add(x, -x[k] / r[k], r);
+    }
+    if (leading(x) != none) relations_.push_back(std::move(x));
+  }
+
+  void set_known(std::uint32_t edge) {
+    is_known_[edge] = 1;
+    waiting_.push_back(edge);
+  }
+
+  void visit(std::size_t t) {
+    const auto& triangle = complex_.triangles[t];
+    combination sum;
+    std::size_t unknown = 3;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (is_known_[triangle.edge[k]]) add(sum, triangle.sign[k], value_[triangle.edge[k]]);
+      else unknown = k;
+    }
+    if (unknown == 3) {
+      if (leading(sum) != none) add_relation(std::move(sum));
+      return;
+    }
+    const std::uint32_t edge = triangle.edge[unknown];
+    if (leading(sum) != none) add(value_[edge], -triangle.sign[unknown], sum);
+    set_known(edge);
+  }
+
+  void spread() {
+    while (!waiting_.empty()) {
+      const std::uint32_t edge = waiting_.back();
+      waiting_.pop_back();
+      for (const std::uint32_t corner : triangles_of_[edge])
+        if (--unknown_edges_[corner / 3] <= 1) visit(corner / 3);
+    }
+  }
+
+  /// A solution of the relations for each symbol that none of them determines.
+  std::vector<combination> independent_symbols() const {
+    std::vector<unsigned char> is_determined(symbols_);
+    for (const combination& r : relations_) is_determined[leading(r)] = 1;
+    std::vector<combination> solutions;
+    for (std::size_t s = 0; s < symbols_; ++s) {
+      if (is_determined[s]) continue;
+      combination x(symbols_);
+      x[s] = 1;
+      for (bool changes = true; changes;) {  // relations of later symbols first would need no repetition; they are few
+        changes = false;
+        for (const combination& r : relations_) {
+          double sum = 0;
+          for (std::size_t k = 0; k < r.size(); ++k) sum += r[k] * x[k];
+          if (std::abs(sum) <= 1e-9) continue;
+          x[leading(r)] -= sum / r[leading(r)];
+          changes = true;
+        }
+      }
+      solutions.push_back(std::move(x));
+    }
+    return solutions;
+  }
+
+ public:
+  explicit cochain_search(const edge_complex& c)
+      : complex_(c), triangles_of_(c.edges.size(), 3 * c.triangles.size(), [&](std::size_t corner) { return c.triangles[corner / 3].edge[corner % 3]; }),
+        value_(c.edges.size()), is_known_(c.edges.size()), unknown_edges_(c.triangles.size(), 3) {}
+
+  std::vector<std::vector<double>> run() {
+    disjoint_sets sets(complex_.verts);
+    for (std::uint32_t e = 0; e < complex_.edges.size(); ++e) {
+      const auto [a, b] = complex_.edges[e];
+      if (a == b || triangles_of_[e].empty()) is_known_[e] = 1;  // edges without triangles have no part in fields
+      else if (sets.unite(a, b)) set_known(e);
+    }
+    spread();
+    for (std::uint32_t e = 0; e < complex_.edges.size(); ++e) {
+      if (is_known_[e]) continue;
+      value_[e].resize(++symbols_);
+      value_[e].back() = 1;
+      set_known(e);
+      spread();
+    }
+    std::vector<std::vector<double>> cochains;
+    for (const combination& x : independent_symbols()) {
+      auto& values = cochains.emplace_back(complex_.edges.size());
+      for (std::size_t e = 0; e < values.size(); ++e)
+        for (std::size_t k = 0; k < value_[e].size(); ++k) values[e] += value_[e][k] * x[k];
+    }
+    return cochains;
+  }
+};
+
+CONCINO_INLINE std::vector<std::vector<double>> closed_cochains(const edge_complex& complex) { return cochain_search(complex).run(); }
+
+}  // namespace concino::detail
