@@ -30,7 +30,10 @@ struct tangent_vector {
 /// The scalar product, the length and the angle from the x-axis, in (-pi, pi].
 /// Needs:  any vectors.      Result: as said; the angle of 0 is 0.      Cost: O(1).      Errors: none.
 constexpr double dot(const tangent_vector& a, const tangent_vector& b) { return a.x * b.x + a.y * b.y; }
-inline double norm(const tangent_vector& a) { return std::hypot(a.x, a.y); }
+inline double norm(const tangent_vector& a) {
+  const double squared = dot(a, a);
+  return squared > 1e-280 && squared < 1e290 ? std::sqrt(squared) : std::hypot(a.x, a.y);  // squares are used where they keep all digits
+}
 inline double angle(const tangent_vector& a) { return std::atan2(a.y, a.x); }
 
 }  // namespace concino

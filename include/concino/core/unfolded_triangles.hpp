@@ -55,6 +55,13 @@ struct unfolded_triangles {
     return turn[i] + (is_backward[i] ? angle[i] - from_side : from_side);
   }
 
+  void reserve(std::size_t num_triangles) {
+    vert.reserve(3 * num_triangles);
+    length.reserve(3 * num_triangles);
+    apex.reserve(3 * num_triangles);
+    angle.reserve(3 * num_triangles);
+  }
+
   /// Adds a triangle of three finite points, in units of 2^exponent; false if it has no area.
   bool add(const std::array<int, 3>& verts, const std::array<vec3, 3>& x) {
     for (std::size_t k = 0; k < 3; ++k) {

@@ -58,12 +58,16 @@ class prepared_log_map {
     const detail::diffused d = heat_->run({{from, {1, 0}}}, {.second = equations.reflects, .offset = true}, caller);
     log_map_result<M> r{make_vert_map<double>(m, std::numeric_limits<double>::infinity()), make_vert_map<tangent_vector>(m)};
     for (std::size_t v = 0; v < equations.size(); ++v) {
-      if (!d.is_reached[v]) continue;
-      const tangent_vector axis = d.first[v], away = -1.0 * d.offset[v];
-      r.distance.data()[v] = heat_->unit * (norm(away) / d.heat[v]);
-      const double size = norm(axis) * norm(away);
+      if (!d.is_reached(v)) continue;
+      const tangent_vector axis = d.at(d.first, v), away = -1.0 * d.at(d.offset, v);
+      const double to_source = norm(away), size = norm(axis) * to_source;
+      r.distance.data()[v] = heat_->unit * (to_source / d.heat[static_cast<Eigen::Index>(v)]);
       if (!(size > 0)) continue;
-      const bool is_mirrored = equations.reflects && axis.x * d.second[v].y - axis.y * d.second[v].x < 0;
+      bool is_mirrored = false;
+      if (equations.reflects) {
+        const tangent_vector other = d.at(d.second, v);
+        is_mirrored = axis.x * other.y - axis.y * other.x < 0;
+      }
       const double along = dot(axis, away) / size, left = (axis.x * away.y - axis.y * away.x) / size;
       r.direction.data()[v] = {along, is_mirrored ? -left : left};
     }

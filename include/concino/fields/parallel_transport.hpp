@@ -79,11 +79,14 @@ class prepared_parallel_transport {
     }
     const detail::diffused d = heat_->run(starts, {.second_heat = !same_length}, caller);
     auto r = make_vert_map<tangent_vector>(m);
-    for (std::size_t v = 0; v < d.heat.size(); ++v) {
-      const double size = norm(d.first[v]);
-      if (!d.is_reached[v] || !(size > 0)) continue;
-      const double length = same_length ? norm(starts[0].vector) : d.second_heat[v] / d.heat[v];
-      r.data()[v] = (unit * length / size) * d.first[v];
+    for (std::size_t v = 0; v < d.round.size(); ++v) {
+      if (!d.is_reached(v)) continue;
+      const tangent_vector x = d.at(d.first, v);
+      const double size = norm(x);
+      if (!(size > 0)) continue;
+      const auto i = static_cast<Eigen::Index>(v);
+      const double length = same_length ? norm(starts[0].vector) : d.second_heat[i] / d.heat[i];
+      r.data()[v] = (unit * length / size) * x;
     }
     return r;
   }

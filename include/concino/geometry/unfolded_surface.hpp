@@ -110,6 +110,9 @@ unfolded_surface unfold_surface(const M& m, const char* caller) {
   r.triangles.exponent = unfolding_exponent(m);
   surface_unfolder<M> unfolder(m, caller, r);
   std::vector<int> edge_of;
+  r.triangles.reserve(num_polys(m));  // more where polygons are triangulated
+  r.poly_of.reserve(num_polys(m));
+  edge_of.reserve(3 * num_polys(m));
   for (const poly_t<M> p : polys(m)) unfolder.add(p, edge_of);
   r.triangles.join(std::move(edge_of), static_cast<std::size_t>(unfolder.num_edges()), vert_index_bound(m));
   return r;

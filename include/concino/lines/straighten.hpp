@@ -53,7 +53,7 @@ class path_on_surface {
     const auto i = static_cast<std::size_t>(h), v = static_cast<std::size_t>(intrinsic_.start[i]);
     const double whole = t.whole_turn[v], turn = t.around[v] == core::unfolded_triangles::vert_fan::fan ? whole : whole + 1;
     const walk_state from = leave_vert(t, intrinsic_.start[i], intrinsic_.fan_angle[i], turn);
-    return walk_straight(surface_.unfolded, from, intrinsic_.length[i], t.vert.size());
+    return walk_straight(surface_.triangles(), from, intrinsic_.length[i], t.vert.size());
   }
 
   /// Whether the point is at vert v, but for rounding.

@@ -72,7 +72,7 @@ class prepared_trace_geodesic {
       r.stopped_by = geodesic_end::boundary;
       return r;
     }
-    const detail::walk_result walk = detail::walk_straight(surface_->unfolded, state, std::ldexp(length, -exponent), options.max_steps);
+    const detail::walk_result walk = detail::walk_straight(surface_->triangles(), state, std::ldexp(length, -exponent), options.max_steps);
     r.points.reserve(1 + walk.stops.size());
     for (const detail::walk_stop& s : walk.stops) r.points.push_back(surface_->point_of(m, s));
     r.length = std::ldexp(walk.length, exponent);

@@ -49,9 +49,15 @@ affine_heat make_affine_heat(const core::unfolded_triangles& triangles, const st
 
 /// Heat of several sorts at each vert. All are scaled by one power of two of the vert, so that they do not underflow far from their sources.
 struct diffused {
-  std::vector<double> heat, second_heat;            // of the sources with value 1; with the length of their vectors
-  std::vector<tangent_vector> first, second, offset;  // transported vectors; vectors to the sources, times heat
-  std::vector<unsigned char> is_reached;
+  Eigen::VectorXd heat, second_heat;      // of the sources with value 1; with the length of their vectors
+  Eigen::VectorXd first, second, offset;  // transported vectors; vectors to the sources, times heat; two numbers at each vert
+  std::vector<int> round;                 // -1 where no heat arrived
+
+  bool is_reached(std::size_t v) const { return round[v] >= 0; }
+  static tangent_vector at(const Eigen::VectorXd& x, std::size_t v) {
+    const auto i = 2 * static_cast<Eigen::Index>(v);
+    return {x[i], x[i + 1]};
+  }
 };
 struct vector_source {
   int vert;

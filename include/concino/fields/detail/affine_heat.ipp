@@ -43,36 +43,89 @@ inline double mean_square_length(const core::unfolded_triangles& t) {
   return total > 0 ? sum / total : 1;
 }
 
-/// The masses plus the time times the Laplacian with these weights, of numbers or of vectors.
-template<int N>
-Eigen::SparseMatrix<double> heat_matrix_of(const affine_heat& h) {
+/// For each vert its edges to verts with larger numbers, in their order.
+struct edges_below {
+  struct entry {
+    int row, edge;
+  };
+  std::vector<std::size_t> first;
+  std::vector<entry> entries;
+
+  explicit edges_below(const affine_heat& h) : first(h.size() + 1), entries(h.edges.size()) {
+    for (const transport_edge& e : h.edges) ++first[static_cast<std::size_t>(std::min(e.a, e.b)) + 1];
+    for (std::size_t v = 0; v < h.size(); ++v) first[v + 1] += first[v];
+    std::vector<std::size_t> next(first.begin(), first.end() - 1);
+    for (std::size_t k = 0; k < h.edges.size(); ++k) {
+      const transport_edge& e = h.edges[k];
+      entries[next[static_cast<std::size_t>(std::min(e.a, e.b))]++] = {std::max(e.a, e.b), static_cast<int>(k)};
+    }
+    for (std::size_t v = 0; v < h.size(); ++v)
+      std::sort(entries.begin() + static_cast<std::ptrdiff_t>(first[v]), entries.begin() + static_cast<std::ptrdiff_t>(first[v + 1]),
+                [](const entry& x, const entry& y) { return x.row < y.row; });
+  }
+};
+
+/// Appends entries column by column. Two entries that follow each other in the same place are added.
+class column_writer {
+  Eigen::SparseMatrix<double> a_;
+  int count_ = 0, column_ = 0;
+
+ public:
+  column_writer(int size, std::size_t entries) : a_(size, size) { a_.resizeNonZeros(static_cast<Eigen::Index>(entries)); }
+
+  void begin_column() { a_.outerIndexPtr()[column_++] = count_; }
+  void add(int row, double value) {
+    if (count_ > a_.outerIndexPtr()[column_ - 1] && a_.innerIndexPtr()[count_ - 1] == row) {
+      a_.valuePtr()[count_ - 1] += value;
+      return;
+    }
+    a_.innerIndexPtr()[count_] = row;
+    a_.valuePtr()[count_++] = value;
+  }
+  void finish_into(Eigen::SparseMatrix<double>& to) {
+    a_.outerIndexPtr()[column_] = count_;
+    a_.resizeNonZeros(count_);
+    to.swap(a_);
+  }
+};
+
+/// Whether several edges join the same verts, next to each other in the list.
+inline bool is_followed_by_same(const edges_below& below, std::size_t k, std::size_t end) { return k + 1 < end && below.entries[k + 1].row == below.entries[k].row; }
+
+/// The masses plus the time times the Laplacian, of numbers and of vectors.
+inline void assemble_heat(affine_heat& h) {
   const auto n = static_cast<int>(h.size());
   std::vector<double> diagonal = h.mass;
   for (const transport_edge& e : h.edges) {
     diagonal[static_cast<std::size_t>(e.a)] += h.time * e.weight;
     diagonal[static_cast<std::size_t>(e.b)] += h.time * e.weight;
   }
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(static_cast<std::size_t>(N * n) + static_cast<std::size_t>(N * N) * h.edges.size());
-  for (int i = 0; i < n; ++i)
-    for (int k = 0; k < N; ++k) entries.emplace_back(N * i + k, N * i + k, diagonal[static_cast<std::size_t>(i)]);
-  for (const transport_edge& e : h.edges) {
-    const double flow = -h.time * e.weight;
-    if constexpr (N == 1) {
-      entries.emplace_back(std::max(e.a, e.b), std::min(e.a, e.b), flow);
-    } else {
-      const tangent_vector columns[2] = {e.to_a({1, 0}), e.to_a({0, 1})};
-      for (int k = 0; k < 2; ++k)
-        for (int j = 0; j < 2; ++j) {
-          const double entry = flow * (j == 0 ? columns[k].x : columns[k].y);  // in row j of a, column k of b
-          const int row = 2 * e.a + j, column = 2 * e.b + k;
-          entries.emplace_back(std::max(row, column), std::min(row, column), entry);
+  const edges_below below(h);
+  column_writer scalars(n, h.size() + h.edges.size()), vectors(2 * n, 2 * h.size() + 4 * h.edges.size());
+  for (int c = 0; c < n; ++c) {
+    const std::size_t begin = below.first[static_cast<std::size_t>(c)], end = below.first[static_cast<std::size_t>(c) + 1];
+    scalars.begin_column();
+    scalars.add(c, diagonal[static_cast<std::size_t>(c)]);
+    for (std::size_t k = begin; k < end; ++k) scalars.add(below.entries[k].row, -h.time * h.edges[static_cast<std::size_t>(below.entries[k].edge)].weight);
+    for (const int part : {0, 1}) {
+      vectors.begin_column();
+      vectors.add(2 * c + part, diagonal[static_cast<std::size_t>(c)]);
+      for (std::size_t k = begin; k < end; ++k) {
+        tangent_vector sum;
+        const int row = below.entries[k].row;
+        for (bool more = true; more; k += more) {
+          const transport_edge& e = h.edges[static_cast<std::size_t>(below.entries[k].edge)];
+          const tangent_vector axis(1 - part, part), turned = e.a == row ? e.to_a(axis) : e.to_b(axis);
+          sum = sum + (-h.time * e.weight) * turned;
+          more = is_followed_by_same(below, k, end);
         }
+        vectors.add(2 * row, sum.x);
+        vectors.add(2 * row + 1, sum.y);
+      }
     }
   }
-  Eigen::SparseMatrix<double> a(N * n, N * n);
-  a.setFromTriplets(entries.begin(), entries.end());
-  return a;
+  scalars.finish_into(h.scalars);
+  vectors.finish_into(h.vectors);
 }
 
 CONCINO_INLINE affine_heat make_affine_heat(const core::unfolded_triangles& t, const std::vector<core::tangent_frame>& frames, double time) {
@@ -90,9 +143,7 @@ CONCINO_INLINE affine_heat make_affine_heat(const core::unfolded_triangles& t, c
   }
   for (std::size_t v = 0; v < h.mass.size(); ++v)
     if (!h.is_used[v]) h.mass[v] = 1;
-  Eigen::SparseMatrix<double> scalars = heat_matrix_of<1>(h), vectors = heat_matrix_of<2>(h);
-  h.scalars.swap(scalars);
-  h.vectors.swap(vectors);
+  assemble_heat(h);
   return h;
 }
 
@@ -105,100 +156,101 @@ class diffusion {
   std::vector<int> round_;  // by vert: the round in which it was reached, -1 before
   int now_ = 0;
 
-  template<class T>
+  /// N numbers at each vert.
+  template<int N>
   struct field {
-    std::vector<T> reached, last;  // the values at verts that are reached, in the scale of their round; those of the last round at all verts
+    Eigen::VectorXd reached, last;  // the values at verts that are reached, in the scale of their round; those of the last round at all verts
     bool is_wanted = true;
   };
+  field<1> heat_, second_heat_;
+  field<2> first_, second_, offset_;
 
+  static tangent_vector get(const Eigen::VectorXd& x, int v, field<2>*) { return {x[2 * v], x[2 * v + 1]}; }
+  static double get(const Eigen::VectorXd& x, int v, field<1>*) { return x[v]; }
+  static void add_to(Eigen::VectorXd& x, int v, const tangent_vector& y) {
+    x[2 * v] += y.x;
+    x[2 * v + 1] += y.y;
+  }
+  static void add_to(Eigen::VectorXd& x, int v, double y) { x[v] += y; }
   static tangent_vector to_a(const transport_edge& e, const tangent_vector& x) { return e.to_a(x); }
   static tangent_vector to_b(const transport_edge& e, const tangent_vector& x) { return e.to_b(x); }
   static double to_a(const transport_edge&, double x) { return x; }
   static double to_b(const transport_edge&, double x) { return x; }
-  static double scaled(double x, int power) { return std::ldexp(x, power); }
-  static tangent_vector scaled(const tangent_vector& x, int power) { return {std::ldexp(x.x, power), std::ldexp(x.y, power)}; }
 
   bool is_reached(int v) const { return round_[static_cast<std::size_t>(v)] >= 0; }
   /// The value of a reached vert in the scale of this round.
-  template<class T>
-  T value(const field<T>& f, int v) const {
-    const auto i = static_cast<std::size_t>(v);
-    return scaled(f.reached[i], 2 * half_range * (now_ - round_[i]));
+  template<int N>
+  auto value(const field<N>& f, int v) const {
+    return std::ldexp(1.0, 2 * half_range * (now_ - round_[static_cast<std::size_t>(v)])) * get(f.reached, v, static_cast<field<N>*>(nullptr));
+  }
+  /// The value of another vert in the last round, in the scale of this round.
+  template<int N>
+  auto value_before(const field<N>& f, int v) const {
+    return std::ldexp(1.0, 2 * half_range) * get(f.last, v, static_cast<field<N>*>(nullptr));
   }
 
   /// Adds to the right-hand side what makes the solution continue the reached values, and vanish where they are.
-  template<class T>
-  void add_continuation(const field<T>& f, std::vector<T>& rhs) const {
-    const auto add = [&](const T& x, double factor, int v) { rhs[static_cast<std::size_t>(v)] = rhs[static_cast<std::size_t>(v)] + factor * x; };
+  template<int N>
+  void add_continuation(const field<N>& f, Eigen::VectorXd& rhs) const {
     for (const transport_edge& e : equations_.edges) {
       if (is_reached(e.a) == is_reached(e.b)) continue;
       const double flow = equations_.time * e.weight;
       if (is_reached(e.a)) {
-        add(to_b(e, value(f, e.a)), flow, e.b);
-        add(to_a(e, scaled(f.last[static_cast<std::size_t>(e.b)], 2 * half_range)), -flow, e.a);
+        add_to(rhs, e.b, flow * to_b(e, value(f, e.a)));
+        add_to(rhs, e.a, -flow * to_a(e, value_before(f, e.b)));
       } else {
-        add(to_a(e, value(f, e.b)), flow, e.a);
-        add(to_b(e, scaled(f.last[static_cast<std::size_t>(e.a)], 2 * half_range)), -flow, e.b);
+        add_to(rhs, e.a, flow * to_a(e, value(f, e.b)));
+        add_to(rhs, e.b, -flow * to_b(e, value_before(f, e.a)));
       }
     }
   }
 
-  void solve(const std::vector<double>& rhs, std::vector<double>& x) const {
-    const Eigen::VectorXd b = Eigen::Map<const Eigen::VectorXd>(rhs.data(), static_cast<Eigen::Index>(rhs.size()));
-    const Eigen::VectorXd solution = scalar_solver_.solve(b);
-    x.assign(solution.data(), solution.data() + solution.size());
-  }
-  void solve(const std::vector<tangent_vector>& rhs, std::vector<tangent_vector>& x) const {
-    Eigen::VectorXd b(2 * static_cast<Eigen::Index>(rhs.size()));
-    for (std::size_t i = 0; i < rhs.size(); ++i) {
-      b[2 * static_cast<Eigen::Index>(i)] = rhs[i].x;
-      b[2 * static_cast<Eigen::Index>(i) + 1] = rhs[i].y;
-    }
-    const Eigen::VectorXd solution = vector_solver_.solve(b);
-    x.resize(rhs.size());
-    for (std::size_t i = 0; i < rhs.size(); ++i) x[i] = {solution[2 * static_cast<Eigen::Index>(i)], solution[2 * static_cast<Eigen::Index>(i) + 1]};
-  }
-
-  template<class T>
-  void next_round(field<T>& f, std::vector<T> rhs) const {
+  /// rhs: that of the first round; afterwards zero.
+  template<int N>
+  void next_round(field<N>& f, Eigen::VectorXd& rhs) const {
     if (!f.is_wanted) return;
-    add_continuation(f, rhs);
-    solve(rhs, f.last);
+    if (now_ > 0) add_continuation(f, rhs);
+    f.last = (N == 1 ? scalar_solver_ : vector_solver_).solve(rhs);
   }
 
   /// Heat that flows from b to a carries positions along: those seen from b and, in addition, the edge.
-  std::vector<tangent_vector> carried_edges(const std::vector<unsigned char>& is_new) const {
-    std::vector<tangent_vector> rhs(round_.size());
-    const auto add = [&](const tangent_vector& along, double flow, int at, int from) {
-      if (!is_new[static_cast<std::size_t>(at)]) return;
-      const double heat = is_reached(from) ? value(heat_, from) : heat_.last[static_cast<std::size_t>(from)];
-      rhs[static_cast<std::size_t>(at)] = rhs[static_cast<std::size_t>(at)] + (flow * heat) * along;
+  void add_carried_edges(Eigen::VectorXd& rhs) const {
+    const auto add = [&](const tangent_vector& along, double flow, int to, int from) {
+      if (is_reached(to)) return;
+      add_to(rhs, to, (flow * (is_reached(from) ? value(heat_, from) : heat_.last[from])) * along);
     };
     for (const transport_edge& e : equations_.edges) {
       add(e.from_a, equations_.time * e.weight, e.a, e.b);
       add(e.from_b, equations_.time * e.weight, e.b, e.a);
     }
-    return rhs;
   }
 
-  template<class T>
-  void keep(field<T>& f, std::size_t v) const {
-    if (f.is_wanted) f.reached[v] = f.last[v];
+  template<int N>
+  static void keep(field<N>& f, int v) {
+    if (!f.is_wanted) return;
+    for (int k = N * v; k < N * v + N; ++k) f.reached[k] = f.last[k];
   }
 
   /// Returns how many verts were reached in this round.
   std::size_t accept() {
     std::size_t n = 0;
     const double least = std::ldexp(1.0, -half_range);
-    std::vector<int> after = round_;
-    for (std::size_t v = 0; v < round_.size(); ++v) {
-      if (round_[v] >= 0 || !(heat_.last[v] >= least)) continue;
-      after[v] = now_;
-      keep(heat_, v), keep(second_heat_, v), keep(first_, v), keep(second_, v), keep(offset_, v);
+    for (int v = 0; v < static_cast<int>(round_.size()); ++v) {
+      if (is_reached(v) || !(heat_.last[v] >= least)) continue;
+      round_[static_cast<std::size_t>(v)] = now_;
       ++n;
+      if (now_ > 0) keep(heat_, v), keep(second_heat_, v), keep(first_, v), keep(second_, v), keep(offset_, v);
     }
-    round_.swap(after);
     return n;
+  }
+
+  /// Most meshes need one round only, so its values are copied only if there is another.
+  void keep_first_round(bool is_complete) {
+    const auto take = [&](auto& f) {
+      if (is_complete) f.reached.swap(f.last);
+      else f.reached = f.last;
+    };
+    take(heat_), take(second_heat_), take(first_), take(second_), take(offset_);
   }
 
   /// Whether heat is known wherever it can flow. Where the next round starts, the last one must have computed it to all digits.
@@ -209,7 +261,8 @@ class diffusion {
       if (is_reached(e.a) == is_reached(e.b)) continue;
       is = false;
       const auto [from, to] = is_reached(e.a) ? std::pair(e.a, e.b) : std::pair(e.b, e.a);
-      if (!(value(heat_, from) < largest && heat_.last[static_cast<std::size_t>(to)] > smallest)) throw_too_short();
+      const double reached = now_ == 0 ? heat_.last[from] : value(heat_, from);
+      if (!(reached < largest && heat_.last[to] > smallest)) throw_too_short();
     }
     return is;
   }
@@ -218,49 +271,56 @@ class diffusion {
     core::throw_joined<invalid_argument>({caller_, ": the time is so short that heat vanishes between a vert and the next; leave it at 0 for the default"});
   }
 
-  field<double> heat_, second_heat_;
-  field<tangent_vector> first_, second_, offset_;
+  /// The right-hand side of the first round. part(source): what starts there.
+  template<class F>
+  Eigen::VectorXd starts(int numbers, bool is_wanted, const std::vector<vector_source>& sources, const F& part) const {
+    Eigen::VectorXd rhs;
+    if (!is_wanted) return rhs;
+    rhs.setZero(numbers * static_cast<Eigen::Index>(round_.size()));
+    for (const vector_source& s : sources) add_to(rhs, s.vert, part(s));
+    return rhs;
+  }
 
  public:
   diffusion(const affine_heat& equations, core::solver_ref scalar_solver, core::solver_ref vector_solver, const diffused_parts& parts, const char* caller)
       : equations_(equations), scalar_solver_(scalar_solver), vector_solver_(vector_solver), caller_(caller), round_(equations.size(), -1) {
-    heat_.reached.resize(round_.size());
-    for (auto* f : {&first_, &second_, &offset_}) f->reached.resize(round_.size());
-    second_heat_.reached.resize(round_.size());
     second_heat_.is_wanted = parts.second_heat;
     second_.is_wanted = parts.second;
     offset_.is_wanted = parts.offset;
   }
 
   diffused run(const std::vector<vector_source>& sources) {
-    const std::size_t n = round_.size();
-    std::vector<double> heat(n), lengths(n);
-    std::vector<tangent_vector> vectors(n), turned(n);
     double total = 0;
     for (const double x : equations_.mass) total += x;
-    const double unit = std::ldexp(total / static_cast<double>(n), half_range);
-    for (const vector_source& s : sources) {
-      const auto v = static_cast<std::size_t>(s.vert);
-      heat[v] += unit;
-      lengths[v] += unit * norm(s.vector);
-      vectors[v] = vectors[v] + unit * s.vector;
-      turned[v] = turned[v] + unit * tangent_vector(-s.vector.y, s.vector.x);
-    }
+    const double unit = std::ldexp(total / static_cast<double>(round_.size()), half_range);
+    Eigen::VectorXd heat = starts(1, true, sources, [&](const vector_source&) { return unit; });
+    Eigen::VectorXd lengths = starts(1, second_heat_.is_wanted, sources, [&](const vector_source& s) { return unit * norm(s.vector); });
+    Eigen::VectorXd vectors = starts(2, true, sources, [&](const vector_source& s) { return unit * s.vector; });
+    Eigen::VectorXd turned = starts(2, second_.is_wanted, sources, [&](const vector_source& s) { return unit * tangent_vector(-s.vector.y, s.vector.x); });
     while (true) {
-      std::vector<unsigned char> is_new(n);
-      for (std::size_t v = 0; v < n; ++v) is_new[v] = round_[v] < 0;
-      next_round(heat_, std::move(heat));
-      next_round(second_heat_, std::move(lengths));
-      next_round(first_, std::move(vectors));
-      next_round(second_, std::move(turned));
-      if (offset_.is_wanted) next_round(offset_, carried_edges(is_new));
+      next_round(heat_, heat);
+      next_round(second_heat_, lengths);
+      next_round(first_, vectors);
+      next_round(second_, turned);
+      if (offset_.is_wanted) {
+        vectors.setZero();  // in the same memory
+        add_carried_edges(vectors);
+        next_round(offset_, vectors);
+      }
       if (accept() == 0) throw_too_short();
-      heat.assign(n, 0), lengths.assign(n, 0), vectors.assign(n, {}), turned.assign(n, {});
-      if (is_complete()) break;
+      const bool complete = is_complete();
+      if (now_ == 0) keep_first_round(complete);
+      if (complete) break;
       ++now_;
+      heat.setZero(), lengths.setZero(), vectors.setZero(), turned.setZero();
     }
-    diffused r{std::move(heat_.reached), std::move(second_heat_.reached), std::move(first_.reached), std::move(second_.reached), std::move(offset_.reached), {}};
-    for (const int round : round_) r.is_reached.push_back(round >= 0);
+    diffused r;
+    r.heat.swap(heat_.reached);
+    r.second_heat.swap(second_heat_.reached);
+    r.first.swap(first_.reached);
+    r.second.swap(second_.reached);
+    r.offset.swap(offset_.reached);
+    r.round.swap(round_);
     return r;
   }
 };

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
-#include <concino/geometry/unfolded_surface.hpp>
+#include <concino/core/unfolded_triangles.hpp>
 
 #include <cstddef>
 #include <vector>
@@ -47,7 +47,7 @@ struct walk_result {
 walk_state leave_vert(const core::unfolded_triangles& t, int v, double fan_angle, double full_turn);
 
 /// Walks from a place with side >= 0.
-walk_result walk_straight(const core::unfolded_surface& surface, walk_state from, double length, std::size_t max_steps);
+walk_result walk_straight(const core::unfolded_triangles& t, walk_state from, double length, std::size_t max_steps);
 
 }  // namespace detail
 

@@ -40,7 +40,6 @@ class straight_walk {
   using point = core::unfolded_triangles::plane_point;
   static constexpr double vert_tolerance = 1e-12;  // a line that passes nearer to a vert, as a fraction of the edge, passes through it
 
-  const core::unfolded_surface& surface_;
   const core::unfolded_triangles& t_;
   walk_state at_;
   walk_result result_;
@@ -80,7 +79,7 @@ class straight_walk {
   }
 
   void turn_to_unit_length() {
-    const double size = std::hypot(at_.dx, at_.dy);
+    const double size = std::sqrt(at_.dx * at_.dx + at_.dy * at_.dy);
     at_.dx /= size;
     at_.dy /= size;
   }
@@ -137,7 +136,7 @@ class straight_walk {
   }
 
  public:
-  straight_walk(const core::unfolded_surface& surface, const walk_state& from) : surface_(surface), t_(surface.triangles), at_(from) {}
+  straight_walk(const core::unfolded_triangles& t, const walk_state& from) : t_(t), at_(from) {}
 
   walk_result run(double length, std::size_t max_steps) {
     result_.last = at_;
@@ -152,8 +151,8 @@ class straight_walk {
   }
 };
 
-CONCINO_INLINE walk_result walk_straight(const core::unfolded_surface& surface, walk_state from, double length, std::size_t max_steps) {
-  return straight_walk(surface, from).run(length, max_steps);
+CONCINO_INLINE walk_result walk_straight(const core::unfolded_triangles& t, walk_state from, double length, std::size_t max_steps) {
+  return straight_walk(t, from).run(length, max_steps);
 }
 
 }  // namespace concino::detail

@@ -45,6 +45,8 @@ CONCINO_INLINE intrinsic_triangles::intrinsic_triangles(const core::unfolded_tri
                                        "polys at edges with more than two"});
   const std::vector<signed char> reversed = consistent_reversals(t, caller);
   const int n = static_cast<int>(t.vert.size());
+  for (auto* list : {&start, &next, &twin}) list->reserve(t.vert.size());
+  fan_angle.reserve(t.vert.size());
   // Half-edge s is side s of the triangles, from its end if the triangle is reversed.
   for (int s = 0; s < n; ++s) {
     const bool back = reversed[at(s / 3)] != 0;
