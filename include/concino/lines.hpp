@@ -1,6 +1,8 @@
-// Lines over meshes: geodesics.
+// Lines over surfaces and through volumes: along vector fields, and geodesics.
 #pragma once
 
+#include <concino/lines/field_line.hpp>
+#include <concino/lines/integral_line.hpp>
 #include <concino/lines/karcher_mean.hpp>
 #include <concino/lines/straighten.hpp>
 #include <concino/lines/trace_geodesic.hpp>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/vec3.hpp>
-#include <concino/geometry/detail/expansion.hpp>
+#include <concino/core/expansion.hpp>
 
 #include <cmath>
 
@@ -14,15 +14,15 @@ namespace detail {
 inline constexpr double unit_roundoff = 0x1p-53;
 
 [[gnu::noinline]] inline int orient2d_exactly(double ax, double ay, double bx, double by, double cx, double cy) {
-  const auto left = product(difference(ax, cx), difference(by, cy)), right = product(difference(ay, cy), difference(bx, cx));
+  const auto left = product(core::difference(ax, cx), core::difference(by, cy)), right = product(core::difference(ay, cy), core::difference(bx, cx));
   return sum(left, minus(right)).sign();
 }
 
 [[gnu::noinline]] inline int orient3d_exactly(const vec3& a, const vec3& b, const vec3& c, const vec3& d) {
-  const expansion<2> ax = difference(a.x, d.x), ay = difference(a.y, d.y), az = difference(a.z, d.z);
-  const expansion<2> bx = difference(b.x, d.x), by = difference(b.y, d.y), bz = difference(b.z, d.z);
-  const expansion<2> cx = difference(c.x, d.x), cy = difference(c.y, d.y), cz = difference(c.z, d.z);
-  const auto under = [](const expansion<2>& px, const expansion<2>& py, const expansion<2>& qx, const expansion<2>& qy) {
+  const core::expansion<2> ax = core::difference(a.x, d.x), ay = core::difference(a.y, d.y), az = core::difference(a.z, d.z);
+  const core::expansion<2> bx = core::difference(b.x, d.x), by = core::difference(b.y, d.y), bz = core::difference(b.z, d.z);
+  const core::expansion<2> cx = core::difference(c.x, d.x), cy = core::difference(c.y, d.y), cz = core::difference(c.z, d.z);
+  const auto under = [](const core::expansion<2>& px, const core::expansion<2>& py, const core::expansion<2>& qx, const core::expansion<2>& qy) {
     return sum(product(px, qy), minus(product(py, qx)));
   };
   const auto first = product(under(bx, by, cx, cy), az), second = product(under(cx, cy, ax, ay), bz), third = product(under(ax, ay, bx, by), cz);

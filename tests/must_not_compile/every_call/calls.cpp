@@ -137,6 +137,8 @@ void no_adapter(const stranger& other) {
   cn::prepare_exact_geodesics(other);  // refused
   cn::exact_geodesics(other);  // refused
   cn::critical_points(other);  // refused
+  cn::integral_line(other);  // refused
+  cn::integral_lines(other);  // refused
   cn::simplified(other);  // refused
   cn::regions_of_maxima(other);  // refused
   cn::regions_of_minima(other);  // refused
@@ -212,6 +214,8 @@ void temporary() {
   cn::exact_geodesics(made());  // refused
   cn::critical_points(made());  // refused
   cn::hodge_decomposition(made());  // refused
+  cn::integral_line(made());  // refused
+  cn::integral_lines(made());  // refused
   cn::to_polys(made());  // refused
   cn::normalized(made());  // refused
   cn::simplified(made());  // refused
@@ -323,6 +327,8 @@ void no_points(const cn::trimesh& m) {
   cn::heat_geodesics(pure);  // refused
   cn::prepare_log_map(pure);  // refused
   cn::log_map(pure);  // refused
+  cn::integral_line(pure);  // refused
+  cn::integral_lines(pure);  // refused
   cn::prepare_parallel_transport(pure);  // refused
   cn::parallel_transport(pure);  // refused
   cn::prepare_trace_geodesic(pure);  // refused
@@ -403,6 +409,7 @@ void numbers(const cn::trimesh& m) {
   cn::trace_geodesic(m, 0);  // refused
   cn::karcher_mean(m, {0, 1});  // refused
   cn::straighten(m, {0, 1});  // refused
+  cn::integral_line(m, cn::make_poly_map<cn::vec3>(m), 0);  // refused
   cn::prepare_harmonic_map(m, {cn::vert_id{0}}).with_values({{0, 1.0}});  // refused
   cn::prepare_heat_geodesics(m).distance_from(0);  // refused
   cn::prepare_log_map(m).log_map_from(0);  // refused

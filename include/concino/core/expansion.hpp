@@ -8,7 +8,7 @@
 #error "concino: -ffast-math lets the compiler reorder sums, which makes exact predicates wrong; compile without it"
 #endif
 
-namespace concino::detail {
+namespace concino::core {
 
 /// a + b = sum + rest, exactly.   Source: Knuth, The Art of Computer Programming, volume 2.
 inline void two_sum(double a, double b, double& sum, double& rest) {
@@ -106,4 +106,4 @@ inline expansion<2> difference(double a, double b) {
   return r;
 }
 
-}  // namespace concino::detail
+}  // namespace concino::core

@@ -1,0 +1,121 @@
+// Collects the points of one line and stops it at its greatest length or number of steps.
+#pragma once
+
+#include <concino/lines/field_line.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace concino::detail {
+
+template<class M>
+class line_recorder {
+ public:
+  line_recorder(field_line<M>& to, double max_length, std::size_t max_steps) : line_(&to), max_length_(max_length), max_steps_(max_steps) {}
+
+  void start(const mesh_point<M>& x) {
+    line_->points.push_back(x.position);
+    line_->places.push_back(x);
+  }
+  bool done() const { return done_; }
+  std::size_t steps() const { return line_->polys.size(); }
+  std::size_t num_points() const { return line_->points.size(); }
+  const vec3& last() const { return line_->points.back(); }
+  const field_line<M>& line() const { return *line_; }
+
+  void stop(line_end why) {
+    if (done_) return;
+    line_->stopped_by = why;
+    done_ = true;
+  }
+
+  /// Adds the segment to x. If it is too long, it is cut.
+  void add(const mesh_point<M>& x, const poly_t<M>& p) {
+    const double step = distance(last(), x.position);
+    line_->polys.push_back(p);
+    if (line_->length + step >= max_length_) {
+      const vec3 end = line_->length + step > max_length_ ? last() + (max_length_ - line_->length) / step * (x.position - last()) : x.position;
+      start(end == x.position ? x : mesh_point<M>{p, end});
+      line_->length = max_length_;
+      if (!close_at_start()) stop(line_end::max_length);
+      return;
+    }
+    start(x);
+    line_->length += step;
+    if (steps() >= max_steps_ && !close_at_start()) stop(line_end::max_steps);
+  }
+
+  /// The last `period` points are a closed line that repeats. If it contains the start, the line is closed; else the way to the cycle is kept.
+  void repeat(std::size_t period) {
+    if (close_at_start()) return;
+    const std::vector<vec3>& x = line_->points;
+    std::size_t first = x.size() - 1 - period;
+    while (first > 0 && x[first - 1] == x[first - 1 + period]) --first;
+    const auto begin = x.begin() + static_cast<std::ptrdiff_t>(first);
+    line_->cycle.assign(begin, begin + static_cast<std::ptrdiff_t>(period));
+    cut(first + 1, first);
+    stop(line_end::winds_to_cycle);
+  }
+
+  void wind(std::vector<vec3> cycle) {
+    line_->cycle = std::move(cycle);
+    stop(line_end::winds_to_cycle);
+  }
+
+  /// Of a line that goes round and round into a vert, `more` long.
+  void end_at(const mesh_point<M>& x, const poly_t<M>& p, double more) {
+    line_->polys.push_back(p);
+    start(x);
+    line_->length += more;
+    stop(line_end::sink);
+  }
+  double room() const { return max_length_ - line_->length; }
+
+ private:
+  field_line<M>* line_;
+  double max_length_;
+  std::size_t max_steps_;
+  bool done_ = false;
+
+  /// If the line passed through its start again, in the same poly, keeps once round.
+  bool close_at_start() {
+    const std::vector<vec3>& x = line_->points;
+    double size = 0;
+    for (const std::size_t k : {0u, 1u, 2u}) size = std::max(size, std::abs(x[0][k]));
+    const double nearly = 1e-12 * (size + (x.size() > 1 ? distance(x[0], x[1]) : 0));
+    for (std::size_t i = 1; i < line_->polys.size(); ++i) {
+      if (!(line_->polys[i] == line_->polys[0]) || !is_on_segment(x[0], x[i], x[i + 1], nearly)) continue;
+      const std::size_t num_points = distance(x[i], x[0]) <= nearly ? i : i + 1;
+      cut(num_points, num_points);
+      line_->length += distance(line_->points.back(), line_->points.front());
+      stop(line_end::closed);
+      return true;
+    }
+    const std::size_t last = x.size() - 1;
+    if (last == 0 || !(x[last] == x[0]) || line_->places[last].element.index() != 0 || line_->places[0].element.index() != 0) return false;
+    cut(last, last);  // a vert
+    line_->length += distance(line_->points.back(), line_->points.front());
+    stop(line_end::closed);
+    return true;
+  }
+  void cut(std::size_t num_points, std::size_t num_segments) {
+    line_->points.resize(num_points);
+    line_->places.resize(num_points, line_->places.front());
+    line_->polys.resize(num_segments, line_->polys.front());
+    line_->length = 0;
+    for (std::size_t i = 0; i + 1 < num_points; ++i) line_->length += distance(line_->points[i], line_->points[i + 1]);
+    done_ = false;
+  }
+
+  static bool is_on_segment(const vec3& x, const vec3& a, const vec3& b, double nearly) {
+    const vec3 d = b - a;
+    const double whole = dot(d, d), t = whole > 0 ? std::clamp(dot(x - a, d) / whole, 0.0, 1.0) : 0;
+    return distance(x, a + t * d) <= nearly;
+  }
+};
+
+}  // namespace concino::detail

@@ -1,0 +1,60 @@
+// On which side of a line along a field points lie, by exact signs.
+#pragma once
+
+#include <concino/core/compiled.hpp>
+#include <concino/core/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace concino::detail {
+
+/// A determinant: its sign is exact, its value is rounded and has that sign.
+struct signed_value {
+  double value = 0;
+  int sign = 0;
+};
+
+signed_value exact_line_sign(const vec3& g, const vec3& a, const vec3& ax, const vec3& b, const vec3& bx);
+
+inline signed_value line_sign(const vec3& g, const vec3& u, const vec3& w, const vec3& a, const vec3& ax, const vec3& b, const vec3& bx) {
+  const double px = u.y * w.z, qx = u.z * w.y, py = u.z * w.x, qy = u.x * w.z, pz = u.x * w.y, qz = u.y * w.x;
+  const double det = g.x * (px - qx) + g.y * (py - qy) + g.z * (pz - qz);
+  const double size = std::abs(g.x) * (std::abs(px) + std::abs(qx)) + std::abs(g.y) * (std::abs(py) + std::abs(qy)) + std::abs(g.z) * (std::abs(pz) + std::abs(qz));
+  const double bound = 8 * 0x1p-53 * size;
+  if (det > bound) return {det, 1};
+  if (det < -bound) return {det, -1};
+  return exact_line_sign(g, a, ax, b, bx);
+}
+
+/// det(g, a - x, b - x): positive if the line through x along g passes a to b on the left, seen from where g points to.
+inline signed_value side_of_line(const vec3& g, const vec3& a, const vec3& b, const vec3& x) { return line_sign(g, a - x, b - x, a, x, b, x); }
+
+/// det(g, a - x, n): positive if a lies to the left of the line through x along g in the plane with normal n, seen from where n points to.
+inline signed_value side_in_plane(const vec3& g, const vec3& a, const vec3& n, const vec3& x) { return line_sign(g, a - x, n, a, x, n, {}); }
+
+/// The vector times a power of two, if its parts are so large or small that products of three such vectors might overflow or underflow.
+inline vec3 in_range(const vec3& g) {
+  const double most = std::max({std::abs(g.x), std::abs(g.y), std::abs(g.z)});
+  if ((most > 1e-30 && most < 1e30) || most == 0) return g;
+  const int e = std::ilogb(most);
+  return {std::ldexp(g.x, -e), std::ldexp(g.y, -e), std::ldexp(g.z, -e)};
+}
+
+/// The order of points by x, y, z: it decides ties, so that results do not depend on the order of elements.
+inline bool lies_before(const vec3& a, const vec3& b) { return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z; }
+
+/// The vector area, twice, of a triangle; the same bits whichever corner comes first.
+inline vec3 triangle_normal(const vec3& a, const vec3& b, const vec3& c) {
+  const bool ab = lies_before(a, b), bc = lies_before(b, c), ca = lies_before(c, a);
+  if (ab && !ca) return cross(b - a, c - a);
+  if (bc && !ab) return cross(c - b, a - b);
+  return cross(a - c, b - c);
+}
+
+}  // namespace concino::detail
+
+#ifndef CONCINO_COMPILED
+#include <concino/lines/detail/line_signs.ipp>
+#endif

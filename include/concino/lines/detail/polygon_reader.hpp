@@ -1,0 +1,149 @@
+// One polygon of a surface after another, as triangles with their neighbours inside the polygon.
+#pragma once
+
+#include <concino/concepts/mesh.hpp>
+#include <concino/geometry/triangulate_polygon.hpp>
+#include <concino/lines/detail/line_signs.hpp>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace concino::detail {
+
+/// A triangle of a polygon. Side k joins corner k and the next one.
+template<class M>
+struct polygon_piece {
+  static constexpr std::size_t diagonal = SIZE_MAX;
+
+  poly_t<M> poly = poly_t<M>();
+  unsigned number = 0;                 // among the triangles of the polygon
+  bool is_zero = false;                // no area, or no field in its plane
+  std::array<std::size_t, 3> corner{}; // of the polygon
+  std::array<std::size_t, 3> edge{};   // of each side: the number among the polygon's edges, or `diagonal`
+  std::array<vert_t<M>, 3> verts = {vert_t<M>(), vert_t<M>(), vert_t<M>()};
+  std::array<vec3, 3> at;
+  vec3 normal, field;
+};
+
+template<class M>
+class polygon_reader {
+  polygon_triangulator cut_;
+  std::vector<polygon_triangle> triangles_;
+  poly_t<M> poly_ = poly_t<M>();
+  bool is_read_ = false;
+  vec3 normal_;
+
+ public:
+  std::vector<vert_t<M>> verts;
+  std::vector<edge_t<M>> edges;  // the k-th joins the k-th vert and the next one
+  std::vector<vec3> points;
+  vec3 field;                    // set by the caller
+  bool is_flat = true;           // all corners are in one plane but for 1e-9 of the size: then all triangles have its normal
+
+  /// False if p is the polygon read last.
+  bool read(const M& m, const poly_t<M>& p) {
+    if (is_read_ && p == poly_) return false;
+    is_read_ = true;
+    poly_ = p;
+    verts.clear();
+    edges.clear();
+    points.clear();
+    for (const vert_t<M> v : adj_p2v(m, p)) {
+      verts.push_back(v);
+      points.push_back(to_vec3(point(m, v)));
+    }
+    for (const edge_t<M> e : adj_p2e(m, p)) edges.push_back(e);
+    if (points.size() == 3) {
+      triangles_.assign(1, {0, 1, 2});
+      normal_ = triangle_normal(points[0], points[1], points[2]);
+    } else {
+      read_polygon();
+    }
+    return true;
+  }
+
+  /// The field has changed.
+  void forget() { is_read_ = false; }
+
+  unsigned num_pieces() const { return static_cast<unsigned>(triangles_.size()); }
+
+  polygon_piece<M> piece(unsigned t) const {
+    polygon_piece<M> r;
+    const polygon_triangle& c = triangles_[t];
+    r.poly = poly_;
+    r.number = t;
+    for (std::size_t k = 0; k < 3; ++k) {
+      r.corner[k] = c[k];
+      r.verts[k] = verts[c[k]];
+      r.at[k] = points[c[k]];
+      r.edge[k] = (c[k] + 1) % verts.size() == c[(k + 1) % 3] ? c[k] : polygon_piece<M>::diagonal;
+    }
+    r.normal = is_flat ? normal_ : triangle_normal(r.at[0], r.at[1], r.at[2]);
+    r.field = field;
+    r.is_zero = cross(field, r.normal) == vec3();
+    return r;
+  }
+
+  /// The triangle on the other side of diagonal k of a triangle, and its side there.
+  std::pair<unsigned, unsigned> beside(const polygon_piece<M>& in, unsigned k) const { return find(in.corner[(k + 1) % 3], in.corner[k]); }
+
+  /// The triangle at an edge of the polygon, and its side there.
+  std::pair<unsigned, unsigned> with_edge(const edge_t<M>& edge) const {
+    for (std::size_t k = 0; k < edges.size(); ++k)
+      if (edges[k] == edge) return edges.size() == 3 ? std::pair(0u, static_cast<unsigned>(k)) : find(k, (k + 1) % edges.size());
+    return {};
+  }
+
+  /// The triangle that contains x, seen along the normal; of several, and outside all, the nearest.
+  unsigned nearest_piece(const vec3& x) const {
+    unsigned best = 0;
+    double best_depth = -std::numeric_limits<double>::infinity();
+    for (unsigned t = 0; t < num_pieces(); ++t) {
+      const polygon_piece<M> r = piece(t);
+      const double n = norm(r.normal);
+      double depth = std::numeric_limits<double>::infinity();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const vec3 side = r.at[(k + 1) % 3] - r.at[k];
+        depth = std::min(depth, dot(cross(side, x - r.at[k]), r.normal) / (n * norm(side)));
+      }
+      if (depth > best_depth) {
+        best_depth = depth;
+        best = t;
+      }
+    }
+    return best;
+  }
+
+ private:
+  void read_polygon() {
+    const auto found = cut_(points);
+    triangles_.assign(found.begin(), found.end());
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < points.size(); ++i)
+      if (lies_before(points[i], points[first])) first = i;
+    const std::size_t n = points.size();
+    normal_ = {};
+    double size = 0;
+    for (std::size_t i = 1; i < n; ++i) {
+      const vec3 a = points[(first + i) % n] - points[first];
+      if (i + 1 < n) normal_ += cross(a, points[(first + i + 1) % n] - points[first]);
+      size = std::max(size, norm(a));
+    }
+    const double length = norm(normal_);
+    is_flat = true;
+    for (const vec3& x : points) is_flat = is_flat && std::abs(dot(x - points[first], normal_)) <= 1e-9 * size * length;
+  }
+
+  /// The triangle whose side goes from corner a to corner b.
+  std::pair<unsigned, unsigned> find(std::size_t a, std::size_t b) const {
+    for (unsigned t = 0; t < num_pieces(); ++t)
+      for (unsigned k = 0; k < 3; ++k)
+        if (triangles_[t][k] == a && triangles_[t][(k + 1) % 3] == b) return {t, k};
+    return {};
+  }
+};
+
+}  // namespace concino::detail

@@ -1,0 +1,300 @@
+// Follows a field over a surface, triangle by triangle: other polygons by the triangles of triangulate_polygon.
+#pragma once
+
+#include <concino/concepts/end_verts.hpp>
+#include <concino/geometry/triangulate_polygon.hpp>
+#include <concino/lines/detail/field_reader.hpp>
+#include <concino/lines/detail/line_recorder.hpp>
+#include <concino/lines/detail/line_signs.hpp>
+#include <concino/lines/detail/line_watch.hpp>
+#include <concino/lines/detail/polygon_reader.hpp>
+#include <concino/lines/detail/surface_exits.hpp>
+
+#include <cstddef>
+#include <variant>
+#include <vector>
+
+namespace concino::detail {
+
+/// Reuses its memory from line to line; one for each thread.
+template<class M, class G>
+class surface_line_walker {
+  using piece = polygon_piece<M>;
+
+  struct half {  // a triangle at a side: s goes from its corner number `side` to the next
+    piece in;
+    unsigned side = 0;
+    const vec3& from() const { return in.at[side]; }
+    const vec3& to() const { return in.at[(side + 1) % 3]; }
+  };
+
+  const M* m_;
+  field_reader<M, G> field_;
+  polygon_reader<M> polygon_;
+  line_watch watch_;
+  std::vector<surface_sector> sectors_;
+  std::vector<piece> sector_pieces_;
+
+  // The state of a line: in a triangle, inside, at a side or at a corner of it; or at a vert.
+  enum class where { inside, side, corner, vert } where_ = where::inside;
+  half at_;       // the triangle entered, and its side or corner
+  vec3 x_;
+  vert_t<M> vert_ = vert_t<M>();
+
+ public:
+  surface_line_walker(const M& m, const field_reader<M, G>& field) : m_(&m), field_(field) {}
+
+  /// Follows the field times `sense`, 1 or -1, from a point.
+  void run(const mesh_point<M>& start, double sense, line_recorder<M>& to) {
+    field_.sense(sense);
+    watch_.start();
+    polygon_.forget();
+    x_ = start.position;
+    to.start(start);
+    if (const auto* v = std::get_if<vert_t<M>>(&start.element)) reach_vert(*v, to);
+    else if (const auto* e = std::get_if<edge_point<M>>(&start.element)) start_on(*e, to);
+    else start_in(std::get<poly_t<M>>(start.element));
+    while (!to.done()) step(to);
+  }
+
+ private:
+  void read(const poly_t<M>& p) {
+    if (polygon_.read(*m_, p)) polygon_.field = field_.of(p);
+  }
+
+  void step(line_recorder<M>& to) {
+    if (where_ == where::vert) return leave_vert(to);
+    if (at_.in.is_zero) return to.stop(line_end::zero);
+    const vec3 &g = at_.in.field, &n = at_.in.normal;
+    if (where_ == where::inside) return leave_inside(to);
+    const unsigned k = where_ == where::side ? at_.side : (at_.side + 1) % 3;  // the side whose ends lie on both sides of the line, or its opposite corner
+    const unsigned i = k, j = (k + 1) % 3, far = (k + 2) % 3;
+    if (where_ == where::corner) return cross_side(i, side_in_plane(g, at_.in.at[i], n, x_), side_in_plane(g, at_.in.at[j], n, x_), to);
+    const signed_value c = side_in_plane(g, at_.in.at[far], n, x_);
+    if (c.sign == 0) return reach_corner(far, to);
+    // a to the left and b to the right of the line would be an exit; entering, a lies to the left, b to the right, seen from inside
+    if (c.sign > 0) cross_side(j, side_in_plane(g, at_.in.at[j], n, x_), c, to);
+    else cross_side(far, c, side_in_plane(g, at_.in.at[i], n, x_), to);
+  }
+
+  void leave_inside(line_recorder<M>& to) {
+    const piece& t = at_.in;
+    signed_value s[3];
+    for (unsigned i = 0; i < 3; ++i) s[i] = side_in_plane(t.field, t.at[i], t.normal, x_);
+    for (unsigned i = 0; i < 3; ++i)
+      if (s[i].sign == 0 && dot(t.field, t.at[i] - x_) > 0) return reach_corner(i, to);
+    for (unsigned i = 0; i < 3; ++i)
+      if (s[i].sign <= 0 && s[(i + 1) % 3].sign > 0) return cross_side(i, s[i], s[(i + 1) % 3], to);
+    // the start lies outside by rounding: the corner ahead that is nearest to the line
+    unsigned best = 0;
+    for (unsigned i = 1; i < 3; ++i)
+      if (dot(t.field, t.at[i] - t.at[best]) > 0) best = i;
+    reach_corner(best, to);
+  }
+
+  void reach_corner(unsigned corner, line_recorder<M>& to) {
+    const vert_t<M> v = at_.in.verts[corner];
+    x_ = at_.in.at[corner];
+    to.add({v, x_}, at_.in.poly);
+    if (!to.done()) reach_vert(v, to);
+  }
+
+  void reach_vert(const vert_t<M>& v, line_recorder<M>& to) {
+    vert_ = v;
+    where_ = where::vert;
+    if (watch_.at_vert(index_of(*m_, v), to.num_points()) == line_watch::finding::repeats) to.repeat(watch_.period());
+  }
+
+  /// The line leaves the triangle through side k, whose first end lies to its right and second one to its left.
+  void cross_side(unsigned k, const signed_value& right, const signed_value& left, line_recorder<M>& to) {
+    const half out = {at_.in, k};
+    const double whole = right.value - left.value;
+    double s = whole != 0 ? right.value / whole : 0.5;
+    s = !(s > 0) ? 0 : s > 1 ? 1 : s;
+    const entry_step step = entry_step_at(k, s);
+    x_ = out.from() + s * (out.to() - out.from());
+    const std::size_t edge = out.in.edge[k];
+    if (edge == piece::diagonal) {
+      read(out.in.poly);
+      if (!polygon_.is_flat) to.add({out.in.poly, x_}, out.in.poly);
+      if (to.done()) return;
+      const auto [triangle, side] = polygon_.beside(out.in, k);
+      return enter({polygon_.piece(triangle), side}, out, 1 - s, step, to);
+    }
+    const edge_t<M> e = polygon_edge(out);
+    to.add({edge_point<M>{e, end_verts(*m_, e).first == out.in.verts[k] ? s : 1 - s}, x_}, out.in.poly);
+    if (to.done()) return;
+    poly_t<M> other = out.in.poly;
+    std::size_t n = 0;
+    for (const poly_t<M> p : adj_e2p(*m_, e)) {
+      if (!(p == out.in.poly)) other = p;
+      ++n;
+    }
+    if (n != 2 || other == out.in.poly) return to.stop(n <= 2 ? line_end::boundary : line_end::non_manifold_edge);
+    read(other);
+    const auto [triangle, side] = polygon_.with_edge(e);
+    half next = {polygon_.piece(triangle), side};
+    enter(next, out, next.in.verts[side] == out.in.verts[k] ? s : 1 - s, step, to);
+  }
+
+  edge_t<M> polygon_edge(const half& out) {
+    read(out.in.poly);
+    return polygon_.edges[out.in.edge[out.side]];
+  }
+
+  /// How the place on the side by which the line leaves depends on the place where it entered.
+  entry_step entry_step_at(unsigned k, double s) const {
+    const piece& t = at_.in;
+    if (where_ != where::side) return {0, s, 0};
+    const unsigned a = at_.side, b = (a + 1) % 3, c = (a + 2) % 3;
+    const bool pivots_at_b = k == b;
+    const double moved = side_in_plane(t.field, t.at[pivots_at_b ? a : b], t.normal, t.at[pivots_at_b ? b : a]).value;
+    const double whole = side_in_plane(t.field, t.at[c], t.normal, t.at[pivots_at_b ? b : a]).value;
+    const double q = whole != 0 ? std::abs(moved / whole) : 0;
+    const double size = std::max({std::abs(t.at[c].x), std::abs(t.at[c].y), std::abs(t.at[c].z)});
+    const vec3 d = t.at[(k + 1) % 3] - t.at[k];
+    const double noise = 0x1p-50 * (1 + size / std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z), 1e-300}));
+    const std::size_t pivot = index_of(*m_, t.verts[pivots_at_b ? b : a]);
+    if (pivots_at_b) return {-q, q, noise, pivot};  // q (1 - s), from b to c
+    return {-q, 1, noise, pivot};                   // q s from a to c, so 1 - q s from c to a
+  }
+
+  /// Enters the triangle `next` from `out` at place s of its side, or slides along the side, if the field there pushes back.
+  void enter(const half& next, const half& out, double s, entry_step step, line_recorder<M>& to) {
+    if (next.in.is_zero) return to.stop(line_end::zero);
+    const int inward = side_in_plane(next.in.field, next.to(), next.in.normal, next.from()).sign;
+    if (inward >= 0) return slide(next, out, to);
+    // step.scale, step.shift give the place from the first to the second end of the side as `out` sees it
+    if (!(next.in.verts[next.side] == out.in.verts[out.side])) step = {-step.scale, 1 - step.shift, step.noise, step.pivot};
+    at_ = next;
+    where_ = where::side;
+    const std::size_t key = index_of(*m_, next.in.poly);
+    switch (watch_.at_side({key, std::size_t{3} * next.in.number + next.side}, s, x_, step, to.num_points())) {
+      case line_watch::finding::none: return;
+      case line_watch::finding::repeats: return to.repeat(watch_.period());
+      case line_watch::finding::winds: return wind(to);
+      case line_watch::finding::winds_into_vert: return wind_into_vert(to);
+    }
+  }
+
+  void slide(const half& next, const half& out, line_recorder<M>& to) {
+    const vec3 along = out.to() - out.from();
+    const double length = norm(along);
+    if (!(length > 0)) return to.stop(line_end::sink);
+    const auto push = [&](const half& h) {
+      return std::max(0.0, side_in_plane(h.in.field, h.to(), h.in.normal, h.from()).value / (norm(h.in.normal) * length));
+    };
+    const double speed = sliding_speed(push(out), dot(out.in.field, along) / length, push(next), dot(next.in.field, along) / length);
+    if (!(speed != 0)) return to.stop(line_end::sink);
+    at_ = out;
+    reach_corner(speed > 0 ? (out.side + 1) % 3 : out.side, to);
+  }
+
+  void leave_vert(line_recorder<M>& to) {
+    sectors_.clear();
+    sector_pieces_.clear();
+    std::size_t diagonals = edge_index_bound(*m_);
+    for (const poly_t<M> p : adj_v2p(*m_, vert_)) {
+      read(p);
+      for (unsigned t = 0; t < polygon_.num_pieces(); ++t) {
+        const piece in = polygon_.piece(t);
+        for (unsigned k = 0; k < 3; ++k) {
+          if (!(in.verts[k] == vert_)) continue;
+          const unsigned a = (k + 1) % 3, b = (k + 2) % 3;
+          const auto key = [&](unsigned side, unsigned far) {
+            return in.edge[side] == piece::diagonal ? diagonals + in.corner[far] : index_of(*m_, polygon_.edges[in.edge[side]]);
+          };
+          sectors_.push_back({in.at[a], in.at[b], in.normal, in.field, key(k, a), key(b, b)});
+          sector_pieces_.push_back(in);
+        }
+      }
+      diagonals += polygon_.verts.size();
+    }
+    const surface_exit out = steepest_exit(x_, sectors_);
+    if (out.to == surface_exit::kind::none) return to.stop(why_no_exit());
+    at_.in = sector_pieces_[out.sector];
+    for (unsigned k = 0; k < 3; ++k)
+      if (at_.in.verts[k] == vert_) at_.side = k;
+    if (out.to == surface_exit::kind::sector) where_ = where::corner;
+    else reach_corner((at_.side + (out.to == surface_exit::kind::side_a ? 1 : 2)) % 3, to);
+  }
+
+  line_end why_no_exit() const {
+    bool all_zero = true, open = false, many = false;
+    for (const piece& in : sector_pieces_) all_zero = all_zero && in.is_zero;
+    for (const edge_t<M> e : adj_v2e(*m_, vert_)) {
+      std::size_t n = 0;
+      for ([[maybe_unused]] const poly_t<M> p : adj_e2p(*m_, e)) ++n;
+      open = open || n < 2;
+      many = many || n > 2;
+    }
+    return all_zero ? line_end::zero : many ? line_end::non_manifold_edge : open || sector_pieces_.empty() ? line_end::boundary : line_end::sink;
+  }
+
+  void start_in(const poly_t<M>& p) {
+    read(p);
+    at_ = {polygon_.piece(polygon_.nearest_piece(x_)), 0};
+    where_ = where::inside;
+  }
+
+  /// From an edge: into the poly whose field leads into it fastest, or along the edge.
+  void start_on(const edge_point<M>& x, line_recorder<M>& to) {
+    std::vector<half> halves;
+    for (const poly_t<M> p : adj_e2p(*m_, x.edge)) {
+      read(p);
+      const auto [triangle, side] = polygon_.with_edge(x.edge);
+      halves.push_back({polygon_.piece(triangle), side});
+    }
+    const half* best = nullptr;
+    double best_speed = 0;
+    bool all_zero = true;
+    for (const half& h : halves) {
+      all_zero = all_zero && h.in.is_zero;
+      if (side_in_plane(h.in.field, h.to(), h.in.normal, h.from()).sign >= 0) continue;
+      const double speed = speed_in_plane(h.in.field, h.in.normal);
+      if (best && (speed < best_speed || (speed == best_speed && !lies_before(h.in.at[(h.side + 2) % 3], best->in.at[(best->side + 2) % 3])))) continue;
+      best = &h;
+      best_speed = speed;
+    }
+    if (best) {
+      at_ = *best;
+      where_ = where::side;
+      const double s = at_.in.verts[at_.side] == end_verts(*m_, x.edge).first ? x.parameter : 1 - x.parameter;
+      watch_.at_side({index_of(*m_, at_.in.poly), std::size_t{3} * at_.in.number + at_.side}, s, x_, {}, 1);
+      return;
+    }
+    if (all_zero) return to.stop(line_end::zero);
+    if (halves.size() > 2) return to.stop(line_end::non_manifold_edge);
+    if (halves.size() == 2) return slide(halves[1], halves[0], to);
+    const half& h = halves[0];
+    if (side_in_plane(h.in.field, h.to(), h.in.normal, h.from()).sign != 0) return to.stop(line_end::boundary);
+    at_ = h;
+    reach_corner(dot(h.in.field, h.to() - h.from()) > 0 ? (h.side + 1) % 3 : h.side, to);
+  }
+
+  /// The line is drawn to a cycle: the cycle is followed once round.
+  void wind(line_recorder<M>& to) {
+    field_line<M> once;
+    line_recorder<M> cycle(once, std::numeric_limits<double>::infinity(), watch_.period());
+    const double s = watch_.fixed_place();
+    x_ = at_.from() + s * (at_.to() - at_.from());
+    watch_.start();
+    cycle.start({at_.in.poly, x_});
+    while (!cycle.done()) step(cycle);
+    if (once.stopped_by != line_end::closed) once.points.pop_back();
+    to.wind(std::move(once.points));
+  }
+
+  /// The line goes round a vert for ever, nearer by the same factor each time: it ends there after a finite length.
+  void wind_into_vert(line_recorder<M>& to) {
+    const std::vector<vec3>& x = to.line().points;
+    double once = 0;
+    for (std::size_t i = 0; i < watch_.period(); ++i) once += distance(x[x.size() - 2 - i], x[x.size() - 1 - i]);
+    const double shrinks = watch_.shrinks_by(), more = once * shrinks / (1 - shrinks);
+    if (more >= to.room()) return;  // the line is cut before
+    for (unsigned k = 0; k < 3; ++k)
+      if (index_of(*m_, at_.in.verts[k]) == watch_.vert()) return to.end_at({at_.in.verts[k], at_.in.at[k]}, at_.in.poly, more);
+  }
+};
+
+}  // namespace concino::detail

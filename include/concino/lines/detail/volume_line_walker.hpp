@@ -1,0 +1,380 @@
+// Follows a field through a volume, cell by cell; a cell is bounded by the triangles of its faces, and is not divided.
+#pragma once
+
+#include <concino/concepts/end_verts.hpp>
+#include <concino/lines/detail/polyhedron_reader.hpp>
+#include <concino/lines/detail/field_reader.hpp>
+#include <concino/lines/detail/line_recorder.hpp>
+#include <concino/lines/detail/line_watch.hpp>
+#include <concino/lines/detail/volume_exits.hpp>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <variant>
+#include <vector>
+
+namespace concino::detail {
+
+/// Reuses its memory from line to line; one for each thread.
+template<class M, class G>
+class volume_line_walker {
+  /// An edge of the mesh, or a diagonal of a face, between two verts.
+  struct ridge {
+    vert_t<M> from, to;
+    vec3 from_point, to_point;
+    std::optional<edge_t<M>> edge;
+    std::optional<face_t<M>> face;  // of a diagonal
+    incident_key key;
+  };
+
+  const M* m_;
+  field_reader<M, G> field_;
+  polyhedron_reader<M> cell_;
+  line_watch watch_;
+  std::vector<incident_cell> incident_;
+  std::vector<poly_t<M>> incident_polys_;
+
+  enum class where { cell, ridge, vert } where_ = where::cell;
+  vec3 x_;
+  std::array<std::uint32_t, 3> entry_{};  // corners of the cell that was read last
+  std::size_t entry_size_ = 0;
+  std::optional<ridge> ridge_;
+  vert_t<M> vert_ = vert_t<M>();
+
+ public:
+  volume_line_walker(const M& m, const field_reader<M, G>& field) : m_(&m), field_(field) {}
+
+  /// Follows the field times `sense`, 1 or -1, from a point.
+  void run(const mesh_point<M>& start, double sense, line_recorder<M>& to) {
+    field_.sense(sense);
+    watch_.start();
+    cell_.forget();
+    x_ = start.position;
+    to.start(start);
+    if (const auto* v = std::get_if<vert_t<M>>(&start.element)) reach_vert(*v, to);
+    else if (const auto* e = std::get_if<edge_point<M>>(&start.element)) reach_ridge(ridge_of(e->edge));
+    else if (const auto* f = std::get_if<face_t<M>>(&start.element)) start_on(*f, to);
+    else enter(std::get<poly_t<M>>(start.element), {});
+    while (!to.done()) {
+      if (where_ == where::vert) leave_vert(to);
+      else if (where_ == where::ridge) leave_ridge(to);
+      else step(to);
+    }
+  }
+
+ private:
+  void read(const poly_t<M>& p) {
+    if (cell_.read(*m_, p)) cell_.field = field_.of(p);
+  }
+  void enter(const poly_t<M>& p, std::span<const std::uint32_t> entry) {
+    read(p);
+    std::copy(entry.begin(), entry.end(), entry_.begin());
+    entry_size_ = entry.size();
+    where_ = where::cell;
+  }
+
+  void step(line_recorder<M>& to) {
+    if (cell_.field == vec3()) return to.stop(line_end::zero);
+    const cell_exit out = leave_cell(cell_.flat, x_, cell_.field, std::span(entry_).first(entry_size_));
+    if (out.at == cell_exit::kind::none) return miss(to);
+    x_ = out.position;
+    const cell_triangle t = cell_.flat.triangles[out.triangle];
+    if (out.at == cell_exit::kind::corner) return add_vert(cell_.verts[t.corner[out.k]], to);
+    if (out.at == cell_exit::kind::side) return add_ridge(t, out.k, out.parameter, to);
+    const poly_t<M> p = cell_.poly();
+    const face_t<M> f = cell_.faces[t.face];
+    to.add({f, x_}, p);
+    if (!to.done()) cross(f, t, p, to);
+  }
+
+  /// The line is so near to the border of the triangle or edge by which it entered that it misses the cell: it goes on from there.
+  void miss(line_recorder<M>& to) {
+    if (entry_size_ == 3) {
+      double most = -std::numeric_limits<double>::infinity();
+      std::uint32_t best = 0;
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const vec3 &a = cell_.flat.points[entry_[k]], &b = cell_.flat.points[entry_[(k + 1) % 3]];
+        const double s = side_of_line(cell_.field, a, b, x_).value / distance(a, b);
+        if (s > most) {
+          most = s;
+          best = k;
+        }
+      }
+      for (const cell_triangle& t : cell_.flat.triangles)
+        for (std::uint32_t k = 0; k < 3; ++k)
+          if (t.corner[k] == entry_[best] && t.corner[(k + 1) % 3] == entry_[(best + 1) % 3] && is_corner(t, entry_[(best + 2) % 3])) {
+            const vec3 &a = cell_.flat.points[t.corner[k]], &b = cell_.flat.points[t.corner[(k + 1) % 3]];
+            const double s = std::clamp(dot(x_ - a, b - a) / dot(b - a, b - a), 0.0, 1.0);
+            x_ = a + s * (b - a);
+            return add_ridge(t, k, s, to);
+          }
+    }
+    // from an edge the nearer end; from a vert or inside, only in cells that are inverted or intersect themselves, the corner that is farthest along the field
+    std::uint32_t best = entry_size_ == 2 ? entry_[distance(x_, cell_.flat.points[entry_[1]]) < distance(x_, cell_.flat.points[entry_[0]])] : 0;
+    if (entry_size_ < 2)
+      for (std::uint32_t k = 1; k < cell_.verts.size(); ++k)
+        if (dot(cell_.field, cell_.flat.points[k] - cell_.flat.points[best]) > 0) best = k;
+    if (entry_size_ == 1 && best == entry_[0]) return to.stop(line_end::sink);
+    x_ = cell_.flat.points[best];
+    add_vert(cell_.verts[best], to);
+  }
+  static bool is_corner(const cell_triangle& t, std::uint32_t c) { return t.corner[0] == c || t.corner[1] == c || t.corner[2] == c; }
+
+  void add_vert(const vert_t<M>& v, line_recorder<M>& to) {
+    to.add({v, x_}, cell_.poly());
+    if (!to.done()) reach_vert(v, to);
+  }
+  void reach_vert(const vert_t<M>& v, line_recorder<M>& to) {
+    vert_ = v;
+    where_ = where::vert;
+    if (watch_.at_vert(index_of(*m_, v), to.num_points()) == line_watch::finding::repeats) to.repeat(watch_.period());
+  }
+
+  void add_ridge(const cell_triangle& t, std::uint32_t k, double parameter, line_recorder<M>& to) {
+    const ridge r = ridge_of(t, k);
+    if (r.edge) to.add({edge_point<M>{*r.edge, end_verts(*m_, *r.edge).first == r.from ? parameter : 1 - parameter}, x_}, cell_.poly());
+    else to.add({*r.face, x_}, cell_.poly());
+    if (!to.done()) reach_ridge(r);
+  }
+  void reach_ridge(const ridge& r) {
+    ridge_ = r;
+    where_ = where::ridge;
+  }
+
+  ridge ridge_of(const edge_t<M>& e) const {
+    const auto [a, b] = end_verts(*m_, e);
+    return {a, b, to_vec3(point(*m_, a)), to_vec3(point(*m_, b)), e, {}, {index_of(*m_, e), SIZE_MAX}};
+  }
+  /// Side k of a triangle of the cell that was read last.
+  ridge ridge_of(const cell_triangle& t, std::uint32_t k) const {
+    const std::uint32_t a = t.corner[k], b = t.corner[(k + 1) % 3];
+    const face_t<M> f = cell_.faces[t.face];
+    ridge r = {cell_.verts[a], cell_.verts[b], cell_.flat.points[a], cell_.flat.points[b], {}, {}, {}};
+    if (t.is_diagonal(k)) {
+      const std::size_t i = t.ring[k], j = t.ring[(k + 1) % 3];
+      r.face = f;
+      r.key = {edge_index_bound(*m_) + index_of(*m_, f), std::min(i, j) * t.ring_size + std::max(i, j)};
+      return r;
+    }
+    for (const auto& [e, from, to] : oriented_edges(*m_, f))
+      if ((from == r.from && to == r.to) || (from == r.to && to == r.from)) {
+        r.edge = e;
+        r.key = {index_of(*m_, e), SIZE_MAX};
+        break;
+      }
+    return r;
+  }
+
+  /// From a triangle of face f of poly p, from inside p: into the other poly, or along the face if the field there pushes back.
+  void cross(const face_t<M>& f, const cell_triangle& t, const poly_t<M>& p, line_recorder<M>& to) {
+    std::optional<poly_t<M>> other;
+    std::size_t n = 0;
+    for (const poly_t<M> q : adj_f2p(*m_, f)) {
+      if (!(q == p)) other = q;
+      ++n;
+    }
+    if (n != 2 || !other) return to.stop(n <= 2 ? line_end::boundary : line_end::non_manifold_edge);
+    const std::array<vec3, 3> at = {cell_.flat.points[t.corner[0]], cell_.flat.points[t.corner[1]], cell_.flat.points[t.corner[2]]};
+    const vec3 g = cell_.field;
+    read(*other);
+    if (cell_.field == vec3()) return to.stop(line_end::zero);
+    const std::uint32_t number = cell_.triangle(f, t.number);
+    const cell_triangle& next = cell_.flat.triangles[number];
+    const auto& points = cell_.flat.points;
+    if (side_of_line(cell_.field, points[next.corner[1]], points[next.corner[2]], points[next.corner[0]]).sign < 0) {
+      enter(*other, next.corner);
+      watch(std::size_t{number}, to);
+      return;
+    }
+    const vec3 normal = cross_product(at);
+    const double push = push_through(cell_.field, points[next.corner[0]], points[next.corner[1]], points[next.corner[2]]);
+    slide(next, sliding_velocity(push_through(g, at[0], at[1], at[2]), g, push, cell_.field, normal), {}, to);
+  }
+  static vec3 cross_product(const std::array<vec3, 3>& at) { return concino::cross(at[1] - at[0], at[2] - at[0]); }
+
+  void watch(std::size_t triangle, line_recorder<M>& to) {
+    switch (watch_.at_face({index_of(*m_, cell_.poly()), triangle}, x_, to.num_points())) {
+      case line_watch::finding::repeats: return to.repeat(watch_.period());
+      default: return;
+    }
+  }
+
+  /// Moves in a triangle of the cell that was read last from x, which is inside (no entry), on the side with corners entry (2), or at a corner (1).
+  void slide(const cell_triangle& t, const vec3& velocity, std::span<const std::uint32_t> entry, line_recorder<M>& to) {
+    if (velocity == vec3()) return to.stop(line_end::sink);
+    std::array<vec3, 3> at;
+    std::array<signed_value, 3> s;
+    for (std::size_t k = 0; k < 3; ++k) at[k] = cell_.flat.points[t.corner[k]];
+    const vec3 normal = cross_product(at);
+    for (std::size_t k = 0; k < 3; ++k) s[k] = side_in_plane(velocity, at[k], normal, x_);
+    const auto is_entry = [&](std::uint32_t k) { return std::find(entry.begin(), entry.end(), t.corner[k]) != entry.end(); };
+    for (std::uint32_t k = 0; k < 3; ++k)
+      if (!is_entry(k) && s[k].sign == 0 && dot(velocity, at[k] - x_) > 0) {
+        x_ = at[k];
+        return add_vert(cell_.verts[t.corner[k]], to);
+      }
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t j = (k + 1) % 3;
+      if (entry.size() == 1 && (is_entry(k) || is_entry(j))) continue;
+      if (entry.size() == 2 && is_entry(k) && is_entry(j)) continue;
+      const bool right = s[k].sign <= 0 || (entry.size() == 2 && is_entry(k)), left = s[j].sign > 0 || (entry.size() == 2 && is_entry(j));
+      if (entry.size() != 1 && !(right && left)) continue;
+      const double a = std::max(0.0, -s[k].value), b = std::max(0.0, s[j].value), parameter = a + b > 0 ? a / (a + b) : 0.5;
+      x_ = at[k] + parameter * (at[j] - at[k]);
+      return add_ridge(t, k, parameter, to);
+    }
+    std::uint32_t best = 0;  // x lies outside by rounding
+    for (std::uint32_t k = 1; k < 3; ++k)
+      if (dot(velocity, at[k] - at[best]) > 0) best = k;
+    x_ = at[best];
+    add_vert(cell_.verts[t.corner[best]], to);
+  }
+
+  /// Reads the triangles at a vert, or those at the ridge, of one poly.
+  void add_incident(const poly_t<M>& p, const vert_t<M>& v, const incident_key* only) {
+    read(p);
+    incident_cell c{cell_.field, {}};
+    for (const cell_triangle& t : cell_.flat.triangles)
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        if (!(cell_.verts[t.corner[k]] == v)) continue;
+        const std::uint32_t a = (k + 1) % 3, b = (k + 2) % 3;
+        const incident_key side_a = ridge_of(t, k).key, side_b = ridge_of(t, b).key;
+        if (only && side_a != *only && side_b != *only) continue;
+        c.triangles.push_back({cell_.flat.points[t.corner[a]], cell_.flat.points[t.corner[b]], {index_of(*m_, cell_.faces[t.face]), t.number}, side_a, side_b});
+      }
+    incident_.push_back(std::move(c));
+    incident_polys_.push_back(p);
+  }
+
+  void leave_vert(line_recorder<M>& to) {
+    incident_.clear();
+    incident_polys_.clear();
+    for (const poly_t<M> p : adj_v2p(*m_, vert_)) add_incident(p, vert_, nullptr);
+    const volume_exit out = steepest_exit(x_, incident_);
+    if (out.to == volume_exit::kind::none) return to.stop(why_no_exit());
+    const std::uint32_t corner = read_exit(out, vert_);
+    if (out.to == volume_exit::kind::cell) return enter(incident_polys_[out.cell], std::array{corner});
+    const cell_triangle t = triangle_of(out);
+    if (out.to == volume_exit::kind::triangle) return slide(t, out.velocity, std::array{corner}, to);
+    const std::size_t k = static_cast<std::size_t>(std::find(t.corner.begin(), t.corner.end(), corner) - t.corner.begin());
+    const std::uint32_t end = t.corner[(k + (out.along_a ? 1 : 2)) % 3];
+    x_ = cell_.flat.points[end];
+    add_vert(cell_.verts[end], to);
+  }
+
+  void leave_ridge(line_recorder<M>& to) {
+    incident_.clear();
+    incident_polys_.clear();
+    if (ridge_->edge)
+      for (const poly_t<M> p : adj_e2p(*m_, *ridge_->edge)) add_incident(p, ridge_->from, &ridge_->key);
+    else
+      for (const poly_t<M> p : adj_f2p(*m_, *ridge_->face)) add_incident(p, ridge_->from, &ridge_->key);
+    const volume_exit out = steepest_exit(ridge_->from_point, ridge_->to_point, ridge_->key, incident_);
+    if (out.to == volume_exit::kind::none) return to.stop(why_no_exit());
+    const std::uint32_t from = read_exit(out, ridge_->from), end = cell_.corner_of(ridge_->to);
+    if (out.to == volume_exit::kind::cell) return enter(incident_polys_[out.cell], std::array{from, end});
+    if (out.to == volume_exit::kind::triangle) return slide(triangle_of(out), out.velocity, std::array{from, end}, to);
+    const bool back = out.to == volume_exit::kind::edge_back;
+    x_ = back ? ridge_->from_point : ridge_->to_point;
+    add_vert(back ? ridge_->from : ridge_->to, to);
+  }
+
+  /// Reads the cell of an exit; the corner of the vert in it.
+  std::uint32_t read_exit(const volume_exit& out, const vert_t<M>& v) {
+    read(incident_polys_[out.cell]);
+    return cell_.corner_of(v);
+  }
+
+  /// The triangle of the cell that was read last by which an exit leads.
+  cell_triangle triangle_of(const volume_exit& out) const {
+    const incident_key key = incident_[out.cell].triangles[out.triangle].face;
+    for (const cell_triangle& t : cell_.flat.triangles)
+      if (index_of(*m_, cell_.faces[t.face]) == key.element && t.number == key.part) return t;
+    return {};
+  }
+
+  line_end why_no_exit() const {
+    bool all_zero = true, open = false, many = false;
+    for (const incident_cell& c : incident_) all_zero = all_zero && c.field == vec3();
+    const auto count = [&](const face_t<M>& f) {
+      std::size_t n = 0;
+      for ([[maybe_unused]] const poly_t<M> p : adj_f2p(*m_, f)) ++n;
+      open = open || n < 2;
+      many = many || n > 2;
+    };
+    if (where_ == where::vert)
+      for (const face_t<M> f : adj_v2f(*m_, vert_)) count(f);
+    else if (ridge_->edge)
+      for (const face_t<M> f : adj_e2f(*m_, *ridge_->edge)) count(f);
+    else count(*ridge_->face);
+    return all_zero ? line_end::zero : many ? line_end::non_manifold_edge : open || incident_.empty() ? line_end::boundary : line_end::sink;
+  }
+
+  /// From inside a face: into the poly whose field leads into it fastest, or along the face.
+  void start_on(const face_t<M>& f, line_recorder<M>& to) {
+    struct side {
+      poly_t<M> poly;
+      std::uint32_t triangle;
+      signed_value outward;
+    };
+    std::vector<side> sides;
+    std::optional<side> best;
+    vec3 best_field;
+    bool all_zero = true;
+    for (const poly_t<M> p : adj_f2p(*m_, f)) {
+      read(p);
+      const std::uint32_t t = triangle_at(f);
+      const auto& c = cell_.flat.triangles[t].corner;
+      const auto& at = cell_.flat.points;
+      const side s = {p, t, side_of_line(cell_.field, at[c[1]], at[c[2]], at[c[0]])};
+      sides.push_back(s);
+      all_zero = all_zero && cell_.field == vec3();
+      if (s.outward.sign >= 0) continue;
+      const double speed = norm(cell_.field), so_far = norm(best_field);
+      if (best && (speed < so_far || (speed == so_far && !lies_before(cell_.field, best_field)))) continue;
+      best = s;
+      best_field = cell_.field;
+    }
+    if (best) {
+      read(best->poly);
+      enter(best->poly, cell_.flat.triangles[best->triangle].corner);
+      return;
+    }
+    if (all_zero) return to.stop(line_end::zero);
+    if (sides.size() > 2) return to.stop(line_end::non_manifold_edge);
+    if (sides.size() == 1) {
+      if (sides[0].outward.sign != 0) return to.stop(line_end::boundary);
+      read(sides[0].poly);
+      return slide(cell_.flat.triangles[sides[0].triangle], cell_.field, {}, to);
+    }
+    read(sides[0].poly);
+    cross(f, cell_.flat.triangles[sides[0].triangle], sides[0].poly, to);
+  }
+
+  /// The triangle of face f, of the cell that was read last, that is nearest to x.
+  std::uint32_t triangle_at(const face_t<M>& f) const {
+    std::uint32_t best = 0;
+    double best_depth = -std::numeric_limits<double>::infinity();
+    for (std::uint32_t t = 0; t < cell_.flat.triangles.size(); ++t) {
+      const cell_triangle& c = cell_.flat.triangles[t];
+      if (!(cell_.faces[c.face] == f)) continue;
+      std::array<vec3, 3> at;
+      for (std::size_t k = 0; k < 3; ++k) at[k] = cell_.flat.points[c.corner[k]];
+      const vec3 normal = cross_product(at);
+      double depth = std::numeric_limits<double>::infinity();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const vec3 side = at[(k + 1) % 3] - at[k];
+        depth = std::min(depth, dot(concino::cross(side, x_ - at[k]), normal) / (norm(side) * norm(normal)));
+      }
+      if (depth > best_depth) {
+        best_depth = depth;
+        best = t;
+      }
+    }
+    return best;
+  }
+};
+
+}  // namespace concino::detail
