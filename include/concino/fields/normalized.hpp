@@ -23,7 +23,7 @@ namespace detail {
 
 void check_range(const normalize_options& options);
 
-struct value_range {
+struct finite_range {
   double min = std::numeric_limits<double>::infinity(), max = -min;
 
   void add(double x) {
@@ -42,7 +42,7 @@ struct value_range {
 template<class Result, class Elements, class U>
 void normalize_values(const Elements& elements, const U& u, const normalize_options& options, Result& result) {
   check_range(options);
-  value_range range;
+  finite_range range;
   for (const auto& x : elements) range.add(static_cast<double>(u[x]));
   for (const auto& x : elements) result[x] = range.in(options, static_cast<double>(u[x]));
 }

@@ -42,14 +42,14 @@ struct simplex_choice {
   }
 };
 
-struct mean_of_verts {
+struct loop_mean {
   vec3 point;
   double value = 0;
 };
 
 template<class M, class Loop, class U>
-mean_of_verts mean_of(const M& m, const Loop& loop, const U& u) {
-  mean_of_verts first, sum;
+loop_mean mean_of_loop(const M& m, const Loop& loop, const U& u) {
+  loop_mean first, sum;
   double n = 0;
   for (const vert_t<M> v : loop) {
     const vec3 x = to_vec3(point(m, v));
@@ -59,12 +59,12 @@ mean_of_verts mean_of(const M& m, const Loop& loop, const U& u) {
     sum.value += value - first.value;
     n += 1;
   }
-  return n > 0 ? mean_of_verts{first.point + sum.point / n, first.value + sum.value / n} : first;
+  return n > 0 ? loop_mean{first.point + sum.point / n, first.value + sum.value / n} : first;
 }
 
 /// Calls visit(a, u(a), b, u(b)) for the sides of a polygon.
 template<class M, class Loop, class U, class Visit>
-void for_each_side(const M& m, const Loop& loop, const U& u, const Visit& visit) {
+void for_each_loop_edge(const M& m, const Loop& loop, const U& u, const Visit& visit) {
   vec3 first, previous;
   double first_value = 0, previous_value = 0;
   bool any = false;
@@ -83,16 +83,16 @@ void for_each_side(const M& m, const Loop& loop, const U& u, const Visit& visit)
 /// values, so linear functions are exact, verts have their values, and where polys are star-shaped about their means u is continuous.
 template<class M, class U>
 double value_in_poly(const M& m, const poly_t<M>& p, const U& u, const vec3& x) {
-  const mean_of_verts centre = mean_of(m, adj_p2v(m, p), u);
+  const loop_mean centre = mean_of_loop(m, adj_p2v(m, p), u);
   simplex_choice choice{x, centre.value};
   if constexpr (dimension_v<M> == 2) {  // polygons have no faces
     const vec3 outward = area_vector_of(m, adj_p2v(m, p));
-    for_each_side(m, adj_p2v(m, p), u, [&](const vec3& a, double at_a, const vec3& b, double at_b) { choice.try_triangle(outward, {centre.point, a, b}, {centre.value, at_a, at_b}); });
+    for_each_loop_edge(m, adj_p2v(m, p), u, [&](const vec3& a, double at_a, const vec3& b, double at_b) { choice.try_triangle(outward, {centre.point, a, b}, {centre.value, at_a, at_b}); });
   } else {
     for (const face_t<M> f : adj_p2f(m, p)) {
-      const mean_of_verts middle = mean_of(m, adj_f2v(m, f), u);
+      const loop_mean middle = mean_of_loop(m, adj_f2v(m, f), u);
       const double sign = face_is_outward(m, p, f) ? 1 : -1;
-      for_each_side(m, adj_f2v(m, f), u, [&](const vec3& a, double at_a, const vec3& b, double at_b) {
+      for_each_loop_edge(m, adj_f2v(m, f), u, [&](const vec3& a, double at_a, const vec3& b, double at_b) {
         choice.try_tet(sign, {centre.point, middle.point, a, b}, {centre.value, middle.value, at_a, at_b});
       });
     }
