@@ -1,6 +1,7 @@
 // Each call below has one mistake and is rejected by a deleted overload that says what to write; check.cmake checks each line.
 #include <concino/concepts/archetypes.hpp>
 #include <concino/convert.hpp>
+#include <concino/edit.hpp>
 #include <concino/fields.hpp>
 #include <concino/generate.hpp>
 #include <concino/geometry.hpp>

@@ -11,11 +11,11 @@
 
 namespace concino::detail {
 
-class field_reader : token_cursor {
+class field_text_reader : token_cursor {
   const file_field& wanted_;
 
  public:
-  field_reader(std::string_view text, std::string_view name, const file_field& wanted) : token_cursor(text, name, nullptr, 0), wanted_(wanted) {}
+  field_text_reader(std::string_view text, std::string_view name, const file_field& wanted) : token_cursor(text, name, nullptr, 0), wanted_(wanted) {}
 
   void read(function_ref<void(const file_field_value&)> f) {
     read_header();
@@ -83,7 +83,7 @@ class field_reader : token_cursor {
 };
 
 CONCINO_INLINE void read_field(std::string_view text, std::string_view name, const file_field& wanted, function_ref<void(const file_field_value&)> f) {
-  field_reader(text, name, wanted).read(f);
+  field_text_reader(text, name, wanted).read(f);
 }
 
 CONCINO_INLINE void read_field_file(const std::string& path, const file_field& wanted, function_ref<void(const file_field_value&)> f) {
