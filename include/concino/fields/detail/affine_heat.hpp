@@ -50,6 +50,7 @@ affine_heat make_affine_heat(const core::unfolded_triangles& triangles, const st
 /// Heat of several sorts at each vert. All are scaled by one power of two of the vert, so that they do not underflow far from their sources.
 struct diffused {
   Eigen::VectorXd heat, second_heat;      // of the sources with value 1; with the length of their vectors
+  Eigen::VectorXd square;                 // the squared lengths of vectors to the sources, times heat
   Eigen::VectorXd first, second, offset;  // transported vectors; vectors to the sources, times heat; two numbers at each vert
   std::vector<int> round;                 // -1 where no heat arrived
 
@@ -65,7 +66,7 @@ struct vector_source {
 };
 /// What to compute besides the heat and the first vectors.
 struct diffused_parts {
-  bool second_heat = false, second = false, offset = false;  // second: of vectors that are turned by a right angle
+  bool second_heat = false, second = false, offset = false;  // second: of vectors that are turned by a right angle; offset: and squares
 };
 
 /// Errors: invalid_argument if the time is so short that heat vanishes from one vert to the next; solver_error.

@@ -162,7 +162,7 @@ class diffusion {
     Eigen::VectorXd reached, last;  // the values at verts that are reached, in the scale of their round; those of the last round at all verts
     bool is_wanted = true;
   };
-  field<1> heat_, second_heat_;
+  field<1> heat_, second_heat_, square_;
   field<2> first_, second_, offset_;
 
   static tangent_vector get(const Eigen::VectorXd& x, int v, field<2>*) { return {x[2 * v], x[2 * v + 1]}; }
@@ -213,16 +213,31 @@ class diffusion {
     f.last = (N == 1 ? scalar_solver_ : vector_solver_).solve(rhs);
   }
 
-  /// Heat that flows from b to a carries positions along: those seen from b and, in addition, the edge.
-  void add_carried_edges(Eigen::VectorXd& rhs) const {
-    const auto add = [&](const tangent_vector& along, double flow, int to, int from) {
-      if (is_reached(to)) return;
-      add_to(rhs, to, (flow * (is_reached(from) ? value(heat_, from) : heat_.last[from])) * along);
-    };
+  /// The value of this round's solution at a vert, or what it continues.
+  template<int N>
+  auto value_now(const field<N>& f, int v) const {
+    return is_reached(v) ? value(f, v) : get(f.last, v, static_cast<field<N>*>(nullptr));
+  }
+
+  /// Heat that flows from b to a carries positions along: those seen from b and, in addition, the edge. add(edge, flow from b to a, seen from a).
+  template<class F>
+  void for_each_flow(const F& add) const {
     for (const transport_edge& e : equations_.edges) {
-      add(e.from_a, equations_.time * e.weight, e.a, e.b);
-      add(e.from_b, equations_.time * e.weight, e.b, e.a);
+      if (!is_reached(e.a)) add(e, e.a, e.b, true);
+      if (!is_reached(e.b)) add(e, e.b, e.a, false);
     }
+  }
+  void add_carried_edges(Eigen::VectorXd& rhs) const {
+    for_each_flow([&](const transport_edge& e, int to, int from, bool to_a) {
+      add_to(rhs, to, (equations_.time * e.weight * value_now(heat_, from)) * (to_a ? e.from_a : e.from_b));
+    });
+  }
+  /// Of the squared length of the sum of both, the part that is not the square seen from the other end.
+  void add_carried_squares(Eigen::VectorXd& rhs) const {
+    for_each_flow([&](const transport_edge& e, int to, int from, bool to_a) {
+      const tangent_vector seen = value_now(offset_, from), edge = to_a ? e.from_a : e.from_b, turned = to_a ? e.to_a(seen) : e.to_b(seen);
+      rhs[to] += equations_.time * e.weight * (2 * dot(edge, turned) + dot(edge, edge) * value_now(heat_, from));
+    });
   }
 
   template<int N>
@@ -239,7 +254,7 @@ class diffusion {
       if (is_reached(v) || !(heat_.last[v] >= least)) continue;
       round_[static_cast<std::size_t>(v)] = now_;
       ++n;
-      if (now_ > 0) keep(heat_, v), keep(second_heat_, v), keep(first_, v), keep(second_, v), keep(offset_, v);
+      if (now_ > 0) keep(heat_, v), keep(second_heat_, v), keep(square_, v), keep(first_, v), keep(second_, v), keep(offset_, v);
     }
     return n;
   }
@@ -250,7 +265,7 @@ class diffusion {
       if (is_complete) f.reached.swap(f.last);
       else f.reached = f.last;
     };
-    take(heat_), take(second_heat_), take(first_), take(second_), take(offset_);
+    take(heat_), take(second_heat_), take(square_), take(first_), take(second_), take(offset_);
   }
 
   /// Whether heat is known wherever it can flow. Where the next round starts, the last one must have computed it to all digits.
@@ -286,7 +301,7 @@ class diffusion {
       : equations_(equations), scalar_solver_(scalar_solver), vector_solver_(vector_solver), caller_(caller), round_(equations.size(), -1) {
     second_heat_.is_wanted = parts.second_heat;
     second_.is_wanted = parts.second;
-    offset_.is_wanted = parts.offset;
+    offset_.is_wanted = square_.is_wanted = parts.offset;
   }
 
   diffused run(const std::vector<vector_source>& sources) {
@@ -306,6 +321,9 @@ class diffusion {
         vectors.setZero();  // in the same memory
         add_carried_edges(vectors);
         next_round(offset_, vectors);
+        heat.setZero();
+        add_carried_squares(heat);
+        next_round(square_, heat);
       }
       if (accept() == 0) throw_too_short();
       const bool complete = is_complete();
@@ -317,6 +335,7 @@ class diffusion {
     diffused r;
     r.heat.swap(heat_.reached);
     r.second_heat.swap(second_heat_.reached);
+    r.square.swap(square_.reached);
     r.first.swap(first_.reached);
     r.second.swap(second_.reached);
     r.offset.swap(offset_.reached);
