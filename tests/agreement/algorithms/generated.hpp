@@ -1,4 +1,4 @@
-// Compares bounding_tree, dual_mesh, agglomerate, subdivisions, shells, boundary surfaces and simplices.
+// Compares bounding_tree, dual_mesh, agglomerate, subdivisions, swept surfaces, boundary surfaces, unions, simplices and what is to be filled with tets.
 #pragma once
 
 #include <agreement/matched.hpp>
@@ -6,13 +6,17 @@
 #include <concino/generate/agglomerate.hpp>
 #include <concino/generate/boundary_surface.hpp>
 #include <concino/generate/dual_mesh.hpp>
+#include <concino/generate/extrude.hpp>
 #include <concino/generate/limit_points.hpp>
 #include <concino/generate/offset_shell.hpp>
 #include <concino/generate/quads_from_triangles.hpp>
+#include <concino/generate/revolve.hpp>
 #include <concino/generate/subdivide_catmull_clark.hpp>
 #include <concino/generate/subdivide_midpoint.hpp>
+#include <concino/generate/tetrahedralize.hpp>
 #include <concino/generate/to_tets.hpp>
 #include <concino/generate/to_triangles.hpp>
+#include <concino/generate/unite.hpp>
 #include <concino/geometry/bounding_tree.hpp>
 #include <concino/geometry/bounding_box.hpp>
 #include <concino/geometry/centroid.hpp>
@@ -64,6 +68,8 @@ auto try_to(const Make& make) {
   try {
     return std::optional(make());
   } catch (const invalid_mesh&) {
+    return std::optional<decltype(make())>();
+  } catch (const invalid_argument&) {
     return std::optional<decltype(make())>();
   } catch (const unsupported&) {
     return std::optional<decltype(make())>();
@@ -147,13 +153,24 @@ struct subdivisions {
   }
 };
 
-/// From surfaces to volumes, and back.
+/// A back end of tetrahedralize that keeps what it is to fill, and fails.
+struct input_recorder {
+  tetrahedralize_input* input;
+  tetrahedralize_output tetrahedralize(const tetrahedralize_input& in, const tetrahedralize_options&) const {
+    *input = in;
+    throw unsupported("recorded");
+  }
+  static const char* name() { return "the recorder"; }
+};
+
+/// From surfaces to volumes, and back; and two meshes as one.
 struct shells {
   static constexpr const char* name = "between_kinds";
   template<class M> static constexpr bool runs_on = EmbeddedMesh<M>;
 
   template<class B, class In>
   static bool check(const B& both, const In&) {
+    expect_same_polys([&] { return unite(both.native, both.native); }, [&] { return unite(both.other, both.native); });
     if constexpr (VolumeMesh<decltype(both.native)>) {
       const auto a = boundary_surface(both.native);
       const auto b = boundary_surface(both.other);
@@ -161,13 +178,28 @@ struct shells {
       expect_close(total_measure(a), total_measure(b), total_measure(a), "the area of the boundary");
       return num_polys(a) > 0;
     } else {
-      const double thickness = 0.01 * bounding_box(both.native).diagonal();
+      const double size = bounding_box(both.native).diagonal(), thickness = 0.01 * size;
+      if (!(size > 0)) return false;
       std::vector<poly_id> of_native, of_other;
-      const bool any = thickness > 0 && expect_same_polys([&] { return offset_shell(both.native, thickness, 2, {.inverted = &of_native}); },
-                                                          [&] { return offset_shell(both.other, thickness, 2, {.inverted = &of_other}); });
+      const bool any = expect_same_polys([&] { return offset_shell(both.native, thickness, 2, {.inverted = &of_native}); },
+                                         [&] { return offset_shell(both.other, thickness, 2, {.inverted = &of_other}); });
       expect(of_native == of_other, "the inverted polys");
+      const vec3 up{0.1 * size, -0.2 * size, size}, far = bounding_box(both.native).max + vec3{size, 0, 0};
+      expect_same_polys([&] { return extrude(both.native, up, 2); }, [&] { return extrude(both.other, up, 2); });
+      expect_same_polys([&] { return revolve(both.native, far, {0, 1, 0}, 5); }, [&] { return revolve(both.other, far, {0, 1, 0}, 5); });
+      check_filling(both);
       return any;
     }
+  }
+
+ private:
+  template<class B>
+  static void check_filling(const B& both) {
+    tetrahedralize_input here, there;
+    try_to([&] { return tetrahedralize(both.native, input_recorder{&here}).mesh; });
+    try_to([&] { return tetrahedralize(both.other, input_recorder{&there}).mesh; });
+    expect(here.points.size() == there.points.size() && here.triangles.size() == there.triangles.size(), "as many triangles to be filled with tets");
+    expect_close(here.diagonal, there.diagonal, here.diagonal, "the size of what is to be filled with tets");
   }
 };
 
