@@ -242,6 +242,57 @@ TEST_CASE("triangulate with cgal: heights of new verts, seen from any direction"
   for (const edge_id e : tiles.edges_of(4)) CHECK(point(tiles.mesh, end_verts(tiles.mesh, e).first).z == 1);
 }
 
+TEST_CASE("triangulate with cgal: segments that meet are divided if asked for") {
+  // a bow tie: two triangles, and a vert where its diagonals cross
+  const planar_graph bow(loop{{0, 0, 0}, {2, 2, 4}, {2, 0, 0}, {0, 2, 0}});
+  const auto t = triangulate(bow, cgal, {.divide_segments = true});
+  REQUIRE(num_polys(t.mesh) == 2);
+  REQUIRE(num_verts(t.mesh) == 5);
+  CHECK(point(t.mesh, vert_id{4}) == vec3{1, 1, 2});  // with the height of the first diagonal
+  CHECK(t.vert_of == std::vector<vert_id>{vert_id{0}, vert_id{1}, vert_id{2}, vert_id{3}});
+  REQUIRE(t.segment_ends.size() == 4);
+  for (std::size_t s = 0; s < 4; ++s) CHECK(t.edges_of(s).size() == (s % 2 == 0 ? 2 : 1));
+  for (const std::size_t s : {0u, 2u}) {  // in order along the segment
+    const auto [a, b] = end_verts(t.mesh, t.edges_of(s)[0]);
+    CHECK((a == vert_id{s} || b == vert_id{s}));
+  }
+
+  // a square with a line through it, one along a part of a side, one from a point in a side, and a point on a line
+  planar_graph g(square(0, 0, 2));
+  g.add_line(loop{{-3, 0.5, 0}, {3, 0.5, 0}});
+  g.add_line(loop{{-1, -2, 0}, {1, -2, 0}});
+  g.add_line(loop{{-2, -1, 0}, {1, -1, 0}});
+  g.add_isolated({1.5, 0.5, 0});
+  CHECK(error_of(g) != "");
+  for (const double bound : {100.0, 0.4}) {
+    const auto divided = triangulate(g, cgal, {.max_length = bound, .divide_segments = true});
+    CHECK(check_laws(divided.mesh).empty());
+    CHECK(total_measure(divided.mesh) == doctest::Approx(16).epsilon(1e-14));
+    REQUIRE(divided.segment_ends.size() == 7);
+    const auto length = [&](std::size_t s) {
+      double sum = 0;
+      for (const edge_id e : divided.edges_of(s)) sum += measure(divided.mesh, e);
+      return sum;
+    };
+    CHECK(length(0) == doctest::Approx(4));
+    CHECK(length(4) == doctest::Approx(4));  // the part inside
+    CHECK(length(5) == doctest::Approx(2));
+    CHECK(length(6) == doctest::Approx(3));
+  }
+
+  // random segments in a square, seen along an axis and aslant
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(-2, 2);
+  for (const vec3& from : {vec3{0, 0, 1}, vec3{0.3, -0.2, 1}})
+    for (int i = 0; i < (long_run() ? 200 : 3); ++i) {
+      planar_graph many(square(0, 0, 2));
+      for (int k = 0; k < 30; ++k) many.add_line(loop{{place(random), place(random), 0}, {place(random), place(random), 0}});
+      const auto m = triangulate(many, cgal, {.seen_from = from, .divide_segments = true}).mesh;
+      CHECK(check_laws(m).empty());
+      CHECK(total_measure(m) == doctest::Approx(16).epsilon(1e-12));
+    }
+}
+
 TEST_CASE("triangulate with cgal: errors") {
   const planar_graph g(square(0, 0, 4));
   const double nan = std::nan("");

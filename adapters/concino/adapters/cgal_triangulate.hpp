@@ -3,6 +3,7 @@
 #pragma once
 
 #include <concino/adapters/cgal_tag.hpp>
+#include <concino/adapters/detail/cgal_planar_division.hpp>
 #include <concino/adapters/detail/cgal_planar_mesh.hpp>
 #include <concino/generate/planar_graph.hpp>
 
@@ -21,6 +22,7 @@ struct cgal_triangulate_options {
   function_ref<double(const vec3&)> size = {};                  // the longest edge of triangles at a point, projected along seen_from; above 0. Empty: no bound
   vec3 seen_from = {0, 0, 1};          // the direction from which triangles are counter-clockwise; not 0. Points are projected along it
   bool merge_points = false;           // whether points at the same place are one vert; otherwise they are an error
+  bool divide_segments = false;        // whether segments that cross, overlap or run through points are divided there; otherwise they are an error
   std::size_t max_verts = 10'000'000;  // of the result; more are an error, so that refinement ends
   concino::progress progress = {};     // may stop the refinement; the fraction is always 0
 };
@@ -200,19 +202,36 @@ class triangulator {
   }
 };
 
+/// Divides segments first.
+inline planar_triangulation triangulate_divided(const planar_graph& g, cgal_triangulate_options o) {
+  check(o);
+  const divided_graph d = divided("triangulate", g, o.holes, o.seen_from, o.merge_points);
+  o.merge_points = true;  // points that were merged stay so
+  planar_triangulation t = triangulator(d.graph, o)();
+  t.vert_of.resize(g.points.size());
+  std::vector<std::size_t> ends;
+  ends.reserve(d.ends.size());
+  for (const std::size_t end : d.ends) ends.push_back(end == 0 ? 0 : t.segment_ends[end - 1]);
+  t.segment_ends = std::move(ends);
+  return t;
+}
+
 }  // namespace detail::cgal_planar
 
 /// Triangulates what is inside of outlines, or the convex hull: the constrained Delaunay triangulation of the points, or with bounds on angles or sizes a
 /// refinement of it, with new points, also on segments.
-/// Needs:  a graph as for triangulate(g). Segments must not meet except at common points.
+/// Needs:  a graph as for triangulate(g). Segments must not meet except at common points, unless options.divide_segments is set.
 /// Result: as of triangulate(g), with the same verts first, then the new ones; without bounds there are none. Only edges along segments are not Delaunay
 ///         edges. With bounds, each angle is min_angle_deg or more and each triangle has the sizes asked for. The exceptions are triangles near angles
 ///         between segments that are smaller; small_angles lists them. A new vert on a segment has the height of the segment, along seen_from; another one has that of the
-///         triangulation without new points.
+///         triangulation without new points. With divide_segments, a vert at each place where segments meet follows those of the points. Its coordinates are rounded, and
+///         it has the height of the first of these segments.
 /// Cost:   O(n log n) for most graphs, for n verts of the result.
 /// Errors: invalid_argument as triangulate(g); also for an option out of its range, for a size that is not above 0, with the place, and if there would be
 ///         more than max_verts verts. Refinement is proven to end for angles up to 20.7 degrees, and nearly always ends up to 30. cancelled.
 /// Source: Chew 1989; Ruppert 1995; Shewchuk 2002, "Delaunay refinement algorithms for triangular mesh generation", through CGAL's 2D mesher.
-inline planar_triangulation triangulate(const planar_graph& g, cgal_t, const cgal_triangulate_options& options = {}) { return detail::cgal_planar::triangulator(g, options)(); }
+inline planar_triangulation triangulate(const planar_graph& g, cgal_t, const cgal_triangulate_options& options = {}) {
+  return options.divide_segments ? detail::cgal_planar::triangulate_divided(g, options) : detail::cgal_planar::triangulator(g, options)();
+}
 
 }  // namespace concino
