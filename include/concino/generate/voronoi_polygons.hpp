@@ -16,7 +16,7 @@ struct voronoi_options {
 namespace detail {
 
 /// The cells of a diagram in the plane, which have one loop each.
-inline polygonmesh polygons_of(const voronoi_complex<2>& cells) {
+inline polygonmesh polygons_of_cells(const voronoi_complex<2>& cells) {
   surface_arrays a;
   for (std::uint32_t v = 0; v < cells.num_verts(); ++v) a.points.push_back(cells.point(v));
   a.offsets.push_back(0);
@@ -46,7 +46,7 @@ polygonmesh voronoi_polygons(const Sites& sites, const box& domain, const vorono
   if (!std::isfinite(domain.min.z)) throw invalid_argument("voronoi_polygons: min.z of the box is not finite; it is the height of the plane of the polygons");
   return detail::with_relaxed_sites<2>(sites, domain, options.relax, [](const std::vector<vec3>& x, const box& b) {
     const detail::site_lattice<2> lattice(x, b);
-    return detail::polygons_of(detail::voronoi_complex<2>(lattice));
+    return detail::polygons_of_cells(detail::voronoi_complex<2>(lattice));
   });
 }
 
@@ -66,7 +66,7 @@ polygonmesh voronoi_polygons(const Sites& sites, const Outline& outline, const v
     const detail::site_lattice<2> lattice(x, b);
     const auto walls = domain.walls(lattice);
     detail::check_inside<2>(lattice, walls, "outline");
-    return detail::polygons_of(detail::voronoi_complex<2>(lattice, walls));
+    return detail::polygons_of_cells(detail::voronoi_complex<2>(lattice, walls));
   });
 }
 
