@@ -3,6 +3,8 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/core/vec3.hpp>
+#include <concino/geometry/triangulate_polygon.hpp>
+#include <concino/lines/detail/line_signs.hpp>
 
 #include <array>
 #include <cstddef>
@@ -26,11 +28,6 @@ struct cell_triangle {
   }
 };
 
-struct flat_cell {
-  std::vector<vec3> points;
-  std::vector<cell_triangle> triangles;
-};
-
 /// Where a line leaves a cell: inside a triangle, on side k of it, or at corner k of it.
 struct cell_exit {
   enum class kind { none, triangle, side, corner };
@@ -40,10 +37,47 @@ struct cell_exit {
   vec3 position;
 };
 
-/// Where the line from x along g leaves the cell for the first time.
-/// Needs: entry: the corners of the triangle (3), the edge (2) or the vert (1) at which x lies, or none, inside. x lies there but for rounding.
-/// `none` if the line misses the cell, which happens if x is so near to the border of its triangle or edge that rounding put it outside.
-cell_exit leave_cell(const flat_cell& cell, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry);
+/// One cell after another. Faces are cut into triangles when they are needed.
+class flat_cell {
+ public:
+  std::vector<vec3> points;
+  std::vector<cell_triangle> triangles;  // of the faces that were cut
+
+  void clear();
+  /// ring: the corners of the face in cyclic order, counter-clockwise seen from outside or not.
+  void add_face(std::span<const std::uint32_t> ring, bool is_outward);
+  /// The triangles are those of polygon_triangulator, from the first corner in `lies_before` towards the earlier one of its neighbours: so they are the
+  /// same for both cells, and do not depend on the corner with which the mesh begins the face.
+  void cut_face(std::uint32_t face);
+  void cut_faces();
+
+  /// Where the line from x along g leaves the cell for the first time.
+  /// Needs: entry: the corners of the triangle (3), the edge (2) or the vert (1) at which x lies, or none, inside. x lies there but for rounding.
+  /// `none` if the line misses the cell, which happens if x is so near to the border of its triangle or edge that rounding put it outside.
+  cell_exit leave(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry);
+
+ private:
+  struct place { double u, v; };  // of a corner seen along g, from x
+  struct face_ring {
+    std::uint32_t first, size;
+    bool is_outward, is_cut;
+  };
+
+  polygon_triangulator cut_;
+  std::vector<face_ring> faces_;
+  std::vector<std::uint32_t> corners_, ring_;
+  std::vector<vec3> ring_points_;
+  std::vector<place> seen_;
+  double nearly_ = 0;  // more than the errors of seen_
+
+  void see(const vec3& x, const vec3& g);
+  bool may_cross(const face_ring& f) const;
+  int quick_side(std::uint32_t a, std::uint32_t b) const;
+  signed_value side(std::uint32_t a, std::uint32_t b, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) const;
+  bool leaves_through(const cell_triangle& t, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) const;
+  double distance_to(std::uint32_t triangle, const vec3& x, const vec3& g) const;
+  cell_exit exit_in(std::uint32_t triangle, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) const;
+};
 
 }  // namespace concino::detail
 

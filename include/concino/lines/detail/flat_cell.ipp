@@ -2,19 +2,113 @@
 #pragma once
 
 #include <concino/lines/detail/flat_cell.hpp>
-#include <concino/lines/detail/line_signs.hpp>
 
 #include <algorithm>
 #include <cmath>
 
 namespace concino::detail {
 
-CONCINO_INLINE bool is_corner_of(std::uint32_t c, std::span<const std::uint32_t> entry) { return std::find(entry.begin(), entry.end(), c) != entry.end(); }
+CONCINO_INLINE bool is_corner_of(std::uint32_t c, std::span<const std::uint32_t> entry) {
+  for (const std::uint32_t e : entry)
+    if (e == c) return true;
+  return false;
+}
+
+/// Whether the smaller triangle is as large with the diagonal from 0 to 2 as with the other: the rule of polygon_triangulator, with fewer operations.
+CONCINO_INLINE bool is_cut_from_0(const vec3& p0, const vec3& p1, const vec3& p2, const vec3& p3) {
+  const vec3 d02 = p2 - p0, d13 = p3 - p1, u = p1 - p0, n = cross(d02, d13);
+  const double whole = dot(n, n), t012 = dot(n, cross(u, d02)), t013 = dot(n, cross(u, d13));
+  return std::min(t012, whole - t012) >= std::min(t013, whole - t013);
+}
+
+CONCINO_INLINE void flat_cell::clear() {
+  points.clear();
+  triangles.clear();
+  faces_.clear();
+  corners_.clear();
+}
+
+CONCINO_INLINE void flat_cell::add_face(std::span<const std::uint32_t> ring, bool is_outward) {
+  faces_.push_back({static_cast<std::uint32_t>(corners_.size()), static_cast<std::uint32_t>(ring.size()), is_outward, false});
+  corners_.insert(corners_.end(), ring.begin(), ring.end());
+}
+
+CONCINO_INLINE void flat_cell::cut_faces() {
+  for (std::uint32_t f = 0; f < faces_.size(); ++f) cut_face(f);
+}
+
+CONCINO_INLINE void flat_cell::cut_face(std::uint32_t face) {
+  face_ring& f = faces_[face];
+  if (f.is_cut) return;
+  f.is_cut = true;
+  const std::uint32_t n = f.size;
+  bool outward = f.is_outward;
+  const std::uint32_t* const c = corners_.data() + f.first;
+  if (n == 3) {
+    if (outward) triangles.push_back({{c[0], c[1], c[2]}, {0, 1, 2}, face, 0, 3});
+    else triangles.push_back({{c[0], c[2], c[1]}, {0, 2, 1}, face, 0, 3});
+    return;
+  }
+  std::uint32_t first = 0;
+  for (std::uint32_t i = 1; i < n; ++i)
+    if (lies_before(points[c[i]], points[c[first]])) first = i;
+  const bool turns = lies_before(points[c[(first + n - 1) % n]], points[c[(first + 1) % n]]);
+  ring_.clear();
+  for (std::uint32_t i = 0; i < n; ++i) ring_.push_back(c[(first + (turns ? n - i : i)) % n]);
+  if (turns) outward = !outward;
+  std::uint32_t number = 0;
+  const auto add = [&](const polygon_triangle& t) {
+    const std::uint32_t second = outward ? t[1] : t[2], third = outward ? t[2] : t[1];
+    triangles.push_back({{ring_[t[0]], ring_[second], ring_[third]}, {t[0], second, third}, face, number++, n});
+  };
+  if (n == 4) {
+    const bool from_0 = is_cut_from_0(points[ring_[0]], points[ring_[1]], points[ring_[2]], points[ring_[3]]);
+    add(from_0 ? polygon_triangle{0, 1, 2} : polygon_triangle{1, 2, 3});
+    add(from_0 ? polygon_triangle{0, 2, 3} : polygon_triangle{1, 3, 0});
+    return;
+  }
+  ring_points_.clear();
+  for (const std::uint32_t i : ring_) ring_points_.push_back(points[i]);
+  for (const polygon_triangle& t : cut_(ring_points_)) add(t);
+}
+
+CONCINO_INLINE void flat_cell::see(const vec3& x, const vec3& g) {
+  const vec3 along = g / norm(g);
+  vec3 u = cross(along, std::abs(along.x) < 0.6 ? vec3{1, 0, 0} : vec3{0, 1, 0});
+  u /= norm(u);
+  const vec3 v = cross(along, u);
+  seen_.resize(points.size());
+  double farthest = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const vec3 d = points[i] - x;
+    seen_[i] = {dot(d, u), dot(d, v)};
+    farthest = std::max(farthest, dot(d, d));
+  }
+  nearly_ = 1e-14 * farthest;
+}
+
+/// Whether the line may pass through the face; most faces are left out by their boxes, seen along the line.
+CONCINO_INLINE bool flat_cell::may_cross(const face_ring& f) const {
+  const std::uint32_t* const c = corners_.data() + f.first;
+  place low = seen_[c[0]], high = low;
+  for (std::uint32_t i = 1; i < f.size; ++i) {
+    const place& p = seen_[c[i]];
+    low = {std::min(low.u, p.u), std::min(low.v, p.v)};
+    high = {std::max(high.u, p.u), std::max(high.v, p.v)};
+  }
+  const auto is_away = [&](double from, double to) { return (from > 0 && from * from > 1e-14 * nearly_) || (to < 0 && to * to > 1e-14 * nearly_); };
+  return !is_away(low.u, high.u) && !is_away(low.v, high.v);
+}
+
+/// The sign of side_of_line where it is certain, else 0.
+CONCINO_INLINE int flat_cell::quick_side(std::uint32_t a, std::uint32_t b) const {
+  const double turn = seen_[a].u * seen_[b].v - seen_[a].v * seen_[b].u;
+  return turn > nearly_ ? 1 : turn < -nearly_ ? -1 : 0;
+}
 
 /// The side of the line on which a to b passes. A side of the triangle of entry is known: the line enters between its three sides.
-CONCINO_INLINE signed_value side_of_entered_line(const flat_cell& cell, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry, std::uint32_t a,
-                                                 std::uint32_t b) {
-  signed_value s = side_of_line(g, cell.points[a], cell.points[b], x);
+CONCINO_INLINE signed_value flat_cell::side(std::uint32_t a, std::uint32_t b, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) const {
+  signed_value s = side_of_line(g, points[a], points[b], x);
   if (entry.size() == 3 && is_corner_of(a, entry) && is_corner_of(b, entry)) {
     const std::ptrdiff_t i = std::find(entry.begin(), entry.end(), a) - entry.begin();
     const int sign = entry[static_cast<std::size_t>((i + 1) % 3)] == b ? -1 : 1;
@@ -23,70 +117,65 @@ CONCINO_INLINE signed_value side_of_entered_line(const flat_cell& cell, const ve
   return s;
 }
 
-CONCINO_INLINE cell_exit exit_in(const flat_cell& cell, std::uint32_t t, const std::array<signed_value, 3>& s) {
-  const cell_triangle& c = cell.triangles[t];
-  const vec3 &p = cell.points[c.corner[0]], &q = cell.points[c.corner[1]], &r = cell.points[c.corner[2]];
+CONCINO_INLINE bool flat_cell::leaves_through(const cell_triangle& t, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) const {
+  bool turns = false;
+  for (unsigned k = 0; k < 3; ++k) {
+    const std::uint32_t a = t.corner[k], b = t.corner[(k + 1) % 3];
+    const bool at_entry = entry.size() == 3 && is_corner_of(a, entry) && is_corner_of(b, entry);
+    int sign = at_entry ? 0 : quick_side(a, b);
+    if (sign == 0) sign = side(a, b, x, g, entry).sign;
+    if (sign < 0) return false;
+    turns = turns || sign > 0;
+  }
+  return turns;
+}
+
+CONCINO_INLINE double flat_cell::distance_to(std::uint32_t triangle, const vec3& x, const vec3& g) const {
+  const auto& c = triangles[triangle].corner;
+  const vec3 &p = points[c[0]], n = cross(points[c[1]] - p, points[c[2]] - p);
+  const double speed = dot(n, g);
+  return speed > 0 ? dot(n, p - x) / speed : 0;
+}
+
+CONCINO_INLINE cell_exit flat_cell::exit_in(std::uint32_t t, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) const {
+  const auto& c = triangles[t].corner;
+  const vec3 &p = points[c[0]], &q = points[c[1]], &r = points[c[2]];
+  std::array<signed_value, 3> s;
+  for (std::uint32_t k = 0; k < 3; ++k) s[k] = side(c[k], c[(k + 1) % 3], x, g, entry);
   for (std::uint32_t k = 0; k < 3; ++k)
-    if (s[k].sign == 0 && s[(k + 2) % 3].sign == 0) return {cell_exit::kind::corner, t, k, 0, cell.points[c.corner[k]]};
+    if (s[k].sign == 0 && s[(k + 2) % 3].sign == 0) return {cell_exit::kind::corner, t, k, 0, points[c[k]]};
   for (std::uint32_t k = 0; k < 3; ++k) {
     if (s[k].sign != 0) continue;
     const double a = s[(k + 1) % 3].value, b = s[(k + 2) % 3].value, parameter = a + b > 0 ? b / (a + b) : 0.5;
-    const vec3 &from = cell.points[c.corner[k]], &to = cell.points[c.corner[(k + 1) % 3]];
+    const vec3 &from = points[c[k]], &to = points[c[(k + 1) % 3]];
     return {cell_exit::kind::side, t, k, parameter, from + parameter * (to - from)};
   }
   const double whole = s[0].value + s[1].value + s[2].value;
   return {cell_exit::kind::triangle, t, 0, 0, whole > 0 ? p + (s[2].value * (q - p) + s[0].value * (r - p)) / whole : (p + q + r) / 3};
 }
 
-/// Whether g certainly enters the cell where it crosses the triangle: most triangles are left out by this.
-CONCINO_INLINE bool points_inward(const flat_cell& cell, const cell_triangle& c, const vec3& g) {
-  const vec3 &p = cell.points[c.corner[0]], u = cell.points[c.corner[1]] - p, w = cell.points[c.corner[2]] - p;
-  const double ax = u.y * w.z, bx = u.z * w.y, ay = u.z * w.x, by = u.x * w.z, az = u.x * w.y, bz = u.y * w.x;
-  const double size = std::abs(g.x) * (std::abs(ax) + std::abs(bx)) + std::abs(g.y) * (std::abs(ay) + std::abs(by)) + std::abs(g.z) * (std::abs(az) + std::abs(bz));
-  return g.x * (ax - bx) + g.y * (ay - by) + g.z * (az - bz) < -8 * 0x1p-53 * size;
-}
-
-CONCINO_INLINE cell_exit leave_cell(const flat_cell& cell, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) {
-  cell_exit best;
-  std::uint32_t found = 0;
-  std::array<signed_value, 3> best_signs;
-  double best_step = 0;
-  const auto step_to = [&](std::uint32_t t) {
-    const cell_triangle& c = cell.triangles[t];
-    const vec3 &p = cell.points[c.corner[0]], n = cross(cell.points[c.corner[1]] - p, cell.points[c.corner[2]] - p);
-    const double speed = dot(n, g);
-    return speed > 0 ? dot(n, p - x) / speed : 0;
-  };
-  for (std::uint32_t t = 0; t < cell.triangles.size(); ++t) {
-    const cell_triangle& c = cell.triangles[t];
+CONCINO_INLINE cell_exit flat_cell::leave(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) {
+  see(x, g);
+  for (std::uint32_t f = 0; f < faces_.size(); ++f)
+    if (!faces_[f].is_cut && may_cross(faces_[f])) cut_face(f);
+  std::uint32_t found = 0, best = 0;
+  double best_distance = 0;
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     std::size_t met = 0;
-    for (const std::uint32_t k : c.corner) met += is_corner_of(k, entry);
-    if (!entry.empty() && met == entry.size()) continue;
-    if (points_inward(cell, c, g)) continue;
-    std::array<signed_value, 3> s;
-    unsigned k = 0;
-    bool turns = false;
-    for (; k < 3; ++k) {
-      s[k] = side_of_entered_line(cell, x, g, entry, c.corner[k], c.corner[(k + 1) % 3]);
-      if (s[k].sign < 0) break;
-      turns = turns || s[k].sign > 0;
-    }
-    if (k < 3 || !turns) continue;
+    for (const std::uint32_t k : triangles[t].corner) met += is_corner_of(k, entry);
+    if ((!entry.empty() && met == entry.size()) || !leaves_through(triangles[t], x, g, entry)) continue;
     if (found++ == 0) {
-      best.at = cell_exit::kind::triangle;
-      best.triangle = t;
-      best_signs = s;
+      best = t;
       continue;
     }
-    if (found == 2) best_step = step_to(best.triangle);
-    const double step = step_to(t);
-    if (best_step > 0 ? step > 0 && step < best_step : step > best_step) {
-      best.triangle = t;
-      best_signs = s;
-      best_step = step;
+    if (found == 2) best_distance = distance_to(best, x, g);
+    const double d = distance_to(t, x, g);
+    if (best_distance > 0 ? d > 0 && d < best_distance : d > best_distance) {
+      best = t;
+      best_distance = d;
     }
   }
-  return found == 0 ? best : exit_in(cell, best.triangle, best_signs);
+  return found == 0 ? cell_exit() : exit_in(best, x, g, entry);
 }
 
 }  // namespace concino::detail

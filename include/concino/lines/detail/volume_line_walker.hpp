@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/end_verts.hpp>
+#include <concino/concepts/oriented_edges.hpp>
 #include <concino/lines/detail/polyhedron_reader.hpp>
 #include <concino/lines/detail/field_reader.hpp>
 #include <concino/lines/detail/line_recorder.hpp>
@@ -77,7 +78,7 @@ class volume_line_walker {
 
   void step(line_recorder<M>& to) {
     if (cell_.field == vec3()) return to.stop(line_end::zero);
-    const cell_exit out = leave_cell(cell_.flat, x_, cell_.field, std::span(entry_).first(entry_size_));
+    const cell_exit out = cell_.flat.leave(x_, cell_.field, std::span(entry_).first(entry_size_));
     if (out.at == cell_exit::kind::none) return miss(to);
     x_ = out.position;
     const cell_triangle t = cell_.flat.triangles[out.triangle];
@@ -168,7 +169,7 @@ class volume_line_walker {
   }
 
   /// From a triangle of face f of poly p, from inside p: into the other poly, or along the face if the field there pushes back.
-  void cross(const face_t<M>& f, const cell_triangle& t, const poly_t<M>& p, line_recorder<M>& to) {
+  void cross(const face_t<M>& f, const cell_triangle t, const poly_t<M>& p, line_recorder<M>& to) {
     std::optional<poly_t<M>> other;
     std::size_t n = 0;
     for (const poly_t<M> q : adj_f2p(*m_, f)) {
@@ -180,12 +181,11 @@ class volume_line_walker {
     const vec3 g = cell_.field;
     read(*other);
     if (cell_.field == vec3()) return to.stop(line_end::zero);
-    const std::uint32_t number = cell_.triangle(f, t.number);
-    const cell_triangle& next = cell_.flat.triangles[number];
+    const cell_triangle next = cell_.flat.triangles[cell_.triangle(f, t.number)];
     const auto& points = cell_.flat.points;
     if (side_of_line(cell_.field, points[next.corner[1]], points[next.corner[2]], points[next.corner[0]]).sign < 0) {
       enter(*other, next.corner);
-      watch(std::size_t{number}, to);
+      watch(next, to);
       return;
     }
     const vec3 normal = cross_product(at);
@@ -194,15 +194,15 @@ class volume_line_walker {
   }
   static vec3 cross_product(const std::array<vec3, 3>& at) { return concino::cross(at[1] - at[0], at[2] - at[0]); }
 
-  void watch(std::size_t triangle, line_recorder<M>& to) {
-    switch (watch_.at_face({index_of(*m_, cell_.poly()), triangle}, x_, to.num_points())) {
+  void watch(const cell_triangle& t, line_recorder<M>& to) {
+    switch (watch_.at_face({index_of(*m_, cell_.poly()), std::size_t{t.face} << 32 | t.number}, x_, to.num_points())) {
       case line_watch::finding::repeats: return to.repeat(watch_.period());
       default: return;
     }
   }
 
   /// Moves in a triangle of the cell that was read last from x, which is inside (no entry), on the side with corners entry (2), or at a corner (1).
-  void slide(const cell_triangle& t, const vec3& velocity, std::span<const std::uint32_t> entry, line_recorder<M>& to) {
+  void slide(const cell_triangle t, const vec3& velocity, std::span<const std::uint32_t> entry, line_recorder<M>& to) {
     if (velocity == vec3()) return to.stop(line_end::sink);
     std::array<vec3, 3> at;
     std::array<signed_value, 3> s;
@@ -235,6 +235,7 @@ class volume_line_walker {
   /// Reads the triangles at a vert, or those at the ridge, of one poly.
   void add_incident(const poly_t<M>& p, const vert_t<M>& v, const incident_key* only) {
     read(p);
+    cell_.flat.cut_faces();
     incident_cell c{cell_.field, {}};
     for (const cell_triangle& t : cell_.flat.triangles)
       for (std::uint32_t k = 0; k < 3; ++k) {
@@ -284,6 +285,7 @@ class volume_line_walker {
   /// Reads the cell of an exit; the corner of the vert in it.
   std::uint32_t read_exit(const volume_exit& out, const vert_t<M>& v) {
     read(incident_polys_[out.cell]);
+    cell_.flat.cut_faces();
     return cell_.corner_of(v);
   }
 
@@ -325,6 +327,7 @@ class volume_line_walker {
     bool all_zero = true;
     for (const poly_t<M> p : adj_f2p(*m_, f)) {
       read(p);
+      cell_.flat.cut_faces();
       const std::uint32_t t = triangle_at(f);
       const auto& c = cell_.flat.triangles[t].corner;
       const auto& at = cell_.flat.points;
@@ -339,6 +342,7 @@ class volume_line_walker {
     }
     if (best) {
       read(best->poly);
+      cell_.flat.cut_faces();
       enter(best->poly, cell_.flat.triangles[best->triangle].corner);
       return;
     }
@@ -347,9 +351,11 @@ class volume_line_walker {
     if (sides.size() == 1) {
       if (sides[0].outward.sign != 0) return to.stop(line_end::boundary);
       read(sides[0].poly);
+      cell_.flat.cut_faces();
       return slide(cell_.flat.triangles[sides[0].triangle], cell_.field, {}, to);
     }
     read(sides[0].poly);
+    cell_.flat.cut_faces();
     cross(f, cell_.flat.triangles[sides[0].triangle], sides[0].poly, to);
   }
 
