@@ -20,6 +20,7 @@
 #include <concino/fields/regions_of_maxima.hpp>
 #include <concino/fields/resample.hpp>
 #include <concino/fields/simplified.hpp>
+#include <concino/fields/simplified_on_cells.hpp>
 #include <concino/fields/smooth.hpp>
 #include <concino/fields/statistics.hpp>
 #include <concino/fields/to_polys.hpp>

@@ -141,6 +141,7 @@ void no_adapter(const stranger& other) {
   cn::integral_line(other);  // refused
   cn::integral_lines(other);  // refused
   cn::simplified(other);  // refused
+  cn::simplified_on_cells(other);  // refused
   cn::regions_of_maxima(other);  // refused
   cn::regions_of_minima(other);  // refused
   cn::persistence(other);  // refused
@@ -220,6 +221,7 @@ void temporary() {
   cn::to_polys(made());  // refused
   cn::normalized(made());  // refused
   cn::simplified(made());  // refused
+  cn::simplified_on_cells(made());  // refused
   cn::regions_of_maxima(made());  // refused
   cn::regions_of_minima(made());  // refused
   cn::prepare_heat_geodesics(made());  // refused

@@ -11,15 +11,16 @@
 
 namespace concino::detail {
 
-/// Values on edges as linear combinations of symbols. Those of a spanning forest are 0. A triangle with one unknown edge determines it; where there is none, an unknown edge
-/// becomes a symbol. On surfaces these are as many as there are loops; otherwise, triangles whose edges were all known say how symbols depend on each other.
+/// Values on edges as linear combinations of symbols. Those of a spanning forest are 0. A polygon with one unknown edge determines it; where there is none, an unknown edge
+/// becomes a symbol. On surfaces these are as many as there are loops; otherwise, polygons whose edges were all known say how symbols depend on each other.
 class cochain_search {
   using combination = std::vector<double>;  // coefficients of symbols; missing ones are 0
 
   const edge_complex& complex_;
-  const grouped_numbers triangles_of_;  // by edge; corners 3 t + k of triangles t
+  const grouped_numbers corners_of_;    // by edge: places in loop_edges
   std::vector<combination> value_;      // by edge; few are not empty
-  std::vector<unsigned char> is_known_, unknown_edges_;
+  std::vector<unsigned char> is_known_;
+  std::vector<std::uint32_t> unknown_edges_, polygon_of_;  // by polygon; by place in loop_edges
   std::vector<std::uint32_t> waiting_;  // edges that became known
   std::vector<combination> relations_;  // in echelon form
   std::size_t symbols_ = 0;
@@ -48,20 +49,20 @@ class cochain_search {
     waiting_.push_back(edge);
   }
 
-  void visit(std::size_t t) {
-    const auto& triangle = complex_.triangles[t];
+  void visit(std::size_t polygon) {
     combination sum;
-    std::size_t unknown = 3;
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (is_known_[triangle.edge[k]]) add(sum, triangle.sign[k], value_[triangle.edge[k]]);
+    std::size_t unknown = none;
+    for (std::size_t k = complex_.first[polygon]; k < complex_.first[polygon + 1]; ++k) {
+      const std::uint32_t edge = complex_.loop_edges[k];
+      if (is_known_[edge]) add(sum, complex_.signs[k], value_[edge]);
       else unknown = k;
     }
-    if (unknown == 3) {
+    if (unknown == none) {
       if (leading(sum) != none) add_relation(std::move(sum));
       return;
     }
-    const std::uint32_t edge = triangle.edge[unknown];
-    if (leading(sum) != none) add(value_[edge], -triangle.sign[unknown], sum);
+    const std::uint32_t edge = complex_.loop_edges[unknown];
+    if (leading(sum) != none) add(value_[edge], -complex_.signs[unknown], sum);
     set_known(edge);
   }
 
@@ -69,8 +70,8 @@ class cochain_search {
     while (!waiting_.empty()) {
       const std::uint32_t edge = waiting_.back();
       waiting_.pop_back();
-      for (const std::uint32_t corner : triangles_of_[edge])
-        if (--unknown_edges_[corner / 3] <= 1) visit(corner / 3);
+      for (const std::uint32_t corner : corners_of_[edge])
+        if (--unknown_edges_[polygon_of_[corner]] <= 1) visit(polygon_of_[corner]);
     }
   }
 
@@ -100,14 +101,18 @@ class cochain_search {
 
  public:
   explicit cochain_search(const edge_complex& c)
-      : complex_(c), triangles_of_(c.edges.size(), 3 * c.triangles.size(), [&](std::size_t corner) { return c.triangles[corner / 3].edge[corner % 3]; }),
-        value_(c.edges.size()), is_known_(c.edges.size()), unknown_edges_(c.triangles.size(), 3) {}
+      : complex_(c), corners_of_(c.edges.size(), c.loop_edges.size(), [&](std::size_t corner) { return c.loop_edges[corner]; }), value_(c.edges.size()), is_known_(c.edges.size()) {
+    for (std::size_t polygon = 0; polygon + 1 < c.first.size(); ++polygon) {
+      unknown_edges_.push_back(c.first[polygon + 1] - c.first[polygon]);
+      polygon_of_.resize(c.first[polygon + 1], static_cast<std::uint32_t>(polygon));
+    }
+  }
 
   std::vector<std::vector<double>> run() {
     disjoint_sets sets(complex_.verts);
     for (std::uint32_t e = 0; e < complex_.edges.size(); ++e) {
       const auto [a, b] = complex_.edges[e];
-      if (a == b || triangles_of_[e].empty()) is_known_[e] = 1;  // edges without triangles have no part in fields
+      if (a == b || corners_of_[e].empty()) is_known_[e] = 1;  // edges without polygons have no part in fields
       else if (sets.unite(a, b)) set_known(e);
     }
     spread();

@@ -14,7 +14,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -22,6 +21,21 @@ namespace concino::detail {
 
 [[noreturn]] void throw_no_simplex(const char* caller, bool in_volume, std::size_t poly, std::size_t verts);
 [[noreturn]] void throw_vector_not_finite(const char* caller, std::size_t poly);
+
+/// All verts with edges but the first of each component, at which potentials are 0.
+template<class M>
+constrained_verts<M> all_but_one_vert(const M& m, const char* caller) {
+  disjoint_sets sets(vert_index_bound(m));
+  for (const vert_t<M> v : verts(m))
+    for (const vert_t<M> w : adj_v2v(m, v)) sets.unite(index_of(m, v), index_of(m, w));
+  constrained_verts<M> constrained(m);
+  std::vector<vert_t<M>> first;
+  for (const vert_t<M> v : verts(m))
+    if (sets.root(index_of(m, v)) == index_of(m, v)) first.push_back(v);
+  constrained.constrain(m, first, caller);
+  constrained.number_reached(m, caller);
+  return constrained;
+}
 
 /// Fields are arrays by poly index. All computations are at a size near 1, which changes no projection.
 template<class M>
@@ -41,20 +55,6 @@ class hodge_problem {
       if (n != dimension_v<M> + 1) throw_no_simplex(caller, dimension_v<M> == 3, index_of(m, p), n);
     }
     return m;
-  }
-
-  /// All verts with edges but the first of each component, at which potentials are 0.
-  static constrained_verts<M> all_but_one(const M& m) {
-    disjoint_sets sets(vert_index_bound(m));
-    for (const vert_t<M> v : verts(m))
-      for (const vert_t<M> w : adj_v2v(m, v)) sets.unite(index_of(m, v), index_of(m, w));
-    constrained_verts<M> constrained(m);
-    std::vector<vert_t<M>> first;
-    for (const vert_t<M> v : verts(m))
-      if (sets.root(index_of(m, v)) == index_of(m, v)) first.push_back(v);
-    constrained.constrain(m, first, caller);
-    constrained.number_reached(m, caller);
-    return constrained;
   }
 
   poly_map<views::scaled<M>, vec3> as_map(const field& x) const {
@@ -82,37 +82,9 @@ class hodge_problem {
     return x;
   }
 
-  edge_complex make_edge_complex() const {
-    edge_complex c;
-    c.verts = vert_index_bound(m_);
-    c.edges.resize(edge_index_bound(m_));
-    for (const edge_t<M> e : edges(m_)) {
-      const auto ends = end_verts(m_, e);
-      c.edges[index_of(m_, e)] = {static_cast<std::uint32_t>(index_of(m_, ends.first)), static_cast<std::uint32_t>(index_of(m_, ends.second))};
-    }
-    const auto add = [&](const auto& some) {
-      edge_complex::triangle t{};
-      std::size_t n = 0;
-      for (const edge_t<M> e : some)
-        if (n < 3) t.edge[n++] = static_cast<std::uint32_t>(index_of(m_, e));
-      const auto& [first, second, third] = t.edge;
-      const auto ends = [&](std::uint32_t e) { return c.edges[e]; };
-      const std::uint32_t shared = ends(first)[1] == ends(second)[0] || ends(first)[1] == ends(second)[1] ? ends(first)[1] : ends(first)[0];
-      const std::uint32_t last = ends(second)[0] == shared ? ends(second)[1] : ends(second)[0];
-      t.sign = {ends(first)[1] == shared ? 1.0 : -1.0, ends(second)[0] == shared ? 1.0 : -1.0, ends(third)[0] == last ? 1.0 : -1.0};
-      c.triangles.push_back(t);
-    };
-    if constexpr (dimension_v<M> == 2) {  // the triangles of a surface are its polys, those of a volume its faces
-      for (const poly_t<M> p : polys(m_)) add(adj_p2e(m_, p));
-    } else {
-      for (const face_t<M> f : faces(m_)) add(adj_f2e(m_, f));
-    }
-    return c;
-  }
-
  public:
   explicit hodge_problem(const M& m)
-      : m_(require_simplices(m)), at_(scaled_to_unit(m)), measure_(poly_index_bound(m)), system_(laplace_system(at_, all_but_one(m), cotangent, 1, caller)) {
+      : m_(require_simplices(m)), at_(scaled_to_unit(m)), measure_(poly_index_bound(m)), system_(laplace_system(at_, all_but_one_vert(m, caller), cotangent, 1, caller)) {
     for (const poly_t<M> p : polys(m)) measure_[index_of(m, p)] = std::abs(measure(at_, p));
   }
 
@@ -160,7 +132,7 @@ class hodge_problem {
   template<class Solver>
   std::vector<field> harmonic_fields(const Solver& solver) const {
     std::vector<field> basis;
-    for (const std::vector<double>& cochain : closed_cochains(make_edge_complex())) {
+    for (const std::vector<double>& cochain : closed_cochains(make_edge_complex(m_))) {
       field h = field_of(cochain);
       const double before = std::sqrt(product(h, h));
       add(h, -1, project_to_gradients(solver, h, nullptr));
