@@ -79,6 +79,7 @@ TEST_CASE("trace_geodesic: is straight on the unrolled cube") {
   CHECK(t.stopped_by == geodesic_end::length);
   CHECK(norm(t.direction - d / norm(d)) < 1e-12);
   CHECK(sum_of_pieces(t) == doctest::Approx(norm(d)).epsilon(1e-13));
+  CHECK(trace_geodesic(m, poly_id{2}, from, {4, 0, 0.5}, norm(d)).points.back().position == t.points.back().position);
   // The frame of the face has x along its first edge, which is that of the x-axis, and y along z.
   const auto same = trace.trace_from(mesh_point<polygonmesh>{poly_id{2}, from}, tangent_vector{4, 0.5}, norm(d));
   CHECK(distance(same.points.back().position, {0.3, 0, 0.7}) < 1e-12);

@@ -8,11 +8,13 @@
 #include <concino/lines/detail/flip_out.hpp>
 #include <concino/lines/detail/geodesic_surface.hpp>
 #include <concino/lines/detail/geodesic_walker.hpp>
+#include <concino/mesh/element_map.hpp>
 
 #include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <initializer_list>
+#include <memory>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -26,10 +28,19 @@ struct straighten_options {
 namespace detail {
 
 template<SurfaceMesh M>
+struct surface_with_lengths {
+  geodesic_surface<M> surface;
+  intrinsic_triangles intrinsic;
+
+  surface_with_lengths(const M& m, const char* caller) : surface(m, caller), intrinsic(surface.triangles(), caller) {}
+};
+
+/// Straightens one path; flips edges of a copy.
+template<SurfaceMesh M>
 class path_on_surface {
   static constexpr const char* caller = "straighten";
   const M& m_;
-  geodesic_surface<M> surface_;
+  const geodesic_surface<M>& surface_;
   intrinsic_triangles intrinsic_;
 
   const core::unfolded_triangles& triangles() const { return surface_.triangles(); }
@@ -75,7 +86,7 @@ class path_on_surface {
   }
 
  public:
-  explicit path_on_surface(const M& m) : m_(m), surface_(m, caller), intrinsic_(surface_.triangles(), caller) {}
+  path_on_surface(const M& m, const surface_with_lengths<M>& prepared) : m_(m), surface_(prepared.surface), intrinsic_(prepared.intrinsic) {}
 
   template<class P>
   geodesic_path<M> straightened(const P& path, bool is_closed) {
@@ -109,6 +120,42 @@ concept gives_path = core::iterable<P> && requires(const P& path) { { *path.begi
 
 }  // namespace detail
 
+/// A surface prepared by prepare_straighten. Several threads may query it. Copies share the prepared data.
+template<SurfaceMesh M>
+  requires Embedded<M>
+class prepared_straighten {
+  detail::mesh_ref<M> mesh_;
+  std::shared_ptr<const detail::surface_with_lengths<M>> prepared_;
+
+ public:
+  explicit prepared_straighten(const M& m) : mesh_(m), prepared_(std::make_shared<const detail::surface_with_lengths<M>>(m, "straighten")) {}
+
+  const M& mesh() const { return mesh_.get(); }
+
+  /// The path, made straight.
+  /// Needs:  as straighten. The mesh has not changed since it was prepared.
+  /// Result: that of straighten.
+  /// Cost:   the flips, and a copy of the lengths and links of all edges.      Errors: as straighten, about the path.
+  template<class P>
+    requires detail::gives_path<M, P>
+  geodesic_path<M> straighten(const P& path, const straighten_options& options = {}) const {
+    return detail::path_on_surface<M>(mesh_.get(), *prepared_).straightened(path, options.closed);
+  }
+  geodesic_path<M> straighten(std::initializer_list<vert_t<M>> path, const straighten_options& options = {}) const {
+    return straighten<std::initializer_list<vert_t<M>>>(path, options);
+  }
+  void straighten(mistake::number<mistake::name_the_element>, ...) const = delete;  // elements have types: vert_id{0}, not 0
+};
+
+/// Prepares a surface for many paths: auto s = prepare_straighten(m); auto g = s.straighten(path).
+/// Needs:  as straighten; the mesh must not change afterwards.
+/// Result: an object with straighten(path).      Cost: O(size of the mesh).      Errors: as straighten, except those about the path.
+template<class M>
+  requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M>
+prepared_straighten<std::remove_cvref_t<M>> prepare_straighten(M&& m) {
+  return prepared_straighten<std::remove_cvref_t<M>>(m);
+}
+
 /// A path along edges of a surface, shortened over the surface until it is straight: auto g = straighten(m, shortest_path(m, v, w)). It passes to either
 /// side of the verts on its way, but never over one that is a bump or a hole.
 /// Needs:  Embedded SurfaceMesh, not a temporary, orientable, with or without boundary. The polys at each vert are one fan. path: a container of verts, or
@@ -118,22 +165,25 @@ concept gives_path = core::iterable<P> && requires(const P& path) { { *path.begi
 ///         crosses a diagonal of a polygon that is not a triangle, the point is in the poly. Polygons are triangulated.
 ///         A closed path that shrinks to a vert has no points. One that ends as a single loop at a vert may have a corner there. Where the path crosses itself
 ///         at a vert, it may keep a corner.
-/// Cost:   O(size of the mesh) to prepare, and a number of flips that depends on the path: in practice proportional to the edges between both paths.
+/// Cost:   O(size of the mesh) to prepare, see prepare_straighten, and a number of flips that depends on the path: in practice proportional to the edges between both paths.
 /// Errors: invalid_argument if consecutive verts are not joined by an edge of a poly. invalid_mesh if a vert is not one of the mesh, or a poly has no area or
 ///         points that are not finite. unsupported if the surface is not orientable, or the polys at a vert are not one fan.
 /// Source: Sharp, Crane 2020, "You can find geodesic paths in triangle meshes by just flipping edges".
 template<class M, class P>
   requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M> && detail::gives_path<M, P>
 geodesic_path<std::remove_cvref_t<M>> straighten(M&& m, const P& path, const straighten_options& options = {}) {
-  return detail::path_on_surface<std::remove_cvref_t<M>>(m).straightened(path, options.closed);
+  return prepare_straighten(m).straighten(path, options);
 }
 template<class M>
   requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M>
 geodesic_path<std::remove_cvref_t<M>> straighten(M&& m, std::initializer_list<vert_t<M>> path, const straighten_options& options = {}) {
-  return detail::path_on_surface<std::remove_cvref_t<M>>(m).straightened(path, options.closed);
+  return prepare_straighten(m).straighten(path, options);
 }
 
 // What to write instead of calls that cannot compile.
+template<class... T> void prepare_straighten(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+template<class... T> void prepare_straighten(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void prepare_straighten(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 template<class... T> void straighten(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
 template<class... T> void straighten(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
 template<class... T> void straighten(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)

@@ -95,6 +95,11 @@ class prepared_trace_geodesic {
   traced_geodesic<M> trace_from(const Start& start, const Direction& direction, double length, const trace_geodesic_options& options = {}) const {
     return run(detail::geodesic_start_at<M>(start), direction, length, options);
   }
+  /// The same from the point of poly p that is nearest to x.
+  template<detail::tangent_direction Direction = vec3>
+  traced_geodesic<M> trace_from(const poly_t<M>& p, const vec3& x, const Direction& direction, double length, const trace_geodesic_options& options = {}) const {
+    return run(mesh_point<M>{p, x}, direction, length, options);
+  }
   void trace_from(mistake::number<mistake::name_the_element>, ...) const = delete;  // elements have types: vert_id{0}, not 0
 };
 
@@ -110,7 +115,7 @@ prepared_trace_geodesic<std::remove_cvref_t<M>> prepare_trace_geodesic(M&& m) {
 
 /// The straightest geodesic from a point in a direction: auto t = trace_geodesic(m, v, cn::tangent_vector{1, 0}, 2.5). It crosses edges as if both polys lay
 /// in one plane, and passes verts with equal angles on both sides.
-/// Needs:  Embedded SurfaceMesh, not a temporary. start: a vert, or a mesh_point of a vert, an edge or a poly. direction: a tangent_vector in the frame of that
+/// Needs:  Embedded SurfaceMesh, not a temporary. start: a vert, a mesh_point of a vert, an edge or a poly, or a poly p and a position x in it. direction: a tangent_vector in the frame of that
 ///         element, or a vec3, which is projected onto the surface: of the polys at a vert or an edge, onto the one to which it is nearest. Only the direction of
 ///         either counts. length: finite, in units of length.
 /// Result: see traced_geodesic. It ends at the length, at the boundary, or where the surface is not manifold, and says which. It may cross itself. On parts that
@@ -125,6 +130,11 @@ template<class M, class Start, detail::tangent_direction Direction = vec3>
   requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M> && (std::convertible_to<Start, vert_t<M>> || std::convertible_to<Start, mesh_point<std::remove_cvref_t<M>>>)
 traced_geodesic<std::remove_cvref_t<M>> trace_geodesic(M&& m, const Start& start, const Direction& direction, double length, const trace_geodesic_options& options = {}) {
   return prepare_trace_geodesic(m).trace_from(start, direction, length, options);
+}
+template<class M, detail::tangent_direction Direction = vec3>
+  requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M>
+traced_geodesic<std::remove_cvref_t<M>> trace_geodesic(M&& m, const poly_t<M>& p, const vec3& x, const Direction& direction, double length, const trace_geodesic_options& options = {}) {
+  return prepare_trace_geodesic(m).trace_from(p, x, direction, length, options);
 }
 
 // What to write instead of calls that cannot compile.

@@ -161,6 +161,7 @@ void no_adapter(const stranger& other) {
   cn::prepare_trace_geodesic(other);  // refused
   cn::trace_geodesic(other);  // refused
   cn::karcher_mean(other);  // refused
+  cn::prepare_straighten(other);  // refused
   cn::straighten(other);  // refused
   cn::primal(other);  // refused
   cn::dual(other);  // refused
@@ -233,6 +234,7 @@ void temporary() {
   cn::prepare_trace_geodesic(made());  // refused
   cn::trace_geodesic(made());  // refused
   cn::karcher_mean(made());  // refused
+  cn::prepare_straighten(made());  // refused
   cn::straighten(made());  // refused
   cn::make_vert_map<int>(made());  // refused
   cn::make_edge_map<int>(made());  // refused
@@ -337,6 +339,7 @@ void no_points(const cn::trimesh& m) {
   cn::prepare_trace_geodesic(pure);  // refused
   cn::trace_geodesic(pure);  // refused
   cn::karcher_mean(pure);  // refused
+  cn::prepare_straighten(pure);  // refused
   cn::straighten(pure);  // refused
   cn::convert_with_correspondence<cn::polygonmesh>(pure);  // refused
   cn::isolines(pure);  // refused
@@ -418,6 +421,7 @@ void numbers(const cn::trimesh& m) {
   cn::prepare_log_map(m).log_map_from(0);  // refused
   cn::prepare_parallel_transport(m).transport_from(0);  // refused
   cn::prepare_trace_geodesic(m).trace_from(0);  // refused
+  cn::prepare_straighten(m).straighten(0);  // refused
   cn::prepare_exact_geodesics(m).distance_from({0, 1});  // refused
 }
 
