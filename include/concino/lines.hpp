@@ -1,6 +1,7 @@
 // Lines over surfaces and through volumes: along vector fields, and geodesics.
 #pragma once
 
+#include <concino/lines/evenly_spaced_lines.hpp>
 #include <concino/lines/field_line.hpp>
 #include <concino/lines/integral_line.hpp>
 #include <concino/lines/karcher_mean.hpp>

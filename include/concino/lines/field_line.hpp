@@ -21,6 +21,7 @@ enum class line_end {
   closed,             // it came back to its start
   winds_to_cycle,     // it comes ever closer to a closed line, or runs round one that does not contain its start: see cycle
   max_steps,          // the wanted number of steps
+  too_close,          // it came too close to another line of evenly_spaced_lines, or to itself
 };
 
 /// A line along a field that is constant in each poly.

@@ -140,6 +140,7 @@ void no_adapter(const stranger& other) {
   cn::critical_points(other);  // refused
   cn::integral_line(other);  // refused
   cn::integral_lines(other);  // refused
+  cn::evenly_spaced_lines(other);  // refused
   cn::simplified(other);  // refused
   cn::simplified_on_cells(other);  // refused
   cn::regions_of_maxima(other);  // refused
@@ -219,6 +220,7 @@ void temporary() {
   cn::hodge_decomposition(made());  // refused
   cn::integral_line(made());  // refused
   cn::integral_lines(made());  // refused
+  cn::evenly_spaced_lines(made());  // refused
   cn::to_polys(made());  // refused
   cn::normalized(made());  // refused
   cn::simplified(made());  // refused
@@ -334,6 +336,7 @@ void no_points(const cn::trimesh& m) {
   cn::log_map(pure);  // refused
   cn::integral_line(pure);  // refused
   cn::integral_lines(pure);  // refused
+  cn::evenly_spaced_lines(pure);  // refused
   cn::prepare_parallel_transport(pure);  // refused
   cn::parallel_transport(pure);  // refused
   cn::prepare_trace_geodesic(pure);  // refused

@@ -1,6 +1,8 @@
 // Collects the points of one line and stops it at its greatest length or number of steps.
 #pragma once
 
+#include <concino/concepts/mesh.hpp>
+#include <concino/core/function_ref.hpp>
 #include <concino/lines/field_line.hpp>
 
 #include <algorithm>
@@ -12,10 +14,16 @@
 
 namespace concino::detail {
 
+/// Says how much of a segment from a to b in a poly a line may have: a part in [0, 1].
+template<class M>
+using segment_limit = function_ref<double(const vec3& a, const vec3& b, const poly_t<M>& p)>;
+
 template<class M>
 class line_recorder {
  public:
   line_recorder(field_line<M>& to, double max_length, std::size_t max_steps) : line_(&to), max_length_(max_length), max_steps_(max_steps) {}
+  line_recorder(field_line<M>& to, std::size_t max_steps, segment_limit<M> limit)
+      : line_(&to), max_length_(std::numeric_limits<double>::infinity()), max_steps_(max_steps), limit_(limit) {}
 
   void start(const mesh_point<M>& x) {
     line_->points.push_back(x.position);
@@ -37,6 +45,15 @@ class line_recorder {
   void add(const mesh_point<M>& x, const poly_t<M>& p) {
     const double step = distance(last(), x.position);
     line_->polys.push_back(p);
+    if (limit_) {
+      const double part = limit_(last(), x.position, p);
+      if (part < 1) {
+        start({p, last() + part * (x.position - last())});
+        line_->length += part * step;
+        if (!close_at_start()) stop(line_end::too_close);
+        return;
+      }
+    }
     if (line_->length + step >= max_length_) {
       const vec3 end = line_->length + step > max_length_ ? last() + (max_length_ - line_->length) / step * (x.position - last()) : x.position;
       start(end == x.position ? x : mesh_point<M>{p, end});
@@ -73,12 +90,22 @@ class line_recorder {
     line_->length += more;
     stop(line_end::sink);
   }
+  /// Leaves out what comes after this length.
+  void shorten(double length) {
+    while (line_->points.size() > 2 && line_->length - distance(line_->points[line_->points.size() - 2], last()) > length) {
+      line_->length -= distance(line_->points[line_->points.size() - 2], last());
+      line_->points.pop_back();
+      line_->places.pop_back();
+      line_->polys.pop_back();
+    }
+  }
   double room() const { return max_length_ - line_->length; }
 
  private:
   field_line<M>* line_;
   double max_length_;
   std::size_t max_steps_;
+  segment_limit<M> limit_ = {};
   bool done_ = false;
 
   /// If the line passed through its start again, in the same poly, keeps once round.
