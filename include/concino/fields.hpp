@@ -10,6 +10,7 @@
 #include <concino/fields/heat_geodesics.hpp>
 #include <concino/fields/heat_geodesics_options.hpp>
 #include <concino/fields/hodge_decomposition.hpp>
+#include <concino/fields/hodge_decomposition_of_forms.hpp>
 #include <concino/fields/log_map.hpp>
 #include <concino/fields/normalized.hpp>
 #include <concino/fields/parallel_transport.hpp>

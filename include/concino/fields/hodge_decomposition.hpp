@@ -1,4 +1,4 @@
-// hodge_decomposition: a field as the sum of a gradient, of a part that turns, and of a part that does neither.
+// hodge_decomposition: a field as the sum of a gradient, of a part that turns, and of a part that does neither. 1-forms on polygons have a header of their own.
 #pragma once
 
 #include <concino/concepts/maps.hpp>
@@ -71,7 +71,7 @@ template<class... T> void hodge_decomposition(mistake::no_mesh_traits<mistake::i
 template<class... T> void hodge_decomposition(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
 template<class... T> void hodge_decomposition(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 template<class M, class U, class R = mistake::remedy<mistake::give_vectors_at_polys>>
-  requires(EmbeddedMesh<M> && !requirement::gives_points<U, poly_t<M>>)
+  requires(EmbeddedMesh<M> && !requirement::gives_points<U, poly_t<M>> && !(SurfaceMesh<M> && requirement::gives_numbers<U, edge_t<M>>))
 void hodge_decomposition(M&&, const U&, ...) = delete;  // a vector at each poly: make_poly_map<vec3>(m)
 template<class M, class U, class R = mistake::remedy<mistake::use_simplices>>
   requires(EmbeddedMesh<M> && requirement::gives_points<U, poly_t<M>> && !Discretisation<cotangent_t, M>)

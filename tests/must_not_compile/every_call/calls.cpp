@@ -147,6 +147,7 @@ void no_adapter(const stranger& other) {
   cn::regions_of_minima(other);  // refused
   cn::persistence(other);  // refused
   cn::hodge_decomposition(other);  // refused
+  cn::form_vectors(other);  // refused
   cn::resample(other);  // refused
   cn::to_polys(other);  // refused
   cn::statistics(other);  // refused
@@ -218,6 +219,7 @@ void temporary() {
   cn::exact_geodesics(made());  // refused
   cn::critical_points(made());  // refused
   cn::hodge_decomposition(made());  // refused
+  cn::form_vectors(made());  // refused
   cn::integral_line(made());  // refused
   cn::integral_lines(made());  // refused
   cn::evenly_spaced_lines(made());  // refused
@@ -313,6 +315,7 @@ void no_points(const cn::trimesh& m) {
   cn::gradient(pure);  // refused
   cn::vert_gradient(pure);  // refused
   cn::hodge_decomposition(pure);  // refused
+  cn::form_vectors(pure);  // refused
   cn::resample(pure);  // refused
   cn::to_polys(pure);  // refused
   cn::statistics(pure);  // refused
