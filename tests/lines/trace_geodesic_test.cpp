@@ -140,6 +140,11 @@ TEST_CASE("trace_geodesic: is straight on the unrolled cylinder and cone") {
     const vec3 end = (std::sin(a - within) * p + std::sin(within) * q) / (std::sin(a) * std::cos(b));
     CHECK(distance(t.points.back().position, end) < 1e-12);
   }
+  // All edges at the apex lead down, but some directions are nearer to this one than others.
+  const auto down = trace_geodesic(c, vert_id{0}, vec3{0.1, 0, 1}, 0.5);
+  CHECK(down.length == 0.5);
+  CHECK(down.direction.x > 0.1);
+  CHECK_THROWS_AS(trace_geodesic(c, vert_id{0}, vec3{0, 0, 1}, 0.5), invalid_argument);
   // Through the apex, half of its angle on each side.
   const auto through = trace_geodesic(c, vert_id{1}, vec3{0, 0, 0} - point(c, vert_id{1}), radius + 1);
   const vec3 opposite = 0.5 * (point(c, vert_id{4}) + point(c, vert_id{5}));
@@ -181,6 +186,11 @@ TEST_CASE("trace_geodesic: says why it ends, and goes back the way it came") {
 
   const trimesh square = grid<trimesh>(2);
   CHECK(trace_geodesic(square, vert_id{0}, tangent_vector{std::cos(-0.1), std::sin(-0.1)}, 1).stopped_by == geodesic_end::boundary);
+  for (const vec3& d : {vec3{-1, 0, 0}, vec3{-1, -1, 0}, vec3{1, -0.1, 0}}) {
+    const auto out = trace_geodesic(square, vert_id{0}, d, 1);
+    CHECK(out.stopped_by == geodesic_end::boundary);
+    CHECK(out.length == 0);
+  }
   const trimesh book({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}}, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
   const auto spine = trace_geodesic(book, mesh_point<trimesh>{poly_id{0}, {0.3, 0, 0.3}}, vec3{-1, 0, 0}, 5);
   CHECK(spine.stopped_by == geodesic_end::non_manifold);

@@ -39,24 +39,52 @@ class geodesic_start {
     return leave_vert(triangles(), static_cast<int>(i), frame.fan_angle_of(angle(d)), is_closed ? triangles().whole_turn[i] : 2 * std::numbers::pi);
   }
 
-  /// The tangent direction that is nearest to d.
-  walk_state from(const vert_t<M>& v, const vec3& d) const {
-    const std::size_t i = index_of(m_, v);
-    walk_state best;
-    double nearest = -std::numeric_limits<double>::infinity();
-    for (int k = triangles().first_corner[i]; k < triangles().first_corner[i + 1]; ++k) {
+  struct nearest_direction {
+    walk_state state;
+    double along = -std::numeric_limits<double>::infinity();  // the part of the wanted direction along this one
+    bool leads_out = false;                                   // whether the wanted one is beyond the boundary
+  };
+
+  nearest_direction nearest_to(std::size_t v, const vec3& d) const {
+    constexpr double tolerance = 1e-12;  // directions along the boundary do not lead out because of rounding
+    nearest_direction best;
+    for (int k = triangles().first_corner[v]; k < triangles().first_corner[v + 1]; ++k) {
       const int c = triangles().corner[static_cast<std::size_t>(k)];
       const auto axis = s_.axes(c);
       const double x = dot(d, axis[0]), y = dot(d, axis[1]), whole = triangles().angle[static_cast<std::size_t>(c)];
-      double turn = std::atan2(y, x);
-      if (turn < 0 || turn > whole) turn = std::cos(turn) > std::cos(turn - whole) ? 0 : whole;  // the nearer one of both sides
+      const double wanted = std::atan2(y, x);
+      const bool is_inside = wanted >= 0 && wanted <= whole, is_before = !is_inside && std::cos(wanted) > std::cos(wanted - whole);
+      const double turn = is_inside ? wanted : is_before ? 0 : whole;  // the nearer one of both sides
       const double cosine = std::cos(turn), sine = std::sin(turn), along = x * cosine + y * sine;
-      if (along <= nearest) continue;
-      nearest = along;
-      best = {c, 0, 0, cosine, sine, walk_state::place::at_start};
+      if (along <= best.along) continue;
+      const int side = is_before ? c : core::unfolded_triangles::previous(c);
+      const double beyond = std::remainder(wanted - turn, 2 * std::numbers::pi);
+      best = {{c, 0, 0, cosine, sine, walk_state::place::at_start}, along, false};
+      best.leads_out = triangles().twin[static_cast<std::size_t>(side)] == side && std::abs(beyond) > tolerance && std::hypot(x, y) > tolerance;
     }
-    if (!(nearest > 0)) core::throw_joined<invalid_argument>({caller_, ": the direction at vert ", i, " is perpendicular to the surface, or there is no poly; choose another"});
     return best;
+  }
+
+  /// The tangent direction that is nearest to d, unless d leads out of the surface. On a sharp tip all may have parts against d; then it is the nearest to what d
+  /// has perpendicular to the normal.
+  walk_state from(const vert_t<M>& v, const vec3& d) const {
+    const std::size_t i = index_of(m_, v);
+    nearest_direction r = nearest_to(i, d);
+    if (r.leads_out) return {};
+    if (r.along > 0) return r.state;
+    vec3 normal;
+    for (int k = triangles().first_corner[i]; k < triangles().first_corner[i + 1]; ++k) {
+      const int c = triangles().corner[static_cast<std::size_t>(k)];
+      const auto axis = s_.axes(c);
+      const vec3 of_triangle = triangles().angle[static_cast<std::size_t>(c)] * cross(axis[0], axis[1]);
+      normal += dot(of_triangle, normal) < 0 ? -of_triangle : of_triangle;
+    }
+    const double size = norm(normal);
+    const vec3 flat = size > 0 ? d - (dot(d, normal) / (size * size)) * normal : vec3();
+    if (!(norm(flat) > 1e-12))
+      core::throw_joined<invalid_argument>({caller_, ": the direction at vert ", i, " is perpendicular to the surface, or there is no poly; choose another"});
+    r = nearest_to(i, flat);
+    return r.leads_out ? walk_state() : r.state;
   }
 
   /// The sides of triangles along an edge, first that of the first poly.
