@@ -14,7 +14,7 @@ set -u
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
 . scripts/packages.sh
 
-# header below include/concino, or .ipp file where there is no header of that name: tests that answer for it, below tests; those that find most come first.
+# header below include/concino, or .ipp file of that name if there is one: tests that answer for it, below tests; those that find most come first.
 table='
 io/detail/read_obj            io/detail/read_obj io/detail/read_mtl io/load io/detail/name_runs
 io/detail/obj_cursor          io/detail/read_obj
@@ -162,6 +162,7 @@ graph/detail/any_iterator     graph/boost
 graph/detail/edge_numbers  graph/boost
 graph/detail/corners   graph/cut_along graph/boundary_loops
 graph/disjoint_sets   graph/disjoint_sets graph/spanning_tree
+generate/detail/triangles_in_four  generate/subdivide_1_to_4
 '
 
 root=$PWD
@@ -266,7 +267,7 @@ as_text() {
 }
 # file_of <header>: with its extension.
 file_of() {
-  [ -e "$tree/include/concino/$1.hpp" ] && echo "$1.hpp" || echo "$1.ipp"
+  [ -e "$tree/include/concino/$1.ipp" ] && echo "$1.ipp" || echo "$1.hpp"
 }
 export -f limited mutant mutant_by_kind as_text compile file_of
 export kinds

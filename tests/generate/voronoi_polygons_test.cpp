@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <random>
 
 using namespace concino;
 
@@ -239,6 +240,52 @@ TEST_CASE("voronoi_polygons: a rectangle as an outline gives the same cells, and
   const polygonmesh one = voronoi_polygons({{0.5, 0.5, 9}}, square);
   CHECK(num_verts(one) == 4);
   CHECK(total_measure(one) == doctest::Approx(1).epsilon(1e-13));
+  for (const double y : {1e-13, -1e-13}) CHECK(num_verts(voronoi_polygons({{0.5, 0.5, 9}}, std::vector<vec3>{square[0], {0.5, y, 0}, square[1], square[2], square[3]})) == 4);
+}
+
+TEST_CASE("voronoi_polygons: outlines with any directions, repeated points and points within their segments") {
+  std::mt19937 random(4);
+  for (int round = 0; round < 40; ++round) {
+    // Sides in both directions of random vectors, by their angles, are those of a convex polygon.
+    std::vector<vec3> sides;
+    for (int k = 0; k < 2 + round % 4; ++k) {
+      const vec3 d{2 * (static_cast<double>(random() % 9) - 4), 2 * (static_cast<double>(random() % 9) - 4), 0};
+      if (d != vec3()) sides.push_back(d), sides.push_back(-d);
+    }
+    std::sort(sides.begin(), sides.end(), [](const vec3& a, const vec3& b) { return std::atan2(a.y, a.x + 0.0) < std::atan2(b.y, b.x + 0.0); });
+    std::vector<vec3> corners, outline;
+    vec3 at{100, -50, 0};
+    double area = 0;
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+      if (k == 0 || cross(sides[k], sides[k - 1]) != vec3()) corners.push_back(at);
+      outline.push_back(at);
+      if (random() % 3 == 0) outline.push_back(at);
+      if (random() % 2 == 0) outline.push_back(at + 0.5 * sides[k]);
+      area += cross(at - vec3{100, -50, 0}, sides[k]).z / 2;
+      at += sides[k];
+    }
+    if (!(area > 0)) continue;
+    std::rotate(outline.begin(), outline.begin() + static_cast<std::ptrdiff_t>(random() % outline.size()), outline.end());
+    if (round % 2 == 0) outline.push_back(outline[0]);
+    if (round % 3 == 0) std::reverse(outline.begin(), outline.end());
+    std::vector<vec3> sites = corners;
+    vec3 centre;
+    for (const vec3& x : corners) centre += x / static_cast<double>(corners.size());
+    for (const vec3& x : corners) sites.push_back(centre + 0.625 * (x - centre));
+    const polygonmesh m = voronoi_polygons(sites, outline);
+    CHECK(total_measure(m) == doctest::Approx(area).epsilon(1e-12));
+    CHECK(num_verts(m) + num_polys(m) == num_edges(m) + 1);
+    std::size_t in_one_cell = 0;
+    for (const vert_id v : verts(m)) {
+      if (adj_v2p(m, v).size() != 1) continue;
+      ++in_one_cell;
+      CHECK(norm(point(m, v) - corners[nearest(corners, point(m, v))]) < 1e-11);
+    }
+    CHECK(in_one_cell == corners.size());
+    const std::vector<vec3> once = outline;
+    outline.insert(outline.end(), once.begin(), once.end());
+    CHECK_THROWS_WITH_AS(voronoi_polygons(sites, outline), "Voronoi diagram: the outline is not convex: it winds around its inside more than once", invalid_argument);
+  }
 }
 
 TEST_CASE("voronoi_polygons: throws if the outline is not convex or a site is outside of it") {
@@ -252,8 +299,13 @@ TEST_CASE("voronoi_polygons: throws if the outline is not convex or a site is ou
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK(message({}) == "Voronoi diagram: the outline has 0 points; it must have 3 or more");
+  CHECK(message({{0, 0, 0}, {1, 0, 0}}) == "Voronoi diagram: the outline has 2 points; it must have 3 or more");
+  CHECK(message({{0, 0, nan}, {1, 0, 0}, {0, 1, 0}}) == "Voronoi diagram: point 0 of the outline is not finite");
+  CHECK(message({{nan, 0, 0}, {1, 0, 0}, {0, 1, 0}}) == "Voronoi diagram: point 0 of the outline is not finite");
+  CHECK(message({{0, 0, 0}, {1, 0, nan}, {0, 1, nan}}, {{0.25, 0.25, nan}}) == "");
   CHECK(message({{0, 0, 0}, {1, nan, 0}, {0, 1, 0}}) == "Voronoi diagram: point 1 of the outline is not finite");
   CHECK(message({{0, 0, 0}, {1, 0, 0}, {0.5, 0, 0}, {0.25, 0, 0}}, {{0.5, 0, 0}}) == "Voronoi diagram: the outline has no area");
+  CHECK(message({{0, 0, 0}, {1, 1, 0}, {2, 2 + 1e-13, 0}}, {{1, 1, 0}}) == "Voronoi diagram: the outline has no area");
   CHECK(message({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}).find("Voronoi diagram: ") == 0);
   CHECK(message({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0.6, 0.4, 0}, {0, 1, 0}}) == "Voronoi diagram: the outline is not convex at point 3");
   CHECK(message({{0, 1, 0}, {0.6, 0.4, 0}, {1, 1, 0}, {1, 0, 0}, {0, 0, 0}}) == "Voronoi diagram: the outline is not convex at point 1");

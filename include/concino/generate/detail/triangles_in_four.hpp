@@ -23,6 +23,9 @@ struct numbered_triangles {
 /// Errors: invalid_mesh if a triangle lists an edge twice.
 surface_tables<3> triangles_in_four(numbered_triangles triangles);
 
+/// Whether no edge is searched: edges have at most two triangles, which agree on its ends, and no two triangles have two edges in common.
+bool has_derived_tables(const numbered_triangles& triangles);
+
 }  // namespace concino::detail
 
 #ifndef CONCINO_COMPILED

@@ -63,7 +63,6 @@ class four_triangles {
           if (e.corners[1] != none || (e.is_same_way ? e.end != to : e.start != to || e.end != from)) return false;
           e.corners[1] = c;
           before[k] = e.corners[0] / 3;
-          if (before[k] == p) return false;
         }
       }
       if (before[0] == before[1] || before[1] == before[2] || before[2] == before[0]) return false;
@@ -104,8 +103,7 @@ class four_triangles {
       ++edges[e.start], ++edges[e.end];
       edges[num_verts_ + j] = e.corners[1] == none ? 4 : 6;
     }
-    const bool is_closed = 2 * std::size_t{num_used_} == in_.corners.size();
-    if (!is_closed || !std::equal(polys.begin(), polys.end(), edges)) {
+    if (2 * std::size_t{num_used_} != in_.corners.size()) {  // with two polys at each edge, each vert has as many edges as polys
       a.first_poly = core::large_vector(a.first_edge.size(), 0u);
       std::copy(polys.begin(), polys.end(), a.first_poly.data() + 1);
       for (std::uint32_t j = 0; j < num_edges_; ++j) a.first_poly[num_verts_ + j + 1] = edges_[j].corners[0] == none ? 0 : edges_[j].corners[1] == none ? 3 : 6;
@@ -206,5 +204,7 @@ CONCINO_INLINE surface_tables<3> triangles_in_four(numbered_triangles triangles)
   four.list_verts(lists.data());
   return surface_tables<3>(triangles.num_verts + triangles.num_edges, std::move(lists));
 }
+
+CONCINO_INLINE bool has_derived_tables(const numbered_triangles& triangles) { return four_triangles(triangles).find_triangles(); }
 
 }  // namespace concino::detail
