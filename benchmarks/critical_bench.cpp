@@ -1,6 +1,8 @@
-// Measures what tells the shape of a function: its critical points and pairs of extrema and saddles, for a rough function with many of them.
+// Measures what tells the shape of a function: its critical points and pairs of extrema and saddles, for a rough function with many of them; contour trees against
+// Reeb graphs of the same function, which are equal.
 #include "support/kinds.hpp"
 
+#include <concino/fields/contour_tree.hpp>
 #include <concino/fields/critical_points.hpp>
 #include <concino/fields/persistence.hpp>
 
@@ -36,11 +38,21 @@ void critical(const bench::program& p, const std::string& name, const M& m) {
                                           }}}));
 }
 
+template<class M>
+void contour(const bench::program& p, const std::string& name, const M& m) {
+  const std::string work = "contour." + name;
+  const auto u = rough_values(m);
+  if (cn::contour_tree(m, u).arcs.size() != cn::reeb_graph(m, u).arcs.size()) throw std::runtime_error(work + ": the tree and the graph differ");
+  const auto timed = [](auto f) { return [f] { return bench::seconds_of(f); }; };
+  p.print(bench::compare(work, p.rounds, {{"concino", timed([&] { return cn::contour_tree(m, u); })}, {"reeb", timed([&] { return cn::reeb_graph(m, u); })}}));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   return bench::run_program(argc, argv, [](const bench::program& p) {
     if (p.wants("critical.tri1m")) critical(p, "tri1m", cn::trimesh(p.data.tri1m()));
+    if (p.wants("contour.tet1m")) contour(p, "tet1m", cn::tetmesh(p.data.tet1m()));
     if (p.wants("critical.tet1m")) critical(p, "tet1m", cn::tetmesh(p.data.tet1m()));
   });
 }
