@@ -9,11 +9,13 @@
 #include <concino/operators/gradient.hpp>
 #include <concino/operators/rotated.hpp>
 
+#include <support/corpus.hpp>
 #include <support/kinds.hpp>
 #include <support/threads.hpp>
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -115,7 +117,8 @@ void check_line(const M& m, const G& g, const field_line<M>& line) {
     }
     case line_end::winds_to_cycle: REQUIRE(line.cycle.size() >= 2); break;
     case line_end::non_manifold_edge:
-    case line_end::max_length: REQUIRE(false); break;
+    case line_end::max_length:
+    case line_end::too_close: REQUIRE(false); break;
     case line_end::closed:
     case line_end::max_steps: break;
   }
@@ -182,10 +185,11 @@ TEST_CASE_TEMPLATE("integral_line: random fields, 10,000 lines, each stops for a
   for (const auto p : polys(m)) all_polys.push_back(p);
   for (const auto v : verts(m)) all_verts.push_back(v);
   std::size_t stopped_early = 0, total = 0;
-  for (int f = 0; f < 42; ++f) {
+  const int num_fields = long_run() ? 1000 : 42, num_starts = long_run() ? 167 : 40;  // of each of the six kinds
+  for (int f = 0; f < num_fields; ++f) {
     auto g = make_poly_map<vec3>(m);
     for (const auto p : all_polys) g[p] = f % 2 ? vec3(any(random), any(random), any(random)) : vec3(few(random), few(random), few(random));
-    for (int s = 0; s < 40; ++s) {
+    for (int s = 0; s < num_starts; ++s) {
       const auto line = s % 2 ? integral_line(m, g, all_polys[random() % all_polys.size()], {.max_steps = 600, .backward = s % 3 == 0})
                               : integral_line(m, g, all_verts[random() % all_verts.size()], {.max_steps = 600});
       check_line(m, g, line);
@@ -193,7 +197,7 @@ TEST_CASE_TEMPLATE("integral_line: random fields, 10,000 lines, each stops for a
       ++total;
     }
   }
-  CHECK(total == 1680);
+  CHECK(total == static_cast<std::size_t>(num_fields * num_starts));
   CHECK(stopped_early <= (dimension_v<M> == 2 ? 0 : total / 50));  // in volumes, a line that comes ever closer to a cycle is not recognised
 }
 
@@ -395,6 +399,38 @@ TEST_CASE_TEMPLATE("integral_lines: as each line alone, from verts, polys and po
     const auto again = integral_lines(m, g, starts);
     for (std::size_t i = 0; i < starts.size(); ++i) CHECK(same(lines[i], again[i]));
   }
+}
+
+TEST_CASE_TEMPLATE("integral_line: a copy with all elements in reversed order has the same lines", M, trimesh, polygonmesh, tetmesh, hexmesh) {
+  M m = make_grid<M>({.cells = {5, 5, 5}});
+  jitter(m, 0.2);
+  std::vector<vec3> points;
+  std::vector<std::vector<unsigned>> corners;
+  const unsigned n = static_cast<unsigned>(num_verts(m)), k = static_cast<unsigned>(num_polys(m));
+  for (unsigned i = 0; i < n; ++i) points.push_back(point(m, vert_id{n - 1 - i}));
+  for (unsigned i = 0; i < k; ++i) {
+    corners.emplace_back();
+    for (const auto v : adj_p2v(m, poly_id{k - 1 - i})) corners.back().push_back(n - 1 - v.raw());
+    if constexpr (dimension_v<M> == 2) std::rotate(corners.back().begin(), corners.back().begin() + 1, corners.back().end());
+  }
+  const M copy(points, corners);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(-1, 1);
+  auto g = make_poly_map<vec3>(m), h = make_poly_map<vec3>(copy);
+  for (unsigned i = 0; i < k; ++i) g[poly_id{i}] = h[poly_id{k - 1 - i}] = vec3(1, 0.3, 0.2) + 0.5 * vec3(any(random), any(random), any(random));
+  std::size_t compared = 0;
+  for (unsigned i = 0; i < k; ++i) {
+    const auto a = integral_line(m, g, poly_id{i}), b = integral_line(copy, h, poly_id{k - 1 - i});
+    bool meets_vert = false;
+    for (const auto& x : a.places) meets_vert = meets_vert || std::holds_alternative<vert_id>(x.element);
+    if (meets_vert) continue;
+    ++compared;
+    REQUIRE(a.points.size() == b.points.size());
+    CHECK(a.stopped_by == b.stopped_by);
+    for (std::size_t j = 0; j < a.points.size(); ++j) CHECK(distance(a.points[j], b.points[j]) < 1e-9);
+    for (std::size_t j = 0; j < a.polys.size(); ++j) CHECK(a.polys[j].raw() == k - 1 - b.polys[j].raw());
+  }
+  CHECK(compared > k / 8);
 }
 
 TEST_CASE("integral_line: errors") {
