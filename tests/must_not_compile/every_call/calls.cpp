@@ -224,6 +224,7 @@ void temporary() {
   cn::integral_lines(made());  // refused
   cn::evenly_spaced_lines(made());  // refused
   cn::to_polys(made());  // refused
+  cn::resample(cn::trimesh(), 0, made());  // refused
   cn::normalized(made());  // refused
   cn::simplified(made());  // refused
   cn::simplified_on_cells(made());  // refused
