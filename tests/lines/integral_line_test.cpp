@@ -451,6 +451,30 @@ TEST_CASE("integral_line: errors") {
   CHECK_THROWS_WITH_AS(integral_lines(m, g, polys(m)), "integral_lines: the vector at poly 5 is not finite; give each poly a finite vector", invalid_argument);
 }
 
+TEST_CASE("integral_line: what is degenerate, not manifold or not finite") {
+  // three triangles at one edge, a triangle without area, and a vert of no poly
+  trimesh m(std::vector<vec3>{{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {1, 0, 0}, {0, 0, 1}, {-0.5, 0.5, 0}, {5, 5, 5}},
+            std::vector<std::vector<unsigned>>{{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {1, 5, 2}});
+  auto g = constant_field(m, {1, 0.1, 0});
+  const auto into_edge = integral_line(m, g, poly_id{0});
+  CHECK(into_edge.stopped_by == line_end::non_manifold_edge);
+  CHECK(into_edge.points.back().x == 0);
+  CHECK(integral_line(m, g, vert_id{6}).stopped_by == line_end::boundary);
+  CHECK(integral_line(m, g, vert_id{6}).points.size() == 1);
+  CHECK(integral_line(m, g, poly_id{0}, {.backward = true}).stopped_by != line_end::max_steps);
+  CHECK(integral_line(m, g, poly_id{3}).stopped_by == line_end::zero);
+  set_point(m, vert_id{1}, vec3(0, std::nan(""), 0));
+  CHECK_THROWS_WITH_AS(integral_line(m, g, vert_id{0}), "integral_line: poly 0 has points that are not finite", invalid_mesh);
+  auto cells = make_grid<tetmesh>({.cells = {2, 2, 2}});
+  const auto h = constant_field(cells, {1, 0.1, 0.2});
+  set_point(cells, vert_id{26}, vec3(0, 0, std::numeric_limits<double>::infinity()));
+  CHECK_THROWS_AS(integral_lines(cells, h, verts(cells)), invalid_mesh);
+  for (const auto v : verts(cells)) set_point(cells, v, vec3(v.raw(), 0, 0));  // all cells are flat
+  for (const auto& line : integral_lines(cells, h, verts(cells))) CHECK(line.points.size() < 100);
+  for (const auto v : verts(cells)) set_point(cells, v, vec3());
+  for (const auto& line : integral_lines(cells, h, polys(cells))) CHECK(line.points.size() < 100);
+}
+
 TEST_CASE("integral_line: the length of vectors does not matter") {
   const auto m = make_grid<hexmesh>({.cells = {3, 3, 3}});
   const auto g = field_of(m, [](const vec3& x) { return vec3{0.5 - x.y, x.x - 0.5, 0.1}; });

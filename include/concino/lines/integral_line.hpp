@@ -29,7 +29,8 @@ namespace concino {
 ///         increases, also where two fields push together, since their mean is the gradient along the edge or face. So a line never comes back to
 ///         a vert or cycle. Nor does it go round a vert of triangles: it enters a sector only where the slope along the direction from the vert
 ///         increases with the angle, which cannot be so all round. So a line passes each sector of a vert at most once. Other fields have no such bound.
-/// Errors: invalid_argument if a vector is not finite, naming the poly; if max_length is not above 0. invalid_mesh if start is no element of m.
+/// Errors: invalid_argument if a vector is not finite, naming the poly; if max_length is not above 0. invalid_mesh if start is no element of m, or a poly on the way has
+///         points that are not finite.
 /// Source: paper section 2.2, "Fields"; Filippov 1988, "Differential equations with discontinuous righthand sides", for edges and faces along which lines run.
 template<class M, class G, class S>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && requirement::gives_points<G, poly_t<M>> && requirement::is_line_start<M, S>

@@ -7,8 +7,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace concino::detail {
+
+[[noreturn, gnu::cold, gnu::noinline]] inline void throw_points_not_finite(std::size_t poly) {
+  core::throw_joined<invalid_mesh>({"integral_line: poly ", poly, " has points that are not finite"});
+}
 
 /// Errors: invalid_argument, naming the poly whose vector is not finite.
 template<class M, class G>

@@ -42,6 +42,8 @@ class line_watch {
 
   /// Called at each side entered, at place s in [0, 1] and point x, after num_points points of the line.
   finding at_side(const entry_key& key, double s, const vec3& x, const entry_step& step, std::size_t num_points);
+  /// Called at a side entered instead of at_side, if the line gets no point there.
+  void follow(const entry_step& step);
   /// Called at each face of a volume entered: only a return but for rounding is noticed.
   finding at_face(const entry_key& key, const vec3& x, std::size_t num_points);
   /// Called at each vert.

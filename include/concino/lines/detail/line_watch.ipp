@@ -30,15 +30,19 @@ CONCINO_INLINE void line_watch::set_mark(const entry_key& key, double s, const v
   next_move_ *= 2;
 }
 
+CONCINO_INLINE void line_watch::follow(const entry_step& step) {
+  ++steps_;
+  mark_.map.follow(step);
+  if (steps_ == 1) pivot_ = step.pivot;
+  else if (pivot_ != step.pivot) same_pivot_ = false;
+}
+
 CONCINO_INLINE line_watch::finding line_watch::at_side(const entry_key& key, double s, const vec3& x, const entry_step& step, std::size_t num_points) {
   if (mark_.key.element == SIZE_MAX) {
     set_mark(key, s, x, num_points);
     return finding::none;
   }
-  ++steps_;
-  mark_.map.follow(step);
-  if (steps_ == 1) pivot_ = step.pivot;
-  else if (pivot_ != step.pivot) same_pivot_ = false;
+  follow(step);
   if (key == mark_.key) {
     period_ = num_points - mark_.num_points;
     const return_map& map = mark_.map;

@@ -3,6 +3,7 @@
 
 #include <concino/concepts/mesh.hpp>
 #include <concino/geometry/triangulate_polygon.hpp>
+#include <concino/lines/detail/field_reader.hpp>
 #include <concino/lines/detail/line_signs.hpp>
 
 #include <array>
@@ -54,6 +55,7 @@ class polygon_reader {
     for (const vert_t<M> v : adj_p2v(m, p)) {
       verts.push_back(v);
       points.push_back(to_vec3(point(m, v)));
+      if (!is_finite(points.back())) throw_points_not_finite(index_of(m, p));
     }
     for (const edge_t<M> e : adj_p2e(m, p)) edges.push_back(e);
     if (points.size() == 3) {

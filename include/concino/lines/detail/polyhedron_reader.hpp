@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
+#include <concino/lines/detail/field_reader.hpp>
 #include <concino/lines/detail/flat_cell.hpp>
 
 #include <algorithm>
@@ -37,6 +38,7 @@ class polyhedron_reader {
     for (const vert_t<M> v : adj_p2v(m, p)) {
       verts.push_back(v);
       flat.points.push_back(to_vec3(point(m, v)));
+      if (!is_finite(flat.points.back())) throw_points_not_finite(index_of(m, p));
     }
     for (const face_t<M> f : adj_p2f(m, p)) {
       ring_.clear();

@@ -168,6 +168,7 @@ class surface_line_walker {
     if (!(next.in.verts[next.side] == out.in.verts[out.side])) step = {-step.scale, 1 - step.shift, step.noise, step.pivot};
     at_ = next;
     where_ = where::side;
+    if (out.in.edge[out.side] == piece::diagonal && polygon_.is_flat) return watch_.follow(step);  // no point was added
     const std::size_t key = index_of(*m_, next.in.poly);
     switch (watch_.at_side({key, std::size_t{3} * next.in.number + next.side}, s, x_, step, to.num_points())) {
       case line_watch::finding::none: return;
@@ -220,7 +221,7 @@ class surface_line_walker {
   }
 
   line_end why_no_exit() const {
-    bool all_zero = true, open = false, many = false;
+    bool all_zero = !sector_pieces_.empty(), open = false, many = false;
     for (const piece& in : sector_pieces_) all_zero = all_zero && in.is_zero;
     for (const edge_t<M> e : adj_v2e(*m_, vert_)) {
       std::size_t n = 0;
@@ -245,6 +246,7 @@ class surface_line_walker {
       const auto [triangle, side] = polygon_.with_edge(x.edge);
       halves.push_back({polygon_.piece(triangle), side});
     }
+    if (halves.empty()) return to.stop(line_end::boundary);
     const half* best = nullptr;
     double best_speed = 0;
     bool all_zero = true;

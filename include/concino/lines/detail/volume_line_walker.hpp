@@ -298,7 +298,7 @@ class volume_line_walker {
   }
 
   line_end why_no_exit() const {
-    bool all_zero = true, open = false, many = false;
+    bool all_zero = !incident_.empty(), open = false, many = false;
     for (const incident_cell& c : incident_) all_zero = all_zero && c.field == vec3();
     const auto count = [&](const face_t<M>& f) {
       std::size_t n = 0;
@@ -340,6 +340,7 @@ class volume_line_walker {
       best = s;
       best_field = cell_.field;
     }
+    if (sides.empty()) return to.stop(line_end::boundary);
     if (best) {
       read(best->poly);
       cell_.flat.cut_faces();
