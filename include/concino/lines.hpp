@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/lines/evenly_spaced_lines.hpp>
+#include <concino/lines/field_at_verts.hpp>
 #include <concino/lines/field_line.hpp>
 #include <concino/lines/integral_line.hpp>
 #include <concino/lines/karcher_mean.hpp>

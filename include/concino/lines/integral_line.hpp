@@ -35,7 +35,7 @@ namespace concino {
 template<class M, class G, class S>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && requirement::gives_points<G, poly_t<M>> && requirement::is_line_start<M, S>
 auto integral_line(M&& m, const G& g, const S& start, const integral_line_options& options = {}) {
-  const detail::field_follower<std::remove_cvref_t<M>, G> follow(m, g, options, "integral_line");
+  const detail::poly_field_follower<std::remove_cvref_t<M>, G> follow(m, g, options, "integral_line");
   return follow.line(start);
 }
 
@@ -48,7 +48,7 @@ auto integral_line(M&& m, const G& g, const S& start, const integral_line_option
 template<class M, class G, class R>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && requirement::gives_points<G, poly_t<M>> && requirement::gives_line_starts<M, R>
 auto integral_lines(M&& m, const G& g, const R& starts, const integral_line_options& options = {}) {
-  const detail::field_follower<std::remove_cvref_t<M>, G> follow(m, g, options, "integral_lines");
+  const detail::poly_field_follower<std::remove_cvref_t<M>, G> follow(m, g, options, "integral_lines");
   return follow.lines(starts);
 }
 

@@ -48,17 +48,19 @@ void join_both_ways(field_line<M>& back, field_line<M>&& forward) {
   if (!forward.cycle.empty()) back.cycle = std::move(forward.cycle);
 }
 
-template<class M, class G>
+/// Reader: of the field, from the mesh, what the caller passed and the caller's name. Walker: from the mesh and a reader.
+template<class M, class Reader, class Walker>
 class field_follower {
   static constexpr std::size_t lines_at_once = 16;
 
   const M* m_;
   const char* caller_;
-  field_reader<M, G> field_;
+  Reader field_;
   integral_line_options options_;
   std::size_t max_steps_;
 
  public:
+  template<class G>
   field_follower(const M& m, const G& g, const integral_line_options& options, const char* caller)
       : m_(&m), caller_(caller), field_(m, g, caller), options_(options), max_steps_(options.max_steps) {
     if (!(options.max_length > 0)) core::throw_joined<invalid_argument>({caller, ": max_length must be above 0; leave it out to follow lines to their end"});
@@ -67,7 +69,7 @@ class field_follower {
 
   template<class S>
   field_line<M> line(const S& start) const {
-    line_walker<M, G> walker(*m_, field_);
+    Walker walker(*m_, field_);
     return follow(walker, place_of(start));
   }
 
@@ -78,7 +80,7 @@ class field_follower {
     std::vector<field_line<M>> found(places.size());
     const std::size_t chunks = (places.size() + lines_at_once - 1) / lines_at_once;
     const auto follow_chunk = [&](std::size_t c) {
-      line_walker<M, G> walker(*m_, field_);
+      Walker walker(*m_, field_);
       for (std::size_t i = c * lines_at_once; i < std::min(places.size(), (c + 1) * lines_at_once); ++i) found[i] = follow(walker, places[i]);
     };
     bool stopped = false;
@@ -114,7 +116,7 @@ class field_follower {
     return x;
   }
 
-  field_line<M> follow(line_walker<M, G>& walker, const mesh_point<M>& start) const {
+  field_line<M> follow(Walker& walker, const mesh_point<M>& start) const {
     const auto one_way = [&](double sense) {
       field_line<M> line;
       line_recorder<M> to(line, options_.max_length, max_steps_);
@@ -129,6 +131,9 @@ class field_follower {
     return line;
   }
 };
+
+template<class M, class G>
+using poly_field_follower = field_follower<M, field_reader<M, G>, line_walker<M, G>>;
 
 }  // namespace detail
 

@@ -1,0 +1,140 @@
+// Follows a field that is given at verts and interpolated inside polys, by the Runge-Kutta method of order 4.
+#pragma once
+
+#include <concino/lines/detail/follow_field.hpp>
+#include <concino/lines/detail/polygon_reader.hpp>
+#include <concino/lines/detail/polyhedron_reader.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <optional>
+#include <type_traits>
+#include <variant>
+
+namespace concino::detail {
+
+/// The same vector in each poly, which can be changed.
+struct one_vector {
+  vec3 value;
+  template<class P>
+  const vec3& operator[](const P&) const { return value; }
+};
+
+/// Errors: invalid_argument, naming the vert whose vector is not finite, or if the step is out of its range.
+template<class M, class H>
+class vert_field_reader {
+  const H* h_;
+  double step_, scale_ = 1;
+
+ public:
+  template<class Field>
+  vert_field_reader(const M& m, const Field& field, const char* caller) : h_(field.values), step_(field.step) {
+    if (!(step_ >= 0) || !std::isfinite(step_)) core::throw_joined<invalid_argument>({caller, ": the step must be finite and at least 0"});
+    double most = 0;
+    for (const vert_t<M> v : verts(m)) {
+      const vec3 x = to_vec3((*h_)[v]);
+      if (!is_finite(x)) core::throw_joined<invalid_argument>({caller, ": the vector at vert ", index_of(m, v), " is not finite; give each vert a finite vector"});
+      most = std::max({most, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
+    }
+    if (most > 0) scale_ = std::ldexp(1.0, -std::clamp(std::ilogb(most), -1022, 1022));
+  }
+  double step() const { return step_; }
+  vec3 operator[](const vert_t<M>& v) const { return scale_ * to_vec3((*h_)[v]); }
+};
+
+template<class M, class H>
+class vert_field_walker {
+  using reader = typename std::conditional_t<dimension_v<M> == 2, std::type_identity<polygon_reader<M>>, std::type_identity<polyhedron_reader<M>>>::type;
+
+  const M* m_;
+  vert_field_reader<M, H> field_;
+  one_vector direction_;
+  line_walker<M, one_vector> straight_;
+  reader cell_;
+
+ public:
+  vert_field_walker(const M& m, const vert_field_reader<M, H>& field) : m_(&m), field_(field), straight_(m, field_reader<M, one_vector>(direction_)) {}
+  vert_field_walker(const vert_field_walker&) = delete;
+
+  void run(const mesh_point<M>& start, double sense, line_recorder<M>& to) {
+    to.start(start);
+    mesh_point<M> x = start;
+    vec3 before;
+    double part = 1;  // of the step; small where the field turns back
+    while (!to.done()) {
+      const double step = part * (field_.step() > 0 ? field_.step() : size_at(x) / 4);
+      const vec3 d = sense * direction_at(x, sense, step);
+      if (d == vec3() || !(step > 0)) return to.stop(line_end::zero);
+      if (dot(d, before) < 0 || norm(d) < 0.5) {
+        part /= 4;
+        before = {};
+        if (part < 1e-3) return to.stop(line_end::sink);
+        continue;
+      }
+      part = std::min(1.0, 1.5 * part);
+      before = d;
+      const field_line<M> segment = walk(x, d, step * norm(d));
+      for (std::size_t i = 0; i < segment.polys.size() && !to.done(); ++i) to.add(segment.places[i + 1], segment.polys[i]);
+      if (segment.stopped_by != line_end::max_length) return to.stop(segment.stopped_by);
+      x = segment.places.back();
+    }
+  }
+
+ private:
+  field_line<M> walk(const mesh_point<M>& x, const vec3& d, double length) {
+    field_line<M> line;
+    line_recorder<M> to(line, length, 10'000);
+    direction_.value = d / norm(d);
+    straight_.run(x, 1, to);
+    return line;
+  }
+
+  /// The mean of four directions: short where they differ. Or 0 if the field is 0 at one of their places.
+  vec3 direction_at(const mesh_point<M>& x, double sense, double step) {
+    vec3 k = value_at(x), sum;
+    for (int i = 0; i < 4; ++i) {
+      const double n = norm(k);
+      if (!(n > 0)) return {};
+      sum += (i == 1 || i == 2 ? 2 : 1) * (k / n);
+      if (i < 3) k = value_at(walk(x, sense * k, i < 2 ? step / 2 : step).places.back());
+    }
+    return sum / 6;
+  }
+
+  vec3 value_at(const mesh_point<M>& x) {
+    if (const auto* v = std::get_if<vert_t<M>>(&x.element)) return field_[*v];
+    if (const auto* e = std::get_if<edge_point<M>>(&x.element)) {
+      const auto [a, b] = end_verts(*m_, e->edge);
+      return (1 - e->parameter) * field_[a] + e->parameter * field_[b];
+    }
+    cell_.read(*m_, *poly_at(x));
+    return cell_.value_at(x.position, field_);
+  }
+  /// A poly at a place, if there is one.
+  std::optional<poly_t<M>> poly_at(const mesh_point<M>& x) const {
+    const auto first = [](const auto& list) -> std::optional<poly_t<M>> {
+      for (const poly_t<M> p : list) return p;
+      return {};
+    };
+    return std::visit([&](const auto& y) -> std::optional<poly_t<M>> {
+      if constexpr (requires { y.edge; }) return first(adj_e2p(*m_, y.edge));
+      else if constexpr (std::same_as<decltype(y), const vert_t<M>&>) return first(adj_v2p(*m_, y));
+      else if constexpr (std::same_as<decltype(y), const poly_t<M>&>) return y;
+      else return first(adj_f2p(*m_, y));
+    }, x.element);
+  }
+
+  /// The largest distance of a corner of the poly from its first one; 0 at verts and edges without polys.
+  double size_at(const mesh_point<M>& x) {
+    const auto p = poly_at(x);
+    if (!p) return 0;
+    cell_.read(*m_, *p);
+    double size = 0;
+    for (const vec3& y : cell_.corner_points()) size = std::max(size, distance(y, cell_.corner_points()[0]));
+    return size;
+  }
+};
+
+}  // namespace concino::detail
