@@ -76,5 +76,9 @@ int main() {
   fmt::print("{} lines with {} points, the longest {:.3f}", cn::num_polys(m), points, longest);
   for (const auto& [where, n] : ends) fmt::print("; {} end {}", n, where);
   fmt::print("\n");
+
+  // A bundle of lines that leave one poly downhill.
+  const auto bundle = cn::integral_lines(m, g, cn::starts_around(m, *cn::adj_v2p(m, high).begin()), {.backward = true});
+  fmt::print("{} lines leave a poly at the maximum\n", bundle.size());
   cover(m, g);
 }

@@ -140,6 +140,7 @@ void no_adapter(const stranger& other) {
   cn::critical_points(other);  // refused
   cn::integral_line(other);  // refused
   cn::integral_lines(other);  // refused
+  cn::starts_around(other);  // refused
   cn::evenly_spaced_lines(other);  // refused
   cn::simplified(other);  // refused
   cn::simplified_on_cells(other);  // refused
@@ -340,6 +341,7 @@ void no_points(const cn::trimesh& m) {
   cn::log_map(pure);  // refused
   cn::integral_line(pure);  // refused
   cn::integral_lines(pure);  // refused
+  cn::starts_around(pure);  // refused
   cn::evenly_spaced_lines(pure);  // refused
   cn::prepare_parallel_transport(pure);  // refused
   cn::parallel_transport(pure);  // refused
@@ -423,6 +425,7 @@ void numbers(const cn::trimesh& m) {
   cn::karcher_mean(m, {0, 1});  // refused
   cn::straighten(m, {0, 1});  // refused
   cn::integral_line(m, cn::make_poly_map<cn::vec3>(m), 0);  // refused
+  cn::starts_around(m, 0);  // refused
   cn::prepare_harmonic_map(m, {cn::vert_id{0}}).with_values({{0, 1.0}});  // refused
   cn::prepare_heat_geodesics(m).distance_from(0);  // refused
   cn::prepare_log_map(m).log_map_from(0);  // refused

@@ -70,6 +70,7 @@ class flat_cell {
   std::vector<place> seen_;
   double nearly_ = 0;  // more than the errors of seen_
 
+  cell_exit leave_tet(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry);
   void see(const vec3& x, const vec3& g);
   bool may_cross(const face_ring& f) const;
   int quick_side(std::uint32_t a, std::uint32_t b) const;

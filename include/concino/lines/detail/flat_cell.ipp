@@ -154,7 +154,26 @@ CONCINO_INLINE cell_exit flat_cell::exit_in(std::uint32_t t, const vec3& x, cons
   return {cell_exit::kind::triangle, t, 0, 0, whole > 0 ? p + (s[2].value * (q - p) + s[0].value * (r - p)) / whole : (p + q + r) / 3};
 }
 
+/// From a triangle of a tet, the sides on which the three other edges pass the line tell the exit: three determinants instead of nine.
+CONCINO_INLINE cell_exit flat_cell::leave_tet(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) {
+  const std::uint32_t top = 6 - entry[0] - entry[1] - entry[2];
+  std::array<int, 3> s;
+  for (std::size_t k = 0; k < 3; ++k) s[k] = side_of_line(g, points[entry[k]], points[top], x).sign;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (s[k] < 0 || s[(k + 1) % 3] > 0) continue;
+    for (std::uint32_t f = 0; f < 4; ++f) {
+      const std::uint32_t* const c = corners_.data() + faces_[f].first;
+      if (is_corner_of(entry[(k + 2) % 3], {c, 3})) continue;
+      cut_face(f);
+      for (std::uint32_t t = 0; t < triangles.size(); ++t)
+        if (triangles[t].face == f) return exit_in(t, x, g, entry);
+    }
+  }
+  return {};
+}
+
 CONCINO_INLINE cell_exit flat_cell::leave(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) {
+  if (points.size() == 4 && faces_.size() == 4 && corners_.size() == 12 && entry.size() == 3) return leave_tet(x, g, entry);
   see(x, g);
   for (std::uint32_t f = 0; f < faces_.size(); ++f)
     if (!faces_[f].is_cut && may_cross(faces_[f])) cut_face(f);

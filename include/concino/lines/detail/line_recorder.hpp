@@ -3,6 +3,7 @@
 
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/function_ref.hpp>
+#include <concino/geometry/closest_point.hpp>
 #include <concino/lines/field_line.hpp>
 
 #include <algorithm>
@@ -115,7 +116,7 @@ class line_recorder {
     for (const std::size_t k : {0u, 1u, 2u}) size = std::max(size, std::abs(x[0][k]));
     const double nearly = 1e-12 * (size + (x.size() > 1 ? distance(x[0], x[1]) : 0));
     for (std::size_t i = 1; i < line_->polys.size(); ++i) {
-      if (!(line_->polys[i] == line_->polys[0]) || !is_on_segment(x[0], x[i], x[i + 1], nearly)) continue;
+      if (!(line_->polys[i] == line_->polys[0]) || distance(closest_point(x[0], x[i], x[i + 1]), x[0]) > nearly) continue;
       const std::size_t num_points = distance(x[i], x[0]) <= nearly ? i : i + 1;
       cut(num_points, num_points);
       line_->length += distance(line_->points.back(), line_->points.front());
@@ -136,12 +137,6 @@ class line_recorder {
     line_->length = 0;
     for (std::size_t i = 0; i + 1 < num_points; ++i) line_->length += distance(line_->points[i], line_->points[i + 1]);
     done_ = false;
-  }
-
-  static bool is_on_segment(const vec3& x, const vec3& a, const vec3& b, double nearly) {
-    const vec3 d = b - a;
-    const double whole = dot(d, d), t = whole > 0 ? std::clamp(dot(x - a, d) / whole, 0.0, 1.0) : 0;
-    return distance(x, a + t * d) <= nearly;
   }
 };
 
