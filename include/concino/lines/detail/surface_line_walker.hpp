@@ -67,12 +67,12 @@ class surface_line_walker {
     if (at_.in.is_zero) return to.stop(line_end::zero);
     const vec3 &g = at_.in.field, &n = at_.in.normal;
     if (where_ == where::inside) return leave_inside(to);
-    const unsigned k = where_ == where::side ? at_.side : (at_.side + 1) % 3;  // the side whose ends lie on both sides of the line, or its opposite corner
-    const unsigned i = k, j = (k + 1) % 3, far = (k + 2) % 3;
+    // i and j: the ends of the side entered, or of the side opposite to the corner where the line enters
+    const unsigned i = where_ == where::side ? at_.side : (at_.side + 1) % 3, j = (i + 1) % 3, far = (i + 2) % 3;
     if (where_ == where::corner) return cross_side(i, side_in_plane(g, at_.in.at[i], n, x_), side_in_plane(g, at_.in.at[j], n, x_), to);
     const signed_value c = side_in_plane(g, at_.in.at[far], n, x_);
     if (c.sign == 0) return reach_corner(far, to);
-    // a to the left and b to the right of the line would be an exit; entering, a lies to the left, b to the right, seen from inside
+    // entering, i lies to the left of the line and j to the right; of a side by which it leaves, the first end lies to the right
     if (c.sign > 0) cross_side(j, side_in_plane(g, at_.in.at[j], n, x_), c, to);
     else cross_side(far, c, side_in_plane(g, at_.in.at[i], n, x_), to);
   }
