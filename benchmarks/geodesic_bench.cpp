@@ -1,5 +1,6 @@
 // Measures geodesics on surfaces: logarithmic maps against the factorisations and back-substitutions that they need, straightest geodesics in edges that are
 // crossed per second, and paths made straight.
+#include "support/matrix_keeper.hpp"
 #include "support/kinds.hpp"
 
 #include <concino/fields/log_map.hpp>
@@ -21,24 +22,10 @@ namespace {
 namespace cn = concino;
 using sparse = Eigen::SparseMatrix<double>;
 
-/// A solver that stores the matrices that it is asked to factorise.
-struct matrix_keeper {
-  std::vector<sparse>* kept;
-  cn::ldlt inner;
-
-  explicit matrix_keeper(std::vector<sparse>* where) : kept(where) {}
-  matrix_keeper(const matrix_keeper& k) : kept(k.kept) {}
-  void factorize(const sparse& a) {
-    kept->push_back(a);
-    inner.factorize(a);
-  }
-  Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return inner.solve(b); }
-};
-
 void log_map(const bench::program& p, const std::string& name, const cn::trimesh& m) {
   const std::string prepare = "log_map.prepare." + name, query = "log_map.query." + name;
   std::vector<sparse> matrices;
-  const auto log = cn::prepare_log_map(m, {}, matrix_keeper(&matrices));
+  const auto log = cn::prepare_log_map(m, {}, bench::matrix_keeper(&matrices));
   if (matrices.size() != 2) throw std::runtime_error(prepare + ": not two factorisations");
   const cn::vert_id source{0};
   const auto seen = log.log_map_from(source);

@@ -1,6 +1,7 @@
 // Measures heat geodesics with the library's own factorisation. Their preparation is compared with the necessary factorisations: two, or three with a boundary.
 // A query is compared with as many back-substitutions. `query` includes bounds by shortest paths, `unclamped` does not. On a million triangles both are by
 // multigrid, and compared with the set-up and with 30 cycles of the solve that a query contains; their number is printed.
+#include "support/matrix_keeper.hpp"
 #include "support/kinds.hpp"
 
 #include <concino/fields.hpp>
@@ -22,25 +23,11 @@ namespace {
 using sparse = Eigen::SparseMatrix<double>;
 using factors = Eigen::SimplicialLDLT<sparse>;
 
-/// A solver that stores the matrices that it is asked to factorise.
-struct matrix_keeper {
-  std::vector<sparse>* kept;
-  concino::ldlt inner;
-
-  explicit matrix_keeper(std::vector<sparse>* where) : kept(where) {}
-  matrix_keeper(const matrix_keeper& k) : kept(k.kept) {}
-  void factorize(const sparse& a) {
-    kept->push_back(a);
-    inner.factorize(a);
-  }
-  Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return inner.solve(b); }
-};
-
 template<class M>
 void measure(const bench::program& p, const std::string& name, const M& m) {
   const std::string prepare = "heat.prepare." + name, query = "heat.query." + name;
   std::vector<sparse> matrices;
-  const auto heat = concino::prepare_heat_geodesics(m, {}, matrix_keeper(&matrices));
+  const auto heat = concino::prepare_heat_geodesics(m, {}, bench::matrix_keeper(&matrices));
   const std::size_t count = concino::VolumeMesh<M> ? 3 : 2;  // the surfaces are closed
   if (matrices.size() != count)
     throw std::runtime_error(prepare + ": " + std::to_string(matrices.size()) + " factorisations, not " + std::to_string(count));

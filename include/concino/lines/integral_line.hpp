@@ -4,8 +4,7 @@
 #include <concino/core/mistakes.hpp>
 #include <concino/lines/detail/follow_field.hpp>
 
-#include <initializer_list>
-#include <vector>
+#include <type_traits>
 
 namespace concino {
 
@@ -20,11 +19,12 @@ namespace concino {
 ///         the mean of both fields whose part across is 0. From a vert, or from an edge of a volume, the line follows the fastest of the polys, faces
 ///         and edges that lead away from it; of equally fast ones that which comes first by x, y, z.
 ///         It stops where line_end says. A line that starts on the boundary goes along it only where the field is exactly parallel to it.
-///         On surfaces, the place where a line enters a poly is an affine function of the place where it entered it before: so lines that never end are
-///         recognised. A line is `closed` if it comes back but for rounding; it does not repeat its first point. It `winds_to_cycle` if it comes ever closer to
+///         On surfaces, the place where a line enters a poly is an affine function of the place where it entered it before. By this most lines
+///         that never end are recognised. A line is `closed` if it comes back but for rounding; it does not repeat its first point. It `winds_to_cycle` if it comes ever closer to
 ///         a cycle. A line that goes round a vert ever closer ends there, a `sink`; its length counts all rounds. In volumes only returns
 ///         are recognised. Some lines, such as those on a torus, run on for ever: max_steps ends them.
-///         Decisions are made by exact signs of determinants of the points, so they do not depend on the order of elements in m.
+///         Where a line leaves a poly is decided by exact signs of determinants of the points. Speeds, and directions along edges and faces, are rounded. The
+///         order of elements in m has no influence but by rounding.
 /// Cost:   O(P) to check g, and O(size of the polys crossed). Gradients of functions that are linear on triangles or tets bound this: along a line the function
 ///         increases, also where two fields push together, since their mean is the gradient along the edge or face. So a line never comes back to
 ///         a vert or cycle. Nor does it go round a vert of triangles: it enters a sector only where the slope along the direction from the vert

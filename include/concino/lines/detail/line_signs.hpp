@@ -5,7 +5,9 @@
 #include <concino/core/vec3.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace concino::detail {
@@ -51,6 +53,16 @@ inline vec3 triangle_normal(const vec3& a, const vec3& b, const vec3& c) {
   if (ab && !ca) return cross(b - a, c - a);
   if (bc && !ab) return cross(c - b, a - b);
   return cross(a - c, b - c);
+}
+
+/// How far x lies inside a triangle, seen along its normal: the least distance from its sides, negative outside.
+inline double depth_in_triangle(const vec3& x, const std::array<vec3, 3>& at, const vec3& normal) {
+  double depth = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const vec3 side = at[(k + 1) % 3] - at[k];
+    depth = std::min(depth, dot(cross(side, x - at[k]), normal) / (norm(normal) * norm(side)));
+  }
+  return depth;
 }
 
 }  // namespace concino::detail

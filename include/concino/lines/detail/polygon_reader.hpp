@@ -105,12 +105,7 @@ class polygon_reader {
     double best_depth = -std::numeric_limits<double>::infinity();
     for (unsigned t = 0; t < num_pieces(); ++t) {
       const polygon_piece<M> r = piece(t);
-      const double n = norm(r.normal);
-      double depth = std::numeric_limits<double>::infinity();
-      for (std::size_t k = 0; k < 3; ++k) {
-        const vec3 side = r.at[(k + 1) % 3] - r.at[k];
-        depth = std::min(depth, dot(cross(side, x - r.at[k]), r.normal) / (n * norm(side)));
-      }
+      const double depth = depth_in_triangle(x, r.at, r.normal);
       if (depth > best_depth) {
         best_depth = depth;
         best = t;

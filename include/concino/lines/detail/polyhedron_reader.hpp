@@ -4,8 +4,10 @@
 #include <concino/concepts/mesh.hpp>
 #include <concino/lines/detail/field_reader.hpp>
 #include <concino/lines/detail/flat_cell.hpp>
+#include <concino/lines/detail/line_signs.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -59,6 +61,23 @@ class polyhedron_reader {
     for (std::uint32_t t = 0; t < flat.triangles.size(); ++t)
       if (flat.triangles[t].face == face && flat.triangles[t].number == number) return t;
     return 0;
+  }
+
+  /// The triangle of face f that contains x, seen along its normal; of several, and outside all, the nearest. The faces have been cut.
+  std::uint32_t nearest_triangle(const face_t<M>& f, const vec3& x) const {
+    std::uint32_t best = 0;
+    double best_depth = -std::numeric_limits<double>::infinity();
+    for (std::uint32_t t = 0; t < flat.triangles.size(); ++t) {
+      const cell_triangle& c = flat.triangles[t];
+      if (!(faces[c.face] == f)) continue;
+      const std::array<vec3, 3> at = {flat.points[c.corner[0]], flat.points[c.corner[1]], flat.points[c.corner[2]]};
+      const double depth = depth_in_triangle(x, at, triangle_normal(at[0], at[1], at[2]));
+      if (depth > best_depth) {
+        best_depth = depth;
+        best = t;
+      }
+    }
+    return best;
   }
 
   const std::vector<vec3>& corner_points() const { return flat.points; }

@@ -21,7 +21,7 @@ template<class M, class G>
 class surface_line_walker {
   using piece = polygon_piece<M>;
 
-  struct half {  // a triangle at a side: s goes from its corner number `side` to the next
+  struct triangle_side {  // a triangle at a side: s goes from its corner number `side` to the next
     piece in;
     unsigned side = 0;
     const vec3& from() const { return in.at[side]; }
@@ -37,7 +37,7 @@ class surface_line_walker {
 
   // The state of a line: in a triangle, inside, at a side or at a corner of it; or at a vert.
   enum class where { inside, side, corner, vert } where_ = where::inside;
-  half at_;       // the triangle entered, and its side or corner
+  triangle_side at_;       // the triangle entered, and its side or corner
   vec3 x_;
   vert_t<M> vert_ = vert_t<M>();
 
@@ -107,7 +107,7 @@ class surface_line_walker {
 
   /// The line leaves the triangle through side k, whose first end lies to its right and second one to its left.
   void cross_side(unsigned k, const signed_value& right, const signed_value& left, line_recorder<M>& to) {
-    const half out = {at_.in, k};
+    const triangle_side out = {at_.in, k};
     const double whole = right.value - left.value;
     double s = whole != 0 ? right.value / whole : 0.5;
     s = !(s > 0) ? 0 : s > 1 ? 1 : s;
@@ -133,11 +133,11 @@ class surface_line_walker {
     if (n != 2 || other == out.in.poly) return to.stop(n <= 2 ? line_end::boundary : line_end::non_manifold_edge);
     read(other);
     const auto [triangle, side] = polygon_.with_edge(e);
-    half next = {polygon_.piece(triangle), side};
+    triangle_side next = {polygon_.piece(triangle), side};
     enter(next, out, next.in.verts[side] == out.in.verts[k] ? s : 1 - s, step, to);
   }
 
-  edge_t<M> polygon_edge(const half& out) {
+  edge_t<M> polygon_edge(const triangle_side& out) {
     read(out.in.poly);
     return polygon_.edges[out.in.edge[out.side]];
   }
@@ -160,7 +160,7 @@ class surface_line_walker {
   }
 
   /// Enters the triangle `next` from `out` at place s of its side, or slides along the side, if the field there pushes back.
-  void enter(const half& next, const half& out, double s, entry_step step, line_recorder<M>& to) {
+  void enter(const triangle_side& next, const triangle_side& out, double s, entry_step step, line_recorder<M>& to) {
     if (next.in.is_zero) return to.stop(line_end::zero);
     const int inward = side_in_plane(next.in.field, next.to(), next.in.normal, next.from()).sign;
     if (inward >= 0) return slide(next, out, to);
@@ -178,11 +178,11 @@ class surface_line_walker {
     }
   }
 
-  void slide(const half& next, const half& out, line_recorder<M>& to) {
+  void slide(const triangle_side& next, const triangle_side& out, line_recorder<M>& to) {
     const vec3 along = out.to() - out.from();
     const double length = norm(along);
     if (!(length > 0)) return to.stop(line_end::sink);
-    const auto push = [&](const half& h) {
+    const auto push = [&](const triangle_side& h) {
       return std::max(0.0, side_in_plane(h.in.field, h.to(), h.in.normal, h.from()).value / (norm(h.in.normal) * length));
     };
     const double speed = sliding_speed(push(out), dot(out.in.field, along) / length, push(next), dot(next.in.field, along) / length);
@@ -240,17 +240,17 @@ class surface_line_walker {
 
   /// From an edge: into the poly whose field leads into it fastest, or along the edge.
   void start_on(const edge_point<M>& x, line_recorder<M>& to) {
-    std::vector<half> halves;
+    std::vector<triangle_side> halves;
     for (const poly_t<M> p : adj_e2p(*m_, x.edge)) {
       read(p);
       const auto [triangle, side] = polygon_.with_edge(x.edge);
       halves.push_back({polygon_.piece(triangle), side});
     }
     if (halves.empty()) return to.stop(line_end::boundary);
-    const half* best = nullptr;
+    const triangle_side* best = nullptr;
     double best_speed = 0;
     bool all_zero = true;
-    for (const half& h : halves) {
+    for (const triangle_side& h : halves) {
       all_zero = all_zero && h.in.is_zero;
       if (side_in_plane(h.in.field, h.to(), h.in.normal, h.from()).sign >= 0) continue;
       const double speed = speed_in_plane(h.in.field, h.in.normal);
@@ -268,7 +268,7 @@ class surface_line_walker {
     if (all_zero) return to.stop(line_end::zero);
     if (halves.size() > 2) return to.stop(line_end::non_manifold_edge);
     if (halves.size() == 2) return slide(halves[1], halves[0], to);
-    const half& h = halves[0];
+    const triangle_side& h = halves[0];
     if (side_in_plane(h.in.field, h.to(), h.in.normal, h.from()).sign != 0) return to.stop(line_end::boundary);
     at_ = h;
     reach_corner(dot(h.in.field, h.to() - h.from()) > 0 ? (h.side + 1) % 3 : h.side, to);

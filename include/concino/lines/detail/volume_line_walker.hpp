@@ -188,11 +188,10 @@ class volume_line_walker {
       watch(next, to);
       return;
     }
-    const vec3 normal = cross_product(at);
+    const vec3 normal = triangle_normal(at[0], at[1], at[2]);
     const double push = push_through(cell_.field, points[next.corner[0]], points[next.corner[1]], points[next.corner[2]]);
     slide(next, sliding_velocity(push_through(g, at[0], at[1], at[2]), g, push, cell_.field, normal), {}, to);
   }
-  static vec3 cross_product(const std::array<vec3, 3>& at) { return concino::cross(at[1] - at[0], at[2] - at[0]); }
 
   void watch(const cell_triangle& t, line_recorder<M>& to) {
     switch (watch_.at_face({index_of(*m_, cell_.poly()), std::size_t{t.face} << 32 | t.number}, x_, to.num_points())) {
@@ -207,7 +206,7 @@ class volume_line_walker {
     std::array<vec3, 3> at;
     std::array<signed_value, 3> s;
     for (std::size_t k = 0; k < 3; ++k) at[k] = cell_.flat.points[t.corner[k]];
-    const vec3 normal = cross_product(at);
+    const vec3 normal = triangle_normal(at[0], at[1], at[2]);
     for (std::size_t k = 0; k < 3; ++k) s[k] = side_in_plane(velocity, at[k], normal, x_);
     const auto is_entry = [&](std::uint32_t k) { return std::find(entry.begin(), entry.end(), t.corner[k]) != entry.end(); };
     for (std::uint32_t k = 0; k < 3; ++k)
@@ -328,7 +327,7 @@ class volume_line_walker {
     for (const poly_t<M> p : adj_f2p(*m_, f)) {
       read(p);
       cell_.flat.cut_faces();
-      const std::uint32_t t = triangle_at(f);
+      const std::uint32_t t = cell_.nearest_triangle(f, x_);
       const auto& c = cell_.flat.triangles[t].corner;
       const auto& at = cell_.flat.points;
       const side s = {p, t, side_of_line(cell_.field, at[c[1]], at[c[2]], at[c[0]])};
@@ -358,29 +357,6 @@ class volume_line_walker {
     read(sides[0].poly);
     cell_.flat.cut_faces();
     cross(f, cell_.flat.triangles[sides[0].triangle], sides[0].poly, to);
-  }
-
-  /// The triangle of face f, of the cell that was read last, that is nearest to x.
-  std::uint32_t triangle_at(const face_t<M>& f) const {
-    std::uint32_t best = 0;
-    double best_depth = -std::numeric_limits<double>::infinity();
-    for (std::uint32_t t = 0; t < cell_.flat.triangles.size(); ++t) {
-      const cell_triangle& c = cell_.flat.triangles[t];
-      if (!(cell_.faces[c.face] == f)) continue;
-      std::array<vec3, 3> at;
-      for (std::size_t k = 0; k < 3; ++k) at[k] = cell_.flat.points[c.corner[k]];
-      const vec3 normal = cross_product(at);
-      double depth = std::numeric_limits<double>::infinity();
-      for (std::size_t k = 0; k < 3; ++k) {
-        const vec3 side = at[(k + 1) % 3] - at[k];
-        depth = std::min(depth, dot(concino::cross(side, x_ - at[k]), normal) / (norm(side) * norm(normal)));
-      }
-      if (depth > best_depth) {
-        best_depth = depth;
-        best = t;
-      }
-    }
-    return best;
   }
 };
 
