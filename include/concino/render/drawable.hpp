@@ -30,12 +30,21 @@ struct appearance {
   rgb edge_color = srgb(0.1f, 0.1f, 0.12f);
   double edge_opacity = 0.6;  // in [0, 1]
   double shine = 1;           // strength of the highlights; 0: none
+  double opacity = 1;         // in [0, 1]; what lies behind shows through the rest
 };
+
+/// The elements of a drawable that carry its values and colours.
+enum class value_place : std::uint8_t { points, polygons, corners };
 
 /// The polygons of the surface of a mesh, prepared for rendering. Lengths are in units of the mesh.
 struct drawable {
   std::vector<vec3> points;
-  std::vector<double> values;                           // by point; empty: no values
+  std::vector<double> values;                           // by the elements `values_at`; empty: no values
+  value_place values_at = value_place::points;
+  std::vector<rgb> colors;                              // by the elements `colors_at`, instead of values; empty: none
+  value_place colors_at = value_place::polygons;
+  std::vector<std::array<float, 2>> texture_coordinates;  // by corner; empty: no texture
+  std::vector<std::uint8_t> exposed;                    // by polygon: 1 if a cut laid it bare; empty: none is
   std::vector<std::uint32_t> offsets = {0};             // polygon p has the corners offsets[p] .. offsets[p+1]-1
   std::vector<std::uint32_t> corners;                   // the point of each corner
   std::vector<std::array<float, 3>> normals;            // by corner, unit vectors
