@@ -3,6 +3,7 @@
 #pragma once
 
 #include <concino/render/ambient_occlusion.hpp>
+#include <concino/render/appearance.hpp>
 #include <concino/render/best_view.hpp>
 #include <concino/render/camera.hpp>
 #include <concino/render/color.hpp>

@@ -7,31 +7,14 @@
 #include <concino/core/mistakes.hpp>
 #include <concino/geometry/outer_polygons.hpp>
 #include <concino/geometry/triangulate_polygon.hpp>
-#include <concino/render/colormap.hpp>
+#include <concino/render/appearance.hpp>
 #include <concino/render/smooth_normals.hpp>
-#include <concino/render/value_scale.hpp>
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
 namespace concino {
-
-/// The appearance of a drawable: colours, iso-bands, edges, highlights.
-struct appearance {
-  rgb color = srgb(0.80f, 0.80f, 0.82f);     // if there are no values
-  rgb no_value = srgb(0.55f, 0.55f, 0.55f);  // of points whose value is infinite or not a number
-  colormap map = blue_to_yellow;
-  value_scale scale;          // maps values to positions in the colour map
-  int bands = 0;              // number of white iso-bands, at equal distances of the scale; 0: none
-  double band_width = 0.12;   // as a fraction of the distance between two bands, in [0, 1]
-  double band_limit = 0.008;  // the maximal width of bands in the picture, as a fraction of its height, so that bands stay lines where the field is flat
-  double edge_width = 0;      // lines along the edges of the mesh, in pixels; 0: none
-  rgb edge_color = srgb(0.1f, 0.1f, 0.12f);
-  double edge_opacity = 0.6;  // in [0, 1]
-  double shine = 1;           // strength of the highlights; 0: none
-  double opacity = 1;         // in [0, 1]; what lies behind shows through the rest
-};
 
 /// The elements of a drawable that carry its values and colours.
 enum class value_place : std::uint8_t { points, polygons, corners };
