@@ -86,6 +86,7 @@ void no_adapter(const stranger& other) {
   cn::measure(other);  // refused
   cn::outward_vector(other);  // refused
   cn::for_each_outer_polygon(other);  // refused
+  cn::for_each_visible_polygon(other);  // refused
   cn::measures(other);  // refused
   cn::total_measure(other);  // refused
   cn::quality(other);  // refused
