@@ -11,7 +11,7 @@ namespace concino {
 struct appearance {
   rgb color = srgb(0.80f, 0.80f, 0.82f);     // if there are no values
   rgb no_value = srgb(0.55f, 0.55f, 0.55f);  // of points whose value is infinite or not a number
-  colormap map = blue_to_yellow;
+  colormap map = colormap::blue_to_yellow;
   value_scale scale;          // maps values to positions in the colour map
   int bands = 0;              // number of white iso-bands, at equal distances of the scale; 0: none
   double band_width = 0.12;   // as a fraction of the distance between two bands, in [0, 1]
