@@ -137,12 +137,13 @@ void write_field(const M& m, const U& u, const std::string& path) {
 
 template<class M, class U>
 cn::image picture_of(const M& m, const U& u, const std::vector<far_ends<M>>& ends, const cn::progress& progress) {
-  std::vector<cn::drawable> scene = {cn::make_drawable(m, u)};
-  if (scene[0].polys.empty()) throw cn::invalid_mesh("the mesh has no polygon to draw");
-  auto& look = scene[0].look;
-  look.scale = cn::value_scale::equalized(scene[0].values);
-  look.bands = 30;
-  if (scene[0].polys.size() < 12000) look.edge_width = 1.3;
+  cn::scene scene;
+  scene.add(cn::make_drawable(m, u));
+  cn::drawable& surface = scene.last();
+  if (surface.polys.empty()) throw cn::invalid_mesh("the mesh has no polygon to draw");
+  surface.look.scale = cn::value_scale::equalized(surface.values);
+  surface.look.bands = 30;
+  if (surface.polys.size() < 12000) surface.look.edge_width = 1.3;
 
   const double ball = 0.013 * cn::bounding_box(m).diagonal();
   std::vector<cn::vec3> low, high;
@@ -151,14 +152,15 @@ cn::image picture_of(const M& m, const U& u, const std::vector<far_ends<M>>& end
     high.push_back(cn::to_vec3(cn::point(m, ends[i].second)));
   }
   if (!ends.empty() && ball > 0) {
-    scene.push_back(cn::make_balls(low, ball, cn::srgb(0.13f, 0.13f, 0.15f)));
-    scene.push_back(cn::make_balls(high, ball, cn::srgb(0.84f, 0.13f, 0.14f)));
+    scene.add(cn::make_balls(low, ball, cn::srgb(0.13f, 0.13f, 0.15f)));
+    scene.add(cn::make_balls(high, ball, cn::srgb(0.84f, 0.13f, 0.14f)));
   }
 
   cn::render_options options;
   options.progress = progress;
   const double aspect = static_cast<double>(options.width) / static_cast<double>(options.height);
-  return cn::render(scene, cn::best_view(scene, aspect, {}, cn::embree{}), options, cn::embree{});
+  options.camera = cn::best_view(scene.drawables(), aspect, {}, cn::embree{});
+  return cn::render(scene, options, cn::embree{});
 }
 
 template<class M>

@@ -13,6 +13,9 @@
 #include <concino/render/polygon_weights.hpp>
 #include <concino/render/ray_caster.hpp>
 #include <concino/render/render.hpp>
+#include <concino/render/render_options.hpp>
+#include <concino/render/scene.hpp>
 #include <concino/render/shapes.hpp>
 #include <concino/render/smooth_normals.hpp>
 #include <concino/render/value_scale.hpp>
+#include <concino/render/view.hpp>

@@ -1,6 +1,7 @@
 #include <concino/adapters/embree.hpp>
 #include <concino/render/ambient_occlusion.hpp>
 #include <concino/render/best_view.hpp>
+#include <concino/render/render.hpp>
 #include <concino/render/shapes.hpp>
 
 #include <doctest/doctest.h>
@@ -69,15 +70,15 @@ TEST_CASE("embree: ray casters can be created and destroyed repeatedly") {
 }
 
 TEST_CASE_TEMPLATE("embree: pictures look like those by brute force", M, CONCINO_KINDS) {
-  const drawable d = make_drawable(testing::grid<M>(2));
-  const render_options o{.width = 40, .height = 30, .samples = 2, .sky_rays = 8};
-  const camera c = frame({&d, 1}, 4.0 / 3);
-  const image fast = render({&d, 1}, c, o, embree{}), slow = render({&d, 1}, c, o, brute_force{});
+  scene s;
+  s.add(make_drawable(testing::grid<M>(2)));
+  const render_options o{.width = 40, .height = 30, .samples = 2, .occlusion_rays = 8};
+  const image fast = render(s, o, embree{}), slow = render(s, o, brute_force{});
   int differ = 0;
   for (std::size_t y = 0; y < 30; ++y)
     for (std::size_t x = 0; x < 40; ++x) differ += std::abs(fast(x, y).g - slow(x, y).g) > 0.02f;
   CHECK(differ < 12);
-  CHECK(render({&d, 1}, c, o, embree{}) == fast);
+  CHECK(render(s, o, embree{}) == fast);
 }
 
 TEST_CASE("ambient occlusion by Embree: a plane is not occluded") {

@@ -15,33 +15,40 @@ using testing::brute_force;
 
 namespace {
 
-const render_options small{.width = 48, .height = 36, .samples = 2, .sky_rays = 8};
+const render_options small{.width = 48, .height = 36, .samples = 2, .occlusion_rays = 8};
 
-std::vector<drawable> one(drawable d) {
-  std::vector<drawable> scene;
-  scene.push_back(std::move(d));
-  return scene;
+scene one(drawable d) {
+  scene s;
+  s.add(std::move(d));
+  return s;
 }
+
+/// The picture of a scene that a camera sees, by brute force.
+image shot_of(const scene& s, const camera& from, render_options o = small) {
+  o.camera = from;
+  return render(s, o, brute_force{});
+}
+camera framed(const scene& s, double aspect, const view_options& options = {}) { return frame(s.drawables(), aspect, options); }
 
 bool is_white(const rgb& c) { return c.r > 0.98f && c.g > 0.98f && c.b > 0.98f; }
 
 }  // namespace
 
 TEST_CASE_TEMPLATE("render: a grid of any kind covers the middle of its picture, and the corners are white", M, CONCINO_KINDS) {
-  const auto scene = one(make_drawable(testing::grid<M>(2)));
-  const image picture = render(scene, frame(scene, 4.0 / 3), small, brute_force{});
+  const scene s = one(make_drawable(testing::grid<M>(2)));
+  const image picture = shot_of(s, framed(s, 4.0 / 3), small);
   CHECK(!is_white(picture(24, 18)));
   CHECK(is_white(picture(0, 0)));
   CHECK(is_white(picture(47, 0)));
 }
 
 TEST_CASE("render: translating and scaling the scene does not change the picture") {
-  const auto scene = one(make_drawable(testing::grid<hexmesh>(2)));
-  const image picture = render(scene, frame(scene, 4.0 / 3), small, brute_force{});
+  const scene s = one(make_drawable(testing::grid<hexmesh>(2)));
+  const image picture = shot_of(s, framed(s, 4.0 / 3), small);
   for (const double scale : {0x1p-300, 0x1p+200}) {
-    auto other = scene;
-    for (vec3& p : other[0].points) p *= scale;
-    CHECK(render(other, frame(other, 4.0 / 3), small, brute_force{}) == picture);
+    scene other = s;
+    for (vec3& p : other.last().points) p *= scale;
+    CHECK(shot_of(other, framed(other, 4.0 / 3), small) == picture);
   }
 }
 
@@ -53,7 +60,7 @@ TEST_CASE("render: values, bands and edges are visible; a value that is not fini
   render_options plain = small;
   plain.ground = false;
   plain.width = plain.height = 40;
-  const auto shot = [&](const drawable& d) { return render({&d, 1}, frame({&d, 1}, 1, front), plain, brute_force{}); };
+  const auto shot = [&](const drawable& d) { return shot_of(one(d), framed(one(d), 1, front), plain); };
   drawable d = make_drawable(m, u);
   d.look.shine = 0;
   const image smooth = shot(d);
@@ -100,12 +107,12 @@ TEST_CASE("render: bands are anti-aliased exactly") {
 }
 
 TEST_CASE("render: objects cast shadows on the ground, and corners are darker") {
-  const auto cube = one(make_drawable(testing::grid<hexmesh>(1)));
+  const scene cube = one(make_drawable(testing::grid<hexmesh>(1)));
   render_options o = small;
-  const camera c = frame(cube, 4.0 / 3, {.margin = 0.4});
-  const image with = render(cube, c, o, brute_force{});
+  const camera c = framed(cube, 4.0 / 3, {.margin = 0.4});
+  const image with = shot_of(cube, c, o);
   o.ground = false;
-  const image without = render(cube, c, o, brute_force{});
+  const image without = shot_of(cube, c, o);
   std::size_t darker = 0;
   for (std::size_t y = 0; y < 36; ++y)
     for (std::size_t x = 0; x < 48; ++x) darker += is_white(without(x, y)) && with(x, y).r < 0.9f;
@@ -113,7 +120,7 @@ TEST_CASE("render: objects cast shadows on the ground, and corners are darker") 
 }
 
 TEST_CASE("render: progress goes from 0 to 1 and can cancel") {
-  const auto scene = one(make_drawable(testing::grid<trimesh>(1)));
+  const scene s = one(make_drawable(testing::grid<trimesh>(1)));
   render_options o = small;
   double last = -1, first = -1;
   bool rises = true;
@@ -124,43 +131,71 @@ TEST_CASE("render: progress goes from 0 to 1 and can cancel") {
     return true;
   };
   o.progress = listen;
-  render(scene, frame(scene, 1), o, brute_force{});
+  shot_of(s, framed(s, 1), o);
   CHECK(first == 0);
   CHECK(last == 1);
   CHECK(rises);
   const auto stop = [](double fraction, const char*) { return fraction < 0.3; };
   o.progress = stop;
-  CHECK_THROWS_AS(render(scene, frame(scene, 1), o, brute_force{}), cancelled);
+  CHECK_THROWS_AS(shot_of(s, framed(s, 1), o), cancelled);
 }
 
-TEST_CASE("render: an empty scene is white; invalid options and a missing ray tracer throw") {
-  const std::vector<drawable> nothing;
-  const image white = render(nothing, frame(nothing, 1), small, brute_force{});
-  CHECK(white == image(48, 36, {1, 1, 1}));
-  const auto scene = one(make_drawable(testing::grid<trimesh>(1)));
-  const camera c = frame(scene, 1);
+TEST_CASE("render: something without polygons is white; an empty scene, invalid options and a missing ray tracer throw") {
+  CHECK(render(one(drawable{}), small, brute_force{}) == image(48, 36, {1, 1, 1}));
+  CHECK_THROWS_AS(render(scene{}, small, brute_force{}), invalid_argument);
+  const scene s = one(make_drawable(testing::grid<trimesh>(1)));
+  const camera c = framed(s, 1);
   const auto refused = [&](auto change) {
     render_options o = small;
     change(o);
-    CHECK_THROWS_AS(render(scene, c, o, brute_force{}), invalid_argument);
+    CHECK_THROWS_AS(shot_of(s, c, o), invalid_argument);
   };
   refused([](render_options& o) { o.width = 0; });
   refused([](render_options& o) { o.height = 70000; });
   refused([](render_options& o) { o.samples = 0; });
-  refused([](render_options& o) { o.sky_rays = -1; });
-  refused([](render_options& o) { o.sky_distance = 0; });
+  refused([](render_options& o) { o.occlusion_rays = -1; });
+  refused([](render_options& o) { o.occlusion_distance = 0; });
   refused([](render_options& o) { o.light_size = 90; });
   refused([](render_options& o) { o.up = {0, 0, 0}; });
   refused([](render_options& o) { o.light = {0, 0, 0}; });
-  CHECK_THROWS_AS(render(scene, c, small), unsupported);
+  CHECK_THROWS_AS(render(s, small), unsupported);
 }
 
 TEST_CASE("render: the picture does not depend on the number of threads") {
-  const auto scene = one(make_drawable(testing::grid<tetmesh>(1)));
-  const camera c = frame(scene, 4.0 / 3);
+  const scene s = one(make_drawable(testing::grid<tetmesh>(1)));
+  const camera c = framed(s, 4.0 / 3);
   const auto with = [&](int threads) {
     const testing::with_num_threads now(threads);
-    return render(scene, c, small, brute_force{});
+    return shot_of(s, c, small);
   };
   CHECK(with(1) == with(3));
+}
+
+TEST_CASE("render: what lies behind a transparent thing shows through, in the right order, and gets no shadow") {
+  const auto sheet = [](double z, const rgb& color, double opacity) {
+    drawable d = make_drawable(testing::grid<quadmesh>(1));
+    for (vec3& p : d.points) p.z = z;
+    d.look.color = color;
+    d.look.shine = 0;
+    d.look.opacity = opacity;
+    return d;
+  };
+  const drawable red = sheet(0, {1, 0, 0}, 1), green = sheet(0.2, {0, 1, 0}, 0.5), blue = sheet(0.4, {0, 0, 1}, 0.25);
+  const camera front = framed(one(red), 1, {.towards = {0, 0, 1}, .angle = 0, .margin = 0});
+  render_options o{.width = 8, .height = 8, .samples = 1, .occlusion_rays = 0, .ground = false};
+  const auto middle = [&](std::initializer_list<drawable> things) {
+    scene s;
+    for (const drawable& d : things) s.add(d);
+    return shot_of(s, front, o)(4, 4);
+  };
+  const rgb alone = middle({red});
+  CHECK(alone.r > 0.5f);
+  for (const rgb& c : {middle({red, green, blue}), middle({blue, red, green})}) {
+    CHECK(c.r == doctest::Approx(alone.r * 0.5 * 0.75));
+    CHECK(c.g == doctest::Approx(alone.r * 0.5 * 0.75));
+    CHECK(c.b == doctest::Approx(alone.r * 0.25));
+  }
+  const rgb before_white = middle({green});
+  CHECK(before_white.r == doctest::Approx(0.5));
+  CHECK(middle({sheet(0, {1, 0, 0}, 0)}) == rgb{1, 1, 1});
 }

@@ -1,7 +1,8 @@
 // Chooses a camera for a scene.
 #pragma once
 
-#include <concino/render/render.hpp>
+#include <concino/render/detail/unit_scene.hpp>
+#include <concino/render/view.hpp>
 
 #include <cmath>
 #include <span>
@@ -52,9 +53,9 @@ camera best_view(std::span<const drawable> drawables, double aspect, const view_
     for (int turn = 0; turn < 12; ++turn) {
       const double angle = (turn % 2 ? turn + 1 : -turn) / 2 * pi / 6;  // 0, 30, -30, 60 ... degrees
       const double height = std::min(1.4, std::max(0.05, elevation + tilt * pi / 180));
-      view_options view = options;
-      view.towards = (front * std::cos(angle) + right * std::sin(angle)) * std::cos(height) + up * std::sin(height);
-      const camera c = turn == 0 && tilt == 0 ? first : frame(drawables, aspect, view);
+      view_options turned = options;
+      turned.towards = (front * std::cos(angle) + right * std::sin(angle)) * std::cos(height) + up * std::sin(height);
+      const camera c = turn == 0 && tilt == 0 ? first : frame(drawables, aspect, turned);
       const camera unit = scene.to_unit(c);
       double score = -0.30 * std::abs(angle) / pi - 0.12 * (tilt != 0);
       part whole{0, 0};

@@ -21,8 +21,11 @@ struct view_ray {
   vec3 origin, direction;
 };
 
-/// A perspective or orthographic camera, constructed by perspective_camera, orthographic_camera or framing.
+/// A perspective or orthographic camera, constructed by perspective_camera, orthographic_camera, framing or view.
 struct camera {
+  /// Directions from which the whole scene is looked at, see view.
+  enum named_view : unsigned char { three_quarter, isometric, from_front, from_back, from_left, from_right, from_above, from_below };
+
   vec3 eye;
   vec3 right = {1, 0, 0}, up = {0, 1, 0}, back = {0, 0, 1};  // orthonormal; it looks along -back
   double half_height = 1;                                    // of the film: at distance 1 from the eye, or in units of the mesh if parallel

@@ -28,7 +28,7 @@ struct surface_point {
   vec3 position, smooth_position;  // on the triangle; on the smooth surface that the triangle approximates
   vec3 flat, normal;   // of the triangle and of the smooth surface, towards the viewer
   rgb color;
-  double shine = 0;
+  double shine = 0, opacity = 1;
 };
 
 /// Computes surface_points of hits in a scene. Each thread needs its own, for its working memory.
@@ -97,8 +97,12 @@ class surface_reader {
       const double ends_value[3] = {value(t[0]), value(t[1]), value(t[2])};
       s.color = value_color(d.look, mean(value, 0.0), value_step(a, b, c, ends_value, s.position, film));
     }
-    if (d.look.edge_width > 0)
-      s.color = mix(s.color, d.look.edge_color, static_cast<float>(d.look.edge_opacity * edge_coverage(which, d, t, first, n, film)));
+    s.opacity = d.look.opacity;
+    if (d.look.edge_width > 0) {
+      const double edge = d.look.edge_opacity * edge_coverage(which, d, t, first, n, film);
+      s.color = mix(s.color, d.look.edge_color, static_cast<float>(edge));
+      if (s.opacity > 0) s.opacity += (1 - s.opacity) * edge;  // edges stay visible on transparent surfaces
+    }
     return s;
   }
 

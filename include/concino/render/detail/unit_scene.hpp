@@ -50,6 +50,22 @@ class unit_scene {
     }
   }
 
+  static bool is_opaque(const drawable& d) { return d.look.opacity >= 1; }
+
+  /// Whether something in the scene lets others show through.
+  bool has_transparent() const { return !std::all_of(drawables_.begin(), drawables_.end(), is_opaque); }
+
+  /// The soup without the triangles of transparent drawables.
+  triangle_soup opaque_soup() const {
+    triangle_soup opaque{soup.points, {}};
+    for (std::size_t i = 0; i < drawables_.size(); ++i)
+      if (is_opaque(drawables_[i])) {
+        const auto first = soup.triangles.begin() + first_triangle_[i];
+        opaque.triangles.insert(opaque.triangles.end(), first, first + static_cast<std::ptrdiff_t>(drawables_[i].triangles.size()));
+      }
+    return opaque;
+  }
+
   vec3 to_unit(const vec3& p) const { return (p - center_) / radius_; }
   double to_unit(double length) const { return length / radius_; }
   camera to_unit(camera c) const {
