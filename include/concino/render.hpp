@@ -10,6 +10,7 @@
 #include <concino/render/colormap.hpp>
 #include <concino/render/drawable.hpp>
 #include <concino/render/image.hpp>
+#include <concino/render/label_colors.hpp>
 #include <concino/render/polygon_weights.hpp>
 #include <concino/render/ray_caster.hpp>
 #include <concino/render/render.hpp>
