@@ -26,6 +26,7 @@ struct drawable {
   value_place values_at = value_place::points;
   std::vector<rgb> colors;                              // by the elements `colors_at`, instead of values; empty: none
   value_place colors_at = value_place::polygons;
+  std::vector<double> edge_values;                      // by corner: of the edge to the next corner; empty: edges have one colour
   std::vector<std::array<float, 2>> texture_coordinates;  // by corner; empty: no texture
   std::vector<std::uint8_t> exposed;                    // by polygon: 1 if a cut laid it bare; empty: none is
   std::vector<std::uint32_t> offsets = {0};             // polygon p has the corners offsets[p] .. offsets[p+1]-1
