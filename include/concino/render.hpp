@@ -11,6 +11,7 @@
 #include <concino/render/drawable.hpp>
 #include <concino/render/image.hpp>
 #include <concino/render/label_colors.hpp>
+#include <concino/render/png.hpp>
 #include <concino/render/polygon_weights.hpp>
 #include <concino/render/ray_caster.hpp>
 #include <concino/render/render.hpp>

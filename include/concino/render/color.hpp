@@ -52,6 +52,9 @@ inline std::array<std::uint8_t, 3> srgb_bytes(const rgb& c) {
   return {byte(c.r), byte(c.g), byte(c.b)};
 }
 
+/// The byte for an opacity: 0 for 0, 255 for 1 and above. An opacity is no colour, so it is not converted to sRGB.
+inline std::uint8_t opacity_byte(float x) { return !(x > 0) ? std::uint8_t{0} : x >= 1 ? std::uint8_t{255} : static_cast<std::uint8_t>(x * 255 + 0.5f); }
+
 /// The perceived lightness of a colour: CIE L*, from 0 (black) to 100 (white).
 inline double lightness(const rgb& c) {
   const double y = 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
