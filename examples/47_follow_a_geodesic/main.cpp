@@ -33,10 +33,10 @@ int main() {
   // Once around, and why a line ends.
   const auto around = trace.trace_from(start, cn::tangent_vector{1, 0.2}, 20);
   fmt::print("a line of length {:.0f} has {} points and ends at its length: {}\n", around.length, around.points.size(),
-             around.stopped_by == cn::geodesic_end::length ? "yes" : "no");
+             around.stopped_by == cn::line_end::max_length ? "yes" : "no");
   const auto sheet = cn::make_grid<cn::quadmesh>({.cells = {5, 5}});
   const auto out = cn::trace_geodesic(sheet, cn::vert_id{0}, {2, 1, 0}, 20);
-  fmt::print("a line over a unit square leaves it after {:.3f} at the boundary: {}\n", out.length, out.stopped_by == cn::geodesic_end::boundary ? "yes" : "no");
+  fmt::print("a line over a unit square leaves it after {:.3f} at the boundary: {}\n", out.length, out.stopped_by == cn::line_end::boundary ? "yes" : "no");
 
   // Carried vectors keep their length; the nearest source counts.
   const auto carried = cn::parallel_transport(m, {{start, {1, 0}}});

@@ -6,6 +6,7 @@
 #include <concino/lines/field_line.hpp>
 #include <concino/lines/integral_line.hpp>
 #include <concino/lines/karcher_mean.hpp>
+#include <concino/lines/line_end.hpp>
 #include <concino/lines/starts_around.hpp>
 #include <concino/lines/straighten.hpp>
 #include <concino/lines/trace_geodesic.hpp>

@@ -22,7 +22,7 @@ template<class M>
 std::vector<vec3> points_along(const field_line<M>& line, double spacing) {
   std::vector<vec3> x;
   for (std::size_t i = 0; i < line.polys.size(); ++i) {
-    const vec3 &a = line.points[i], &b = line.points[(i + 1) % line.points.size()];
+    const vec3 &a = line.points[i].position, &b = line.points[(i + 1) % line.points.size()].position;
     const int n = static_cast<int>(distance(a, b) / spacing) + 1;
     for (int k = 0; k < n; ++k) x.push_back(a + k / double(n) * (b - a));
   }
@@ -105,7 +105,7 @@ TEST_CASE("evenly_spaced_lines: begins where the density is greatest; sheets tha
   for (const auto& line : lines) (index_of(m, line.polys[0]) < one_sheet ? low : high)++;
   CHECK(low >= 4);
   CHECK(low == high);
-  CHECK(lines[0].points[0].y > 0.9);
+  CHECK(lines[0].points[0].position.y > 0.9);
 }
 
 TEST_CASE("evenly_spaced_lines: errors") {

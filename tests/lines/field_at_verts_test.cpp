@@ -47,8 +47,8 @@ TEST_CASE_TEMPLATE("field_at_verts: a field linear in space is followed with ord
     double& worst = off[step < 0.15];
     worst = 0;
     for (std::size_t i = 0; i + 1 < line.points.size(); ++i) {
-      if (!std::holds_alternative<poly_t<M>>(line.places[i].element)) continue;  // the ends of steps; other points are between them, on a chord
-      worst = std::max(worst, std::abs(std::hypot(line.points[i].x - c.x, line.points[i].y - c.y) - r));
+      if (!std::holds_alternative<poly_t<M>>(line.points[i].element)) continue;  // the ends of steps; other points are between them, on a chord
+      worst = std::max(worst, std::abs(std::hypot(line.points[i].position.x - c.x, line.points[i].position.y - c.y) - r));
     }
   }
   CHECK(off[1] < 1e-3);
@@ -62,7 +62,7 @@ TEST_CASE_TEMPLATE("field_at_verts: constant fields, sinks and zeros", M, CONCIN
   for (const auto& line : integral_lines(m, field_at_verts(h), polys(m), {.both_ways = true})) {
     CHECK(line.stopped_by == line_end::boundary);
     CHECK(line.began_by == line_end::boundary);
-    const vec3 d = line.points.back() - line.points.front();
+    const vec3 d = line.points.back().position - line.points.front().position;
     CHECK(norm(cross(d, g)) < 1e-12);
   }
   const vec3 middle = dimension_v<M> == 2 ? vec3(0.47, 0.52, 0) : vec3(0.47, 0.52, 0.55);
@@ -70,7 +70,7 @@ TEST_CASE_TEMPLATE("field_at_verts: constant fields, sinks and zeros", M, CONCIN
   for (const auto p : polys(m)) {
     const auto line = integral_line(m, field_at_verts(to_middle, 0.05), p);
     CHECK((line.stopped_by == line_end::sink || line.stopped_by == line_end::zero));
-    CHECK(distance(line.points.back(), middle) < 0.05);
+    CHECK(distance(line.points.back().position, middle) < 0.05);
   }
   const auto none = at_verts(m, [](const vec3&) { return vec3(); });
   CHECK(integral_line(m, field_at_verts(none), *verts(m).begin()).stopped_by == line_end::zero);

@@ -31,7 +31,7 @@ TEST_CASE_TEMPLATE("starts_around: a bundle of lines from the corners of a poly"
     const auto bundle = integral_lines(m, g, starts);
     REQUIRE(bundle.size() == n);
     for (std::size_t i = 0; i < n; ++i) {
-      CHECK(bundle[i].points.front() == starts[i].position);
+      CHECK(bundle[i].points.front().position == starts[i].position);
       CHECK(bundle[i].polys.front() == p);
       CHECK(bundle[i].stopped_by == line_end::boundary);
     }

@@ -76,7 +76,7 @@ TEST_CASE("trace_geodesic: is straight on the unrolled cube") {
   const vec3 from{0.3, 0, 0.2}, d{4, 0, 0.5};
   const auto t = trace.trace_from(mesh_point<polygonmesh>{poly_id{2}, from}, d, norm(d));
   CHECK(distance(t.points.back().position, {0.3, 0, 0.7}) < 1e-12);
-  CHECK(t.stopped_by == geodesic_end::length);
+  CHECK(t.stopped_by == line_end::max_length);
   CHECK(norm(t.direction - d / norm(d)) < 1e-12);
   CHECK(sum_of_pieces(t) == doctest::Approx(norm(d)).epsilon(1e-13));
   CHECK(trace_geodesic(m, poly_id{2}, from, {4, 0, 0.5}, norm(d)).points.back().position == t.points.back().position);
@@ -103,7 +103,7 @@ TEST_CASE("trace_geodesic: is straight on the unrolled cylinder and cone") {
     const double around = std::min(4.9 / std::max(slope, 1e-9), 30.0);
     const auto t = trace_geodesic(m, start, d, around * std::hypot(1, slope));
     if (slope == 0) {
-      CHECK(t.stopped_by == geodesic_end::boundary);  // at the next vert of the boundary
+      CHECK(t.stopped_by == line_end::boundary);  // at the next vert of the boundary
       CHECK(t.length == doctest::Approx(side));
       continue;
     }
@@ -113,7 +113,7 @@ TEST_CASE("trace_geodesic: is straight on the unrolled cylinder and cone") {
     CHECK(distance(t.points.back().position, end) < 1e-12);
   }
   const auto up = trace_geodesic(m, start, vec3{0, 0, 1}, 100);
-  CHECK(up.stopped_by == geodesic_end::boundary);
+  CHECK(up.stopped_by == line_end::boundary);
   CHECK(up.length == doctest::Approx(5));
   CHECK(up.points.size() == 6);
 
@@ -179,21 +179,21 @@ TEST_CASE("trace_geodesic: says why it ends, and goes back the way it came") {
   const auto back = trace.trace_from(there.points.back(), -1 * there.direction, 40);
   CHECK(distance(back.points.back().position, there.points.front().position) < 1e-9);
   const auto few = trace.trace_from(vert_id{0}, tangent_vector{1, 2}, 40, {.max_steps = 5});
-  CHECK(few.stopped_by == geodesic_end::max_steps);
+  CHECK(few.stopped_by == line_end::max_steps);
   CHECK(few.points.size() == 6);
   const auto none = trace.trace_from(vert_id{0}, tangent_vector{1, 2}, 0);
   CHECK(none.points.size() == 1);
 
   const trimesh square = grid<trimesh>(2);
-  CHECK(trace_geodesic(square, vert_id{0}, tangent_vector{std::cos(-0.1), std::sin(-0.1)}, 1).stopped_by == geodesic_end::boundary);
+  CHECK(trace_geodesic(square, vert_id{0}, tangent_vector{std::cos(-0.1), std::sin(-0.1)}, 1).stopped_by == line_end::boundary);
   for (const vec3& d : {vec3{-1, 0, 0}, vec3{-1, -1, 0}, vec3{1, -0.1, 0}}) {
     const auto out = trace_geodesic(square, vert_id{0}, d, 1);
-    CHECK(out.stopped_by == geodesic_end::boundary);
+    CHECK(out.stopped_by == line_end::boundary);
     CHECK(out.length == 0);
   }
   const trimesh book({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}}, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
   const auto spine = trace_geodesic(book, mesh_point<trimesh>{poly_id{0}, {0.3, 0, 0.3}}, vec3{-1, 0, 0}, 5);
-  CHECK(spine.stopped_by == geodesic_end::non_manifold);
+  CHECK(spine.stopped_by == line_end::non_manifold);
   CHECK(spine.length == doctest::Approx(0.3));
 }
 
@@ -224,7 +224,7 @@ TEST_CASE("trace_geodesic: throw if an argument or the mesh is invalid") {
   CHECK_THROWS_WITH_AS(trace.trace_from(at(edge_point<trimesh>{edge_id{0}, 2}, {}), x, 1), doctest::Contains("not between 0 and 1"), invalid_argument);
   const trimesh two_fans({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {0, 3, 4}});
   CHECK_THROWS_WITH_AS(trace_geodesic(two_fans, vert_id{0}, x, 1), doctest::Contains("the polys at vert 0 are not one fan"), unsupported);
-  CHECK(trace_geodesic(two_fans, vert_id{0}, {1, 1, 0}, 0.5).stopped_by == geodesic_end::length);
+  CHECK(trace_geodesic(two_fans, vert_id{0}, {1, 1, 0}, 0.5).stopped_by == line_end::max_length);
   const trimesh flat({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}}, {{0, 1, 3}, {0, 1, 2}});
   CHECK_THROWS_AS(prepare_trace_geodesic(flat), invalid_mesh);
   const trimesh empty;

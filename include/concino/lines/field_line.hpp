@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/progress.hpp>
-#include <concino/core/vec3.hpp>
+#include <concino/lines/line_end.hpp>
 #include <concino/mesh/mesh_point.hpp>
 
 #include <cstddef>
@@ -11,29 +11,15 @@
 
 namespace concino {
 
-/// Why a line stopped.
-enum class line_end {
-  boundary,           // it reached the boundary of the mesh
-  sink,               // a place inside where no poly, face or edge around it leads on
-  zero,               // the field is zero where the line would go on, or the poly there has no area or volume
-  max_length,         // the wanted length
-  non_manifold_edge,  // an edge of a surface with three polys or more, or a face with three
-  closed,             // it came back to its start
-  winds_to_cycle,     // it comes ever closer to a closed line, or runs round one that does not contain its start: see cycle
-  max_steps,          // the wanted number of steps
-  too_close,          // it came too close to another line of evenly_spaced_lines, or to itself
-};
-
 /// A line along a field that is constant in each poly.
 template<class M>
 struct field_line {
-  std::vector<vec3> points;
-  std::vector<mesh_point<M>> places;  // of the points: at a vert, on an edge, on a face of a volume, or inside a poly
+  std::vector<mesh_point<M>> points;  // at a vert, on an edge, on a face of a volume, or inside a poly
   std::vector<poly_t<M>> polys;       // of the segments, from each point to the next: the poly whose field the segment follows, or one of several
   double length = 0;
   line_end stopped_by = line_end::zero;
   line_end began_by = line_end::zero;  // of lines both ways: why the part backwards stopped
-  std::vector<vec3> cycle;             // the closed line to which this one winds; its last point is joined to the first one
+  std::vector<mesh_point<M>> cycle;    // the closed line to which this one winds; its last point is joined to the first one
 };
 
 /// Options of integral_line.

@@ -8,7 +8,7 @@
 
 namespace concino {
 
-/// The line that follows a vector field from a point: auto line = integral_line(m, gradient(m, u), v); line.points.
+/// The line that follows a vector field from a point: auto line = integral_line(m, gradient(m, u), v); line.points[0].position.
 /// Needs:  EmbeddedMesh. g[p], the vector of each poly: of a surface its part in the plane of the polygon counts. start: a vert, a poly (the line starts at its
 ///         centroid) or a mesh_point. The parts of points are 0 or from about 1e-60 to 1e60.
 /// Result: points, each with its element, and the poly of each segment; see field_line. Only directions of g matter where one poly leads on; speeds

@@ -33,7 +33,7 @@ struct traced_geodesic {
   std::vector<mesh_point<M>> points;
   double length = 0;
   vec3 direction;
-  geodesic_end stopped_by = geodesic_end::length;
+  line_end stopped_by = line_end::max_length;
 };
 
 namespace detail {
@@ -69,7 +69,7 @@ class prepared_trace_geodesic {
     traced_geodesic<M> r;
     r.points.push_back(find.first_point(start, state));
     if (state.side < 0) {
-      r.stopped_by = geodesic_end::boundary;
+      r.stopped_by = line_end::boundary;
       return r;
     }
     const detail::walk_result walk = detail::walk_straight(surface_->triangles(), state, std::ldexp(length, -exponent), options.max_steps);

@@ -33,9 +33,9 @@ struct integral_lines_of {
     for (std::size_t i = 0; i < expected.size(); ++i) {
       expect(expected[i].stopped_by == found[i].stopped_by, "lines stop for the same reason");
       expect(expected[i].length == found[i].length, "equal lengths");
-      expect(expected[i].places.size() == found[i].places.size(), "as many points");
-      for (std::size_t k = 0; k < expected[i].places.size(); ++k)
-        expect(native_point(both, expected[i].places[k]) == other_point(both, found[i].places[k]), "the same points");
+      expect(expected[i].points.size() == found[i].points.size(), "as many points");
+      for (std::size_t k = 0; k < expected[i].points.size(); ++k)
+        expect(native_point(both, expected[i].points[k]) == other_point(both, found[i].points[k]), "the same points");
     }
     return true;
   }

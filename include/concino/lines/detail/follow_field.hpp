@@ -37,11 +37,9 @@ using line_walker = typename std::conditional_t<dimension_v<M> == 2, std::type_i
 template<class M>
 void join_both_ways(field_line<M>& back, field_line<M>&& forward) {
   std::reverse(back.points.begin(), back.points.end());
-  std::reverse(back.places.begin(), back.places.end());
   std::reverse(back.polys.begin(), back.polys.end());
   back.began_by = back.stopped_by;
   back.points.insert(back.points.end(), forward.points.begin() + 1, forward.points.end());
-  back.places.insert(back.places.end(), forward.places.begin() + 1, forward.places.end());
   back.polys.insert(back.polys.end(), forward.polys.begin(), forward.polys.end());
   back.length += forward.length;
   back.stopped_by = forward.stopped_by;

@@ -3,21 +3,12 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/core/unfolded_triangles.hpp>
+#include <concino/lines/line_end.hpp>
 
 #include <cstddef>
 #include <vector>
 
-namespace concino {
-
-/// Why a geodesic ended.
-enum class geodesic_end {
-  length,        // it has the wanted length
-  boundary,      // it reached the boundary, or its direction at the start leads out of the surface
-  non_manifold,  // it reached an edge with three polys or more, or a vert about which the polys are not one fan
-  max_steps,     // it crossed the wanted number of edges and verts
-};
-
-namespace detail {
+namespace concino::detail {
 
 /// A point of a walk: at a vert, on the side of a triangle, or inside a triangle.
 struct walk_stop {
@@ -39,7 +30,7 @@ struct walk_result {
   std::vector<walk_stop> stops;  // without the start
   double length = 0;
   walk_state last;               // its direction is that at the end
-  geodesic_end stopped_by = geodesic_end::length;
+  line_end stopped_by = line_end::max_length;
 };
 
 /// The sector at vert v, a closed fan or an open one, that contains the direction at this angle in the fan, any multiple of a whole turn added; side -1 if
@@ -49,9 +40,7 @@ walk_state leave_vert(const core::unfolded_triangles& t, int v, double fan_angle
 /// Walks from a place with side >= 0.
 walk_result walk_straight(const core::unfolded_triangles& t, walk_state from, double length, std::size_t max_steps);
 
-}  // namespace detail
-
-}  // namespace concino
+}  // namespace concino::detail
 
 #ifndef CONCINO_COMPILED
 #include <concino/lines/detail/geodesic_walker.ipp>

@@ -84,7 +84,7 @@ class straight_walk {
     at_.dy /= size;
   }
 
-  bool stop(geodesic_end why) {
+  bool stop(line_end why) {
     result_.stopped_by = why;
     return false;
   }
@@ -94,21 +94,21 @@ class straight_walk {
     const int corner = c.along < 0.5 ? c.side : core::unfolded_triangles::next(c.side);
     const auto i = static_cast<std::size_t>(t_.start(corner));
     result_.stops.push_back({t_.start(corner), -1, 0, 0, false});
-    if (t_.around[i] == core::unfolded_triangles::vert_fan::other) return stop(geodesic_end::non_manifold);
-    if (t_.around[i] == core::unfolded_triangles::vert_fan::open_fan) return stop(geodesic_end::boundary);
+    if (t_.around[i] == core::unfolded_triangles::vert_fan::other) return stop(line_end::non_manifold);
+    if (t_.around[i] == core::unfolded_triangles::vert_fan::open_fan) return stop(line_end::boundary);
     // The angle from the side to the way back, which is on the other side of the crossed edge's normal.
     const double along_way_back = c.along < 0.5 ? -c.direction_along : c.direction_along;
     const double from_edge = std::clamp(std::atan2(c.direction_out, along_way_back), 0.0, t_.angle[static_cast<std::size_t>(corner)]);
     const double back = t_.fan_angle(corner, c.along < 0.5 ? from_edge : t_.angle[static_cast<std::size_t>(corner)] - from_edge);
     at_ = leave_vert(t_, static_cast<int>(i), back + t_.whole_turn[i] / 2, t_.whole_turn[i]);
-    return at_.side >= 0 || stop(geodesic_end::boundary);
+    return at_.side >= 0 || stop(line_end::boundary);
   }
 
   bool cross_side(const crossing& c) {
     result_.stops.push_back({-1, c.side, c.along, 0, false});
     const int other = t_.twin[static_cast<std::size_t>(c.side)];
-    if (other == c.side) return stop(geodesic_end::boundary);
-    if (t_.twin[static_cast<std::size_t>(other)] != c.side) return stop(geodesic_end::non_manifold);
+    if (other == c.side) return stop(line_end::boundary);
+    if (t_.twin[static_cast<std::size_t>(other)] != c.side) return stop(line_end::non_manifold);
     const bool is_reversed = t_.start(other) != t_.start(c.side);
     const double fraction = is_reversed ? 1 - c.along : c.along;
     at_ = {other, fraction * t_.length[static_cast<std::size_t>(other)], 0, is_reversed ? -c.direction_along : c.direction_along, c.direction_out,
@@ -127,7 +127,7 @@ class straight_walk {
       at_.where = walk_state::place::inside;
       result_.length = length;
       result_.stops.push_back({-1, at_.side, at_.x, at_.y, true});
-      return stop(geodesic_end::length);
+      return stop(line_end::max_length);
     }
     result_.length += c.distance;
     result_.last = at_;
@@ -143,10 +143,10 @@ class straight_walk {
     if (!(length > 0)) return result_;
     for (std::size_t n = 0; step(length); ++n)
       if (n + 1 >= max_steps) {
-        result_.stopped_by = geodesic_end::max_steps;
+        result_.stopped_by = line_end::max_steps;
         break;
       }
-    if (result_.stopped_by == geodesic_end::length || result_.stopped_by == geodesic_end::max_steps) result_.last = at_;
+    if (result_.stopped_by == line_end::max_length || result_.stopped_by == line_end::max_steps) result_.last = at_;
     return result_;
   }
 };

@@ -27,13 +27,12 @@ class line_recorder {
       : line_(&to), max_length_(std::numeric_limits<double>::infinity()), max_steps_(max_steps), limit_(limit) {}
 
   void start(const mesh_point<M>& x) {
-    line_->points.push_back(x.position);
-    line_->places.push_back(x);
+    line_->points.push_back(x);
   }
   bool done() const { return done_; }
   std::size_t steps() const { return line_->polys.size(); }
   std::size_t num_points() const { return line_->points.size(); }
-  const vec3& last() const { return line_->points.back(); }
+  const vec3& last() const { return line_->points.back().position; }
   const field_line<M>& line() const { return *line_; }
 
   void stop(line_end why) {
@@ -70,16 +69,16 @@ class line_recorder {
   /// The last `period` points are a closed line that repeats. If it contains the start, the line is closed; else the way to the cycle is kept.
   void repeat(std::size_t period) {
     if (close_at_start()) return;
-    const std::vector<vec3>& x = line_->points;
+    const std::vector<mesh_point<M>>& x = line_->points;
     std::size_t first = x.size() - 1 - period;
-    while (first > 0 && x[first - 1] == x[first - 1 + period]) --first;
+    while (first > 0 && x[first - 1].position == x[first - 1 + period].position) --first;
     const auto begin = x.begin() + static_cast<std::ptrdiff_t>(first);
     line_->cycle.assign(begin, begin + static_cast<std::ptrdiff_t>(period));
     cut(first + 1, first);
     stop(line_end::winds_to_cycle);
   }
 
-  void wind(std::vector<vec3> cycle) {
+  void wind(std::vector<mesh_point<M>> cycle) {
     line_->cycle = std::move(cycle);
     stop(line_end::winds_to_cycle);
   }
@@ -93,10 +92,9 @@ class line_recorder {
   }
   /// Leaves out what comes after this length.
   void shorten(double length) {
-    while (line_->points.size() > 2 && line_->length - distance(line_->points[line_->points.size() - 2], last()) > length) {
-      line_->length -= distance(line_->points[line_->points.size() - 2], last());
+    while (line_->points.size() > 2 && line_->length - last_step() > length) {
+      line_->length -= last_step();
       line_->points.pop_back();
-      line_->places.pop_back();
       line_->polys.pop_back();
     }
   }
@@ -109,33 +107,36 @@ class line_recorder {
   segment_limit<M> limit_ = {};
   bool done_ = false;
 
+  const vec3& at(std::size_t i) const { return line_->points[i].position; }
+  double last_step() const { return distance(at(num_points() - 2), last()); }
+
   /// If the line passed through its start again, in the same poly, keeps once round.
   bool close_at_start() {
-    const std::vector<vec3>& x = line_->points;
+    const vec3 x = at(0);
     double size = 0;
-    for (const std::size_t k : {0u, 1u, 2u}) size = std::max(size, std::abs(x[0][k]));
-    const double nearly = 1e-12 * (size + (x.size() > 1 ? distance(x[0], x[1]) : 0));
+    for (const std::size_t k : {0u, 1u, 2u}) size = std::max(size, std::abs(x[k]));
+    const double nearly = 1e-12 * (size + (num_points() > 1 ? distance(x, at(1)) : 0));
     for (std::size_t i = 1; i < line_->polys.size(); ++i) {
-      if (!(line_->polys[i] == line_->polys[0]) || distance(closest_point(x[0], x[i], x[i + 1]), x[0]) > nearly) continue;
-      const std::size_t num_points = distance(x[i], x[0]) <= nearly ? i : i + 1;
-      cut(num_points, num_points);
-      line_->length += distance(line_->points.back(), line_->points.front());
-      stop(line_end::closed);
+      if (!(line_->polys[i] == line_->polys[0]) || distance(closest_point(x, at(i), at(i + 1)), x) > nearly) continue;
+      close(distance(at(i), x) <= nearly ? i : i + 1);
       return true;
     }
-    const std::size_t last = x.size() - 1;
-    if (last == 0 || !(x[last] == x[0]) || line_->places[last].element.index() != 0 || line_->places[0].element.index() != 0) return false;
-    cut(last, last);  // a vert
-    line_->length += distance(line_->points.back(), line_->points.front());
-    stop(line_end::closed);
+    const std::size_t end = num_points() - 1;
+    if (end == 0 || !(at(end) == x) || line_->points[end].element.index() != 0 || line_->points[0].element.index() != 0) return false;
+    close(end);  // a vert
     return true;
   }
+  /// Keeps the first points, and joins the last of them to the first one.
+  void close(std::size_t num_points) {
+    cut(num_points, num_points);
+    line_->length += distance(last(), at(0));
+    stop(line_end::closed);
+  }
   void cut(std::size_t num_points, std::size_t num_segments) {
-    line_->points.resize(num_points);
-    line_->places.resize(num_points, line_->places.front());
+    line_->points.resize(num_points, line_->points.front());
     line_->polys.resize(num_segments, line_->polys.front());
     line_->length = 0;
-    for (std::size_t i = 0; i + 1 < num_points; ++i) line_->length += distance(line_->points[i], line_->points[i + 1]);
+    for (std::size_t i = 0; i + 1 < num_points; ++i) line_->length += distance(at(i), at(i + 1));
     done_ = false;
   }
 };

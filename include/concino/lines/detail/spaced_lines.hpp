@@ -133,7 +133,7 @@ class spaced_lines {
     double arc = 0, next = 0;
     for (std::size_t i = 0; i < n; ++i) {
       const field_line<M>& line = lines_[number];
-      const vec3 a = line.points[i], b = line.points[(i + 1) % line.points.size()];
+      const vec3 a = line.points[i].position, b = line.points[(i + 1) % line.points.size()].position;
       const poly_t<M> p = line.polys[i];
       const double step = concino::distance(a, b);
       const vec3 side = cross(normal(*m_, p), b - a);
@@ -141,7 +141,7 @@ class spaced_lines {
         const vec3 x = a + (next - arc) / step * (b - a);
         for (const double sense : {1.0, -1.0}) {
           const traced_geodesic<M> t = sideways_.trace_from(mesh_point<M>{p, x}, sense * side, distance_);
-          if (t.stopped_by == geodesic_end::length) try_line(t.points.back());
+          if (t.stopped_by == line_end::max_length) try_line(t.points.back());
         }
       }
       arc += step;

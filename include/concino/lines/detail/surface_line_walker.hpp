@@ -122,7 +122,7 @@ class surface_line_walker {
       return enter({polygon_.piece(triangle), side}, out, 1 - s, step, to);
     }
     const edge_t<M> e = polygon_edge(out);
-    to.add({edge_point<M>{e, end_verts(*m_, e).first == out.in.verts[k] ? s : 1 - s}, x_}, out.in.poly);
+    to.add(on_edge(e, out, s), out.in.poly);
     if (to.done()) return;
     poly_t<M> other = out.in.poly;
     std::size_t n = 0;
@@ -130,11 +130,16 @@ class surface_line_walker {
       if (!(p == out.in.poly)) other = p;
       ++n;
     }
-    if (n != 2 || other == out.in.poly) return to.stop(n <= 2 ? line_end::boundary : line_end::non_manifold_edge);
+    if (n != 2 || other == out.in.poly) return to.stop(n <= 2 ? line_end::boundary : line_end::non_manifold);
     read(other);
     const auto [triangle, side] = polygon_.with_edge(e);
     triangle_side next = {polygon_.piece(triangle), side};
     enter(next, out, next.in.verts[side] == out.in.verts[k] ? s : 1 - s, step, to);
+  }
+
+  /// x, at place s of a side that is edge e.
+  mesh_point<M> on_edge(const edge_t<M>& e, const triangle_side& h, double s) const {
+    return {edge_point<M>{e, end_verts(*m_, e).first == h.in.verts[h.side] ? s : 1 - s}, x_};
   }
 
   edge_t<M> polygon_edge(const triangle_side& out) {
@@ -229,7 +234,7 @@ class surface_line_walker {
       open = open || n < 2;
       many = many || n > 2;
     }
-    return all_zero ? line_end::zero : many ? line_end::non_manifold_edge : open || sector_pieces_.empty() ? line_end::boundary : line_end::sink;
+    return all_zero ? line_end::zero : many ? line_end::non_manifold : open || sector_pieces_.empty() ? line_end::boundary : line_end::sink;
   }
 
   void start_in(const poly_t<M>& p) {
@@ -266,7 +271,7 @@ class surface_line_walker {
       return;
     }
     if (all_zero) return to.stop(line_end::zero);
-    if (halves.size() > 2) return to.stop(line_end::non_manifold_edge);
+    if (halves.size() > 2) return to.stop(line_end::non_manifold);
     if (halves.size() == 2) return slide(halves[1], halves[0], to);
     const triangle_side& h = halves[0];
     if (side_in_plane(h.in.field, h.to(), h.in.normal, h.from()).sign != 0) return to.stop(line_end::boundary);
@@ -281,7 +286,7 @@ class surface_line_walker {
     const double s = watch_.fixed_place();
     x_ = at_.from() + s * (at_.to() - at_.from());
     watch_.start();
-    cycle.start({at_.in.poly, x_});
+    cycle.start(at_.in.edge[at_.side] == piece::diagonal ? mesh_point<M>{at_.in.poly, x_} : on_edge(polygon_edge(at_), at_, s));
     while (!cycle.done()) step(cycle);
     if (once.stopped_by != line_end::closed) once.points.pop_back();
     to.wind(std::move(once.points));
@@ -289,9 +294,9 @@ class surface_line_walker {
 
   /// The line goes round a vert for ever, nearer by the same factor each time: it ends there after a finite length.
   void wind_into_vert(line_recorder<M>& to) {
-    const std::vector<vec3>& x = to.line().points;
+    const std::vector<mesh_point<M>>& x = to.line().points;
     double once = 0;
-    for (std::size_t i = 0; i < watch_.period(); ++i) once += distance(x[x.size() - 2 - i], x[x.size() - 1 - i]);
+    for (std::size_t i = 0; i < watch_.period(); ++i) once += distance(x[x.size() - 2 - i].position, x[x.size() - 1 - i].position);
     const double shrinks = watch_.shrinks_by(), more = once * shrinks / (1 - shrinks);
     if (more >= to.room()) return;  // the line is cut before
     for (unsigned k = 0; k < 3; ++k)

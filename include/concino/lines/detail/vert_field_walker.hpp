@@ -76,9 +76,9 @@ class vert_field_walker {
       part = std::min(1.0, 1.5 * part);
       before = d;
       const field_line<M> segment = walk(x, d, step * norm(d));
-      for (std::size_t i = 0; i < segment.polys.size() && !to.done(); ++i) to.add(segment.places[i + 1], segment.polys[i]);
+      for (std::size_t i = 0; i < segment.polys.size() && !to.done(); ++i) to.add(segment.points[i + 1], segment.polys[i]);
       if (segment.stopped_by != line_end::max_length) return to.stop(segment.stopped_by);
-      x = segment.places.back();
+      x = segment.points.back();
     }
   }
 
@@ -98,7 +98,7 @@ class vert_field_walker {
       const double n = norm(k);
       if (!(n > 0)) return {};
       sum += (i == 1 || i == 2 ? 2 : 1) * (k / n);
-      if (i < 3) k = value_at(walk(x, sense * k, i < 2 ? step / 2 : step).places.back());
+      if (i < 3) k = value_at(walk(x, sense * k, i < 2 ? step / 2 : step).points.back());
     }
     return sum / 6;
   }

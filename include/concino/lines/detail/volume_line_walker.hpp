@@ -176,7 +176,7 @@ class volume_line_walker {
       if (!(q == p)) other = q;
       ++n;
     }
-    if (n != 2 || !other) return to.stop(n <= 2 ? line_end::boundary : line_end::non_manifold_edge);
+    if (n != 2 || !other) return to.stop(n <= 2 ? line_end::boundary : line_end::non_manifold);
     const std::array<vec3, 3> at = {cell_.flat.points[t.corner[0]], cell_.flat.points[t.corner[1]], cell_.flat.points[t.corner[2]]};
     const vec3 g = cell_.field;
     read(*other);
@@ -310,7 +310,7 @@ class volume_line_walker {
     else if (ridge_->edge)
       for (const face_t<M> f : adj_e2f(*m_, *ridge_->edge)) count(f);
     else count(*ridge_->face);
-    return all_zero ? line_end::zero : many ? line_end::non_manifold_edge : open || incident_.empty() ? line_end::boundary : line_end::sink;
+    return all_zero ? line_end::zero : many ? line_end::non_manifold : open || incident_.empty() ? line_end::boundary : line_end::sink;
   }
 
   /// From inside a face: into the poly whose field leads into it fastest, or along the face.
@@ -347,7 +347,7 @@ class volume_line_walker {
       return;
     }
     if (all_zero) return to.stop(line_end::zero);
-    if (sides.size() > 2) return to.stop(line_end::non_manifold_edge);
+    if (sides.size() > 2) return to.stop(line_end::non_manifold);
     if (sides.size() == 1) {
       if (sides[0].outward.sign != 0) return to.stop(line_end::boundary);
       read(sides[0].poly);
