@@ -19,5 +19,6 @@
 #include <concino/render/scene.hpp>
 #include <concino/render/shapes.hpp>
 #include <concino/render/smooth_normals.hpp>
+#include <concino/render/tubes.hpp>
 #include <concino/render/value_scale.hpp>
 #include <concino/render/view.hpp>
