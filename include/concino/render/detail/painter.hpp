@@ -4,7 +4,7 @@
 #include <concino/core/message.hpp>
 #include <concino/render/camera.hpp>
 #include <concino/render/detail/sampling.hpp>
-#include <concino/render/detail/surface_color.hpp>
+#include <concino/render/detail/surface_reader.hpp>
 #include <concino/render/ray_caster.hpp>
 #include <concino/render/render_options.hpp>
 
