@@ -16,19 +16,34 @@ template<class M> struct polygon_of {};
 template<SurfaceMesh M> struct polygon_of<M> { using type = poly_t<M>; };
 template<VolumeMesh M> struct polygon_of<M> { using type = face_t<M>; };
 
+/// The only visible poly of a facet, if there is exactly one, and whether the facet has hidden ones, too.
+template<class M>
+struct single_visible_poly {
+  poly_t<M> poly{};
+  bool is_single = false, has_hidden = false;
+
+  template<class R, class IsVisible>
+  single_visible_poly(const R& polys_of_facet, const IsVisible& is_visible) {
+    for (const poly_t<M> p : polys_of_facet) {
+      if (!is_visible(p)) {
+        has_hidden = true;
+      } else if (is_single) {
+        is_single = false;
+        break;
+      } else {
+        poly = p;
+        is_single = true;
+      }
+    }
+  }
+};
+
 /// Calls visit(p, loop, is_outward, is_exposed, f) for the faces that have exactly one visible poly p. They are exposed if they also have others.
 template<class M, class R, class IsVisible, class Visit>
 void visit_visible_faces(const M& m, const R& some, const IsVisible& is_visible, const Visit& visit) {
   for (const face_t<M> f : some) {
-    poly_t<M> inside{};
-    std::size_t visible = 0;
-    bool hides = false;
-    for (const poly_t<M> p : adj_f2p(m, f)) {
-      if (!is_visible(p)) hides = true;
-      else if (++visible > 1) break;
-      else inside = p;
-    }
-    if (visible == 1) visit(inside, adj_f2v(m, f), face_is_outward(m, inside, f), hides, f);
+    const single_visible_poly<M> found(adj_f2p(m, f), is_visible);
+    if (found.is_single) visit(found.poly, adj_f2v(m, f), face_is_outward(m, found.poly, f), found.has_hidden, f);
   }
 }
 

@@ -134,6 +134,10 @@ void no_adapter(const stranger& other) {
   cn::ambient_occlusion(other);  // refused
   cn::make_drawable(other);  // refused
   cn::make_tubes(other);  // refused
+  cn::visible_polys(other);  // refused
+  cn::visible_facets(other);  // refused
+  cn::visible_faces(other);  // refused
+  cn::exposed_facets(other);  // refused
   cn::validate(other);  // refused
   cn::check_laws(other);  // refused
   cn::convert<cn::polygonmesh>(other);  // refused
@@ -218,6 +222,7 @@ void temporary() {
   cn::load_vert_field<double>(made());  // refused
   cn::load_poly_field<double>(made());  // refused
   cn::ambient_occlusion(made());  // refused
+  cn::visible_polys(made());  // refused
   cn::prepare_exact_geodesics(made());  // refused
   cn::exact_geodesics(made());  // refused
   cn::critical_points(made());  // refused
