@@ -40,4 +40,4 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/concinoConfigVersion.cmak
 install(FILES ${PROJECT_BINARY_DIR}/concinoConfig.cmake ${PROJECT_BINARY_DIR}/concinoConfigVersion.cmake ${CMAKE_CURRENT_LIST_DIR}/ConcinoCheckLinks.cmake
   ${CMAKE_CURRENT_LIST_DIR}/ConcinoPrecompile.cmake DESTINATION ${concino_config_dir})
 install(DIRECTORY ${CMAKE_CURRENT_LIST_DIR}/modules DESTINATION ${concino_config_dir})
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/LICENSE-font.txt DESTINATION ${CMAKE_INSTALL_DOCDIR})

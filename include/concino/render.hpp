@@ -27,5 +27,6 @@
 #include <concino/render/smooth_normals.hpp>
 #include <concino/render/tubes.hpp>
 #include <concino/render/value_criteria.hpp>
+#include <concino/render/text.hpp>
 #include <concino/render/value_scale.hpp>
 #include <concino/render/view.hpp>

@@ -10,6 +10,19 @@
 
 namespace concino {
 
+/// A position in a picture, in pixels from its upper left corner, x to the right and y down. Pixel (i, j) extends from (i, j) to (i + 1, j + 1).
+struct pixel_position {
+  double x = 0, y = 0;
+};
+
+/// A rectangle in a picture.
+struct pixel_box {
+  double left = 0, top = 0, right = 0, bottom = 0;
+
+  double width() const { return right - left; }
+  double height() const { return bottom - top; }
+};
+
 /// width x height colours in linear light, row by row from the top left; and opacities, from 0 to 1, if add_opacity() was called.
 class image {
   std::size_t width_ = 0, height_ = 0;
