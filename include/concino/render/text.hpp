@@ -16,19 +16,12 @@ enum class text_align { left, middle, right };
 enum class text_level { baseline, middle, top, bottom };
 
 struct text_options {
-  double size = 20;       // of the em in pixels, above 0: capital letters have 0.73 of it, lines are 1.2 apart
-  rgb color = {0, 0, 0};  // in linear light
-  double opacity = 1;     // in [0, 1]
+  double size = 20;                                           // of the em in pixels, above 0: capital letters have 0.73 of it, lines are 1.2 apart
+  rgb color = {0, 0, 0};                                      // in linear light
+  double opacity = 1;                                         // in [0, 1]
   concino::text_align align = concino::text_align::left;      // what lies at x
   concino::text_level level = concino::text_level::baseline;  // what lies at y
-  bool keep_inside =
-      true;  // a text that would be cut off at an edge of the picture is moved, and made smaller if it is larger than the picture
-};
-double opacity = 1;  // in [0, 1]
-concino::text_align align = concino::text_align::left;
-concino::text_level level = concino::text_level::baseline;
-bool keep_inside =
-    true;  // a text that would be cut off at an edge of the picture is moved, and made smaller if it is larger than the picture
+  bool keep_inside = true;  // a text that would be cut off at an edge of the picture is moved, and made smaller if it is larger than the picture
 };
 
 /// Draws text, with edges smoothed by the area of each pixel that it covers.
