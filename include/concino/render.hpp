@@ -25,6 +25,7 @@
 #include <concino/render/shapes.hpp>
 #include <concino/render/slicing.hpp>
 #include <concino/render/smooth_normals.hpp>
+#include <concino/render/texture.hpp>
 #include <concino/render/tubes.hpp>
 #include <concino/render/value_criteria.hpp>
 #include <concino/render/text.hpp>

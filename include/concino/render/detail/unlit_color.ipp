@@ -35,19 +35,24 @@ CONCINO_INLINE rgb with_bands(const appearance& look, rgb color, double value, c
   return color;
 }
 
+CONCINO_INLINE bool has_texture(const drawable& d) { return d.look.texture && !d.texture_coordinates.empty(); }
+
+CONCINO_INLINE bool has_lines(const drawable& d) {
+  return !d.values.empty() && d.values_at != value_place::polygons && !d.look.labels && (d.look.bands > 0 || d.look.iso_lines > 0);
+}
+
+CONCINO_INLINE bool needs_steps(const drawable& d) { return has_texture(d) || has_lines(d); }
+
 CONCINO_INLINE rgb value_color(const drawable& d, const colored_sample& s) {
   const auto value = [&](std::uint32_t c) { return d.values[value_index(d, d.values_at, s.polygon, c)]; };
   if (d.look.labels || d.values_at == value_place::polygons) return mapped_color(d.look, value(s.mean.at.nearest()));
   const double x = s.mean.at(value, 0.0);
   const rgb color = mapped_color(d.look, x);
-  return needs_steps(d) && std::isfinite(x) ? with_bands(d.look, color, x, s.mean.step(value), s) : color;
+  return has_lines(d) && std::isfinite(x) ? with_bands(d.look, color, x, s.mean.step(value), s) : color;
 }
 
-CONCINO_INLINE bool needs_steps(const drawable& d) {
-  return !d.values.empty() && d.values_at != value_place::polygons && !d.look.labels && (d.look.bands > 0 || d.look.iso_lines > 0);
-}
-
-CONCINO_INLINE rgb unlit_color(const drawable& d, const colored_sample& s) {
+/// The colour below the texture.
+CONCINO_INLINE rgb color_below(const drawable& d, const colored_sample& s) {
   if (!d.colors.empty()) {
     if (d.colors_at == value_place::polygons) return d.colors[s.polygon];
     const auto color = [&](std::uint32_t c) {
@@ -60,6 +65,18 @@ CONCINO_INLINE rgb unlit_color(const drawable& d, const colored_sample& s) {
   }
   if (!d.values.empty()) return value_color(d, s);
   return !d.exposed.empty() && d.exposed[s.polygon] ? d.look.exposed_color : d.look.color;
+}
+
+CONCINO_INLINE rgb unlit_color(const drawable& d, const colored_sample& s) {
+  const rgb below = color_below(d, s);
+  if (!has_texture(d)) return below;
+  const auto u = [&](std::uint32_t c) { return static_cast<double>(d.texture_coordinates[c][0]); };
+  const auto v = [&](std::uint32_t c) { return static_cast<double>(d.texture_coordinates[c][1]); };
+  const double x = s.mean.at(u, 0.0), y = s.mean.at(v, 0.0);
+  if (!std::isfinite(x) || !std::isfinite(y)) return d.look.no_value;
+  const sample_step du = s.mean.step(u), dv = s.mean.step(v);
+  const texture_color t = d.look.texture(x, y, {du.right, dv.right, du.up, dv.up, s.samples_per_pixel});
+  return below * (1 - t.cover) + t.color;
 }
 
 CONCINO_INLINE rgb edge_color(const drawable& d, std::uint32_t corner) {
