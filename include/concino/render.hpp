@@ -5,6 +5,7 @@
 #include <concino/render/ambient_occlusion.hpp>
 #include <concino/render/any_field.hpp>
 #include <concino/render/appearance.hpp>
+#include <concino/render/arrows.hpp>
 #include <concino/render/best_view.hpp>
 #include <concino/render/camera.hpp>
 #include <concino/render/color.hpp>

@@ -1,5 +1,6 @@
 #include <concino/render/tubes.hpp>
 
+#include <concino/concepts/views.hpp>
 #include <concino/graph/boundary_loops.hpp>
 #include <concino/graph/shortest_path.hpp>
 #include <concino/level_sets/isolines.hpp>
@@ -167,6 +168,7 @@ TEST_CASE("make_tubes: takes points of other types, level sets and walks along a
   std::vector<vec3> points;
   for (const auto v : path) points.push_back(to_vec3(point(m, v)));
   CHECK(make_tubes(m, path, {.radius = 0.01}).points == make_tubes(points, {.radius = 0.01}).points);
+  CHECK(make_tubes(primal(m), path, {.radius = 0.01}).points == make_tubes(points, {.radius = 0.01}).points);
   const std::vector<poly_id> two = {poly_id{0}, poly_id{1}};
   CHECK(distances(make_tubes(m, two, {.radius = 0.01}), {centroid(m, two[0]), centroid(m, two[1])}).second == doctest::Approx(0.01));
 }

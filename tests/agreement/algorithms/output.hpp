@@ -1,4 +1,4 @@
-// Compares save, in every format that can hold the mesh, and make_drawable.
+// Compares save, in every format that can hold the mesh, make_drawable and make_arrows.
 #pragma once
 
 #include <agreement/copies.hpp>
@@ -6,6 +6,7 @@
 
 #include <concino/io/load.hpp>
 #include <concino/io/save.hpp>
+#include <concino/render/arrows.hpp>
 #include <concino/render/drawable.hpp>
 
 #include <set>
@@ -88,6 +89,18 @@ struct drawing {
       expect(x[i].poly == y[i].poly && x[i].value == y[i].value && x[i].at == y[i].at, "the same corners");
       for (std::size_t k = 0; k < 3; ++k) expect(std::abs(x[i].normal[k] - y[i].normal[k]) < 1e-5f, "the same normals");
     }
+    struct vectors {
+      vec3 operator[](const poly_t<typename B::other_mesh>&) const { return {0, 1, 1}; }
+      vec3 operator[](const poly_t<typename B::native_mesh>&) const
+        requires(!std::same_as<poly_t<typename B::other_mesh>, poly_t<typename B::native_mesh>>)
+      {
+        return {0, 1, 1};
+      }
+    };
+    const drawable here = make_arrows(both.native, vectors{}, {.corners = 3}), there = make_arrows(both.other, vectors{}, {.corners = 3});
+    const double size = largest_of(here.points, [](const vec3& p) { return norm(p); });
+    expect(here.points.size() == there.points.size() && here.triangles == there.triangles, "as many arrows");
+    for (std::size_t i = 0; i < here.points.size(); ++i) expect(distance(here.points[i], there.points[i]) <= 1e-12 * size, "the same arrows");
     return true;
   }
 

@@ -133,6 +133,7 @@ void no_adapter(const stranger& other) {
   cn::load_poly_field<double>(other);  // refused
   cn::ambient_occlusion(other);  // refused
   cn::make_drawable(other);  // refused
+  cn::make_arrows(other);  // refused
   cn::make_tubes(other);  // refused
   cn::visible_polys(other);  // refused
   cn::visible_facets(other);  // refused
@@ -339,6 +340,7 @@ void no_points(const cn::trimesh& m) {
   cn::save_text(pure);  // refused
   cn::ambient_occlusion(pure);  // refused
   cn::make_drawable(pure);  // refused
+  cn::make_arrows(pure);  // refused
   cn::make_tubes(pure);  // refused
   cn::convert<cn::polygonmesh>(pure);  // refused
   cn::prepare_exact_geodesics(pure);  // refused

@@ -41,7 +41,8 @@ template<class R, class X> concept is_range_of = requires(const R& r) {
   requires std::same_as<std::remove_cvref_t<decltype(*std::begin(r))>, X>;
 };
 template<class L, class M> concept is_vert_walk = is_range_of<L, vert_t<M>> || requires(const L& l) { requires is_range_of<std::remove_cvref_t<decltype(l.verts)>, vert_t<M>>; };
-template<class L, class M> concept is_walk = is_vert_walk<L, M> || is_range_of<L, poly_t<M>>;
+template<class L, class M> concept is_poly_walk = EmbeddedMesh<M> && is_range_of<L, poly_t<M>>;
+template<class L, class M> concept is_walk = is_vert_walk<L, M> || is_poly_walk<L, M>;
 template<class R, class M> concept is_walk_range = requires(const R& r) {
   std::end(r);
   requires is_walk<std::remove_cvref_t<decltype(*std::begin(r))>, M>;
@@ -84,7 +85,7 @@ struct flat_lines {
   /// Adds a walk along m.
   template<class M, requirement::is_walk<M> L>
   void add(const M& m, const L& walk, bool is_closed) {
-    if constexpr (requirement::is_range_of<L, poly_t<M>>) {
+    if constexpr (requirement::is_poly_walk<L, M>) {
       for (const auto& p : walk) points.push_back(centroid(m, p));
     } else if constexpr (requirement::is_range_of<L, vert_t<M>>) {
       for (const auto& v : walk) points.push_back(to_vec3(point(m, v)));

@@ -41,11 +41,15 @@ class tube_builder {
 
   std::uint32_t add_point(const vec3& p, const vec3& normal);
   void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+  void add_quads(std::uint32_t first, std::uint32_t second);
+  vec3 normal(std::uint32_t i) const { return to_vec3(normals_[i]); }
   void end_polygon();
 
  public:
   tube_builder(drawable& to, int corners, bool has_values);
 
+  /// Reserves memory, as below.
+  void reserve(const char* caller, std::size_t points, std::size_t polygons, std::size_t corners, std::size_t triangles);
   /// Reserves memory for the rings and caps of open and closed tubes.      Errors: those of check_shape_size.
   void reserve(const char* caller, std::size_t rings, std::size_t caps);
 
@@ -60,6 +64,13 @@ class tube_builder {
   /// Half a ball that ends in the ring; it bulges along f.d, or against it. Returns its ring across f.d.
   std::uint32_t begin_cap(const vec3& center, double radius, const tube_frame& f);
   void end_cap(std::uint32_t last, const vec3& center, double radius, const tube_frame& f);
+
+  /// A ring of quads around f.d, all with one normal: between rings in one plane, the second of them larger.
+  void connect_flat(std::uint32_t first, std::uint32_t second, const vec3& normal);
+  /// A flat end of a tube, before its first ring.
+  void close_flat(std::uint32_t ring, const vec3& normal);
+  /// The cone from a ring to its tip, of this radius and height.
+  void add_cone(std::uint32_t ring, double radius, double height, const vec3& tip, const vec3& d);
 
   /// The rings of a cap beside the one at its end.
   std::size_t cap_rings() const { return corners_ / 4; }

@@ -54,9 +54,7 @@ CONCINO_INLINE tube_builder::tube_builder(drawable& to, int corners, bool has_va
   }
 }
 
-CONCINO_INLINE void tube_builder::reserve(const char* caller, std::size_t rings, std::size_t caps) {
-  const std::size_t points = rings * corners_ + caps, quads = (rings - caps / 2) * corners_, triangles = caps * corners_;
-  const std::size_t corners = 4 * quads + 3 * triangles, polygons = quads + triangles;
+CONCINO_INLINE void tube_builder::reserve(const char* caller, std::size_t points, std::size_t polygons, std::size_t corners, std::size_t triangles) {
   check_shape_size(caller, corners);
   to_.points.reserve(points);
   if (has_values_) to_.values.reserve(points);
@@ -65,8 +63,13 @@ CONCINO_INLINE void tube_builder::reserve(const char* caller, std::size_t rings,
   to_.normals.reserve(corners);
   to_.offsets.reserve(polygons + 1);
   to_.polys.reserve(polygons);
-  to_.triangles.reserve(2 * quads + triangles);
-  to_.polygon_of.reserve(2 * quads + triangles);
+  to_.triangles.reserve(triangles);
+  to_.polygon_of.reserve(triangles);
+}
+
+CONCINO_INLINE void tube_builder::reserve(const char* caller, std::size_t rings, std::size_t caps) {
+  const std::size_t quads = (rings - caps / 2) * corners_, triangles = caps * corners_;
+  reserve(caller, rings * corners_ + caps, quads + triangles, 4 * quads + 3 * triangles, 2 * quads + triangles);
 }
 
 CONCINO_INLINE std::uint32_t tube_builder::add_point(const vec3& p, const vec3& normal) {
@@ -102,19 +105,54 @@ CONCINO_INLINE std::uint32_t tube_builder::ring(const vec3& center, double radiu
   return first;
 }
 
-CONCINO_INLINE void tube_builder::connect(std::uint32_t first, std::uint32_t second, const vec3& d, double slope) {
-  const double shorter = 1 / std::sqrt(1 + slope * slope);
+CONCINO_INLINE void tube_builder::add_quads(std::uint32_t first, std::uint32_t second) {
   for (std::uint32_t i = 0; i < corners_; ++i) {
     const std::uint32_t j = i + 1 == corners_ ? 0 : i + 1, at = static_cast<std::uint32_t>(to_.corners.size());
-    for (const std::uint32_t k : {first + i, first + j, second + j, second + i}) {
-      to_.corners.push_back(k);
-      to_.normals.push_back(slope == 0 ? normals_[k] : to_normal3((to_vec3(normals_[k]) - d * slope) * shorter));
-    }
-    const auto polygon = static_cast<std::uint32_t>(to_.polys.size());
+    for (const std::uint32_t k : {first + i, first + j, second + j, second + i}) to_.corners.push_back(k);
     to_.triangles.push_back({at, at + 1, at + 2});
     to_.triangles.push_back({at, at + 2, at + 3});
-    to_.polygon_of.insert(to_.polygon_of.end(), 2, polygon);
+    to_.polygon_of.insert(to_.polygon_of.end(), 2, static_cast<std::uint32_t>(to_.polys.size()));
     end_polygon();
+  }
+}
+
+CONCINO_INLINE void tube_builder::connect(std::uint32_t first, std::uint32_t second, const vec3& d, double slope) {
+  add_quads(first, second);
+  const double shorter = 1 / std::sqrt(1 + slope * slope);
+  for (std::size_t k = to_.normals.size(); k < to_.corners.size(); ++k) {
+    const std::uint32_t i = to_.corners[k];
+    to_.normals.push_back(slope == 0 ? normals_[i] : to_normal3((normal(i) - d * slope) * shorter));
+  }
+}
+
+CONCINO_INLINE void tube_builder::connect_flat(std::uint32_t first, std::uint32_t second, const vec3& normal) {
+  add_quads(first, second);
+  to_.normals.resize(to_.corners.size(), to_normal3(normal));
+}
+
+CONCINO_INLINE void tube_builder::close_flat(std::uint32_t ring, const vec3& normal) {
+  const auto at = static_cast<std::uint32_t>(to_.corners.size());
+  for (std::uint32_t i = corners_; i-- > 0;) to_.corners.push_back(ring + i);
+  to_.normals.resize(to_.corners.size(), to_normal3(normal));
+  for (std::uint32_t i = 2; i < corners_; ++i) {
+    to_.triangles.push_back({at, at + i - 1, at + i});
+    to_.polygon_of.push_back(static_cast<std::uint32_t>(to_.polys.size()));
+  }
+  end_polygon();
+}
+
+CONCINO_INLINE void tube_builder::add_cone(std::uint32_t ring, double radius, double height, const vec3& tip, const vec3& d) {
+  const std::uint32_t top = add_point(tip, d);
+  const double slant = std::hypot(radius, height), flat = radius / slant, steep = height / slant;
+  const auto tilted = [&](const vec3& out) { return out * steep + d * flat; };
+  for (std::uint32_t i = 0; i < corners_; ++i) {
+    const std::uint32_t a = ring + i, b = ring + (i + 1 == corners_ ? 0 : i + 1);
+    add_triangle(a, b, top);
+    const vec3 middle = normal(a) + normal(b);
+    auto* const last = to_.normals.data() + to_.normals.size() - 3;
+    last[0] = to_normal3(tilted(normal(a)));
+    last[1] = to_normal3(tilted(normal(b)));
+    last[2] = to_normal3(tilted(middle / norm(middle)));
   }
 }
 
