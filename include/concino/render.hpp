@@ -1,4 +1,4 @@
-// Renders pictures of meshes. The ray tracer is an argument, such as the adapter <concino/adapters/embree.hpp>. <concino/adapters/stb.hpp> writes
+// Renders pictures of meshes. Another ray tracer may be passed, such as the adapter <concino/adapters/embree.hpp>. <concino/adapters/stb.hpp> writes
 // picture files.
 #pragma once
 
@@ -7,6 +7,7 @@
 #include <concino/render/appearance.hpp>
 #include <concino/render/arrows.hpp>
 #include <concino/render/best_view.hpp>
+#include <concino/render/box_tree_tracer.hpp>
 #include <concino/render/camera.hpp>
 #include <concino/render/color.hpp>
 #include <concino/render/colormap.hpp>

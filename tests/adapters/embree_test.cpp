@@ -1,8 +1,7 @@
 #include <concino/adapters/embree.hpp>
 #include <concino/render/ambient_occlusion.hpp>
-#include <concino/render/best_view.hpp>
 #include <concino/render/render.hpp>
-#include <concino/render/shapes.hpp>
+#include <concino/render/render.hpp>
 
 #include <doctest/doctest.h>
 #include <support/brute_force.hpp>
@@ -85,15 +84,4 @@ TEST_CASE("ambient occlusion by Embree: a plane is not occluded") {
   const quadmesh m = testing::grid<quadmesh>(4);
   const auto ao = ambient_occlusion(m, {}, embree{});
   for (const auto p : polys(m)) CHECK(ao[p] == 1);
-}
-
-TEST_CASE("best_view shows a mark on the far side; without marks it keeps the preferred view") {
-  const view_options first;
-  const vec3 middle{0.5, 0.5, 0.5}, behind{0.5, 0.5, 0};
-  std::vector<drawable> scene = {make_balls({&middle, 1}, 0.5, srgb(1, 1, 1))};
-  const camera plain = best_view(scene, 1, first, embree{});
-  CHECK(norm(plain.back - first.towards / norm(first.towards)) == doctest::Approx(0));
-  scene.push_back(make_balls({&behind, 1}, 0.05, srgb(1, 0, 0)));
-  CHECK(best_view(scene, 1, first, embree{}).back.z < 0.3);  // rotated until the mark is visible beside the ball
-  CHECK_THROWS_AS(best_view(scene, 1), unsupported);
 }

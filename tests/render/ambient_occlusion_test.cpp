@@ -52,11 +52,10 @@ TEST_CASE("ambient_occlusion: the sky visible through a square opening is its fo
   CHECK(ao > 0.85 * middle);
 }
 
-TEST_CASE("ambient_occlusion: throws on options out of range, without a ray tracer, and on cancelling") {
+TEST_CASE("ambient_occlusion: throws on options out of range, and on cancelling") {
   const trimesh m = testing::grid<trimesh>(1);
   CHECK_THROWS_AS(ambient_occlusion(m, {.directions = 0}, brute_force{}), invalid_argument);
   CHECK_THROWS_AS(ambient_occlusion(m, {.distance = 0}, brute_force{}), invalid_argument);
-  CHECK_THROWS_AS(ambient_occlusion(m), unsupported);
   const auto stop = [](double, const char*) { return false; };
   CHECK_THROWS_AS(ambient_occlusion(m, {.progress = stop}, brute_force{}), cancelled);
 }

@@ -140,7 +140,7 @@ TEST_CASE("render: progress goes from 0 to 1 and can cancel") {
   CHECK_THROWS_AS(shot_of(s, framed(s, 1), o), cancelled);
 }
 
-TEST_CASE("render: something without polygons is white; an empty scene, invalid options and a missing ray tracer throw") {
+TEST_CASE("render: something without polygons is white; an empty scene and invalid options throw") {
   CHECK(render(one(drawable{}), small, brute_force{}) == image(48, 36, {1, 1, 1}));
   CHECK_THROWS_AS(render(scene{}, small, brute_force{}), invalid_argument);
   const scene s = one(make_drawable(testing::grid<trimesh>(1)));
@@ -158,7 +158,6 @@ TEST_CASE("render: something without polygons is white; an empty scene, invalid 
   refused([](render_options& o) { o.light_size = 90; });
   refused([](render_options& o) { o.up = {0, 0, 0}; });
   refused([](render_options& o) { o.light = {0, 0, 0}; });
-  CHECK_THROWS_AS(render(s, small), unsupported);
 }
 
 TEST_CASE("render: the picture does not depend on the number of threads") {

@@ -5,6 +5,7 @@
 #include <concino/core/parallel.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/mesh/element_map.hpp>
+#include <concino/render/box_tree_tracer.hpp>
 #include <concino/render/detail/sampling.hpp>
 #include <concino/render/detail/unit_scene.hpp>
 
@@ -20,13 +21,13 @@ struct ambient_occlusion_options {
 };
 
 /// The fraction of the hemisphere above every poly that the surface does not occlude, weighted by the cosine to the normal.
-/// Needs:  EmbeddedMesh M, oriented so that its normals point outward; a ray tracer, such as embree{} of its adapter.
+/// Needs:  EmbeddedMesh M, oriented so that its normals point outward.
 /// Result: a map of double in [0, 1], 1 for polys of a plane. For the polys of a volume it is the mean over their boundary faces by area, 0 if they
 ///         have none. Rays start at the middles of the triangles of a polygon. The result does not depend on the number of threads.
 /// Cost:   `directions` rays for each visible polygon, at least one for each of its triangles; parallel.
-/// Errors: invalid_argument if an option is out of its range; as make_drawable; unsupported without a ray tracer; cancelled.
+/// Errors: invalid_argument if an option is out of its range; as make_drawable; cancelled.
 /// Source: Zhukov, Iones and Kronin 1998; Malley's sampling of the cosine.
-template<class M, RayTracer T = no_ray_tracer>
+template<class M, RayTracer T = box_tree_tracer>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M>
 poly_map<M, double> ambient_occlusion(M&& m, const ambient_occlusion_options& options = {}, const T& tracer = {}) {
   if (options.directions < 1) throw invalid_argument("ambient_occlusion: directions must be 1 or more");

@@ -1,6 +1,7 @@
 // Chooses a camera for a scene.
 #pragma once
 
+#include <concino/render/box_tree_tracer.hpp>
 #include <concino/render/detail/unit_scene.hpp>
 #include <concino/render/view.hpp>
 
@@ -10,11 +11,11 @@
 namespace concino {
 
 /// The view, among 36 around the scene, that shows the most of every drawable. Small drawables count as much as large ones.
-/// Needs:  a ray tracer, as render; options.towards is preferred unless another direction is clearly better.
+/// Needs:  options.towards is preferred unless another direction is clearly better.
 /// Result: a camera that frames the scene. It is the same for the same scene.
 /// Cost:   about 30,000 rays for each drawable, and a pass over the points for each of 36 directions.
-/// Errors: as frame and render.
-template<RayTracer T = no_ray_tracer>
+/// Errors: as frame.
+template<RayTracer T = box_tree_tracer>
 camera best_view(std::span<const drawable> drawables, double aspect, const view_options& options = {}, const T& tracer = {}) {
   const camera first = frame(drawables, aspect, options);
   const detail::unit_scene scene(drawables);

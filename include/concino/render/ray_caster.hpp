@@ -1,7 +1,7 @@
-// The concepts of ray casters and ray tracers that render() needs. An adapter models them: <concino/adapters/embree.hpp>.
+// The concepts of ray casters and ray tracers that render() needs. Models: <concino/render/box_tree_tracer.hpp>, the default, and the adapter
+// <concino/adapters/embree.hpp>.
 #pragma once
 
-#include <concino/core/error.hpp>
 #include <concino/core/vec3.hpp>
 
 #include <array>
@@ -35,19 +35,6 @@ template<class C> concept RayCaster = requires(const C& c, const vec3& origin, c
 /// A ray tracer: builds a ray caster for triangles.
 template<class T> concept RayTracer = requires(const T& t, const triangle_soup& soup) {
   { t.build(soup) } -> RayCaster;
-};
-
-/// The default where no ray tracer is passed: its build() throws, and the message says which one to pass.
-struct no_ray_tracer {
-  struct caster {
-    ray_hit intersect(const vec3&, const vec3&, double, double) const { return {}; }
-    bool occluded(const vec3&, const vec3&, double, double) const { return false; }
-  };
-  caster build(const triangle_soup&) const {
-    throw unsupported(
-        "rendering needs a ray tracer: include <concino/adapters/embree.hpp> (Debian: libembree-dev) and pass concino::embree{} as the "
-        "last argument");
-  }
 };
 
 }  // namespace concino

@@ -1,0 +1,267 @@
+// The definitions of box_tree_tracer.hpp: the tree is built, and traversed by rays.
+#pragma once
+
+#include <concino/core/box_tree_builder.hpp>
+#include <concino/core/error.hpp>
+#include <concino/render/box_tree_tracer.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace concino {
+
+/// A ray in single precision, prepared for the tests of boxes and triangles.
+struct box_tree_caster::ray {
+  float origin[3];
+  float near_origin[3], far_origin[3];  // moved so that rounding never makes a ray miss the box of a triangle that it hits
+  float inverse[3];                     // 1 / direction
+  std::size_t near_row[3];              // of bounds: the plane that the ray meets first
+  std::size_t x, y, z;                  // the axes, so that the direction is longest along z
+  float shear_x, shear_y, scale_z;      // these map the direction to (0, 0, 1)
+
+  ray(const vec3& from, const vec3& direction, const std::array<float, 3>& low, const std::array<float, 3>& high) {
+    float d[3], extent[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      origin[k] = static_cast<float>(from[k]);
+      d[k] = static_cast<float>(direction[k]);
+      extent[k] = std::max(std::abs(low[k] - origin[k]), std::abs(high[k] - origin[k]));
+    }
+    z = std::abs(d[0]) > std::abs(d[1]) ? (std::abs(d[0]) > std::abs(d[2]) ? 0 : 2) : (std::abs(d[1]) > std::abs(d[2]) ? 1 : 2);
+    x = z == 2 ? 0 : z + 1;
+    y = x == 2 ? 0 : x + 1;
+    scale_z = 1 / d[z];
+    shear_x = d[x] * scale_z;
+    shear_y = d[y] * scale_z;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const bool negative = std::signbit(d[k]);
+      const float least = 1e-18f * std::abs(d[z]);  // so that no product below is 0 times infinity
+      if (!(std::abs(d[k]) > least)) d[k] = negative ? -least : least;
+      inverse[k] = 1 / d[k];
+      near_row[k] = 2 * k + negative;
+      const float pad = 6 * 0x1p-24f * (extent[k] + extent[z]);
+      near_origin[k] = negative ? origin[k] - pad : origin[k] + pad;
+      far_origin[k] = negative ? origin[k] + pad : origin[k] - pad;
+    }
+  }
+};
+
+/// Calls visit(block) for the leaves whose box the ray hits, near ones first. It returns the largest parameter that is still of interest, negative: none.
+template<class Visit>
+void box_tree_caster::visit_leaves(const ray& r, float t_near, float t_far, Visit&& visit) const {
+  struct entry {
+    std::uint32_t child;
+    float t;
+  };
+  if (nodes_.empty()) return;
+  constexpr float more = 1 + 6 * 0x1p-24f;  // for the rounding of the two parameters
+  entry later[384];                         // three for each level of a tree of 2^31 triangles
+  std::size_t waiting = 0;
+  entry at{0, t_near};
+  while (true) {
+    if (at.t <= t_far) {
+      if (at.child & is_block) {
+        t_far = visit(blocks_[at.child & ~is_block]);
+      } else {
+        const node& n = nodes_[at.child];
+        alignas(16) float first[4], last[4];
+        const float *nx = n.bounds[r.near_row[0]], *ny = n.bounds[r.near_row[1]], *nz = n.bounds[r.near_row[2]];
+        const float *fx = n.bounds[r.near_row[0] ^ 1], *fy = n.bounds[r.near_row[1] ^ 1], *fz = n.bounds[r.near_row[2] ^ 1];
+        for (std::size_t k = 0; k < 4; ++k) {
+          const float ax = (nx[k] - r.near_origin[0]) * r.inverse[0], ay = (ny[k] - r.near_origin[1]) * r.inverse[1];
+          const float az = (nz[k] - r.near_origin[2]) * r.inverse[2];
+          const float bx = (fx[k] - r.far_origin[0]) * r.inverse[0], by = (fy[k] - r.far_origin[1]) * r.inverse[1];
+          const float bz = (fz[k] - r.far_origin[2]) * r.inverse[2];
+          const float axy = ax > ay ? ax : ay, azt = az > t_near ? az : t_near;
+          const float bxy = bx < by ? bx : by;
+          const float b = (bxy < bz ? bxy : bz) * more;
+          first[k] = axy > azt ? axy : azt;
+          last[k] = b < t_far ? b : t_far;
+        }
+        const std::size_t start = waiting;
+        for (std::size_t k = 0; k < 4; ++k) {
+          if (!(first[k] <= last[k])) continue;
+          std::size_t i = waiting++;
+          for (; i > start && later[i - 1].t < first[k]; --i) later[i] = later[i - 1];
+          later[i] = {n.child[k], first[k]};
+        }
+      }
+    }
+    if (waiting == 0) return;
+    at = later[--waiting];
+  }
+}
+
+/// Tests the triangles of a block; updates the best hit.
+inline void box_tree_caster::test(const block& b, const ray& r, double t_near, ray_hit& best) const {
+  alignas(32) float px[3][4], py[3][4], pz[3][4];
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t k = 0; k < 4; ++k) {
+      const float z = b.corner[c][r.z][k] - r.origin[r.z];
+      px[c][k] = (b.corner[c][r.x][k] - r.origin[r.x]) - r.shear_x * z;
+      py[c][k] = (b.corner[c][r.y][k] - r.origin[r.y]) - r.shear_y * z;
+      pz[c][k] = z;
+    }
+  // Products of two floats are exact in double precision, so that the signs are exact, and both triangles at an edge have the same view of it.
+  alignas(32) double u[4], v[4], w[4], low[4], high[4];
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double ax = px[0][k], ay = py[0][k], bx = px[1][k], by = py[1][k], cx = px[2][k], cy = py[2][k];
+    u[k] = cx * by - cy * bx;
+    v[k] = ax * cy - ay * cx;
+    w[k] = bx * ay - by * ax;
+    const double l = u[k] < v[k] ? u[k] : v[k], h = u[k] > v[k] ? u[k] : v[k];
+    low[k] = l < w[k] ? l : w[k];
+    high[k] = h > w[k] ? h : w[k];
+  }
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (!(low[k] >= 0 || high[k] <= 0)) continue;
+    const double sum = u[k] + v[k] + w[k];
+    const double t = (u[k] * pz[0][k] + v[k] * pz[1][k] + w[k] * pz[2][k]) * r.scale_z / sum;
+    if (!(t >= t_near && t <= best.t) || (t == best.t && b.triangle[k] >= best.triangle)) continue;
+    best = {b.triangle[k], v[k] / sum, w[k] / sum, t};
+  }
+}
+
+CONCINO_INLINE ray_hit box_tree_caster::intersect(const vec3& origin, const vec3& direction, double t_near, double t_far) const {
+  const ray r(origin, direction, low_, high_);
+  ray_hit best;
+  best.t = t_far;
+  visit_leaves(r, static_cast<float>(t_near), static_cast<float>(t_far), [&](const block& b) {
+    test(b, r, t_near, best);
+    return static_cast<float>(best.t);
+  });
+  return best ? best : ray_hit{};
+}
+
+CONCINO_INLINE bool box_tree_caster::occluded(const vec3& origin, const vec3& direction, double t_near, double t_far) const {
+  const ray r(origin, direction, low_, high_);
+  ray_hit best;
+  best.t = t_far;
+  visit_leaves(r, static_cast<float>(t_near), static_cast<float>(t_far), [&](const block& b) {
+    test(b, r, t_near, best);
+    return best ? -1 : static_cast<float>(best.t);
+  });
+  return static_cast<bool>(best);
+}
+
+/// Groups the triangles, and joins the binary nodes to nodes of four children.
+struct box_tree_caster::builder {
+  struct binary_node {
+    float min[3], max[3];
+    std::uint32_t first, count;
+
+    float half_area() const {
+      const float x = max[0] - min[0], y = max[1] - min[1], z = max[2] - min[2];
+      return x * y + y * z + z * x;
+    }
+  };
+  static constexpr float inf = std::numeric_limits<float>::infinity();
+
+  const triangle_soup& soup;
+  box_tree_caster& result;
+  std::vector<core::box_item> items;
+  std::vector<binary_node> binary;
+
+  void add_items() {
+    core::reserve_large(items, soup.triangles.size());
+    for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
+      core::box_item item{{inf, inf, inf}, {-inf, -inf, -inf}, static_cast<std::uint32_t>(i)};
+      bool finite = true;
+      for (const std::uint32_t p : soup.triangles[i]) {
+        if (p >= soup.points.size()) core::throw_joined<invalid_argument>({"box_tree_tracer: triangle ", i, " names point ", p, " of ", soup.points.size()});
+        for (std::size_t k = 0; k < 3; ++k) {
+          const float x = soup.points[p][k];
+          finite = finite && std::isfinite(x);
+          item.min[k] = std::min(item.min[k], x);
+          item.max[k] = std::max(item.max[k], x);
+        }
+      }
+      if (finite) items.push_back(item);
+    }
+  }
+
+  void add_boxes() {
+    for (std::size_t i = binary.size(); i-- > 0;) {
+      binary_node& n = binary[i];
+      std::fill_n(n.min, 3, inf);
+      std::fill_n(n.max, 3, -inf);
+      const auto add = [&](const float (&low)[3], const float (&high)[3]) {
+        for (std::size_t k = 0; k < 3; ++k) n.min[k] = std::min(n.min[k], low[k]), n.max[k] = std::max(n.max[k], high[k]);
+      };
+      for (std::uint32_t k = n.first; k < n.first + n.count; ++k) add(items[k].min, items[k].max);
+      if (n.count == 0)
+        for (const std::uint32_t c : {n.first, n.first + 1}) add(binary[c].min, binary[c].max);
+    }
+  }
+
+  std::uint32_t add_block(const binary_node& n) {
+    block b;
+    const float none = std::numeric_limits<float>::quiet_NaN();
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      const bool used = k < n.count;
+      b.triangle[k] = used ? items[n.first + k].id : ray_hit::none;
+      for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t axis = 0; axis < 3; ++axis) b.corner[c][axis][k] = used ? soup.points[soup.triangles[b.triangle[k]][c]][axis] : none;
+    }
+    result.blocks_.push_back(b);
+    return static_cast<std::uint32_t>(result.blocks_.size() - 1) | is_block;
+  }
+
+  /// The node whose children are `from`, or up to four nodes below it: those with the largest area are opened.
+  void fill(std::uint32_t at, std::uint32_t from) {
+    std::uint32_t group[4] = {from}, size = 1;
+    while (size < 4) {
+      std::uint32_t widest = 4;
+      for (std::uint32_t i = 0; i < size; ++i)
+        if (binary[group[i]].count == 0 && (widest == 4 || binary[group[i]].half_area() > binary[group[widest]].half_area())) widest = i;
+      if (widest == 4) break;
+      const std::uint32_t left = binary[group[widest]].first;
+      group[widest] = left;
+      group[size++] = left + 1;
+    }
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        result.nodes_[at].bounds[2 * axis][k] = k < size ? binary[group[k]].min[axis] : inf;
+        result.nodes_[at].bounds[2 * axis + 1][k] = k < size ? binary[group[k]].max[axis] : -inf;
+      }
+      std::uint32_t child = 0;
+      if (k < size && binary[group[k]].count > 0) child = add_block(binary[group[k]]);
+      else if (k < size) {
+        child = static_cast<std::uint32_t>(result.nodes_.size());
+        result.nodes_.emplace_back();
+        later.push_back({child, group[k]});
+      }
+      result.nodes_[at].child[k] = child;
+    }
+  }
+
+  struct task {
+    std::uint32_t node, from;
+  };
+  std::vector<task> later;
+
+  void run() {
+    if (soup.triangles.size() >= is_block) throw unsupported("box_tree_tracer: more than 2^31 triangles");
+    add_items();
+    if (items.empty()) return;
+    binary = core::box_tree_builder<binary_node>(items, 4)();
+    add_boxes();
+    std::copy_n(binary[0].min, 3, result.low_.begin());
+    std::copy_n(binary[0].max, 3, result.high_.begin());
+    std::size_t leaves = 0;
+    for (const binary_node& n : binary) leaves += n.count > 0;
+    result.blocks_.reserve(leaves);
+    result.nodes_.reserve(leaves / 2 + 1);
+    result.nodes_.emplace_back();
+    later.push_back({0, 0});
+    while (!later.empty()) {
+      const task t = later.back();
+      later.pop_back();
+      fill(t.node, t.from);
+    }
+  }
+};
+
+CONCINO_INLINE box_tree_caster::box_tree_caster(const triangle_soup& soup) { builder{soup, *this, {}, {}, {}}.run(); }
+
+}  // namespace concino
