@@ -132,6 +132,7 @@ void no_adapter(const stranger& other) {
   cn::load_vert_field<double>(other);  // refused
   cn::load_poly_field<double>(other);  // refused
   cn::ambient_occlusion(other);  // refused
+  cn::ambient_occlusion_at_verts(other);  // refused
   cn::make_drawable(other);  // refused
   cn::make_arrows(other);  // refused
   cn::make_tubes(other);  // refused
@@ -223,6 +224,7 @@ void temporary() {
   cn::load_vert_field<double>(made());  // refused
   cn::load_poly_field<double>(made());  // refused
   cn::ambient_occlusion(made());  // refused
+  cn::ambient_occlusion_at_verts(made());  // refused
   cn::visible_polys(made());  // refused
   cn::prepare_exact_geodesics(made());  // refused
   cn::exact_geodesics(made());  // refused
@@ -339,6 +341,7 @@ void no_points(const cn::trimesh& m) {
   cn::save(pure);  // refused
   cn::save_text(pure);  // refused
   cn::ambient_occlusion(pure);  // refused
+  cn::ambient_occlusion_at_verts(pure);  // refused
   cn::make_drawable(pure);  // refused
   cn::make_arrows(pure);  // refused
   cn::make_tubes(pure);  // refused
