@@ -1,6 +1,7 @@
 #include <concino/render/position_criteria.hpp>
 
 #include <concino/mesh/hexmesh.hpp>
+#include <concino/mesh/polyhedralmesh.hpp>
 
 #include <support/meshes.hpp>
 
@@ -68,6 +69,17 @@ TEST_CASE("below, above: polys without a finite centroid are neither") {
   CHECK(count(m, below('x', 0.5)) == 3);
   CHECK(count(m, above('x', 0.5)) == 4);
   CHECK(count(m, below(plane{{1, 0, 0}, 0.5})) + count(m, above(plane{{1, 0, 0}, 0.5})) == 7);
+}
+
+TEST_CASE("below, above: a poly that is turned over is where its verts are") {
+  // Two tets with opposite orientations that share three verts: the moments of their union cancel out, but for a small rest.
+  const std::vector<vec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 1 - 1e-9}};
+  const std::vector<std::vector<unsigned>> walls{{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 1, 4}, {1, 2, 4}, {2, 0, 4}};
+  const std::vector<std::vector<std::pair<unsigned, bool>>> cells{{{1, true}, {2, true}, {3, true}, {4, false}, {5, false}, {6, false}}};
+  const polyhedralmesh m(points, walls, cells);
+  CHECK(count(m, below('x', 1.5)) == 1);
+  CHECK(count(m, above('x', -0.5)) == 1);
+  CHECK(count(m, above('z', 1.5)) == 0);
 }
 
 TEST_CASE("below, above, between: wrong arguments throw") {

@@ -1,6 +1,7 @@
 // Criteria for the positions of polys: below and above an axis-aligned plane or any plane.
 //
-// They compare the centroid of a poly: centroid(m, p). A poly whose centroid is not a finite number meets none of them.
+// They compare the centroid of a poly: centroid(m, p). It is computed only for polys that the plane crosses: those whose verts all lie on one side are on
+// this side, even if they are turned over, so that their centroid is elsewhere. A poly with a coordinate that is not a number meets none of them.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -14,10 +15,32 @@
 
 namespace concino {
 
+namespace detail {
+
+/// Whether the centroid of p has a height in [low, high), where the height is a linear function of a point.
+template<class M, class Height>
+bool is_centroid_between(const M& m, const poly_t<M>& p, const Height& height, double low, double high) {
+  bool is_below = true, is_inside = true, is_above = true;
+  for (const vert_t<M> v : adj_p2v(m, p)) {
+    const double x = height(to_vec3(point(m, v)));
+    is_below = is_below && x < low;
+    is_above = is_above && x >= high;
+    is_inside = is_inside && low <= x && x < high;
+  }
+  if (is_below || is_above) return false;
+  if (is_inside) return true;
+  const double x = height(centroid(m, p));
+  return low <= x && x < high;
+}
+
+inline constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+}  // namespace detail
+
 /// Polys whose centroid has a coordinate in [low, high).
 struct coordinate_criterion : criterion_base {
   std::size_t axis = 0;
-  double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+  double low = -detail::unlimited, high = detail::unlimited;
   bool are_fractions = false;  // of the bounding box of all verts: 0 at its smaller end, 1 at its larger end
 
   template<EmbeddedMesh M>
@@ -28,10 +51,7 @@ struct coordinate_criterion : criterion_base {
       const auto at = [&](double t) { return std::isinf(t) ? t : (1 - t) * b.min[axis] + t * b.max[axis]; };
       from = at(low), to = at(high);
     }
-    return [&m, k = axis, from, to](const poly_t<M>& p) -> bool {
-      const double x = centroid(m, p)[k];
-      return from <= x && x < to;
-    };
+    return [&m, k = axis, from, to](const poly_t<M>& p) -> bool { return detail::is_centroid_between(m, p, [k](const vec3& x) { return x[k]; }, from, to); };
   }
 };
 
@@ -42,9 +62,9 @@ struct plane_criterion : criterion_base {
 
   template<EmbeddedMesh M>
   auto prepare(const M& m) const {
-    return [&m, p = divider, is_above = is_above](const poly_t<M>& x) -> bool {
-      const double height = dot(p.normal, centroid(m, x));
-      return is_above ? height >= p.offset : height < p.offset;
+    const double low = is_above ? divider.offset : -detail::unlimited, high = is_above ? detail::unlimited : divider.offset;
+    return [&m, n = divider.normal, low, high](const poly_t<M>& p) -> bool {
+      return detail::is_centroid_between(m, p, [n](const vec3& x) { return dot(n, x); }, low, high);
     };
   }
 };
@@ -63,15 +83,13 @@ inline plane_criterion side_of(const char* caller, const plane& p, bool is_above
   return {{}, p, is_above};
 }
 
-inline constexpr double unlimited = std::numeric_limits<double>::infinity();
-
 }  // namespace detail
 
 /// Polys whose centroid is below a coordinate or a plane, in [low, high) between two coordinates, or at a coordinate or a plane or above it. So each poly is
 /// either below or above, and intervals that follow each other have no poly in common.
 /// Needs:  axis: 'x', 'y' or 'z'; coordinates in units of the mesh, which may be infinite; a plane with a normal of any length but 0.
 /// Result: a criterion for any EmbeddedMesh.
-/// Cost:   O(1); to evaluate it, the centroid of each poly.
+/// Cost:   O(1); to evaluate it, the verts of each poly, and the centroid of those on both sides.
 /// Errors: invalid_argument if the axis is none of these, a coordinate is NaN, low > high, or the plane has no normal or is not finite.
 inline coordinate_criterion below(char axis, double coordinate) { return detail::coordinate_between("below", axis, -detail::unlimited, coordinate, false); }
 inline coordinate_criterion above(char axis, double coordinate) { return detail::coordinate_between("above", axis, coordinate, detail::unlimited, false); }
