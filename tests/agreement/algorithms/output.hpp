@@ -1,4 +1,5 @@
 // Compares save, in every format that can hold the mesh, make_drawable and make_arrows.
+// Compares save, in every format that can hold the mesh, make_drawable, and the polys and facets that criteria select.
 #pragma once
 
 #include <agreement/copies.hpp>
@@ -8,6 +9,7 @@
 #include <concino/io/save.hpp>
 #include <concino/render/arrows.hpp>
 #include <concino/render/drawable.hpp>
+#include <concino/render/slicing.hpp>
 
 #include <set>
 #include <tuple>
@@ -101,10 +103,23 @@ struct drawing {
     const double size = largest_of(here.points, [](const vec3& p) { return norm(p); });
     expect(here.points.size() == there.points.size() && here.triangles == there.triangles, "as many arrows");
     for (std::size_t i = 0; i < here.points.size(); ++i) expect(distance(here.points[i], there.points[i]) <= 1e-12 * size, "the same arrows");
+    compare_slices(both);
     return true;
   }
 
  private:
+  template<class B>
+  static void compare_slices(const B& both) {
+    const auto number = [](const auto& p) { return p.raw() % 4 > 0; };
+    const auto through = [&both](const poly_t<typename B::other_mesh>& p) { return both.polys.back(p).raw() % 4 > 0; };
+    const auto here = below_fraction('x', 0.4567) || where(number) || peeled(1);
+    const auto there = below_fraction('x', 0.4567) || where(through) || peeled(1);
+    const auto a = visible_polys(both.native, here);
+    const auto b = visible_polys(both.other, there);
+    for (const auto p : both.polys.all) expect(a[p] == b[both.polys.to(p)], "the same polys meet a criterion");
+    expect(exposed_facets(both.native, here).size() == exposed_facets(both.other, there).size(), "as many facets are laid bare");
+  }
+
   struct corner {
     unsigned poly;
     double value;
