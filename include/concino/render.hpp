@@ -16,6 +16,7 @@
 #include <concino/render/image.hpp>
 #include <concino/render/label_colors.hpp>
 #include <concino/render/peeled.hpp>
+#include <concino/render/labels.hpp>
 #include <concino/render/legend.hpp>
 #include <concino/render/png.hpp>
 #include <concino/render/poly_criterion.hpp>
