@@ -1,8 +1,8 @@
 # The Debian packages that concino's scripts use, and how they are installed. Sourced by test.sh and demo.sh.
 
 packages_core=(cmake ninja-build libeigen3-dev libboost-dev libfmt-dev)
-packages_demo=("${packages_core[@]}" libembree-dev libstb-dev glmark2-data)
-packages_test=("${packages_demo[@]}" doctest-dev libclang-rt-14-dev lld libopenmesh-dev libcgal-dev libsuitesparse-dev libspectra-dev libtet1.5-dev zlib1g-dev python3-meshio universal-ctags)
+packages_demo=("${packages_core[@]}" libembree-dev glmark2-data)
+packages_test=("${packages_demo[@]}" libstb-dev doctest-dev libclang-rt-14-dev lld libopenmesh-dev libcgal-dev libsuitesparse-dev libspectra-dev libtet1.5-dev zlib1g-dev python3-meshio universal-ctags)
 packages_long=(clang-tidy-14 doxygen)
 
 # The first compiler of the given names whose major version is at least $1.

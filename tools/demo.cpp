@@ -1,7 +1,6 @@
 // A harmonic field between two far ends of any mesh, and its picture:  concino_demo mesh picture.png [field.txt]
 
 #include <concino/adapters/embree.hpp>
-#include <concino/adapters/stb.hpp>
 #include <concino/fields.hpp>
 #include <concino/geometry.hpp>
 #include <concino/graph.hpp>
@@ -181,7 +180,7 @@ void run(const M& m, double read, double build, const std::string& picture, cons
   const double written = watch.lap();
   const cn::image image = picture_of(m, u, ends, line);
   const double rendered = watch.lap();
-  cn::write_png(image, picture);
+  cn::save_png(image, picture);
   const double saved = watch.lap();
 
   fmt::print("{:<12}{}\n{:<12}{}\n{:<12}{}\n", "kind", name_of(m), "verts", cn::num_verts(m), "edges", cn::num_edges(m));

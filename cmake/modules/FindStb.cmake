@@ -1,5 +1,5 @@
-# The stb headers: target Stb::Stb, spelled <stb/stb_image_write.h>.
-find_path(Stb_INCLUDE_DIR stb/stb_image_write.h)
+# The stb headers: target Stb::Stb, spelled <stb/stb_image.h>.
+find_path(Stb_INCLUDE_DIR stb/stb_image.h)
 mark_as_advanced(Stb_INCLUDE_DIR)
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(Stb REQUIRED_VARS Stb_INCLUDE_DIR)

@@ -1,5 +1,5 @@
-// Renders pictures of meshes. Another ray tracer may be passed, such as the adapter <concino/adapters/embree.hpp>. <concino/adapters/stb.hpp> writes
-// picture files.
+// Renders pictures of meshes. Another ray tracer may be passed, such as the adapter <concino/adapters/embree.hpp>. <concino/adapters/stb.hpp> reads
+// picture files for textures.
 #pragma once
 
 #include <concino/render/ambient_occlusion.hpp>
