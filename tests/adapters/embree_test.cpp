@@ -6,9 +6,13 @@
 #include <doctest/doctest.h>
 #include <support/brute_force.hpp>
 #include <support/kinds.hpp>
+#include <support/threads.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 #include <utility>
+#include <vector>
 
 using namespace concino;
 using testing::brute_force;
@@ -62,6 +66,32 @@ TEST_CASE("embree: an empty scene has no hits, and ray casters can be moved") {
   CHECK(hit.t == doctest::Approx(5));
   CHECK(hit.u == doctest::Approx(0.25));
   CHECK(hit.v == doctest::Approx(0.5));
+}
+
+TEST_CASE("embree: every number of threads gives the same hits") {
+  triangle_soup soup = random_soup(20000);
+  for (std::size_t i = 0; i < soup.points.size(); i += 3)  // smaller triangles, each twice
+    for (std::size_t k = 1; k < 3; ++k)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        soup.points[i + k][axis] = soup.points[i][axis] + 0.02f * (soup.points[i + k][axis] - soup.points[i][axis]);
+  const auto once = soup.triangles;
+  soup.triangles.insert(soup.triangles.end(), once.begin(), once.end());
+  const auto hits = [&](int threads) {
+    const testing::with_num_threads now(threads);
+    const auto caster = embree{}.build(soup);
+    std::vector<std::uint32_t> all;
+    for (int i = 0; i < 500; ++i) {
+      const double a = 0.1 * i;
+      all.push_back(caster.intersect({2 * std::cos(a), 2 * std::sin(a), 0.7 * std::sin(7 * a)}, {-std::cos(a), -std::sin(a), 0.1}, 0, 1e30).triangle);
+    }
+    return all;
+  };
+  const auto serial = hits(1);
+  CHECK(std::count(serial.begin(), serial.end(), ray_hit::none) < 400);
+  CHECK(hits(2) == serial);
+  CHECK(hits(7) == serial);
+  const ray_hit hit = embree{.parallel_build = true}.build(soup).intersect({2, 0, 0}, {-1, 0, 0.1}, 0, 1e30);
+  CHECK(hit.triangle % once.size() == serial[0] % once.size());
 }
 
 TEST_CASE("embree: ray casters can be created and destroyed repeatedly") {

@@ -54,8 +54,11 @@ class embree_caster {
 
  public:
   /// Needs:  finite points; indices below the number of points.
-  /// Errors: unsupported if Embree cannot run here, std::bad_alloc.      Cost: O(n log n), with all cores.
-  explicit embree_caster(const triangle_soup& soup) : device_(rtcNewDevice(nullptr)) {
+  /// Result: the same hits on every run, unless the build is parallel: Embree then groups the triangles in another order each time, and a ray
+  ///         through a shared edge may hit either triangle.
+  /// Cost:   O(n log n), on one core, or with all cores if the build is parallel.
+  /// Errors: unsupported if Embree cannot run here, std::bad_alloc.
+  explicit embree_caster(const triangle_soup& soup, bool parallel_build = false) : device_(rtcNewDevice(parallel_build ? nullptr : "threads=1")) {
     check(device_.get(), "starting");
     if (!device_) throw unsupported("embree: Embree cannot be started: rtcNewDevice returns no device");
     scene_.reset(rtcNewScene(device_.get()));
@@ -110,9 +113,11 @@ class embree_caster {
   }
 };
 
-/// The ray tracer to pass to render and ambient_occlusion.
+/// The ray tracer to pass to render, best_view and ambient_occlusion.
 struct embree {
-  embree_caster build(const triangle_soup& soup) const { return embree_caster(soup); }
+  bool parallel_build = false;  // uses all cores to prepare for rays; pictures may then differ at single pixels from run to run
+
+  embree_caster build(const triangle_soup& soup) const { return embree_caster(soup, parallel_build); }
 };
 
 static_assert(RayCaster<embree_caster> && RayTracer<embree>);
