@@ -57,20 +57,20 @@ TEST_CASE_TEMPLATE("make_arrows: begin at the centroids, along the vectors, in p
     mean += norm(g[p]);
     mean_length += a.length();
   }
-  if constexpr (std::is_same_v<M, quadmesh> || std::is_same_v<M, hexmesh>) CHECK(mean_length / static_cast<double>(k) == doctest::Approx(0.5 / 3));
+  if constexpr (std::is_same_v<M, quadmesh> || std::is_same_v<M, hexmesh>) CHECK(mean_length / static_cast<double>(k) == doctest::Approx(0.75 / 3));
 }
 
 TEST_CASE("make_arrows: at verts of a mesh or of a graph, equal, centred, coloured by norm") {
   const quadmesh m = testing::grid<quadmesh>(4);
   auto g = make_vert_map<vec3>(m, vec3());
   for (const auto v : verts(m)) g[v] = vec3{0, 0, 1 + point(m, v)[0]};
-  const drawable d = make_arrows(m, g, {.scale = 0.8, .equal_lengths = true, .color_by_norm = true, .centered = true, .corners = 6});
+  const drawable d = make_arrows(m, g, {.scale = 0.6, .equal_lengths = true, .color_by_norm = true, .centered = true, .corners = 6});
   check_closed(d);
   const auto arrows = arrows_in(d, 6);
   REQUIRE(arrows.size() == num_verts(m));
   std::size_t k = 0;
   for (const auto v : verts(m)) {
-    CHECK(arrows[k].length() == doctest::Approx(0.8 / 4));
+    CHECK(arrows[k].length() == doctest::Approx(0.9 / 4));
     CHECK(max_norm((arrows[k].tail + arrows[k].tip) / 2 - to_vec3(point(m, v))) < 1e-12);
     CHECK(d.values[k * 19] == norm(g[v]));
     ++k;
@@ -98,7 +98,7 @@ TEST_CASE("make_arrows: vectors without a direction are left out and counted; lo
   CHECK(std::all_of(d.points.begin(), d.points.end(), [](const vec3& p) { return is_finite(p); }));
   double longest = 0;
   for (const auto& a : arrows_in(d, 6)) longest = std::max(longest, a.length());
-  CHECK(longest < 4 * 0.5 * 0.3);
+  CHECK(longest < 4 * 0.75 * 0.3);
 
   auto zero = make_poly_map<vec3>(m, vec3());
   CHECK(make_arrows(m, zero).triangles.empty());
@@ -111,8 +111,8 @@ TEST_CASE("make_arrows: one arrow has a length that fits the mesh; arrows scale 
   for (vec3& p : arrays.points) p *= 8;
   const quadmesh m(arrays);
   const auto g = make_poly_map<vec3>(m, vec3{0, 0, 3});
-  CHECK(arrows_in(make_arrows(m, g, {.corners = 6}), 6)[0].length() == doctest::Approx(std::sqrt(2.0)));
-  CHECK(arrows_in(make_arrows(m, g, {.scale = 1, .corners = 6}), 6)[0].length() == doctest::Approx(2 * std::sqrt(2.0)));
+  CHECK(arrows_in(make_arrows(m, g, {.corners = 6}), 6)[0].length() == doctest::Approx(1.5 * std::sqrt(2.0)));
+  CHECK(arrows_in(make_arrows(m, g, {.scale = 1, .corners = 6}), 6)[0].length() == doctest::Approx(3 * std::sqrt(2.0)));
 }
 
 TEST_CASE("make_arrows: many are thinned evenly, and the same ones in every run") {

@@ -20,10 +20,10 @@ struct arrow_report {
 };
 
 struct arrow_options {
-  double scale = 0.5;                     // above 0: the length of an arrow of the mean norm, as a part of the mean distance from an arrow to the nearest one
-  bool equal_lengths = false;             // all arrows have that length; otherwise lengths are in proportion to norms, up to 4 times the mean
-  std::size_t count = 2000;               // the most arrows that are drawn, distributed evenly, or somewhat fewer; 0: all
-  double radius = 0;                      // of the shafts, in units of the mesh, 0 or more; 0: 6 % of the length for the mean norm. A tenth of the length at most
+  double scale = 0.5;                     // above 0: lengths. With 0.5, an arrow of the mean norm is 3/4 as long as the mean distance from an arrow to the nearest one
+  bool equal_lengths = false;             // all arrows are as long as one of the mean norm; otherwise lengths are in proportion to norms, up to 4 times the mean
+  std::size_t count = 1000;               // the most arrows that are drawn, distributed evenly, or somewhat fewer; 0: all
+  double radius = 0;                      // of the shafts, in units of the mesh, 0 or more; 0: 7 % of the length for the mean norm. A tenth of the length at most
   rgb color = srgb(0.13f, 0.13f, 0.15f);  // if they are not coloured by norm
   bool color_by_norm = false;             // instead: look.scale of the result is linear over the norms
   colormap map = colormap::blue_to_yellow;  // of the norms

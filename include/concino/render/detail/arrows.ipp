@@ -77,7 +77,7 @@ CONCINO_INLINE drawable arrows_of(const flat_vectors& field, const arrow_options
   const std::size_t n = chosen.list.size();
   double spacing = mean_distance(chosen.points);
   if (!(spacing > 0)) spacing = field.size > 0 ? field.size / 4 : 1;
-  const double typical = o.scale * spacing, radius = o.radius > 0 ? o.radius : 0.06 * typical;
+  const double typical = 1.5 * o.scale * spacing, radius = o.radius > 0 ? o.radius : 0.07 * typical;
 
   drawable d;
   d.look.color = o.color;
