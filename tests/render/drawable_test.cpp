@@ -1,28 +1,16 @@
 #include <concino/render/drawable.hpp>
-#include <concino/render/shapes.hpp>
 
 #include <concino/mesh/element_map.hpp>
 
 #include <doctest/doctest.h>
+#include <support/drawables.hpp>
 #include <support/kinds.hpp>
 
 #include <limits>
-#include <set>
 
 using namespace concino;
 
-namespace {
-
-double area_of(const drawable& d) {
-  double sum = 0;
-  for (const auto& t : d.triangles) {
-    const vec3 a = d.points[d.corners[t[0]]], b = d.points[d.corners[t[1]]], c = d.points[d.corners[t[2]]];
-    sum += norm(cross(b - a, c - a)) / 2;
-  }
-  return sum;
-}
-
-}  // namespace
+using testing::area_of;
 
 TEST_CASE_TEMPLATE("drawable: contains the boundary of a grid, oriented outward", M, CONCINO_ALL_KINDS) {
   const M m = testing::grid<M>(3);
@@ -66,17 +54,4 @@ TEST_CASE("drawable: is empty for an empty mesh; invalid input throws") {
   CHECK(make_drawable(tetmesh{}).triangles.empty());
   CHECK_THROWS_AS(make_drawable(trimesh{}, {.crease_angle = 181}), invalid_argument);
   CHECK_THROWS_AS(make_drawable(trimesh{}, {.crease_angle = std::numeric_limits<double>::quiet_NaN()}), invalid_argument);
-}
-
-TEST_CASE("make_balls: balls are round, closed and at their centres") {
-  const vec3 centers[] = {{0, 0, 0}, {5, 0, 0}};
-  const drawable d = make_balls(centers, 2, srgb(1, 0, 0));
-  CHECK(area_of(d) == doctest::Approx(2 * 4 * 3.14159265 * 4).epsilon(0.01));
-  std::set<std::pair<std::uint32_t, std::uint32_t>> sides;
-  for (const auto& t : d.triangles)
-    for (std::size_t k = 0; k < 3; ++k) CHECK(sides.emplace(d.corners[t[k]], d.corners[t[(k + 1) % 3]]).second);
-  for (const auto& [a, b] : sides) REQUIRE(sides.count({b, a}) == 1);
-  CHECK_THROWS_AS(make_balls(centers, 0, {}), invalid_argument);
-  const vec3 bad{0, std::numeric_limits<double>::quiet_NaN(), 0};
-  CHECK_THROWS_AS(make_balls({&bad, 1}, 1, {}), invalid_argument);
 }

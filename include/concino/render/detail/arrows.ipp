@@ -1,9 +1,9 @@
 // Defines what arrows.hpp declares: the choice of vectors, and their arrows.
 #pragma once
 
-#include <concino/core/number_text.hpp>
 #include <concino/render/arrows.hpp>
 #include <concino/render/detail/even_choice.hpp>
+#include <concino/render/detail/shape_size.hpp>
 #include <concino/render/detail/tube_builder.hpp>
 
 #include <algorithm>
@@ -12,13 +12,11 @@
 namespace concino::detail {
 
 CONCINO_INLINE void check_arrow_options(const arrow_options& o) {
-  const auto need = [](bool ok, const char* what, double x) {
-    if (!ok) core::throw_joined<invalid_argument>({"make_arrows: ", what, ", not ", core::number_text(x)});
-  };
-  need(o.scale > 0 && std::isfinite(o.scale), "scale must be positive and finite", o.scale);
-  need(o.radius >= 0 && std::isfinite(o.radius), "the radius must be finite, and positive or 0", o.radius);
-  need(o.opacity >= 0 && o.opacity <= 1, "the opacity must be in [0, 1]", o.opacity);
-  need(o.corners == 0 || (o.corners >= 3 && o.corners <= 256), "corners must be 0 or 3 to 256", o.corners);
+  const char* const caller = "make_arrows";
+  check_shape_option(o.scale > 0 && std::isfinite(o.scale), caller, "scale must be positive and finite", o.scale);
+  check_shape_option(o.radius >= 0 && std::isfinite(o.radius), caller, "the radius must be finite, and positive or 0", o.radius);
+  check_shape_option(o.opacity >= 0 && o.opacity <= 1, caller, "the opacity must be in [0, 1]", o.opacity);
+  check_shape_option(o.corners == 0 || (o.corners >= 3 && o.corners <= 256), caller, "corners must be 0 or 3 to 256", o.corners);
 }
 
 /// The vectors that have a direction, with those that are to be drawn.

@@ -26,9 +26,6 @@ tube_frame twisted(const tube_frame& f, double angle);
 /// The angle between unit vectors, accurate for small and large ones.
 double angle_between(const vec3& a, const vec3& b);
 
-/// Throws unsupported if a drawable would get so many points, or corners.
-void check_shape_size(const char* caller, std::size_t corners);
-
 /// Appends closed surfaces, ring by ring, to a drawable. The rings have equally many points.
 class tube_builder {
   drawable& to_;

@@ -1,10 +1,10 @@
 // Defines tube_builder.hpp.
 #pragma once
 
+#include <concino/render/detail/shape_size.hpp>
 #include <concino/render/detail/tube_builder.hpp>
 
 #include <cmath>
-#include <limits>
 
 namespace concino::detail {
 
@@ -38,11 +38,6 @@ CONCINO_INLINE tube_frame rotated(const tube_frame& f, const vec3& to, double pa
 CONCINO_INLINE tube_frame twisted(const tube_frame& f, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   return {f.u * c + f.v * s, f.v * c - f.u * s, f.d};
-}
-
-CONCINO_INLINE void check_shape_size(const char* caller, std::size_t corners) {
-  if (corners >= std::numeric_limits<std::uint32_t>::max())
-    core::throw_joined<unsupported>({caller, ": ", corners, " corners of polygons; a drawable has at most 4,294,967,294: draw fewer, or with a smaller option `corners`"});
 }
 
 CONCINO_INLINE tube_builder::tube_builder(drawable& to, int corners, bool has_values)

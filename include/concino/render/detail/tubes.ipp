@@ -1,8 +1,7 @@
 // Defines what tubes.hpp declares: cross-sections along polylines.
 #pragma once
 
-#include <concino/core/number_text.hpp>
-#include <concino/geometry/bounding_box.hpp>
+#include <concino/render/detail/shape_size.hpp>
 #include <concino/render/detail/tube_builder.hpp>
 #include <concino/render/tubes.hpp>
 
@@ -12,33 +11,20 @@
 namespace concino::detail {
 
 CONCINO_INLINE void check_tube_options(const flat_lines& lines, const tube_options& o, const char* caller) {
-  const auto need = [&](bool ok, const char* what, double x) {
-    if (!ok) core::throw_joined<invalid_argument>({caller, ": ", what, ", not ", core::number_text(x)});
-  };
-  need(o.radius >= 0 && std::isfinite(o.radius), "the radius must be finite, and positive or 0", o.radius);
-  need(o.opacity >= 0 && o.opacity <= 1, "the opacity must be in [0, 1]", o.opacity);
-  need(o.corners == 0 || (o.corners >= 3 && o.corners <= 256), "corners must be 0 or 3 to 256", o.corners);
-  need(o.tolerance >= 0 && std::isfinite(o.tolerance), "the tolerance must be finite, and positive or 0", o.tolerance);
+  check_shape_option(o.radius >= 0 && std::isfinite(o.radius), caller, "the radius must be finite, and positive or 0", o.radius);
+  check_shape_option(o.opacity >= 0 && o.opacity <= 1, caller, "the opacity must be in [0, 1]", o.opacity);
+  check_shape_option(o.corners == 0 || (o.corners >= 3 && o.corners <= 256), caller, "corners must be 0 or 3 to 256", o.corners);
+  check_shape_option(o.tolerance >= 0 && std::isfinite(o.tolerance), caller, "the tolerance must be finite, and positive or 0", o.tolerance);
   const std::size_t n = lines.points.size(), num_lines = lines.ends.size(), num_values = o.values.size();
   if (num_values != 0 && num_values != n && num_values != num_lines)
     core::throw_joined<invalid_argument>({caller, ": ", num_values, " values for ", num_lines, " lines with ", n, " points: give one for each point or one for each line"});
   if (!o.radii.empty() && o.radii.size() != n)
     core::throw_joined<invalid_argument>({caller, ": ", o.radii.size(), " radii for ", n, " points: give one for each point"});
-  for (std::size_t i = 0; i < o.radii.size(); ++i)
-    if (!(o.radii[i] > 0 && std::isfinite(o.radii[i])))
-      core::throw_joined<invalid_argument>({caller, ": the radius of point ", i, " must be positive and finite, not ", core::number_text(o.radii[i])});
+  check_radii(caller, o.radii);
   for (std::size_t line = 0, i = 0; line < num_lines; ++line)
     for (const std::size_t first = i; i < lines.ends[line]; ++i)
       if (!is_finite(lines.points[i]))
         core::throw_joined<invalid_argument>({caller, ": point ", i - first, " of line ", line, " has a coordinate that is not a finite number: leave it out, or divide the line there"});
-}
-
-CONCINO_INLINE double shape_radius(double radius, double part, std::span<const vec3> points) {
-  if (radius > 0) return radius;
-  box b;
-  for (const vec3& p : points) b.add(p);
-  const double diagonal = b.diagonal();
-  return diagonal > 0 && std::isfinite(diagonal) ? part * diagonal : 1;
 }
 
 /// Draws lines, one at a time, with a tube_builder.
