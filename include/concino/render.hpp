@@ -28,6 +28,7 @@
 #include <concino/render/render_options.hpp>
 #include <concino/render/scene.hpp>
 #include <concino/render/shapes.hpp>
+#include <concino/render/sheet.hpp>
 #include <concino/render/slicing.hpp>
 #include <concino/render/smooth_normals.hpp>
 #include <concino/render/texture.hpp>
