@@ -21,6 +21,7 @@
 #include <concino/render/legend.hpp>
 #include <concino/render/png.hpp>
 #include <concino/render/poly_criterion.hpp>
+#include <concino/render/polygon_selection.hpp>
 #include <concino/render/polygon_weights.hpp>
 #include <concino/render/position_criteria.hpp>
 #include <concino/render/ray_caster.hpp>
