@@ -16,6 +16,7 @@
 #include <concino/render/drawable.hpp>
 #include <concino/render/image.hpp>
 #include <concino/render/label_colors.hpp>
+#include <concino/render/material.hpp>
 #include <concino/render/peeled.hpp>
 #include <concino/render/labels.hpp>
 #include <concino/render/legend.hpp>

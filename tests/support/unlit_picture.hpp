@@ -3,7 +3,6 @@
 
 #include <concino/render/render.hpp>
 
-#include <support/brute_force.hpp>
 
 namespace concino::testing {
 
@@ -15,7 +14,7 @@ inline image unlit_picture(drawable d, std::size_t size = 40, int samples = 2) {
     shown.look.shine = 0;
     o.width = o.height = pixels;
     o.camera = frame({&shown, 1}, 1, {.towards = {0, 0, 1}, .angle = 0, .margin = 0});
-    return render(scene().add(std::move(shown)), o, brute_force{});
+    return render(scene().add(std::move(shown)), o);
   };
   drawable white;
   white.points = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};

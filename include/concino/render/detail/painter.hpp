@@ -88,10 +88,20 @@ class painter {
     return sum / static_cast<double>(light_rays_);
   }
 
+  /// Materials that are not daylight: cavities are dark as under an even sky.
+  rgb paint_material(const surface_point& s, const view_ray& ray, double sky) const {
+    const double even_sky = 0.80 + 0.20 * 2 / 3 * dot(s.normal, up_);  // the light from a sky that nothing occludes
+    const double open = sky_.size() == 0 ? 1 : std::min(1.0, sky / even_sky);
+    const vec3 to_eye = -ray.direction, side = cross(camera_.up, to_eye), right = side / norm(side);
+    const vec3 normal{dot(s.normal, right), dot(s.normal, cross(to_eye, right)), dot(s.normal, to_eye)};
+    return s.color * (*s.material)(normal) * static_cast<float>(open);
+  }
+
   rgb paint_surface(const surface_point& s, const view_ray& ray, std::size_t sample, const cosine_directions::turn& turn,
                     const unit_point& shift) const {
     const vec3 start = s.smooth_position + s.flat * gap_;
     const double sky = sky_light(start, s.normal, s.flat, sample, turn);
+    if (!s.material->is_daylight()) return paint_material(s, ray, sky);
     const double key = key_light(start, s.normal, s.flat, sample, shift);
     const double front = std::max(0.0, -dot(s.normal, ray.direction));
     const double light = 0.60 * sky + 0.50 * key + 0.07 * front;

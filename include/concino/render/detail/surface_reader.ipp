@@ -111,6 +111,7 @@ CONCINO_INLINE surface_point surface_reader::operator()(const ray_hit& hit, cons
   s.flat = area > 0 ? at.area_vector / area : -ray.direction;
   if (dot(s.flat, ray.direction) > 0) s.flat = -s.flat;
   s.shine = at.d.look.shine;
+  s.material = &at.d.look.material;
 
   sampled_interpolation mean;
   mean.at = interpolate(at, bary, s.position, weights_);
