@@ -7,6 +7,7 @@
 #include <concino/render/appearance.hpp>
 #include <concino/render/arrows.hpp>
 #include <concino/render/balls.hpp>
+#include <concino/render/axes.hpp>
 #include <concino/render/best_view.hpp>
 #include <concino/render/box_tree_tracer.hpp>
 #include <concino/render/camera.hpp>
