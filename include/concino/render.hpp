@@ -17,7 +17,6 @@
 #include <concino/render/drawable.hpp>
 #include <concino/render/image.hpp>
 #include <concino/render/label_colors.hpp>
-#include <concino/render/material.hpp>
 #include <concino/render/peeled.hpp>
 #include <concino/render/labels.hpp>
 #include <concino/render/legend.hpp>
@@ -37,6 +36,7 @@
 #include <concino/render/texture.hpp>
 #include <concino/render/tubes.hpp>
 #include <concino/render/value_criteria.hpp>
+#include <concino/render/surface_material.hpp>
 #include <concino/render/text.hpp>
 #include <concino/render/value_scale.hpp>
 #include <concino/render/view.hpp>

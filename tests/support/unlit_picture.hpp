@@ -3,7 +3,6 @@
 
 #include <concino/render/render.hpp>
 
-
 namespace concino::testing {
 
 /// The front of a drawable, the side of large z, seen by an orthographic camera. Its bounding box fills the picture, which is `size` pixels wide and high.

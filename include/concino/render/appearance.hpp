@@ -3,7 +3,7 @@
 
 #include <concino/render/color.hpp>
 #include <concino/render/colormap.hpp>
-#include <concino/render/material.hpp>
+#include <concino/render/surface_material.hpp>
 #include <concino/render/texture.hpp>
 #include <concino/render/value_scale.hpp>
 
@@ -27,7 +27,7 @@ struct appearance {
   rgb edge_color = srgb(0.1f, 0.1f, 0.12f);  // unless edges have values, which have the colours of the map
   double edge_opacity = 0.6;  // in [0, 1]
   concino::texture texture = {};  // drawn over these colours by the texture coordinates, if there are any
-  concino::material material = {};  // daylight by default
+  surface_material material = {};  // daylight by default
   double shine = 1;           // strength of the highlights in daylight; 0: none
   double opacity = 1;         // in [0, 1]; what lies behind shows through the rest
 };

@@ -17,7 +17,7 @@ struct surface_point {
   vec3 flat, normal;               // of the triangle and of the smooth surface, towards the viewer
   rgb color;
   double shine = 0, opacity = 1;
-  const concino::material* material = nullptr;
+  const surface_material* material = nullptr;
 };
 
 /// Computes surface_points of hits in a scene. Each thread needs its own, for its working memory.

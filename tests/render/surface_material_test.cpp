@@ -1,4 +1,4 @@
-#include <concino/render/material.hpp>
+#include <concino/render/surface_material.hpp>
 
 #include <concino/render/render.hpp>
 #include <concino/render/shapes.hpp>
@@ -35,9 +35,9 @@ image picture_of(const drawable& d, int occlusion_rays = 0) {
 
 }  // namespace
 
-TEST_CASE("material: materials are bright toward the light, and finite for all normals") {
-  CHECK(material().is_daylight());
-  for (const material& m : {material::matte(), material::clay(), material::porcelain(), material::metal()}) {
+TEST_CASE("surface_material: materials are bright toward the light, and finite for all normals") {
+  CHECK(surface_material().is_daylight());
+  for (const surface_material& m : {surface_material::matte(), surface_material::clay(), surface_material::porcelain(), surface_material::metal()}) {
     CHECK(!m.is_daylight());
     CHECK(brightness(m({-0.45, 0.6, 0.66})) > 1.4 * brightness(m({0.6, -0.6, 0.529})));
     for (const vec3& n : normals()) {
@@ -45,27 +45,27 @@ TEST_CASE("material: materials are bright toward the light, and finite for all n
       CHECK_MESSAGE((c.r >= 0 && c.g >= 0 && c.b >= 0 && c.r < 3), n.x << " " << n.y);
     }
   }
-  const rgb clay = material::clay()({0, 0, 1});
+  const rgb clay = surface_material::clay()({0, 0, 1});
   CHECK(clay.r > clay.g);
   CHECK(clay.g > clay.b);
-  const rgb grey = material::matte()({0.3, 0.2, 0.932});
+  const rgb grey = surface_material::matte()({0.3, 0.2, 0.932});
   CHECK(grey.r == grey.b);
 }
 
-TEST_CASE("material: the picture of a ball gives the light of each normal") {
-  const material m = material::from(lit_ball());
+TEST_CASE("surface_material: the picture of a ball gives the light of each normal") {
+  const surface_material m = surface_material::from(lit_ball());
   for (const vec3& n : normals()) {
     if (std::abs(n.x) > 0.9 || std::abs(n.y) > 0.9) continue;  // half a pixel from the border
     CHECK(m(n).r == doctest::Approx((1 + n.x) / 2).epsilon(0.05));
     CHECK(m(n).g == doctest::Approx((1 + n.y) / 2).epsilon(0.05));
   }
-  CHECK_THROWS_AS(material::from(image()), invalid_argument);
+  CHECK_THROWS_AS(surface_material::from(image()), invalid_argument);
 }
 
-TEST_CASE("material: a ball in a picture shows the picture of the ball, in the colour of its surface") {
+TEST_CASE("surface_material: a ball in a picture shows the picture of the ball, in the colour of its surface") {
   const vec3 origin;
   drawable d = make_balls({&origin, 1}, 3, {1, 0.5f, 1});
-  d.look.material = material::from(lit_ball());
+  d.look.material = surface_material::from(lit_ball());
   const image seen = picture_of(d);
   for (const std::size_t at : {std::size_t{12}, std::size_t{20}, std::size_t{28}}) {
     const double t = (static_cast<double>(at) + 0.5) / 20 - 1;  // of the radius
@@ -74,7 +74,7 @@ TEST_CASE("material: a ball in a picture shows the picture of the ball, in the c
   }
 }
 
-TEST_CASE("material: cavities are darker with occlusion rays, and nothing else is") {
+TEST_CASE("surface_material: cavities are darker with occlusion rays, and nothing else is") {
   // Three sides of a box, which is open to the viewer, and a plate beside it.
   drawable d;
   d.points = {{0, 0, -1}, {1, 0, -1}, {1, 1, -1}, {0, 1, -1}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}};
@@ -83,7 +83,7 @@ TEST_CASE("material: cavities are darker with occlusion rays, and nothing else i
   detail::add_triangles(d);
   d.polys = {0, 1, 2, 3};
   d.normals = smooth_normals(d.polygons(), 0);
-  d.look.material = material::matte();
+  d.look.material = surface_material::matte();
   const image plain = picture_of(d), occluded = picture_of(d, 64);
   CHECK(brightness(occluded(30, 20)) == doctest::Approx(brightness(plain(30, 20))).epsilon(0.1));
   CHECK(brightness(occluded(8, 20)) < 0.8 * brightness(plain(8, 20)));

@@ -1,7 +1,7 @@
-// Defines material.hpp.
+// Defines surface_material.hpp.
 #pragma once
 
-#include <concino/render/material.hpp>
+#include <concino/render/surface_material.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ CONCINO_INLINE rgb grey(double x) {
 
 }  // namespace detail
 
-CONCINO_INLINE rgb material::operator()(const vec3& n) const {
+CONCINO_INLINE rgb surface_material::operator()(const vec3& n) const {
   const vec3 toward_light{-0.45, 0.60, 0.66}, halfway{-0.247, 0.329, 0.911};  // halfway between light and viewer
   const double soft = std::max(0.0, (dot(n, toward_light) + 0.35) / 1.35);     // light that reaches behind the horizon a little
   const double contour = std::pow(1 - std::min(1.0, std::max(0.0, n.z)), 3);

@@ -16,20 +16,20 @@ namespace concino {
 /// Cost:   O(1) for each point of a surface.
 /// Errors: none but those of from.
 /// Source: Sloan, Martin, Gooch and Gooch 2001, "The Lit Sphere".
-class material {
+class surface_material {
  public:
-  material() = default;
+  surface_material() = default;
 
-  static material daylight() { return {}; }
-  static material matte() { return material(kind::matte); }          // soft light from the upper left
-  static material clay() { return material(kind::clay); }            // the same in a warm tint, with dark contours
-  static material porcelain() { return material(kind::porcelain); }  // with a small highlight and bright contours
-  static material metal() { return material(kind::metal); }          // reflects a bright sky above a dark ground
+  static surface_material daylight() { return {}; }
+  static surface_material matte() { return surface_material(kind::matte); }          // soft light from the upper left
+  static surface_material clay() { return surface_material(kind::clay); }            // the same in a warm tint, with dark contours
+  static surface_material porcelain() { return surface_material(kind::porcelain); }  // with a small highlight and bright contours
+  static surface_material metal() { return surface_material(kind::metal); }          // reflects a bright sky above a dark ground
 
   /// The light of a picture of a ball: the pixel at which the ball has a normal is the light of this normal. White is full light.
   /// Errors: invalid_argument if the picture has no pixels.
-  static material from(const image& ball) {
-    material m(kind::picture);
+  static surface_material from(const image& ball) {
+    surface_material m(kind::picture);
     m.ball_ = texture::from(ball, texture::outside::clamp);
     return m;
   }
@@ -42,7 +42,7 @@ class material {
 
  private:
   enum class kind : std::uint8_t { daylight, matte, clay, porcelain, metal, picture };
-  explicit material(kind k) : kind_(k) {}
+  explicit surface_material(kind k) : kind_(k) {}
 
   kind kind_ = kind::daylight;
   texture ball_;
@@ -51,5 +51,5 @@ class material {
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/render/detail/material.ipp>
+#include <concino/render/detail/surface_material.ipp>
 #endif
