@@ -15,6 +15,7 @@
 #include <concino/render/colormap.hpp>
 #include <concino/render/criterion.hpp>
 #include <concino/render/drawable.hpp>
+#include <concino/render/graph_tubes.hpp>
 #include <concino/render/image.hpp>
 #include <concino/render/label_colors.hpp>
 #include <concino/render/peeled.hpp>

@@ -3,4 +3,5 @@
 
 #include <concino/render/arrows.hpp>
 #include <concino/render/balls.hpp>
+#include <concino/render/graph_tubes.hpp>
 #include <concino/render/tubes.hpp>
