@@ -137,7 +137,7 @@ void write_field(const M& m, const U& u, const std::string& path) {
 template<class M, class U>
 cn::image picture_of(const M& m, const U& u, const std::vector<far_ends<M>>& ends, const cn::progress& progress) {
   cn::scene scene;
-  scene.add(cn::make_drawable(m, u));
+  scene.add(m, {.field = u});
   cn::drawable& surface = scene.last();
   if (surface.polys.empty()) throw cn::invalid_mesh("the mesh has no polygon to draw");
   surface.look.scale = cn::value_scale::equalized(surface.values);

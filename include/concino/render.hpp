@@ -1,13 +1,12 @@
-// Renders pictures of meshes. Another ray tracer may be passed, such as the adapter <concino/adapters/embree.hpp>. <concino/adapters/stb.hpp> reads
-// picture files for textures.
+// Pictures of meshes and of what was computed on them. Another ray tracer may be passed, such as the adapter <concino/adapters/embree.hpp>.
 #pragma once
 
 #include <concino/render/ambient_occlusion.hpp>
 #include <concino/render/any_field.hpp>
 #include <concino/render/appearance.hpp>
 #include <concino/render/arrows.hpp>
-#include <concino/render/balls.hpp>
 #include <concino/render/axes.hpp>
+#include <concino/render/balls.hpp>
 #include <concino/render/best_view.hpp>
 #include <concino/render/box_tree_tracer.hpp>
 #include <concino/render/camera.hpp>
@@ -18,9 +17,12 @@
 #include <concino/render/graph_tubes.hpp>
 #include <concino/render/image.hpp>
 #include <concino/render/label_colors.hpp>
-#include <concino/render/peeled.hpp>
 #include <concino/render/labels.hpp>
 #include <concino/render/legend.hpp>
+#include <concino/render/make_drawable.hpp>
+#include <concino/render/material.hpp>
+#include <concino/render/mesh_look.hpp>
+#include <concino/render/peeled.hpp>
 #include <concino/render/png.hpp>
 #include <concino/render/poly_criterion.hpp>
 #include <concino/render/polygon_selection.hpp>
@@ -30,14 +32,16 @@
 #include <concino/render/render.hpp>
 #include <concino/render/render_options.hpp>
 #include <concino/render/scene.hpp>
+#include <concino/render/scene_png.hpp>
 #include <concino/render/shapes.hpp>
 #include <concino/render/sheet.hpp>
 #include <concino/render/slicing.hpp>
 #include <concino/render/smooth_normals.hpp>
-#include <concino/render/texture.hpp>
-#include <concino/render/tubes.hpp>
-#include <concino/render/value_criteria.hpp>
 #include <concino/render/surface_material.hpp>
 #include <concino/render/text.hpp>
+#include <concino/render/texture.hpp>
+#include <concino/render/tubes.hpp>
+#include <concino/render/turntable.hpp>
+#include <concino/render/value_criteria.hpp>
 #include <concino/render/value_scale.hpp>
 #include <concino/render/view.hpp>

@@ -1,9 +1,11 @@
 // Views of arrays do not copy the arrays: a view takes less memory than a native mesh, and its results change with the arrays.
 #include <concino/adapters/eigen.hpp>
 #include <concino/adapters/span.hpp>
+#include <concino/render/scene.hpp>
 
 #include <support/allocations.hpp>
 #include <support/input_arrays.hpp>
+#include <support/threads.hpp>
 
 #include <doctest/doctest.h>
 
@@ -105,6 +107,15 @@ TEST_CASE("arrays: iterating over a view and copying it allocate no memory") {
           sum -= walked(copy);
         }) == allocations{});
   CHECK(sum == 0);
+}
+
+TEST_CASE("arrays: a picture of a view takes as much memory as that of a native mesh") {
+  const auto tris = grid_arrays<trimesh>(40);
+  const trimesh native(tris);
+  const auto corners = raws<int>(tris.verts);
+  const auto view = view_tri(tris.points, corners);
+  const with_num_threads alone(1);  // threads that help in a loop allocate
+  CHECK(allocated_by([&] { scene().add(view); }) == allocated_by([&] { scene().add(native); }));
 }
 
 TEST_CASE("arrays: the verts of polys and faces are read from the user's array") {

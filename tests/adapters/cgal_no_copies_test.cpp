@@ -4,6 +4,7 @@
 #include <concino/fields.hpp>
 #include <concino/graph.hpp>
 #include <concino/mesh/trimesh.hpp>
+#include <concino/render/scene.hpp>
 
 #include <CGAL/Polyhedron_items_with_id_3.h>
 #include <CGAL/Simple_cartesian.h>
@@ -59,7 +60,7 @@ std::vector<allocations> allocated_on(const M& m) {
   const auto p = *polys(m).begin();
   auto last = v;
   for (const auto w : verts(m)) last = w;
-  std::vector<allocations> r(8);
+  std::vector<allocations> r(9);
   r[0] = allocated_by([&] { bfs(m, v); });
   r[1] = allocated_by([&] { bfs(m, p); });
   r[2] = allocated_by([&] { dijkstra(m, v); });
@@ -67,7 +68,8 @@ std::vector<allocations> allocated_on(const M& m) {
   r[4] = allocated_by([&] { connected_components(m); });
   r[5] = allocated_by([&] { laplacian(m, uniform); });
   r[6] = allocated_by([&] { harmonic_map(m, {{v, 0.0}, {last, 1.0}}, uniform); });
-  r[7] = allocated_by([&] { walk_everything(m); });
+  r[7] = allocated_by([&] { scene().add(m, {.edges = true}); });
+  r[8] = allocated_by([&] { walk_everything(m); });
   return r;
 }
 

@@ -1,4 +1,4 @@
-#include <concino/render/drawable.hpp>
+#include <concino/render/make_drawable.hpp>
 
 #include <concino/mesh/element_map.hpp>
 
@@ -41,7 +41,7 @@ TEST_CASE_TEMPLATE("drawable: takes values from the map, and the scale spans the
   auto u = make_vert_map<double>(m, 0.0);
   for (const auto v : verts(m)) u[v] = 10 + point(m, v)[0];
   u[*verts(m).begin()] = std::numeric_limits<double>::infinity();
-  const drawable d = make_drawable(m, u);
+  const drawable d = make_drawable(m, {.field = u});
   REQUIRE(d.values.size() == d.points.size());
   for (std::size_t i = 0; i < d.points.size(); ++i)
     if (std::isfinite(d.values[i])) CHECK(d.values[i] == 10 + d.points[i].x);

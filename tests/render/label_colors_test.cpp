@@ -10,7 +10,7 @@ using namespace concino;
 namespace {
 
 /// The distance of two colours in OKLab, in which equal distances look equal.      Source: Ottosson 2020.
-double distance(const rgb& x, const rgb& y) {
+double color_distance(const rgb& x, const rgb& y) {
   const auto lab = [](const rgb& c) {
     const double l = std::cbrt(0.4122214708 * c.r + 0.5363325363 * c.g + 0.0514459929 * c.b);
     const double m = std::cbrt(0.2119034982 * c.r + 0.6806995451 * c.g + 0.1073969566 * c.b);
@@ -25,11 +25,11 @@ double distance(const rgb& x, const rgb& y) {
 }  // namespace
 
 TEST_CASE("label_color: twenty labels have distinct colours, which no grey, white or black resembles") {
-  CHECK(distance({1, 1, 1}, {0, 0, 0}) == doctest::Approx(1).epsilon(1e-3));
+  CHECK(color_distance({1, 1, 1}, {0, 0, 0}) == doctest::Approx(1).epsilon(1e-3));
   const appearance look;
   for (std::size_t i = 0; i < num_label_colors; ++i) {
-    for (std::size_t j = 0; j < i; ++j) CHECK_MESSAGE(distance(label_color(i), label_color(j)) > 0.14, i << " and " << j);
-    for (const rgb& c : {rgb{1, 1, 1}, rgb{0, 0, 0}, look.color, look.no_value, look.edge_color}) CHECK(distance(label_color(i), c) > 0.14);
+    for (std::size_t j = 0; j < i; ++j) CHECK_MESSAGE(color_distance(label_color(i), label_color(j)) > 0.14, i << " and " << j);
+    for (const rgb& c : {rgb{1, 1, 1}, rgb{0, 0, 0}, look.color, look.no_value, look.edge_color}) CHECK(color_distance(label_color(i), c) > 0.14);
   }
 }
 

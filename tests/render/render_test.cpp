@@ -61,7 +61,7 @@ TEST_CASE("render: values, bands and edges are visible; a value that is not fini
   plain.ground = false;
   plain.width = plain.height = 40;
   const auto shot = [&](const drawable& d) { return shot_of(one(d), framed(one(d), 1, front), plain); };
-  drawable d = make_drawable(m, u);
+  drawable d = make_drawable(m, {.field = u});
   d.look.shine = 0;
   const image smooth = shot(d);
   CHECK(smooth(3, 20).b > 3 * smooth(3, 20).r);   // blue at the low end

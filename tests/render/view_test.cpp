@@ -1,3 +1,4 @@
+#include <concino/render/make_drawable.hpp>
 #include <concino/render/view.hpp>
 
 #include <doctest/doctest.h>

@@ -8,6 +8,7 @@
 #include <concino/render/box_tree_tracer.hpp>
 #include <concino/render/detail/sampling.hpp>
 #include <concino/render/detail/unit_scene.hpp>
+#include <concino/render/make_drawable.hpp>
 
 #include <limits>
 #include <span>
@@ -78,13 +79,6 @@ void add_visible_sky(const drawable& d, std::span<const place_in_triangle> place
   report_progress(options.progress, 1, label);
 }
 
-/// index_of(m, v) as a map of numbers: make_drawable copies it as the values of points.
-template<class M>
-struct vert_numbers {
-  const M* m;
-  double operator[](const vert_t<M>& v) const { return static_cast<double>(index_of(*m, v)); }
-};
-
 }  // namespace detail
 
 /// The fraction of the hemisphere above every poly that the surface does not occlude, weighted by the cosine to the normal.
@@ -115,13 +109,13 @@ poly_map<M, double> ambient_occlusion(M&& m, const ambient_occlusion_options& op
 template<class M, RayTracer T = box_tree_tracer>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M>
 vert_map<M, double> ambient_occlusion_at_verts(M&& m, const ambient_occlusion_options& options = {}, const T& tracer = {}) {
-  const drawable d = make_drawable(m, detail::vert_numbers<std::remove_cvref_t<M>>{&m}, {.crease_angle = 0});
+  const drawable d = make_drawable(m, {.crease_angle = 0});
   auto result = make_vert_map<double>(m, 0.0);
   constexpr double near = 1 - 1.0 / 12, other = 1.0 / 24;
   const detail::place_in_triangle near_corners[] = {{near, other, other}, {other, near, other}, {other, other, near}};
   const auto point_of = [&](std::size_t t, std::size_t k) { return d.corners[d.triangles[t][k]]; };
   detail::add_visible_sky(d, near_corners, options, tracer, d.points.size(), point_of,
-                          [&](std::size_t t, std::size_t k) { return static_cast<std::size_t>(d.values[point_of(t, k)]); }, result.values());
+                          [&](std::size_t t, std::size_t k) { return d.verts[point_of(t, k)]; }, result.values());
   return result;
 }
 

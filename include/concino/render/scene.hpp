@@ -1,7 +1,7 @@
 // Scenes: the things that a picture shows.
 #pragma once
 
-#include <concino/render/drawable.hpp>
+#include <concino/render/make_drawable.hpp>
 
 #include <span>
 #include <utility>
@@ -14,11 +14,20 @@ class scene {
   std::vector<drawable> drawables_;
 
  public:
+  /// Adds a mesh of any type: s.add(m, {.field = u, .edges = true, .visible = below('x', 0.3)}).
+  /// Needs, Cost, Errors: as make_drawable.      Result: the scene, which holds no copy of the mesh and no reference to it.
+  template<EmbeddedMesh M>
+  scene& add(const M& m, const mesh_look<M>& look = {}) { return add(make_drawable(m, look)); }
+
   /// Adds a drawable, for example one made by make_drawable.
   scene& add(drawable d) {
     drawables_.push_back(std::move(d));
     return *this;
   }
+
+  // What to write instead of calls that cannot compile.
+  template<class... T> void add(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+  template<class... T> void add(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
   /// What was added, in this order.
   std::span<const drawable> drawables() const { return drawables_; }

@@ -8,7 +8,7 @@
 #include <concino/io/load.hpp>
 #include <concino/io/save.hpp>
 #include <concino/render/arrows.hpp>
-#include <concino/render/drawable.hpp>
+#include <concino/render/make_drawable.hpp>
 #include <concino/render/slicing.hpp>
 
 #include <set>
@@ -81,7 +81,7 @@ struct drawing {
     struct number_itself {
       double operator[](vert_t<typename B::native_mesh> v) const { return v.raw(); }
     };
-    const drawable a = make_drawable(both.native, number_itself{}), b = make_drawable(both.other, through{both});
+    const drawable a = make_drawable(both.native, {.field = number_itself{}}), b = make_drawable(both.other, {.field = through{both}});
     expect(a.triangles.size() == b.triangles.size() && a.points.size() == b.points.size(), "as many triangles and points");
     std::vector<unsigned> native_poly(poly_index_bound(both.other));
     for (const auto p : both.polys.all) native_poly[index_of(both.other, both.polys.to(p))] = p.raw();

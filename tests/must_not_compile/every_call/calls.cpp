@@ -137,6 +137,7 @@ void no_adapter(const stranger& other) {
   cn::make_arrows(other);  // refused
   cn::make_balls(other);  // refused
   cn::make_graph_tubes(other);  // refused
+  cn::scene().add(other);  // refused
   cn::make_tubes(other);  // refused
   cn::visible_polys(other);  // refused
   cn::visible_facets(other);  // refused
@@ -348,6 +349,7 @@ void no_points(const cn::trimesh& m) {
   cn::make_arrows(pure);  // refused
   cn::make_balls(pure);  // refused
   cn::make_graph_tubes(pure);  // refused
+  cn::scene().add(pure);  // refused
   cn::make_tubes(pure);  // refused
   cn::convert<cn::polygonmesh>(pure);  // refused
   cn::prepare_exact_geodesics(pure);  // refused

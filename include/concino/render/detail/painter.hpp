@@ -14,6 +14,7 @@ inline void check_render_options(const render_options& o) {
   const auto need = [](bool ok, const char* what) {
     if (!ok) core::throw_joined<invalid_argument>({"render: ", what});
   };
+  need(o.width >= 1 && o.width <= 65535 && o.height >= 1 && o.height <= 65535, "width and height must be 1 to 65535 pixels");
   need(o.samples >= 1 && o.samples <= 32, "samples must be 1 to 32");
   need(o.occlusion_rays >= 0 && o.occlusion_rays <= 1 << 20, "occlusion_rays must be 0 to 1048576");
   need(o.occlusion_distance > 0, "occlusion_distance must be positive");
