@@ -20,7 +20,6 @@
 #include <concino/render/labels.hpp>
 #include <concino/render/legend.hpp>
 #include <concino/render/make_drawable.hpp>
-#include <concino/render/material.hpp>
 #include <concino/render/mesh_look.hpp>
 #include <concino/render/peeled.hpp>
 #include <concino/render/png.hpp>
