@@ -87,5 +87,5 @@ TEST_CASE("labeled, at_most: maps of other elements are refused when compiled, m
   const auto label = make_poly_map<int>(other);
   CHECK_THROWS_WITH_AS(count(m, labeled(label, {1})), "labeled: the map belongs to another mesh; make it with make_poly_map<...>(m)", invalid_argument);
   CHECK_THROWS_AS(count(m, at_most(label, 1)), invalid_argument);
-  CHECK_THROWS_WITH_AS(at_least(label, std::numeric_limits<double>::quiet_NaN()), "at_least: the limit must be a number, but is NaN", invalid_argument);
+  CHECK_THROWS_WITH_AS(at_least(label, std::numeric_limits<double>::quiet_NaN()), "at_least: the limit is not a number (NaN)", invalid_argument);
 }

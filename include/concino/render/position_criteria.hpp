@@ -73,7 +73,8 @@ namespace detail {
 
 inline coordinate_criterion coordinate_between(const char* caller, char axis, double low, double high, bool are_fractions) {
   if (axis != 'x' && axis != 'y' && axis != 'z') core::throw_joined<invalid_argument>({caller, ": the axis must be 'x', 'y' or 'z'"});
-  if (!(low <= high)) core::throw_joined<invalid_argument>({caller, ": the limits must be numbers in ascending order"});
+  if (std::isnan(low) || std::isnan(high)) core::throw_joined<invalid_argument>({caller, are_fractions ? ": the fraction" : ": a coordinate", " is not a number (NaN)"});
+  if (low > high) core::throw_joined<invalid_argument>({caller, ": the lower coordinate is above the upper one"});
   return {{}, static_cast<std::size_t>(axis - 'x'), low, high, are_fractions};
 }
 

@@ -42,14 +42,15 @@ template<class P>
 struct value_criterion : criterion_base {
   detail::kept_map<P> map;
   double low, high;
-  value_criterion(detail::kept_map<P> from, double least, double largest, const char* caller) : map(std::move(from)), low(least), high(largest) {
-    if (!(low <= high)) core::throw_joined<invalid_argument>({caller, ": the limit must be a number, but is NaN"});
+  const char* caller;
+  value_criterion(detail::kept_map<P> from, double least, double largest, const char* name) : map(std::move(from)), low(least), high(largest), caller(name) {
+    if (!(low <= high)) core::throw_joined<invalid_argument>({caller, ": the limit is not a number (NaN)"});
   }
 
   template<AnyMesh M>
     requires requirement::gives_numbers<P, poly_t<M>>
   auto prepare(const M& m) const {
-    detail::check_map(m, map.get(), poly_index_bound(m), element_kind::poly, "at_least, at_most or selected");
+    detail::check_map(m, map.get(), poly_index_bound(m), element_kind::poly, caller);
     return [&u = map.get(), from = low, to = high](const poly_t<M>& p) -> bool {
       const double x = static_cast<double>(u[p]);
       return from <= x && x <= to;
