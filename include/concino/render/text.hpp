@@ -27,7 +27,7 @@ struct text_options {
 /// Draws text, with edges smoothed by the area of each pixel that it covers.
 /// Needs:  text in UTF-8; '\n' begins a new line. A character that the font does not have, and a byte that is not UTF-8, is shown as an empty box.
 /// Result: the box of what was drawn; without size, at the position, if nothing is visible.
-/// Cost:   O(pixels of the box), and some microseconds for each character.
+/// Cost:   O(pixels of the box), and a triangulation of each character.
 /// Errors: invalid_argument if an option is out of its range or the position is not finite.
 pixel_box draw_text(image& picture, std::string_view text, const pixel_position& position, const text_options& options = {});
 

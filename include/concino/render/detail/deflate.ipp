@@ -123,7 +123,7 @@ struct deflate_symbol {
 /// Finds earlier occurrences of the bytes at a position.
 class string_finder {
   static constexpr std::uint32_t window_ = 1 << 15;
-  static constexpr unsigned shortest_ = 3, longest_ = 258, tries_ = 48;
+  static constexpr unsigned shortest_ = 3, longest_ = 258, tries_ = 8;
   std::span<const std::uint8_t> bytes_;
   std::vector<std::uint32_t> last_ = std::vector<std::uint32_t>(window_, 0);  // by hash: 1 + the last position, 0: none
   std::vector<std::uint32_t> before_ =
