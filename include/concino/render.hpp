@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/render/ambient_occlusion.hpp>
+#include <concino/render/any_colors.hpp>
 #include <concino/render/any_field.hpp>
 #include <concino/render/appearance.hpp>
 #include <concino/render/arrows.hpp>

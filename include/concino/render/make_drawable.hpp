@@ -78,6 +78,7 @@ template<class Prepared> met_polys(Prepared) -> met_polys<Prepared>;
 template<EmbeddedMesh M>
 drawable make_drawable(const M& m, const mesh_look<M>& look = {}) {
   detail::check_look(look.opacity, look.shine, look.crease_angle, look.edge_width, look.isobands, look.isolines, look.labels.at());
+  if (look.texture && !look.texture_coordinates) throw invalid_argument("make_drawable: a texture needs texture_coordinates");
   std::vector<double> values;
   if (look.labels) look.labels.fill(m, values);
   else if (look.field) look.field.fill(m, values);
@@ -95,6 +96,13 @@ drawable make_drawable(const M& m, const mesh_look<M>& look = {}) {
   d.look.edge_color = look.edge_color;
   d.look.opacity = look.opacity;
   d.look.shine = look.shine;
+  d.look.material = look.material;
+  d.look.texture = look.texture;
+  if (look.colors) {
+    d.colors = look.colors.read(m, d);
+    d.colors_at = look.colors.at() == element_kind::vert ? value_place::points : look.colors.at() == element_kind::corner ? value_place::corners : value_place::polygons;
+  }
+  if (look.texture_coordinates) d.texture_coordinates = detail::texture_points_of_corners(d, look.texture_coordinates.at(), look.texture_coordinates.read(m, d));
   if (at != element_kind::mesh) detail::take_values(d, at, values, edge_of_corner, look.scale);
   return d;
 }

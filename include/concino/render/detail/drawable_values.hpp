@@ -5,6 +5,7 @@
 #include <concino/mesh/property_set.hpp>
 #include <concino/render/drawable.hpp>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -20,6 +21,9 @@ void finish_drawable(drawable& d, double crease_angle);
 
 /// Reads the values of elements of a kind. edges: by corner, the index of the edge to the next corner, if they are values of edges.
 void take_values(drawable& d, element_kind at, std::span<const double> by_index, std::span<const std::uint32_t> edges, const std::optional<value_scale>& scale);
+
+/// Texture coordinates by corner, from those at verts (by point) or corners.
+std::vector<std::array<float, 2>> texture_points_of_corners(const drawable& d, element_kind at, std::vector<std::array<float, 2>> points);
 
 }  // namespace concino::detail
 

@@ -38,4 +38,12 @@ CONCINO_INLINE void take_values(drawable& d, element_kind at, std::span<const do
   d.look.scale = scale ? *scale : value_scale::linear(to);
 }
 
+CONCINO_INLINE std::vector<std::array<float, 2>> texture_points_of_corners(const drawable& d, element_kind at, std::vector<std::array<float, 2>> points) {
+  if (at == element_kind::corner) return points;
+  std::vector<std::array<float, 2>> result;
+  result.reserve(d.corners.size());
+  for (const std::uint32_t point : d.corners) result.push_back(points[point]);
+  return result;
+}
+
 }  // namespace concino::detail
