@@ -51,7 +51,7 @@ class box_tree_caster {
   std::array<float, 3> low_{}, high_{};  // of all triangles
 
   void test(const block& b, const ray& r, double t_near, ray_hit& best) const;
-  template<class Visit> void visit_leaves(const ray& r, float t_near, float t_far, Visit&& visit) const;
+  template<bool Ordered, class Visit> void visit_leaves(const ray& r, float t_near, float t_far, Visit&& visit) const;
 };
 
 /// The ray tracer: box_tree_tracer{} as the last argument of render, best_view and ambient_occlusion, which is its default.

@@ -4,8 +4,10 @@
 #include <concino/core/box_tree_builder.hpp>
 #include <concino/core/error.hpp>
 #include <concino/render/box_tree_tracer.hpp>
+#include <concino/render/detail/lanes.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -46,9 +48,11 @@ struct box_tree_caster::ray {
   }
 };
 
-/// Calls visit(block) for the leaves whose box the ray hits, near ones first. It returns the largest parameter that is still of interest, negative: none.
-template<class Visit>
+/// Calls visit(block) for the leaves whose box the ray hits; near ones first, if ordered. It returns the largest parameter that is still of interest;
+/// below t_near: none.
+template<bool Ordered, class Visit>
 void box_tree_caster::visit_leaves(const ray& r, float t_near, float t_far, Visit&& visit) const {
+  using detail::float4;
   struct entry {
     std::uint32_t child;
     float t;
@@ -57,68 +61,65 @@ void box_tree_caster::visit_leaves(const ray& r, float t_near, float t_far, Visi
   constexpr float more = 1 + 6 * 0x1p-24f;  // for the rounding of the two parameters
   entry later[384];                         // three for each level of a tree of 2^31 triangles
   std::size_t waiting = 0;
-  entry at{0, t_near};
+  std::uint32_t at = 0;
+  const float4 ix = detail::lanes_of(r.inverse[0]), iy = detail::lanes_of(r.inverse[1]), iz = detail::lanes_of(r.inverse[2]);
+  const float4 ax = detail::lanes_of(r.near_origin[0]), ay = detail::lanes_of(r.near_origin[1]), az = detail::lanes_of(r.near_origin[2]);
+  const float4 bx = detail::lanes_of(r.far_origin[0]), by = detail::lanes_of(r.far_origin[1]), bz = detail::lanes_of(r.far_origin[2]);
+  const std::size_t nx = r.near_row[0], ny = r.near_row[1], nz = r.near_row[2];
   while (true) {
-    if (at.t <= t_far) {
-      if (at.child & is_block) {
-        t_far = visit(blocks_[at.child & ~is_block]);
+    if (at & is_block) {
+      t_far = visit(blocks_[at & ~is_block]);
+      if (t_far < t_near) return;
+    } else {
+      const node& n = nodes_[at];
+      const float4 x0 = (detail::load_lanes(n.bounds[nx]) - ax) * ix, x1 = (detail::load_lanes(n.bounds[nx ^ 1]) - bx) * ix;
+      const float4 y0 = (detail::load_lanes(n.bounds[ny]) - ay) * iy, y1 = (detail::load_lanes(n.bounds[ny ^ 1]) - by) * iy;
+      const float4 z0 = (detail::load_lanes(n.bounds[nz]) - az) * iz, z1 = (detail::load_lanes(n.bounds[nz ^ 1]) - bz) * iz;
+      const float4 first = detail::larger_lanes(detail::larger_lanes(x0, y0), detail::larger_lanes(z0, detail::lanes_of(t_near)));
+      const float4 last = detail::smaller_lanes(detail::smaller_lanes(detail::smaller_lanes(x1, y1), z1) * more, detail::lanes_of(t_far));
+      unsigned mask = detail::lane_mask(first <= last);
+      if constexpr (!Ordered) {
+        for (; mask != 0; mask &= mask - 1) later[waiting++].child = n.child[std::countr_zero(mask)];
       } else {
-        const node& n = nodes_[at.child];
-        alignas(16) float first[4], last[4];
-        const float *nx = n.bounds[r.near_row[0]], *ny = n.bounds[r.near_row[1]], *nz = n.bounds[r.near_row[2]];
-        const float *fx = n.bounds[r.near_row[0] ^ 1], *fy = n.bounds[r.near_row[1] ^ 1], *fz = n.bounds[r.near_row[2] ^ 1];
-        for (std::size_t k = 0; k < 4; ++k) {
-          const float ax = (nx[k] - r.near_origin[0]) * r.inverse[0], ay = (ny[k] - r.near_origin[1]) * r.inverse[1];
-          const float az = (nz[k] - r.near_origin[2]) * r.inverse[2];
-          const float bx = (fx[k] - r.far_origin[0]) * r.inverse[0], by = (fy[k] - r.far_origin[1]) * r.inverse[1];
-          const float bz = (fz[k] - r.far_origin[2]) * r.inverse[2];
-          const float axy = ax > ay ? ax : ay, azt = az > t_near ? az : t_near;
-          const float bxy = bx < by ? bx : by;
-          const float b = (bxy < bz ? bxy : bz) * more;
-          first[k] = axy > azt ? axy : azt;
-          last[k] = b < t_far ? b : t_far;
-        }
         const std::size_t start = waiting;
-        for (std::size_t k = 0; k < 4; ++k) {
-          if (!(first[k] <= last[k])) continue;
+        for (; mask != 0; mask &= mask - 1) {
+          const int k = std::countr_zero(mask);
+          const float t = first[k];
           std::size_t i = waiting++;
-          for (; i > start && later[i - 1].t < first[k]; --i) later[i] = later[i - 1];
-          later[i] = {n.child[k], first[k]};
+          for (; i > start && later[i - 1].t < t; --i) later[i] = later[i - 1];
+          later[i] = {n.child[k], t};
         }
       }
     }
-    if (waiting == 0) return;
-    at = later[--waiting];
+    do {
+      if (waiting == 0) return;
+      --waiting;
+    } while (Ordered && !(later[waiting].t <= t_far));
+    at = later[waiting].child;
   }
 }
 
 /// Tests the triangles of a block; updates the best hit.
-inline void box_tree_caster::test(const block& b, const ray& r, double t_near, ray_hit& best) const {
-  alignas(32) float px[3][4], py[3][4], pz[3][4];
-  for (std::size_t c = 0; c < 3; ++c)
-    for (std::size_t k = 0; k < 4; ++k) {
-      const float z = b.corner[c][r.z][k] - r.origin[r.z];
-      px[c][k] = (b.corner[c][r.x][k] - r.origin[r.x]) - r.shear_x * z;
-      py[c][k] = (b.corner[c][r.y][k] - r.origin[r.y]) - r.shear_y * z;
-      pz[c][k] = z;
-    }
-  // Products of two floats are exact in double precision, so that the signs are exact, and both triangles at an edge have the same view of it.
-  alignas(32) double u[4], v[4], w[4], low[4], high[4];
-  for (std::size_t k = 0; k < 4; ++k) {
-    const double ax = px[0][k], ay = py[0][k], bx = px[1][k], by = py[1][k], cx = px[2][k], cy = py[2][k];
-    u[k] = cx * by - cy * bx;
-    v[k] = ax * cy - ay * cx;
-    w[k] = bx * ay - by * ax;
-    const double l = u[k] < v[k] ? u[k] : v[k], h = u[k] > v[k] ? u[k] : v[k];
-    low[k] = l < w[k] ? l : w[k];
-    high[k] = h > w[k] ? h : w[k];
+inline void box_tree_caster::test(const block& triangles, const ray& r, double t_near, ray_hit& best) const {
+  using detail::double4;
+  using detail::float4;
+  float4 x[3], y[3], z[3];
+  for (std::size_t c = 0; c < 3; ++c) {
+    z[c] = detail::load_lanes(triangles.corner[c][r.z]) - r.origin[r.z];
+    x[c] = (detail::load_lanes(triangles.corner[c][r.x]) - r.origin[r.x]) - r.shear_x * z[c];
+    y[c] = (detail::load_lanes(triangles.corner[c][r.y]) - r.origin[r.y]) - r.shear_y * z[c];
   }
-  for (std::size_t k = 0; k < 4; ++k) {
-    if (!(low[k] >= 0 || high[k] <= 0)) continue;
+  // Products of two floats are exact in double precision. So the signs are exact, and the triangles on both sides of an edge agree about it.
+  const double4 ax(x[0]), ay(y[0]), bx(x[1]), by(y[1]), cx(x[2]), cy(y[2]);
+  const double4 u = double4::determinant(cx, cy, bx, by), v = double4::determinant(ax, ay, cx, cy), w = double4::determinant(bx, by, ax, ay);
+  const double4::truth same_sign = double4::have_same_sign(u, v, w);
+  if (same_sign.none()) return;
+  for (int k = 0; k < 4; ++k) {
+    if (!same_sign[k]) continue;
     const double sum = u[k] + v[k] + w[k];
-    const double t = (u[k] * pz[0][k] + v[k] * pz[1][k] + w[k] * pz[2][k]) * r.scale_z / sum;
-    if (!(t >= t_near && t <= best.t) || (t == best.t && b.triangle[k] >= best.triangle)) continue;
-    best = {b.triangle[k], v[k] / sum, w[k] / sum, t};
+    const double t = (u[k] * z[0][k] + v[k] * z[1][k] + w[k] * z[2][k]) * r.scale_z / sum;
+    if (!(t >= t_near && t <= best.t) || (t == best.t && triangles.triangle[k] >= best.triangle)) continue;
+    best = {triangles.triangle[k], v[k] / sum, w[k] / sum, t};
   }
 }
 
@@ -126,7 +127,7 @@ CONCINO_INLINE ray_hit box_tree_caster::intersect(const vec3& origin, const vec3
   const ray r(origin, direction, low_, high_);
   ray_hit best;
   best.t = t_far;
-  visit_leaves(r, static_cast<float>(t_near), static_cast<float>(t_far), [&](const block& b) {
+  visit_leaves<true>(r, static_cast<float>(t_near), static_cast<float>(t_far), [&](const block& b) {
     test(b, r, t_near, best);
     return static_cast<float>(best.t);
   });
@@ -137,9 +138,9 @@ CONCINO_INLINE bool box_tree_caster::occluded(const vec3& origin, const vec3& di
   const ray r(origin, direction, low_, high_);
   ray_hit best;
   best.t = t_far;
-  visit_leaves(r, static_cast<float>(t_near), static_cast<float>(t_far), [&](const block& b) {
+  visit_leaves<false>(r, static_cast<float>(t_near), static_cast<float>(t_far), [&](const block& b) {
     test(b, r, t_near, best);
-    return best ? -1 : static_cast<float>(best.t);
+    return best ? -std::numeric_limits<float>::infinity() : static_cast<float>(best.t);
   });
   return static_cast<bool>(best);
 }
