@@ -19,6 +19,6 @@ using any_colors = detail::drawn_map<M, rgb>;
 
 /// Texture coordinates on a mesh of type M, such as find_corner_property<std::array<double, 2>>(m, "texture") of an OBJ file.
 template<AnyMesh M>
-using any_texture_coordinates = detail::drawn_map<M, detail::texture_point>;
+using any_texture_coordinates = detail::drawn_map<M, detail::drawn_point>;
 
 }  // namespace concino

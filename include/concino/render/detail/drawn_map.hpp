@@ -18,13 +18,13 @@
 
 namespace concino::detail {
 
-using texture_point = std::array<float, 2>;
+using drawn_point = std::array<float, 2>;
 
 inline rgb drawn_value(const rgb& c, const rgb*) { return c; }
 inline rgb drawn_value(const rgba& c, const rgb*) { return srgb(c.r, c.g, c.b); }
 template<class T>
   requires requires(const T& t) { { t[0] } -> std::convertible_to<double>; { t[1] } -> std::convertible_to<double>; }
-texture_point drawn_value(const T& t, const texture_point*) {
+drawn_point drawn_value(const T& t, const drawn_point*) {
   return {static_cast<float>(t[0]), static_cast<float>(t[1])};
 }
 
