@@ -16,7 +16,7 @@ namespace concino {
 template<RayTracer T = box_tree_tracer>
 image render(const scene& s, const render_options& options = {}, const T& tracer = {}) {
   detail::check_render_options(options);
-  return detail::prepared_scene<T>(s, tracer).picture(options.camera.of(s.drawables(), detail::aspect_of(options), options.up), options);
+  return detail::prepared_scene<T>(s, tracer).picture(detail::camera_of(s.drawables(), s, options), options);
 }
 
 }  // namespace concino

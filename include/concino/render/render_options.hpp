@@ -3,10 +3,15 @@
 
 #include <concino/core/progress.hpp>
 #include <concino/core/vec3.hpp>
+#include <concino/render/axes.hpp>
 #include <concino/render/color.hpp>
+#include <concino/render/labels.hpp>
+#include <concino/render/legend.hpp>
 #include <concino/render/view.hpp>
 
 #include <cstddef>
+#include <optional>
+#include <string>
 
 namespace concino {
 
@@ -22,6 +27,10 @@ struct render_options {
   double light_size = 9;                    // angular radius in degrees, in [0, 90); larger lights give softer shadows
   rgb background = {1, 1, 1};               // also the colour of the ground
   bool transparent_background = false;      // of background and ground only the shadow is drawn; the image then has opacities
+  std::string title = {};                   // at the upper edge, in UTF-8
+  legend_options legend = {};               // of the first thing with values or labels; drawn if it has a title or a unit, or if legend.show is true
+  std::optional<axes_options> axes = {};    // drawn if given: axes_options{}
+  label_options labels = {};                // of the texts at points of the scene
   concino::progress progress = {};          // called with the fraction done and "rendering"
 };
 

@@ -39,7 +39,7 @@ std::vector<std::string> save_turntable(const scene& s, const std::string& path,
   const detail::prepared_scene<T> prepared(s, tracer);
   const vec3 axis = options.up / norm(options.up), center = detail::middle_of(s.drawables());
   const drawable cylinder = detail::turning_cylinder(s.drawables(), center, axis);
-  const camera first = options.camera.of({&cylinder, 1}, detail::aspect_of(options), options.up);
+  const camera first = detail::camera_of({&cylinder, 1}, s, options);
   std::vector<std::string> paths;
   for (int i = 0; i < num_frames; ++i) {
     const camera from = detail::turned(first, center, axis, 2 * 3.14159265358979323846 * i / num_frames);

@@ -59,6 +59,9 @@ class view {
   view(const view_options& options) : choice_(options) {}
   view(const camera& c) : choice_(c) {}
 
+  /// Whether it is a camera, which stays where it is.
+  bool is_given() const { return std::holds_alternative<camera>(choice_); }
+
   /// The camera for a scene.
   /// Needs:  aspect: width / height of the picture, above 0; up: for named views, of any length but 0.
   /// Result: the camera given, or one that frames the drawables.

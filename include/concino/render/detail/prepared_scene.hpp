@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/parallel.hpp>
+#include <concino/render/detail/overlays.hpp>
 #include <concino/render/detail/painter.hpp>
 #include <concino/render/image.hpp>
 #include <concino/render/ray_caster.hpp>
@@ -10,6 +11,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace concino::detail {
 
@@ -33,8 +36,28 @@ class prepared_scene {
     if (unit_.has_transparent()) opaque_.emplace(tracer.build(unit_.opaque_soup()));
   }
 
-  /// The picture that a camera sees. Needs: options in their ranges.
+  /// The picture that a camera sees, with title, legend, axes and labels. Needs: options in their ranges.
   image picture(const camera& from, const render_options& options) const {
+    image result = without_texts(from, options);
+    std::vector<point_label> labels;
+    for (const point_label& l : scene_.labels())
+      if (is_seen(from, l.point)) labels.push_back(l);
+    draw_overlays(result, from, scene_, labels, options);
+    return result;
+  }
+
+ private:
+  /// Whether nothing hides a point; what lies nearer than a thousandth of the scene does not.
+  bool is_seen(const camera& from, const vec3& point) const {
+    const camera c = unit_.to_unit(from);
+    const vec3 x = unit_.to_unit(point), ahead = x - c.eye;
+    const double away = c.parallel ? -dot(ahead, c.back) : norm(ahead);
+    if (!(away > 0)) return false;
+    const vec3 ray = c.parallel ? -c.back : ahead / away;
+    return !(opaque_ ? *opaque_ : all_).occluded(x - ray * away, ray, 0, away - 2e-3);
+  }
+
+  image without_texts(const camera& from, const render_options& options) const {
     image result(options.width, options.height, options.background);
     if (options.transparent_background) result.add_opacity();
     const painter<caster> paint(unit_, all_, opaque_ ? *opaque_ : all_, from, options);
@@ -62,7 +85,5 @@ class prepared_scene {
     return result;
   }
 };
-
-inline double aspect_of(const render_options& o) { return static_cast<double>(o.width) / static_cast<double>(o.height); }
 
 }  // namespace concino::detail
