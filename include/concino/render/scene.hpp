@@ -31,9 +31,9 @@ class scene {
   /// Adds a text beside a point. It is left out of pictures in which something hides the point.
   /// Needs:  text in UTF-8.      Result: the scene.      Cost: O(length of the text).
   /// Errors: invalid_argument if the point is not finite.
-  scene& add_label(const vec3& point, std::string text) {
-    if (!is_finite(point)) core::throw_joined<invalid_argument>({"scene: the point of the label \"", text, "\" is not finite"});
-    labels_.push_back({point, std::move(text)});
+  scene& add_label(const vec3& at, std::string text) {
+    if (!is_finite(at)) core::throw_joined<invalid_argument>({"scene: the point of the label \"", text, "\" is not finite"});
+    labels_.push_back({at, std::move(text)});
     return *this;
   }
 

@@ -60,7 +60,7 @@ class view {
   view(const camera& c) : choice_(c) {}
 
   /// Whether it is a camera, which stays where it is.
-  bool is_given() const { return std::holds_alternative<camera>(choice_); }
+  bool has_camera() const { return std::holds_alternative<camera>(choice_); }
 
   /// The camera for a scene.
   /// Needs:  aspect: width / height of the picture, above 0; up: for named views, of any length but 0.

@@ -18,7 +18,7 @@ inline const appearance& look_of_legend(const scene& s) {
 
 CONCINO_INLINE camera camera_of(std::span<const drawable> framed, const scene& s, const render_options& o) {
   const double width = static_cast<double>(o.width), height = static_cast<double>(o.height);
-  if (o.camera.is_given()) return o.camera.of(framed, width / height, o.up);
+  if (o.camera.has_camera()) return o.camera.of(framed, width / height, o.up);
   // The same room on both sides, so that the scene stays in the middle.
   double side = 0, above = 0;
   if (o.legend.wanted()) side = legend_box(o.width, o.height, look_of_legend(s), o.legend).width() + 0.03 * height;

@@ -51,10 +51,11 @@ class prepared_scene {
   bool is_seen(const camera& from, const vec3& point) const {
     const camera c = unit_.to_unit(from);
     const vec3 x = unit_.to_unit(point), ahead = x - c.eye;
-    const double away = c.parallel ? -dot(ahead, c.back) : norm(ahead);
+    const double away = c.parallel ? 1e30 : norm(ahead);
     if (!(away > 0)) return false;
-    const vec3 ray = c.parallel ? -c.back : ahead / away;
-    return !(opaque_ ? *opaque_ : all_).occluded(x - ray * away, ray, 0, away - 2e-3);
+    const vec3 to_eye = c.parallel ? c.back : ahead / -away;
+    constexpr double near = 2e-3;  // of half the diagonal
+    return !(opaque_ ? *opaque_ : all_).occluded(x + to_eye * near, to_eye, 0, away - near);
   }
 
   image without_texts(const camera& from, const render_options& options) const {
