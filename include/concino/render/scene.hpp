@@ -3,6 +3,7 @@
 
 #include <concino/render/labels.hpp>
 #include <concino/render/make_drawable.hpp>
+#include <concino/render/shapes.hpp>
 
 #include <span>
 #include <string>
@@ -46,6 +47,62 @@ class scene {
   std::span<const point_label> labels() const { return labels_; }
   /// The last drawable added, to change its appearance.
   drawable& last() { return drawables_.back(); }
+
+  /// The bounding box of all that was added.
+  box bounds() const {
+    box b;
+    for (const drawable& d : drawables_)
+      for (const vec3& p : d.points) b.add(p);
+    return b;
+  }
+
+  /// Adds lines as tubes: s.add_lines(lines, {.radius = 0.004, .color = {1, 0, 0}}); those of m are walks along it, such as paths and boundary loops.
+  /// Needs, Cost, Errors: as make_tubes.      Result: the scene. A radius of 0 means 0.4 % of the diagonal of bounds(), if something was added before.
+  template<class L = std::initializer_list<vec3>>
+    requires requirement::is_lines<L>
+  scene& add_lines(const L& lines, const tube_options& options = {}) {
+    return add(make_tubes(lines, fitted(options, 0.004)));
+  }
+  template<Embedded M, class W>
+    requires(requirement::is_walk<W, M> || requirement::is_walk_range<W, M>)
+  scene& add_lines(const M& m, const W& walks, const tube_options& options = {}) {
+    return add(make_tubes(m, walks, fitted(options, 0.004)));
+  }
+
+  /// Adds the edges of a graph or a mesh, or some of them, as tubes: s.add_graph(skeleton, {.radii = skeleton.radii()}).
+  /// Needs, Cost, Errors: as make_graph_tubes.      Result: as add_lines.
+  template<EmbeddedGraph M>
+  scene& add_graph(const M& g, const tube_options& options = {}) {
+    return add(make_graph_tubes(g, fitted(options, 0.004)));
+  }
+  template<Embedded M, class S>
+    requires requirement::has_verts<M> && requirement::selects_edges<S, M>
+  scene& add_graph(const M& m, const S& some, const tube_options& options = {}) {
+    return add(make_graph_tubes(m, some, fitted(options, 0.004)));
+  }
+
+  /// Adds points, or the verts of a mesh or a graph, as balls: s.add_points(points, {.radius = 0.01}).
+  /// Needs, Cost, Errors: as make_balls.      Result: the scene. A radius of 0 means 0.8 % of the diagonal of bounds(), if something was added before.
+  template<class P = std::initializer_list<vec3>>
+    requires(requirement::is_point_range<P> || (Embedded<P> && requirement::has_verts<P>))
+  scene& add_points(const P& points, const ball_options& options = {}) {
+    return add(make_balls(points, fitted(options, 0.008)));
+  }
+
+  /// Adds the vectors of a field as arrows: s.add_arrows(m, gradient(m, u), {.scale = 0.5}).
+  /// Needs, Cost, Errors: as make_arrows.      Result: the scene.
+  template<class M, class G>
+    requires(requirement::has_vectors_at_polys<M, G> || requirement::has_vectors_at_verts<M, G>)
+  scene& add_arrows(const M& m, const G& g, const arrow_options& options = {}) {
+    return add(make_arrows(m, g, options));
+  }
+
+ private:
+  template<class O>
+  O fitted(O options, double part) const {
+    if (options.radius == 0) options.radius = part * bounds().diagonal();
+    return options;
+  }
 };
 
 }  // namespace concino
