@@ -4,7 +4,7 @@
     scripts/font_outlines.py /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf > include/concino/render/detail/font_table.hpp
     scripts/font_outlines.py /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf --license > LICENSE-font.txt
 
-detail/font.hpp describes the table.
+The table says how outlines are written.
 """
 import struct
 import sys
@@ -22,6 +22,24 @@ CHARACTERS = (
     + [0x2248, 0x2260, 0x2261, 0x2264, 0x2265, 0x226A, 0x226B, 0x27E8, 0x27E9]
 )
 EM = 1024  # units of the table
+
+
+HEAD = r"""#pragma once
+
+#include <cstdint>
+
+namespace concino::detail {
+
+/// A character. Its outline is a string of four characters for each point, 64 different ones in all: two numbers from 0 to 4095, of two digits each,
+/// the characters after '#' without '?' and the backslash. Half of a number, minus 1024, is the distance from the last point, in 1/1024 of the em.
+/// The last bit of the first number says whether the point is on the curve, that of the second whether it ends its contour.
+struct font_entry {
+  std::uint32_t character;
+  std::uint16_t advance;
+  const char* outline;
+};
+
+// clang-format off"""
 
 
 class Font:
@@ -160,7 +178,7 @@ def main():
     print("// The outlines of the font concino sans; see font.hpp. Made by scripts/font_outlines.py from DejaVu Sans, whose licence is LICENSE-font.txt:")
     print("// Copyright (c) 2003 by Bitstream, Inc. All Rights Reserved. Bitstream Vera is a trademark of Bitstream, Inc.")
     print("// Copyright (c) 2006 by Tavmjong Bah. All Rights Reserved. DejaVu changes are in public domain.")
-    print("#pragma once\n\n#include <concino/render/detail/font.hpp>\n\nnamespace concino::detail {\n\n// clang-format off")
+    print(HEAD)
     print("inline constexpr font_entry font_entries[] = {")
     for c in sorted(CHARACTERS):
         glyph = font.glyph_of[c]

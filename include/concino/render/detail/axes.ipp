@@ -105,8 +105,14 @@ class number_writer {
   double size_;
   std::vector<pixel_box> written_;
 
-  /// Writes a text beside p, in direction (x, y) of length 1. Returns how far it extends in this direction, 0 if it is left out.
-  double write(const std::string& text, const pixel_position& p, double x, double y, double away, bool always) {
+  bool is_inside(const pixel_position& p) const {
+    return p.x >= 0 && p.y >= 0 && p.x <= static_cast<double>(picture_.width()) && p.y <= static_cast<double>(picture_.height());
+  }
+
+  /// Writes a text beside p, in direction (x, y) of length 1, unless p is outside the picture or there is no room. Returns how far it extends in this
+  /// direction, 0 if it is left out.
+  double write(const std::string& text, const pixel_position& p, double x, double y, double away) {
+    if (!is_inside(p)) return 0;
     const pixel_box b = text_box(text, {0, 0}, {.size = size_, .level = text_level::middle});
     const double half = std::abs(x) * b.width() / 2 + std::abs(y) * 0.37 * size_;
     pixel_position at{p.x + x * (away + half), p.y + y * (away + half)};
@@ -118,7 +124,7 @@ class number_writer {
     const auto meets = [&](const pixel_box& o) {
       return o.left < room.right && room.left < o.right && o.top < room.bottom && room.top < o.bottom;
     };
-    if (!always && std::any_of(written_.begin(), written_.end(), meets)) return 0;
+    if (std::any_of(written_.begin(), written_.end(), meets)) return 0;
     written_.push_back(room);
     draw_text(picture_, text, at, {.size = size_, .color = options_.color, .align = text_align::middle, .level = text_level::middle});
     return 2 * half;
@@ -140,9 +146,10 @@ class number_writer {
     for (const tick& t : round_ticks(low, high, count)) {
       const pixel_position p = b.at(axis, t.value, edge);
       draw_line(picture_, p, {p.x + x * 0.4 * size_, p.y + y * 0.4 * size_}, line, options_.color);
-      extent = std::max(extent, write(t.text, p, x, y, 0.6 * size_, false));
+      extent = std::max(extent, write(t.text, p, x, y, 0.6 * size_));
     }
-    write(options_.names[axis], {(first.x + last.x) / 2, (first.y + last.y) / 2}, x, y, extent + 1.1 * size_, true);
+    for (const double part : {0.5, 0.7, 0.3, 0.85, 0.15})
+      if (write(options_.names[axis], {first.x + part * dx, first.y + part * dy}, x, y, extent + 1.1 * size_) > 0) break;
   }
 };
 

@@ -1,6 +1,7 @@
 // Defines font.hpp.
 #pragma once
 
+#include <concino/render/detail/font.hpp>
 #include <concino/render/detail/font_table.hpp>
 
 #include <algorithm>
