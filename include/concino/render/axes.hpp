@@ -24,7 +24,7 @@ struct axes_options {
 /// Needs:  the camera with which the picture was made; a box around the scene, such as bounding_box(m). With view_options::margin = 0.25 there is room for
 ///         the numbers.
 /// Result: for each axis the arrow, and an edge at the outline of the box, so that nothing is drawn over the scene, with round numbers and a name. Those
-///         that would be cut off at the picture's edges are moved inside; those that would lie on another one are left out. There are no numbers if the
+///         that would be cut off at the picture's edges are moved inside; those that would lie on another one, or on the arrows, are left out. There are no numbers if the
 ///         box is empty or not wholly in front of the camera, and none along an axis that is seen from its end.
 /// Cost:   as draw_text for all texts.
 /// Errors: invalid_argument if an option is out of its range.

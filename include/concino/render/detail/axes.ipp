@@ -30,8 +30,11 @@ inline void draw_arrow(image& picture, const pixel_position& from, const pixel_p
                color);
 }
 
+/// The distance of the origin of the arrows from the left and the lower edge, so that they and their names are inside.
+inline double directions_room(double size) { return 4 * size; }
+
 inline void draw_directions(image& picture, const camera& from, const axes_options& o, double size) {
-  const double length = 2.4 * size, room = length + 1.6 * size;
+  const double length = 2.4 * size, room = directions_room(size);
   const pixel_position origin{room, static_cast<double>(picture.height()) - room};
   const std::array<rgb, 3> colors = {srgb(0.75f, 0.10f, 0.10f), srgb(0.10f, 0.52f, 0.12f), srgb(0.12f, 0.25f, 0.80f)};
   std::array<std::size_t, 3> order = {0, 1, 2};  // the farthest first
@@ -131,7 +134,10 @@ class number_writer {
   }
 
  public:
-  number_writer(image& picture, const axes_options& options, double size) : picture_(picture), options_(options), size_(size) {}
+  number_writer(image& picture, const axes_options& options, double size) : picture_(picture), options_(options), size_(size) {
+    const double height = static_cast<double>(picture.height()), room = 2 * directions_room(size);
+    if (options.directions) written_.push_back({0, height - room, room, height});
+  }
 
   void write_axis(const seen_box& b, std::size_t axis, double low, double high, int edge) {
     const pixel_position first = b.at(axis, low, edge), last = b.at(axis, high, edge);
