@@ -92,7 +92,7 @@ drawable make_drawable(const M& m, const mesh_look<M>& look = {}) {
   d.look.labels = static_cast<bool>(look.labels);
   d.look.bands = look.isobands;
   d.look.iso_lines = look.isolines;
-  d.look.edge_width = look.edges ? look.edge_width : 0;
+  d.look.edge_width = look.edges || at == element_kind::edge ? look.edge_width : 0;
   d.look.edge_color = look.edge_color;
   d.look.opacity = look.opacity;
   d.look.shine = look.shine;

@@ -21,7 +21,7 @@ struct mesh_look {
   std::optional<value_scale> scale = {};              // from values to positions in the map; empty: linear over the finite values that are shown
   int isobands = 0;                                   // number of white bands; 0: none
   int isolines = 0;                                   // number of dark lines; 0: none
-  bool edges = false;                                 // draws the edges of the mesh
+  bool edges = false;                                 // draws the edges of the mesh; edges with values are always drawn
   double edge_width = 1.3;                            // in pixels
   rgb edge_color = srgb(0.1f, 0.1f, 0.12f);
   poly_criterion<M> visible = {};                     // polys that are shown, such as below('x', 0.3); empty: all

@@ -32,6 +32,7 @@ CONCINO_INLINE void take_values(drawable& d, element_kind at, std::span<const do
                                 const std::optional<value_scale>& scale) {
   std::vector<double>& to = at == element_kind::edge ? d.edge_values : d.values;
   const std::span<const std::uint32_t> from = at == element_kind::edge ? edges : at == element_kind::vert ? std::span<const std::uint32_t>(d.verts) : polygon_elements(d, at);
+  if (at == element_kind::edge) d.look.edge_opacity = 1;
   d.values_at = at == element_kind::vert ? value_place::points : value_place::polygons;
   to.resize(from.size());
   std::transform(from.begin(), from.end(), to.begin(), [&](std::uint32_t i) { return by_index[i]; });
