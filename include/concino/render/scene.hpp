@@ -29,7 +29,8 @@ class scene {
     return *this;
   }
 
-  /// Adds a text beside a point. It is left out of pictures in which something hides the point.
+  /// Adds a text beside a point. It is left out of pictures in which something hides the point, unless that is near to it, such as a ball that marks
+  /// the point: within 1.5 % of the diagonal of the scene.
   /// Needs:  text in UTF-8.      Result: the scene.      Cost: O(length of the text).
   /// Errors: invalid_argument if the point is not finite.
   scene& add_label(const vec3& at, std::string text) {

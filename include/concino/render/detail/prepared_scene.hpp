@@ -47,14 +47,14 @@ class prepared_scene {
   }
 
  private:
-  /// Whether nothing hides a point; what lies nearer than a thousandth of the scene does not.
+  /// Whether nothing hides a point.
   bool is_seen(const camera& from, const vec3& point) const {
     const camera c = unit_.to_unit(from);
     const vec3 x = unit_.to_unit(point), ahead = x - c.eye;
     const double away = c.parallel ? 1e30 : norm(ahead);
     if (!(away > 0)) return false;
     const vec3 to_eye = c.parallel ? c.back : ahead / -away;
-    constexpr double near = 2e-3;  // of half the diagonal
+    constexpr double near = 0.03;  // of half the diagonal, so that a ball that marks the point does not hide it
     return !(opaque_ ? *opaque_ : all_).occluded(x + to_eye * near, to_eye, 0, away - near);
   }
 
