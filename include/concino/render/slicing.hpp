@@ -16,6 +16,8 @@ namespace mistake {
 
 inline constexpr sentence give_criterion("needs a criterion for the polys of this mesh: below('x', 0.3) needs points, labeled(map, {1}) whole numbers at polys, at_most(map, 1) numbers at polys, where(f) a bool f(p)");
 
+inline constexpr sentence use_visible_facets("surfaces have no faces: write visible_facets(m, criterion), which are edges of a surface");
+
 }  // namespace mistake
 
 /// The polys that meet a criterion: visible_polys(m, below('x', 0.3) && !labeled(material, {2})).
@@ -79,6 +81,9 @@ void visible_facets(const M&, const C&, ...) = delete;  // a criterion for the p
 template<class M, class C, class R = mistake::remedy<mistake::give_criterion>>
   requires(AnyMesh<M> && !CriterionOn<C, M>)
 void visible_faces(const M&, const C&, ...) = delete;  // a criterion for the polys of this mesh: below() needs points, the map of labeled() whole numbers at polys
+template<class M, class C, class R = mistake::remedy<mistake::use_visible_facets>>
+  requires(SurfaceMesh<M> && CriterionOn<C, M>)
+void visible_faces(const M&, const C&, ...) = delete;  // surfaces have no faces: visible_facets(m, criterion)
 template<class M, class C, class R = mistake::remedy<mistake::give_criterion>>
   requires(AnyMesh<M> && !CriterionOn<C, M>)
 void exposed_facets(const M&, const C&, ...) = delete;  // a criterion for the polys of this mesh: below() needs points, the map of labeled() whole numbers at polys

@@ -454,6 +454,16 @@ void numbers(const cn::trimesh& m) {
   cn::prepare_exact_geodesics(m).distance_from({0, 1});  // refused
 }
 
+// Criteria for verts instead of polys, and faces of a surface.
+void criteria(const cn::trimesh& m) {
+  const auto at_verts = cn::make_vert_map<int>(m);
+  cn::visible_polys(m, cn::labeled(at_verts, {1}));  // refused
+  cn::visible_facets(m, cn::labeled(at_verts, {1}));  // refused
+  cn::visible_faces(m, cn::labeled(at_verts, {1}));  // refused
+  cn::exposed_facets(m, cn::labeled(at_verts, {1}));  // refused
+  cn::visible_faces(m, cn::below('x', 1));  // refused
+}
+
 // A mesh instead of outlines.
 void outlines(const cn::trimesh& m) {
   cn::triangulate(m);  // refused
