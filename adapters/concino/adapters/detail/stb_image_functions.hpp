@@ -115,11 +115,18 @@
 #pragma GCC diagnostic ignored "-Wcast-qual"
 #pragma GCC diagnostic ignored "-Wdouble-promotion"
 #endif
+#if defined(__clang__)
+// The colours of damaged JPEG files may overflow, which gives other wrong colours.
+#pragma clang attribute push(__attribute__((no_sanitize("signed-integer-overflow", "shift"))), apply_to = function)
+#endif
 namespace concino::detail::stb {
 // stb copies no bytes from or to null, which the standard library does not allow.
 [[maybe_unused]] static inline void* memcpy(void* to, const void* from, std::size_t size) { return size > 0 ? std::memcpy(to, from, size) : to; }
 #include <stb/stb_image.h>
 }
+#if defined(__clang__)
+#pragma clang attribute pop
+#endif
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop
 #endif

@@ -36,10 +36,11 @@ class stb_memory {
     current() = outer_;
   }
 
-  /// Resizes p, or allocates memory if p is null.
+  /// Resizes p, or allocates memory with zeros if p is null: stb does not set the pixels that a file which ends early lacks.
   static void* resized(void* p, std::size_t size) {
     block* const old = p ? static_cast<block*>(p) - 1 : nullptr;
-    auto* const b = size > SIZE_MAX / 2 ? nullptr : static_cast<block*>(std::realloc(old, sizeof(block) + size));
+    void* const memory = size > SIZE_MAX / 2 ? nullptr : old ? std::realloc(old, sizeof(block) + size) : std::calloc(1, sizeof(block) + size);
+    auto* const b = static_cast<block*>(memory);
     if (!b) throw std::bad_alloc();
     if (!old) *b = {current()->ring_.before, &current()->ring_};
     b->join();
