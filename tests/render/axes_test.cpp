@@ -118,7 +118,7 @@ TEST_CASE("draw_axes: no numbers for an empty box, one behind the camera or arou
 TEST_CASE("draw_axes: errors") {
   image picture(40, 30, white);
   const camera c = framed({0, 0, 1}, 25);
-  CHECK_THROWS_WITH_AS(draw_axes(picture, c, around, {.size = -1}), "draw_axes: size must be 0 or positive, and finite", invalid_argument);
+  CHECK_THROWS_WITH_AS(draw_axes(picture, c, around, {.size = -1}), "draw_axes: size must be 0 to 65535", invalid_argument);
   CHECK_THROWS_WITH_AS(draw_axes(picture, c, around, {.ticks = 0}), "draw_axes: ticks must be 1 to 100", invalid_argument);
   CHECK(drawn(picture) == 0);
   image none;

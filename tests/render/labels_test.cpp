@@ -108,7 +108,7 @@ TEST_CASE("draw_labels: points that the camera does not see have no label; no po
 
 TEST_CASE("draw_labels: errors") {
   image picture(40, 30, white);
-  CHECK_THROWS_WITH_AS(draw_labels(picture, from_front, {}, {.size = -2}), "draw_labels: size must be 0 or positive, and finite",
+  CHECK_THROWS_WITH_AS(draw_labels(picture, from_front, {}, {.size = -2}), "draw_labels: size must be 0 to 65535",
                        invalid_argument);
   CHECK_THROWS_WITH_AS(draw_labels(picture, from_front, {}, {.background_opacity = 3}), "draw_labels: background_opacity must be in [0, 1]",
                        invalid_argument);

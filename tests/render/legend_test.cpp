@@ -169,7 +169,7 @@ TEST_CASE("draw_legend: nothing is cut off, however small the picture") {
 TEST_CASE("draw_legend: errors") {
   image picture(100, 100, white);
   const appearance look;
-  CHECK_THROWS_WITH_AS(draw_legend(picture, look, {.size = -1}), "draw_legend: size must be 0 or positive, and finite", invalid_argument);
+  CHECK_THROWS_WITH_AS(draw_legend(picture, look, {.size = -1}), "draw_legend: size must be 0 to 65535", invalid_argument);
   CHECK_THROWS_WITH_AS(draw_legend(picture, look, {.ticks = 0}), "draw_legend: ticks must be 1 to 100", invalid_argument);
   CHECK_THROWS_WITH_AS(legend_box(100, 100, look, {.ticks = 101}), "legend_box: ticks must be 1 to 100", invalid_argument);
   CHECK(picture == image(100, 100, white));

@@ -94,7 +94,7 @@ TEST_CASE("make_sheet: errors") {
   CHECK_THROWS_WITH_AS(make_sheet({}), "make_sheet: there is no picture", invalid_argument);
   CHECK_THROWS_WITH_AS(make_sheet(std::vector<image>{image(2, 2), image()}), "make_sheet: picture 1 has no pixels", invalid_argument);
   CHECK_THROWS_WITH_AS(make_sheet(pictures, {.captions = {"a", "b", "c"}}), "make_sheet: 3 captions for 2 pictures", invalid_argument);
-  CHECK_THROWS_WITH_AS(make_sheet(pictures, {.size = -1}), "make_sheet: size must be 0 or positive, and finite", invalid_argument);
+  CHECK_THROWS_WITH_AS(make_sheet(pictures, {.size = -1}), "make_sheet: size must be 0 to 65535", invalid_argument);
   CHECK_THROWS_WITH_AS(make_sheet(pictures, {.gap = 65536}), "make_sheet: gap must be at most 65535 pixels", invalid_argument);
   CHECK_THROWS_WITH_AS(make_sheet(pictures, {.columns = 2, .gap = 60000}),
                        "make_sheet: the sheet would have 180020 x 120010 pixels, more than 65535 along an axis", invalid_argument);

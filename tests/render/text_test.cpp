@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 using namespace concino;
 
@@ -56,6 +57,13 @@ TEST_CASE("coverage: a polygon anywhere covers its area, also where the picture 
   const pixel_position diamond[] = {{-4, 0}, {0, -4}, {4, 0}, {0, 4}};
   detail::fill_polygon(corner, diamond, {});
   CHECK(ink(corner) == doctest::Approx(8));
+  image none(5, 5, white);
+  const double far = 1e308, nan = std::numeric_limits<double>::quiet_NaN();
+  detail::draw_line(none, {-far, -far}, {far, far}, 1, {});
+  detail::draw_line(none, {nan, 0}, {1, nan}, 1, {});
+  detail::fill_box(none, {nan, nan, nan, nan}, {});
+  detail::fill_polygon(none, std::vector<pixel_position>{{far, 0}, {-far, far}, {-far, -far}}, {}, 0);
+  CHECK(none == image(5, 5, white));
   image line(20, 20, white);
   detail::draw_line(line, {4, 4}, {10, 12}, 1.5, {});
   detail::draw_line(line, {4, 4}, {4, 4}, 1.5, {});
@@ -175,7 +183,9 @@ TEST_CASE("draw_text: nothing is cut off at the edges of the picture") {
   image cut(140, 100, white);
   draw_text(cut, "Ågj|", {100, 100}, {.size = 40, .keep_inside = false});
   CHECK(ink(cut) < 0.8 * all);
-  draw_text(cut, "Ågj|", {-1e9, 1e9}, {.size = 40, .keep_inside = false});
+  const image before = cut;
+  for (const double far : {-1e9, 1e9, 1e300}) draw_text(cut, "Ågj|", {far, -far}, {.size = 40, .keep_inside = false});
+  CHECK(cut == before);
 }
 
 TEST_CASE("draw_text: colour and opacity, also where the picture is transparent") {
@@ -195,8 +205,8 @@ TEST_CASE("draw_text: colour and opacity, also where the picture is transparent"
 TEST_CASE("draw_text: errors; nothing is drawn for an empty text or into an empty picture") {
   image picture(10, 10, white);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  CHECK_THROWS_WITH_AS(draw_text(picture, "a", {0, 0}, {.size = 0}), "draw_text: the size of the text must be positive and finite",
-                       invalid_argument);
+  CHECK_THROWS_WITH_AS(draw_text(picture, "a", {0, 0}, {.size = 0}),
+                       "draw_text: the size of the text must be above 0 and at most 1000000 pixels", invalid_argument);
   CHECK_THROWS_AS(draw_text(picture, "a", {0, 0}, {.size = nan}), invalid_argument);
   CHECK_THROWS_WITH_AS(draw_text(picture, "a", {0, nan}), "draw_text: the position is not finite", invalid_argument);
   CHECK_THROWS_WITH_AS(draw_text(picture, "a", {0, 0}, {.opacity = 2}), "draw_text: opacity must be in [0, 1]", invalid_argument);

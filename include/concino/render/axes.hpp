@@ -16,7 +16,7 @@ struct axes_options {
   bool numbers = true;                                 // along one edge of the box for each axis
   std::array<std::string, 3> names = {"x", "y", "z"};  // in UTF-8
   int ticks = 5;                        // about how many numbers for each axis, 1 to 100; fewer where the edge is short in the picture
-  double size = 0;                      // of letters in pixels; 0: 1/45 of the height of the picture, at least 10
+  double size = 0;                      // of letters in pixels, up to 65535; 0: 1/45 of the height of the picture, at least 10
   rgb color = srgb(0.1f, 0.1f, 0.12f);  // of numbers and edges; arrows are red, green and blue
 };
 

@@ -19,7 +19,7 @@ struct point_label {
 };
 
 struct label_options {
-  double size = 0;                      // of letters in pixels; 0: 1/40 of the height of the picture, at least 10
+  double size = 0;                      // of letters in pixels, up to 65535; 0: 1/40 of the height of the picture, at least 10
   rgb color = srgb(0.1f, 0.1f, 0.12f);  // of letters, and of the lines from points to texts
   rgb background = {1, 1, 1};           // behind the text
   double background_opacity = 0.8;      // in [0, 1]

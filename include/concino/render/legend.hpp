@@ -19,8 +19,8 @@ struct legend_options {
   std::string unit = {};                                       // in brackets after the title
   bool show = false;                                           // where a legend is optional: whether it is drawn without title and unit
   concino::legend_place place = concino::legend_place::right;  // which edge
-  double size = 0;                                             // of letters in pixels; 0: 1/40 of the height of the picture, at least 10
-  int ticks = 6;                                               // about how many numbers, 1 to 100
+  double size = 0;                       // of letters in pixels, up to 65535; 0: 1/40 of the height of the picture, at least 10
+  int ticks = 6;                         // about how many numbers, 1 to 100
   std::vector<std::string> labels = {};  // for an appearance with labels: the name of each, from 0; empty: their numbers
   std::string no_value = {};             // a name for the colour of points without a value; empty: not shown
   rgb color = srgb(0.1f, 0.1f, 0.12f);   // of letters and lines

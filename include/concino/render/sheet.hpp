@@ -15,7 +15,7 @@ struct sheet_options {
   std::size_t gap = 16;                    // pixels between pictures and around the sheet
   std::vector<std::string> captions = {};  // under the pictures, in their order, in UTF-8; there may be fewer than pictures
   std::string title = {};                  // above all pictures
-  double size = 0;                      // of the letters of captions in pixels; 0: 1/20 of the height of the highest picture, at least 10
+  double size = 0;  // of the letters of captions in pixels, up to 65535; 0: 1/20 of the height of the highest picture, at least 10
   rgb color = srgb(0.1f, 0.1f, 0.12f);  // of letters
   rgb background = {1, 1, 1};           // between the pictures
 };

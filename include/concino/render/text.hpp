@@ -16,12 +16,13 @@ enum class text_align { left, middle, right };
 enum class text_level { baseline, middle, top, bottom };
 
 struct text_options {
-  double size = 20;                                           // of the em in pixels, above 0: capital letters have 0.73 of it, lines are 1.2 apart
-  rgb color = {0, 0, 0};                                      // in linear light
-  double opacity = 1;                                         // in [0, 1]
+  double size = 20;       // of the em in pixels, above 0, up to 1e6: capital letters have 0.73 of it, lines are 1.2 apart
+  rgb color = {0, 0, 0};  // in linear light
+  double opacity = 1;     // in [0, 1]
   concino::text_align align = concino::text_align::left;      // what lies at x
   concino::text_level level = concino::text_level::baseline;  // what lies at y
-  bool keep_inside = true;  // a text that would be cut off at an edge of the picture is moved, and made smaller if it is larger than the picture
+  bool keep_inside =
+      true;  // a text that would be cut off at an edge of the picture is moved, and made smaller if it is larger than the picture
 };
 
 /// Draws text, with edges smoothed by the area of each pixel that it covers.
@@ -38,9 +39,9 @@ pixel_box draw_text(image& picture, std::string_view text, const pixel_position&
 pixel_box text_box(std::string_view text, const pixel_position& position, const text_options& options = {});
 
 /// The width of the longest line of a text in pixels, spaces at its ends included.
-/// Needs:  as draw_text; the size of the em in pixels, above 0.
+/// Needs:  as draw_text; the size of the em in pixels, above 0, up to 1e6.
 /// Result: proportional to the size.      Cost: O(length of the text).
-/// Errors: invalid_argument if the size is not positive and finite.
+/// Errors: invalid_argument if the size is out of its range.
 double text_width(std::string_view text, double size);
 
 }  // namespace concino

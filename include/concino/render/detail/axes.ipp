@@ -162,7 +162,7 @@ class number_writer {
 }  // namespace detail
 
 CONCINO_INLINE void draw_axes(image& picture, const camera& from, const box& around, const axes_options& options) {
-  if (!(options.size >= 0) || !std::isfinite(options.size)) throw invalid_argument("draw_axes: size must be 0 or positive, and finite");
+  if (!(options.size >= 0 && options.size <= 65535)) throw invalid_argument("draw_axes: size must be 0 to 65535");
   if (options.ticks < 1 || options.ticks > 100) throw invalid_argument("draw_axes: ticks must be 1 to 100");
   if (picture.width() == 0) return;
   const double least = static_cast<double>(std::min(picture.width(), picture.height()));

@@ -9,13 +9,17 @@
 
 namespace concino::detail {
 
+/// The pixel that a coordinate lies in, from 0 to `end`; 0 for one that is not a number.
+inline std::size_t pixel_index(double x, std::size_t end) {
+  const double limit = static_cast<double>(end);
+  return !(x > 0) ? 0 : x < limit ? static_cast<std::size_t>(x) : end;
+}
+
 CONCINO_INLINE coverage::coverage(const image& picture, const pixel_box& box) {
-  const auto index = [](double x, std::size_t end) {
-    return static_cast<std::size_t>(std::min(std::max(x, 0.0), static_cast<double>(end)));
-  };
-  left_ = index(std::floor(box.left), picture.width());
-  top_ = index(std::floor(box.top), picture.height());
-  const std::size_t right = index(std::ceil(box.right), picture.width()), bottom = index(std::ceil(box.bottom), picture.height());
+  left_ = pixel_index(std::floor(box.left), picture.width());
+  top_ = pixel_index(std::floor(box.top), picture.height());
+  const std::size_t right = pixel_index(std::ceil(box.right), picture.width()),
+                    bottom = pixel_index(std::ceil(box.bottom), picture.height());
   columns_ = right > left_ ? right - left_ : 0;
   rows_ = bottom > top_ ? bottom - top_ : 0;
   changes_.assign(rows_ * (columns_ + 1), 0.0);
@@ -28,18 +32,18 @@ CONCINO_INLINE void coverage::add_edge(const pixel_position& a, const pixel_posi
   if (!std::isfinite(slope)) return;  // a level edge
   const double sign = b.y > a.y ? 1 : -1;
   const double first = std::max(std::min(a.y, b.y) - y0, 0.0), last = std::min(std::max(a.y, b.y) - y0, static_cast<double>(rows_));
-  const auto column = [&](double x) { return static_cast<std::size_t>(std::min(std::max(x, 0.0), static_cast<double>(columns_))); };
   for (double y = first; y < last;) {
     const double next = std::min(std::floor(y) + 1, last);
     // In this row the edge runs from column `low` to `high`, evenly. The mean, over its points x, of the length of (x, t) is known for each
     // t.
     const double xa = a.x - x0 + slope * (y + y0 - a.y), xb = a.x - x0 + slope * (next + y0 - a.y), low = std::min(xa, xb),
                  high = std::max(xa, xb);
+    if (!std::isfinite(low) || !std::isfinite(high)) return;
     const auto mean_length = [&](double t) {
       return t <= low ? 0 : t >= high ? t - (low + high) / 2 : (t - low) * (t - low) / (2 * (high - low));
     };
     double* const row = changes_.data() + static_cast<std::size_t>(y) * (columns_ + 1);
-    const std::size_t start = column(low), stop = column(high + 1);
+    const std::size_t start = pixel_index(low, columns_), stop = pixel_index(high + 1, columns_);
     double before = 0, length = mean_length(static_cast<double>(start));
     for (std::size_t c = start; c < stop; ++c) {
       const double to = mean_length(static_cast<double>(c + 1)), covered = to - length;

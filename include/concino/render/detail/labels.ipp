@@ -101,7 +101,7 @@ inline void draw_dot(image& picture, const pixel_position& p, double radius, con
 
 CONCINO_INLINE std::vector<pixel_box> draw_labels(image& picture, const camera& from, std::span<const point_label> labels,
                                                   const label_options& options) {
-  if (!(options.size >= 0) || !std::isfinite(options.size)) throw invalid_argument("draw_labels: size must be 0 or positive, and finite");
+  if (!(options.size >= 0 && options.size <= 65535)) throw invalid_argument("draw_labels: size must be 0 to 65535");
   if (!(options.background_opacity >= 0 && options.background_opacity <= 1))
     throw invalid_argument("draw_labels: background_opacity must be in [0, 1]");
   const double width = static_cast<double>(picture.width()), height = static_cast<double>(picture.height());

@@ -125,8 +125,7 @@ class legend_layout {
  public:
   legend_layout(std::size_t width, std::size_t height, const appearance& look, const legend_options& options, const char* what)
       : look_(look), options_(options) {
-    if (!(options.size >= 0) || !std::isfinite(options.size))
-      core::throw_joined<invalid_argument>({what, ": size must be 0 or positive, and finite"});
+    if (!(options.size >= 0 && options.size <= 65535)) core::throw_joined<invalid_argument>({what, ": size must be 0 to 65535"});
     if (options.ticks < 1 || options.ticks > 100) core::throw_joined<invalid_argument>({what, ": ticks must be 1 to 100"});
     title_ = options.title;
     if (!options.unit.empty()) ((title_ += title_.empty() ? "[" : " [") += options.unit) += "]";

@@ -81,7 +81,7 @@ CONCINO_INLINE image make_sheet(std::span<const image> pictures, const sheet_opt
     if (pictures[i].width() == 0) core::throw_joined<invalid_argument>({"make_sheet: picture ", i, " has no pixels"});
   if (options.captions.size() > pictures.size())
     core::throw_joined<invalid_argument>({"make_sheet: ", options.captions.size(), " captions for ", pictures.size(), " pictures"});
-  if (!(options.size >= 0) || !std::isfinite(options.size)) throw invalid_argument("make_sheet: size must be 0 or positive, and finite");
+  if (!(options.size >= 0 && options.size <= 65535)) throw invalid_argument("make_sheet: size must be 0 to 65535");
   if (options.gap > 65535) throw invalid_argument("make_sheet: gap must be at most 65535 pixels");
   const detail::sheet_layout layout(pictures, options);
   if (layout.width() > 65535 || layout.height() > 65535)

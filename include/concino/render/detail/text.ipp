@@ -16,8 +16,8 @@ namespace concino {
 namespace detail {
 
 inline void check_text_size(const char* what, double size) {
-  if (!(size > 0) || !std::isfinite(size))
-    core::throw_joined<invalid_argument>({what, ": the size of the text must be positive and finite"});
+  if (!(size > 0 && size <= 1e6))
+    core::throw_joined<invalid_argument>({what, ": the size of the text must be above 0 and at most 1000000 pixels"});
 }
 
 inline void check_text(const char* what, const pixel_position& position, const text_options& o) {
