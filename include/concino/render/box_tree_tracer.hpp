@@ -11,7 +11,7 @@
 
 namespace concino {
 
-/// Triangles in a tree of boxes, in which each node has four children, and each leaf four triangles. Movable; several threads may use it at the same time.
+/// Triangles in a tree of boxes, in which each node has up to eight children, and each leaf four triangles. Movable; several threads may use it at the same time.
 ///
 /// No ray passes between two triangles that share an edge or a corner. If several triangles are hit at the same parameter, the result is the lowest number,
 /// whatever the order in which they are tested. A triangle without area is never hit, nor one with a point that is not finite.
@@ -20,7 +20,7 @@ namespace concino {
 class box_tree_caster {
  public:
   /// Needs:  coordinates that are at most 1e15 in absolute value, else distances can overflow.
-  /// Cost:   O(n log n), in parallel, some 75 bytes for each triangle. The tree is the same for any number of threads.
+  /// Cost:   O(n log n), in parallel, some 70 bytes for each triangle. The tree is the same for any number of threads.
   /// Errors: invalid_argument if a triangle names a point that the soup does not have; unsupported for more than 2^31 triangles.
   explicit box_tree_caster(const triangle_soup& soup);
 
@@ -34,10 +34,10 @@ class box_tree_caster {
   struct ray;
   struct builder;
 
-  /// Four boxes: bounds[2 * axis + (0: min, 1: max)]. A child is a node, or a block of triangles if its highest bit is set.
+  /// Eight boxes: bounds[2 * axis + (0: min, 1: max)]. A child is a node, or a block of triangles if its highest bit is set.
   struct alignas(64) node {
-    float bounds[6][4];
-    std::uint32_t child[4];
+    float bounds[6][8];
+    std::uint32_t child[8];
   };
   /// Up to four triangles, by corner and axis. A place without triangle has points that are not a number.
   struct alignas(32) block {

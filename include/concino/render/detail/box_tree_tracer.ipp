@@ -29,7 +29,8 @@ struct box_tree_caster::ray {
       d[k] = static_cast<float>(direction[k]);
       extent[k] = std::max(std::abs(low[k] - origin[k]), std::abs(high[k] - origin[k]));
     }
-    z = std::abs(d[0]) > std::abs(d[1]) ? (std::abs(d[0]) > std::abs(d[2]) ? 0 : 2) : (std::abs(d[1]) > std::abs(d[2]) ? 1 : 2);
+    z = std::abs(d[1]) > std::abs(d[0]);
+    z = std::abs(d[2]) > std::abs(d[z]) ? 2 : z;
     x = z == 2 ? 0 : z + 1;
     y = x == 2 ? 0 : x + 1;
     scale_z = 1 / d[z];
@@ -59,7 +60,7 @@ void box_tree_caster::visit_leaves(const ray& r, float t_near, float t_far, Visi
   };
   if (nodes_.empty()) return;
   constexpr float more = 1 + 6 * 0x1p-24f;  // for the rounding of the two parameters
-  entry later[384];                         // three for each level of a tree of 2^31 triangles
+  entry later[896];                         // seven for each level of a tree of 2^31 triangles
   std::size_t waiting = 0;
   std::uint32_t at = 0;
   const float4 ix = detail::lanes_of(r.inverse[0]), iy = detail::lanes_of(r.inverse[1]), iz = detail::lanes_of(r.inverse[2]);
@@ -72,19 +73,24 @@ void box_tree_caster::visit_leaves(const ray& r, float t_near, float t_far, Visi
       if (t_far < t_near) return;
     } else {
       const node& n = nodes_[at];
-      const float4 x0 = (detail::load_lanes(n.bounds[nx]) - ax) * ix, x1 = (detail::load_lanes(n.bounds[nx ^ 1]) - bx) * ix;
-      const float4 y0 = (detail::load_lanes(n.bounds[ny]) - ay) * iy, y1 = (detail::load_lanes(n.bounds[ny ^ 1]) - by) * iy;
-      const float4 z0 = (detail::load_lanes(n.bounds[nz]) - az) * iz, z1 = (detail::load_lanes(n.bounds[nz ^ 1]) - bz) * iz;
-      const float4 first = detail::larger_lanes(detail::larger_lanes(x0, y0), detail::larger_lanes(z0, detail::lanes_of(t_near)));
-      const float4 last = detail::smaller_lanes(detail::smaller_lanes(detail::smaller_lanes(x1, y1), z1) * more, detail::lanes_of(t_far));
-      unsigned mask = detail::lane_mask(first <= last);
+      float4 first[2];
+      unsigned mask = 0;
+      for (std::size_t h = 0; h < 2; ++h) {  // four children at once
+        const std::size_t k = 4 * h;
+        const float4 x0 = (detail::load_lanes(n.bounds[nx] + k) - ax) * ix, x1 = (detail::load_lanes(n.bounds[nx ^ 1] + k) - bx) * ix;
+        const float4 y0 = (detail::load_lanes(n.bounds[ny] + k) - ay) * iy, y1 = (detail::load_lanes(n.bounds[ny ^ 1] + k) - by) * iy;
+        const float4 z0 = (detail::load_lanes(n.bounds[nz] + k) - az) * iz, z1 = (detail::load_lanes(n.bounds[nz ^ 1] + k) - bz) * iz;
+        first[h] = detail::larger_lanes(detail::larger_lanes(x0, y0), detail::larger_lanes(z0, detail::lanes_of(t_near)));
+        const float4 last = detail::smaller_lanes(detail::smaller_lanes(detail::smaller_lanes(x1, y1), z1) * more, detail::lanes_of(t_far));
+        mask |= detail::lane_mask(first[h] <= last) << k;
+      }
       if constexpr (!Ordered) {
         for (; mask != 0; mask &= mask - 1) later[waiting++].child = n.child[std::countr_zero(mask)];
       } else {
         const std::size_t start = waiting;
         for (; mask != 0; mask &= mask - 1) {
           const int k = std::countr_zero(mask);
-          const float t = first[k];
+          const float t = first[k >> 2][k & 3];
           std::size_t i = waiting++;
           for (; i > start && later[i - 1].t < t; --i) later[i] = later[i - 1];
           later[i] = {n.child[k], t};
@@ -145,7 +151,7 @@ CONCINO_INLINE bool box_tree_caster::occluded(const vec3& origin, const vec3& di
   return static_cast<bool>(best);
 }
 
-/// Groups the triangles, and joins the binary nodes to nodes of four children.
+/// Groups the triangles, and joins the binary nodes to nodes of eight children.
 struct box_tree_caster::builder {
   struct binary_node {
     float min[3], max[3];
@@ -208,19 +214,19 @@ struct box_tree_caster::builder {
     return static_cast<std::uint32_t>(result.blocks_.size() - 1) | is_block;
   }
 
-  /// The node whose children are `from`, or up to four nodes below it: those with the largest area are opened.
+  /// The node whose children are `from`, or up to eight nodes below it: those with the largest area are opened.
   void fill(std::uint32_t at, std::uint32_t from) {
-    std::uint32_t group[4] = {from}, size = 1;
-    while (size < 4) {
-      std::uint32_t widest = 4;
+    std::uint32_t group[8] = {from}, size = 1;
+    while (size < 8) {
+      std::uint32_t widest = 8;
       for (std::uint32_t i = 0; i < size; ++i)
-        if (binary[group[i]].count == 0 && (widest == 4 || binary[group[i]].half_area() > binary[group[widest]].half_area())) widest = i;
-      if (widest == 4) break;
+        if (binary[group[i]].count == 0 && (widest == 8 || binary[group[i]].half_area() > binary[group[widest]].half_area())) widest = i;
+      if (widest == 8) break;
       const std::uint32_t left = binary[group[widest]].first;
       group[widest] = left;
       group[size++] = left + 1;
     }
-    for (std::uint32_t k = 0; k < 4; ++k) {
+    for (std::uint32_t k = 0; k < 8; ++k) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         result.nodes_[at].bounds[2 * axis][k] = k < size ? binary[group[k]].min[axis] : inf;
         result.nodes_[at].bounds[2 * axis + 1][k] = k < size ? binary[group[k]].max[axis] : -inf;
@@ -252,7 +258,7 @@ struct box_tree_caster::builder {
     std::size_t leaves = 0;
     for (const binary_node& n : binary) leaves += n.count > 0;
     result.blocks_.reserve(leaves);
-    result.nodes_.reserve(leaves / 2 + 1);
+    result.nodes_.reserve(leaves / 4 + 1);
     result.nodes_.emplace_back();
     later.push_back({0, 0});
     while (!later.empty()) {
