@@ -7,6 +7,7 @@
 #include <concino/render/detail/lanes.hpp>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -166,8 +167,14 @@ struct box_tree_caster::builder {
 
   const triangle_soup& soup;
   box_tree_caster& result;
+
+  builder(const triangle_soup& triangles, box_tree_caster& tree) : soup(triangles), result(tree) {}
+
   std::vector<core::box_item> items;
   std::vector<binary_node> binary;
+  std::vector<std::array<float, 8>> costs;
+  std::array<std::uint32_t, 8> group{};
+  std::uint32_t group_size = 0;
 
   void add_items() {
     core::reserve_large(items, soup.triangles.size());
@@ -214,18 +221,53 @@ struct box_tree_caster::builder {
     return static_cast<std::uint32_t>(result.blocks_.size() - 1) | is_block;
   }
 
-  /// The node whose children are `from`, or up to eight nodes below it: those with the largest area are opened.
-  void fill(std::uint32_t at, std::uint32_t from) {
-    std::uint32_t group[8] = {from}, size = 1;
-    while (size < 8) {
-      std::uint32_t widest = 8;
-      for (std::uint32_t i = 0; i < size; ++i)
-        if (binary[group[i]].count == 0 && (widest == 8 || binary[group[i]].half_area() > binary[group[widest]].half_area())) widest = i;
-      if (widest == 8) break;
-      const std::uint32_t left = binary[group[widest]].first;
-      group[widest] = left;
-      group[size++] = left + 1;
+  /// How to divide j subtrees between the two children of an inner node for the least cost.
+  struct division {
+    std::uint32_t left = 1;
+    float cost = inf;
+
+    division(const builder& b, const binary_node& n, std::uint32_t j) {
+      for (std::uint32_t k = 1; k < j; ++k)
+        if (const float c = b.costs[n.first][k - 1] + b.costs[n.first + 1][j - k - 1]; c < cost) left = k, cost = c;
     }
+  };
+
+  /// costs[n][j - 1]: the expected cost of a query below binary node n, if at most j of its descendants, or n itself, are children of one node.
+  /// Source: Ylitie, Karras and Laine 2017, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs".
+  void add_costs() {
+    costs.resize(binary.size());
+    for (std::size_t i = binary.size(); i-- > 0;) {
+      const binary_node& n = binary[i];
+      costs[i].fill(n.half_area());
+      if (n.count > 0) continue;
+      costs[i][0] += division(*this, n, 8).cost;
+      for (std::uint32_t j = 2; j <= 8; ++j) costs[i][j - 1] = std::min(costs[i][j - 2], division(*this, n, j).cost);
+    }
+  }
+
+  /// The nodes that are at most j children of one node instead of binary node n.
+  void add_children(std::uint32_t n, std::uint32_t j) {
+    while (j > 1 && costs[n][j - 1] == costs[n][j - 2]) --j;
+    if (j == 1 || binary[n].count > 0) {
+      group[group_size++] = n;
+      return;
+    }
+    const std::uint32_t left = division(*this, binary[n], j).left;
+    add_children(binary[n].first, left);
+    add_children(binary[n].first + 1, j - left);
+  }
+
+  /// The node of eight children for binary node `from`.
+  void fill(std::uint32_t at, std::uint32_t from) {
+    group_size = 0;
+    if (binary[from].count > 0) {
+      group[group_size++] = from;
+    } else {
+      const std::uint32_t left = division(*this, binary[from], 8).left;
+      add_children(binary[from].first, left);
+      add_children(binary[from].first + 1, 8 - left);
+    }
+    const std::uint32_t size = group_size;
     for (std::uint32_t k = 0; k < 8; ++k) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         result.nodes_[at].bounds[2 * axis][k] = k < size ? binary[group[k]].min[axis] : inf;
@@ -253,6 +295,7 @@ struct box_tree_caster::builder {
     if (items.empty()) return;
     binary = core::box_tree_builder<binary_node>(items, 4)();
     add_boxes();
+    add_costs();
     std::copy_n(binary[0].min, 3, result.low_.begin());
     std::copy_n(binary[0].max, 3, result.high_.begin());
     std::size_t leaves = 0;
@@ -269,6 +312,6 @@ struct box_tree_caster::builder {
   }
 };
 
-CONCINO_INLINE box_tree_caster::box_tree_caster(const triangle_soup& soup) { builder{soup, *this, {}, {}, {}}.run(); }
+CONCINO_INLINE box_tree_caster::box_tree_caster(const triangle_soup& soup) { builder(soup, *this).run(); }
 
 }  // namespace concino
