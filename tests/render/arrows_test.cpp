@@ -2,6 +2,7 @@
 
 #include <concino/concepts/views.hpp>
 #include <concino/mesh/element_map.hpp>
+#include <concino/mesh/submesh.hpp>
 
 #include <doctest/doctest.h>
 #include <support/drawables.hpp>
@@ -104,6 +105,14 @@ TEST_CASE("make_arrows: vectors without a direction are left out and counted; lo
   CHECK(make_arrows(m, zero).triangles.empty());
   const quadmesh nothing;
   CHECK(make_arrows(nothing, make_poly_map<vec3>(nothing, vec3())).triangles.empty());
+}
+
+TEST_CASE("make_arrows: of some polys alone") {
+  const hexmesh m = testing::grid<hexmesh>(3);
+  const auto g = make_poly_map<vec3>(m, vec3{1, 0, 0});
+  const drawable d = make_arrows(submesh(m, [&](poly_id p) { return centroid(m, p).z < 0.4; }), g, {.corners = 6});
+  CHECK(arrows_in(d, 6).size() == 9);
+  CHECK(std::all_of(d.points.begin(), d.points.end(), [](const vec3& p) { return p.z < 0.4; }));
 }
 
 TEST_CASE("make_arrows: one arrow has a length that fits the mesh; arrows scale with it") {

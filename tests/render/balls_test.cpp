@@ -57,6 +57,7 @@ TEST_CASE("make_balls: values, colours and radii by point; the default radius; m
   }
   CHECK(d.look.scale.low() == 3);
   CHECK(d.look.scale.high() == 7);
+  CHECK(make_balls(points, {.values = numbers, .scale = value_scale::linear(0, 10)}).look.scale.high() == 10);
   const auto triangles_of = [](std::size_t n) { return make_balls(std::vector<vec3>(n)).triangles.size() / n; };
   CHECK(triangles_of(50) == 1280);
   CHECK(triangles_of(51) == 320);

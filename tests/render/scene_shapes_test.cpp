@@ -1,3 +1,4 @@
+#include <concino/render/render.hpp>
 #include <concino/render/scene.hpp>
 
 #include <concino/concepts/facets.hpp>
@@ -41,4 +42,31 @@ TEST_CASE("scene: a radius of 0 fits what was added before") {
   CHECK(norm(ball[0]) == doctest::Approx(0.008 * 50).epsilon(0.02));
   s.add_lines({{9, 0, 0}, {9, 1, 0}}, {.radius = 1});
   CHECK(s.bounds().max.x == doctest::Approx(10));
+}
+
+TEST_CASE("scene: pictures show lines, points and arrows where they are, in their colours") {
+  const quadmesh m = testing::grid<quadmesh>(1);
+  const auto g = make_poly_map<vec3>(m, vec3{0, 1, 0});
+  scene s;
+  s.add(m)
+      .add_lines({{0, 0.25, 0}, {1, 0.25, 0}}, {.radius = 0.05, .color = {1, 0, 0}})
+      .add_points({{0.25, 0.75, 0}}, {.radius = 0.08, .color = {0, 1, 0}})
+      .add_arrows(m, g, {.scale = 0.8, .radius = 0.04, .color = {0, 0, 1}});
+  render_options o{.width = 40, .height = 40, .camera = camera::from_front, .samples = 2, .occlusion_rays = 0};
+  o.ground = false;
+  const image picture = render(s, o);
+  const camera c = view(camera::from_front).of(s.drawables(), 1);
+  const auto pixel_at = [&](const vec3& p) {
+    const image_point f = c.project(p);
+    return picture(static_cast<std::size_t>(20 + 20 * f.x), static_cast<std::size_t>(20 - 20 * f.y));
+  };
+  const auto is_mostly = [](float a, float b, float d) { return a > 2.5f * b && a > 2.5f * d; };
+  for (const double x : {0.1, 0.5, 0.9}) {
+    const rgb red = pixel_at({x, 0.25, 0});
+    CHECK(is_mostly(red.r, red.g, red.b));
+  }
+  const rgb green = pixel_at({0.25, 0.75, 0}), blue = pixel_at({0.5, 0.58, 0}), plain = pixel_at({0.75, 0.75, 0});
+  CHECK(is_mostly(green.g, green.r, green.b));
+  CHECK(is_mostly(blue.b, blue.r, blue.g));
+  CHECK(plain.r == doctest::Approx(plain.g).epsilon(0.1));
 }

@@ -185,7 +185,8 @@ TEST_CASE("make_tubes: values by point and by line, radii, and the default radiu
     if (d.points[i].y < 0.5 && std::abs(d.points[i].x - 1) < 0.01) CHECK(d.values[i] == 5);
     if (d.points[i].x > 2.8) CHECK(std::isnan(d.values[i]));
   }
-  const drawable e = make_tubes(lines, {.radius = 0.1, .values = by_line});
+  const drawable e = make_tubes(lines, {.radius = 0.1, .values = by_line, .scale = value_scale::linear(0, 10)});
+  CHECK(e.look.scale.high() == 10);
   for (std::size_t p = 0; p < e.polys.size(); ++p) CHECK(e.values[e.corners[e.offsets[p]]] == by_line[e.polys[p]]);
 
   const std::vector<double> radii = {0.1, 0.3, 0.2, 0.1, 0.1};

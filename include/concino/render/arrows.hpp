@@ -70,7 +70,8 @@ void check_vector_map(const M& m, const G& g, std::size_t bound, const char* cal
 }  // namespace detail
 
 /// Arrows for a vector field with a vector at each poly, from its centroid, or at each vert: cn::make_arrows(m, cn::gradient(m, u)).
-/// Needs:  EmbeddedMesh for vectors at polys, Embedded M with verts for vectors at verts; g: any readable map of vectors.
+/// Needs:  EmbeddedMesh for vectors at polys, Embedded M with verts for vectors at verts; g: any readable map of vectors. Arrows of some polys alone are those
+///         of submesh(m, keep).
 /// Result: a drawable of closed surfaces: shafts with a cone at the end. `polys` has the indices of the polys or verts. Vectors that are 0 or not finite are
 ///         left out, and counted in options.report. If there are more than options.count, those drawn are about equally far from each other. Where the
 ///         distance between arrows is not known, as of one arrow alone, a quarter of the diagonal of the mesh's box takes its place. The same in every run.

@@ -7,6 +7,7 @@
 #include <concino/render/drawable.hpp>
 
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,7 +19,8 @@ struct ball_options {
   std::span<const double> values = {};       // one for each point: the balls have the colours of `map`
   std::span<const rgb> colors = {};          // one for each point
   std::span<const double> radii = {};        // one for each point, instead of `radius`: each above 0
-  colormap map = colormap::blue_to_yellow;   // of the values; look.scale of the result is linear over the finite ones
+  colormap map = colormap::blue_to_yellow;   // of the values
+  std::optional<value_scale> scale = {};     // from values to positions in the map, such as that of a mesh; empty: linear over the finite values
   double opacity = 1;                        // in [0, 1]
   int triangles = 0;                         // of each ball: 20, 80, 320 or 1280; 0: 1280 for up to 50 balls, 320 for up to 1,000, 80 for up to 10,000, else 20
 };

@@ -7,6 +7,7 @@
 #include <concino/render/drawable.hpp>
 
 #include <initializer_list>
+#include <optional>
 #include <span>
 
 namespace concino {
@@ -16,7 +17,8 @@ struct tube_options {
   rgb color = srgb(0.84f, 0.13f, 0.14f);     // if there are no values
   std::span<const double> values = {};       // one for each point, line after line, or one for each line: the tubes have the colours of `map`
   std::span<const double> radii = {};        // one for each point, line after line, instead of `radius`: each above 0
-  colormap map = colormap::blue_to_yellow;             // of the values; look.scale of the result is linear over the finite ones
+  colormap map = colormap::blue_to_yellow;   // of the values
+  std::optional<value_scale> scale = {};     // from values to positions in the map, such as that of a mesh; empty: linear over the finite values
   double opacity = 1;                        // in [0, 1]
   bool closed = false;                       // joins the last point of each line to its first. Lines with a member `closed` are drawn as it says
   int corners = 0;                           // of the cross-section, 3 to 256; 0: 12 for up to 4,000 points, 8 for up to 40,000, 6 for more

@@ -76,7 +76,7 @@ CONCINO_INLINE drawable balls_at(std::span<const vec3> centers, const ball_optio
   d.look.color = o.color;
   d.look.map = o.map;
   d.look.opacity = o.opacity;
-  d.look.scale = value_scale::linear(o.values);
+  d.look.scale = o.scale ? *o.scale : value_scale::linear(o.values);
   d.colors_at = value_place::points;
   d.points.reserve(num_points);
   if (!o.values.empty()) d.values.reserve(num_points);

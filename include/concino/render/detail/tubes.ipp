@@ -191,7 +191,7 @@ class line_tracer {
       : lines_(lines), options_(options), radius_(radius), build_(to, corners, !options.values.empty()) {
     const value_scale range = value_scale::linear(options.values);
     value_step_ = (range.high() - range.low()) / 256;
-    to.look.scale = range;
+    to.look.scale = options.scale.value_or(range);
   }
 
   void draw_all(const char* caller) {
