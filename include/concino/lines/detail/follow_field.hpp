@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/maps.hpp>
+#include <concino/core/large_pages.hpp>
 #include <concino/core/parallel.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/geometry/centroid.hpp>
@@ -33,17 +34,36 @@ namespace detail {
 template<class M, class G>
 using line_walker = typename std::conditional_t<dimension_v<M> == 2, std::type_identity<surface_line_walker<M, G>>, std::type_identity<volume_line_walker<M, G>>>::type;
 
-/// Appends the second part, from the same start, to the first one, which is turned round.
+/// An empty line with memory for points. Pages are requested at once: waiting for each of them takes longer than following a line through some polys.
 template<class M>
-void join_both_ways(field_line<M>& back, field_line<M>&& forward) {
-  std::reverse(back.points.begin(), back.points.end());
-  std::reverse(back.polys.begin(), back.polys.end());
-  back.began_by = back.stopped_by;
-  back.points.insert(back.points.end(), forward.points.begin() + 1, forward.points.end());
-  back.polys.insert(back.polys.end(), forward.polys.begin(), forward.polys.end());
-  back.length += forward.length;
-  back.stopped_by = forward.stopped_by;
-  if (!forward.cycle.empty()) back.cycle = std::move(forward.cycle);
+field_line<M> line_with_memory(std::size_t num_points, std::size_t num_polys) {
+  field_line<M> line;
+  line.points.reserve(num_points);
+  line.polys.reserve(num_polys);
+  core::request_pages(line.points.data(), num_points * sizeof(mesh_point<M>));
+  return line;
+}
+
+template<class M>
+field_line<M> copied(const field_line<M>& x) {
+  field_line<M> line = line_with_memory<M>(x.points.size(), x.polys.size());
+  line = x;
+  return line;
+}
+
+/// The first part turned round, then the second one, from the same start.
+template<class M>
+field_line<M> joined(const field_line<M>& back, const field_line<M>& forward) {
+  field_line<M> line = line_with_memory<M>(back.points.size() + forward.points.size() - 1, back.polys.size() + forward.polys.size());
+  line.points.assign(back.points.rbegin(), back.points.rend());
+  line.points.insert(line.points.end(), forward.points.begin() + 1, forward.points.end());
+  line.polys.assign(back.polys.rbegin(), back.polys.rend());
+  line.polys.insert(line.polys.end(), forward.polys.begin(), forward.polys.end());
+  line.length = back.length + forward.length;
+  line.began_by = back.stopped_by;
+  line.stopped_by = forward.stopped_by;
+  line.cycle = forward.cycle.empty() ? back.cycle : forward.cycle;
+  return line;
 }
 
 /// Reader: of the field, from the mesh, what the caller passed and the caller's name. Walker: from the mesh and a reader.
@@ -68,7 +88,8 @@ class field_follower {
   template<class S>
   field_line<M> line(const S& start) const {
     Walker walker(*m_, field_);
-    return follow(walker, place_of(start));
+    parts scratch;
+    return follow(walker, place_of(start), scratch);
   }
 
   template<class R>
@@ -79,7 +100,8 @@ class field_follower {
     const std::size_t chunks = (places.size() + lines_at_once - 1) / lines_at_once;
     const auto follow_chunk = [&](std::size_t c) {
       Walker walker(*m_, field_);
-      for (std::size_t i = c * lines_at_once; i < std::min(places.size(), (c + 1) * lines_at_once); ++i) found[i] = follow(walker, places[i]);
+      parts scratch;
+      for (std::size_t i = c * lines_at_once; i < std::min(places.size(), (c + 1) * lines_at_once); ++i) found[i] = follow(walker, places[i], scratch);
     };
     bool stopped = false;
     parallel_for(chunks, follow_chunk, 1, [&](double done) { return stopped = options_.progress && !options_.progress(done, caller_); });
@@ -114,19 +136,20 @@ class field_follower {
     return x;
   }
 
-  field_line<M> follow(Walker& walker, const mesh_point<M>& start) const {
-    const auto one_way = [&](double sense) {
-      field_line<M> line;
+  /// Memory that grows with the lines: what is returned is copied from it, in memory of the right size.
+  struct parts {
+    field_line<M> forward, backward;
+  };
+
+  field_line<M> follow(Walker& walker, const mesh_point<M>& start, parts& scratch) const {
+    const auto one_way = [&](double sense, field_line<M>& line) -> const field_line<M>& {
       line_recorder<M> to(line, options_.max_length, max_steps_);
       walker.run(start, sense, to);
       return line;
     };
-    if (!options_.both_ways) return one_way(options_.backward ? -1 : 1);
-    field_line<M> forward = one_way(1);
-    if (forward.stopped_by == line_end::closed) return forward;
-    field_line<M> line = one_way(-1);
-    join_both_ways(line, std::move(forward));
-    return line;
+    if (!options_.both_ways) return copied(one_way(options_.backward ? -1 : 1, scratch.forward));
+    const field_line<M>& forward = one_way(1, scratch.forward);
+    return forward.stopped_by == line_end::closed ? copied(forward) : joined(one_way(-1, scratch.backward), forward);
   }
 };
 

@@ -22,13 +22,18 @@ using segment_limit = function_ref<double(const vec3& a, const vec3& b, const po
 template<class M>
 class line_recorder {
  public:
-  line_recorder(field_line<M>& to, double max_length, std::size_t max_steps) : line_(&to), max_length_(max_length), max_steps_(max_steps) {}
-  line_recorder(field_line<M>& to, std::size_t max_steps, segment_limit<M> limit)
-      : line_(&to), max_length_(std::numeric_limits<double>::infinity()), max_steps_(max_steps), limit_(limit) {}
-
-  void start(const mesh_point<M>& x) {
-    line_->points.push_back(x);
+  /// What `to` contains is removed, but its memory is kept.
+  line_recorder(field_line<M>& to, double max_length, std::size_t max_steps) : line_(&to), max_length_(max_length), max_steps_(max_steps) {
+    to.points.clear();
+    to.polys.clear();
+    to.cycle.clear();
+    to.length = 0;
   }
+  line_recorder(field_line<M>& to, std::size_t max_steps, segment_limit<M> limit) : line_recorder(to, std::numeric_limits<double>::infinity(), max_steps) {
+    limit_ = limit;
+  }
+
+  void start(const mesh_point<M>& x) { line_->points.push_back(x); }
   bool done() const { return done_; }
   std::size_t steps() const { return line_->polys.size(); }
   std::size_t num_points() const { return line_->points.size(); }

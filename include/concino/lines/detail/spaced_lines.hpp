@@ -118,11 +118,7 @@ class spaced_lines {
     is_kept_.push_back(1);
     samples_.add({seed.position, *p, attempt_, 0});
     field_line<M> line = follow(seed, 1);
-    if (line.stopped_by != line_end::closed) {
-      field_line<M> back = follow(seed, -1);
-      join_both_ways(back, std::move(line));
-      line = std::move(back);
-    }
+    if (line.stopped_by != line_end::closed) line = joined(follow(seed, -1), line);
     is_kept_[attempt_] = line.length >= min_length_;
     if (is_kept_[attempt_]) lines_.push_back(std::move(line));
   }
