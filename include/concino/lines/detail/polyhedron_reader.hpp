@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -17,7 +18,11 @@ namespace concino::detail {
 
 template<class M>
 class polyhedron_reader {
+  static constexpr std::size_t longest_scan = 8;
+  static constexpr std::uint32_t none = ~0u;
+
   std::vector<std::uint32_t> ring_;
+  std::vector<std::uint32_t> corner_at_;  // a hash table of the corners by the indices of their verts, of cells with more of them
   poly_t<M> poly_ = poly_t<M>();
   bool is_read_ = false;
 
@@ -43,16 +48,23 @@ class polyhedron_reader {
       flat.points.push_back(to_vec3(point(m, v)));
       if (!is_finite(flat.points.back())) throw_points_not_finite(index_of(m, p));
     }
+    if (verts.size() > longest_scan) fill_table(m);
     for (const face_t<M> f : adj_p2f(m, p)) {
       ring_.clear();
-      for (const vert_t<M> v : adj_f2v(m, f)) ring_.push_back(corner_of(v));
+      for (const vert_t<M> v : adj_f2v(m, f)) ring_.push_back(corner_of(m, v));
       flat.add_face(ring_, face_is_outward(m, p, f));
       faces.push_back(f);
     }
     return true;
   }
 
-  std::uint32_t corner_of(const vert_t<M>& v) const { return static_cast<std::uint32_t>(std::find(verts.begin(), verts.end(), v) - verts.begin()); }
+  std::uint32_t corner_of(const M& m, const vert_t<M>& v) const {
+    if (verts.size() <= longest_scan) return static_cast<std::uint32_t>(std::find(verts.begin(), verts.end(), v) - verts.begin());
+    const std::size_t mask = corner_at_.size() - 1;
+    std::size_t i = index_of(m, v) & mask;
+    while (corner_at_[i] != none && !(verts[corner_at_[i]] == v)) i = (i + 1) & mask;
+    return corner_at_[i];
+  }
 
   /// The triangle of a face with this number.
   std::uint32_t triangle(const face_t<M>& f, std::uint32_t number) {
@@ -106,6 +118,16 @@ class polyhedron_reader {
       value = wa * values[verts[t.corner[0]]] + wb * values[verts[t.corner[1]]] + wc * values[verts[t.corner[2]]] + (1 - wa - wb - wc) * middle_value;
     }
     return value;
+  }
+
+ private:
+  void fill_table(const M& m) {
+    corner_at_.assign(std::bit_ceil(4 * verts.size()), none);
+    for (std::size_t k = 0; k < verts.size(); ++k) {
+      std::size_t i = index_of(m, verts[k]) & (corner_at_.size() - 1);
+      while (corner_at_[i] != none) i = (i + 1) & (corner_at_.size() - 1);
+      corner_at_[i] = static_cast<std::uint32_t>(k);
+    }
   }
 };
 

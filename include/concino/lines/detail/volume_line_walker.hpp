@@ -273,7 +273,7 @@ class volume_line_walker {
       for (const poly_t<M> p : adj_f2p(*m_, *ridge_->face)) add_incident(p, ridge_->from, &ridge_->key);
     const volume_exit out = steepest_exit(ridge_->from_point, ridge_->to_point, ridge_->key, incident_);
     if (out.to == volume_exit::kind::none) return to.stop(why_no_exit());
-    const std::uint32_t from = read_exit(out, ridge_->from), end = cell_.corner_of(ridge_->to);
+    const std::uint32_t from = read_exit(out, ridge_->from), end = cell_.corner_of(*m_, ridge_->to);
     if (out.to == volume_exit::kind::cell) return enter(incident_polys_[out.cell], std::array{from, end});
     if (out.to == volume_exit::kind::triangle) return slide(triangle_of(out), out.velocity, std::array{from, end}, to);
     const bool back = out.to == volume_exit::kind::edge_back;
@@ -285,7 +285,7 @@ class volume_line_walker {
   std::uint32_t read_exit(const volume_exit& out, const vert_t<M>& v) {
     read(incident_polys_[out.cell]);
     cell_.flat.cut_faces();
-    return cell_.corner_of(v);
+    return cell_.corner_of(*m_, v);
   }
 
   /// The triangle of the cell that was read last by which an exit leads.
