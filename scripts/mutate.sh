@@ -163,6 +163,21 @@ graph/detail/edge_numbers  graph/boost
 graph/detail/corners   graph/cut_along graph/boundary_loops
 graph/disjoint_sets   graph/disjoint_sets graph/spanning_tree
 generate/detail/triangles_in_four  generate/subdivide_1_to_4
+lines/detail/flat_cell      lines/detail/flat_cell lines/integral_line
+lines/detail/line_signs     lines/integral_line
+lines/detail/line_watch     lines/integral_line
+lines/detail/line_recorder  lines/integral_line lines/evenly_spaced_lines
+lines/detail/polygon_reader lines/integral_line lines/field_at_verts
+lines/detail/polyhedron_reader lines/detail/flat_cell lines/integral_line lines/field_at_verts
+lines/detail/surface_exits  lines/integral_line
+lines/detail/volume_exits   lines/integral_line
+lines/detail/surface_line_walker lines/integral_line
+lines/detail/volume_line_walker  lines/integral_line
+lines/detail/vert_field_walker   lines/field_at_verts
+lines/detail/geodesic_walker     lines/trace_geodesic lines/straighten
+lines/detail/geodesic_start      lines/trace_geodesic
+lines/detail/flip_out            lines/straighten
+lines/detail/intrinsic_triangles lines/straighten
 '
 
 root=$PWD
