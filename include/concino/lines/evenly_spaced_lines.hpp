@@ -43,12 +43,12 @@ std::vector<field_line<M>> find_spaced_lines(const M& m, const G& g, const std::
 
 }  // namespace detail
 
-/// Lines along a field that cover a surface evenly: auto lines = evenly_spaced_lines(m, g, {.distance = 0.05}). Each new line begins at the distance from
-/// a line found before, and ends where it comes nearer to another one than a part of it.
-/// Needs:  Embedded SurfaceMesh, not a temporary; g as in integral_line. density[p], if given, a number of each poly: lines begin at the polys with the greatest ones;
-///         else in the order of polys(m).
-/// Result: lines as integral_line gives them both ways, with line_end::too_close where another line stopped them. No point of the surface is much farther
-///         from a line than the distance, but where lines would be shorter than min_length. Distances are those in space, between points
+/// Lines along a field that cover a surface evenly: auto lines = evenly_spaced_lines(m, g, {.distance = 0.05}). Each new line begins at the
+/// distance from a line found before, and ends where it comes nearer to another one than a part of it.
+/// Needs:  Embedded SurfaceMesh, not a temporary; g as in integral_line. density[p], if given, a number of each poly: lines begin at the polys with
+///         the greatest ones; else in the order of polys(m).
+/// Result: lines as integral_line gives them both ways, with line_end::too_close where another line stopped them. No point of the surface is much
+///         farther from a line than the distance, but where lines would be shorter than min_length. Distances are those in space, between points
 ///         that the surface joins within a ball of the distance round one of them. So sheets that only lie close to each other do not count. Where
 ///         the surface is flat, they are distances along it.
 /// Cost:   O(total length / distance x polys within the distance), and integral_line for each line and each seed.

@@ -124,15 +124,16 @@ class mean_search {
 
 }  // namespace detail
 
-/// The point of a surface with the smallest mean of squared distances to some verts, near the one with the largest weight: auto x = karcher_mean(m, {v, w}), or
-/// with weights karcher_mean(m, {{v, 0.5}, {w, 2.0}}). It is where logarithmic maps have the mean 0; on the plane it is the mean of the points.
-/// Needs:  as log_map. sites: a container of verts or of pairs of a vert and a weight, or braces of either. With a prepared_log_map in place of the mesh, its
-///         factorisation is used again.
-/// Result: a point of the mesh. On flat parts exact to rounding. Elsewhere it is one step, of less than about an edge, from the best vert, with the errors of
-///         log_map. On large parts of round surfaces there may be several such points; this is one of them.
+/// The point of a surface with the smallest mean of squared distances to some verts, near the one with the largest weight: auto x = karcher_mean(m,
+/// {v, w}), or with weights karcher_mean(m, {{v, 0.5}, {w, 2.0}}). It is where logarithmic maps have the mean 0; on the plane it is the mean of the
+/// points.
+/// Needs:  as log_map. sites: a container of verts or of pairs of a vert and a weight, or braces of either. With a prepared_log_map in place of the
+///         mesh, its factorisation is used again.
+/// Result: a point of the mesh. On flat parts exact to rounding. Elsewhere it is one step, of less than about an edge, from the best vert, with the
+///         errors of log_map. On large parts of round surfaces there may be several such points; this is one of them.
 /// Cost:   as log_map; each step is a query, and commonly there are two to five.
-/// Errors: as log_map and trace_geodesic. invalid_argument if no weight is above 0, one is negative or not finite, or no path leads between two verts.
-///         invalid_mesh if a vert is not one of the mesh.
+/// Errors: as log_map and trace_geodesic. invalid_argument if no weight is above 0, one is negative or not finite, or no path leads between two
+///         verts. invalid_mesh if a vert is not one of the mesh.
 /// Source: Karcher 1977, "Riemannian center of mass and mollifier smoothing"; Sharp, Soliman, Crane 2019, "The vector heat method", section 8.3.
 template<class M, class S, class Solver = ldlt>
   requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M> && (detail::gives_weighted_verts<M, S> || detail::gives_several_verts<M, S>) &&

@@ -13,8 +13,8 @@ namespace concino {
 
 /// Points inside a poly, round its centroid: auto bundle = integral_lines(m, g, starts_around(m, p)), as in Fig. 4 of the paper.
 /// Needs:  EmbeddedMesh; p is a poly of m. part: in (0, 1).
-/// Result: a point for each vert of p, in their order: at this part of the way from the centroid to the vert. They lie in the poly if it is star-shaped
-///         seen from its centroid, as convex ones are.
+/// Result: a point for each vert of p, in their order: at this part of the way from the centroid to the vert. They lie in the poly if it is
+///         star-shaped seen from its centroid, as convex ones are.
 /// Cost:   O(size of the poly).      Errors: invalid_mesh if p is no poly of m; invalid_argument if part is out of its range.
 /// Source: paper section 2.2, Fig. 4.
 template<EmbeddedMesh M>

@@ -156,18 +156,19 @@ prepared_straighten<std::remove_cvref_t<M>> prepare_straighten(M&& m) {
   return prepared_straighten<std::remove_cvref_t<M>>(m);
 }
 
-/// A path along edges of a surface, shortened over the surface until it is straight: auto g = straighten(m, shortest_path(m, v, w)). It passes to either
-/// side of the verts on its way, but never over one that is a bump or a hole.
-/// Needs:  Embedded SurfaceMesh, not a temporary, orientable, with or without boundary. The polys at each vert are one fan. path: a container of verts, or
-///         braces; consecutive verts are joined by edges. With .closed the last one is joined to the first one, too.
-/// Result: a path between the same verts, or a closed one, whose last point is joined to the first one. It is a geodesic that can be reached from the path by
-///         shortening, and never longer than the path. If the shortest path can be reached, and there are no others, it is that. See geodesic_path; where it
-///         crosses a diagonal of a polygon that is not a triangle, the point is in the poly. Polygons are triangulated.
-///         A closed path that shrinks to a vert has no points. One that ends as a single loop at a vert may have a corner there. Where the path crosses itself
-///         at a vert, it may keep a corner.
-/// Cost:   O(size of the mesh) to prepare, see prepare_straighten, and a number of flips that depends on the path: in practice proportional to the edges between both paths.
-/// Errors: invalid_argument if consecutive verts are not joined by an edge of a poly. invalid_mesh if a vert is not one of the mesh, or a poly has no area or
-///         points that are not finite. unsupported if the surface is not orientable, or the polys at a vert are not one fan.
+/// A path along edges of a surface, shortened over the surface until it is straight: auto g = straighten(m, shortest_path(m, v, w)). It passes to
+/// either side of the verts on its way, but never over one that is a bump or a hole.
+/// Needs:  Embedded SurfaceMesh, not a temporary, orientable, with or without boundary. The polys at each vert are one fan. path: a container of
+///         verts, or braces; consecutive verts are joined by edges. With .closed the last one is joined to the first one, too.
+/// Result: a path between the same verts, or a closed one, whose last point is joined to the first one. It is a geodesic that can be reached from
+///         the path by shortening, and never longer than the path. If the shortest path can be reached, and there are no others, it is that. See
+///         geodesic_path; where it crosses a diagonal of a polygon that is not a triangle, the point is in the poly. Polygons are triangulated. A
+///         closed path that shrinks to a vert has no points. One that ends as a single loop at a vert may have a corner there. Where the path
+///         crosses itself at a vert, it may keep a corner.
+/// Cost:   O(size of the mesh) to prepare, see prepare_straighten, and a number of flips that depends on the path: in practice proportional to the
+///         edges between both paths.
+/// Errors: invalid_argument if consecutive verts are not joined by an edge of a poly. invalid_mesh if a vert is not one of the mesh, or a poly has
+///         no area or points that are not finite. unsupported if the surface is not orientable, or the polys at a vert are not one fan.
 /// Source: Sharp, Crane 2020, "You can find geodesic paths in triangle meshes by just flipping edges".
 template<class M, class P>
   requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M> && detail::gives_path<M, P>

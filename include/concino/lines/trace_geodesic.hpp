@@ -23,8 +23,8 @@ struct trace_geodesic_options {
 };
 
 /// A geodesic. It is straight between consecutive points; each piece lies in one poly or along an edge.
-/// points: from the start to the end, both included; on edges, at verts, and in polys: the start, the end, and where it crosses a diagonal of a polygon that
-///         is not a triangle.
+/// points: from the start to the end, both included; on edges, at verts, and in polys: the start, the end, and where it crosses a diagonal of a
+///         polygon that is not a triangle.
 /// length: in units of length.
 /// direction: at the end, of length 1, along the last piece.
 /// stopped_by: why it ended.
@@ -113,18 +113,18 @@ prepared_trace_geodesic<std::remove_cvref_t<M>> prepare_trace_geodesic(M&& m) {
   return prepared_trace_geodesic<std::remove_cvref_t<M>>(m);
 }
 
-/// The straightest geodesic from a point in a direction: auto t = trace_geodesic(m, v, cn::tangent_vector{1, 0}, 2.5). It crosses edges as if both polys lay
-/// in one plane, and passes verts with equal angles on both sides.
-/// Needs:  Embedded SurfaceMesh, not a temporary. start: a vert, a mesh_point of a vert, an edge or a poly, or a poly p and a position x in it. direction: a tangent_vector in the frame of that
-///         element, or a vec3, which is projected onto the surface: of the polys at a vert or an edge, onto the one to which it is nearest. Only the direction of
-///         either counts. length: finite, in units of length.
-/// Result: see traced_geodesic. It ends at the length, at the boundary, or where the surface is not manifold, and says which. It may cross itself. On parts that
-///         can be unrolled into the plane it is a straight line there, to rounding. It passes through a vert if it comes nearer than 1e-12 of the
-///         edge's length. Polygons other than triangles are walked by their triangulation (triangulate_polygon).
+/// The straightest geodesic from a point in a direction: auto t = trace_geodesic(m, v, cn::tangent_vector{1, 0}, 2.5). It crosses edges as if both
+/// polys lay in one plane, and passes verts with equal angles on both sides.
+/// Needs:  Embedded SurfaceMesh, not a temporary. start: a vert, a mesh_point of a vert, an edge or a poly, or a poly p and a position x in it.
+///         direction: a tangent_vector in the frame of that element, or a vec3, which is projected onto the surface: of the polys at a vert or an
+///         edge, onto the one to which it is nearest. Only the direction of either counts. length: finite, in units of length.
+/// Result: see traced_geodesic. It ends at the length, at the boundary, or where the surface is not manifold, and says which. It may cross itself.
+///         On parts that can be unrolled into the plane it is a straight line there, to rounding. It passes through a vert if it comes nearer than
+///         1e-12 of the edge's length. Polygons other than triangles are walked by their triangulation (triangulate_polygon).
 /// Cost:   O(size of the mesh) to prepare, then O(number of points); see prepare_trace_geodesic.
-/// Errors: invalid_mesh if the element of the start is not one of the mesh, or a poly has no area or points that are not finite. invalid_argument if the length,
-///         the direction, the position or max_steps is out of its range, or the direction is perpendicular to the surface. unsupported if the start is a vert
-///         about which the polys are not one fan, and the direction is in its frame.
+/// Errors: invalid_mesh if the element of the start is not one of the mesh, or a poly has no area or points that are not finite. invalid_argument
+///         if the length, the direction, the position or max_steps is out of its range, or the direction is perpendicular to the surface.
+///         unsupported if the start is a vert about which the polys are not one fan, and the direction is in its frame.
 /// Source: Polthier, Schmies 1998, "Straightest geodesics on polyhedral surfaces".
 template<class M, class Start, detail::tangent_direction Direction = vec3>
   requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M> && (std::convertible_to<Start, vert_t<M>> || std::convertible_to<Start, mesh_point<std::remove_cvref_t<M>>>)

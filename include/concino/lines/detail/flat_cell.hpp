@@ -46,8 +46,8 @@ class flat_cell {
   void clear();
   /// ring: the corners of the face in cyclic order, counter-clockwise seen from outside or not.
   void add_face(std::span<const std::uint32_t> ring, bool is_outward);
-  /// The triangles are those of polygon_triangulator, from the first corner in `lies_before` towards the earlier one of its neighbours: so they are the
-  /// same for both cells, and do not depend on the corner with which the mesh begins the face.
+  /// The triangles are those of polygon_triangulator, from the first corner in `lies_before` towards the earlier one of its neighbours: so they are
+  /// the same for both cells, and do not depend on the corner with which the mesh begins the face.
   void cut_face(std::uint32_t face);
   void cut_faces();
 

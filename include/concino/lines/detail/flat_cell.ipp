@@ -22,8 +22,8 @@ CONCINO_INLINE bool is_cut_from_0(const vec3& p0, const vec3& p1, const vec3& p2
   return std::min(t012, whole - t012) >= std::min(t013, whole - t013);
 }
 
-/// Whether polygon_triangulator certainly divides the polygon by the diagonals from its first corner: seen along the vector area, all their triangles are
-/// counter-clockwise, by more than rounding. This takes fewer operations.
+/// Whether polygon_triangulator certainly divides the polygon by the diagonals from its first corner: seen along the vector area, all their
+/// triangles are counter-clockwise, by more than rounding. This takes fewer operations.
 CONCINO_INLINE bool is_cut_to_fan(std::span<const vec3> ring) {
   vec3 area;
   double farthest = 0;
@@ -110,7 +110,8 @@ CONCINO_INLINE void flat_cell::see(const vec3& x, const vec3& g) {
   nearly_ = 1e-14 * farthest;
 }
 
-/// Whether the line may pass through the face, seen along the line: most faces are left out by their boxes, others because the line is on one side of all corners.
+/// Whether the line may pass through the face, seen along the line: most faces are left out by their boxes, others because the line is on one side
+/// of all corners.
 CONCINO_INLINE bool flat_cell::may_cross(const face_ring& f) const {
   const std::uint32_t* const c = corners_.data() + f.first;
   place low = seen_[c[0]], high = low, sum = low;

@@ -83,7 +83,8 @@ class path_straightener {
     push(before);
   }
 
-  /// Flips edges inside the angle until the arc around it is convex. Returns whether the path may take the arc: no part of it passes through the angle.
+  /// Flips edges inside the angle until the arc around it is convex. Returns whether the path may take the arc: no part of it passes through the
+  /// angle.
   bool flip_inside(int from, int to) {
     spokes_.clear();
     for (int h = from; h != to; h = t_.counter_clockwise(h)) {

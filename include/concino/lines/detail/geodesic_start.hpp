@@ -65,8 +65,8 @@ class geodesic_start {
     return best;
   }
 
-  /// The tangent direction that is nearest to d, unless d leads out of the surface. On a sharp tip all may have parts against d; then it is the nearest to what d
-  /// has perpendicular to the normal.
+  /// The tangent direction that is nearest to d, unless d leads out of the surface. On a sharp tip all may have parts against d; then it is the
+  /// nearest to what d has perpendicular to the normal.
   walk_state from(const vert_t<M>& v, const vec3& d) const {
     const std::size_t i = index_of(m_, v);
     nearest_direction r = nearest_to(i, d);
@@ -188,8 +188,8 @@ class geodesic_start {
   geodesic_start(const M& m, const geodesic_surface<M>& surface, const char* caller) : m_(m), s_(surface), caller_(caller) {}
 
   /// Direction: a tangent_vector or a vec3, not 0.
-  /// Errors: invalid_mesh if the element of the start is not one of the mesh; invalid_argument if its position is not on the element, or the direction is
-  ///         perpendicular to the surface; unsupported if the frame of a vert has no angles.
+  /// Errors: invalid_mesh if the element of the start is not one of the mesh; invalid_argument if its position is not on the element, or the
+  ///         direction is perpendicular to the surface; unsupported if the frame of a vert has no angles.
   template<class Direction>
   walk_state operator()(const mesh_point<M>& start, const Direction& d) const {
     if (const auto* v = std::get_if<vert_t<M>>(&start.element)) {

@@ -9,7 +9,8 @@
 
 namespace concino::detail {
 
-/// The side of a triangle by which a line enters: its poly, and the number of the side among those of the poly's triangles. Or a vert: its index, and `at_vert`.
+/// The side of a triangle by which a line enters: its poly, and the number of the side among those of the poly's triangles. Or a vert: its index,
+/// and `at_vert`.
 struct entry_key {
   static constexpr std::size_t at_vert = SIZE_MAX;
   std::size_t element = SIZE_MAX, side = 0;
@@ -30,10 +31,10 @@ class return_map {
   void follow(const entry_step& next);
 };
 
-/// Follows the sides and verts that a line passes. The place on a side depends on the place when the line passed it before by an affine map x -> a x + b:
-/// a line that comes back to where it was is closed, and the line is drawn to a fixed point if |a| < 1.
-/// It compares with one of the sides or verts passed, the mark, which moves on after 1, 2, 4, 8, ... steps (Brent 1980, "An improved Monte Carlo factorization algorithm"):
-/// no list of what was passed is searched, and a cycle is noticed after at most three times the steps that the line takes to it and once round it.
+/// Follows the sides and verts that a line passes. The place on a side depends on the place when the line passed it before by an affine map x -> a
+/// x + b: a line that comes back to where it was is closed, and the line is drawn to a fixed point if |a| < 1. It compares with one of the sides or
+/// verts passed, the mark, which moves on after 1, 2, 4, 8, ... steps (Brent 1980, "An improved Monte Carlo factorization algorithm"): no list of
+/// what was passed is searched, and a cycle is noticed after at most three times the steps that the line takes to it and once round it.
 class line_watch {
  public:
   enum class finding { none, repeats, winds, winds_into_vert };

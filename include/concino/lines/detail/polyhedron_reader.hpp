@@ -94,7 +94,8 @@ class polyhedron_reader {
 
   const std::vector<vec3>& corner_points() const { return flat.points; }
 
-  /// values[v] of the verts at x in the cell, linear in each tet between the mean of the corners, which has their mean value, and a triangle of the surface.
+  /// values[v] of the verts at x in the cell, linear in each tet between the mean of the corners, which has their mean value, and a triangle of the
+  /// surface.
   template<class H>
   vec3 value_at(const vec3& x, const H& values) {
     flat.cut_faces();

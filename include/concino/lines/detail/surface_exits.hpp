@@ -26,8 +26,10 @@ struct surface_exit {
 /// speed; of several, the one with the point first in the order of `lies_before`.
 surface_exit steepest_exit(const vec3& from, std::span<const surface_sector> sectors);
 
-/// The speed along a side from a to b, if the fields of its two triangles push against each other there: the mean of both whose part across the side is 0.
-/// Needs: push, the speeds towards the side, 0 or more; along: the speeds along it.      Source: Filippov 1988, "Differential equations with discontinuous
+/// The speed along a side from a to b, if the fields of its two triangles push against each other there: the mean of both whose part across the
+/// side is 0.
+/// Needs: push, the speeds towards the side, 0 or more; along: the speeds along it.      Source: Filippov 1988, "Differential equations with
+///         discontinuous
 /// righthand sides".
 double sliding_speed(double push1, double along1, double push2, double along2);
 
