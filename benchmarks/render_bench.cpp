@@ -4,6 +4,7 @@
 #include "support/heap.hpp"
 #include "support/kinds.hpp"
 
+#include <concino/geometry/bounding_box.hpp>
 #include <concino/render.hpp>
 
 #ifdef CONCINO_BENCHMARK_EMBREE
@@ -85,7 +86,8 @@ int main(int argc, char** argv) {
     }
     if (p.wants("render.slice.hex1m")) {
       const cn::hexmesh m(p.data.hex1m());
-      draw(p, "render.slice.hex1m", m, {.visible = cn::below('x', 0.5)}, options_for(p, 0));
+      const cn::box all = cn::bounding_box(m);
+      draw(p, "render.slice.hex1m", m, {.visible = cn::below('x', (all.min.x + all.max.x) / 2)}, options_for(p, 0));
     }
     if (p.wants("render.memory.tri500k")) measure_memory<cn::trimesh>(p, "render.memory.tri500k", arrays(), options_for(p, 0));
   });
