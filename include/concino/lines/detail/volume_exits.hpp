@@ -12,7 +12,8 @@
 
 namespace concino::detail {
 
-/// Names a triangle of a face (its face's index and its number), an edge (its index and SIZE_MAX), or a diagonal (the face's index and the places of its ends).
+/// Names a triangle of a face (its face's index and its number), an edge (its index and SIZE_MAX), or a diagonal (the face's index and the places
+/// of its ends).
 struct incident_key {
   std::size_t element = SIZE_MAX, part = SIZE_MAX;
   friend auto operator<=>(const incident_key&, const incident_key&) = default;
@@ -37,8 +38,9 @@ struct volume_exit {
   vec3 velocity;                       // of a triangle: along its face
 };
 
-/// From a vert. Of all cells, triangles and edges that lead away from it, the fastest; of several, the one whose velocity comes first in `lies_before`.
-/// A triangle leads on if the fields of both its cells push towards it or are parallel to it, an edge if no cell and no triangle leads away from it.
+/// From a vert. Of all cells, triangles and edges that lead away from it, the fastest; of several, the one whose velocity comes first in
+/// `lies_before`. A triangle leads on if the fields of both its cells push towards it or are parallel to it, an edge if no cell and no triangle
+/// leads away from it.
 volume_exit steepest_exit(const vec3& from, std::span<const incident_cell> cells);
 
 /// From a place on an edge, or a diagonal, between the vert `from` and the point `to`.

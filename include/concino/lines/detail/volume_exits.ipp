@@ -1,6 +1,7 @@
 // Defines volume_exits.hpp.
 #pragma once
 
+#include <concino/core/small_array.hpp>
 #include <concino/lines/detail/line_signs.hpp>
 #include <concino/lines/detail/volume_exits.hpp>
 
@@ -32,7 +33,7 @@ struct incident_facet {
 class volume_exit_search {
   vec3 from_;
   std::span<const incident_cell> cells_;
-  std::vector<incident_facet> facets_;
+  core::small_array<incident_facet, 32> facets_;
   volume_exit best_;
   double best_speed_ = 0;
 
@@ -127,41 +128,54 @@ class volume_exit_search {
 
 CONCINO_INLINE bool is_side(const incident_triangle& t, const incident_key& edge) { return t.side_a == edge || t.side_b == edge; }
 
-/// The cells around an edge, with the two triangles of each at the edge.
+/// The cells around an edge, with the two triangles of each at the edge. Reuses its memory from edge to edge.
 class cells_around_edge {
-  std::vector<std::size_t> cell_of_;
-  std::vector<std::vector<std::size_t>> triangle_of_;
+  struct numbers_among_all {
+    std::size_t cell = 0;
+    std::vector<std::size_t> triangles;
+  };
+
+  std::vector<incident_cell> cells_;
+  std::vector<numbers_among_all> numbers_;
+  std::size_t size_ = 0;  // those in front are of the edge
 
  public:
-  std::vector<incident_cell> cells;
-
-  cells_around_edge(const incident_key& edge, std::span<const incident_cell> all) {
+  void find(const incident_key& edge, std::span<const incident_cell> all) {
+    size_ = 0;
     for (std::size_t c = 0; c < all.size(); ++c) {
-      incident_cell part{all[c].field, {}};
-      std::vector<std::size_t> numbers;
+      if (size_ == cells_.size()) {
+        cells_.emplace_back();
+        numbers_.emplace_back();
+      }
+      incident_cell& part = cells_[size_];
+      numbers_among_all& numbers = numbers_[size_];
+      part.field = all[c].field;
+      part.triangles.clear();
+      numbers.cell = c;
+      numbers.triangles.clear();
       for (std::size_t t = 0; t < all[c].triangles.size(); ++t)
         if (is_side(all[c].triangles[t], edge)) {
           part.triangles.push_back(all[c].triangles[t]);
-          numbers.push_back(t);
+          numbers.triangles.push_back(t);
         }
-      if (part.triangles.empty()) continue;
-      cells.push_back(std::move(part));
-      cell_of_.push_back(c);
-      triangle_of_.push_back(std::move(numbers));
+      if (!part.triangles.empty()) ++size_;
     }
   }
 
+  std::span<const incident_cell> cells() const { return std::span(cells_).first(size_); }
+
   /// The exit with the numbers of cell and triangle among all.
   volume_exit among_all(volume_exit x) const {
-    x.triangle = triangle_of_[x.cell][x.triangle];
-    x.cell = cell_of_[x.cell];
+    const numbers_among_all& numbers = numbers_[x.cell];
+    x.triangle = numbers.triangles[x.triangle];
+    x.cell = numbers.cell;
     return x;
   }
 
   /// Whether each face at the edge has two cells.
   bool is_closed() const {
-    std::vector<incident_key> faces;
-    for (const incident_cell& c : cells)
+    core::small_array<incident_key, 64> faces;
+    for (const incident_cell& c : cells())
       for (const incident_triangle& t : c.triangles) faces.push_back(t.face);
     std::sort(faces.begin(), faces.end());
     for (std::size_t i = 0; i < faces.size(); i += 2)
@@ -182,13 +196,14 @@ CONCINO_INLINE bool leads_between(const vec3& from, const incident_key& edge, co
 /// The speed along the edge of what does not lead off it: of a field exactly along the edge, else, inside, the mean of all.
 CONCINO_INLINE double speed_along_edge(const vec3& from, const vec3& to, const cells_around_edge& around) {
   const double length = distance(from, to);
-  std::vector<double> speeds;
+  core::small_array<double, 32> speeds;
   double parallel = 0;
-  for (const incident_cell& c : around.cells) {
+  for (const incident_cell& c : around.cells()) {
     bool is_parallel = c.field != vec3();
     for (const incident_triangle& t : c.triangles) is_parallel = is_parallel && side_of_line(c.field, t.a, t.b, from).sign == 0;
-    speeds.push_back(dot(c.field, to - from) / length);
-    if (is_parallel && std::abs(speeds.back()) > std::abs(parallel)) parallel = speeds.back();
+    const double speed = dot(c.field, to - from) / length;
+    speeds.push_back(speed);
+    if (is_parallel && std::abs(speed) > std::abs(parallel)) parallel = speed;
   }
   if (parallel != 0 || !around.is_closed()) return parallel;
   std::sort(speeds.begin(), speeds.end());  // so that their order does not change the sum
@@ -198,12 +213,13 @@ CONCINO_INLINE double speed_along_edge(const vec3& from, const vec3& to, const c
 }
 
 /// The exit from an edge between incident cells, with both directions along it.
-CONCINO_INLINE volume_exit exit_from_edge(const vec3& from, const vec3& to, const incident_key& edge, std::span<const incident_cell> cells) {
-  const cells_around_edge around(edge, cells);
-  if (from == to || around.cells.empty()) return {};
-  volume_exit_search search(from, around.cells);
-  for (std::size_t c = 0; c < around.cells.size(); ++c)
-    if (const vec3& g = around.cells[c].field; leads_between(from, edge, around.cells[c])) search.offer(volume_exit::kind::cell, c, 0, norm(g), g);
+CONCINO_INLINE volume_exit exit_from_edge(const vec3& from, const vec3& to, const incident_key& edge, std::span<const incident_cell> all, cells_around_edge& around) {
+  around.find(edge, all);
+  const std::span<const incident_cell> cells = around.cells();
+  if (from == to || cells.empty()) return {};
+  volume_exit_search search(from, cells);
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    if (const vec3& g = cells[c].field; leads_between(from, edge, cells[c])) search.offer(volume_exit::kind::cell, c, 0, norm(g), g);
   search.for_each_slide([&](const incident_facet& f, const vec3& velocity) {
     const incident_triangle& t = search.triangle(f);
     const bool edge_is_a = t.side_a == edge;
@@ -216,12 +232,13 @@ CONCINO_INLINE volume_exit exit_from_edge(const vec3& from, const vec3& to, cons
   if (speed == 0) return {};
   best.to = speed > 0 ? volume_exit::kind::edge : volume_exit::kind::edge_back;
   best.velocity = speed / distance(from, to) * (to - from);
-  best.along_a = around.cells[0].triangles[0].side_a == edge;
+  best.along_a = cells[0].triangles[0].side_a == edge;
   return around.among_all(best);
 }
 
 CONCINO_INLINE volume_exit steepest_exit(const vec3& from, const vec3& to, const incident_key& edge, std::span<const incident_cell> cells) {
-  return exit_from_edge(from, to, edge, cells);
+  cells_around_edge around;
+  return exit_from_edge(from, to, edge, cells, around);
 }
 
 CONCINO_INLINE volume_exit steepest_exit(const vec3& from, std::span<const incident_cell> cells) {
@@ -232,12 +249,13 @@ CONCINO_INLINE volume_exit steepest_exit(const vec3& from, std::span<const incid
     if (search.leads_along_triangle(search.triangle(f), velocity)) search.offer(volume_exit::kind::triangle, f.cell, f.triangle, norm(velocity), velocity);
   });
   std::vector<incident_key> asked;
+  cells_around_edge around;
   for (const incident_cell& c : cells)
     for (const incident_triangle& t : c.triangles)
       for (const auto& [edge, to] : {std::pair(t.side_a, t.a), std::pair(t.side_b, t.b)}) {
         if (std::find(asked.begin(), asked.end(), edge) != asked.end()) continue;
         asked.push_back(edge);
-        const volume_exit x = exit_from_edge(from, to, edge, cells);
+        const volume_exit x = exit_from_edge(from, to, edge, cells, around);
         if (x.to == volume_exit::kind::edge) search.offer(x.to, x.cell, x.triangle, norm(x.velocity), x.velocity, x.along_a);
       }
   return search.best();
