@@ -2,7 +2,7 @@
 #include <concino/io/load.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 #include <concino/mesh/polyhedralmesh.hpp>
-#include <concino/render/drawable.hpp>
+#include <concino/render/make_drawable.hpp>
 
 #include <support/corpus_meshes.hpp>
 
