@@ -51,10 +51,10 @@ int main(int num_arguments, char** arguments) {
   show("two layers less", m, cn::peeled(2));
   show("the worst shapes", m, cn::at_most(quality, 0.6), quality);
 
-  // clip cuts through the hexes. The faces on the cut are those to tint.
+  // clip cuts through the hexes, and knows the faces on the cut.
   const auto half = cn::clip(m, cn::plane{{0, 0, -1}, -0.1});
   fmt::print("clip: {} polyhedra, {} faces on the cut\n", cn::num_polys(half.mesh), half.cut_faces.size());
-  draw("an exact cut", cn::scene().add(half.mesh, {.edges = true}));
+  draw("an exact cut", cn::scene().add(half.mesh, {.edges = true, .exposed = half.cut_faces}));
 
   cn::save_png(cn::make_sheet(pictures, {.columns = 3, .captions = captions}), "inside.png");
 }

@@ -3,6 +3,7 @@
 #include <concino/mesh/facet_map.hpp>
 #include <concino/mesh/hexmesh.hpp>
 #include <concino/mesh/quadmesh.hpp>
+#include <concino/render/make_drawable.hpp>
 #include <concino/render/slicing.hpp>
 
 #include <support/meshes.hpp>
@@ -39,6 +40,21 @@ TEST_CASE("polygon_selection: containers and maps of polys of a surface or faces
   CHECK(count(m, copy) == 1);
   CHECK(count<hexmesh>(cube, make_facet_map<bool>(cube, true)) == num_faces(cube));
   CHECK(count<hexmesh>(cube, exposed_facets(cube, below('x', 0.5))) == 4);
+}
+
+TEST_CASE("polygon_selection: make_drawable marks selected polygons and those that a criterion exposes") {
+  const hexmesh cube(testing::hex_grid(4));
+  const auto exposed = [](const drawable& d) { return std::count(d.exposed.begin(), d.exposed.end(), 1); };
+  const auto cut = exposed_facets(cube, below('x', 0.5));
+  CHECK(exposed(make_drawable(cube)) == 0);
+  CHECK(exposed(make_drawable(cube, {.exposed = cut})) == 0);  // they are inside
+  CHECK(exposed(make_drawable(cube, {.visible = below('x', 0.5)})) == 16);
+  std::vector<face_id> side;
+  for (const auto f : faces(cube))
+    if (centroid(cube, f).x == 0) side.push_back(f);
+  const drawable d = make_drawable(cube, {.visible = below('x', 0.5), .exposed = side});
+  CHECK(exposed(d) == 32);
+  CHECK(d.exposed.size() == d.polygons().size());
 }
 
 TEST_CASE("polygon_selection: polygons of other meshes are refused") {

@@ -85,6 +85,11 @@ drawable make_drawable(const M& m, const mesh_look<M>& look = {}) {
   const element_kind at = look.labels ? look.labels.at() : look.field.at();
   std::vector<std::uint32_t> edge_of_corner;
   drawable d = detail::visible_polygons(m, detail::met_polys{look.visible.prepare(m)}, at == element_kind::edge ? &edge_of_corner : nullptr);
+  if (look.exposed) {
+    std::vector<unsigned char> selected;
+    look.exposed.fill(m, selected);
+    detail::expose(d, selected);
+  }
   detail::finish_drawable(d, look.crease_angle);
   d.look.color = look.color;
   d.look.exposed_color = look.exposed_color;

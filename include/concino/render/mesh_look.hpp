@@ -6,6 +6,7 @@
 #include <concino/render/any_field.hpp>
 #include <concino/render/appearance.hpp>
 #include <concino/render/poly_criterion.hpp>
+#include <concino/render/polygon_selection.hpp>
 
 #include <optional>
 
@@ -25,6 +26,7 @@ struct mesh_look {
   double edge_width = 1.3;                            // in pixels
   rgb edge_color = srgb(0.1f, 0.1f, 0.12f);
   poly_criterion<M> visible = {};                     // polys that are shown, such as below('x', 0.3); empty: all
+  polygon_selection<M> exposed = {};                  // more polygons that a cut laid bare, such as c.cut_faces of a result c of clip
   rgb color = srgb(0.80f, 0.80f, 0.82f);              // without field and labels
   rgb exposed_color = srgb(0.93f, 0.78f, 0.50f);       // of faces inside the mesh that a cut laid bare, without field and labels
   concino::texture texture = {};                      // drawn over these colours where there are texture coordinates

@@ -16,6 +16,9 @@ namespace concino::detail {
 /// Errors: invalid_argument if an option of a mesh_look is out of its range. labels_at: `mesh` without labels.
 void check_look(double opacity, double shine, double crease_angle, double edge_width, int isobands, int isolines, element_kind labels_at);
 
+/// Marks polygons as laid bare. selected: by index in the mesh.
+void expose(drawable& d, std::span<const unsigned char> selected);
+
 /// Adds triangles and normals.
 void finish_drawable(drawable& d, double crease_angle);
 

@@ -20,6 +20,12 @@ CONCINO_INLINE void check_look(double opacity, double shine, double crease_angle
   need(labels_at != element_kind::vert && labels_at != element_kind::edge, "labels must be at polys or faces");
 }
 
+CONCINO_INLINE void expose(drawable& d, std::span<const unsigned char> selected) {
+  d.exposed.resize(d.mesh_polygons.size());
+  for (std::size_t p = 0; p < d.exposed.size(); ++p)
+    if (selected[d.mesh_polygons[p]] != 0) d.exposed[p] = 1;
+}
+
 CONCINO_INLINE void finish_drawable(drawable& d, double crease_angle) {
   add_triangles(d);
   d.normals = smooth_normals(d.polygons(), crease_angle);
