@@ -1,4 +1,4 @@
-# Runs a lesson and compares its output with the expected one, character by character.
+# Runs a lesson and compares its output with the expected one, character by character. `picture`, if given, is the name of a file for its picture.
 file(REMOVE_RECURSE ${scratch})
 file(MAKE_DIRECTORY ${scratch})
 file(GLOB data ${lesson}/*)
@@ -6,7 +6,7 @@ list(FILTER data EXCLUDE REGEX "/(main\\.cpp|expected[^/]*\\.txt|variants\\.txt)
 if(data)
   file(COPY ${data} DESTINATION ${scratch})
 endif()
-execute_process(COMMAND ${program} WORKING_DIRECTORY ${scratch} RESULT_VARIABLE code OUTPUT_VARIABLE printed ERROR_VARIABLE complained)
+execute_process(COMMAND ${program} ${picture} WORKING_DIRECTORY ${scratch} RESULT_VARIABLE code OUTPUT_VARIABLE printed ERROR_VARIABLE complained)
 if(NOT code EQUAL 0)
   message(FATAL_ERROR "${program} ended with ${code}:\n${printed}${complained}")
 endif()

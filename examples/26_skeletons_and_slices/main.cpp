@@ -2,6 +2,8 @@
 #include <concino/graph.hpp>
 #include <concino/io/skeleton.hpp>
 #include <concino/io/slices.hpp>
+#include <concino/render/scene.hpp>
+#include <concino/render/scene_png.hpp>
 
 #include <fmt/core.h>
 
@@ -33,7 +35,7 @@ cn::slice_layer layer_of(const cn::skeleton& k, double z) {
   return layer;
 }
 
-int main() {
+int main(int argc, char** argv) {
   cn::load_report report;
   const cn::skeleton k = cn::load_skeleton_text(tree, {.report = &report});
   for (const auto& note : report.notes) fmt::print("note: {}\n", note);
@@ -65,5 +67,20 @@ int main() {
     cn::save_slices(part, "tree_binary.cli", {.binary = true, .strict = true});
   } catch (const cn::unsupported& refused) {
     fmt::print("{}\n", refused.what());
+  }
+
+  // A picture, if the program is given the name of a file: the skeleton with its radii, and the slices beside it.
+  if (argc > 1) {
+    cn::scene s;
+    std::vector<double> radii;
+    for (const auto v : cn::verts(k)) radii.push_back(k.radius(v));
+    s.add_graph(k, {.color = cn::srgb(0.80f, 0.80f, 0.82f), .radii = radii});
+    for (const auto& layer : part.layers)
+      for (std::size_t i = 0; i < layer.outer.size(); ++i) {
+        std::vector<cn::vec3> line;
+        for (const auto& x : layer.outer[i]) line.push_back({x[0] + 16, x[1], layer.z});
+        s.add_lines(line, {.radius = 0.08, .closed = true});
+      }
+    cn::save_png(s, argv[1], {.width = 380, .height = 320, .up = {0, 0, 1}});
   }
 }

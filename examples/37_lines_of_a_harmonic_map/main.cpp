@@ -6,6 +6,8 @@
 #include <concino/geometry.hpp>
 #include <concino/level_sets.hpp>
 #include <concino/mesh.hpp>
+#include <concino/render/scene.hpp>
+#include <concino/render/scene_png.hpp>
 
 #include <fmt/core.h>
 
@@ -15,7 +17,7 @@
 
 namespace cn = concino;
 
-int main() {
+int main(int argc, char** argv) {
   // A flat ring of quads between the radii 1 and 4: a grid, rolled up.
   const unsigned around = 96, across = 24;
   cn::surface_arrays a;
@@ -64,4 +66,11 @@ int main() {
   const auto line = cn::isolines(polygons, w, 0.6).front();
   const auto cut = cn::embed_path(polygons, line.places, {.closed = line.closed});
   fmt::print("as edges of polygons: {} edges, {} new verts, {} polys instead of {}\n", cut.edges.size(), cut.new_verts.size(), cn::num_polys(polygons), cn::num_polys(m));
+
+  // A picture, if the program is given the name of a file.
+  if (argc > 1) {
+    cn::scene s;
+    s.add(m, {.field = u, .edges = true}).add_lines(cn::isolines(m, u, {0.25, 0.5, 0.75}), {.radius = 0.04});
+    cn::save_png(s, argv[1], {.width = 420, .height = 290, .camera = cn::view_options{.towards = {0, -1, 1}, .up = {0, 0, 1}}, .up = {0, 0, 1}, .legend = {.title = "u"}});
+  }
 }

@@ -4,13 +4,15 @@
 #include <concino/geometry.hpp>
 #include <concino/level_sets.hpp>
 #include <concino/mesh.hpp>
+#include <concino/render/scene.hpp>
+#include <concino/render/scene_png.hpp>
 #include <concino/validate.hpp>
 
 #include <fmt/core.h>
 
 namespace cn = concino;
 
-int main() {
+int main(int argc, char** argv) {
   // Voronoi cells in a cube, and how far each vert is from the centre.
   const cn::box cube{{0, 0, 0}, {1, 1, 1}};
   cn::polyhedralmesh m = cn::voronoi_polyhedra(cn::random_points(200, cube), cube);
@@ -44,4 +46,11 @@ int main() {
   const auto ball = cn::isosurface<cn::trimesh>(m, far, 0.4);
   fmt::print("iso-surface: {} triangles, {}\n", cn::num_polys(ball.mesh), cn::validate(ball.mesh).facts.manifold ? "a manifold" : "not a manifold");
   for (const double v : cn::measure_between(m, far, {0.0, 0.2, 0.4, 0.9})) fmt::print("shell: {:.6f}\n", v);
+
+  // A picture, if the program is given the name of a file: the clipped cells, turned so that the cut is on top, and the iso-surface.
+  if (argc > 1) {
+    cn::scene picture;
+    picture.add(upper.mesh, {.labels = cn::find_poly_property<int>(upper.mesh, "cell"), .edges = true}).add(ball.mesh, {.edges = true});
+    cn::save_png(picture, argv[1], {.width = 400, .height = 300, .up = {0, 0, -1}});
+  }
 }

@@ -4,12 +4,14 @@
 #include <concino/geometry.hpp>
 #include <concino/mesh.hpp>
 #include <concino/quality.hpp>
+#include <concino/render/scene.hpp>
+#include <concino/render/scene_png.hpp>
 
 #include <fmt/core.h>
 
 namespace cn = concino;
 
-int main() {
+int main(int argc, char** argv) {
   // A hex at each vert of each tet. The mesh stays the same in space, and so do labels.
   auto tets = cn::make_grid<cn::tetmesh>({.cells = {3, 3, 3}});
   cn::jitter(tets, 0.2);
@@ -47,4 +49,7 @@ int main() {
   const cn::vec3 x = limit.points[corner], n = limit.normals[corner];
   fmt::print("the corner ({:g}, {:g}, {:g}) goes to ({:.4f}, {:.4f}, {:.4f}), with normal ({:.3f}, {:.3f}, {:.3f})\n", cn::point(box, corner).x,
              cn::point(box, corner).y, cn::point(box, corner).z, x.x, x.y, x.z, n.x, n.y, n.z);
+
+  // A picture, if the program is given the name of a file: the smooth surface with its sharp top, and the cube around it.
+  if (argc > 1) cn::save_png(cn::scene().add(lid, {.edges = true}).add(box, {.edges = true, .opacity = 0.15}), argv[1], {.width = 400, .height = 300, .up = {0, 0, 1}});
 }

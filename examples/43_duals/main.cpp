@@ -3,6 +3,8 @@
 #include <concino/generate.hpp>
 #include <concino/geometry.hpp>
 #include <concino/mesh.hpp>
+#include <concino/render/scene.hpp>
+#include <concino/render/scene_png.hpp>
 
 #include <fmt/core.h>
 
@@ -10,7 +12,7 @@
 
 namespace cn = concino;
 
-int main() {
+int main(int argc, char** argv) {
   // The unit cube in 4 x 4 x 4 hexes. Its dual covers the same cube.
   const auto cube = cn::make_grid<cn::hexmesh>({.cells = {4, 4, 4}});
   const auto describe = [](const char* name, const cn::polyhedralmesh& d) {
@@ -35,4 +37,7 @@ int main() {
   for (const auto v : cn::verts(sphere))
     for (const auto x : cn::adj_p2v(d, maps.poly_of_vert[v.raw()])) farthest = std::max(farthest, cn::distance(cn::point(d, x), cn::point(sphere, v)));
   fmt::print("{} cells on a sphere, each within {:.3f} of its site\n", cn::num_polys(d), farthest);
+
+  // A picture, if the program is given the name of a file: the Voronoi cells, and their sites.
+  if (argc > 1) cn::save_png(cn::scene().add(d, {.edges = true, .edge_width = 2, .crease_angle = 0}).add_points(sphere, {.radius = 0.02}), argv[1], {.width = 380, .height = 320});
 }

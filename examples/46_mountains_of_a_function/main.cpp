@@ -3,14 +3,17 @@
 #include <concino/fields.hpp>
 #include <concino/generate.hpp>
 #include <concino/mesh.hpp>
+#include <concino/render/scene.hpp>
+#include <concino/render/scene_png.hpp>
 
 #include <fmt/core.h>
 
 #include <cmath>
+#include <vector>
 
 namespace cn = concino;
 
-int main() {
+int main(int argc, char** argv) {
   const auto m = cn::make_grid<cn::quadmesh>({.cells = {60, 60}});
   auto u = cn::make_vert_map<double>(m);
   const auto hill = [](const cn::vec3& x, const cn::vec3& top, double height) { return height * std::exp(-40 * cn::dot(x - top, x - top)); };
@@ -61,4 +64,15 @@ int main() {
   for (const auto& a : graph.arcs) fmt::print("arc from {} to {} with {} verts\n", a.lower, a.upper, graph.verts_of(a).size());
   const auto parts = cn::hodge_decomposition(torus, cn::make_poly_map<cn::vec3>(torus, cn::vec3{0, 0, 1}));
   fmt::print("loops: {}, dimension of the harmonic fields: {}\n", graph.arcs.size() - graph.nodes.size() + 1, parts.harmonic_dimension);
+
+  // A picture, if the program is given the name of a file: the simplified function as a landscape, with balls on its hills.
+  if (argc > 1) {
+    auto lifted = cn::make_vert_map<cn::vec3>(m);
+    for (const auto v : cn::verts(m)) lifted[v] = cn::to_vec3(cn::point(m, v)) + cn::vec3{0, 0, 0.4 * valleys_gone[v]};
+    std::vector<cn::vec3> tops;
+    for (const auto v : regions.extrema) tops.push_back(lifted[v]);
+    cn::scene s;
+    s.add(cn::with_points(m, lifted), {.field = valleys_gone, .isobands = 12}).add_points(tops, {.radius = 0.015});
+    cn::save_png(s, argv[1], {.width = 420, .height = 290, .up = {0, 0, 1}, .legend = {.title = "u"}});
+  }
 }

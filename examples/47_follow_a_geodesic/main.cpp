@@ -5,6 +5,8 @@
 #include <concino/graph.hpp>
 #include <concino/lines.hpp>
 #include <concino/mesh.hpp>
+#include <concino/render/scene.hpp>
+#include <concino/render/scene_png.hpp>
 
 #include <fmt/core.h>
 
@@ -13,7 +15,7 @@
 
 namespace cn = concino;
 
-int main() {
+int main(int argc, char** argv) {
   const auto m = cn::make_torus<cn::trimesh>({.cells = {48, 24}});
   const cn::vert_id start{0};
 
@@ -59,4 +61,11 @@ int main() {
   // The point amid some others.
   const cn::vec3 middle = cn::karcher_mean(sheet, {cn::vert_id{0}, cn::vert_id{5}, cn::vert_id{35}}).position;
   fmt::print("the mean of three corners of the square is ({:.3f}, {:.3f})\n", middle.x, middle.y);
+
+  // A picture, if the program is given the name of a file: the long geodesic in red, the path along edges in black, and the path made straight in blue.
+  if (argc > 1) {
+    cn::scene s;
+    s.add(m, {.edges = true}).add_lines(around.points).add_lines(m, path, {.color = cn::srgb(0, 0, 0)}).add_lines(straight.points, {.color = cn::srgb(0.1f, 0.3f, 0.9f)});
+    cn::save_png(s, argv[1], {.width = 380, .height = 260, .camera = cn::view_options{.towards = {0, -1, 1}, .up = {0, 0, 1}}, .up = {0, 0, 1}});
+  }
 }
