@@ -3,6 +3,8 @@
 #include <concino/generate.hpp>
 #include <concino/mesh.hpp>
 #include <concino/operators.hpp>
+#include <concino/render/scene.hpp>
+#include <concino/render/scene_png.hpp>
 
 #include <fmt/core.h>
 
@@ -42,7 +44,7 @@ void refine(const char* name) {
   }
 }
 
-int main() {
+int main(int argc, char** argv) {
   refine<cn::polygonmesh>("hexagons");
   refine<cn::hexmesh>("hexahedra");
 
@@ -50,4 +52,14 @@ int main() {
   const auto m = cn::make_grid<cn::hexmesh>({.cells = {4, 4, 4}});
   const Eigen::SparseMatrix<double> G = cn::gradient_matrix(m), D = cn::divergence_matrix(m).transpose(), M = cn::poly_mass_matrix(m);
   fmt::print("G is {} x {}; M G + transpose(D) = 0: {}\n", G.rows(), G.cols(), (M * G + D).norm() < 1e-12 ? "yes" : "no");
+
+  // A picture, if the program is given the name of a file: the function and its gradient.
+  if (argc > 1) {
+    const auto hexagons = cn::make_grid<cn::polygonmesh>({.cells = {12, 12, 1}});
+    auto u = cn::make_vert_map<double>(hexagons);
+    for (const auto v : cn::verts(hexagons)) u[v] = u_at(cn::point(hexagons, v));
+    cn::scene s;
+    s.add(hexagons, {.field = u, .edges = true}).add_arrows(hexagons, cn::gradient(hexagons, u));
+    cn::save_png(s, argv[1], {.width = 380, .height = 320, .camera = cn::camera::from_front, .legend = {.title = "u"}});
+  }
 }
