@@ -45,7 +45,7 @@ field_line<M> line_with_memory(std::size_t num_points, std::size_t num_polys) {
 }
 
 template<class M>
-field_line<M> copied(const field_line<M>& x) {
+field_line<M> compact_copy(const field_line<M>& x) {
   field_line<M> line = line_with_memory<M>(x.points.size(), x.polys.size());
   line = x;
   return line;
@@ -147,9 +147,9 @@ class field_follower {
       walker.run(start, sense, to);
       return line;
     };
-    if (!options_.both_ways) return copied(one_way(options_.backward ? -1 : 1, scratch.forward));
+    if (!options_.both_ways) return compact_copy(one_way(options_.backward ? -1 : 1, scratch.forward));
     const field_line<M>& forward = one_way(1, scratch.forward);
-    return forward.stopped_by == line_end::closed ? copied(forward) : joined(one_way(-1, scratch.backward), forward);
+    return forward.stopped_by == line_end::closed ? compact_copy(forward) : joined(one_way(-1, scratch.backward), forward);
   }
 };
 
