@@ -4,12 +4,14 @@
 #include <concino/generate.hpp>
 #include <concino/operators.hpp>
 #include <concino/optimize.hpp>
+#include <concino/render/scene.hpp>
+#include <concino/render/scene_png.hpp>
 
 #include <fmt/core.h>
 
 namespace cn = concino;
 
-int main() {
+int main(int argc, char** argv) {
   const auto m = cn::make_grid<cn::polygonmesh>({.cells = {16, 12, 1}});
   const auto n = static_cast<Eigen::Index>(cn::num_verts(m));
   cn::vert_id handle[3] = {cn::vert_id{0}, cn::vert_id{0}, cn::vert_id{0}};  // the verts nearest to `place`
@@ -30,6 +32,7 @@ int main() {
   identity.setIdentity();
   const Eigen::SparseMatrix<double> energy = laplacian * inverse_mass * laplacian;
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(n);
+  auto weight = cn::make_vert_map<double>(m);
   for (int k = 0; k < 3; ++k) {
     Eigen::VectorXd at_least = Eigen::VectorXd::Zero(n), at_most = Eigen::VectorXd::Ones(n);
     for (int other = 0; other < 3; ++other) {
@@ -40,6 +43,15 @@ int main() {
     fmt::print("bounded, handle {}:   from {:.4f} to {:.4f}, {} of {} verts at a bound\n", k, std::abs(w.x.minCoeff()), w.x.maxCoeff(),
                (w.multipliers.array() != 0).count(), n);
     sum += w.x;
+    for (const cn::vert_id v : cn::verts(m)) weight[v] = w.x[static_cast<Eigen::Index>(cn::index_of(m, v))];
   }
   fmt::print("sum of the weights:  {:.3f} to {:.3f}\n", sum.minCoeff(), sum.maxCoeff());
+
+  // A picture, if the program is given the name of a file: the weights of the last handle, and all handles.
+  if (argc > 1) {
+    cn::scene s;
+    s.add(m, {.field = weight, .isobands = 10, .edges = true});
+    s.add_points({cn::point(m, handle[0]), cn::point(m, handle[1]), cn::point(m, handle[2])}, {.radius = 0.015});
+    cn::save_png(s, argv[1], {.width = 400, .height = 320, .camera = cn::camera::from_front, .legend = {.title = "weight"}});
+  }
 }

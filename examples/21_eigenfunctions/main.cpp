@@ -4,6 +4,9 @@
 #include <concino/generate.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/mesh.hpp>
+#include <concino/render/scene.hpp>
+#include <concino/render/scene_png.hpp>
+#include <concino/render/sheet.hpp>
 
 #include <fmt/core.h>
 
@@ -11,6 +14,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <vector>
 
 namespace cn = concino;
 
@@ -45,7 +49,7 @@ cn::trimesh drum(const std::array<mirrored, 6>& recipe) {
   return cn::trimesh(r);
 }
 
-int main() {
+int main(int argc, char** argv) {
   const auto ball = cn::make_sphere<cn::polygonmesh>({.cells = 10});
   fmt::print("sphere of {} polygons:      ", cn::num_polys(ball));
   for (const double x : cn::eigenfunctions(ball, 9).values) fmt::print(" {:.1f}", std::abs(x));
@@ -62,6 +66,7 @@ int main() {
 
   const auto one = drum({{{0, 1, 0}, {0, 2, 1}, {0, 4, 2}, {2, 5, 0}, {4, 3, 1}, {1, 6, 2}}});
   const auto two = drum({{{0, 4, 0}, {0, 1, 1}, {0, 2, 2}, {2, 3, 0}, {4, 6, 1}, {1, 5, 2}}});
+  std::vector<cn::image> pictures;
   for (const auto* m : {&one, &two}) {
     fmt::print("drum of area {:.1f}:", cn::total_measure(*m));
     for (const double x : cn::eigenfunctions(*m, 6).values) fmt::print(" {:.4f}", std::abs(x));
@@ -71,5 +76,12 @@ int main() {
     for (const auto v : cn::verts(*m)) middle += mass[v] / 3.5 * cn::point(*m, v);
     for (const auto v : cn::verts(*m)) spread += mass[v] * std::pow(cn::distance(cn::point(*m, v), middle), 2);
     fmt::print(", but moment of inertia {:.2f}\n", spread);
+    if (argc > 1) {
+      const auto functions = cn::eigenfunctions(*m, 3).functions;
+      pictures.push_back(cn::render(cn::scene().add(*m, {.field = functions[2], .map = cn::colormap::cool_warm, .isolines = 12}), {.width = 220, .height = 200, .camera = cn::camera::from_front}));
+    }
   }
+
+  // A picture, if the program is given the name of a file: a function of each drum, of the same tone.
+  if (argc > 1) cn::save_png(cn::make_sheet(pictures, {.columns = 2}), argv[1]);
 }

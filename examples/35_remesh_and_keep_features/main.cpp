@@ -5,6 +5,9 @@
 #include <concino/mesh.hpp>
 #include <concino/quality.hpp>
 #include <concino/remesh.hpp>
+#include <concino/render/scene.hpp>
+#include <concino/render/scene_png.hpp>
+#include <concino/render/sheet.hpp>
 
 #include <fmt/core.h>
 
@@ -55,7 +58,7 @@ void report(const char* what, const cn::trimesh& m) {
              length_of_sharp_edges(m));
 }
 
-int main() {
+int main(int argc, char** argv) {
   // a plate, a neck, and a round head
   std::vector<std::array<double, 2>> profile{{0, 0}, {1, 0}, {1, 0.2}, {0.3, 0.2}};
   for (int k = 0; k <= 12; ++k) {
@@ -89,4 +92,12 @@ int main() {
   auto mine = knob;
   cn::remesh(mine, near_axis);
   report("near the axis", mine);
+
+  // A picture, if the program is given the name of a file.
+  if (argc > 1) {
+    std::vector<cn::image> pictures;
+    for (const auto* x : std::initializer_list<const cn::trimesh*>{&knob, &m, &ragged, &adapted})
+      pictures.push_back(cn::render(cn::scene().add(*x, {.edges = true, .edge_width = 1, .crease_angle = 40}), {.width = 210, .height = 210, .up = {0, 0, 1}}));
+    cn::save_png(cn::make_sheet(pictures, {.columns = 2, .captions = {"input", "edges of 0.07", "without features", "by curvature"}}), argv[1]);
+  }
 }

@@ -3,12 +3,16 @@
 #include <concino/generate.hpp>
 #include <concino/geometry.hpp>
 #include <concino/mesh.hpp>
+#include <concino/render/position_criteria.hpp>
+#include <concino/render/scene.hpp>
+#include <concino/render/scene_png.hpp>
+#include <concino/render/sheet.hpp>
 
 #include <fmt/core.h>
 
 namespace cn = concino;
 
-int main() {
+int main(int argc, char** argv) {
   // Quads become hexes, other polygons prisms. Each cell has the label of its polygon.
   auto floor = cn::make_grid<cn::quadmesh>({.cells = {4, 3, 1}, .max = {4, 3, 0}});
   const auto label = cn::poly_property<int>(floor, "label");
@@ -51,4 +55,16 @@ int main() {
   const cn::hexmesh both = cn::unite(block, next);
   fmt::print("{} + {} verts become {}, {} + {} faces {}\n", cn::num_verts(block), cn::num_verts(next), cn::num_verts(both), cn::num_faces(block), cn::num_faces(next),
              cn::num_faces(both));
+
+  // A picture, if the program is given the name of a file.
+  if (argc > 1) {
+    cn::scene scenes[4];
+    scenes[0].add(block, {.labels = label_of, .edges = true});
+    scenes[1].add(quarter, {.edges = true});
+    scenes[2].add(shell, {.edges = true, .visible = cn::below('x', 0)});
+    scenes[3].add(cubes, {.edges = true, .edge_width = 0.8});
+    std::vector<cn::image> pictures;
+    for (const auto& s : scenes) pictures.push_back(cn::render(s, {.width = 220, .height = 190}));
+    cn::save_png(cn::make_sheet(pictures, {.columns = 2, .captions = {"extruded", "revolved", "a thick shell", "cubes in a torus"}}), argv[1]);
+  }
 }

@@ -7,6 +7,8 @@
 #include <concino/lines.hpp>
 #include <concino/mesh.hpp>
 #include <concino/operators.hpp>
+#include <concino/render/scene.hpp>
+#include <concino/render/scene_png.hpp>
 
 #include <fmt/core.h>
 
@@ -43,7 +45,7 @@ void cover(const M& m, const G& g) {
 template<cn::VolumeMesh M, class G>
 void cover(const M&, const G&) {}
 
-int main() {
+int main(int argc, char** argv) {
   const auto m = cn::load<mesh>(cn::dimension_v<mesh> == 2 ? "plate.obj" : "block.mesh");
   const auto box = cn::bounding_box(m);
 
@@ -81,4 +83,11 @@ int main() {
   const auto bundle = cn::integral_lines(m, g, cn::starts_around(m, *cn::adj_v2p(m, high).begin()), {.backward = true});
   fmt::print("{} lines leave a poly at the maximum\n", bundle.size());
   cover(m, g);
+
+  // A picture, if the program is given the name of a file: lines from every poly, in the colours of u, in the transparent mesh.
+  if (argc > 1) {
+    cn::scene s;
+    s.add(m, {.field = u, .edges = true, .opacity = 0.3}).add_lines(cn::integral_lines(m, g, cn::polys(m), {.both_ways = true}));
+    cn::save_png(s, argv[1], {.width = 420, .height = 290, .up = {0, 0, 1}});
+  }
 }

@@ -1,5 +1,5 @@
 // A look inside a mesh of hexes: criteria say which polys a picture shows. What they expose has a colour of its own. At last a cut that goes through cells.
-// The argument is the width of each picture in pixels: small ones are fast, and 320 is enough to see all hexes.
+// The pictures are small and fast; with the name of a file they are large enough to see all hexes.
 #include <concino/generate.hpp>
 #include <concino/level_sets.hpp>
 #include <concino/mesh.hpp>
@@ -36,8 +36,9 @@ void show(const char* caption, const cn::hexmesh& m, const cn::poly_criterion<cn
   draw(caption, s);
 }
 
-int main(int num_arguments, char** arguments) {
-  if (num_arguments > 1) width = std::stoul(arguments[1]);
+int main(int argc, char** argv) {
+  const std::string path = argc > 1 ? argv[1] : "inside.png";
+  if (argc > 1) width = 170;
   auto m = cn::make_sphere<cn::hexmesh>({.cells = 6});
   cn::jitter(m, 0.15);
   const auto quality = cn::quality(m, cn::metric::scaled_jacobian);
@@ -56,5 +57,5 @@ int main(int num_arguments, char** arguments) {
   fmt::print("clip: {} polyhedra, {} faces on the cut\n", cn::num_polys(half.mesh), half.cut_faces.size());
   draw("an exact cut", cn::scene().add(half.mesh, {.edges = true, .exposed = half.cut_faces}));
 
-  cn::save_png(cn::make_sheet(pictures, {.columns = 3, .captions = captions}), "inside.png");
+  cn::save_png(cn::make_sheet(pictures, {.columns = 3, .captions = captions}), path);
 }

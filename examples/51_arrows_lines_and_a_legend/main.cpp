@@ -1,5 +1,5 @@
 // Arrows, lines and a legend: the temperature of a ring that is heated at one point and cooled at another, and how the heat flows, in one picture.
-// The argument is the width of the picture in pixels: the small one is fast, 800 looks good.
+// The picture is small and fast; with the name of a file it is larger.
 #include <concino/generate/torus.hpp>
 #include <concino/level_sets/isolines.hpp>
 #include <concino/lines/integral_line.hpp>
@@ -14,8 +14,9 @@
 
 namespace cn = concino;
 
-int main(int num_arguments, char** arguments) {
-  const std::size_t width = num_arguments > 1 ? std::stoul(arguments[1]) : 160;
+int main(int argc, char** argv) {
+  const std::string path = argc > 1 ? argv[1] : "ring.png";
+  const std::size_t width = argc > 1 ? 400 : 160;
   const auto ring = cn::make_torus<cn::trimesh>({.cells = {60, 30}});
   const auto hot = cn::point(ring, cn::vert_id{478}), cold = cn::point(ring, cn::vert_id{458});
   auto temperature = cn::make_vert_map<double>(ring);
@@ -54,6 +55,6 @@ int main(int num_arguments, char** arguments) {
   fmt::print("{} things in the scene\n", s.drawables().size());
 
   const cn::view_options from{.towards = {0.6, -1, 1.1}, .up = {0, 0, 1}};
-  cn::save_png(s, "ring.png", {.width = width, .height = width * 3 / 4, .camera = from, .samples = 2, .occlusion_rays = 16, .ground = false,
+  cn::save_png(s, path, {.width = width, .height = width * 3 / 4, .camera = from, .samples = 2, .occlusion_rays = 16, .ground = false,
                                .title = "Heat in a ring", .legend = {.title = "temperature", .unit = "\u00b0C"}});
 }
