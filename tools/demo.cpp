@@ -141,7 +141,7 @@ cn::image picture_of(const M& m, const U& u, const std::vector<far_ends<M>>& end
   cn::drawable& surface = scene.last();
   if (surface.polys.empty()) throw cn::invalid_mesh("the mesh has no polygon to draw");
   surface.look.scale = cn::value_scale::equalized(surface.values);
-  surface.look.bands = 30;
+  surface.look.isobands = 30;
   if (surface.polys.size() < 12000) surface.look.edge_width = 1.3;
 
   const double ball = 0.013 * cn::bounding_box(m).diagonal();
@@ -151,8 +151,8 @@ cn::image picture_of(const M& m, const U& u, const std::vector<far_ends<M>>& end
     high.push_back(cn::to_vec3(cn::point(m, ends[i].second)));
   }
   if (!ends.empty() && ball > 0) {
-    scene.add(cn::make_balls(low, ball, cn::srgb(0.13f, 0.13f, 0.15f)));
-    scene.add(cn::make_balls(high, ball, cn::srgb(0.84f, 0.13f, 0.14f)));
+    scene.add_points(low, {.radius = ball, .color = cn::srgb(0.13f, 0.13f, 0.15f)});
+    scene.add_points(high, {.radius = ball, .color = cn::srgb(0.84f, 0.13f, 0.14f)});
   }
 
   cn::render_options options;

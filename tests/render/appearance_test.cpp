@@ -48,7 +48,7 @@ TEST_CASE_TEMPLATE("appearance: a value of a polygon colours all of it, on every
   d.values_at = value_place::polygons;
   for (std::size_t p = 0; p < d.polygons().size(); ++p) d.values.push_back(static_cast<double>(d.polys[p] % 7));
   d.look.scale = value_scale::linear(0, 6);
-  d.look.bands = 3;  // have no effect: there is nothing between the values
+  d.look.isobands = 3;  // have no effect: there is nothing between the values
   const image mapped = unlit_picture(d, 20, 1);
   d.look.labels = true;
   const image labels = unlit_picture(d, 20, 1);
@@ -71,7 +71,7 @@ TEST_CASE("appearance: labels that are no whole numbers and values that are no n
   CHECK(are_close(pixel_at(picture, 0.2, 0.5), {1, 0, 0}));
   CHECK(are_close(pixel_at(picture, 0.8, 0.5), label_color(3)));
   d.look.labels = false;
-  d.look.bands = 2;
+  d.look.isobands = 2;
   d.values = {no_number, 1};
   picture = unlit_picture(d);
   CHECK(are_close(pixel_at(picture, 0.2, 0.5), {1, 0, 0}));
@@ -124,7 +124,7 @@ TEST_CASE("appearance: no triangulation shows in polygons with values at points"
   // Values at the four points of a square are symmetric to both diagonals: so is the picture.
   drawable d = square();
   d.values = {0, 1, 0, 1};
-  d.look.bands = 5;
+  d.look.isobands = 5;
   const image picture = unlit_picture(d, 40, 4);
   for (std::size_t y = 1; y < 39; ++y)
     for (std::size_t x = 1; x < 39; ++x) CHECK_MESSAGE(are_close(picture(x, y), picture(y, x), 0.2f), x << " " << y);
@@ -136,10 +136,10 @@ TEST_CASE("appearance: iso-lines have a constant width in pixels, whatever the s
   for (const vec3& p : d.points) d.values.push_back(p.x < 1 ? 0 : p.x < 2 ? 0.25 : 1);
   static constexpr std::array<std::array<float, 3>, 2> white = {{{1, 1, 1}, {1, 1, 1}}};
   d.look.map = colormap(white);
-  d.look.iso_lines = 8;  // at 1/16, 3/16 on the left, six on the right
-  d.look.iso_line_color = {0, 0, 0};
+  d.look.isolines = 8;  // at 1/16, 3/16 on the left, six on the right
+  d.look.isoline_color = {0, 0, 0};
   for (const double width : {1.0, 3.0}) {
-    d.look.iso_line_width = width;
+    d.look.isoline_width = width;
     const image picture = unlit_picture(d, 96);
     double left = 0, right = 0;
     for (std::size_t x = 0; x < 96; ++x) (x < 48 ? left : right) += 1 - picture(x, 50).r;

@@ -10,10 +10,10 @@ using namespace concino;
 TEST_CASE("best_view: shows a mark on the far side; without marks it keeps the preferred view") {
   const view_options first;
   const vec3 middle{0.5, 0.5, 0.5}, behind{0.5, 0.5, 0};
-  std::vector<drawable> scene = {make_balls({&middle, 1}, 0.5, srgb(1, 1, 1))};
+  std::vector<drawable> scene = {make_balls({middle}, {.radius = 0.5, .color = srgb(1, 1, 1)})};
   const camera plain = best_view(scene, 1, first);
   CHECK(norm(plain.back - first.towards / norm(first.towards)) == doctest::Approx(0));
-  scene.push_back(make_balls({&behind, 1}, 0.05, srgb(1, 0, 0)));
+  scene.push_back(make_balls({behind}, {.radius = 0.05, .color = srgb(1, 0, 0)}));
   CHECK(best_view(scene, 1, first).back.z < 0.3);  // rotated until the mark is visible beside the ball
 }
 

@@ -37,7 +37,7 @@ triangle_soup random_soup(std::size_t n, float size = 2) {
 /// A ball of 1,280 triangles about the origin.
 triangle_soup ball(float radius) {
   const vec3 origin;
-  const drawable d = make_balls({&origin, 1}, 1, {});
+  const drawable d = make_balls({origin}, {.radius = 1});
   triangle_soup soup;
   for (const vec3& p : d.points) soup.points.push_back({radius * static_cast<float>(p.x), radius * static_cast<float>(p.y), radius * static_cast<float>(p.z)});
   for (const auto& t : d.triangles) soup.triangles.push_back({d.corners[t[0]], d.corners[t[1]], d.corners[t[2]]});

@@ -113,10 +113,10 @@ TEST_CASE("draw_legend: bands, iso-lines and the colour of missing values") {
   look.no_value = {1, 0, 1};
   image plain(400, 300, white), bands = plain, lines = plain, missing = plain;
   const pixel_box box = draw_legend(plain, look);
-  look.bands = 5;
+  look.isobands = 5;
   draw_legend(bands, look);
-  look.bands = 0;
-  look.iso_lines = 8;
+  look.isobands = 0;
+  look.isolines = 8;
   draw_legend(lines, look);
   const auto x = static_cast<std::size_t>(box.left) + 4;
   const auto changes = [&](const image& picture) {

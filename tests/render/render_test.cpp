@@ -66,7 +66,7 @@ TEST_CASE("render: values, bands and edges are visible; a value that is not fini
   const image smooth = shot(d);
   CHECK(smooth(3, 20).b > 3 * smooth(3, 20).r);   // blue at the low end
   CHECK(smooth(36, 20).r > 3 * smooth(36, 20).b);  // yellow at the high end
-  d.look.bands = 4;
+  d.look.isobands = 4;
   d.look.band_width = 0.3;
   d.look.band_limit = 1;
   const image bands = shot(d);
@@ -76,7 +76,7 @@ TEST_CASE("render: values, bands and edges are visible; a value that is not fini
   const image thin = shot(d);
   CHECK(thin(5, 20).r < 0.7f * bands(5, 20).r);
   CHECK(thin(5, 20).r > 1.1f * smooth(5, 20).r);
-  d.look.bands = 0;
+  d.look.isobands = 0;
   d.look.edge_width = 6;
   d.look.edge_opacity = 1;
   const image lines = shot(d);

@@ -35,7 +35,7 @@ TEST_CASE("smooth_normals: are shared below the crease angle and split above it"
 
 TEST_CASE("smooth_normals: on a ball they point away from its centre") {
   const vec3 center{1, 2, 3};
-  const drawable ball = make_balls({&center, 1}, 0.5, {});
+  const drawable ball = make_balls({center}, {.radius = 0.5});
   const auto n = smooth_normals(ball.polygons(), 60);
   for (std::size_t c = 0; c < n.size(); ++c) CHECK(dot(to_vec3(n[c]), (ball.points[ball.corners[c]] - center) / 0.5) > 0.999);
 }

@@ -64,7 +64,7 @@ TEST_CASE("surface_material: the picture of a ball gives the light of each norma
 
 TEST_CASE("surface_material: a ball in a picture shows the picture of the ball, in the colour of its surface") {
   const vec3 origin;
-  drawable d = make_balls({&origin, 1}, 3, {1, 0.5f, 1});
+  drawable d = make_balls({origin}, {.radius = 3, .color = {1, 0.5f, 1}});
   d.look.material = surface_material::from(lit_ball());
   const image seen = picture_of(d);
   for (const std::size_t at : {std::size_t{12}, std::size_t{20}, std::size_t{28}}) {

@@ -17,12 +17,12 @@ struct appearance {
   colormap map = colormap::blue_to_yellow;
   value_scale scale;          // maps values to positions in the colour map
   bool labels = false;        // values are labels, whole numbers from 0: each polygon or point has the label_color of its value instead of that of the map
-  int bands = 0;              // number of white iso-bands, at equal distances of the scale; 0: none
+  int isobands = 0;           // number of white iso-bands, at equal distances of the scale; 0: none
   double band_width = 0.12;   // as a fraction of the distance between two bands, in [0, 1]
   double band_limit = 0.008;  // the maximal width of bands in the picture, as a fraction of its height, so that bands stay lines where the field is flat
-  int iso_lines = 0;          // number of lines at equal distances of the scale, in the middles of equal parts; 0: none
-  double iso_line_width = 1.5;  // in pixels
-  rgb iso_line_color = srgb(0.1f, 0.1f, 0.12f);
+  int isolines = 0;           // number of lines at equal distances of the scale, in the middles of equal parts; 0: none
+  double isoline_width = 1.5;  // in pixels
+  rgb isoline_color = srgb(0.1f, 0.1f, 0.12f);
   double edge_width = 0;      // lines along the edges of the mesh, in pixels; 0: none
   rgb edge_color = srgb(0.1f, 0.1f, 0.12f);  // unless edges have values, which have the colours of the map
   double edge_opacity = 0.6;  // in [0, 1]

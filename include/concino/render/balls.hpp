@@ -58,14 +58,6 @@ drawable make_balls(const M& m, const ball_options& options = {}) {
   return detail::balls_at(centers, options);
 }
 
-/// Balls of one size and colour.
-/// Needs:  radius: above 0, in units of the mesh.
-/// Result: as above.      Cost: as above.      Errors: as above; invalid_argument if the radius is 0.
-inline drawable make_balls(std::span<const vec3> centers, double radius, const rgb& color) {
-  if (!(radius > 0)) throw invalid_argument("make_balls: the radius must be positive");
-  return detail::balls_at(centers, {.radius = radius, .color = color});
-}
-
 // What to write instead of calls that cannot compile.
 template<class... T> void make_balls(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
 template<class... T> void make_balls(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)

@@ -95,8 +95,8 @@ drawable make_drawable(const M& m, const mesh_look<M>& look = {}) {
   d.look.exposed_color = look.exposed_color;
   d.look.map = look.map;
   d.look.labels = static_cast<bool>(look.labels);
-  d.look.bands = look.isobands;
-  d.look.iso_lines = look.isolines;
+  d.look.isobands = look.isobands;
+  d.look.isolines = look.isolines;
   d.look.edge_width = look.edges || at == element_kind::edge ? look.edge_width : 0;
   d.look.edge_color = look.edge_color;
   d.look.opacity = look.opacity;

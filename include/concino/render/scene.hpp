@@ -58,7 +58,8 @@ class scene {
   }
 
   /// Adds lines as tubes: s.add_lines(lines, {.radius = 0.004, .color = {1, 0, 0}}); those of m are walks along it, such as paths and boundary loops.
-  /// Needs, Cost, Errors: as make_tubes.      Result: the scene. A radius of 0 means 0.4 % of the diagonal of bounds(), if something was added before.
+  /// Needs, Errors: as make_tubes.      Result: the scene. A radius of 0 means 0.4 % of the diagonal of bounds(), if something was added before.
+  /// Cost:   as make_tubes; for a radius of 0 also a pass over all points that were added before.
   template<class L = std::initializer_list<vec3>>
     requires requirement::is_lines<L>
   scene& add_lines(const L& lines, const tube_options& options = {}) {
@@ -71,7 +72,7 @@ class scene {
   }
 
   /// Adds the edges of a graph or a mesh, or some of them, as tubes: s.add_graph(skeleton, {.radii = skeleton.radii()}).
-  /// Needs, Cost, Errors: as make_graph_tubes.      Result: as add_lines.
+  /// Needs, Errors: as make_graph_tubes.      Result: as add_lines.      Cost: as make_graph_tubes and add_lines.
   template<EmbeddedGraph M>
   scene& add_graph(const M& g, const tube_options& options = {}) {
     return add(make_graph_tubes(g, fitted(options, 0.004)));
@@ -83,7 +84,8 @@ class scene {
   }
 
   /// Adds points, or the verts of a mesh or a graph, as balls: s.add_points(points, {.radius = 0.01}).
-  /// Needs, Cost, Errors: as make_balls.      Result: the scene. A radius of 0 means 0.8 % of the diagonal of bounds(), if something was added before.
+  /// Needs, Errors: as make_balls.      Result: the scene. A radius of 0 means 0.8 % of the diagonal of bounds(), if something was added before.
+  /// Cost:   as make_balls; for a radius of 0 also a pass over all points that were added before.
   template<class P = std::initializer_list<vec3>>
     requires(requirement::is_point_range<P> || (Embedded<P> && requirement::has_verts<P>))
   scene& add_points(const P& points, const ball_options& options = {}) {

@@ -18,9 +18,6 @@ camera turned(camera c, const vec3& center, const vec3& axis, double angle);
 /// A circle at the top and one at the bottom of the cylinder that holds the scene while it turns, as points of a drawable.
 drawable turning_cylinder(std::span<const drawable> drawables, const vec3& center, const vec3& axis);
 
-/// The middle of the bounding box of the points that are finite.
-vec3 middle_of(std::span<const drawable> drawables);
-
 /// path with "_000", "_001", ... before its extension; with more digits if there are more than 1,000 frames.
 std::string frame_path(const std::string& path, int frame, int num_frames);
 
@@ -37,7 +34,8 @@ std::vector<std::string> save_turntable(const scene& s, const std::string& path,
   if (num_frames < 1 || num_frames > 100000) throw invalid_argument("save_turntable: num_frames must be 1 to 100000");
   detail::check_render_options(options);
   const detail::prepared_scene<T> prepared(s, tracer);
-  const vec3 axis = options.up / norm(options.up), center = detail::middle_of(s.drawables());
+  const box bounds = s.bounds();
+  const vec3 axis = options.up / norm(options.up), center = bounds.is_empty() ? vec3{} : bounds.centre();
   const drawable cylinder = detail::turning_cylinder(s.drawables(), center, axis);
   const camera first = detail::camera_of({&cylinder, 1}, s, options);
   std::vector<std::string> paths;

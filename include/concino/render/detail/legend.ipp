@@ -95,13 +95,13 @@ class legend_layout {
 
   rgb color_at(double t, double pixel) const {
     rgb c = look_.map(t);
-    if (look_.bands > 0) {
+    if (look_.isobands > 0) {
       const double width = std::min(1.0, std::max(0.0, look_.band_width));
-      c = mix(c, {1, 1, 1}, static_cast<float>(band_coverage(t * look_.bands, pixel * look_.bands, width)));
+      c = mix(c, {1, 1, 1}, static_cast<float>(band_coverage(t * look_.isobands, pixel * look_.isobands, width)));
     }
-    if (look_.iso_lines > 0)
-      c = mix(c, look_.iso_line_color,
-              static_cast<float>(line_coverage(t * look_.iso_lines, {0, pixel * look_.iso_lines}, look_.iso_line_width)));
+    if (look_.isolines > 0)
+      c = mix(c, look_.isoline_color,
+              static_cast<float>(line_coverage(t * look_.isolines, {0, pixel * look_.isolines}, look_.isoline_width)));
     return c;
   }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <concino/core/error.hpp>
-#include <concino/geometry/bounding_box.hpp>
 #include <concino/render/detail/overlays.hpp>
 
 #include <algorithm>
@@ -31,12 +30,7 @@ CONCINO_INLINE camera camera_of(std::span<const drawable> framed, const scene& s
 }
 
 CONCINO_INLINE void draw_overlays(image& picture, const camera& from, const scene& s, std::span<const point_label> visible_labels, const render_options& o) {
-  if (o.axes) {
-    box around;
-    for (const drawable& d : s.drawables())
-      for (const vec3& p : d.points) around.add(p);
-    draw_axes(picture, from, around, *o.axes);
-  }
+  if (o.axes) draw_axes(picture, from, s.bounds(), *o.axes);
   if (!visible_labels.empty()) draw_labels(picture, from, visible_labels, o.labels);
   if (o.legend.wanted()) draw_legend(picture, look_of_legend(s), o.legend);
   if (!o.title.empty()) draw_title(picture, o.title);

@@ -16,15 +16,6 @@ CONCINO_INLINE camera turned(camera c, const vec3& center, const vec3& axis, dou
   return c;
 }
 
-CONCINO_INLINE vec3 middle_of(std::span<const drawable> drawables) {
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  vec3 low{inf, inf, inf}, high = -low;
-  for (const drawable& d : drawables)
-    for (const vec3& p : d.points)
-      for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
-  return low.x <= high.x ? low / 2 + high / 2 : vec3{};
-}
-
 CONCINO_INLINE drawable turning_cylinder(std::span<const drawable> drawables, const vec3& center, const vec3& axis) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   double low = inf, high = -inf, radius = 0;

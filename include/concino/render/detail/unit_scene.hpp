@@ -1,6 +1,7 @@
 // All drawables of a picture as one triangle soup about the origin, scaled to unit size.
 #pragma once
 
+#include <concino/geometry/bounding_box.hpp>
 #include <concino/render/camera.hpp>
 #include <concino/render/drawable.hpp>
 #include <concino/render/ray_caster.hpp>
@@ -24,20 +25,18 @@ class unit_scene {
   triangle_soup soup;
 
   explicit unit_scene(std::span<const drawable> drawables) : drawables_(drawables) {
-    const double inf = std::numeric_limits<double>::infinity();
-    vec3 low{inf, inf, inf}, high{-inf, -inf, -inf};
+    box bounds;
     std::size_t points = 0, triangles = 0;
     for (const drawable& d : drawables_) {
       first_point_.push_back(static_cast<std::uint32_t>(points));
       first_triangle_.push_back(static_cast<std::uint32_t>(triangles));
       points += d.points.size();
       triangles += d.triangles.size();
-      for (const vec3& p : d.points)
-        for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+      for (const vec3& p : d.points) bounds.add(p);
     }
     if (points > 0) {
-      center_ = low / 2 + high / 2;
-      const double half = norm(high / 2 - low / 2);
+      center_ = bounds.centre();
+      const double half = norm(bounds.max / 2 - bounds.min / 2);
       radius_ = half > 0 ? half : 1;
     }
     soup.points.reserve(points);

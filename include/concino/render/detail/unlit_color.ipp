@@ -22,15 +22,15 @@ CONCINO_INLINE rgb mapped_color(const appearance& look, double value) {
 CONCINO_INLINE rgb with_bands(const appearance& look, rgb color, double value, const sample_step& step, const colored_sample& s) {
   const double x = look.scale(value), slope = look.scale.slope(value);
   if (!(slope > 0)) return color;
-  if (look.bands > 0) {
-    const double band_step = step.larger() * slope * look.bands;  // from one sample to the next, in distances between bands
+  if (look.isobands > 0) {
+    const double band_step = step.larger() * slope * look.isobands;  // from one sample to the next, in distances between bands
     const double limit = look.band_limit * s.picture_height * band_step;
     const double width = std::min({1.0, std::max(0.0, look.band_width), limit});
-    color = mix(color, {1, 1, 1}, static_cast<float>(band_coverage(x * look.bands, 1.5 * band_step, width)));
+    color = mix(color, {1, 1, 1}, static_cast<float>(band_coverage(x * look.isobands, 1.5 * band_step, width)));
   }
-  if (look.iso_lines > 0) {
-    const double covered = line_coverage(x * look.iso_lines, step * (slope * look.iso_lines), look.iso_line_width * s.samples_per_pixel);
-    color = mix(color, look.iso_line_color, static_cast<float>(covered));
+  if (look.isolines > 0) {
+    const double covered = line_coverage(x * look.isolines, step * (slope * look.isolines), look.isoline_width * s.samples_per_pixel);
+    color = mix(color, look.isoline_color, static_cast<float>(covered));
   }
   return color;
 }
@@ -38,7 +38,7 @@ CONCINO_INLINE rgb with_bands(const appearance& look, rgb color, double value, c
 CONCINO_INLINE bool has_texture(const drawable& d) { return d.look.texture && !d.texture_coordinates.empty(); }
 
 CONCINO_INLINE bool has_lines(const drawable& d) {
-  return !d.values.empty() && d.values_at != value_place::polygons && !d.look.labels && (d.look.bands > 0 || d.look.iso_lines > 0);
+  return !d.values.empty() && d.values_at != value_place::polygons && !d.look.labels && (d.look.isobands > 0 || d.look.isolines > 0);
 }
 
 CONCINO_INLINE bool needs_steps(const drawable& d) { return has_texture(d) || has_lines(d); }
