@@ -3,3 +3,5 @@
 #ifndef __clang__
 CONCINO_TEST_NATIVE_TABLES();
 #endif
+
+CONCINO_TEST_WHOLE_MESHES();

@@ -1,9 +1,11 @@
-// The adjacency tables of the six native meshes, compiled once for all test files of a folder, as nearly every file uses them. Only precompiled headers
-// include this, so that programs with other flags compile their own. clang++ 14 cannot use it: an explicit instantiation there includes members whose
-// requirements do not hold. It would gain little.
+// What nearly every test file uses of the six native meshes, compiled once. Only precompiled headers include this, so that programs with other flags compile
+// their own.
 #pragma once
 
 #include <support/kinds.hpp>
+#include <support/whole_mesh.hpp>
+
+// The adjacency tables. clang++ 14 cannot use these: an explicit instantiation there includes members whose requirements do not hold. It would gain little.
 
 #define CONCINO_TEST_TABLES(EXTERN, ...) \
   EXTERN template class __VA_ARGS__;     \
@@ -28,3 +30,14 @@
 #ifndef __clang__
 CONCINO_TEST_NATIVE_TABLES(extern);
 #endif
+
+// Tests of edits spend most of their time comparing meshes.
+#define CONCINO_TEST_WHOLE_MESHES(EXTERN)                                                         \
+  EXTERN template std::vector<double> concino::testing::whole(const concino::trimesh&);           \
+  EXTERN template std::vector<double> concino::testing::whole(const concino::quadmesh&);          \
+  EXTERN template std::vector<double> concino::testing::whole(const concino::polygonmesh&);       \
+  EXTERN template std::vector<double> concino::testing::whole(const concino::tetmesh&);           \
+  EXTERN template std::vector<double> concino::testing::whole(const concino::hexmesh&);           \
+  EXTERN template std::vector<double> concino::testing::whole(const concino::polyhedralmesh&)
+
+CONCINO_TEST_WHOLE_MESHES(extern);
