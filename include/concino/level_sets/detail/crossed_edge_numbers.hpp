@@ -1,10 +1,10 @@
-// Numbers edges of a mesh in the order in which they come, in a time that does not depend on the number of edges of the mesh.
+// Numbers edges of a mesh in the order in which they come, in little memory: two bits for each edge of the mesh, and a number for each that comes.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
-#include <concino/core/flat_array.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -13,25 +13,42 @@ namespace concino::detail {
 
 template<class M>
 class crossed_edge_numbers {
-  core::flat_array<std::uint32_t> number_;  // by index of the edge; its pages are touched only where edges are
-  std::vector<std::uint64_t> known_;        // a bit for each index
-  std::vector<std::uint32_t> others_;       // numbers of other things, ascending
+  struct word {
+    std::uint64_t bits = 0;    // those of the announced edges
+    std::uint32_t before = 0;  // how many are announced with smaller indices
+  };
+
+  std::vector<word> announced_;        // 64 indices each
+  std::vector<std::uint32_t> number_;  // of the announced edges, by index
+  std::vector<std::uint32_t> others_;  // numbers of other things, ascending
 
  public:
   std::vector<edge_t<M>> edges;  // by number
 
-  explicit crossed_edge_numbers(std::size_t bound) : number_(bound), known_((bound + 63) / 64) {}
+  explicit crossed_edge_numbers(std::size_t bound) : announced_((bound + 63) / 64) {}
+
+  /// Announces an edge that will be added.
+  void announce(std::size_t index) { announced_[index / 64].bits |= std::uint64_t{1} << index % 64; }
+  /// Must follow after all were announced.
+  void count() {
+    std::uint32_t n = 0;
+    for (word& w : announced_) {
+      w.before = n;
+      n += static_cast<std::uint32_t>(std::popcount(w.bits));
+    }
+    number_.assign(n, ~0u);
+    edges.reserve(n);
+  }
 
   std::uint32_t add(const M& m, const edge_t<M>& e) {
     const std::size_t i = index_of(m, e);
-    std::uint64_t& bits = known_[i / 64];
-    const std::uint64_t bit = std::uint64_t{1} << i % 64;
-    if (!(bits & bit)) {
-      bits |= bit;
-      number_[i] = static_cast<std::uint32_t>(edges.size());
+    const word& w = announced_[i / 64];
+    std::uint32_t& number = number_[w.before + static_cast<std::uint32_t>(std::popcount(w.bits & ((std::uint64_t{1} << i % 64) - 1)))];
+    if (number == ~0u) {
+      number = static_cast<std::uint32_t>(edges.size());
       edges.push_back(e);
     }
-    return number_[i];
+    return number;
   }
   /// A number for something else.
   std::uint32_t add_other() {

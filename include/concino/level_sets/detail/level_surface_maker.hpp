@@ -31,6 +31,12 @@ class level_surface_maker {
   static constexpr auto surface = arity_v<M> > 0 ? cell_cuts::cells_are::spheres : cell_cuts::cells_are::unknown;
   static constexpr std::size_t chunk = 512;
 
+  struct crossed_edge {
+    edge_ends<vert_t<M>> ends;
+    double a, b;  // the values and points of its ends
+    vec3 x, y;
+  };
+
   const M& m_;
   const U& u_;
   double level_;
@@ -68,8 +74,8 @@ class level_surface_maker {
         lists.size(),
         [&](std::size_t i) {
           simple_cap_reader<M> reader(m_, states);
-          const std::size_t last = std::min(cells_.size(), (i + 1) * chunk);
-          for (std::size_t c = i * chunk; c < last && !lists[i].meets_verts; ++c) reader.read(cells_[c], static_cast<std::uint32_t>(c), lists[i]);
+          const std::size_t first = i * chunk, last = std::min(cells_.size(), first + chunk);
+          reader.read({cells_.data() + first, last - first}, static_cast<std::uint32_t>(first), lists[i]);
         },
         1);
     std::vector<poly_t<M>> difficult;
@@ -89,10 +95,25 @@ class level_surface_maker {
   }
 
  private:
+  /// Announces the edges with corners, and makes room.
+  void prepare(const std::vector<simple_cap_list<M>>& lists, const crossed_volume_reader<M>& others, const level_surface_arrays& other_caps,
+               crossed_edge_numbers<M>& numbers, level_surface_parts<M>& parts) const {
+    std::size_t num_corners = other_caps.verts.size(), num_polys = other_caps.ends.size();
+    for (const simple_cap_list<M>& list : lists) {
+      for (const edge_t<M>& e : list.corners) numbers.announce(index_of(m_, e));
+      num_corners += list.corners.size(), num_polys += list.ends.size();
+    }
+    for (const level_place& x : other_caps.places)
+      if (x.kind == level_place::edge && others.is_edge_of_mesh(x.element)) numbers.announce(x.element);
+    numbers.count();
+    parts.verts.reserve(num_corners), parts.ends.reserve(num_polys), parts.polys.reserve(num_polys);
+  }
+
   /// Numbers the corners, and merges the caps of simple and of difficult cells in the order of the cells.
   void join(const std::vector<simple_cap_list<M>>& lists, const crossed_volume_reader<M>& others, const level_surface_arrays& other_caps,
             const std::vector<std::uint32_t>& difficult, level_surface_parts<M>& parts) const {
     crossed_edge_numbers<M> numbers(edge_index_bound(m_));
+    prepare(lists, others, other_caps, numbers, parts);
     place_numbers other_places;
     std::vector<std::uint32_t> number_of_other;  // by number in other_places
     std::vector<std::pair<std::uint32_t, level_place>> inside;
@@ -127,9 +148,7 @@ class level_surface_maker {
     }
     add_others_before(~0u);
     parts.places.resize(numbers.edges.size());
-    parallel_for(numbers.edges.size(), [&](std::size_t i) {
-      if (numbers.is_edge(i)) parts.places[i] = on_edge(numbers.edges[i]);
-    });
+    locate_edges(numbers, parts);
     for (const auto& [number, x] : inside) parts.places[number] = others.mesh_point_of(m_, x);
     if (!with_origins_) return;
     auto next = inside.begin();
@@ -139,19 +158,38 @@ class level_surface_maker {
     }
   }
 
+  /// One thing of several edges after another, so that the processor waits for their memory at once.
+  void locate_edges(const crossed_edge_numbers<M>& numbers, level_surface_parts<M>& parts) const {
+    constexpr std::size_t few = 32;
+    parallel_for(
+        (numbers.edges.size() + few - 1) / few,
+        [&](std::size_t i) {
+          crossed_edge ends[few];
+          const std::size_t first = few * i, n = std::min(few, numbers.edges.size() - first);
+          for (std::size_t k = 0; k < n; ++k)
+            if (numbers.is_edge(first + k)) ends[k].ends = end_verts(m_, numbers.edges[first + k]);
+          for (std::size_t k = 0; k < n; ++k)
+            if (numbers.is_edge(first + k)) read_ends(ends[k]);
+          for (std::size_t k = 0; k < n; ++k)
+            if (numbers.is_edge(first + k)) parts.places[first + k] = on_edge(ends[k], numbers.edges[first + k]);
+        },
+        32);
+  }
+
   void add_origins(const mesh_point<M>& x, element_origins& to) const {
     const edge_point<M>& on_edge = std::get<edge_point<M>>(x.element);
     const auto ends = end_verts(m_, on_edge.edge);
     to.add({{static_cast<std::uint32_t>(index_of(m_, ends.first)), 1 - on_edge.parameter}, {static_cast<std::uint32_t>(index_of(m_, ends.second)), on_edge.parameter}});
   }
 
-  mesh_point<M> on_edge(const edge_t<M>& e) const {
-    const auto ends = end_verts(m_, e);
-    const double a = static_cast<double>(u_[ends.first]), b = static_cast<double>(u_[ends.second]);
-    const bool rises = a < level_;
-    const double t = rises ? crossing_parameter(a, b, level_) : crossing_parameter(b, a, level_);
-    const vec3 x = to_vec3(point(m_, ends.first)), y = to_vec3(point(m_, ends.second));
-    return {edge_point<M>{e, rises ? t : 1 - t}, rises ? crossing_point(x, y, t) : crossing_point(y, x, t)};
+  void read_ends(crossed_edge& c) const {
+    c.a = static_cast<double>(u_[c.ends.first]), c.b = static_cast<double>(u_[c.ends.second]);
+    c.x = to_vec3(point(m_, c.ends.first)), c.y = to_vec3(point(m_, c.ends.second));
+  }
+  mesh_point<M> on_edge(const crossed_edge& c, const edge_t<M>& e) const {
+    const bool rises = c.a < level_;
+    const double t = rises ? crossing_parameter(c.a, c.b, level_) : crossing_parameter(c.b, c.a, level_);
+    return {edge_point<M>{e, rises ? t : 1 - t}, rises ? crossing_point(c.x, c.y, t) : crossing_point(c.y, c.x, t)};
   }
 };
 

@@ -9,9 +9,15 @@
 
 namespace concino::detail {
 
+/// Whether all turns at the corners of a quad are to the left, without a tolerance.
+inline bool turns_left(const vec3& a, const vec3& b, const vec3& c, const vec3& d) {
+  const vec3 ab = b - a, bc = c - b, cd = d - c, da = a - d, normal = cross(ab, c - a) + cross(c - a, d - a);
+  return dot(cross(da, ab), normal) >= 0 && dot(cross(ab, bc), normal) >= 0 && dot(cross(bc, cd), normal) >= 0 && dot(cross(cd, da), normal) >= 0;
+}
+
 CONCINO_INLINE bool is_convex_polygon(std::span<const vec3> corners) {
   const std::size_t n = corners.size();
-  if (n < 4) return true;
+  if (n < 4 || (n == 4 && turns_left(corners[0], corners[1], corners[2], corners[3]))) return true;
   vec3 normal, previous = corners[1] - corners[0];
   for (std::size_t i = 2; i < n; ++i) {
     const vec3 step = corners[i] - corners[0];

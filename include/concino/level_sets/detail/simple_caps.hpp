@@ -1,32 +1,24 @@
 // The caps of cells that a level set cuts simply, without flat arrays of their facets: the fast way, for most cells of a smooth function.
 #pragma once
 
-#include <concino/concepts/end_verts.hpp>
 #include <concino/core/parallel.hpp>
 #include <concino/level_sets/detail/cell_surface.hpp>
-#include <concino/level_sets/detail/level_states.hpp>
+#include <concino/level_sets/detail/crossed_cells.hpp>
+#include <concino/level_sets/detail/hex_caps.hpp>
 #include <concino/level_sets/detail/polygon_crossings.hpp>
+#include <concino/level_sets/detail/simple_cap_list.hpp>
 #include <concino/level_sets/detail/tet_caps.hpp>
 #include <concino/mesh/standard_cells.hpp>
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace concino::detail {
 
-/// Caps of some cells, as cycles of crossed edges, counter-clockwise seen from above.
-template<class M>
-struct simple_cap_list {
-  std::vector<edge_t<M>> corners;
-  std::vector<std::uint32_t> ends;       // by cap: where its corners end
-  std::vector<std::uint32_t> cells;      // by cap
-  std::vector<std::uint32_t> difficult;  // cells without caps, which are cut in another way
-  bool meets_verts = false;              // some cell has a vert on the level set
-};
-
-/// Finds the caps of one cell after another. A cell is difficult if a crossed facet has more than one chord, is not convex, or is on the boundary and not
-/// planar, and if its surface may not be a sphere.
+/// Finds the caps of cells. A cell is difficult if a crossed facet has more than one chord, is not convex, or is on the boundary and not planar, and if its
+/// surface may not be a sphere.
 template<class M>
 class simple_cap_reader {
   using edge_key = std::uint64_t;  // the indices of the vert below and of the one above
@@ -37,90 +29,102 @@ class simple_cap_reader {
     edge_key key;
     edge_t<M> edge;
   };
+  using cell_data = typename crossed_cells<M>::cell;
 
   const M& m_;
   const unsigned char* states_;
+  crossed_cells<M> read_;
   std::vector<chord> chords_;
   std::vector<crossed_edge> edges_;
-  std::vector<vec3> points_;
   cell_surface surface_;
-  bool is_inside_ = false;  // each face of the cell leads to another cell of its own, which is faster to see than the cells of each face
 
  public:
   simple_cap_reader(const M& m, const unsigned char* states) : m_(m), states_(states) {}
 
-  void read(const poly_t<M>& p, std::uint32_t cell, simple_cap_list<M>& list) {
-    if constexpr (arity_v<M> == 4) {  // faster: tets have one cap each, which follows from their signs
-      read_tet(p, cell, list);
-    } else {
-      is_inside_ = num_elements(adj_p2p(m_, p)) == num_elements(adj_p2f(m_, p));
-      if (!find_chords(p, list) || !chain(p, cell, list)) list.difficult.push_back(cell);
+  /// Adds the caps of some cells; `number` is that of the first.
+  void read(std::span<const poly_t<M>> polys, std::uint32_t number, simple_cap_list<M>& list) {
+    while (!polys.empty() && !list.meets_verts) {
+      const std::size_t n = std::min(polys.size(), crossed_cells<M>::max_size);
+      read_.read(m_, states_, polys.first(n));
+      for (const cell_data& c : read_.cells) read_cell(c, number++, list);
+      polys = polys.subspan(n);
     }
   }
 
  private:
-  void read_tet(const poly_t<M>& p, std::uint32_t cell, simple_cap_list<M>& list) {
-    unsigned signs = 0, k = 0;
-    for (const vert_t<M> v : adj_p2v(m_, p)) {
-      const unsigned char s = states_[index_of(m_, v)];
-      if (s == on_level) list.meets_verts = true;
-      signs |= unsigned{s != below_level} << k++;
+  void read_cell(const cell_data& c, std::uint32_t cell, simple_cap_list<M>& list) {
+    if constexpr (arity_v<M> == 4) {  // faster: tets have one cap each, which follows from their signs
+      read_tet(c, cell, list);
+    } else {
+      bool is_simple = false;
+      if constexpr (arity_v<M> == 8)  // faster: the faces follow from the order of the verts, and the caps of a hex inside from its signs
+        is_simple = c.is_inside ? read_hex(c, cell, list) : find_chords(c, list) && chain(c, cell, list);
+      else is_simple = find_chords(c, list) && chain(c, cell, list);
+      if (!is_simple) list.difficult.push_back(cell);
     }
-    edge_t<M> edges[6];
-    k = 0;
-    for (const edge_t<M> e : adj_p2e(m_, p)) edges[k++] = e;
+  }
+
+  void read_tet(const cell_data& c, std::uint32_t cell, simple_cap_list<M>& list) {
+    unsigned signs = 0;
+    for (unsigned k = 0; k < 4; ++k) {
+      const unsigned char s = states_[read_.verts[c.first_vert + k]];
+      if (s == on_level) list.meets_verts = true;
+      signs |= unsigned{s != below_level} << k;
+    }
     const tet_cap& cap = tet_caps[signs];
-    for (unsigned i = 0; i < cap.size; ++i) list.corners.push_back(edges[cap.edges[i]]);
+    for (unsigned i = 0; i < cap.size; ++i) list.corners.push_back(read_.edges[c.first_edge + cap.edges[i]].edge);
+    end_cap(cell, list);
+  }
+  static void end_cap(std::uint32_t cell, simple_cap_list<M>& list) {
     list.ends.push_back(static_cast<std::uint32_t>(list.corners.size()));
     list.cells.push_back(cell);
   }
 
-  bool find_chords(const poly_t<M>& p, simple_cap_list<M>& list) {
-    chords_.clear();
-    if constexpr (arity_v<M> == 8)  // faster: the faces follow from the order of the verts
-      if (is_inside_) return find_chords_of_hex(p, list);
-    surface_.clear();
-    for (const face_t<M> f : adj_p2f(m_, p)) {
-      unsigned char joint = 0;
-      std::size_t n = 0;
-      for (const vert_t<M> v : adj_f2v(m_, f)) {
-        const std::size_t i = index_of(m_, v);
-        joint |= states_[i];
-        surface_.add_corner(static_cast<std::uint32_t>(i));
-        ++n;
-      }
-      const bool outward = face_is_outward(m_, p, f);
-      surface_.end_facet(outward);
-      if (joint & on_level) list.meets_verts = true;
-      if (is_crossed(joint) && !(add_chord(surface_.last_corners(n), n, outward) == 2 && (n == 3 || is_flat(f)))) return false;
-    }
-    if constexpr (arity_v<M> == 0) return surface_.is_sphere(num_elements(adj_p2v(m_, p)), num_elements(adj_p2e(m_, p)));  // cells of fixed arity are spheres
-    else return true;
-  }
-
-  /// The same for a hex that has a neighbour behind each of its faces.
-  bool find_chords_of_hex(const poly_t<M>& p, simple_cap_list<M>& list) {
+  bool read_hex(const cell_data& c, std::uint32_t cell, simple_cap_list<M>& list) {
     constexpr const standard_cell& hex = standard_cell_of(cell_shape::hex);
-    std::uint32_t verts[8], ring[4];
-    vec3 points[8];
-    points_.resize(4);
+    const std::uint32_t* const verts = read_.verts.data() + c.first_vert;
+    const vec3* const points = read_.vert_points.data() + c.first_point;
     unsigned char joint = 0;
-    unsigned k = 0;
-    for (const vert_t<M> v : adj_p2v(m_, p)) {
-      verts[k] = static_cast<std::uint32_t>(index_of(m_, v));
+    unsigned signs = 0;
+    for (unsigned k = 0; k < 8; ++k) {
       joint |= states_[verts[k]];
-      points[k++] = to_vec3(point(m_, v));
+      signs |= unsigned{states_[verts[k]] != below_level} << k;
     }
     if (joint & on_level) list.meets_verts = true;
-    for (unsigned f = 0; f < 6; ++f) {
-      for (unsigned i = 0; i < 4; ++i) {
-        ring[i] = verts[hex.face_vert[f][i]];
-        points_[i] = points[hex.face_vert[f][i]];
-      }
-      const unsigned crossings = add_chord(ring, 4, true);
-      if (crossings > 2 || (crossings == 2 && !is_convex_polygon(points_))) return false;
+    const hex_cap_list& caps = hex_caps(signs);
+    if (!caps.is_simple) return false;
+    for (const auto& face : hex.face_vert) {
+      const bool first = signs >> face[0] & 1u;
+      if (first == (signs >> face[1] & 1u) && first == (signs >> face[2] & 1u) && first == (signs >> face[3] & 1u)) continue;
+      const vec3 corners[4] = {points[face[0]], points[face[1]], points[face[2]], points[face[3]]};
+      if (!is_convex_polygon(corners)) return false;
     }
-    return true;
+    list_crossed_edges(c);
+    const std::size_t num_corners = list.corners.size(), num_caps = list.ends.size();
+    bool closes = true;
+    for (unsigned i = 0, k = 0; i < caps.num_caps; ++i) {
+      for (; k < caps.ends[i]; ++k) closes = add_corner(edge_key{verts[caps.corners[k].below]} << 32 | verts[caps.corners[k].above], list) && closes;
+      end_cap(cell, list);
+    }
+    if (!closes) list.truncate(num_corners, num_caps);
+    return closes;
+  }
+
+  bool find_chords(const cell_data& c, simple_cap_list<M>& list) {
+    chords_.clear();
+    surface_.clear();
+    for (std::uint32_t k = c.first_face; k < c.last_face; ++k) {
+      const auto& f = read_.faces[k];
+      const std::uint32_t *const corners = read_.corners.data() + f.first_corner, n = f.last_corner - f.first_corner;
+      if (f.joint_states & on_level) list.meets_verts = true;
+      if (is_crossed(f.joint_states) && !(add_chord(corners, n, f.is_outward) == 2 && (n == 3 || is_flat(c, f)))) return false;
+      if constexpr (arity_v<M> == 0) {  // cells of fixed arity are spheres
+        for (std::uint32_t i = 0; i < n; ++i) surface_.add_corner(corners[i]);
+        surface_.end_facet(f.is_outward);
+      }
+    }
+    if constexpr (arity_v<M> == 0) return surface_.is_sphere(c.num_verts, c.last_edge - c.first_edge);  // the same
+    else return true;
   }
 
   /// Adds the chord of a face, if there is one. Returns how many of its edges are crossed.
@@ -143,23 +147,26 @@ class simple_cap_reader {
     return crossings;
   }
   /// Whether a face is convex and, if it is on the boundary, planar.
-  bool is_flat(const face_t<M>& f) {
-    points_.clear();
-    for (const vert_t<M> v : adj_f2v(m_, f)) points_.push_back(to_vec3(point(m_, v)));
-    return is_convex_polygon(points_) && (is_inside_ || num_elements(adj_f2p(m_, f)) == 2 || is_planar_polygon(points_));
+  bool is_flat(const cell_data& c, const typename crossed_cells<M>::face& f) const {
+    const std::span<const vec3> corners(read_.points.data() + f.first_point, f.last_corner - f.first_corner);
+    return is_convex_polygon(corners) && (c.is_inside || num_elements(adj_f2p(m_, f.face)) == 2 || is_planar_polygon(corners));
+  }
+
+  void list_crossed_edges(const cell_data& c) {
+    edges_.clear();
+    for (std::uint32_t k = c.first_edge; k < c.last_edge; ++k) {
+      const auto& e = read_.edges[k];
+      const edge_key a = e.first, b = e.second;
+      const bool above = states_[a] != below_level;
+      if (above == (states_[b] != below_level)) continue;
+      edges_.push_back({above ? b << 32 | a : a << 32 | b, e.edge});
+    }
   }
 
   /// Joins the chords to cycles of edges. Returns false if they do not close.
-  bool chain(const poly_t<M>& p, std::uint32_t cell, simple_cap_list<M>& list) {
-    edges_.clear();
-    for (const edge_t<M> e : adj_p2e(m_, p)) {
-      const auto ends = end_verts(m_, e);
-      const edge_key a = index_of(m_, ends.first), b = index_of(m_, ends.second);
-      const bool above = states_[a] != below_level;
-      if (above == (states_[b] != below_level)) continue;
-      edges_.push_back({above ? b << 32 | a : a << 32 | b, e});
-    }
-    const std::size_t corners = list.corners.size(), ends = list.ends.size();
+  bool chain(const cell_data& c, std::uint32_t cell, simple_cap_list<M>& list) {
+    list_crossed_edges(c);
+    const std::size_t corners = list.corners.size(), caps = list.ends.size();
     std::size_t left = chords_.size();
     bool closes = left == edges_.size();
     while (closes && left > 0) {
@@ -174,10 +181,9 @@ class simple_cap_reader {
         at = chords_[k].to;
         chords_[k] = chords_[--left];
       }
-      list.ends.push_back(static_cast<std::uint32_t>(list.corners.size()));
-      list.cells.push_back(cell);
+      end_cap(cell, list);
     }
-    if (!closes) list.corners.resize(corners), list.ends.resize(ends), list.cells.resize(ends);
+    if (!closes) list.truncate(corners, caps);
     return closes;
   }
   bool add_corner(edge_key key, simple_cap_list<M>& list) {

@@ -3,22 +3,25 @@
 
 #include <concino/concepts/facets.hpp>
 #include <concino/concepts/mesh.hpp>
+#include <concino/core/parallel.hpp>
+#include <concino/core/small_array.hpp>
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace concino::detail {
 
-/// Looks at the polys of one vert after another. They have to be oriented alike.
+/// Looks at the polys of one vert. They have to be oriented alike.
 template<SurfaceMesh S>
 class fan_checker {
+  static constexpr std::size_t few = 8;
   struct corner {
     std::uint32_t previous, next;  // the neighbours of the vert in the poly
   };
 
   const S& s_;
-  std::vector<corner> corners_;
+  core::small_array<corner, few> corners_;
 
   /// Returns false if p does not have v once.
   bool add_corner(const poly_t<S>& p, std::uint32_t v) {
@@ -36,6 +39,24 @@ class fan_checker {
     if (after == ~0u) after = first;
     corners_.push_back({before, after});
     return met == 1;
+  }
+
+  /// Whether a few corners form one closed cycle, which is the usual case; without branches, since they differ from vert to vert.
+  bool is_short_cycle() const {
+    const std::size_t n = corners_.size();
+    if (n < 3 || n > few) return false;
+    std::size_t behind[few], met = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      behind[i] = 0;
+      for (std::size_t k = 0; k < n; ++k) {
+        const bool follows = corners_[k].next == corners_[i].previous;
+        met += follows;
+        behind[i] = follows ? k : behind[i];
+      }
+    }
+    std::size_t steps = 1;
+    for (std::size_t at = behind[0]; at != 0 && steps < n; at = behind[at]) ++steps;
+    return met == n && steps == n;
   }
 
   /// Whether all edges of p lead to one other poly.
@@ -56,6 +77,7 @@ class fan_checker {
     corners_.clear();
     for (const poly_t<S> p : adj_v2p(s_, v))
       if (!add_corner(p, static_cast<std::uint32_t>(index_of(s_, v)))) return false;
+    if (is_short_cycle()) return true;
     const std::size_t n = corners_.size();
     if (n == 0) return false;
     std::size_t start = 0;
@@ -85,10 +107,11 @@ class fan_checker {
 /// Needs: the polys at each edge run along it in opposite directions; otherwise the answer may be false for a manifold.
 template<SurfaceMesh S>
 bool is_simple_surface(const S& s) {
-  fan_checker<S> checker(s);
-  for (const vert_t<S> v : verts(s))
-    if (!checker.has_one_fan(v)) return false;
-  return true;
+  std::atomic<bool> is_simple = true;
+  parallel_for_each(verts(s), [&s, &is_simple](const vert_t<S>& v) {
+    if (!fan_checker<S>(s).has_one_fan(v)) is_simple.store(false, std::memory_order_relaxed);
+  });
+  return is_simple;
 }
 
 }  // namespace concino::detail
