@@ -26,30 +26,43 @@ class flat_array {
 
   [[gnu::noinline]] void reallocate(std::size_t n) {
     if (n > static_cast<std::size_t>(-1) / 2 / sizeof(T)) throw std::bad_alloc();
-    const bool was_adopted = !adopted_.empty(), grows = n > capacity_;
-    const bool copies = was_adopted || (grows && is_copied_by_realloc(data_, n * sizeof(T)));
-    void* const p = std::realloc(copies ? nullptr : static_cast<void*>(data_), n * sizeof(T));
+    const bool was_adopted = !adopted_.empty();
+    void* const old = was_adopted ? nullptr : static_cast<void*>(data_);
+    void* const p = was_adopted || n > capacity_ ? reallocate_large(old, size_ * sizeof(T), n * sizeof(T)) : std::realloc(old, n * sizeof(T));
     if (!p) throw std::bad_alloc();
-    if (grows) prefer_large_pages(p, n * sizeof(T));
-    if (copies) {
-      if (size_ > 0) std::memcpy(p, static_cast<const void*>(data_), size_ * sizeof(T));
-      if (was_adopted) std::vector<T>().swap(adopted_);
-      else std::free(data_);
+    if (was_adopted) {
+      std::memcpy(p, static_cast<const void*>(data_), std::min(n, size_) * sizeof(T));
+      std::vector<T>().swap(adopted_);
     }
     data_ = static_cast<T*>(p);
     capacity_ = n;
+  }
+  /// Reallocates for n entries and some more: half as many as there are, in whole large pages.
+  void grow(std::size_t n) {
+    n = std::max(n, size_ + size_ / 2);
+    if (n <= static_cast<std::size_t>(-1) / 2 / sizeof(T)) n = whole_pages(n * sizeof(T), n * sizeof(T) / 3) / sizeof(T);
+    reallocate(n);
   }
 
  public:
   flat_array() = default;
   /// n uninitialised entries.
   explicit flat_array(std::size_t n) { resize(n); }
-  flat_array(std::size_t n, const T& value) : flat_array(n) { std::fill_n(data_, n, value); }
+  flat_array(std::size_t n, const T& value, std::size_t capacity = 0) {
+    reserve(std::max(n, capacity));
+    std::fill_n(data_, n, value);
+    size_ = n;
+  }
   explicit flat_array(std::vector<T> values) : adopted_(std::move(values)) {
     data_ = adopted_.data();
     size_ = capacity_ = adopted_.size();
   }
-  flat_array(const flat_array& o) : flat_array(o.size_) { std::copy_n(o.data_, o.size_, data_); }
+  /// A copy has the same capacity: what has grown by edits will probably be edited again.
+  flat_array(const flat_array& o) {
+    reserve(o.capacity_);
+    std::copy_n(o.data_, o.size_, data_);
+    size_ = o.size_;
+  }
   flat_array(flat_array&& o) noexcept { swap(o); }
   flat_array& operator=(flat_array o) noexcept {
     swap(o);
@@ -84,7 +97,7 @@ class flat_array {
   [[gnu::always_inline]] inline void push_back(const T& value) {  // g++ would not inline it where it is called often
     if (size_ == capacity_) [[unlikely]] {
       const T kept = value;
-      reallocate(std::max<std::size_t>(16, size_ + size_ / 2));
+      grow(16);
       data_[size_++] = kept;
     } else {
       data_[size_++] = value;
@@ -92,7 +105,7 @@ class flat_array {
   }
   /// Reserves memory for n more entries and returns their address; resize() makes them part of the array.
   T* reserve_back(std::size_t n) {
-    if (size_ + n > capacity_) reallocate(std::max(size_ + n, size_ + size_ / 2));
+    if (size_ + n > capacity_) grow(size_ + n);
     return data_ + size_;
   }
   /// Writes n values behind the last, or none if `first` is null, after reserving memory for `room` >= n more. The values may be in this array;
@@ -101,7 +114,7 @@ class flat_array {
     if (size_ + room > capacity_) {
       const std::size_t at = reinterpret_cast<std::uintptr_t>(first) - reinterpret_cast<std::uintptr_t>(data_);
       const bool own = at < size_ * sizeof(T);
-      reallocate(std::max(size_ + room, size_ + size_ / 2));
+      grow(size_ + room);
       if (own) first = data_ + at / sizeof(T);
     }
     if (first) std::copy_n(first, n, data_ + size_);

@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <cstring>
 #include <initializer_list>
 #include <vector>
 
@@ -48,17 +50,6 @@ inline void prefer_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] s
 #endif
 }
 
-/// Whether realloc() would copy this memory to small pages when it becomes large. Memory that glibc has mapped begins 16 bytes behind a page and is moved
-/// without a copy. No result depends on the answer.
-inline bool is_copied_by_realloc([[maybe_unused]] const void* memory, [[maybe_unused]] std::size_t bytes) {
-#if defined(__GLIBC__)
-  constexpr std::uintptr_t small_page = 4096;
-  return memory && bytes >= std::size_t{1} << 22 && reinterpret_cast<std::uintptr_t>(memory) % small_page != 16;
-#else
-  return false;
-#endif
-}
-
 /// A size of at least `bytes` that fills large pages together with the header of malloc, so that the system aligns the memory. It is `bytes` if more than
 /// `max_unused` bytes would be added.
 inline std::size_t whole_pages(std::size_t bytes, std::size_t max_unused) {
@@ -68,6 +59,46 @@ inline std::size_t whole_pages(std::size_t bytes, std::size_t max_unused) {
   if (whole - bytes <= max_unused) return whole;
 #endif
   return bytes;
+}
+
+namespace detail {
+
+inline constexpr std::uintptr_t large_page = std::uintptr_t{1} << 21;
+
+/// Whether large pages fit into this memory from its beginning on: glibc has mapped it, 16 bytes behind the beginning of one.
+inline bool is_on_large_pages(const void* memory) { return reinterpret_cast<std::uintptr_t>(memory) % large_page == 16; }
+
+/// Memory of more than a large page from the beginning of one on: Linux aligns what is requested in whole large pages, and leaves it where it is when the rest is
+/// returned.
+inline void* reallocate_on_large_pages(void* memory, std::size_t bytes) {
+  const std::size_t whole = bytes >= large_page ? whole_pages(bytes, large_page) : bytes;
+  void* const larger = std::realloc(memory, whole);
+  if (!larger || whole == bytes) return larger;
+  void* const exact = std::realloc(larger, bytes);
+  return exact ? exact : larger;
+}
+
+}  // namespace detail
+
+/// Makes memory larger as realloc() does, and copies `used` bytes. If the system can use large pages only for memory at another place, it is copied there: glibc
+/// moves memory that it has mapped without a copy, but then its pages remain as they were. No result depends on this.
+inline void* reallocate_large(void* memory, std::size_t used, std::size_t bytes) {
+#if defined(__GLIBC__)
+  constexpr std::uintptr_t small_page = 4096;
+  if (memory && bytes >= detail::large_page && !detail::is_on_large_pages(memory)) {
+    void* const other = detail::reallocate_on_large_pages(nullptr, bytes);
+    if (other && (detail::is_on_large_pages(other) || reinterpret_cast<std::uintptr_t>(memory) % small_page != 16)) {
+      prefer_large_pages(other, bytes);
+      if (used > 0) std::memcpy(other, memory, used);
+      std::free(memory);
+      return other;
+    }
+    std::free(other);
+  }
+#endif
+  void* const larger = detail::reallocate_on_large_pages(memory, bytes);
+  if (larger) prefer_large_pages(larger, bytes);
+  return larger;
 }
 
 /// Reserves memory for n elements, and at most a third more, in large pages if these can be filled. Values that move to other memory are written there after

@@ -86,6 +86,9 @@ class row_places {
   /// Where the last row ends that loose() has made.
   std::size_t end_of_values() const { return size_ == 0 ? 0 : std::size_t{loose_[size_ - 1].first} + loose_[size_ - 1].room; }
 
+  /// The capacity of their array, so that rows can move to its end: memory that is not used yet costs nothing, and moving all values to other memory much.
+  std::size_t reserved_values() const { return end_of_values() + end_of_values() / 2; }
+
   /// After this call, n calls of add() cannot fail.
   void reserve(std::size_t n) {
     make_loose();
