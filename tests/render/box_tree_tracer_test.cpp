@@ -99,6 +99,56 @@ TEST_CASE("box_tree_tracer: no ray leaves a closed surface through its edges and
   }
 }
 
+TEST_CASE("box_tree_tracer: rays of one origin are occluded together as each of them alone") {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (const float radius : {1.0f, 1e-20f, 1e14f}) {
+    triangle_soup soup = ball(radius);
+    for (const float inner : {0.5f, 0.05f}) {
+      const triangle_soup more = ball(inner * radius);
+      const auto first = static_cast<std::uint32_t>(soup.points.size());
+      soup.points.insert(soup.points.end(), more.points.begin(), more.points.end());
+      for (std::size_t i = 0; i < more.triangles.size(); i += 3)
+        soup.triangles.push_back({first + more.triangles[i][0], first + more.triangles[i][1], first + more.triangles[i][2]});
+    }
+    const auto caster = box_tree_tracer{}.build(soup);
+    std::size_t differ = 0, hits = 0, all = 0;
+    for (std::size_t n : {0u, 1u, 7u, 32u, 33u, 64u})
+      for (std::size_t i = 0; i < 60; ++i) {
+        const vec3 corner = to_vec3(soup.points[(i * 97) % soup.points.size()]);
+        const vec3 origin = i % 3 == 0 ? corner : corner * (i % 3 == 1 ? 0.99997 : 1.00003);
+        const double near = i % 5 == 0 ? 0.1 : i % 7 == 0 ? -2 : 0, far = i % 2 ? 1e30 : 1.5;
+        std::vector<vec3> directions(n);
+        for (vec3& d : directions) {
+          d = vec3{unit(random), unit(random), unit(random)} * static_cast<double>(radius);
+          if (all++ % 9 == 0) d[all % 3] = 0;
+          if (all % 11 == 0) d = to_vec3(soup.points[all % soup.points.size()]) - origin;  // through a corner
+        }
+        const std::uint64_t together = caster.occluded_rays(origin, directions, near, far);
+        for (std::size_t k = 0; k < n; ++k) {
+          const bool alone = static_cast<bool>(caster.intersect(origin, directions[k], near, far));
+          differ += alone != static_cast<bool>(together >> k & 1);
+          hits += alone;
+        }
+        if (n < 64) CHECK((together >> n) == 0);
+      }
+    CHECK(differ == 0);
+    CHECK(hits > all / 5);
+    CHECK(hits < all * 9 / 10);
+  }
+}
+
+TEST_CASE("ray_caster: one that casts each ray alone answers for several") {
+  const auto fast = box_tree_tracer{}.build(random_soup(12));
+  const auto slow = brute_force{}.build(random_soup(12));
+  static_assert(RayPacketCaster<box_tree_caster> && !RayPacketCaster<brute_force::caster>);
+  const std::vector<vec3> directions{{0, 0, 1}, {0.3, -1, 0.2}, {-1, 0.1, 0.5}, {0, 0, -1}};
+  const std::uint64_t hit = detail::occluded_rays(slow, {0.1, 0.2, -0.3}, directions, 0, 0.4);
+  CHECK(hit != 0);
+  CHECK(hit != 15);
+  CHECK(hit == detail::occluded_rays(fast, {0.1, 0.2, -0.3}, directions, 0, 0.4));
+}
+
 TEST_CASE("box_tree_tracer: of triangles in the same place it hits the first, in any order") {
   triangle_soup soup{{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, {-1, -1, 5}, {1, -1, 5}, {0, 1, 5}}, {}};
   for (std::uint32_t i = 0; i < 40; ++i) {
@@ -135,6 +185,7 @@ TEST_CASE("box_tree_tracer: triangles without area or finite points are not hit;
   const auto empty = box_tree_tracer{}.build({});
   CHECK(!empty.intersect({0, 0, 5}, {0, 0, -1}, 0, 1e30));
   CHECK(!empty.occluded({0, 0, 5}, {0, 0, -1}, 0, 1e30));
+  CHECK(!box_tree_tracer{}.build(random_soup(3)).occluded({0, 0, 5}, {0, 0, 0}, 0, 1e30));
   const triangle_soup soup{{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, {nan_coordinate, 0, 2}, {0, 0, 1}, {0, 0, 3}}, {{0, 1, 3}, {4, 4, 4}, {4, 5, 4}, {0, 1, 2}}};
   box_tree_caster a(soup);
   const box_tree_caster b = std::move(a);
