@@ -6,6 +6,9 @@
 #include <cstddef>
 
 #include <malloc.h>
+#if __has_include(<mm_malloc.h>)
+#include <mm_malloc.h>  // declares posix_memalign without noexcept, which clang accepts only before the definition below
+#endif
 
 extern "C" {
 void* __libc_malloc(std::size_t);
