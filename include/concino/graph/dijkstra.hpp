@@ -8,7 +8,7 @@
 #include <concino/graph/detail/for_each.hpp>
 #include <concino/graph/detail/graph_of.hpp>
 #include <concino/graph/detail/lengths.hpp>
-#include <concino/graph/detail/prefetch.hpp>
+#include <concino/core/prefetch.hpp>
 #include <concino/graph/detail/targets.hpp>
 #include <concino/graph/predecessors.hpp>
 
@@ -79,8 +79,8 @@ auto search_by_length(const G& g, const S& sources, const L& lengths, const dijk
       if (options.visit && !options.visit(v, d)) break;
     }
     const auto length_to = lengths.from(v);
-    if constexpr (is_contiguous<decltype(g.neighbours(v))>) {
-      if (!queue.empty()) prefetch(row_address(g.neighbours(queue.front())));
+    if constexpr (core::is_contiguous<decltype(g.neighbours(v))>) {
+      if (!queue.empty()) core::prefetch(core::row_address(g.neighbours(queue.front())));
       for (const node w : g.neighbours(v)) {
         queue.prefetch_key(g.index(w));
         lengths.prefetch(w);

@@ -5,7 +5,7 @@
 #include <concino/core/vec3.hpp>
 #include <concino/geometry/centroid.hpp>
 #include <concino/graph/detail/crossings.hpp>
-#include <concino/graph/detail/prefetch.hpp>
+#include <concino/core/prefetch.hpp>
 
 #include <limits>
 #include <vector>
@@ -42,7 +42,7 @@ struct euclidean_vert_lengths {
   const M& m;
 
   void prefetch(const vert_t<M>& v) const {
-    if constexpr (std::is_lvalue_reference_v<decltype(point(m, v))>) detail::prefetch(&point(m, v));
+    if constexpr (std::is_lvalue_reference_v<decltype(point(m, v))>) core::prefetch(&point(m, v));
   }
 
   auto from(const vert_t<M>& v) const {
@@ -64,7 +64,7 @@ class euclidean_poly_lengths {
     for (const poly_t<M> p : polys(m)) centres_[index_of(m, p)] = vert_mean(m, p);
   }
 
-  void prefetch(const poly_t<M>& p) const { detail::prefetch(&centres_[index_of(m_, p)]); }
+  void prefetch(const poly_t<M>& p) const { core::prefetch(&centres_[index_of(m_, p)]); }
   auto from(const poly_t<M>& p) const {
     return [this, c = centres_[index_of(m_, p)]](const poly_t<M>& q, double gap) {
       if (gap <= 0) return std::numeric_limits<double>::infinity();

@@ -6,7 +6,7 @@
 
 #include <concepts>
 
-namespace concino::detail {
+namespace concino::core {
 
 inline void prefetch(const void* p) { __builtin_prefetch(p); }
 
@@ -19,4 +19,4 @@ const void* row_address(const R& r) { return r.row(); }
 
 template<class R> concept is_contiguous = requires(const R& r) { row_address(r); };
 
-}  // namespace concino::detail
+}  // namespace concino::core

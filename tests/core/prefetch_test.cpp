@@ -1,0 +1,21 @@
+#include <concino/core/prefetch.hpp>
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+using namespace concino;
+
+TEST_CASE("prefetch: rows that are stored in memory have an address, others have none") {
+  struct stored {
+    const int* first;
+    const void* row() const { return first; }
+  };
+  const int values[] = {1, 2, 3};
+  CHECK(core::row_address(id_span<int>(values, values + 3)) == values);
+  CHECK(core::row_address(stored{values + 1}) == values + 1);
+  static_assert(core::is_contiguous<id_span<int>> && core::is_contiguous<stored>);
+  static_assert(!core::is_contiguous<std::vector<int>>);
+  core::prefetch(values);
+  core::prefetch(nullptr);
+}
