@@ -121,10 +121,10 @@ void check_line(const M& m, const G& g, const field_line<M>& line) {
   }
 }
 
-template<class M>
-std::vector<vec3> positions(const std::vector<mesh_point<M>>& points) {
+template<class Points>
+std::vector<vec3> positions(const Points& points) {
   std::vector<vec3> all;
-  for (const mesh_point<M>& x : points) all.push_back(x.position);
+  for (const auto& x : points) all.push_back(x.position);
   return all;
 }
 

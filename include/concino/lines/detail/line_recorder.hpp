@@ -74,7 +74,7 @@ class line_recorder {
   /// The last `period` points are a closed line that repeats. If it contains the start, the line is closed; else the way to the cycle is kept.
   void repeat(std::size_t period) {
     if (close_at_start()) return;
-    const std::vector<mesh_point<M>>& x = line_->points;
+    const auto& x = line_->points;
     std::size_t first = x.size() - 1 - period;
     while (first > 0 && x[first - 1].position == x[first - 1 + period].position) --first;
     const auto begin = x.begin() + static_cast<std::ptrdiff_t>(first);
@@ -83,7 +83,7 @@ class line_recorder {
     stop(line_end::winds_to_cycle);
   }
 
-  void wind(std::vector<mesh_point<M>> cycle) {
+  void wind(typename field_line<M>::template array<mesh_point<M>> cycle) {
     line_->cycle = std::move(cycle);
     stop(line_end::winds_to_cycle);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
+#include <concino/core/prefetch.hpp>
 #include <concino/geometry/triangulate_polygon.hpp>
 #include <concino/lines/detail/field_reader.hpp>
 #include <concino/lines/detail/line_signs.hpp>
@@ -9,6 +10,9 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <memory>
+#include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -29,6 +33,29 @@ struct polygon_piece {
   vec3 normal, field;
 };
 
+/// A value for each corner of a polygon: on the stack where all polygons have the same size.
+template<class M, class T>
+class corner_values {
+  static constexpr std::size_t fixed = static_cast<std::size_t>(arity_v<M>);
+  std::conditional_t<(fixed > 0), std::array<T, fixed>, std::vector<T>> values_{};
+
+ public:
+  template<class Range, class F>
+  void assign(const Range& from, const F& f) {
+    if constexpr (fixed > 0) {  // no growth
+      std::size_t k = 0;
+      for (const auto& x : from) values_[k++] = f(x);
+    } else {
+      values_.clear();
+      for (const auto& x : from) values_.push_back(f(x));
+    }
+  }
+  std::size_t size() const { return values_.size(); }
+  const T* begin() const { return values_.data(); }
+  const T* end() const { return values_.data() + size(); }
+  const T& operator[](std::size_t k) const { return values_[k]; }
+};
+
 template<class M>
 class polygon_reader {
   polygon_triangulator cut_;
@@ -38,9 +65,9 @@ class polygon_reader {
   vec3 normal_;
 
  public:
-  std::vector<vert_t<M>> verts;
-  std::vector<edge_t<M>> edges;  // the k-th joins the k-th vert and the next one
-  std::vector<vec3> points;
+  corner_values<M, vert_t<M>> verts;
+  corner_values<M, edge_t<M>> edges;  // the k-th joins the k-th vert and the next one
+  corner_values<M, vec3> points;
   vec3 field;                    // set by the caller
   bool is_flat = true;           // all corners are in one plane but for 1e-9 of the size: then all triangles have its normal
 
@@ -49,15 +76,12 @@ class polygon_reader {
     if (is_read_ && p == poly_) return false;
     is_read_ = true;
     poly_ = p;
-    verts.clear();
-    edges.clear();
-    points.clear();
-    for (const vert_t<M> v : adj_p2v(m, p)) {
-      verts.push_back(v);
-      points.push_back(to_vec3(point(m, v)));
-      if (!is_finite(points.back())) throw_points_not_finite(index_of(m, p));
-    }
-    for (const edge_t<M> e : adj_p2e(m, p)) edges.push_back(e);
+    verts.assign(adj_p2v(m, p), [](const vert_t<M>& v) { return v; });
+    edges.assign(adj_p2e(m, p), [](const edge_t<M>& e) { return e; });
+    points.assign(verts, [&](const vert_t<M>& v) { return to_vec3(point(m, v)); });
+    bool finite = true;
+    for (const vec3& x : points) finite = finite && is_finite(x);
+    if (!finite) throw_points_not_finite(index_of(m, p));
     if (points.size() == 3) {
       triangles_.assign(1, {0, 1, 2});
       normal_ = triangle_normal(points[0], points[1], points[2]);
@@ -67,13 +91,29 @@ class polygon_reader {
     return true;
   }
 
+  // Before a polygon is read, its memory can be requested: first its lists, then its points.
+  static void request_lists(const M& m, const poly_t<M>& p) {
+    if constexpr (core::is_contiguous<decltype(adj_p2v(m, p))>) core::prefetch(core::row_address(adj_p2v(m, p)));
+    if constexpr (core::is_contiguous<decltype(adj_p2e(m, p))>) core::prefetch(core::row_address(adj_p2e(m, p)));
+    if constexpr (core::is_contiguous<decltype(adj_p2p(m, p))>) core::prefetch(core::row_address(adj_p2p(m, p)));
+  }
+  static void request_points(const M& m, const poly_t<M>& p) {
+    if constexpr (core::is_contiguous<decltype(adj_p2v(m, p))> && std::is_lvalue_reference_v<decltype(point(m, std::declval<vert_t<M>>()))>)
+      for (const vert_t<M> v : adj_p2v(m, p)) core::prefetch(std::addressof(point(m, v)));
+  }
+
   /// The field has changed.
   void forget() { is_read_ = false; }
 
+  const vert_t<M>& vert(unsigned triangle, unsigned k) const { return verts[triangles_[triangle][k]]; }
   unsigned num_pieces() const { return static_cast<unsigned>(triangles_.size()); }
 
   polygon_piece<M> piece(unsigned t) const {
     polygon_piece<M> r;
+    read_piece(t, r);
+    return r;
+  }
+  void read_piece(unsigned t, polygon_piece<M>& r) const {
     const polygon_triangle& c = triangles_[t];
     r.poly = poly_;
     r.number = t;
@@ -81,12 +121,11 @@ class polygon_reader {
       r.corner[k] = c[k];
       r.verts[k] = verts[c[k]];
       r.at[k] = points[c[k]];
-      r.edge[k] = (c[k] + 1) % verts.size() == c[(k + 1) % 3] ? c[k] : polygon_piece<M>::diagonal;
+      r.edge[k] = next_corner(c[k]) == c[(k + 1) % 3] ? c[k] : polygon_piece<M>::diagonal;
     }
     r.normal = is_flat ? normal_ : triangle_normal(r.at[0], r.at[1], r.at[2]);
     r.field = field;
     r.is_zero = cross(field, r.normal) == vec3();
-    return r;
   }
 
   /// The triangle on the other side of diagonal k of a triangle, and its side there.
@@ -95,7 +134,7 @@ class polygon_reader {
   /// The triangle at an edge of the polygon, and its side there.
   std::pair<unsigned, unsigned> with_edge(const edge_t<M>& edge) const {
     for (std::size_t k = 0; k < edges.size(); ++k)
-      if (edges[k] == edge) return edges.size() == 3 ? std::pair(0u, static_cast<unsigned>(k)) : find(k, (k + 1) % edges.size());
+      if (edges[k] == edge) return edges.size() == 3 ? std::pair(0u, static_cast<unsigned>(k)) : find(k, next_corner(k));
     return {};
   }
 
@@ -114,7 +153,7 @@ class polygon_reader {
     return best;
   }
 
-  const std::vector<vec3>& corner_points() const { return points; }
+  const corner_values<M, vec3>& corner_points() const { return points; }
 
   /// values[v] of the verts, linear in each triangle, at x in the polygon.
   template<class H>
@@ -132,6 +171,8 @@ class polygon_reader {
   }
 
  private:
+  std::size_t next_corner(std::size_t k) const { return k + 1 == verts.size() ? 0 : k + 1; }
+
   void read_polygon() {
     const auto found = cut_(points);
     triangles_.assign(found.begin(), found.end());

@@ -105,7 +105,7 @@ class spaced_lines {
       return 1.0;
     };
     line_recorder<M> to(line, max_steps_, limit);
-    walker_.run(seed, sense, to);
+    run(walker_, seed, sense, to);
     if (line.stopped_by != line_end::closed && line.length > met_itself) to.shorten(met_itself);
     return line;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/end_verts.hpp>
+#include <concino/core/prefetch.hpp>
 #include <concino/geometry/triangulate_polygon.hpp>
 #include <concino/lines/detail/field_reader.hpp>
 #include <concino/lines/detail/line_recorder.hpp>
@@ -35,17 +36,26 @@ class surface_line_walker {
   std::vector<surface_sector> sectors_;
   std::vector<piece> sector_pieces_;
 
-  // The state of a line: in a triangle, inside, at a side or at a corner of it; or at a vert.
-  enum class where { inside, side, corner, vert } where_ = where::inside;
-  triangle_side at_;       // the triangle entered, and its side or corner
+  // The state of a line: in a triangle, inside, at a side or at a corner of it; at a vert; or at an edge by which it leaves a triangle. There it takes three
+  // steps, and requests what the next one reads: the poly behind the edge, its lists, its points.
+  enum class where { inside, side, corner, vert, edge, lists, points } where_ = where::inside;
+  triangle_side triangles_[2];
+  unsigned now_ = 0;       // of triangles_: the triangle entered, and its side or corner; or the side by which the line leaves it
+  double inward_ = 0;      // at a side: the determinant of the field and the side
   vec3 x_;
   vert_t<M> vert_ = vert_t<M>();
+  edge_t<M> edge_ = edge_t<M>();
+  poly_t<M> other_ = poly_t<M>();  // the poly behind the edge
+  double place_ = 0;               // on the edge
+  entry_step entry_;               // what the place depends on
 
  public:
+  static constexpr std::size_t lines_in_turn = 8;  // so many lines are followed in turn: each step requests the memory that the next one reads
+
   surface_line_walker(const M& m, const field_reader<M, G>& field) : m_(&m), field_(field) {}
 
-  /// Follows the field times `sense`, 1 or -1, from a point.
-  void run(const mesh_point<M>& start, double sense, line_recorder<M>& to) {
+  /// Starts a line along the field times `sense`, 1 or -1, from a point. It is followed by calls of step().
+  void start(const mesh_point<M>& start, double sense, line_recorder<M>& to) {
     field_.sense(sense);
     watch_.start();
     polygon_.forget();
@@ -54,31 +64,51 @@ class surface_line_walker {
     if (const auto* v = std::get_if<vert_t<M>>(&start.element)) reach_vert(*v, to);
     else if (const auto* e = std::get_if<edge_point<M>>(&start.element)) start_on(*e, to);
     else start_in(std::get<poly_t<M>>(start.element));
-    while (!to.done()) step(to);
+  }
+
+  /// Needs: !to.done().
+  void step(line_recorder<M>& to) {
+    switch (where_) {
+      case where::vert: return leave_vert(to);
+      case where::edge: return cross_edge(to);
+      case where::lists:
+        polygon_.request_points(*m_, other_);
+        where_ = where::points;
+        return;
+      case where::points:
+        enter_other(to);
+        if (where_ == where::side && !to.done()) leave_triangle(to);
+        return;
+      default: return leave_triangle(to);
+    }
   }
 
  private:
+  triangle_side& at() { return triangles_[now_]; }
+  const triangle_side& at() const { return triangles_[now_]; }
+
   void read(const poly_t<M>& p) {
     if (polygon_.read(*m_, p)) polygon_.field = field_.of(p);
   }
 
-  void step(line_recorder<M>& to) {
-    if (where_ == where::vert) return leave_vert(to);
-    if (at_.in.is_zero) return to.stop(line_end::zero);
-    const vec3 &g = at_.in.field, &n = at_.in.normal;
+  void leave_triangle(line_recorder<M>& to) {
+    const piece& t = at().in;
+    if (t.is_zero) return to.stop(line_end::zero);
+    const vec3 &g = t.field, &n = t.normal;
     if (where_ == where::inside) return leave_inside(to);
     // i and j: the ends of the side entered, or of the side opposite to the corner where the line enters
-    const unsigned i = where_ == where::side ? at_.side : (at_.side + 1) % 3, j = (i + 1) % 3, far = (i + 2) % 3;
-    if (where_ == where::corner) return cross_side(i, side_in_plane(g, at_.in.at[i], n, x_), side_in_plane(g, at_.in.at[j], n, x_), to);
-    const signed_value c = side_in_plane(g, at_.in.at[far], n, x_);
+    const unsigned i = where_ == where::side ? at().side : (at().side + 1) % 3, j = (i + 1) % 3, far = (i + 2) % 3;
+    if (where_ == where::corner) return cross_side(i, side_in_plane(g, t.at[i], n, x_), side_in_plane(g, t.at[j], n, x_), to);
+    const signed_value c = side_in_plane(g, t.at[far], n, x_);
     if (c.sign == 0) return reach_corner(far, to);
     // entering, i lies to the left of the line and j to the right; of a side by which it leaves, the first end lies to the right
-    if (c.sign > 0) cross_side(j, side_in_plane(g, at_.in.at[j], n, x_), c, to);
-    else cross_side(far, c, side_in_plane(g, at_.in.at[i], n, x_), to);
+    const bool by_j = c.sign > 0;
+    const signed_value other = side_in_plane(g, t.at[by_j ? j : i], n, x_);
+    cross_side(by_j ? j : far, by_j ? other : c, by_j ? c : other, to);
   }
 
   void leave_inside(line_recorder<M>& to) {
-    const piece& t = at_.in;
+    const piece& t = at().in;
     signed_value s[3];
     for (unsigned i = 0; i < 3; ++i) s[i] = side_in_plane(t.field, t.at[i], t.normal, x_);
     for (unsigned i = 0; i < 3; ++i)
@@ -93,9 +123,10 @@ class surface_line_walker {
   }
 
   void reach_corner(unsigned corner, line_recorder<M>& to) {
-    const vert_t<M> v = at_.in.verts[corner];
-    x_ = at_.in.at[corner];
-    to.add({v, x_}, at_.in.poly);
+    const piece& in = at().in;
+    const vert_t<M> v = in.verts[corner];
+    x_ = in.at[corner];
+    to.add({v, x_}, in.poly);
     if (!to.done()) reach_vert(v, to);
   }
 
@@ -107,34 +138,49 @@ class surface_line_walker {
 
   /// The line leaves the triangle through side k, whose first end lies to its right and second one to its left.
   void cross_side(unsigned k, const signed_value& right, const signed_value& left, line_recorder<M>& to) {
-    const triangle_side out = {at_.in, k};
     const double whole = right.value - left.value;
     double s = whole != 0 ? right.value / whole : 0.5;
     s = !(s > 0) ? 0 : s > 1 ? 1 : s;
     const entry_step step = entry_step_at(k, s);
+    triangle_side& out = at();
+    out.side = k;
     x_ = out.from() + s * (out.to() - out.from());
-    const std::size_t edge = out.in.edge[k];
-    if (edge == piece::diagonal) {
-      read(out.in.poly);
+    read(out.in.poly);
+    if (out.in.edge[k] == piece::diagonal) {
       if (!polygon_.is_flat) to.add({out.in.poly, x_}, out.in.poly);
       if (to.done()) return;
       const auto [triangle, side] = polygon_.beside(out.in, k);
-      return enter({polygon_.piece(triangle), side}, out, 1 - s, step, to);
+      return enter(triangle, side, 1 - s, step, to);
     }
-    const edge_t<M> e = polygon_edge(out);
-    to.add(on_edge(e, out, s), out.in.poly);
+    edge_ = polygon_.edges[out.in.edge[k]];
+    place_ = s;
+    entry_ = step;
+    where_ = where::edge;
+    if constexpr (core::is_contiguous<decltype(adj_e2v(*m_, edge_))>) core::prefetch(core::row_address(adj_e2v(*m_, edge_)));
+  }
+
+  /// Finds the poly behind the edge by which the line leaves.
+  void cross_edge(line_recorder<M>& to) {
+    const triangle_side& out = at();
+    to.add(on_edge(edge_, out, place_), out.in.poly);
     if (to.done()) return;
-    poly_t<M> other = out.in.poly;
+    other_ = out.in.poly;
     std::size_t n = 0;
-    for (const poly_t<M> p : adj_e2p(*m_, e)) {
-      if (!(p == out.in.poly)) other = p;
+    for (const poly_t<M> p : adj_e2p(*m_, edge_)) {
+      if (!(p == out.in.poly)) other_ = p;
       ++n;
     }
-    if (n != 2 || other == out.in.poly) return to.stop(n <= 2 ? line_end::boundary : line_end::non_manifold);
-    read(other);
-    const auto [triangle, side] = polygon_.with_edge(e);
-    triangle_side next = {polygon_.piece(triangle), side};
-    enter(next, out, next.in.verts[side] == out.in.verts[k] ? s : 1 - s, step, to);
+    if (n != 2 || other_ == out.in.poly) return to.stop(n <= 2 ? line_end::boundary : line_end::non_manifold);
+    polygon_.request_lists(*m_, other_);
+    field_.request(other_);
+    where_ = where::lists;
+  }
+
+  void enter_other(line_recorder<M>& to) {
+    const triangle_side& out = at();
+    read(other_);
+    const auto [triangle, side] = polygon_.with_edge(edge_);
+    enter(triangle, side, polygon_.vert(triangle, side) == out.in.verts[out.side] ? place_ : 1 - place_, entry_, to);
   }
 
   /// x, at place s of a side that is edge e.
@@ -142,20 +188,14 @@ class surface_line_walker {
     return {edge_point<M>{e, end_verts(*m_, e).first == h.in.verts[h.side] ? s : 1 - s}, x_};
   }
 
-  edge_t<M> polygon_edge(const triangle_side& out) {
-    read(out.in.poly);
-    return polygon_.edges[out.in.edge[out.side]];
-  }
-
   /// How the place on the side by which the line leaves depends on the place where it entered.
   entry_step entry_step_at(unsigned k, double s) const {
-    const piece& t = at_.in;
+    const piece& t = at().in;
     if (where_ != where::side) return {0, s, 0};
-    const unsigned a = at_.side, b = (a + 1) % 3, c = (a + 2) % 3;
+    const unsigned a = at().side, b = (a + 1) % 3, c = (a + 2) % 3;
     const bool pivots_at_b = k == b;
-    const double moved = side_in_plane(t.field, t.at[pivots_at_b ? a : b], t.normal, t.at[pivots_at_b ? b : a]).value;
     const double whole = side_in_plane(t.field, t.at[c], t.normal, t.at[pivots_at_b ? b : a]).value;
-    const double q = whole != 0 ? std::abs(moved / whole) : 0;
+    const double q = whole != 0 ? std::abs(inward_ / whole) : 0;
     const double size = std::max({std::abs(t.at[c].x), std::abs(t.at[c].y), std::abs(t.at[c].z)});
     const vec3 d = t.at[(k + 1) % 3] - t.at[k];
     const double noise = 0x1p-50 * (1 + size / std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z), 1e-300}));
@@ -164,16 +204,22 @@ class surface_line_walker {
     return {-q, 1, noise, pivot};                   // q s from a to c, so 1 - q s from c to a
   }
 
-  /// Enters the triangle `next` from `out` at place s of its side, or slides along the side, if the field there pushes back.
-  void enter(const triangle_side& next, const triangle_side& out, double s, entry_step step, line_recorder<M>& to) {
+  /// Enters a triangle of the polygon at place s of its side, or slides along the side, if the field there pushes back.
+  void enter(unsigned triangle, unsigned side, double s, entry_step step, line_recorder<M>& to) {
+    const triangle_side& out = at();
+    triangle_side& next = triangles_[1 - now_];
+    polygon_.read_piece(triangle, next.in);
+    next.side = side;
     if (next.in.is_zero) return to.stop(line_end::zero);
-    const int inward = side_in_plane(next.in.field, next.to(), next.in.normal, next.from()).sign;
-    if (inward >= 0) return slide(next, out, to);
+    const signed_value inward = side_in_plane(next.in.field, next.to(), next.in.normal, next.from());
+    if (inward.sign >= 0) return slide(next, out, to);
     // step.scale, step.shift give the place from the first to the second end of the side as `out` sees it
-    if (!(next.in.verts[next.side] == out.in.verts[out.side])) step = {-step.scale, 1 - step.shift, step.noise, step.pivot};
-    at_ = next;
+    if (!(next.in.verts[side] == out.in.verts[out.side])) step = {-step.scale, 1 - step.shift, step.noise, step.pivot};
+    const bool gets_no_point = out.in.edge[out.side] == piece::diagonal && polygon_.is_flat;
+    now_ = 1 - now_;
+    inward_ = inward.value;
     where_ = where::side;
-    if (out.in.edge[out.side] == piece::diagonal && polygon_.is_flat) return watch_.follow(step);  // no point was added
+    if (gets_no_point) return watch_.follow(step);
     const std::size_t key = index_of(*m_, next.in.poly);
     switch (watch_.at_side({key, std::size_t{3} * next.in.number + next.side}, s, x_, step, to.num_points())) {
       case line_watch::finding::none: return;
@@ -192,7 +238,7 @@ class surface_line_walker {
     };
     const double speed = sliding_speed(push(out), dot(out.in.field, along) / length, push(next), dot(next.in.field, along) / length);
     if (!(speed != 0)) return to.stop(line_end::sink);
-    at_ = out;
+    if (&out != &at()) at() = out;
     reach_corner(speed > 0 ? (out.side + 1) % 3 : out.side, to);
   }
 
@@ -218,11 +264,12 @@ class surface_line_walker {
     }
     const surface_exit out = steepest_exit(x_, sectors_);
     if (out.to == surface_exit::kind::none) return to.stop(why_no_exit());
-    at_.in = sector_pieces_[out.sector];
+    triangle_side& from = at();
+    from.in = sector_pieces_[out.sector];
     for (unsigned k = 0; k < 3; ++k)
-      if (at_.in.verts[k] == vert_) at_.side = k;
+      if (from.in.verts[k] == vert_) from.side = k;
     if (out.to == surface_exit::kind::sector) where_ = where::corner;
-    else reach_corner((at_.side + (out.to == surface_exit::kind::side_a ? 1 : 2)) % 3, to);
+    else reach_corner((from.side + (out.to == surface_exit::kind::side_a ? 1 : 2)) % 3, to);
   }
 
   line_end why_no_exit() const {
@@ -239,7 +286,7 @@ class surface_line_walker {
 
   void start_in(const poly_t<M>& p) {
     read(p);
-    at_ = {polygon_.piece(polygon_.nearest_piece(x_)), 0};
+    at() = {polygon_.piece(polygon_.nearest_piece(x_)), 0};
     where_ = where::inside;
   }
 
@@ -264,10 +311,11 @@ class surface_line_walker {
       best_speed = speed;
     }
     if (best) {
-      at_ = *best;
+      at() = *best;
+      inward_ = side_in_plane(best->in.field, best->to(), best->in.normal, best->from()).value;
       where_ = where::side;
-      const double s = at_.in.verts[at_.side] == end_verts(*m_, x.edge).first ? x.parameter : 1 - x.parameter;
-      watch_.at_side({index_of(*m_, at_.in.poly), std::size_t{3} * at_.in.number + at_.side}, s, x_, {}, 1);
+      const double s = best->in.verts[best->side] == end_verts(*m_, x.edge).first ? x.parameter : 1 - x.parameter;
+      watch_.at_side({index_of(*m_, best->in.poly), std::size_t{3} * best->in.number + best->side}, s, x_, {}, 1);
       return;
     }
     if (all_zero) return to.stop(line_end::zero);
@@ -275,7 +323,7 @@ class surface_line_walker {
     if (halves.size() == 2) return slide(halves[1], halves[0], to);
     const triangle_side& h = halves[0];
     if (side_in_plane(h.in.field, h.to(), h.in.normal, h.from()).sign != 0) return to.stop(line_end::boundary);
-    at_ = h;
+    at() = h;
     reach_corner(dot(h.in.field, h.to() - h.from()) > 0 ? (h.side + 1) % 3 : h.side, to);
   }
 
@@ -284,9 +332,12 @@ class surface_line_walker {
     field_line<M> once;
     line_recorder<M> cycle(once, std::numeric_limits<double>::infinity(), watch_.period());
     const double s = watch_.fixed_place();
-    x_ = at_.from() + s * (at_.to() - at_.from());
+    const triangle_side& from = at();
+    x_ = from.from() + s * (from.to() - from.from());
     watch_.start();
-    cycle.start(at_.in.edge[at_.side] == piece::diagonal ? mesh_point<M>{at_.in.poly, x_} : on_edge(polygon_edge(at_), at_, s));
+    read(from.in.poly);
+    const std::size_t edge = from.in.edge[from.side];
+    cycle.start(edge == piece::diagonal ? mesh_point<M>{from.in.poly, x_} : on_edge(polygon_.edges[edge], from, s));
     while (!cycle.done()) step(cycle);
     if (once.stopped_by != line_end::closed) once.points.pop_back();
     to.wind(std::move(once.points));
@@ -294,13 +345,13 @@ class surface_line_walker {
 
   /// The line goes round a vert for ever, nearer by the same factor each time: it ends there after a finite length.
   void wind_into_vert(line_recorder<M>& to) {
-    const std::vector<mesh_point<M>>& x = to.line().points;
+    const auto& x = to.line().points;
     double once = 0;
     for (std::size_t i = 0; i < watch_.period(); ++i) once += distance(x[x.size() - 2 - i].position, x[x.size() - 1 - i].position);
     const double shrinks = watch_.shrinks_by(), more = once * shrinks / (1 - shrinks);
     if (more >= to.room()) return;  // the line is cut before
     for (unsigned k = 0; k < 3; ++k)
-      if (index_of(*m_, at_.in.verts[k]) == watch_.vert()) return to.end_at({at_.in.verts[k], at_.in.at[k]}, at_.in.poly, more);
+      if (const piece& in = at().in; index_of(*m_, in.verts[k]) == watch_.vert()) return to.end_at({in.verts[k], in.at[k]}, in.poly, more);
   }
 };
 

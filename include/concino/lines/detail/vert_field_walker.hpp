@@ -53,33 +53,41 @@ class vert_field_walker {
   one_vector direction_;
   line_walker<M, one_vector> straight_;
   reader cell_;
+  mesh_point<M> x_ = {vert_t<M>(), {}};
+  double sense_ = 1, part_ = 1;  // part_: of the step; small where the field turns back
+  vec3 before_;
 
  public:
+  static constexpr std::size_t lines_in_turn = 1;
+
   vert_field_walker(const M& m, const vert_field_reader<M, H>& field) : m_(&m), field_(field), straight_(m, field_reader<M, one_vector>(direction_)) {}
   vert_field_walker(const vert_field_walker&) = delete;
 
-  void run(const mesh_point<M>& start, double sense, line_recorder<M>& to) {
+  void start(const mesh_point<M>& start, double sense, line_recorder<M>& to) {
     to.start(start);
-    mesh_point<M> x = start;
-    vec3 before;
-    double part = 1;  // of the step; small where the field turns back
-    while (!to.done()) {
-      const double step = part * (field_.step() > 0 ? field_.step() : size_at(x) / 4);
-      const vec3 d = sense * direction_at(x, sense, step);
-      if (d == vec3() || !(step > 0)) return to.stop(line_end::zero);
-      if (dot(d, before) < 0 || norm(d) < 0.5) {
-        part /= 4;
-        before = {};
-        if (part < 1e-3) return to.stop(line_end::sink);
-        continue;
-      }
-      part = std::min(1.0, 1.5 * part);
-      before = d;
-      const field_line<M> segment = walk(x, d, step * norm(d));
-      for (std::size_t i = 0; i < segment.polys.size() && !to.done(); ++i) to.add(segment.points[i + 1], segment.polys[i]);
-      if (segment.stopped_by != line_end::max_length) return to.stop(segment.stopped_by);
-      x = segment.points.back();
+    sense_ = sense;
+    x_ = start;
+    before_ = {};
+    part_ = 1;
+  }
+
+  /// Needs: !to.done().
+  void step(line_recorder<M>& to) {
+    const double step = part_ * (field_.step() > 0 ? field_.step() : size_at(x_) / 4);
+    const vec3 d = sense_ * direction_at(x_, sense_, step);
+    if (d == vec3() || !(step > 0)) return to.stop(line_end::zero);
+    if (dot(d, before_) < 0 || norm(d) < 0.5) {
+      part_ /= 4;
+      before_ = {};
+      if (part_ < 1e-3) to.stop(line_end::sink);
+      return;
     }
+    part_ = std::min(1.0, 1.5 * part_);
+    before_ = d;
+    const field_line<M> segment = walk(x_, d, step * norm(d));
+    for (std::size_t i = 0; i < segment.polys.size() && !to.done(); ++i) to.add(segment.points[i + 1], segment.polys[i]);
+    if (segment.stopped_by != line_end::max_length) return to.stop(segment.stopped_by);
+    x_ = segment.points.back();
   }
 
  private:
@@ -87,7 +95,7 @@ class vert_field_walker {
     field_line<M> line;
     line_recorder<M> to(line, length, 10'000);
     direction_.value = d / norm(d);
-    straight_.run(x, 1, to);
+    run(straight_, x, 1, to);
     return line;
   }
 

@@ -45,10 +45,12 @@ class volume_line_walker {
   vert_t<M> vert_ = vert_t<M>();
 
  public:
+  static constexpr std::size_t lines_in_turn = 1;
+
   volume_line_walker(const M& m, const field_reader<M, G>& field) : m_(&m), field_(field) {}
 
-  /// Follows the field times `sense`, 1 or -1, from a point.
-  void run(const mesh_point<M>& start, double sense, line_recorder<M>& to) {
+  /// Starts a line along the field times `sense`, 1 or -1, from a point. It is followed by calls of step().
+  void start(const mesh_point<M>& start, double sense, line_recorder<M>& to) {
     field_.sense(sense);
     watch_.start();
     cell_.forget();
@@ -58,11 +60,13 @@ class volume_line_walker {
     else if (const auto* e = std::get_if<edge_point<M>>(&start.element)) reach_ridge(ridge_of(e->edge));
     else if (const auto* f = std::get_if<face_t<M>>(&start.element)) start_on(*f, to);
     else enter(std::get<poly_t<M>>(start.element), {});
-    while (!to.done()) {
-      if (where_ == where::vert) leave_vert(to);
-      else if (where_ == where::ridge) leave_ridge(to);
-      else step(to);
-    }
+  }
+
+  /// Needs: !to.done().
+  void step(line_recorder<M>& to) {
+    if (where_ == where::vert) leave_vert(to);
+    else if (where_ == where::ridge) leave_ridge(to);
+    else leave_cell(to);
   }
 
  private:
@@ -76,7 +80,7 @@ class volume_line_walker {
     where_ = where::cell;
   }
 
-  void step(line_recorder<M>& to) {
+  void leave_cell(line_recorder<M>& to) {
     if (cell_.field == vec3()) return to.stop(line_end::zero);
     const cell_exit out = cell_.flat.leave(x_, cell_.field, std::span(entry_).first(entry_size_));
     if (out.at == cell_exit::kind::none) return miss(to);
