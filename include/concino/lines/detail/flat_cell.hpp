@@ -44,8 +44,16 @@ class flat_cell {
   std::vector<cell_triangle> triangles;  // of the faces that were cut
 
   void clear();
+  /// Adds a face; its corners are given before it is used.
+  void add_face() { faces_.push_back({0, 0, false, false}); }
+  bool has_corners(std::uint32_t face) const { return faces_[face].size > 0; }
+  bool has_corner(std::uint32_t face, std::uint32_t corner) const;
   /// ring: the corners of the face in cyclic order, counter-clockwise seen from outside or not.
-  void add_face(std::span<const std::uint32_t> ring, bool is_outward);
+  void set_face(std::uint32_t face, std::span<const std::uint32_t> ring, bool is_outward);
+  void add_face(std::span<const std::uint32_t> ring, bool is_outward) {
+    add_face();
+    set_face(static_cast<std::uint32_t>(faces_.size() - 1), ring, is_outward);
+  }
   /// The triangles are those of polygon_triangulator, from the first corner in `lies_before` towards the earlier one of its neighbours: so they are
   /// the same for both cells, and do not depend on the corner with which the mesh begins the face.
   void cut_face(std::uint32_t face);
@@ -55,6 +63,14 @@ class flat_cell {
   /// Needs: entry: the corners of the triangle (3), the edge (2) or the vert (1) at which x lies, or none, inside. x lies there but for rounding.
   /// `none` if the line misses the cell, which happens if x is so near to the border of its triangle or edge that rounding put it outside.
   cell_exit leave(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry);
+
+  /// Whether this is a tet. Where all corners are known, its exit is found by fewer determinants.
+  bool is_tet() const { return points.size() == 4 && faces_.size() == 4 && corners_.size() == 12; }
+  static constexpr std::uint32_t no_corner = ~0u;
+  /// Of a tet: which corner of the triangle of entry is not on the face by which the line leaves. `no_corner` if it misses the tet.
+  std::uint32_t corner_left_behind(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) const;
+  /// Where the line leaves the cell through a face that is a triangle.
+  cell_exit leave_through(std::uint32_t face, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry);
 
  private:
   struct place { double u, v; };  // of a corner seen along g, from x
@@ -70,7 +86,6 @@ class flat_cell {
   std::vector<place> seen_;
   double nearly_ = 0;  // more than the errors of seen_
 
-  cell_exit leave_tet(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry);
   void see(const vec3& x, const vec3& g);
   bool may_cross(const face_ring& f) const;
   int quick_side(std::uint32_t a, std::uint32_t b) const;

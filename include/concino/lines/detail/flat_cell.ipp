@@ -47,9 +47,13 @@ CONCINO_INLINE void flat_cell::clear() {
   corners_.clear();
 }
 
-CONCINO_INLINE void flat_cell::add_face(std::span<const std::uint32_t> ring, bool is_outward) {
-  faces_.push_back({static_cast<std::uint32_t>(corners_.size()), static_cast<std::uint32_t>(ring.size()), is_outward, false});
+CONCINO_INLINE void flat_cell::set_face(std::uint32_t face, std::span<const std::uint32_t> ring, bool is_outward) {
+  faces_[face] = {static_cast<std::uint32_t>(corners_.size()), static_cast<std::uint32_t>(ring.size()), is_outward, false};
   corners_.insert(corners_.end(), ring.begin(), ring.end());
+}
+
+CONCINO_INLINE bool flat_cell::has_corner(std::uint32_t face, std::uint32_t corner) const {
+  return is_corner_of(corner, std::span(corners_).subspan(faces_[face].first, faces_[face].size));
 }
 
 CONCINO_INLINE void flat_cell::cut_faces() {
@@ -182,26 +186,24 @@ CONCINO_INLINE cell_exit flat_cell::exit_in(std::uint32_t t, const vec3& x, cons
   return {cell_exit::kind::triangle, t, 0, 0, whole > 0 ? p + (s[2].value * (q - p) + s[0].value * (r - p)) / whole : (p + q + r) / 3};
 }
 
-/// From a triangle of a tet, the sides on which the three other edges pass the line tell the exit: three determinants instead of nine.
-CONCINO_INLINE cell_exit flat_cell::leave_tet(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) {
+/// The sides on which the edges that are not those of entry pass the line tell it: three determinants instead of nine.
+CONCINO_INLINE std::uint32_t flat_cell::corner_left_behind(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) const {
   const std::uint32_t top = 6 - entry[0] - entry[1] - entry[2];
   std::array<int, 3> s;
   for (std::size_t k = 0; k < 3; ++k) s[k] = side_of_line(g, points[entry[k]], points[top], x).sign;
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (s[k] < 0 || s[(k + 1) % 3] > 0) continue;
-    for (std::uint32_t f = 0; f < 4; ++f) {
-      const std::uint32_t* const c = corners_.data() + faces_[f].first;
-      if (is_corner_of(entry[(k + 2) % 3], {c, 3})) continue;
-      cut_face(f);
-      for (std::uint32_t t = 0; t < triangles.size(); ++t)
-        if (triangles[t].face == f) return exit_in(t, x, g, entry);
-    }
-  }
-  return {};
+  for (std::size_t k = 0; k < 3; ++k)
+    if (s[k] >= 0 && s[(k + 1) % 3] <= 0) return entry[(k + 2) % 3];
+  return no_corner;
+}
+
+CONCINO_INLINE cell_exit flat_cell::leave_through(std::uint32_t face, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) {
+  cut_face(face);
+  std::uint32_t t = 0;
+  while (triangles[t].face != face) ++t;
+  return exit_in(t, x, g, entry);
 }
 
 CONCINO_INLINE cell_exit flat_cell::leave(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) {
-  if (points.size() == 4 && faces_.size() == 4 && corners_.size() == 12 && entry.size() == 3) return leave_tet(x, g, entry);
   see(x, g);
   for (std::uint32_t f = 0; f < faces_.size(); ++f)
     if (!faces_[f].is_cut && may_cross(faces_[f])) cut_face(f);

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace concino::detail {
@@ -20,7 +21,9 @@ template<class M>
 class polyhedron_reader {
   static constexpr std::size_t longest_scan = 8;
   static constexpr std::uint32_t none = ~0u;
+  static constexpr bool all_tets = arity_v<M> == 4;  // then a face is read when it is needed: a line needs two of them
 
+  const M* m_ = nullptr;
   std::vector<std::uint32_t> ring_;
   std::vector<std::uint32_t> corner_at_;  // a hash table of the corners by the indices of their verts, of cells with more of them
   poly_t<M> poly_ = poly_t<M>();
@@ -39,6 +42,7 @@ class polyhedron_reader {
   bool read(const M& m, const poly_t<M>& p) {
     if (is_read_ && p == poly_) return false;
     is_read_ = true;
+    m_ = &m;
     poly_ = p;
     verts.clear();
     faces.clear();
@@ -50,12 +54,23 @@ class polyhedron_reader {
     }
     if (verts.size() > longest_scan) fill_table(m);
     for (const face_t<M> f : adj_p2f(m, p)) {
-      ring_.clear();
-      for (const vert_t<M> v : adj_f2v(m, f)) ring_.push_back(corner_of(m, v));
-      flat.add_face(ring_, face_is_outward(m, p, f));
       faces.push_back(f);
+      flat.add_face();
     }
+    if (!all_tets) read_faces();
     return true;
+  }
+
+  void cut_faces() {
+    read_faces();
+    flat.cut_faces();
+  }
+
+  /// As flat_cell::leave.
+  cell_exit leave(const vec3& x, std::span<const std::uint32_t> entry) {
+    if (entry.size() == 3 && (all_tets || flat.is_tet())) return leave_tet(x, entry);
+    read_faces();
+    return flat.leave(x, field, entry);
   }
 
   std::uint32_t corner_of(const M& m, const vert_t<M>& v) const {
@@ -69,6 +84,7 @@ class polyhedron_reader {
   /// The triangle of a face with this number.
   std::uint32_t triangle(const face_t<M>& f, std::uint32_t number) {
     const std::uint32_t face = static_cast<std::uint32_t>(std::find(faces.begin(), faces.end(), f) - faces.begin());
+    if (!flat.has_corners(face)) read_face(face);
     flat.cut_face(face);
     for (std::uint32_t t = 0; t < flat.triangles.size(); ++t)
       if (flat.triangles[t].face == face && flat.triangles[t].number == number) return t;
@@ -98,7 +114,7 @@ class polyhedron_reader {
   /// surface.
   template<class H>
   vec3 value_at(const vec3& x, const H& values) {
-    flat.cut_faces();
+    cut_faces();
     const double n = static_cast<double>(verts.size());
     vec3 middle, middle_value;
     for (std::size_t k = 0; k < verts.size(); ++k) {
@@ -122,6 +138,33 @@ class polyhedron_reader {
   }
 
  private:
+  void read_corners(std::uint32_t face) {
+    ring_.clear();
+    for (const vert_t<M> v : adj_f2v(*m_, faces[face])) ring_.push_back(corner_of(*m_, v));
+  }
+  void set_face(std::uint32_t face) { flat.set_face(face, ring_, face_is_outward(*m_, poly_, faces[face])); }
+  void read_face(std::uint32_t face) {
+    read_corners(face);
+    set_face(face);
+  }
+  void read_faces() {
+    for (std::uint32_t face = 0; face < faces.size(); ++face)
+      if (!flat.has_corners(face)) read_face(face);
+  }
+
+  cell_exit leave_tet(const vec3& x, std::span<const std::uint32_t> entry) {
+    const std::uint32_t behind = flat.corner_left_behind(x, field, entry);
+    if (behind == flat_cell::no_corner) return {};
+    for (std::uint32_t face = 0; face < 4; ++face) {
+      const bool is_known = flat.has_corners(face);
+      if (!is_known) read_corners(face);
+      if (is_known ? flat.has_corner(face, behind) : std::find(ring_.begin(), ring_.end(), behind) != ring_.end()) continue;
+      if (!is_known) set_face(face);
+      return flat.leave_through(face, x, field, entry);
+    }
+    return {};
+  }
+
   void fill_table(const M& m) {
     corner_at_.assign(std::bit_ceil(4 * verts.size()), none);
     for (std::size_t k = 0; k < verts.size(); ++k) {

@@ -82,7 +82,7 @@ class volume_line_walker {
 
   void leave_cell(line_recorder<M>& to) {
     if (cell_.field == vec3()) return to.stop(line_end::zero);
-    const cell_exit out = cell_.flat.leave(x_, cell_.field, std::span(entry_).first(entry_size_));
+    const cell_exit out = cell_.leave(x_, std::span(entry_).first(entry_size_));
     if (out.at == cell_exit::kind::none) return miss(to);
     x_ = out.position;
     const cell_triangle t = cell_.flat.triangles[out.triangle];
@@ -238,7 +238,7 @@ class volume_line_walker {
   /// Reads the triangles at a vert, or those at the ridge, of one poly.
   void add_incident(const poly_t<M>& p, const vert_t<M>& v, const incident_key* only) {
     read(p);
-    cell_.flat.cut_faces();
+    cell_.cut_faces();
     incident_cell c{cell_.field, {}};
     for (const cell_triangle& t : cell_.flat.triangles)
       for (std::uint32_t k = 0; k < 3; ++k) {
@@ -288,7 +288,7 @@ class volume_line_walker {
   /// Reads the cell of an exit; the corner of the vert in it.
   std::uint32_t read_exit(const volume_exit& out, const vert_t<M>& v) {
     read(incident_polys_[out.cell]);
-    cell_.flat.cut_faces();
+    cell_.cut_faces();
     return cell_.corner_of(*m_, v);
   }
 
@@ -330,7 +330,7 @@ class volume_line_walker {
     bool all_zero = true;
     for (const poly_t<M> p : adj_f2p(*m_, f)) {
       read(p);
-      cell_.flat.cut_faces();
+      cell_.cut_faces();
       const std::uint32_t t = cell_.nearest_triangle(f, x_);
       const auto& c = cell_.flat.triangles[t].corner;
       const auto& at = cell_.flat.points;
@@ -346,7 +346,7 @@ class volume_line_walker {
     if (sides.empty()) return to.stop(line_end::boundary);
     if (best) {
       read(best->poly);
-      cell_.flat.cut_faces();
+      cell_.cut_faces();
       enter(best->poly, cell_.flat.triangles[best->triangle].corner);
       return;
     }
@@ -355,11 +355,11 @@ class volume_line_walker {
     if (sides.size() == 1) {
       if (sides[0].outward.sign != 0) return to.stop(line_end::boundary);
       read(sides[0].poly);
-      cell_.flat.cut_faces();
+      cell_.cut_faces();
       return slide(cell_.flat.triangles[sides[0].triangle], cell_.field, {}, to);
     }
     read(sides[0].poly);
-    cell_.flat.cut_faces();
+    cell_.cut_faces();
     cross(f, cell_.flat.triangles[sides[0].triangle], sides[0].poly, to);
   }
 };
