@@ -36,9 +36,11 @@ inline signed_value side_of_line(const vec3& g, const vec3& a, const vec3& b, co
 /// det(g, a - x, n): positive if a lies to the left of the line through x along g in the plane with normal n, seen from where n points to.
 inline signed_value side_in_plane(const vec3& g, const vec3& a, const vec3& n, const vec3& x) { return line_sign(g, a - x, n, a, x, n, {}); }
 
+inline double max_part(const vec3& a) { return std::max(std::max(std::abs(a.x), std::abs(a.y)), std::abs(a.z)); }
+
 /// The vector times a power of two, if its parts are so large or small that products of three such vectors might overflow or underflow.
 inline vec3 in_range(const vec3& g) {
-  const double most = std::max({std::abs(g.x), std::abs(g.y), std::abs(g.z)});
+  const double most = max_part(g);
   if ((most > 1e-30 && most < 1e30) || most == 0) return g;
   const int e = std::ilogb(most);
   return {std::ldexp(g.x, -e), std::ldexp(g.y, -e), std::ldexp(g.z, -e)};
@@ -50,9 +52,9 @@ inline bool lies_before(const vec3& a, const vec3& b) { return a.x != b.x ? a.x 
 /// The vector area, twice, of a triangle; the same bits whichever corner comes first.
 inline vec3 triangle_normal(const vec3& a, const vec3& b, const vec3& c) {
   const bool ab = lies_before(a, b), bc = lies_before(b, c), ca = lies_before(c, a);
-  if (ab && !ca) return cross(b - a, c - a);
-  if (bc && !ab) return cross(c - b, a - b);
-  return cross(a - c, b - c);
+  const vec3* const corners[] = {&a, &b, &c, &a, &b};
+  const vec3* const* const first = corners + (ab && !ca ? 0 : bc && !ab ? 1 : 2);  // no branches: which corner comes first cannot be predicted
+  return cross(*first[1] - *first[0], *first[2] - *first[0]);
 }
 
 /// How far x lies inside a triangle, seen along its normal: the least distance from its sides, negative outside.

@@ -79,9 +79,9 @@ class polygon_reader {
     verts.assign(adj_p2v(m, p), [](const vert_t<M>& v) { return v; });
     edges.assign(adj_p2e(m, p), [](const edge_t<M>& e) { return e; });
     points.assign(verts, [&](const vert_t<M>& v) { return to_vec3(point(m, v)); });
-    bool finite = true;
-    for (const vec3& x : points) finite = finite && is_finite(x);
-    if (!finite) throw_points_not_finite(index_of(m, p));
+    double zero = 0;  // or not a number, if a coordinate is infinite or not a number
+    for (const vec3& x : points) zero += 0 * x.x + 0 * x.y + 0 * x.z;
+    if (!(zero == 0)) throw_points_not_finite(index_of(m, p));
     if (points.size() == 3) {
       triangles_.assign(1, {0, 1, 2});
       normal_ = triangle_normal(points[0], points[1], points[2]);
