@@ -18,4 +18,5 @@ TEST_CASE("prefetch: rows that are stored in memory have an address, others have
   static_assert(!core::is_contiguous<std::vector<int>>);
   core::prefetch(values);
   core::prefetch(nullptr);
+  core::prefetch(0, 0);  // no mesh
 }

@@ -2,6 +2,7 @@
 // requests hide most of the latency.
 #pragma once
 
+#include <concino/concepts/mesh_traits.hpp>
 #include <concino/concepts/ranges.hpp>
 
 #include <concepts>
@@ -16,6 +17,12 @@ const void* row_address(const id_span<T>& r) { return r.begin(); }
 template<class R>
   requires requires(const R& r) { { r.row() } -> std::same_as<const void*>; }
 const void* row_address(const R& r) { return r.row(); }
+
+/// Requests what verbs about an element will read, if the mesh can do so.
+template<class M, class X>
+void prefetch(const M& m, const X& x) {
+  if constexpr (requires { traits<M>::prefetch(m, x); }) traits<M>::prefetch(m, x);
+}
 
 template<class R> concept is_contiguous = requires(const R& r) { row_address(r); };
 

@@ -102,6 +102,8 @@ struct indexed_elements {
 template<class M>
 struct indexed_surface : detail::indexed_elements<M> {
   static constexpr int dimension = 2;
+
+  static void prefetch(const M& m, edge_id e) { detail::tables_of<M>(m).prefetch(e); }
 };
 
 /// tables(m) is a reference to a tet_tables, hex_tables or polyhedra_tables.

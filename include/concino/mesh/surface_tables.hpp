@@ -86,6 +86,12 @@ class surface_tables {
   id_span<edge_id> adj_p2e(poly_id p) const { return facet_adjacency_.facets(p); }
   detail::adjacent_polys adj_p2p(poly_id p) const { return facet_adjacency_.polys(p); }
 
+  /// Requests what adj_e2v and adj_e2p read first.
+  void prefetch(edge_id e) const {
+    __builtin_prefetch(e2v_.begin(e.raw()));
+    facet_adjacency_.prefetch_owner(e);
+  }
+
   /// The number of the first corner of p; the other corners of p follow. All corner numbers are below corner_bound(). Edits do not change them.
   std::size_t first_corner(poly_id p) const { return p2v_.first(p.raw()); }
   std::size_t corner_bound() const { return p2v_.num_values(); }

@@ -156,7 +156,7 @@ class surface_line_walker {
     place_ = s;
     entry_ = step;
     where_ = where::edge;
-    if constexpr (core::is_contiguous<decltype(adj_e2v(*m_, edge_))>) core::prefetch(core::row_address(adj_e2v(*m_, edge_)));
+    core::prefetch(*m_, edge_);
   }
 
   /// Finds the poly behind the edge by which the line leaves.
@@ -196,9 +196,9 @@ class surface_line_walker {
     const bool pivots_at_b = k == b;
     const double whole = side_in_plane(t.field, t.at[c], t.normal, t.at[pivots_at_b ? b : a]).value;
     const double q = whole != 0 ? std::abs(inward_ / whole) : 0;
-    const double size = std::max({std::abs(t.at[c].x), std::abs(t.at[c].y), std::abs(t.at[c].z)});
+    const double size = max_part(t.at[c]);
     const vec3 d = t.at[(k + 1) % 3] - t.at[k];
-    const double noise = 0x1p-50 * (1 + size / std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z), 1e-300}));
+    const double noise = 0x1p-50 * (1 + size / std::max(max_part(d), 1e-300));
     const std::size_t pivot = index_of(*m_, t.verts[pivots_at_b ? b : a]);
     if (pivots_at_b) return {-q, q, noise, pivot};  // q (1 - s), from b to c
     return {-q, 1, noise, pivot};                   // q s from a to c, so 1 - q s from c to a

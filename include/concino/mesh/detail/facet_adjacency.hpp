@@ -285,6 +285,7 @@ class facet_adjacency {
       first = second = own;
     }
   }
+  void prefetch_owner(Facet f) const { __builtin_prefetch(owner_.data() + f.raw()); }
   /// Requests the rows of p, or what put() reads and writes besides those of p.
   void prefetch_poly(poly_id p) const {
     __builtin_prefetch(facets_.begin(p.raw()), 1);
