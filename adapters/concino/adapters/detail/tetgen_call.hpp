@@ -5,6 +5,7 @@
 #include <concino/adapters/detail/tetgen_input.hpp>
 #include <concino/core/error.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <new>
@@ -67,7 +68,8 @@ class tetgen_call {
 #ifdef __linux__
   tetrahedralize_output in_child() const {
     const memory_file file("tetrahedralize");
-    run_in_child("tetrahedralize", "TetGen", {options_.max_seconds, options_.max_bytes, options_.progress}, [&] {
+    const std::size_t some_memory = std::max(std::size_t{1} << 30, 8192 * input_.points.size());  // TetGen often needs less, for many small tets more
+    run_in_child("tetrahedralize", "TetGen", {options_.max_seconds, options_.max_bytes, some_memory, options_.progress}, [&] {
       tetgenio out;
       sizes n;
       try {
