@@ -37,7 +37,7 @@ struct polygon_piece {
 template<class M, class T>
 class corner_values {
   static constexpr std::size_t fixed = static_cast<std::size_t>(arity_v<M>);
-  std::conditional_t<(fixed > 0), std::array<T, fixed>, std::vector<T>> values_{};
+  std::conditional_t<(fixed > 0), std::array<T, fixed>, std::vector<T>> values_;
 
  public:
   template<class Range, class F>
