@@ -153,6 +153,7 @@ class surface_tables {
   struct outer_edge;
   static constexpr std::uint32_t longest_fan = 32;
   void prefetch_vert(vert_id v) const;
+  void prefetch_lists(vert_id v) const;
   void prefetch_poly(poly_id p) const;
   void prefetch_fan(vert_id b) const;
   std::uint32_t find_triangles(edge_id e, vert_id a, vert_id b, side_of_edge* two) const;

@@ -53,6 +53,11 @@ void surface_tables<Arity, Lists>::prefetch_vert(vert_id v) const {
 }
 
 template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::prefetch_lists(vert_id v) const {
+  incident_edges_.prefetch_values(v), v2p_.prefetch_values(v.raw());
+}
+
+template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::prefetch_poly(poly_id p) const {
   __builtin_prefetch(p2v_.begin(p.raw()), 1);
   facet_adjacency_.prefetch_poly(p);
@@ -83,11 +88,12 @@ std::uint32_t surface_tables<Arity, Lists>::find_triangles(edge_id e, vert_id a,
   if (!behind.is_none() && !behind.is_first_occurrence()) return 0;
   if (!behind.is_none()) prefetch_poly(poly_id{behind.poly()});
   std::construct_at(two, *this, p, k, a);  // in its place: a copy would be read before it has been written
+  prefetch_lists(a), prefetch_lists(b);
   if (!two[0].is_regular()) return 0;
   if (behind.is_none()) return 1;
   const poly_id q{behind.poly()};
   std::construct_at(two + 1, *this, q, facet_adjacency_.position_of(q, e), a);
-  for (const vert_id v : {a, b, two[0].c, two[1].c}) incident_edges_.prefetch_values(v), v2p_.prefetch_values(v.raw());
+  prefetch_lists(two[0].c), prefetch_lists(two[1].c);
   return two[1].is_regular() ? 2 : 0;
 }
 
