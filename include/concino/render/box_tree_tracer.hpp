@@ -12,6 +12,10 @@
 
 namespace concino {
 
+namespace detail {
+struct box_tree_ray;
+}
+
 /// Triangles in a tree of boxes, in which each node has up to eight children, and each leaf four triangles. Movable; several threads may use it at the same time.
 ///
 /// No ray passes between two triangles that share an edge or a corner. If several triangles are hit at the same parameter, the result is the lowest number,
@@ -35,7 +39,6 @@ class box_tree_caster {
   std::uint64_t occluded_rays(const vec3& origin, std::span<const vec3> directions, double t_near, double t_far) const;
 
  private:
-  struct ray;
   struct packet;
   struct builder;
 
@@ -55,7 +58,7 @@ class box_tree_caster {
   std::vector<block> blocks_;
   std::array<float, 3> low_{}, high_{};  // of all triangles
 
-  void test(const block& b, const ray& r, double t_near, ray_hit& best) const;
+  void test(const block& b, const detail::box_tree_ray& r, double t_near, ray_hit& best) const;
   void prefetch(std::uint32_t child) const {
     const bool leaf = child & is_block;
     const char* const at = leaf ? reinterpret_cast<const char*>(blocks_.data() + (child & ~is_block)) : reinterpret_cast<const char*>(nodes_.data() + child);

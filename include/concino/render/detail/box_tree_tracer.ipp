@@ -11,6 +11,30 @@
 
 namespace concino {
 
+/// Tests the triangles of a block; updates the best hit.
+CONCINO_INLINE void box_tree_caster::test(const block& triangles, const detail::box_tree_ray& r, double t_near, ray_hit& best) const {
+  using detail::double4;
+  using detail::float4;
+  float4 x[3], y[3], z[3];
+  for (std::size_t c = 0; c < 3; ++c) {
+    z[c] = detail::load_lanes(triangles.corner[c][r.z]) - r.origin[r.z];
+    x[c] = (detail::load_lanes(triangles.corner[c][r.x]) - r.origin[r.x]) - r.shear_x * z[c];
+    y[c] = (detail::load_lanes(triangles.corner[c][r.y]) - r.origin[r.y]) - r.shear_y * z[c];
+  }
+  // Products of two floats are exact in double precision. So the signs are exact, and the triangles on both sides of an edge agree about it.
+  const double4 ax(x[0]), ay(y[0]), bx(x[1]), by(y[1]), cx(x[2]), cy(y[2]);
+  const double4 u = double4::determinant(cx, cy, bx, by), v = double4::determinant(ax, ay, cx, cy), w = double4::determinant(bx, by, ax, ay);
+  const double4::truth same_sign = double4::have_same_sign(u, v, w);
+  if (same_sign.none()) return;
+  for (int k = 0; k < 4; ++k) {
+    if (!same_sign[k]) continue;
+    const double sum = u[k] + v[k] + w[k];
+    const double t = (u[k] * z[0][k] + v[k] * z[1][k] + w[k] * z[2][k]) * r.scale_z / sum;
+    if (!(t >= t_near && t <= best.t) || (t == best.t && triangles.triangle[k] >= best.triangle)) continue;
+    best = {triangles.triangle[k], v[k] / sum, w[k] / sum, t};
+  }
+}
+
 CONCINO_INLINE ray_hit box_tree_caster::intersect(const vec3& origin, const vec3& direction, double t_near, double t_far) const {
   using detail::float4;
   struct entry {
@@ -19,7 +43,7 @@ CONCINO_INLINE ray_hit box_tree_caster::intersect(const vec3& origin, const vec3
   };
   ray_hit best;
   if (nodes_.empty()) return best;
-  const ray r(origin, direction, low_, high_);
+  const detail::box_tree_ray r(origin, direction, low_, high_);
   best.t = t_far;
   constexpr float more = 1 + 6 * 0x1p-24f;  // for the rounding of the two parameters
   const float near = static_cast<float>(t_near);

@@ -144,7 +144,8 @@ struct box_tree_caster::packet {
     for (std::uint64_t left = candidates(b, active); left != 0; left &= left - 1) {
       ray_hit best;
       best.t = t_far;
-      tree.test(b, ray(from, directions[static_cast<std::size_t>(std::countr_zero(left))], tree.low_, tree.high_), t_near, best);
+      const vec3& d = directions[static_cast<std::size_t>(std::countr_zero(left))];
+      tree.test(b, detail::box_tree_ray(from, d, tree.low_, tree.high_), t_near, best);
       if (best) result |= left & (~left + 1);
     }
     return result;
