@@ -1,10 +1,11 @@
 // small_array: an array that needs no allocation while it is small, for lists of a few elements that are made often.
 #pragma once
 
+#include <concino/core/flat_array.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <type_traits>
-#include <vector>
 
 namespace concino::core {
 
@@ -14,12 +15,12 @@ class small_array {
   static_assert(std::is_trivially_copyable_v<T>);
 
   alignas(T) std::byte inside_[N * sizeof(T)];  // no values are constructed before they are needed
-  std::vector<T> outside_;                      // empty, or all values
+  flat_array<T> outside_;                       // empty, or all values
   T* data_ = reinterpret_cast<T*>(inside_);
   std::size_t size_ = 0, capacity_ = N;
 
   void grow(std::size_t n) {
-    std::vector<T> more(std::max(n, 2 * capacity_));
+    flat_array<T> more(std::max(n, 2 * capacity_));
     std::copy_n(data_, size_, more.data());
     outside_.swap(more);
     data_ = outside_.data();
@@ -33,6 +34,7 @@ class small_array {
   small_array& operator=(const small_array&) = delete;
 
   std::size_t size() const { return size_; }
+  std::size_t capacity() const { return capacity_; }
   bool empty() const { return size_ == 0; }
   T* data() { return data_; }
   const T* data() const { return data_; }

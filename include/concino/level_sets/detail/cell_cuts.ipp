@@ -13,6 +13,7 @@ CONCINO_INLINE cell_cuts::cell_cuts(const crossed_volume& v, cells_are surface, 
   mates_.resize(v_.num_corners());
   cell_vert_.resize(v_.num_corners());
   seen_in_.assign(v_.points.size(), none);
+  cell_vert_states_.reserve(v_.num_facets());  // a cell has at least four facets, and often as many verts
   number_in_cell_.resize(v_.points.size());
   for (std::uint32_t c = 0; c < v_.num_cells(); ++c)
     if (!find_mates(c, surface))
@@ -61,6 +62,7 @@ CONCINO_INLINE bool cell_cuts::find_mates(std::uint32_t cell, cells_are surface)
 CONCINO_INLINE void cell_cuts::find_twins() {
   twins_.assign(v_.num_facets(), none);
   std::vector<std::uint64_t> order;
+  order.reserve(v_.num_facets());
   for (std::uint32_t s = 0; s < v_.num_facets(); ++s)
     if (v_.num_polys[s] == 2) order.push_back(std::uint64_t{v_.faces[s]} << 32 | s);
   core::sort_numbers(order.data(), order.data() + order.size());
@@ -73,6 +75,7 @@ CONCINO_INLINE void cell_cuts::find_twins() {
 
 CONCINO_INLINE void cell_cuts::find_chords() {
   chord_at_.assign(v_.num_corners(), none);
+  first_chord_.reserve(v_.num_facets() + 1), chords_.reserve(v_.num_facets());
   for (std::uint32_t s = 0; s < v_.num_facets(); ++s) {
     first_chord_.push_back(static_cast<std::uint32_t>(chords_.size()));
     const std::uint32_t twin = twins_[s];

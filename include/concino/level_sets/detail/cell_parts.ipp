@@ -14,6 +14,9 @@ CONCINO_INLINE cell_parts::cell_parts(cell_cuts& cuts) : cuts_(cuts), v_(cuts.vo
   moved_verts = remove_flat_parts(cuts_);
   join_regions();
   find_added_edges();
+  // A face of two cells, cut in two, and a cap in each cell: about as many as facets.
+  faces.reserve(v_.num_facets() + v_.num_facets() / 2), uses_.reserve(3 * v_.num_facets());
+  face_places.reserve(2 * v_.num_corners());
   add_facets();
   add_caps();
   merge_equal_faces();
@@ -180,6 +183,7 @@ CONCINO_INLINE std::uint32_t cell_parts::add_faces(std::uint32_t origin, bool is
 /// Makes one face of those with the same places, which parts without an inside leave behind.
 CONCINO_INLINE void cell_parts::merge_equal_faces() {
   std::vector<std::uint64_t> order;
+  order.reserve(faces.size());
   for (std::uint32_t i = 0; i < faces.size(); ++i) {
     std::uint64_t sum = 0;
     for (std::uint32_t k = faces[i].first; k < faces[i].last; ++k) {
@@ -228,6 +232,7 @@ CONCINO_INLINE int cell_parts::compare_places(const face& a, const face& b) cons
 /// Lists the faces of each part. A face that a part uses twice, from both sides, is not one of its faces; a part without faces has no inside.
 CONCINO_INLINE void cell_parts::list_parts() {
   std::vector<std::uint64_t> order;
+  order.reserve(uses_.size()), part_faces.reserve(uses_.size()), outward.reserve(uses_.size());
   for (std::uint32_t i = 0; i < uses_.size(); ++i) order.push_back(std::uint64_t{uses_[i].part} << 32 | i);
   core::sort_numbers(order.data(), order.data() + order.size());
   std::vector<use> of_part;

@@ -44,6 +44,8 @@ class crossed_volume {
   std::vector<std::uint32_t> whole_verts, whole_edges;
   std::vector<centre> centres;
 
+  /// Makes room for cells, if they are tets; others make more.
+  void reserve(std::size_t num_cells);
   explicit crossed_volume(double level, std::size_t edge_bound) : level_(level), next_edge_(edge_bound) {}
 
   double level() const { return level_; }

@@ -17,6 +17,13 @@ CONCINO_INLINE void crossed_volume::add_vert(std::uint32_t index, const vec3& x,
   states.push_back(level_state(value, level_));
 }
 
+CONCINO_INLINE void crossed_volume::reserve(std::size_t num_cells) {
+  first_facet.reserve(num_cells + 1);
+  for (auto* const of_facets : {&faces, &fan_of, &first_corner}) of_facets->reserve(4 * num_cells + 1);
+  outward.reserve(4 * num_cells), num_polys.reserve(4 * num_cells);
+  verts.reserve(12 * num_cells), edges.reserve(12 * num_cells);
+}
+
 CONCINO_INLINE void crossed_volume::push_facet(std::uint32_t face, bool is_outward, unsigned char polys, std::uint32_t fan_number) {
   faces.push_back(face);
   outward.push_back(is_outward);

@@ -31,6 +31,8 @@ class crossed_volume_reader {
   template<class U>
   crossed_volume_reader(const M& m, const U& u, double level, std::vector<poly_t<M>> crossed)
       : arrays(level, edge_index_bound(m)), polys(std::move(crossed)) {
+    arrays.reserve(polys.size());
+    poly_indices.reserve(polys.size()), faces.reserve(4 * polys.size());
     for (const poly_t<M>& p : polys) {
       poly_indices.push_back(static_cast<std::uint32_t>(index_of(m, p)));
       for (const face_t<M> f : adj_p2f(m, p)) add_facet(m, u, p, f);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <span>
 #include <utility>
 
 namespace concino::detail {
@@ -31,6 +32,10 @@ class embedding_collector {
     result_.number_of_place.assign(places.size(), ~0u);
   }
 
+  /// Makes room for about so many polys with so many lists of corners.
+  void reserve(std::size_t num_polys, std::size_t num_lists) {
+    corners_.reserve(4 * num_lists), lists_.reserve(num_lists + 1), polys_.reserve(num_polys);
+  }
   void add_vert(std::uint32_t v) {
     if (vert_indices_[v] == ~0u || number_of_vert_[v] != ~0u) return;
     number_of_vert_[v] = static_cast<std::uint32_t>(result_.verts.size());
@@ -46,7 +51,7 @@ class embedding_collector {
     const level_place& x = places_[place];
     return is_old(x) ? number_of_vert_[x.above] : static_cast<unsigned>(result_.verts.size()) + result_.number_of_place[place];
   }
-  void add_list(const std::vector<unsigned>& list) {
+  void add_list(std::span<const unsigned> list) {
     corners_.insert(corners_.end(), list.begin(), list.end());
     lists_.push_back(corners_.size());
   }
@@ -58,6 +63,8 @@ class embedding_collector {
   void finish(bool are_polyhedra) {
     std::vector<std::size_t> order;
     std::vector<unsigned char> is_first(polys_.size(), 0);
+    order.reserve(polys_.size());
+    result_.corners.reserve(corners_.size()), result_.ends.reserve(lists_.size()), result_.origins.reserve(polys_.size());
     for (std::size_t i = 0; i < polys_.size(); ++i) {
       is_first[i] = i == 0 || polys_[i].old != polys_[i - 1].old;
       if (is_first[i]) order.push_back(i);
@@ -123,7 +130,8 @@ CONCINO_INLINE embedding_lists list_embedding(const poly_parts& parts, const cro
     }
     list = from_smallest(std::move(list));
     for (std::size_t k = 1; k + 1 < list.size(); ++k) {
-      all.add_list({list[0], list[k], list[k + 1]});
+      const unsigned triangle[] = {list[0], list[k], list[k + 1]};
+      all.add_list(triangle);
       all.end_poly(old);
     }
   }
@@ -151,30 +159,34 @@ CONCINO_INLINE embedding_lists list_embedding(const cell_parts& parts, const cro
     });
   }
   std::uint32_t old = ~0u, before = ~0u;
-  std::vector<std::vector<unsigned>> lists;
-  const auto list_of = [&](const cell_parts::face& f, bool outward) {
-    std::vector<unsigned> list;
+  all.reserve(triangulate ? parts.part_faces.size() : parts.parts.size(), parts.part_faces.size());
+  std::vector<std::vector<unsigned>> lists;  // those of one part; `size` of them are used
+  std::size_t size = 0;
+  const auto list_corners = [&](const cell_parts::face& f, bool outward) {
+    if (size == lists.size()) lists.emplace_back();
+    std::vector<unsigned>& list = lists[size++];
+    list.clear();
     for (std::uint32_t k = f.first; k < f.last; ++k) list.push_back(all.number(parts.face_places[k]));
     if (!outward) std::reverse(list.begin(), list.end());
-    return list;
   };
   for (const cell_parts::part& x : parts.parts) {
     if (!changes(x)) continue;
     if (x.cell != before) ++old, before = x.cell;
-    lists.clear();
-    for_each_face(x, [&](const cell_parts::face& f, bool outward) { lists.push_back(list_of(f, outward)); });
+    size = 0;
+    for_each_face(x, list_corners);
     if (!triangulate) {
-      for (const auto& list : lists) all.add_list(list);
+      for (std::size_t i = 0; i < size; ++i) all.add_list(lists[i]);
       all.end_poly(old);
       continue;
     }
     unsigned top = ~0u;
-    for (const auto& list : lists)
-      for (const unsigned n : list) top = std::min(top, n);
-    for (auto& list : lists) {
-      list = from_smallest(std::move(list));
+    for (std::size_t i = 0; i < size; ++i) top = std::min(top, *std::min_element(lists[i].begin(), lists[i].end()));
+    for (std::size_t i = 0; i < size; ++i) {
+      std::vector<unsigned>& list = lists[i];
+      std::rotate(list.begin(), std::min_element(list.begin(), list.end()), list.end());
       for (std::size_t k = 1; list[0] != top && k + 1 < list.size(); ++k) {
-        all.add_list({top, list[0], list[k], list[k + 1]});
+        const unsigned tet[] = {top, list[0], list[k], list[k + 1]};
+        all.add_list(tet);
         all.end_poly(old);
       }
     }

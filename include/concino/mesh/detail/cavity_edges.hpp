@@ -23,16 +23,22 @@ struct cavity_edge {
 
 /// The edges of a cavity by the local numbers of their ends. A pointer to one is valid until the next is added.
 class cavity_edges {
+ public:
   static constexpr unsigned largest_matrix = 24;  // verts, up to which the number of every edge is in a matrix; else the numbers are in a hash table
 
+ private:
   unsigned verts_;
   core::small_array<cavity_edge, 80> edges_;
   core::small_array<std::uint32_t, largest_matrix * largest_matrix> numbers_;  // of edges plus 1
 
+  /// Where the search in the hash table starts.
+  std::size_t first_slot(unsigned a, unsigned b) const {
+    const std::uint64_t hash = (std::uint64_t{a} << 32 | b) * 0x9e3779b97f4a7c15u;
+    return static_cast<std::size_t>(hash >> 32 ^ hash) & (numbers_.size() - 1);
+  }
   std::uint32_t& number_at(unsigned a, unsigned b) {
     if (verts_ <= largest_matrix) return numbers_[a * verts_ + b];
-    const std::uint64_t hash = (std::uint64_t{a} << 32 | b) * 0x9e3779b97f4a7c15u;
-    std::size_t i = static_cast<std::size_t>(hash >> 32 ^ hash) & (numbers_.size() - 1);
+    std::size_t i = first_slot(a, b);
     while (numbers_[i] != 0 && (edges_[numbers_[i] - 1].a != a || edges_[numbers_[i] - 1].b != b)) i = (i + 1) & (numbers_.size() - 1);
     return numbers_[i];
   }
@@ -44,7 +50,11 @@ class cavity_edges {
     if (verts > largest_matrix)
       while (n < 2 * uses) n *= 2;
     numbers_.resize(verts > largest_matrix ? n : std::size_t{verts} * verts, 0);
+    edges_.reserve(uses / 3);  // in large cavities, most edges have more polys
   }
+
+  /// Requests the memory where number() will look for an edge. Needs: there are too many verts for a matrix.
+  void prefetch(unsigned a, unsigned b) const { __builtin_prefetch(&numbers_[a < b ? first_slot(a, b) : first_slot(b, a)], 1); }
 
   /// The number of the edge between two verts; it is added if it is new.
   unsigned number(unsigned a, unsigned b) {
@@ -59,6 +69,7 @@ class cavity_edges {
   cavity_edge& at(unsigned a, unsigned b) { return edges_[number(a, b)]; }
 
   std::size_t size() const { return edges_.size(); }
+  std::size_t capacity() const { return edges_.capacity(); }
   unsigned number(const cavity_edge& x) const { return static_cast<unsigned>(&x - edges_.begin()); }
   cavity_edge& operator[](unsigned i) { return edges_[i]; }
   const cavity_edge& operator[](unsigned i) const { return edges_[i]; }

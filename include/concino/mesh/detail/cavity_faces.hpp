@@ -58,6 +58,13 @@ class cavity_faces {
     std::size_t n = 32;
     while (n < uses + uses / 4) n *= 2;
     slots_.resize(n, 0);
+    faces_.reserve(uses / 2 + uses / 8);  // most faces are between two polys
+  }
+
+  /// Requests the memory where at() will look for a face.
+  void prefetch(unsigned (&v)[N]) const {
+    put_in_order(v);
+    __builtin_prefetch(&slots_[hash(v) & (slots_.size() - 1)], 1);
   }
 
   /// The face with these verts in cyclic order; it is added if it is new, without edges.

@@ -46,8 +46,13 @@ class cell_cavity {
         changes(num_verts, vert_change{}), corners_of_old(Shape::verts * c.polys.size(), 0), edges_of_new(Shape::edges * c.ends.size(), 0),
         faces_of_new(Shape::faces * c.ends.size(), 0) {
     check_cavity(c, verts, t.verts(), t.polys(), Shape::verts);
+    fans.reserve(edges.capacity());
     for (std::size_t k = 0; k < c.polys.size(); ++k) find_old(t, k);
-    for (std::size_t k = 0; k < num_new(); ++k) find_new(t, k);
+    constexpr std::size_t large = 64, ahead = 4;  // the hash tables of a large cavity are not in the caches
+    for (std::size_t k = 0; k < num_new(); ++k) {
+      if (num_new() >= large && k + ahead < num_new()) prefetch_new(k + ahead);
+      find_new(t, k);
+    }
     compare_faces();
     compare_edges(t);
     for (unsigned v = num_old_verts - static_cast<unsigned>(c.removed); v < num_old_verts; ++v)
@@ -99,6 +104,18 @@ class cell_cavity {
       if (x.old_polys++ > 0) continue;
       x.id = f[j];
       x.num_polys = t.facet_adjacency_.num_polys_at(p, j);
+    }
+  }
+
+  /// Requests the memory where find_new() will look.
+  void prefetch_new(std::size_t k) const {
+    const unsigned* const v = corners(k);
+    if (num_verts > cavity_edges::largest_matrix)
+      for (const auto& e : Shape::edge_vert) edges.prefetch(v[e[0]], v[e[1]]);
+    for (const auto& f : Shape::face_vert) {
+      unsigned w[Shape::face_verts];
+      for (unsigned i = 0; i < Shape::face_verts; ++i) w[i] = v[f[i]];
+      faces.prefetch(w);
     }
   }
 
