@@ -1,12 +1,16 @@
-// Compares add_vert, add_poly, remove_poly and remove_vert on copies of meshes that have them.
+// Compares add_vert, add_poly, remove_poly and remove_vert on copies of meshes that have them, and splits, flips and collapses of edges where polys can be replaced.
 #pragma once
 
 #include <agreement/copies.hpp>
 #include <agreement/matched.hpp>
 
+#include <concino/edit/edge_collapse.hpp>
+#include <concino/edit/edge_flip.hpp>
+#include <concino/edit/edge_split.hpp>
 #include <concino/edit/elements.hpp>
 #include <concino/validate/check_laws.hpp>
 
+#include <algorithm>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -57,7 +61,43 @@ struct edits {
       expect(sorted(expected) == sorted(now), "the others have the corners that they had");
     }
     expect(check_laws(there).empty(), "the laws hold after an addition");
+    if constexpr (EditableSurfaceMesh<M> && EditableSurfaceMesh<N>) {
+      for (std::size_t i = 0; i < both.edges.all.size(); i += both.edges.all.size() / 3 + 1) {
+        const auto e = both.edges.all[i];
+        expect_same_edit(both, e, [](auto& m, const auto& x) -> permission { return edge_split(m, x); });
+        expect_same_edit(both, e, [](auto& m, const auto& x) -> permission { return edge_flip(m, x); });
+        expect_same_edit(both, e, [](auto& m, const auto& x) -> permission { return edge_collapse(m, x); });
+      }
+    }
     return true;
+  }
+
+  /// An edit of edge e gives the same polys, up to the names of the verts that it makes or merges, or is refused. Some libraries cannot represent each result.
+  template<class B, class Edit>
+  static void expect_same_edit(const B& both, edge_id e, const Edit& edit) {
+    auto here = both.native;
+    auto there = both.other;
+    const auto ends = end_verts(here, e);
+    const permission expected = edit(here, e), found = edit(there, both.edges.to(e));
+    if (found.reason != refusal::unsupported) expect(bool(expected) == bool(found), "the same edits are allowed");
+    if (!expected || !found) return;
+    const std::size_t bound = vert_index_bound(both.other), native_bound = vert_index_bound(both.native);
+    const auto canonical = [&](vert_id v) { return v == ends.second ? ends.first.raw() : v.raw() < native_bound ? v.raw() : ~0u; };
+    std::vector<numbers> all, others;
+    for (const auto p : polys(here)) {
+      all.emplace_back();
+      for (const auto v : adj_p2v(here, p)) all.back().push_back(canonical(v));
+    }
+    for (const auto p : polys(there)) {
+      others.emplace_back();
+      for (const auto v : adj_p2v(there, p)) others.back().push_back(index_of(there, v) < bound ? canonical(both.verts.back(v)) : ~0u);
+    }
+    for (auto* const lists : {&all, &others}) {
+      for (numbers& x : *lists) x = rotated(x);
+      std::sort(lists->begin(), lists->end());
+    }
+    expect(all == others, "the same polys after an edit of an edge");
+    expect(check_laws(there).empty(), "the laws hold after an edit of an edge");
   }
 
   template<class N, class M>
