@@ -61,7 +61,9 @@ inline std::size_t whole_pages(std::size_t bytes, std::size_t max_unused) {
   return bytes;
 }
 
-namespace detail {
+}  // namespace concino::core
+
+namespace concino::detail {
 
 inline constexpr std::uintptr_t large_page = std::uintptr_t{1} << 21;
 
@@ -71,14 +73,16 @@ inline bool is_on_large_pages(const void* memory) { return reinterpret_cast<std:
 /// Memory of more than a large page from the beginning of one on: Linux aligns what is requested in whole large pages, and leaves it where it is when the rest is
 /// returned.
 inline void* reallocate_on_large_pages(void* memory, std::size_t bytes) {
-  const std::size_t whole = bytes >= large_page ? whole_pages(bytes, large_page) : bytes;
+  const std::size_t whole = bytes >= large_page ? core::whole_pages(bytes, large_page) : bytes;
   void* const larger = std::realloc(memory, whole);
   if (!larger || whole == bytes) return larger;
   void* const exact = std::realloc(larger, bytes);
   return exact ? exact : larger;
 }
 
-}  // namespace detail
+}  // namespace concino::detail
+
+namespace concino::core {
 
 /// Makes memory larger as realloc() does, and copies `used` bytes. If the system can use large pages only for memory at another place, it is copied there: glibc
 /// moves memory that it has mapped without a copy, but then its pages remain as they were. No result depends on this.
