@@ -4,10 +4,10 @@
 #include <concino/core/function_ref.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/mistakes.hpp>
+#include <concino/core/prefetch.hpp>
 #include <concino/graph/detail/bounded_fifo.hpp>
 #include <concino/graph/detail/crossings.hpp>
 #include <concino/graph/detail/for_each.hpp>
-#include <concino/core/prefetch.hpp>
 #include <concino/graph/detail/targets.hpp>
 #include <concino/graph/predecessors.hpp>
 

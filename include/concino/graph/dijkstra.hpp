@@ -5,10 +5,10 @@
 #include <concino/core/indexed_heap.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/mistakes.hpp>
+#include <concino/core/prefetch.hpp>
 #include <concino/graph/detail/for_each.hpp>
 #include <concino/graph/detail/graph_of.hpp>
 #include <concino/graph/detail/lengths.hpp>
-#include <concino/core/prefetch.hpp>
 #include <concino/graph/detail/targets.hpp>
 #include <concino/graph/predecessors.hpp>
 

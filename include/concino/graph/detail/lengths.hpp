@@ -2,10 +2,10 @@
 #pragma once
 
 #include <concino/core/flat_array.hpp>
+#include <concino/core/prefetch.hpp>
 #include <concino/core/vec3.hpp>
 #include <concino/geometry/centroid.hpp>
 #include <concino/graph/detail/crossings.hpp>
-#include <concino/core/prefetch.hpp>
 
 #include <limits>
 #include <vector>
