@@ -47,16 +47,16 @@ class fan_checker {
     if (n < 3 || n > few) return false;
     std::size_t behind[few], met = 0;
     for (std::size_t i = 0; i < n; ++i) {
-      behind[i] = 0;
+      behind[i] = i;
       for (std::size_t k = 0; k < n; ++k) {
         const bool follows = corners_[k].next == corners_[i].previous;
         met += follows;
         behind[i] = follows ? k : behind[i];
       }
     }
-    std::size_t steps = 1;
-    for (std::size_t at = behind[0]; at != 0 && steps < n; at = behind[at]) ++steps;
-    return met == n && steps == n;
+    std::size_t steps = 1, at = behind[0];
+    for (; at != 0 && steps < n; at = behind[at]) ++steps;
+    return met == n && steps == n && at == 0;
   }
 
   /// Whether all edges of p lead to one other poly.
