@@ -98,6 +98,24 @@ TEST_CASE("scene: several things, each with its own colour, map and visibility")
   CHECK(same_hue(picture(5, 2), colormap::viridis(0.9)));
 }
 
+TEST_CASE("scene: the bounds contain all that was added, and follow the last drawable") {
+  scene s;
+  CHECK(s.bounds().is_empty());
+  for (int i = 0; i < 3; ++i) {
+    drawable d;
+    d.points = {{1.0 * i, 0, 0}, {0, 0, -2.0 * i}};
+    s.add(d);
+    CHECK(s.bounds().max == vec3{1.0 * i, 0, 0});
+    CHECK(s.bounds().min == vec3{0, 0, -2.0 * i});
+  }
+  s.last().points.push_back({5, 6, 7});
+  CHECK(s.bounds().max == vec3{5, 6, 7});
+  s.add(drawable());
+  CHECK(s.bounds().max == vec3{5, 6, 7});
+  const scene copy = s;
+  CHECK(copy.bounds().min == vec3{0, 0, -4});
+}
+
 TEST_CASE("scene: a scale that is given is used; options that are out of range and fields of another mesh are refused") {
   const trimesh m = testing::grid<trimesh>(1), other = testing::grid<trimesh>(1);
   const auto u = make_vert_map<double>(m, 3.0), foreign = make_vert_map<double>(other, 0.0);

@@ -16,6 +16,7 @@ namespace concino {
 class scene {
   std::vector<drawable> drawables_;
   std::vector<point_label> labels_;
+  box earlier_;  // of all drawables but the last, which may still change
 
  public:
   /// Adds a mesh of any type: s.add(m, {.field = u, .edges = true, .visible = below('x', 0.3)}).
@@ -25,7 +26,9 @@ class scene {
 
   /// Adds a drawable, for example one made by make_drawable.
   scene& add(drawable d) {
+    const box before = bounds();
     drawables_.push_back(std::move(d));
+    earlier_ = before;
     return *this;
   }
 
@@ -46,20 +49,21 @@ class scene {
   /// What was added, in this order.
   std::span<const drawable> drawables() const { return drawables_; }
   std::span<const point_label> labels() const { return labels_; }
-  /// The last drawable added, to change its appearance.
+  /// The last drawable added, to change it before another is added.
   drawable& last() { return drawables_.back(); }
 
   /// The bounding box of all that was added.
+  /// Cost: O(points of the last drawable).
   box bounds() const {
-    box b;
-    for (const drawable& d : drawables_)
-      for (const vec3& p : d.points) b.add(p);
+    box b = earlier_;
+    if (!drawables_.empty())
+      for (const vec3& p : drawables_.back().points) b.add(p);
     return b;
   }
 
   /// Adds lines as tubes: s.add_lines(lines, {.radius = 0.004, .color = {1, 0, 0}}); those of m are walks along it, such as paths and boundary loops.
   /// Needs, Errors: as make_tubes.      Result: the scene. A radius of 0 means 0.4 % of the diagonal of bounds(), if something was added before.
-  /// Cost:   as make_tubes; for a radius of 0 also a pass over all points that were added before.
+  /// Cost:   as make_tubes.
   template<class L = std::initializer_list<vec3>>
     requires requirement::is_lines<L>
   scene& add_lines(const L& lines, const tube_options& options = {}) {
@@ -85,7 +89,7 @@ class scene {
 
   /// Adds points, or the verts of a mesh or a graph, as balls: s.add_points(points, {.radius = 0.01}).
   /// Needs, Errors: as make_balls.      Result: the scene. A radius of 0 means 0.8 % of the diagonal of bounds(), if something was added before.
-  /// Cost:   as make_balls; for a radius of 0 also a pass over all points that were added before.
+  /// Cost:   as make_balls.
   template<class P = std::initializer_list<vec3>>
     requires(requirement::is_point_range<P> || (Embedded<P> && requirement::has_verts<P>))
   scene& add_points(const P& points, const ball_options& options = {}) {
