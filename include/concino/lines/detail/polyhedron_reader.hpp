@@ -55,9 +55,13 @@ class polyhedron_reader {
     if (verts.size() > longest_scan) fill_table(m);
     for (const face_t<M> f : adj_p2f(m, p)) {
       faces.push_back(f);
-      flat.add_face();
+      if (all_tets) {
+        flat.add_face();
+      } else {
+        read_corners(static_cast<std::uint32_t>(faces.size() - 1));
+        flat.add_face(ring_, face_is_outward(m, p, f));
+      }
     }
-    if (!all_tets) read_faces();
     return true;
   }
 
@@ -69,11 +73,11 @@ class polyhedron_reader {
   /// As flat_cell::leave.
   cell_exit leave(const vec3& x, std::span<const std::uint32_t> entry) {
     if (entry.size() == 3 && (all_tets || flat.is_tet())) return leave_tet(x, entry);
-    read_faces();
+    if (all_tets) read_faces();
     return flat.leave(x, field, entry);
   }
 
-  std::uint32_t corner_of(const M& m, const vert_t<M>& v) const {
+  [[gnu::always_inline]] inline std::uint32_t corner_of(const M& m, const vert_t<M>& v) const {  // a call for each corner of a cell would be slow
     if (verts.size() <= longest_scan) return static_cast<std::uint32_t>(std::find(verts.begin(), verts.end(), v) - verts.begin());
     const std::size_t mask = corner_at_.size() - 1;
     std::size_t i = index_of(m, v) & mask;
@@ -138,7 +142,7 @@ class polyhedron_reader {
   }
 
  private:
-  void read_corners(std::uint32_t face) {
+  [[gnu::always_inline]] inline void read_corners(std::uint32_t face) {
     ring_.clear();
     for (const vert_t<M> v : adj_f2v(*m_, faces[face])) ring_.push_back(corner_of(*m_, v));
   }
