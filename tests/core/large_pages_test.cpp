@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cstdlib>
 #include <vector>
 
 using namespace concino::core;
@@ -23,6 +24,23 @@ TEST_CASE("large_pages: vectors have their values, whatever their size") {
     CHECK(v.capacity() >= n);
     CHECK(v == std::vector<int>{1, 2, 3});
   }
+}
+
+TEST_CASE("large_pages: reallocate_large keeps what is used, whatever the sizes and wherever the memory was") {
+  for (const std::size_t first : {1u, 1000u, 3000000u, 5000000u})
+    for (const std::size_t then : {2000u, 2097120u, 2097152u, 9000000u}) {
+      if (then < first) continue;
+      auto* const before = static_cast<unsigned char*>(reallocate_large(nullptr, 0, first));
+      REQUIRE(before);
+      for (std::size_t i = 0; i < first; ++i) before[i] = static_cast<unsigned char>(i * 7);
+      auto* const after = static_cast<unsigned char*>(reallocate_large(before, first, then));
+      REQUIRE(after);
+      std::size_t differ = 0;
+      for (std::size_t i = 0; i < first; ++i) differ += after[i] != static_cast<unsigned char>(i * 7);
+      CHECK(differ == 0);
+      for (std::size_t i = first; i < then; ++i) after[i] = 1;
+      std::free(after);
+    }
 }
 
 TEST_CASE("large_pages: make_room keeps the values, and trim ends the growth") {

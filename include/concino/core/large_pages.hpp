@@ -14,12 +14,19 @@
 #include <unistd.h>
 #endif
 
+namespace concino::detail {
+
+inline constexpr std::uintptr_t small_page = std::uintptr_t{1} << 12, large_page = std::uintptr_t{1} << 21;
+inline constexpr std::size_t malloc_header = 32;  // at most so many bytes of glibc lie before memory that it has mapped
+
+}  // namespace concino::detail
+
 namespace concino::core {
 
 /// Requests pages for memory that will be written at once, which takes the system less time than the first access to each page. This is only advice.
 inline void request_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
 #if defined(MADV_POPULATE_WRITE)
-  constexpr std::uintptr_t page = 1 << 12;
+  constexpr std::uintptr_t page = detail::small_page;
   if (bytes < 4 * page) return;
   const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(memory) & ~(page - 1);
   const std::uintptr_t last = (reinterpret_cast<std::uintptr_t>(memory) + bytes + page - 1) & ~(page - 1);
@@ -32,8 +39,8 @@ inline void request_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::s
 /// of different kinds by a copy, and realloc() would take longer.
 inline void prefer_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
 #if defined(__linux__)
-  constexpr std::size_t large_page = std::size_t{1} << 21, header = 32;
-  if (bytes + header < large_page) return;
+  constexpr std::uintptr_t large_page = detail::large_page;
+  if (bytes + detail::malloc_header < large_page) return;
   const auto page = static_cast<std::uintptr_t>(::getpagesize());
   const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(memory) & ~(page - 1);
   const std::uintptr_t last = (reinterpret_cast<std::uintptr_t>(memory) + bytes + page - 1) & ~(page - 1);
@@ -54,7 +61,7 @@ inline void prefer_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] s
 /// `max_unused` bytes would be added.
 inline std::size_t whole_pages(std::size_t bytes, std::size_t max_unused) {
 #if defined(__linux__)
-  constexpr std::size_t page = std::size_t{1} << 21, header = 32;
+  constexpr std::size_t page = detail::large_page, header = detail::malloc_header;
   const std::size_t whole = ((bytes + header + page - 1) & ~(page - 1)) - header;
   if (whole - bytes <= max_unused) return whole;
 #endif
@@ -64,8 +71,6 @@ inline std::size_t whole_pages(std::size_t bytes, std::size_t max_unused) {
 }  // namespace concino::core
 
 namespace concino::detail {
-
-inline constexpr std::uintptr_t large_page = std::uintptr_t{1} << 21;
 
 /// Whether large pages fit into this memory from its beginning on: glibc has mapped it, 16 bytes behind the beginning of one.
 inline bool is_on_large_pages(const void* memory) { return reinterpret_cast<std::uintptr_t>(memory) % large_page == 16; }
@@ -88,10 +93,9 @@ namespace concino::core {
 /// moves memory that it has mapped without a copy, but then its pages remain as they were. No result depends on this.
 inline void* reallocate_large(void* memory, std::size_t used, std::size_t bytes) {
 #if defined(__GLIBC__)
-  constexpr std::uintptr_t small_page = 4096;
   if (memory && bytes >= detail::large_page && !detail::is_on_large_pages(memory)) {
     void* const other = detail::reallocate_on_large_pages(nullptr, bytes);
-    if (other && (detail::is_on_large_pages(other) || reinterpret_cast<std::uintptr_t>(memory) % small_page != 16)) {
+    if (other && (detail::is_on_large_pages(other) || reinterpret_cast<std::uintptr_t>(memory) % detail::small_page != 16)) {
       prefer_large_pages(other, bytes);
       if (used > 0) std::memcpy(other, memory, used);
       std::free(memory);
