@@ -11,7 +11,7 @@
 //   face_is_outward(m, p, f)                 whether f's verts run counter-clockwise seen from outside poly p
 //   point(m, v) set_point(m, v, x)           coordinates
 //   contains(m, x)                           optional: whether x is an element of m now, in constant time
-//   prefetch(m, x)                           optional: requests the memory that is read to find what is adjacent to the element x; changes no result
+//   prefetch(m, e)                           optional: requests the memory that adj_e2v and adj_e2p of an edge read; changes no result
 //   edges_in_order                           optional: static constexpr bool; false if adj_p2e or adj_f2e violates SM7 or VM8: then the verbs sort
 //
 // Include the adapter, or specialise, before the first use of the type with this library: a call of an algorithm, a check of a concept. A later
