@@ -56,12 +56,15 @@ configure() {
   fi
 }
 
+# Compilers take memory from the C library in large pages and keep it. clang++ is up to three times as fast so where a page fault costs much.
+memory=glibc.malloc.hugetlb=1:glibc.malloc.top_pad=67108864:glibc.malloc.trim_threshold=1073741824:glibc.malloc.mmap_threshold=536870912
+
 # make <folder> <what> [target...]: keeps going after an error, shows the errors, counts each file that does not build.
 make() {
   local dir=$build/$1 what=$2 errors
   shift 2
   say "$what"
-  cmake --build "$dir" --parallel "$jobs" --target "${@:-all}" -- -k 0 >"$dir.build.log" 2>&1 && return 0
+  GLIBC_TUNABLES=$memory cmake --build "$dir" --parallel "$jobs" --target "${@:-all}" -- -k 0 >"$dir.build.log" 2>&1 && return 0
   awk '/^\[[0-9]+\/[0-9]+\]/ { show = 0 } /^FAILED: / { show = 1 } show' "$dir.build.log" | head -n 200
   errors=$(grep -c '^FAILED: ' "$dir.build.log")
   failed=$((failed + (errors > 0 ? errors : 1)))
