@@ -108,3 +108,11 @@ TEST_CASE("CGAL: what cannot be linked is refused with the reason") {
 TEST_CASE_TEMPLATE("CGAL: a path becomes edges", P, CONCINO_FIRST_OF(kernel_point, vec3)) {
   ct::embeds_a_path(ct::cgal_surface<P>(ct::triangle_grid(4)));
 }
+
+TEST_CASE_TEMPLATE("CGAL: a level set of a property map or of a map becomes edges", P, CONCINO_FIRST_OF(kernel_point, vec3)) {
+  auto m = ct::cgal_surface<P>(ct::triangle_grid(4)), n = m;
+  using mesh = decltype(m);
+  ct::embeds_a_level_set(m, m.template add_property_map<typename mesh::Vertex_index, double>("u").first);
+  ct::embeds_a_level_set(n, make_vert_map<double>(n));
+  CHECK(ct::foreign_state(m) == ct::foreign_state(n));
+}

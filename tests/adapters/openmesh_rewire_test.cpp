@@ -106,3 +106,15 @@ TEST_CASE_TEMPLATE("OpenMesh: a path becomes edges", M, CONCINO_FIRST_OF(tri_dou
   fill(m, ct::triangle_grid(4));
   ct::embeds_a_path(m);
 }
+
+TEST_CASE_TEMPLATE("OpenMesh: a level set of a property or of a map becomes edges", M, CONCINO_FIRST_OF(tri_double, poly_status)) {
+  M m;
+  fill(m, ct::triangle_grid(4));
+  OpenMesh::VPropHandleT<double> handle;
+  m.add_property(handle);
+  ct::embeds_a_level_set(m, as_map(m, handle));
+  M n;
+  fill(n, ct::triangle_grid(4));
+  ct::embeds_a_level_set(n, make_vert_map<double>(n));
+  CHECK(ct::foreign_state(m) == ct::foreign_state(n));
+}

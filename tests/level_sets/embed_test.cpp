@@ -149,6 +149,27 @@ TEST_CASE_TEMPLATE("embed: descriptors of elements that are not cut stay, and pr
   CHECK(validate(m).facts.manifold);
 }
 
+TEST_CASE_TEMPLATE("embed: a map gives what a property gives", M, trimesh, tetmesh) {
+  std::mt19937 random(4);
+  for (int i = 0; i < 5; ++i) {
+    M m = mesh_to_cut<M>(random), n = m;
+    const auto values = random_values(m, random, i % 2 == 0);
+    const auto u = vert_property<double>(m, "u");
+    auto w = make_vert_map<double>(n);
+    for (const auto v : verts(m)) w[v] = u[v] = values[v];
+    embed(m, 1.0, {.snap = 0.2});
+    if constexpr (dimension_v<M> == 3) embed_isosurface(n, w, 1.0, {.snap = 0.2});
+    else embed_isolines(n, w, 1.0, {.snap = 0.2});
+    CHECK(whole(n) == whole(m));
+    for (const auto v : verts(m)) CHECK(w[v] == u[v]);
+  }
+  const M other = make_grid<M>({.cells = {1, 1, 1}});
+  M m = other;
+  auto w = make_vert_map<double>(other);
+  if constexpr (dimension_v<M> == 3) CHECK_THROWS_AS((void)embed_isosurface(m, w, 0.5), invalid_argument);
+  else CHECK_THROWS_AS((void)embed_isolines(m, w, 0.5), invalid_argument);
+}
+
 TEST_CASE_TEMPLATE("embed: in a transaction it is undone and redone", M, trimesh, polygonmesh, tetmesh, polyhedralmesh) {
   std::mt19937 random(3);
   const auto record = [](const M& m) {

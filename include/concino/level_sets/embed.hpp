@@ -1,6 +1,7 @@
 // embed_isolines and embed_isosurface: level sets become edges or faces of a mesh.
 #pragma once
 
+#include <concino/concepts/maps.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/level_sets/detail/add_edge_between.hpp>
@@ -9,6 +10,7 @@
 #include <concino/mesh/element_map.hpp>
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -43,6 +45,10 @@ namespace requirement {
 
 /// Meshes that can have the parts of their polys: of general polys, of triangles or of tets.
 template<class M> concept has_room_for_parts = arity_v<M> == 0 || arity_v<M> == dimension_v<M> + 1;
+
+/// Maps of numbers at the verts of M that can be written.
+template<class U, class M>
+concept is_map_that_follows = !std::convertible_to<U, std::string_view> && gives_numbers<U, vert_t<M>> && WritableMap<U, vert_t<M>, double>;
 
 }  // namespace requirement
 
@@ -86,9 +92,40 @@ void embed_parts(M& m, U& u, double level, const Crossed& crossed, const Parts& 
 template<class M, class U>
 vert_map<M, double> snapped_values(const M& m, const U& u, double level, const std::vector<vert_t<M>>& snapped) {
   auto values = make_vert_map<double>(m);
-  for (const vert_t<M> v : verts(m)) values[v] = u[v];
+  for (const vert_t<M> v : verts(m)) values[v] = static_cast<double>(u[v]);
   for (const vert_t<M>& v : snapped) values[v] = level;
   return values;
+}
+
+/// u is a property or a map, whose values are not checked.
+template<class M, class U>
+embedded_lines<M> embed_lines(M& m, U& u, double value, const embed_options& options) {
+  constexpr const char* caller = "embed_isolines";
+  sort_levels({value}, caller);
+  check_vert_values(m, u, caller);
+  embedded_lines<M> result;
+  result.snapped = verts_to_snap(m, u, value, options.snap);
+  const auto values = snapped_values(m, u, value, result.snapped);
+  const crossed_surface_reader<M> crossed(m, values, value, crossed_polys(m, level_states(m, values, value, caller)));
+  poly_cuts cuts(crossed.arrays, value);
+  const poly_parts parts(cuts);
+  embed_parts(m, u, value, crossed, parts, result, result.edges, [&](const level_place& x) { return crossed.origins_of(x, value); }, caller);
+  return result;
+}
+template<class M, class U>
+embedded_surface<M> embed_surface(M& m, U& u, double value, const embed_options& options) {
+  constexpr const char* caller = "embed_isosurface";
+  sort_levels({value}, caller);
+  check_vert_values(m, u, caller);
+  embedded_surface<M> result;
+  result.snapped = verts_to_snap(m, u, value, options.snap);
+  const auto values = snapped_values(m, u, value, result.snapped);
+  const crossed_volume_reader<M> crossed(m, values, value, crossed_polys(m, level_states(m, values, value, caller)));
+  constexpr auto surface = arity_v<M> == 0 ? cell_cuts::cells_are::unknown : cell_cuts::cells_are::spheres;
+  cell_cuts cuts(crossed.arrays, surface, caller, crossed.poly_indices);
+  const cell_parts parts(cuts);
+  embed_parts(m, u, value, crossed, parts, result, result.faces, [&](const level_place& x) { return crossed.origins_of(x); }, caller);
+  return result;
 }
 
 }  // namespace detail
@@ -105,17 +142,21 @@ vert_map<M, double> snapped_values(const M& m, const U& u, double level, const s
 template<EditableSurfaceMesh M>
   requires HasProperties<M> && requirement::has_room_for_parts<M>
 embedded_lines<M> embed_isolines(M& m, std::string_view name, double value, const embed_options& options = {}) {
-  constexpr const char* caller = "embed_isolines";
-  detail::check_snap(options.snap, caller);
-  auto u = detail::level_property(m, name, value, caller);
-  embedded_lines<M> result;
-  result.snapped = detail::verts_to_snap(m, u, value, options.snap);
-  const auto values = detail::snapped_values(m, u, value, result.snapped);
-  const detail::crossed_surface_reader<M> crossed(m, values, value, detail::crossed_polys(m, detail::level_states(m, values, value, caller)));
-  detail::poly_cuts cuts(crossed.arrays, value);
-  const detail::poly_parts parts(cuts);
-  detail::embed_parts(m, u, value, crossed, parts, result, result.edges, [&](const detail::level_place& x) { return crossed.origins_of(x, value); }, caller);
-  return result;
+  detail::check_snap(options.snap, "embed_isolines");
+  auto u = detail::level_property(m, name, "embed_isolines");
+  return detail::embed_lines(m, u, value, options);
+}
+
+/// Makes the level set {u = value} of a map at verts edges of the surface.
+/// Needs:  EditableSurfaceMesh M of general polygons or of triangles; u a map of numbers at verts that can be written and follows the verts: vert_map, or a
+///         property of OpenMesh or CGAL. If u has a member resize(n), it is called before the edit, with the index bound of the verts afterwards.
+/// Result: as above; u is `value` at all new verts, and at those that are snapped.      Cost: as above.
+/// Errors: as above, and invalid_argument if u is a map of another mesh. An undone transaction does not restore u at verts that were snapped.
+template<EditableSurfaceMesh M, class U>
+  requires requirement::has_room_for_parts<M> && requirement::is_map_that_follows<U, M>
+embedded_lines<M> embed_isolines(M& m, U&& u, double value, const embed_options& options = {}) {
+  detail::check_snap(options.snap, "embed_isolines");
+  return detail::embed_lines(m, u, value, options);
 }
 
 /// Makes the level set {u = value} of a property of verts faces of the volume.
@@ -128,18 +169,20 @@ embedded_lines<M> embed_isolines(M& m, std::string_view name, double value, cons
 template<EditableVolumeMesh M>
   requires HasProperties<M> && requirement::has_room_for_parts<M>
 embedded_surface<M> embed_isosurface(M& m, std::string_view name, double value, const embed_options& options = {}) {
-  constexpr const char* caller = "embed_isosurface";
-  detail::check_snap(options.snap, caller);
-  auto u = detail::level_property(m, name, value, caller);
-  embedded_surface<M> result;
-  result.snapped = detail::verts_to_snap(m, u, value, options.snap);
-  const auto values = detail::snapped_values(m, u, value, result.snapped);
-  const detail::crossed_volume_reader<M> crossed(m, values, value, detail::crossed_polys(m, detail::level_states(m, values, value, caller)));
-  constexpr auto surface = arity_v<M> == 0 ? detail::cell_cuts::cells_are::unknown : detail::cell_cuts::cells_are::spheres;
-  detail::cell_cuts cuts(crossed.arrays, surface, caller, crossed.poly_indices);
-  const detail::cell_parts parts(cuts);
-  detail::embed_parts(m, u, value, crossed, parts, result, result.faces, [&](const detail::level_place& x) { return crossed.origins_of(x); }, caller);
-  return result;
+  detail::check_snap(options.snap, "embed_isosurface");
+  auto u = detail::level_property(m, name, "embed_isosurface");
+  return detail::embed_surface(m, u, value, options);
+}
+
+/// Makes the level set {u = value} of a map at verts faces of the volume.
+/// Needs:  EditableVolumeMesh M of general polyhedra or of tets; u as in embed_isolines.
+/// Result: as above; u is `value` at new verts on edges, and at those that are snapped.      Cost: as above.
+/// Errors: as above, and invalid_argument if u is a map of another mesh. An undone transaction does not restore u at verts that were snapped.
+template<EditableVolumeMesh M, class U>
+  requires requirement::has_room_for_parts<M> && requirement::is_map_that_follows<U, M>
+embedded_surface<M> embed_isosurface(M& m, U&& u, double value, const embed_options& options = {}) {
+  detail::check_snap(options.snap, "embed_isosurface");
+  return detail::embed_surface(m, u, value, options);
 }
 
 // What to write instead of calls that cannot compile.

@@ -56,7 +56,7 @@ struct map_storage<T> {
 /// A value of type T for every X (a descriptor type) of a mesh of type M, in one array.
 /// Needs:  index_of(m, x). The mesh is not moved or destroyed while the map is used; of a view the map keeps a copy.
 /// Result: map[x] is a reference; bools are stored as unsigned char, so it is one for them too.
-///         Elements added to the mesh after the map was made have no value in it: asking for one is a programming error (assert).
+///         Elements added to the mesh after the map was made have no value in it until resize(): asking for one is a programming error (assert).
 /// Cost:   one array of index_bound values.
 template<class M, class X, class T>
   requires(!std::is_reference_v<M> && !std::is_const_v<M>)
@@ -93,6 +93,9 @@ class element_map {
     if constexpr (std::is_same_v<T, bool>) return value != 0;
     else return value;
   }
+
+  /// Changes the number of values, so that elements added to the mesh have one, too; it has no initial value. `bound` is an index bound of the mesh.
+  void resize(std::size_t bound) { values_.resize(bound); }
 
   const M& mesh() const { return mesh_.get(); }
   /// All values, by index_of; those at the indices of deleted elements are meaningless.

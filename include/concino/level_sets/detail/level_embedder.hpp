@@ -12,6 +12,7 @@
 #include <concino/mesh/property.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -19,15 +20,12 @@
 
 namespace concino::detail {
 
-/// The property with this name, whose values are checked.
+/// The property with this name.
 template<class M>
-auto level_property(M& m, std::string_view name, double level, const char* caller) {
+auto level_property(M& m, std::string_view name, const char* caller) {
   if (!find_vert_property<double>(m, name))
     core::throw_joined<invalid_argument>({caller, ": the verts have no property \"", name, "\" of type double; vert_property<double>(m, name) makes one"});
-  sort_levels({level}, caller);
-  auto u = vert_property<double>(m, name);
-  check_vert_values(m, u, caller);
-  return u;
+  return vert_property<double>(m, name);
 }
 
 /// Finds the verts near which the level set crosses an edge, nearer than a fraction of that.
@@ -36,11 +34,11 @@ std::vector<vert_t<M>> verts_to_snap(const M& m, const U& u, double level, doubl
   std::vector<vert_t<M>> found;
   if (!(fraction > 0)) return found;
   for (const vert_t<M> v : verts(m)) {
-    const double x = u[v];
+    const double x = static_cast<double>(u[v]);
     if (x == level) continue;
     for (const edge_t<M> e : adj_v2e(m, v)) {
       const auto ends = end_verts(m, e);
-      const double y = u[ends.first == v ? ends.second : ends.first];
+      const double y = static_cast<double>(u[ends.first == v ? ends.second : ends.first]);
       if ((x < level) == (y < level) || y == level) continue;
       const double t = x < level ? crossing_parameter(x, y, level) : 1 - crossing_parameter(y, x, level);  // from v
       if (t >= fraction) continue;
@@ -49,6 +47,12 @@ std::vector<vert_t<M>> verts_to_snap(const M& m, const U& u, double level, doubl
     }
   }
   return found;
+}
+
+/// Makes room in a map of the library for verts that are added. Named properties, and those of other libraries, grow with their mesh.
+template<class M, class U>
+void make_room_for_verts(const M& m, U& u, std::size_t num_added) {
+  if constexpr (requires { u.resize(num_added); }) u.resize(vert_index_bound(m) + num_added);
 }
 
 /// Crossed: the reader of the polys that the level set crosses.
@@ -97,6 +101,7 @@ class level_embedder {
   void run(M& m, U& u, const std::vector<vert_t<M>>& snapped, const char* caller) {
     const cavity<M> c{span(polys_), span(verts_), span(points_), span(lists_.corners), span(lists_.ends), span(lists_.poly_ends), polys_.size(), 0};
     if (const permission p = can_replace_polys(m, c); !p) core::throw_joined<unsupported>({caller, ": ", p.why});
+    if (!points_.empty()) make_room_for_verts(m, u, points_.size());
     replace_polys(m, c, cavity_result<M>{new_verts.data(), new_polys.data()}, from_, snapped, [&] {
       for (std::size_t i = 0; i < new_verts.size(); ++i) {
         const level_place& x = places_[lists_.places[i]];
