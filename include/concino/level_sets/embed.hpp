@@ -48,7 +48,7 @@ template<class M> concept has_room_for_parts = arity_v<M> == 0 || arity_v<M> == 
 
 /// Maps of numbers at the verts of M that can be written.
 template<class U, class M>
-concept is_map_that_follows = !std::convertible_to<U, std::string_view> && gives_numbers<U, vert_t<M>> && WritableMap<U, vert_t<M>, double>;
+concept is_writable_number_map = !std::convertible_to<U, std::string_view> && gives_numbers<U, vert_t<M>> && WritableMap<U, vert_t<M>, double>;
 
 }  // namespace requirement
 
@@ -97,7 +97,7 @@ vert_map<M, double> snapped_values(const M& m, const U& u, double level, const s
   return values;
 }
 
-/// u is a property or a map, whose values are not checked.
+/// u: the property or the map.
 template<class M, class U>
 embedded_lines<M> embed_lines(M& m, U& u, double value, const embed_options& options) {
   constexpr const char* caller = "embed_isolines";
@@ -153,7 +153,7 @@ embedded_lines<M> embed_isolines(M& m, std::string_view name, double value, cons
 /// Result: as above; u is `value` at all new verts, and at those that are snapped.      Cost: as above.
 /// Errors: as above, and invalid_argument if u is a map of another mesh. An undone transaction does not restore u at verts that were snapped.
 template<EditableSurfaceMesh M, class U>
-  requires requirement::has_room_for_parts<M> && requirement::is_map_that_follows<U, M>
+  requires requirement::has_room_for_parts<M> && requirement::is_writable_number_map<U, M>
 embedded_lines<M> embed_isolines(M& m, U&& u, double value, const embed_options& options = {}) {
   detail::check_snap(options.snap, "embed_isolines");
   return detail::embed_lines(m, u, value, options);
@@ -179,7 +179,7 @@ embedded_surface<M> embed_isosurface(M& m, std::string_view name, double value, 
 /// Result: as above; u is `value` at new verts on edges, and at those that are snapped.      Cost: as above.
 /// Errors: as above, and invalid_argument if u is a map of another mesh. An undone transaction does not restore u at verts that were snapped.
 template<EditableVolumeMesh M, class U>
-  requires requirement::has_room_for_parts<M> && requirement::is_map_that_follows<U, M>
+  requires requirement::has_room_for_parts<M> && requirement::is_writable_number_map<U, M>
 embedded_surface<M> embed_isosurface(M& m, U&& u, double value, const embed_options& options = {}) {
   detail::check_snap(options.snap, "embed_isosurface");
   return detail::embed_surface(m, u, value, options);
