@@ -1,4 +1,5 @@
-// Measures the readers of compressed files: from a text in memory to flat arrays. The floor decompresses the same blocks into memory that is there already.
+// Measures the readers of compressed files: from a text in memory to flat arrays. The floor is zlib alone: its uncompress() of the same blocks, each into the
+// same 32 KiB, which stay in the cache.
 #include "support/compressed_vtu.hpp"
 #include "support/program.hpp"
 
@@ -8,6 +9,8 @@
 
 #include <utility>
 #include <vector>
+
+#include <zlib.h>
 
 namespace {
 
@@ -49,7 +52,8 @@ void measure(const bench::program& p, const std::string& mesh, const M& m) {
     return bench::seconds_of([&] {
       unsigned sum = 0;
       for (const block& b : blocks) {
-        if (!concino::zlib_inflate(b.from, b.compressed_size, room.data(), b.size)) throw std::runtime_error(work + ": zlib refuses a block");
+        uLongf size = b.size;
+        if (uncompress(room.data(), &size, b.from, b.compressed_size) != Z_OK || size != b.size) throw std::runtime_error(work + ": zlib refuses a block");
         sum += room[0];
       }
       return sum;
