@@ -52,3 +52,16 @@ TEST_CASE("element_origins: origins are kept when an element gets several") {
   const element_origins copy = o;
   CHECK(listed(copy[2]) == listed(o[2]));
 }
+
+TEST_CASE("element_origins: several can be set for elements in any order") {
+  element_origins o(std::vector<std::uint32_t>(200, element_origins::none));
+  const std::vector<origin> late{{5, 0.25}, {6, 0.75}}, early{{2, 0.5}};
+  o.set(190, late);
+  o.set(3, early);
+  o.add(9);
+  CHECK(o.size() == 201);
+  CHECK(listed(o[190]) == late);
+  CHECK(listed(o[3]) == early);
+  CHECK(listed(o[191]).empty());
+  CHECK(o.only(200) == 9);
+}

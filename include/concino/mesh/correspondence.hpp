@@ -121,17 +121,8 @@ class single_origins {
   bool is_set(std::size_t i) const { return index_[i] != element_origins::none; }
 
   element_origins collect() && {
-    std::sort(weighted_.begin(), weighted_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    if (weighted_.empty()) return element_origins(std::move(index_));
-    const std::uint32_t first = weighted_.front().first;
-    const std::vector<std::uint32_t> others(index_.begin() + first, index_.end());
-    index_.resize(first);
     element_origins origins(std::move(index_));
-    auto next = weighted_.begin();
-    for (std::uint32_t k = 0; k < others.size(); ++k) {
-      if (next != weighted_.end() && next->first == first + k) origins.add({(next++)->second});
-      else origins.add(others[k]);
-    }
+    for (const auto& [i, x] : weighted_) origins.set(i, std::span<const origin>(&x, 1));
     return origins;
   }
 };

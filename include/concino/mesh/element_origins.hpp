@@ -22,9 +22,12 @@ struct origin {
 /// The origins of the elements of one kind in a new mesh, by index: the elements of that kind in the mesh before of which each was made; none, one
 /// or several. Copies and parts of a split element have that element as origin. A merged element has several origins, and so has an interpolated one.
 class element_origins {
-  std::vector<std::uint32_t> single_;  // of the elements before the first one that has several origins, or a weight other than 1
-  std::vector<std::size_t> first_;     // of the others: where the origins of each begin, and where the last end
+  std::vector<std::uint32_t> single_;   // by element: its origin; of those with a list, its number
+  std::vector<std::uint64_t> has_list_;  // a bit for each element up to the last one that has several origins, or a weight other than 1
+  std::vector<std::size_t> first_;      // by list: where it begins, and where the last ends
   std::vector<origin> list_;
+
+  bool has_list(std::size_t i) const { return i / 64 < has_list_.size() && (has_list_[i / 64] >> i % 64 & 1u); }
 
  public:
   static constexpr std::uint32_t none = ~0u;
@@ -69,11 +72,11 @@ class element_origins {
   explicit element_origins(std::vector<std::uint32_t> single) : single_(std::move(single)) {}
 
   /// The number of elements with known origins: the index bound of the new mesh, once it is complete.
-  std::size_t size() const { return single_.size() + (first_.empty() ? 0 : first_.size() - 1); }
+  std::size_t size() const { return single_.size(); }
   range operator[](std::size_t i) const {
     assert(i < size());
-    if (i < single_.size()) return range(single_[i]);
-    const std::size_t k = i - single_.size();
+    if (!has_list(i)) return range(single_[i]);
+    const std::size_t k = single_[i];
     return range(list_.data() + first_[k], first_[k + 1] - first_[k]);
   }
   /// The origin of an element that has exactly one, else `none`.
@@ -83,22 +86,25 @@ class element_origins {
   }
 
   /// Adds the origins of the next element, whose index is size() before the call.
-  void add(std::uint32_t one) {
-    if (first_.empty()) {
-      single_.push_back(one);
-    } else {
-      if (one != none) list_.push_back({one});
-      first_.push_back(list_.size());
-    }
-  }
+  void add(std::uint32_t one) { single_.push_back(one); }
   void add(std::span<const origin> several) {
+    single_.push_back(none);
+    set(single_.size() - 1, several);
+  }
+  void add(std::initializer_list<origin> several) { add(std::span<const origin>(several.begin(), several.size())); }
+
+  /// Sets the origins of an element that had at most one.
+  void set(std::size_t i, std::span<const origin> several) {
+    assert(i < size() && !has_list(i));
     if (first_.empty()) first_.push_back(0);
+    if (has_list_.size() <= i / 64) has_list_.resize(i / 64 + 1);
+    has_list_[i / 64] |= std::uint64_t{1} << i % 64;
+    single_[i] = static_cast<std::uint32_t>(first_.size() - 1);
     const std::size_t before = list_.size();
     list_.resize(before + several.size());
     for (std::size_t k = 0; k < several.size(); ++k) list_[before + k] = several[k];
     first_.push_back(list_.size());
   }
-  void add(std::initializer_list<origin> several) { add(std::span<const origin>(several.begin(), several.size())); }
 };
 
 /// The origins of all verts, edges, faces and polys of a new mesh, by index. A kind of elements with unknown origins is empty. The origins of edges
