@@ -23,6 +23,10 @@ TEST_CASE("large_pages: vectors have their values, whatever their size") {
     reserve_large(v, n);
     CHECK(v.capacity() >= n);
     CHECK(v == std::vector<int>{1, 2, 3});
+    std::vector<int> exact{1, 2, 3};
+    reserve_exact(exact, n);
+    CHECK(exact.capacity() >= n);
+    CHECK(exact == std::vector<int>{1, 2, 3});
   }
 }
 

@@ -122,6 +122,17 @@ void reserve_large(std::vector<T>& v, std::size_t n) {
   v.swap(larger);
 }
 
+/// Reserves memory for exactly n elements, for arrays that are kept.
+template<class T>
+void reserve_exact(std::vector<T>& v, std::size_t n) {
+  if (n <= v.capacity()) return;
+  std::vector<T> larger;
+  larger.reserve(n);
+  prefer_large_pages(larger.data(), n * sizeof(T));
+  larger.assign(v.begin(), v.end());
+  v.swap(larger);
+}
+
 /// A vector of n equal values.
 template<class T>
 std::vector<T> large_vector(std::size_t n, const T& value) {

@@ -1,11 +1,14 @@
 // The verts of a clipped mesh, and of what its elements were made.
 #pragma once
 
+#include <concino/core/large_pages.hpp>
 #include <concino/level_sets/detail/level_place.hpp>
 #include <concino/mesh/correspondence.hpp>
 #include <concino/mesh/mesh_point.hpp>
 #include <concino/mesh/property.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -29,6 +32,8 @@ class clip_verts {
   double level_;
   std::vector<std::uint32_t> number_;           // by index of the vert in m
   std::vector<std::uint32_t> number_of_place_;  // by place that is not a vert of m
+  std::vector<std::uint32_t> new_places_;       // by new vert
+  std::uint32_t num_kept_ = 0;
 
   bool is_vert(const level_place& x) const { return x.kind == level_place::vert && crossed_.vert_indices[x.above] != ~0u; }
 
@@ -49,8 +54,13 @@ class clip_verts {
   /// origins_of(place) lists the verts of m of which a place was made.
   template<class OriginsOf>
   void number(const OriginsOf& origins_of) {
+    const auto is_marked = [](std::uint32_t x) { return x != ~0u; };
+    const auto num_kept = static_cast<std::size_t>(std::count_if(number_.begin(), number_.end(), is_marked));
+    const auto num_new = static_cast<std::size_t>(std::count_if(number_of_place_.begin(), number_of_place_.end(), is_marked));
     std::uint32_t n = 0;
     std::vector<std::uint32_t> kept;
+    core::reserve_exact(points, num_kept + num_new);
+    core::reserve_exact(kept, num_kept + num_new);
     for (const vert_t<M> v : verts(m_)) {
       const auto index = static_cast<std::uint32_t>(index_of(m_, v));
       if (number_[index] == ~0u) continue;
@@ -58,16 +68,23 @@ class clip_verts {
       points.push_back(to_vec3(point(m_, v)));
       kept.push_back(index);
     }
+    num_kept_ = n;
+    new_places_.reserve(num_new);
     origins = element_origins(std::move(kept));
     for (std::size_t i = 0; i < places_.size(); ++i) {
       if (number_of_place_[i] == ~0u) continue;
       number_of_place_[i] = n++;
+      new_places_.push_back(static_cast<std::uint32_t>(i));
       const level_place& x = places_[i];
       const double t = x.kind == level_place::vert ? 1 : crossing_parameter(crossed_.values[x.below], crossed_.values[x.above], level_);
       points.push_back(crossing_point(crossed_.points[x.below], crossed_.points[x.above], t));
       origins.add(std::span<const origin>(origins_of(x)));
     }
   }
+
+  /// The number of verts that are kept; new ones follow.
+  std::uint32_t num_kept() const { return num_kept_; }
+  const level_place& place_of(const vert_id& made) const { return places_[new_places_[made.raw() - num_kept_]]; }
 
   vert_id of(const vert_t<M>& v) const { return vert_id{number_[index_of(m_, v)]}; }
   vert_id of_place(std::uint32_t place) const {

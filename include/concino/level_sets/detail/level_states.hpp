@@ -6,6 +6,7 @@
 #include <concino/core/collect.hpp>
 #include <concino/core/error.hpp>
 #include <concino/core/flat_array.hpp>
+#include <concino/core/parallel.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -51,6 +52,23 @@ core::flat_array<unsigned char> level_states(const M& m, const U& u, double leve
       },
       8192);
   return states;
+}
+
+/// The states of all verts of each poly, by index of the poly.
+template<class M>
+core::flat_array<unsigned char> poly_states(const M& m, const core::flat_array<unsigned char>& states) {
+  core::flat_array<unsigned char> of_polys(poly_index_bound(m));
+  const unsigned char* const of_verts = states.data();
+  unsigned char* const all = of_polys.data();
+  parallel_for_each(
+      polys(m),
+      [&m, of_verts, all](const poly_t<M>& p) {
+        unsigned char joint = 0;
+        for (const vert_t<M> v : adj_p2v(m, p)) joint |= of_verts[index_of(m, v)];
+        all[index_of(m, p)] = joint;
+      },
+      8192);
+  return of_polys;
 }
 
 /// The polys with verts below the level set and others, in the order of polys(m).

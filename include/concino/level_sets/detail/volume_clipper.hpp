@@ -6,6 +6,7 @@
 #include <concino/geometry/measure.hpp>
 #include <concino/level_sets/clip_options.hpp>
 #include <concino/level_sets/detail/cell_parts.hpp>
+#include <concino/level_sets/detail/clip_edges.hpp>
 #include <concino/level_sets/detail/clip_verts.hpp>
 #include <concino/level_sets/detail/convex_cells.hpp>
 #include <concino/level_sets/detail/crossed_volume_reader.hpp>
@@ -25,20 +26,20 @@ class volume_clipper {
   const M& m_;
   double level_;
   bool both_;
-  core::flat_array<unsigned char> states_;
+  core::flat_array<unsigned char> states_;  // of polys: those of all their verts
   crossed_volume_reader<M> crossed_;
   cell_cuts cuts_;
   std::vector<poly_t<M>> whole_;
   std::vector<std::uint32_t> cut_;          // parts
   std::vector<std::uint32_t> face_number_;  // by index of the face in m
   std::vector<std::uint32_t> new_face_;     // by face of the parts
-  std::size_t num_faces_ = 0, num_corners_ = 0;  // of the faces of the result
+  std::size_t num_faces_ = 0, num_corners_ = 0, num_poly_faces_ = 0;  // of the result
   polyhedra_arrays a_;
   clipped_volume<M> result_;
 
  public:
   volume_clipper(const M& m, const U& u, double level, bool both, const char* caller)
-      : m_(m), level_(level), both_(both), states_(level_states(m, u, level, caller)), crossed_(m, u, level, crossed_polys(m, states_)),
+      : m_(m), level_(level), both_(both), states_(poly_states(m, level_states(m, u, level, caller))), crossed_(m, u, level, list_crossed()),
         cuts_(crossed_.arrays, surface, caller, crossed_.poly_indices), face_number_(face_index_bound(m), ~0u) {}
 
   clipped_volume<M> run(const clip_options& options, const char* caller) {
@@ -56,13 +57,20 @@ class volume_clipper {
     result_.mesh = polyhedralmesh(std::move(a_));
     report_progress(options.progress, 0.8, "clipping");
     list_poly_origins(parts);
-    list_edge_origins(verts_of);
+    result_.from.edges = clip_edges<M>(m_, result_.mesh, result_.from.verts, verts_of).list();
     if (options.properties) transfer_if_any(m_, result_.mesh, result_.from);
     report_progress(options.progress, 1, "clipping");
     return std::move(result_);
   }
 
  private:
+  std::vector<poly_t<M>> list_crossed() const {
+    std::vector<poly_t<M>> crossed;
+    for (const poly_t<M> p : polys(m_))
+      if (is_crossed(states_[index_of(m_, p)])) crossed.push_back(p);
+    return crossed;
+  }
+
   void report_concave_polys(const clip_options& options, const char* caller) {
     std::vector<unsigned char> is_cut(crossed_.polys.size(), 0);
     for (const cell_cuts::loop& l : cuts_.loops()) is_cut[l.cell] |= l.cuts;
@@ -78,17 +86,17 @@ class volume_clipper {
   void choose_polys(const cell_parts& parts, clip_verts<M, crossed_volume>& verts_of) {
     const auto keep = [&](const poly_t<M>& p, bool above) {
       if (!above && !both_) return;
-      for (const face_t<M> f : adj_p2f(m_, p)) face_number_[index_of(m_, f)] = 0;
+      for (const face_t<M> f : adj_p2f(m_, p)) face_number_[index_of(m_, f)] = 0, ++num_poly_faces_;
       for (const vert_t<M> v : adj_p2v(m_, p)) verts_of.mark(v);
       whole_.push_back(p);
       result_.above.push_back(above);
     };
+    const std::size_t all = num_polys(m_);  // an upper bound, which costs addresses only
+    whole_.reserve(all), result_.above.reserve(all);
     std::size_t next = 0, part = 0;
     for (const poly_t<M> p : polys(m_)) {
-      if (next == crossed_.polys.size() || !(crossed_.polys[next] == p)) {
-        const auto& corners = adj_p2v(m_, p);
-        const vert_t<M> first = *corners.begin();
-        keep(p, states_[index_of(m_, first)] != below_level);
+      if (const unsigned char s = states_[index_of(m_, p)]; !is_crossed(s)) {
+        keep(p, s != below_level);
         continue;
       }
       for (; part < parts.parts.size() && parts.parts[part].cell == next; ++part) {
@@ -100,7 +108,7 @@ class volume_clipper {
     }
     new_face_.assign(parts.faces.size(), ~0u);
     for (const std::uint32_t i : cut_)
-      for (std::uint32_t k = parts.parts[i].first; k < parts.parts[i].last; ++k) {
+      for (std::uint32_t k = parts.parts[i].first; k < parts.parts[i].last; ++k, ++num_poly_faces_) {
         const std::uint32_t f = parts.part_faces[k];
         if (parts.faces[f].is_whole) {
           if (std::uint32_t& number = face_number_[parts.faces[f].origin]; number == ~0u) number = of_part_only;
@@ -123,11 +131,11 @@ class volume_clipper {
   void build_faces(const cell_parts& parts, clip_verts<M, crossed_volume>& verts_of) {
     verts_of.number([&](const level_place& x) { return crossed_.origins_of(x); });
     std::uint32_t n = number_marked(m_, faces(m_), face_number_);
-    core::reserve_large(a_.face_offsets, num_faces_ + 1);
-    core::reserve_large(a_.face_verts, num_corners_);
+    core::reserve_exact(a_.face_offsets, num_faces_ + 1);
+    core::reserve_exact(a_.face_verts, num_corners_);
     a_.face_offsets.push_back(0);
     std::vector<std::uint32_t> origins;
-    core::reserve_large(origins, num_faces_);
+    core::reserve_exact(origins, num_faces_);
     const auto end_face = [&](std::uint32_t origin) {
       a_.face_offsets.push_back(static_cast<std::uint32_t>(a_.face_verts.size()));
       origins.push_back(origin);
@@ -153,9 +161,9 @@ class volume_clipper {
   }
 
   void build_polys(const cell_parts& parts) {
-    core::reserve_large(a_.poly_offsets, whole_.size() + cut_.size() + 1);
-    core::reserve_large(a_.poly_faces, 2 * num_faces_);
-    core::reserve_large(a_.outward, 2 * num_faces_);
+    core::reserve_exact(a_.poly_offsets, whole_.size() + cut_.size() + 1);
+    core::reserve_exact(a_.poly_faces, num_poly_faces_);
+    core::reserve_exact(a_.outward, num_poly_faces_);
     a_.poly_offsets.push_back(0);
     const auto end_poly = [&] { a_.poly_offsets.push_back(static_cast<std::uint32_t>(a_.poly_faces.size())); };
     for (const poly_t<M>& p : whole_) {
@@ -182,24 +190,6 @@ class volume_clipper {
       if (!(size > 0)) ++result_.report.inverted_parts;
       result_.from.polys.add({origin{crossed_.poly_indices[parts.parts[cut_[i]].cell], size > 0 ? size : 0}});
     }
-  }
-
-  /// Edges between two verts of m follow from the edges there, which are in about the same order in both meshes; others follow from their verts.
-  void list_edge_origins(const clip_verts<M, crossed_volume>& verts_of) {
-    const polyhedralmesh& made = result_.mesh;
-    single_origins found(edge_index_bound(made));
-    for (const edge_t<M> e : edges(m_)) {
-      const auto ends = end_verts(m_, e);
-      const vert_id a = verts_of.of(ends.first), b = verts_of.of(ends.second);
-      if (a.is_none() || b.is_none()) continue;
-      const auto others = adj_v2v(made, a);  // in the same order as the edges
-      const auto at = std::find(others.begin(), others.end(), b);
-      if (at != others.end()) found.set(adj_v2e(made, a)[static_cast<std::size_t>(at - others.begin())].raw(), static_cast<std::uint32_t>(index_of(m_, e)));
-    }
-    const elements_by_index<vert_t<M>> by_index(m_, verts(m_), vert_index_bound(m_));
-    for (const edge_id e : edges(result_.mesh))
-      if (!found.is_set(e.raw())) found.set(e.raw(), match_edge(m_, result_.mesh, result_.from.verts, by_index, e));
-    result_.from.edges = std::move(found).collect();
   }
 };
 
