@@ -5,6 +5,7 @@
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/level_sets/detail/add_edge_between.hpp>
+#include <concino/level_sets/detail/crossed_tet_reader.hpp>
 #include <concino/level_sets/detail/level_embedder.hpp>
 #include <concino/level_sets/detail/level_states.hpp>
 #include <concino/mesh/element_map.hpp>
@@ -76,16 +77,20 @@ void add_element(const M& m, const std::vector<vert_t<M>>& corners, std::vector<
   }
 }
 
-/// Cuts m along the level set of the values, which are those of u, or `level` at snapped verts. cut: the edges or faces on it.
-template<class M, class U, class Crossed, class Parts, class Result, class Elements, class OriginsOf>
-void embed_parts(M& m, U& u, double level, const Crossed& crossed, const Parts& parts, Result& result, Elements& cut, const OriginsOf& origins_of, const char* caller) {
-  const embedding_lists lists = list_embedding(parts, crossed.arrays, arity_v<M> != 0);
-  level_embedder<M, Crossed> embedder(m, crossed, level, lists, parts.places, origins_of);
-  for (const std::uint32_t v : parts.moved_verts) result.moved_verts.push_back(crossed.verts[v]);
+/// Replaces polys of m as the lists say. u: its values; they become `level` at snapped verts. cut: the edges or faces on the level set.
+template<class M, class U, class Crossed, class Result, class Elements, class OriginsOf>
+void embed_lists(M& m, U& u, double level, const Crossed& crossed, const embedding_lists& lists, const std::vector<level_place>& places, Result& result,
+                 Elements& cut, const OriginsOf& origins_of, const char* caller) {
+  level_embedder<M, Crossed> embedder(m, crossed, level, lists, places, origins_of);
   cut.reserve(lists.cut_ends.size());
   embedder.run(m, u, result.snapped, caller);
   embedder.for_each_cut([&](const std::vector<vert_t<M>>& corners) { add_element(m, corners, cut); });
   result.verts = std::move(embedder.new_verts);
+}
+template<class M, class U, class Crossed, class Parts, class Result, class Elements, class OriginsOf>
+void embed_parts(M& m, U& u, double level, const Crossed& crossed, const Parts& parts, Result& result, Elements& cut, const OriginsOf& origins_of, const char* caller) {
+  for (const std::uint32_t v : parts.moved_verts) result.moved_verts.push_back(crossed.verts[v]);
+  embed_lists(m, u, level, crossed, list_embedding(parts, crossed.arrays, arity_v<M> != 0), parts.places, result, cut, origins_of, caller);
 }
 
 /// The values of u, and `level` at verts that are snapped.
@@ -120,7 +125,16 @@ embedded_surface<M> embed_surface(M& m, U& u, double value, const embed_options&
   embedded_surface<M> result;
   result.snapped = verts_to_snap(m, u, value, options.snap);
   const auto values = snapped_values(m, u, value, result.snapped);
-  const crossed_volume_reader<M> crossed(m, values, value, crossed_polys(m, level_states(m, values, value, caller)));
+  const auto states = level_states(m, values, value, caller);
+  std::vector<poly_t<M>> polys = crossed_polys(m, states);
+  if constexpr (arity_v<M> == 4) {  // a few cases, by the signs of the verts
+    const crossed_tet_reader<M> crossed(m, values, value, states, polys);
+    if (crossed.can_cut) {
+      embed_lists(m, u, value, crossed, crossed.cutter.lists, crossed.cutter.places, result, result.faces, [&](const level_place& x) { return crossed.origins_of(x); }, caller);
+      return result;
+    }
+  }
+  const crossed_volume_reader<M> crossed(m, values, value, std::move(polys));
   constexpr auto surface = arity_v<M> == 0 ? cell_cuts::cells_are::unknown : cell_cuts::cells_are::spheres;
   cell_cuts cuts(crossed.arrays, surface, caller, crossed.poly_indices);
   const cell_parts parts(cuts);

@@ -1,0 +1,129 @@
+// Reads the tets of any volume that a level set crosses, and cuts them.
+#pragma once
+
+#include <concino/concepts/mesh.hpp>
+#include <concino/level_sets/detail/level_states.hpp>
+#include <concino/level_sets/detail/tet_cutter.hpp>
+#include <concino/mesh/element_origins.hpp>
+#include <concino/mesh/mesh_point.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace concino::detail {
+
+/// Tets that a level set crosses: their new parts, and their verts by number. The names are those of crossed_volume_reader.
+template<class M>
+class crossed_tet_reader {
+  struct known_face {
+    std::uint32_t first;     // the number of the tet that was read first, times four, plus the position of the face there
+    std::uint32_t opposite;  // the vert of that tet that is not a corner
+  };
+
+  core::local_numbers vert_numbers_, face_numbers_;
+  std::vector<known_face> faces_;
+  double level_;
+
+ public:
+  struct {
+    std::vector<vec3> points;
+    std::vector<double> values;
+    std::vector<std::uint32_t> vert_indices;
+  } arrays;  // by number of a vert
+  std::vector<poly_t<M>> polys;
+  std::vector<vert_t<M>> verts;
+  tet_cutter cutter;
+  bool can_cut = true;  // whether the tets can be cut one by one; if not, nothing else here is of use
+
+  /// `crossed`: the polys that the level set crosses. `states`: of all verts, by index.
+  template<class U>
+  crossed_tet_reader(const M& m, const U& u, double level, const core::flat_array<unsigned char>& states, const std::vector<poly_t<M>>& crossed)
+      : level_(level), polys(crossed) {
+    cutter.reserve(polys.size());
+    faces_.reserve(3 * polys.size());
+    for (std::uint32_t p = 0; p < polys.size() && can_cut; ++p)
+      if (joint_states(m, states, adj_p2v(m, polys[p])) & above_level) add_tet(m, u, states, p);
+    const auto num_verts = static_cast<std::uint32_t>(verts.size());
+    for (std::uint32_t p = 0; p < polys.size() && can_cut; ++p)
+      if (!(joint_states(m, states, adj_p2v(m, polys[p])) & above_level)) add_face_on_level(m, u, states, polys[p]);
+    if (can_cut) cutter.finish(num_verts);
+  }
+
+  /// The verts of the mesh of which a new vert was made.
+  std::vector<origin> origins_of(const level_place& x) const {
+    const double t = crossing_parameter(arrays.values[x.below], arrays.values[x.above], level_);
+    return {{arrays.vert_indices[x.below], 1 - t}, {arrays.vert_indices[x.above], t}};
+  }
+
+ private:
+  template<class Verts>
+  static unsigned char joint_states(const M& m, const core::flat_array<unsigned char>& states, const Verts& all) {
+    unsigned char joint = 0;
+    for (const vert_t<M> v : all) joint |= states[index_of(m, v)];
+    return joint;
+  }
+
+  template<class U>
+  std::uint32_t number(const M& m, const U& u, const vert_t<M>& v) {
+    const std::size_t index = index_of(m, v);
+    const std::uint32_t n = vert_numbers_.add(index);
+    if (n < verts.size()) return n;
+    verts.push_back(v);
+    arrays.vert_indices.push_back(static_cast<std::uint32_t>(index));
+    arrays.points.push_back(to_vec3(point(m, v)));
+    arrays.values.push_back(static_cast<double>(u[v]));
+    return n;
+  }
+
+  template<class U>
+  void add_tet(const M& m, const U& u, const core::flat_array<unsigned char>& states, std::uint32_t p) {
+    crossed_tet t;
+    t.poly = p;
+    std::uint32_t num_verts = 0, k = 0;
+    for (const face_t<M> f : adj_p2f(m, polys[p])) {
+      std::uint32_t i = 0;
+      for (const vert_t<M> v : adj_f2v(m, f)) {
+        const std::uint32_t n = number(m, u, v);
+        const auto at = static_cast<unsigned char>(std::find(t.verts, t.verts + num_verts, n) - t.verts);
+        if (at == num_verts) {
+          t.states[at] = states[index_of(m, v)];
+          t.verts[num_verts++] = n;
+        }
+        t.corners[k][i++] = at;
+      }
+      t.is_outward[k] = face_is_outward(m, polys[p], f);
+      t.order[k] = static_cast<std::uint32_t>(index_of(m, f));  // until find_order()
+      if (num_elements(adj_f2p(m, f)) > 2) can_cut = false;
+      ++k;
+    }
+    find_order(t);
+    if (can_cut) cutter.add(t);
+  }
+  void find_order(crossed_tet& t) {
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      const unsigned char* const c = t.corners[k];
+      const std::uint32_t opposite = t.verts[6 - c[0] - c[1] - c[2]], n = face_numbers_.add(t.order[k]);
+      if (n == faces_.size()) faces_.push_back({4 * t.poly + k, opposite});
+      else if (faces_[n].opposite == opposite) can_cut = false;
+      t.order[k] = faces_[n].first;
+    }
+  }
+
+  /// Adds the face of a tet that is on the level set, if the tet beyond is above.
+  template<class U>
+  void add_face_on_level(const M& m, const U& u, const core::flat_array<unsigned char>& states, const poly_t<M>& p) {
+    for (const face_t<M> f : adj_p2f(m, p)) {
+      if (joint_states(m, states, adj_f2v(m, f)) != on_level) continue;
+      std::size_t n = 0;
+      bool is_between = true;
+      for (const poly_t<M> q : adj_f2p(m, f)) ++n, is_between = is_between && (q == p || !(joint_states(m, states, adj_p2v(m, q)) & below_level));
+      std::uint32_t corners[3], k = 0;
+      for (const vert_t<M> v : adj_f2v(m, f)) corners[k++] = number(m, u, v);
+      if (is_between && n == 2) cutter.add_whole_face(corners);
+    }
+  }
+};
+
+}  // namespace concino::detail

@@ -1,0 +1,58 @@
+// The tets into which a level set cuts tets, by the signs of their verts.
+#pragma once
+
+#include <concino/core/compiled.hpp>
+#include <concino/core/local_numbers.hpp>
+#include <concino/level_sets/detail/embedding_lists.hpp>
+#include <concino/level_sets/detail/level_place.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace concino::detail {
+
+/// A tet with verts below the level set and verts strictly above it.
+struct crossed_tet {
+  std::uint32_t poly;           // its number among the crossed ones
+  std::uint32_t verts[4];       // numbers; the first three are those of its first face, as adj_f2v lists them
+  unsigned char states[4];      // see level_states.hpp
+  unsigned char corners[4][3];  // of its faces, as positions in `verts`
+  bool is_outward[4];           // whether these are counter-clockwise seen from outside
+  std::uint32_t order[4];       // of faces: the number of the first face of crossed tets that is the same one
+};
+
+/// Cuts tets one after another. The lists are those of list_embedding() for the parts of these cells, which can be any cells and take much longer.
+/// Needs:  no two of the tets have the same verts, and their crossed faces have at most two tets; verts are numbered as the faces have them.
+class tet_cutter {
+  static constexpr unsigned new_vert = 1u << 31;  // until finish(), numbers of new verts have this bit
+
+  core::local_numbers crossings_;                 // edges, by their ends below and above
+  std::vector<unsigned> others_, other_origins_;  // corners and origins of all new tets but the first of each old one
+  std::vector<unsigned> cut_faces_;               // corners of triangles on the level set
+  // Of the current tet:
+  unsigned places_[4][4];  // by the positions of the ends of an edge, the one below first; `unknown` until it is needed
+  unsigned char faces_[4];  // in the order in which they are read
+  bool is_first_ = true;
+
+  unsigned place(const crossed_tet& t, unsigned a, unsigned b);
+  void add_part(const crossed_tet& t, bool is_above);
+  void add_tet(unsigned a, unsigned b, unsigned c, unsigned d);
+
+ public:
+  embedding_lists lists;
+  std::vector<level_place> places;
+
+  void reserve(std::size_t num_tets);
+  void add(const crossed_tet& t);
+  /// Adds a face on the level set, with existing verts. Those of cut tets come later.
+  void add_whole_face(const std::uint32_t* verts) { cut_faces_.insert(cut_faces_.end(), verts, verts + 3); }
+  /// Completes the lists. The first num_verts verts are those of the cut tets.
+  void finish(std::uint32_t num_verts);
+};
+
+}  // namespace concino::detail
+
+#ifndef CONCINO_COMPILED
+#include <concino/level_sets/detail/tet_cutter.ipp>
+#endif
