@@ -172,6 +172,13 @@ TEST_CASE("edge_collapse: verts at which parts of a surface only touch do not be
   CHECK(cn::testing::singular_links(d) == singular);
 }
 
+TEST_CASE("edge_collapse: is refused at a quad that has both ends, but not the edge") {
+  cn::polygonmesh m({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}, {0, 2, 4}});
+  const auto before = cn::testing::whole(m);
+  CHECK(cn::edge_collapse(m, cn::testing::edge_between_verts(m, 0, 2)).reason == cn::refusal::not_simplices);
+  CHECK(cn::testing::whole(m) == before);
+}
+
 TEST_CASE("edge_collapse: refuses quads, and throws for edges of other meshes and parameters outside the edge; nothing changes") {
   cn::quadmesh q = cn::testing::grid<cn::quadmesh>(2);
   for (const auto e : cn::edges(q)) CHECK(cn::edge_collapse(q, e).reason == cn::refusal::not_simplices);

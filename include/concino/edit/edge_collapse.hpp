@@ -37,8 +37,11 @@ permission edge_collapse_cavity(const M& m, const edge_t<M>& e, const edge_colla
       if (x == v) return true;
     return false;
   };
-  for (const poly_t<M> p : adj_v2p(m, ends.second))
+  for (const poly_t<M> p : adj_v2p(m, ends.second)) {
+    if constexpr (SurfaceMesh<M> && arity_v<M> == 0)  // a polygon may have both ends, but not e
+      if (num_elements(adj_p2v(m, p)) != c.size) return not_simplices;
     if (!has(p, ends.first) && !c.add_old(p)) return not_simplices;
+  }
   const unsigned moved = c.num_old();
   for (const poly_t<M> p : adj_e2p(m, e))
     if (!c.add_old(p)) return not_simplices;
