@@ -29,11 +29,6 @@ TEST_CASE_TEMPLATE("CGAL: random cavities", P, CONCINO_FIRST_OF(kernel_point, ve
   CHECK(refused > 40);
 }
 
-TEST_CASE("CGAL: every operator keeps the topology, or refuses and changes nothing") {
-  std::mt19937 random(12);
-  ct::keeps_topology(ct::cgal_surface<kernel_point>(ct::triangle_grid(3)), random);
-}
-
 TEST_CASE_TEMPLATE("CGAL: transactions leave no trace, and can be undone and done again", P, CONCINO_FIRST_OF(kernel_point, vec3)) {
   std::mt19937 random(13);
   for (unsigned round = 0; round < 5; ++round) {
@@ -90,6 +85,33 @@ TEST_CASE("CGAL: a transaction on an empty mesh") {
   }
   CHECK(num_verts(m) + num_edges(m) + num_polys(m) == 0);
   CHECK(m.is_valid(false));
+}
+
+TEST_CASE("CGAL: a poly that cannot be linked is refused in a transaction as without one") {
+  auto m = ct::cgal_surface<kernel_point>(ct::triangle_grid(1));
+  std::vector<CGAL::SM_Vertex_index> corners;
+  for (const auto v : adj_p2v(m, *polys(m).begin())) corners.push_back(v);
+  const auto add = [&] { add_poly(m, std::span<const CGAL::SM_Vertex_index>(corners)); };
+  CHECK_THROWS_WITH_AS(add(), doctest::Contains("add_poly: poly 2 cannot be linked"), invalid_mesh);
+  transaction t(m);
+  CHECK_THROWS_WITH_AS(add(), doctest::Contains("add_poly: poly 2 cannot be linked"), invalid_mesh);
+}
+
+TEST_CASE_TEMPLATE("CGAL: a poly that would close one of two fans at a vert is refused", P, CONCINO_FIRST_OF(kernel_point, vec3)) {
+  CGAL::Surface_mesh<P> m;
+  for (unsigned i = 0; i < 6; ++i) add_vert(m, {i * 1.0, i * i * 1.0, 0});
+  const auto add = [&](std::initializer_list<unsigned> list) {
+    std::vector<CGAL::SM_Vertex_index> corners;
+    for (const unsigned i : list) corners.emplace_back(i);
+    add_poly(m, std::span<const CGAL::SM_Vertex_index>(corners));
+  };
+  add({0, 1, 2}), add({0, 3, 4});
+  const auto before = ct::foreign_state(m);
+  CHECK_THROWS_WITH_AS(add({3, 0, 4, 5}), doctest::Contains("a closed fan is the only one at its vert"), invalid_mesh);
+  CHECK(ct::foreign_state(m) == before);
+  remove_poly(m, CGAL::SM_Face_index(0));
+  add({3, 0, 4, 5});
+  ct::foreign_laws_hold(m);
 }
 
 TEST_CASE("CGAL: what cannot be linked is refused with the reason") {

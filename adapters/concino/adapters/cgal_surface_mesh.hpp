@@ -144,6 +144,8 @@ struct cgal_surface_links {
     return v;
   }
   static poly add_poly(mesh& m, std::span<const vert> corners) {
+    constexpr auto cannot_be_linked =
+        "cannot be linked: in CGAL::Surface_mesh at most two polys share an edge, in opposite directions, each vert of a new poly is on the boundary, and a closed fan is the only one at its vert";
     const auto refuse = [&](const std::string& why) { core::throw_joined<invalid_mesh>({"add_poly: poly ", m.num_faces(), " ", why}); };
     if (corners.size() < 3) refuse(core::joined({"has ", corners.size(), " verts; it needs at least 3"}));
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -152,12 +154,16 @@ struct cgal_surface_links {
         refuse(core::joined({"has vert ", corners[i].idx(), " twice; its verts must differ"}));
     }
     if constexpr (writable_point<P>)
-      if (recorder_of(m)) return add_poly_by_rewire(m, corners);
+      if (recorder_of(m)) try {
+          return add_poly_by_rewire(m, corners);
+        } catch (const unsupported&) {
+          refuse(cannot_be_linked);
+        }
+    if (closes_one_of_several_fans(m, corners)) refuse(cannot_be_linked);
     auto* const before = kernel::find_edits(m);
     kernel::reserve(m, 0, static_cast<unsigned>(corners.size()), 1, false);
     const poly p = m.add_face(corners);
-    if (p == mesh::null_face())
-      refuse("cannot be linked: in CGAL::Surface_mesh at most two polys share an edge, in opposite directions, and each vert of a new poly is on the boundary");
+    if (p == mesh::null_face()) refuse(cannot_be_linked);
     concino::detail::count_edit(before);
     return p;
   }
@@ -196,6 +202,20 @@ struct cgal_surface_links {
 
  private:
   using kernel = cgal_surface_kernel<P>;
+
+  /// Whether a new poly would close a fan at a vert that has another one too. CGAL's add_face does not see that, and loses the other fan.
+  static bool closes_one_of_several_fans(const mesh& m, std::span<const vert> corners) {
+    for (std::size_t i = 0, n = corners.size(); i < n; ++i) {
+      if (m.is_isolated(corners[i])) continue;
+      const halfedge in = m.halfedge(corners[(i + n - 1) % n], corners[i]), out = m.halfedge(corners[i], corners[(i + 1) % n]);
+      if (in == mesh::null_halfedge() || out == mesh::null_halfedge() || !m.is_border(in) || !m.is_border(out) || m.next(in) == out) continue;
+      halfedge last = m.opposite(out);
+      do last = m.opposite(m.next(last));
+      while (!m.is_border(last));
+      if (last == in) return true;
+    }
+    return false;
+  }
 
   static auto* recorder_of(mesh& m) {
     const auto* const edits = kernel::find_edits(m);
