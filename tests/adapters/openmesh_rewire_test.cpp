@@ -27,15 +27,6 @@ TEST_CASE_TEMPLATE("OpenMesh: random cavities", M, CONCINO_FIRST_OF(tri_double, 
   CHECK(refused > 40);
 }
 
-TEST_CASE_TEMPLATE("OpenMesh: every operator keeps the topology, or refuses and changes nothing", M, tri_double) {
-  std::mt19937 random(12);
-  M m;
-  fill(m, two_grids<M>(2));
-  const std::vector<vert_t<M>> all(verts(m).begin(), verts(m).end());
-  remove_vert(m, all.back());  // it has no polys
-  ct::keeps_topology(m, random);
-}
-
 TEST_CASE_TEMPLATE("OpenMesh: transactions leave no trace, and can be undone and done again", M, CONCINO_FIRST_OF(tri_double, tri_status, only_one)) {
   std::mt19937 random(13);
   for (unsigned round = 0; round < 5; ++round) {

@@ -1,38 +1,14 @@
 // Random edits of a surface of another library by every operator, in transactions or not.
 #pragma once
 
-#include <support/corpus.hpp>
 #include <support/foreign_edits.hpp>
+#include <support/some_element.hpp>
 
 #include <new>
 
 namespace concino::testing {
 
-/// The type of the numbers from which descriptors are made: int in OpenMesh, unsigned in CGAL.
-template<class X>
-struct descriptor_number { using type = int; };
-template<class X>
-  requires requires { typename X::size_type; }
-struct descriptor_number<X> { using type = typename X::size_type; };
-
-/// A random element of a range that is not empty. `bound`: of the indices of its elements. Most elements are found without listing them all.
-template<class M, class R>
-auto some_element_of(const M& m, const R& range, std::size_t bound, std::mt19937& random) {
-  using element = typename R::iterator::value_type;
-  for (unsigned i = 0; i < 64; ++i)
-    if (const element x(static_cast<typename descriptor_number<element>::type>(random() % bound)); contains(m, x)) return x;
-  std::vector<element> all;
-  for (const auto x : range) all.push_back(x);
-  return all[random() % all.size()];
-}
-template<class M>
-vert_t<M> some_vert(const M& m, std::mt19937& random) { return some_element_of(m, verts(m), vert_index_bound(m), random); }
-template<class M>
-edge_t<M> some_edge(const M& m, std::mt19937& random) { return some_element_of(m, edges(m), edge_index_bound(m), random); }
-template<class M>
-poly_t<M> some_poly(const M& m, std::mt19937& random) { return some_element_of(m, polys(m), poly_index_bound(m), random); }
-
-inline constexpr unsigned num_topological_edits = 5, num_foreign_edits = 11;
+inline constexpr unsigned num_foreign_edits = 11;
 
 /// An edit that keeps the topology, or is refused.
 template<class M>
@@ -75,35 +51,6 @@ bool foreign_edit(unsigned what, M& m, std::mt19937& random) {
   } catch (const invalid_mesh&) {  // add_poly
     return false;
   }
-}
-
-/// Every operator on copies of `start`, which grow, and are collapsed or replaced by `start` again: laws and topology as before; refused edits change nothing.
-template<class M>
-void keeps_topology(const M& start, std::mt19937& random) {
-  M m = start;
-  const unsigned tries = long_run() ? 1000000 : 3000;
-  const auto facts = validate(start).facts;
-  unsigned done[num_topological_edits] = {};
-  for (unsigned i = 0; i < tries; ++i) {
-    for (unsigned what = 0; what < num_topological_edits; ++what) {
-      const bool is_sample = random() % 512 == 0;
-      const auto before = is_sample ? foreign_state(m) : std::vector<double>();
-      const permission p = topological_edit(what, m, random);
-      done[what] += bool(p);
-      if (is_sample) CHECK((foreign_state(m) == before) == !p);
-    }
-    for (unsigned k = 0; k < 3 && num_polys(m) > 2 * num_polys(start); ++k) topological_edit(1, m, random);
-    if (vert_index_bound(m) > 4 * vert_index_bound(start)) garbage_collect(m);
-    if (num_polys(m) > 4 * num_polys(start)) m = start;
-    if (i % 1024 != 0 && i + 1 != tries) continue;
-    foreign_laws_hold(m);
-    const auto now = validate(m).facts;
-    CHECK(now.manifold == facts.manifold);
-    CHECK(now.components == facts.components);
-    CHECK(now.boundary_loops == facts.boundary_loops);
-    CHECK(now.euler_characteristic == facts.euler_characteristic);
-  }
-  for (const unsigned n : done) CHECK(n > 0);
 }
 
 template<class M>

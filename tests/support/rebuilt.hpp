@@ -8,6 +8,8 @@
 
 #include <map>
 #include <set>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace concino::testing {
@@ -29,12 +31,25 @@ std::set<unsigned> raw_set(const R& range) {
   return {l.begin(), l.end()};
 }
 
-/// A new mesh of the polys of m, on the same verts, and the names that these polys have in m.
+template<class M, class R>
+std::vector<unsigned> indices(const M& m, const R& range) {
+  std::vector<unsigned> all;
+  for (const auto x : range) all.push_back(static_cast<unsigned>(index_of(m, x)));
+  return all;
+}
+template<class M, class R>
+std::set<unsigned> index_set(const M& m, const R& range) {
+  const std::vector<unsigned> l = indices(m, range);
+  return {l.begin(), l.end()};
+}
+
+/// A new native mesh of the polys of m, on the same verts, and the indices that these polys have in m. It is of the kind of m, or polygonal if m is another library's.
 template<class M>
-std::pair<M, std::vector<unsigned>> rebuilt(const M& m) {
+auto rebuilt(const M& m) {
+  using native = std::conditional_t<HasProperties<M>, M, polygonmesh>;
   std::vector<vec3> points(vert_index_bound(m));
-  for (const auto v : verts(m)) points[v.raw()] = point(m, v);
-  const std::vector<unsigned> old = raw(polys(m));
+  for (const auto v : verts(m)) points[index_of(m, v)] = to_vec3(point(m, v));
+  const std::vector<unsigned> old = indices(m, polys(m));
   if constexpr (std::same_as<M, polyhedralmesh>) {
     std::vector<std::vector<unsigned>> face_verts;
     std::map<unsigned, unsigned> fresh;
@@ -44,11 +59,11 @@ std::pair<M, std::vector<unsigned>> rebuilt(const M& m) {
       poly_faces.emplace_back();
       for (const auto f : adj_p2f(m, poly_id{p})) poly_faces.back().emplace_back(fresh[f.raw()], face_is_outward(m, poly_id{p}, f));
     }
-    return {M(points, face_verts, poly_faces), old};
+    return std::pair{M(points, face_verts, poly_faces), old};
   } else {
     std::vector<std::vector<unsigned>> poly_verts;
-    for (const unsigned p : old) poly_verts.push_back(raw(adj_p2v(m, poly_id{p})));
-    return {M(points, poly_verts), old};
+    for (const auto p : polys(m)) poly_verts.push_back(indices(m, adj_p2v(m, p)));
+    return std::pair{native(points, poly_verts), old};
   }
 }
 
@@ -72,12 +87,14 @@ void equals_rebuilt(const M& m) {
   const auto [fresh, old] = rebuilt(m);
   CHECK(num_edges(m) == num_edges(fresh));
   if constexpr (VolumeMesh<M>) CHECK(num_faces(m) == num_faces(fresh));
-  for (const auto v : verts(m)) CHECK(raw_set(adj_v2v(m, v)) == raw_set(adj_v2v(fresh, v)));
-  for (unsigned i = 0; i < old.size(); ++i) {
+  for (const auto v : verts(m)) CHECK(index_set(m, adj_v2v(m, v)) == raw_set(adj_v2v(fresh, vert_id(index_of(m, v)))));
+  unsigned i = 0;
+  for (const auto p : polys(m)) {
+    const poly_id q{i++};
     std::set<unsigned> across;
-    for (const auto q : adj_p2p(fresh, poly_id{i})) across.insert(old[q.raw()]);
-    CHECK(raw_set(adj_p2p(m, poly_id{old[i]})) == across);
-    CHECK(raw_set(adj_p2v(m, poly_id{old[i]})) == raw_set(adj_p2v(fresh, poly_id{i})));
+    for (const auto x : adj_p2p(fresh, q)) across.insert(old[x.raw()]);
+    CHECK(index_set(m, adj_p2p(m, p)) == across);
+    CHECK(index_set(m, adj_p2v(m, p)) == raw_set(adj_p2v(fresh, q)));
   }
 }
 

@@ -1,0 +1,22 @@
+// Random edits of OpenMesh's meshes by every operator: numbers of elements, areas and values of properties as the laws say, and refused edits change nothing.
+#include <support/openmesh.hpp>
+#include <support/random_edits.hpp>
+
+#include <random>
+#include <tuple>
+
+using namespace concino;
+using namespace concino::testing::om;
+namespace ct = concino::testing;
+
+TEST_CASE("OpenMesh: random edits by every operator") {
+  std::mt19937 random(12);
+  tri_double m;
+  fill(m, two_grids<tri_double>(2));
+  OpenMesh::VPropHandleT<int> v;
+  OpenMesh::EPropHandleT<int> e;
+  OpenMesh::FPropHandleT<int> p;
+  m.add_property(v), m.add_property(e), m.add_property(p);
+  const auto maps_of = [&](tri_double& x) { return std::tuple(as_map(x, v), as_map(x, e), as_map(x, p)); };
+  ct::edits_of_all_kinds(m, random, ct::kept_values<decltype(maps_of)>{maps_of});
+}
