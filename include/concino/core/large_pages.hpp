@@ -133,12 +133,19 @@ void reserve_exact(std::vector<T>& v, std::size_t n) {
   v.swap(larger);
 }
 
+/// Reserves memory for n elements that will be written at once.
+template<class T>
+void reserve_pages(std::vector<T>& v, std::size_t n) {
+  if (n <= v.capacity()) return;
+  reserve_large(v, n);
+  request_pages(v.data() + v.size(), (n - v.size()) * sizeof(T));
+}
+
 /// A vector of n equal values.
 template<class T>
 std::vector<T> large_vector(std::size_t n, const T& value) {
   std::vector<T> v;
-  reserve_large(v, n);
-  request_pages(v.data(), n * sizeof(T));
+  reserve_pages(v, n);
   v.assign(n, value);
   return v;
 }

@@ -1,9 +1,11 @@
 // Numbers a few elements 0, 1, 2, ... in the order in which they come.
 #pragma once
 
+#include <concino/core/large_pages.hpp>
 #include <concino/core/small_array.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -23,8 +25,8 @@ class local_numbers {
     while (slots_[i] != 0 && keys_[slots_[i] - 1] != key) i = (i + 1) & (slots_.size() - 1);
     return i;
   }
-  void make_table() {
-    slots_.assign(std::max<std::size_t>(256, 2 * slots_.size()), 0);
+  void make_table(std::size_t size) {
+    slots_ = large_vector(size, std::uint32_t{0});
     for (std::size_t i = 0; i < keys_.size(); ++i) slots_[slot(keys_[i])] = static_cast<std::uint32_t>(i + 1);
   }
 
@@ -32,6 +34,13 @@ class local_numbers {
   static constexpr unsigned none = ~0u;
 
   unsigned size() const { return static_cast<unsigned>(keys_.size()); }
+
+  /// Makes room for n keys.
+  void reserve(std::size_t n) {
+    if (n <= longest_scan || 2 * n <= slots_.size()) return;
+    keys_.reserve(n);
+    make_table(std::bit_ceil(std::max<std::size_t>(256, 2 * n)));
+  }
 
   /// The number of a key, or `none`.
   unsigned find(std::size_t key) const {
@@ -47,7 +56,7 @@ class local_numbers {
     const unsigned number = size();
     keys_.push_back(key);
     if (!slots_.empty() && 2 * keys_.size() <= slots_.size()) slots_[slot(key)] = number + 1;
-    else if (keys_.size() > longest_scan) make_table();
+    else if (keys_.size() > longest_scan) make_table(std::max<std::size_t>(256, 2 * slots_.size()));
     return number;
   }
   std::size_t operator[](unsigned number) const { return keys_[number]; }

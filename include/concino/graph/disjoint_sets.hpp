@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/error.hpp>
+#include <concino/core/large_pages.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -26,7 +27,7 @@ class disjoint_sets {
  public:
   disjoint_sets() = default;
   /// n sets of one index each.
-  explicit disjoint_sets(std::size_t n) : parent_(expect_32_bits(n)) {
+  explicit disjoint_sets(std::size_t n) : parent_(core::large_vector(expect_32_bits(n), 0u)) {
     for (std::size_t i = 0; i < n; ++i) parent_[i] = static_cast<std::uint32_t>(i);
   }
 

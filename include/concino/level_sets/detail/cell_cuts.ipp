@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/error.hpp>
+#include <concino/core/large_pages.hpp>
 #include <concino/core/sort_numbers.hpp>
 #include <concino/level_sets/detail/cell_cuts.hpp>
 #include <concino/level_sets/detail/level_states.hpp>
@@ -10,11 +11,11 @@ namespace concino::detail {
 
 CONCINO_INLINE cell_cuts::cell_cuts(const crossed_volume& v, cells_are surface, const char* caller, const std::vector<std::uint32_t>& cell_indices) : v_(v) {
   number_facets();
-  mates_.resize(v_.num_corners());
-  cell_vert_.resize(v_.num_corners());
-  seen_in_.assign(v_.points.size(), none);
-  cell_vert_states_.reserve(v_.num_facets());  // a cell has at least four facets, and often as many verts
-  number_in_cell_.resize(v_.points.size());
+  mates_ = core::large_vector(v_.num_corners(), none);
+  cell_vert_ = core::large_vector(v_.num_corners(), none);
+  seen_in_ = core::large_vector(v_.points.size(), none);
+  core::reserve_pages(cell_vert_states_, v_.num_corners() / 3);  // as many verts as there are if three facets meet at each
+  number_in_cell_ = core::large_vector(v_.points.size(), none);
   for (std::uint32_t c = 0; c < v_.num_cells(); ++c)
     if (!find_mates(c, surface))
       core::throw_joined<unsupported>({caller, ": the faces of poly ", cell_indices[c], " do not form one closed surface without handles that are oriented outward, ",
@@ -26,8 +27,8 @@ CONCINO_INLINE cell_cuts::cell_cuts(const crossed_volume& v, cells_are surface, 
 }
 
 CONCINO_INLINE void cell_cuts::number_facets() {
-  cell_of_.resize(v_.num_facets());
-  facet_of_.resize(v_.num_corners());
+  cell_of_ = core::large_vector(v_.num_facets(), none);
+  facet_of_ = core::large_vector(v_.num_corners(), none);
   for (std::uint32_t c = 0; c < v_.num_cells(); ++c)
     for (std::uint32_t s = v_.first_facet[c]; s < v_.first_facet[c + 1]; ++s) {
       cell_of_[s] = c;
@@ -60,9 +61,9 @@ CONCINO_INLINE bool cell_cuts::find_mates(std::uint32_t cell, cells_are surface)
 }
 
 CONCINO_INLINE void cell_cuts::find_twins() {
-  twins_.assign(v_.num_facets(), none);
+  twins_ = core::large_vector(v_.num_facets(), none);
   std::vector<std::uint64_t> order;
-  order.reserve(v_.num_facets());
+  core::reserve_pages(order, v_.num_facets());
   for (std::uint32_t s = 0; s < v_.num_facets(); ++s)
     if (v_.num_polys[s] == 2) order.push_back(std::uint64_t{v_.faces[s]} << 32 | s);
   core::sort_numbers(order.data(), order.data() + order.size());
@@ -74,8 +75,8 @@ CONCINO_INLINE void cell_cuts::find_twins() {
 }
 
 CONCINO_INLINE void cell_cuts::find_chords() {
-  chord_at_.assign(v_.num_corners(), none);
-  first_chord_.reserve(v_.num_facets() + 1), chords_.reserve(v_.num_facets());
+  chord_at_ = core::large_vector(v_.num_corners(), none);
+  core::reserve_pages(first_chord_, v_.num_facets() + std::size_t{1}), core::reserve_pages(chords_, v_.num_facets());
   for (std::uint32_t s = 0; s < v_.num_facets(); ++s) {
     first_chord_.push_back(static_cast<std::uint32_t>(chords_.size()));
     const std::uint32_t twin = twins_[s];
@@ -129,7 +130,7 @@ CONCINO_INLINE void cell_cuts::find_regions() {
     regions_.unite(cell_vert_[c.from], cell_vert_[next(c.to)]);
     regions_.unite(cell_vert_[next(c.from)], cell_vert_[c.to]);
   }
-  region_states_.assign(states.size(), is_below);
+  region_states_ = core::large_vector(states.size(), static_cast<unsigned char>(is_below));
   for (std::uint32_t i = 0; i < states.size(); ++i)
     if (states[i] != below_level) {
       unsigned char& of_region = region_states_[regions_.root(i)];
@@ -138,6 +139,7 @@ CONCINO_INLINE void cell_cuts::find_regions() {
 }
 
 CONCINO_INLINE void cell_cuts::find_loops() {
+  core::reserve_pages(loops_, v_.num_cells()), core::reserve_pages(loop_chords_, chords_.size());
   for (std::uint32_t i = 0; i < chords_.size(); ++i) {
     if (chords_[i].loop != none) continue;
     const auto number = static_cast<std::uint32_t>(loops_.size()), first = static_cast<std::uint32_t>(loop_chords_.size());

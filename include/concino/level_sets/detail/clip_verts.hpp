@@ -42,7 +42,7 @@ class clip_verts {
   element_origins origins;
 
   clip_verts(const M& m, const Crossed& crossed, const std::vector<level_place>& places, double level)
-      : m_(m), crossed_(crossed), places_(places), level_(level), number_(vert_index_bound(m), ~0u), number_of_place_(places.size(), ~0u) {}
+      : m_(m), crossed_(crossed), places_(places), level_(level), number_(core::large_vector(vert_index_bound(m), ~0u)), number_of_place_(core::large_vector(places.size(), ~0u)) {}
 
   void mark(const vert_t<M>& v) { number_[index_of(m_, v)] = 0; }
   void mark_place(std::uint32_t place) {
@@ -69,7 +69,7 @@ class clip_verts {
       kept.push_back(index);
     }
     num_kept_ = n;
-    new_places_.reserve(num_new);
+    core::reserve_pages(new_places_, num_new);
     origins = element_origins(std::move(kept));
     for (std::size_t i = 0; i < places_.size(); ++i) {
       if (number_of_place_[i] == ~0u) continue;

@@ -3,6 +3,7 @@
 
 #include <concino/concepts/end_verts.hpp>
 #include <concino/concepts/oriented_edges.hpp>
+#include <concino/core/large_pages.hpp>
 #include <concino/level_sets/detail/crossed_volume.hpp>
 #include <concino/level_sets/detail/level_place.hpp>
 #include <concino/level_sets/detail/level_states.hpp>
@@ -31,8 +32,7 @@ class crossed_volume_reader {
   template<class U>
   crossed_volume_reader(const M& m, const U& u, double level, std::vector<poly_t<M>> crossed)
       : arrays(level, edge_index_bound(m)), polys(std::move(crossed)) {
-    arrays.reserve(polys.size());
-    poly_indices.reserve(polys.size()), faces.reserve(4 * polys.size());
+    reserve(m);
     for (const poly_t<M>& p : polys) {
       poly_indices.push_back(static_cast<std::uint32_t>(index_of(m, p)));
       for (const face_t<M> f : adj_p2f(m, p)) add_facet(m, u, p, f);
@@ -79,6 +79,15 @@ class crossed_volume_reader {
   }
 
  private:
+  void reserve(const M& m) {
+    std::size_t num_facets = 0, num_corners = 0;
+    for (const poly_t<M>& p : polys)
+      for (const face_t<M> f : adj_p2f(m, p)) ++num_facets, num_corners += num_elements(adj_f2v(m, f));
+    arrays.reserve(polys.size(), num_facets, num_corners);
+    core::reserve_pages(poly_indices, polys.size()), core::reserve_pages(faces, num_facets);
+    core::reserve_pages(verts, 3 * polys.size()), core::reserve_pages(edges, 3 * polys.size());
+    edge_numbers_.reserve(3 * polys.size());
+  }
   template<class U>
   void add_facet(const M& m, const U& u, const poly_t<M>& p, const face_t<M>& f) {
     for (const auto& [e, from, to] : oriented_edges(m, f)) {

@@ -1,6 +1,7 @@
 // Numbers the places of a level set.
 #pragma once
 
+#include <concino/core/large_pages.hpp>
 #include <concino/core/local_numbers.hpp>
 #include <concino/level_sets/detail/level_place.hpp>
 
@@ -22,6 +23,12 @@ class place_numbers {
 
  public:
   std::vector<level_place> places;
+
+  /// Makes room for n places.
+  void reserve(std::size_t n) {
+    numbers_.reserve(n);
+    core::reserve_pages(places, n);
+  }
 
   std::uint32_t add(const level_place& x) {
     const unsigned number = numbers_.add(key(x));

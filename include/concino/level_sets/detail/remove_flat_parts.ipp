@@ -1,6 +1,7 @@
 // Removes parts of cells that have no inside; see remove_flat_parts.hpp.
 #pragma once
 
+#include <concino/core/large_pages.hpp>
 #include <concino/core/sort_numbers.hpp>
 #include <concino/level_sets/detail/place_numbers.hpp>
 #include <concino/level_sets/detail/remove_flat_parts.hpp>
@@ -24,6 +25,10 @@ class flat_part_finder {
   }
 
   void list_loops() {
+    const std::size_t num_loops = cuts_.loops().size(), num_chords = cuts_.chords().size();
+    numbers_.reserve(num_chords / 2);
+    for (auto* const list : {&loops_, &ends_}) core::reserve_pages(*list, num_loops);
+    core::reserve_pages(places_, num_chords), core::reserve_pages(loops_at_region_, cuts_.num_cell_verts());
     for (std::uint32_t i = 0; i < cuts_.loops().size(); ++i) {
       const cell_cuts::loop& l = cuts_.loops()[i];
       if (!l.cuts) continue;
@@ -88,6 +93,7 @@ class flat_part_finder {
 
   std::vector<std::uint32_t> remove() {
     std::vector<std::uint64_t> order;
+    core::reserve_pages(order, loops_.size());
     for (std::uint32_t i = 0; i < loops_.size(); ++i) {
       std::uint64_t sum = 0;  // of a hash of the places: it does not depend on the direction
       for (std::uint32_t k = begin(i); k < ends_[i]; ++k) {

@@ -40,7 +40,7 @@ class volume_clipper {
  public:
   volume_clipper(const M& m, const U& u, double level, bool both, const char* caller)
       : m_(m), level_(level), both_(both), states_(poly_states(m, level_states(m, u, level, caller))), crossed_(m, u, level, list_crossed()),
-        cuts_(crossed_.arrays, surface, caller, crossed_.poly_indices), face_number_(face_index_bound(m), ~0u) {}
+        cuts_(crossed_.arrays, surface, caller, crossed_.poly_indices), face_number_(core::large_vector(face_index_bound(m), ~0u)) {}
 
   clipped_volume<M> run(const clip_options& options, const char* caller) {
     report_concave_polys(options, caller);
@@ -92,7 +92,7 @@ class volume_clipper {
       result_.above.push_back(above);
     };
     const std::size_t all = num_polys(m_);  // an upper bound, which costs addresses only
-    whole_.reserve(all), result_.above.reserve(all);
+    core::reserve_large(whole_, all), core::reserve_exact(result_.above, all);
     std::size_t next = 0, part = 0;
     for (const poly_t<M> p : polys(m_)) {
       if (const unsigned char s = states_[index_of(m_, p)]; !is_crossed(s)) {
@@ -106,7 +106,7 @@ class volume_clipper {
       }
       ++next;
     }
-    new_face_.assign(parts.faces.size(), ~0u);
+    new_face_ = core::large_vector(parts.faces.size(), ~0u);
     for (const std::uint32_t i : cut_)
       for (std::uint32_t k = parts.parts[i].first; k < parts.parts[i].last; ++k, ++num_poly_faces_) {
         const std::uint32_t f = parts.part_faces[k];
