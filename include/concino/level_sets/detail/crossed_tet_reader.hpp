@@ -41,14 +41,19 @@ class crossed_tet_reader {
   template<class U>
   crossed_tet_reader(const M& m, const U& u, double level, const core::flat_array<unsigned char>& states, const std::vector<poly_t<M>>& crossed)
       : level_(level), polys(crossed) {
-    cutter.reserve(polys.size());
-    faces_.reserve(3 * polys.size());
-    for (std::uint32_t p = 0; p < polys.size() && can_cut; ++p)
-      if (joint_states(m, states, adj_p2v(m, polys[p])) & above_level) add_tet(m, u, states, p);
+    std::vector<std::uint32_t> on_level_or_below;
+    for (std::uint32_t p = 0; p < polys.size(); ++p)
+      if (!(joint_states(m, states, adj_p2v(m, polys[p])) & above_level)) on_level_or_below.push_back(p);
+    reserve(polys.size() - on_level_or_below.size());
+    auto next = on_level_or_below.begin();
+    for (std::uint32_t p = 0; p < polys.size() && can_cut; ++p) {
+      if (next == on_level_or_below.end() || *next != p) add_tet(m, u, states, p);
+      else ++next;
+    }
+    if (!can_cut) return;
     const auto num_verts = static_cast<std::uint32_t>(verts.size());
-    for (std::uint32_t p = 0; p < polys.size() && can_cut; ++p)
-      if (!(joint_states(m, states, adj_p2v(m, polys[p])) & above_level)) add_face_on_level(m, u, states, polys[p]);
-    if (can_cut) cutter.finish(num_verts);
+    for (const std::uint32_t p : on_level_or_below) add_face_on_level(m, u, states, polys[p]);
+    cutter.finish(num_verts);
   }
 
   /// The verts of the mesh of which a new vert was made.
@@ -58,6 +63,13 @@ class crossed_tet_reader {
   }
 
  private:
+  void reserve(std::size_t num_tets) {
+    cutter.resize(num_tets);
+    vert_numbers_.reserve(num_tets), face_numbers_.reserve(3 * num_tets);
+    faces_.reserve(3 * num_tets), verts.reserve(num_tets);
+    arrays.points.reserve(num_tets), arrays.values.reserve(num_tets), arrays.vert_indices.reserve(num_tets);
+  }
+
   template<class Verts>
   static unsigned char joint_states(const M& m, const core::flat_array<unsigned char>& states, const Verts& all) {
     unsigned char joint = 0;
@@ -81,15 +93,18 @@ class crossed_tet_reader {
   void add_tet(const M& m, const U& u, const core::flat_array<unsigned char>& states, std::uint32_t p) {
     crossed_tet t;
     t.poly = p;
+    std::size_t indices[4];
     std::uint32_t num_verts = 0, k = 0;
     for (const face_t<M> f : adj_p2f(m, polys[p])) {
       std::uint32_t i = 0;
       for (const vert_t<M> v : adj_f2v(m, f)) {
-        const std::uint32_t n = number(m, u, v);
-        const auto at = static_cast<unsigned char>(std::find(t.verts, t.verts + num_verts, n) - t.verts);
+        const std::size_t index = index_of(m, v);
+        const auto at = static_cast<unsigned char>(std::find(indices, indices + num_verts, index) - indices);
         if (at == num_verts) {
-          t.states[at] = states[index_of(m, v)];
-          t.verts[num_verts++] = n;
+          indices[at] = index;
+          t.states[at] = states[index];
+          t.verts[at] = number(m, u, v);
+          ++num_verts;
         }
         t.corners[k][i++] = at;
       }

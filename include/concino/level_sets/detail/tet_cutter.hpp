@@ -27,9 +27,8 @@ struct crossed_tet {
 class tet_cutter {
   static constexpr unsigned new_vert = 1u << 31;  // until finish(), numbers of new verts have this bit
 
-  core::local_numbers crossings_;                 // edges, by their ends below and above
-  std::vector<unsigned> others_, other_origins_;  // corners and origins of all new tets but the first of each old one
-  std::vector<unsigned> cut_faces_;               // corners of triangles on the level set
+  core::local_numbers crossings_;    // edges, by their ends below and above
+  std::vector<unsigned> cut_faces_;  // corners of triangles on the level set
   // Of the current tet:
   unsigned places_[4][4];  // by the positions of the ends of an edge, the one below first; `unknown` until it is needed
   unsigned char faces_[4];  // in the order in which they are read
@@ -43,7 +42,8 @@ class tet_cutter {
   embedding_lists lists;
   std::vector<level_place> places;
 
-  void reserve(std::size_t num_tets);
+  /// Makes room for the parts of so many tets. All of them follow.
+  void resize(std::size_t num_tets);
   void add(const crossed_tet& t);
   /// Adds a face on the level set, with existing verts. Those of cut tets come later.
   void add_whole_face(const std::uint32_t* verts) { cut_faces_.insert(cut_faces_.end(), verts, verts + 3); }

@@ -1,11 +1,13 @@
 // The tets into which a level set cuts tets; see tet_cutter.hpp.
 #pragma once
 
+#include <concino/core/large_pages.hpp>
 #include <concino/level_sets/detail/level_states.hpp>
 #include <concino/level_sets/detail/tet_caps.hpp>
 #include <concino/level_sets/detail/tet_cutter.hpp>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace concino::detail {
@@ -25,10 +27,12 @@ struct part_face {
   void start_at_smallest() { std::rotate(corners, std::min_element(corners, corners + size), corners + size); }
 };
 
-CONCINO_INLINE void tet_cutter::reserve(std::size_t num_tets) {
-  lists.old_polys.reserve(num_tets), lists.origins.reserve(5 * num_tets), lists.corners.reserve(20 * num_tets);
-  others_.reserve(16 * num_tets), other_origins_.reserve(4 * num_tets);
-  places.reserve(num_tets), cut_faces_.reserve(6 * num_tets);
+CONCINO_INLINE void tet_cutter::resize(std::size_t num_tets) {
+  constexpr std::size_t parts = 5;  // of a tet: often four or six
+  core::reserve_large(lists.corners, 4 * parts * num_tets), core::reserve_large(lists.origins, parts * num_tets);
+  lists.corners.resize(4 * num_tets), lists.origins.resize(num_tets);
+  lists.old_polys.reserve(num_tets), places.reserve(num_tets), cut_faces_.reserve(6 * num_tets);
+  crossings_.reserve(num_tets);
 }
 
 /// The vert between two verts of t, of which one is below: a new one, or one on the level set.
@@ -43,10 +47,16 @@ CONCINO_INLINE unsigned tet_cutter::place(const crossed_tet& t, unsigned a, unsi
 }
 
 CONCINO_INLINE void tet_cutter::add_tet(unsigned a, unsigned b, unsigned c, unsigned d) {
-  std::vector<unsigned>& corners = is_first_ ? lists.corners : others_;
-  corners.insert(corners.end(), {a, b, c, d});
-  (is_first_ ? lists.origins : other_origins_).push_back(static_cast<std::uint32_t>(lists.old_polys.size() - 1));
-  is_first_ = false;
+  const auto old = static_cast<std::uint32_t>(lists.old_polys.size() - 1);
+  if (is_first_) {
+    const unsigned corners[] = {a, b, c, d};
+    std::copy_n(corners, 4, lists.corners.data() + std::size_t{4} * old);
+    lists.origins[old] = old;
+    is_first_ = false;
+    return;
+  }
+  lists.corners.insert(lists.corners.end(), {a, b, c, d});
+  lists.origins.push_back(old);
 }
 
 CONCINO_INLINE void tet_cutter::add(const crossed_tet& t) {
@@ -112,11 +122,10 @@ CONCINO_INLINE void tet_cutter::add_part(const crossed_tet& t, bool is_above) {
 
 CONCINO_INLINE void tet_cutter::finish(std::uint32_t num_verts) {
   const auto num_places = static_cast<std::uint32_t>(places.size());
-  for (std::uint32_t v = 0; v < num_verts; ++v) lists.verts.push_back(v);
-  for (std::uint32_t i = 0; i < num_places; ++i) lists.places.push_back(i);
+  lists.verts.resize(num_verts), lists.places.resize(num_places);
+  std::iota(lists.verts.begin(), lists.verts.end(), 0u);
+  std::iota(lists.places.begin(), lists.places.end(), 0u);
   lists.number_of_place = lists.places;
-  lists.corners.insert(lists.corners.end(), others_.begin(), others_.end());
-  lists.origins.insert(lists.origins.end(), other_origins_.begin(), other_origins_.end());
   for (unsigned& v : lists.corners) v = v & new_vert ? num_verts + (v ^ new_vert) : v;
   lists.ends.reserve(lists.origins.size());
   for (unsigned k = 1; k <= lists.origins.size(); ++k) lists.ends.push_back(4 * k);
@@ -130,6 +139,7 @@ CONCINO_INLINE void tet_cutter::finish(std::uint32_t num_verts) {
     lists.number_of_place.push_back(~0u);
     places.push_back({level_place::vert, v, v, v});
   }
+  lists.cut_ends.reserve(cut_faces_.size() / 3);
   for (std::uint32_t k = 3; k <= cut_faces_.size(); k += 3) lists.cut_ends.push_back(k);
 }
 

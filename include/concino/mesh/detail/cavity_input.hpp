@@ -5,7 +5,6 @@
 #include <concino/core/error.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/small_array.hpp>
-#include <concino/core/sort_numbers.hpp>
 #include <concino/core/vec3.hpp>
 #include <concino/mesh/detail/alive_elements.hpp>
 
@@ -22,16 +21,29 @@ class cavity_verts {
   static constexpr std::size_t longest_scan = 24;
 
   id_span<vert_id> verts_;
-  core::small_array<std::uint64_t, 1> sorted_;  // the existing verts with their local numbers, if there are many
+  core::small_array<std::uint32_t, 1> slots_;  // a hash table of local numbers plus 1, if there are many
+  vert_id repeated_;
+
+  std::size_t slot(vert_id v) const {
+    const std::uint64_t hash = std::uint64_t{v.raw()} * 0x9e3779b97f4a7c15u;
+    std::size_t i = static_cast<std::size_t>(hash >> 32) & (slots_.size() - 1);
+    while (slots_[i] != 0 && verts_[slots_[i] - 1] != v) i = (i + 1) & (slots_.size() - 1);
+    return i;
+  }
 
  public:
   static constexpr unsigned none = ~0u;
 
   explicit cavity_verts(id_span<vert_id> verts) : verts_(verts) {
     if (verts.size() <= longest_scan) return;
-    sorted_.reserve(verts.size());
-    for (std::size_t i = 0; i < verts.size(); ++i) sorted_.push_back(std::uint64_t{verts[i].raw()} << 32 | i);
-    core::sort_numbers(sorted_.begin(), sorted_.end());
+    std::size_t n = 64;
+    while (n < 2 * verts.size()) n *= 2;
+    slots_.resize(n, 0);
+    for (unsigned i = 0; i < size(); ++i) {
+      const std::size_t at = slot(verts[i]);
+      if (slots_[at] == 0) slots_[at] = i + 1;
+      else if (repeated_.is_none()) repeated_ = verts[i];
+    }
   }
 
   vert_id operator[](unsigned local) const { return verts_[local]; }
@@ -39,23 +51,18 @@ class cavity_verts {
 
   /// The local number of a vert, or `none`.
   unsigned local(vert_id v) const {
-    if (sorted_.empty()) {
-      for (unsigned i = 0; i < size(); ++i)
-        if (verts_[i] == v) return i;
-      return none;
-    }
-    const std::uint64_t* const at = std::lower_bound(sorted_.begin(), sorted_.end(), std::uint64_t{v.raw()} << 32);
-    return at != sorted_.end() && *at >> 32 == v.raw() ? static_cast<unsigned>(*at) : none;
+    if (!slots_.empty()) return slots_[slot(v)] - 1;
+    for (unsigned i = 0; i < size(); ++i)
+      if (verts_[i] == v) return i;
+    return none;
   }
 
   /// A vert that is listed twice, or a vert id of none.
   vert_id repeated() const {
-    for (std::size_t i = 1; i < sorted_.size(); ++i)
-      if (sorted_[i] >> 32 == sorted_[i - 1] >> 32) return verts_[static_cast<unsigned>(sorted_[i])];
-    if (sorted_.empty())
-      for (unsigned i = 1; i < size(); ++i)
-        for (unsigned j = 0; j < i; ++j)
-          if (verts_[i] == verts_[j]) return verts_[i];
+    if (!slots_.empty()) return repeated_;
+    for (unsigned i = 1; i < size(); ++i)
+      for (unsigned j = 0; j < i; ++j)
+        if (verts_[i] == verts_[j]) return verts_[i];
     return {};
   }
 };

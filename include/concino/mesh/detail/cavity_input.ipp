@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
+#include <concino/core/sort_numbers.hpp>
 #include <concino/mesh/detail/cavity_input.hpp>
 
 namespace concino::detail {
