@@ -63,3 +63,16 @@ TEST_CASE("large_pages: make_room keeps the values, and trim ends the growth") {
   CHECK(v == std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
   CHECK(v.capacity() <= 15);
 }
+
+TEST_CASE("large_pages: append_large keeps the values, and doubles the memory") {
+  std::vector<int> v;
+  std::size_t moves = 0;
+  for (int n = 0; n < 1000000; ++n) {
+    moves += v.size() == v.capacity();
+    append_large(v, n);
+  }
+  CHECK(moves < 25);
+  bool all = v.size() == 1000000;
+  for (int n = 0; all && n < 1000000; ++n) all = v[static_cast<std::size_t>(n)] == n;
+  CHECK(all);
+}

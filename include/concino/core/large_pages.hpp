@@ -141,6 +141,13 @@ void reserve_pages(std::vector<T>& v, std::size_t n) {
   request_pages(v.data() + v.size(), (n - v.size()) * sizeof(T));
 }
 
+/// Appends to a vector of which nobody knows how large it becomes. Its memory is doubled by reserve_large().
+template<class T>
+void append_large(std::vector<T>& v, const T& x) {
+  if (v.size() == v.capacity()) reserve_large(v, v.size() + v.size() + 1);
+  v.push_back(x);
+}
+
 /// A vector of n equal values.
 template<class T>
 std::vector<T> large_vector(std::size_t n, const T& value) {

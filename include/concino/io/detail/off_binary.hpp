@@ -1,9 +1,11 @@
 // The first word of an OFF file, and the reader of binary files: 32-bit integers and floats, big-endian as in Geomview, or little-endian.
 #pragma once
 
+#include <concino/core/large_pages.hpp>
 #include <concino/io/detail/contents.hpp>
 #include <concino/io/text_cursor.hpp>
 
+#include <algorithm>
 #include <bit>
 
 namespace concino::detail {
@@ -69,7 +71,7 @@ class off_binary_reader {
     const std::uint64_t verts = count("the number of verts", 4 * header_.numbers());
     const std::uint64_t polys = count("the number of polys", 20);
     word("the number of edges");
-    out.points.reserve(verts);
+    core::reserve_large(out.points, verts);
     for (std::uint64_t i = 0; i < verts; ++i) {
       const vec3 p = point();
       out.points.push_back(p);
@@ -84,6 +86,7 @@ class off_binary_reader {
       }
       in_.report_progress();
     }
+    core::reserve_large(out.verts, in_.left() / 4 - std::min<std::uint64_t>(in_.left() / 4, 2 * polys));  // if polys have no colours
     std::vector<std::uint64_t> scratch;
     for (std::uint64_t f = 0; f < polys; ++f) {
       poly(out, arity, scratch);

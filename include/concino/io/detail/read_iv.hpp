@@ -1,6 +1,7 @@
 // The reader of Open Inventor files: the polygons of all nodes IndexedFaceSet, with the points of Coordinate3 and VertexProperty.
 #pragma once
 
+#include <concino/core/large_pages.hpp>
 #include <concino/io/detail/contents.hpp>
 #include <concino/io/detail/iv_cursor.hpp>
 #include <concino/io/detail/iv_format.hpp>
@@ -158,7 +159,7 @@ class iv_reader : iv_cursor {
       p.y = real("the y of a vert");
       skip();
       p.z = real("the z of a vert");
-      out_.points.push_back(p);
+      core::append_large(out_.points, p);
     });
     if (out_.points.size() > max_ids) fail_to_count("verts");
     if (out_.points.size() == begin) return;
@@ -189,7 +190,7 @@ class iv_reader : iv_cursor {
         at_max_index_ = position;
       }
       const vert_id v{static_cast<std::uint32_t>(i)};
-      out_.verts.push_back(v);
+      core::append_large(out_.verts, v);
     });
     if (out_.verts.size() > first) end_face(face, first);
   }

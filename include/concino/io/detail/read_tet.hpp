@@ -106,6 +106,7 @@ class tet_reader : token_cursor {
     for (skip_to_cell(); !at_end(); skip_to_cell()) {
       if (cells_.size() == n) fail(at, "the end of the file after the last cell");
       row r = next_row();
+      if (cells_.size() == 0) cells_.reserve(r.shape, 1 + reservable(n, 2 * standard_cell_of(r.shape).num_verts + 2));
       if (r.shape == cell_shape::hex && !standard_hexes_) r.verts = swap_voxel_order(r.verts.data());
       if (!cells_.add_cell(r.shape, r.verts.data())) fail(r.position, {cells_.expected}, {cells_.found});
       report_progress();

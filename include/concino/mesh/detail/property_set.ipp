@@ -1,6 +1,7 @@
 // Columns of property values, and the set of columns of a mesh; see property_set.hpp.
 #pragma once
 
+#include <concino/core/large_pages.hpp>
 #include <concino/core/message.hpp>
 #include <concino/mesh/element_origins.hpp>
 #include <concino/mesh/property_set.hpp>
@@ -30,6 +31,7 @@ namespace detail {
 [[gnu::noinline]] CONCINO_INLINE void column::make_room(std::size_t n) {
   column fresh(*type_);
   fresh.data_ = static_cast<unsigned char*>(::operator new(n * type_->size, std::align_val_t(type_->alignment)));
+  core::prefer_large_pages(fresh.data_, n * type_->size);
   fresh.room_ = n;
   if (type_->move) {
     for (; fresh.size_ < size_; ++fresh.size_) type_->move(fresh.at(fresh.size_), at(fresh.size_));
