@@ -15,14 +15,6 @@
 
 namespace concino::detail {
 
-/// Numbers the marked elements of a range in its order, from `first` on. The result is by index of the element.
-template<class M, class R>
-std::uint32_t number_marked(const M& m, const R& elements, std::vector<std::uint32_t>& mark, std::uint32_t first = 0) {
-  for (const auto x : elements)
-    if (std::uint32_t& number = mark[index_of(m, x)]; number != ~0u) number = first++;
-  return first;
-}
-
 /// Numbers the verts that are kept, then the new ones, and lists their points and origins. Crossed: crossed_surface or crossed_volume.
 template<class M, class Crossed>
 class clip_verts {
@@ -51,7 +43,7 @@ class clip_verts {
     else number_of_place_[place] = 0;
   }
 
-  /// origins_of(place) lists the verts of m of which a place was made.
+  /// origins_of(place, list) lists the verts of m of which a place was made.
   template<class OriginsOf>
   void number(const OriginsOf& origins_of) {
     const auto is_marked = [](std::uint32_t x) { return x != ~0u; };
@@ -71,6 +63,7 @@ class clip_verts {
     num_kept_ = n;
     core::reserve_pages(new_places_, num_new);
     origins = element_origins(std::move(kept));
+    std::vector<origin> of_place;
     for (std::size_t i = 0; i < places_.size(); ++i) {
       if (number_of_place_[i] == ~0u) continue;
       number_of_place_[i] = n++;
@@ -78,7 +71,8 @@ class clip_verts {
       const level_place& x = places_[i];
       const double t = x.kind == level_place::vert ? 1 : crossing_parameter(crossed_.values[x.below], crossed_.values[x.above], level_);
       points.push_back(crossing_point(crossed_.points[x.below], crossed_.points[x.above], t));
-      origins.add(std::span<const origin>(origins_of(x)));
+      origins_of(x, of_place);
+      origins.add(std::span<const origin>(of_place));
     }
   }
 

@@ -58,14 +58,18 @@ class crossed_volume_reader {
   /// The verts of the mesh of which a place was made.
   std::vector<origin> origins_of(const level_place& x) const {
     std::vector<origin> list;
+    list_origins(x, list);
+    return list;
+  }
+  void list_origins(const level_place& x, std::vector<origin>& list) const {
+    list.clear();
     if (x.kind == level_place::vert) {
       add_origins(x.above, 1, list);
-      return list;
+      return;
     }
     const double t = crossing_parameter(arrays.values[x.below], arrays.values[x.above], arrays.level());
     add_origins(x.below, 1 - t, list);
     add_origins(x.above, t, list);
-    return list;
   }
   /// Adds the verts of the mesh of which a vert was made: itself, or the corners of a face at its centre.
   void add_origins(std::uint32_t vert, double weight, std::vector<origin>& list) const {

@@ -129,28 +129,31 @@ class volume_clipper {
   }
 
   void build_faces(const cell_parts& parts, clip_verts<M, crossed_volume>& verts_of) {
-    verts_of.number([&](const level_place& x) { return crossed_.origins_of(x); });
-    std::uint32_t n = number_marked(m_, faces(m_), face_number_);
-    core::reserve_exact(a_.face_offsets, num_faces_ + 1);
-    core::reserve_exact(a_.face_verts, num_corners_);
-    a_.face_offsets.push_back(0);
+    verts_of.number([&](const level_place& x, std::vector<origin>& list) { crossed_.list_origins(x, list); });
+    core::reserve_exact(a_.face_offsets, num_faces_ + 1), core::reserve_exact(a_.face_verts, num_corners_);
+    a_.face_offsets.resize(num_faces_ + 1), a_.face_verts.resize(num_corners_);
     std::vector<std::uint32_t> origins;
     core::reserve_exact(origins, num_faces_);
+    origins.resize(num_faces_);
+    std::uint32_t n = 0, end = 0;
+    std::uint32_t *const ends = a_.face_offsets.data() + 1, *const from = origins.data();
+    vert_id* const corners = a_.face_verts.data();
     const auto end_face = [&](std::uint32_t origin) {
-      a_.face_offsets.push_back(static_cast<std::uint32_t>(a_.face_verts.size()));
-      origins.push_back(origin);
+      ends[n] = end;
+      from[n++] = origin;
     };
     for (const face_t<M> f : faces(m_)) {
       const auto index = static_cast<std::uint32_t>(index_of(m_, f));
       if (face_number_[index] == ~0u) continue;
-      for (const vert_t<M> v : adj_f2v(m_, f)) a_.face_verts.push_back(verts_of.of(v));
+      face_number_[index] = n;
+      for (const vert_t<M> v : adj_f2v(m_, f)) corners[end++] = verts_of.of(v);
       end_face(index);
     }
     for (std::size_t i = 0; i < parts.faces.size(); ++i) {
       const cell_parts::face& f = parts.faces[i];
       if (new_face_[i] != ~0u) {
-        new_face_[i] = n++;
-        for (std::uint32_t k = f.first; k < f.last; ++k) a_.face_verts.push_back(verts_of.of_place(parts.face_places[k]));
+        new_face_[i] = n;
+        for (std::uint32_t k = f.first; k < f.last; ++k) corners[end++] = verts_of.of_place(parts.face_places[k]);
         end_face(f.origin);
       } else if (f.is_whole) {
         new_face_[i] = face_number_[f.origin];
@@ -161,24 +164,25 @@ class volume_clipper {
   }
 
   void build_polys(const cell_parts& parts) {
-    core::reserve_exact(a_.poly_offsets, whole_.size() + cut_.size() + 1);
-    core::reserve_exact(a_.poly_faces, num_poly_faces_);
-    core::reserve_exact(a_.outward, num_poly_faces_);
-    a_.poly_offsets.push_back(0);
-    const auto end_poly = [&] { a_.poly_offsets.push_back(static_cast<std::uint32_t>(a_.poly_faces.size())); };
+    const std::size_t num_polys = whole_.size() + cut_.size();
+    core::reserve_exact(a_.poly_offsets, num_polys + 1), core::reserve_exact(a_.poly_faces, num_poly_faces_), core::reserve_exact(a_.outward, num_poly_faces_);
+    a_.poly_offsets.resize(num_polys + 1), a_.poly_faces.resize(num_poly_faces_), a_.outward.resize(num_poly_faces_);
+    std::uint32_t end = 0, *next_end = a_.poly_offsets.data() + 1;
+    face_id* const faces_of = a_.poly_faces.data();
+    unsigned char* const outward = a_.outward.data();
     for (const poly_t<M>& p : whole_) {
       for (const face_t<M> f : adj_p2f(m_, p)) {
-        a_.poly_faces.push_back(face_id{face_number_[index_of(m_, f)]});
-        a_.outward.push_back(face_is_outward(m_, p, f));
+        faces_of[end] = face_id{face_number_[index_of(m_, f)]};
+        outward[end++] = face_is_outward(m_, p, f);
       }
-      end_poly();
+      *next_end++ = end;
     }
     for (const std::uint32_t i : cut_) {
       for (std::uint32_t k = parts.parts[i].first; k < parts.parts[i].last; ++k) {
-        a_.poly_faces.push_back(face_id{new_face_[parts.part_faces[k]]});
-        a_.outward.push_back(parts.outward[k]);
+        faces_of[end] = face_id{new_face_[parts.part_faces[k]]};
+        outward[end++] = parts.outward[k];
       }
-      end_poly();
+      *next_end++ = end;
       result_.above.push_back(parts.parts[i].is_above);
     }
   }
