@@ -19,6 +19,7 @@ TEST_CASE("large_pages: whole_pages is at least the size, and adds at most what 
 TEST_CASE("large_pages: vectors have their values, whatever their size") {
   for (const std::size_t n : {0u, 1u, 1000u, 300000u, 1500000u}) {
     CHECK(large_vector(n, 7) == std::vector<int>(n, 7));
+    CHECK(exact_vector(n, 7) == std::vector<int>(n, 7));
     std::vector<int> v{1, 2, 3};
     reserve_large(v, n);
     CHECK(v.capacity() >= n);

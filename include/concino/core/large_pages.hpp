@@ -157,6 +157,16 @@ std::vector<T> large_vector(std::size_t n, const T& value) {
   return v;
 }
 
+/// The same without room for more, for arrays that are kept.
+template<class T>
+std::vector<T> exact_vector(std::size_t n, const T& value) {
+  std::vector<T> v;
+  reserve_exact(v, n);
+  request_pages(v.data(), n * sizeof(T));
+  v.assign(n, value);
+  return v;
+}
+
 /// Resizes a vector to n elements or some more, so that those at its end can be assigned one after another, which takes less time than push_back.
 /// trim() ends this.
 template<class T>
@@ -166,6 +176,12 @@ void make_room(std::vector<T>& v, std::size_t n) {
   const std::size_t before = v.size(), size = n + 65536 / sizeof(T) < v.capacity() ? n + 65536 / sizeof(T) : v.capacity();
   request_pages(v.data() + before, (size - before) * sizeof(T));
   v.resize(size);
+}
+
+/// Releases the memory of a vector.
+template<class T>
+void release(std::vector<T>& v) {
+  std::vector<T>().swap(v);
 }
 
 /// Resizes a vector to n elements, and releases its memory if it has room for far more.

@@ -112,10 +112,7 @@ class single_origins {
   std::vector<std::pair<std::uint32_t, origin>> weighted_;  // those with a weight other than 1
 
  public:
-  explicit single_origins(std::size_t bound) {
-    core::reserve_exact(index_, bound);
-    index_.assign(bound, element_origins::none);
-  }
+  explicit single_origins(std::size_t bound) : index_(core::exact_vector(bound, element_origins::none)) {}
 
   void set(std::size_t i, std::uint32_t index) { index_[i] = index; }
   void set(std::size_t i, const origin& x) {

@@ -1,6 +1,7 @@
 // Construction and editing of tables of polyhedra; see polyhedra_tables.hpp.
 #pragma once
 
+#include <concino/core/large_pages.hpp>
 #include <concino/mesh/polyhedra_tables.hpp>
 
 #include <numeric>
@@ -168,7 +169,7 @@ std::size_t basic_polyhedra_tables<Lists>::check(std::size_t vert_count, const j
   detail::check_counts("polyhedra_tables", vert_count, polys.size(), f2v_.num_values());
   std::vector<std::uint32_t> met;
   for (std::size_t f = 0; f < f2v_.size(); ++f) detail::check_verts(f2v_[f], vert_count, "polyhedra_tables: face", f, met);
-  met.assign(f2v_.size(), ~0u);
+  met = core::large_vector(f2v_.size(), ~0u);
   std::size_t poly_corners = 0;
   for (std::size_t p = 0; p < polys.size(); ++p) {
     if (polys.length(p) == 0) core::throw_joined<invalid_mesh>({"polyhedra_tables: poly ", p, " has no faces; it needs at least 1"});
@@ -191,7 +192,7 @@ void basic_polyhedra_tables<Lists>::build(std::size_t vert_count, const jagged<f
   core::flat_array<std::uint32_t> scratch = build_edges(vert_count, f2e);
   const std::size_t edge_count = e2v_.size();
 
-  detail::offsets counts(edge_count + 1, 0);
+  detail::offsets counts = core::exact_vector(edge_count + 1, 0u);
   for (const edge_id e : f2e) ++counts[e.raw() + 1];
   e2f_ = detail::make_jagged_array<face_id>(std::move(counts));
   {
@@ -250,7 +251,7 @@ core::flat_array<std::uint32_t> basic_polyhedra_tables<Lists>::build_edges(std::
   std::fill_n(edge_to.data(), vert_count, ~0u);
   core::flat_array<vert_id> ends;
   ends.reserve(corner_count * 2 / 3);
-  detail::offsets degrees(vert_count + 1, 0);
+  detail::offsets degrees = core::exact_vector(vert_count + 1, 0u);
   std::uint32_t num = 0;
   for (std::uint32_t a = 0; a < vert_count; ++a) {
     const std::uint32_t first_edge = num;
@@ -286,9 +287,11 @@ void basic_polyhedra_tables<Lists>::build_corners(std::size_t vert_count, const 
   edges.reserve(poly_corners / 2);
   if (poly_corners / 2 + 2 * poly_count > incidence_count) verts.reserve(poly_corners / 2 + 2 * poly_count - incidence_count);
 
-  detail::offsets v_first{0}, e_first{0}, degrees(vert_count + 1, 0);
-  v_first.reserve(poly_count + 1);
-  e_first.reserve(poly_count + 1);
+  detail::offsets v_first, e_first, degrees = core::exact_vector(vert_count + 1, 0u);
+  for (detail::offsets* const first : {&v_first, &e_first}) {
+    core::reserve_exact(*first, poly_count + 1);
+    first->push_back(0);
+  }
   for (std::uint32_t p = 0; p < poly_count; ++p) {
     for (const face_id f : facet_adjacency_.facets(poly_id{p})) {
       const auto at = static_cast<std::size_t>(f2v_.begin(f.raw()) - corner_vert);
