@@ -71,6 +71,15 @@ core::flat_array<unsigned char> poly_states(const M& m, const core::flat_array<u
   return of_polys;
 }
 
+/// The polys that a level set crosses, by their states from poly_states, in the order of polys(m).
+template<class M>
+std::vector<poly_t<M>> crossed_by_state(const M& m, const core::flat_array<unsigned char>& states) {
+  std::vector<poly_t<M>> crossed;
+  for (const poly_t<M> p : polys(m))
+    if (is_crossed(states[index_of(m, p)])) crossed.push_back(p);
+  return crossed;
+}
+
 /// The polys with verts below the level set and others, in the order of polys(m).
 template<class M>
 std::vector<poly_t<M>> crossed_polys(const M& m, const core::flat_array<unsigned char>& states) {

@@ -12,6 +12,7 @@
 #include <concino/level_sets/detail/crossed_volume_reader.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -27,10 +28,11 @@ class volume_clipper {
   double level_;
   bool both_;
   core::flat_array<unsigned char> states_;  // of polys: those of all their verts
-  crossed_volume_reader<M> crossed_;
-  cell_cuts cuts_;
+  std::optional<crossed_volume_reader<M>> crossed_;
+  std::optional<cell_cuts> cuts_;
   std::vector<poly_t<M>> whole_;
   std::vector<std::uint32_t> cut_;          // parts
+  std::vector<std::uint32_t> cut_origins_;  // by entry of cut_: the index of the poly in m
   std::vector<std::uint32_t> face_number_;  // by index of the face in m
   std::vector<std::uint32_t> new_face_;     // by face of the parts
   std::size_t num_faces_ = 0, num_corners_ = 0, num_poly_faces_ = 0;  // of the result
@@ -39,24 +41,30 @@ class volume_clipper {
 
  public:
   volume_clipper(const M& m, const U& u, double level, bool both, const char* caller)
-      : m_(m), level_(level), both_(both), states_(poly_states(m, level_states(m, u, level, caller))), crossed_(m, u, level, list_crossed()),
-        cuts_(crossed_.arrays, surface, caller, crossed_.poly_indices), face_number_(core::large_vector(face_index_bound(m), ~0u)) {}
+      : m_(m), level_(level), both_(both), states_(poly_states(m, level_states(m, u, level, caller))),
+        face_number_(core::large_vector(face_index_bound(m), ~0u)) {
+    crossed_.emplace(m, u, level, crossed_by_state(m, states_));
+    cuts_.emplace(crossed_->arrays, surface, caller, crossed_->poly_indices);
+  }
 
   clipped_volume<M> run(const clip_options& options, const char* caller) {
     report_concave_polys(options, caller);
-    const cell_parts parts(cuts_);
-    for (const std::uint32_t v : parts.moved_verts) result_.report.moved_verts.push_back(crossed_.verts[v]);
+    std::optional<cell_parts> parts(*cuts_);
+    for (const std::uint32_t v : parts->moved_verts) result_.report.moved_verts.push_back(crossed_->verts[v]);
     report_progress(options.progress, 0.3, "clipping");
-    clip_verts<M, crossed_volume> verts_of(m_, crossed_.arrays, parts.places, level_);
-    choose_polys(parts, verts_of);
-    build_faces(parts, verts_of);
-    build_polys(parts);
+    const std::vector<level_place> places = std::move(parts->places);
+    clip_verts<M, crossed_volume> verts_of(m_, crossed_->arrays, places, level_);
+    choose_polys(*parts, verts_of);
+    build_faces(*parts, verts_of);
+    build_polys(*parts);
     a_.points = std::move(verts_of.points);
     result_.from.verts = std::move(verts_of.origins);
+    parts.reset(), cuts_.reset(), crossed_.reset();  // their memory can be used for the mesh
+    core::release(new_face_), core::release(face_number_), core::release(whole_);
     report_progress(options.progress, 0.5, "clipping");
     result_.mesh = polyhedralmesh(std::move(a_));
     report_progress(options.progress, 0.8, "clipping");
-    list_poly_origins(parts);
+    list_poly_origins();
     result_.from.edges = clip_edges<M>(m_, result_.mesh, result_.from.verts, verts_of).list();
     if (options.properties) transfer_if_any(m_, result_.mesh, result_.from);
     report_progress(options.progress, 1, "clipping");
@@ -64,21 +72,14 @@ class volume_clipper {
   }
 
  private:
-  std::vector<poly_t<M>> list_crossed() const {
-    std::vector<poly_t<M>> crossed;
-    for (const poly_t<M> p : polys(m_))
-      if (is_crossed(states_[index_of(m_, p)])) crossed.push_back(p);
-    return crossed;
-  }
-
   void report_concave_polys(const clip_options& options, const char* caller) {
-    std::vector<unsigned char> is_cut(crossed_.polys.size(), 0);
-    for (const cell_cuts::loop& l : cuts_.loops()) is_cut[l.cell] |= l.cuts;
+    std::vector<unsigned char> is_cut(crossed_->polys.size(), 0);
+    for (const cell_cuts::loop& l : cuts_->loops()) is_cut[l.cell] |= l.cuts;
     for (std::uint32_t c = 0; c < is_cut.size(); ++c) {
       if (!is_cut[c]) continue;
       ++result_.report.cut_polys;
-      if (is_convex_cell(crossed_.arrays, c)) continue;
-      if (options.convex_only) throw_not_convex(caller, crossed_.poly_indices[c]);
+      if (is_convex_cell(crossed_->arrays, c)) continue;
+      if (options.convex_only) throw_not_convex(caller, crossed_->poly_indices[c]);
       ++result_.report.concave_polys;
     }
   }
@@ -129,7 +130,7 @@ class volume_clipper {
   }
 
   void build_faces(const cell_parts& parts, clip_verts<M, crossed_volume>& verts_of) {
-    verts_of.number([&](const level_place& x, std::vector<origin>& list) { crossed_.list_origins(x, list); });
+    verts_of.number([&](const level_place& x, std::vector<origin>& list) { crossed_->list_origins(x, list); });
     core::reserve_exact(a_.face_offsets, num_faces_ + 1), core::reserve_exact(a_.face_verts, num_corners_);
     a_.face_offsets.resize(num_faces_ + 1), a_.face_verts.resize(num_corners_);
     std::vector<std::uint32_t> origins;
@@ -184,15 +185,17 @@ class volume_clipper {
       }
       *next_end++ = end;
       result_.above.push_back(parts.parts[i].is_above);
+      cut_origins_.push_back(crossed_->poly_indices[parts.parts[i].cell]);
     }
+    result_.from.polys = origins_of(m_, whole_);
   }
 
-  void list_poly_origins(const cell_parts& parts) {
-    result_.from.polys = origins_of(m_, whole_);
-    for (std::size_t i = 0; i < cut_.size(); ++i) {
-      const double size = volume(result_.mesh, poly_id{whole_.size() + i});
+  void list_poly_origins() {
+    const std::size_t num_whole = result_.from.polys.size();
+    for (std::size_t i = 0; i < cut_origins_.size(); ++i) {
+      const double size = volume(result_.mesh, poly_id{num_whole + i});
       if (!(size > 0)) ++result_.report.inverted_parts;
-      result_.from.polys.add({origin{crossed_.poly_indices[parts.parts[cut_[i]].cell], size > 0 ? size : 0}});
+      result_.from.polys.add({origin{cut_origins_[i], size > 0 ? size : 0}});
     }
   }
 };
