@@ -49,6 +49,7 @@ inline void prefer_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] s
   // all now. It refuses where the memory of the program ends inside; then small pages are requested at once.
   constexpr int collapse = 25;  // MADV_COLLAPSE, Linux 6.1; glibc names it since 2.37
   for (const std::uintptr_t x : {first, last - 1}) {
+    if (x == last - 1 && last % large_page == 0) continue;  // nothing is behind the memory, which may be room that stays unused
     const std::uintptr_t begin = x & ~(large_page - 1), end = begin + large_page;
     if (::madvise(reinterpret_cast<void*>(begin), large_page, collapse) == 0) continue;
     const std::uintptr_t from = begin < first ? first : begin, to = end < last ? end : last;

@@ -20,7 +20,8 @@ class small_array {
   std::size_t size_ = 0, capacity_ = N;
 
   void grow(std::size_t n) {
-    flat_array<T> more(std::max(n, 2 * capacity_));
+    n = std::max(n, 2 * capacity_);
+    flat_array<T> more(whole_pages(n * sizeof(T), n * sizeof(T) / 3) / sizeof(T));
     std::copy_n(data_, size_, more.data());
     outside_.swap(more);
     data_ = outside_.data();

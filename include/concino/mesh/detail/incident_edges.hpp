@@ -81,12 +81,10 @@ class incident_edges {
   void make_growable() {
     if (!places_.is_packed()) return;
     row_places spread = places_.spread();
-    core::flat_array<vert_id> verts(spread.end_of_values(), vert_id{}, spread.reserved_values());
-    core::flat_array<edge_id> edges(spread.end_of_values(), edge_id{}, spread.reserved_values());
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      std::copy_n(verts_.data() + places_.first(i), places_.length(i), verts.data() + spread.first(i));
-      std::copy_n(edges_.data() + places_.first(i), places_.length(i), edges.data() + spread.first(i));
-    }
+    core::flat_array<vert_id> verts;
+    core::flat_array<edge_id> edges;
+    spread.copy_rows(places_, verts_, verts);
+    spread.copy_rows(places_, edges_, edges);
     places_.swap(spread), verts_.swap(verts), edges_.swap(edges);
   }
   /// After this call, n calls of add_vert() with that many edges in all cannot fail.

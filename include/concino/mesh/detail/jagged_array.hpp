@@ -95,8 +95,8 @@ class jagged_array<T, 0> {
   void make_growable() {
     if (!places_.is_packed()) return;
     row_places spread = places_.spread();
-    core::flat_array<T> data(spread.end_of_values(), T{}, spread.reserved_values());
-    for (std::size_t i = 0; i < size(); ++i) std::copy_n(begin(i), length(i), data.data() + spread.first(i));
+    core::flat_array<T> data;
+    spread.copy_rows(places_, data_, data);
     places_.swap(spread);
     data_.swap(data);
   }

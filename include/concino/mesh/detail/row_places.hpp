@@ -86,6 +86,20 @@ class row_places {
   /// Where the last row ends that loose() has made.
   std::size_t end_of_values() const { return size_ == 0 ? 0 : std::size_t{loose_[size_ - 1].first} + loose_[size_ - 1].room; }
 
+  /// Copies the values of the same rows at other places to these ones. The room of rows, and what is before them, has values of none. `to` is empty.
+  template<class T>
+  void copy_rows(const row_places& before, const core::flat_array<T>& from, core::flat_array<T>& to) const {
+    to.reserve(reserved_values());
+    to.resize(end_of_values());
+    T* at = to.data();
+    for (std::size_t i = 0; i < size_; ++i) {
+      T* const row = to.data() + first(i);
+      std::fill(at, row, T{});
+      at = std::copy_n(from.data() + before.first(i), before.length(i), row);
+    }
+    std::fill(at, to.data() + to.size(), T{});
+  }
+
   /// The capacity of their array, so that rows can move to its end: memory that is not used yet costs nothing, and moving all values to other memory much.
   std::size_t reserved_values() const { return end_of_values() + end_of_values() / 2; }
 
