@@ -36,6 +36,11 @@ class cavity_edges {
     const std::uint64_t hash = (std::uint64_t{a} << 32 | b) * 0x9e3779b97f4a7c15u;
     return static_cast<std::size_t>(hash >> 32 ^ hash) & (numbers_.size() - 1);
   }
+  void enlarge_table() {
+    const std::size_t n = 2 * numbers_.size();
+    numbers_.clear(), numbers_.resize(n, 0);
+    for (std::uint32_t i = 0; i < edges_.size(); ++i) number_at(edges_[i].a, edges_[i].b) = i + 1;
+  }
   std::uint32_t& number_at(unsigned a, unsigned b) {
     if (verts_ <= largest_matrix) return numbers_[a * verts_ + b];
     std::size_t i = first_slot(a, b);
@@ -48,9 +53,9 @@ class cavity_edges {
   cavity_edges(unsigned verts, std::size_t uses) : verts_(verts) {
     std::size_t n = 64;
     if (verts > largest_matrix)
-      while (n < 2 * uses) n *= 2;
+      while (n < uses / 2) n *= 2;  // in large cavities, most edges have more polys
     numbers_.resize(verts > largest_matrix ? n : std::size_t{verts} * verts, 0);
-    edges_.reserve(uses / 3);  // in large cavities, most edges have more polys
+    edges_.reserve(uses / 3);
   }
 
   /// Requests the memory where number() will look for an edge. Needs: there are too many verts for a matrix.
@@ -59,12 +64,13 @@ class cavity_edges {
   /// The number of the edge between two verts; it is added if it is new.
   unsigned number(unsigned a, unsigned b) {
     if (b < a) std::swap(a, b);
-    std::uint32_t& plus_one = number_at(a, b);
-    if (plus_one == 0) {
+    std::uint32_t* plus_one = &number_at(a, b);
+    if (*plus_one == 0) {
+      if (verts_ > largest_matrix && 2 * edges_.size() >= numbers_.size()) enlarge_table(), plus_one = &number_at(a, b);
       edges_.push_back({a, b, {}});
-      plus_one = static_cast<std::uint32_t>(edges_.size());
+      *plus_one = static_cast<std::uint32_t>(edges_.size());
     }
-    return plus_one - 1;
+    return *plus_one - 1;
   }
   cavity_edge& at(unsigned a, unsigned b) { return edges_[number(a, b)]; }
 

@@ -166,17 +166,25 @@ class cell_cavity {
         fan.old_joints += x.old_polys == 2;
         fan.new_joints += is_joint(x);
       }
+      if (Shape::verts == 4 && is_joint(x) && opposite(x.new_uses[0]) == opposite(x.new_uses[1])) shortest_ring_ = 2;
     }
+  }
+  /// The corner of a new tet that is not at the face with this use.
+  unsigned opposite(std::uint32_t use) const {
+    const auto& at = Shape::face_vert[use % Shape::faces];
+    return corners(use / Shape::faces)[6 - at[0] - at[1] - at[2]];
   }
   /// Whether face x connects two new polys.
   static bool is_joint(const face& x) { return x.new_polys == 2 && x.num_polys == x.old_polys; }
+
+  unsigned shortest_ring_ = Shape::verts == 4 ? 3 : 2;  // of new polys around an edge: two tets that have two faces in common have all
 
   /// Whether the new polys at edge e are connected by faces at e.
   bool is_connected(unsigned e) const {
     const std::uint32_t n = edges[e].new_polys;
     const fan_change& fan = fans[e];
     if (fan.new_joints + 1 < n) return false;
-    if (n <= (fan.new_joints < n ? 2u : 3u)) return true;  // too few for a ring of two polys and others
+    if (n <= (fan.new_joints < n ? shortest_ring_ : 2 * shortest_ring_ - 1)) return true;  // too few for a ring and others
     std::uint32_t met = 1;
     for (const unsigned side : {0u, 1u}) {
       std::uint32_t k = fan.first_new / Shape::edges, j = shape.edge_face[fan.first_new % Shape::edges][side];
@@ -195,7 +203,7 @@ class cell_cavity {
   std::uint32_t other_face_at(unsigned e, std::uint32_t k, std::uint32_t j) const {
     const std::uint32_t* const at = edges_of_new.begin() + k * Shape::edges;
     unsigned i = 0;
-    while (at[i] != e) ++i;
+    for (unsigned l = 1; l < Shape::edges; ++l) i = at[l] == e ? l : i;  // no branch, which would often be predicted wrongly
     const std::uint8_t* const two = shape.edge_face[i];
     return two[two[0] == j];
   }
