@@ -18,10 +18,10 @@ template<class R>
   requires requires(const R& r) { { r.row() } -> std::same_as<const void*>; }
 const void* row_address(const R& r) { return r.row(); }
 
-/// Requests what adj_e2v and adj_e2p of an edge will read, if the mesh can do so.
-template<class M, class E>
-void prefetch(const M& m, const E& e) {
-  if constexpr (requires { traits<M>::prefetch(m, e); }) traits<M>::prefetch(m, e);
+/// Requests what the verts and polys of an edge, or of a face of a volume, will be read from, if the mesh can do so.
+template<class M, class X>
+void prefetch(const M& m, const X& x) {
+  if constexpr (requires { traits<M>::prefetch(m, x); }) traits<M>::prefetch(m, x);
 }
 
 template<class R> concept is_contiguous = requires(const R& r) { row_address(r); };

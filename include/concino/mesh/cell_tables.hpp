@@ -96,6 +96,8 @@ class cell_tables {
     return all;
   }
   detail::polys_of_facet adj_f2p(face_id f) const { return facet_adjacency_.polys_of(f); }
+  /// Requests what the polys and verts of f are found by.
+  void prefetch(face_id f) const { facet_adjacency_.prefetch_owner(f); }
   auto adj_p2v(poly_id p) const { return p2v_[p.raw()]; }
   id_span<edge_id> adj_p2e(poly_id p) const { return p2e_[p.raw()]; }
   id_span<face_id> adj_p2f(poly_id p) const { return facet_adjacency_.facets(p); }

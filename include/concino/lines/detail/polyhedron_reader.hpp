@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
+#include <concino/core/prefetch.hpp>
 #include <concino/lines/detail/field_reader.hpp>
 #include <concino/lines/detail/flat_cell.hpp>
 #include <concino/lines/detail/line_signs.hpp>
@@ -35,6 +36,13 @@ class polyhedron_reader {
   flat_cell flat;
   vec3 field;  // set by the caller
 
+  /// Requests the memory of the lists of p.
+  static void request(const M& m, const poly_t<M>& p) {
+    if constexpr (core::is_contiguous<decltype(adj_p2v(m, p))>) core::prefetch(core::row_address(adj_p2v(m, p)));
+    if constexpr (core::is_contiguous<decltype(adj_p2f(m, p))>) core::prefetch(core::row_address(adj_p2f(m, p)));
+    if constexpr (core::is_contiguous<decltype(adj_p2p(m, p))>) core::prefetch(core::row_address(adj_p2p(m, p)));
+  }
+
   void forget() { is_read_ = false; }
   const poly_t<M>& poly() const { return poly_; }
 
@@ -47,19 +55,22 @@ class polyhedron_reader {
     verts.clear();
     faces.clear();
     flat.clear();
-    for (const vert_t<M> v : adj_p2v(m, p)) {
-      verts.push_back(v);
+    for (const vert_t<M> v : adj_p2v(m, p)) verts.push_back(v);
+    for (const face_t<M> f : adj_p2f(m, p)) {
+      faces.push_back(f);
+      core::prefetch(m, f);
+    }
+    for (const vert_t<M> v : verts) {
       flat.points.push_back(to_vec3(point(m, v)));
       if (!is_finite(flat.points.back())) throw_points_not_finite(index_of(m, p));
     }
     if (verts.size() > longest_scan) fill_table(m);
-    for (const face_t<M> f : adj_p2f(m, p)) {
-      faces.push_back(f);
+    for (std::uint32_t face = 0; face < faces.size(); ++face) {
       if (all_tets) {
         flat.add_face();
       } else {
-        read_corners(static_cast<std::uint32_t>(faces.size() - 1));
-        flat.add_face(ring_, face_is_outward(m, p, f));
+        read_corners(face);
+        flat.add_face(ring_, face_is_outward(m, p, faces[face]));
       }
     }
     return true;
@@ -156,17 +167,22 @@ class polyhedron_reader {
       if (!flat.has_corners(face)) read_face(face);
   }
 
+  bool has_corner(std::uint32_t face, std::uint32_t corner) const {
+    if (flat.has_corners(face)) return flat.has_corner(face, corner);
+    bool found = false;
+    for (const vert_t<M> v : adj_f2v(*m_, faces[face])) found |= v == verts[corner];
+    return found;
+  }
+
   cell_exit leave_tet(const vec3& x, std::span<const std::uint32_t> entry) {
     const std::uint32_t behind = flat.corner_left_behind(x, field, entry);
     if (behind == flat_cell::no_corner) return {};
-    for (std::uint32_t face = 0; face < 4; ++face) {
-      const bool is_known = flat.has_corners(face);
-      if (!is_known) read_corners(face);
-      if (is_known ? flat.has_corner(face, behind) : std::find(ring_.begin(), ring_.end(), behind) != ring_.end()) continue;
-      if (!is_known) set_face(face);
-      return flat.leave_through(face, x, field, entry);
-    }
-    return {};
+    std::uint32_t out = 4;
+    for (std::uint32_t face = 4; face-- > 0;)  // all are read, without branches: so the memory of one does not wait for another's
+      out = has_corner(face, behind) ? out : face;
+    if (out == 4) return {};
+    if (!flat.has_corners(out)) read_face(out);
+    return flat.leave_through(out, x, field, entry);
   }
 
   void fill_table(const M& m) {

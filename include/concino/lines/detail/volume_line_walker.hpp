@@ -181,6 +181,8 @@ class volume_line_walker {
       ++n;
     }
     if (n != 2 || !other) return to.stop(n <= 2 ? line_end::boundary : line_end::non_manifold);
+    cell_.request(*m_, *other);
+    field_.request(*other);
     const std::array<vec3, 3> at = {cell_.flat.points[t.corner[0]], cell_.flat.points[t.corner[1]], cell_.flat.points[t.corner[2]]};
     const vec3 g = cell_.field;
     read(*other);
