@@ -166,7 +166,9 @@ class cell_cavity {
         fan.old_joints += x.old_polys == 2;
         fan.new_joints += is_joint(x);
       }
-      if (Shape::verts == 4 && is_joint(x) && opposite(x.new_uses[0]) == opposite(x.new_uses[1])) shortest_ring_ = 2;
+      if (!is_joint(x)) continue;
+      mates_[x.new_uses[0]] = x.new_uses[1], mates_[x.new_uses[1]] = x.new_uses[0];
+      if (Shape::verts == 4 && opposite(x.new_uses[0]) == opposite(x.new_uses[1])) shortest_ring_ = 2;
     }
   }
   /// The corner of a new tet that is not at the face with this use.
@@ -177,6 +179,8 @@ class cell_cavity {
   /// Whether face x connects two new polys.
   static bool is_joint(const face& x) { return x.new_polys == 2 && x.num_polys == x.old_polys; }
 
+  static constexpr std::uint32_t no_mate = ~0u;
+  core::small_array<std::uint32_t, 16 * Shape::faces> mates_{Shape::faces * c.ends.size(), no_mate};  // by use of a face that connects two new polys: the other one
   unsigned shortest_ring_ = Shape::verts == 4 ? 3 : 2;  // of new polys around an edge: two tets that have two faces in common have all
 
   /// Whether the new polys at edge e are connected by faces at e.
@@ -187,14 +191,12 @@ class cell_cavity {
     if (n <= (fan.new_joints < n ? shortest_ring_ : 2 * shortest_ring_ - 1)) return true;  // too few for a ring and others
     std::uint32_t met = 1;
     for (const unsigned side : {0u, 1u}) {
-      std::uint32_t k = fan.first_new / Shape::edges, j = shape.edge_face[fan.first_new % Shape::edges][side];
-      while (is_joint(faces[faces_of_new[k * Shape::faces + j]])) {
-        const face& x = faces[faces_of_new[k * Shape::faces + j]];
-        const std::uint32_t use = x.new_uses[x.new_uses[0] == k * Shape::faces + j];
-        k = use / Shape::faces;
+      std::uint32_t use = fan.first_new / Shape::edges * Shape::faces + shape.edge_face[fan.first_new % Shape::edges][side];
+      while ((use = mates_[use]) != no_mate) {
+        const std::uint32_t k = use / Shape::faces;
         if (k == fan.first_new / Shape::edges) return met == n;
         ++met;
-        j = other_face_at(e, k, use % Shape::faces);
+        use = k * Shape::faces + other_face_at(e, k, use % Shape::faces);
       }
     }
     return met == n;
