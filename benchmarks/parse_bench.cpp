@@ -1,29 +1,13 @@
-// Measures the readers of all formats alone: from a text in memory to flat arrays, in megabytes of text per second. The floor of a text is
-// std::from_chars on each of its words, that of a binary file is a copy.
-#include "support/program.hpp"
+// Measures the readers of all formats of meshes alone: from a text in memory to flat arrays, in megabytes of text per second.
+#include "support/parse.hpp"
 
 #include <concino/io.hpp>
 #include <concino/mesh.hpp>
 
-#include <charconv>
-#include <string_view>
+#include <string>
+#include <utility>
 
 namespace {
-
-/// Words that are no numbers are skipped, as is the rest of a word after its first number.
-double sum_of_numbers(std::string_view text) {
-  double sum = 0;
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  while (at < end) {
-    while (at < end && static_cast<unsigned char>(*at) <= ' ') ++at;
-    double x = 0;
-    if (at < end) at = std::from_chars(at, end, x).ptr;
-    sum += x;
-    while (at < end && static_cast<unsigned char>(*at) > ' ') ++at;
-  }
-  return sum;
-}
 
 /// Measures one format on one mesh, which is read again as Arrays.
 template<class Arrays>
@@ -44,11 +28,7 @@ struct reader_rows {
     if (!p.wants(work)) return;
     const auto read = [&] { return concino::load_text<Arrays>(text, format); };
     if (read().num_polys() != polys) throw std::runtime_error(work + ": the text holds another number of polys");
-    const auto floor = [&] { return binary ? bench::seconds_of([&] { return text; }) : bench::seconds_of([&] { return sum_of_numbers(text); }); };
-    const auto rows = bench::compare(work, p.rounds, {{"floor", floor}, {"concino", [&] { return bench::seconds_of(read); }}});
-    p.print(rows);
-    for (const bench::row& r : rows)
-      if (r.contender == "concino") p.print({{"parse_speed." + name, "concino", "MB/s", static_cast<double>(text.size()) / 1e6 / r.value, 1}});
+    bench::measure_parse(p, name, text, binary, read);
   }
 };
 

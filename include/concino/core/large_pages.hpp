@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <initializer_list>
+#include <type_traits>
 #include <vector>
 
 #if defined(__linux__)
@@ -144,7 +145,7 @@ void reserve_pages(std::vector<T>& v, std::size_t n) {
 
 /// Appends to a vector of which nobody knows how large it becomes. Its memory is doubled by reserve_large().
 template<class T>
-void append_large(std::vector<T>& v, const T& x) {
+void append_large(std::vector<T>& v, const std::type_identity_t<T>& x) {
   if (v.size() == v.capacity()) reserve_large(v, v.size() + v.size() + 1);
   v.push_back(x);
 }

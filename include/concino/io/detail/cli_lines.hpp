@@ -1,24 +1,42 @@
 // What text and binary files of the Common Layer Interface have in common: how contours are closed, and numbers in units of the file.
 #pragma once
 
+#include <concino/core/large_pages.hpp>
 #include <concino/io/slice_layer.hpp>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace concino::detail {
 
-/// Frees the memory that the last layer does not use, and adds a layer.
+/// Moves values into memory of their size. What is left in `from` is room for the next values.
+template<class T>
+std::vector<T> take_exactly(std::vector<T>& from) {
+  std::vector<T> exact;
+  exact.reserve(from.size());
+  core::request_pages(exact.data(), from.size() * sizeof(T));
+  exact.insert(exact.end(), from.begin(), from.end());
+  from.clear();
+  return exact;
+}
+
+/// Adds a layer. It takes the memory of the last one, which keeps no more than it uses: memory grows in the first layers only.
 inline void begin_layer(slices& s, double z) {
-  if (!s.layers.empty())
-    for (slice_lines* lines : {&s.layers.back().outer, &s.layers.back().inner, &s.layers.back().open, &s.layers.back().hatches}) {
-      lines->points.shrink_to_fit();
-      lines->ends.shrink_to_fit();
-      lines->ids.shrink_to_fit();
+  slice_layer next;
+  next.z = z;
+  if (!s.layers.empty()) {
+    slice_layer& last = s.layers.back();
+    for (slice_lines slice_layer::*const lines : {&slice_layer::outer, &slice_layer::inner, &slice_layer::open, &slice_layer::hatches}) {
+      slice_lines &to = last.*lines, &from = next.*lines;
+      std::swap(to, from);
+      to = {take_exactly(from.points), take_exactly(from.ends), take_exactly(from.ids)};
     }
-  s.layers.emplace_back().z = z;
+  }
+  s.layers.push_back(std::move(next));
 }
 
 /// Ends the line of all points after those of the last line; drops the last point of a closed contour that repeats the first one.

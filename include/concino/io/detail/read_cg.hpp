@@ -1,6 +1,7 @@
 // The reader of .cg, the format of curve skeletons by Tagliasacchi et al. 2012: lines of verts and edges.
 #pragma once
 
+#include <concino/core/large_pages.hpp>
 #include <concino/io/detail/skeleton_reader.hpp>
 #include <concino/io/detail/characters.hpp>
 
@@ -78,13 +79,13 @@ class cg_reader : skeleton_reader {
       if (!line_continues()) fail(at, "x y z of a vert in one line");
       c = real("a coordinate of a vert");
     }
-    out_.points.push_back({x[0], x[1], x[2]});
+    core::append_large(out_.points, {x[0], x[1], x[2]});
     double radius = 0;
     if (line_continues()) {
       radius = real("the radius of a vert");
       ++num_radii_;
     }
-    out_.radii.push_back(radius);
+    core::append_large(out_.radii, radius);
     end_line("the end of the line after x y z and the radius");
   }
 
