@@ -44,8 +44,15 @@ class flat_cell {
   std::vector<cell_triangle> triangles;  // of the faces that were cut
 
   void clear();
-  /// Adds a face; its corners are given before it is used.
+  /// Adds a face; its corners are given before it is used, and its direction before it is cut.
   void add_face() { faces_.push_back({0, 0, false, false}); }
+  /// The corners of a face are given one after another, before those of the next face.
+  void add_corner(std::uint32_t face, std::uint32_t corner) {
+    if (faces_[face].size++ == 0) faces_[face].first = static_cast<std::uint32_t>(corners_.size());
+    corners_.push_back(corner);
+  }
+  void set_outward(std::uint32_t face, bool is_outward) { faces_[face].is_outward = is_outward; }
+  bool is_cut(std::uint32_t face) const { return faces_[face].is_cut; }
   bool has_corners(std::uint32_t face) const { return faces_[face].size > 0; }
   bool has_corner(std::uint32_t face, std::uint32_t corner) const;
   /// ring: the corners of the face in cyclic order, counter-clockwise seen from outside or not.
@@ -63,6 +70,10 @@ class flat_cell {
   /// Needs: entry: the corners of the triangle (3), the edge (2) or the vert (1) at which x lies, or none, inside. x lies there but for rounding.
   /// `none` if the line misses the cell, which happens if x is so near to the border of its triangle or edge that rounding put it outside.
   cell_exit leave(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry);
+  // The same in steps: look along the line, cut the faces that it may cross, and take the exit from what was cut.
+  void look(const vec3& x, const vec3& g);
+  bool may_cross(std::uint32_t face) const;
+  cell_exit exit(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) const;
 
   /// Whether this is a tet. Where all corners are known, its exit is found by fewer determinants.
   bool is_tet() const { return points.size() == 4 && faces_.size() == 4 && corners_.size() == 12; }
@@ -74,6 +85,7 @@ class flat_cell {
 
  private:
   struct place { double u, v; };  // of a corner seen along g, from x
+  enum : std::uint8_t { right = 1, left = 2, above = 4, below = 8 };
   struct face_ring {
     std::uint32_t first, size;
     bool is_outward, is_cut;
@@ -84,10 +96,9 @@ class flat_cell {
   std::vector<std::uint32_t> corners_, ring_;
   std::vector<vec3> ring_points_;
   std::vector<place> seen_;
+  std::vector<std::uint8_t> away_;  // on which sides of x corners lie, by more than rounding
   double nearly_ = 0;  // more than the errors of seen_
 
-  void see(const vec3& x, const vec3& g);
-  bool may_cross(const face_ring& f) const;
   int quick_side(std::uint32_t a, std::uint32_t b) const;
   signed_value side(std::uint32_t a, std::uint32_t b, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) const;
   bool leaves_through(const cell_triangle& t, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) const;

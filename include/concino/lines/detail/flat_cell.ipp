@@ -99,7 +99,7 @@ CONCINO_INLINE void flat_cell::cut_face(std::uint32_t face) {
   for (const polygon_triangle& t : cut_(ring_points_)) add(t);
 }
 
-CONCINO_INLINE void flat_cell::see(const vec3& x, const vec3& g) {
+CONCINO_INLINE void flat_cell::look(const vec3& x, const vec3& g) {
   const vec3 along = g / norm(g);
   vec3 u = cross(along, std::abs(along.x) < 0.6 ? vec3{1, 0, 0} : vec3{0, 1, 0});
   u /= norm(u);
@@ -112,21 +112,24 @@ CONCINO_INLINE void flat_cell::see(const vec3& x, const vec3& g) {
     farthest = std::max(farthest, dot(d, d));
   }
   nearly_ = 1e-14 * farthest;
+  const double off = 1e-14 * std::sqrt(farthest);
+  away_.resize(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto [a, b] = seen_[i];
+    away_[i] = static_cast<std::uint8_t>((a > off ? right : 0) | (a < -off ? left : 0) | (b > off ? above : 0) | (b < -off ? below : 0));
+  }
 }
 
-/// Whether the line may pass through the face, seen along the line: most faces are left out by their boxes, others because the line is on one side
-/// of all corners.
-CONCINO_INLINE bool flat_cell::may_cross(const face_ring& f) const {
+/// Whether the line may pass through the face, seen along the line: most faces are left out because all corners are to the left, right, above or below,
+/// others because the line is on one side of all corners.
+CONCINO_INLINE bool flat_cell::may_cross(std::uint32_t face) const {
+  const face_ring& f = faces_[face];
   const std::uint32_t* const c = corners_.data() + f.first;
-  place low = seen_[c[0]], high = low, sum = low;
-  for (std::uint32_t i = 1; i < f.size; ++i) {
-    const place& p = seen_[c[i]];
-    low = {std::min(low.u, p.u), std::min(low.v, p.v)};
-    high = {std::max(high.u, p.u), std::max(high.v, p.v)};
-    sum = {sum.u + p.u, sum.v + p.v};
-  }
-  const auto is_away = [&](double from, double to) { return (from > 0 && from * from > 1e-14 * nearly_) || (to < 0 && to * to > 1e-14 * nearly_); };
-  if (is_away(low.u, high.u) || is_away(low.v, high.v)) return false;
+  unsigned away = right | left | above | below;
+  for (std::uint32_t i = 0; i < f.size; ++i) away &= away_[c[i]];
+  if (away) return false;
+  place sum = {0, 0};
+  for (std::uint32_t i = 0; i < f.size; ++i) sum = {sum.u + seen_[c[i]].u, sum.v + seen_[c[i]].v};
   double least = std::numeric_limits<double>::infinity();  // the parts of the corners along the direction to their mean
   for (std::uint32_t i = 0; i < f.size; ++i) least = std::min(least, seen_[c[i]].u * sum.u + seen_[c[i]].v * sum.v);
   return !(least > 0 && least * least > 1e-14 * nearly_ * (sum.u * sum.u + sum.v * sum.v));
@@ -204,9 +207,13 @@ CONCINO_INLINE cell_exit flat_cell::leave_through(std::uint32_t face, const vec3
 }
 
 CONCINO_INLINE cell_exit flat_cell::leave(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) {
-  see(x, g);
+  look(x, g);
   for (std::uint32_t f = 0; f < faces_.size(); ++f)
-    if (!faces_[f].is_cut && may_cross(faces_[f])) cut_face(f);
+    if (!faces_[f].is_cut && may_cross(f)) cut_face(f);
+  return exit(x, g, entry);
+}
+
+CONCINO_INLINE cell_exit flat_cell::exit(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) const {
   std::uint32_t found = 0, best = 0;
   double best_distance = 0;
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {

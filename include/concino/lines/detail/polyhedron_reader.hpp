@@ -25,10 +25,10 @@ class polyhedron_reader {
   static constexpr bool all_tets = arity_v<M> == 4;  // then a face is read when it is needed: a line needs two of them
 
   const M* m_ = nullptr;
-  std::vector<std::uint32_t> ring_;
   std::vector<std::uint32_t> corner_at_;  // a hash table of the corners by the indices of their verts, of cells with more of them
   poly_t<M> poly_ = poly_t<M>();
   bool is_read_ = false;
+  int shift_ = 0;
 
  public:
   std::vector<vert_t<M>> verts;
@@ -66,32 +66,31 @@ class polyhedron_reader {
     }
     if (verts.size() > longest_scan) fill_table(m);
     for (std::uint32_t face = 0; face < faces.size(); ++face) {
-      if (all_tets) {
-        flat.add_face();
-      } else {
-        read_corners(face);
-        flat.add_face(ring_, face_is_outward(m, p, faces[face]));
-      }
+      flat.add_face();
+      if (!all_tets) read_corners(face);
     }
     return true;
   }
 
   void cut_faces() {
-    read_faces();
-    flat.cut_faces();
+    for (std::uint32_t face = 0; face < faces.size(); ++face) cut_face(face);
   }
 
   /// As flat_cell::leave.
   cell_exit leave(const vec3& x, std::span<const std::uint32_t> entry) {
     if (entry.size() == 3 && (all_tets || flat.is_tet())) return leave_tet(x, entry);
-    if (all_tets) read_faces();
-    return flat.leave(x, field, entry);
+    if (all_tets)
+      for (std::uint32_t face = 0; face < 4; ++face) read_corners(face);
+    flat.look(x, field);
+    for (std::uint32_t face = 0; face < faces.size(); ++face)
+      if (!flat.is_cut(face) && flat.may_cross(face)) cut_face(face);
+    return flat.exit(x, field, entry);
   }
 
   [[gnu::always_inline]] inline std::uint32_t corner_of(const M& m, const vert_t<M>& v) const {  // a call for each corner of a cell would be slow
     if (verts.size() <= longest_scan) return static_cast<std::uint32_t>(std::find(verts.begin(), verts.end(), v) - verts.begin());
     const std::size_t mask = corner_at_.size() - 1;
-    std::size_t i = index_of(m, v) & mask;
+    std::size_t i = slot_of(index_of(m, v));
     while (corner_at_[i] != none && !(verts[corner_at_[i]] == v)) i = (i + 1) & mask;
     return corner_at_[i];
   }
@@ -99,8 +98,7 @@ class polyhedron_reader {
   /// The triangle of a face with this number.
   std::uint32_t triangle(const face_t<M>& f, std::uint32_t number) {
     const std::uint32_t face = static_cast<std::uint32_t>(std::find(faces.begin(), faces.end(), f) - faces.begin());
-    if (!flat.has_corners(face)) read_face(face);
-    flat.cut_face(face);
+    cut_face(face);
     for (std::uint32_t t = 0; t < flat.triangles.size(); ++t)
       if (flat.triangles[t].face == face && flat.triangles[t].number == number) return t;
     return 0;
@@ -154,17 +152,14 @@ class polyhedron_reader {
 
  private:
   [[gnu::always_inline]] inline void read_corners(std::uint32_t face) {
-    ring_.clear();
-    for (const vert_t<M> v : adj_f2v(*m_, faces[face])) ring_.push_back(corner_of(*m_, v));
+    if (flat.has_corners(face)) return;
+    for (const vert_t<M> v : adj_f2v(*m_, faces[face])) flat.add_corner(face, corner_of(*m_, v));
   }
-  void set_face(std::uint32_t face) { flat.set_face(face, ring_, face_is_outward(*m_, poly_, faces[face])); }
-  void read_face(std::uint32_t face) {
+  void cut_face(std::uint32_t face) {
+    if (flat.is_cut(face)) return;
     read_corners(face);
-    set_face(face);
-  }
-  void read_faces() {
-    for (std::uint32_t face = 0; face < faces.size(); ++face)
-      if (!flat.has_corners(face)) read_face(face);
+    flat.set_outward(face, face_is_outward(*m_, poly_, faces[face]));  // asked here only: it may have to search, and few faces are cut
+    flat.cut_face(face);
   }
 
   bool has_corner(std::uint32_t face, std::uint32_t corner) const {
@@ -181,14 +176,17 @@ class polyhedron_reader {
     for (std::uint32_t face = 4; face-- > 0;)  // all are read, without branches: so the memory of one does not wait for another's
       out = has_corner(face, behind) ? out : face;
     if (out == 4) return {};
-    if (!flat.has_corners(out)) read_face(out);
+    cut_face(out);
     return flat.leave_through(out, x, field, entry);
   }
 
+  /// Indices of a cell are often those of a grid, and differ by powers of two.
+  std::size_t slot_of(std::size_t index) const { return std::uint64_t{index} * 0x9E3779B97F4A7C15 >> shift_; }
   void fill_table(const M& m) {
     corner_at_.assign(std::bit_ceil(4 * verts.size()), none);
+    shift_ = 64 - std::countr_zero(corner_at_.size());
     for (std::size_t k = 0; k < verts.size(); ++k) {
-      std::size_t i = index_of(m, verts[k]) & (corner_at_.size() - 1);
+      std::size_t i = slot_of(index_of(m, verts[k]));
       while (corner_at_[i] != none) i = (i + 1) & (corner_at_.size() - 1);
       corner_at_[i] = static_cast<std::uint32_t>(k);
     }
