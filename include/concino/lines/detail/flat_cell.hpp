@@ -64,7 +64,6 @@ class flat_cell {
   /// The triangles are those of polygon_triangulator, from the first corner in `lies_before` towards the earlier one of its neighbours: so they are
   /// the same for both cells, and do not depend on the corner with which the mesh begins the face.
   void cut_face(std::uint32_t face);
-  void cut_faces();
 
   /// Where the line from x along g leaves the cell for the first time.
   /// Needs: entry: the corners of the triangle (3), the edge (2) or the vert (1) at which x lies, or none, inside. x lies there but for rounding.

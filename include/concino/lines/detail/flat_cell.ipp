@@ -56,10 +56,6 @@ CONCINO_INLINE bool flat_cell::has_corner(std::uint32_t face, std::uint32_t corn
   return is_corner_of(corner, std::span(corners_).subspan(faces_[face].first, faces_[face].size));
 }
 
-CONCINO_INLINE void flat_cell::cut_faces() {
-  for (std::uint32_t f = 0; f < faces_.size(); ++f) cut_face(f);
-}
-
 CONCINO_INLINE void flat_cell::cut_face(std::uint32_t face) {
   face_ring& f = faces_[face];
   if (f.is_cut) return;
