@@ -105,6 +105,7 @@ TEST_CASE_TEMPLATE("vert_split: random sets of polys, of which a collapse restor
   unsigned done = 0;
   for (unsigned round = 0; round < 30; ++round) {
     M m = round % 2 ? cn::testing::random_soup<M>(random, 9, 14).mesh() : cn::testing::grid<M>(2);
+    const auto before = topology(m);
     for (unsigned i = 0; i < 20; ++i) {
       const std::vector<unsigned> all = raw(cn::verts(m));
       const cn::vert_id v{all[random() % all.size()]};
@@ -112,7 +113,6 @@ TEST_CASE_TEMPLATE("vert_split: random sets of polys, of which a collapse restor
       for (const auto p : cn::adj_v2p(m, v))
         if (random() % 2) moved.push_back(p);
       const auto polys = oriented_polys(m);
-      const auto before = topology(m);
       const auto old = cn::testing::whole(m);
       const auto made = cn::vert_split(m, v, moved, {0.5, 0.6, 0.7});
       if (!made) {

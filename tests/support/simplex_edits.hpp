@@ -179,7 +179,10 @@ inline int order_of(const simplices& polys, const std::set<unsigned>& s) {
 
 /// Whether collapsing edge ab of the complex of these polys keeps its topology: by the definitions of Dey et al. 1999, for every simplex s of the links of a and b
 /// the order of abs is not smaller than those of as and bs both.
-inline bool obeys_link_condition(const detail::simplices& polys, unsigned a, unsigned b) {
+inline bool obeys_link_condition(const detail::simplices& all_polys, unsigned a, unsigned b) {
+  detail::simplices polys;  // those with a or b, since only links of simplices with one of them are looked at
+  for (const auto& p : all_polys)
+    if (p.count(a) || p.count(b)) polys.insert(p);
   const detail::simplices at_edge = detail::link_of(polys, {a, b});
   for (const auto& p : at_edge)
     if (at_edge.count(p) > 1) return false;
@@ -202,8 +205,9 @@ inline bool obeys_link_condition(const detail::simplices& polys, unsigned a, uns
 template<class M>
 std::multiset<std::multiset<std::pair<std::size_t, std::size_t>>> singular_links(const M& m) {
   std::multiset<std::multiset<std::pair<std::size_t, std::size_t>>> all;
-  const auto sets = polys_as_sets(m);
   for (const auto v : verts(m)) {
+    detail::simplices sets;
+    for (const auto p : adj_v2p(m, v)) sets.insert(raw_set(adj_p2v(m, p)));
     const auto graph = detail::link_of(sets, {v.raw()});
     if (graph.empty() || detail::order_by_graph(graph) < 2) continue;
     const auto arcs = detail::arcs_of(graph);
