@@ -73,12 +73,13 @@ void sort_by_index(const M& m, std::vector<Id>& all) {
 
 /// The elements that `all` lists as often as `count` says that they are in such lists.
 template<class M, class Id, class Count>
-std::vector<Id> listed_completely(const M& m, std::vector<Id> all, const Count& count) {
+std::vector<Id> listed_completely(const M& m, const std::vector<Id>& all, const Count& count) {
   std::vector<Id> found;
-  sort_by_index(m, all);
-  for (std::size_t i = 0, last = 0; i < all.size(); i = last) {
-    while (last < all.size() && all[last] == all[i]) ++last;
-    if (last - i == static_cast<std::size_t>(count(all[i]))) found.push_back(all[i]);
+  std::vector<unsigned> times;  // by index
+  for (const Id x : all) {
+    const std::size_t i = index_of(m, x);
+    if (i >= times.size()) times.resize(i + 1);
+    if (++times[i] == static_cast<std::size_t>(count(x))) found.push_back(x);
   }
   return found;
 }
@@ -95,15 +96,15 @@ std::ptrdiff_t count_lost(const M& m, const std::vector<poly_t<M>>& removed, con
     face_list<M> lost;
     for (const poly_t<M> p : removed)
       for (const face_t<M> f : adj_p2f(m, p)) lost.push_back(f);
-    lost = listed_completely(m, std::move(lost), [&](face_t<M> f) { return num_elements(adj_f2p(m, f)); });
+    lost = listed_completely(m, lost, [&](face_t<M> f) { return num_elements(adj_f2p(m, f)); });
     lost.insert(lost.end(), loose.begin(), loose.end());
     for (const face_t<M> f : lost)
       for (const edge_t<M> e : adj_f2e(m, f)) candidates.push_back(e);
-    return n(lost) - n(listed_completely(m, std::move(candidates), [&](edge_t<M> e) { return num_elements(adj_e2f(m, e)); })) - n(removed);
+    return n(lost) - n(listed_completely(m, candidates, [&](edge_t<M> e) { return num_elements(adj_e2f(m, e)); })) - n(removed);
   } else {
     for (const poly_t<M> p : removed)
       for (const edge_t<M> e : adj_p2e(m, p)) candidates.push_back(e);
-    return n(removed) - n(listed_completely(m, std::move(candidates), [&](edge_t<M> e) { return num_elements(adj_e2p(m, e)); }));
+    return n(removed) - n(listed_completely(m, candidates, [&](edge_t<M> e) { return num_elements(adj_e2p(m, e)); }));
   }
 }
 
@@ -308,8 +309,12 @@ class random_editor {
   }
   predicted_change collect() {
     if (is_recorded_) return {};  // refused while a transaction is open
-    const auto before = values_.of(m);
-    values_.check_moved(m, before, garbage_collect(m));
+    if (wants_prediction_) {
+      const auto before = values_.of(m);
+      values_.check_moved(m, before, garbage_collect(m));
+    } else {
+      garbage_collect(m);
+    }
     CHECK(num_verts(m) == vert_index_bound(m));
     CHECK(num_polys(m) == poly_index_bound(m));
     return {};
@@ -450,7 +455,7 @@ class random_edits_check {
 template<class M, class Values = no_values>
 random_edits_check<M, Values> edit_at_random(const M& start, std::mt19937& random, unsigned tries, unsigned end, const Values& values = {}) {
   const bool keeps_topology = end <= num_topological_operators;
-  const std::size_t most = num_polys(start) + 24;
+  const std::size_t most = num_polys(start) + 24, least = std::clamp<std::size_t>(num_polys(start) / 2, 2, 4);
   const auto facts = topology(start);
   random_edits_check<M, Values> r(start, random, values);
   M& m = r.mesh();
@@ -458,11 +463,11 @@ random_edits_check<M, Values> edit_at_random(const M& start, std::mt19937& rando
     for (unsigned what = keeps_topology || i % 4 == 0 ? 0 : num_topological_operators; what < end; ++what) {
       if (!has_operator<M>(what)) continue;
       r.check(what);
-      if (num_polys(m) < num_polys(start) / 2 || num_polys(m) < 4) m = start;
+      if (num_polys(m) < num_polys(start) / 2 || num_polys(m) < least) m = start;
     }
     if constexpr (has_topological_operators<M>)
       for (unsigned k = 0; k < 6 && num_polys(m) > most; ++k) r.check(collapse_edge);
-    if (num_polys(m) > 2 * most) m = start;
+    if (num_polys(m) > (has_topological_operators<M> ? 2 * most : 3 * num_polys(start))) m = start;
     if (edge_index_bound(m) > 8 * num_edges(m) + 100) garbage_collect(m);
     if (i % 1024 != 0 && i + 1 != tries) continue;
     keeps_all_laws(m);
