@@ -81,7 +81,7 @@ class basic_polyhedra_tables {
   /// Requests what adj_f2p and adj_f2v read first.
   void prefetch(face_id f) const {
     facet_adjacency_.prefetch_owner(f);
-    __builtin_prefetch(f2v_.begin(f.raw()));
+    if constexpr (requires { f2v_.begin(f.raw()); }) __builtin_prefetch(f2v_.begin(f.raw()));  // arrays of the caller have no such address
   }
   id_span<vert_id> adj_p2v(poly_id p) const { return p2v_[p.raw()]; }
   id_span<edge_id> adj_p2e(poly_id p) const { return p2e_[p.raw()]; }
