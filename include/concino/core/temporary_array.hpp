@@ -22,11 +22,11 @@ class temporary_array {
   std::size_t capacity_ = 0;
   std::size_t mapped_ = 0;  // bytes; 0: the array is on the heap
 
-  /// The size of the mapping for an array of so many bytes: whole large pages, at most three times as large as the array. 0: it is no mapping.
+  /// The size of the mapping for an array of so many bytes: whole large pages, at most four times as large as the array. 0: it is no mapping.
   static std::size_t mapping_of([[maybe_unused]] std::size_t bytes) {
 #if defined(__linux__)
     constexpr std::size_t page = std::size_t{1} << 21;
-    if (bytes > page / 3 && bytes < ~std::size_t{0} / 2) return (bytes + page - 1) & ~(page - 1);
+    if (bytes > page / 4 && bytes < ~std::size_t{0} / 2) return (bytes + page - 1) & ~(page - 1);
 #endif
     return 0;
   }

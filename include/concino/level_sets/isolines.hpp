@@ -48,6 +48,7 @@ std::vector<level_line<M>> find_isolines(const M& m, const U& u, const V& values
       level_line<M>& line = lines.emplace_back();
       line.closed = joined.closed[i] != 0;
       line.value = level;
+      line.places.reserve(joined.ends[i] - k), line.points.reserve(joined.ends[i] - k), line.edge_points.reserve(joined.ends[i] - k);
       for (; k < joined.ends[i]; ++k) {
         line.places.push_back(crossed.mesh_point_of(m, joined.places[k], level));
         line.points.push_back(line.places.back().position);

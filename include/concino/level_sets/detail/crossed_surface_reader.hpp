@@ -19,7 +19,10 @@ namespace concino::detail {
 /// The polys of a surface that a level set crosses: in flat arrays, and as descriptors by number.
 template<class M>
 class crossed_surface_reader {
-  core::local_numbers vert_numbers_, edge_numbers_;
+  struct corner {
+    vert_t<M> vert;
+    edge_t<M> edge;  // to the next corner
+  };
 
  public:
   crossed_surface arrays;
@@ -29,13 +32,10 @@ class crossed_surface_reader {
 
   template<class U>
   crossed_surface_reader(const M& m, const U& u, double level, std::vector<poly_t<M>> crossed) : polys(std::move(crossed)) {
-    for (const poly_t<M>& p : polys) {
-      for (const auto& [e, from, to] : oriented_edges(m, p)) {
-        add_vert(m, u, level, from);
-        add_edge(m, e);
-      }
-      arrays.first_corner.push_back(static_cast<std::uint32_t>(arrays.verts.size()));
-    }
+    const std::vector<corner> corners = read_corners(m);
+    number(m, corners);
+    read_verts(m, u, level);
+    read_edges(m);
   }
 
   mesh_point<M> mesh_point_of(const M& m, const level_place& x, double level) const {
@@ -55,26 +55,48 @@ class crossed_surface_reader {
   }
 
  private:
-  template<class U>
-  void add_vert(const M& m, const U& u, double level, const vert_t<M>& v) {
-    const std::size_t index = index_of(m, v);
-    const unsigned number = vert_numbers_.add(index);
-    arrays.verts.push_back(number);
-    if (number < verts.size()) return;
-    verts.push_back(v);
-    arrays.vert_indices.push_back(static_cast<std::uint32_t>(index));
-    arrays.points.push_back(to_vec3(point(m, v)));
-    arrays.values.push_back(static_cast<double>(u[v]));
-    arrays.states.push_back(level_state(arrays.values.back(), level));
+  // Each function reads one thing of all elements in a short loop, so that the processor waits for the memory of several elements at once.
+
+  std::vector<corner> read_corners(const M& m) {
+    std::vector<corner> corners;
+    arrays.first_corner.reserve(polys.size() + 1);
+    corners.reserve(polys.size() * (arity_v<M> > 0 ? arity_v<M> : 6));
+    for (const poly_t<M>& p : polys) {
+      for (const auto& [e, from, to] : oriented_edges(m, p)) corners.push_back({from, e});
+      arrays.first_corner.push_back(static_cast<std::uint32_t>(corners.size()));
+    }
+    return corners;
   }
-  void add_edge(const M& m, const edge_t<M>& e) {
-    const unsigned number = edge_numbers_.add(index_of(m, e));
-    arrays.edges.push_back(number);
-    if (number < edges.size()) return;
-    edges.push_back(e);
-    unsigned char n = 0;
-    for ([[maybe_unused]] const poly_t<M> p : adj_e2p(m, e)) n = n < 3 ? static_cast<unsigned char>(n + 1) : n;
-    arrays.num_polys.push_back(n);
+  /// A line across triangles passes about as many verts as triangles, and twice as many edges.
+  void number(const M& m, const std::vector<corner>& corners) {
+    core::local_numbers vert_numbers, edge_numbers;
+    vert_numbers.reserve(polys.size()), edge_numbers.reserve(2 * polys.size());
+    arrays.verts.reserve(corners.size()), arrays.edges.reserve(corners.size());
+    for (const corner& c : corners) {
+      arrays.verts.push_back(vert_numbers.add(index_of(m, c.vert)));
+      if (arrays.verts.back() == verts.size()) verts.push_back(c.vert);
+    }
+    for (const corner& c : corners) {
+      arrays.edges.push_back(edge_numbers.add(index_of(m, c.edge)));
+      if (arrays.edges.back() == edges.size()) edges.push_back(c.edge);
+    }
+  }
+  template<class U>
+  void read_verts(const M& m, const U& u, double level) {
+    const std::size_t n = verts.size();
+    arrays.vert_indices.reserve(n), arrays.points.reserve(n), arrays.values.reserve(n), arrays.states.reserve(n);
+    for (const vert_t<M>& v : verts) arrays.vert_indices.push_back(static_cast<std::uint32_t>(index_of(m, v)));
+    for (const vert_t<M>& v : verts) arrays.points.push_back(to_vec3(point(m, v)));
+    for (const vert_t<M>& v : verts) arrays.values.push_back(static_cast<double>(u[v]));
+    for (const double x : arrays.values) arrays.states.push_back(level_state(x, level));
+  }
+  void read_edges(const M& m) {
+    arrays.num_polys.reserve(edges.size());
+    for (const edge_t<M>& e : edges) {
+      unsigned char n = 0;
+      for ([[maybe_unused]] const poly_t<M> p : adj_e2p(m, e)) n = n < 3 ? static_cast<unsigned char>(n + 1) : n;
+      arrays.num_polys.push_back(n);
+    }
   }
 };
 

@@ -39,7 +39,7 @@ class crossed_tet_reader {
 
   /// `crossed`: the polys that the level set crosses. `states`: of all verts, by index.
   template<class U>
-  crossed_tet_reader(const M& m, const U& u, double level, const core::flat_array<unsigned char>& states, const std::vector<poly_t<M>>& crossed)
+  crossed_tet_reader(const M& m, const U& u, double level, const state_array& states, const std::vector<poly_t<M>>& crossed)
       : level_(level), polys(crossed) {
     std::vector<std::uint32_t> on_level_or_below;
     for (std::uint32_t p = 0; p < polys.size(); ++p)
@@ -71,7 +71,7 @@ class crossed_tet_reader {
   }
 
   template<class Verts>
-  static unsigned char joint_states(const M& m, const core::flat_array<unsigned char>& states, const Verts& all) {
+  static unsigned char joint_states(const M& m, const state_array& states, const Verts& all) {
     unsigned char joint = 0;
     for (const vert_t<M> v : all) joint |= states[index_of(m, v)];
     return joint;
@@ -90,7 +90,7 @@ class crossed_tet_reader {
   }
 
   template<class U>
-  void add_tet(const M& m, const U& u, const core::flat_array<unsigned char>& states, std::uint32_t p) {
+  void add_tet(const M& m, const U& u, const state_array& states, std::uint32_t p) {
     crossed_tet t;
     t.poly = p;
     std::size_t indices[4];
@@ -128,7 +128,7 @@ class crossed_tet_reader {
 
   /// Adds the face of a tet that is on the level set, if the tet beyond is above.
   template<class U>
-  void add_face_on_level(const M& m, const U& u, const core::flat_array<unsigned char>& states, const poly_t<M>& p) {
+  void add_face_on_level(const M& m, const U& u, const state_array& states, const poly_t<M>& p) {
     for (const face_t<M> f : adj_p2f(m, p)) {
       if (joint_states(m, states, adj_f2v(m, f)) != on_level) continue;
       std::size_t n = 0;

@@ -5,8 +5,8 @@
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/collect.hpp>
 #include <concino/core/error.hpp>
-#include <concino/core/flat_array.hpp>
 #include <concino/core/parallel.hpp>
+#include <concino/core/temporary_array.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -17,6 +17,9 @@ namespace concino::detail {
 
 /// Where the value of a vert lies, as bits, so that those of several verts can be joined. Verts on the level set count as above.
 inline constexpr unsigned char below_level = 1, on_level = 2, above_level = 4;
+
+/// States by index. In new memory, large pages save most of the time in which this many bytes are written once.
+using state_array = core::temporary_array<unsigned char>;
 
 inline unsigned char level_state(double x, double level) {
   return x < level ? below_level : x == level ? on_level : above_level;
@@ -40,8 +43,8 @@ void check_vert_values(const M& m, const U& u, const char* caller) {
 /// The states of all verts, by index. Those of deleted verts are not set.
 /// Errors: invalid_argument that names a vert whose value is NaN.
 template<class M, class U>
-core::flat_array<unsigned char> level_states(const M& m, const U& u, double level, const char* caller) {
-  core::flat_array<unsigned char> states(vert_index_bound(m));
+state_array level_states(const M& m, const U& u, double level, const char* caller) {
+  state_array states(vert_index_bound(m));
   unsigned char* const all = states.data();
   parallel_for_each(
       verts(m),
@@ -56,8 +59,8 @@ core::flat_array<unsigned char> level_states(const M& m, const U& u, double leve
 
 /// The states of all verts of each poly, by index of the poly.
 template<class M>
-core::flat_array<unsigned char> poly_states(const M& m, const core::flat_array<unsigned char>& states) {
-  core::flat_array<unsigned char> of_polys(poly_index_bound(m));
+state_array poly_states(const M& m, const state_array& states) {
+  state_array of_polys(poly_index_bound(m));
   const unsigned char* const of_verts = states.data();
   unsigned char* const all = of_polys.data();
   parallel_for_each(
@@ -73,7 +76,7 @@ core::flat_array<unsigned char> poly_states(const M& m, const core::flat_array<u
 
 /// The polys that a level set crosses, by their states from poly_states, in the order of polys(m).
 template<class M>
-std::vector<poly_t<M>> crossed_by_state(const M& m, const core::flat_array<unsigned char>& states) {
+std::vector<poly_t<M>> crossed_by_state(const M& m, const state_array& states) {
   std::vector<poly_t<M>> crossed;
   for (const poly_t<M> p : polys(m))
     if (is_crossed(states[index_of(m, p)])) crossed.push_back(p);
@@ -82,7 +85,7 @@ std::vector<poly_t<M>> crossed_by_state(const M& m, const core::flat_array<unsig
 
 /// The polys with verts below the level set and others, in the order of polys(m).
 template<class M>
-std::vector<poly_t<M>> crossed_polys(const M& m, const core::flat_array<unsigned char>& states) {
+std::vector<poly_t<M>> crossed_polys(const M& m, const state_array& states) {
   const unsigned char* const all = states.data();
   return core::collect_if(polys(m), [&m, all](const poly_t<M>& p) {
     unsigned char joint = 0;

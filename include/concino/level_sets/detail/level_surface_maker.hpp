@@ -42,7 +42,7 @@ class level_surface_maker {
   double level_;
   const char* caller_;
   bool with_origins_;
-  core::flat_array<unsigned char> states_;
+  state_array states_;
   std::vector<poly_t<M>> cells_;
 
  public:

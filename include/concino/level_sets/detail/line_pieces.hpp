@@ -24,12 +24,11 @@ struct level_lines {
 /// taken in both directions have nothing above between them and cancel; what is left of a curve are its pieces.
 class line_pieces {
   static constexpr std::uint32_t none = ~0u;
-  static constexpr std::size_t no_step = ~std::size_t{0};
 
   struct piece {
     std::uint32_t curve;                        // a chord, or the number of chords plus the first corner of an edge in the poly below
     std::uint32_t first = 0, last = 0;          // its places, from the first to the last one
-    std::size_t cancelled[2] = {no_step, no_step};  // the steps before its first and behind its last place, in cancelled_
+    std::uint32_t cancelled[2] = {none, none};  // the steps before its first and behind its last place, in cancelled_
     std::uint32_t link[2] = {none, none};       // what follows at the start and at the end: 2 piece + (0 at the start of that piece, 1 at its end)
   };
   struct piece_range {
@@ -39,9 +38,10 @@ class line_pieces {
   const poly_cuts& cuts_;
   const crossed_surface& s_;
   std::vector<piece> pieces_;
-  std::vector<piece_range> pieces_of_;         // by curve
+  std::vector<piece_range> of_chords_;
+  std::vector<piece_range> of_edges_;        // by corner; empty if no edge is a curve
   std::vector<opposite_step> cancelled_;
-  std::vector<std::uint32_t> piece_before_;    // by step of cancelled_: the piece that ends there; the next one begins behind it
+  std::vector<std::uint32_t> piece_before_;  // by step of cancelled_: the piece that ends there; the next one begins behind it
   std::vector<unsigned char> is_joined_;
 
  public:
@@ -53,6 +53,7 @@ class line_pieces {
  private:
   bool is_chord(std::uint32_t curve) const { return curve < cuts_.chords().size(); }
   std::uint32_t curve_of_edge(std::uint32_t corner) const { return static_cast<std::uint32_t>(cuts_.chords().size()) + corner; }
+  piece_range pieces_of_edge(std::uint32_t corner) const { return of_edges_.empty() ? piece_range{} : of_edges_[corner]; }
   std::uint32_t num_places(std::uint32_t curve) const { return is_chord(curve) ? chord_places(cuts_, cuts_.chords()[curve]).size() : 2; }
   level_place place(std::uint32_t curve, std::uint32_t k) const;
 

@@ -42,12 +42,15 @@ CONCINO_INLINE void line_pieces::make_pieces(const std::vector<std::uint32_t>& c
     }
   cancelled_ = find_opposite_steps(steps);
   piece_before_.resize(cancelled_.size());
-  pieces_of_.assign(cuts_.chords().size() + cuts_.num_corners(), {});
+  pieces_.reserve(curves.size() + cancelled_.size());
+  of_chords_.assign(cuts_.chords().size(), {});
+  if (std::any_of(curves.begin(), curves.end(), [this](std::uint32_t c) { return !is_chord(c); })) of_edges_.assign(cuts_.num_corners(), {});
   for (const std::uint32_t curve : curves) {
     const auto is_before = [&](const opposite_step& x) { return x.curve < curve; };
-    auto at = static_cast<std::size_t>(std::partition_point(cancelled_.begin(), cancelled_.end(), is_before) - cancelled_.begin());
+    auto at = static_cast<std::uint32_t>(std::partition_point(cancelled_.begin(), cancelled_.end(), is_before) - cancelled_.begin());
     piece x{curve};
-    pieces_of_[curve].first = static_cast<std::uint32_t>(pieces_.size());
+    piece_range& of_curve = is_chord(curve) ? of_chords_[curve] : of_edges_[curve - curve_of_edge(0)];
+    of_curve.first = static_cast<std::uint32_t>(pieces_.size());
     for (; at < cancelled_.size() && cancelled_[at].curve == curve; ++at) {
       x.last = cancelled_[at].step;
       x.cancelled[1] = at;
@@ -55,10 +58,10 @@ CONCINO_INLINE void line_pieces::make_pieces(const std::vector<std::uint32_t>& c
       pieces_.push_back(x);
       x.first = cancelled_[at].step + 1;
       x.cancelled[0] = at;
-      x.cancelled[1] = no_step;
+      x.cancelled[1] = none;
     }
     x.last = num_places(curve) - 1;
-    pieces_of_[curve].last = static_cast<std::uint32_t>(pieces_.size());
+    of_curve.last = static_cast<std::uint32_t>(pieces_.size());
     pieces_.push_back(x);
   }
 }
@@ -75,7 +78,7 @@ CONCINO_INLINE void line_pieces::link_pieces() {
 /// What follows behind an end of a piece, as in piece::link.
 CONCINO_INLINE std::uint32_t line_pieces::follow(std::uint32_t i, unsigned end) const {
   const piece& x = pieces_[i];
-  if (x.cancelled[end] != no_step) return 2 * piece_before_[cancelled_[x.cancelled[end]].other] + (end == 0 ? 1u : 2u);
+  if (x.cancelled[end] != none) return 2 * piece_before_[cancelled_[x.cancelled[end]].other] + (end == 0 ? 1u : 2u);
   if (is_chord(x.curve)) return follow_chord(end == 0 ? cuts_.chords()[x.curve].from : cuts_.chords()[x.curve].to);
   return rotate(edge_beside(x.curve - curve_of_edge(0), place(x.curve, end).element), place(x.curve, end).element);
 }
@@ -83,8 +86,8 @@ CONCINO_INLINE std::uint32_t line_pieces::follow(std::uint32_t i, unsigned end) 
 /// The end, as in piece::link, of the chord at a crossed edge; none if there is none that cuts.
 CONCINO_INLINE std::uint32_t line_pieces::chord_end_at(std::uint32_t corner) const {
   const std::uint32_t chord = cuts_.chord_at(corner);
-  if (chord == none || pieces_of_[chord].first == none) return none;
-  return cuts_.chords()[chord].from == corner ? 2 * pieces_of_[chord].first : 2 * pieces_of_[chord].last + 1;
+  if (chord == none || of_chords_[chord].first == none) return none;
+  return cuts_.chords()[chord].from == corner ? 2 * of_chords_[chord].first : 2 * of_chords_[chord].last + 1;
 }
 
 /// What follows a chord behind its end at a crossed edge.
@@ -105,7 +108,7 @@ CONCINO_INLINE std::uint32_t line_pieces::edge_beside(std::uint32_t corner, std:
 CONCINO_INLINE std::uint32_t line_pieces::rotate(std::uint32_t corner, std::uint32_t vert) const {
   for (std::uint32_t steps = cuts_.num_corners(); steps > 0; --steps) {
     const std::uint32_t other = cuts_.other_use(corner);
-    if (const piece_range x = pieces_of_[curve_of_edge(corner)]; x.first != none) return s_.verts[corner] == vert ? 2 * x.last + 1 : 2 * x.first;
+    if (const piece_range x = pieces_of_edge(corner); x.first != none) return s_.verts[corner] == vert ? 2 * x.last + 1 : 2 * x.first;
     if (other == none) return none;
     if (const std::uint32_t end = chord_end_at(other); end != none) return end;
     corner = edge_beside(other, vert);

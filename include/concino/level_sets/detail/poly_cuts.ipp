@@ -27,6 +27,7 @@ CONCINO_INLINE std::uint32_t poly_cuts::other_use(std::uint32_t c) const {
 CONCINO_INLINE void poly_cuts::find_chords(double level) {
   chord_at_.assign(num_corners(), none);
   state_.assign(num_corners(), is_below);
+  chords_.reserve(s_.size());
   polygon_crossings crossings;
   std::vector<unsigned char> above;
   std::vector<double> values;

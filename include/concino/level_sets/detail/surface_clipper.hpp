@@ -19,7 +19,7 @@ class surface_clipper {
   const M& m_;
   double level_;
   bool both_;
-  core::flat_array<unsigned char> states_;
+  state_array states_;
   crossed_surface_reader<M> crossed_;
   poly_cuts cuts_;
   std::vector<poly_t<M>> whole_;

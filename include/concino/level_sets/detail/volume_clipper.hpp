@@ -27,7 +27,7 @@ class volume_clipper {
   const M& m_;
   double level_;
   bool both_;
-  core::flat_array<unsigned char> states_;  // of polys: those of all their verts
+  state_array states_;  // of polys: those of all their verts
   std::optional<crossed_volume_reader<M>> crossed_;
   std::optional<cell_cuts> cuts_;
   std::vector<poly_t<M>> whole_;
