@@ -112,6 +112,7 @@ struct indexed_volume : detail::indexed_elements<M> {
   using base = detail::indexed_elements<M>;
   using face = face_id;
   static constexpr int dimension = 3;
+  static constexpr bool faces_in_order = true;  // of tet_tables
 
   using base::contains;
   using base::index_of;
@@ -126,6 +127,7 @@ struct indexed_volume : detail::indexed_elements<M> {
   static auto adj_f2v(const M& m, face_id f) { return detail::tables_of<M>(m).adj_f2v(f); }
   static auto adj_f2e(const M& m, face_id f) { return detail::tables_of<M>(m).adj_f2e(f); }
   static auto adj_f2p(const M& m, face_id f) { return detail::tables_of<M>(m).adj_f2p(f); }
+  static auto adj_f2p_from(const M& m, face_id f, poly_id p) { return detail::tables_of<M>(m).adj_f2p_from(f, p); }
   static auto adj_p2f(const M& m, poly_id p) { return detail::tables_of<M>(m).adj_p2f(p); }
   static void prefetch(const M& m, face_id f) { detail::tables_of<M>(m).prefetch(f); }
   static bool face_is_outward(const M& m, poly_id p, face_id f) { return detail::tables_of<M>(m).face_is_outward(p, f); }

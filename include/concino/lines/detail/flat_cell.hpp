@@ -79,7 +79,7 @@ class flat_cell {
   static constexpr std::uint32_t no_corner = ~0u;
   /// Of a tet: which corner of the triangle of entry is not on the face by which the line leaves. `no_corner` if it misses the tet.
   std::uint32_t corner_left_behind(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) const;
-  /// Where the line leaves the cell through a face that is a triangle.
+  /// Where the line leaves a tet through a face. Its position does not depend on the vert with which the mesh begins the face.
   cell_exit leave_through(std::uint32_t face, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry);
 
  private:
@@ -102,7 +102,8 @@ class flat_cell {
   signed_value side(std::uint32_t a, std::uint32_t b, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) const;
   bool leaves_through(const cell_triangle& t, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) const;
   double distance_to(std::uint32_t triangle, const vec3& x, const vec3& g) const;
-  cell_exit exit_in(std::uint32_t triangle, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) const;
+  /// first: the corner of the triangle from which the position inside it is measured.
+  cell_exit exit_in(std::uint32_t triangle, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry, std::uint32_t first) const;
 };
 
 }  // namespace concino::detail

@@ -168,9 +168,8 @@ CONCINO_INLINE double flat_cell::distance_to(std::uint32_t triangle, const vec3&
   return speed > 0 ? dot(n, p - x) / speed : 0;
 }
 
-CONCINO_INLINE cell_exit flat_cell::exit_in(std::uint32_t t, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) const {
+CONCINO_INLINE cell_exit flat_cell::exit_in(std::uint32_t t, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry, std::uint32_t first) const {
   const auto& c = triangles[t].corner;
-  const vec3 &p = points[c[0]], &q = points[c[1]], &r = points[c[2]];
   std::array<signed_value, 3> s;
   for (std::uint32_t k = 0; k < 3; ++k) s[k] = side(c[k], c[(k + 1) % 3], x, g, entry);
   for (std::uint32_t k = 0; k < 3; ++k)
@@ -181,8 +180,10 @@ CONCINO_INLINE cell_exit flat_cell::exit_in(std::uint32_t t, const vec3& x, cons
     const vec3 &from = points[c[k]], &to = points[c[(k + 1) % 3]];
     return {cell_exit::kind::side, t, k, parameter, from + parameter * (to - from)};
   }
-  const double whole = s[0].value + s[1].value + s[2].value;
-  return {cell_exit::kind::triangle, t, 0, 0, whole > 0 ? p + (s[2].value * (q - p) + s[0].value * (r - p)) / whole : (p + q + r) / 3};
+  const std::uint32_t second = (first + 1) % 3, third = (first + 2) % 3;
+  const vec3 &p = points[c[first]], &q = points[c[second]], &r = points[c[third]];
+  const double whole = s[first].value + s[second].value + s[third].value;
+  return {cell_exit::kind::triangle, t, 0, 0, whole > 0 ? p + (s[third].value * (q - p) + s[first].value * (r - p)) / whole : (p + q + r) / 3};
 }
 
 /// The sides on which the edges that are not those of entry pass the line tell it: three determinants instead of nine.
@@ -199,7 +200,9 @@ CONCINO_INLINE cell_exit flat_cell::leave_through(std::uint32_t face, const vec3
   cut_face(face);
   std::uint32_t t = 0;
   while (triangles[t].face != face) ++t;
-  return exit_in(t, x, g, entry);
+  std::uint32_t k = 0;
+  while (is_corner_of(triangles[t].corner[k], entry)) ++k;
+  return exit_in(t, x, g, entry, k);
 }
 
 CONCINO_INLINE cell_exit flat_cell::leave(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) {
@@ -227,7 +230,7 @@ CONCINO_INLINE cell_exit flat_cell::exit(const vec3& x, const vec3& g, std::span
       best_distance = d;
     }
   }
-  return found == 0 ? cell_exit() : exit_in(best, x, g, entry);
+  return found == 0 ? cell_exit() : exit_in(best, x, g, entry, 0);
 }
 
 }  // namespace concino::detail

@@ -20,13 +20,23 @@ struct signed_value {
 
 signed_value exact_line_sign(const vec3& g, const vec3& a, const vec3& ax, const vec3& b, const vec3& bx);
 
-inline signed_value line_sign(const vec3& g, const vec3& u, const vec3& w, const vec3& a, const vec3& ax, const vec3& b, const vec3& bx) {
+/// A rounded determinant and a bound of its error.
+struct rounded_value {
+  double value, error;
+};
+
+/// det(g, u, w).
+inline rounded_value rounded_line_sign(const vec3& g, const vec3& u, const vec3& w) {
   const double px = u.y * w.z, qx = u.z * w.y, py = u.z * w.x, qy = u.x * w.z, pz = u.x * w.y, qz = u.y * w.x;
   const double det = g.x * (px - qx) + g.y * (py - qy) + g.z * (pz - qz);
   const double size = std::abs(g.x) * (std::abs(px) + std::abs(qx)) + std::abs(g.y) * (std::abs(py) + std::abs(qy)) + std::abs(g.z) * (std::abs(pz) + std::abs(qz));
-  const double bound = 8 * 0x1p-53 * size;
-  if (det > bound) return {det, 1};
-  if (det < -bound) return {det, -1};
+  return {det, 8 * 0x1p-53 * size};
+}
+
+inline signed_value line_sign(const vec3& g, const vec3& u, const vec3& w, const vec3& a, const vec3& ax, const vec3& b, const vec3& bx) {
+  const rounded_value det = rounded_line_sign(g, u, w);
+  if (det.value > det.error) return {det.value, 1};
+  if (det.value < -det.error) return {det.value, -1};
   return exact_line_sign(g, a, ax, b, bx);
 }
 

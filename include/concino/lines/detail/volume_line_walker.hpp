@@ -2,11 +2,13 @@
 #pragma once
 
 #include <concino/concepts/end_verts.hpp>
+#include <concino/concepts/facets.hpp>
 #include <concino/concepts/oriented_edges.hpp>
 #include <concino/lines/detail/polyhedron_reader.hpp>
 #include <concino/lines/detail/field_reader.hpp>
 #include <concino/lines/detail/line_recorder.hpp>
 #include <concino/lines/detail/line_watch.hpp>
+#include <concino/lines/detail/tet_crossing.hpp>
 #include <concino/lines/detail/volume_exits.hpp>
 
 #include <array>
@@ -37,15 +39,22 @@ class volume_line_walker {
   std::vector<incident_cell> incident_;
   std::vector<poly_t<M>> incident_polys_;
 
-  enum class where { cell, ridge, vert } where_ = where::cell;
+  enum class where { cell, ridge, vert, behind_tet } where_ = where::cell;
   vec3 x_;
   std::array<std::uint32_t, 3> entry_{};  // corners of the cell that was read last
   std::size_t entry_size_ = 0;
   std::optional<ridge> ridge_;
   vert_t<M> vert_ = vert_t<M>();
 
+  // From tet to tet, the line is behind one when it has left it, and the memory of the next one was requested.
+  static constexpr bool all_tets = arity_v<M> == 4;
+  tet_crossing<M> tet_;
+  typename tet_crossing<M>::exit out_{};
+  face_t<M> face_ = face_t<M>();    // by which it left
+  poly_t<M> other_ = poly_t<M>();   // the next one
+
  public:
-  static constexpr std::size_t lines_in_turn = 1;
+  static constexpr std::size_t lines_in_turn = all_tets ? 8 : 1;
 
   volume_line_walker(const M& m, const field_reader<M, G>& field) : m_(&m), field_(field) {}
 
@@ -66,7 +75,8 @@ class volume_line_walker {
   void step(line_recorder<M>& to) {
     if (where_ == where::vert) leave_vert(to);
     else if (where_ == where::ridge) leave_ridge(to);
-    else leave_cell(to);
+    else if (where_ == where::cell) leave_cell(to);
+    else if constexpr (all_tets) enter_tet(to);
   }
 
  private:
@@ -81,6 +91,55 @@ class volume_line_walker {
   }
 
   void leave_cell(line_recorder<M>& to) {
+    if constexpr (all_tets)
+      if (entry_size_ == 3) {
+        tet_.set(cell_.poly(), cell_.verts, cell_.flat.points, entry_);
+        tet_.field = cell_.field;
+        if (leave_tet(to)) return;
+      }
+    leave_by_exact_signs(to);
+  }
+
+  /// Leaves tet_ through a face. False if this takes exact signs, or the line leaves by an edge or a vert.
+  bool leave_tet(line_recorder<M>& to) {
+    const auto out = tet_.leave(x_);
+    if (!out) return false;
+    out_ = *out;
+    x_ = out->position;
+    face_ = opposite_face(*m_, tet_.poly, tet_.verts[out->left_out], tet_.corners[out->left_out]);
+    to.add({face_, x_}, tet_.poly);
+    if (to.done()) return true;
+    std::size_t n = 0;
+    for (const poly_t<M> q : other_polys(*m_, tet_.poly, face_)) {
+      other_ = q;
+      ++n;
+    }
+    if (n != 1) {
+      to.stop(n < 1 ? line_end::boundary : line_end::non_manifold);
+      return true;
+    }
+    cell_.request(*m_, other_);
+    field_.request(other_);
+    where_ = where::behind_tet;
+    return true;
+  }
+
+  void enter_tet(line_recorder<M>& to) {
+    const poly_t<M> p = tet_.poly;
+    tet_.read_behind(*m_, out_, other_);
+    tet_.field = field_.of(other_);
+    if (!tet_.leads_in()) {
+      read(p);
+      return cross(face_, cell_.flat.triangles[cell_.triangle(face_, 0)], p, to);
+    }
+    watch(other_, face_, 0, to);
+    if (to.done() || leave_tet(to)) return;
+    read(other_);
+    enter(other_, cell_.flat.triangles[cell_.triangle(face_, 0)].corner);
+    leave_by_exact_signs(to);
+  }
+
+  void leave_by_exact_signs(line_recorder<M>& to) {
     if (cell_.field == vec3()) return to.stop(line_end::zero);
     const cell_exit out = cell_.leave(x_, std::span(entry_).first(entry_size_));
     if (out.at == cell_exit::kind::none) return miss(to);
@@ -191,7 +250,7 @@ class volume_line_walker {
     const auto& points = cell_.flat.points;
     if (side_of_line(cell_.field, points[next.corner[1]], points[next.corner[2]], points[next.corner[0]]).sign < 0) {
       enter(*other, next.corner);
-      watch(next, to);
+      watch(*other, f, next.number, to);
       return;
     }
     const vec3 normal = triangle_normal(at[0], at[1], at[2]);
@@ -199,11 +258,10 @@ class volume_line_walker {
     slide(next, sliding_velocity(push_through(g, at[0], at[1], at[2]), g, push, cell_.field, normal), {}, to);
   }
 
-  void watch(const cell_triangle& t, line_recorder<M>& to) {
-    switch (watch_.at_face({index_of(*m_, cell_.poly()), std::size_t{t.face} << 32 | t.number}, x_, to.num_points())) {
-      case line_watch::finding::repeats: return to.repeat(watch_.period());
-      default: return;
-    }
+  /// The line enters poly p through the triangle of face f with this number.
+  void watch(const poly_t<M>& p, const face_t<M>& f, std::uint32_t number, line_recorder<M>& to) {
+    const entry_key key = {index_of(*m_, p), index_of(*m_, f) << 32 | number};
+    if (watch_.at_face(key, x_, to.num_points()) == line_watch::finding::repeats) to.repeat(watch_.period());
   }
 
   /// Moves in a triangle of the cell that was read last from x, which is inside (no entry), on the side with corners entry (2), or at a corner (1).
