@@ -444,6 +444,7 @@ void numbers(const cn::trimesh& m) {
   cn::karcher_mean(m, {0, 1});  // refused
   cn::straighten(m, {0, 1});  // refused
   cn::integral_line(m, cn::make_poly_map<cn::vec3>(m), 0);  // refused
+  cn::integral_line(m, cn::make_poly_map<cn::vec3>(m), cn::edge_point<cn::trimesh>{cn::edge_id{0}, 0.5});  // refused
   cn::starts_around(m, 0);  // refused
   cn::prepare_harmonic_map(m, {cn::vert_id{0}}).with_values({{0, 1.0}});  // refused
   cn::prepare_heat_geodesics(m).distance_from(0);  // refused
