@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -64,6 +65,9 @@ class flat_cell {
   /// The triangles are those of polygon_triangulator, from the first corner in `lies_before` towards the earlier one of its neighbours: so they are
   /// the same for both cells, and do not depend on the corner with which the mesh begins the face.
   void cut_face(std::uint32_t face);
+  /// Adds a face that another cell has cut, with its points; its first corner is the next of this cell. cut: the triangles there; same_way: outward is the same
+  /// direction in both cells.
+  void add_cut_face(std::uint32_t face, std::span<const vec3> ring, std::span<const cell_triangle> cut, bool same_way);
 
   /// Where the line from x along g leaves the cell for the first time.
   /// Needs: entry: the corners of the triangle (3), the edge (2) or the vert (1) at which x lies, or none, inside. x lies there but for rounding.
@@ -71,8 +75,10 @@ class flat_cell {
   cell_exit leave(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry);
   // The same in steps: look along the line, cut the faces that it may cross, and take the exit from what was cut.
   void look(const vec3& x, const vec3& g);
-  bool may_cross(std::uint32_t face) const;
-  cell_exit exit(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) const;
+  /// Whether the line may pass through a face. corners: anything with a range of points, by a function.
+  template<class R, class P>
+  bool may_cross(const R& corners, const P& point_of);
+  cell_exit exit(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry);
 
   /// Whether this is a tet. Where all corners are known, its exit is found by fewer determinants.
   bool is_tet() const { return points.size() == 4 && faces_.size() == 4 && corners_.size() == 12; }
@@ -83,8 +89,10 @@ class flat_cell {
   cell_exit leave_through(std::uint32_t face, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry);
 
  private:
-  struct place { double u, v; };  // of a corner seen along g, from x
-  enum : std::uint8_t { right = 1, left = 2, above = 4, below = 8 };
+  struct place {  // of a corner seen along g, from x
+    double u, v;
+    bool is_entry = false;
+  };
   struct face_ring {
     std::uint32_t first, size;
     bool is_outward, is_cut;
@@ -94,10 +102,12 @@ class flat_cell {
   std::vector<face_ring> faces_;
   std::vector<std::uint32_t> corners_, ring_;
   std::vector<vec3> ring_points_;
+  vec3 x_, u_, v_;  // of the line: a point on it, and two directions across it
   std::vector<place> seen_;
-  std::vector<std::uint8_t> away_;  // on which sides of x corners lie, by more than rounding
-  double nearly_ = 0;  // more than the errors of seen_
+  std::vector<place> face_seen_ = std::vector<place>(16);
+  double nearly_ = 0;  // more than the errors of products of seen_
 
+  void see_corners(std::span<const std::uint32_t> entry);
   int quick_side(std::uint32_t a, std::uint32_t b) const;
   signed_value side(std::uint32_t a, std::uint32_t b, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) const;
   bool leaves_through(const cell_triangle& t, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) const;
@@ -105,6 +115,33 @@ class flat_cell {
   /// first: the corner of the triangle from which the position inside it is measured.
   cell_exit exit_in(std::uint32_t triangle, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry, std::uint32_t first) const;
 };
+
+template<class R, class P>
+inline bool flat_cell::may_cross(const R& corners, const P& point_of) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const vec3 x = x_, a = u_, b = v_;
+  double squares = 0, least_u = infinity, most_u = -infinity, least_v = infinity, most_v = -infinity;
+  place sum = {0, 0};
+  std::size_t n = 0;
+  for (const auto& c : corners) {
+    const vec3 d = point_of(c) - x;
+    const place p = {dot(d, a), dot(d, b)};
+    if (n == face_seen_.size()) [[unlikely]] face_seen_.resize(2 * n);
+    face_seen_[n++] = p;
+    squares += dot(d, d);
+    least_u = std::min(least_u, p.u);
+    most_u = std::max(most_u, p.u);
+    least_v = std::min(least_v, p.v);
+    most_v = std::max(most_v, p.v);
+    sum.u += p.u;
+    sum.v += p.v;
+  }
+  const double off = std::max(std::max(least_u, -most_u), std::max(least_v, -most_v));  // the line is so far on one side of all corners
+  if (off > 0 && off * off > 1e-28 * squares) return false;
+  double least = infinity;  // the parts of the corners along the direction to their mean
+  for (std::size_t i = 0; i < n; ++i) least = std::min(least, face_seen_[i].u * sum.u + face_seen_[i].v * sum.v);
+  return !(least > 0 && least * least > 1e-28 * squares * (sum.u * sum.u + sum.v * sum.v));
+}
 
 }  // namespace concino::detail
 

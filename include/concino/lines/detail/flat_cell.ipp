@@ -95,40 +95,35 @@ CONCINO_INLINE void flat_cell::cut_face(std::uint32_t face) {
   for (const polygon_triangle& t : cut_(ring_points_)) add(t);
 }
 
-CONCINO_INLINE void flat_cell::look(const vec3& x, const vec3& g) {
-  const vec3 along = g / norm(g);
-  vec3 u = cross(along, std::abs(along.x) < 0.6 ? vec3{1, 0, 0} : vec3{0, 1, 0});
-  u /= norm(u);
-  const vec3 v = cross(along, u);
-  seen_.resize(points.size());
-  double farthest = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const vec3 d = points[i] - x;
-    seen_[i] = {dot(d, u), dot(d, v)};
-    farthest = std::max(farthest, dot(d, d));
-  }
-  nearly_ = 1e-14 * farthest;
-  const double off = 1e-14 * std::sqrt(farthest);
-  away_.resize(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto [a, b] = seen_[i];
-    away_[i] = static_cast<std::uint8_t>((a > off ? right : 0) | (a < -off ? left : 0) | (b > off ? above : 0) | (b < -off ? below : 0));
+CONCINO_INLINE void flat_cell::add_cut_face(std::uint32_t face, std::span<const vec3> ring, std::span<const cell_triangle> cut, bool same_way) {
+  const auto first = static_cast<std::uint32_t>(points.size()), n = static_cast<std::uint32_t>(ring.size());
+  faces_[face] = {static_cast<std::uint32_t>(corners_.size()), n, false, true};
+  for (std::uint32_t i = 0; i < n; ++i) corners_.push_back(first + i);
+  points.insert(points.end(), ring.begin(), ring.end());
+  for (const cell_triangle& t : cut) {
+    const std::array<std::uint32_t, 3> r = {t.ring[0], t.ring[same_way ? 1 : 2], t.ring[same_way ? 2 : 1]};
+    triangles.push_back({{first + r[0], first + r[1], first + r[2]}, r, face, t.number, n});
   }
 }
 
-/// Whether the line may pass through the face, seen along the line: most faces are left out because all corners are to the left, right, above or below,
-/// others because the line is on one side of all corners.
-CONCINO_INLINE bool flat_cell::may_cross(std::uint32_t face) const {
-  const face_ring& f = faces_[face];
-  const std::uint32_t* const c = corners_.data() + f.first;
-  unsigned away = right | left | above | below;
-  for (std::uint32_t i = 0; i < f.size; ++i) away &= away_[c[i]];
-  if (away) return false;
-  place sum = {0, 0};
-  for (std::uint32_t i = 0; i < f.size; ++i) sum = {sum.u + seen_[c[i]].u, sum.v + seen_[c[i]].v};
-  double least = std::numeric_limits<double>::infinity();  // the parts of the corners along the direction to their mean
-  for (std::uint32_t i = 0; i < f.size; ++i) least = std::min(least, seen_[c[i]].u * sum.u + seen_[c[i]].v * sum.v);
-  return !(least > 0 && least * least > 1e-14 * nearly_ * (sum.u * sum.u + sum.v * sum.v));
+CONCINO_INLINE void flat_cell::look(const vec3& x, const vec3& g) {
+  const vec3 along = g / norm(g);
+  x_ = x;
+  u_ = cross(along, std::abs(along.x) < 0.6 ? vec3{1, 0, 0} : vec3{0, 1, 0});
+  u_ /= norm(u_);
+  v_ = cross(along, u_);
+}
+
+CONCINO_INLINE void flat_cell::see_corners(std::span<const std::uint32_t> entry) {
+  if (seen_.size() < points.size()) seen_.resize(points.size());
+  double farthest = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const vec3 d = points[i] - x_;
+    seen_[i] = {dot(d, u_), dot(d, v_), false};
+    farthest = std::max(farthest, dot(d, d));
+  }
+  for (const std::uint32_t c : entry) seen_[c].is_entry = true;
+  nearly_ = 1e-14 * farthest;
 }
 
 /// The sign of side_of_line where it is certain, else 0.
@@ -152,7 +147,7 @@ CONCINO_INLINE bool flat_cell::leaves_through(const cell_triangle& t, const vec3
   bool turns = false;
   for (unsigned k = 0; k < 3; ++k) {
     const std::uint32_t a = t.corner[k], b = t.corner[(k + 1) % 3];
-    const bool at_entry = entry.size() == 3 && is_corner_of(a, entry) && is_corner_of(b, entry);
+    const bool at_entry = entry.size() == 3 && seen_[a].is_entry && seen_[b].is_entry;
     int sign = at_entry ? 0 : quick_side(a, b);
     if (sign == 0) sign = side(a, b, x, g, entry).sign;
     if (sign < 0) return false;
@@ -207,17 +202,20 @@ CONCINO_INLINE cell_exit flat_cell::leave_through(std::uint32_t face, const vec3
 
 CONCINO_INLINE cell_exit flat_cell::leave(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) {
   look(x, g);
-  for (std::uint32_t f = 0; f < faces_.size(); ++f)
-    if (!faces_[f].is_cut && may_cross(f)) cut_face(f);
+  for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+    const std::span<const std::uint32_t> ring = std::span(corners_).subspan(faces_[f].first, faces_[f].size);
+    if (!faces_[f].is_cut && may_cross(ring, [&](std::uint32_t c) { return points[c]; })) cut_face(f);
+  }
   return exit(x, g, entry);
 }
 
-CONCINO_INLINE cell_exit flat_cell::exit(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) const {
+CONCINO_INLINE cell_exit flat_cell::exit(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) {
+  see_corners(entry);
   std::uint32_t found = 0, best = 0;
   double best_distance = 0;
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     std::size_t met = 0;
-    for (const std::uint32_t k : triangles[t].corner) met += is_corner_of(k, entry);
+    for (const std::uint32_t k : triangles[t].corner) met += seen_[k].is_entry;
     if ((!entry.empty() && met == entry.size()) || !leaves_through(triangles[t], x, g, entry)) continue;
     if (found++ == 0) {
       best = t;

@@ -27,8 +27,15 @@ class polyhedron_reader {
   const M* m_ = nullptr;
   std::vector<std::uint32_t> corner_at_;  // a hash table of the corners by the indices of their verts, of cells with more of them
   poly_t<M> poly_ = poly_t<M>();
-  bool is_read_ = false;
+  bool is_read_ = false, has_all_ = false;
   int shift_ = 0;
+
+  struct cut_face_of_last {  // the face by which the line left a poly, as it was cut there
+    std::vector<vert_t<M>> verts;  // in the order of the places of `ring`
+    std::vector<vec3> points;
+    std::vector<cell_triangle> triangles;
+    bool is_outward = false;
+  } kept_;
 
  public:
   std::vector<vert_t<M>> verts;
@@ -46,49 +53,77 @@ class polyhedron_reader {
   void forget() { is_read_ = false; }
   const poly_t<M>& poly() const { return poly_; }
 
-  /// False if p is the poly read last.
+  /// False if p is the poly read last. Only the faces are read, and of tets the verts: a line needs the corners of few faces.
   bool read(const M& m, const poly_t<M>& p) {
     if (is_read_ && p == poly_) return false;
-    is_read_ = true;
-    m_ = &m;
-    poly_ = p;
+    start(m, p);
+    if (all_tets) read_all();
+    return true;
+  }
+
+  /// Keeps face f of the poly read last, which has been cut, for read_behind().
+  void keep_cut(const face_t<M>& f) {
+    const std::uint32_t face = number_of(f);
+    kept_.triangles.clear();
+    for (const cell_triangle& t : flat.triangles)
+      if (t.face == face) kept_.triangles.push_back(t);
+    kept_.verts.clear();
+    kept_.points.clear();
+    const std::uint32_t n = kept_.triangles[0].ring_size;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t c = corner_in_ring(i);
+      kept_.verts.push_back(verts[c]);
+      kept_.points.push_back(flat.points[c]);
+    }
+    kept_.is_outward = face_is_outward(*m_, poly_, f);
+  }
+
+  /// Reads another poly of the face that was kept. The triangles of that face are those kept.
+  void read_behind(const M& m, const poly_t<M>& p, const face_t<M>& f) {
+    start(m, p);
+    verts.assign(kept_.verts.begin(), kept_.verts.end());
+    flat.add_cut_face(number_of(f), kept_.points, kept_.triangles, face_is_outward(m, p, f) == kept_.is_outward);
+  }
+
+  /// Reads all verts and the corners of all faces. This changes the numbers of corners.
+  void read_all() {
+    if (has_all_) return;
+    has_all_ = true;
     verts.clear();
-    faces.clear();
     flat.clear();
-    for (const vert_t<M> v : adj_p2v(m, p)) verts.push_back(v);
-    for (const face_t<M> f : adj_p2f(m, p)) {
-      faces.push_back(f);
-      core::prefetch(m, f);
-    }
+    for (const vert_t<M> v : adj_p2v(*m_, poly_)) verts.push_back(v);
     for (const vert_t<M> v : verts) {
-      flat.points.push_back(to_vec3(point(m, v)));
-      if (!is_finite(flat.points.back())) throw_points_not_finite(index_of(m, p));
+      flat.points.push_back(to_vec3(point(*m_, v)));
+      if (!is_finite(flat.points.back())) throw_points_not_finite(index_of(*m_, poly_));
     }
-    if (verts.size() > longest_scan) fill_table(m);
+    if (verts.size() > longest_scan) fill_table(*m_);
     for (std::uint32_t face = 0; face < faces.size(); ++face) {
       flat.add_face();
       if (!all_tets) read_corners(face);
     }
-    return true;
   }
 
   void cut_faces() {
+    read_all();
     for (std::uint32_t face = 0; face < faces.size(); ++face) cut_face(face);
   }
 
   /// As flat_cell::leave.
   cell_exit leave(const vec3& x, std::span<const std::uint32_t> entry) {
-    if (entry.size() == 3 && (all_tets || flat.is_tet())) return leave_tet(x, entry);
-    if (all_tets)
-      for (std::uint32_t face = 0; face < 4; ++face) read_corners(face);
+    if (faces.size() == 4) {
+      for (std::uint32_t face = 0; face < 4 && !(all_tets && entry.size() == 3); ++face) read_corners(face);
+      if (entry.size() == 3 && (all_tets || flat.is_tet())) return leave_tet(x, entry);
+    }
     flat.look(x, field);
-    for (std::uint32_t face = 0; face < faces.size(); ++face)
-      if (!flat.is_cut(face) && flat.may_cross(face)) cut_face(face);
+    for (std::uint32_t face = 0; face < faces.size(); ++face) {
+      if (flat.is_cut(face)) continue;
+      if (flat.may_cross(adj_f2v(*m_, faces[face]), [&](const vert_t<M>& v) { return to_vec3(point(*m_, v)); })) cut_face(face);
+    }
     return flat.exit(x, field, entry);
   }
 
   [[gnu::always_inline]] inline std::uint32_t corner_of(const M& m, const vert_t<M>& v) const {  // a call for each corner of a cell would be slow
-    if (verts.size() <= longest_scan) return static_cast<std::uint32_t>(std::find(verts.begin(), verts.end(), v) - verts.begin());
+    if (!has_all_ || verts.size() <= longest_scan) return static_cast<std::uint32_t>(std::find(verts.begin(), verts.end(), v) - verts.begin());
     const std::size_t mask = corner_at_.size() - 1;
     std::size_t i = slot_of(index_of(m, v));
     while (corner_at_[i] != none && !(verts[corner_at_[i]] == v)) i = (i + 1) & mask;
@@ -97,7 +132,7 @@ class polyhedron_reader {
 
   /// The triangle of a face with this number.
   std::uint32_t triangle(const face_t<M>& f, std::uint32_t number) {
-    const std::uint32_t face = static_cast<std::uint32_t>(std::find(faces.begin(), faces.end(), f) - faces.begin());
+    const std::uint32_t face = number_of(f);
     cut_face(face);
     for (std::uint32_t t = 0; t < flat.triangles.size(); ++t)
       if (flat.triangles[t].face == face && flat.triangles[t].number == number) return t;
@@ -121,7 +156,10 @@ class polyhedron_reader {
     return best;
   }
 
-  const std::vector<vec3>& corner_points() const { return flat.points; }
+  const std::vector<vec3>& corner_points() {
+    read_all();
+    return flat.points;
+  }
 
   /// values[v] of the verts at x in the cell, linear in each tet between the mean of the corners, which has their mean value, and a triangle of the
   /// surface.
@@ -151,10 +189,43 @@ class polyhedron_reader {
   }
 
  private:
+  void start(const M& m, const poly_t<M>& p) {
+    is_read_ = true;
+    has_all_ = false;
+    m_ = &m;
+    poly_ = p;
+    verts.clear();
+    faces.clear();
+    flat.clear();
+    for (const face_t<M> f : adj_p2f(m, p)) {
+      faces.push_back(f);
+      flat.add_face();
+      core::prefetch(m, f);
+    }
+  }
+
+  std::uint32_t number_of(const face_t<M>& f) const { return static_cast<std::uint32_t>(std::find(faces.begin(), faces.end(), f) - faces.begin()); }
+
+  /// The corner of the kept triangles at a place in the face's cycle.
+  std::uint32_t corner_in_ring(std::uint32_t place) const {
+    for (const cell_triangle& t : kept_.triangles)
+      for (std::uint32_t k = 0; k < 3; ++k)
+        if (t.ring[k] == place) return t.corner[k];
+    return 0;
+  }
+
   [[gnu::always_inline]] inline void read_corners(std::uint32_t face) {
     if (flat.has_corners(face)) return;
-    for (const vert_t<M> v : adj_f2v(*m_, faces[face])) flat.add_corner(face, corner_of(*m_, v));
+    for (const vert_t<M> v : adj_f2v(*m_, faces[face])) {
+      const std::uint32_t c = corner_of(*m_, v);
+      flat.add_corner(face, c);
+      if (c < verts.size()) continue;
+      verts.push_back(v);
+      flat.points.push_back(to_vec3(point(*m_, v)));
+      if (!is_finite(flat.points.back())) throw_points_not_finite(index_of(*m_, poly_));
+    }
   }
+
   void cut_face(std::uint32_t face) {
     if (flat.is_cut(face)) return;
     read_corners(face);

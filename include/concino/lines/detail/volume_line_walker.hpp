@@ -177,6 +177,7 @@ class volume_line_walker {
     }
     // from an edge the nearer end; from a vert or inside, only in cells that are inverted or intersect themselves, the corner that is farthest along the field
     std::uint32_t best = entry_size_ == 2 ? entry_[distance(x_, cell_.flat.points[entry_[1]]) < distance(x_, cell_.flat.points[entry_[0]])] : 0;
+    if (entry_size_ == 0) cell_.read_all();
     if (entry_size_ < 2)
       for (std::uint32_t k = 1; k < cell_.verts.size(); ++k)
         if (dot(cell_.field, cell_.flat.points[k] - cell_.flat.points[best]) > 0) best = k;
@@ -244,7 +245,13 @@ class volume_line_walker {
     field_.request(*other);
     const std::array<vec3, 3> at = {cell_.flat.points[t.corner[0]], cell_.flat.points[t.corner[1]], cell_.flat.points[t.corner[2]]};
     const vec3 g = cell_.field;
-    read(*other);
+    if constexpr (all_tets) {
+      read(*other);
+    } else {
+      cell_.keep_cut(f);
+      cell_.read_behind(*m_, *other, f);
+      cell_.field = field_.of(*other);
+    }
     if (cell_.field == vec3()) return to.stop(line_end::zero);
     const cell_triangle next = cell_.flat.triangles[cell_.triangle(f, t.number)];
     const auto& points = cell_.flat.points;
