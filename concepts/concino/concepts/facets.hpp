@@ -115,10 +115,15 @@ inline constexpr struct adj_facet2v_verb : detail::verb {
 
 namespace detail {
 
+template<class M>
+concept finds_polys_from_one = (dimension_v<M> == 2 && requires(const std::remove_cvref_t<M>& m, edge_t<M> x, poly_t<M> p) { traits<M>::adj_e2p_from(m, x, p); }) ||
+                               (dimension_v<M> == 3 && requires(const std::remove_cvref_t<M>& m, face_t<M> x, poly_t<M> p) { traits<M>::adj_f2p_from(m, x, p); });
+
 /// The polys of a facet, found from one of them if the mesh can do so.
 template<class M>
 constexpr decltype(auto) adj_facet2p_from(const M& m, const facet_t<M>& x, [[maybe_unused]] const poly_t<M>& p) {
-  if constexpr (requires { traits<M>::adj_f2p_from(m, x, p); }) return traits<M>::adj_f2p_from(m, x, p);
+  if constexpr (finds_polys_from_one<M> && dimension_v<M> == 3) return traits<M>::adj_f2p_from(m, x, p);  // the names differ
+  else if constexpr (finds_polys_from_one<M>) return traits<M>::adj_e2p_from(m, x, p);
   else return adj_facet2p(m, x);
 }
 

@@ -12,7 +12,8 @@
 //   point(m, v) set_point(m, v, x)           coordinates
 //   contains(m, x)                           optional: whether x is an element of m now, in constant time
 //   prefetch(m, e)                           optional: requests the memory that adj_e2v and adj_e2p of an edge read; changes no result
-//   adj_f2p_from(m, f, p)                    optional: adj_f2p(m, f) in any order, found from p, one of these polys; other_polys calls it
+//   adj_e2p_from(m, e, p)                    optional, of surfaces: adj_e2p(m, e) in any order, found from p, one of these polys; other_polys calls it
+//   adj_f2p_from(m, f, p)                    optional, of volumes: the same of a face
 //   faces_in_order                           optional: static constexpr bool; true if adj_p2f of tets lists the faces in the order of VM7
 //   edges_in_order                           optional: static constexpr bool; false if adj_p2e or adj_f2e violates SM7 or VM8: then the verbs sort
 //

@@ -103,6 +103,7 @@ template<class M>
 struct indexed_surface : detail::indexed_elements<M> {
   static constexpr int dimension = 2;
 
+  static auto adj_e2p_from(const M& m, edge_id e, poly_id p) { return detail::tables_of<M>(m).adj_e2p_from(e, p); }
   static void prefetch(const M& m, edge_id e) { detail::tables_of<M>(m).prefetch(e); }
 };
 

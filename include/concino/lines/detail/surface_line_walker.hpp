@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/end_verts.hpp>
+#include <concino/concepts/facets.hpp>
 #include <concino/core/prefetch.hpp>
 #include <concino/geometry/triangulate_polygon.hpp>
 #include <concino/lines/detail/field_reader.hpp>
@@ -36,8 +37,8 @@ class surface_line_walker {
   std::vector<surface_sector> sectors_;
   std::vector<piece> sector_pieces_;
 
-  // The state of a line: in a triangle, inside, at a side or at a corner of it; at a vert; or at an edge by which it leaves a triangle. There it takes three
-  // steps, and requests what the next one reads: the poly behind the edge, its lists, its points.
+  // The state of a line: in a triangle, inside, at a side or at a corner of it; at a vert; or at an edge by which it leaves a triangle. There it takes up
+  // to three steps, and requests what the next one reads: the poly behind the edge, its lists, its points.
   enum class where { inside, side, corner, vert, edge, lists, points } where_ = where::inside;
   triangle_side triangles_[2];
   unsigned now_ = 0;       // of triangles_: the triangle entered, and its side or corner; or the side by which the line leaves it
@@ -46,6 +47,7 @@ class surface_line_walker {
   vert_t<M> vert_ = vert_t<M>();
   edge_t<M> edge_ = edge_t<M>();
   poly_t<M> other_ = poly_t<M>();  // the poly behind the edge
+  std::size_t num_others_ = 0;     // so many polys are behind it
   double place_ = 0;               // on the edge
   entry_step entry_;               // what the place depends on
 
@@ -157,23 +159,33 @@ class surface_line_walker {
     entry_ = step;
     where_ = where::edge;
     core::prefetch(*m_, edge_);
+    if constexpr (finds_polys_from_one<M>) find_other();  // what this reads was requested with the poly
   }
 
   /// Finds the poly behind the edge by which the line leaves.
+  void find_other() {
+    num_others_ = 0;
+    for (const poly_t<M> p : other_polys(*m_, at().in.poly, edge_)) {
+      other_ = p;
+      ++num_others_;
+    }
+    if (num_others_ != 1) return;
+    polygon_.request_lists(*m_, other_);
+    field_.request(other_);
+  }
+
   void cross_edge(line_recorder<M>& to) {
     const triangle_side& out = at();
     to.add(on_edge(edge_, out, place_), out.in.poly);
     if (to.done()) return;
-    other_ = out.in.poly;
-    std::size_t n = 0;
-    for (const poly_t<M> p : adj_e2p(*m_, edge_)) {
-      if (!(p == out.in.poly)) other_ = p;
-      ++n;
+    if constexpr (!finds_polys_from_one<M>) find_other();
+    if (num_others_ != 1) return to.stop(num_others_ == 0 ? line_end::boundary : line_end::non_manifold);
+    if constexpr (!finds_polys_from_one<M>) {
+      where_ = where::lists;
+    } else {
+      polygon_.request_points(*m_, other_);
+      where_ = where::points;
     }
-    if (n != 2 || other_ == out.in.poly) return to.stop(n <= 2 ? line_end::boundary : line_end::non_manifold);
-    polygon_.request_lists(*m_, other_);
-    field_.request(other_);
-    where_ = where::lists;
   }
 
   void enter_other(line_recorder<M>& to) {
