@@ -64,9 +64,13 @@ class facet_adjacency {
     const std::uint32_t n = facets_.length(p.raw());
     if (n > row_lookup::longest_scan) [[unlikely]] return facet_lookup_.find(p.raw(), facets_[p.raw()], f);
     const Facet* const at = facets_.begin(p.raw());
-    std::uint32_t k = 0;
-    while (k < n && at[k] != f) ++k;
-    return k;
+    if constexpr (N == 3) {  // without branches, which processors would predict wrongly
+      return 3 - 3 * static_cast<std::uint32_t>(at[0] == f) - 2 * static_cast<std::uint32_t>(at[1] == f) - static_cast<std::uint32_t>(at[2] == f);
+    } else {
+      std::uint32_t k = 0;
+      while (k < n && at[k] != f) ++k;
+      return k;
+    }
   }
 
   polys_of_facet polys_of(Facet f) const {

@@ -31,6 +31,18 @@ class incident_edges {
     std::copy_n(verts_.data() + from, n, verts_.data() + to), std::copy_n(edges_.data() + from, n, edges_.data() + to);
     places_.move_row(i, to, room);
   }
+  [[gnu::noinline]] void spread_rows() {
+    row_places spread = places_.spread();
+    core::flat_array<vert_id> verts;
+    core::flat_array<edge_id> edges;
+    spread.copy_rows(places_, verts_, verts);
+    spread.copy_rows(places_, edges_, edges);
+    places_.swap(spread), verts_.swap(verts), edges_.swap(edges);
+  }
+  [[gnu::noinline]] void enlarge_row(vert_id v, std::uint32_t n) {
+    make_growable();
+    if (!places_.has_room(v.raw(), n)) move_row(v.raw(), places_.larger_room(v.raw(), num_edges(v) + n));
+  }
 
  public:
   incident_edges() = default;
@@ -70,6 +82,12 @@ class incident_edges {
   }
 
   void prefetch_place(vert_id v) const { places_.prefetch(v.raw()); }
+  /// The same as prefetch_values() for most verts if the rows are loose, without reading the place.
+  void prefetch_slot(vert_id v) const {
+    if (!places_.has_slot(v.raw())) return;
+    __builtin_prefetch(verts_.data() + row_places::slot(v.raw()), 1);
+    __builtin_prefetch(edges_.data() + row_places::slot(v.raw()), 1);
+  }
   void prefetch_values(vert_id v) const {
     __builtin_prefetch(verts_.data() + places_.first(v.raw()), 1);
     __builtin_prefetch(edges_.data() + places_.first(v.raw()), 1);
@@ -79,13 +97,7 @@ class incident_edges {
 
   /// After this call remove_at(), remove() and clear() cannot fail. Most rows get room for more edges, so that they need not move soon.
   void make_growable() {
-    if (!places_.is_packed()) return;
-    row_places spread = places_.spread();
-    core::flat_array<vert_id> verts;
-    core::flat_array<edge_id> edges;
-    spread.copy_rows(places_, verts_, verts);
-    spread.copy_rows(places_, edges_, edges);
-    places_.swap(spread), verts_.swap(verts), edges_.swap(edges);
+    if (places_.is_packed()) [[unlikely]] spread_rows();
   }
   /// After this call, n calls of add_vert() with that many edges in all cannot fail.
   void reserve_verts(std::size_t n, std::size_t edges) {
@@ -102,9 +114,7 @@ class incident_edges {
   }
   /// After this call, n calls of push() for v cannot fail. It uses memory that reserve_verts() reserved, so it must come before that.
   void reserve_at(vert_id v, std::uint32_t n) {
-    if (places_.has_room(v.raw(), n)) [[likely]] return;
-    make_growable();
-    if (!places_.has_room(v.raw(), n)) move_row(v.raw(), places_.larger_room(v.raw(), num_edges(v) + n));
+    if (!places_.has_room(v.raw(), n)) [[unlikely]] enlarge_row(v, n);
   }
   /// Adds an edge of v, which has room for it.
   void push(vert_id v, vert_id other, edge_id e) {
@@ -114,7 +124,11 @@ class incident_edges {
   void set_other_end(vert_id v, edge_id e, vert_id other) { verts_begin(v)[position(v, e)] = other; }
   /// Removes an edge of v; the last one takes its place.
   void replace_by_last(vert_id v, edge_id e) {
-    const std::size_t at = places_.first(v.raw()) + position(v, e), last = places_.shorten(v.raw());
+    const std::uint32_t first = places_.first_of_loose(v.raw());
+    const edge_id* const row = edges_.data() + first;
+    std::uint32_t k = edges_.size() - first >= 8 ? find_in_eight(row, e) : 0;
+    while (!(row[k] == e)) ++k;
+    const std::size_t at = first + k, last = places_.shorten(v.raw());
     verts_[at] = verts_[last], edges_[at] = edges_[last];
   }
   /// Removes an edge of v; the others keep their order.

@@ -44,6 +44,24 @@ class jagged_array<T, 0> {
     std::fill_n(data_.data() + to + n, room - n, T{});
     places_.move_row(i, to, room);
   }
+  [[gnu::noinline]] void spread_rows() {
+    row_places spread = places_.spread();
+    core::flat_array<T> data;
+    spread.copy_rows(places_, data_, data);
+    places_.swap(spread);
+    data_.swap(data);
+  }
+  [[gnu::noinline]] void enlarge_row(std::size_t i, std::uint32_t n) {
+    make_editable();
+    if (!places_.has_room(i, n)) move_row(i, places_.larger_room(i, length(i) + n));
+  }
+  [[gnu::noinline]] void remove_from_long(std::size_t i, const T& value) {
+    T* const row = begin(i);
+    const std::uint32_t n = length(i), k = find_in_row(i, value);
+    if (k == n) return;
+    std::copy(row + k + 1, row + n, row + k);
+    places_.shorten(i);
+  }
 
  public:
   jagged_array() = default;
@@ -79,6 +97,10 @@ class jagged_array<T, 0> {
 
   /// Requests the memory that tells where row i is, or that of its first values, which will be used soon.
   void prefetch_place(std::size_t i) const { places_.prefetch(i); }
+  /// The same as prefetch_values() for most rows after make_growable(), without reading the place.
+  void prefetch_slot(std::size_t i) const {
+    if (places_.has_slot(i)) __builtin_prefetch(data_.data() + row_places::slot(i), 1);
+  }
   void prefetch_values(std::size_t i) const { __builtin_prefetch(begin(i), 1); }
 
   /// The offsets, which other tables with rows of the same lengths can share; null after an edit.
@@ -93,12 +115,7 @@ class jagged_array<T, 0> {
   void make_editable() { places_.make_loose(); }
   /// The same, but most rows get room for more values, so that they need not move soon.
   void make_growable() {
-    if (!places_.is_packed()) return;
-    row_places spread = places_.spread();
-    core::flat_array<T> data;
-    spread.copy_rows(places_, data_, data);
-    places_.swap(spread);
-    data_.swap(data);
+    if (places_.is_packed()) [[unlikely]] spread_rows();
   }
   /// After this call, n calls of add_row() with that many values in all cannot fail.
   void reserve_rows(std::size_t n, std::size_t values) {
@@ -108,9 +125,7 @@ class jagged_array<T, 0> {
   }
   /// After this call, n calls of push(i) cannot fail. It uses memory that reserve_rows() reserved, so it must come before that.
   void reserve_in_row(std::size_t i, std::uint32_t n) {
-    if (places_.has_room(i, n)) [[likely]] return;
-    make_editable();
-    if (!places_.has_room(i, n)) move_row(i, places_.larger_room(i, length(i) + n));
+    if (!places_.has_room(i, n)) [[unlikely]] enlarge_row(i, n);
   }
   /// Writes a row behind the last one; commit_row(), which cannot fail, adds it. The values may be in these rows; if `first` is null, the caller
   /// writes them.
@@ -149,16 +164,22 @@ class jagged_array<T, 0> {
   /// Removes the value from row i; the others keep their order.
   void remove(std::size_t i, const T& value) {
     make_editable();
-    T* const row = begin(i);
-    const std::uint32_t n = length(i), k = find_in_row(i, value);
-    if (k == n) return;
+    remove_from_loose(i, value);
+  }
+  /// The same after make_editable().
+  [[gnu::always_inline]] inline void remove_from_loose(std::size_t i, const T& value) {
     if constexpr (is_short_value<T>) {
-      if (n <= 8 && has_eight(i)) close_gap_in_eight(row, k, n);
-      else std::copy(row + k + 1, row + n, row + k);
-    } else {
-      std::copy(row + k + 1, row + n, row + k);
+      const std::uint32_t n = places_.length_of_loose(i), first = places_.first_of_loose(i);
+      if (n <= 8 && data_.size() - first >= 8) [[likely]] {
+        T* const row = data_.data() + first;
+        const std::uint32_t k = find_in_eight(row, value);
+        if (k >= n) return;
+        close_gap_in_eight(row, k, n);
+        places_.shorten(i);
+        return;
+      }
     }
-    places_.shorten(i);
+    remove_from_long(i, value);
   }
   // After reserve_in_row() these are faster than the functions above.
 

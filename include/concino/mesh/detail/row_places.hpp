@@ -27,6 +27,7 @@ class row_places {
   const std::uint32_t* first_ = nullptr;
   std::uint32_t shift_ = 0;  // the number of row i is at first_[i << shift_]
   std::size_t size_ = 0;
+  std::size_t slots_ = 0;  // spread() has given so many rows a place that their number tells
 
   void update_pointers() {
     first_ = packed_ ? packed_->data() : reinterpret_cast<const std::uint32_t*>(loose_.data());
@@ -39,7 +40,7 @@ class row_places {
 
   row_places() = default;
   explicit row_places(std::shared_ptr<const offsets> packed) : packed_(std::move(packed)), size_(packed_->size() - 1) { update_pointers(); }
-  row_places(const row_places& o) : packed_(o.packed_), loose_(o.loose_), size_(o.size_) {
+  row_places(const row_places& o) : packed_(o.packed_), loose_(o.loose_), size_(o.size_), slots_(o.slots_) {
     if (o.first_) update_pointers();
   }
   row_places(row_places&& o) noexcept { swap(o); }
@@ -50,7 +51,7 @@ class row_places {
   void swap(row_places& o) noexcept {
     using std::swap;
     swap(packed_, o.packed_), swap(loose_, o.loose_);
-    swap(first_, o.first_), swap(shift_, o.shift_), swap(size_, o.size_);
+    swap(first_, o.first_), swap(shift_, o.shift_), swap(size_, o.size_), swap(slots_, o.slots_);
   }
 
   std::size_t size() const { return size_; }
@@ -75,33 +76,45 @@ class row_places {
   void make_loose() {
     if (packed_) *this = loose([](std::uint32_t n) { return n; });
   }
-  /// The same rows, apart from each other, so that most of them can grow where they are. Packed rows if the places were more than 32 bits can count.
+  /// The same rows, apart from each other, so that most of them can grow where they are. Packed rows if the places were more than 32 bits can count. If few rows
+  /// are long, each other row i is at slot(i), so that its values can be requested before its place is read. Long ones are behind all slots then, and their
+  /// slots stay unused.
   row_places spread() const {
     std::uint64_t values = num_before;
-    for (std::size_t i = 0; i < size_; ++i) values += room_for(length(i) + 1);
+    std::size_t long_rows = 0;
+    for (std::size_t i = 0; i < size_; ++i) values += room_for(length(i) + 1), long_rows += is_long(length(i));
+    const bool has_slots = long_rows <= size_ / 16;
+    if (has_slots) values += long_rows * room_unit;
     if (values > std::numeric_limits<std::uint32_t>::max()) return loose([](std::uint32_t n) { return n; });
-    return loose([](std::uint32_t n) { return room_for(n + 1); }, num_before);
+    if (!has_slots) return loose([](std::uint32_t n) { return room_for(n + 1); }, num_before);
+    row_places p;
+    p.loose_.resize(size_);
+    std::size_t end = slot(size_);
+    for (std::size_t i = 0; i < size_; ++i) {
+      const std::uint32_t n = length(i), room = room_for(n + 1);
+      const auto first = static_cast<std::uint32_t>(is_long(n) ? std::exchange(end, end + room) : slot(i));
+      p.loose_[i] = {first, first + n, room};
+    }
+    p.size_ = p.slots_ = size_;
+    p.update_pointers();
+    return p;
   }
   static std::uint32_t room_for(std::uint32_t n) { return (n + room_unit - 1) / room_unit * room_unit; }
-  /// Where the last row ends that loose() has made.
-  std::size_t end_of_values() const { return size_ == 0 ? 0 : std::size_t{loose_[size_ - 1].first} + loose_[size_ - 1].room; }
+  /// Whether row i was at slot(i) after spread(), unless it was long.
+  bool has_slot(std::size_t i) const { return i < slots_; }
+  static constexpr std::size_t slot(std::size_t i) { return num_before + room_unit * i; }
 
-  /// Copies the values of the same rows at other places to these ones. The room of rows, and what is before them, has values of none. `to` is empty.
+  /// Copies the values of the same rows at other places to these ones. The room of rows, and what is between them, has values of none. `to` is empty. It gets
+  /// capacity for half as much again, so that rows can move to its end: memory that is not used yet costs nothing, and moving all values to other memory much.
   template<class T>
   void copy_rows(const row_places& before, const core::flat_array<T>& from, core::flat_array<T>& to) const {
-    to.reserve(reserved_values());
-    to.resize(end_of_values());
-    T* at = to.data();
-    for (std::size_t i = 0; i < size_; ++i) {
-      T* const row = to.data() + first(i);
-      std::fill(at, row, T{});
-      at = std::copy_n(from.data() + before.first(i), before.length(i), row);
-    }
-    std::fill(at, to.data() + to.size(), T{});
+    std::size_t end = slots_ > 0 ? slot(slots_) : 0;
+    for (std::size_t i = 0; i < size_; ++i) end = std::max(end, std::size_t{loose_[i].first} + loose_[i].room);
+    to.reserve(end + end / 2);
+    to.resize(end);
+    std::fill_n(to.data(), end, T{});
+    for (std::size_t i = 0; i < size_; ++i) std::copy_n(from.data() + before.first(i), before.length(i), to.data() + first(i));
   }
-
-  /// The capacity of their array, so that rows can move to its end: memory that is not used yet costs nothing, and moving all values to other memory much.
-  std::size_t reserved_values() const { return end_of_values() + end_of_values() / 2; }
 
   /// After this call, n calls of add() cannot fail.
   void reserve(std::size_t n) {
@@ -114,7 +127,10 @@ class row_places {
     ++size_;
     update_pointers();
   }
-  bool has_room(std::size_t i, std::uint32_t n) const { return !packed_ && loose_[i].room - length(i) >= n; }
+  bool has_room(std::size_t i, std::uint32_t n) const { return !packed_ && loose_[i].room - length_of_loose(i) >= n; }
+  /// The same as first(i) and length(i) of rows that are not packed.
+  std::uint32_t first_of_loose(std::size_t i) const { return loose_[i].first; }
+  std::uint32_t length_of_loose(std::size_t i) const { return loose_[i].last - loose_[i].first; }
   /// The capacity of a loose row that becomes too long.
   std::uint32_t larger_room(std::size_t i, std::size_t n) const { return room_for(std::max(2 * room(i), static_cast<std::uint32_t>(n))); }
   void move_row(std::size_t i, std::size_t first, std::uint32_t room) {
@@ -147,13 +163,16 @@ class row_places {
   void restore_size(std::size_t rows) {
     if (packed_) return;
     loose_.resize(rows);
-    size_ = rows;
+    size_ = rows, slots_ = std::min(slots_, rows);
     update_pointers();
   }
 
  private:
   /// The values before the first row of spread(), so that rows of `room_unit` values begin on cache lines: memory for large arrays begins 16 bytes behind one.
   static constexpr std::uint32_t num_before = 12;
+
+  /// Whether a slot is too short for a row of n values that may grow.
+  static constexpr bool is_long(std::size_t n) { return n >= room_unit; }
 
   /// Consecutive rows with the capacity room(length).
   template<class Room>

@@ -12,25 +12,36 @@ namespace concino::detail {
 template<class T>
 inline constexpr bool is_short_value = sizeof(T) == sizeof(std::uint32_t) && std::is_trivially_copyable_v<T>;
 
+/// Eight values in the registers of vectors; compilers do not put them there on their own.
+using eight_numbers = std::uint32_t __attribute__((vector_size(32)));
+
+template<class T>
+  requires is_short_value<T>
+[[gnu::always_inline]] inline void read_eight(const T* row, eight_numbers& to) { std::memcpy(&to, static_cast<const void*>(row), sizeof to); }
+
 /// The first k < 8 with row[k] == value, or 8. Eight values at `row` are readable.
 template<class T>
   requires is_short_value<T>
-std::uint32_t find_in_eight(const T* row, const T& value) {
-  std::uint32_t found = 1u << 8;
-  for (std::uint32_t k = 0; k < 8; ++k) found |= static_cast<std::uint32_t>(row[k] == value) << k;
-  return static_cast<std::uint32_t>(std::countr_zero(found));
+[[gnu::always_inline]] inline std::uint32_t find_in_eight(const T* row, const T& value) {
+  constexpr eight_numbers bits = {1, 2, 4, 8, 16, 32, 64, 128};
+  eight_numbers now;
+  read_eight(row, now);
+  const eight_numbers found = now == std::bit_cast<std::uint32_t>(value) ? bits : eight_numbers{};
+  auto four = __builtin_shufflevector(found, found, 0, 1, 2, 3) | __builtin_shufflevector(found, found, 4, 5, 6, 7);
+  four |= __builtin_shufflevector(four, four, 2, 3, 0, 1);
+  return static_cast<std::uint32_t>(std::countr_zero(static_cast<std::uint32_t>(four[0] | four[1]) | 1u << 8));
 }
 
 /// Removes the k-th of n <= 8 values; the others keep their order. Eight values at `row` are readable; those behind the n remain as they are.
 template<class T>
   requires is_short_value<T>
-void close_gap_in_eight(T* row, std::uint32_t k, std::uint32_t n) {
-  std::uint32_t now[8], next[8];
-  std::memcpy(now, static_cast<const void*>(row), sizeof now);
-  std::memcpy(next, now + 1, sizeof next - sizeof *next);
-  next[7] = now[7];
-  for (std::uint32_t i = 0; i < 8; ++i) now[i] = i >= k && i + 1 < n ? next[i] : now[i];
-  std::memcpy(static_cast<void*>(row), now, sizeof now);
+[[gnu::always_inline]] inline void close_gap_in_eight(T* row, std::uint32_t k, std::uint32_t n) {
+  constexpr eight_numbers place = {0, 1, 2, 3, 4, 5, 6, 7};
+  eight_numbers now;
+  read_eight(row, now);
+  const eight_numbers next = __builtin_shufflevector(now, now, 1, 2, 3, 4, 5, 6, 7, 7);
+  now = place - k < n - 1 - k ? next : now;  // places before k wrap around
+  std::memcpy(static_cast<void*>(row), &now, sizeof now);
 }
 
 }  // namespace concino::detail

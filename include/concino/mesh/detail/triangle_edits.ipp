@@ -50,6 +50,7 @@ struct surface_tables<Arity, Lists>::side_of_edge {
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::prefetch_vert(vert_id v) const {
   incident_edges_.prefetch_place(v), v2p_.prefetch_place(v.raw());
+  incident_edges_.prefetch_slot(v), v2p_.prefetch_slot(v.raw());
 }
 
 template<unsigned Arity, class Lists>
@@ -184,7 +185,7 @@ direct_edit surface_tables<Arity, Lists>::flip_edge(edge_id e)
   for (const side_of_edge& x : s) incident_edges_.reserve_at(x.c, 1), v2p_.reserve_in_row(x.c.raw(), 1);
 
   const poly_id p = s[0].p, q = s[1].p;
-  v2p_.remove(b.raw(), p), v2p_.remove(a.raw(), q);
+  v2p_.remove_from_loose(b.raw(), p), v2p_.remove_from_loose(a.raw(), q);
   v2p_.push_reserved(s[1].c.raw(), p), v2p_.push_reserved(s[0].c.raw(), q);
   incident_edges_.replace_by_last(a, e), incident_edges_.replace_by_last(b, e);
   incident_edges_.push(s[0].c, s[1].c, e), incident_edges_.push(s[1].c, s[0].c, e);
