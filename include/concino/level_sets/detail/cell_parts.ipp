@@ -20,6 +20,7 @@ CONCINO_INLINE cell_parts::cell_parts(cell_cuts& cuts) : cuts_(cuts), v_(cuts.vo
   core::reserve_pages(faces, num_facets + num_facets / 2), core::reserve_pages(uses_, 2 * num_facets);
   core::reserve_pages(face_places, v_.num_corners() + v_.num_corners() / 2);
   numbers_.reserve(v_.points.size() + v_.num_facets() / 2);
+  core::reserve_pages(first_faces, v_.points.size() + v_.num_facets() / 2);
   add_facets();
   add_caps();
   merge_equal_faces();
@@ -78,10 +79,12 @@ CONCINO_INLINE void cell_parts::add_facets() {
       for (std::uint32_t i = cuts_.first_chord(f.first_facet); i < cuts_.first_chord(f.last_facet); ++i) any = any || cuts_.is_active(i);
       if (!any) {
         if (s == f.first_facet) add_fan(fan);
+        first_faces.resize(numbers_.places.size(), v_.faces[s]);
         continue;
       }
     }
     if (cuts_.twin(s) >= s) add_facet(s, is_done);
+    first_faces.resize(numbers_.places.size(), v_.faces[s]);
   }
 }
 

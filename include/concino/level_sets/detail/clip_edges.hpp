@@ -3,7 +3,7 @@
 
 #include <concino/concepts/end_verts.hpp>
 #include <concino/level_sets/detail/clip_verts.hpp>
-#include <concino/level_sets/detail/crossed_volume.hpp>
+#include <concino/level_sets/detail/part_lists.hpp>
 #include <concino/mesh/correspondence.hpp>
 #include <concino/mesh/polyhedralmesh.hpp>
 
@@ -21,14 +21,14 @@ class clip_edges {
   const M& m_;
   const polyhedralmesh& clipped_;
   const element_origins& of_verts_;
-  const clip_verts<M, crossed_volume>& verts_;
+  const clip_verts<M, place_ends>& verts_;
   single_origins found_;
   std::optional<elements_by_index<vert_t<M>>> by_index_;
 
   bool is_kept(const vert_id& v) const { return v.raw() < verts_.num_kept(); }
 
  public:
-  clip_edges(const M& m, const polyhedralmesh& clipped, const element_origins& of_verts, const clip_verts<M, crossed_volume>& verts)
+  clip_edges(const M& m, const polyhedralmesh& clipped, const element_origins& of_verts, const clip_verts<M, place_ends>& verts)
       : m_(m), clipped_(clipped), of_verts_(of_verts), verts_(verts), found_(edge_index_bound(clipped)) {}
 
   element_origins list() && {

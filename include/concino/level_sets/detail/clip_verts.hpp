@@ -3,6 +3,7 @@
 
 #include <concino/core/large_pages.hpp>
 #include <concino/level_sets/detail/level_place.hpp>
+#include <concino/level_sets/detail/part_lists.hpp>
 #include <concino/mesh/correspondence.hpp>
 #include <concino/mesh/mesh_point.hpp>
 #include <concino/mesh/property.hpp>
@@ -15,7 +16,7 @@
 
 namespace concino::detail {
 
-/// Numbers the verts that are kept, then the new ones, and lists their points and origins. Crossed: crossed_surface or crossed_volume.
+/// Numbers the verts that are kept, then the new ones, and lists their points and origins. Crossed: crossed_surface or place_ends.
 template<class M, class Crossed>
 class clip_verts {
   const M& m_;
@@ -38,6 +39,10 @@ class clip_verts {
 
   void mark(const vert_t<M>& v) { number_[index_of(m_, v)] = 0; }
   void mark_place(std::uint32_t place) {
+    if (place & part_lists::of_mesh) {
+      number_[place & ~part_lists::of_mesh] = 0;
+      return;
+    }
     const level_place& x = places_[place];
     if (is_vert(x)) number_[crossed_.vert_indices[x.above]] = 0;
     else number_of_place_[place] = 0;
@@ -82,6 +87,7 @@ class clip_verts {
 
   vert_id of(const vert_t<M>& v) const { return vert_id{number_[index_of(m_, v)]}; }
   vert_id of_place(std::uint32_t place) const {
+    if (place & part_lists::of_mesh) return vert_id{number_[place & ~part_lists::of_mesh]};
     const level_place& x = places_[place];
     return vert_id{is_vert(x) ? number_[crossed_.vert_indices[x.above]] : number_of_place_[place]};
   }

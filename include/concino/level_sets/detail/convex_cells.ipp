@@ -8,27 +8,42 @@
 
 namespace concino::detail {
 
+CONCINO_INLINE bool is_vert_outside(std::span<const vec3> verts, std::span<const std::uint32_t> corners, bool outward) {
+  vec3 mean, normal, previous;
+  const vec3 origin = verts[corners[0]];
+  const double n = static_cast<double>(corners.size());
+  for (const std::uint32_t k : corners) {
+    const vec3 step = verts[k] - origin;
+    normal += outward ? cross(previous, step) : cross(step, previous);
+    mean += step / n;
+    previous = step;
+  }
+  double tolerance = -1;
+  for (std::uint32_t i = 0; i < verts.size(); ++i) {
+    const double height = dot(verts[i] - origin - mean, normal);
+    if (!(height > 0) || std::find(corners.begin(), corners.end(), i) != corners.end()) continue;
+    if (tolerance < 0) {
+      double size = 0;
+      for (const vec3& x : verts) size = std::max(size, norm(x - origin));
+      tolerance = 1e-12 * norm(normal) * size;
+    }
+    if (height > tolerance) return true;
+  }
+  return false;
+}
+
 CONCINO_INLINE bool is_convex_cell(const crossed_volume& v, std::uint32_t cell) {
-  std::vector<std::uint32_t> verts;
+  std::vector<std::uint32_t> verts, corners;
   for (std::uint32_t k = v.first_corner[v.first_facet[cell]]; k < v.first_corner[v.first_facet[cell + 1]]; ++k)
     if (v.vert_indices[v.verts[k]] != v.none) verts.push_back(v.verts[k]);
   std::sort(verts.begin(), verts.end());
   verts.erase(std::unique(verts.begin(), verts.end()), verts.end());
+  std::vector<vec3> points;
+  for (const std::uint32_t x : verts) points.push_back(v.points[x]);
   const auto is_outside = [&](const std::uint32_t* first, const std::uint32_t* last, bool outward) {
-    vec3 mean, normal, previous;
-    double size = 0;
-    const vec3 origin = v.points[*first];
-    for (const std::uint32_t* k = first; k != last; ++k) {
-      const vec3 step = v.points[*k] - origin;
-      normal += outward ? cross(previous, step) : cross(step, previous);
-      mean += step / static_cast<double>(last - first);
-      previous = step;
-    }
-    for (const std::uint32_t x : verts) size = std::max(size, norm(v.points[x] - origin));
-    const double tolerance = 1e-12 * norm(normal) * size;
-    return std::any_of(verts.begin(), verts.end(), [&](std::uint32_t x) {
-      return std::find(first, last, x) == last && dot(v.points[x] - origin - mean, normal) > tolerance;
-    });
+    corners.clear();
+    for (; first != last; ++first) corners.push_back(static_cast<std::uint32_t>(std::lower_bound(verts.begin(), verts.end(), *first) - verts.begin()));
+    return is_vert_outside(points, corners, outward);
   };
   for (std::uint32_t s = v.first_facet[cell]; s < v.first_facet[cell + 1]; ++s) {
     const std::uint32_t fan = v.fan_of[s];

@@ -5,11 +5,9 @@
 #include <concino/core/large_pages.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/level_sets/clip_options.hpp>
-#include <concino/level_sets/detail/cell_parts.hpp>
 #include <concino/level_sets/detail/clip_edges.hpp>
+#include <concino/level_sets/detail/clip_parts.hpp>
 #include <concino/level_sets/detail/clip_verts.hpp>
-#include <concino/level_sets/detail/convex_cells.hpp>
-#include <concino/level_sets/detail/crossed_volume_reader.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -22,14 +20,11 @@ namespace concino::detail {
 template<class M, class U>
 class volume_clipper {
   static constexpr std::uint32_t of_part_only = 1;  // in face_number_, before faces are numbered: a face of a part, and of no poly that is kept
-  static constexpr auto surface = arity_v<M> > 0 ? cell_cuts::cells_are::spheres : cell_cuts::cells_are::unknown;
-
   const M& m_;
   double level_;
   bool both_;
   state_array states_;  // of polys: those of all their verts
-  std::optional<crossed_volume_reader<M>> crossed_;
-  std::optional<cell_cuts> cuts_;
+  std::optional<clip_parts<M>> crossed_;
   std::vector<poly_t<M>> whole_;
   std::vector<std::uint32_t> cut_;          // parts
   std::vector<std::uint32_t> cut_origins_;  // by entry of cut_: the index of the poly in m
@@ -40,26 +35,25 @@ class volume_clipper {
   clipped_volume<M> result_;
 
  public:
-  volume_clipper(const M& m, const U& u, double level, bool both, const char* caller)
-      : m_(m), level_(level), both_(both), states_(poly_states(m, level_states(m, u, level, caller))),
-        face_number_(core::large_vector(face_index_bound(m), ~0u)) {
-    crossed_.emplace(m, u, level, crossed_by_state(m, states_));
-    cuts_.emplace(crossed_->arrays, surface, caller, crossed_->poly_indices);
+  volume_clipper(const M& m, const U& u, double level, bool both, const char* caller) : m_(m), level_(level), both_(both) {
+    const state_array of_verts = level_states(m, u, level, caller);
+    states_ = poly_states(m, of_verts);
+    crossed_.emplace(m, u, level, of_verts.data(), states_.data(), crossed_by_state(m, states_), both, caller);
   }
 
   clipped_volume<M> run(const clip_options& options, const char* caller) {
     report_concave_polys(options, caller);
-    std::optional<cell_parts> parts(*cuts_);
-    for (const std::uint32_t v : parts->moved_verts) result_.report.moved_verts.push_back(crossed_->verts[v]);
+    result_.report.moved_verts = std::move(crossed_->moved_verts);
     report_progress(options.progress, 0.3, "clipping");
-    const std::vector<level_place> places = std::move(parts->places);
-    clip_verts<M, crossed_volume> verts_of(m_, crossed_->arrays, places, level_);
-    choose_polys(*parts, verts_of);
-    build_faces(*parts, verts_of);
-    build_polys(*parts);
+    const std::vector<level_place> places = std::move(crossed_->lists.places);
+    clip_verts<M, place_ends> verts_of(m_, crossed_->ends, places, level_);
+    face_number_ = core::large_vector(face_index_bound(m_), ~0u);
+    choose_polys(crossed_->lists, verts_of);
+    build_faces(crossed_->lists, verts_of);
+    build_polys(crossed_->lists);
     a_.points = std::move(verts_of.points);
     result_.from.verts = std::move(verts_of.origins);
-    parts.reset(), cuts_.reset(), crossed_.reset();  // their memory can be used for the mesh
+    crossed_.reset();  // its memory can be used for the mesh
     core::release(new_face_), core::release(face_number_), core::release(whole_);
     report_progress(options.progress, 0.5, "clipping");
     result_.mesh = polyhedralmesh(std::move(a_));
@@ -73,18 +67,22 @@ class volume_clipper {
 
  private:
   void report_concave_polys(const clip_options& options, const char* caller) {
-    std::vector<unsigned char> is_cut(crossed_->polys.size(), 0);
-    for (const cell_cuts::loop& l : cuts_->loops()) is_cut[l.cell] |= l.cuts;
-    for (std::uint32_t c = 0; c < is_cut.size(); ++c) {
-      if (!is_cut[c]) continue;
+    for (std::size_t c = 0; c < crossed_->is_cut.size(); ++c) {
+      if (!crossed_->is_cut[c]) continue;
       ++result_.report.cut_polys;
-      if (is_convex_cell(crossed_->arrays, c)) continue;
+      if (crossed_->is_convex[c]) continue;
       if (options.convex_only) throw_not_convex(caller, crossed_->poly_indices[c]);
       ++result_.report.concave_polys;
     }
   }
 
-  void choose_polys(const cell_parts& parts, clip_verts<M, crossed_volume>& verts_of) {
+  /// The index of a face of a part that is a face of m; ~0 if it is not.
+  static std::uint32_t whole_face(const part_lists& parts, std::uint32_t f) {
+    if (f & part_lists::of_mesh) return f & ~part_lists::of_mesh;
+    return parts.faces[f].is_whole ? parts.faces[f].origin : ~0u;
+  }
+
+  void choose_polys(const part_lists& parts, clip_verts<M, place_ends>& verts_of) {
     const auto keep = [&](const poly_t<M>& p, bool above) {
       if (!above && !both_) return;
       for (const face_t<M> f : adj_p2f(m_, p)) face_number_[index_of(m_, f)] = 0, ++num_poly_faces_;
@@ -101,7 +99,7 @@ class volume_clipper {
         continue;
       }
       for (; part < parts.parts.size() && parts.parts[part].cell == next; ++part) {
-        const cell_parts::part& x = parts.parts[part];
+        const part_lists::part& x = parts.parts[part];
         if (x.is_whole) keep(p, x.is_above);
         else if (x.is_above || both_) cut_.push_back(static_cast<std::uint32_t>(part));
       }
@@ -111,8 +109,8 @@ class volume_clipper {
     for (const std::uint32_t i : cut_)
       for (std::uint32_t k = parts.parts[i].first; k < parts.parts[i].last; ++k, ++num_poly_faces_) {
         const std::uint32_t f = parts.part_faces[k];
-        if (parts.faces[f].is_whole) {
-          if (std::uint32_t& number = face_number_[parts.faces[f].origin]; number == ~0u) number = of_part_only;
+        if (const std::uint32_t whole = whole_face(parts, f); whole != ~0u) {
+          if (face_number_[whole] == ~0u) face_number_[whole] = of_part_only;
           continue;
         }
         if (new_face_[f] == ~0u) ++num_faces_, num_corners_ += parts.faces[f].last - parts.faces[f].first;
@@ -129,7 +127,7 @@ class volume_clipper {
     }
   }
 
-  void build_faces(const cell_parts& parts, clip_verts<M, crossed_volume>& verts_of) {
+  void build_faces(const part_lists& parts, clip_verts<M, place_ends>& verts_of) {
     verts_of.number([&](const level_place& x, std::vector<origin>& list) { crossed_->list_origins(x, list); });
     core::reserve_exact(a_.face_offsets, num_faces_ + 1), core::reserve_exact(a_.face_verts, num_corners_);
     a_.face_offsets.resize(num_faces_ + 1), a_.face_verts.resize(num_corners_);
@@ -151,12 +149,12 @@ class volume_clipper {
       end_face(index);
     }
     for (std::size_t i = 0; i < parts.faces.size(); ++i) {
-      const cell_parts::face& f = parts.faces[i];
+      const part_lists::face& f = parts.faces[i];
       if (new_face_[i] != ~0u) {
         new_face_[i] = n;
         for (std::uint32_t k = f.first; k < f.last; ++k) corners[end++] = verts_of.of_place(parts.face_places[k]);
         end_face(f.origin);
-      } else if (f.is_whole) {
+      } else if (f.is_whole && f.is_cut) {
         new_face_[i] = face_number_[f.origin];
       }
       if (f.is_cut && new_face_[i] != ~0u) result_.cut_faces.push_back(face_id{new_face_[i]});
@@ -164,7 +162,7 @@ class volume_clipper {
     result_.from.faces = element_origins(std::move(origins));
   }
 
-  void build_polys(const cell_parts& parts) {
+  void build_polys(const part_lists& parts) {
     const std::size_t num_polys = whole_.size() + cut_.size();
     core::reserve_exact(a_.poly_offsets, num_polys + 1), core::reserve_exact(a_.poly_faces, num_poly_faces_), core::reserve_exact(a_.outward, num_poly_faces_);
     a_.poly_offsets.resize(num_polys + 1), a_.poly_faces.resize(num_poly_faces_), a_.outward.resize(num_poly_faces_);
@@ -180,7 +178,8 @@ class volume_clipper {
     }
     for (const std::uint32_t i : cut_) {
       for (std::uint32_t k = parts.parts[i].first; k < parts.parts[i].last; ++k) {
-        faces_of[end] = face_id{new_face_[parts.part_faces[k]]};
+        const std::uint32_t f = parts.part_faces[k], whole = whole_face(parts, f);
+        faces_of[end] = face_id{whole != ~0u ? face_number_[whole] : new_face_[f]};
         outward[end++] = parts.outward[k];
       }
       *next_end++ = end;

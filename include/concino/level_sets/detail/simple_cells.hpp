@@ -1,0 +1,110 @@
+// Cells that a level set cuts in the simplest way: in two parts, with one cap between them.
+#pragma once
+
+#include <concino/core/compiled.hpp>
+#include <concino/core/local_numbers.hpp>
+#include <concino/core/vec3.hpp>
+#include <concino/level_sets/detail/cell_surface.hpp>
+#include <concino/level_sets/detail/part_lists.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace concino::detail {
+
+/// A cell is simple if none of its verts is on the level set, its surface is a sphere, its faces are simple, and its chords form one loop that does not lie
+/// between two cells. A crossed face is simple if it has one chord, is convex and, on the boundary, planar. The parts of simple cells follow from the signs of
+/// their verts. Other cells are difficult; they and the simple ones beside them are cut by cell_parts. Unusual cells make all cells difficult: if two faces have
+/// the same verts or the same chord, if two edges have the same verts, or if more than two cells meet at a face.
+class simple_cells {
+ public:
+  static constexpr std::uint32_t none = ~0u;
+
+  struct face {
+    std::uint32_t index;                      // in the mesh
+    std::uint32_t first_corner, last_corner;  // in corners_
+    std::uint32_t ends[2];                    // the corners before the two crossed edges
+    std::uint32_t places[2];                  // of these edges
+    std::uint32_t polys[2];                   // of a crossed face that is simple: their indices
+    unsigned char num_difficult;              // cells
+    bool is_crossed, is_simple, starts_above;
+  };
+  /// What the caller has read of one cell. Verts are numbered in the cell.
+  struct cell_verts {
+    std::vector<std::uint32_t> indices;
+    std::vector<vec3> points;
+    std::vector<unsigned char> above;
+
+    void clear() { indices.clear(), points.clear(), above.clear(); }
+  };
+
+  /// Makes room for n cells.
+  void reserve(std::size_t n);
+  std::size_t num_cells() const { return cells_.size(); }
+  bool is_convex(std::size_t i) const { return cells_[i].is_convex; }
+  bool is_difficult(std::size_t i) const { return cells_[i].is_difficult; }
+  /// The difficult cells, and the simple ones beside them.
+  std::vector<std::uint32_t> cells_to_cut() const;
+
+  /// Starts a cell. Its faces follow, then end_cell().
+  void start_cell(bool is_difficult);
+  /// The number of a face. It is that of a new face if is_new() is true; then its corners follow.
+  std::uint32_t number_of_face(std::size_t index) { return face_numbers_.add(index); }
+  bool is_new(std::uint32_t number) const { return number == faces_.size(); }
+  void start_face(std::uint32_t index);
+  void add_corner(std::uint32_t vert) { corners_.push_back(vert); }
+  /// Reads the corners of a face, and finds the chord of a new one. Returns false if the cell is unusual.
+  bool read_corners(std::uint32_t number, bool is_new, const cell_verts& verts);
+  face& face_of(std::uint32_t number) { return faces_[number]; }
+  /// The number of the vert before crossed edge k of the face that was read last, and of the one behind it.
+  std::uint32_t before(unsigned k) const { return local_[faces_.back().ends[k]]; }
+  std::uint32_t behind(unsigned k) const { return faces_.back().ends[k] + 1 < local_.size() ? local_[faces_.back().ends[k] + 1] : local_[0]; }
+  /// Whether the corners of the face that was read last lie in a plane.
+  bool is_planar(const cell_verts& verts);
+  /// Sets the places and the polys of the face that was read last, a new one. Returns false if another face has the same chord.
+  bool set_chord(std::uint32_t first_place, std::uint32_t second_place, std::uint32_t poly, std::uint32_t other_poly);
+  /// Adds the face that was read last to the cell.
+  void add_face(std::uint32_t number, bool outward, std::uint32_t poly, const cell_verts& verts);
+  /// Ends a cell. All cells of a shape may be known to be spheres.
+  void end_cell(bool is_known_sphere, std::size_t num_verts, std::size_t num_edges);
+
+ private:
+  friend class part_merger;
+
+  struct cell {
+    std::uint32_t first_entry, last_entry, first_cap, last_cap;
+    bool starts_above, is_convex, is_difficult;
+  };
+  struct entry {
+    std::uint32_t face;
+    bool outward;
+  };
+  struct chord {
+    std::uint32_t start, end;  // places
+    std::uint32_t other;       // the poly behind the face, or none
+  };
+
+  core::local_numbers face_numbers_, face_keys_, chord_keys_;
+  std::vector<face> faces_;
+  std::vector<std::uint32_t> corners_;  // indices of verts
+  std::vector<cell> cells_;
+  std::vector<entry> entries_;
+  std::vector<std::uint32_t> caps_;  // places
+  std::size_t num_crossed_ = 0, num_crossed_corners_ = 0;
+
+  std::vector<std::uint32_t> local_;  // of the current face, by corner: numbers in the cell
+  std::vector<vec3> points_;
+  std::vector<chord> chords_;
+  cell_surface surface_;
+
+  bool find_chord(face& f, const cell_verts& verts);
+  bool chain_chords();
+};
+
+}  // namespace concino::detail
+
+#ifndef CONCINO_COMPILED
+#include <concino/level_sets/detail/simple_cells.ipp>
+#endif
