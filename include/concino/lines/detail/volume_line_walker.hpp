@@ -36,7 +36,8 @@ class volume_line_walker {
   field_reader<M, G> field_;
   polyhedron_reader<M> cell_;
   line_watch watch_;
-  std::vector<incident_cell> incident_;
+  std::vector<incident_cell> incident_;  // those in front are of the vert or the ridge
+  std::size_t num_incident_ = 0;
   std::vector<poly_t<M>> incident_polys_;
 
   enum class where { cell, ridge, vert, behind_tet } where_ = where::cell;
@@ -302,28 +303,51 @@ class volume_line_walker {
     add_vert(cell_.verts[t.corner[best]], to);
   }
 
-  /// Reads the triangles at a vert, or those at the ridge, of one poly.
-  void add_incident(const poly_t<M>& p, const vert_t<M>& v, const incident_key* only) {
+  void forget_incident() {
+    num_incident_ = 0;
+    incident_polys_.clear();
+  }
+  std::span<const incident_cell> incident() const { return std::span(incident_).first(num_incident_); }
+  incident_cell& add_incident(const poly_t<M>& p) {
     read(p);
     cell_.cut_faces();
-    incident_cell c{cell_.field, {}};
+    incident_polys_.push_back(p);
+    if (num_incident_ == incident_.size()) incident_.emplace_back();
+    incident_cell& c = incident_[num_incident_++];
+    c.field = cell_.field;
+    c.triangles.clear();
+    return c;
+  }
+
+  /// Reads the triangles of one poly at a vert.
+  void add_at_vert(const poly_t<M>& p, const vert_t<M>& v) {
+    incident_cell& c = add_incident(p);
+    for (const cell_triangle& t : cell_.flat.triangles)
+      for (std::uint32_t k = 0; k < 3; ++k)
+        if (cell_.verts[t.corner[k]] == v) c.triangles.push_back(incident_at(t, k, ridge_of(t, k).key, ridge_of(t, (k + 2) % 3).key));
+  }
+
+  /// Reads the two triangles of one poly at a ridge. The keys of their other sides are not needed.
+  void add_at_ridge(const poly_t<M>& p, const ridge& r) {
+    incident_cell& c = add_incident(p);
     for (const cell_triangle& t : cell_.flat.triangles)
       for (std::uint32_t k = 0; k < 3; ++k) {
-        if (!(cell_.verts[t.corner[k]] == v)) continue;
+        if (!(cell_.verts[t.corner[k]] == r.from)) continue;
         const std::uint32_t a = (k + 1) % 3, b = (k + 2) % 3;
-        const incident_key side_a = ridge_of(t, k).key, side_b = ridge_of(t, b).key;
-        if (only && side_a != *only && side_b != *only) continue;
-        c.triangles.push_back({cell_.flat.points[t.corner[a]], cell_.flat.points[t.corner[b]], {index_of(*m_, cell_.faces[t.face]), t.number}, side_a, side_b});
+        if (cell_.verts[t.corner[a]] == r.to && ridge_of(t, k).key == r.key) c.triangles.push_back(incident_at(t, k, r.key, {}));
+        if (cell_.verts[t.corner[b]] == r.to && ridge_of(t, b).key == r.key) c.triangles.push_back(incident_at(t, k, {}, r.key));
       }
-    incident_.push_back(std::move(c));
-    incident_polys_.push_back(p);
+  }
+
+  incident_triangle incident_at(const cell_triangle& t, std::uint32_t k, const incident_key& side_a, const incident_key& side_b) const {
+    const auto& at = cell_.flat.points;
+    return {at[t.corner[(k + 1) % 3]], at[t.corner[(k + 2) % 3]], {index_of(*m_, cell_.faces[t.face]), t.number}, side_a, side_b};
   }
 
   void leave_vert(line_recorder<M>& to) {
-    incident_.clear();
-    incident_polys_.clear();
-    for (const poly_t<M> p : adj_v2p(*m_, vert_)) add_incident(p, vert_, nullptr);
-    const volume_exit out = steepest_exit(x_, incident_);
+    forget_incident();
+    for (const poly_t<M> p : adj_v2p(*m_, vert_)) add_at_vert(p, vert_);
+    const volume_exit out = steepest_exit(x_, incident());
     if (out.to == volume_exit::kind::none) return to.stop(why_no_exit());
     const std::uint32_t corner = read_exit(out, vert_);
     if (out.to == volume_exit::kind::cell) return enter(incident_polys_[out.cell], std::array{corner});
@@ -336,13 +360,12 @@ class volume_line_walker {
   }
 
   void leave_ridge(line_recorder<M>& to) {
-    incident_.clear();
-    incident_polys_.clear();
+    forget_incident();
     if (ridge_->edge)
-      for (const poly_t<M> p : adj_e2p(*m_, *ridge_->edge)) add_incident(p, ridge_->from, &ridge_->key);
+      for (const poly_t<M> p : adj_e2p(*m_, *ridge_->edge)) add_at_ridge(p, *ridge_);
     else
-      for (const poly_t<M> p : adj_f2p(*m_, *ridge_->face)) add_incident(p, ridge_->from, &ridge_->key);
-    const volume_exit out = steepest_exit(ridge_->from_point, ridge_->to_point, ridge_->key, incident_);
+      for (const poly_t<M> p : adj_f2p(*m_, *ridge_->face)) add_at_ridge(p, *ridge_);
+    const volume_exit out = steepest_exit(ridge_->from_point, ridge_->to_point, ridge_->key, incident());
     if (out.to == volume_exit::kind::none) return to.stop(why_no_exit());
     const std::uint32_t from = read_exit(out, ridge_->from), end = cell_.corner_of(*m_, ridge_->to);
     if (out.to == volume_exit::kind::cell) return enter(incident_polys_[out.cell], std::array{from, end});
@@ -368,8 +391,8 @@ class volume_line_walker {
   }
 
   line_end why_no_exit() const {
-    bool all_zero = !incident_.empty(), open = false, many = false;
-    for (const incident_cell& c : incident_) all_zero = all_zero && c.field == vec3();
+    bool all_zero = num_incident_ > 0, open = false, many = false;
+    for (const incident_cell& c : incident()) all_zero = all_zero && c.field == vec3();
     const auto count = [&](const face_t<M>& f) {
       std::size_t n = 0;
       for ([[maybe_unused]] const poly_t<M> p : adj_f2p(*m_, f)) ++n;
@@ -381,7 +404,7 @@ class volume_line_walker {
     else if (ridge_->edge)
       for (const face_t<M> f : adj_e2f(*m_, *ridge_->edge)) count(f);
     else count(*ridge_->face);
-    return all_zero ? line_end::zero : many ? line_end::non_manifold : open || incident_.empty() ? line_end::boundary : line_end::sink;
+    return all_zero ? line_end::zero : many ? line_end::non_manifold : open || num_incident_ == 0 ? line_end::boundary : line_end::sink;
   }
 
   /// From inside a face: into the poly whose field leads into it fastest, or along the face.
