@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <vector>
@@ -118,5 +119,177 @@ TEST_CASE("flat_cell: a constant field is straight through cells of many faces")
   for (const field_line<mesh>& line : integral_lines(m, field, polys(m))) {
     CHECK(line.stopped_by == line_end::boundary);
     for (const mesh_point<mesh>& x : line.points) CHECK(norm(cross(x.position - line.points[0].position, g)) < 1e-12);
+  }
+}
+
+namespace {
+
+detail::flat_cell unit_cube() {
+  detail::flat_cell cube;
+  for (int i = 0; i < 8; ++i) cube.points.push_back({i & 1, i >> 1 & 1, i >> 2});
+  const std::array<std::array<std::uint32_t, 4>, 6> faces = {{{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};  // -z z -y y -x x
+  for (const auto& f : faces) cube.add_face(f, true);
+  return cube;
+}
+
+/// A cell above a polygon, with the two caps first.
+detail::flat_cell prism(const std::vector<vec3>& ring) {
+  const auto n = static_cast<std::uint32_t>(ring.size());
+  detail::flat_cell cell;
+  cell.points = ring;
+  std::vector<std::uint32_t> low(n), high(n);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    cell.points.push_back(ring[i] + vec3{0, 0, 1});
+    low[i] = i;
+    high[i] = n + i;
+  }
+  cell.add_face(low, false);
+  cell.add_face(high, true);
+  for (std::uint32_t i = 0; i < n; ++i) cell.add_face(std::array{i, (i + 1) % n, n + (i + 1) % n, n + i}, true);
+  return cell;
+}
+
+/// How far along g from x the nearest triangle lies that the line crosses.
+double nearest_crossing(detail::flat_cell cell, std::uint32_t num_faces, const vec3& x, const vec3& g) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::uint32_t f = 0; f < num_faces; ++f) cell.cut_face(f);
+  for (const detail::cell_triangle& t : cell.triangles) {
+    const vec3 &a = cell.points[t.corner[0]], &b = cell.points[t.corner[1]], &c = cell.points[t.corner[2]], n = cross(b - a, c - a);
+    const double along = dot(n, a - x) / dot(n, g);
+    const vec3 y = x + along * g;
+    if (along > 0 && dot(cross(b - a, y - a), n) >= 0 && dot(cross(c - b, y - b), n) >= 0 && dot(cross(a - c, y - c), n) >= 0) nearest = std::min(nearest, along);
+  }
+  return nearest;
+}
+
+}  // namespace
+
+TEST_CASE("flat_cell: a line leaves a cell inside a triangle, at an edge, at a diagonal of a face, or at a corner") {
+  using kind = detail::cell_exit::kind;
+  const vec3 middle = {0.5, 0.5, 0.5};
+  auto cube = unit_cube();
+  const auto towards = [&](const vec3& y) { return cube.leave(middle, y - middle, {}); };
+  CHECK(towards({1, 0.25, 0.5}).at == kind::triangle);
+  CHECK(towards({1, 0.25, 0.5}).position == vec3{1, 0.25, 0.5});
+  CHECK(towards({0, 0.75, 0.625}).position == vec3{0, 0.75, 0.625});
+  CHECK(towards({1, 1, 0.25}).at == kind::side);
+  CHECK(towards({1, 1, 0.25}).position == vec3{1, 1, 0.25});
+  const detail::cell_exit at_diagonal = towards({1, 0.5, 0.5});
+  CHECK(at_diagonal.at == kind::side);
+  CHECK(cube.triangles[at_diagonal.triangle].is_diagonal(at_diagonal.k));
+  CHECK(at_diagonal.parameter == 0.5);
+  const detail::cell_exit at_edge = towards({1, 1, 0.25});
+  CHECK_FALSE(cube.triangles[at_edge.triangle].is_diagonal(at_edge.k));
+  CHECK((at_edge.parameter == 0.25 || at_edge.parameter == 0.75));
+  CHECK(towards({0, 1, 0}).at == kind::corner);
+  CHECK(towards({0, 1, 0}).position == vec3{0, 1, 0});
+}
+
+TEST_CASE("flat_cell: exact signs decide by which of two faces a line leaves, however near to their edge") {
+  for (const double off : {-0x1p-50, -0x1p-53, 0x1p-52, 0x1p-50}) {
+    auto cube = unit_cube();
+    const detail::cell_exit exit = cube.leave({0.5, 0.5, 0.5}, {0.5, 0.125, 0.5 + off}, {});
+    REQUIRE(exit.at == detail::cell_exit::kind::triangle);
+    CHECK(cube.triangles[exit.triangle].face == (off < 0 ? 5 : 1));
+  }
+}
+
+TEST_CASE("flat_cell: a line leaves a cell that is not convex where it crosses its surface first") {
+  const std::vector<vec3> u_shape = {{0, 0, 0}, {3, 0, 0}, {3, 2, 0}, {2, 2, 0}, {2, 0.5, 0}, {1, 0.5, 0}, {1, 2, 0}, {0, 2, 0}};
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> any(0, 1);
+  std::size_t over_the_gap = 0;
+  for (int round = 0; round < 200; ++round) {
+    auto cell = prism(u_shape);
+    const vec3 x = {0.1 + 0.8 * any(random), 0.6 + 1.3 * any(random), 0.1 + 0.8 * any(random)}, g = {any(random), any(random) - 0.5, 0.2 * (any(random) - 0.5)};
+    const double expected = nearest_crossing(cell, 10, x, g);
+    const detail::cell_exit exit = cell.leave(x, g, {});
+    REQUIRE(exit.at != detail::cell_exit::kind::none);
+    CHECK(distance(exit.position, x + expected * g) < 1e-12);
+    over_the_gap += std::abs(exit.position.x - 1) < 1e-12;
+  }
+  CHECK(over_the_gap > 50);
+}
+
+TEST_CASE("flat_cell: a face that another cell has cut is added with the same triangles, turned round if it points the other way") {
+  auto one = unit_cube();
+  one.cut_face(5);
+  std::vector<vec3> ring(4);
+  for (const detail::cell_triangle& t : one.triangles)
+    for (std::size_t k = 0; k < 3; ++k) ring[t.ring[k]] = one.points[t.corner[k]];
+  for (const bool same_way : {false, true}) {
+    detail::flat_cell two;
+    two.add_face();
+    two.add_cut_face(0, ring, one.triangles, same_way);
+    CHECK(two.is_cut(0));
+    REQUIRE(two.triangles.size() == 2);
+    for (std::size_t t = 0; t < 2; ++t) {
+      std::array<vec3, 3> a, b;
+      for (std::size_t k = 0; k < 3; ++k) {
+        a[k] = one.points[one.triangles[t].corner[k]];
+        b[k] = two.points[two.triangles[t].corner[k]];
+        CHECK(b[k] == ring[two.triangles[t].ring[k]]);
+      }
+      CHECK(same_points(a, b));
+      CHECK(dot(cross(a[1] - a[0], a[2] - a[0]), cross(b[1] - b[0], b[2] - b[0])) * (same_way ? 1 : -1) > 0);
+      CHECK(two.triangles[t].number == one.triangles[t].number);
+      CHECK(two.triangles[t].ring_size == 4);
+    }
+    for (std::uint32_t c = 0; c < 4; ++c) CHECK(two.has_corner(0, c));
+  }
+}
+
+TEST_CASE("tet_crossing: a line leaves a tet where flat_cell says, or leaves the decision to exact signs") {
+  const auto m = make_grid<tetmesh>({.cells = {1, 1, 1}});
+  std::mt19937 random(9);
+  std::normal_distribution<double> any(0, 1);
+  std::size_t certain = 0, led_in = 0;
+  for (int round = 0; round < 500; ++round) {
+    std::vector<vec3> points;
+    for (int i = 0; i < 4; ++i) points.push_back({any(random), any(random), any(random)});
+    if (dot(cross(points[1] - points[0], points[2] - points[0]), points[3] - points[0]) < 0) std::swap(points[0], points[1]);
+    detail::flat_cell cell;
+    cell.points = points;
+    for (const auto& f : {std::array<std::uint32_t, 3>{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}) cell.add_face(f, true);
+    const std::array<std::uint32_t, 3> entry = {0, 2, 1};
+    const std::vector<vert_id> names = {vert_id{0}, vert_id{1}, vert_id{2}, vert_id{3}};
+    detail::tet_crossing<tetmesh> tet;
+    tet.set(poly_id{0}, names, points, entry);
+    tet.field = {any(random), any(random), any(random)};
+    const bool leads_in = dot(tet.field, cross(points[2] - points[0], points[1] - points[0])) < 0;
+    CHECK(tet.leads_in() == leads_in);
+    led_in += leads_in;
+    if (!leads_in) continue;
+    const double a = std::abs(any(random)) + 0.01, b = std::abs(any(random)) + 0.01, c = std::abs(any(random)) + 0.01;
+    const vec3 x = (a * points[0] + b * points[1] + c * points[2]) / (a + b + c);
+    const auto exit = tet.leave(x);
+    const detail::cell_exit expected = cell.leave(x, tet.field, entry);
+    if (!exit) continue;
+    ++certain;
+    REQUIRE(expected.at == detail::cell_exit::kind::triangle);
+    CHECK(distance(exit->position, expected.position) < 1e-12 * (1 + norm(expected.position)));
+    CHECK_FALSE(cell.has_corner(cell.triangles[expected.triangle].face, tet.corners[exit->left_out]));
+  }
+  CHECK(led_in > 200);
+  CHECK(certain > led_in * 9 / 10);
+
+  const std::vector<vec3> corner = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  // what rounded values cannot decide
+  const std::vector<vert_id> names = {vert_id{0}, vert_id{1}, vert_id{2}, vert_id{3}};
+  detail::tet_crossing<tetmesh> tet;
+  tet.set(poly_id{0}, names, corner, std::array<std::uint32_t, 3>{0, 2, 1});
+  tet.field = {1, 0, 0};
+  CHECK_FALSE(tet.leads_in());
+  tet.field = {-0.25, -0.25, 1};
+  CHECK_FALSE(tet.leave({0.25, 0.25, 0}));  // at the corner
+  tet.field = {0.25, -0.25, 0.5};
+  CHECK_FALSE(tet.leave({0.25, 0.25, 0}));  // at an edge
+  tet.field = {0.125, 0, 1};
+  CHECK(tet.leave({0.25, 0.25, 0}));
+  tet.field = {-1.5, 0, 1};
+  CHECK_FALSE(tet.leave({2, 2, 0}));  // it misses the tet
+  for (const auto p : polys(m)) {
+    const auto v = adj_p2v(m, p);
+    for (std::uint32_t k = 0; k < 4; ++k)
+      for (const vert_id w : adj_f2v(m, detail::opposite_face(m, p, v[k], k))) CHECK(w != v[k]);
   }
 }
