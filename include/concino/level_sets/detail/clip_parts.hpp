@@ -35,14 +35,15 @@ class clip_parts {
   std::vector<vert_t<M>> moved_verts;
   std::vector<unsigned char> is_cut, is_convex;  // by poly; is_convex is set where is_cut is
 
+  /// number_of_face: see simple_cells.
   /// Errors: see cell_cuts.
   template<class U>
-  clip_parts(const M& m, const U& u, double level, const unsigned char* vert_states, const unsigned char* poly_states, std::vector<poly_t<M>> polys, bool both,
-             const char* caller)
+  clip_parts(const M& m, const U& u, double level, const unsigned char* vert_states, const unsigned char* poly_states, std::uint32_t* number_of_face,
+             std::vector<poly_t<M>> polys, bool both, const char* caller)
       : level_(level) {
     core::reserve_pages(poly_indices, polys.size());
     for (const poly_t<M>& p : polys) poly_indices.push_back(static_cast<std::uint32_t>(index_of(m, p)));
-    if (!find_fast(m, u, vert_states, poly_states, polys, both, caller)) find_all(m, u, std::move(polys), caller);
+    if (!find_fast(m, u, vert_states, poly_states, number_of_face, polys, both, caller)) find_all(m, u, std::move(polys), caller);
   }
 
   /// The verts of m of which a place was made.
@@ -58,8 +59,9 @@ class clip_parts {
 
  private:
   template<class U>
-  bool find_fast(const M& m, const U& u, const unsigned char* vert_states, const unsigned char* poly_states, const std::vector<poly_t<M>>& polys, bool both, const char* caller) {
-    simple_cell_reader<M> simple(m, vert_states);
+  bool find_fast(const M& m, const U& u, const unsigned char* vert_states, const unsigned char* poly_states, std::uint32_t* number_of_face, const std::vector<poly_t<M>>& polys,
+                 bool both, const char* caller) {
+    simple_cell_reader<M> simple(m, vert_states, number_of_face);
     if (!simple.read(u, polys, poly_states)) return false;
     is_cut.assign(polys.size(), 1);
     is_convex.resize(polys.size());

@@ -61,7 +61,7 @@ CONCINO_INLINE bool part_merger::is_beside_simple(const simple_cells::face& f) {
 
 /// Whether a face belongs to simple cells alone.
 CONCINO_INLINE bool part_merger::is_between_simple(std::uint32_t face) const {
-  return face != none && cells_.faces_[cells_.face_numbers_.find(face)].num_difficult == 0;
+  return face != none && cells_.faces_[cells_.number_of_[face]].num_difficult == 0;
 }
 
 /// Both cell_parts and simple_cells number faces in the order in which cells have them.
@@ -143,7 +143,7 @@ CONCINO_INLINE bool part_merger::are_used_twice() const {
   for (std::uint32_t i = 0; i < num_uses.size(); ++i) {
     const std::uint32_t origin = cut_->faces[i].origin;
     if (numbers_of_cut_[i] == none || origin == none) continue;
-    const simple_cells::face& f = cells_.faces_[cells_.face_numbers_.find(origin)];
+    const simple_cells::face& f = cells_.faces_[cells_.number_of_[origin]];
     if (is_beside_simple(f) && num_uses[i] != 2) return false;
   }
   return true;

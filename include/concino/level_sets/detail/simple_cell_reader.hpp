@@ -3,6 +3,7 @@
 
 #include <concino/concepts/end_verts.hpp>
 #include <concino/core/large_pages.hpp>
+#include <concino/core/local_numbers.hpp>
 #include <concino/level_sets/detail/level_place.hpp>
 #include <concino/level_sets/detail/level_states.hpp>
 #include <concino/level_sets/detail/simple_cells.hpp>
@@ -36,7 +37,8 @@ class simple_cell_reader {
   std::vector<level_place> places;
   place_ends ends;
 
-  simple_cell_reader(const M& m, const unsigned char* states) : m_(m), states_(states) {}
+  /// number_of_face: see simple_cells.
+  simple_cell_reader(const M& m, const unsigned char* states, std::uint32_t* number_of_face) : m_(m), states_(states), cells(number_of_face) {}
 
   /// Returns false if one of the polys is unusual, or many are difficult; the arrays are of no use then. poly_states: see poly_states().
   template<class U>
@@ -53,7 +55,7 @@ class simple_cell_reader {
       num_difficult += cells.is_difficult(cells.num_cells() - 1);
       if (are_many()) return false;
     }
-    return true;
+    return !cells.has_equal_faces();
   }
 
   /// The number of the place on an edge, or none.
@@ -109,7 +111,7 @@ class simple_cell_reader {
     }
   }
 
-  /// Returns false if the face has more than two polys, or one of its edges the same ends as another, or if another face has the same chord.
+  /// Returns false if the face has more than two polys, or one of its edges the same ends as another.
   template<class U>
   bool set_chord(const U& u, const face_t<M>& f, std::uint32_t poly, simple_cells::face& face) {
     std::uint32_t other = none;
@@ -122,7 +124,9 @@ class simple_cell_reader {
     if (n == 1) face.is_simple = face.is_simple && cells.is_planar(verts_);
     if (!face.is_simple) return true;
     const std::uint32_t first = place_of(u, 0), second = first == none ? none : place_of(u, 1);
-    return second != none && cells.set_chord(first, second, poly, other);
+    if (second == none) return false;
+    cells.set_chord(first, second, poly, other);
+    return true;
   }
 
   /// The place of crossed edge k of the current face; none if no edge, or more than one, joins its ends.

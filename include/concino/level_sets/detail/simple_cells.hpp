@@ -2,7 +2,6 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
-#include <concino/core/local_numbers.hpp>
 #include <concino/core/vec3.hpp>
 #include <concino/level_sets/detail/cell_surface.hpp>
 #include <concino/level_sets/detail/part_lists.hpp>
@@ -40,6 +39,14 @@ class simple_cells {
     void clear() { indices.clear(), points.clear(), above.clear(); }
   };
 
+  /// number_of: an array with `none` for each face of the mesh, which has these values again when the cells are destroyed.
+  explicit simple_cells(std::uint32_t* number_of) : number_of_(number_of) {}
+  simple_cells(const simple_cells&) = delete;
+  simple_cells& operator=(const simple_cells&) = delete;
+  ~simple_cells() {
+    for (const face& f : faces_) number_of_[f.index] = none;
+  }
+
   /// Makes room for n cells.
   void reserve(std::size_t n);
   std::size_t num_cells() const { return cells_.size(); }
@@ -51,7 +58,10 @@ class simple_cells {
   /// Starts a cell. Its faces follow, then end_cell().
   void start_cell(bool is_difficult);
   /// The number of a face. It is that of a new face if is_new() is true; then its corners follow.
-  std::uint32_t number_of_face(std::size_t index) { return face_numbers_.add(index); }
+  std::uint32_t number_of_face(std::size_t index) {
+    if (number_of_[index] == none) number_of_[index] = static_cast<std::uint32_t>(faces_.size());
+    return number_of_[index];
+  }
   bool is_new(std::uint32_t number) const { return number == faces_.size(); }
   void start_face(std::uint32_t index);
   void add_corner(std::uint32_t vert) { corners_.push_back(vert); }
@@ -63,10 +73,12 @@ class simple_cells {
   std::uint32_t behind(unsigned k) const { return faces_.back().ends[k] + 1 < local_.size() ? local_[faces_.back().ends[k] + 1] : local_[0]; }
   /// Whether the corners of the face that was read last lie in a plane.
   bool is_planar(const cell_verts& verts);
-  /// Sets the places and the polys of the face that was read last, a new one. Returns false if another face has the same chord.
-  bool set_chord(std::uint32_t first_place, std::uint32_t second_place, std::uint32_t poly, std::uint32_t other_poly);
+  /// Sets the places and the polys of the face that was read last, a new one.
+  void set_chord(std::uint32_t first_place, std::uint32_t second_place, std::uint32_t poly, std::uint32_t other_poly);
   /// Adds the face that was read last to the cell.
   void add_face(std::uint32_t number, bool outward, std::uint32_t poly, const cell_verts& verts);
+  /// Whether two faces have the same verts or the same chord, after the last cell.
+  bool has_equal_faces();
   /// Ends a cell. All cells of a shape may be known to be spheres.
   void end_cell(bool is_known_sphere, std::size_t num_verts, std::size_t num_edges);
 
@@ -86,7 +98,8 @@ class simple_cells {
     std::uint32_t other;       // the poly behind the face, or none
   };
 
-  core::local_numbers face_numbers_, face_keys_, chord_keys_;
+  std::uint32_t* number_of_;         // by index of a face in the mesh
+  std::vector<std::uint64_t> keys_;  // of faces that are not crossed, and of chords
   std::vector<face> faces_;
   std::vector<std::uint32_t> corners_;  // indices of verts
   std::vector<cell> cells_;
@@ -99,7 +112,7 @@ class simple_cells {
   std::vector<chord> chords_;
   cell_surface surface_;
 
-  bool find_chord(face& f, const cell_verts& verts);
+  void find_chord(face& f, const cell_verts& verts);
   bool chain_chords();
 };
 

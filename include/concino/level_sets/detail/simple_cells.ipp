@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/large_pages.hpp>
+#include <concino/core/sort_numbers.hpp>
 #include <concino/level_sets/detail/convex_cells.hpp>
 #include <concino/level_sets/detail/polygon_crossings.hpp>
 #include <concino/level_sets/detail/simple_cells.hpp>
@@ -13,7 +14,7 @@ namespace concino::detail {
 CONCINO_INLINE void simple_cells::reserve(std::size_t n) {
   core::reserve_pages(cells_, n), core::reserve_pages(caps_, 6 * n), core::reserve_pages(entries_, 6 * n);
   core::reserve_pages(faces_, 4 * n), core::reserve_pages(corners_, 16 * n);
-  face_numbers_.reserve(4 * n), face_keys_.reserve(2 * n), chord_keys_.reserve(3 * n);
+  core::reserve_pages(keys_, 4 * n);
 }
 
 CONCINO_INLINE void simple_cells::start_cell(bool is_difficult) {
@@ -40,10 +41,11 @@ CONCINO_INLINE bool simple_cells::read_corners(std::uint32_t number, bool is_new
     local_.push_back(i);
     surface_.add_corner(corners_[k]);
   }
-  return !is_new || find_chord(f, verts);
+  if (is_new) find_chord(f, verts);
+  return true;
 }
 
-CONCINO_INLINE bool simple_cells::find_chord(face& f, const cell_verts& verts) {
+CONCINO_INLINE void simple_cells::find_chord(face& f, const cell_verts& verts) {
   const auto n = static_cast<std::uint32_t>(local_.size());
   unsigned num_ends = 0;
   f.starts_above = verts.above[local_[0]] != 0;
@@ -55,20 +57,19 @@ CONCINO_INLINE bool simple_cells::find_chord(face& f, const cell_verts& verts) {
   f.is_crossed = num_ends > 0;
   f.is_simple = num_ends <= 2;
   if (!f.is_crossed) {
-    std::size_t key = 0;  // the same for the same verts in any order
+    std::uint64_t key = 0;  // the same for the same verts in any order
     for (std::uint32_t k = f.first_corner; k < f.last_corner; ++k) {
       const std::uint64_t x = (corners_[k] + std::uint64_t{1}) * 0x9e3779b97f4a7c15u;
       key += x ^ x >> 29;
     }
-    const unsigned before = face_keys_.size();
-    return face_keys_.add(key) == before;
+    keys_.push_back(key);
+    return;
   }
   ++num_crossed_, num_crossed_corners_ += n;
-  if (n == 3 || !f.is_simple) return true;
+  if (n == 3 || !f.is_simple) return;
   points_.clear();
   for (const std::uint32_t i : local_) points_.push_back(verts.points[i]);
   f.is_simple = is_convex_polygon(points_);
-  return true;
 }
 
 CONCINO_INLINE bool simple_cells::is_planar(const cell_verts& verts) {
@@ -77,12 +78,17 @@ CONCINO_INLINE bool simple_cells::is_planar(const cell_verts& verts) {
   return points_.size() == 3 || is_planar_polygon(points_);
 }
 
-CONCINO_INLINE bool simple_cells::set_chord(std::uint32_t first_place, std::uint32_t second_place, std::uint32_t poly, std::uint32_t other_poly) {
+CONCINO_INLINE void simple_cells::set_chord(std::uint32_t first_place, std::uint32_t second_place, std::uint32_t poly, std::uint32_t other_poly) {
   face& f = faces_.back();
   f.places[0] = first_place, f.places[1] = second_place;
   f.polys[0] = poly, f.polys[1] = other_poly;
-  const unsigned before = chord_keys_.size();
-  return chord_keys_.add(std::size_t{std::min(first_place, second_place)} << 32 | std::max(first_place, second_place)) == before;
+  keys_.push_back(std::uint64_t{std::min(first_place, second_place)} << 32 | std::max(first_place, second_place));
+}
+
+/// Equal keys of different faces or chords are as good as impossible, and only cost time.
+CONCINO_INLINE bool simple_cells::has_equal_faces() {
+  core::sort_numbers(keys_.data(), keys_.data() + keys_.size());
+  return std::adjacent_find(keys_.begin(), keys_.end()) != keys_.end();
 }
 
 CONCINO_INLINE void simple_cells::add_face(std::uint32_t number, bool outward, std::uint32_t poly, const cell_verts& verts) {

@@ -38,7 +38,8 @@ class volume_clipper {
   volume_clipper(const M& m, const U& u, double level, bool both, const char* caller) : m_(m), level_(level), both_(both) {
     const state_array of_verts = level_states(m, u, level, caller);
     states_ = poly_states(m, of_verts);
-    crossed_.emplace(m, u, level, of_verts.data(), states_.data(), crossed_by_state(m, states_), both, caller);
+    face_number_ = core::large_vector(face_index_bound(m), ~0u);
+    crossed_.emplace(m, u, level, of_verts.data(), states_.data(), face_number_.data(), crossed_by_state(m, states_), both, caller);
   }
 
   clipped_volume<M> run(const clip_options& options, const char* caller) {
@@ -47,7 +48,6 @@ class volume_clipper {
     report_progress(options.progress, 0.3, "clipping");
     const std::vector<level_place> places = std::move(crossed_->lists.places);
     clip_verts<M, place_ends> verts_of(m_, crossed_->ends, places, level_);
-    face_number_ = core::large_vector(face_index_bound(m_), ~0u);
     choose_polys(crossed_->lists, verts_of);
     build_faces(crossed_->lists, verts_of);
     build_polys(crossed_->lists);
