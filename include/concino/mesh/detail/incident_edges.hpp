@@ -99,6 +99,15 @@ class incident_edges {
   void make_growable() {
     if (places_.is_packed()) [[unlikely]] spread_rows();
   }
+  /// The same, but rows stay where they are until they become too long; for the case that few do.
+  void make_few_growable() {
+    if (!places_.is_packed()) return;
+    const std::size_t more = row_places::next_begin(verts_.size()) - verts_.size();
+    check_index_range(more);
+    verts_.reserve_back(more + 1), edges_.reserve_back(more + 1);
+    places_.make_loose();
+    append(more);
+  }
   /// After this call, n calls of add_vert() with that many edges in all cannot fail.
   void reserve_verts(std::size_t n, std::size_t edges) {
     make_growable();

@@ -117,6 +117,16 @@ class jagged_array<T, 0> {
   void make_growable() {
     if (places_.is_packed()) [[unlikely]] spread_rows();
   }
+  /// The same as make_editable(), but rows that become too long have memory to move to; for the case that these are few.
+  void make_few_growable() {
+    if (!places_.is_packed()) return;
+    const std::size_t n = data_.size(), begin = row_places::next_begin(n);
+    check_index_range(begin - n);
+    data_.reserve_back(begin - n + 1);
+    places_.make_loose();
+    data_.resize(begin);
+    std::fill(data_.data() + n, data_.data() + begin, T{});
+  }
   /// After this call, n calls of add_row() with that many values in all cannot fail.
   void reserve_rows(std::size_t n, std::size_t values) {
     places_.reserve(n);

@@ -116,6 +116,9 @@ class row_places {
     for (std::size_t i = 0; i < size_; ++i) std::copy_n(from.data() + before.first(i), before.length(i), to.data() + first(i));
   }
 
+  /// Where a row that moves behind n values begins on a cache line, as those of spread() do.
+  static std::size_t next_begin(std::size_t n) { return (n + room_unit - 1 - num_before % room_unit) / room_unit * room_unit + num_before % room_unit; }
+
   /// After this call, n calls of add() cannot fail.
   void reserve(std::size_t n) {
     make_loose();
