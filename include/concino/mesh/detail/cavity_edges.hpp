@@ -61,6 +61,12 @@ class cavity_edges {
   /// Requests the memory where number() will look for an edge. Needs: there are too many verts for a matrix.
   void prefetch(unsigned a, unsigned b) const { __builtin_prefetch(&numbers_[a < b ? first_slot(a, b) : first_slot(b, a)], 1); }
 
+  /// The number of the edge that number() will probably find, after prefetch() has requested where it looks; it may be that of any edge.
+  unsigned guess(unsigned a, unsigned b) const {
+    const std::uint32_t plus_one = numbers_[a < b ? first_slot(a, b) : first_slot(b, a)];
+    return plus_one == 0 ? 0 : plus_one - 1;
+  }
+
   /// The number of the edge between two verts; it is added if it is new.
   unsigned number(unsigned a, unsigned b) {
     if (b < a) std::swap(a, b);

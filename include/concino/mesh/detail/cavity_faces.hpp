@@ -37,14 +37,19 @@ class cavity_faces {
   static void put_in_order(unsigned (&v)[N]) {
     static_assert(N == 3 || N == 4);
     if constexpr (N == 3) {
-      if (v[1] < v[0]) std::swap(v[0], v[1]);
-      if (v[2] < v[1]) std::swap(v[1], v[2]);
-      if (v[1] < v[0]) std::swap(v[0], v[1]);
+      const unsigned least = std::min(std::min(v[0], v[1]), v[2]), most = std::max(std::max(v[0], v[1]), v[2]);  // no branch that is often predicted wrongly
+      v[1] = v[0] ^ v[1] ^ v[2] ^ least ^ most;
+      v[0] = least, v[2] = most;
     } else {
       if (std::min(v[2], v[3]) < std::min(v[0], v[1])) std::swap(v[0], v[2]), std::swap(v[1], v[3]);
       if (v[1] < v[0]) std::swap(v[0], v[1]), std::swap(v[2], v[3]);
       if (v[3] < v[1]) std::swap(v[1], v[3]);
     }
+  }
+  static bool are_equal(const unsigned (&a)[N], const unsigned (&b)[N]) {  // std::equal reads several numbers at once, and waits until they are all written
+    bool are = true;
+    for (unsigned i = 0; i < N; ++i) are &= a[i] == b[i];
+    return are;
   }
   static std::size_t hash(const unsigned (&v)[N]) {
     std::uint64_t x = 0;
@@ -66,13 +71,19 @@ class cavity_faces {
     put_in_order(v);
     __builtin_prefetch(&slots_[hash(v) & (slots_.size() - 1)], 1);
   }
+  /// Requests the face that at() will probably find, after prefetch() has requested where it looks.
+  void prefetch_found(unsigned (&v)[N]) const {
+    put_in_order(v);
+    const std::uint32_t plus_one = slots_[hash(v) & (slots_.size() - 1)];
+    __builtin_prefetch(faces_.begin() + (plus_one == 0 ? 0 : plus_one - 1), 1);
+  }
 
   /// The face with these verts in cyclic order; it is added if it is new, without edges.
   cavity_face<N>& at(unsigned (&v)[N]) {
     put_in_order(v);
     std::size_t i = hash(v) & (slots_.size() - 1);
     for (; slots_[i] != 0; i = (i + 1) & (slots_.size() - 1))
-      if (std::equal(v, v + N, faces_[slots_[i] - 1].verts)) return faces_[slots_[i] - 1];
+      if (are_equal(v, faces_[slots_[i] - 1].verts)) return faces_[slots_[i] - 1];
     cavity_face<N> face{};
     std::copy_n(v, N, face.verts);
     faces_.push_back(face);

@@ -47,10 +47,13 @@ class cell_cavity {
         faces_of_new(Shape::faces * c.ends.size(), 0) {
     check_cavity(c, verts, t.verts(), t.polys(), Shape::verts);
     fans.reserve(edges.capacity());
-    for (std::size_t k = 0; k < c.polys.size(); ++k) find_old(t, k);
-    constexpr std::size_t large = 64, ahead = 4;  // the hash tables of a large cavity are not in the caches
+    for (std::size_t k = 0; k < c.polys.size(); ++k) list_corners_of_old(t, k);
+    for (std::size_t k = 0; k < c.polys.size(); ++k) {
+      prefetch(corners_of_old.begin(), k, c.polys.size());
+      find_old(t, k);
+    }
     for (std::size_t k = 0; k < num_new(); ++k) {
-      if (num_new() >= large && k + ahead < num_new()) prefetch_new(k + ahead);
+      prefetch(c.corners.begin(), k, num_new());
       find_new(t, k);
     }
     compare_faces();
@@ -77,7 +80,7 @@ class cell_cavity {
   }
 
   template<class Tables>
-  void find_old(const Tables& t, std::size_t k) {
+  void list_corners_of_old(const Tables& t, std::size_t k) {
     const poly_id p = c.polys[k];
     unsigned* const v = corners_of_old.begin() + k * Shape::verts;
     const auto all = t.adj_p2v(p);
@@ -86,6 +89,12 @@ class cell_cavity {
       if (v[i] == cavity_verts::none) missing_cavity_vert(p, all[i]);
       ++changes[v[i]].polys_before;
     }
+  }
+
+  template<class Tables>
+  void find_old(const Tables& t, std::size_t k) {
+    const poly_id p = c.polys[k];
+    const unsigned* const v = corners_of_old.begin() + k * Shape::verts;
     std::uint32_t edges_of_old[Shape::edges], faces_of_old[Shape::faces];
     find(v, edges_of_old, faces_of_old);
     const edge_id* const e = t.adj_p2e(p).begin();
@@ -107,15 +116,32 @@ class cell_cavity {
     }
   }
 
-  /// Requests the memory where find_new() will look.
-  void prefetch_new(std::size_t k) const {
-    const unsigned* const v = corners(k);
+  /// Requests the memory that find() will use for polys that follow poly k of n. The hash tables of a large cavity, and what they lead to, are not in the caches.
+  void prefetch(const unsigned* all_corners, std::size_t k, std::size_t n) const {
+    constexpr std::size_t large = 64, ahead = 4;
+    if (c.ends.size() < large) return;
+    if (k + 2 * ahead < n) prefetch_slots(all_corners + (k + 2 * ahead) * Shape::verts);
+    if (k + ahead < n) prefetch_found(all_corners + (k + ahead) * Shape::verts);
+  }
+  void prefetch_slots(const unsigned* v) const {
     if (num_verts > cavity_edges::largest_matrix)
       for (const auto& e : Shape::edge_vert) edges.prefetch(v[e[0]], v[e[1]]);
     for (const auto& f : Shape::face_vert) {
       unsigned w[Shape::face_verts];
       for (unsigned i = 0; i < Shape::face_verts; ++i) w[i] = v[f[i]];
       faces.prefetch(w);
+    }
+  }
+  void prefetch_found(const unsigned* v) const {
+    if (num_verts > cavity_edges::largest_matrix)
+      for (const auto& e : Shape::edge_vert) {
+        const unsigned i = edges.guess(v[e[0]], v[e[1]]);
+        __builtin_prefetch(edges.begin() + i, 1), __builtin_prefetch(fans.begin() + i, 1);
+      }
+    for (const auto& f : Shape::face_vert) {
+      unsigned w[Shape::face_verts];
+      for (unsigned i = 0; i < Shape::face_verts; ++i) w[i] = v[f[i]];
+      faces.prefetch_found(w);
     }
   }
 
