@@ -2,6 +2,7 @@
 
 #include <concino/core/error.hpp>
 #include <concino/edit/transaction.hpp>
+#include <concino/generate/grid.hpp>
 #include <concino/geometry/edge_length.hpp>
 #include <concino/level_sets/isolines.hpp>
 #include <concino/level_sets/isosurface.hpp>
@@ -237,6 +238,27 @@ TEST_CASE_TEMPLATE("embed: in a transaction it is undone and redone", M, trimesh
     edits.redo();
     CHECK(record(m) == after);
   }
+}
+
+TEST_CASE("embed: a large cut gives the same mesh whether the lists of verts had room before, and can be undone") {
+  tetmesh m = make_grid<tetmesh>({.cells = {12, 12, 12}});
+  auto u = vert_property<double>(m, "u");
+  for (const vert_id v : verts(m)) u[v] = point(m, v).x;
+  tetmesh with_room = m;
+  {
+    transaction undone(with_room);
+    add_vert(with_room, {0, 0, 0});
+  }
+  const auto before = whole(m);
+  CHECK(whole(with_room) == before);
+  transaction t(m);
+  const auto cut = embed(m, 0.52), cut_with_room = embed(with_room, 0.52);
+  CHECK(cut.verts.size() > 300);
+  CHECK(cut.faces == cut_with_room.faces);
+  CHECK(whole(m) == whole(with_room));
+  CHECK(check_laws(m).empty());
+  t.commit().undo();
+  CHECK(whole(m) == before);
 }
 
 TEST_CASE_TEMPLATE("embed: snap sets the value at verts that are near, and moves nothing", M, trimesh, tetmesh, polyhedralmesh) {

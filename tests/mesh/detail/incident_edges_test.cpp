@@ -93,6 +93,8 @@ TEST_CASE("incident_edges: random edits agree with vectors of pairs") {
   std::mt19937 random(5);
   std::vector<pairs> oracle = oracle_of(12);
   incident_edges all = packed(oracle);
+  SUBCASE("spread") {}
+  SUBCASE("where the rows were") { all.make_few_growable(); }
   agrees(all, oracle);
   std::size_t number = 0;
   edit_at_random(all, oracle, random, number, 2000);

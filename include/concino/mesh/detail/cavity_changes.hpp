@@ -51,7 +51,7 @@ void pair_with_left_over(Elements& all, std::size_t fresh, std::size_t left_over
 /// Allocates memory for the lists of the verts as they will be. Memory for removals too. `vert` gives the vert with a local number.
 template<class Changes, class Verts>
 void reserve_lists_of_verts(incident_edges& edges_at, jagged_array<poly_id, 0>& v2p, const Changes& changes, unsigned num_old, const Verts& vert) {
-  constexpr unsigned large = 1024;  // cavities that are probably not one of many
+  constexpr unsigned large = 256;  // cavities that are probably not one of many
   if (num_old >= large && num_old <= v2p.size() / 4) edges_at.make_few_growable(), v2p.make_few_growable();
   else make_vertex_incidence_growable(edges_at, v2p);
   for (unsigned v = 0; v < num_old; ++v) {
