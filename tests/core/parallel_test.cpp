@@ -81,6 +81,20 @@ TEST_CASE("parallel: for_each_chunk runs as many chunks at a time as there are t
   }
 }
 
+TEST_CASE("parallel: run_both calls both functions, on two threads if they are long, and throws what the first one throws") {
+  for (const int n : numbers_of_threads)
+    for (const bool are_long : {false, true}) {
+      const with_num_threads now(n);
+      std::thread::id first, second;
+      concino::core::run_both(are_long, [&] { first = std::this_thread::get_id(); }, [&] { second = std::this_thread::get_id(); });
+      CHECK(first != std::thread::id());
+      CHECK(second != std::thread::id());
+      if (n == 1 || !are_long) CHECK(first == second);
+      CHECK_THROWS_AS(concino::core::run_both(are_long, [] { throw std::length_error("first"); }, [] { throw std::domain_error("second"); }), std::length_error);
+      CHECK_THROWS_AS(concino::core::run_both(are_long, [] {}, [] { throw std::domain_error("second"); }), std::domain_error);
+    }
+}
+
 TEST_CASE("parallel: long loops run on several threads, or on one by option") {
   const std::vector<int> range(20000);
   for (const int n : numbers_of_threads) {

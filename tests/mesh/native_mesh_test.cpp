@@ -2,7 +2,9 @@
 #include <concino/mesh.hpp>
 #include <concino/validate/check_laws.hpp>
 
+#include <support/kinds.hpp>
 #include <support/soups.hpp>
+#include <support/threads.hpp>
 
 #include <doctest/doctest.h>
 
@@ -355,4 +357,32 @@ TEST_CASE_TEMPLATE("native meshes: several threads can read a const mesh", M, CO
     });
   for (auto& t : threads) t.join();
   for (const std::size_t sum : sums) CHECK(sum == sums[0]);
+}
+
+TEST_CASE("native meshes: large polyhedral meshes are the same for any number of threads, and so are errors") {
+  const auto arrays = cn::testing::grid_arrays<cn::polyhedralmesh>(24);
+  REQUIRE(arrays.face_verts.size() > 300'000);  // smaller ones are built in one thread
+  const auto lists = [&](int threads) {
+    const cn::testing::with_num_threads fixed(threads);
+    const cn::polyhedralmesh m(arrays);
+    std::vector<unsigned> all;
+    const auto add = [&](const auto& list) {
+      for (const auto x : list) all.push_back(x.raw());
+      all.push_back(~0u);
+    };
+    for (const auto v : cn::verts(m)) add(cn::adj_v2v(m, v)), add(cn::adj_v2e(m, v)), add(cn::adj_v2p(m, v));
+    for (const auto e : cn::edges(m)) add(cn::adj_e2v(m, e)), add(cn::adj_e2f(m, e));
+    for (const auto f : cn::faces(m)) add(cn::adj_f2v(m, f)), add(cn::adj_f2p(m, f));
+    for (const auto p : cn::polys(m)) add(cn::adj_p2v(m, p)), add(cn::adj_p2e(m, p)), add(cn::adj_p2f(m, p)), add(cn::adj_p2p(m, p));
+    return all;
+  };
+  CHECK(lists(1) == lists(2));
+
+  auto bad = arrays;
+  bad.face_verts[100'000] = cn::vert_id{1'000'000};
+  bad.poly_faces[10] = cn::face_id{2'000'000};
+  for (const int threads : {1, 2}) {
+    const cn::testing::with_num_threads fixed(threads);
+    CHECK_THROWS_WITH_AS(cn::polyhedralmesh{bad}, doctest::Contains("face 16666 names vert 1000000"), cn::invalid_mesh);
+  }
 }

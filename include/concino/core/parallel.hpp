@@ -28,6 +28,18 @@ void run_chunks(std::size_t n, std::size_t chunk, function_ref<void(std::size_t,
 /// Calls run(c) for every c in [0, chunks), in several threads from the start: for chunks that each take longer than it takes to start a thread.
 void for_each_chunk(std::size_t chunks, function_ref<void(std::size_t)> run);
 
+/// Calls f() and g(), each on a thread of its own if both take longer than it takes to start one.
+/// Needs:  they do not write to the same place.      Result: as of one after the other.      Errors: what f throws, else what g throws.
+template<class F, class G>
+void run_both(bool are_long, F&& f, G&& g) {
+  const auto run = [&](std::size_t i) {
+    if (i == 0) f();
+    else g();
+  };
+  if (are_long) for_each_chunk(2, run);
+  else run(0), run(1);
+}
+
 /// The type of the callable in a loop: a copy of f if that is equivalent, since compilers then keep the members of f in registers.
 template<class F, class Argument>
 using loop_body = std::conditional_t<std::is_trivially_copyable_v<F> && std::is_invocable_v<const F&, Argument> && sizeof(F) <= 16 * sizeof(void*), const F, F&>;

@@ -175,6 +175,10 @@ class basic_polyhedra_tables {
 
   /// Result: the number of verts of the faces of all polys, a face counted for every poly that has it.
   std::size_t check(std::size_t vert_count, const jagged<face_id>& polys) const;
+  std::size_t check_polys(const jagged<face_id>& polys) const;
+
+  /// Whether to build in two threads: it takes tens of milliseconds.
+  bool is_large() const { return f2v_.num_values() > 300'000; }
 
   /// The smaller neighbours of a vert come before the larger ones, in ascending order, until edges are added or removed there.
   edge_id edge_to_smaller(vert_id v, vert_id smaller) const;
@@ -183,12 +187,15 @@ class basic_polyhedra_tables {
 
   void sort_smaller_neighbours();
 
-  /// Builds edges as in a surface whose polys are the faces; f2e[i] is the edge that begins at the i-th corner. Returns a scratch array with one
-  /// number per vert.
-  core::flat_array<std::uint32_t> build_edges(std::size_t vert_count, core::flat_array<edge_id>& f2e);
+  /// Builds edges as in a surface whose polys are the faces; f2e[i] is the edge that begins at the i-th corner.
+  void build_edges(std::size_t vert_count, core::flat_array<edge_id>& f2e);
+  void list_faces_of_edges(const core::flat_array<edge_id>& f2e);
+  void link_polys(const jagged<face_id>& polys);
 
-  /// Builds the verts and edges of every poly, in the order in which they occur in its faces, and the polys of every vert.
-  void build_corners(std::size_t vert_count, const core::flat_array<edge_id>& f2e, core::flat_array<std::uint32_t> vert_met, std::size_t poly_corners);
+  // The edges and verts of every poly are listed in the order in which they occur in its faces.
+  void list_edges_of_polys(const core::flat_array<edge_id>& f2e, const jagged<face_id>& polys, std::size_t poly_corners);
+  /// Lists the verts of every poly, and the polys of every vert.
+  void list_verts_of_polys(std::size_t vert_count, const jagged<face_id>& polys, std::size_t poly_corners);
 };
 
 template<class Lists>

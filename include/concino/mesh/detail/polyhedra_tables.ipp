@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/large_pages.hpp>
+#include <concino/core/parallel.hpp>
 #include <concino/mesh/polyhedra_tables.hpp>
 
 #include <numeric>
@@ -167,10 +168,20 @@ void basic_polyhedra_tables<Lists>::remove_vert(vert_id v) {
 template<class Lists>
 std::size_t basic_polyhedra_tables<Lists>::check(std::size_t vert_count, const jagged<face_id>& polys) const {
   detail::check_counts("polyhedra_tables", vert_count, polys.size(), f2v_.num_values());
-  std::vector<std::uint32_t> met;
-  for (std::size_t f = 0; f < f2v_.size(); ++f) detail::check_verts(f2v_[f], vert_count, "polyhedra_tables: face", f, met);
-  met = core::large_vector(f2v_.size(), ~0u);
   std::size_t poly_corners = 0;
+  const auto faces = [&] {
+    std::vector<std::uint32_t> met;
+    for (std::size_t f = 0; f < f2v_.size(); ++f) detail::check_verts(f2v_[f], vert_count, "polyhedra_tables: face", f, met);
+  };
+  core::run_both(is_large(), faces, [&] { poly_corners = check_polys(polys); });
+  check_poly_corners(poly_corners, f2v_.num_values(), polys.num_values(), "polyhedra_tables: ");
+  return poly_corners;
+}
+
+template<class Lists>
+std::size_t basic_polyhedra_tables<Lists>::check_polys(const jagged<face_id>& polys) const {
+  std::vector<std::uint32_t> met = core::large_vector(f2v_.size(), ~0u);
+  std::size_t corners = 0;
   for (std::size_t p = 0; p < polys.size(); ++p) {
     if (polys.length(p) == 0) core::throw_joined<invalid_mesh>({"polyhedra_tables: poly ", p, " has no faces; it needs at least 1"});
     for (const face_id f : polys[p]) {
@@ -178,32 +189,49 @@ std::size_t basic_polyhedra_tables<Lists>::check(std::size_t vert_count, const j
         core::throw_joined<invalid_mesh>({"polyhedra_tables: poly ", p, " names face ", f.raw(), ", but the mesh has ", f2v_.size(), " faces, numbered from 0"});
       if (met[f.raw()] == p) core::throw_joined<invalid_mesh>({"polyhedra_tables: poly ", p, " has face ", f.raw(), " twice; its faces must differ"});
       met[f.raw()] = static_cast<std::uint32_t>(p);
-      poly_corners += f2v_.length(f.raw());
+      corners += f2v_.length(f.raw());
     }
   }
-  check_poly_corners(poly_corners, f2v_.num_values(), polys.num_values(), "polyhedra_tables: ");
-  return poly_corners;
+  return corners;
 }
 
 template<class Lists>
 void basic_polyhedra_tables<Lists>::build(std::size_t vert_count, const jagged<face_id>& polys, std::size_t poly_corners) {
   face_vert_lookup_ = detail::row_lookup(f2v_);
   core::flat_array<edge_id> f2e(f2v_.num_values());  // parallel to f2v_
-  core::flat_array<std::uint32_t> scratch = build_edges(vert_count, f2e);
-  const std::size_t edge_count = e2v_.size();
+  const auto edges = [&] {
+    build_edges(vert_count, f2e);
+    list_edges_of_polys(f2e, polys, poly_corners);
+    list_faces_of_edges(f2e);
+  };
+  const auto polys_and_verts = [&] {
+    link_polys(polys);
+    list_verts_of_polys(vert_count, polys, poly_corners);
+  };
+  core::run_both(is_large(), edges, polys_and_verts);
+  if (*v2p_.shared_offsets() == *incident_edges_.shared_offsets()) v2p_.share_offsets(incident_edges_);
+  verts_ = detail::alive_elements<vert_id>(vert_count);
+  edges_ = detail::alive_elements<edge_id>(e2v_.size());
+  faces_ = detail::alive_elements<face_id>(f2v_.size());
+  polys_ = detail::alive_elements<poly_id>(polys.size());
+}
 
+template<class Lists>
+void basic_polyhedra_tables<Lists>::list_faces_of_edges(const core::flat_array<edge_id>& f2e) {
+  const std::size_t edge_count = e2v_.size();
   detail::offsets counts = core::exact_vector(edge_count + 1, 0u);
   for (const edge_id e : f2e) ++counts[e.raw() + 1];
   e2f_ = detail::make_jagged_array<face_id>(std::move(counts));
-  {
-    core::flat_array<std::uint32_t> next(edge_count);
-    std::copy_n(e2f_.shared_offsets()->begin(), edge_count, next.data());
-    face_id* const faces = e2f_.begin(0);
-    const edge_id* e = f2e.begin();
-    for (std::size_t f = 0; f < f2v_.size(); ++f)
-      for (std::uint32_t n = f2v_.length(f); n > 0; --n) faces[next[(e++)->raw()]++] = face_id{f};
-  }
+  core::flat_array<std::uint32_t> next(edge_count);
+  std::copy_n(e2f_.shared_offsets()->begin(), edge_count, next.data());
+  face_id* const faces = e2f_.begin(0);
+  const edge_id* e = f2e.begin();
+  for (std::size_t f = 0; f < f2v_.size(); ++f)
+    for (std::uint32_t n = f2v_.length(f); n > 0; --n) faces[next[(e++)->raw()]++] = face_id{f};
+}
 
+template<class Lists>
+void basic_polyhedra_tables<Lists>::link_polys(const jagged<face_id>& polys) {
   facet_adjacency_ = {{polys.shared_offsets(), core::flat_array<face_id>(polys.num_values(), face_id{})}, {polys.shared_offsets(), core::flat_array<detail::encoded_neighbour>(polys.num_values())}};
   facet_adjacency_.set_facets(f2v_.size());
   core::flat_array<detail::facet_adjacency<face_id, 0>::incidence> met_first(f2v_.size());
@@ -218,16 +246,10 @@ void basic_polyhedra_tables<Lists>::build(std::size_t vert_count, const jagged<f
       }
     }
   facet_adjacency_.finish();
-
-  build_corners(vert_count, f2e, std::move(scratch), poly_corners);
-  verts_ = detail::alive_elements<vert_id>(vert_count);
-  edges_ = detail::alive_elements<edge_id>(edge_count);
-  faces_ = detail::alive_elements<face_id>(f2v_.size());
-  polys_ = detail::alive_elements<poly_id>(polys.size());
 }
 
 template<class Lists>
-core::flat_array<std::uint32_t> basic_polyhedra_tables<Lists>::build_edges(std::size_t vert_count, core::flat_array<edge_id>& f2e) {
+void basic_polyhedra_tables<Lists>::build_edges(std::size_t vert_count, core::flat_array<edge_id>& f2e) {
   const std::size_t corner_count = f2v_.num_values();
   core::flat_array<std::uint32_t> first(vert_count + 1, 0), edge_to(vert_count);
   // Half-edges, sorted by the smaller vert of their edge, with the other vert.
@@ -270,60 +292,61 @@ core::flat_array<std::uint32_t> basic_polyhedra_tables<Lists>::build_edges(std::
   ends.shrink_to_fit();
   e2v_ = detail::jagged_array<vert_id, 2>(std::move(ends));
   incident_edges_ = detail::make_incident_edges(std::move(degrees), e2v_, edge_to);
-  return edge_to;
 }
 
 template<class Lists>
-void basic_polyhedra_tables<Lists>::build_corners(std::size_t vert_count, const core::flat_array<edge_id>& f2e, core::flat_array<std::uint32_t> vert_met, std::size_t poly_corners) {
-  const std::size_t poly_count = facet_adjacency_.num_polys();
+void basic_polyhedra_tables<Lists>::list_edges_of_polys(const core::flat_array<edge_id>& f2e, const jagged<face_id>& polys, std::size_t poly_corners) {
   const vert_id* const corner_vert = f2v_.begin(0);
-  core::flat_array<std::uint32_t> edge_met(e2v_.size(), ~0u);
-  std::fill_n(vert_met.data(), vert_count, ~0u);
-
-  // In a closed poly every edge has two faces, and verts + faces = edges + 2: this memory is exact for most meshes.
-  const std::size_t incidence_count = outward_.num_values();
-  core::flat_array<vert_id> verts;
+  core::flat_array<std::uint32_t> met(e2v_.size(), ~0u);
   core::flat_array<edge_id> edges;
-  edges.reserve(poly_corners / 2);
-  if (poly_corners / 2 + 2 * poly_count > incidence_count) verts.reserve(poly_corners / 2 + 2 * poly_count - incidence_count);
-
-  detail::offsets v_first, e_first, degrees = core::exact_vector(vert_count + 1, 0u);
-  for (detail::offsets* const first : {&v_first, &e_first}) {
-    core::reserve_exact(*first, poly_count + 1);
-    first->push_back(0);
-  }
-  for (std::uint32_t p = 0; p < poly_count; ++p) {
-    for (const face_id f : facet_adjacency_.facets(poly_id{p})) {
-      const auto at = static_cast<std::size_t>(f2v_.begin(f.raw()) - corner_vert);
-      for (std::size_t c = at; c < at + f2v_.length(f.raw()); ++c) {
-        const vert_id v = corner_vert[c];
-        const edge_id e = f2e[c];
-        if (vert_met[v.raw()] != p) {
-          vert_met[v.raw()] = p;
-          verts.push_back(v);
-          ++degrees[v.raw() + 1];
-        }
-        if (edge_met[e.raw()] != p) {
-          edge_met[e.raw()] = p;
-          edges.push_back(e);
-        }
+  edges.reserve(poly_corners / 2);  // in a closed poly every edge has two faces
+  detail::offsets first;
+  core::reserve_exact(first, polys.size() + 1);
+  first.push_back(0);
+  for (std::uint32_t p = 0; p < polys.size(); ++p) {
+    for (const face_id f : polys[p]) {
+      const edge_id* const of_face = f2e.data() + (f2v_.begin(f.raw()) - corner_vert);
+      for (const edge_id* e = of_face; e != of_face + f2v_.length(f.raw()); ++e) {
+        if (met[e->raw()] == p) continue;
+        met[e->raw()] = p;
+        edges.push_back(*e);
       }
     }
-    v_first.push_back(static_cast<std::uint32_t>(verts.size()));
-    e_first.push_back(static_cast<std::uint32_t>(edges.size()));
+    first.push_back(static_cast<std::uint32_t>(edges.size()));
   }
   if (edges.size() >= ~0u) throw unsupported("polyhedra_tables: the mesh has more than 2^32 adjacencies of one kind");
-  verts.shrink_to_fit();
   edges.shrink_to_fit();
-  p2v_ = {std::make_shared<const detail::offsets>(std::move(v_first)), std::move(verts)};
-  p2e_ = {std::make_shared<const detail::offsets>(std::move(e_first)), std::move(edges)};
+  p2e_ = {std::make_shared<const detail::offsets>(std::move(first)), std::move(edges)};
+}
+
+template<class Lists>
+void basic_polyhedra_tables<Lists>::list_verts_of_polys(std::size_t vert_count, const jagged<face_id>& polys, std::size_t poly_corners) {
+  core::flat_array<std::uint32_t> met(vert_count, ~0u);
+  core::flat_array<vert_id> verts;
+  // In a closed poly every edge has two faces, and verts + faces = edges + 2: this memory is exact for most meshes.
+  const std::size_t incidence_count = polys.num_values();
+  if (poly_corners / 2 + 2 * polys.size() > incidence_count) verts.reserve(poly_corners / 2 + 2 * polys.size() - incidence_count);
+  detail::offsets first, degrees = core::exact_vector(vert_count + 1, 0u);
+  core::reserve_exact(first, polys.size() + 1);
+  first.push_back(0);
+  for (std::uint32_t p = 0; p < polys.size(); ++p) {
+    for (const face_id f : polys[p])
+      for (const vert_id v : f2v_[f.raw()]) {
+        if (met[v.raw()] == p) continue;
+        met[v.raw()] = p;
+        verts.push_back(v);
+        ++degrees[v.raw() + 1];
+      }
+    first.push_back(static_cast<std::uint32_t>(verts.size()));
+  }
+  verts.shrink_to_fit();
+  p2v_ = {std::make_shared<const detail::offsets>(std::move(first)), std::move(verts)};
 
   v2p_ = detail::make_jagged_array<poly_id>(std::move(degrees));
-  std::copy_n(v2p_.shared_offsets()->begin(), vert_count, vert_met.data());
-  poly_id* const polys = v2p_.begin(0);
-  for (std::uint32_t p = 0; p < poly_count; ++p)
-    for (const vert_id v : p2v_[p]) polys[vert_met[v.raw()]++] = poly_id{p};
-  if (*v2p_.shared_offsets() == *incident_edges_.shared_offsets()) v2p_.share_offsets(incident_edges_);
+  std::copy_n(v2p_.shared_offsets()->begin(), vert_count, met.data());
+  poly_id* const polys_of_verts = v2p_.begin(0);
+  for (std::uint32_t p = 0; p < polys.size(); ++p)
+    for (const vert_id v : p2v_[p]) polys_of_verts[met[v.raw()]++] = poly_id{p};
 }
 
 #ifdef CONCINO_COMPILED
