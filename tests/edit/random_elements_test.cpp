@@ -29,3 +29,9 @@ TEST_CASE_TEMPLATE("random edits of elements: all kinds of mesh", M, CONCINO_KIN
   for (unsigned what = 0; what < num_random_operators; ++what)
     if (has_operator<M>(what)) CHECK_MESSAGE(done[what] > 0, "operator " << what);
 }
+
+TEST_CASE("random edits: triangles in a mesh of polygons") {
+  std::mt19937 random(13);
+  const auto r = edit_at_random(cn::polygonmesh(triangle_grid(3)), random, long_run() ? 750000 : 7500, num_topological_operators);
+  for (unsigned what = 0; what < flip_face; ++what) CHECK_MESSAGE(r.done[what] > 0, "operator " << what);
+}

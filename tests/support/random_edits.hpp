@@ -34,8 +34,8 @@ enum random_operator : unsigned {
 inline constexpr unsigned num_topological_operators = add_a_vert;
 
 template<class M> inline constexpr bool is_of_simplices = arity_v<M> == dimension_v<M> + 1;
-/// Simplices, or another library's surface, whose polys may be triangles.
-template<class M> inline constexpr bool has_topological_operators = is_of_simplices<M> || (SurfaceMesh<M> && !HasProperties<M>);
+/// Simplices, or a surface whose polys may be triangles.
+template<class M> inline constexpr bool has_topological_operators = is_of_simplices<M> || (SurfaceMesh<M> && arity_v<M> == 0);
 
 /// Whether a mesh of this kind has the operator.
 template<class M>
