@@ -11,7 +11,9 @@
 #include <concino/lines/detail/line_watch.hpp>
 #include <concino/lines/detail/polygon_reader.hpp>
 #include <concino/lines/detail/surface_exits.hpp>
+#include <concino/lines/detail/why_no_exit.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <variant>
 #include <vector>
@@ -254,6 +256,10 @@ class surface_line_walker {
     reach_corner(speed > 0 ? (out.side + 1) % 3 : out.side, to);
   }
 
+  static bool all_are_zero(const std::vector<piece>& pieces) {
+    return std::all_of(pieces.begin(), pieces.end(), [](const piece& in) { return in.is_zero; });
+  }
+
   void leave_vert(line_recorder<M>& to) {
     sectors_.clear();
     sector_pieces_.clear();
@@ -275,25 +281,13 @@ class surface_line_walker {
       diagonals += polygon_.verts.size();
     }
     const surface_exit out = steepest_exit(x_, sectors_);
-    if (out.to == surface_exit::kind::none) return to.stop(why_no_exit());
+    if (out.to == surface_exit::kind::none) return to.stop(why_no_exit(*m_, adj_v2e(*m_, vert_), !sector_pieces_.empty(), all_are_zero(sector_pieces_)));
     triangle_side& from = at();
     from.in = sector_pieces_[out.sector];
     for (unsigned k = 0; k < 3; ++k)
       if (from.in.verts[k] == vert_) from.side = k;
     if (out.to == surface_exit::kind::sector) where_ = where::corner;
     else reach_corner((from.side + (out.to == surface_exit::kind::side_a ? 1 : 2)) % 3, to);
-  }
-
-  line_end why_no_exit() const {
-    bool all_zero = !sector_pieces_.empty(), open = false, many = false;
-    for (const piece& in : sector_pieces_) all_zero = all_zero && in.is_zero;
-    for (const edge_t<M> e : adj_v2e(*m_, vert_)) {
-      std::size_t n = 0;
-      for ([[maybe_unused]] const poly_t<M> p : adj_e2p(*m_, e)) ++n;
-      open = open || n < 2;
-      many = many || n > 2;
-    }
-    return all_zero ? line_end::zero : many ? line_end::non_manifold : open || sector_pieces_.empty() ? line_end::boundary : line_end::sink;
   }
 
   void start_in(const poly_t<M>& p) {

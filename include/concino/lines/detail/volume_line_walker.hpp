@@ -3,13 +3,15 @@
 
 #include <concino/concepts/end_verts.hpp>
 #include <concino/concepts/facets.hpp>
-#include <concino/concepts/oriented_edges.hpp>
-#include <concino/lines/detail/polyhedron_reader.hpp>
 #include <concino/lines/detail/field_reader.hpp>
+#include <concino/lines/detail/incident_cells.hpp>
 #include <concino/lines/detail/line_recorder.hpp>
+#include <concino/lines/detail/line_ridge.hpp>
 #include <concino/lines/detail/line_watch.hpp>
+#include <concino/lines/detail/polyhedron_reader.hpp>
 #include <concino/lines/detail/tet_crossing.hpp>
 #include <concino/lines/detail/volume_exits.hpp>
+#include <concino/lines/detail/why_no_exit.hpp>
 
 #include <array>
 #include <cstddef>
@@ -23,28 +25,17 @@ namespace concino::detail {
 /// Reuses its memory from line to line; one for each thread.
 template<class M, class G>
 class volume_line_walker {
-  /// An edge of the mesh, or a diagonal of a face, between two verts.
-  struct ridge {
-    vert_t<M> from, to;
-    vec3 from_point, to_point;
-    std::optional<edge_t<M>> edge;
-    std::optional<face_t<M>> face;  // of a diagonal
-    incident_key key;
-  };
-
   const M* m_;
   field_reader<M, G> field_;
   polyhedron_reader<M> cell_;
   line_watch watch_;
-  std::vector<incident_cell> incident_;  // those in front are of the vert or the ridge
-  std::size_t num_incident_ = 0;
-  std::vector<poly_t<M>> incident_polys_;
+  incident_cells<M> incident_;  // of the vert or the ridge
 
   enum class where { cell, ridge, vert, behind_tet } where_ = where::cell;
   vec3 x_;
   std::array<std::uint32_t, 3> entry_{};  // corners of the cell that was read last
   std::size_t entry_size_ = 0;
-  std::optional<ridge> ridge_;
+  std::optional<line_ridge<M>> ridge_;
   vert_t<M> vert_ = vert_t<M>();
 
   // From tet to tet, the line is behind one when it has left it, and the memory of the next one was requested.
@@ -67,7 +58,7 @@ class volume_line_walker {
     x_ = start.position;
     to.start(start);
     if (const auto* v = std::get_if<vert_t<M>>(&start.element)) reach_vert(*v, to);
-    else if (const auto* e = std::get_if<edge_point<M>>(&start.element)) reach_ridge(ridge_of(e->edge));
+    else if (const auto* e = std::get_if<edge_point<M>>(&start.element)) reach_ridge(ridge_of(*m_, e->edge));
     else if (const auto* f = std::get_if<face_t<M>>(&start.element)) start_on(*f, to);
     else enter(std::get<poly_t<M>>(start.element), {});
   }
@@ -199,38 +190,14 @@ class volume_line_walker {
   }
 
   void add_ridge(const cell_triangle& t, std::uint32_t k, double parameter, line_recorder<M>& to) {
-    const ridge r = ridge_of(t, k);
+    const line_ridge<M> r = ridge_of(*m_, cell_, t, k);
     if (r.edge) to.add({edge_point<M>{*r.edge, end_verts(*m_, *r.edge).first == r.from ? parameter : 1 - parameter}, x_}, cell_.poly());
     else to.add({*r.face, x_}, cell_.poly());
     if (!to.done()) reach_ridge(r);
   }
-  void reach_ridge(const ridge& r) {
+  void reach_ridge(const line_ridge<M>& r) {
     ridge_ = r;
     where_ = where::ridge;
-  }
-
-  ridge ridge_of(const edge_t<M>& e) const {
-    const auto [a, b] = end_verts(*m_, e);
-    return {a, b, to_vec3(point(*m_, a)), to_vec3(point(*m_, b)), e, {}, {index_of(*m_, e), SIZE_MAX}};
-  }
-  /// Side k of a triangle of the cell that was read last.
-  ridge ridge_of(const cell_triangle& t, std::uint32_t k) const {
-    const std::uint32_t a = t.corner[k], b = t.corner[(k + 1) % 3];
-    const face_t<M> f = cell_.faces[t.face];
-    ridge r = {cell_.verts[a], cell_.verts[b], cell_.flat.points[a], cell_.flat.points[b], {}, {}, {}};
-    if (t.is_diagonal(k)) {
-      const std::size_t i = t.ring[k], j = t.ring[(k + 1) % 3];
-      r.face = f;
-      r.key = {edge_index_bound(*m_) + index_of(*m_, f), std::min(i, j) * t.ring_size + std::max(i, j)};
-      return r;
-    }
-    for (const auto& [e, from, to] : oriented_edges(*m_, f))
-      if ((from == r.from && to == r.to) || (from == r.to && to == r.from)) {
-        r.edge = e;
-        r.key = {index_of(*m_, e), SIZE_MAX};
-        break;
-      }
-    return r;
   }
 
   /// From a triangle of face f of poly p, from inside p: into the other poly, or along the face if the field there pushes back.
@@ -303,55 +270,22 @@ class volume_line_walker {
     add_vert(cell_.verts[t.corner[best]], to);
   }
 
-  void forget_incident() {
-    num_incident_ = 0;
-    incident_polys_.clear();
-  }
-  std::span<const incident_cell> incident() const { return std::span(incident_).first(num_incident_); }
-  incident_cell& add_incident(const poly_t<M>& p) {
+  void read_triangles(const poly_t<M>& p) {
     read(p);
     cell_.cut_faces();
-    incident_polys_.push_back(p);
-    if (num_incident_ == incident_.size()) incident_.emplace_back();
-    incident_cell& c = incident_[num_incident_++];
-    c.field = cell_.field;
-    c.triangles.clear();
-    return c;
-  }
-
-  /// Reads the triangles of one poly at a vert.
-  void add_at_vert(const poly_t<M>& p, const vert_t<M>& v) {
-    incident_cell& c = add_incident(p);
-    for (const cell_triangle& t : cell_.flat.triangles)
-      for (std::uint32_t k = 0; k < 3; ++k)
-        if (cell_.verts[t.corner[k]] == v) c.triangles.push_back(incident_at(t, k, ridge_of(t, k).key, ridge_of(t, (k + 2) % 3).key));
-  }
-
-  /// Reads the two triangles of one poly at a ridge. The keys of their other sides are not needed.
-  void add_at_ridge(const poly_t<M>& p, const ridge& r) {
-    incident_cell& c = add_incident(p);
-    for (const cell_triangle& t : cell_.flat.triangles)
-      for (std::uint32_t k = 0; k < 3; ++k) {
-        if (!(cell_.verts[t.corner[k]] == r.from)) continue;
-        const std::uint32_t a = (k + 1) % 3, b = (k + 2) % 3;
-        if (cell_.verts[t.corner[a]] == r.to && ridge_of(t, k).key == r.key) c.triangles.push_back(incident_at(t, k, r.key, {}));
-        if (cell_.verts[t.corner[b]] == r.to && ridge_of(t, b).key == r.key) c.triangles.push_back(incident_at(t, k, {}, r.key));
-      }
-  }
-
-  incident_triangle incident_at(const cell_triangle& t, std::uint32_t k, const incident_key& side_a, const incident_key& side_b) const {
-    const auto& at = cell_.flat.points;
-    return {at[t.corner[(k + 1) % 3]], at[t.corner[(k + 2) % 3]], {index_of(*m_, cell_.faces[t.face]), t.number}, side_a, side_b};
   }
 
   void leave_vert(line_recorder<M>& to) {
-    forget_incident();
-    for (const poly_t<M> p : adj_v2p(*m_, vert_)) add_at_vert(p, vert_);
-    const volume_exit out = steepest_exit(x_, incident());
-    if (out.to == volume_exit::kind::none) return to.stop(why_no_exit());
+    incident_.clear();
+    for (const poly_t<M> p : adj_v2p(*m_, vert_)) {
+      read_triangles(p);
+      incident_.add_at_vert(*m_, cell_, vert_);
+    }
+    const volume_exit out = steepest_exit(x_, incident_.all());
+    if (out.to == volume_exit::kind::none) return stop_at(adj_v2f(*m_, vert_), to);
     const std::uint32_t corner = read_exit(out, vert_);
-    if (out.to == volume_exit::kind::cell) return enter(incident_polys_[out.cell], std::array{corner});
-    const cell_triangle t = triangle_of(out);
+    if (out.to == volume_exit::kind::cell) return enter(incident_.poly(out.cell), std::array{corner});
+    const cell_triangle t = incident_.triangle_of(*m_, cell_, out);
     if (out.to == volume_exit::kind::triangle) return slide(t, out.velocity, std::array{corner}, to);
     const std::size_t k = static_cast<std::size_t>(std::find(t.corner.begin(), t.corner.end(), corner) - t.corner.begin());
     const std::uint32_t end = t.corner[(k + (out.along_a ? 1 : 2)) % 3];
@@ -360,16 +294,20 @@ class volume_line_walker {
   }
 
   void leave_ridge(line_recorder<M>& to) {
-    forget_incident();
+    incident_.clear();
+    const auto add = [&](const poly_t<M>& p) {
+      read_triangles(p);
+      incident_.add_at_ridge(*m_, cell_, *ridge_);
+    };
     if (ridge_->edge)
-      for (const poly_t<M> p : adj_e2p(*m_, *ridge_->edge)) add_at_ridge(p, *ridge_);
+      for (const poly_t<M> p : adj_e2p(*m_, *ridge_->edge)) add(p);
     else
-      for (const poly_t<M> p : adj_f2p(*m_, *ridge_->face)) add_at_ridge(p, *ridge_);
-    const volume_exit out = steepest_exit(ridge_->from_point, ridge_->to_point, ridge_->key, incident());
-    if (out.to == volume_exit::kind::none) return to.stop(why_no_exit());
+      for (const poly_t<M> p : adj_f2p(*m_, *ridge_->face)) add(p);
+    const volume_exit out = steepest_exit(ridge_->from_point, ridge_->to_point, ridge_->key, incident_.all());
+    if (out.to == volume_exit::kind::none) return ridge_->edge ? stop_at(adj_e2f(*m_, *ridge_->edge), to) : stop_at(std::array{*ridge_->face}, to);
     const std::uint32_t from = read_exit(out, ridge_->from), end = cell_.corner_of(*m_, ridge_->to);
-    if (out.to == volume_exit::kind::cell) return enter(incident_polys_[out.cell], std::array{from, end});
-    if (out.to == volume_exit::kind::triangle) return slide(triangle_of(out), out.velocity, std::array{from, end}, to);
+    if (out.to == volume_exit::kind::cell) return enter(incident_.poly(out.cell), std::array{from, end});
+    if (out.to == volume_exit::kind::triangle) return slide(incident_.triangle_of(*m_, cell_, out), out.velocity, std::array{from, end}, to);
     const bool back = out.to == volume_exit::kind::edge_back;
     x_ = back ? ridge_->from_point : ridge_->to_point;
     add_vert(back ? ridge_->from : ridge_->to, to);
@@ -377,34 +315,12 @@ class volume_line_walker {
 
   /// Reads the cell of an exit; the corner of the vert in it.
   std::uint32_t read_exit(const volume_exit& out, const vert_t<M>& v) {
-    read(incident_polys_[out.cell]);
-    cell_.cut_faces();
+    read_triangles(incident_.poly(out.cell));
     return cell_.corner_of(*m_, v);
   }
-
-  /// The triangle of the cell that was read last by which an exit leads.
-  cell_triangle triangle_of(const volume_exit& out) const {
-    const incident_key key = incident_[out.cell].triangles[out.triangle].face;
-    for (const cell_triangle& t : cell_.flat.triangles)
-      if (index_of(*m_, cell_.faces[t.face]) == key.element && t.number == key.part) return t;
-    return {};
-  }
-
-  line_end why_no_exit() const {
-    bool all_zero = num_incident_ > 0, open = false, many = false;
-    for (const incident_cell& c : incident()) all_zero = all_zero && c.field == vec3();
-    const auto count = [&](const face_t<M>& f) {
-      std::size_t n = 0;
-      for ([[maybe_unused]] const poly_t<M> p : adj_f2p(*m_, f)) ++n;
-      open = open || n < 2;
-      many = many || n > 2;
-    };
-    if (where_ == where::vert)
-      for (const face_t<M> f : adj_v2f(*m_, vert_)) count(f);
-    else if (ridge_->edge)
-      for (const face_t<M> f : adj_e2f(*m_, *ridge_->edge)) count(f);
-    else count(*ridge_->face);
-    return all_zero ? line_end::zero : many ? line_end::non_manifold : open || num_incident_ == 0 ? line_end::boundary : line_end::sink;
+  template<class Faces>
+  void stop_at(const Faces& faces, line_recorder<M>& to) const {
+    to.stop(why_no_exit(*m_, faces, !incident_.all().empty(), incident_.all_are_zero()));
   }
 
   /// From inside a face: into the poly whose field leads into it fastest, or along the face.
@@ -419,8 +335,7 @@ class volume_line_walker {
     vec3 best_field;
     bool all_zero = true;
     for (const poly_t<M> p : adj_f2p(*m_, f)) {
-      read(p);
-      cell_.cut_faces();
+      read_triangles(p);
       const std::uint32_t t = cell_.nearest_triangle(f, x_);
       const auto& c = cell_.flat.triangles[t].corner;
       const auto& at = cell_.flat.points;
@@ -435,8 +350,7 @@ class volume_line_walker {
     }
     if (sides.empty()) return to.stop(line_end::boundary);
     if (best) {
-      read(best->poly);
-      cell_.cut_faces();
+      read_triangles(best->poly);
       enter(best->poly, cell_.flat.triangles[best->triangle].corner);
       return;
     }
@@ -444,12 +358,10 @@ class volume_line_walker {
     if (sides.size() > 2) return to.stop(line_end::non_manifold);
     if (sides.size() == 1) {
       if (sides[0].outward.sign != 0) return to.stop(line_end::boundary);
-      read(sides[0].poly);
-      cell_.cut_faces();
+      read_triangles(sides[0].poly);
       return slide(cell_.flat.triangles[sides[0].triangle], cell_.field, {}, to);
     }
-    read(sides[0].poly);
-    cell_.cut_faces();
+    read_triangles(sides[0].poly);
     cross(f, cell_.flat.triangles[sides[0].triangle], sides[0].poly, to);
   }
 };
