@@ -78,7 +78,7 @@ class flat_cell {
   /// Whether the line may pass through a face. corners: anything with a range of points, by a function.
   template<class R, class P>
   bool may_cross(const R& corners, const P& point_of);
-  cell_exit exit(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry);
+  cell_exit find_exit(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry);
 
   /// Whether this is a tet. Where all corners are known, its exit is found by fewer determinants.
   bool is_tet() const { return points.size() == 4 && faces_.size() == 4 && corners_.size() == 12; }

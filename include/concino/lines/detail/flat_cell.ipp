@@ -206,10 +206,10 @@ CONCINO_INLINE cell_exit flat_cell::leave(const vec3& x, const vec3& g, std::spa
     const std::span<const std::uint32_t> ring = std::span(corners_).subspan(faces_[f].first, faces_[f].size);
     if (!faces_[f].is_cut && may_cross(ring, [&](std::uint32_t c) { return points[c]; })) cut_face(f);
   }
-  return exit(x, g, entry);
+  return find_exit(x, g, entry);
 }
 
-CONCINO_INLINE cell_exit flat_cell::exit(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) {
+CONCINO_INLINE cell_exit flat_cell::find_exit(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) {
   see_corners(entry);
   std::uint32_t found = 0, best = 0;
   double best_distance = 0;

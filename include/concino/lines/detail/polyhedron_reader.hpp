@@ -119,7 +119,7 @@ class polyhedron_reader {
       if (flat.is_cut(face)) continue;
       if (flat.may_cross(adj_f2v(*m_, faces[face]), [&](const vert_t<M>& v) { return to_vec3(point(*m_, v)); })) cut_face(face);
     }
-    return flat.exit(x, field, entry);
+    return flat.find_exit(x, field, entry);
   }
 
   [[gnu::always_inline]] inline std::uint32_t corner_of(const M& m, const vert_t<M>& v) const {  // a call for each corner of a cell would be slow
