@@ -17,6 +17,23 @@ namespace core {
 /// The maximum number of threads of a loop.
 std::size_t num_threads();
 
+class helper_threads;
+
+/// Helper threads for all loops of a call that lasts some milliseconds, since it takes a tenth of one until a thread that is started runs. The first
+/// statement of such a call makes this object: the first helper starts at once, without waiting for it, more when a loop is long, and each loop on this
+/// thread shares its chunks with those that are there. The destructor ends them. Loops find the object through a pointer of the calling thread, not as an argument:
+/// they lie in constructors of meshes and in maps of users, whose functions would all need it, and no result depends on it.
+/// Nothing is started if the call is not long, if an object exists on this thread already, or in a loop of several threads, where all cores are busy.
+class thread_team {
+  helper_threads* helpers_ = nullptr;
+
+ public:
+  explicit thread_team(bool is_long);
+  thread_team(const thread_team&) = delete;
+  thread_team& operator=(const thread_team&) = delete;
+  ~thread_team();
+};
+
 /// Runs the parts of a task, in several threads if it takes long. run(release) takes the next part, calls release() and works on the part; it
 /// returns whether more were left. Until release() no other thread takes a part; release is empty while there is no other thread.
 void run_parts(function_ref<bool(function_ref<void()>)> run);

@@ -36,6 +36,7 @@ void add_edge_point(const M& m, const mesh_point<M>& x, std::vector<edge_point<M
 
 template<class M, class U, class V>
 std::vector<level_line<M>> find_isolines(const M& m, const U& u, const V& values, const char* caller) {
+  const core::thread_team threads(has_many_polys(m));
   std::vector<level_line<M>> lines;
   check_vert_values(m, u, caller);
   for (const double level : sorted_levels(values, caller)) {

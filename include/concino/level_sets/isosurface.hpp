@@ -87,6 +87,7 @@ level_surface<M, To> collect_isosurface(const M& m, const U& u, const std::vecto
 
 template<class To, class M, class U, class V>
 level_surface<M, To> find_isosurface(const M& m, const U& u, const V& values, const char* caller) {
+  const core::thread_team threads(has_many_polys(m));
   check_vert_values(m, u, caller);
   const std::vector<double> levels = sorted_levels(values, caller);
   level_surface<M, To> result = collect_isosurface<To>(m, u, levels, true, caller);

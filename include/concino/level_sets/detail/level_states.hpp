@@ -26,6 +26,10 @@ inline unsigned char level_state(double x, double level) {
 }
 inline bool is_crossed(unsigned char joint_states) { return (joint_states & below_level) && joint_states != below_level; }
 
+/// Whether a call that finds a level set takes so long, about half a millisecond, that it makes a core::thread_team.
+template<class M>
+bool has_many_polys(const M& m) { return poly_index_bound(m) >= 100'000; }
+
 /// Errors: invalid_argument if u is a map of another mesh, or was made before verts were added.
 template<class M, class U>
 void check_vert_values(const M& m, const U& u, const char* caller) {
