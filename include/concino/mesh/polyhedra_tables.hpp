@@ -10,6 +10,7 @@
 #include <concino/mesh/detail/edit_log.hpp>
 #include <concino/mesh/detail/polyhedra_ranges.hpp>
 #include <concino/mesh/detail/vertex_incidence.hpp>
+#include <concino/mesh/kept_polyhedra.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -42,6 +43,7 @@ class basic_polyhedra_tables {
   detail::row_lookup face_vert_lookup_;  // of verts in faces with many verts
   jagged<std::uint8_t> outward_;  // parallel to the faces of each poly
   detail::jagged_array<vert_id, 2> e2v_;
+  bool is_built_ = false;  // and not compacted
 
  public:
   basic_polyhedra_tables() = default;
@@ -55,6 +57,10 @@ class basic_polyhedra_tables {
   ///         many polys that the adjacencies would be far longer than these lists.
   basic_polyhedra_tables(std::size_t vert_count, std::vector<std::uint32_t> face_offsets, std::vector<vert_id> face_verts,
                          std::vector<std::uint32_t> poly_offsets, std::vector<face_id> poly_faces, std::vector<std::uint8_t> outward);
+  /// The same tables, made in less time: what is known of earlier tables is copied, and `kept` says what. The lists are not checked.
+  /// Needs:  before.can_be_extended(); lists that the first constructor would accept.      Errors: unsupported if there are too many elements.
+  basic_polyhedra_tables(const basic_polyhedra_tables& before, kept_polyhedra& kept, std::size_t vert_count, std::vector<std::uint32_t> face_offsets,
+                         std::vector<vert_id> face_verts, std::vector<std::uint32_t> poly_offsets, std::vector<face_id> poly_faces, std::vector<std::uint8_t> outward);
   /// From lists stored elsewhere, and from tables that were built from a copy of these lists.
   basic_polyhedra_tables(basic_polyhedra_tables<jagged<vert_id>>&& built, Lists elsewhere)
     requires(!std::same_as<Lists, jagged<vert_id>>)
@@ -62,6 +68,13 @@ class basic_polyhedra_tables {
         f2v_(std::move(elsewhere)), p2v_(std::move(built.p2v_)), incident_edges_(std::move(built.incident_edges_)),
         p2e_(std::move(built.p2e_)), e2f_(std::move(built.e2f_)), v2p_(std::move(built.v2p_)), facet_adjacency_(std::move(built.facet_adjacency_)),
         face_vert_lookup_(std::move(built.face_vert_lookup_)), outward_(std::move(built.outward_)), e2v_(std::move(built.e2v_)) {}
+
+  /// Whether other tables can be made of these: every list has the order that the first constructor gives it, since no edit or compaction came later, and no
+  /// face has more than two polys.
+  bool can_be_extended() const {
+    const auto are_packed = [](const auto&... rows) { return (... && (rows.shared_offsets() != nullptr)); };
+    return is_built_ && are_packed(f2v_, p2v_, incident_edges_, p2e_, e2f_, v2p_, facet_adjacency_.facet_rows()) && !facet_adjacency_.has_poly_lists();
+  }
 
   const detail::alive_elements<vert_id>& verts() const { return verts_; }
   const detail::alive_elements<edge_id>& edges() const { return edges_; }
@@ -164,6 +177,7 @@ class basic_polyhedra_tables {
  private:
   friend class detail::polyhedra_cavity;
   class rewiring;
+  class extension;
 
   static constexpr std::size_t faces_of_new_edge = 4;  // for which memory is reserved
 
@@ -184,6 +198,8 @@ class basic_polyhedra_tables {
   edge_id edge_to_smaller(vert_id v, vert_id smaller) const;
 
   void build(std::size_t vert_count, const jagged<face_id>& polys, std::size_t poly_corners);
+  /// The last step, when all lists exist.
+  void finish(std::size_t vert_count, std::size_t poly_count);
 
   void sort_smaller_neighbours();
 
@@ -212,5 +228,6 @@ using polyhedra_tables = basic_polyhedra_tables<detail::jagged_array<vert_id, 0>
 #ifndef CONCINO_COMPILED
 #include <concino/mesh/detail/polyhedra_compact.ipp>
 #include <concino/mesh/detail/polyhedra_tables.ipp>
+#include <concino/mesh/detail/polyhedra_tables_extend.ipp>
 #include <concino/mesh/detail/polyhedra_tables_rewire.ipp>
 #endif

@@ -31,8 +31,11 @@ class clip_edges {
   clip_edges(const M& m, const polyhedralmesh& clipped, const element_origins& of_verts, const clip_verts<M, place_ends>& verts)
       : m_(m), clipped_(clipped), of_verts_(of_verts), verts_(verts), found_(edge_index_bound(clipped)) {}
 
-  element_origins list() && {
-    list_kept();
+  /// known: by index of the edge of m, the edge that was made of it, if any; empty if this is to be found.
+  element_origins list(const std::vector<std::uint32_t>& known) && {
+    if (known.empty()) list_kept();
+    for (std::uint32_t e = 0; e < known.size(); ++e)
+      if (known[e] != ~0u) found_.set(known[e], e);
     for (const edge_id e : edges(clipped_))
       if (!found_.is_set(e.raw())) list_new(e);
     return std::move(found_).collect();

@@ -85,6 +85,9 @@ class clip_verts {
   std::uint32_t num_kept() const { return num_kept_; }
   const level_place& place_of(const vert_id& made) const { return places_[new_places_[made.raw() - num_kept_]]; }
 
+  /// The numbers of the verts of m, which of() then lacks.
+  std::vector<std::uint32_t> take_numbers() { return std::move(number_); }
+
   vert_id of(const vert_t<M>& v) const { return vert_id{number_[index_of(m_, v)]}; }
   vert_id of_place(std::uint32_t place) const {
     if (place & part_lists::of_mesh) return vert_id{number_[place & ~part_lists::of_mesh]};

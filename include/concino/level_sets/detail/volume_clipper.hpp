@@ -10,11 +10,15 @@
 #include <concino/level_sets/detail/clip_verts.hpp>
 
 #include <algorithm>
+#include <concepts>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace concino::detail {
+
+template<class M>
+concept has_polyhedra_tables = requires(const M& m) { { traits<M>::tables(m) } -> std::same_as<const polyhedra_tables&>; };
 
 /// The polys of the result are those that are kept whole, in the order of m, and then parts of polys. Likewise faces.
 template<class M, class U>
@@ -29,6 +33,7 @@ class volume_clipper {
   std::vector<std::uint32_t> cut_;          // parts
   std::vector<std::uint32_t> cut_origins_;  // by entry of cut_: the index of the poly in m
   std::vector<std::uint32_t> face_number_;  // by index of the face in m
+  kept_polyhedra kept_;                     // what extends_tables() needs
   std::vector<std::uint32_t> new_face_;     // by face of the parts
   std::size_t num_faces_ = 0, num_corners_ = 0, num_poly_faces_ = 0;  // of the result
   polyhedra_arrays a_;
@@ -54,12 +59,12 @@ class volume_clipper {
     a_.points = std::move(verts_of.points);
     result_.from.verts = std::move(verts_of.origins);
     crossed_.reset();  // its memory can be used for the mesh
-    core::release(new_face_), core::release(face_number_), core::release(whole_);
+    core::release(new_face_), core::release(whole_);
     report_progress(options.progress, 0.5, "clipping");
-    result_.mesh = polyhedralmesh(std::move(a_));
+    build_mesh(verts_of);
     report_progress(options.progress, 0.8, "clipping");
     list_poly_origins();
-    result_.from.edges = clip_edges<M>(m_, result_.mesh, result_.from.verts, verts_of).list();
+    result_.from.edges = clip_edges<M>(m_, result_.mesh, result_.from.verts, verts_of).list(kept_.edges);
     if (options.properties) transfer_if_any(m_, result_.mesh, result_.from);
     report_progress(options.progress, 1, "clipping");
     return std::move(result_);
@@ -148,6 +153,7 @@ class volume_clipper {
       for (const vert_t<M> v : adj_f2v(m_, f)) corners[end++] = verts_of.of(v);
       end_face(index);
     }
+    kept_.num_faces = n;
     for (std::size_t i = 0; i < parts.faces.size(); ++i) {
       const part_lists::face& f = parts.faces[i];
       if (new_face_[i] != ~0u) {
@@ -187,6 +193,31 @@ class volume_clipper {
       cut_origins_.push_back(crossed_->poly_indices[parts.parts[i].cell]);
     }
     result_.from.polys = origins_of(m_, whole_);
+    if (!extends_tables()) return;
+    kept_.num_polys = static_cast<std::uint32_t>(whole_.size());
+    kept_.polys = core::large_vector(poly_index_bound(m_), ~0u);
+    for (std::size_t i = 0; i < whole_.size(); ++i) kept_.polys[index_of(m_, whole_[i])] = static_cast<std::uint32_t>(i);
+  }
+
+  /// Whether most adjacencies of the result are those of m with other numbers, and can be copied.
+  bool extends_tables() const {
+    if constexpr (has_polyhedra_tables<M>) return traits<M>::tables(m_).can_be_extended();
+    else return false;
+  }
+  void build_mesh(clip_verts<M, place_ends>& verts_of) {
+    if constexpr (has_polyhedra_tables<M>)
+      if (extends_tables()) {
+        kept_.verts = verts_of.take_numbers();
+        kept_.faces = std::move(face_number_);
+        kept_.num_verts = verts_of.num_kept();
+        result_.mesh.tables() = polyhedra_tables(traits<M>::tables(m_), kept_, a_.points.size(), std::move(a_.face_offsets), std::move(a_.face_verts),
+                                                 std::move(a_.poly_offsets), std::move(a_.poly_faces), std::move(a_.outward));
+        result_.mesh.points() = std::move(a_.points);
+        kept_.verts = {}, kept_.faces = {}, kept_.polys = {};
+        return;
+      }
+    core::release(face_number_);
+    result_.mesh = polyhedralmesh(std::move(a_));
   }
 
   void list_poly_origins() {

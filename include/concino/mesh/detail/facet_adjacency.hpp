@@ -124,17 +124,41 @@ class facet_adjacency {
     join(first, p, k);
   }
 
+  /// Construction: gives p the neighbours and marks that it had in other tables, where numbers[q] is the number of poly q here, or ~0. These numbers have the
+  /// same order, and no facet had more than two polys. Polys without a number there are linked later.
+  void copy_links(std::uint32_t p, const encoded_neighbour* before, const std::uint32_t* numbers)
+    requires(N == 0)
+  {
+    encoded_neighbour* const links = neighbours_.begin(p);
+    const Facet* const facets = facets_.begin(p);
+    for (std::uint32_t k = 0, n = facets_.length(p); k < n; ++k) {
+      const encoded_neighbour x = before[k];
+      const std::uint32_t q = x.is_none() ? ~0u : numbers[x.poly()];
+      links[k].raw = q == ~0u ? encoded_neighbour::none : q | (x.raw & encoded_neighbour::special);
+      if (q > p) owner_[facets[k].raw()] = p;
+    }
+  }
+  /// Whether a facet has, or had, more than two polys.
+  bool has_poly_lists() const { return poly_lists_.size() > 0; }
+
   /// Construction: call it after the last link, so that a neighbour behind two facets is listed once.
   void finish() {
-    owner_.shrink_to_fit();
-    if constexpr (N == 0) {
-      facet_lookup_ = row_lookup(facets_);
-      set_poly_lists();
-      poly_lists_.index_poly_lists(neighbours_, few_facets);
-    }
+    index_facets();
+    finish_lists();
     std::vector<std::uint32_t> met;
     for (std::uint32_t p = 0; p < num_polys(); ++p)
       if (may_repeat(p)) mark_repeats(p, met);
+  }
+  /// The same if only these polys, each of them once, have links that were not copied, and index_facets() was called.
+  void finish(const std::vector<std::uint32_t>& linked) {
+    finish_lists();
+    std::vector<std::uint32_t> met;
+    for (const std::uint32_t p : linked)
+      if (may_repeat(p)) mark_repeats(p, met);
+  }
+  /// Construction: makes link() fast for polys with many facets, when all facets are listed.
+  void index_facets() {
+    if constexpr (N == 0) facet_lookup_ = row_lookup(facets_);
   }
 
   // Edits allocate their memory first, which changes nothing, and cannot fail afterwards.
@@ -417,6 +441,14 @@ class facet_adjacency {
 
  private:
   static constexpr std::size_t min_list_capacity = 4;       // of a new list of polys
+
+  void finish_lists() {
+    owner_.shrink_to_fit();
+    if constexpr (N == 0) {
+      set_poly_lists();
+      poly_lists_.index_poly_lists(neighbours_, few_facets);
+    }
+  }
 
   /// Marks incidences of one poly, given as neighbour and position, that repeat a neighbour.
   template<class Scratch>

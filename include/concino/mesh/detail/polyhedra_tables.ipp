@@ -209,11 +209,17 @@ void basic_polyhedra_tables<Lists>::build(std::size_t vert_count, const jagged<f
     list_verts_of_polys(vert_count, polys, poly_corners);
   };
   core::run_both(is_large(), edges, polys_and_verts);
+  finish(vert_count, polys.size());
+}
+
+template<class Lists>
+void basic_polyhedra_tables<Lists>::finish(std::size_t vert_count, std::size_t poly_count) {
   if (*v2p_.shared_offsets() == *incident_edges_.shared_offsets()) v2p_.share_offsets(incident_edges_);
   verts_ = detail::alive_elements<vert_id>(vert_count);
   edges_ = detail::alive_elements<edge_id>(e2v_.size());
   faces_ = detail::alive_elements<face_id>(f2v_.size());
-  polys_ = detail::alive_elements<poly_id>(polys.size());
+  polys_ = detail::alive_elements<poly_id>(poly_count);
+  is_built_ = true;
 }
 
 template<class Lists>

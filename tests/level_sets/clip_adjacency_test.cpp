@@ -1,0 +1,73 @@
+// clip and split of native polyhedra copy adjacencies; the result is the same as if all were built.
+#include <concino/level_sets/clip.hpp>
+
+#include <concino/core/error.hpp>
+#include <concino/generate/grid.hpp>
+
+#include <support/level_sets.hpp>
+#include <support/random_meshes.hpp>
+#include <support/whole_mesh.hpp>
+
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <random>
+#include <vector>
+
+using namespace concino;
+using namespace concino::testing;
+
+namespace {
+
+/// All that a clipped volume consists of, as numbers.
+std::vector<double> all_of(const clipped_volume<polyhedralmesh>& c) {
+  std::vector<double> all = whole(c.mesh);
+  for (const element_origins* const x : {&c.from.verts, &c.from.edges, &c.from.faces, &c.from.polys})
+    for (std::size_t i = 0; i < x->size(); ++i) {
+      all.push_back(-2);
+      for (const origin o : (*x)[i]) all.push_back(o.index), all.push_back(o.weight);
+    }
+  for (const face_id f : c.cut_faces) all.push_back(f.raw());
+  all.insert(all.end(), c.above.begin(), c.above.end());
+  return all;
+}
+
+/// The same mesh, of which the order of lists is not known.
+polyhedralmesh compacted(polyhedralmesh m) {
+  m.garbage_collect();
+  return m;
+}
+
+}  // namespace
+
+TEST_CASE("clip: the result is the same if no adjacencies are copied") {
+  std::mt19937 random(12);
+  int copied = 0;
+  for (int i = 0; i < 100; ++i) {
+    CAPTURE(i);
+    const auto m = i % 3 ? mesh_to_cut<polyhedralmesh>(random) : random_mesh<polyhedralmesh>(random);
+    const auto other = compacted(m);
+    if (!m.tables().can_be_extended()) continue;
+    REQUIRE(!other.tables().can_be_extended());
+    const auto u = random_values(m, random, i % 2 == 0);
+    auto same = make_vert_map<double>(other);
+    for (const auto v : verts(other)) same[v] = u[v];
+    try {
+      const auto s = split(m, u, 1.0), c = clip(m, u, 1.0);
+      CHECK(all_of(s) == all_of(split(other, same, 1.0)));
+      CHECK(all_of(c) == all_of(clip(other, same, 1.0)));
+      copied += s.report.cut_polys > 0;
+    } catch (const unsupported&) {
+      CHECK_THROWS_AS((void)split(other, same, 1.0), unsupported);  // a cell whose surface is not a sphere
+    }
+  }
+  CHECK(copied > 40);
+}
+
+TEST_CASE("clip: what is clipped can be clipped again in the same way") {
+  const auto m = make_grid<polyhedralmesh>({.cells = {4, 3, 3}});
+  const auto first = clip(m, plane{{1, 2, 3}, 2.1});
+  REQUIRE(first.mesh.tables().can_be_extended());
+  REQUIRE(first.report.cut_polys > 0);
+  CHECK(all_of(clip(first.mesh, plane{{3, 1, -2}, 0.3})) == all_of(clip(compacted(first.mesh), plane{{3, 1, -2}, 0.3})));
+}
