@@ -2,10 +2,15 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
+#include <concino/core/parallel.hpp>
+#include <concino/level_sets/detail/crossed_edge.hpp>
 #include <concino/level_sets/detail/crossed_surface_reader.hpp>
 #include <concino/level_sets/detail/level_values.hpp>
 #include <concino/level_sets/detail/line_pieces.hpp>
+#include <concino/level_sets/detail/simple_lines.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <initializer_list>
 #include <variant>
 #include <vector>
@@ -34,6 +39,28 @@ void add_edge_point(const M& m, const mesh_point<M>& x, std::vector<edge_point<M
     }
 }
 
+/// Adds the lines of one level set. locate(places, n, to) writes n points.
+template<class M, class Locate>
+void add_lines(const M& m, const level_lines& joined, double level, const Locate& locate, std::vector<level_line<M>>& lines) {
+  constexpr std::size_t chunk = 256;
+  for (std::size_t i = 0, first = 0; i < joined.ends.size(); first = joined.ends[i++]) {
+    level_line<M>& line = lines.emplace_back();
+    line.closed = joined.closed[i] != 0;
+    line.value = level;
+    const std::size_t n = joined.ends[i] - first;
+    line.places.resize(n), line.points.resize(n), line.edge_points.reserve(n);
+    parallel_for(
+        (n + chunk - 1) / chunk,
+        [&, places = joined.places.data() + first](std::size_t c) {
+          const std::size_t begin = c * chunk, end = std::min(n, begin + chunk);
+          locate(places + begin, end - begin, line.places.data() + begin);
+          for (std::size_t k = begin; k < end; ++k) line.points[k] = line.places[k].position;
+        },
+        1);
+    for (const mesh_point<M>& x : line.places) add_edge_point(m, x, line.edge_points);
+  }
+}
+
 template<class M, class U, class V>
 std::vector<level_line<M>> find_isolines(const M& m, const U& u, const V& values, const char* caller) {
   const core::thread_team threads(has_many_polys(m));
@@ -41,20 +68,20 @@ std::vector<level_line<M>> find_isolines(const M& m, const U& u, const V& values
   check_vert_values(m, u, caller);
   for (const double level : sorted_levels(values, caller)) {
     const auto states = level_states(m, u, level, caller);
-    const crossed_surface_reader<M> crossed(m, u, level, crossed_polys(m, states));
-    const poly_cuts cuts(crossed.arrays, level);
-    const level_lines joined = line_pieces(cuts).join();
-    std::size_t k = 0;
-    for (std::size_t i = 0; i < joined.ends.size(); ++i) {
-      level_line<M>& line = lines.emplace_back();
-      line.closed = joined.closed[i] != 0;
-      line.value = level;
-      line.places.reserve(joined.ends[i] - k), line.points.reserve(joined.ends[i] - k), line.edge_points.reserve(joined.ends[i] - k);
-      for (; k < joined.ends[i]; ++k) {
-        line.places.push_back(crossed.mesh_point_of(m, joined.places[k], level));
-        line.points.push_back(line.places.back().position);
-        add_edge_point(m, line.places.back(), line.edge_points);
-      }
+    auto polys = crossed_polys(m, states);
+    if (simple_lines<M> simple; simple.find(m, states.data(), polys)) {
+      const auto locate = [&](const level_place* places, std::size_t n, mesh_point<M>* to) {
+        const auto edge_of = [&](std::size_t k) { return simple.edges[places[k].element]; };
+        cross_edges(m, u, level, n, [](std::size_t) { return true; }, edge_of, [to](std::size_t k, const mesh_point<M>& x) { to[k] = x; });
+      };
+      add_lines(m, simple.join(), level, locate, lines);
+    } else {
+      const crossed_surface_reader<M> crossed(m, u, level, std::move(polys));
+      const poly_cuts cuts(crossed.arrays, level);
+      const auto locate = [&](const level_place* places, std::size_t n, mesh_point<M>* to) {
+        for (std::size_t k = 0; k < n; ++k) to[k] = crossed.mesh_point_of(m, places[k], level);
+      };
+      add_lines(m, line_pieces(cuts).join(), level, locate, lines);
     }
   }
   return lines;

@@ -1,9 +1,9 @@
 // Makes the level set of a volume as polygons, in the fast way where that is possible.
 #pragma once
 
-#include <concino/concepts/end_verts.hpp>
-#include <concino/level_sets/detail/crossed_volume_reader.hpp>
+#include <concino/level_sets/detail/crossed_edge.hpp>
 #include <concino/level_sets/detail/crossed_edge_numbers.hpp>
+#include <concino/level_sets/detail/crossed_volume_reader.hpp>
 #include <concino/level_sets/detail/level_polygons.hpp>
 #include <concino/level_sets/detail/simple_caps.hpp>
 
@@ -30,12 +30,6 @@ template<class M, class U>
 class level_surface_maker {
   static constexpr auto surface = arity_v<M> > 0 ? cell_cuts::cells_are::spheres : cell_cuts::cells_are::unknown;
   static constexpr std::size_t chunk = 512;
-
-  struct crossed_edge {
-    edge_ends<vert_t<M>> ends;
-    double a, b;  // the values and points of its ends
-    vec3 x, y;
-  };
 
   const M& m_;
   const U& u_;
@@ -158,38 +152,24 @@ class level_surface_maker {
     }
   }
 
-  /// One thing of several edges after another, so that the processor waits for their memory at once.
   void locate_edges(const crossed_edge_numbers<M>& numbers, level_surface_parts<M>& parts) const {
-    constexpr std::size_t few = 32;
+    constexpr std::size_t some = 1024;
+    const std::size_t n = numbers.edges.size();
     parallel_for(
-        (numbers.edges.size() + few - 1) / few,
+        (n + some - 1) / some,
         [&](std::size_t i) {
-          crossed_edge ends[few];
-          const std::size_t first = few * i, n = std::min(few, numbers.edges.size() - first);
-          for (std::size_t k = 0; k < n; ++k)
-            if (numbers.is_edge(first + k)) ends[k].ends = end_verts(m_, numbers.edges[first + k]);
-          for (std::size_t k = 0; k < n; ++k)
-            if (numbers.is_edge(first + k)) read_ends(ends[k]);
-          for (std::size_t k = 0; k < n; ++k)
-            if (numbers.is_edge(first + k)) parts.places[first + k] = on_edge(ends[k], numbers.edges[first + k]);
+          const std::size_t first = i * some;
+          cross_edges(
+              m_, u_, level_, std::min(some, n - first), [&](std::size_t k) { return numbers.is_edge(first + k); },
+              [&](std::size_t k) { return numbers.edges[first + k]; }, [&](std::size_t k, const mesh_point<M>& x) { parts.places[first + k] = x; });
         },
-        32);
+        1);
   }
 
   void add_origins(const mesh_point<M>& x, element_origins& to) const {
     const edge_point<M>& on_edge = std::get<edge_point<M>>(x.element);
     const auto ends = end_verts(m_, on_edge.edge);
     to.add({{static_cast<std::uint32_t>(index_of(m_, ends.first)), 1 - on_edge.parameter}, {static_cast<std::uint32_t>(index_of(m_, ends.second)), on_edge.parameter}});
-  }
-
-  void read_ends(crossed_edge& c) const {
-    c.a = static_cast<double>(u_[c.ends.first]), c.b = static_cast<double>(u_[c.ends.second]);
-    c.x = to_vec3(point(m_, c.ends.first)), c.y = to_vec3(point(m_, c.ends.second));
-  }
-  mesh_point<M> on_edge(const crossed_edge& c, const edge_t<M>& e) const {
-    const bool rises = c.a < level_;
-    const double t = rises ? crossing_parameter(c.a, c.b, level_) : crossing_parameter(c.b, c.a, level_);
-    return {edge_point<M>{e, rises ? t : 1 - t}, rises ? crossing_point(c.x, c.y, t) : crossing_point(c.y, c.x, t)};
   }
 };
 

@@ -3,6 +3,7 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/level_sets/detail/chord_places.hpp>
+#include <concino/level_sets/detail/level_lines.hpp>
 #include <concino/level_sets/detail/level_place.hpp>
 #include <concino/level_sets/detail/opposite_steps.hpp>
 #include <concino/level_sets/detail/poly_cuts.hpp>
@@ -12,13 +13,6 @@
 #include <vector>
 
 namespace concino::detail {
-
-/// Lines, one after another. Line i has the places from ends[i - 1] to ends[i].
-struct level_lines {
-  std::vector<level_place> places;
-  std::vector<std::size_t> ends;
-  std::vector<unsigned char> closed;
-};
 
 /// The level set consists of curves: the chords that cut polys, and edges on the level set between a part below and a part above. Steps of curves that are
 /// taken in both directions have nothing above between them and cancel; what is left of a curve are its pieces.
@@ -42,13 +36,14 @@ class line_pieces {
   std::vector<piece_range> of_edges_;        // by corner; empty if no edge is a curve
   std::vector<opposite_step> cancelled_;
   std::vector<std::uint32_t> piece_before_;  // by step of cancelled_: the piece that ends there; the next one begins behind it
-  std::vector<unsigned char> is_joined_;
 
  public:
   explicit line_pieces(const poly_cuts& cuts);
 
   /// Joins the pieces: in the order of their first polys, with larger values to the left of the first piece.
-  level_lines join();
+  level_lines join() const {
+    return join_pieces(pieces_, [this](level_lines& lines, std::uint32_t i, bool forward) { append(lines, i, forward); });
+  }
 
  private:
   bool is_chord(std::uint32_t curve) const { return curve < cuts_.chords().size(); }
@@ -67,8 +62,6 @@ class line_pieces {
   std::uint32_t edge_beside(std::uint32_t corner, std::uint32_t vert) const;
 
   void append(level_lines& lines, std::uint32_t piece, bool forward) const;
-  void add_place(level_lines& lines, const level_place& x) const;
-  void end_line(level_lines& lines, bool closed) const;
 };
 
 }  // namespace concino::detail

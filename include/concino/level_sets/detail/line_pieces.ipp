@@ -116,61 +116,9 @@ CONCINO_INLINE std::uint32_t line_pieces::rotate(std::uint32_t corner, std::uint
   return none;
 }
 
-CONCINO_INLINE level_lines line_pieces::join() {
-  level_lines lines;
-  is_joined_.assign(pieces_.size(), 0);
-  for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
-    if (is_joined_[i]) continue;
-    std::uint32_t start = 2 * i;  // an end of a piece: the line starts there
-    bool closed = false;
-    for (std::uint32_t before = pieces_[i].link[0]; before != none; before = pieces_[start / 2].link[start % 2]) {
-      start = before ^ 1u;
-      closed = before / 2 == i;
-      if (closed) break;
-    }
-    if (closed) start = 2 * i;
-    for (std::uint32_t at = start;;) {
-      append(lines, at / 2, at % 2 == 0);
-      is_joined_[at / 2] = 1;
-      const std::uint32_t after = pieces_[at / 2].link[at % 2 == 0 ? 1 : 0];
-      if (after == none || after == start) break;
-      at = after;
-    }
-    end_line(lines, closed);
-  }
-  return lines;
-}
-
-/// Adds a place unless the line is there already; a line that returns at once to the place before loses both steps.
-CONCINO_INLINE void line_pieces::add_place(level_lines& lines, const level_place& x) const {
-  const std::size_t first = lines.ends.empty() ? 0 : lines.ends.back(), n = lines.places.size() - first;
-  if (n > 0 && lines.places.back() == x) return;
-  if (n > 1 && lines.places[lines.places.size() - 2] == x) lines.places.pop_back();
-  else lines.places.push_back(x);
-}
-
 CONCINO_INLINE void line_pieces::append(level_lines& lines, std::uint32_t i, bool forward) const {
   const piece& x = pieces_[i];
-  for (std::uint32_t k = x.first; k <= x.last; ++k) add_place(lines, place(x.curve, forward ? k : x.first + x.last - k));
-}
-
-/// Ends the current line. One that has become a point or, if closed, a segment and back, has no size and is removed.
-CONCINO_INLINE void line_pieces::end_line(level_lines& lines, bool closed) const {
-  std::size_t first = lines.ends.empty() ? 0 : lines.ends.back(), last = lines.places.size();
-  const auto& x = lines.places;
-  if (closed) {
-    if (last - first > 1 && x[first] == x[last - 1]) --last;
-    while (last - first > 2 && x[first + 1] == x[last - 1]) ++first, --last;
-  }
-  if (last - first < (closed ? 3u : 2u)) {
-    lines.places.resize(lines.ends.empty() ? 0 : lines.ends.back());
-    return;
-  }
-  const std::size_t begin = lines.ends.empty() ? 0 : lines.ends.back();
-  lines.places.resize(last);
-  lines.places.erase(lines.places.begin() + static_cast<std::ptrdiff_t>(begin), lines.places.begin() + static_cast<std::ptrdiff_t>(first));
-  lines.ends.push_back(lines.places.size());
-  lines.closed.push_back(closed);
+  for (std::uint32_t k = x.first; k <= x.last; ++k) lines.add_place(place(x.curve, forward ? k : x.first + x.last - k));
 }
 
 }  // namespace concino::detail
