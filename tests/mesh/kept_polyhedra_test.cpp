@@ -112,6 +112,10 @@ void equals_constructed(std::mt19937& random, const lists& before, unsigned face
   CHECK(whole(made) == whole(expected));
   CHECK(x.kept.edges == equal_edges(m, x.kept, expected));
   for (const auto p : polys(made)) CHECK(made.tables().first_corner(p) == expected.tables().first_corner(p));
+  for (const auto p : polys(made)) {
+    std::size_t k = 0;
+    for (const auto f : adj_p2f(made, p)) CHECK((made.tables().outward_flags(p)[k++] != 0) == face_is_outward(expected, p, f));
+  }
   CHECK(made.tables().can_be_extended() == expected.tables().can_be_extended());
 }
 

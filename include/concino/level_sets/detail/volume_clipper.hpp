@@ -168,6 +168,17 @@ class volume_clipper {
     result_.from.faces = element_origins(std::move(origins));
   }
 
+  /// Calls use(f, whether f is outward) for each face of p.
+  template<class Use>
+  void for_each_face(const poly_t<M>& p, const Use& use) const {
+    if constexpr (has_polyhedra_tables<M>) {
+      const std::uint8_t* is_outward = traits<M>::tables(m_).outward_flags(p).begin();
+      for (const face_t<M> f : adj_p2f(m_, p)) use(f, *is_outward++ != 0);
+    } else {
+      for (const face_t<M> f : adj_p2f(m_, p)) use(f, face_is_outward(m_, p, f));
+    }
+  }
+
   void build_polys(const part_lists& parts) {
     const std::size_t num_polys = whole_.size() + cut_.size();
     core::reserve_exact(a_.poly_offsets, num_polys + 1), core::reserve_exact(a_.poly_faces, num_poly_faces_), core::reserve_exact(a_.outward, num_poly_faces_);
@@ -176,10 +187,10 @@ class volume_clipper {
     face_id* const faces_of = a_.poly_faces.data();
     unsigned char* const outward = a_.outward.data();
     for (const poly_t<M>& p : whole_) {
-      for (const face_t<M> f : adj_p2f(m_, p)) {
+      for_each_face(p, [&](const face_t<M>& f, bool is_outward) {
         faces_of[end] = face_id{face_number_[index_of(m_, f)]};
-        outward[end++] = face_is_outward(m_, p, f);
-      }
+        outward[end++] = is_outward;
+      });
       *next_end++ = end;
     }
     for (const std::uint32_t i : cut_) {

@@ -271,17 +271,17 @@ class basic_polyhedra_tables<Lists>::extension {
     links.index_facets();
     for (std::uint32_t p = 0; p < kept_.polys.size(); ++p)
       if (kept_.polys[p] != none) links.copy_links(kept_.polys[p], before_.facet_adjacency_.neighbours_of(poly_id{p}), kept_.polys.data());
-    std::vector<std::uint32_t> linked;
-    for (std::uint32_t p = kept_.num_polys; p < polys_.size(); ++p) {
-      linked.push_back(p);
+    std::vector<unsigned char> is_linked(kept_.num_polys, 0);
+    for (std::uint32_t p = kept_.num_polys; p < polys_.size(); ++p)
       for (std::uint32_t k = 0; k < polys_.length(p); ++k) {
         const face_id f = polys_.begin(p)[k];
-        for (const poly_id q : links.polys_of(f)) linked.push_back(q.raw());
+        for (const poly_id q : links.polys_of(f))
+          if (q.raw() < kept_.num_polys) is_linked[q.raw()] = 1;
         links.link(p, k, f);
       }
-    }
-    std::sort(linked.begin(), linked.end());
-    linked.erase(std::unique(linked.begin(), linked.end()), linked.end());
+    std::vector<std::uint32_t> linked;
+    for (std::uint32_t p = 0; p < polys_.size(); ++p)
+      if (p >= kept_.num_polys || is_linked[p]) linked.push_back(p);
     links.finish(linked);
   }
 };
