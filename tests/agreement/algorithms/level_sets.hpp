@@ -1,12 +1,14 @@
-// Compares isolines, isosurface and split.
+// Compares isolines, isosurface, split, and the embedding of level sets in copies of meshes that can be edited.
 #pragma once
 
 #include <agreement/matched.hpp>
 
 #include <concino/geometry/measure.hpp>
 #include <concino/level_sets/clip.hpp>
+#include <concino/level_sets/embed.hpp>
 #include <concino/level_sets/isolines.hpp>
 #include <concino/level_sets/isosurface.hpp>
+#include <concino/validate/check_laws.hpp>
 
 #include <array>
 #include <optional>
@@ -158,6 +160,93 @@ struct clips {
     for (const auto p : polys(c.mesh)) parts.push_back({number[(*c.from.polys[p.raw()].begin()).index], c.above[p.raw()], measure(c.mesh, p)});
     std::sort(parts.begin(), parts.end(), [](const part& a, const part& b) { return std::tie(a.poly, a.above, a.size) < std::tie(b.poly, b.above, b.size); });
     return parts;
+  }
+};
+
+struct embeds {
+  static constexpr const char* name = "embed";
+  template<class M> static constexpr bool is_editable = EditableSurfaceMesh<M> || EditableVolumeMesh<M>;
+  template<class M> static constexpr bool runs_on = is_editable<M> && EmbeddedMesh<M> && std::is_copy_constructible_v<M> && requirement::has_room_for_parts<M>;
+
+  template<class B, class In>
+  static bool check(const B& both, const In&) {
+    using M = typename B::other_mesh;
+    auto here = both.native;
+    M there = both.other;
+    auto here_u = make_vert_map<double>(here);
+    auto there_u = make_vert_map<double>(there);
+    const auto [u, w] = levels_of(both);
+    for (const auto v : both.verts.all) {
+      here_u[v] = u[v];
+      there_u[both.verts.to(v)] = w[both.verts.to(v)];
+    }
+    const auto expected = unless_refused([&] { return embed(here, here_u); });
+    const auto found = unless_refused([&] { return embed(there, there_u); });
+    if (!found) {  // the library of M may have no room for the result; then nothing has changed
+      expect(num_polys(there) == num_polys(both.other) && num_verts(there) == num_verts(both.other), "a refused mesh stays as it was");
+      return false;
+    }
+    expect(expected.has_value(), "what the native mesh refuses is refused");
+    expect(expected->verts.size() == found->verts.size() && expected->moved_verts.size() == found->moved_verts.size(), "as many new and moved verts");
+    for (const auto& v : found->verts)
+      if (arity_v<M> > 0 || dimension_v<M> == 2) expect(there_u[v] == 1.0, "the new verts have the value");  // polyhedra get verts in the middle of faces, too
+    using number = std::remove_cvref_t<decltype(point(there, *verts(there).begin())[0])>;
+    expect(outlines<number>(here, expected->verts) == outlines<number>(there, found->verts), "the same points of new verts");
+    if constexpr (arity_v<M> == 0) expect(outlines<number>(here, polys(here)) == outlines<number>(there, polys(there)), "the same polys");
+    if constexpr (arity_v<M> == 0 || dimension_v<M> == 2)
+      expect(outlines<number>(here, cut_of(*expected)) == outlines<number>(there, cut_of(*found)), "the same edges or faces on the level set");
+    else expect_close(area_of(here, cut_of(*expected)), area_of(there, cut_of(*found)), area_of(here, cut_of(*expected)), "the area of the level set");
+    expect(check_laws(there).empty(), "the laws hold");
+    return true;
+  }
+
+ private:
+  using coordinates = std::array<double, 3>;
+
+  template<class M, class U>
+  static auto embed(M& m, U& u) {
+    if constexpr (dimension_v<M> == 3) return embed_isosurface(m, u, 1.0);
+    else return embed_isolines(m, u, 1.0);
+  }
+  template<class R>
+  static const auto& cut_of(const R& r) {
+    if constexpr (requires { r.faces; }) return r.faces;
+    else return r.edges;
+  }
+
+  template<class M, class R>
+  static double area_of(const M& m, const R& faces) {
+    double sum = 0;
+    for (const auto f : faces) sum += area(m, f);
+    return sum;
+  }
+
+  /// The points of each element, with the accuracy of Number, in an order that does not depend on the mesh.
+  template<class Number, class M, class R>
+  static std::vector<std::vector<coordinates>> outlines(const M& m, const R& elements) {
+    std::vector<std::vector<coordinates>> all;
+    for (const auto x : elements) {
+      std::vector<coordinates>& corners = all.emplace_back();
+      const auto add = [&](const auto& v) {
+        const vec3 p = to_vec3(point(m, v));
+        corners.push_back({double(Number(p.x)), double(Number(p.y)), double(Number(p.z))});
+      };
+      using element = std::remove_cvref_t<decltype(x)>;
+      if constexpr (std::is_same_v<element, vert_t<M>>) {
+        add(x);
+      } else if constexpr (std::is_same_v<element, poly_t<M>>) {
+        for (const auto v : adj_p2v(m, x)) add(v);
+      } else if constexpr (dimension_v<M> == 3) {
+        for (const auto v : adj_f2v(m, x)) add(v);
+      } else {
+        for (const auto v : adj_e2v(m, x)) add(v);
+      }
+      const auto first = std::min_element(corners.begin(), corners.end());
+      if (dimension_v<M> == 2 && corners.size() > 2) std::rotate(corners.begin(), first, corners.end());  // polys of surfaces have an orientation
+      else std::sort(corners.begin(), corners.end());
+    }
+    std::sort(all.begin(), all.end());
+    return all;
   }
 };
 
