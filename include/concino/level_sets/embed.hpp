@@ -51,6 +51,9 @@ template<class M> concept has_room_for_parts = arity_v<M> == 0 || arity_v<M> == 
 template<class U, class M>
 concept is_writable_number_map = !std::convertible_to<U, std::string_view> && gives_numbers<U, vert_t<M>> && WritableMap<U, vert_t<M>, double>;
 
+/// Neither such a map nor the name of a property.
+template<class U, class M> concept is_no_writable_number_map = !std::convertible_to<U, std::string_view> && !is_writable_number_map<U, M>;
+
 }  // namespace requirement
 
 namespace detail {
@@ -208,5 +211,11 @@ void embed_isolines(M&, ...) = delete;  // convert<polygonmesh>(m) has room for 
 template<EditableVolumeMesh M, class R = mistake::remedy<mistake::use_general_polys>>
   requires(!requirement::has_room_for_parts<M>)
 void embed_isosurface(M&, ...) = delete;  // convert<polyhedralmesh>(m) has room for the parts of hexes
+template<EditableSurfaceMesh M, class U, class R = mistake::remedy<mistake::give_writable_numbers_at_verts>>
+  requires(requirement::has_room_for_parts<M> && requirement::is_no_writable_number_map<U, M>)
+void embed_isolines(M&, U&&, ...) = delete;  // the name of a property, or a map that is not const: make_vert_map<double>(m)
+template<EditableVolumeMesh M, class U, class R = mistake::remedy<mistake::give_writable_numbers_at_verts>>
+  requires(requirement::has_room_for_parts<M> && requirement::is_no_writable_number_map<U, M>)
+void embed_isosurface(M&, U&&, ...) = delete;  // the name of a property, or a map that is not const: make_vert_map<double>(m)
 
 }  // namespace concino
