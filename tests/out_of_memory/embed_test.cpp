@@ -13,9 +13,9 @@
 
 namespace cn = concino;
 
-TEST_CASE_TEMPLATE("embedding that runs out of memory changes nothing", M, cn::trimesh, cn::polyhedralmesh) {
+TEST_CASE_TEMPLATE("embedding that runs out of memory changes nothing", M, cn::trimesh, cn::tetmesh, cn::polyhedralmesh) {
   M m = cn::make_grid<M>({.cells = {2, 1, 1}});
-  cn::testing::give_properties(m);
+  if (cn::arity_v<M> != 4) cn::testing::give_properties(m);  // thousands of allocations for the parts of tets
   const auto u = cn::vert_property<double>(m, "a");  // whole() lists its values
   for (const auto v : cn::verts(m)) u[v] = cn::point(m, v).x + 0.3 * cn::point(m, v).y;
   const std::size_t failed = cn::testing::all_or_nothing(m, [](M& x) {
