@@ -1,5 +1,6 @@
 #include <concino/level_sets/isosurface.hpp>
 
+#include <concino/convert/convert.hpp>
 #include <concino/core/error.hpp>
 #include <concino/geometry/normals.hpp>
 #include <concino/mesh/property.hpp>
@@ -276,4 +277,31 @@ TEST_CASE("isosurface: errors name the vert, the map, and a cell whose surface i
   CHECK_THROWS_AS((void)isosurface(ring, w, 0.5), unsupported);
   CHECK(message_of([&] { (void)isosurface(ring, w, 0.5); }).find("poly 0") != std::string::npos);
   CHECK(num_polys(isosurface(ring, w, -1.0).mesh) == 0);  // not cut
+}
+
+TEST_CASE_TEMPLATE("isosurface: a face of three polys does not hide that another face is on the boundary", M, hexmesh, polyhedralmesh) {
+  // The cell in the middle of the lower layer has six neighbours through five faces. Its lowest face is on the boundary, and not planar.
+  const auto grid = make_grid<hexmesh>({.cells = {3, 3, 2}});
+  cell_arrays arrays{{}, {}, 8};
+  for (const auto v : verts(grid)) arrays.points.push_back(point(grid, v));
+  for (const auto p : polys(grid))
+    for (const auto v : adj_p2v(grid, p)) arrays.verts.push_back(v);
+  const std::size_t above = 8 * (9 + 4);
+  for (std::size_t k = 0; k < 8; ++k) {
+    const vert_id v = arrays.verts[above + k];
+    if (arrays.points[v.raw()].z < 0.75) {
+      arrays.verts.push_back(v);
+    } else {
+      arrays.verts.push_back(vert_id(static_cast<std::uint32_t>(arrays.points.size())));
+      arrays.points.push_back(arrays.points[v.raw()] + vec3{0.05, 0.1, 0.4});
+    }
+  }
+  for (vec3& x : arrays.points)
+    if (norm(x - vec3{1.0 / 3, 1.0 / 3, 0}) < 0.01) x.z = 0.1;
+  const auto m = convert<M>(hexmesh(std::move(arrays)));
+  auto u = make_vert_map<double>(m);
+  for (const auto v : verts(m)) u[v] = point(m, v).z < 0.3 ? point(m, v).x : 1;
+  const auto s = isosurface(m, u, 0.45), expected = detail::collect_isosurface<polygonmesh>(m, u, {0.45}, false, "test");
+  CHECK(num_verts(s.mesh) == num_verts(expected.mesh));
+  CHECK(total_area(s.mesh) == doctest::Approx(total_area(expected.mesh)).epsilon(1e-12));
 }

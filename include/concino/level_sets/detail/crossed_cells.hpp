@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/end_verts.hpp>
+#include <concino/concepts/facets.hpp>
 #include <concino/core/vec3.hpp>
 #include <concino/level_sets/detail/level_states.hpp>
 
@@ -33,8 +34,7 @@ class crossed_cells {
   struct cell {
     std::uint32_t first_edge, last_edge, first_face, last_face, first_vert, num_verts;
     std::uint32_t first_point;  // of a hex that is inside
-    std::uint32_t num_neighbours;
-    bool is_inside;  // each face leads to another cell of its own, which is faster to see than the cells of each face
+    bool is_inside;  // each face has two cells
   };
 
   std::vector<cell> cells;
@@ -56,7 +56,7 @@ class crossed_cells {
     vert_names_.clear(), corner_names_.clear();
     for (const poly_t<M>& p : polys) first_read(m, p);
     if constexpr (!is_tet)
-      for (std::size_t i = 0; i < cells.size(); ++i) cells[i].num_neighbours = static_cast<std::uint32_t>(num_elements(adj_p2p(m, polys[i])));
+      for (std::size_t i = 0; i < cells.size(); ++i) cells[i].is_inside = each_face_has_two_polys(m, polys[i]);
     for (std::size_t i = 0; i < cells.size(); ++i) read_lists(m, polys[i], cells[i]);
     if constexpr (!is_tet) {
       read_faces(m, polys);
@@ -104,19 +104,15 @@ class crossed_cells {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       cell& c = cells[i];
       c.first_face = static_cast<std::uint32_t>(faces.size());
-      std::size_t n = 0;
-      if constexpr (is_hex) n = 6;
-      else n = add_faces(m, polys[i]);
-      c.is_inside = c.num_neighbours == n;
-      if constexpr (is_hex)
-        if (!c.is_inside) add_faces(m, polys[i]);
+      if (!is_hex || !c.is_inside)
+        for (const face_t<M> f : adj_p2f(m, polys[i])) faces.push_back({f, 0, 0, 0, 0, false});
       c.last_face = static_cast<std::uint32_t>(faces.size());
     }
   }
-  std::size_t add_faces(const M& m, const poly_t<M>& p) {
-    const std::size_t before = faces.size();
-    for (const face_t<M> f : adj_p2f(m, p)) faces.push_back({f, 0, 0, 0, 0, false});
-    return faces.size() - before;
+  static bool each_face_has_two_polys(const M& m, const poly_t<M>& p) {
+    for (const face_t<M> f : adj_p2f(m, p))
+      if (num_elements(other_polys(m, p, f)) != 1) return false;
+    return true;
   }
   void read_ends(const M& m) {
     for (edge& e : edges) {
