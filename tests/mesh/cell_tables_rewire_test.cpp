@@ -5,6 +5,7 @@
 #include <support/cavities.hpp>
 #include <support/cell_edges.hpp>
 #include <support/corpus.hpp>
+#include <support/simplex_edits.hpp>
 
 #include <doctest/doctest.h>
 
@@ -192,6 +193,35 @@ TEST_CASE("rewire: tets by one at an edge, and away again, in any order") {
     cn::testing::edges_are_right(m.tables());
     if (step % 10 == 0) cells_are_right(m);
   }
+}
+
+TEST_CASE("rewire: many faces at an edge that comes after their other edges") {
+  constexpr unsigned n = 40;  // more than are searched one by one
+  cn::tetmesh m(std::vector<cn::vec3>(n + 4), std::vector<std::vector<unsigned>>{});
+  owned_cavity c;
+  for (unsigned v = 0; v < n + 4; ++v) c.verts.push_back(cn::vert_id{v});
+  for (const unsigned end : {0u, 1u})
+    for (unsigned i = 4; i < n + 4; ++i) c.add_poly({end, i, 2, 3});
+  for (const unsigned last : {2u, 3u})  // each tet has a face with the edge 0-1 that another one has too
+    for (unsigned i = 4; i < n + 4; ++i) c.add_poly({0, 1, i, last});
+  rewires_as_told(m, c);
+  cells_are_right(m);
+  CHECK(cn::num_elements(cn::adj_e2f(m, cn::testing::edge_between_verts(m, 0, 1))) == n + 2);
+}
+
+TEST_CASE("rewire: quadrilaterals with the same verts in another order are other faces") {
+  cn::hexmesh m(std::vector<cn::vec3>(20), std::vector<std::vector<unsigned>>{});
+  owned_cavity c;
+  for (unsigned v = 0; v < 20; ++v) c.verts.push_back(cn::vert_id{v});
+  const std::vector<std::vector<unsigned>> quads = {{2, 0, 3, 1}, {2, 0, 1, 3}, {1, 3, 0, 2}, {0, 2, 3, 1}};  // the third is the first one, the fourth the second one
+  unsigned next = 4;
+  for (auto v : quads) {
+    for (unsigned i = 0; i < 4; ++i) v.push_back(next++);
+    c.add_poly(v);
+  }
+  rewires_as_told(m, c);
+  cells_are_right(m);
+  CHECK(cn::num_faces(m) == 4 * 6 - 2);
 }
 
 TEST_CASE_TEMPLATE("rewire: a cavity of cells with a mistake is refused, and nothing changes", M, cn::tetmesh, cn::hexmesh) {

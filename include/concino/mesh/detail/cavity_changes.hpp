@@ -20,16 +20,20 @@ struct vert_change {
 
 /// New edges or faces take the descriptors of old ones that are left over: first of those with which they share all verts but one, then of any.
 /// `fresh` are new to the mesh, `left_over` have no poly afterwards. It may run out of memory, so it comes before anything changes.
-template<class Elements>
-void pair_with_left_over(Elements& all, std::size_t fresh, std::size_t left_over) {
+/// share_all_but_one(x, y): whether these two share all verts but one.
+template<class Elements, class Compare>
+void pair_with_left_over(Elements& all, std::size_t fresh, std::size_t left_over, const Compare& share_all_but_one) {
   constexpr std::size_t most_pairs = 4096;  // more take too long to compare
   if (fresh == 0 || left_over == 0) return;
   using element = std::remove_reference_t<decltype(*all.begin())>;
   core::small_array<element*, 64> left;
   for (element& x : all)
     if (x.is_left_over()) left.push_back(&x);
-  const auto pair = [&left](element& x, std::size_t i) {
-    x.partner = left[i], left[i]->partner = &x;
+  const auto join = [&all](element* x, element* y) {
+    x->partner = static_cast<std::uint32_t>(y - all.begin()), y->partner = static_cast<std::uint32_t>(x - all.begin());
+  };
+  const auto pair = [&left, &join](element* x, std::size_t i) {
+    join(x, left[i]);
     std::copy(left.begin() + i + 1, left.end(), left.begin() + i);
     left.resize(left.size() - 1, nullptr);
   };
@@ -37,15 +41,19 @@ void pair_with_left_over(Elements& all, std::size_t fresh, std::size_t left_over
     for (element* x = all.begin(); x != all.end() && !left.empty(); ++x) {
       if (!x->id.is_none()) continue;
       std::size_t i = 0;
-      while (i < left.size() && !x->shares_all_but_one(*left[i])) ++i;
-      if (i < left.size()) pair(*x, i);
+      while (i < left.size() && !share_all_but_one(*x, *left[i])) ++i;
+      if (i < left.size()) pair(x, i);
     }
   std::size_t next = 0;
   for (element* x = all.begin(); x != all.end() && next < left.size(); ++x) {
-    if (!x->id.is_none() || x->partner) continue;
-    x->partner = left[next], left[next]->partner = x;
+    if (!x->id.is_none() || x->has_partner()) continue;
+    join(x, left[next]);
     ++next;
   }
+}
+template<class Elements>
+void pair_with_left_over(Elements& all, std::size_t fresh, std::size_t left_over) {
+  pair_with_left_over(all, fresh, left_over, [](const auto& x, const auto& y) { return x.shares_all_but_one(y); });
 }
 
 /// Allocates memory for the lists of the verts as they will be. Memory for removals too. `vert` gives the vert with a local number.
@@ -73,24 +81,24 @@ void change_edges(cavity_edges& all, alive_elements<edge_id>& edges, jagged_arra
   for (const cavity_edge& old : all) {
     if (!old.is_left_over()) continue;
     for (const unsigned v : {old.a, old.b}) {
-      const cavity_edge* const x = old.partner;
+      const cavity_edge* const x = old.has_partner() ? &all[old.partner] : nullptr;
       if (x && has(*x, v)) edges_at.set_other_end(vert(v), old.id, vert(x->a == v ? x->b : x->a));
       else edges_at.replace_by_last(vert(v), old.id);
     }
-    if (!old.partner) edges.remove(old.id);
+    if (!old.has_partner()) edges.remove(old.id);
   }
   for (cavity_edge& x : all) {
     if (!x.id.is_none()) continue;
     const vert_id a = vert(x.a), b = vert(x.b), two[] = {std::min(a, b), std::max(a, b)};
-    if (x.partner) {
-      x.id = x.partner->id;
+    if (x.has_partner()) {
+      x.id = all[x.partner].id;
       std::copy_n(two, 2, ends.begin(x.id.raw()));
     } else {
       x.id = edges.add();
       ends.add_row(two, two + 2);
     }
     for (const unsigned v : {x.a, x.b}) {
-      if (x.partner && has(*x.partner, v)) continue;
+      if (x.has_partner() && has(all[x.partner], v)) continue;
       edges_at.push(vert(v), v == x.a ? b : a, x.id);
     }
   }

@@ -15,8 +15,11 @@ struct cavity_edge {
   std::uint32_t old_polys = 0;   // of the cavity, at it
   std::uint32_t new_polys = 0;
   std::uint32_t num_polys = 0;   // of the mesh, at it before
-  cavity_edge* partner = nullptr;  // of a new edge, the old one whose descriptor it takes, and the other way round
+  std::uint32_t partner = ~0u;   // the number, of a new edge, of the old one whose descriptor it takes, and the other way round
 
+  std::uint32_t first_new = 0;   // the place of the edge in the first new poly, if new_polys > 0
+
+  bool has_partner() const { return partner != ~0u; }
   bool is_left_over() const { return !id.is_none() && new_polys == 0 && old_polys == num_polys; }
   bool shares_all_but_one(const cavity_edge& x) const { return a == x.a || a == x.b || b == x.a || b == x.b; }
 };

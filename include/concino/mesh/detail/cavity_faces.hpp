@@ -3,6 +3,7 @@
 
 #include <concino/concepts/descriptors.hpp>
 #include <concino/core/small_array.hpp>
+#include <concino/mesh/detail/met_faces.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -11,84 +12,57 @@ namespace concino::detail {
 
 template<unsigned N>
 struct cavity_face {
-  unsigned verts[N];       // local numbers in cyclic order: the smallest first, then the smaller of its neighbours
-  unsigned edges[N];       // numbers of its edges in the cavity
-  face_id id;              // none if the mesh does not have it yet
-  std::uint32_t old_polys;   // of the cavity, at it
-  std::uint32_t new_polys;
-  std::uint32_t num_polys;   // of the mesh, at it before
-  std::uint32_t new_uses[2];  // the first two of the new polys at it: number of the poly times faces per poly, plus the place of the face there
-  cavity_face* partner;    // of a new face, the old one whose descriptor it takes, and the other way round
+  std::uint32_t first_use;    // the first of the polys at it, old ones before new ones: the number of the poly times faces per poly, plus the place of the face there
+  face_id id;                 // none if the mesh does not have it yet
+  std::uint32_t old_polys = 0;  // of the cavity, at it
+  std::uint32_t new_polys = 0;
+  std::uint32_t num_polys = 0;  // of the mesh, at it before
+  std::uint32_t new_uses[2] = {};  // the first two of the new polys at it, numbered without old ones
+  std::uint32_t partner = ~0u;  // the number, of a new face, of the old one whose descriptor it takes, and the other way round
 
+  bool has_partner() const { return partner != ~0u; }
   bool is_left_over() const { return !id.is_none() && new_polys == 0 && old_polys == num_polys; }
-  bool shares_all_but_one(const cavity_face& x) const {
-    unsigned common = 0;
-    for (const unsigned v : verts)
-      for (const unsigned w : x.verts) common += v == w;
-    return common + 1 == N;
-  }
 };
 
+/// The faces of a cavity by the numbers of their edges and verts. The search starts at the edge with the largest number, which is the last one that was added:
+/// few faces are listed there, and they were used recently.
 template<unsigned N>
 class cavity_faces {
-  core::small_array<cavity_face<N>, 112> faces_;
-  core::small_array<std::uint32_t, 256> slots_;  // a hash table of the numbers of the faces plus 1
+  using met = met_faces<N, 80, 112>;
 
-  static void put_in_order(unsigned (&v)[N]) {
-    static_assert(N == 3 || N == 4);
-    if constexpr (N == 3) {
-      const unsigned least = std::min(std::min(v[0], v[1]), v[2]), most = std::max(std::max(v[0], v[1]), v[2]);  // no branch that is often predicted wrongly
-      v[1] = v[0] ^ v[1] ^ v[2] ^ least ^ most;
-      v[0] = least, v[2] = most;
-    } else {
-      if (std::min(v[2], v[3]) < std::min(v[0], v[1])) std::swap(v[0], v[2]), std::swap(v[1], v[3]);
-      if (v[1] < v[0]) std::swap(v[0], v[1]), std::swap(v[2], v[3]);
-      if (v[3] < v[1]) std::swap(v[1], v[3]);
-    }
-  }
-  static bool are_equal(const unsigned (&a)[N], const unsigned (&b)[N]) {  // std::equal reads several numbers at once, and waits until they are all written
-    bool are = true;
-    for (unsigned i = 0; i < N; ++i) are &= a[i] == b[i];
-    return are;
-  }
-  static std::size_t hash(const unsigned (&v)[N]) {
-    std::uint64_t x = 0;
-    for (const unsigned i : v) x = x << 12 ^ i;  // different for few verts
-    return static_cast<std::size_t>(x * 0x9e3779b97f4a7c15u >> 32);
-  }
+  core::small_array<cavity_face<N>, 112> faces_;
+  met met_;
 
  public:
-  /// Room for the faces of old and new polys that have `uses` faces in all.
-  explicit cavity_faces(std::size_t uses) {
-    std::size_t n = 32;
-    while (n < uses + uses / 4) n *= 2;
-    slots_.resize(n, 0);
-    faces_.reserve(uses / 2 + uses / 8);  // most faces are between two polys
+  /// Room for the faces of old and new polys that have `uses` faces in all, and for so many edges.
+  cavity_faces(std::size_t uses, std::size_t edges) {
+    const std::size_t n = uses / 2 + uses / 8;  // most faces are between two polys
+    faces_.reserve(n), met_.reserve(edges, n);
   }
 
-  /// Requests the memory where at() will look for a face.
-  void prefetch(unsigned (&v)[N]) const {
-    put_in_order(v);
-    __builtin_prefetch(&slots_[hash(v) & (slots_.size() - 1)], 1);
+  /// Makes the first n edges known.
+  void add_edges(std::size_t n) {
+    while (met_.num_edges() < n) met_.add_edge();
   }
-  /// Requests the face that at() will probably find, after prefetch() has requested where it looks.
-  void prefetch_found(unsigned (&v)[N]) const {
-    put_in_order(v);
-    const std::uint32_t plus_one = slots_[hash(v) & (slots_.size() - 1)];
-    __builtin_prefetch(faces_.begin() + (plus_one == 0 ? 0 : plus_one - 1), 1);
-  }
-
-  /// The face with these verts in cyclic order; it is added if it is new, without edges.
-  cavity_face<N>& at(unsigned (&v)[N]) {
-    put_in_order(v);
-    std::size_t i = hash(v) & (slots_.size() - 1);
-    for (; slots_[i] != 0; i = (i + 1) & (slots_.size() - 1))
-      if (are_equal(v, faces_[slots_[i] - 1].verts)) return faces_[slots_[i] - 1];
-    cavity_face<N> face{};
-    std::copy_n(v, N, face.verts);
-    faces_.push_back(face);
-    slots_[i] = static_cast<std::uint32_t>(faces_.size());
-    return faces_.back();
+  /// The number of the face with these verts in cyclic order, where edge i joins verts i and i + 1. It is added if it is new.
+  unsigned number(const unsigned (&v)[N], const unsigned (&edges)[N], std::uint32_t use) {
+    static_assert(N == 3 || N == 4);
+    typename met::face wanted;
+    unsigned last = edges[0];
+    if constexpr (N == 3) {
+      unsigned other = v[2];  // no branches, which would often be predicted wrongly
+      other = edges[1] > last ? v[0] : other, last = std::max(last, edges[1]);
+      other = edges[2] > last ? v[1] : other, last = std::max(last, edges[2]);
+      wanted.other[0] = other;
+    } else {
+      unsigned at = 0;
+      for (unsigned i = 1; i < N; ++i) at = edges[i] > last ? i : at, last = std::max(last, edges[i]);
+      const unsigned a = v[at], b = v[(at + 1) % N], after_b = v[(at + 2) % N], before_a = v[(at + 3) % N];
+      wanted.other[0] = a < b ? before_a : after_b, wanted.other[1] = a < b ? after_b : before_a;
+    }
+    const auto [number, is_new] = met_.find_or_add(last, wanted);
+    if (is_new) faces_.push_back({use, {}});
+    return number;
   }
 
   std::size_t size() const { return faces_.size(); }

@@ -7,13 +7,14 @@
 #include <concino/mesh/detail/cavity_input.hpp>
 #include <concino/mesh/detail/shapes.hpp>
 
+#include <array>
+
 namespace concino::detail {
 
 /// What changes among the polys around an edge. A fan is a sequence of polys in which each shares a face at the edge with the next.
 struct fan_change {
   std::uint32_t old_joints = 0;    // faces at the edge with two old polys
   std::uint32_t new_joints = 0;    // faces at the edge with two new polys and no others
-  std::uint32_t first_new = 0;     // the first new poly at the edge, times edges per poly, plus the place of the edge there
   bool has_others = false;         // whether a face at the edge has polys besides old ones
   bool starts_at_old = false;      // whether the walk around the edge starts at an old poly
   bool is_irregular = false;       // whether the polys may not be one fan before or after
@@ -32,18 +33,28 @@ class cell_cavity {
   core::small_array<fan_change, 80> fans;     // parallel to edges
   core::small_array<vert_change, 24> changes;  // of verts
   core::small_array<unsigned, 24 * Shape::verts> corners_of_old;
-  core::small_array<std::uint32_t, 16 * Shape::edges> edges_of_new;
+  core::small_array<std::uint32_t, 24 * Shape::edges> edges_of_polys;  // of the old polys, then of the new ones
   core::small_array<std::uint32_t, 16 * Shape::faces> faces_of_new;
   std::size_t fresh_edges = 0, left_over_edges = 0, fresh_faces = 0, left_over_faces = 0;  // those the mesh did not have, and those it loses
 
+  std::size_t num_old() const { return c.polys.size(); }
   std::size_t num_new() const { return c.ends.size(); }
   std::size_t num_added() const { return num_new() - c.kept; }
   const unsigned* corners(std::size_t k) const { return c.corners.begin() + k * Shape::verts; }
+  const std::uint32_t* edges_of_new(std::size_t k) const { return edges_of_polys.begin() + (num_old() + k) * Shape::edges; }
+  bool share_all_but_one(const face& x, const face& y) const {
+    const auto a = corners_of(x), b = corners_of(y);
+    unsigned common = 0;
+    for (const unsigned v : a)
+      for (const unsigned w : b) common += v == w;
+    return common + 1 == Shape::face_verts;
+  }
 
   template<class Tables>
   cell_cavity(const Tables& t, const native_cavity& cavity)
-      : c(cavity), verts(c.verts), edges(num_verts, Shape::edges * (c.polys.size() + c.ends.size())), faces(Shape::faces * (c.polys.size() + c.ends.size())),
-        changes(num_verts, vert_change{}), corners_of_old(Shape::verts * c.polys.size(), 0), edges_of_new(Shape::edges * c.ends.size(), 0),
+      : c(cavity), verts(c.verts), edges(num_verts, Shape::edges * (c.polys.size() + c.ends.size())),
+        faces(Shape::faces * (c.polys.size() + c.ends.size()), edges.capacity()), changes(num_verts, vert_change{}), corners_of_old(Shape::verts * c.polys.size(), 0),
+        edges_of_polys(Shape::edges * (c.polys.size() + c.ends.size()), 0),
         faces_of_new(Shape::faces * c.ends.size(), 0) {
     check_cavity(c, verts, t.verts(), t.polys(), Shape::verts);
     fans.reserve(edges.capacity());
@@ -56,6 +67,7 @@ class cell_cavity {
       prefetch(c.corners.begin(), k, num_new());
       find_new(t, k);
     }
+    fans.resize(edges.size(), {});
     compare_faces();
     compare_edges(t);
     for (unsigned v = num_old_verts - static_cast<unsigned>(c.removed); v < num_old_verts; ++v)
@@ -65,18 +77,28 @@ class cell_cavity {
  private:
   static constexpr const auto& shape = shape_v<Shape>;
 
-  /// Writes the numbers of the edges and faces of a poly with corners v.
-  void find(const unsigned* v, std::uint32_t* edges_of_poly, std::uint32_t* faces_of_poly) {
+  /// Writes the numbers of the edges and faces of poly k, counted with old ones, which has corners v.
+  void find(std::size_t k, const unsigned* v, std::uint32_t* edges_of_poly, std::uint32_t* faces_of_poly) {
     for (unsigned j = 0; j < Shape::edges; ++j) edges_of_poly[j] = edges.number(v[Shape::edge_vert[j][0]], v[Shape::edge_vert[j][1]]);
-    if (fans.size() < edges.size()) fans.resize(edges.size(), {});
-    for (unsigned k = 0; k < Shape::faces; ++k) {
-      unsigned w[Shape::face_verts];
-      for (unsigned i = 0; i < Shape::face_verts; ++i) w[i] = v[Shape::face_vert[k][i]];
-      face& x = faces.at(w);
-      if (x.old_polys + x.new_polys == 0)
-        for (unsigned i = 0; i < Shape::face_verts; ++i) x.edges[i] = edges_of_poly[shape.face_edge[k][i]];
-      faces_of_poly[k] = faces.number(x);
+    faces.add_edges(edges.size());
+    for (unsigned j = 0; j < Shape::faces; ++j) {
+      unsigned w[Shape::face_verts], e[Shape::face_verts];
+      for (unsigned i = 0; i < Shape::face_verts; ++i) w[i] = v[Shape::face_vert[j][i]], e[i] = edges_of_poly[shape.face_edge[j][i]];
+      faces_of_poly[j] = faces.number(w, e, static_cast<std::uint32_t>(k * Shape::faces + j));
     }
+  }
+  const unsigned* corners_of_poly(std::size_t k) const { return k < num_old() ? corners_of_old.begin() + k * Shape::verts : corners(k - num_old()); }
+  std::array<unsigned, Shape::face_verts> corners_of(const face& x) const {
+    const unsigned* const v = corners_of_poly(x.first_use / Shape::faces);
+    std::array<unsigned, Shape::face_verts> w;
+    for (unsigned i = 0; i < Shape::face_verts; ++i) w[i] = v[Shape::face_vert[x.first_use % Shape::faces][i]];
+    return w;
+  }
+  std::array<std::uint32_t, Shape::face_verts> edges_of(const face& x) const {
+    const std::uint32_t* const all = edges_of_polys.begin() + x.first_use / Shape::faces * Shape::edges;
+    std::array<std::uint32_t, Shape::face_verts> e;
+    for (unsigned i = 0; i < Shape::face_verts; ++i) e[i] = all[shape.face_edge[x.first_use % Shape::faces][i]];
+    return e;
   }
 
   template<class Tables>
@@ -95,17 +117,16 @@ class cell_cavity {
   void find_old(const Tables& t, std::size_t k) {
     const poly_id p = c.polys[k];
     const unsigned* const v = corners_of_old.begin() + k * Shape::verts;
-    std::uint32_t edges_of_old[Shape::edges], faces_of_old[Shape::faces];
-    find(v, edges_of_old, faces_of_old);
+    std::uint32_t* const edges_of_old = edges_of_polys.begin() + k * Shape::edges;
+    std::uint32_t faces_of_old[Shape::faces];
+    find(k, v, edges_of_old, faces_of_old);
+    fans.resize(edges.size(), {});
     const edge_id* const e = t.adj_p2e(p).begin();
     const face_id* const f = t.adj_p2f(p).begin();
     for (unsigned j = 0; j < Shape::edges; ++j) {
       cavity_edge& x = edges[edges_of_old[j]];
       fan_change& fan = fans[edges_of_old[j]];
-      if (x.old_polys++ == 0) {
-        x.id = e[j];
-        fan.is_irregular = t.is_non_manifold(x.id);
-      }
+      if (x.old_polys++ == 0) x.id = e[j];
       fan.starts_at_old |= t.first_poly(x.id) == p;
     }
     for (unsigned j = 0; j < Shape::faces; ++j) {
@@ -126,40 +147,25 @@ class cell_cavity {
   void prefetch_slots(const unsigned* v) const {
     if (num_verts > cavity_edges::largest_matrix)
       for (const auto& e : Shape::edge_vert) edges.prefetch(v[e[0]], v[e[1]]);
-    for (const auto& f : Shape::face_vert) {
-      unsigned w[Shape::face_verts];
-      for (unsigned i = 0; i < Shape::face_verts; ++i) w[i] = v[f[i]];
-      faces.prefetch(w);
-    }
   }
   void prefetch_found(const unsigned* v) const {
     if (num_verts > cavity_edges::largest_matrix)
-      for (const auto& e : Shape::edge_vert) {
-        const unsigned i = edges.guess(v[e[0]], v[e[1]]);
-        __builtin_prefetch(edges.begin() + i, 1), __builtin_prefetch(fans.begin() + i, 1);
-      }
-    for (const auto& f : Shape::face_vert) {
-      unsigned w[Shape::face_verts];
-      for (unsigned i = 0; i < Shape::face_verts; ++i) w[i] = v[f[i]];
-      faces.prefetch_found(w);
-    }
+      for (const auto& e : Shape::edge_vert) __builtin_prefetch(edges.begin() + edges.guess(v[e[0]], v[e[1]]), 1);
   }
 
   template<class Tables>
   void find_new(const Tables& t, std::size_t k) {
     const unsigned* const v = corners(k);
-    std::uint32_t* const edges_of_poly = edges_of_new.begin() + k * Shape::edges;
+    std::uint32_t* const edges_of_poly = edges_of_polys.begin() + (num_old() + k) * Shape::edges;
     std::uint32_t* const faces_of_poly = faces_of_new.begin() + k * Shape::faces;
     for (unsigned i = 0; i < Shape::verts; ++i) ++changes[v[i]].polys_after;
-    find(v, edges_of_poly, faces_of_poly);
+    find(num_old() + k, v, edges_of_poly, faces_of_poly);
     for (unsigned j = 0; j < Shape::edges; ++j) {
-      const std::uint32_t n = edges_of_poly[j];
-      cavity_edge& x = edges[n];
+      cavity_edge& x = edges[edges_of_poly[j]];
       if (x.new_polys++ > 0) continue;
-      fans[n].first_new = static_cast<std::uint32_t>(k * Shape::edges + j);
+      x.first_new = static_cast<std::uint32_t>(k * Shape::edges + j);
       if (!x.id.is_none() || x.b >= num_old_verts) continue;
       x.id = t.incident_edges_.edge_between(verts[x.a], verts[x.b]);
-      fans[n].is_irregular = !x.id.is_none();
     }
     for (unsigned j = 0; j < Shape::faces; ++j) {
       face& x = faces[faces_of_poly[j]];
@@ -170,7 +176,7 @@ class cell_cavity {
   /// Finds face x, which is face j of a new poly with corners v, among those of other polys. The mesh can only have it if it has all its edges.
   template<class Tables>
   void look_for(const Tables& t, face& x, const unsigned* v, unsigned j) {
-    for (const unsigned e : x.edges)
+    for (const std::uint32_t e : edges_of(x))
       if (edges[e].id.is_none()) return;
     vert_id all[Shape::verts];
     for (unsigned i = 0; i < Shape::verts; ++i) all[i] = v[i] < num_old_verts ? verts[v[i]] : vert_id{};
@@ -185,7 +191,7 @@ class cell_cavity {
       left_over_faces += x.is_left_over();
       const std::uint32_t others = x.num_polys - x.old_polys;
       const bool is_irregular = others == 0 ? x.old_polys > 2 || x.new_polys > 2 : others > 1 || x.old_polys != 1 || x.new_polys != 1;
-      for (const unsigned e : x.edges) {
+      for (const std::uint32_t e : edges_of(x)) {
         fan_change& fan = fans[e];
         fan.is_irregular |= is_irregular;
         fan.has_others |= others > 0;
@@ -211,16 +217,16 @@ class cell_cavity {
 
   /// Whether the new polys at edge e are connected by faces at e.
   bool is_connected(unsigned e) const {
-    const std::uint32_t n = edges[e].new_polys;
+    const std::uint32_t n = edges[e].new_polys, first = edges[e].first_new;
     const fan_change& fan = fans[e];
     if (fan.new_joints + 1 < n) return false;
     if (n <= (fan.new_joints < n ? shortest_ring_ : 2 * shortest_ring_ - 1)) return true;  // too few for a ring and others
     std::uint32_t met = 1;
     for (const unsigned side : {0u, 1u}) {
-      std::uint32_t use = fan.first_new / Shape::edges * Shape::faces + shape.edge_face[fan.first_new % Shape::edges][side];
+      std::uint32_t use = first / Shape::edges * Shape::faces + shape.edge_face[first % Shape::edges][side];
       while ((use = mates_[use]) != no_mate) {
         const std::uint32_t k = use / Shape::faces;
-        if (k == fan.first_new / Shape::edges) return met == n;
+        if (k == first / Shape::edges) return met == n;
         ++met;
         use = k * Shape::faces + other_face_at(e, k, use % Shape::faces);
       }
@@ -229,7 +235,7 @@ class cell_cavity {
   }
   /// The other face of new poly k at edge e.
   std::uint32_t other_face_at(unsigned e, std::uint32_t k, std::uint32_t j) const {
-    const std::uint32_t* const at = edges_of_new.begin() + k * Shape::edges;
+    const std::uint32_t* const at = edges_of_new(k);
     unsigned i = 0;
     for (unsigned l = 1; l < Shape::edges; ++l) i = at[l] == e ? l : i;  // no branch, which would often be predicted wrongly
     const std::uint8_t* const two = shape.edge_face[i];
@@ -245,9 +251,10 @@ class cell_cavity {
         ++fresh_edges, ++changes[x.a].edges_gained, ++changes[x.b].edges_gained;
       } else {
         x.num_polys = x.old_polys + fan.has_others;
-        if (t.is_non_manifold(x.id)) x.num_polys = static_cast<std::uint32_t>(t.poly_list(x.id).size());
+        const bool is_non_manifold = t.is_non_manifold(x.id);
+        if (is_non_manifold) x.num_polys = static_cast<std::uint32_t>(t.poly_list(x.id).size());
         else if (x.old_polys == 0) x.num_polys = 1;
-        fan.is_irregular |= x.old_polys > fan.old_joints + 1;
+        fan.is_irregular |= is_non_manifold || x.old_polys == 0 || x.old_polys > fan.old_joints + 1;
         if (x.is_left_over()) ++left_over_edges, ++changes[x.a].edges_lost, ++changes[x.b].edges_lost;
       }
       fan.is_irregular |= x.new_polys > 0 && !is_connected(edges.number(x));

@@ -60,7 +60,7 @@ void cell_tables<Shape, Lists>::rewiring::save(detail::edit_log& log) const {
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::rewiring::reserve(function_ref<void(const detail::index_bounds&)> grow) {
   detail::pair_with_left_over(x_.edges, x_.fresh_edges, x_.left_over_edges);
-  detail::pair_with_left_over(x_.faces, x_.fresh_faces, x_.left_over_faces);
+  detail::pair_with_left_over(x_.faces, x_.fresh_faces, x_.left_over_faces, [this](const face& x, const face& y) { return x_.share_all_but_one(x, y); });
   const std::size_t more_edges = x_.fresh_edges - std::min(x_.fresh_edges, x_.left_over_edges);
   const std::size_t more_faces = x_.fresh_faces - std::min(x_.fresh_faces, x_.left_over_faces);
   detail::reserve_lists_of_verts(t_.incident_edges_, t_.v2p_, x_.changes, x_.num_old_verts, [this](unsigned v) { return vert(v); });
@@ -144,10 +144,10 @@ void cell_tables<Shape, Lists>::rewiring::change_polys_of_verts() {
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::rewiring::change_faces() {
   for (face& x : x_.faces) {
-    if (x.is_left_over() && !x.partner) t_.faces_.remove(x.id);
+    if (x.is_left_over() && !x.has_partner()) t_.faces_.remove(x.id);
     if (!x.id.is_none()) continue;
-    if (x.partner) {
-      x.id = x.partner->id;
+    if (x.has_partner()) {
+      x.id = x_.faces[x.partner].id;
     } else {
       x.id = t_.faces_.add();
       t_.facet_adjacency_.add_facet();
@@ -167,7 +167,7 @@ void cell_tables<Shape, Lists>::rewiring::replace_polys() {
       t_.facet_adjacency_.add_poly(Shape::faces);
     }
     for (unsigned i = 0; i < Shape::verts; ++i) t_.p2v_.begin(p.raw())[i] = vert(x_.corners(k)[i]);
-    for (unsigned j = 0; j < Shape::edges; ++j) t_.p2e_.begin(p.raw())[j] = x_.edges[x_.edges_of_new[k * Shape::edges + j]].id;
+    for (unsigned j = 0; j < Shape::edges; ++j) t_.p2e_.begin(p.raw())[j] = x_.edges[x_.edges_of_new(k)[j]].id;
     for (unsigned j = 0; j < Shape::faces; ++j) t_.facet_adjacency_.attach(p, j, x_.faces[x_.faces_of_new[k * Shape::faces + j]].id);
   }
 }
@@ -179,7 +179,7 @@ void cell_tables<Shape, Lists>::rewiring::change_fans() {
     const detail::fan_change& fan = x_.fans[x_.edges.number(x)];
     if (x.num_polys - x.old_polys + x.new_polys == 0) continue;
     const bool is_fresh = x.num_polys == 0;
-    if (is_fresh || (!fan.is_irregular && fan.starts_at_old)) t_.e2p_[x.id.raw()] = new_poly(fan.first_new / Shape::edges).raw();
+    if (is_fresh || (!fan.is_irregular && fan.starts_at_old)) t_.e2p_[x.id.raw()] = new_poly(x.first_new / Shape::edges).raw();
     if (fan.is_irregular) t_.update_fan(x.id, t_.count_polys(x.id));
   }
 }

@@ -1,6 +1,8 @@
 // met_faces: the faces at one vert of a mesh of tets or hexes, found by their other verts while the tables are built.
 #pragma once
 
+#include <concino/core/small_array.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -11,8 +13,8 @@
 namespace concino::detail {
 
 /// Faces of FaceVerts verts at their smallest vert a. They are listed at the edge from a to the smaller neighbour of a in the face; edges are numbered
-/// in the order of add_edge().
-template<unsigned FaceVerts>
+/// in the order of add_edge(). FewEdges and FewFaces: up to so many need no allocation.
+template<unsigned FaceVerts, std::size_t FewEdges = 1, std::size_t FewFaces = 1>
 class met_faces {
  public:
   /// The verts of a face, except a and the smaller neighbour of a, and the next face at the same edge.
@@ -26,6 +28,8 @@ class met_faces {
   };
 
  private:
+  using face_list = core::small_array<face, FewFaces>;
+
   static constexpr std::uint32_t longest_list = 24;  // of faces at an edge that are searched one by one
 
   /// A hash table of the faces beyond `longest_list` per edge, so that the number of faces at an edge does not matter.
@@ -46,7 +50,7 @@ class met_faces {
       x ^= x >> 32;
       return static_cast<std::size_t>(x);
     }
-    std::size_t find_slot(std::uint32_t edge, const face& wanted, const std::vector<face>& all) const {
+    std::size_t find_slot(std::uint32_t edge, const face& wanted, const face_list& all) const {
       std::size_t i = hash(edge, wanted) & (slots_.size() - 1);
       while (slots_[i].face != ~0u && !(slots_[i].edge == edge && have_equal_verts(wanted, all[slots_[i].face]))) i = (i + 1) & (slots_.size() - 1);
       return i;
@@ -57,22 +61,22 @@ class met_faces {
       slots_.clear();
       used_ = 0;
     }
-    std::uint32_t find(std::uint32_t edge, const face& wanted, const std::vector<face>& all) const {
+    std::uint32_t find(std::uint32_t edge, const face& wanted, const face_list& all) const {
       return slots_.empty() ? ~0u : slots_[find_slot(edge, wanted, all)].face;
     }
     /// Adds the last face of `all`, which find() does not find.
-    void add(std::uint32_t edge, const std::vector<face>& all) {
+    void add(std::uint32_t edge, const face_list& all) {
       if (2 * ++used_ > slots_.size()) {
         const std::vector<slot> old = std::exchange(slots_, std::vector<slot>(std::max<std::size_t>(64, 2 * slots_.size())));
         for (const slot& s : old)
           if (s.face != ~0u) slots_[find_slot(s.edge, all[s.face], all)] = s;
       }
-      slots_[find_slot(edge, all.back(), all)] = {edge, static_cast<std::uint32_t>(all.size() - 1)};
+      slots_[find_slot(edge, all[all.size() - 1], all)] = {edge, static_cast<std::uint32_t>(all.size() - 1)};
     }
   };
 
-  std::vector<std::uint32_t> first_at_;  // per edge: its first face
-  std::vector<face> faces_;
+  core::small_array<std::uint32_t, FewEdges> first_at_;  // per edge: its first face
+  face_list faces_;
   further_faces further_;
 
   static bool have_equal_verts(const face& a, const face& b) { return std::equal(a.other, std::end(a.other), b.other); }
@@ -83,6 +87,9 @@ class met_faces {
     faces_.clear();
     further_.clear();
   }
+  /// Makes room for so many edges and faces.
+  void reserve(std::size_t edges, std::size_t faces) { first_at_.reserve(edges), faces_.reserve(faces); }
+  std::size_t num_edges() const { return first_at_.size(); }
   void add_edge() { first_at_.push_back(~0u); }
 
   /// The face with the verts of `wanted` at an edge, which is added if it was not met before.

@@ -16,8 +16,9 @@ struct polyhedra_cavity_face {
   std::uint32_t num_polys = 0;  // of the mesh, at it before
   std::uint32_t last_poly = ~0u;       // the last new poly that has it
   const unsigned* corners = nullptr;  // set when all faces are known
-  polyhedra_cavity_face* partner = nullptr;  // of a new face, the old one whose descriptor it takes, and the other way round
+  std::uint32_t partner = ~0u;         // the number, of a new face, of the old one whose descriptor it takes, and the other way round
 
+  bool has_partner() const { return partner != ~0u; }
   bool is_left_over() const { return !id.is_none() && new_polys == 0 && old_polys > 0 && old_polys == num_polys; }
   bool shares_all_but_one(const polyhedra_cavity_face& x) const {
     if (size > longest_compared || x.size > longest_compared) return false;

@@ -84,11 +84,11 @@ void basic_polyhedra_tables<Lists>::rewiring::reserve_faces_of_edges() {
   t_.e2f_.make_editable();
   for (const detail::cavity_edge& x : x_.edges) {
     const bool is_fresh = x.id.is_none();
-    if (is_fresh && !x.partner) {
+    if (is_fresh && !x.has_partner()) {
       values += std::max<std::size_t>(x.new_polys, faces_of_new_edge);
       continue;
     }
-    const edge_id e = is_fresh ? x.partner->id : x.id;
+    const edge_id e = is_fresh ? x_.edges[x.partner].id : x.id;
     const std::uint32_t lost = is_fresh ? t_.e2f_.length(e.raw()) : x.old_polys;
     if (x.new_polys > lost) t_.e2f_.reserve_in_row(e.raw(), x.new_polys - lost);
   }
@@ -99,7 +99,7 @@ template<class Lists>
 void basic_polyhedra_tables<Lists>::rewiring::reserve_faces() {
   std::size_t values = 0, lists = 0, listed = 0;
   for (const face& x : x_.faces) {
-    if (x.id.is_none()) values += x.partner ? t_.f2v_.growth_of_row(x.partner->id.raw(), x.size) : x.size;
+    if (x.id.is_none()) values += x.has_partner() ? t_.f2v_.growth_of_row(x_.faces[x.partner].id.raw(), x.size) : x.size;
     if (x.num_polys > 2 && x.old_polys > 0)
       for (const poly_id p : t_.adj_f2p(x.id)) of_lists_.push_back(p);
     if (x.num_polys - x.old_polys + x.new_polys > 2) ++lists, listed += x.num_polys + x.new_polys;
@@ -167,7 +167,7 @@ void basic_polyhedra_tables<Lists>::rewiring::remove_faces() {
   for (const face& x : x_.faces) {
     if (!x.is_left_over()) continue;
     x_.for_each_edge(x, [&](const detail::cavity_edge& e) { t_.e2f_.remove(e.id.raw(), x.id); });
-    if (!x.partner) t_.faces_.remove(x.id);
+    if (!x.has_partner()) t_.faces_.remove(x.id);
   }
 }
 
@@ -175,8 +175,8 @@ template<class Lists>
 void basic_polyhedra_tables<Lists>::rewiring::add_faces() {
   for (face& x : x_.faces) {
     if (!x.id.is_none()) continue;
-    if (x.partner) {
-      x.id = x.partner->id;
+    if (x.has_partner()) {
+      x.id = x_.faces[x.partner].id;
       t_.f2v_.resize_row(x.id.raw(), x.size);
     } else {
       x.id = t_.faces_.add();
