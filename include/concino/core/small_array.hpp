@@ -1,7 +1,7 @@
 // small_array: an array that needs no allocation while it is small, for lists of a few elements that are made often.
 #pragma once
 
-#include <concino/core/flat_array.hpp>
+#include <concino/core/temporary_array.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -15,17 +15,17 @@ class small_array {
   static_assert(std::is_trivially_copyable_v<T>);
 
   alignas(T) std::byte inside_[N * sizeof(T)];  // no values are constructed before they are needed
-  flat_array<T> outside_;                       // empty, or all values
+  temporary_array<T> outside_;                  // empty, or all values
   T* data_ = reinterpret_cast<T*>(inside_);
   std::size_t size_ = 0, capacity_ = N;
 
   void grow(std::size_t n) {
     n = std::max(n, 2 * capacity_);
-    flat_array<T> more(whole_pages(n * sizeof(T), n * sizeof(T) / 3) / sizeof(T));
+    temporary_array<T> more(n);
     std::copy_n(data_, size_, more.data());
     outside_.swap(more);
     data_ = outside_.data();
-    capacity_ = outside_.size();
+    capacity_ = outside_.capacity();
   }
 
  public:
