@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
+#include <concino/level_sets/detail/announced_numbers.hpp>
 #include <concino/level_sets/detail/level_states.hpp>
 #include <concino/level_sets/detail/tet_cutter.hpp>
 #include <concino/mesh/element_origins.hpp>
@@ -22,7 +23,14 @@ class crossed_tet_reader {
     std::uint32_t opposite;  // the vert of that tet that is not a corner
   };
 
-  core::local_numbers vert_numbers_, face_numbers_;
+  struct read_face {
+    face_t<M> face;
+    vert_t<M> verts[3];
+    bool is_outward;
+  };
+  static constexpr std::size_t batch = 16;  // tets that are read at once
+
+  announced_numbers vert_numbers_, face_numbers_;
   std::vector<known_face> faces_;
   double level_;
 
@@ -40,16 +48,30 @@ class crossed_tet_reader {
   /// `crossed`: the polys that the level set crosses. `states`: of all verts, by index.
   template<class U>
   crossed_tet_reader(const M& m, const U& u, double level, const state_array& states, const std::vector<poly_t<M>>& crossed)
-      : level_(level), polys(crossed) {
-    std::vector<std::uint32_t> on_level_or_below;
-    for (std::uint32_t p = 0; p < polys.size(); ++p)
-      if (!(joint_states(m, states, adj_p2v(m, polys[p])) & above_level)) on_level_or_below.push_back(p);
-    reserve(polys.size() - on_level_or_below.size());
-    auto next = on_level_or_below.begin();
-    for (std::uint32_t p = 0; p < polys.size() && can_cut; ++p) {
-      if (next == on_level_or_below.end() || *next != p) add_tet(m, u, states, p);
-      else ++next;
+      : vert_numbers_(vert_index_bound(m)), face_numbers_(face_index_bound(m)), level_(level), polys(crossed) {
+    std::vector<std::uint32_t> cut, on_level_or_below;
+    cut.reserve(polys.size());
+    for (std::uint32_t p = 0; p < polys.size(); ++p) {
+      unsigned char joint = 0;
+      for (const vert_t<M> v : adj_p2v(m, polys[p])) {
+        const std::size_t index = index_of(m, v);
+        joint |= states[index];
+        vert_numbers_.announce(index);
+      }
+      (joint & above_level ? cut : on_level_or_below).push_back(p);
     }
+    reserve(cut.size());
+    std::vector<face_t<M>> faces;
+    faces.reserve(4 * cut.size());
+    for (const std::uint32_t p : cut)
+      for (const face_t<M> f : adj_p2f(m, polys[p])) {
+        faces.push_back(f);
+        face_numbers_.announce(index_of(m, f));
+      }
+    vert_numbers_.count();
+    faces_.reserve(face_numbers_.count());
+    for (std::size_t i = 0; i < cut.size() && can_cut; i += batch)
+      add_tets(m, u, states, cut.data() + i, faces.data() + 4 * i, std::min(batch, cut.size() - i));
     if (!can_cut) return;
     const auto num_verts = static_cast<std::uint32_t>(verts.size());
     for (const std::uint32_t p : on_level_or_below) add_face_on_level(m, u, states, polys[p]);
@@ -65,8 +87,7 @@ class crossed_tet_reader {
  private:
   void reserve(std::size_t num_tets) {
     cutter.resize(num_tets);
-    vert_numbers_.reserve(num_tets), face_numbers_.reserve(3 * num_tets);
-    faces_.reserve(3 * num_tets), verts.reserve(num_tets);
+    verts.reserve(num_tets);
     arrays.points.reserve(num_tets), arrays.values.reserve(num_tets), arrays.vert_indices.reserve(num_tets);
   }
 
@@ -80,7 +101,7 @@ class crossed_tet_reader {
   template<class U>
   std::uint32_t number(const M& m, const U& u, const vert_t<M>& v) {
     const std::size_t index = index_of(m, v);
-    const std::uint32_t n = vert_numbers_.add(index);
+    const std::uint32_t n = vert_numbers_.add(index, verts.size());
     if (n < verts.size()) return n;
     verts.push_back(v);
     arrays.vert_indices.push_back(static_cast<std::uint32_t>(index));
@@ -89,15 +110,28 @@ class crossed_tet_reader {
     return n;
   }
 
+  /// Adds n tets, whose faces are given. Each loop reads one thing of all of them, so that the processor waits for the memory of several at once.
   template<class U>
-  void add_tet(const M& m, const U& u, const state_array& states, std::uint32_t p) {
+  void add_tets(const M& m, const U& u, const state_array& states, const std::uint32_t* numbers, const face_t<M>* faces, std::size_t n) {
+    read_face all[4 * batch];
+    for (std::size_t i = 0; i < 4 * n; ++i) {
+      all[i].face = faces[i];
+      vert_t<M>* to = all[i].verts;
+      for (const vert_t<M> v : adj_f2v(m, faces[i])) *to++ = v;
+    }
+    for (std::size_t i = 0; i < 4 * n; ++i) all[i].is_outward = face_is_outward(m, polys[numbers[i / 4]], faces[i]);
+    for (std::size_t i = 0; i < 4 * n; ++i) can_cut = can_cut && num_elements(adj_f2p(m, faces[i])) <= 2;
+    for (std::size_t i = 0; i < n && can_cut; ++i) add_tet(m, u, states, numbers[i], all + 4 * i);
+  }
+  template<class U>
+  void add_tet(const M& m, const U& u, const state_array& states, std::uint32_t p, const read_face* faces) {
     crossed_tet t;
     t.poly = p;
     std::size_t indices[4];
-    std::uint32_t num_verts = 0, k = 0;
-    for (const face_t<M> f : adj_p2f(m, polys[p])) {
-      std::uint32_t i = 0;
-      for (const vert_t<M> v : adj_f2v(m, f)) {
+    std::uint32_t num_verts = 0;
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const vert_t<M>& v = faces[k].verts[i];
         const std::size_t index = index_of(m, v);
         const auto at = static_cast<unsigned char>(std::find(indices, indices + num_verts, index) - indices);
         if (at == num_verts) {
@@ -106,12 +140,10 @@ class crossed_tet_reader {
           t.verts[at] = number(m, u, v);
           ++num_verts;
         }
-        t.corners[k][i++] = at;
+        t.corners[k][i] = at;
       }
-      t.is_outward[k] = face_is_outward(m, polys[p], f);
-      t.order[k] = static_cast<std::uint32_t>(index_of(m, f));  // until find_order()
-      if (num_elements(adj_f2p(m, f)) > 2) can_cut = false;
-      ++k;
+      t.is_outward[k] = faces[k].is_outward;
+      t.order[k] = static_cast<std::uint32_t>(index_of(m, faces[k].face));  // until find_order()
     }
     find_order(t);
     if (can_cut) cutter.add(t);
@@ -119,7 +151,7 @@ class crossed_tet_reader {
   void find_order(crossed_tet& t) {
     for (std::uint32_t k = 0; k < 4; ++k) {
       const unsigned char* const c = t.corners[k];
-      const std::uint32_t opposite = t.verts[6 - c[0] - c[1] - c[2]], n = face_numbers_.add(t.order[k]);
+      const std::uint32_t opposite = t.verts[6 - c[0] - c[1] - c[2]], n = face_numbers_.add(t.order[k], faces_.size());
       if (n == faces_.size()) faces_.push_back({4 * t.poly + k, opposite});
       else if (faces_[n].opposite == opposite) can_cut = false;
       t.order[k] = faces_[n].first;
