@@ -5,6 +5,7 @@
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/level_sets/detail/add_edge_between.hpp>
+#include <concino/level_sets/detail/add_face_with.hpp>
 #include <concino/level_sets/detail/crossed_tet_reader.hpp>
 #include <concino/level_sets/detail/level_embedder.hpp>
 #include <concino/level_sets/detail/level_states.hpp>
@@ -70,14 +71,7 @@ void add_element(const M& m, const std::vector<vert_t<M>>& corners, std::vector<
 }
 template<class M>
 void add_element(const M& m, const std::vector<vert_t<M>>& corners, std::vector<face_t<M>>& to) {
-  for (const face_t<M> f : adj_v2f(m, corners[0])) {
-    std::size_t n = 0, met = 0;
-    for (const vert_t<M> v : adj_f2v(m, f)) {
-      ++n;
-      met += std::find(corners.begin(), corners.end(), v) != corners.end();
-    }
-    if (n == corners.size() && met == n) return to.push_back(f);
-  }
+  add_face_with(m, corners, to);
 }
 
 /// Replaces polys of m as the lists say. u: its values; they become `level` at snapped verts. cut: the edges or faces on the level set.
