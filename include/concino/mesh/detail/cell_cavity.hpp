@@ -42,6 +42,11 @@ class cell_cavity {
   std::size_t num_added() const { return num_new() - c.kept; }
   const unsigned* corners(std::size_t k) const { return c.corners.begin() + k * Shape::verts; }
   const std::uint32_t* edges_of_new(std::size_t k) const { return edges_of_polys.begin() + (num_old() + k) * Shape::edges; }
+  /// Whether face x had old polys only.
+  static bool has_no_others(const face& x) { return x.num_polys == x.old_polys; }
+  /// The other use of a face that connects two new polys, as numbered in new_uses; no_mate if it has one new poly only, or others.
+  static constexpr std::uint32_t no_mate = ~0u;
+  std::uint32_t mate(std::size_t use) const { return mates_[use]; }
   bool share_all_but_one(const face& x, const face& y) const {
     const auto a = corners_of(x), b = corners_of(y);
     unsigned common = 0;
@@ -209,9 +214,8 @@ class cell_cavity {
     return corners(use / Shape::faces)[6 - at[0] - at[1] - at[2]];
   }
   /// Whether face x connects two new polys.
-  static bool is_joint(const face& x) { return x.new_polys == 2 && x.num_polys == x.old_polys; }
+  static bool is_joint(const face& x) { return x.new_polys == 2 && has_no_others(x); }
 
-  static constexpr std::uint32_t no_mate = ~0u;
   core::small_array<std::uint32_t, 16 * Shape::faces> mates_{Shape::faces * c.ends.size(), no_mate};  // by use of a face that connects two new polys: the other one
   unsigned shortest_ring_ = Shape::verts == 4 ? 3 : 2;  // of new polys around an edge: two tets that have two faces in common have all
 

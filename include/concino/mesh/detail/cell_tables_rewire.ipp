@@ -15,6 +15,7 @@ class cell_tables<Shape, Lists>::rewiring {
   detail::cell_cavity<Shape> x_;
   const detail::native_cavity& c_ = x_.c;
   const std::size_t first_vert_ = t_.verts_.bound(), first_poly_ = t_.polys_.bound();  // the first added ones
+  core::small_array<edge_id, 80> edge_ids_;                                            // by number of an edge, which takes less memory than the edges
   core::small_array<poly_id, 8> of_lists_;                                             // polys in lists of faces of old polys
 
   vert_id vert(unsigned local) const { return local < x_.num_old_verts ? x_.verts[local] : vert_id{first_vert_ + (local - x_.num_old_verts)}; }
@@ -23,6 +24,7 @@ class cell_tables<Shape, Lists>::rewiring {
   void change_polys_of_verts();
   void change_faces();
   void replace_polys();
+  void attach(std::size_t k, unsigned j);
   void refresh_marks();
   void change_fans();
 
@@ -61,6 +63,7 @@ template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::rewiring::reserve(function_ref<void(const detail::index_bounds&)> grow) {
   detail::pair_with_left_over(x_.edges, x_.fresh_edges, x_.left_over_edges);
   detail::pair_with_left_over(x_.faces, x_.fresh_faces, x_.left_over_faces, [this](const face& x, const face& y) { return x_.share_all_but_one(x, y); });
+  edge_ids_.reserve(x_.edges.size());
   const std::size_t more_edges = x_.fresh_edges - std::min(x_.fresh_edges, x_.left_over_edges);
   const std::size_t more_faces = x_.fresh_faces - std::min(x_.fresh_faces, x_.left_over_faces);
   detail::reserve_lists_of_verts(t_.incident_edges_, t_.v2p_, x_.changes, x_.num_old_verts, [this](unsigned v) { return vert(v); });
@@ -109,6 +112,7 @@ void cell_tables<Shape, Lists>::rewiring::commit(const detail::native_cavity_res
   for (const detail::cavity_edge& x : x_.edges)
     if (x.is_left_over() && t_.is_non_manifold(x.id)) t_.poly_lists_.clear_row(t_.poly_list_number(x.id));
   detail::change_edges(x_.edges, t_.edges_, t_.e2v_, t_.incident_edges_, [this](unsigned v) { return vert(v); });
+  for (const detail::cavity_edge& x : x_.edges) edge_ids_.push_back(x.id);
   t_.e2p_.resize(t_.edges_.bound());
   change_faces();
   replace_polys();
@@ -157,19 +161,24 @@ void cell_tables<Shape, Lists>::rewiring::change_faces() {
 
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::rewiring::replace_polys() {
+  t_.p2v_.commit_rows(x_.num_added());
+  t_.p2e_.commit_rows(x_.num_added());
+  t_.facet_adjacency_.add_polys(x_.num_added());
   for (std::size_t k = 0; k < x_.num_new(); ++k) {
     const poly_id p = new_poly(k);
-    if (k >= c_.kept) {
-      t_.p2v_.stage_row(nullptr, Shape::verts);
-      t_.p2v_.commit_row(Shape::verts);
-      t_.p2e_.stage_row(nullptr, Shape::edges);
-      t_.p2e_.commit_row(Shape::edges);
-      t_.facet_adjacency_.add_poly(Shape::faces);
-    }
     for (unsigned i = 0; i < Shape::verts; ++i) t_.p2v_.begin(p.raw())[i] = vert(x_.corners(k)[i]);
-    for (unsigned j = 0; j < Shape::edges; ++j) t_.p2e_.begin(p.raw())[j] = x_.edges[x_.edges_of_new(k)[j]].id;
-    for (unsigned j = 0; j < Shape::faces; ++j) t_.facet_adjacency_.attach(p, j, x_.faces[x_.faces_of_new[k * Shape::faces + j]].id);
+    for (unsigned j = 0; j < Shape::edges; ++j) t_.p2e_.begin(p.raw())[j] = edge_ids_[x_.edges_of_new(k)[j]];
+    for (unsigned j = 0; j < Shape::faces; ++j) attach(k, j);
   }
+}
+
+template<class Shape, class Lists>
+[[gnu::always_inline]] inline void cell_tables<Shape, Lists>::rewiring::attach(std::size_t k, unsigned j) {
+  const std::size_t use = k * Shape::faces + j;
+  const face& x = x_.faces[x_.faces_of_new[use]];
+  if (x.new_polys > 2 || !x_.has_no_others(x)) return t_.facet_adjacency_.attach(new_poly(k), j, x.id);
+  const std::uint32_t mate = x_.mate(use);
+  t_.facet_adjacency_.attach_between(new_poly(k), j, x.id, mate == x_.no_mate ? poly_id{} : new_poly(mate / Shape::faces), x.new_uses[0] == use);
 }
 
 /// Sets where walks around edges start, and checks the edges whose polys may not be one fan.

@@ -52,6 +52,8 @@ class jagged_array {
     assert(n == N);
     data_.resize(data_.size() + N);
   }
+  /// Adds n rows for which memory is reserved, with uninitialised values.
+  void commit_rows(std::size_t n) { data_.resize(data_.size() + n * N); }
   template<class It>
   void add_row(It first, [[maybe_unused]] It last) {
     assert(last - first == N);

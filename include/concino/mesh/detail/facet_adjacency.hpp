@@ -296,6 +296,20 @@ class facet_adjacency {
     facets_.commit_row(n);
     neighbours_.commit_row(n);
   }
+  /// The same for n polys if all have N facets.
+  void add_polys(std::size_t n)
+    requires(N > 0)
+  {
+    facets_.commit_rows(n);
+    neighbours_.commit_rows(n);
+  }
+  /// Makes f facet k of p. Behind it is `other`, or nothing if that is none, for which the same must be said. is_first: whether f belongs to p first. This takes
+  /// less time than attach().
+  void attach_between(poly_id p, std::uint32_t k, Facet f, poly_id other, bool is_first) {
+    facets_.begin(p.raw())[k] = f;
+    neighbours_.begin(p.raw())[k].raw = other.raw();  // none is the same number
+    if (is_first) set_owner(f, p.raw(), k);
+  }
   /// Makes f facet k of p. Other polys at f, but no marks of repeated neighbours, are updated.
   void attach(poly_id p, std::uint32_t k, Facet f) {
     facets_.begin(p.raw())[k] = f;
