@@ -159,8 +159,8 @@ class replaced_values {
     const property_set& all = traits<M>::properties(m_);
     for (const vert_t<M>& v : c_.verts) numbers_.add(index_of(m_, v));
     correspondence origins;
-    origins.verts = from_.verts;
-    origins.polys = from_.polys;
+    if (all.has(element_kind::vert)) origins.verts = from_.verts;
+    if (all.has(element_kind::poly)) origins.polys = from_.polys;
     if (all.has(element_kind::corner)) origins.corners = find_corners();
     if (all.has(element_kind::edge))
       origins.edges = find_parts(edges_, 2, [&](const auto& add) {
