@@ -20,6 +20,16 @@ namespace concino::detail {
 inline constexpr std::uintptr_t small_page = std::uintptr_t{1} << 12, large_page = std::uintptr_t{1} << 21;
 inline constexpr std::size_t malloc_header = 32;  // at most so many bytes of glibc lie before memory that it has mapped
 
+/// Makes the small pages at this address, where a large one begins, one large page. Returns false if the system refuses.
+inline bool collapse_pages([[maybe_unused]] std::uintptr_t begin) {
+#if defined(__linux__)
+  constexpr int collapse = 25;  // MADV_COLLAPSE, Linux 6.1; glibc names it since 2.37
+  return ::madvise(reinterpret_cast<void*>(begin), large_page, collapse) == 0;
+#else
+  return false;
+#endif
+}
+
 }  // namespace concino::detail
 
 namespace concino::core {
@@ -48,11 +58,10 @@ inline void prefer_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] s
   ::madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
   // At both ends, memory that is in use, such as the header of malloc, keeps the rest of its large page small, unless the system makes a large one of
   // all now. It refuses where the memory of the program ends inside; then small pages are requested at once.
-  constexpr int collapse = 25;  // MADV_COLLAPSE, Linux 6.1; glibc names it since 2.37
   for (const std::uintptr_t x : {first, last - 1}) {
     if (x == last - 1 && last % large_page == 0) continue;  // nothing is behind the memory, which may be room that stays unused
     const std::uintptr_t begin = x & ~(large_page - 1), end = begin + large_page;
-    if (::madvise(reinterpret_cast<void*>(begin), large_page, collapse) == 0) continue;
+    if (detail::collapse_pages(begin)) continue;
     const std::uintptr_t from = begin < first ? first : begin, to = end < last ? end : last;
     request_pages(reinterpret_cast<void*>(from), to - from);
   }
@@ -107,7 +116,11 @@ inline void* reallocate_large(void* memory, std::size_t used, std::size_t bytes)
   }
 #endif
   void* const larger = detail::reallocate_on_large_pages(memory, bytes);
-  if (larger) prefer_large_pages(larger, bytes);
+  if (!larger) return nullptr;
+  prefer_large_pages(larger, bytes);
+  // Where the memory ended before, the rest of a large page would be taken in small pages.
+  const std::uintptr_t end = reinterpret_cast<std::uintptr_t>(larger) + used, begin = end & ~(detail::large_page - 1);
+  if (used >= detail::large_page && end != begin && begin + detail::large_page <= reinterpret_cast<std::uintptr_t>(larger) + bytes) detail::collapse_pages(begin);
   return larger;
 }
 
