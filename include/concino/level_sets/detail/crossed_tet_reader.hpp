@@ -9,6 +9,7 @@
 #include <concino/mesh/mesh_point.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -79,9 +80,9 @@ class crossed_tet_reader {
   }
 
   /// The verts of the mesh of which a new vert was made.
-  std::vector<origin> origins_of(const level_place& x) const {
+  std::array<origin, 2> origins_of(const level_place& x) const {
     const double t = crossing_parameter(arrays.values[x.below], arrays.values[x.above], level_);
-    return {{arrays.vert_indices[x.below], 1 - t}, {arrays.vert_indices[x.above], t}};
+    return {origin{arrays.vert_indices[x.below], 1 - t}, origin{arrays.vert_indices[x.above], t}};
   }
 
  private:

@@ -79,6 +79,7 @@ class level_embedder {
   template<class OriginsOf>
   level_embedder(const M& m, const Crossed& crossed, double level, const embedding_lists& lists, const std::vector<level_place>& places, const OriginsOf& origins_of)
       : crossed_(crossed), level_(level), lists_(lists), places_(places) {
+    polys_.reserve(lists.old_polys.size()), verts_.reserve(lists.verts.size()), points_.reserve(lists.places.size());
     for (const std::uint32_t p : lists.old_polys) polys_.push_back(crossed.polys[p]);
     for (const std::uint32_t v : lists.verts) verts_.push_back(crossed.verts[v]);
     for (const std::uint32_t place : lists.places) {
@@ -88,7 +89,10 @@ class level_embedder {
       const auto origins = origins_of(x);
       from_.verts.add(std::span<const origin>(origins));
     }
-    for (const std::uint32_t old : lists.origins) from_.polys.add(static_cast<std::uint32_t>(index_of(m, polys_[old])));
+    std::vector<std::uint32_t> old_polys;
+    old_polys.reserve(lists.origins.size());
+    for (const std::uint32_t old : lists.origins) old_polys.push_back(static_cast<std::uint32_t>(index_of(m, polys_[old])));
+    from_.polys = element_origins(std::move(old_polys));
     new_verts.resize(points_.size());
     new_polys.resize(lists.origins.size());
     std::size_t most = 0;
