@@ -169,7 +169,12 @@ class surface_tables {
 
   void check(std::size_t vert_count) const;
 
+  struct edge_range;
   void build(std::size_t vert_count);
+  void start_facets(std::size_t max_edges);
+  template<bool Alone>
+  void find_edges(edge_range& range, const detail::offsets& poly_of);
+  bool find_edges_in_two(edge_range& all, const detail::offsets& poly_of, std::size_t max_edges);
 
   /// Lists, for each vert, what build() needs to find its polys: polys or corners. It lists corners if all polygons have the same size, and also if some
   /// polygon is long, since searching it for the vert would take too long. Returns the poly of each corner, if polygons differ and corners are listed.

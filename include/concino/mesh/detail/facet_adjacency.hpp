@@ -2,6 +2,7 @@
 // Facets are the edges of a surface and the faces of a volume. The dual graph is traversed in this table.
 #pragma once
 
+#include <concino/core/parallel.hpp>
 #include <concino/core/sort_numbers.hpp>
 #include <concino/mesh/detail/facet_adjacency_ranges.hpp>
 #include <concino/mesh/detail/row_lookup.hpp>
@@ -140,6 +141,30 @@ class facet_adjacency {
   }
   /// Whether a facet has, or had, more than two polys.
   bool has_poly_lists() const { return poly_lists_.size() > 0; }
+
+  // Construction by several threads, each with facets of its own, which have at most two polys.
+
+  /// Makes f facet k of p, its first poly. Returns what add_facets() needs to know of f.
+  std::uint32_t link_first(std::uint32_t p, std::uint32_t k, Facet f) {
+    facets_.begin(p)[k] = f;
+    neighbours_.begin(p)[k] = {};
+    return N > 0 ? N * p + k : p;
+  }
+  /// Makes f facet k of p, its second poly; `first` is that of the first. Returns false if it has two already.
+  bool link_second(std::uint32_t p, std::uint32_t k, Facet f, incidence first) {
+    encoded_neighbour& x = neighbours_.begin(first.poly)[first.k];
+    if (!x.is_none()) return false;
+    link(p, k, f, first);
+    return true;
+  }
+  /// Adds the facets that one of the threads has linked under the numbers mark, mark + 1, ... `mark` is a bit that no other number has.
+  void add_facets(const core::flat_array<std::uint32_t>& owners, std::uint32_t mark) {
+    const auto first = static_cast<std::uint32_t>(owner_.size());
+    owner_.append(owners.data(), owners.size());
+    if (mark == 0) return;
+    Facet* const all = facets_.begin(0);
+    for (std::size_t i = 0; i < facets_.num_values(); ++i) all[i] = Facet{(all[i].raw() & ~mark) + (all[i].raw() & mark ? first : 0)};
+  }
 
   /// Construction: call it after the last link, so that a neighbour behind two facets is listed once.
   void finish() {

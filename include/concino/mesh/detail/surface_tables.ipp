@@ -83,8 +83,11 @@ void surface_tables<Arity, Lists>::remove_vert(vert_id v) {
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::check(std::size_t vert_count) const {
   detail::check_counts("surface_tables", vert_count, p2v_.size(), p2v_.num_values());
-  std::vector<std::uint32_t> met;
-  for (std::size_t p = 0; p < p2v_.size(); ++p) detail::check_verts(p2v_[p], vert_count, "surface_tables: poly", p, met);
+  const auto check_some = [&](std::size_t first, std::size_t last) {
+    std::vector<std::uint32_t> met;
+    for (std::size_t p = first; p < last; ++p) detail::check_verts(p2v_[p], vert_count, "surface_tables: poly", p, met);
+  };
+  core::run_chunks(p2v_.size(), std::max<std::size_t>(8192, p2v_.size() / 8), check_some, nullptr);
 }
 
 template<unsigned Arity, class Lists>
@@ -132,42 +135,50 @@ template<unsigned Arity, class Lists>
   }
 }
 
+/// The edges whose smaller verts are in a range.
 template<unsigned Arity, class Lists>
-void surface_tables<Arity, Lists>::build(std::size_t vert_count) {
-  const auto poly_count = static_cast<std::uint32_t>(p2v_.size());
-  const std::size_t corner_count = p2v_.num_values();
-  core::flat_array<std::uint32_t> scratch(vert_count);
-  const detail::offsets poly_of = list_at_verts(scratch);
+struct surface_tables<Arity, Lists>::edge_range {
+  std::uint32_t first_vert, last_vert;
+  core::flat_array<std::uint32_t> edge_to;  // by vert
+  std::uint32_t mark = 0;                   // the number of the first edge: a bit, if another range comes before
+  core::flat_array<vert_id> ends = {};
+  core::flat_array<std::uint32_t> owners = {};  // see facet_adjacency::add_facets
+  detail::offsets degrees = detail::offsets(edge_to.size() + 1, 0);  // one vert later, for prefix_sum
+  bool is_manifold = true;
+};
 
+/// Alone: there is no other range. Otherwise edges of more than two polys are not allowed.
+template<unsigned Arity, class Lists>
+template<bool Alone>
+void surface_tables<Arity, Lists>::find_edges(edge_range& range, const detail::offsets& poly_of) {
   // Every edge is found first at its smaller vert a; edge_to[b] is the edge from a to b if it is at least the first edge of a.
-  if constexpr (Arity == 0) facet_adjacency_ = {{p2v_.shared_offsets(), core::flat_array<edge_id>(corner_count, edge_id{})}, {p2v_.shared_offsets(), core::flat_array<detail::encoded_neighbour>(corner_count)}};
-  else facet_adjacency_ = {per_poly<edge_id>(poly_count, edge_id{}), per_poly<detail::encoded_neighbour>(poly_count)};
-  core::flat_array<std::uint32_t>& edge_to = scratch;
-  std::fill_n(edge_to.data(), vert_count, ~0u);
-  core::flat_array<vert_id> ends;
-  const std::size_t guess = vert_count + poly_count + poly_count / 64 + 16;
-  ends.reserve(2 * std::min(guess, corner_count));
-  facet_adjacency_.reserve_facets(std::min(guess, corner_count));
-  detail::offsets degrees(vert_count + 1, 0);
+  core::flat_array<std::uint32_t>& edge_to = range.edge_to;
+  std::fill_n(edge_to.data(), edge_to.size(), ~0u);
   std::uint32_t edge_count = 0;
   std::vector<typename detail::facet_adjacency<edge_id, Arity>::incidence> met_first;  // per edge of a, if polygons may be long
   const auto visit = [&](std::uint32_t a, vert_id b, std::uint32_t first_edge, std::uint32_t p, std::uint32_t k) __attribute__((always_inline)) {  // g++ would not
     if (b.raw() < a) return;
     std::uint32_t e = edge_to[b.raw()];
-    if (e == ~0u || e < first_edge) {
+    const bool is_new = e == ~0u || e < first_edge;
+    if (is_new) {
       edge_to[b.raw()] = e = edge_count++;
-      ends.push_back(vert_id{a});
-      ends.push_back(b);
-      ++degrees[a + 1];
-      ++degrees[b.raw() + 1];
-      facet_adjacency_.add_facet();
-      if constexpr (Arity == 0) met_first.push_back({p, k});
-    } else if constexpr (Arity == 0) {
-      return facet_adjacency_.link(p, k, edge_id{e}, met_first[e - first_edge]);
+      range.ends.push_back(vert_id{a});
+      range.ends.push_back(b);
+      ++range.degrees[a + 1];
+      ++range.degrees[b.raw() + 1];
+      if constexpr (Alone) facet_adjacency_.add_facet();
+      else range.owners.push_back(facet_adjacency_.link_first(p, k, edge_id{e | range.mark}));
+      if constexpr (Arity == 0 || !Alone) met_first.push_back({p, k});
     }
-    facet_adjacency_.link(p, k, edge_id{e});
+    if constexpr (!Alone) {
+      if (!is_new) range.is_manifold = facet_adjacency_.link_second(p, k, edge_id{e | range.mark}, met_first[e - first_edge]) && range.is_manifold;
+    } else if (Arity == 0 && !is_new) {
+      facet_adjacency_.link(p, k, edge_id{e}, met_first[e - first_edge]);
+    } else {
+      facet_adjacency_.link(p, k, edge_id{e});
+    }
   };
-  for (std::uint32_t a = 0; a < vert_count; ++a) {
+  for (std::uint32_t a = range.first_vert; a < range.last_vert; ++a) {
     const std::uint32_t first_edge = edge_count;
     met_first.clear();
     for (poly_id *c = v2p_.begin(a), *last = c + v2p_.length(a); c != last; ++c) {
@@ -179,11 +190,61 @@ void surface_tables<Arity, Lists>::build(std::size_t vert_count) {
       *c = poly_id{p};
     }
   }
-  facet_adjacency_.finish();
-  ends.shrink_to_fit();
-  e2v_ = detail::jagged_array<vert_id, 2>(std::move(ends));
+}
 
-  incident_edges_ = detail::make_incident_edges(std::move(degrees), e2v_, scratch);
+/// Finds the edges in two threads. Returns false if an edge has more than two polys; the tables are undefined then.
+template<unsigned Arity, class Lists>
+bool surface_tables<Arity, Lists>::find_edges_in_two(edge_range& all, const detail::offsets& poly_of, std::size_t max_edges) {
+  const detail::offsets& first_poly = *v2p_.shared_offsets();
+  const std::uint32_t vert_count = all.last_vert;
+  all.last_vert = static_cast<std::uint32_t>(std::lower_bound(first_poly.begin(), first_poly.begin() + vert_count, p2v_.num_values() / 2) - first_poly.begin());
+  edge_range second{all.last_vert, vert_count, core::flat_array<std::uint32_t>(vert_count), 1u << 31};
+  all.owners.reserve(max_edges);
+  second.ends.reserve(max_edges), second.owners.reserve(max_edges / 2);
+  core::run_both(true, [&] { find_edges<false>(all, poly_of); }, [&] { find_edges<false>(second, poly_of); });
+  if (!all.is_manifold || !second.is_manifold) return false;
+  facet_adjacency_.add_facets(all.owners, 0);
+  facet_adjacency_.add_facets(second.owners, second.mark);
+  all.ends.append(second.ends.data(), second.ends.size());
+  for (std::size_t v = 0; v < all.degrees.size(); ++v) all.degrees[v] += second.degrees[v];
+  return true;
+}
+
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::start_facets(std::size_t max_edges) {
+  const std::size_t corner_count = p2v_.num_values();
+  if constexpr (Arity == 0) facet_adjacency_ = {{p2v_.shared_offsets(), core::flat_array<edge_id>(corner_count, edge_id{})}, {p2v_.shared_offsets(), core::flat_array<detail::encoded_neighbour>(corner_count)}};
+  else facet_adjacency_ = {per_poly<edge_id>(p2v_.size(), edge_id{}), per_poly<detail::encoded_neighbour>(p2v_.size())};
+  facet_adjacency_.reserve_facets(max_edges);
+}
+
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::build(std::size_t vert_count) {
+  const std::size_t poly_count = p2v_.size(), corner_count = p2v_.num_values();
+  const bool is_large = corner_count > 50'000 && corner_count < std::size_t{1} << 31 && core::num_threads() > 1;
+  const core::thread_team threads(is_large);
+  const std::size_t max_edges = std::min(vert_count + poly_count + poly_count / 64 + 16, corner_count);  // but for few meshes
+  const auto range = [&] { return edge_range{0, static_cast<std::uint32_t>(vert_count), core::flat_array<std::uint32_t>(vert_count)}; };
+  edge_range edges = range();
+  detail::offsets poly_of;
+  core::run_both(is_large, [&] { poly_of = list_at_verts(edges.edge_to); }, [&] { start_facets(max_edges); });
+  edges.ends.reserve(2 * max_edges);
+  if (!is_large || !find_edges_in_two(edges, poly_of, max_edges)) {
+    if (is_large) {
+      edges = range();
+      poly_of = list_at_verts(edges.edge_to);
+      start_facets(max_edges);
+      edges.ends.reserve(2 * max_edges);
+    }
+    find_edges<true>(edges, poly_of);
+  }
+  const std::size_t edge_count = edges.ends.size() / 2;
+  const auto list_edges = [&] {
+    edges.ends.shrink_to_fit();
+    e2v_ = detail::jagged_array<vert_id, 2>(std::move(edges.ends));
+    incident_edges_ = detail::make_incident_edges(std::move(edges.degrees), e2v_, edges.edge_to);
+  };
+  core::run_both(is_large, list_edges, [&] { facet_adjacency_.finish(); });
   if (*v2p_.shared_offsets() == *incident_edges_.shared_offsets()) v2p_.share_offsets(incident_edges_);
   verts_ = detail::alive_elements<vert_id>(vert_count);
   edges_ = detail::alive_elements<edge_id>(edge_count);
