@@ -13,7 +13,7 @@ struct kept_polyhedra {
 
   std::vector<std::uint32_t> verts, faces, polys;  // by number before: the number now, or none
   std::uint32_t num_verts = 0, num_faces = 0, num_polys = 0;
-  std::vector<std::uint32_t> edges;                // result: the same for edges, of which any that join the same verts are the same
+  std::vector<std::uint32_t> edges;                // result: the same for edges; an edge is kept if there is one between the same verts
 };
 
 }  // namespace concino

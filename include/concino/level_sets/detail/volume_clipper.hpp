@@ -17,6 +17,7 @@
 
 namespace concino::detail {
 
+/// Whether M is stored as a polyhedralmesh is, so that lists of its tables can be copied.
 template<class M>
 concept has_polyhedra_tables = requires(const M& m) { { traits<M>::tables(m) } -> std::same_as<const polyhedra_tables&>; };
 
@@ -33,7 +34,7 @@ class volume_clipper {
   std::vector<std::uint32_t> cut_;          // parts
   std::vector<std::uint32_t> cut_origins_;  // by entry of cut_: the index of the poly in m
   std::vector<std::uint32_t> face_number_;  // by index of the face in m
-  kept_polyhedra kept_;                     // what extends_tables() needs
+  kept_polyhedra kept_;                     // what the result has in common with m; without lists unless extends_tables()
   std::vector<std::uint32_t> new_face_;     // by face of the parts
   std::size_t num_faces_ = 0, num_corners_ = 0, num_poly_faces_ = 0;  // of the result
   polyhedra_arrays a_;
