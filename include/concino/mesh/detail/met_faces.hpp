@@ -7,14 +7,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace concino::detail {
 
 /// Faces of FaceVerts verts at their smallest vert a. They are listed at the edge from a to the smaller neighbour of a in the face; edges are numbered
-/// in the order of add_edge(). FewEdges and FewFaces: up to so many need no allocation.
-template<unsigned FaceVerts, std::size_t FewEdges = 1, std::size_t FewFaces = 1>
+/// in the order of add_edge(). FewEdges and FewFaces: up to so many need no allocation; 0: vectors, for a builder.
+template<unsigned FaceVerts, std::size_t FewEdges = 0, std::size_t FewFaces = 0>
 class met_faces {
  public:
   /// The verts of a face, except a and the smaller neighbour of a, and the next face at the same edge.
@@ -28,7 +29,9 @@ class met_faces {
   };
 
  private:
-  using face_list = core::small_array<face, FewFaces>;
+  template<class T, std::size_t Few>
+  using list = std::conditional_t<Few == 0, std::vector<T>, core::small_array<T, std::max<std::size_t>(Few, 1)>>;
+  using face_list = list<face, FewFaces>;
 
   static constexpr std::uint32_t longest_list = 24;  // of faces at an edge that are searched one by one
 
@@ -75,7 +78,7 @@ class met_faces {
     }
   };
 
-  core::small_array<std::uint32_t, FewEdges> first_at_;  // per edge: its first face
+  list<std::uint32_t, FewEdges> first_at_;  // per edge: its first face
   face_list faces_;
   further_faces further_;
 
