@@ -9,14 +9,14 @@ using namespace concino;
 using namespace concino::testing::om;
 namespace ct = concino::testing;
 
-TEST_CASE("OpenMesh: random edits by every operator") {
+TEST_CASE_TEMPLATE("OpenMesh: random edits by every operator", M, tri_double, poly_double) {
   std::mt19937 random(12);
-  tri_double m;
-  fill(m, two_grids<tri_double>(2));
+  M m;
+  fill(m, two_grids<tri_double>(2));  // the topological operators need triangles
   OpenMesh::VPropHandleT<int> v;
   OpenMesh::EPropHandleT<int> e;
   OpenMesh::FPropHandleT<int> p;
   m.add_property(v), m.add_property(e), m.add_property(p);
-  const auto maps_of = [&](tri_double& x) { return std::tuple(as_map(x, v), as_map(x, e), as_map(x, p)); };
+  const auto maps_of = [&](M& x) { return std::tuple(as_map(x, v), as_map(x, e), as_map(x, p)); };
   ct::edits_of_all_kinds(m, random, ct::kept_values<decltype(maps_of)>{maps_of});
 }
