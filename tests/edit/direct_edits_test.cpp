@@ -94,6 +94,22 @@ TEST_CASE("edits of triangles: directly or by rewire, non-manifold soups and equ
   for (unsigned round = 0; round < 20; ++round) edit_at_random(cn::testing::random_soup<cn::trimesh>(random, 9, 4 + round).mesh(), random, num_rounds() / 12);
 }
 
+TEST_CASE("flips of triangles: among edits that are left to rewire, kept or undone") {
+  std::mt19937 random(24);
+  cn::trimesh m = cn::icosphere(1);
+  const auto any_edge = [&] { return cn::edge_id{random() % cn::edge_index_bound(m)}; };  // splits and flips leave no gaps
+  unsigned done = 0;
+  for (unsigned round = 0; round < 20; ++round) {
+    for (unsigned i = 0; i < 10; ++i) done += edits_agree(1, m, any_edge(), 0);
+    cn::transaction t(m);
+    for (unsigned i = 0; i < 3; ++i) cn::edge_split(m, any_edge()), cn::edge_flip(m, any_edge());
+    if (round % 2 == 0) t.commit();
+  }
+  CHECK(done > 50);
+  cn::testing::keeps_all_laws(m);
+  cn::testing::equals_rebuilt(m);
+}
+
 TEST_CASE("edits of triangles: values of properties and transactions are left to rewire") {
   cn::trimesh m = cn::icosphere(1);
   cn::edge_property<double>(m, "length");

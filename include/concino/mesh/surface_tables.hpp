@@ -32,6 +32,9 @@ class surface_tables {
   detail::jagged_array<vert_id, 2> e2v_;
   detail::incident_edges incident_edges_;
   jagged<poly_id> v2p_;
+  // Of triangles, after the first edit: a poly of each edge, which is mostly its second one. It is only requested from memory before it is known, so that
+  // both polys of an edge arrive together, and never read as the truth: edits by rewire and undoing leave it as it is.
+  core::flat_array<poly_id> probable_second_poly_;
 
  public:
   static constexpr unsigned arity = Arity;
@@ -69,7 +72,7 @@ class surface_tables {
     requires(!std::same_as<Lists, per_poly<vert_id>>)
       : verts_(std::move(built.verts_)), edges_(std::move(built.edges_)), polys_(std::move(built.polys_)), p2v_(std::move(elsewhere)),
         facet_adjacency_(std::move(built.facet_adjacency_)), e2v_(std::move(built.e2v_)), incident_edges_(std::move(built.incident_edges_)),
-        v2p_(std::move(built.v2p_)) {
+        v2p_(std::move(built.v2p_)), probable_second_poly_(std::move(built.probable_second_poly_)) {
     if constexpr (Arity == 0) p2v_.share_offsets(built.p2v_);
   }
 
@@ -153,6 +156,9 @@ class surface_tables {
   struct side_of_edge;
   struct outer_edge;
   static constexpr std::uint32_t longest_fan = 32;
+  void make_growable();
+  core::flat_array<poly_id> second_polys() const;
+  void expect_second_poly(edge_id e, poly_id p);
   void prefetch_vert(vert_id v) const;
   void prefetch_lists(vert_id v) const;
   void prefetch_poly(poly_id p) const;

@@ -132,12 +132,10 @@ class incident_edges {
   }
   void set_other_end(vert_id v, edge_id e, vert_id other) { verts_begin(v)[position(v, e)] = other; }
   /// Removes an edge of v; the last one takes its place.
-  void replace_by_last(vert_id v, edge_id e) {
-    const std::uint32_t first = places_.first_of_loose(v.raw());
-    const edge_id* const row = edges_.data() + first;
-    std::uint32_t k = edges_.size() - first >= 8 ? find_in_eight(row, e) : 0;
-    while (!(row[k] == e)) ++k;
-    const std::size_t at = first + k, last = places_.shorten(v.raw());
+  void replace_by_last(vert_id v, edge_id e) { replace_by_last_at(v, position(v, e)); }
+  /// The same for the k-th edge of v.
+  void replace_by_last_at(vert_id v, std::uint32_t k) {
+    const std::size_t at = places_.first_of_loose(v.raw()) + k, last = places_.shorten(v.raw());
     verts_[at] = verts_[last], edges_[at] = edges_[last];
   }
   /// Removes an edge of v; the others keep their order.

@@ -55,13 +55,6 @@ class jagged_array<T, 0> {
     make_editable();
     if (!places_.has_room(i, n)) move_row(i, places_.larger_room(i, length(i) + n));
   }
-  [[gnu::noinline]] void remove_from_long(std::size_t i, const T& value) {
-    T* const row = begin(i);
-    const std::uint32_t n = length(i), k = find_in_row(i, value);
-    if (k == n) return;
-    std::copy(row + k + 1, row + n, row + k);
-    places_.shorten(i);
-  }
 
  public:
   jagged_array() = default;
@@ -174,22 +167,16 @@ class jagged_array<T, 0> {
   /// Removes the value from row i; the others keep their order.
   void remove(std::size_t i, const T& value) {
     make_editable();
-    remove_from_loose(i, value);
+    if (const std::uint32_t k = find_in_row(i, value); k < places_.length_of_loose(i)) close_gap(i, k);
   }
-  /// The same after make_editable().
-  [[gnu::always_inline]] inline void remove_from_loose(std::size_t i, const T& value) {
-    if constexpr (is_short_value<T>) {
-      const std::uint32_t n = places_.length_of_loose(i), first = places_.first_of_loose(i);
-      if (n <= 8 && data_.size() - first >= 8) [[likely]] {
-        T* const row = data_.data() + first;
-        const std::uint32_t k = find_in_eight(row, value);
-        if (k >= n) return;
-        close_gap_in_eight(row, k, n);
-        places_.shorten(i);
-        return;
-      }
-    }
-    remove_from_long(i, value);
+  /// Removes the k-th value of row i, after make_editable(); the others keep their order.
+  [[gnu::always_inline]] inline void close_gap(std::size_t i, std::uint32_t k) {
+    const std::uint32_t n = places_.length_of_loose(i), first = places_.first_of_loose(i);
+    T* const row = data_.data() + first;
+    places_.shorten(i);
+    if constexpr (is_short_value<T>)
+      if (n <= 8 && data_.size() - first >= 8) [[likely]] return close_gap_in_eight(row, k, n);
+    std::copy(row + k + 1, row + n, row + k);
   }
   // After reserve_in_row() these are faster than the functions above.
 

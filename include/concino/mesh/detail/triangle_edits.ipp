@@ -4,106 +4,17 @@
 #pragma once
 
 #include <concino/mesh/detail/cavity_changes.hpp>
+#include <concino/mesh/detail/triangles_at_edge.ipp>
 #include <concino/mesh/surface_tables.hpp>
 
-#include <memory>
-
 namespace concino {
-
-/// Edge k of a triangle, and what is behind it.
-template<unsigned Arity, class Lists>
-struct surface_tables<Arity, Lists>::outer_edge {
-  edge_id e;
-  detail::encoded_neighbour outside;
-
-  outer_edge() = default;
-  outer_edge(const surface_tables& t, poly_id p, std::uint32_t k) : e(t.facet_adjacency_.facets(p)[k]), outside(t.facet_adjacency_.neighbour(p, k)) {}
-  /// Whether the triangle has one neighbour here, which is not behind another one of its edges, or none.
-  bool is_regular() const { return outside.is_none() || outside.is_first_occurrence(); }
-};
-
-/// A triangle at the edge ab, with its third vert c. `at_edge`, `at_a`, `at_b`: the numbers of the edges ab, ca, bc; `corner_a`, `corner_b`: of the corners.
-template<unsigned Arity, class Lists>
-struct surface_tables<Arity, Lists>::side_of_edge {
-  poly_id p;
-  vert_id c;
-  std::uint32_t at_edge, at_a, at_b, corner_a, corner_b;
-  outer_edge ca, bc;
-
-  static std::uint32_t next(std::uint32_t k) { return k == 2 ? 0 : k + 1; }
-  side_of_edge() = default;
-  side_of_edge(const surface_tables& t, poly_id poly, std::uint32_t k, vert_id a) : p(poly), at_edge(k) {
-    const std::uint32_t second = next(at_edge), third = next(second);
-    const vert_id* const v = t.p2v_.begin(p.raw());
-    c = v[third];
-    const bool starts_at_a = v[at_edge] == a;
-    corner_a = starts_at_a ? at_edge : second, corner_b = starts_at_a ? second : at_edge;
-    at_a = starts_at_a ? third : second, at_b = starts_at_a ? second : third;
-    ca = outer_edge(t, p, at_a), bc = outer_edge(t, p, at_b);
-    t.prefetch_vert(c);
-    t.facet_adjacency_.prefetch_outside(ca.e, ca.outside);
-    t.facet_adjacency_.prefetch_outside(bc.e, bc.outside);
-  }
-  bool is_regular() const { return ca.is_regular() && bc.is_regular(); }
-};
-
-template<unsigned Arity, class Lists>
-void surface_tables<Arity, Lists>::prefetch_vert(vert_id v) const {
-  incident_edges_.prefetch_place(v), v2p_.prefetch_place(v.raw());
-  incident_edges_.prefetch_slot(v), v2p_.prefetch_slot(v.raw());
-}
-
-template<unsigned Arity, class Lists>
-void surface_tables<Arity, Lists>::prefetch_lists(vert_id v) const {
-  incident_edges_.prefetch_values(v), v2p_.prefetch_values(v.raw());
-}
-
-template<unsigned Arity, class Lists>
-void surface_tables<Arity, Lists>::prefetch_poly(poly_id p) const {
-  __builtin_prefetch(p2v_.begin(p.raw()), 1);
-  facet_adjacency_.prefetch_poly(p);
-}
-
-/// Whether a and b have an edge. The list of a is searched, unless it is the longer one of two that are not short.
-template<unsigned Arity, class Lists>
-bool surface_tables<Arity, Lists>::have_common_edge(vert_id a, vert_id b) const {
-  if (incident_edges_.num_edges(a) > longest_fan && incident_edges_.num_edges(b) < incident_edges_.num_edges(a)) std::swap(a, b);
-  return incident_edges_.find(a, b) < incident_edges_.num_edges(a);
-}
-
-template<unsigned Arity, class Lists>
-void surface_tables<Arity, Lists>::set_ends(edge_id e, vert_id a, vert_id b) {
-  vert_id* const ends = e2v_.begin(e.raw());
-  ends[0] = std::min(a, b), ends[1] = std::max(a, b);
-}
-
-/// The triangles at e, which has the ends a and b; returns 0 if these edits leave it to rewire. Requests what edits of e use, level by level.
-template<unsigned Arity, class Lists>
-std::uint32_t surface_tables<Arity, Lists>::find_triangles(edge_id e, vert_id a, vert_id b, side_of_edge* two) const {
-  if (!facet_adjacency_.is_owned(e)) return 0;
-  const auto [first, k] = facet_adjacency_.owner(e);
-  const poly_id p{first};
-  prefetch_poly(p);
-  prefetch_vert(a), prefetch_vert(b);
-  const detail::encoded_neighbour behind = facet_adjacency_.neighbour(p, k);
-  if (!behind.is_none() && !behind.is_first_occurrence()) return 0;
-  if (!behind.is_none()) prefetch_poly(poly_id{behind.poly()});
-  std::construct_at(two, *this, p, k, a);  // in its place: a copy would be read before it has been written
-  prefetch_lists(a), prefetch_lists(b);
-  if (!two[0].is_regular()) return 0;
-  if (behind.is_none()) return 1;
-  const poly_id q{behind.poly()};
-  std::construct_at(two + 1, *this, q, facet_adjacency_.position_of(q, e), a);
-  prefetch_lists(two[0].c), prefetch_lists(two[1].c);
-  return two[1].is_regular() ? 2 : 0;
-}
 
 /// Allocates the memory for the split of an edge with n triangles.
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::reserve_split(const side_of_edge* s, std::uint32_t n)
   requires(Arity == 3)
 {
-  detail::make_vertex_incidence_growable(incident_edges_, v2p_);
+  make_growable();
   for (std::uint32_t i = 0; i < n; ++i) incident_edges_.reserve_at(s[i].c, 1), v2p_.reserve_in_row(s[i].c.raw(), 1);
   detail::reserve_lists_of_new_verts(incident_edges_, v2p_, 1, n + 2, 2 * n);
   p2v_.reserve_rows(n), e2v_.reserve_rows(n + 1);
@@ -140,6 +51,7 @@ vert_id surface_tables<Arity, Lists>::split_edge(edge_id e)
   side_of_edge s[2];
   const std::uint32_t n = find_triangles(e, a, b, s);
   if (n == 0) return {};
+  for (const vert_id v : {a, b, s[0].c, s[n - 1].c}) prefetch_lists(v);
   reserve_split(s, n);
 
   const vert_id x = verts_.add();
@@ -180,23 +92,29 @@ direct_edit surface_tables<Arity, Lists>::flip_edge(edge_id e)
   if (find_triangles(e, a, b, s) != 2) return direct_edit::left_to_rewire;
   const auto runs_to_b = [](const side_of_edge& x) { return x.corner_a == x.at_edge; };
   if (runs_to_b(s[0]) == runs_to_b(s[1])) return direct_edit::left_to_rewire;
-  if (have_common_edge(s[0].c, s[1].c)) return direct_edit::refused;
-  detail::make_vertex_incidence_growable(incident_edges_, v2p_);
-  for (const side_of_edge& x : s) incident_edges_.reserve_at(x.c, 1), v2p_.reserve_in_row(x.c.raw(), 1);
-
+  // The lists of a and b are searched first: those of the opposite verts arrive later, and the less is left to do then, the sooner the next edit begins.
   const poly_id p = s[0].p, q = s[1].p;
-  v2p_.remove_from_loose(b.raw(), p), v2p_.remove_from_loose(a.raw(), q);
-  v2p_.push_reserved(s[1].c.raw(), p), v2p_.push_reserved(s[0].c.raw(), q);
-  incident_edges_.replace_by_last(a, e), incident_edges_.replace_by_last(b, e);
-  incident_edges_.push(s[0].c, s[1].c, e), incident_edges_.push(s[1].c, s[0].c, e);
-  set_ends(e, s[0].c, s[1].c);
-  p2v_.begin(p.raw())[s[0].corner_b] = s[1].c;
-  p2v_.begin(q.raw())[s[1].corner_a] = s[0].c;
+  const vert_id c = s[0].c, d = s[1].c;
+  const std::uint32_t e_at_a = incident_edges_.position(a, e), e_at_b = incident_edges_.position(b, e);
+  const std::uint32_t q_at_a = v2p_.find_in_row(a.raw(), q), p_at_b = v2p_.find_in_row(b.raw(), p);
+  if (have_common_edge(c, d)) return direct_edit::refused;
+  make_growable();
+  for (const vert_id v : {c, d}) incident_edges_.reserve_at(v, 1), v2p_.reserve_in_row(v.raw(), 1);
+
+  v2p_.close_gap(b.raw(), p_at_b), v2p_.close_gap(a.raw(), q_at_a);
+  incident_edges_.replace_by_last_at(a, e_at_a), incident_edges_.replace_by_last_at(b, e_at_b);
+  p2v_.begin(p.raw())[s[0].corner_b] = d;
+  p2v_.begin(q.raw())[s[1].corner_a] = c;
+  facet_adjacency_.put_between(p, s[0].at_b, q, s[1].at_a, e);
+  set_ends(e, c, d);
+  v2p_.push_reserved(d.raw(), p), v2p_.push_reserved(c.raw(), q);
+  incident_edges_.push(c, d, e), incident_edges_.push(d, c, e);
   facet_adjacency_.put(p, s[0].at_edge, s[1].ca.e, s[1].ca.outside, q);
   facet_adjacency_.put(p, s[0].at_a, s[0].ca.e, s[0].ca.outside, p);
   facet_adjacency_.put(q, s[1].at_edge, s[0].bc.e, s[0].bc.outside, p);
   facet_adjacency_.put(q, s[1].at_b, s[1].bc.e, s[1].bc.outside, q);
-  facet_adjacency_.put_between(p, s[0].at_b, q, s[1].at_a, e);
+  expect_second_poly(e, q);
+  expect_second_poly(s[0].ca.e, p), expect_second_poly(s[1].ca.e, p), expect_second_poly(s[0].bc.e, q), expect_second_poly(s[1].bc.e, q);
   return direct_edit::done;
 }
 
@@ -237,12 +155,13 @@ direct_edit surface_tables<Arity, Lists>::collapse_edge(edge_id e)
   const vert_id a = e2v_[e.raw()][0], b = e2v_[e.raw()][1];
   side_of_edge s[2];
   if (incident_edges_.num_edges(b) > longest_fan || find_triangles(e, a, b, s) != 2) return direct_edit::left_to_rewire;
+  for (const vert_id v : {a, s[0].c, s[1].c}) prefetch_lists(v);
   prefetch_fan(b);
   for (const vert_id x : incident_edges_.verts(b))  // the link condition: both links have no other common verts
     if (x != a && x != s[0].c && x != s[1].c && have_common_edge(a, x)) return direct_edit::refused;
   if (incident_edges_.num_edges(b) != v2p_.length(b.raw()) || !is_closed_fan(b, s)) return direct_edit::left_to_rewire;
   const std::uint32_t more = v2p_.length(b.raw()) - 4;
-  detail::make_vertex_incidence_growable(incident_edges_, v2p_);
+  make_growable();
   incident_edges_.reserve_at(a, more), v2p_.reserve_in_row(a.raw(), more);
   verts_.reserve_change(1, 0), edges_.reserve_change(3, 0), polys_.reserve_change(2, 0);
 

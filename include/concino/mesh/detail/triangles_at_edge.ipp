@@ -1,0 +1,123 @@
+// The triangles at an edge, as direct edits find them, and requests for the memory that these edits read and write; see triangle_edits.ipp.
+#pragma once
+
+#include <concino/mesh/surface_tables.hpp>
+
+#include <memory>
+
+namespace concino {
+
+/// Edge k of a triangle, and what is behind it.
+template<unsigned Arity, class Lists>
+struct surface_tables<Arity, Lists>::outer_edge {
+  edge_id e;
+  detail::encoded_neighbour outside;
+
+  outer_edge() = default;
+  [[gnu::always_inline]] inline outer_edge(const surface_tables& t, poly_id p, std::uint32_t k) : e(t.facet_adjacency_.facets(p)[k]), outside(t.facet_adjacency_.neighbour(p, k)) {}
+  /// Whether the triangle has one neighbour here, which is not behind another one of its edges, or none.
+  bool is_regular() const { return outside.is_none() || outside.is_first_occurrence(); }
+};
+
+/// A triangle at the edge ab, with its third vert c. `at_edge`, `at_a`, `at_b`: the numbers of the edges ab, ca, bc; `corner_a`, `corner_b`: of the corners.
+template<unsigned Arity, class Lists>
+struct surface_tables<Arity, Lists>::side_of_edge {
+  poly_id p;
+  vert_id c;
+  std::uint32_t at_edge, at_a, at_b, corner_a, corner_b;
+  outer_edge ca, bc;
+
+  static std::uint32_t next(std::uint32_t k) { return k == 2 ? 0 : k + 1; }
+  side_of_edge() = default;
+  [[gnu::always_inline]] inline side_of_edge(const surface_tables& t, poly_id poly, std::uint32_t k, vert_id a) : p(poly), at_edge(k) {
+    const std::uint32_t second = next(at_edge), third = next(second);
+    const vert_id* const v = t.p2v_.begin(p.raw());
+    c = v[third];
+    const bool starts_at_a = v[at_edge] == a;
+    corner_a = starts_at_a ? at_edge : second, corner_b = starts_at_a ? second : at_edge;
+    at_a = starts_at_a ? third : second, at_b = starts_at_a ? second : third;
+    ca = outer_edge(t, p, at_a), bc = outer_edge(t, p, at_b);
+    t.prefetch_vert(c);
+    t.facet_adjacency_.prefetch_outside(ca.e, ca.outside);
+    t.facet_adjacency_.prefetch_outside(bc.e, bc.outside);
+  }
+  bool is_regular() const { return ca.is_regular() && bc.is_regular(); }
+};
+
+/// The second poly of each edge that has two, and any one for the others.
+template<unsigned Arity, class Lists>
+core::flat_array<poly_id> surface_tables<Arity, Lists>::second_polys() const {
+  core::flat_array<poly_id> all(edges_.bound(), poly_id{0});
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const edge_id e{i};
+    if (!facet_adjacency_.is_owned(e)) continue;
+    const auto [p, k] = facet_adjacency_.owner(e);
+    if (const detail::encoded_neighbour x = facet_adjacency_.neighbour(poly_id{p}, k); x.is_first_occurrence()) all[i] = poly_id{x.poly()};
+  }
+  return all;
+}
+
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::expect_second_poly(edge_id e, poly_id p) {
+  if (e.raw() < probable_second_poly_.size()) probable_second_poly_[e.raw()] = p;
+}
+
+/// Makes the lists of verts editable.
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::make_growable() {
+  detail::make_vertex_incidence_growable(incident_edges_, v2p_);
+  if constexpr (Arity == 3)
+    if (probable_second_poly_.size() == 0) [[unlikely]] probable_second_poly_ = second_polys();
+}
+
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::prefetch_vert(vert_id v) const {
+  incident_edges_.prefetch_place(v), v2p_.prefetch_place(v.raw());
+  incident_edges_.prefetch_slot(v), v2p_.prefetch_slot(v.raw());
+}
+
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::prefetch_lists(vert_id v) const {
+  incident_edges_.prefetch_values(v), v2p_.prefetch_values(v.raw());
+}
+
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::prefetch_poly(poly_id p) const {
+  __builtin_prefetch(p2v_.begin(p.raw()), 1);
+  facet_adjacency_.prefetch_poly(p);
+}
+
+/// Whether a and b have an edge. The list of a is searched, unless it is the longer one of two that are not short.
+template<unsigned Arity, class Lists>
+bool surface_tables<Arity, Lists>::have_common_edge(vert_id a, vert_id b) const {
+  if (incident_edges_.num_edges(a) > longest_fan && incident_edges_.num_edges(b) < incident_edges_.num_edges(a)) std::swap(a, b);
+  return incident_edges_.find(a, b) < incident_edges_.num_edges(a);
+}
+
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::set_ends(edge_id e, vert_id a, vert_id b) {
+  vert_id* const ends = e2v_.begin(e.raw());
+  ends[0] = std::min(a, b), ends[1] = std::max(a, b);
+}
+
+/// The triangles at e, which has the ends a and b; returns 0 if these edits leave it to rewire. Requests what edits of e use, level by level.
+template<unsigned Arity, class Lists>
+[[gnu::always_inline]] inline std::uint32_t surface_tables<Arity, Lists>::find_triangles(edge_id e, vert_id a, vert_id b, side_of_edge* two) const {
+  if (!facet_adjacency_.is_owned(e)) return 0;
+  const auto [first, k] = facet_adjacency_.owner(e);
+  const poly_id p{first};
+  if (e.raw() < probable_second_poly_.size()) prefetch_poly(probable_second_poly_[e.raw()]);
+  prefetch_poly(p);
+  prefetch_vert(a), prefetch_vert(b);
+  const detail::encoded_neighbour behind = facet_adjacency_.neighbour(p, k);
+  if (!behind.is_none() && !behind.is_first_occurrence()) return 0;
+  if (!behind.is_none()) prefetch_poly(poly_id{behind.poly()});
+  std::construct_at(two, *this, p, k, a);  // in its place: a copy would be read before it has been written
+  if (!two[0].is_regular()) return 0;
+  if (behind.is_none()) return 1;
+  const poly_id q{behind.poly()};
+  std::construct_at(two + 1, *this, q, facet_adjacency_.position_of(q, e), a);
+  return two[1].is_regular() ? 2 : 0;
+}
+
+}  // namespace concino
