@@ -6,6 +6,7 @@
 
 #include <support/level_sets.hpp>
 #include <support/random_meshes.hpp>
+#include <support/threads.hpp>
 #include <support/whole_mesh.hpp>
 
 #include <doctest/doctest.h>
@@ -70,4 +71,19 @@ TEST_CASE("clip: what is clipped can be clipped again in the same way") {
   REQUIRE(first.mesh.tables().can_be_extended());
   REQUIRE(first.report.cut_polys > 0);
   CHECK(all_of(clip(first.mesh, plane{{3, 1, -2}, 0.3})) == all_of(clip(compacted(first.mesh), plane{{3, 1, -2}, 0.3})));
+}
+
+TEST_CASE("clip: the result is the same for any number of threads") {
+  const auto m = make_grid<polyhedralmesh>({.cells = {50, 50, 40}});
+  REQUIRE(m.tables().can_be_extended());
+  const plane p{{1, 2, 3}, 2.1};
+  const auto all_with = [&](int threads) {
+    const with_num_threads fixed(threads);
+    const auto c = clip(m, p);
+    CHECK(c.report.cut_polys > 0);
+    return all_of(c);
+  };
+  const auto one = all_with(1);
+  CHECK((one == all_with(2)));
+  CHECK((one == all_with(3)));
 }

@@ -26,7 +26,7 @@ class clip_verts {
   std::vector<std::uint32_t> number_;           // by index of the vert in m
   std::vector<std::uint32_t> number_of_place_;  // by place that is not a vert of m
   std::vector<std::uint32_t> new_places_;       // by new vert
-  std::uint32_t num_kept_ = 0;
+  std::uint32_t num_kept_ = 0, num_verts_ = 0;
 
   bool is_vert(const level_place& x) const { return x.kind == level_place::vert && crossed_.vert_indices[x.above] != ~0u; }
 
@@ -48,30 +48,34 @@ class clip_verts {
     else number_of_place_[place] = 0;
   }
 
-  /// origins_of(place, list) lists the verts of m of which a place was made.
-  template<class OriginsOf>
-  void number(const OriginsOf& origins_of) {
-    const auto is_marked = [](std::uint32_t x) { return x != ~0u; };
-    const auto num_kept = static_cast<std::size_t>(std::count_if(number_.begin(), number_.end(), is_marked));
-    const auto num_new = static_cast<std::size_t>(std::count_if(number_of_place_.begin(), number_of_place_.end(), is_marked));
+  /// Numbers what is marked.
+  void number() {
     std::uint32_t n = 0;
+    for (const vert_t<M> v : verts(m_))
+      if (std::uint32_t& x = number_[index_of(m_, v)]; x != ~0u) x = n++;
+    num_kept_ = n;
+    for (std::uint32_t& x : number_of_place_)
+      if (x != ~0u) x = n++;
+    num_verts_ = n;
+  }
+
+  /// Lists points and origins, after number(). origins_of(place, list) lists the verts of m of which a place was made.
+  template<class OriginsOf>
+  void list(const OriginsOf& origins_of) {
     std::vector<std::uint32_t> kept;
-    core::reserve_exact(points, num_kept + num_new);
-    core::reserve_exact(kept, num_kept + num_new);
+    core::reserve_exact(points, num_verts_);
+    core::reserve_exact(kept, num_verts_);
     for (const vert_t<M> v : verts(m_)) {
       const auto index = static_cast<std::uint32_t>(index_of(m_, v));
       if (number_[index] == ~0u) continue;
-      number_[index] = n++;
       points.push_back(to_vec3(point(m_, v)));
       kept.push_back(index);
     }
-    num_kept_ = n;
-    core::reserve_pages(new_places_, num_new);
+    core::reserve_pages(new_places_, num_verts_ - num_kept_);
     origins = element_origins(std::move(kept));
     std::vector<origin> of_place;
     for (std::size_t i = 0; i < places_.size(); ++i) {
       if (number_of_place_[i] == ~0u) continue;
-      number_of_place_[i] = n++;
       new_places_.push_back(static_cast<std::uint32_t>(i));
       const level_place& x = places_[i];
       const double t = x.kind == level_place::vert ? 1 : crossing_parameter(crossed_.values[x.below], crossed_.values[x.above], level_);

@@ -38,7 +38,8 @@ class surface_clipper {
     report_progress(options.progress, 0.3, "clipping");
     clip_verts<M, crossed_surface> verts_of(m_, crossed_.arrays, parts.places, level_);
     choose_polys(parts, verts_of);
-    verts_of.number([&](const level_place& x, std::vector<origin>& list) { list = crossed_.origins_of(x, level_); });
+    verts_of.number();
+    verts_of.list([&](const level_place& x, std::vector<origin>& list) { list = crossed_.origins_of(x, level_); });
     build(parts, verts_of);
     report_progress(options.progress, 0.8, "clipping");
     list_cut_edges(parts, verts_of);

@@ -3,6 +3,7 @@
 
 #include <concino/concepts/end_verts.hpp>
 #include <concino/core/large_pages.hpp>
+#include <concino/core/parallel.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/level_sets/clip_options.hpp>
 #include <concino/level_sets/detail/clip_edges.hpp>
@@ -55,8 +56,14 @@ class volume_clipper {
     const std::vector<level_place> places = std::move(crossed_->lists.places);
     clip_verts<M, place_ends> verts_of(m_, crossed_->ends, places, level_);
     choose_polys(crossed_->lists, verts_of);
-    build_faces(crossed_->lists, verts_of);
-    build_polys(crossed_->lists);
+    verts_of.number();
+    number_faces(crossed_->lists);
+    const auto list_faces = [&] { build_faces(crossed_->lists, verts_of); };
+    const auto list_polys_and_verts = [&] {
+      build_polys(crossed_->lists);
+      verts_of.list([&](const level_place& x, std::vector<origin>& list) { crossed_->list_origins(x, list); });
+    };
+    core::run_both(has_many_polys(m_), list_faces, list_polys_and_verts);
     a_.points = std::move(verts_of.points);
     result_.from.verts = std::move(verts_of.origins);
     crossed_.reset();  // its memory can be used for the mesh
@@ -64,8 +71,8 @@ class volume_clipper {
     report_progress(options.progress, 0.5, "clipping");
     build_mesh(verts_of);
     report_progress(options.progress, 0.8, "clipping");
-    list_poly_origins();
-    result_.from.edges = clip_edges<M>(m_, result_.mesh, result_.from.verts, verts_of).list(kept_.edges);
+    const auto list_edge_origins = [&] { result_.from.edges = clip_edges<M>(m_, result_.mesh, result_.from.verts, verts_of).list(kept_.edges); };
+    core::run_both(has_many_polys(m_), list_edge_origins, [&] { list_poly_origins(); });
     if (options.properties) transfer_if_any(m_, result_.mesh, result_.from);
     report_progress(options.progress, 1, "clipping");
     return std::move(result_);
@@ -133,8 +140,21 @@ class volume_clipper {
     }
   }
 
-  void build_faces(const part_lists& parts, clip_verts<M, place_ends>& verts_of) {
-    verts_of.number([&](const level_place& x, std::vector<origin>& list) { crossed_->list_origins(x, list); });
+  void number_faces(const part_lists& parts) {
+    std::uint32_t n = 0;
+    for (const face_t<M> f : faces(m_))
+      if (std::uint32_t& x = face_number_[index_of(m_, f)]; x != ~0u) x = n++;
+    kept_.num_faces = n;
+    for (std::size_t i = 0; i < parts.faces.size(); ++i) {
+      const part_lists::face& f = parts.faces[i];
+      if (new_face_[i] != ~0u) new_face_[i] = n++;
+      else if (f.is_whole && f.is_cut) new_face_[i] = face_number_[f.origin];
+      if (f.is_cut && new_face_[i] != ~0u) result_.cut_faces.push_back(face_id{new_face_[i]});
+    }
+  }
+
+  /// Lists the verts and the origins of the faces.
+  void build_faces(const part_lists& parts, const clip_verts<M, place_ends>& verts_of) {
     core::reserve_exact(a_.face_offsets, num_faces_ + 1), core::reserve_exact(a_.face_verts, num_corners_);
     a_.face_offsets.resize(num_faces_ + 1), a_.face_verts.resize(num_corners_);
     std::vector<std::uint32_t> origins;
@@ -150,21 +170,14 @@ class volume_clipper {
     for (const face_t<M> f : faces(m_)) {
       const auto index = static_cast<std::uint32_t>(index_of(m_, f));
       if (face_number_[index] == ~0u) continue;
-      face_number_[index] = n;
       for (const vert_t<M> v : adj_f2v(m_, f)) corners[end++] = verts_of.of(v);
       end_face(index);
     }
-    kept_.num_faces = n;
     for (std::size_t i = 0; i < parts.faces.size(); ++i) {
       const part_lists::face& f = parts.faces[i];
-      if (new_face_[i] != ~0u) {
-        new_face_[i] = n;
-        for (std::uint32_t k = f.first; k < f.last; ++k) corners[end++] = verts_of.of_place(parts.face_places[k]);
-        end_face(f.origin);
-      } else if (f.is_whole && f.is_cut) {
-        new_face_[i] = face_number_[f.origin];
-      }
-      if (f.is_cut && new_face_[i] != ~0u) result_.cut_faces.push_back(face_id{new_face_[i]});
+      if (new_face_[i] == ~0u || new_face_[i] < kept_.num_faces) continue;
+      for (std::uint32_t k = f.first; k < f.last; ++k) corners[end++] = verts_of.of_place(parts.face_places[k]);
+      end_face(f.origin);
     }
     result_.from.faces = element_origins(std::move(origins));
   }

@@ -54,7 +54,6 @@ class basic_polyhedra_tables<Lists>::extension {
     const auto build_edges = [&] {
       list_half_edges();
       number_edges();
-      list_edges_of_polys();
     };
     const auto build_polys = [&] {
       link_polys();
@@ -62,6 +61,7 @@ class basic_polyhedra_tables<Lists>::extension {
       list_polys_of_verts();
     };
     core::run_both(t_.is_large(), build_edges, build_polys);
+    list_edges_of_polys();  // several threads copy them
     t_.finish(vert_count_, polys_.size());
   }
 
@@ -200,10 +200,15 @@ class basic_polyhedra_tables<Lists>::extension {
     core::flat_array<Id> all;
     all.reserve(end + num_corners_);
     all.resize(end);
-    Id* next = all.data();
-    for (std::size_t p = 0; p < kept_.polys.size(); ++p)
-      if (kept_.polys[p] != none)
-        for (const Id x : before[p]) *next++ = Id{numbers[x.raw()]};
+    Id* const rows = all.data();
+    parallel_for(
+        kept_.polys.size(),
+        [this, rows, begins = first.data(), &before, &numbers](std::size_t p) {
+          if (kept_.polys[p] == none) return;
+          Id* next = rows + begins[kept_.polys[p]];
+          for (const Id x : before[p]) *next++ = Id{numbers[x.raw()]};
+        },
+        8192);
     core::flat_array<std::uint32_t> met(polys_.size() > kept_.num_polys ? bound : 0, none);
     for (std::uint32_t p = kept_.num_polys; p < polys_.size(); ++p) {
       for (const face_id f : polys_[p])
