@@ -61,7 +61,7 @@ std::multiset<std::set<unsigned>> polys_as_sets(const M& m) {
   return all;
 }
 
-namespace detail {
+namespace complexes {
 
 using simplices = std::multiset<std::set<unsigned>>;
 
@@ -78,10 +78,6 @@ inline std::set<std::set<unsigned>> closure(const simplices& all) {
   }
   return c;
 }
-
-}  // namespace detail
-
-namespace detail {
 
 /// The simplices of `polys` without the verts of t, of those that have them.
 inline simplices link_of(const simplices& polys, const std::set<unsigned>& t) {
@@ -175,27 +171,27 @@ inline int order_of(const simplices& polys, const std::set<unsigned>& s) {
   return degrees(g) == degrees(h) && euler_characteristic(g) == euler_characteristic(h) && chi == 2 - euler_characteristic(g) ? 2 : 3;
 }
 
-}  // namespace detail
+}  // namespace complexes
 
 /// Whether collapsing edge ab of the complex of these polys keeps its topology: by the definitions of Dey et al. 1999, for every simplex s of the links of a and b
 /// the order of abs is not smaller than those of as and bs both.
-inline bool obeys_link_condition(const detail::simplices& all_polys, unsigned a, unsigned b) {
-  detail::simplices polys;  // those with a or b, since only links of simplices with one of them are looked at
+inline bool obeys_link_condition(const complexes::simplices& all_polys, unsigned a, unsigned b) {
+  complexes::simplices polys;  // those with a or b, since only links of simplices with one of them are looked at
   for (const auto& p : all_polys)
     if (p.count(a) || p.count(b)) polys.insert(p);
-  const detail::simplices at_edge = detail::link_of(polys, {a, b});
+  const complexes::simplices at_edge = complexes::link_of(polys, {a, b});
   for (const auto& p : at_edge)
     if (at_edge.count(p) > 1) return false;
-  auto all = detail::closure(detail::link_of(polys, {a}));
+  auto all = complexes::closure(complexes::link_of(polys, {a}));
   all.insert(std::set<unsigned>());
   for (auto s : all) {
     if (s.count(b)) continue;
     s.insert(a);
-    const int of_a = detail::order_of(polys, s);
+    const int of_a = complexes::order_of(polys, s);
     s.erase(a), s.insert(b);
-    const int of_b = detail::order_of(polys, s);
+    const int of_b = complexes::order_of(polys, s);
     s.insert(a);
-    if (std::min(of_a, of_b) > detail::order_of(polys, s)) return false;
+    if (std::min(of_a, of_b) > complexes::order_of(polys, s)) return false;
   }
   return true;
 }
@@ -206,11 +202,11 @@ template<class M>
 std::multiset<std::multiset<std::pair<std::size_t, std::size_t>>> singular_links(const M& m) {
   std::multiset<std::multiset<std::pair<std::size_t, std::size_t>>> all;
   for (const auto v : verts(m)) {
-    detail::simplices sets;
+    complexes::simplices sets;
     for (const auto p : adj_v2p(m, v)) sets.insert(raw_set(adj_p2v(m, p)));
-    const auto graph = detail::link_of(sets, {v.raw()});
-    if (graph.empty() || detail::order_by_graph(graph) < 2) continue;
-    const auto arcs = detail::arcs_of(graph);
+    const auto graph = complexes::link_of(sets, {v.raw()});
+    if (graph.empty() || complexes::order_by_graph(graph) < 2) continue;
+    const auto arcs = complexes::arcs_of(graph);
     const auto degree = [&](unsigned x) {
       std::size_t n = 0;
       for (const auto& y : arcs) n += (y.first == x) + (y.second == x);
