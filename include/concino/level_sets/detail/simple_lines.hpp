@@ -66,6 +66,7 @@ class simple_lines {
   /// Reads a few polys before it looks at them, so that the processor waits for the memory of several at once.
   static bool find_pieces(const M& m, const unsigned char* states, std::span<const poly_t<M>> polys, piece* to) {
     std::vector<corner> corners;
+    std::vector<vec3> points;  // of one poly
     std::size_t ends[few];
     while (!polys.empty()) {
       const std::size_t n = std::min(polys.size(), few);
@@ -76,14 +77,14 @@ class simple_lines {
       }
       for (corner& c : corners) c.state = states[index_of(m, c.vert)];
       for (std::size_t i = 0, first = 0; i < n; first = ends[i++])
-        if (!find_piece(m, {corners.data() + first, ends[i] - first}, *to++)) return false;
+        if (!find_piece(m, {corners.data() + first, ends[i] - first}, points, *to++)) return false;
       polys = polys.subspan(n);
     }
     return true;
   }
 
   /// Larger values are to the left of a piece.
-  static bool find_piece(const M& m, std::span<const corner> corners, piece& x) {
+  static bool find_piece(const M& m, std::span<const corner> corners, std::vector<vec3>& points, piece& x) {
     unsigned char before = corners.back().state, joint = before;
     unsigned crossings = 0;
     for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -97,7 +98,7 @@ class simple_lines {
     }
     if ((joint & on_level) || crossings != 2) return false;
     if (corners.size() == 3) return true;
-    std::vector<vec3> points;
+    points.clear();
     for (const corner& c : corners) points.push_back(to_vec3(point(m, c.vert)));
     return is_convex_polygon(points);
   }
