@@ -106,19 +106,7 @@ class facet_adjacency {
   void set_facets(std::size_t n) { owner_ = core::flat_array<std::uint32_t>(n, ~0u); }
 
   /// Construction: makes f facet k of p.
-  void link(std::uint32_t p, std::uint32_t k, Facet f) {
-    facets_.begin(p)[k] = f;
-    std::uint32_t& o = owner_[f.raw()];
-    if (o == ~0u) {
-      o = N > 0 ? N * p + k : p;
-      neighbours_.begin(p)[k] = {};
-      return;
-    }
-    const incidence first = owner(f);
-    const encoded_neighbour before = neighbours_.begin(first.poly)[first.k];
-    join(first, p, k);
-    if (!before.is_none() && !before.is_non_manifold()) neighbours_.begin(before.poly())[local(before.poly(), f)] = neighbours_.begin(p)[k];
-  }
+  void link(std::uint32_t p, std::uint32_t k, Facet f);
   /// The same if the owner of f is known: the search takes long if polys have many facets. finish() must follow.
   void link(std::uint32_t p, std::uint32_t k, Facet f, incidence first) {
     facets_.begin(p)[k] = f;
@@ -128,17 +116,7 @@ class facet_adjacency {
   /// Construction: gives p the neighbours and marks that it had in other tables, where numbers[q] is the number of poly q here, or ~0. These numbers have the
   /// same order, and no facet had more than two polys. Polys without a number there are linked later.
   void copy_links(std::uint32_t p, const encoded_neighbour* before, const std::uint32_t* numbers)
-    requires(N == 0)
-  {
-    encoded_neighbour* const links = neighbours_.begin(p);
-    const Facet* const facets = facets_.begin(p);
-    for (std::uint32_t k = 0, n = facets_.length(p); k < n; ++k) {
-      const encoded_neighbour x = before[k];
-      const std::uint32_t q = x.is_none() ? ~0u : numbers[x.poly()];
-      links[k].raw = q == ~0u ? encoded_neighbour::none : q | (x.raw & encoded_neighbour::special);
-      if (q > p) owner_[facets[k].raw()] = p;
-    }
-  }
+    requires(N == 0);
   /// Whether a facet has, or had, more than two polys.
   bool has_poly_lists() const { return poly_lists_.size() > 0; }
 
@@ -158,29 +136,12 @@ class facet_adjacency {
     return true;
   }
   /// Adds the facets that one of the threads has linked under the numbers mark, mark + 1, ... `mark` is a bit that no other number has.
-  void add_facets(const core::flat_array<std::uint32_t>& owners, std::uint32_t mark) {
-    const auto first = static_cast<std::uint32_t>(owner_.size());
-    owner_.append(owners.data(), owners.size());
-    if (mark == 0) return;
-    Facet* const all = facets_.begin(0);
-    for (std::size_t i = 0; i < facets_.num_values(); ++i) all[i] = Facet{(all[i].raw() & ~mark) + (all[i].raw() & mark ? first : 0)};
-  }
+  void add_facets(const core::flat_array<std::uint32_t>& owners, std::uint32_t mark);
 
   /// Construction: call it after the last link, so that a neighbour behind two facets is listed once.
-  void finish() {
-    index_facets();
-    finish_lists();
-    std::vector<std::uint32_t> met;
-    for (std::uint32_t p = 0; p < num_polys(); ++p)
-      if (may_repeat(p)) mark_repeats(p, met);
-  }
+  void finish();
   /// The same if only these polys, each of them once, have links that were not copied, and index_facets() was called.
-  void finish(const std::vector<std::uint32_t>& linked) {
-    finish_lists();
-    std::vector<std::uint32_t> met;
-    for (const std::uint32_t p : linked)
-      if (may_repeat(p)) mark_repeats(p, met);
-  }
+  void finish(const std::vector<std::uint32_t>& linked);
   /// Construction: makes link() fast for polys with many facets, when all facets are listed.
   void index_facets() {
     if constexpr (N == 0) facet_lookup_ = row_lookup(facets_);
@@ -217,27 +178,7 @@ class facet_adjacency {
   }
 
   /// Edits: updates which incidences of p and of its neighbours repeat a neighbour. p is a new poly that was linked.
-  void update_marks(std::uint32_t p, std::vector<std::uint64_t> scratch) {
-    encoded_neighbour* const s = neighbours_.begin(p);
-    const std::uint32_t n = facets_.length(p);
-    if (n <= max_scanned_facets) {
-      mark_by_scanning(p);
-    } else {
-      for (std::uint32_t k = 0; k < n; ++k)
-        if (!s[k].is_none() && !s[k].is_non_manifold()) scratch.push_back(std::uint64_t{s[k].poly()} << 32 | k);
-      mark_repeats_in(scratch, s);
-    }
-    mark_in_poly_lists(p);
-    for (const Facet f : facets_[p]) {
-      const polys_of_facet all = polys_of(f);
-      if (all.size() == 3) {  // the others were neighbours through f before
-        mark_facets_to(all[0].raw(), all[1].raw());
-        mark_facets_to(all[1].raw(), all[0].raw());
-      }
-      for (const poly_id q : all)
-        if (q.raw() != p) mark_repeats_of(p, q.raw());
-    }
-  }
+  void update_marks(std::uint32_t p, std::vector<std::uint64_t> scratch);
 
   /// Edits: after this call unlink() cannot fail.
   void reserve_removal() { poly_lists_.make_editable(); }
@@ -399,26 +340,7 @@ class facet_adjacency {
   /// Marks the incidences of p whose neighbour is already behind an earlier facet or a non-manifold facet of p, and no others. The scratch memory needs
   /// room for its facets, if these are more than `max_scanned_facets`.
   template<class Scratch>
-  void refresh_marks(poly_id p, Scratch& scratch) {
-    encoded_neighbour* const s = neighbours_.begin(p.raw());
-    const std::uint32_t n = facets_.length(p.raw());
-    if (N > 0 && !is_marked(p.raw()) && !may_repeat(p.raw())) return;
-    bool has_list = false;
-    for (std::uint32_t k = 0; k < n; ++k) {
-      if (s[k].is_none()) continue;
-      if (s[k].is_non_manifold()) has_list = true;
-      else s[k].raw &= ~encoded_neighbour::special;
-    }
-    if (n <= max_scanned_facets) {
-      mark_by_scanning(p.raw());
-    } else {
-      scratch.clear();
-      for (std::uint32_t k = 0; k < n; ++k)
-        if (!s[k].is_none() && !s[k].is_non_manifold()) scratch.push_back(std::uint64_t{s[k].poly()} << 32 | k);
-      mark_repeats_in(scratch, s);
-    }
-    if (has_list) mark_in_poly_lists(p.raw());
-  }
+  void refresh_marks(poly_id p, Scratch& scratch);
   static constexpr std::uint32_t few_facets = 8;           // of polys whose poly lists are not stored
   static constexpr std::uint32_t max_scanned_facets = 24;  // up to here comparing all pairs is fastest
 
@@ -443,127 +365,34 @@ class facet_adjacency {
   }
 
   /// Marks the incidences of p whose neighbour is already behind an earlier facet or a non-manifold facet of p.
-  void mark_repeats(std::uint32_t p, std::vector<std::uint32_t>& met) {
-    encoded_neighbour* const s = neighbours_.begin(p);
-    const std::uint32_t n = facets_.length(p);
-    if (n <= max_scanned_facets) {
-      mark_by_scanning(p);
-      return mark_in_poly_lists(p);
-    }
-    if (met.size() < num_polys()) met.assign(num_polys(), ~0u);
-    std::size_t different = 0;
-    bool has_poly_list = false;
-    for (std::uint32_t k = 0; k < n; ++k) {
-      has_poly_list = has_poly_list || s[k].is_non_manifold();
-      if (s[k].is_none() || s[k].is_non_manifold()) continue;
-      const std::uint32_t q = s[k].poly();
-      if (met[q] == p) s[k].raw |= encoded_neighbour::special;
-      else ++different;
-      met[q] = p;
-    }
-    if (!has_poly_list || different == 0) return;
-    // met[q] becomes more than p where q is at a non-manifold facet. The shorter list is searched: the polys of that facet or the facets of p.
-    for (std::uint32_t j = 0; j < n; ++j) {
-      if (!s[j].is_non_manifold()) continue;
-      const id_span<poly_id> poly_list = poly_lists_[s[j].poly_list()];
-      if (poly_list.size() <= 16 * different) {
-        for (const poly_id q : poly_list)
-          if (met[q.raw()] == p) met[q.raw()] = p | encoded_neighbour::special;
-      } else {
-        for (std::uint32_t k = 0; k < n; ++k)
-          if (s[k].is_first_occurrence() && poly_lists_.holds(s[j].poly_list(), poly_id{s[k].poly()})) s[k].raw |= encoded_neighbour::special;
-      }
-    }
-    for (std::uint32_t k = 0; k < n; ++k)
-      if (s[k].is_first_occurrence() && met[s[k].poly()] == (p | encoded_neighbour::special)) s[k].raw |= encoded_neighbour::special;
-  }
+  void mark_repeats(std::uint32_t p, std::vector<std::uint32_t>& met);
 
  private:
   static constexpr std::size_t min_list_capacity = 4;       // of a new list of polys
 
-  void finish_lists() {
-    owner_.shrink_to_fit();
-    if constexpr (N == 0) {
-      set_poly_lists();
-      poly_lists_.index_poly_lists(neighbours_, few_facets);
-    }
-  }
+  void finish_lists();
 
   /// Marks incidences of one poly, given as neighbour and position, that repeat a neighbour.
   template<class Scratch>
-  static void mark_repeats_in(Scratch& sorted, encoded_neighbour* s) {
-    core::sort_numbers(sorted.data(), sorted.data() + sorted.size());
-    for (std::size_t i = 1; i < sorted.size(); ++i)
-      if (sorted[i] >> 32 == sorted[i - 1] >> 32) s[static_cast<std::uint32_t>(sorted[i])].raw |= encoded_neighbour::special;
-  }
+  static void mark_repeats_in(Scratch& sorted, encoded_neighbour* s);
 
-  void mark_by_scanning(std::uint32_t p) {
-    encoded_neighbour* const s = neighbours_.begin(p);
-    for (std::uint32_t k = 1; k < facets_.length(p); ++k)
-      if (!s[k].is_none() && !s[k].is_non_manifold())
-        for (std::uint32_t j = 0; j < k; ++j)
-          if (!s[j].is_none() && !s[j].is_non_manifold() && s[j].poly() == s[k].poly()) {
-            s[k].raw |= encoded_neighbour::special;
-            break;
-          }
-  }
+  void mark_by_scanning(std::uint32_t p);
 
   /// Marks the incidences of p whose neighbour is also at a non-manifold facet of p.
-  void mark_in_poly_lists(std::uint32_t p) {
-    encoded_neighbour* const s = neighbours_.begin(p);
-    const std::uint32_t n = facets_.length(p);
-    for (std::uint32_t j = 0; j < n; ++j)
-      if (s[j].is_non_manifold())
-        for (std::uint32_t k = 0; k < n; ++k)
-          if (s[k].is_first_occurrence() && poly_lists_.holds(s[j].poly_list(), poly_id{s[k].poly()})) s[k].raw |= encoded_neighbour::special;
-  }
+  void mark_in_poly_lists(std::uint32_t p);
 
   // A repeated neighbour stays repeated as long as that poly lives, so marks are only added: at incidences with a new poly, with one that is
   // at a non-manifold facet now, or with one that was at a non-manifold facet before.
 
   /// Marks the incidences of q with neighbour p if p is also behind an earlier facet or a non-manifold facet of q. p is the last poly of each of its lists.
-  void mark_repeats_of(std::uint32_t p, std::uint32_t q) {
-    encoded_neighbour* const s = neighbours_.begin(q);
-    const std::uint32_t n = facets_.length(q);
-    bool met = false;
-    for (std::uint32_t k = 0; k < n; ++k) met = met || (s[k].is_non_manifold() && *(poly_lists_.end(s[k].poly_list()) - 1) == poly_id{p});
-    for (std::uint32_t k = 0; k < n; ++k) {
-      if (s[k].is_none() || s[k].is_non_manifold() || s[k].poly() != p) continue;
-      if (met) s[k].raw |= encoded_neighbour::special;
-      met = true;
-    }
-  }
+  void mark_repeats_of(std::uint32_t p, std::uint32_t q);
   /// Marks the incidences of q whose only neighbour is p.
-  void mark_facets_to(std::uint32_t p, std::uint32_t q) {
-    encoded_neighbour* const s = neighbours_.begin(q);
-    for (std::uint32_t k = 0; k < facets_.length(q); ++k)
-      if (s[k].is_first_occurrence() && s[k].poly() == p) s[k].raw |= encoded_neighbour::special;
-  }
+  void mark_facets_to(std::uint32_t p, std::uint32_t q);
   /// Marks facet k of p, which has one neighbour, if that is also at a non-manifold facet of p.
-  void mark_if_in_poly_list(std::uint32_t p, std::uint32_t k) {
-    encoded_neighbour* const s = neighbours_.begin(p);
-    for (std::uint32_t j = 0; j < facets_.length(p); ++j)
-      if (s[j].is_non_manifold() && poly_lists_.holds(s[j].poly_list(), poly_id{s[k].poly()})) {
-        s[k].raw |= encoded_neighbour::special;
-        return;
-      }
-  }
+  void mark_if_in_poly_list(std::uint32_t p, std::uint32_t k);
 
   /// Gives the second poly of every non-manifold facet the list of its polys: before, it had one neighbour there.
-  void set_poly_lists() {
-    if (poly_lists_.size() == 0) return;
-    std::vector<std::uint32_t> poly_list(num_facets(), encoded_neighbour::none);
-    const auto for_each_incidence = [&](auto&& visit) {
-      for (std::uint32_t p = 0; p < num_polys(); ++p)
-        for (std::uint32_t k = 0; k < facets_.length(p); ++k) visit(facets_.begin(p)[k], neighbours_.begin(p)[k]);
-    };
-    for_each_incidence([&](Facet f, const encoded_neighbour& x) {
-      if (x.is_non_manifold()) poly_list[f.raw()] = x.raw;
-    });
-    for_each_incidence([&](Facet f, encoded_neighbour& x) {
-      if (poly_list[f.raw()] != encoded_neighbour::none) x.raw = poly_list[f.raw()];
-    });
-  }
+  void set_poly_lists();
 
   /// The k with facet k of p equal to f, which must exist.
   std::uint32_t local(std::uint32_t p, Facet f) const {
@@ -595,18 +424,10 @@ class facet_adjacency {
   }
 
   /// The incidence of the second poly is not updated here.
-  void add_to_poly_list(incidence s, encoded_neighbour& first, std::uint32_t p, std::uint32_t k) {
-    if (first.is_non_manifold()) {
-      poly_lists_.push(first.poly_list(), poly_id{p});
-    } else {
-      const std::uint32_t q = first.poly();  // smaller than the owner, if an edit has replaced it
-      const poly_id three[] = {poly_id{std::min(s.poly, q)}, poly_id{std::max(s.poly, q)}, poly_id{p}};
-      const std::uint32_t raw = encoded_neighbour::special | encoded_neighbour::non_manifold_bit | static_cast<std::uint32_t>(poly_lists_.size());
-      poly_lists_.add_row(three, three + 3, min_list_capacity);
-      first.raw = raw;
-    }
-    neighbours_.begin(p)[k].raw = first.raw;
-  }
+  void add_to_poly_list(incidence s, encoded_neighbour& first, std::uint32_t p, std::uint32_t k);
 };
 
 }  // namespace concino::detail
+
+#include <concino/mesh/detail/facet_adjacency_build.ipp>
+#include <concino/mesh/detail/facet_adjacency_marks.ipp>
