@@ -39,11 +39,17 @@ double seconds_of_edits(const M& m, const std::vector<u32>& edges, const Edit& e
   });
 }
 
-/// A mesh of this library that was edited once.
+/// A mesh of this library that was edited once: a vert was added and removed, of triangles an edge was flipped and flipped back too.
 template<class M, class Arrays>
 M editable(const Arrays& a) {
   M m(a);
   concino::remove_vert(m, concino::add_vert(m, {0, 0, 0}));
+  if constexpr (concino::TriMesh<M>)
+    for (const auto e : concino::edges(m))
+      if (concino::edge_flip(m, e)) {
+        if (!concino::edge_flip(m, e)) throw std::runtime_error("an edge cannot be flipped back");
+        break;
+      }
   return m;
 }
 
