@@ -10,6 +10,7 @@
 
 #include <random>
 #include <utility>
+#include <vector>
 
 namespace cn = concino;
 using cn::testing::whole;
@@ -22,9 +23,25 @@ struct direct_counts {
   unsigned done[3] = {};
 };
 
+/// Whether the first poly of each edge with two polys is the first after an edit, too, if the edge has it still and has two polys again.
+bool first_polys_stay(const cn::trimesh& before, const cn::trimesh& after) {
+  const auto polys = [](const cn::trimesh& m, cn::edge_id e) {
+    std::vector<cn::poly_id> all;
+    for (const cn::poly_id p : cn::adj_e2p(m, e)) all.push_back(p);
+    return all;
+  };
+  for (const cn::edge_id e : cn::edges(before)) {
+    if (!cn::contains(after, e) || cn::end_verts(before, e) != cn::end_verts(after, e)) continue;
+    const auto old = polys(before, e), now = polys(after, e);
+    if (old.size() == 2 && now.size() == 2 && now[1] == old[0]) return false;
+  }
+  return true;
+}
+
 /// Edits a copy of m by rewire, as an invariant or a property asks for it, and m in any way; both must agree. Returns whether m was edited directly.
 bool edits_agree(unsigned what, cn::trimesh& m, cn::edge_id e, double t) {
   using traits = concino::mesh_traits<cn::trimesh>;
+  const cn::trimesh before = m;
   cn::trimesh by_rewire = m, direct = m;
   const auto ends = cn::end_verts(m, e);
   const cn::vec3 x = concino::detail::point_between(cn::point(m, ends.first), cn::point(m, ends.second), t);
@@ -52,6 +69,7 @@ bool edits_agree(unsigned what, cn::trimesh& m, cn::edge_id e, double t) {
   CHECK(bool(asked) == bool(done));
   CHECK(asked.why == done.why);
   CHECK(whole(m) == whole(by_rewire));
+  CHECK(first_polys_stay(before, m));
   if (is_direct) CHECK(whole(direct) == whole(by_rewire));
   return is_direct;
 }

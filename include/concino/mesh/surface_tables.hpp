@@ -116,6 +116,8 @@ class surface_tables {
   void rewire(const detail::native_cavity& c, const detail::native_cavity_result& made, function_ref<void(const detail::index_bounds&)> grow = {},
               detail::edit_log* log = nullptr);
 
+  // The first poly of an edge with two polys stays the first, in each edit after which it has the edge still and the edge has two polys again.
+
   // Edits of an edge of triangles, faster than by rewire and with the same result. They leave an edit to rewire if a triangle has a non-manifold edge or a
   // neighbour behind two of its edges.
 
@@ -153,6 +155,7 @@ class surface_tables {
   class rewiring;
 
   // Of edits of triangles.
+  struct changing_edges;
   struct side_of_edge;
   struct outer_edge;
   static constexpr std::uint32_t longest_fan = 32;
@@ -163,7 +166,7 @@ class surface_tables {
   void prefetch_lists(vert_id v) const;
   void prefetch_poly(poly_id p) const;
   void prefetch_fan(vert_id b) const;
-  std::uint32_t find_triangles(edge_id e, vert_id a, vert_id b, side_of_edge* two) const;
+  std::uint32_t find_triangles(edge_id e, vert_id a, vert_id b, const changing_edges (&changing)[2], side_of_edge* two) const;
   void reserve_split(const side_of_edge* s, std::uint32_t n)
     requires(Arity == 3);
   void split_edges(edge_id e, vert_id x, const side_of_edge* s, std::uint32_t n, edge_id* to)

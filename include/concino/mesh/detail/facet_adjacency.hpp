@@ -337,6 +337,13 @@ class facet_adjacency {
   }
   /// Of the two polys at f, its facet k, p becomes the first.
   void set_first(Facet f, poly_id p, std::uint32_t k) { set_owner(f, p.raw(), k); }
+  /// If f has two polys and p is one of them, it becomes the first.
+  void keep_first(Facet f, poly_id p) {
+    if (!is_owned(f)) return;
+    const incidence s = owner(f);
+    const encoded_neighbour x = neighbours_.begin(s.poly)[s.k];
+    if (!x.is_none() && !x.is_non_manifold() && x.poly() == p.raw()) set_owner(f, p.raw(), local(p.raw(), f));
+  }
   /// Marks the incidences of p whose neighbour is already behind an earlier facet or a non-manifold facet of p, and no others. The scratch memory needs
   /// room for its facets, if these are more than `max_scanned_facets`.
   template<class Scratch>

@@ -70,6 +70,7 @@ class surface_tables<Arity, Lists>::rewiring {
 
   void change_polys_of_verts();
   void replace_polys();
+  void restore_order();
   void refresh_marks();
 
   using cavity_edge = detail::cavity_edge;
@@ -93,6 +94,7 @@ void surface_tables<Arity, Lists>::rewiring::find_old_edges() {
       x.id = e[k];
       ++x.old_polys;
       x.num_polys = t_.facet_adjacency_.num_polys_at(p, k);
+      if (x.num_polys == 2) x.first_poly = poly_id{t_.facet_adjacency_.owner(e[k]).poly};
       ++changes_[a].polys_before;
       if (t_.facet_adjacency_.neighbour(p, k).is_non_manifold())
         for (const poly_id q : t_.adj_e2p(e[k])) of_lists_.push_back(q);
@@ -199,6 +201,7 @@ void surface_tables<Arity, Lists>::rewiring::commit(const detail::native_cavity_
   detail::change_edges(edges_, t_.edges_, t_.e2v_, t_.incident_edges_, [this](unsigned v) { return vert(v); });
   while (t_.facet_adjacency_.num_facets() < t_.edges_.bound()) t_.facet_adjacency_.add_facet();
   replace_polys();
+  restore_order();
   refresh_marks();
   for (std::size_t k = c_.kept; k < c_.polys.size(); ++k) t_.polys_.remove(c_.polys[k]);
   for (std::size_t k = 0; k < num_new(); ++k) made.polys[k] = new_poly(k);
@@ -247,6 +250,13 @@ void surface_tables<Arity, Lists>::rewiring::replace_polys() {
     for (std::uint32_t i = 0; i < n; ++i) t_.p2v_.begin(p.raw())[i] = vert(v[i]);
     for (std::uint32_t i = 0; i < n; ++i) t_.facet_adjacency_.attach(p, i, edges_[*edge++].id);
   }
+}
+
+/// The first poly of an edge that had two, and has two again, stays the first.
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::rewiring::restore_order() {
+  for (const cavity_edge& x : edges_)
+    if (!x.first_poly.is_none() && !x.is_left_over()) t_.facet_adjacency_.keep_first(x.id, x.first_poly);
 }
 
 template<unsigned Arity, class Lists>

@@ -49,7 +49,7 @@ vert_id surface_tables<Arity, Lists>::split_edge(edge_id e)
 {
   const vert_id a = e2v_[e.raw()][0], b = e2v_[e.raw()][1];
   side_of_edge s[2];
-  const std::uint32_t n = find_triangles(e, a, b, s);
+  const std::uint32_t n = find_triangles(e, a, b, {{false, true}, {false, true}}, s);
   if (n == 0) return {};
   for (const vert_id v : {a, b, s[0].c, s[n - 1].c}) prefetch_lists(v);
   reserve_split(s, n);
@@ -69,7 +69,6 @@ vert_id surface_tables<Arity, Lists>::split_edge(edge_id e)
     facet_adjacency_.add_poly(3);
     p2v_.begin(p.raw())[s[i].corner_b] = x;
     p2v_.begin(q[i].raw())[s[i].corner_a] = x;
-    facet_adjacency_.put(p, s[i].at_a, s[i].ca.e, s[i].ca.outside, p);
     facet_adjacency_.put(q[i], s[i].at_b, s[i].bc.e, s[i].bc.outside, p);
     facet_adjacency_.put_between(p, s[i].at_b, q[i], s[i].at_a, to[i]);
   }
@@ -89,7 +88,7 @@ direct_edit surface_tables<Arity, Lists>::flip_edge(edge_id e)
 {
   const vert_id a = e2v_[e.raw()][0], b = e2v_[e.raw()][1];
   side_of_edge s[2];
-  if (find_triangles(e, a, b, s) != 2) return direct_edit::left_to_rewire;
+  if (find_triangles(e, a, b, {{false, true}, {true, false}}, s) != 2) return direct_edit::left_to_rewire;
   const auto runs_to_b = [](const side_of_edge& x) { return x.corner_a == x.at_edge; };
   if (runs_to_b(s[0]) == runs_to_b(s[1])) return direct_edit::left_to_rewire;
   // The lists of a and b are searched first: those of the opposite verts arrive later, and the less is left to do then, the sooner the next edit begins.
@@ -110,11 +109,9 @@ direct_edit surface_tables<Arity, Lists>::flip_edge(edge_id e)
   v2p_.push_reserved(d.raw(), p), v2p_.push_reserved(c.raw(), q);
   incident_edges_.push(c, d, e), incident_edges_.push(d, c, e);
   facet_adjacency_.put(p, s[0].at_edge, s[1].ca.e, s[1].ca.outside, q);
-  facet_adjacency_.put(p, s[0].at_a, s[0].ca.e, s[0].ca.outside, p);
   facet_adjacency_.put(q, s[1].at_edge, s[0].bc.e, s[0].bc.outside, p);
-  facet_adjacency_.put(q, s[1].at_b, s[1].bc.e, s[1].bc.outside, q);
   expect_second_poly(e, q);
-  expect_second_poly(s[0].ca.e, p), expect_second_poly(s[1].ca.e, p), expect_second_poly(s[0].bc.e, q), expect_second_poly(s[1].bc.e, q);
+  expect_second_poly(s[1].ca.e, p), expect_second_poly(s[0].bc.e, q);
   return direct_edit::done;
 }
 
@@ -154,7 +151,7 @@ direct_edit surface_tables<Arity, Lists>::collapse_edge(edge_id e)
 {
   const vert_id a = e2v_[e.raw()][0], b = e2v_[e.raw()][1];
   side_of_edge s[2];
-  if (incident_edges_.num_edges(b) > longest_fan || find_triangles(e, a, b, s) != 2) return direct_edit::left_to_rewire;
+  if (incident_edges_.num_edges(b) > longest_fan || find_triangles(e, a, b, {{true, true}, {true, true}}, s) != 2) return direct_edit::left_to_rewire;
   for (const vert_id v : {a, s[0].c, s[1].c}) prefetch_lists(v);
   prefetch_fan(b);
   for (const vert_id x : incident_edges_.verts(b))  // the link condition: both links have no other common verts
@@ -181,9 +178,9 @@ direct_edit surface_tables<Arity, Lists>::collapse_edge(edge_id e)
     v[at_b] = a;
     v2p_.push_reserved(a.raw(), p);
     for (std::uint32_t k = 0; k < 3; ++k) {
+      if (k == side_of_edge::next(at_b)) continue;  // it keeps its polys
       const outer_edge x(*this, p, k);
-      if (k == side_of_edge::next(at_b)) facet_adjacency_.put(p, k, x.e, x.outside, p);
-      else if (x.e == lost[0].e) facet_adjacency_.put(p, k, kept[0].e, kept[0].outside, s[0].p);
+      if (x.e == lost[0].e) facet_adjacency_.put(p, k, kept[0].e, kept[0].outside, s[0].p);
       else if (x.e == lost[1].e) facet_adjacency_.put(p, k, kept[1].e, kept[1].outside, s[1].p);
       else move_end(x.e, b, a, p, k);
     }

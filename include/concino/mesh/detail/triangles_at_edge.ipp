@@ -19,6 +19,12 @@ struct surface_tables<Arity, Lists>::outer_edge {
   bool is_regular() const { return outside.is_none() || outside.is_first_occurrence(); }
 };
 
+/// Which of the other edges of a triangle at the edge ab get another poly. Nothing is read or written for those that keep theirs.
+template<unsigned Arity, class Lists>
+struct surface_tables<Arity, Lists>::changing_edges {
+  bool ca, bc;
+};
+
 /// A triangle at the edge ab, with its third vert c. `at_edge`, `at_a`, `at_b`: the numbers of the edges ab, ca, bc; `corner_a`, `corner_b`: of the corners.
 template<unsigned Arity, class Lists>
 struct surface_tables<Arity, Lists>::side_of_edge {
@@ -29,7 +35,7 @@ struct surface_tables<Arity, Lists>::side_of_edge {
 
   static std::uint32_t next(std::uint32_t k) { return k == 2 ? 0 : k + 1; }
   side_of_edge() = default;
-  [[gnu::always_inline]] inline side_of_edge(const surface_tables& t, poly_id poly, std::uint32_t k, vert_id a) : p(poly), at_edge(k) {
+  [[gnu::always_inline]] inline side_of_edge(const surface_tables& t, poly_id poly, std::uint32_t k, vert_id a, changing_edges changing) : p(poly), at_edge(k) {
     const std::uint32_t second = next(at_edge), third = next(second);
     const vert_id* const v = t.p2v_.begin(p.raw());
     c = v[third];
@@ -38,8 +44,8 @@ struct surface_tables<Arity, Lists>::side_of_edge {
     at_a = starts_at_a ? third : second, at_b = starts_at_a ? second : third;
     ca = outer_edge(t, p, at_a), bc = outer_edge(t, p, at_b);
     t.prefetch_vert(c);
-    t.facet_adjacency_.prefetch_outside(ca.e, ca.outside);
-    t.facet_adjacency_.prefetch_outside(bc.e, bc.outside);
+    if (changing.ca) t.facet_adjacency_.prefetch_outside(ca.e, ca.outside);
+    if (changing.bc) t.facet_adjacency_.prefetch_outside(bc.e, bc.outside);
   }
   bool is_regular() const { return ca.is_regular() && bc.is_regular(); }
 };
@@ -102,7 +108,8 @@ void surface_tables<Arity, Lists>::set_ends(edge_id e, vert_id a, vert_id b) {
 
 /// The triangles at e, which has the ends a and b; returns 0 if these edits leave it to rewire. Requests what edits of e use, level by level.
 template<unsigned Arity, class Lists>
-[[gnu::always_inline]] inline std::uint32_t surface_tables<Arity, Lists>::find_triangles(edge_id e, vert_id a, vert_id b, side_of_edge* two) const {
+[[gnu::always_inline]] inline std::uint32_t surface_tables<Arity, Lists>::find_triangles(edge_id e, vert_id a, vert_id b, const changing_edges (&changing)[2],
+                                                                                         side_of_edge* two) const {
   if (!facet_adjacency_.is_owned(e)) return 0;
   const auto [first, k] = facet_adjacency_.owner(e);
   const poly_id p{first};
@@ -112,11 +119,11 @@ template<unsigned Arity, class Lists>
   const detail::encoded_neighbour behind = facet_adjacency_.neighbour(p, k);
   if (!behind.is_none() && !behind.is_first_occurrence()) return 0;
   if (!behind.is_none()) prefetch_poly(poly_id{behind.poly()});
-  std::construct_at(two, *this, p, k, a);  // in its place: a copy would be read before it has been written
+  std::construct_at(two, *this, p, k, a, changing[0]);  // in its place: a copy would be read before it has been written
   if (!two[0].is_regular()) return 0;
   if (behind.is_none()) return 1;
   const poly_id q{behind.poly()};
-  std::construct_at(two + 1, *this, q, facet_adjacency_.position_of(q, e), a);
+  std::construct_at(two + 1, *this, q, facet_adjacency_.position_of(q, e), a, changing[1]);
   return two[1].is_regular() ? 2 : 0;
 }
 
