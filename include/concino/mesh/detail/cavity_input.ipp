@@ -63,6 +63,16 @@ CONCINO_INLINE void check_old_elements(const native_cavity& c, const cavity_vert
   if (c.removed > c.verts.size()) core::throw_joined<invalid_mesh>({"rewire: ", c.removed, " verts cannot be removed: the cavity lists ", c.verts.size()});
 }
 
+/// Whether these few corners are different and below vert_count. There are no branches, which would often be predicted wrongly.
+inline bool are_different_verts(const unsigned* v, std::size_t n, std::size_t vert_count) {
+  bool all = true;
+  for (std::size_t i = 0; i < n; ++i) {
+    all &= v[i] < vert_count;
+    for (std::size_t j = 0; j < i; ++j) all &= v[i] != v[j];
+  }
+  return all;
+}
+
 /// Checks the corners of the first `count` new polys or faces.
 CONCINO_INLINE void check_corner_lists(const native_cavity& c, const char* what, std::size_t count, unsigned arity) {
   unsigned first = 0;
@@ -70,10 +80,12 @@ CONCINO_INLINE void check_corner_lists(const native_cavity& c, const char* what,
     const unsigned last = c.ends[k];
     if (last < first || last > c.corners.size())
       core::throw_joined<invalid_mesh>({"rewire: the corners of new ", what, " ", k, " end at ", last, ", which is not between ", first, " and ", c.corners.size()});
-    check_new_corners(what, k, {c.corners.begin() + first, c.corners.begin() + last}, c.verts.size() + c.points.size(), arity);
+    const std::size_t vert_count = c.verts.size() + c.points.size();
+    if (arity != 4 || last - first != 4 || !are_different_verts(c.corners.begin() + first, 4, vert_count))
+      check_new_corners(what, k, {c.corners.begin() + first, c.corners.begin() + last}, vert_count, arity);
     first = last;
   }
-  for (unsigned k = 0; k < first; ++k)
+  for (unsigned k = 0; c.removed > 0 && k < first; ++k)
     if (c.corners[k] < c.verts.size() && c.corners[k] + c.removed >= c.verts.size()) removed_vert_in_use(c.verts[c.corners[k]]);
 }
 
