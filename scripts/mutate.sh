@@ -126,6 +126,8 @@ mesh/detail/cell_tables_fans mesh/cell_tables mesh/native_mesh edit/elements mes
 mesh/detail/met_faces mesh/cell_tables mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws validate/dense_meshes
 mesh/detail/cell_tables_rewire mesh/cell_tables_rewire
 mesh/detail/cell_cavity mesh/cell_tables_rewire
+mesh/detail/cavity_numbers mesh/cell_tables_rewire
+mesh/detail/pair_numbers mesh/detail/pair_numbers
 mesh/detail/cavity_faces mesh/cell_tables_rewire
 mesh/detail/cavity_edges mesh/surface_rewire mesh/cell_tables_rewire mesh/polyhedra_tables_rewire
 mesh/detail/cavity_changes mesh/surface_rewire mesh/cell_tables_rewire mesh/polyhedra_tables_rewire

@@ -147,7 +147,7 @@ TEST_CASE("rewire: flips of four tets around an edge to four around another let 
 }
 
 TEST_CASE_TEMPLATE("rewire: a large cavity of cells, kept, removed and added again", M, cn::tetmesh, cn::hexmesh) {
-  M m = cn::testing::grid<M>(3);
+  M m = cn::testing::grid<M>(cn::arity_v<M> == 4 ? 3 : 5);
   const M grid = m;
   owned_cavity all = cell_cavity_of(m, cn::polys(m));
   for (const auto p : grid.tables().polys().all()) {
@@ -174,6 +174,30 @@ TEST_CASE_TEMPLATE("rewire: a large cavity of cells, kept, removed and added aga
   cells_are_right(m);
   CHECK(cn::num_edges(m) == cn::num_edges(grid));
   CHECK(cn::num_faces(m) == cn::num_faces(grid));
+}
+
+TEST_CASE_TEMPLATE("rewire: large cavities whose new cells are those of a grid, some of them twice, and random ones", M, cn::tetmesh, cn::hexmesh) {
+  std::mt19937 random(24);
+  const unsigned rounds = cn::testing::long_run() ? 40 : 4;
+  for (unsigned round = 0; round < rounds; ++round) {
+    M m = cn::testing::grid<M>(cn::arity_v<M> == 4 ? 3 : 5);
+    owned_cavity c = cell_cavity_of(m, cn::polys(m));
+    std::vector<std::vector<unsigned>> cells;
+    for (const auto p : c.polys) {
+      std::vector<unsigned>& v = cells.emplace_back();
+      for (const auto x : cn::adj_p2v(m, p)) v.push_back(static_cast<unsigned>(std::find(c.verts.begin(), c.verts.end(), x) - c.verts.begin()));
+    }
+    std::shuffle(c.polys.begin(), c.polys.end(), random);
+    c.polys.resize(c.polys.size() / 2);
+    c.points.resize(2);
+    for (unsigned k = 0; k < 90; ++k) {
+      const auto num_verts = static_cast<unsigned>(c.verts.size() + c.points.size());
+      c.add_poly(k % 9 ? cells[random() % cells.size()] : cn::testing::some_of(random, num_verts, static_cast<unsigned>(cn::arity_v<M>)));
+    }
+    c.kept = random() % c.polys.size();
+    rewires_as_told(m, c);
+    cells_are_right(m);
+  }
 }
 
 TEST_CASE("rewire: tets by one at an edge, and away again, in any order") {

@@ -4,6 +4,7 @@
 #include <concino/core/small_array.hpp>
 #include <concino/concepts/descriptors.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 
@@ -61,15 +62,6 @@ class cavity_edges {
     edges_.reserve(uses / 3);
   }
 
-  /// Requests the memory where number() will look for an edge. Needs: there are too many verts for a matrix.
-  void prefetch(unsigned a, unsigned b) const { __builtin_prefetch(&numbers_[a < b ? first_slot(a, b) : first_slot(b, a)], 1); }
-
-  /// The number of the edge that number() will probably find, after prefetch() has requested where it looks; it may be that of any edge.
-  unsigned guess(unsigned a, unsigned b) const {
-    const std::uint32_t plus_one = numbers_[a < b ? first_slot(a, b) : first_slot(b, a)];
-    return plus_one == 0 ? 0 : plus_one - 1;
-  }
-
   /// The number of the edge between two verts; it is added if it is new.
   unsigned number(unsigned a, unsigned b) {
     if (b < a) std::swap(a, b);
@@ -81,6 +73,9 @@ class cavity_edges {
     }
     return *plus_one - 1;
   }
+  /// Adds an edge that has got its number elsewhere; number() does not find it.
+  void add(unsigned a, unsigned b) { edges_.push_back({std::min(a, b), std::max(a, b), {}}); }
+  void reserve(std::size_t n) { edges_.reserve(n); }
   cavity_edge& at(unsigned a, unsigned b) { return edges_[number(a, b)]; }
 
   std::size_t size() const { return edges_.size(); }

@@ -44,26 +44,37 @@ class cavity_faces {
   void add_edges(std::size_t n) {
     while (met_.num_edges() < n) met_.add_edge();
   }
-  /// The number of the face with these verts in cyclic order, where edge i joins verts i and i + 1. It is added if it is new.
-  unsigned number(const unsigned (&v)[N], const unsigned (&edges)[N], std::uint32_t use) {
+  /// The edge where a face is listed, and its other verts.
+  struct face_key {
+    unsigned edge, other[N - 2];
+  };
+  /// The key of the face with these verts in cyclic order, where edge i joins verts i and i + 1.
+  [[gnu::always_inline]] static inline face_key key(const unsigned (&v)[N], const unsigned (&edges)[N]) {
     static_assert(N == 3 || N == 4);
-    typename met::face wanted;
     unsigned last = edges[0];
     if constexpr (N == 3) {
       unsigned other = v[2];  // no branches, which would often be predicted wrongly
       other = edges[1] > last ? v[0] : other, last = std::max(last, edges[1]);
       other = edges[2] > last ? v[1] : other, last = std::max(last, edges[2]);
-      wanted.other[0] = other;
+      return {last, {other}};
     } else {
       unsigned at = 0;
       for (unsigned i = 1; i < N; ++i) at = edges[i] > last ? i : at, last = std::max(last, edges[i]);
       const unsigned a = v[at], b = v[(at + 1) % N], after_b = v[(at + 2) % N], before_a = v[(at + 3) % N];
-      wanted.other[0] = a < b ? before_a : after_b, wanted.other[1] = a < b ? after_b : before_a;
+      return {last, {a < b ? before_a : after_b, a < b ? after_b : before_a}};
     }
-    const auto [number, is_new] = met_.find_or_add(last, wanted);
-    if (is_new) faces_.push_back({use, {}});
+  }
+  /// The number of the face with this key. It is added if it is new.
+  [[gnu::always_inline]] inline unsigned number(const face_key& x, std::uint32_t use) {
+    typename met::face wanted;
+    std::copy_n(x.other, N - 2, wanted.other);
+    const auto [number, is_new] = met_.find_or_add(x.edge, wanted);
+    if (is_new) add(use);
     return number;
   }
+  /// Adds a face that has got its number elsewhere; number() does not find it.
+  void add(std::uint32_t first_use) { faces_.push_back({first_use, {}}); }
+  void reserve(std::size_t n) { faces_.reserve(n); }
 
   std::size_t size() const { return faces_.size(); }
   unsigned number(const cavity_face<N>& x) const { return static_cast<unsigned>(&x - faces_.begin()); }

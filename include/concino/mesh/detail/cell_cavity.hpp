@@ -5,6 +5,7 @@
 #include <concino/mesh/detail/cavity_edges.hpp>
 #include <concino/mesh/detail/cavity_faces.hpp>
 #include <concino/mesh/detail/cavity_input.hpp>
+#include <concino/mesh/detail/cavity_numbers.hpp>
 #include <concino/mesh/detail/shapes.hpp>
 
 #include <array>
@@ -34,18 +35,20 @@ class cell_cavity {
   core::small_array<vert_change, 24> changes;  // of verts
   core::small_array<unsigned, 24 * Shape::verts> corners_of_old;
   core::small_array<std::uint32_t, 24 * Shape::edges> edges_of_polys;  // of the old polys, then of the new ones
-  core::small_array<std::uint32_t, 16 * Shape::faces> faces_of_new;
+  core::small_array<std::uint32_t, 24 * Shape::faces> faces_of_polys;  // the same
   std::size_t fresh_edges = 0, left_over_edges = 0, fresh_faces = 0, left_over_faces = 0;  // those the mesh did not have, and those it loses
 
   std::size_t num_old() const { return c.polys.size(); }
   std::size_t num_new() const { return c.ends.size(); }
+  std::size_t num_all() const { return num_old() + num_new(); }
   std::size_t num_added() const { return num_new() - c.kept; }
   const unsigned* corners(std::size_t k) const { return c.corners.begin() + k * Shape::verts; }
   const std::uint32_t* edges_of_new(std::size_t k) const { return edges_of_polys.begin() + (num_old() + k) * Shape::edges; }
+  const std::uint32_t* faces_of_new(std::size_t k) const { return faces_of_polys.begin() + (num_old() + k) * Shape::faces; }
   /// Whether face x had old polys only.
   static bool has_no_others(const face& x) { return x.num_polys == x.old_polys; }
-  /// The other use of a face that connects two new polys, as numbered in new_uses; no_mate if it has one new poly only, or others.
-  static constexpr std::uint32_t no_mate = ~0u;
+  /// The other use of a face that connects two new polys, as numbered in new_uses; no_mate if it has one new poly only, has_others if it has any others.
+  static constexpr std::uint32_t no_mate = ~0u, has_others = ~0u - 1;
   std::uint32_t mate(std::size_t use) const { return mates_[use]; }
   bool share_all_but_one(const face& x, const face& y) const {
     const auto a = corners_of(x), b = corners_of(y);
@@ -57,23 +60,25 @@ class cell_cavity {
 
   template<class Tables>
   cell_cavity(const Tables& t, const native_cavity& cavity)
-      : c(cavity), verts(c.verts), edges(num_verts, Shape::edges * (c.polys.size() + c.ends.size())),
-        faces(Shape::faces * (c.polys.size() + c.ends.size()), edges.capacity()), changes(num_verts, vert_change{}), corners_of_old(Shape::verts * c.polys.size(), 0),
-        edges_of_polys(Shape::edges * (c.polys.size() + c.ends.size()), 0),
-        faces_of_new(Shape::faces * c.ends.size(), 0) {
+      : c(cavity), verts(c.verts), edges(num_verts, is_large() ? 0 : Shape::edges * num_all()), faces(is_large() ? 0 : Shape::faces * num_all(), edges.capacity()),
+        changes(num_verts, vert_change{}), corners_of_old(Shape::verts * num_old(), 0), edges_of_polys(Shape::edges * num_all(), 0),
+        faces_of_polys(Shape::faces * num_all(), 0) {
     check_cavity(c, verts, t.verts(), t.polys(), Shape::verts);
-    fans.reserve(edges.capacity());
-    for (std::size_t k = 0; k < c.polys.size(); ++k) list_corners_of_old(t, k);
-    for (std::size_t k = 0; k < c.polys.size(); ++k) {
-      prefetch(corners_of_old.begin(), k, c.polys.size());
-      find_old(t, k);
+    for (std::size_t k = 0; k < num_old(); ++k) list_corners_of_old(t, k);
+    if (is_large()) number_all();
+    for (std::size_t k = 0; k < num_old(); ++k) {
+      if (!is_large()) find(k);
+      fans.resize(edges.size(), {});
+      count_old(t, k);
     }
     for (std::size_t k = 0; k < num_new(); ++k) {
-      prefetch(c.corners.begin(), k, num_new());
-      find_new(t, k);
+      if (!is_large()) find(num_old() + k);
+      count_new(k);
     }
     fans.resize(edges.size(), {});
-    compare_faces();
+    for (cavity_edge& x : edges)
+      if (x.id.is_none() && x.b < num_old_verts) x.id = t.incident_edges_.edge_between(verts[x.a], verts[x.b]);
+    compare_faces(t);
     compare_edges(t);
     for (unsigned v = num_old_verts - static_cast<unsigned>(c.removed); v < num_old_verts; ++v)
       if (t.adj_v2p(verts[v]).size() != changes[v].polys_before) removed_vert_in_use(verts[v]);
@@ -82,15 +87,25 @@ class cell_cavity {
  private:
   static constexpr const auto& shape = shape_v<Shape>;
 
-  /// Writes the numbers of the edges and faces of poly k, counted with old ones, which has corners v.
-  void find(std::size_t k, const unsigned* v, std::uint32_t* edges_of_poly, std::uint32_t* faces_of_poly) {
+  bool is_large() const { return num_new() >= 64; }  // the edges and faces of few polys are found in less time one after another
+
+  /// Numbers the edges and faces of poly k, counted with old ones.
+  void find(std::size_t k) {
+    const unsigned* const v = corners_of_poly(k);
+    std::uint32_t* const edges_of_poly = edges_of_polys.begin() + k * Shape::edges;
     for (unsigned j = 0; j < Shape::edges; ++j) edges_of_poly[j] = edges.number(v[Shape::edge_vert[j][0]], v[Shape::edge_vert[j][1]]);
     faces.add_edges(edges.size());
     for (unsigned j = 0; j < Shape::faces; ++j) {
-      unsigned w[Shape::face_verts], e[Shape::face_verts];
-      for (unsigned i = 0; i < Shape::face_verts; ++i) w[i] = v[Shape::face_vert[j][i]], e[i] = edges_of_poly[shape.face_edge[j][i]];
-      faces_of_poly[j] = faces.number(w, e, static_cast<std::uint32_t>(k * Shape::faces + j));
+      const std::size_t use = k * Shape::faces + j;
+      faces_of_polys[use] = faces.number(key_of_face<Shape>(v, edges_of_poly, j), static_cast<std::uint32_t>(use));
     }
+  }
+  /// The same for all polys of a large cavity.
+  [[gnu::noinline]] void number_all() {
+    pair_numbers numbers;
+    const auto corners_of_any = [this](std::size_t k) { return corners_of_poly(k); };
+    number_edges<Shape>(num_all(), corners_of_any, num_verts, edges_of_polys.data(), edges, numbers);
+    number_faces<Shape>(num_all(), corners_of_any, num_verts, edges_of_polys.data(), edges.size(), faces_of_polys.data(), faces, numbers);
   }
   const unsigned* corners_of_poly(std::size_t k) const { return k < num_old() ? corners_of_old.begin() + k * Shape::verts : corners(k - num_old()); }
   std::array<unsigned, Shape::face_verts> corners_of(const face& x) const {
@@ -119,93 +134,77 @@ class cell_cavity {
   }
 
   template<class Tables>
-  void find_old(const Tables& t, std::size_t k) {
+  void count_old(const Tables& t, std::size_t k) {
     const poly_id p = c.polys[k];
-    const unsigned* const v = corners_of_old.begin() + k * Shape::verts;
-    std::uint32_t* const edges_of_old = edges_of_polys.begin() + k * Shape::edges;
-    std::uint32_t faces_of_old[Shape::faces];
-    find(k, v, edges_of_old, faces_of_old);
-    fans.resize(edges.size(), {});
     const edge_id* const e = t.adj_p2e(p).begin();
     const face_id* const f = t.adj_p2f(p).begin();
     for (unsigned j = 0; j < Shape::edges; ++j) {
-      cavity_edge& x = edges[edges_of_old[j]];
-      fan_change& fan = fans[edges_of_old[j]];
-      if (x.old_polys++ == 0) x.id = e[j];
-      fan.starts_at_old |= t.first_poly(x.id) == p;
+      const std::uint32_t number = edges_of_polys[k * Shape::edges + j];
+      cavity_edge& x = edges[number];
+      ++x.old_polys;
+      x.id = e[j];
+      fans[number].starts_at_old |= t.first_poly(x.id) == p;
     }
     for (unsigned j = 0; j < Shape::faces; ++j) {
-      face& x = faces[faces_of_old[j]];
+      face& x = faces[faces_of_polys[k * Shape::faces + j]];
       if (x.old_polys++ > 0) continue;
       x.id = f[j];
       x.num_polys = t.facet_adjacency_.num_polys_at(p, j);
     }
   }
 
-  /// Requests the memory that find() will use for polys that follow poly k of n. The hash tables of a large cavity, and what they lead to, are not in the caches.
-  void prefetch(const unsigned* all_corners, std::size_t k, std::size_t n) const {
-    constexpr std::size_t large = 64, ahead = 4;
-    if (c.ends.size() < large) return;
-    if (k + 2 * ahead < n) prefetch_slots(all_corners + (k + 2 * ahead) * Shape::verts);
-    if (k + ahead < n) prefetch_found(all_corners + (k + ahead) * Shape::verts);
-  }
-  void prefetch_slots(const unsigned* v) const {
-    if (num_verts > cavity_edges::largest_matrix)
-      for (const auto& e : Shape::edge_vert) edges.prefetch(v[e[0]], v[e[1]]);
-  }
-  void prefetch_found(const unsigned* v) const {
-    if (num_verts > cavity_edges::largest_matrix)
-      for (const auto& e : Shape::edge_vert) __builtin_prefetch(edges.begin() + edges.guess(v[e[0]], v[e[1]]), 1);
-  }
-
-  template<class Tables>
-  void find_new(const Tables& t, std::size_t k) {
-    const unsigned* const v = corners(k);
-    std::uint32_t* const edges_of_poly = edges_of_polys.begin() + (num_old() + k) * Shape::edges;
-    std::uint32_t* const faces_of_poly = faces_of_new.begin() + k * Shape::faces;
-    for (unsigned i = 0; i < Shape::verts; ++i) ++changes[v[i]].polys_after;
-    find(num_old() + k, v, edges_of_poly, faces_of_poly);
+  /// Without branches, which would often be predicted wrongly.
+  void count_new(std::size_t k) {
+    for (unsigned i = 0; i < Shape::verts; ++i) ++changes[corners(k)[i]].polys_after;
     for (unsigned j = 0; j < Shape::edges; ++j) {
-      cavity_edge& x = edges[edges_of_poly[j]];
-      if (x.new_polys++ > 0) continue;
-      x.first_new = static_cast<std::uint32_t>(k * Shape::edges + j);
-      if (!x.id.is_none() || x.b >= num_old_verts) continue;
-      x.id = t.incident_edges_.edge_between(verts[x.a], verts[x.b]);
+      cavity_edge& x = edges[edges_of_new(k)[j]];
+      x.first_new = x.new_polys == 0 ? static_cast<std::uint32_t>(k * Shape::edges + j) : x.first_new;
+      ++x.new_polys;
     }
     for (unsigned j = 0; j < Shape::faces; ++j) {
-      face& x = faces[faces_of_poly[j]];
-      if (x.new_polys < 2) x.new_uses[x.new_polys] = static_cast<std::uint32_t>(k * Shape::faces + j);
-      if (x.new_polys++ == 0 && x.id.is_none()) look_for(t, x, v, j);
+      face& x = faces[faces_of_new(k)[j]];
+      const auto use = static_cast<std::uint32_t>(k * Shape::faces + j);
+      x.new_uses[0] = x.new_polys == 0 ? use : x.new_uses[0];
+      x.new_uses[1] = x.new_polys == 1 ? use : x.new_uses[1];
+      ++x.new_polys;
     }
   }
-  /// Finds face x, which is face j of a new poly with corners v, among those of other polys. The mesh can only have it if it has all its edges.
+  /// Finds face x of new polys among those of other polys. The mesh can only have it if it has all its edges.
   template<class Tables>
-  void look_for(const Tables& t, face& x, const unsigned* v, unsigned j) {
-    for (const std::uint32_t e : edges_of(x))
+  void look_for(const Tables& t, face& x, const std::array<std::uint32_t, Shape::face_verts>& edges_of_x) const {
+    for (const std::uint32_t e : edges_of_x)
       if (edges[e].id.is_none()) return;
+    const unsigned* const v = corners_of_poly(x.first_use / Shape::faces);
     vert_id all[Shape::verts];
     for (unsigned i = 0; i < Shape::verts; ++i) all[i] = v[i] < num_old_verts ? verts[v[i]] : vert_id{};
-    x.id = t.face_on(all, j);
+    x.id = t.face_on(all, x.first_use % Shape::faces);
     if (!x.id.is_none()) x.num_polys = static_cast<std::uint32_t>(t.adj_f2p(x.id).size());
   }
 
   /// An edge remains one fan if the faces between its old polys and others are those between its new polys and others, and the new polys are connected.
-  void compare_faces() {
-    for (const face& x : faces) {
+  template<class Tables>
+  void compare_faces(const Tables& t) {
+    for (face& x : faces) {
+      const auto edges_of_x = edges_of(x);
+      if (x.id.is_none()) look_for(t, x, edges_of_x);
       fresh_faces += x.id.is_none();
       left_over_faces += x.is_left_over();
       const std::uint32_t others = x.num_polys - x.old_polys;
       const bool is_irregular = others == 0 ? x.old_polys > 2 || x.new_polys > 2 : others > 1 || x.old_polys != 1 || x.new_polys != 1;
-      for (const std::uint32_t e : edges_of(x)) {
+      const bool is_old_joint = x.old_polys == 2, is_new_joint = is_joint(x);
+      for (const std::uint32_t e : edges_of_x) {
         fan_change& fan = fans[e];
         fan.is_irregular |= is_irregular;
         fan.has_others |= others > 0;
-        fan.old_joints += x.old_polys == 2;
-        fan.new_joints += is_joint(x);
+        fan.old_joints += is_old_joint;
+        fan.new_joints += is_new_joint;
       }
-      if (!is_joint(x)) continue;
-      mates_[x.new_uses[0]] = x.new_uses[1], mates_[x.new_uses[1]] = x.new_uses[0];
-      if (Shape::verts == 4 && opposite(x.new_uses[0]) == opposite(x.new_uses[1])) shortest_ring_ = 2;
+      if (is_new_joint) {
+        mates_[x.new_uses[0]] = x.new_uses[1], mates_[x.new_uses[1]] = x.new_uses[0];
+        if (Shape::verts == 4 && opposite(x.new_uses[0]) == opposite(x.new_uses[1])) shortest_ring_ = 2;
+      } else if (x.new_polys == 1 && others == 0) {
+        mates_[x.new_uses[0]] = no_mate;
+      }
     }
   }
   /// The corner of a new tet that is not at the face with this use.
@@ -216,7 +215,7 @@ class cell_cavity {
   /// Whether face x connects two new polys.
   static bool is_joint(const face& x) { return x.new_polys == 2 && has_no_others(x); }
 
-  core::small_array<std::uint32_t, 16 * Shape::faces> mates_{Shape::faces * c.ends.size(), no_mate};  // by use of a face that connects two new polys: the other one
+  core::small_array<std::uint32_t, 16 * Shape::faces> mates_{Shape::faces * c.ends.size(), has_others};  // see mate()
   unsigned shortest_ring_ = Shape::verts == 4 ? 3 : 2;  // of new polys around an edge: two tets that have two faces in common have all
 
   /// Whether the new polys at edge e are connected by faces at e.
@@ -228,7 +227,7 @@ class cell_cavity {
     std::uint32_t met = 1;
     for (const unsigned side : {0u, 1u}) {
       std::uint32_t use = first / Shape::edges * Shape::faces + shape.edge_face[first % Shape::edges][side];
-      while ((use = mates_[use]) != no_mate) {
+      while ((use = mates_[use]) < has_others) {
         const std::uint32_t k = use / Shape::faces;
         if (k == first / Shape::edges) return met == n;
         ++met;

@@ -16,6 +16,7 @@ class cell_tables<Shape, Lists>::rewiring {
   const detail::native_cavity& c_ = x_.c;
   const std::size_t first_vert_ = t_.verts_.bound(), first_poly_ = t_.polys_.bound();  // the first added ones
   core::small_array<edge_id, 80> edge_ids_;                                            // by number of an edge, which takes less memory than the edges
+  core::small_array<face_id, 112> face_ids_;                                           // the same of faces
   core::small_array<poly_id, 8> of_lists_;                                             // polys in lists of faces of old polys
 
   vert_id vert(unsigned local) const { return local < x_.num_old_verts ? x_.verts[local] : vert_id{first_vert_ + (local - x_.num_old_verts)}; }
@@ -63,7 +64,7 @@ template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::rewiring::reserve(function_ref<void(const detail::index_bounds&)> grow) {
   detail::pair_with_left_over(x_.edges, x_.fresh_edges, x_.left_over_edges);
   detail::pair_with_left_over(x_.faces, x_.fresh_faces, x_.left_over_faces, [this](const face& x, const face& y) { return x_.share_all_but_one(x, y); });
-  edge_ids_.reserve(x_.edges.size());
+  edge_ids_.reserve(x_.edges.size()), face_ids_.reserve(x_.faces.size());
   const std::size_t more_edges = x_.fresh_edges - std::min(x_.fresh_edges, x_.left_over_edges);
   const std::size_t more_faces = x_.fresh_faces - std::min(x_.fresh_faces, x_.left_over_faces);
   detail::reserve_lists_of_verts(t_.incident_edges_, t_.v2p_, x_.changes, x_.num_old_verts, [this](unsigned v) { return vert(v); });
@@ -149,13 +150,15 @@ template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::rewiring::change_faces() {
   for (face& x : x_.faces) {
     if (x.is_left_over() && !x.has_partner()) t_.faces_.remove(x.id);
-    if (!x.id.is_none()) continue;
-    if (x.has_partner()) {
-      x.id = x_.faces[x.partner].id;
-    } else {
-      x.id = t_.faces_.add();
-      t_.facet_adjacency_.add_facet();
+    if (x.id.is_none()) {
+      if (x.has_partner()) {
+        x.id = x_.faces[x.partner].id;
+      } else {
+        x.id = t_.faces_.add();
+        t_.facet_adjacency_.add_facet();
+      }
     }
+    face_ids_.push_back(x.id);
   }
 }
 
@@ -174,11 +177,10 @@ void cell_tables<Shape, Lists>::rewiring::replace_polys() {
 
 template<class Shape, class Lists>
 [[gnu::always_inline]] inline void cell_tables<Shape, Lists>::rewiring::attach(std::size_t k, unsigned j) {
-  const std::size_t use = k * Shape::faces + j;
-  const face& x = x_.faces[x_.faces_of_new[use]];
-  if (x.new_polys > 2 || !x_.has_no_others(x)) return t_.facet_adjacency_.attach(new_poly(k), j, x.id);
-  const std::uint32_t mate = x_.mate(use);
-  t_.facet_adjacency_.attach_between(new_poly(k), j, x.id, mate == x_.no_mate ? poly_id{} : new_poly(mate / Shape::faces), x.new_uses[0] == use);
+  const auto use = static_cast<std::uint32_t>(k * Shape::faces + j), mate = x_.mate(use);
+  const face_id f = face_ids_[x_.faces_of_new(k)[j]];
+  if (mate == x_.has_others) return t_.facet_adjacency_.attach(new_poly(k), j, f);
+  t_.facet_adjacency_.attach_between(new_poly(k), j, f, mate == x_.no_mate ? poly_id{} : new_poly(mate / Shape::faces), use < mate);
 }
 
 /// Sets where walks around edges start, and checks the edges whose polys may not be one fan.
