@@ -113,7 +113,7 @@ TEST_CASE_TEMPLATE("embed: the level set is a union of edges or faces, and measu
 
 TEST_CASE("embed: tets are cut one by one as cells of any kind are cut") {
   std::mt19937 random(7);
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; i < 10; ++i) {
     const auto m = mesh_to_cut<tetmesh>(random);
     const auto u = random_values(m, random, false);
     const auto states = detail::level_states(m, u, 1, "test");

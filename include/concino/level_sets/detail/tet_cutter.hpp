@@ -6,6 +6,7 @@
 #include <concino/level_sets/detail/embedding_lists.hpp>
 #include <concino/level_sets/detail/level_place.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -20,6 +21,21 @@ struct crossed_tet {
   unsigned char corners[4][3];  // of its faces, as positions in `verts`
   bool is_outward[4];           // whether these are counter-clockwise seen from outside
   std::uint32_t order[4];       // of faces: the number of the first face of crossed tets that is the same one
+};
+
+/// A face of a part of a tet. Corners that are equal and follow each other are one.
+struct part_face {
+  unsigned size = 0;
+  unsigned corners[4];
+
+  void push(unsigned corner) {
+    if (size == 0 || corners[size - 1] != corner) corners[size++] = corner;
+  }
+  void close() {
+    while (size > 1 && corners[size - 1] == corners[0]) --size;
+  }
+  unsigned smallest() const { return *std::min_element(corners, corners + size); }
+  void start_at_smallest() { std::rotate(corners, std::min_element(corners, corners + size), corners + size); }
 };
 
 /// Cuts tets one after another. The lists are those of list_embedding() for the parts of these cells, which can be any cells and take much longer.
@@ -37,6 +53,10 @@ class tet_cutter {
   unsigned place(const crossed_tet& t, unsigned a, unsigned b);
   void add_part(const crossed_tet& t, bool is_above);
   void add_tet(unsigned a, unsigned b, unsigned c, unsigned d);
+  void add_two_parts(const crossed_tet& t);
+  void find_places(const crossed_tet& t, bool first_is_above);
+  void add_simple_part(const crossed_tet& t, bool is_above, part_face cap);
+  part_face cap_below(const crossed_tet& t);
 
  public:
   embedding_lists lists;

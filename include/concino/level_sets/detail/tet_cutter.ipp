@@ -12,21 +12,6 @@
 
 namespace concino::detail {
 
-/// A face of a part of a tet. Corners that are equal and follow each other are one.
-struct part_face {
-  unsigned size = 0;
-  unsigned corners[4];
-
-  void push(unsigned corner) {
-    if (size == 0 || corners[size - 1] != corner) corners[size++] = corner;
-  }
-  void close() {
-    while (size > 1 && corners[size - 1] == corners[0]) --size;
-  }
-  unsigned smallest() const { return *std::min_element(corners, corners + size); }
-  void start_at_smallest() { std::rotate(corners, std::min_element(corners, corners + size), corners + size); }
-};
-
 CONCINO_INLINE void tet_cutter::resize(std::size_t num_tets) {
   constexpr std::size_t parts = 5;  // of a tet: often four or six
   core::reserve_large(lists.corners, 4 * parts * num_tets), core::reserve_large(lists.origins, parts * num_tets);
@@ -68,9 +53,83 @@ CONCINO_INLINE void tet_cutter::add(const crossed_tet& t) {
     for (; i > 0 && t.order[faces_[i - 1]] > t.order[k]; --i) faces_[i] = faces_[i - 1];
     faces_[i] = k;
   }
+  if (!((t.states[0] | t.states[1] | t.states[2] | t.states[3]) & on_level)) return add_two_parts(t);
   const bool first_is_above = t.states[0] != below_level;
   add_part(t, first_is_above);
   add_part(t, !first_is_above);
+}
+
+/// The face between both parts, counter-clockwise seen from above.
+CONCINO_INLINE part_face tet_cutter::cap_below(const crossed_tet& t) {
+  // tet_caps is about tets whose first three verts are clockwise seen from outside.
+  const unsigned position[4] = {0, t.is_outward[0] ? 2u : 1u, t.is_outward[0] ? 1u : 2u, 3};
+  constexpr unsigned char ends[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+  unsigned signs = 0;
+  for (unsigned k = 0; k < 4; ++k) signs |= (t.states[position[k]] != below_level ? 1u : 0u) << k;
+  const tet_cap& edges = tet_caps[signs];
+  part_face cap;
+  for (unsigned k = 0; k < edges.size; ++k) cap.push(place(t, position[ends[edges.edges[k]][0]], position[ends[edges.edges[k]][1]]));
+  return cap;
+}
+
+/// Finds all new verts of a tet, in the order in which add_part() does.
+CONCINO_INLINE void tet_cutter::find_places(const crossed_tet& t, bool first_is_above) {
+  constexpr unsigned char crossed[8][2] = {{}, {0, 2}, {1, 0}, {1, 2}, {2, 1}, {0, 1}, {2, 0}, {}};  // edges, by which of the three corners are in the first part
+  for (const unsigned char k : faces_) {
+    const unsigned char* const c = t.corners[k];
+    unsigned in_part = 0;
+    for (unsigned i = 0; i < 3; ++i) in_part |= ((t.states[c[i]] != below_level) == first_is_above ? 1u : 0u) << i;
+    if (in_part == 0 || in_part == 7) continue;
+    for (const unsigned char i : crossed[in_part]) {
+      const unsigned a = c[i], b = c[i == 2 ? 0 : i + 1];
+      places_[a][b] = places_[b][a] = place(t, a, b);
+    }
+  }
+}
+
+/// Adds the parts of a tet without verts on the level set. Then all shapes are known: only the face opposite to the smallest vert of a part and the cap do
+/// not have that vert, and in the cap all verts are new.
+CONCINO_INLINE void tet_cutter::add_two_parts(const crossed_tet& t) {
+  const bool first_is_above = t.states[0] != below_level;
+  find_places(t, first_is_above);
+  part_face cap = cap_below(t);
+  cap.start_at_smallest();
+  for (unsigned k = 1; k + 1 < cap.size; ++k) cut_faces_.insert(cut_faces_.end(), {cap.corners[0], cap.corners[k], cap.corners[k + 1]});
+  add_simple_part(t, first_is_above, cap);
+  add_simple_part(t, !first_is_above, cap);
+}
+
+/// cap: begins at its smallest vert, as cap_below() lists it.
+CONCINO_INLINE void tet_cutter::add_simple_part(const crossed_tet& t, bool is_above, part_face cap) {
+  unsigned top = 4, top_number = ~0u, size = 0;
+  for (unsigned i = 0; i < 4; ++i) {
+    const bool is_in = (t.states[i] != below_level) == is_above;
+    size += is_in;
+    const bool is_smaller = is_in && t.verts[i] < top_number;
+    top = is_smaller ? i : top, top_number = is_smaller ? t.verts[i] : top_number;
+  }
+  if (size > 1) {
+    unsigned k = 0;
+    for (unsigned i = 1; i < 4; ++i) k = 6u - t.corners[i][0] - t.corners[i][1] - t.corners[i][2] == top ? i : k;
+    const unsigned char* const c = t.corners[k];
+    const unsigned char outward[3] = {c[0], c[t.is_outward[k] ? 1 : 2], c[t.is_outward[k] ? 2 : 1]};
+    // Begin at the first of the corners in the part, which follow each other.
+    unsigned start = 0;
+    for (unsigned i = 0; i < 3; ++i)
+      if ((t.states[outward[i]] != below_level) == is_above && (t.states[outward[i == 0 ? 2 : i - 1]] != below_level) != is_above) start = i;
+    const unsigned a = outward[start], b = outward[(start + 1) % 3], d = outward[(start + 2) % 3];
+    if (size == 2) {
+      add_tet(top_number, t.verts[a], places_[a][b], places_[a][d]);
+    } else if (t.verts[a] < t.verts[b]) {
+      add_tet(top_number, t.verts[a], t.verts[b], places_[b][d]);
+      add_tet(top_number, t.verts[a], places_[b][d], places_[a][d]);
+    } else {
+      add_tet(top_number, t.verts[b], places_[b][d], places_[a][d]);
+      add_tet(top_number, t.verts[b], places_[a][d], t.verts[a]);
+    }
+  }
+  if (is_above) std::reverse(cap.corners + 1, cap.corners + cap.size);
+  for (unsigned k = 1; k + 1 < cap.size; ++k) add_tet(top_number, cap.corners[0], cap.corners[k], cap.corners[k + 1]);
 }
 
 /// Adds the tets between the smallest vert of a part and the triangles of its faces that do not have it.
@@ -95,15 +154,8 @@ CONCINO_INLINE void tet_cutter::add_part(const crossed_tet& t, bool is_above) {
     if (!t.is_outward[k]) std::reverse(f.corners, f.corners + f.size);
     ++num_faces;
   }
-  // tet_caps is about tets whose first three verts are clockwise seen from outside.
-  const unsigned position[4] = {0, t.is_outward[0] ? 2u : 1u, t.is_outward[0] ? 1u : 2u, 3};
-  constexpr unsigned char ends[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
-  unsigned signs = 0;
-  for (unsigned k = 0; k < 4; ++k) signs |= (t.states[position[k]] != below_level ? 1u : 0u) << k;
-  const tet_cap& edges = tet_caps[signs];
   part_face& cap = faces[num_faces++];
-  cap.size = 0;
-  for (unsigned k = 0; k < edges.size; ++k) cap.push(place(t, position[ends[edges.edges[k]][0]], position[ends[edges.edges[k]][1]]));
+  cap = cap_below(t);
   cap.close();
   if (is_above) {
     std::reverse(cap.corners, cap.corners + cap.size);
