@@ -8,6 +8,7 @@
 #include <concino/core/function_ref.hpp>
 
 #include <cstddef>
+#include <initializer_list>
 #include <type_traits>
 
 namespace concino {
@@ -55,6 +56,21 @@ void run_both(bool are_long, F&& f, G&& g) {
   };
   if (are_long) for_each_chunk(2, run);
   else run(0), run(1);
+}
+
+/// Calls each of some functions, and run(first, last) for the indices 0 to n in chunks, in several threads from the start if that takes long.
+/// Needs:  no two calls write to the same place; chunk > 0.      Result: as of one after the other.      Errors: of several, that of the first call.
+template<class F>
+void run_with_chunks(bool are_long, std::initializer_list<function_ref<void()>> functions, std::size_t n, std::size_t chunk, F&& run) {
+  if (!are_long) chunk = n;
+  const std::size_t num_functions = functions.size(), chunks = n == 0 ? 0 : n / chunk + (n % chunk != 0);
+  const auto run_one = [&](std::size_t i) {
+    if (i < num_functions) return functions.begin()[i]();
+    const std::size_t first = (i - num_functions) * chunk;
+    run(first, n - first < chunk ? n : first + chunk);
+  };
+  if (are_long) return for_each_chunk(num_functions + chunks, run_one);
+  for (std::size_t i = 0; i < num_functions + chunks; ++i) run_one(i);
 }
 
 /// The type of the callable in a loop: a copy of f if that is equivalent, since compilers then keep the members of f in registers.

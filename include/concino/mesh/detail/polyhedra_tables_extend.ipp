@@ -34,12 +34,14 @@ class basic_polyhedra_tables<Lists>::extension {
   const std::size_t vert_count_, first_corner_, num_corners_;  // corners of the added faces
 
   core::flat_array<std::uint32_t> first_half_, edge_to_;  // by vert; edge_to_ is of one vert at a time
+  core::flat_array<std::uint32_t> first_edge_;            // by vert: the first edge of which it is the smaller vert
   core::flat_array<half_edge> halves_;
   core::flat_array<edge_id> f2e_;  // of the added faces
   core::flat_array<vert_id> ends_;
   core::flat_array<face_id> faces_;
   detail::offsets first_face_, degrees_;
   std::uint32_t num_edges_ = 0, num_faces_ = 0;  // listed in ends_ and in faces_
+  bool are_few_at_vert_ = true;                  // no vert is the smaller one of so many edges that a scan takes long
   std::vector<kept_edge> group_;
   std::vector<std::uint32_t> next_;
 
@@ -61,7 +63,15 @@ class basic_polyhedra_tables<Lists>::extension {
       list_polys_of_verts();
     };
     core::run_both(t_.is_large(), build_edges, build_polys);
-    list_edges_of_polys();  // several threads copy them
+    poly_rows<edge_id> edges_of_polys(*this, before_.p2e_, kept_.edges);
+    const auto list_edges_of_verts = [&] { t_.incident_edges_ = detail::make_incident_edges(std::move(degrees_), t_.e2v_, edge_to_); };
+    const auto add_edges = [&] {
+      if (are_few_at_vert_) add_edges_of_polys(edges_of_polys);
+    };
+    const auto copy_edges = [&](std::size_t first, std::size_t last) { edges_of_polys.copy(first, last); };
+    core::run_with_chunks(t_.is_large(), {list_edges_of_verts, add_edges}, kept_.polys.size(), 16384, copy_edges);
+    if (!are_few_at_vert_) add_edges_of_polys(edges_of_polys);
+    t_.p2e_ = std::move(edges_of_polys).take();
     t_.finish(vert_count_, polys_.size());
   }
 
@@ -98,6 +108,7 @@ class basic_polyhedra_tables<Lists>::extension {
     first_face_.push_back(0);
     faces_.resize(t_.f2v_.num_values());
     degrees_ = core::exact_vector(vert_count_ + 1, 0u);
+    first_edge_.resize(vert_count_);
     std::size_t e = 0;
     for (std::size_t v = 0; v < kept_.verts.size(); ++v) {
       const std::size_t first = e;
@@ -109,7 +120,6 @@ class basic_polyhedra_tables<Lists>::extension {
     t_.e2v_ = detail::jagged_array<vert_id, 2>(std::move(ends_));
     detail::shrink_if_wasteful(first_face_);
     t_.e2f_ = {std::make_shared<const detail::offsets>(std::move(first_face_)), std::move(faces_)};
-    t_.incident_edges_ = detail::make_incident_edges(std::move(degrees_), t_.e2v_, edge_to_);
   }
 
   std::uint32_t add_edge(std::uint32_t a, std::uint32_t b) {
@@ -121,8 +131,10 @@ class basic_polyhedra_tables<Lists>::extension {
 
   /// Adds the edges of which `a` is the smaller vert. Before, those of kept faces were among `first` to `last`.
   void add_edges_at(std::uint32_t a, std::size_t first, std::size_t last) {
+    first_edge_[a] = num_edges_;
     bool keep_order = first_half_[a] == first_half_[a + 1];
     for (std::size_t e = first; keep_order && e < last; ++e) keep_order = now(*before_.e2f_.begin(e)) != none;
+    are_few_at_vert_ = are_few_at_vert_ && last - first <= detail::row_lookup::longest_scan;
     if (!keep_order) return sort_edges_at(a, first, last);
     for (std::size_t e = first; e < last; ++e) {
       kept_.edges[e] = add_edge(a, kept_.verts[before_.e2v_.begin(e)[1].raw()]);
@@ -151,6 +163,7 @@ class basic_polyhedra_tables<Lists>::extension {
     for (std::size_t e = first; e < last; ++e)  // those that only added faces have
       if (const std::uint32_t b = kept_.verts[before_.e2v_.begin(e)[1].raw()]; kept_.edges[e] == none && is_known(b)) kept_.edges[e] = edge_to_[b];
     list_faces_at(a, first_edge);
+    are_few_at_vert_ = are_few_at_vert_ && num_edges_ - first_edge <= detail::row_lookup::longest_scan;
   }
   void list_kept_edges(std::uint32_t a, std::size_t first, std::size_t last) {
     group_.clear();
@@ -187,46 +200,74 @@ class basic_polyhedra_tables<Lists>::extension {
     for (std::uint32_t i = first_half_[a]; i < first_half_[a + 1]; ++i) faces_[next_[f2e_[halves_[i].corner].raw() - first_edge]++] = face_id{halves_[i].face};
   }
 
-  /// The rows of all polys: those of kept ones are rows of `before` with the numbers now. Those of the others are what for_each_of_face(face, use) passes to
-  /// use(x), each value below `bound` once.
-  template<class Id, class F>
-  jagged<Id> rows_of_polys(const jagged<Id>& before, const std::vector<std::uint32_t>& numbers, std::size_t bound, const F& for_each_of_face) const {
-    detail::offsets first;
-    core::reserve_exact(first, polys_.size() + 1);
-    first.push_back(0);
-    std::uint32_t end = 0;
-    for (std::size_t p = 0; p < kept_.polys.size(); ++p)
-      if (kept_.polys[p] != none) first.push_back(end += before.length(p));
-    core::flat_array<Id> all;
-    all.reserve(end + num_corners_);
-    all.resize(end);
-    Id* const rows = all.data();
-    parallel_for(
-        kept_.polys.size(),
-        [this, rows, begins = first.data(), &before, &numbers](std::size_t p) {
-          if (kept_.polys[p] == none) return;
-          Id* next = rows + begins[kept_.polys[p]];
-          for (const Id x : before[p]) *next++ = Id{numbers[x.raw()]};
-        },
-        8192);
-    core::flat_array<std::uint32_t> met(polys_.size() > kept_.num_polys ? bound : 0, none);
-    for (std::uint32_t p = kept_.num_polys; p < polys_.size(); ++p) {
-      for (const face_id f : polys_[p])
-        for_each_of_face(f, [&](const Id& x) {
-          if (met[x.raw()] == p) return;
-          met[x.raw()] = p;
-          all.push_back(x);
-        });
-      first.push_back(static_cast<std::uint32_t>(all.size()));
-    }
-    if (all.size() >= ~0u) throw unsupported("polyhedra_tables: the mesh has more than 2^32 adjacencies of one kind");
-    all.shrink_to_fit();
-    return {std::make_shared<const detail::offsets>(std::move(first)), std::move(all)};
+  /// The edge between two verts that have one. The edges of verts may not be listed yet if there are few.
+  edge_id edge_between(vert_id a, vert_id b) const {
+    if (!are_few_at_vert_) return t_.edge_between(a, b);
+    const auto [smaller, larger] = std::minmax(a, b);
+    std::uint32_t e = first_edge_[smaller.raw()];
+    while (t_.e2v_.begin(e)[1] != larger) ++e;
+    return edge_id{e};
   }
-  void list_edges_of_polys() {
-    t_.p2e_ = rows_of_polys<edge_id>(before_.p2e_, kept_.edges, num_edges_, [&](face_id f, const auto& use) {
+
+  /// The rows of all polys: those of kept ones are rows of `before` with the numbers now.
+  template<class Id>
+  class poly_rows {
+    const extension& x_;
+    const jagged<Id>& before_;
+    const std::uint32_t* const numbers_;
+    detail::offsets first_;
+    core::flat_array<Id> all_, added_;  // added_ is joined to the others at the end
+
+   public:
+    poly_rows(const extension& x, const jagged<Id>& before, const std::vector<std::uint32_t>& numbers) : x_(x), before_(before), numbers_(numbers.data()) {
+      core::reserve_exact(first_, x_.polys_.size() + 1);
+      first_.push_back(0);
+      std::uint32_t end = 0;
+      for (std::size_t p = 0; p < x_.kept_.polys.size(); ++p)
+        if (x_.kept_.polys[p] != none) first_.push_back(end += before_.length(p));
+      all_.reserve(end + x_.num_corners_);
+      all_.resize(end);
+    }
+
+    /// Copies the rows of polys that were first to last before. Several threads can do so.
+    void copy(std::size_t first, std::size_t last) {
+      Id* const rows = all_.data();
+      const std::uint32_t *const begins = first_.data(), *const numbers = numbers_, *const polys_now = x_.kept_.polys.data();
+      for (std::size_t p = first; p < last; ++p) {
+        if (polys_now[p] == none) continue;
+        Id* next = rows + begins[polys_now[p]];
+        for (const Id x : before_[p]) *next++ = Id{numbers[x.raw()]};
+      }
+    }
+
+    /// Adds the rows of the other polys: what for_each_of_face(face, use) passes to use(x), each value below `bound` once.
+    template<class F>
+    void add(std::size_t bound, const F& for_each_of_face) {
+      const jagged<face_id>& faces_of = x_.polys_;
+      core::flat_array<std::uint32_t> met(faces_of.size() > x_.kept_.num_polys ? bound : 0, none);
+      for (std::uint32_t p = x_.kept_.num_polys; p < faces_of.size(); ++p) {
+        for (const face_id f : faces_of[p])
+          for_each_of_face(f, [&](const Id& x) {
+            if (met[x.raw()] == p) return;
+            met[x.raw()] = p;
+            added_.push_back(x);
+          });
+        first_.push_back(static_cast<std::uint32_t>(all_.size() + added_.size()));
+      }
+      if (all_.size() + added_.size() >= ~0u) throw unsupported("polyhedra_tables: the mesh has more than 2^32 adjacencies of one kind");
+    }
+
+    jagged<Id> take() && {
+      all_.append(added_.data(), added_.size());
+      all_.shrink_to_fit();
+      return {std::make_shared<const detail::offsets>(std::move(first_)), std::move(all_)};
+    }
+  };
+  void add_edges_of_polys(poly_rows<edge_id>& rows) const {
+    rows.add(num_edges_, [&](face_id f, const auto& use) {
       if (f.raw() < kept_.num_faces) {
-        for (const edge_id e : t_.adj_f2e(f)) use(e);
+        const id_span<vert_id> v = t_.f2v_[f.raw()];
+        for (std::size_t k = 0; k < v.size(); ++k) use(edge_between(v[k], v[k + 1 == v.size() ? 0 : k + 1]));
       } else {
         const std::size_t first = t_.f2v_.first(f.raw()) - first_corner_;
         for (std::size_t i = first; i < first + t_.f2v_.length(f.raw()); ++i) use(f2e_[i]);
@@ -234,9 +275,12 @@ class basic_polyhedra_tables<Lists>::extension {
     });
   }
   void list_verts_of_polys() {
-    t_.p2v_ = rows_of_polys<vert_id>(before_.p2v_, kept_.verts, vert_count_, [&](face_id f, const auto& use) {
+    poly_rows<vert_id> rows(*this, before_.p2v_, kept_.verts);
+    rows.copy(0, kept_.polys.size());
+    rows.add(vert_count_, [&](face_id f, const auto& use) {
       for (const vert_id v : t_.f2v_[f.raw()]) use(v);
     });
+    t_.p2v_ = std::move(rows).take();
   }
 
   void list_polys_of_verts() {
