@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace concino::detail {
@@ -35,7 +36,10 @@ class clip_verts {
   element_origins origins;
 
   clip_verts(const M& m, const Crossed& crossed, const std::vector<level_place>& places, double level)
-      : m_(m), crossed_(crossed), places_(places), level_(level), number_(core::large_vector(vert_index_bound(m), ~0u)), number_of_place_(core::large_vector(places.size(), ~0u)) {}
+      : clip_verts(m, crossed, places, level, core::large_vector(vert_index_bound(m), ~0u)) {}
+  /// marks: by index of the vert in m: 0 if it is marked already, else ~0.
+  clip_verts(const M& m, const Crossed& crossed, const std::vector<level_place>& places, double level, std::vector<std::uint32_t> marks)
+      : m_(m), crossed_(crossed), places_(places), level_(level), number_(std::move(marks)), number_of_place_(core::large_vector(places.size(), ~0u)) {}
 
   void mark(const vert_t<M>& v) { number_[index_of(m_, v)] = 0; }
   void mark_place(std::uint32_t place) {

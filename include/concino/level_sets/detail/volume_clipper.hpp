@@ -9,6 +9,7 @@
 #include <concino/level_sets/detail/clip_edges.hpp>
 #include <concino/level_sets/detail/clip_parts.hpp>
 #include <concino/level_sets/detail/clip_verts.hpp>
+#include <concino/level_sets/detail/whole_polys.hpp>
 
 #include <algorithm>
 #include <concepts>
@@ -25,13 +26,12 @@ concept has_polyhedra_tables = requires(const M& m) { { traits<M>::tables(m) } -
 /// The polys of the result are those that are kept whole, in the order of m, and then parts of polys. Likewise faces.
 template<class M, class U>
 class volume_clipper {
-  static constexpr std::uint32_t of_part_only = 1;  // in face_number_, before faces are numbered: a face of a part, and of no poly that is kept
+  static constexpr unsigned char of_part_only = 2;  // in whole_.has_face: a face of a part, and of no poly that is kept
   const M& m_;
   double level_;
   bool both_;
-  state_array states_;  // of polys: those of all their verts
   std::optional<clip_parts<M>> crossed_;
-  std::vector<poly_t<M>> whole_;
+  whole_polys<M> whole_;
   std::vector<std::uint32_t> cut_;          // parts
   std::vector<std::uint32_t> cut_origins_;  // by entry of cut_: the index of the poly in m
   std::vector<std::uint32_t> face_number_;  // by index of the face in m
@@ -42,11 +42,13 @@ class volume_clipper {
   clipped_volume<M> result_;
 
  public:
-  volume_clipper(const M& m, const U& u, double level, bool both, const char* caller) : m_(m), level_(level), both_(both) {
-    const state_array of_verts = level_states(m, u, level, caller);
-    states_ = poly_states(m, of_verts);
+  volume_clipper(const M& m, const U& u, double level, bool both, const char* caller) : m_(m), level_(level), both_(both), whole_(m, both) {
+    const state_array of_verts = level_states(m, u, level, caller), of_polys = poly_states(m, of_verts);
     face_number_ = core::large_vector(face_index_bound(m), ~0u);
-    crossed_.emplace(m, u, level, of_verts.data(), states_.data(), face_number_.data(), crossed_by_state(m, states_), both, caller);
+    const auto cut_crossed = [&] {
+      crossed_.emplace(m, u, level, of_verts.data(), of_polys.data(), face_number_.data(), crossed_by_state(m, of_polys), both, caller);
+    };
+    core::run_both(has_many_polys(m), cut_crossed, [&] { whole_.list(of_polys); });
   }
 
   clipped_volume<M> run(const clip_options& options, const char* caller) {
@@ -54,10 +56,11 @@ class volume_clipper {
     result_.report.moved_verts = std::move(crossed_->moved_verts);
     report_progress(options.progress, 0.3, "clipping");
     const std::vector<level_place> places = std::move(crossed_->lists.places);
-    clip_verts<M, place_ends> verts_of(m_, crossed_->ends, places, level_);
-    choose_polys(crossed_->lists, verts_of);
+    choose_parts(crossed_->lists);
+    clip_verts<M, place_ends> verts_of(m_, crossed_->ends, places, level_, std::move(whole_.vert_numbers));
+    choose_faces(crossed_->lists, verts_of);
+    number_faces(crossed_->lists, verts_of);
     verts_of.number();
-    number_faces(crossed_->lists);
     const auto list_faces = [&] { build_faces(crossed_->lists, verts_of); };
     const auto list_polys_and_verts = [&] {
       build_polys(crossed_->lists);
@@ -67,7 +70,7 @@ class volume_clipper {
     a_.points = std::move(verts_of.points);
     result_.from.verts = std::move(verts_of.origins);
     crossed_.reset();  // its memory can be used for the mesh
-    core::release(new_face_), core::release(whole_);
+    core::release(new_face_), core::release(whole_.polys);
     report_progress(options.progress, 0.5, "clipping");
     build_mesh(verts_of);
     report_progress(options.progress, 0.8, "clipping");
@@ -95,55 +98,46 @@ class volume_clipper {
     return parts.faces[f].is_whole ? parts.faces[f].origin : ~0u;
   }
 
-  void choose_polys(const part_lists& parts, clip_verts<M, place_ends>& verts_of) {
-    const auto keep = [&](const poly_t<M>& p, bool above) {
-      if (!above && !both_) return;
-      for (const face_t<M> f : adj_p2f(m_, p)) face_number_[index_of(m_, f)] = 0, ++num_poly_faces_;
-      for (const vert_t<M> v : adj_p2v(m_, p)) verts_of.mark(v);
-      whole_.push_back(p);
-      result_.above.push_back(above);
-    };
-    const std::size_t all = num_polys(m_);  // an upper bound, which costs addresses only
-    core::reserve_large(whole_, all), core::reserve_exact(result_.above, all);
-    std::size_t next = 0, part = 0;
-    for (const poly_t<M> p : polys(m_)) {
-      if (const unsigned char s = states_[index_of(m_, p)]; !is_crossed(s)) {
-        keep(p, s != below_level);
-        continue;
-      }
-      for (; part < parts.parts.size() && parts.parts[part].cell == next; ++part) {
-        const part_lists::part& x = parts.parts[part];
-        if (x.is_whole) keep(p, x.is_above);
-        else if (x.is_above || both_) cut_.push_back(static_cast<std::uint32_t>(part));
-      }
-      ++next;
+  void choose_parts(const part_lists& parts) {
+    std::vector<typename whole_polys<M>::inserted_poly> whole;
+    for (std::size_t i = 0; i < parts.parts.size(); ++i) {
+      const part_lists::part& x = parts.parts[i];
+      if (!x.is_above && !both_) continue;
+      if (x.is_whole) whole.push_back({x.cell, x.is_above});
+      else cut_.push_back(static_cast<std::uint32_t>(i));
     }
+    whole_.insert(whole);
+    result_.above = std::move(whole_.above);
+  }
+
+  void choose_faces(const part_lists& parts, clip_verts<M, place_ends>& verts_of) {
+    num_poly_faces_ = whole_.num_faces;
     new_face_ = core::large_vector(parts.faces.size(), ~0u);
     for (const std::uint32_t i : cut_)
       for (std::uint32_t k = parts.parts[i].first; k < parts.parts[i].last; ++k, ++num_poly_faces_) {
         const std::uint32_t f = parts.part_faces[k];
         if (const std::uint32_t whole = whole_face(parts, f); whole != ~0u) {
-          if (face_number_[whole] == ~0u) face_number_[whole] = of_part_only;
+          if (!whole_.has_face[whole]) whole_.has_face[whole] = of_part_only;
           continue;
         }
         if (new_face_[f] == ~0u) ++num_faces_, num_corners_ += parts.faces[f].last - parts.faces[f].first;
         new_face_[f] = 0;
         for (std::uint32_t j = parts.faces[f].first; j < parts.faces[f].last; ++j) verts_of.mark_place(parts.face_places[j]);
       }
-    for (const face_t<M> f : faces(m_)) {
-      if (face_number_[index_of(m_, f)] == ~0u) continue;
-      ++num_faces_;
-      const auto& ring = adj_f2v(m_, f);
-      num_corners_ += num_elements(ring);
-      if (face_number_[index_of(m_, f)] == of_part_only)
-        for (const vert_t<M> v : ring) verts_of.mark(v);
-    }
   }
 
-  void number_faces(const part_lists& parts) {
+  void number_faces(const part_lists& parts, clip_verts<M, place_ends>& verts_of) {
     std::uint32_t n = 0;
-    for (const face_t<M> f : faces(m_))
-      if (std::uint32_t& x = face_number_[index_of(m_, f)]; x != ~0u) x = n++;
+    for (const face_t<M> f : faces(m_)) {
+      const std::size_t index = index_of(m_, f);
+      if (!whole_.has_face[index]) continue;
+      face_number_[index] = n++;
+      const auto& ring = adj_f2v(m_, f);
+      num_corners_ += num_elements(ring);
+      if (whole_.has_face[index] == of_part_only)
+        for (const vert_t<M> v : ring) verts_of.mark(v);
+    }
+    num_faces_ += n;
     kept_.num_faces = n;
     for (std::size_t i = 0; i < parts.faces.size(); ++i) {
       const part_lists::face& f = parts.faces[i];
@@ -194,13 +188,13 @@ class volume_clipper {
   }
 
   void build_polys(const part_lists& parts) {
-    const std::size_t num_polys = whole_.size() + cut_.size();
+    const std::size_t num_polys = whole_.polys.size() + cut_.size();
     core::reserve_exact(a_.poly_offsets, num_polys + 1), core::reserve_exact(a_.poly_faces, num_poly_faces_), core::reserve_exact(a_.outward, num_poly_faces_);
     a_.poly_offsets.resize(num_polys + 1), a_.poly_faces.resize(num_poly_faces_), a_.outward.resize(num_poly_faces_);
     std::uint32_t end = 0, *next_end = a_.poly_offsets.data() + 1;
     face_id* const faces_of = a_.poly_faces.data();
     unsigned char* const outward = a_.outward.data();
-    for (const poly_t<M>& p : whole_) {
+    for (const poly_t<M>& p : whole_.polys) {
       for_each_face(p, [&](const face_t<M>& f, bool is_outward) {
         faces_of[end] = face_id{face_number_[index_of(m_, f)]};
         outward[end++] = is_outward;
@@ -217,11 +211,11 @@ class volume_clipper {
       result_.above.push_back(parts.parts[i].is_above);
       cut_origins_.push_back(crossed_->poly_indices[parts.parts[i].cell]);
     }
-    result_.from.polys = origins_of(m_, whole_);
+    result_.from.polys = origins_of(m_, whole_.polys);
     if (!extends_tables()) return;
-    kept_.num_polys = static_cast<std::uint32_t>(whole_.size());
+    kept_.num_polys = static_cast<std::uint32_t>(whole_.polys.size());
     kept_.polys = core::large_vector(poly_index_bound(m_), ~0u);
-    for (std::size_t i = 0; i < whole_.size(); ++i) kept_.polys[index_of(m_, whole_[i])] = static_cast<std::uint32_t>(i);
+    for (std::size_t i = 0; i < whole_.polys.size(); ++i) kept_.polys[index_of(m_, whole_.polys[i])] = static_cast<std::uint32_t>(i);
   }
 
   /// Whether most adjacencies of the result are those of m with other numbers, and can be copied.
