@@ -64,13 +64,15 @@ inline void check_snap(double snap, const char* caller) {
     core::throw_joined<invalid_argument>({caller, ": .snap is ", core::number_text(snap), "; it must be at least 0 and below 0.5"});
 }
 
-/// The edge or the face with these verts.
+/// The edge or the face with these verts. p: a poly that has it, or null if none is known.
 template<class M>
-void add_element(const M& m, const std::vector<vert_t<M>>& corners, std::vector<edge_t<M>>& to) {
+void add_element(const M& m, const std::vector<vert_t<M>>& corners, const poly_t<M>*, std::vector<edge_t<M>>& to) {
   add_edge_between(m, corners[0], corners[1], to);
 }
 template<class M>
-void add_element(const M& m, const std::vector<vert_t<M>>& corners, std::vector<face_t<M>>& to) {
+void add_element(const M& m, const std::vector<vert_t<M>>& corners, const poly_t<M>* p, std::vector<face_t<M>>& to) {
+  if constexpr (arity_v<M> == 4)  // only then are there such polys
+    if (p && add_face_of_tet(m, *p, corners, to)) return;
   add_face_with(m, corners, to);
 }
 
@@ -81,7 +83,7 @@ void embed_lists(M& m, U& u, double level, const Crossed& crossed, const embeddi
   level_embedder<M, Crossed> embedder(m, crossed, level, lists, places, origins_of);
   cut.reserve(lists.cut_ends.size());
   embedder.run(m, u, result.snapped, caller);
-  embedder.for_each_cut([&](const std::vector<vert_t<M>>& corners) { add_element(m, corners, cut); });
+  embedder.for_each_cut([&](const std::vector<vert_t<M>>& corners, const poly_t<M>* p) { add_element(m, corners, p, cut); });
   result.verts = std::move(embedder.new_verts);
 }
 template<class M, class U, class Crossed, class Parts, class Result, class Elements, class OriginsOf>

@@ -119,14 +119,15 @@ class level_embedder {
     const std::uint32_t n = lists_.number_of_place[place];
     return n != ~0u ? new_verts[n] : crossed_.verts[places_[place].above];
   }
-  /// Calls f(verts) for each edge or face on the level set.
+  /// Calls f(verts, poly) for each edge or face on the level set. poly: a pointer to a new poly that has it, or null if none is known.
   template<class F>
   void for_each_cut(const F& f) {
     std::size_t k = 0;
-    for (const std::uint32_t end : lists_.cut_ends) {
+    for (std::size_t i = 0; i < lists_.cut_ends.size(); ++i) {
       corners_.clear();
-      for (; k < end; ++k) corners_.push_back(vert_at(lists_.cut_places[k]));
-      f(corners_);
+      for (; k < lists_.cut_ends[i]; ++k) corners_.push_back(vert_at(lists_.cut_places[k]));
+      const std::uint32_t poly = lists_.cut_polys.empty() ? ~0u : lists_.cut_polys[i];
+      f(corners_, poly == ~0u ? nullptr : &new_polys[poly]);
     }
   }
 };

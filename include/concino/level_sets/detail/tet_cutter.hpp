@@ -53,6 +53,7 @@ class tet_cutter {
   unsigned place(const crossed_tet& t, unsigned a, unsigned b);
   void add_part(const crossed_tet& t, bool is_above);
   void add_tet(unsigned a, unsigned b, unsigned c, unsigned d);
+  void add_cut_face(unsigned a, unsigned b, unsigned c, std::uint32_t poly);
   void add_two_parts(const crossed_tet& t);
   void find_places(const crossed_tet& t, bool first_is_above);
   void add_simple_part(const crossed_tet& t, bool is_above, part_face cap);
@@ -66,7 +67,7 @@ class tet_cutter {
   void resize(std::size_t num_tets);
   void add(const crossed_tet& t);
   /// Adds a face on the level set, with existing verts. Those of cut tets come later.
-  void add_whole_face(const std::uint32_t* verts) { cut_faces_.insert(cut_faces_.end(), verts, verts + 3); }
+  void add_whole_face(const std::uint32_t* verts) { add_cut_face(verts[0], verts[1], verts[2], ~0u); }
   /// Completes the lists. The first num_verts verts are those of the cut tets.
   void finish(std::uint32_t num_verts);
 };

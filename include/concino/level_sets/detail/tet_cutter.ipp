@@ -16,7 +16,7 @@ CONCINO_INLINE void tet_cutter::resize(std::size_t num_tets) {
   constexpr std::size_t parts = 5;  // of a tet: often four or six
   core::reserve_large(lists.corners, 4 * parts * num_tets), core::reserve_large(lists.origins, parts * num_tets);
   lists.corners.resize(4 * num_tets), lists.origins.resize(num_tets);
-  lists.old_polys.reserve(num_tets), places.reserve(num_tets), cut_faces_.reserve(6 * num_tets);
+  lists.old_polys.reserve(num_tets), places.reserve(num_tets), cut_faces_.reserve(6 * num_tets), lists.cut_polys.reserve(2 * num_tets);
   crossings_.reserve(num_tets);
 }
 
@@ -42,6 +42,12 @@ CONCINO_INLINE void tet_cutter::add_tet(unsigned a, unsigned b, unsigned c, unsi
   }
   lists.corners.insert(lists.corners.end(), {a, b, c, d});
   lists.origins.push_back(old);
+}
+
+/// poly: the number of a new tet that has this face, or ~0u if it is not known.
+CONCINO_INLINE void tet_cutter::add_cut_face(unsigned a, unsigned b, unsigned c, std::uint32_t poly) {
+  cut_faces_.insert(cut_faces_.end(), {a, b, c});
+  lists.cut_polys.push_back(poly);
 }
 
 CONCINO_INLINE void tet_cutter::add(const crossed_tet& t) {
@@ -94,7 +100,6 @@ CONCINO_INLINE void tet_cutter::add_two_parts(const crossed_tet& t) {
   find_places(t, first_is_above);
   part_face cap = cap_below(t);
   cap.start_at_smallest();
-  for (unsigned k = 1; k + 1 < cap.size; ++k) cut_faces_.insert(cut_faces_.end(), {cap.corners[0], cap.corners[k], cap.corners[k + 1]});
   add_simple_part(t, first_is_above, cap);
   add_simple_part(t, !first_is_above, cap);
 }
@@ -129,7 +134,11 @@ CONCINO_INLINE void tet_cutter::add_simple_part(const crossed_tet& t, bool is_ab
     }
   }
   if (is_above) std::reverse(cap.corners + 1, cap.corners + cap.size);
-  for (unsigned k = 1; k + 1 < cap.size; ++k) add_tet(top_number, cap.corners[0], cap.corners[k], cap.corners[k + 1]);
+  for (unsigned k = 1; k + 1 < cap.size; ++k) {
+    const unsigned x = cap.corners[0], y = cap.corners[k], z = cap.corners[k + 1];
+    if (!is_above) add_cut_face(x, y, z, static_cast<std::uint32_t>(is_first_ ? lists.old_polys.size() - 1 : lists.origins.size()));
+    add_tet(top_number, x, y, z);
+  }
 }
 
 /// Adds the tets between the smallest vert of a part and the triangles of its faces that do not have it.
@@ -161,7 +170,7 @@ CONCINO_INLINE void tet_cutter::add_part(const crossed_tet& t, bool is_above) {
     std::reverse(cap.corners, cap.corners + cap.size);
   } else {
     cap.start_at_smallest();
-    for (unsigned k = 1; k + 1 < cap.size; ++k) cut_faces_.insert(cut_faces_.end(), {cap.corners[0], cap.corners[k], cap.corners[k + 1]});
+    for (unsigned k = 1; k + 1 < cap.size; ++k) add_cut_face(cap.corners[0], cap.corners[k], cap.corners[k + 1], ~0u);
   }
   unsigned top = ~0u;
   for (unsigned i = 0; i < num_faces; ++i) top = std::min(top, faces[i].smallest());
