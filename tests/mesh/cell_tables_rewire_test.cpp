@@ -219,6 +219,29 @@ TEST_CASE("rewire: tets by one at an edge, and away again, in any order") {
   }
 }
 
+TEST_CASE("rewire: new tets in rings, and in a row that is open, around one edge") {
+  // Lengths of the rings; the last tet of a row is left out.
+  const std::vector<std::vector<unsigned>> cases = {{6}, {7}, {9}, {3, 3}, {3, 4}, {4, 3}, {3, 3, 3}, {5, 4}};
+  for (const auto& rings : cases)
+    for (const bool is_open : {false, true})
+      for (const bool is_reversed : {false, true}) {
+        cn::tetmesh m(std::vector<cn::vec3>(14), std::vector<std::vector<unsigned>>{});
+        owned_cavity c;
+        for (unsigned v = 0; v < 14; ++v) c.verts.push_back(cn::vert_id{v});
+        std::vector<std::vector<unsigned>> tets;
+        unsigned first = 2;
+        for (const unsigned n : rings) {
+          for (unsigned i = 0; i < n; ++i) tets.push_back({0, 1, first + i, first + (i + 1) % n});
+          first += n;
+        }
+        if (is_open) tets.pop_back();
+        if (is_reversed) std::reverse(tets.begin(), tets.end());
+        for (const auto& v : tets) c.add_poly(v);
+        rewires_as_told(m, c);
+        cells_are_right(m);
+      }
+}
+
 TEST_CASE("rewire: many faces at an edge that comes after their other edges") {
   constexpr unsigned n = 40;  // more than are searched one by one
   cn::tetmesh m(std::vector<cn::vec3>(n + 4), std::vector<std::vector<unsigned>>{});

@@ -18,7 +18,7 @@ struct cavity_edge {
   std::uint32_t num_polys = 0;   // of the mesh, at it before
   std::uint32_t partner = ~0u;   // the number, of a new edge, of the old one whose descriptor it takes, and the other way round
   poly_id first_poly{};          // of a surface, before: the first one of two; none if it has not two
-  std::uint32_t first_new = 0;   // the place of the edge in the first new poly, if new_polys > 0
+  std::uint32_t first_new = ~0u;  // the place of the edge in the first new poly, if new_polys > 0
 
   bool has_partner() const { return partner != ~0u; }
   bool is_left_over() const { return !id.is_none() && new_polys == 0 && old_polys == num_polys; }

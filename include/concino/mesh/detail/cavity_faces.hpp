@@ -17,7 +17,7 @@ struct cavity_face {
   std::uint32_t old_polys = 0;  // of the cavity, at it
   std::uint32_t new_polys = 0;
   std::uint32_t num_polys = 0;  // of the mesh, at it before
-  std::uint32_t new_uses[2] = {};  // the first two of the new polys at it, numbered without old ones
+  std::uint32_t new_uses[2] = {~0u, 0};  // the first and the last of the new polys at it, numbered without old ones
   std::uint32_t partner = ~0u;  // the number, of a new face, of the old one whose descriptor it takes, and the other way round
 
   bool has_partner() const { return partner != ~0u; }

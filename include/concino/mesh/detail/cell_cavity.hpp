@@ -158,22 +158,22 @@ class cell_cavity {
     for (unsigned i = 0; i < Shape::verts; ++i) ++changes[corners(k)[i]].polys_after;
     for (unsigned j = 0; j < Shape::edges; ++j) {
       cavity_edge& x = edges[edges_of_new(k)[j]];
-      x.first_new = x.new_polys == 0 ? static_cast<std::uint32_t>(k * Shape::edges + j) : x.first_new;
+      x.first_new = std::min(x.first_new, static_cast<std::uint32_t>(k * Shape::edges + j));
       ++x.new_polys;
     }
     for (unsigned j = 0; j < Shape::faces; ++j) {
       face& x = faces[faces_of_new(k)[j]];
       const auto use = static_cast<std::uint32_t>(k * Shape::faces + j);
-      x.new_uses[0] = x.new_polys == 0 ? use : x.new_uses[0];
-      x.new_uses[1] = x.new_polys == 1 ? use : x.new_uses[1];
+      x.new_uses[0] = std::min(x.new_uses[0], use), x.new_uses[1] = use;
       ++x.new_polys;
     }
   }
   /// Finds face x of new polys among those of other polys. The mesh can only have it if it has all its edges.
   template<class Tables>
   void look_for(const Tables& t, face& x, const std::array<std::uint32_t, Shape::face_verts>& edges_of_x) const {
-    for (const std::uint32_t e : edges_of_x)
-      if (edges[e].id.is_none()) return;
+    bool is_fresh = false;
+    for (const std::uint32_t e : edges_of_x) is_fresh |= edges[e].id.is_none();
+    if (is_fresh) return;
     const unsigned* const v = corners_of_poly(x.first_use / Shape::faces);
     vert_id all[Shape::verts];
     for (unsigned i = 0; i < Shape::verts; ++i) all[i] = v[i] < num_old_verts ? verts[v[i]] : vert_id{};
@@ -224,13 +224,14 @@ class cell_cavity {
     const fan_change& fan = fans[e];
     if (fan.new_joints + 1 < n) return false;
     if (n <= (fan.new_joints < n ? shortest_ring_ : 2 * shortest_ring_ - 1)) return true;  // too few for a ring and others
+    const bool is_ring = fan.new_joints == n;  // or some, so that the others are too few for another one after a part of the walk
     std::uint32_t met = 1;
     for (const unsigned side : {0u, 1u}) {
       std::uint32_t use = first / Shape::edges * Shape::faces + shape.edge_face[first % Shape::edges][side];
       while ((use = mates_[use]) < has_others) {
         const std::uint32_t k = use / Shape::faces;
         if (k == first / Shape::edges) return met == n;
-        ++met;
+        if (++met + shortest_ring_ > n && is_ring) return true;
         use = k * Shape::faces + other_face_at(e, k, use % Shape::faces);
       }
     }
