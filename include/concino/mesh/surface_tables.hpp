@@ -30,8 +30,7 @@ class surface_tables {
   Lists p2v_;
   detail::facet_adjacency<edge_id, Arity> facet_adjacency_;
   detail::jagged_array<vert_id, 2> e2v_;
-  detail::incident_edges incident_edges_;
-  jagged<poly_id> v2p_;
+  detail::incident_edges_and_polys incident_;  // to verts
   // Of triangles, after the first edit: a poly of each edge, which is mostly its second one. It is only requested from memory before it is known, so that
   // both polys of an edge arrive together, and never read as the truth: edits by rewire and undoing leave it as it is.
   core::flat_array<poly_id> probable_second_poly_;
@@ -65,14 +64,14 @@ class surface_tables {
     requires(Arity > 0 && std::same_as<Lists, per_poly<vert_id>>)
       : verts_(a.first_edge.size() - 1), edges_(a.first_corner.size()), polys_(a.p2v.size() / Arity), p2v_(std::move(a.p2v)),
         facet_adjacency_(per_poly<edge_id>(std::move(a.p2e)), per_poly<detail::encoded_neighbour>(std::move(a.p2p)), std::move(a.first_corner)), e2v_(std::move(a.e2v)),
-        incident_edges_(std::make_shared<const detail::offsets>(std::move(a.first_edge)), std::move(a.v2v), std::move(a.v2e)),
-        v2p_(a.first_poly.empty() ? incident_edges_.shared_offsets() : std::make_shared<const detail::offsets>(std::move(a.first_poly)), std::move(a.v2p)) {}
+        incident_(std::make_shared<const detail::offsets>(std::move(a.first_edge)), std::move(a.v2v), std::move(a.v2e),
+                  a.first_poly.empty() ? nullptr : std::make_shared<const detail::offsets>(std::move(a.first_poly)), std::move(a.v2p)) {}
   /// From lists stored elsewhere, and from tables that were built from a copy of these lists.
   surface_tables(surface_tables<Arity>&& built, Lists elsewhere)
     requires(!std::same_as<Lists, per_poly<vert_id>>)
       : verts_(std::move(built.verts_)), edges_(std::move(built.edges_)), polys_(std::move(built.polys_)), p2v_(std::move(elsewhere)),
-        facet_adjacency_(std::move(built.facet_adjacency_)), e2v_(std::move(built.e2v_)), incident_edges_(std::move(built.incident_edges_)),
-        v2p_(std::move(built.v2p_)), probable_second_poly_(std::move(built.probable_second_poly_)) {
+        facet_adjacency_(std::move(built.facet_adjacency_)), e2v_(std::move(built.e2v_)), incident_(std::move(built.incident_)),
+        probable_second_poly_(std::move(built.probable_second_poly_)) {
     if constexpr (Arity == 0) p2v_.share_offsets(built.p2v_);
   }
 
@@ -80,9 +79,9 @@ class surface_tables {
   const detail::alive_elements<edge_id>& edges() const { return edges_; }
   const detail::alive_elements<poly_id>& polys() const { return polys_; }
 
-  id_span<vert_id> adj_v2v(vert_id v) const { return incident_edges_.verts(v); }
-  id_span<edge_id> adj_v2e(vert_id v) const { return incident_edges_.edges(v); }
-  id_span<poly_id> adj_v2p(vert_id v) const { return v2p_[v.raw()]; }
+  id_span<vert_id> adj_v2v(vert_id v) const { return incident_.verts(v); }
+  id_span<edge_id> adj_v2e(vert_id v) const { return incident_.edges(v); }
+  id_span<poly_id> adj_v2p(vert_id v) const { return incident_.polys(v); }
   id_span<vert_id> adj_e2v(edge_id e) const { return e2v_[e.raw()]; }
   detail::polys_of_facet adj_e2p(edge_id e) const { return facet_adjacency_.polys_of(e); }
   detail::polys_of_facet adj_e2p_from(edge_id e, poly_id p) const { return facet_adjacency_.polys_of(e, p); }
@@ -134,10 +133,10 @@ class surface_tables {
   /// Calls f for every array of the tables, for undoing edits.
   template<class F>
   void for_each_array(const F& f) {
-    f(verts_), f(edges_), f(polys_), f(p2v_), f(e2v_), f(incident_edges_), f(v2p_);
+    f(verts_), f(edges_), f(polys_), f(p2v_), f(e2v_), f(incident_);
     facet_adjacency_.for_each_array(f);
   }
-  static constexpr std::uint32_t num_arrays = 7 + detail::facet_adjacency<edge_id, Arity>::num_arrays;
+  static constexpr std::uint32_t num_arrays = 6 + detail::facet_adjacency<edge_id, Arity>::num_arrays;
 
   /// Allocates the memory for the removal of these polys and of verts without polys. These removals cannot fail afterwards.
   void reserve_removal(std::span<const poly_id>);
@@ -182,12 +181,12 @@ class surface_tables {
   void build(std::size_t vert_count);
   void start_facets(std::size_t max_edges);
   template<bool Alone>
-  void find_edges(edge_range& range, const detail::offsets& poly_of);
-  bool find_edges_in_two(edge_range& all, const detail::offsets& poly_of, std::size_t max_edges);
+  void find_edges(edge_range& range, jagged<poly_id>& v2p, const detail::offsets& poly_of);
+  bool find_edges_in_two(edge_range& all, jagged<poly_id>& v2p, const detail::offsets& poly_of, std::size_t max_edges);
 
   /// Lists, for each vert, what build() needs to find its polys: polys or corners. It lists corners if all polygons have the same size, and also if some
   /// polygon is long, since searching it for the vert would take too long. Returns the poly of each corner, if polygons differ and corners are listed.
-  detail::offsets list_at_verts(core::flat_array<std::uint32_t>& scratch);
+  detail::offsets list_at_verts(jagged<poly_id>& v2p, core::flat_array<std::uint32_t>& scratch) const;
 
   /// Vert k of `poly`, which has `size` verts.
   struct poly_corner {

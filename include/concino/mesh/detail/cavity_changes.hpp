@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 
 namespace concino::detail {
 
@@ -56,27 +57,50 @@ void pair_with_left_over(Elements& all, std::size_t fresh, std::size_t left_over
   pair_with_left_over(all, fresh, left_over, [](const auto& x, const auto& y) { return x.shares_all_but_one(y); });
 }
 
+/// Whether a cavity with so many old verts is probably not one of many, so that few lists will become longer.
+inline bool is_single_cavity(unsigned num_old_verts, std::size_t all_verts) { return num_old_verts >= 256 && num_old_verts <= all_verts / 4; }
+
+/// The numbers of edges and of polys of the new verts.
+template<class Changes>
+std::pair<std::size_t, std::size_t> count_at_new_verts(const Changes& changes, unsigned num_old) {
+  std::size_t edges = 0, polys = 0;
+  for (std::size_t v = num_old; v < changes.size(); ++v) edges += changes[v].edges_gained, polys += changes[v].polys_after;
+  return {edges, polys};
+}
+
+inline std::uint32_t growth(std::uint32_t before, std::uint32_t after) { return after > before ? after - before : 0; }
+
 /// Allocates memory for the lists of the verts as they will be. Memory for removals too. `vert` gives the vert with a local number.
 template<class Changes, class Verts>
 void reserve_lists_of_verts(incident_edges& edges_at, jagged_array<poly_id, 0>& v2p, const Changes& changes, unsigned num_old, const Verts& vert) {
-  constexpr unsigned large = 256;  // cavities that are probably not one of many
-  if (num_old >= large && num_old <= v2p.size() / 4) edges_at.make_few_growable(), v2p.make_few_growable();
+  if (is_single_cavity(num_old, v2p.size())) edges_at.make_few_growable(), v2p.make_few_growable();
   else make_vertex_incidence_growable(edges_at, v2p);
   for (unsigned v = 0; v < num_old; ++v) {
     const vert_change& x = changes[v];
-    if (x.edges_gained > x.edges_lost) edges_at.reserve_at(vert(v), x.edges_gained - x.edges_lost);
-    if (x.polys_after > x.polys_before) v2p.reserve_in_row(vert(v).raw(), x.polys_after - x.polys_before);
+    if (const std::uint32_t n = growth(x.edges_lost, x.edges_gained)) edges_at.reserve_at(vert(v), n);
+    if (const std::uint32_t n = growth(x.polys_before, x.polys_after)) v2p.reserve_in_row(vert(v).raw(), n);
   }
-  const std::size_t num_new = changes.size() - num_old;
-  if (num_new == 0) return;
-  std::size_t edges = 0, polys = 0;
-  for (std::size_t v = num_old; v < changes.size(); ++v) edges += changes[v].edges_gained, polys += changes[v].polys_after;
-  reserve_lists_of_new_verts(edges_at, v2p, num_new, edges, polys);
+  if (changes.size() == num_old) return;
+  const auto [edges, polys] = count_at_new_verts(changes, num_old);
+  reserve_lists_of_new_verts(edges_at, v2p, changes.size() - num_old, edges, polys);
+}
+template<class Changes, class Verts>
+void reserve_lists_of_verts(incident_edges_and_polys& lists, const Changes& changes, unsigned num_old, const Verts& vert) {
+  if (is_single_cavity(num_old, lists.size())) lists.make_few_growable();
+  else lists.make_growable();
+  for (unsigned v = 0; v < num_old; ++v) {
+    const vert_change& x = changes[v];
+    const std::uint32_t edges = growth(x.edges_lost, x.edges_gained), polys = growth(x.polys_before, x.polys_after);
+    if (edges > 0 || polys > 0) lists.reserve_at(vert(v), edges, polys);
+  }
+  if (changes.size() == num_old) return;
+  const auto [edges, polys] = count_at_new_verts(changes, num_old);
+  lists.reserve_verts(changes.size() - num_old, edges + polys);
 }
 
 /// Removes the edges that are left over, and gives all new ones their descriptors.
-template<class Verts>
-void change_edges(cavity_edges& all, alive_elements<edge_id>& edges, jagged_array<vert_id, 2>& ends, incident_edges& edges_at, const Verts& vert) {
+template<bool WithPolys, class Verts>
+void change_edges(cavity_edges& all, alive_elements<edge_id>& edges, jagged_array<vert_id, 2>& ends, incident_lists<WithPolys>& edges_at, const Verts& vert) {
   const auto has = [](const cavity_edge& x, unsigned v) { return x.a == v || x.b == v; };
   for (const cavity_edge& old : all) {
     if (!old.is_left_over()) continue;

@@ -3,7 +3,7 @@
 
 #include <concino/mesh/detail/alive_elements.hpp>
 #include <concino/mesh/detail/facet_adjacency.hpp>
-#include <concino/mesh/detail/incident_edges.hpp>
+#include <concino/mesh/detail/incident_lists.hpp>
 
 #include <cstdint>
 #include <utility>
@@ -50,16 +50,20 @@ struct compaction {
   }
 };
 
-/// The rows of the remaining elements; each value becomes renumber(value).
-template<class T, class Id, class F>
-jagged_array<T, 0> packed_rows(const jagged_array<T, 0>& rows, const compact_numbers<Id>& kept, const F& renumber) {
+/// The rows of the remaining elements; each value becomes renumber(value). row(i): that of element i before.
+template<class T, class Id, class Row, class F>
+jagged_array<T, 0> pack_rows(const compact_numbers<Id>& kept, const Row& row, const F& renumber) {
   offsets lengths(kept.size() + 1, 0);
-  for (std::size_t i = 0; i < kept.size(); ++i) lengths[i + 1] = rows.length(kept.before(i));
+  for (std::size_t i = 0; i < kept.size(); ++i) lengths[i + 1] = static_cast<std::uint32_t>(row(kept.before(i)).size());
   auto packed = make_jagged_array<T>(std::move(lengths));
   T* to = packed.begin(0);
   for (std::size_t i = 0; i < kept.size(); ++i)
-    for (const T& x : rows[kept.before(i)]) *to++ = renumber(x);
+    for (const T& x : row(kept.before(i))) *to++ = renumber(x);
   return packed;
+}
+template<class T, class Id, class F>
+jagged_array<T, 0> packed_rows(const jagged_array<T, 0>& rows, const compact_numbers<Id>& kept, const F& renumber) {
+  return pack_rows<T>(kept, [&rows](std::size_t i) { return rows[i]; }, renumber);
 }
 template<class T, unsigned N, class Id, class F>
 jagged_array<T, N> packed_rows(const jagged_array<T, N>& rows, const compact_numbers<Id>& kept, const F& renumber) {
@@ -71,7 +75,8 @@ jagged_array<T, N> packed_rows(const jagged_array<T, N>& rows, const compact_num
 }
 
 /// The edges of the remaining verts.
-inline incident_edges packed_edges(const incident_edges& all, const compact_numbers<vert_id>& kept_verts, const compact_numbers<edge_id>& kept_edges) {
+template<bool WithPolys>
+incident_edges packed_edges(const incident_lists<WithPolys>& all, const compact_numbers<vert_id>& kept_verts, const compact_numbers<edge_id>& kept_edges) {
   offsets where(kept_verts.size() + 1, 0);
   for (std::size_t i = 0; i < kept_verts.size(); ++i) where[i + 1] = all.num_edges(vert_id{kept_verts.before(i)});
   prefix_sum(where);

@@ -6,7 +6,7 @@
 
 #include <concino/concepts/descriptors.hpp>
 #include <concino/mesh/detail/alive_elements.hpp>
-#include <concino/mesh/detail/incident_edges.hpp>
+#include <concino/mesh/detail/incident_lists.hpp>
 #include <concino/mesh/property_set.hpp>
 
 #include <cstddef>
@@ -38,13 +38,13 @@ struct saved_rows {
   static void sizes(const array& a, std::uint64_t* two) { two[0] = a.size(), two[1] = a.values_to_restore(); }
   static void resize(array& a, const std::uint64_t* two) { a.restore_size(two[0], two[1]); }
   static void put(const array& a, std::size_t row, std::vector<unsigned char>& bytes) {
-    const row_places::place where = a.place_of(row);
+    const auto where = a.place_of(row);
     const auto append = [&bytes](const void* first, const void* last) { bytes.insert(bytes.end(), static_cast<const unsigned char*>(first), static_cast<const unsigned char*>(last)); };
     append(&where, &where + 1);
     a.for_each_array_at(row, append);
   }
   static void restore(array& a, std::size_t row, const unsigned char* bytes, std::size_t) {
-    row_places::place where;
+    decltype(a.place_of(row)) where;
     std::memcpy(&where, bytes, sizeof where);
     a.restore_place(row, where);
     bytes += sizeof where;
@@ -59,7 +59,7 @@ template<class T> struct saved_array<T, 0> : saved_rows<jagged_array<T, 0>> {};
 
 template<class Array> struct saved;
 template<class T, unsigned N> struct saved<jagged_array<T, N>> : saved_array<T, N> {};
-template<> struct saved<incident_edges> : saved_rows<incident_edges> {};
+template<bool WithPolys> struct saved<incident_lists<WithPolys>> : saved_rows<incident_lists<WithPolys>> {};
 
 template<class Id>
 struct saved<alive_elements<Id>> {

@@ -24,7 +24,7 @@ namespace concino::detail {
 /// Rows of any lengths, packed before the first edit and loose afterwards (row_places.hpp). A row that exceeds its capacity moves to the end.
 template<class T>
 class jagged_array<T, 0> {
-  row_places places_;
+  row_places<> places_;
   core::flat_array<T> data_;
 
   void check_index_range(std::size_t more) const {
@@ -45,7 +45,7 @@ class jagged_array<T, 0> {
     places_.move_row(i, to, room);
   }
   [[gnu::noinline]] void spread_rows() {
-    row_places spread = places_.spread();
+    row_places<> spread = places_.spread();
     core::flat_array<T> data;
     spread.copy_rows(places_, data_, data);
     places_.swap(spread);
@@ -71,6 +71,8 @@ class jagged_array<T, 0> {
   T* begin(std::size_t i) { return data_.data() + places_.first(i); }
   id_span<T> operator[](std::size_t i) const { return {begin(i), end(i)}; }
   std::uint32_t length(std::size_t i) const { return places_.length(i); }
+  /// All values, to be moved elsewhere.
+  core::flat_array<T>&& values() && { return std::move(data_); }
   /// The number of values in memory, including those that edits left unused.
   std::size_t num_values() const { return data_.size(); }
 
@@ -92,7 +94,7 @@ class jagged_array<T, 0> {
   void prefetch_place(std::size_t i) const { places_.prefetch(i); }
   /// The same as prefetch_values() for most rows after make_growable(), without reading the place.
   void prefetch_slot(std::size_t i) const {
-    if (places_.has_slot(i)) __builtin_prefetch(data_.data() + row_places::slot(i), 1);
+    if (places_.has_slot(i)) __builtin_prefetch(data_.data() + row_places<>::slot(i), 1);
   }
   void prefetch_values(std::size_t i) const { __builtin_prefetch(begin(i), 1); }
 
@@ -113,7 +115,7 @@ class jagged_array<T, 0> {
   /// The same as make_editable(), but rows that become too long have memory to move to; for the case that these are few.
   void make_few_growable() {
     if (!places_.is_packed()) return;
-    const std::size_t n = data_.size(), begin = row_places::next_begin(n);
+    const std::size_t n = data_.size(), begin = row_places<>::next_begin(n);
     check_index_range(begin - n);
     data_.reserve_back(begin - n + 1);
     places_.make_loose();
@@ -203,12 +205,12 @@ class jagged_array<T, 0> {
 
   /// For undoing: where row i is, and the numbers of rows and of values in memory, which is `any_number` of packed rows.
   static constexpr std::size_t any_number = static_cast<std::size_t>(-1);
-  row_places::place place_of(std::size_t i) const { return places_.place_of(i); }
+  row_places<>::place place_of(std::size_t i) const { return places_.place_of(i); }
   template<class F>
   void for_each_array_at(std::size_t i, const F& f) const { f(begin(i), end(i)); }
   template<class F>
   void for_each_array_at(std::size_t i, const F& f) { f(begin(i), begin(i) + length(i)); }
-  void restore_place(std::size_t i, const row_places::place& x) { places_.restore_place(i, x); }
+  void restore_place(std::size_t i, const row_places<>::place& x) { places_.restore_place(i, x); }
   std::size_t values_to_restore() const { return places_.is_packed() ? any_number : data_.size(); }
   void restore_size(std::size_t rows, std::size_t values) {
     if (places_.is_packed()) return;

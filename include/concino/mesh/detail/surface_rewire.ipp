@@ -54,7 +54,7 @@ class surface_tables<Arity, Lists>::rewiring {
     find_new_edges();
     count_edges();
     for (unsigned v = num_old_verts_ - static_cast<unsigned>(c.removed); v < num_old_verts_; ++v)
-      if (t_.v2p_.length(verts_[v].raw()) != changes_[v].polys_before) detail::removed_vert_in_use(verts_[v]);
+      if (t_.incident_.num_polys(verts_[v]) != changes_[v].polys_before) detail::removed_vert_in_use(verts_[v]);
   }
 
   void save(detail::edit_log& log) const;
@@ -112,7 +112,7 @@ void surface_tables<Arity, Lists>::rewiring::find_new_edges() {
       cavity_edge& x = edges_.at(a, b);
       edges_of_new_.push_back(edges_.number(x));
       if (++x.new_polys > 1 || !x.id.is_none() || a >= num_old_verts_ || b >= num_old_verts_) continue;
-      x.id = t_.incident_edges_.edge_between(verts_[a], verts_[b]);
+      x.id = t_.incident_.edge_between(verts_[a], verts_[b]);
       if (!x.id.is_none()) x.num_polys = static_cast<std::uint32_t>(num_elements(t_.adj_e2p(x.id)));
     }
   }
@@ -129,10 +129,10 @@ void surface_tables<Arity, Lists>::rewiring::count_edges() {
 /// Saves all rows that reserve() and commit() may change. The arrays are numbered as for_each_array() visits them.
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::rewiring::save(detail::edit_log& log) const {
-  enum : std::uint32_t { of_verts, of_edges, of_polys, of_p2v, of_e2v, of_incident_edges, of_v2p, of_facets };
+  enum : std::uint32_t { of_verts, of_edges, of_polys, of_p2v, of_e2v, of_incident, of_facets };
   for (unsigned i = 0; i < num_old_verts_; ++i) {
     const std::size_t v = verts_[i].raw();
-    log.save(of_verts, t_.verts_, v), log.save(of_incident_edges, t_.incident_edges_, v), log.save(of_v2p, t_.v2p_, v);
+    log.save(of_verts, t_.verts_, v), log.save(of_incident, t_.incident_, v);
   }
   for (const cavity_edge& x : edges_) {
     if (x.id.is_none()) continue;
@@ -169,7 +169,7 @@ template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::rewiring::reserve(function_ref<void(const detail::index_bounds&)> grow) {
   detail::pair_with_left_over(edges_, fresh_, left_over_);
   const std::size_t more_edges = fresh_ > left_over_ ? fresh_ - left_over_ : 0;
-  detail::reserve_lists_of_verts(t_.incident_edges_, t_.v2p_, changes_, num_old_verts_, [this](unsigned v) { return vert(v); });
+  detail::reserve_lists_of_verts(t_.incident_, changes_, num_old_verts_, [this](unsigned v) { return vert(v); });
   reserve_poly_lists();
   const std::size_t values = values_of_rows();
   t_.p2v_.reserve_rows(num_added(), values);
@@ -193,12 +193,12 @@ void surface_tables<Arity, Lists>::rewiring::reserve(function_ref<void(const det
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::rewiring::commit(const detail::native_cavity_result& made) {
   for (unsigned v = num_old_verts_; v < num_verts_; ++v) {
-    detail::add_lists_of_vert(t_.incident_edges_, t_.v2p_, changes_[v].edges_gained, changes_[v].polys_after);
+    t_.incident_.add_vert(std::max(std::max(changes_[v].edges_gained, changes_[v].polys_after), 1u));
     made.verts[v - num_old_verts_] = vert(v);
   }
   for (const poly_id p : c_.polys) t_.facet_adjacency_.detach(p);
   change_polys_of_verts();
-  detail::change_edges(edges_, t_.edges_, t_.e2v_, t_.incident_edges_, [this](unsigned v) { return vert(v); });
+  detail::change_edges(edges_, t_.edges_, t_.e2v_, t_.incident_, [this](unsigned v) { return vert(v); });
   while (t_.facet_adjacency_.num_facets() < t_.edges_.bound()) t_.facet_adjacency_.add_facet();
   replace_polys();
   restore_order();
@@ -223,12 +223,12 @@ void surface_tables<Arity, Lists>::rewiring::change_polys_of_verts() {
   for (std::size_t k = 0; k < c_.polys.size(); ++k) {
     const bool compared = is_compared(k);
     for (const unsigned v : old_corners(k))
-      if (!compared || !has(corners(k), v)) t_.v2p_.remove(verts_[v].raw(), c_.polys[k]);
+      if (!compared || !has(corners(k), v)) t_.incident_.remove(verts_[v], c_.polys[k]);
   }
   for (std::size_t k = 0; k < num_new(); ++k) {
     const bool compared = is_compared(k);
     for (const unsigned v : corners(k))
-      if (!compared || !has(old_corners(k), v)) t_.v2p_.push(vert(v).raw(), new_poly(k));
+      if (!compared || !has(old_corners(k), v)) t_.incident_.push(vert(v), new_poly(k));
   }
 }
 

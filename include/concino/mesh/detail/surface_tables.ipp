@@ -7,10 +7,10 @@ namespace concino {
 
 template<unsigned Arity, class Lists>
 vert_id surface_tables<Arity, Lists>::add_vert(function_ref<void(const detail::index_bounds&)> grow) {
-  detail::reserve_lists_of_new_verts(incident_edges_, v2p_, 1, 0, 0);
+  incident_.reserve_verts(1, 1);
   verts_.reserve(1);
   if (grow) grow(detail::index_bounds{verts_.bound() + 1, edges_.bound(), 0, polys_.bound(), p2v_.num_values()});
-  detail::add_lists_of_vert(incident_edges_, v2p_, 0, 0);
+  incident_.add_vert(1);
   return verts_.add();
 }
 
@@ -25,13 +25,12 @@ poly_id surface_tables<Arity, Lists>::add_poly(std::span<const vert_id> corners,
   edge_id* const e = facet_adjacency_.stage_poly(n);
   std::size_t more = 0;
   for (std::uint32_t k = 0; k < n; ++k) {
-    e[k] = incident_edges_.edge_between(c[k], c[k + 1 == n ? 0 : k + 1]);
+    e[k] = incident_.edge_between(c[k], c[k + 1 == n ? 0 : k + 1]);
     more += e[k].is_none();
   }
   for (std::uint32_t k = 0; k < n; ++k) {
     const std::uint32_t at_corner = (e[k].is_none() ? 1u : 0u) + (e[k == 0 ? n - 1 : k - 1].is_none() ? 1u : 0u);
-    detail::reserve_edges_at(incident_edges_, c[k], at_corner);
-    v2p_.reserve_in_row(c[k].raw(), 1);
+    incident_.reserve_at(c[k], at_corner, 1);
   }
   e2v_.reserve_rows(more);
   edges_.reserve(more);
@@ -44,11 +43,11 @@ poly_id surface_tables<Arity, Lists>::add_poly(std::span<const vert_id> corners,
   for (std::uint32_t k = 0; k < n; ++k) {
     edge_id edge = e[k];
     if (edge.is_none()) {
-      edge = detail::add_edge(edges_, e2v_, incident_edges_, c[k], c[k + 1 == n ? 0 : k + 1]);
+      edge = detail::add_edge(edges_, e2v_, incident_, c[k], c[k + 1 == n ? 0 : k + 1]);
       facet_adjacency_.add_facet();
     }
     facet_adjacency_.link(p.raw(), k, edge);
-    v2p_.push(c[k].raw(), p);
+    incident_.push(c[k], p);
   }
   facet_adjacency_.update_marks(p.raw(), std::move(scratch));
   return polys_.add();
@@ -56,7 +55,7 @@ poly_id surface_tables<Arity, Lists>::add_poly(std::span<const vert_id> corners,
 
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::reserve_removal(std::span<const poly_id>) {
-  detail::make_vertex_incidence_growable(incident_edges_, v2p_);
+  incident_.make_growable();
   facet_adjacency_.reserve_removal();
   verts_.reserve_removal();
   edges_.reserve_removal();
@@ -68,14 +67,14 @@ void surface_tables<Arity, Lists>::remove_poly(poly_id p) {
   reserve_removal({&p, 1});
   facet_adjacency_.unlink(p.raw());
   for (const edge_id e : facet_adjacency_.facets(p))
-    if (!facet_adjacency_.is_owned(e)) detail::remove_edge(edges_, e2v_, incident_edges_, e);
-  for (const vert_id v : adj_p2v(p)) v2p_.remove(v.raw(), p);
+    if (!facet_adjacency_.is_owned(e)) detail::remove_edge(edges_, e2v_, incident_, e);
+  for (const vert_id v : adj_p2v(p)) incident_.remove(v, p);
   polys_.remove(p);
 }
 
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::remove_vert(vert_id v) {
-  assert(v2p_[v.raw()].empty());
+  assert(incident_.num_polys(v) == 0);
   verts_.reserve_removal();
   verts_.remove(v);
 }
@@ -91,7 +90,7 @@ void surface_tables<Arity, Lists>::check(std::size_t vert_count) const {
 }
 
 template<unsigned Arity, class Lists>
-detail::offsets surface_tables<Arity, Lists>::list_at_verts(core::flat_array<std::uint32_t>& scratch) {
+detail::offsets surface_tables<Arity, Lists>::list_at_verts(jagged<poly_id>& v2p, core::flat_array<std::uint32_t>& scratch) const {
   const std::size_t vert_count = scratch.size(), corner_count = p2v_.num_values();
   const auto poly_count = static_cast<std::uint32_t>(p2v_.size());
   const vert_id* const corner_vert = p2v_.begin(0);
@@ -107,10 +106,10 @@ detail::offsets surface_tables<Arity, Lists>::list_at_verts(core::flat_array<std
   }
   detail::offsets counts(vert_count + 1, 0);
   for (std::size_t c = 0; c < corner_count; ++c) ++counts[corner_vert[c].raw() + 1];
-  v2p_ = detail::make_jagged_array<poly_id>(std::move(counts));
+  v2p = detail::make_jagged_array<poly_id>(std::move(counts));
   std::uint32_t* const fill = scratch.data();
-  for (std::size_t v = 0; v < vert_count; ++v) fill[v] = static_cast<std::uint32_t>(v2p_.begin(v) - v2p_.begin(0));
-  poly_id* const corners = v2p_.begin(0);
+  for (std::size_t v = 0; v < vert_count; ++v) fill[v] = static_cast<std::uint32_t>(v2p.begin(v) - v2p.begin(0));
+  poly_id* const corners = v2p.begin(0);
   if (Arity > 0 || !poly_of.empty()) {
     for (std::size_t c = 0; c < corner_count; ++c) corners[fill[corner_vert[c].raw()]++] = poly_id{c};
   } else {
@@ -150,7 +149,7 @@ struct surface_tables<Arity, Lists>::edge_range {
 /// Alone: there is no other range. Otherwise edges of more than two polys are not allowed.
 template<unsigned Arity, class Lists>
 template<bool Alone>
-void surface_tables<Arity, Lists>::find_edges(edge_range& range, const detail::offsets& poly_of) {
+void surface_tables<Arity, Lists>::find_edges(edge_range& range, jagged<poly_id>& v2p, const detail::offsets& poly_of) {
   // Every edge is found first at its smaller vert a; edge_to[b] is the edge from a to b if it is at least the first edge of a.
   core::flat_array<std::uint32_t>& edge_to = range.edge_to;
   std::fill_n(edge_to.data(), edge_to.size(), ~0u);
@@ -181,7 +180,7 @@ void surface_tables<Arity, Lists>::find_edges(edge_range& range, const detail::o
   for (std::uint32_t a = range.first_vert; a < range.last_vert; ++a) {
     const std::uint32_t first_edge = edge_count;
     met_first.clear();
-    for (poly_id *c = v2p_.begin(a), *last = c + v2p_.length(a); c != last; ++c) {
+    for (poly_id *c = v2p.begin(a), *last = c + v2p.length(a); c != last; ++c) {
       const auto [p, k, n] = find_corner(*c, a, poly_of);
       const vert_id* const pv = p2v_.begin(p);
       const std::uint32_t next = k + 1 == n ? 0 : k + 1, previous = k == 0 ? n - 1 : k - 1;
@@ -194,14 +193,14 @@ void surface_tables<Arity, Lists>::find_edges(edge_range& range, const detail::o
 
 /// Finds the edges in two threads. Returns false if an edge has more than two polys; the tables are undefined then.
 template<unsigned Arity, class Lists>
-bool surface_tables<Arity, Lists>::find_edges_in_two(edge_range& all, const detail::offsets& poly_of, std::size_t max_edges) {
-  const detail::offsets& first_poly = *v2p_.shared_offsets();
+bool surface_tables<Arity, Lists>::find_edges_in_two(edge_range& all, jagged<poly_id>& v2p, const detail::offsets& poly_of, std::size_t max_edges) {
+  const detail::offsets& first_poly = *v2p.shared_offsets();
   const std::uint32_t vert_count = all.last_vert;
   all.last_vert = static_cast<std::uint32_t>(std::lower_bound(first_poly.begin(), first_poly.begin() + vert_count, p2v_.num_values() / 2) - first_poly.begin());
   edge_range second{all.last_vert, vert_count, core::flat_array<std::uint32_t>(vert_count), 1u << 31};
   all.owners.reserve(max_edges);
   second.ends.reserve(max_edges), second.owners.reserve(max_edges / 2);
-  core::run_both(true, [&] { find_edges<false>(all, poly_of); }, [&] { find_edges<false>(second, poly_of); });
+  core::run_both(true, [&] { find_edges<false>(all, v2p, poly_of); }, [&] { find_edges<false>(second, v2p, poly_of); });
   if (!all.is_manifold || !second.is_manifold) return false;
   facet_adjacency_.add_facets(all.owners, 0);
   facet_adjacency_.add_facets(second.owners, second.mark);
@@ -226,26 +225,26 @@ void surface_tables<Arity, Lists>::build(std::size_t vert_count) {
   const std::size_t max_edges = std::min(vert_count + poly_count + poly_count / 64 + 16, corner_count);  // but for few meshes
   const auto range = [&] { return edge_range{0, static_cast<std::uint32_t>(vert_count), core::flat_array<std::uint32_t>(vert_count)}; };
   edge_range edges = range();
+  jagged<poly_id> v2p;
   detail::offsets poly_of;
-  core::run_both(is_large, [&] { poly_of = list_at_verts(edges.edge_to); }, [&] { start_facets(max_edges); });
+  core::run_both(is_large, [&] { poly_of = list_at_verts(v2p, edges.edge_to); }, [&] { start_facets(max_edges); });
   edges.ends.reserve(2 * max_edges);
-  if (!is_large || !find_edges_in_two(edges, poly_of, max_edges)) {
+  if (!is_large || !find_edges_in_two(edges, v2p, poly_of, max_edges)) {
     if (is_large) {
       edges = range();
-      poly_of = list_at_verts(edges.edge_to);
+      poly_of = list_at_verts(v2p, edges.edge_to);
       start_facets(max_edges);
       edges.ends.reserve(2 * max_edges);
     }
-    find_edges<true>(edges, poly_of);
+    find_edges<true>(edges, v2p, poly_of);
   }
   const std::size_t edge_count = edges.ends.size() / 2;
   const auto list_edges = [&] {
     edges.ends.shrink_to_fit();
     e2v_ = detail::jagged_array<vert_id, 2>(std::move(edges.ends));
-    incident_edges_ = detail::make_incident_edges(std::move(edges.degrees), e2v_, edges.edge_to);
+    incident_ = {detail::make_incident_edges(std::move(edges.degrees), e2v_, edges.edge_to), std::move(v2p)};
   };
   core::run_both(is_large, list_edges, [&] { facet_adjacency_.finish(); });
-  if (*v2p_.shared_offsets() == *incident_edges_.shared_offsets()) v2p_.share_offsets(incident_edges_);
   verts_ = detail::alive_elements<vert_id>(vert_count);
   edges_ = detail::alive_elements<edge_id>(edge_count);
   polys_ = detail::alive_elements<poly_id>(poly_count);

@@ -15,8 +15,8 @@ void surface_tables<Arity, Lists>::reserve_split(const side_of_edge* s, std::uin
   requires(Arity == 3)
 {
   make_growable();
-  for (std::uint32_t i = 0; i < n; ++i) incident_edges_.reserve_at(s[i].c, 1), v2p_.reserve_in_row(s[i].c.raw(), 1);
-  detail::reserve_lists_of_new_verts(incident_edges_, v2p_, 1, n + 2, 2 * n);
+  for (std::uint32_t i = 0; i < n; ++i) incident_.reserve_at(s[i].c, 1, 1);
+  incident_.reserve_verts(1, n + 2);
   p2v_.reserve_rows(n), e2v_.reserve_rows(n + 1);
   facet_adjacency_.reserve_polys(n, 3 * n, n + 1);
   verts_.reserve(1), edges_.reserve(n + 1), polys_.reserve(n);
@@ -29,17 +29,17 @@ void surface_tables<Arity, Lists>::split_edges(edge_id e, vert_id x, const side_
 {
   const vert_id a = e2v_[e.raw()][0], b = e2v_[e.raw()][1];
   const bool edge_is_first = s[0].at_edge < s[0].at_b;
-  incident_edges_.set_other_end(a, e, x);
+  incident_.set_other_end(a, e, x);
   set_ends(e, a, x);
-  incident_edges_.replace_by_last(b, e);
-  if (edge_is_first) incident_edges_.push(x, a, e);
+  incident_.replace_by_last(b, e);
+  if (edge_is_first) incident_.push(x, a, e);
   for (std::uint32_t i = 0; i <= n; ++i) {
     const vert_id v = i < n ? s[i].c : b, ends[] = {v, x};
     to[i] = edges_.add();
     e2v_.add_row(ends, ends + 2);
     facet_adjacency_.add_facet();
-    incident_edges_.push(v, x, to[i]), incident_edges_.push(x, v, to[i]);
-    if (i == 0 && !edge_is_first) incident_edges_.push(x, a, e);
+    incident_.push(v, x, to[i]), incident_.push(x, v, to[i]);
+    if (i == 0 && !edge_is_first) incident_.push(x, a, e);
   }
 }
 
@@ -55,11 +55,11 @@ vert_id surface_tables<Arity, Lists>::split_edge(edge_id e)
   reserve_split(s, n);
 
   const vert_id x = verts_.add();
-  detail::add_lists_of_vert(incident_edges_, v2p_, n + 2, 2 * n);
+  incident_.add_vert(n + 2);
   poly_id q[2];
-  for (std::uint32_t i = 0; i < n; ++i) q[i] = polys_.add(), v2p_.remove(b.raw(), s[i].p), v2p_.push_reserved(x.raw(), s[i].p);
+  for (std::uint32_t i = 0; i < n; ++i) q[i] = polys_.add(), incident_.remove(b, s[i].p), incident_.push(x, s[i].p);
   for (std::uint32_t i = 0; i < n; ++i)
-    for (const vert_id v : {b, s[i].c, x}) v2p_.push_reserved(v.raw(), q[i]);
+    for (const vert_id v : {b, s[i].c, x}) incident_.push(v, q[i]);
   edge_id to[3];
   split_edges(e, x, s, n, to);
   for (std::uint32_t i = 0; i < n; ++i) {
@@ -94,20 +94,20 @@ direct_edit surface_tables<Arity, Lists>::flip_edge(edge_id e)
   // The lists of a and b are searched first: those of the opposite verts arrive later, and the less is left to do then, the sooner the next edit begins.
   const poly_id p = s[0].p, q = s[1].p;
   const vert_id c = s[0].c, d = s[1].c;
-  const std::uint32_t e_at_a = incident_edges_.position(a, e), e_at_b = incident_edges_.position(b, e);
-  const std::uint32_t q_at_a = v2p_.find_in_row(a.raw(), q), p_at_b = v2p_.find_in_row(b.raw(), p);
+  const std::uint32_t e_at_a = incident_.position(a, e), e_at_b = incident_.position(b, e);
+  const std::uint32_t q_at_a = incident_.position(a, q), p_at_b = incident_.position(b, p);
   if (have_common_edge(c, d)) return direct_edit::refused;
   make_growable();
-  for (const vert_id v : {c, d}) incident_edges_.reserve_at(v, 1), v2p_.reserve_in_row(v.raw(), 1);
+  for (const vert_id v : {c, d}) incident_.reserve_at(v, 1, 1);
 
-  v2p_.close_gap(b.raw(), p_at_b), v2p_.close_gap(a.raw(), q_at_a);
-  incident_edges_.replace_by_last_at(a, e_at_a), incident_edges_.replace_by_last_at(b, e_at_b);
+  incident_.remove_poly_at(b, p_at_b), incident_.remove_poly_at(a, q_at_a);
+  incident_.replace_by_last_at(a, e_at_a), incident_.replace_by_last_at(b, e_at_b);
   p2v_.begin(p.raw())[s[0].corner_b] = d;
   p2v_.begin(q.raw())[s[1].corner_a] = c;
   facet_adjacency_.put_between(p, s[0].at_b, q, s[1].at_a, e);
   set_ends(e, c, d);
-  v2p_.push_reserved(d.raw(), p), v2p_.push_reserved(c.raw(), q);
-  incident_edges_.push(c, d, e), incident_edges_.push(d, c, e);
+  incident_.push(d, p), incident_.push(c, q);
+  incident_.push(c, d, e), incident_.push(d, c, e);
   facet_adjacency_.put(p, s[0].at_edge, s[1].ca.e, s[1].ca.outside, q);
   facet_adjacency_.put(q, s[1].at_edge, s[0].bc.e, s[0].bc.outside, p);
   expect_second_poly(e, q);
@@ -118,16 +118,16 @@ direct_edit surface_tables<Arity, Lists>::flip_edge(edge_id e)
 /// Requests what a collapse reads and writes of the polys, edges and neighbours of b.
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::prefetch_fan(vert_id b) const {
-  for (const poly_id p : v2p_[b.raw()]) prefetch_poly(p);
-  for (const edge_id e : incident_edges_.edges(b)) __builtin_prefetch(e2v_.begin(e.raw()), 1);
-  for (const vert_id v : incident_edges_.verts(b)) incident_edges_.prefetch_place(v);
-  for (const vert_id v : incident_edges_.verts(b)) incident_edges_.prefetch_values(v);
+  for (const poly_id p : incident_.polys(b)) prefetch_poly(p);
+  for (const edge_id e : incident_.edges(b)) __builtin_prefetch(e2v_.begin(e.raw()), 1);
+  for (const vert_id v : incident_.verts(b)) incident_.prefetch_place(v);
+  for (const vert_id v : incident_.verts(b)) incident_.prefetch_edges(v);
 }
 
 /// Whether the polys at b are one closed fan of at least four regular triangles that contains both sides, so that the link of b is a circle.
 template<unsigned Arity, class Lists>
 bool surface_tables<Arity, Lists>::is_closed_fan(vert_id b, const side_of_edge* s) const {
-  const std::uint32_t n = v2p_.length(b.raw());
+  const std::uint32_t n = incident_.num_polys(b);
   if (n < 4) return false;
   poly_id p = s[0].p;
   std::uint32_t k = s[0].at_b, met = 0;
@@ -151,32 +151,32 @@ direct_edit surface_tables<Arity, Lists>::collapse_edge(edge_id e)
 {
   const vert_id a = e2v_[e.raw()][0], b = e2v_[e.raw()][1];
   side_of_edge s[2];
-  if (incident_edges_.num_edges(b) > longest_fan || find_triangles(e, a, b, {{true, true}, {true, true}}, s) != 2) return direct_edit::left_to_rewire;
+  if (incident_.num_edges(b) > longest_fan || find_triangles(e, a, b, {{true, true}, {true, true}}, s) != 2) return direct_edit::left_to_rewire;
   for (const vert_id v : {a, s[0].c, s[1].c}) prefetch_lists(v);
   prefetch_fan(b);
-  for (const vert_id x : incident_edges_.verts(b))  // the link condition: both links have no other common verts
+  for (const vert_id x : incident_.verts(b))  // the link condition: both links have no other common verts
     if (x != a && x != s[0].c && x != s[1].c && have_common_edge(a, x)) return direct_edit::refused;
-  if (incident_edges_.num_edges(b) != v2p_.length(b.raw()) || !is_closed_fan(b, s)) return direct_edit::left_to_rewire;
-  const std::uint32_t more = v2p_.length(b.raw()) - 4;
+  if (incident_.num_edges(b) != incident_.num_polys(b) || !is_closed_fan(b, s)) return direct_edit::left_to_rewire;
+  const std::uint32_t more = incident_.num_polys(b) - 4;
   make_growable();
-  incident_edges_.reserve_at(a, more), v2p_.reserve_in_row(a.raw(), more);
+  incident_.reserve_at(a, more, more);
   verts_.reserve_change(1, 0), edges_.reserve_change(3, 0), polys_.reserve_change(2, 0);
 
   const outer_edge kept[] = {s[0].ca, s[1].ca}, lost[] = {s[0].bc, s[1].bc};
-  incident_edges_.replace_by_last(a, e);
+  incident_.replace_by_last(a, e);
   edges_.remove(e);
   for (std::uint32_t i = 0; i < 2; ++i) {
-    v2p_.remove(a.raw(), s[i].p), v2p_.remove(s[i].c.raw(), s[i].p);
-    incident_edges_.replace_by_last(s[i].c, lost[i].e);
+    incident_.remove(a, s[i].p), incident_.remove(s[i].c, s[i].p);
+    incident_.replace_by_last(s[i].c, lost[i].e);
     edges_.remove(lost[i].e);
     polys_.remove(s[i].p);
   }
-  for (const poly_id p : v2p_[b.raw()]) {
+  for (const poly_id p : incident_.polys(b)) {
     if (p == s[0].p || p == s[1].p) continue;
     vert_id* const v = p2v_.begin(p.raw());
     const std::uint32_t at_b = v[0] == b ? 0 : v[1] == b ? 1 : 2;
     v[at_b] = a;
-    v2p_.push_reserved(a.raw(), p);
+    incident_.push(a, p);
     for (std::uint32_t k = 0; k < 3; ++k) {
       if (k == side_of_edge::next(at_b)) continue;  // it keeps its polys
       const outer_edge x(*this, p, k);
@@ -185,7 +185,7 @@ direct_edit surface_tables<Arity, Lists>::collapse_edge(edge_id e)
       else move_end(x.e, b, a, p, k);
     }
   }
-  incident_edges_.clear(b), v2p_.clear_row(b.raw());
+  incident_.clear(b);
   verts_.remove(b);
   return direct_edit::done;
 }
@@ -197,8 +197,8 @@ void surface_tables<Arity, Lists>::move_end(edge_id e, vert_id from, vert_id to,
   if (ends[0] != from && ends[1] != from) return;
   const vert_id other = ends[0] == from ? ends[1] : ends[0];
   set_ends(e, to, other);
-  incident_edges_.set_other_end(other, e, to);
-  incident_edges_.push(to, other, e);
+  incident_.set_other_end(other, e, to);
+  incident_.push(to, other, e);
   facet_adjacency_.set_first(e, p, k);
 }
 

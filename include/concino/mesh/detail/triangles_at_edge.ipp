@@ -71,20 +71,19 @@ void surface_tables<Arity, Lists>::expect_second_poly(edge_id e, poly_id p) {
 /// Makes the lists of verts editable.
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::make_growable() {
-  detail::make_vertex_incidence_growable(incident_edges_, v2p_);
+  incident_.make_growable();
   if constexpr (Arity == 3)
     if (probable_second_poly_.size() == 0) [[unlikely]] probable_second_poly_ = second_polys();
 }
 
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::prefetch_vert(vert_id v) const {
-  incident_edges_.prefetch_place(v), v2p_.prefetch_place(v.raw());
-  incident_edges_.prefetch_slot(v), v2p_.prefetch_slot(v.raw());
+  incident_.prefetch_place(v), incident_.prefetch_slot(v);
 }
 
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::prefetch_lists(vert_id v) const {
-  incident_edges_.prefetch_values(v), v2p_.prefetch_values(v.raw());
+  incident_.prefetch_edges(v), incident_.prefetch_polys(v);
 }
 
 template<unsigned Arity, class Lists>
@@ -96,8 +95,8 @@ void surface_tables<Arity, Lists>::prefetch_poly(poly_id p) const {
 /// Whether a and b have an edge. The list of a is searched, unless it is the longer one of two that are not short.
 template<unsigned Arity, class Lists>
 bool surface_tables<Arity, Lists>::have_common_edge(vert_id a, vert_id b) const {
-  if (incident_edges_.num_edges(a) > longest_fan && incident_edges_.num_edges(b) < incident_edges_.num_edges(a)) std::swap(a, b);
-  return incident_edges_.find(a, b) < incident_edges_.num_edges(a);
+  if (incident_.num_edges(a) > longest_fan && incident_.num_edges(b) < incident_.num_edges(a)) std::swap(a, b);
+  return incident_.find(a, b) < incident_.num_edges(a);
 }
 
 template<unsigned Arity, class Lists>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/mesh/detail/alive_elements.hpp>
-#include <concino/mesh/detail/incident_edges.hpp>
+#include <concino/mesh/detail/incident_lists.hpp>
 
 namespace concino::detail {
 
@@ -24,6 +24,8 @@ inline incident_edges make_incident_edges(offsets degrees, const jagged_array<ve
   return {where, std::move(verts), std::move(edges)};
 }
 
+// Of volumes, whose polys are in lists of their own.
+
 /// Makes the lists of verts editable. It comes before the first edit.
 inline void make_vertex_incidence_growable(incident_edges& edges_at, jagged_array<poly_id, 0>& v2p) {
   edges_at.make_growable();
@@ -34,21 +36,24 @@ inline void make_vertex_incidence_growable(incident_edges& edges_at, jagged_arra
 inline void reserve_lists_of_new_verts(incident_edges& edges_at, jagged_array<poly_id, 0>& v2p, std::size_t n, std::size_t edges, std::size_t polys) {
   make_vertex_incidence_growable(edges_at, v2p);
   edges_at.reserve_verts(n, edges);
-  v2p.reserve_rows(n, polys + n * row_places::room_unit);
+  v2p.reserve_rows(n, polys + n * row_places<>::room_unit);
 }
 
 /// Adds the empty lists of a new vert, with room for so many edges and polys.
 inline void add_lists_of_vert(incident_edges& edges_at, jagged_array<poly_id, 0>& v2p, std::uint32_t edges, std::uint32_t polys) {
   edges_at.add_vert(std::max(edges, 1u));
-  v2p.commit_row(0, row_places::room_for(std::max(polys, 1u)));
+  v2p.commit_row(0, row_places<>::room_for(std::max(polys, 1u)));
 }
+
+// Of surfaces and volumes.
 
 /// After this call, n calls of add_edge() cannot fail because of the rows of this end v.
 inline void reserve_edges_at(incident_edges& edges_at, vert_id v, std::uint32_t n) {
   if (n > 0) edges_at.reserve_at(v, n);
 }
 
-inline edge_id add_edge(alive_elements<edge_id>& edges, jagged_array<vert_id, 2>& ends, incident_edges& edges_at, vert_id a, vert_id b) {
+template<bool WithPolys>
+edge_id add_edge(alive_elements<edge_id>& edges, jagged_array<vert_id, 2>& ends, incident_lists<WithPolys>& edges_at, vert_id a, vert_id b) {
   const edge_id e = edges.add();
   const vert_id two[] = {std::min(a, b), std::max(a, b)};
   ends.add_row(two, two + 2);
@@ -58,7 +63,8 @@ inline edge_id add_edge(alive_elements<edge_id>& edges, jagged_array<vert_id, 2>
 }
 
 /// Both rows of a vert keep their order.
-inline void remove_edge(alive_elements<edge_id>& edges, const jagged_array<vert_id, 2>& ends, incident_edges& edges_at, edge_id e) {
+template<bool WithPolys>
+void remove_edge(alive_elements<edge_id>& edges, const jagged_array<vert_id, 2>& ends, incident_lists<WithPolys>& edges_at, edge_id e) {
   for (const vert_id v : ends[e.raw()]) edges_at.remove(v, e);
   edges.remove(e);
 }
