@@ -152,6 +152,19 @@ TEST_CASE("kept_polyhedra: faces with many verts, and polys with many faces") {
   }
 }
 
+TEST_CASE("kept_polyhedra: a vert with many edges") {
+  std::mt19937 random(8);
+  for (int i = 0; i < 20; ++i) {
+    CAPTURE(i);
+    lists before;
+    before.points = random_points(random, 100);
+    const unsigned centre = i % 2 ? 99 : 0;
+    for (unsigned f = 0; f < 96; ++f) before.verts.push_back({centre, f + 1, f + 2});
+    for (unsigned f = 0; f < 96; f += 4) before.poly_faces.push_back({{f, true}, {f + 1, false}, {f + 2, true}, {f + 3, false}});
+    equals_constructed(random, before, 4);
+  }
+}
+
 TEST_CASE("kept_polyhedra: all or nothing of a mesh can be kept") {
   std::mt19937 random(7);
   const lists all = random_soup<polyhedralmesh>(random, 9, 2);

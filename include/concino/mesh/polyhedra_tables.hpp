@@ -180,6 +180,7 @@ class basic_polyhedra_tables {
  private:
   friend class detail::polyhedra_cavity;
   class rewiring;
+  class edge_extension;
   class extension;
 
   static constexpr std::size_t faces_of_new_edge = 4;  // for which memory is reserved
