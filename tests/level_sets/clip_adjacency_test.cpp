@@ -2,6 +2,7 @@
 #include <concino/level_sets/clip.hpp>
 
 #include <concino/core/error.hpp>
+#include <concino/edit/elements.hpp>
 #include <concino/generate/grid.hpp>
 
 #include <support/level_sets.hpp>
@@ -13,6 +14,7 @@
 
 #include <cstddef>
 #include <random>
+#include <span>
 #include <vector>
 
 using namespace concino;
@@ -37,6 +39,24 @@ std::vector<double> all_of(const clipped_volume<polyhedralmesh>& c) {
 polyhedralmesh compacted(polyhedralmesh m) {
   m.garbage_collect();
   return m;
+}
+
+face_id common_face(const polyhedralmesh& m, poly_id p, poly_id q) {
+  for (const face_id f : adj_p2f(m, p))
+    for (const poly_id x : adj_f2p(m, f))
+      if (x == q) return f;
+  return {};
+}
+
+/// Adds a poly at a face, also if it has two polys already.
+void add_pyramid(polyhedralmesh& m, face_id base) {
+  std::vector<vert_id> corners;
+  for (const vert_id v : adj_f2v(m, base)) corners.push_back(v);
+  const vert_id apex = add_vert(m, point(m, corners[0]) + vec3{0.01, 0.02, 0.03});
+  std::vector<face_id> faces{base};
+  for (std::size_t k = 0; k < corners.size(); ++k) faces.push_back(add_face(m, {corners[(k + 1) % corners.size()], corners[k], apex}));
+  const std::vector<unsigned char> outward(faces.size(), 1);
+  mesh_traits<polyhedralmesh>::add_poly(m, std::span<const face_id>(faces), std::span<const unsigned char>(outward));
 }
 
 }  // namespace
@@ -71,6 +91,30 @@ TEST_CASE("clip: what is clipped can be clipped again in the same way") {
   REQUIRE(first.mesh.tables().can_be_extended());
   REQUIRE(first.report.cut_polys > 0);
   CHECK(all_of(clip(first.mesh, plane{{3, 1, -2}, 0.3})) == all_of(clip(compacted(first.mesh), plane{{3, 1, -2}, 0.3})));
+}
+
+TEST_CASE("clip: the parts of many crossed polys are the same for any number of threads") {
+  constexpr std::size_t n = 20, in_layer = n * n;
+  auto m = make_grid<polyhedralmesh>({.cells = {n, n, 12}});
+  std::mt19937 random(5);
+  for (int i = 0; i < 4; ++i) {
+    CAPTURE(i);
+    if (i == 3) add_pyramid(m, common_face(m, poly_id{2350}, poly_id{2350 + in_layer}));  // one thread reads the first poly, another one the second
+    auto u = make_vert_map<double>(m);
+    std::uniform_real_distribution<double> size(0.5, 1);
+    for (const auto v : verts(m)) u[v] = size(random) * (index_of(m, v) / ((n + 1) * (n + 1)) % 2 ? 1 : -1);  // each layer of verts has the other sign
+    for (int k = 0; k < 12 && i > 0; ++k) u[vert_id{random() % num_verts(m)}] *= i == 1 ? 0 : -1;                    // polys that are not simple
+    const auto all_with = [&](int threads) {
+      const with_num_threads fixed(threads);
+      auto all = all_of(split(m, u, 0.0));
+      const auto above = all_of(clip(m, u, 0.0));
+      all.insert(all.end(), above.begin(), above.end());
+      return all;
+    };
+    const auto one = all_with(1);
+    CHECK((one == all_with(2)));
+    CHECK((one == all_with(3)));
+  }
 }
 
 TEST_CASE("clip: the result is the same for any number of threads") {

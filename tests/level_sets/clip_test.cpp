@@ -290,7 +290,8 @@ TEST_CASE("clip: the fast way finds the same parts as the general one") {
     std::vector<std::uint32_t> numbers(face_index_bound(m), ~0u);
     const auto crossed = detail::crossed_by_state(m, of_polys);
     const auto find = [&] {
-      const detail::clip_parts<polyhedralmesh> fast(m, u, 1.0, of_verts.data(), of_polys.data(), numbers.data(), crossed, true, "test");
+      detail::clip_parts<polyhedralmesh> fast(m, u, 1.0, of_verts.data(), of_polys.data(), numbers.data(), crossed);
+      fast.cut(m, u, true, "test");
       return resolved_parts(fast.lists, fast.ends, m).lists;
     };
     std::optional<detail::cell_cuts> cuts;

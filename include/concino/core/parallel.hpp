@@ -73,6 +73,11 @@ void run_with_chunks(bool are_long, std::initializer_list<function_ref<void()>> 
   for (std::size_t i = 0; i < num_functions + chunks; ++i) run_one(i);
 }
 
+/// Calls each of some functions, as run_with_chunks() does.
+inline void run_all(bool are_long, std::initializer_list<function_ref<void()>> functions) {
+  run_with_chunks(are_long, functions, 0, 1, [](std::size_t, std::size_t) {});
+}
+
 /// The type of the callable in a loop: a copy of f if that is equivalent, since compilers then keep the members of f in registers.
 template<class F, class Argument>
 using loop_body = std::conditional_t<std::is_trivially_copyable_v<F> && std::is_invocable_v<const F&, Argument> && sizeof(F) <= 16 * sizeof(void*), const F, F&>;

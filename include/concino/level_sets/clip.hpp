@@ -13,6 +13,7 @@ namespace detail {
 
 template<class M, class U>
 auto clip_mesh(const M& m, const U& u, double level, bool both, const clip_options& options, const char* caller) {
+  const core::thread_team threads(has_many_polys(m));
   check_vert_values(m, u, caller);
   sort_levels({level}, caller);
   report_progress(options.progress, 0, "clipping");

@@ -79,6 +79,9 @@ class simple_cells {
   void add_face(std::uint32_t number, bool outward, std::uint32_t poly, const cell_verts& verts);
   /// Whether two faces have the same verts or the same chord, after the last cell.
   bool has_equal_faces();
+  /// Adds other cells behind these. places: by number of a place there, the number here.
+  /// Result: the added cells with faces that are also here, by number there.
+  std::vector<std::uint32_t> append(const simple_cells& others, std::span<const std::uint32_t> places);
   /// Ends a cell. All cells of a shape may be known to be spheres.
   void end_cell(bool is_known_sphere, std::size_t num_verts, std::size_t num_edges);
 
@@ -112,12 +115,16 @@ class simple_cells {
   std::vector<chord> chords_;
   cell_surface surface_;
 
+  std::uint64_t key_of(const face& f) const;
   void find_chord(face& f, const cell_verts& verts);
+  std::vector<std::uint32_t> append_faces(const simple_cells& others, std::span<const std::uint32_t> places);
+  void sort_entries(const cell& c);
   bool chain_chords();
 };
 
 }  // namespace concino::detail
 
 #ifndef CONCINO_COMPILED
+#include <concino/level_sets/detail/append_cells.ipp>
 #include <concino/level_sets/detail/simple_cells.ipp>
 #endif

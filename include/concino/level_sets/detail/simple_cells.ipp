@@ -45,6 +45,17 @@ CONCINO_INLINE bool simple_cells::read_corners(std::uint32_t number, bool is_new
   return true;
 }
 
+/// Of a face that is not crossed, the same for the same verts in any order; else of its chord.
+CONCINO_INLINE std::uint64_t simple_cells::key_of(const face& f) const {
+  if (f.is_crossed) return std::uint64_t{std::min(f.places[0], f.places[1])} << 32 | std::max(f.places[0], f.places[1]);
+  std::uint64_t key = 0;
+  for (std::uint32_t k = f.first_corner; k < f.last_corner; ++k) {
+    const std::uint64_t x = (corners_[k] + std::uint64_t{1}) * 0x9e3779b97f4a7c15u;
+    key += x ^ x >> 29;
+  }
+  return key;
+}
+
 CONCINO_INLINE void simple_cells::find_chord(face& f, const cell_verts& verts) {
   const auto n = static_cast<std::uint32_t>(local_.size());
   unsigned num_ends = 0;
@@ -57,12 +68,7 @@ CONCINO_INLINE void simple_cells::find_chord(face& f, const cell_verts& verts) {
   f.is_crossed = num_ends > 0;
   f.is_simple = num_ends <= 2;
   if (!f.is_crossed) {
-    std::uint64_t key = 0;  // the same for the same verts in any order
-    for (std::uint32_t k = f.first_corner; k < f.last_corner; ++k) {
-      const std::uint64_t x = (corners_[k] + std::uint64_t{1}) * 0x9e3779b97f4a7c15u;
-      key += x ^ x >> 29;
-    }
-    keys_.push_back(key);
+    keys_.push_back(key_of(f));
     return;
   }
   ++num_crossed_, num_crossed_corners_ += n;
@@ -82,7 +88,7 @@ CONCINO_INLINE void simple_cells::set_chord(std::uint32_t first_place, std::uint
   face& f = faces_.back();
   f.places[0] = first_place, f.places[1] = second_place;
   f.polys[0] = poly, f.polys[1] = other_poly;
-  keys_.push_back(std::uint64_t{std::min(first_place, second_place)} << 32 | std::max(first_place, second_place));
+  keys_.push_back(key_of(f));
 }
 
 /// Equal keys of different faces or chords are as good as impossible, and only cost time.
@@ -135,6 +141,10 @@ CONCINO_INLINE void simple_cells::end_cell(bool is_known_sphere, std::size_t num
     caps_.resize(c.first_cap);
   }
   c.last_cap = static_cast<std::uint32_t>(caps_.size());
+  sort_entries(c);
+}
+
+CONCINO_INLINE void simple_cells::sort_entries(const cell& c) {
   for (std::uint32_t i = c.first_entry + 1; i < c.last_entry; ++i) {  // few, and nearly sorted
     const entry x = entries_[i];
     std::uint32_t k = i;

@@ -30,11 +30,11 @@ class volume_clipper {
   const M& m_;
   double level_;
   bool both_;
-  std::optional<clip_parts<M>> crossed_;
+  std::vector<std::uint32_t> face_number_;  // by index of the face in m
+  std::optional<clip_parts<M>> crossed_;    // uses face_number_ until it is destroyed
   whole_polys<M> whole_;
   std::vector<std::uint32_t> cut_;          // parts
   std::vector<std::uint32_t> cut_origins_;  // by entry of cut_: the index of the poly in m
-  std::vector<std::uint32_t> face_number_;  // by index of the face in m
   kept_polyhedra kept_;                     // what the result has in common with m; without lists unless extends_tables()
   std::vector<std::uint32_t> new_face_;     // by face of the parts
   std::size_t num_faces_ = 0, num_corners_ = 0, num_poly_faces_ = 0;  // of the result
@@ -45,10 +45,8 @@ class volume_clipper {
   volume_clipper(const M& m, const U& u, double level, bool both, const char* caller) : m_(m), level_(level), both_(both), whole_(m, both) {
     const state_array of_verts = level_states(m, u, level, caller), of_polys = poly_states(m, of_verts);
     face_number_ = core::large_vector(face_index_bound(m), ~0u);
-    const auto cut_crossed = [&] {
-      crossed_.emplace(m, u, level, of_verts.data(), of_polys.data(), face_number_.data(), crossed_by_state(m, of_polys), both, caller);
-    };
-    core::run_both(has_many_polys(m), cut_crossed, [&] { whole_.list(of_polys); });
+    crossed_.emplace(m, u, level, of_verts.data(), of_polys.data(), face_number_.data(), crossed_by_state(m, of_polys));
+    core::run_both(has_many_polys(m), [&] { crossed_->cut(m, u, both, caller); }, [&] { whole_.list(of_polys); });
   }
 
   clipped_volume<M> run(const clip_options& options, const char* caller) {
@@ -62,11 +60,12 @@ class volume_clipper {
     number_faces(crossed_->lists, verts_of);
     verts_of.number();
     const auto list_faces = [&] { build_faces(crossed_->lists, verts_of); };
-    const auto list_polys_and_verts = [&] {
-      build_polys(crossed_->lists);
+    const auto list_polys = [&] { build_polys(crossed_->lists); };
+    const auto list_verts = [&] {
       verts_of.list([&](const level_place& x, std::vector<origin>& list) { crossed_->list_origins(x, list); });
     };
-    core::run_both(has_many_polys(m_), list_faces, list_polys_and_verts);
+    const auto number_polys = [&] { number_whole_polys(); };
+    core::run_all(has_many_polys(m_), {list_faces, list_polys, list_verts, number_polys});
     a_.points = std::move(verts_of.points);
     result_.from.verts = std::move(verts_of.origins);
     crossed_.reset();  // its memory can be used for the mesh
@@ -211,6 +210,9 @@ class volume_clipper {
       result_.above.push_back(parts.parts[i].is_above);
       cut_origins_.push_back(crossed_->poly_indices[parts.parts[i].cell]);
     }
+  }
+
+  void number_whole_polys() {
     result_.from.polys = origins_of(m_, whole_.polys);
     if (!extends_tables()) return;
     kept_.num_polys = static_cast<std::uint32_t>(whole_.polys.size());
