@@ -35,7 +35,14 @@ struct part_face {
     while (size > 1 && corners[size - 1] == corners[0]) --size;
   }
   unsigned smallest() const { return *std::min_element(corners, corners + size); }
-  void start_at_smallest() { std::rotate(corners, std::min_element(corners, corners + size), corners + size); }
+  /// std::rotate takes longer for so few.
+  void start_at_smallest() {
+    unsigned at = 0;
+    for (unsigned i = 1; i < size; ++i) at = corners[i] < corners[at] ? i : at;
+    unsigned twice[8];
+    for (unsigned i = 0; i < size; ++i) twice[i] = twice[size + i] = corners[i];
+    std::copy_n(twice + at, size, corners);
+  }
 };
 
 /// Cuts tets one after another. The lists are those of list_embedding() for the parts of these cells, which can be any cells and take much longer.
@@ -57,7 +64,8 @@ class tet_cutter {
   void add_two_parts(const crossed_tet& t);
   void find_places(const crossed_tet& t, bool first_is_above);
   void add_simple_part(const crossed_tet& t, bool is_above, part_face cap);
-  part_face cap_below(const crossed_tet& t);
+  template<class F>
+  static void for_each_cap_edge(const crossed_tet& t, const F& f);
 
  public:
   embedding_lists lists;

@@ -40,7 +40,7 @@ CONCINO_INLINE void tet_cutter::add_tet(unsigned a, unsigned b, unsigned c, unsi
     is_first_ = false;
     return;
   }
-  lists.corners.insert(lists.corners.end(), {a, b, c, d});
+  for (const unsigned v : {a, b, c, d}) lists.corners.push_back(v);  // insert() takes longer
   lists.origins.push_back(old);
 }
 
@@ -65,17 +65,16 @@ CONCINO_INLINE void tet_cutter::add(const crossed_tet& t) {
   add_part(t, !first_is_above);
 }
 
-/// The face between both parts, counter-clockwise seen from above.
-CONCINO_INLINE part_face tet_cutter::cap_below(const crossed_tet& t) {
+/// Calls f(a, b) for the edges at the corners of the face between both parts, counter-clockwise seen from above.
+template<class F>
+void tet_cutter::for_each_cap_edge(const crossed_tet& t, const F& f) {
   // tet_caps is about tets whose first three verts are clockwise seen from outside.
   const unsigned position[4] = {0, t.is_outward[0] ? 2u : 1u, t.is_outward[0] ? 1u : 2u, 3};
   constexpr unsigned char ends[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
   unsigned signs = 0;
   for (unsigned k = 0; k < 4; ++k) signs |= (t.states[position[k]] != below_level ? 1u : 0u) << k;
-  const tet_cap& edges = tet_caps[signs];
-  part_face cap;
-  for (unsigned k = 0; k < edges.size; ++k) cap.push(place(t, position[ends[edges.edges[k]][0]], position[ends[edges.edges[k]][1]]));
-  return cap;
+  const tet_cap& cap = tet_caps[signs];
+  for (unsigned k = 0; k < cap.size; ++k) f(position[ends[cap.edges[k]][0]], position[ends[cap.edges[k]][1]]);
 }
 
 /// Finds all new verts of a tet, in the order in which add_part() does.
@@ -98,13 +97,14 @@ CONCINO_INLINE void tet_cutter::find_places(const crossed_tet& t, bool first_is_
 CONCINO_INLINE void tet_cutter::add_two_parts(const crossed_tet& t) {
   const bool first_is_above = t.states[0] != below_level;
   find_places(t, first_is_above);
-  part_face cap = cap_below(t);
+  part_face cap;
+  for_each_cap_edge(t, [&](unsigned a, unsigned b) { cap.corners[cap.size++] = places_[a][b]; });
   cap.start_at_smallest();
   add_simple_part(t, first_is_above, cap);
   add_simple_part(t, !first_is_above, cap);
 }
 
-/// cap: begins at its smallest vert, as cap_below() lists it.
+/// cap: the face between both parts. It begins at its smallest vert, and is counter-clockwise seen from above.
 CONCINO_INLINE void tet_cutter::add_simple_part(const crossed_tet& t, bool is_above, part_face cap) {
   unsigned top = 4, top_number = ~0u, size = 0;
   for (unsigned i = 0; i < 4; ++i) {
@@ -164,7 +164,8 @@ CONCINO_INLINE void tet_cutter::add_part(const crossed_tet& t, bool is_above) {
     ++num_faces;
   }
   part_face& cap = faces[num_faces++];
-  cap = cap_below(t);
+  cap.size = 0;
+  for_each_cap_edge(t, [&](unsigned a, unsigned b) { cap.push(place(t, a, b)); });
   cap.close();
   if (is_above) {
     std::reverse(cap.corners, cap.corners + cap.size);
