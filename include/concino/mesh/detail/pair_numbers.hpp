@@ -9,7 +9,7 @@
 
 namespace concino::detail {
 
-/// Takes a third of the time of a hash table: there is no search, and no branch that the processor would often predict wrongly. Two numbers that are read
+/// Takes about half the time of a hash table: there is no search, and no branch that the processor would often predict wrongly. Two numbers that are read
 /// together are one, since compilers make a branch where only one of both is always needed.
 class pair_numbers {
   core::temporary_array<std::uint32_t> sorted_;  // indices of pairs by their first entries, in ascending order for each
