@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
+#include <concino/core/parallel.hpp>
 #include <concino/level_sets/detail/level_surface_maker.hpp>
 #include <concino/level_sets/detail/level_values.hpp>
 #include <concino/level_sets/detail/simple_surface.hpp>
@@ -60,12 +61,21 @@ level_surface<M, To> collect_isosurface(const M& m, const U& u, const std::vecto
     level_surface_parts<M> parts;
     if (!fast || !maker.make_simple(parts)) parts = maker.make_general();
     builder.reserve(parts.places.size(), parts.verts.size(), parts.ends.size());
-    for (const mesh_point<M>& x : parts.places) builder.add_point(x.position);
     std::vector<poly_t<M>> polys;
-    for (std::size_t i = 0, first = 0; i < parts.ends.size(); first = parts.ends[i++]) {
-      const std::size_t n = builder.add_polygon({parts.verts.data() + first, parts.ends[i] - first});
-      if constexpr (arity_v<To> == 3) polys.insert(polys.end(), n, parts.polys[i]);  // other polygons are not divided
-    }
+    const auto add_points = [&] {
+      surface_builder& to = builder;  // compilers keep variables of this function in registers
+      for (const mesh_point<M>& x : parts.places) to.add_point(x.position);
+      if constexpr (arity_v<To> != 3) result.values.resize(result.polys.size() + parts.polys.size(), level);
+    };
+    const auto add_polygons = [&] {
+      surface_builder& to = builder;
+      const std::vector<std::uint32_t>&verts = parts.verts, &ends = parts.ends;
+      for (std::size_t i = 0, first = 0; i < ends.size(); first = ends[i++]) {
+        const std::size_t n = to.add_polygon({verts.data() + first, ends[i] - first});
+        if constexpr (arity_v<To> == 3) polys.insert(polys.end(), n, parts.polys[i]);  // other polygons are not divided
+      }
+    };
+    core::run_both(arity_v<To> != 3 && parts.ends.size() > 16384, add_points, add_polygons);  // a triangulation reads the points
     builder.end_part();
     append(std::move(parts.places), result.places);
     append(arity_v<To> == 3 ? std::move(polys) : std::move(parts.polys), result.polys);

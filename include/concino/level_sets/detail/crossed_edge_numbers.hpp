@@ -23,8 +23,12 @@ class crossed_edge_numbers {
 
   /// Announces an edge that will be added.
   void announce(std::size_t index) { numbers_.announce(index); }
-  /// Must follow after all were announced.
-  void count() { edges.reserve(numbers_.count()); }
+  /// Returns how many were announced. It must follow after all were.
+  std::size_t count() {
+    const std::size_t n = numbers_.count();
+    edges.reserve(n);
+    return n;
+  }
 
   std::uint32_t add(const M& m, const edge_t<M>& e) {
     const std::uint32_t number = numbers_.add(index_of(m, e), edges.size());

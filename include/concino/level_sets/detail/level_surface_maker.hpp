@@ -30,6 +30,7 @@ template<class M, class U>
 class level_surface_maker {
   static constexpr auto surface = arity_v<M> > 0 ? cell_cuts::cells_are::spheres : cell_cuts::cells_are::unknown;
   static constexpr std::size_t chunk = 512;
+  static constexpr std::size_t many = 16384;  // cells, whose corners are numbered in a quarter of a millisecond
 
   const M& m_;
   const U& u_;
@@ -89,25 +90,26 @@ class level_surface_maker {
   }
 
  private:
-  /// Announces the edges with corners, and makes room.
-  void prepare(const std::vector<simple_cap_list<M>>& lists, const crossed_volume_reader<M>& others, const level_surface_arrays& other_caps,
-               crossed_edge_numbers<M>& numbers, level_surface_parts<M>& parts) const {
-    std::size_t num_corners = other_caps.verts.size(), num_polys = other_caps.ends.size();
+  /// Announces the edges with corners, and makes room. Returns the number of places, or a little more.
+  std::size_t prepare(const std::vector<simple_cap_list<M>>& lists, const crossed_volume_reader<M>& others, const level_surface_arrays& other_caps,
+                      crossed_edge_numbers<M>& numbers, level_surface_parts<M>& parts) const {
+    std::size_t num_corners = other_caps.verts.size(), num_polys = other_caps.ends.size(), num_inside = 0;
     for (const simple_cap_list<M>& list : lists) {
       for (const edge_t<M>& e : list.corners) numbers.announce(index_of(m_, e));
       num_corners += list.corners.size(), num_polys += list.ends.size();
     }
     for (const level_place& x : other_caps.places)
       if (x.kind == level_place::edge && others.is_edge_of_mesh(x.element)) numbers.announce(x.element);
-    numbers.count();
+      else ++num_inside;
     parts.verts.reserve(num_corners), parts.ends.reserve(num_polys), parts.polys.reserve(num_polys);
+    return numbers.count() + num_inside;
   }
 
   /// Numbers the corners, and merges the caps of simple and of difficult cells in the order of the cells.
   void join(const std::vector<simple_cap_list<M>>& lists, const crossed_volume_reader<M>& others, const level_surface_arrays& other_caps,
             const std::vector<std::uint32_t>& difficult, level_surface_parts<M>& parts) const {
     crossed_edge_numbers<M> numbers(edge_index_bound(m_));
-    prepare(lists, others, other_caps, numbers, parts);
+    const std::size_t max_places = prepare(lists, others, other_caps, numbers, parts);
     place_numbers other_places;
     std::vector<std::uint32_t> number_of_other;  // by number in other_places
     std::vector<std::pair<std::uint32_t, level_place>> inside;
@@ -131,16 +133,21 @@ class level_surface_maker {
         parts.polys.push_back(others.polys[other_caps.cells[other]]);
       }
     };
-    for (const simple_cap_list<M>& list : lists) {
-      std::uint32_t k = 0;
-      for (std::size_t i = 0; i < list.ends.size(); ++i) {
-        if (other < other_caps.ends.size()) add_others_before(list.cells[i]);
-        for (; k < list.ends[i]; ++k) parts.verts.push_back(numbers.add(m_, list.corners[k]));
-        parts.ends.push_back(static_cast<std::uint32_t>(parts.verts.size()));
-        parts.polys.push_back(cells_[list.cells[i]]);
+    const auto number_corners = [&] {
+      crossed_edge_numbers<M>& to_numbers = numbers;  // compilers keep variables of this function in registers
+      level_surface_parts<M>& to = parts;
+      for (const simple_cap_list<M>& list : lists) {
+        std::uint32_t k = 0;
+        for (std::size_t i = 0; i < list.ends.size(); ++i) {
+          if (other < other_caps.ends.size()) add_others_before(list.cells[i]);
+          for (; k < list.ends[i]; ++k) to.verts.push_back(to_numbers.add(m_, list.corners[k]));
+          to.ends.push_back(static_cast<std::uint32_t>(to.verts.size()));
+          to.polys.push_back(cells_[list.cells[i]]);
+        }
       }
-    }
-    add_others_before(~0u);
+      add_others_before(~0u);
+    };
+    core::run_both(cells_.size() > many, number_corners, [&] { parts.places.resize(max_places); });  // pages of new memory take half as long as numbers
     parts.places.resize(numbers.edges.size());
     locate_edges(numbers, parts);
     for (const auto& [number, x] : inside) parts.places[number] = others.mesh_point_of(m_, x);

@@ -202,10 +202,15 @@ bool surface_tables<Arity, Lists>::find_edges_in_two(edge_range& all, jagged<pol
   second.ends.reserve(max_edges), second.owners.reserve(max_edges / 2);
   core::run_both(true, [&] { find_edges<false>(all, v2p, poly_of); }, [&] { find_edges<false>(second, v2p, poly_of); });
   if (!all.is_manifold || !second.is_manifold) return false;
-  facet_adjacency_.add_facets(all.owners, 0);
-  facet_adjacency_.add_facets(second.owners, second.mark);
-  all.ends.append(second.ends.data(), second.ends.size());
-  for (std::size_t v = 0; v < all.degrees.size(); ++v) all.degrees[v] += second.degrees[v];
+  const auto add_facets = [&] {
+    facet_adjacency_.add_facets(all.owners, 0);
+    facet_adjacency_.add_facets(second.owners, second.mark);
+  };
+  const auto add_ends = [&] {
+    all.ends.append(second.ends.data(), second.ends.size());
+    for (std::size_t v = 0; v < all.degrees.size(); ++v) all.degrees[v] += second.degrees[v];
+  };
+  core::run_both(true, add_facets, add_ends);
   return true;
 }
 
