@@ -110,6 +110,8 @@ TEST_CASE("parallel: run_with_chunks calls all functions and all chunks, and thr
           for (std::size_t i = begin; i < end; ++i) ++done[i];
         });
         CHECK(calls == std::array{1, 1});
+        concino::core::run_all(are_long, {first, second, second});
+        CHECK(calls == std::array{2, 3});
         CHECK(done == std::vector<int>(size, 1));
         const auto fail = [] { throw std::length_error("function"); };
         const auto fail_too = [](std::size_t, std::size_t) { throw std::domain_error("chunk"); };

@@ -46,18 +46,6 @@ void run_chunks(std::size_t n, std::size_t chunk, function_ref<void(std::size_t,
 /// Calls run(c) for every c in [0, chunks), in several threads from the start: for chunks that each take longer than it takes to start a thread.
 void for_each_chunk(std::size_t chunks, function_ref<void(std::size_t)> run);
 
-/// Calls f() and g(), each on a thread of its own if both take longer than it takes to start one.
-/// Needs:  they do not write to the same place.      Result: as of one after the other.      Errors: what f throws, else what g throws.
-template<class F, class G>
-void run_both(bool are_long, F&& f, G&& g) {
-  const auto run = [&](std::size_t i) {
-    if (i == 0) f();
-    else g();
-  };
-  if (are_long) for_each_chunk(2, run);
-  else run(0), run(1);
-}
-
 /// Calls each of some functions, and run(first, last) for the indices 0 to n in chunks, in several threads from the start if that takes long.
 /// Needs:  no two calls write to the same place; chunk > 0.      Result: as of one after the other.      Errors: of several, that of the first call.
 template<class F>
@@ -76,6 +64,13 @@ void run_with_chunks(bool are_long, std::initializer_list<function_ref<void()>> 
 /// Calls each of some functions, as run_with_chunks() does.
 inline void run_all(bool are_long, std::initializer_list<function_ref<void()>> functions) {
   run_with_chunks(are_long, functions, 0, 1, [](std::size_t, std::size_t) {});
+}
+
+/// Calls f() and g(), each on a thread of its own if both take longer than it takes to start one.
+/// Needs:  they do not write to the same place.      Result: as of one after the other.      Errors: what f throws, else what g throws.
+template<class F, class G>
+void run_both(bool are_long, F&& f, G&& g) {
+  run_all(are_long, {f, g});
 }
 
 /// The type of the callable in a loop: a copy of f if that is equivalent, since compilers then keep the members of f in registers.
