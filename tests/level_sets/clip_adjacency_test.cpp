@@ -104,6 +104,7 @@ TEST_CASE("clip: the parts of many crossed polys are the same for any number of 
     std::uniform_real_distribution<double> size(0.5, 1);
     for (const auto v : verts(m)) u[v] = size(random) * (index_of(m, v) / ((n + 1) * (n + 1)) % 2 ? 1 : -1);  // each layer of verts has the other sign
     for (int k = 0; k < 12 && i > 0; ++k) u[vert_id{random() % num_verts(m)}] *= i == 1 ? 0 : -1;                    // polys that are not simple
+    if (i > 0) u[adj_p2v(m, poly_id{2710 + n})[0]] *= -1;  // beside simple polys that the other thread reads
     const auto all_with = [&](int threads) {
       const with_num_threads fixed(threads);
       auto all = all_of(split(m, u, 0.0));
