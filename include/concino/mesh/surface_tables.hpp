@@ -170,7 +170,8 @@ class surface_tables {
     requires(Arity == 3);
   void split_edges(edge_id e, vert_id x, const side_of_edge* s, std::uint32_t n, edge_id* to)
     requires(Arity == 3);
-  bool have_common_edge(vert_id a, vert_id b) const;
+  template<class Incident>
+  static bool have_common_edge(const Incident& at, vert_id a, vert_id b);
   bool is_closed_fan(vert_id b, const side_of_edge* s) const;
   void set_ends(edge_id e, vert_id a, vert_id b);
   void move_end(edge_id e, vert_id from, vert_id to, poly_id p, std::uint32_t k);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/mesh/detail/jagged_array.hpp>
+#include <concino/mesh/detail/loose_lists.hpp>
 
 #include <type_traits>
 
@@ -18,7 +19,7 @@ class incident_lists {
   core::flat_array<edge_id> edges_;
   [[no_unique_address]] std::conditional_t<WithPolys, core::flat_array<poly_id>, no_polys> polys_;
 
-  bool has_eight(vert_id v) const { return verts_.size() - places_.first(v.raw()) >= 8; }
+  std::size_t num_readable(vert_id v) const { return verts_.size() - places_.first(v.raw()); }
   void check_index_range(std::size_t more) const {
     if (verts_.size() + more > std::numeric_limits<std::uint32_t>::max()) throw unsupported("incident_lists: the mesh has more than 2^32 adjacencies of one kind");
   }
@@ -98,28 +99,14 @@ class incident_lists {
   const std::shared_ptr<const offsets>& shared_offsets() const { return places_.shared_offsets(); }
 
   /// The place of an edge of v, which has it.
-  std::uint32_t position(vert_id v, edge_id e) const {
-    const edge_id* const row = edges_.data() + places_.first(v.raw());
-    std::uint32_t k = has_eight(v) ? find_in_eight(row, e) : 0;
-    while (!(row[k] == e)) ++k;
-    return k;
-  }
+  std::uint32_t position(vert_id v, edge_id e) const { return position_in_row(edges_.data() + places_.first(v.raw()), num_readable(v), e); }
   /// The place of a poly of v, which has it.
   std::uint32_t position(vert_id v, poly_id p) const {
     const std::uint32_t first = places_.second_first(v.raw());
-    const poly_id* const row = polys_.data() + first;
-    std::uint32_t k = polys_.size() - first >= 8 ? find_in_eight(row, p) : 0;
-    while (!(row[k] == p)) ++k;
-    return k;
+    return position_in_row(polys_.data() + first, polys_.size() - first, p);
   }
   /// The place of the edge from v to `other`, or the number of edges of v if there is none.
-  std::uint32_t find(vert_id v, vert_id other) const {
-    const vert_id* const row = verts_.data() + places_.first(v.raw());
-    const std::uint32_t n = num_edges(v);
-    std::uint32_t k = has_eight(v) ? find_in_eight(row, other) : 0;
-    while (k < n && row[k] != other) ++k;
-    return std::min(k, n);
-  }
+  std::uint32_t find(vert_id v, vert_id other) const { return find_in_short_row(verts_.data() + places_.first(v.raw()), num_edges(v), num_readable(v), other); }
   edge_id edge_between(vert_id v, vert_id other) const {
     const std::uint32_t k = find(v, other);
     return k == num_edges(v) ? edge_id{} : edges_[places_.first(v.raw()) + k];
@@ -172,20 +159,18 @@ class incident_lists {
   void reserve_at(vert_id v, std::uint32_t edges, std::uint32_t polys) {
     if (!places_.has_room(v.raw(), edges) || !places_.has_second_room(v.raw(), polys)) [[unlikely]] enlarge_row(v, edges, polys);
   }
-  /// Adds an edge of v, which has room for it.
-  void push(vert_id v, vert_id other, edge_id e) {
-    const std::uint32_t at = places_.extend(v.raw());
-    verts_[at] = other, edges_[at] = e;
+  loose_lists<WithPolys> loose() {
+    assert(!places_.is_packed());
+    poly_id* polys = nullptr;
+    if constexpr (WithPolys) polys = polys_.data();
+    return {places_.loose_rows(), verts_.data(), edges_.data(), polys, verts_.size()};
   }
-  void push(vert_id v, poly_id p) { polys_[places_.extend_second(v.raw())] = p; }
+  /// Adds an edge of v, which has room for it.
+  void push(vert_id v, vert_id other, edge_id e) { loose().push(v, other, e); }
+  void push(vert_id v, poly_id p) { loose().push(v, p); }
   void set_other_end(vert_id v, edge_id e, vert_id other) { verts_begin(v)[position(v, e)] = other; }
   /// Removes an edge of v; the last one takes its place.
-  void replace_by_last(vert_id v, edge_id e) { replace_by_last_at(v, position(v, e)); }
-  /// The same for the k-th edge of v.
-  void replace_by_last_at(vert_id v, std::uint32_t k) {
-    const std::size_t at = places_.first_of_loose(v.raw()) + k, last = places_.shorten(v.raw());
-    verts_[at] = verts_[last], edges_[at] = edges_[last];
-  }
+  void replace_by_last(vert_id v, edge_id e) { loose().replace_by_last_at(v, position(v, e)); }
   /// Removes an edge of v; the others keep their order.
   void remove(vert_id v, edge_id e) {
     vert_id* const verts = verts_begin(v);
@@ -195,13 +180,7 @@ class incident_lists {
     places_.shorten(v.raw());
   }
   /// Removes a poly of v; the others keep their order.
-  void remove(vert_id v, poly_id p) { remove_poly_at(v, position(v, p)); }
-  [[gnu::always_inline]] inline void remove_poly_at(vert_id v, std::uint32_t k) {
-    const std::uint32_t first = places_.first_of_loose(v.raw()), n = places_.shorten_second(v.raw()) + 1 - first;
-    poly_id* const row = polys_.data() + first;
-    if (n <= 8 && polys_.size() - first >= 8) [[likely]] return close_gap_in_eight(row, k, n);
-    std::copy(row + k + 1, row + n, row + k);
-  }
+  void remove(vert_id v, poly_id p) { loose().remove_poly_at(v, position(v, p)); }
   void clear(vert_id v) {
     make_growable();
     places_.set_length(v.raw(), 0);

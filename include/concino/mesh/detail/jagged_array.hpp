@@ -31,9 +31,6 @@ class jagged_array<T, 0> {
     if (data_.size() + more > std::numeric_limits<std::uint32_t>::max()) throw unsupported("jagged_array: the mesh has more than 2^32 adjacencies of one kind");
   }
 
-  /// Whether eight values can be read from the first one of row i on, though they may be those of other rows.
-  bool has_eight(std::size_t i) const { return data_.size() - places_.first(i) >= 8; }
-
   [[gnu::noinline]] void move_row(std::size_t i, std::uint32_t room) {
     check_index_range(room);
     const std::size_t from = places_.first(i), to = data_.size();
@@ -78,16 +75,8 @@ class jagged_array<T, 0> {
 
   /// The first place of a value in row i, or the length of the row if it has none.
   std::uint32_t find_in_row(std::size_t i, const T& value) const {
-    const T* const row = begin(i);
-    const std::uint32_t n = length(i);
-    std::uint32_t k = 0;
-    if constexpr (is_short_value<T>)
-      if (has_eight(i)) {
-        k = find_in_eight(row, value);
-        if (k < 8) [[likely]] return std::min(k, n);
-      }
-    while (k < n && !(row[k] == value)) ++k;
-    return std::min(k, n);
+    if constexpr (is_short_value<T>) return find_in_short_row(begin(i), length(i), data_.size() - places_.first(i), value);
+    else return static_cast<std::uint32_t>(std::find(begin(i), end(i), value) - begin(i));
   }
 
   /// Requests the memory that tells where row i is, or that of its first values, which will be used soon.
@@ -176,9 +165,8 @@ class jagged_array<T, 0> {
     const std::uint32_t n = places_.length_of_loose(i), first = places_.first_of_loose(i);
     T* const row = data_.data() + first;
     places_.shorten(i);
-    if constexpr (is_short_value<T>)
-      if (n <= 8 && data_.size() - first >= 8) [[likely]] return close_gap_in_eight(row, k, n);
-    std::copy(row + k + 1, row + n, row + k);
+    if constexpr (is_short_value<T>) close_gap_in_row(row, k, n, data_.size() - first);
+    else std::copy(row + k + 1, row + n, row + k);
   }
   // After reserve_in_row() these are faster than the functions above.
 

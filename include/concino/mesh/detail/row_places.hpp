@@ -23,9 +23,12 @@ namespace concino::detail {
 /// capacity; packed ones have offsets of their own.
 template<bool WithSecond = false>
 class row_places {
+ public:
   struct loose_row {
     std::uint32_t first, last, room, second_last = 0;  // four numbers, so that no row is on two cache lines
   };
+
+ private:
   struct no_second {};
   struct second_rows {
     std::shared_ptr<const offsets> packed;
@@ -170,6 +173,7 @@ class row_places {
   }
   bool has_room(std::size_t i, std::uint32_t n) const { return !packed_ && loose_[i].room - length_of_loose(i) >= n; }
   bool has_second_room(std::size_t i, std::uint32_t n) const { return !packed_ && loose_[i].room - (loose_[i].second_last - loose_[i].first) >= n; }
+  loose_row* loose_rows() { return loose_.data(); }
   /// The same as first(i) and length(i) of rows that are not packed.
   std::uint32_t first_of_loose(std::size_t i) const { return loose_[i].first; }
   std::uint32_t length_of_loose(std::size_t i) const { return loose_[i].last - loose_[i].first; }
@@ -183,18 +187,10 @@ class row_places {
     assert(has_room(i, 1));
     return loose_[i].last++;
   }
-  std::uint32_t extend_second(std::size_t i) {
-    assert(has_second_room(i, 1));
-    return loose_[i].second_last++;
-  }
   /// Where the last value of row i is, which it loses.
   std::uint32_t shorten(std::size_t i) {
     assert(!packed_ && length(i) > 0);
     return --loose_[i].last;
-  }
-  std::uint32_t shorten_second(std::size_t i) {
-    assert(!packed_ && second_length(i) > 0);
-    return --loose_[i].second_last;
   }
 
   /// Where the values of a row are, for undoing. A row that was packed remains where it was moved since, where it has at least as much room.

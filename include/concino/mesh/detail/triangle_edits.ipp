@@ -29,17 +29,18 @@ void surface_tables<Arity, Lists>::split_edges(edge_id e, vert_id x, const side_
 {
   const vert_id a = e2v_[e.raw()][0], b = e2v_[e.raw()][1];
   const bool edge_is_first = s[0].at_edge < s[0].at_b;
+  const auto lists = incident_.loose();
   incident_.set_other_end(a, e, x);
   set_ends(e, a, x);
-  incident_.replace_by_last(b, e);
-  if (edge_is_first) incident_.push(x, a, e);
+  lists.replace_by_last_at(b, lists.position(b, e));
+  if (edge_is_first) lists.push(x, a, e);
   for (std::uint32_t i = 0; i <= n; ++i) {
     const vert_id v = i < n ? s[i].c : b, ends[] = {v, x};
     to[i] = edges_.add();
     e2v_.add_row(ends, ends + 2);
     facet_adjacency_.add_facet();
-    incident_.push(v, x, to[i]), incident_.push(x, v, to[i]);
-    if (i == 0 && !edge_is_first) incident_.push(x, a, e);
+    lists.push(v, x, to[i]), lists.push(x, v, to[i]);
+    if (i == 0 && !edge_is_first) lists.push(x, a, e);
   }
 }
 
@@ -57,9 +58,10 @@ vert_id surface_tables<Arity, Lists>::split_edge(edge_id e)
   const vert_id x = verts_.add();
   incident_.add_vert(n + 2);
   poly_id q[2];
-  for (std::uint32_t i = 0; i < n; ++i) q[i] = polys_.add(), incident_.remove(b, s[i].p), incident_.push(x, s[i].p);
+  const auto lists = incident_.loose();
+  for (std::uint32_t i = 0; i < n; ++i) q[i] = polys_.add(), lists.remove_poly_at(b, lists.position(b, s[i].p)), lists.push(x, s[i].p);
   for (std::uint32_t i = 0; i < n; ++i)
-    for (const vert_id v : {b, s[i].c, x}) incident_.push(v, q[i]);
+    for (const vert_id v : {b, s[i].c, x}) lists.push(v, q[i]);
   edge_id to[3];
   split_edges(e, x, s, n, to);
   for (std::uint32_t i = 0; i < n; ++i) {
@@ -91,27 +93,33 @@ direct_edit surface_tables<Arity, Lists>::flip_edge(edge_id e)
   if (find_triangles(e, a, b, {{false, true}, {true, false}}, s) != 2) return direct_edit::left_to_rewire;
   const auto runs_to_b = [](const side_of_edge& x) { return x.corner_a == x.at_edge; };
   if (runs_to_b(s[0]) == runs_to_b(s[1])) return direct_edit::left_to_rewire;
+  make_growable();
   // The lists of a and b are searched first: those of the opposite verts arrive later, and the less is left to do then, the sooner the next edit begins.
   const poly_id p = s[0].p, q = s[1].p;
   const vert_id c = s[0].c, d = s[1].c;
-  const std::uint32_t e_at_a = incident_.position(a, e), e_at_b = incident_.position(b, e);
-  const std::uint32_t q_at_a = incident_.position(a, q), p_at_b = incident_.position(b, p);
-  if (have_common_edge(c, d)) return direct_edit::refused;
-  make_growable();
-  for (const vert_id v : {c, d}) incident_.reserve_at(v, 1, 1);
+  auto lists = incident_.loose();
+  const std::uint32_t e_at_a = lists.position(a, e), e_at_b = lists.position(b, e);
+  const std::uint32_t q_at_a = lists.position(a, q), p_at_b = lists.position(b, p);
+  if (have_common_edge(lists, c, d)) return direct_edit::refused;
+  if (!lists.has_room(c) || !lists.has_room(d)) [[unlikely]] {
+    for (const vert_id v : {c, d}) incident_.reserve_at(v, 1, 1);
+    lists = incident_.loose();
+  }
 
-  incident_.remove_poly_at(b, p_at_b), incident_.remove_poly_at(a, q_at_a);
-  incident_.replace_by_last_at(a, e_at_a), incident_.replace_by_last_at(b, e_at_b);
+  lists.remove_poly_at(a, q_at_a), lists.replace_by_last_at(a, e_at_a);
+  lists.remove_poly_at(b, p_at_b), lists.replace_by_last_at(b, e_at_b);
+  lists.push(c, q), lists.push(c, d, e);
+  lists.push(d, p), lists.push(d, c, e);
   p2v_.begin(p.raw())[s[0].corner_b] = d;
   p2v_.begin(q.raw())[s[1].corner_a] = c;
-  facet_adjacency_.put_between(p, s[0].at_b, q, s[1].at_a, e);
   set_ends(e, c, d);
-  incident_.push(d, p), incident_.push(c, q);
-  incident_.push(c, d, e), incident_.push(d, c, e);
+  facet_adjacency_.put_between(p, s[0].at_b, q, s[1].at_a, e);
   facet_adjacency_.put(p, s[0].at_edge, s[1].ca.e, s[1].ca.outside, q);
   facet_adjacency_.put(q, s[1].at_edge, s[0].bc.e, s[0].bc.outside, p);
-  expect_second_poly(e, q);
-  expect_second_poly(s[1].ca.e, p), expect_second_poly(s[0].bc.e, q);
+  const auto expect = [of = probable_second_poly_.data(), n = probable_second_poly_.size()](edge_id x, poly_id second) {
+    if (x.raw() < n) of[x.raw()] = second;
+  };
+  expect(e, q), expect(s[1].ca.e, p), expect(s[0].bc.e, q);
   return direct_edit::done;
 }
 
@@ -155,7 +163,7 @@ direct_edit surface_tables<Arity, Lists>::collapse_edge(edge_id e)
   for (const vert_id v : {a, s[0].c, s[1].c}) prefetch_lists(v);
   prefetch_fan(b);
   for (const vert_id x : incident_.verts(b))  // the link condition: both links have no other common verts
-    if (x != a && x != s[0].c && x != s[1].c && have_common_edge(a, x)) return direct_edit::refused;
+    if (x != a && x != s[0].c && x != s[1].c && have_common_edge(incident_, a, x)) return direct_edit::refused;
   if (incident_.num_edges(b) != incident_.num_polys(b) || !is_closed_fan(b, s)) return direct_edit::left_to_rewire;
   const std::uint32_t more = incident_.num_polys(b) - 4;
   make_growable();

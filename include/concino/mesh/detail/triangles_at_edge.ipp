@@ -3,7 +3,8 @@
 
 #include <concino/mesh/surface_tables.hpp>
 
-#include <memory>
+#include <new>
+#include <utility>
 
 namespace concino {
 
@@ -94,9 +95,10 @@ void surface_tables<Arity, Lists>::prefetch_poly(poly_id p) const {
 
 /// Whether a and b have an edge. The list of a is searched, unless it is the longer one of two that are not short.
 template<unsigned Arity, class Lists>
-bool surface_tables<Arity, Lists>::have_common_edge(vert_id a, vert_id b) const {
-  if (incident_.num_edges(a) > longest_fan && incident_.num_edges(b) < incident_.num_edges(a)) std::swap(a, b);
-  return incident_.find(a, b) < incident_.num_edges(a);
+template<class Incident>
+bool surface_tables<Arity, Lists>::have_common_edge(const Incident& at, vert_id a, vert_id b) {
+  if (at.num_edges(a) > longest_fan && at.num_edges(b) < at.num_edges(a)) std::swap(a, b);
+  return at.find(a, b) < at.num_edges(a);
 }
 
 template<unsigned Arity, class Lists>
@@ -118,11 +120,11 @@ template<unsigned Arity, class Lists>
   const detail::encoded_neighbour behind = facet_adjacency_.neighbour(p, k);
   if (!behind.is_none() && !behind.is_first_occurrence()) return 0;
   if (!behind.is_none()) prefetch_poly(poly_id{behind.poly()});
-  std::construct_at(two, *this, p, k, a, changing[0]);  // in its place: a copy would be read before it has been written
+  ::new (static_cast<void*>(two)) side_of_edge(*this, p, k, a, changing[0]);  // in its place: a copy would be read before it has been written, and std::construct_at is not inlined
   if (!two[0].is_regular()) return 0;
   if (behind.is_none()) return 1;
   const poly_id q{behind.poly()};
-  std::construct_at(two + 1, *this, q, facet_adjacency_.position_of(q, e), a, changing[1]);
+  ::new (static_cast<void*>(two + 1)) side_of_edge(*this, q, facet_adjacency_.position_of(q, e), a, changing[1]);
   return two[1].is_regular() ? 2 : 0;
 }
 
