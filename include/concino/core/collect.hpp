@@ -22,6 +22,7 @@ auto collect_if(const R& range, const Keep& keep) {
   std::vector<std::unique_ptr<std::vector<element>>> parts;
   if constexpr (is_divisible<R>) {
     constexpr std::size_t chunk = 8192;
+    constexpr std::size_t few = 64;  // in a loop without calls, compilers keep in registers what each test reads
     const std::size_t n = range.index_bound();
     std::size_t next = 0;
     run_parts([&](function_ref<void()> release) {
@@ -31,8 +32,13 @@ auto collect_if(const R& range, const Keep& keep) {
       std::vector<element>& found = *parts.back();
       if (release) release();
       body_type body = keep;
-      for (const element& x : range.part(first, last))
-        if (body(x)) found.push_back(x);
+      element some[few];
+      for (std::size_t at = first; at < last; at += few) {
+        std::size_t size = 0;
+        for (const element& x : range.part(at, last - at < few ? last : at + few))
+          if (body(x)) some[size++] = x;
+        if (size > 0) found.insert(found.end(), some, some + size);
+      }
       return last < n;
     });
   } else {

@@ -61,6 +61,23 @@ state_array level_states(const M& m, const U& u, double level, const char* calle
   return states;
 }
 
+/// The states of all verts of p. `states`: by index.
+template<class M>
+[[gnu::always_inline]] inline unsigned char joint_states(const M& m, const unsigned char* states, const poly_t<M>& p) {
+  unsigned char joint = 0;
+  const auto all = adj_p2v(m, p);
+  if constexpr (arity_v<M> == 0 && requires { all.begin()[0]; all.size(); }) {  // in fours: compilers make worse loops for the short lists of most polys
+    auto v = all.begin();
+    std::size_t n = all.size();
+    const auto state = [&](std::size_t k) { return states[index_of(m, v[k])]; };
+    for (; n >= 4; n -= 4, v += 4) joint |= static_cast<unsigned char>(state(0) | state(1) | state(2) | state(3));
+    for (std::size_t k = 0; k < n; ++k) joint |= state(k);
+  } else {
+    for (const vert_t<M> v : all) joint |= states[index_of(m, v)];
+  }
+  return joint;
+}
+
 /// The states of all verts of each poly, by index of the poly.
 template<class M>
 state_array poly_states(const M& m, const state_array& states) {
@@ -70,9 +87,7 @@ state_array poly_states(const M& m, const state_array& states) {
   parallel_for_each(
       polys(m),
       [&m, of_verts, all](const poly_t<M>& p) {
-        unsigned char joint = 0;
-        for (const vert_t<M> v : adj_p2v(m, p)) joint |= of_verts[index_of(m, v)];
-        all[index_of(m, p)] = joint;
+        all[index_of(m, p)] = joint_states(m, of_verts, p);
       },
       8192);
   return of_polys;
@@ -91,11 +106,7 @@ std::vector<poly_t<M>> crossed_by_state(const M& m, const state_array& states) {
 template<class M>
 std::vector<poly_t<M>> crossed_polys(const M& m, const state_array& states) {
   const unsigned char* const all = states.data();
-  return core::collect_if(polys(m), [&m, all](const poly_t<M>& p) {
-    unsigned char joint = 0;
-    for (const vert_t<M> v : adj_p2v(m, p)) joint |= all[index_of(m, v)];
-    return is_crossed(joint);
-  });
+  return core::collect_if(polys(m), [&m, all](const poly_t<M>& p) { return is_crossed(joint_states(m, all, p)); });
 }
 
 }  // namespace concino::detail
