@@ -30,11 +30,12 @@ class crossed_cells {
     std::uint32_t first_point;  // of its corners, if it is crossed and has more than three
     unsigned char joint_states;
     bool is_outward;
+    bool has_two_polys;  // if it is crossed and has more than three corners
   };
   struct cell {
     std::uint32_t first_edge, last_edge, first_face, last_face, first_vert, num_verts;
     std::uint32_t first_point;  // of a hex that is inside
-    bool is_inside;  // each face has two cells
+    bool is_inside;  // of a hex: each face has two cells
   };
 
   std::vector<cell> cells;
@@ -47,21 +48,22 @@ class crossed_cells {
 
  private:
   static constexpr bool is_tet = arity_v<M> == 4, is_hex = arity_v<M> == 8;
-  std::vector<vert_t<M>> vert_names_, corner_names_;
+  std::vector<vert_t<M>> vert_names_;
 
  public:
   /// Needs: at most max_size polys.
   void read(const M& m, const unsigned char* states, std::span<const poly_t<M>> polys) {
     cells.clear(), edges.clear(), verts.clear(), vert_points.clear(), faces.clear(), corners.clear(), points.clear();
-    vert_names_.clear(), corner_names_.clear();
+    vert_names_.clear();
     for (const poly_t<M>& p : polys) first_read(m, p);
-    if constexpr (!is_tet)
+    if constexpr (is_hex)
       for (std::size_t i = 0; i < cells.size(); ++i) cells[i].is_inside = each_face_has_two_polys(m, polys[i]);
     for (std::size_t i = 0; i < cells.size(); ++i) read_lists(m, polys[i], cells[i]);
     if constexpr (!is_tet) {
       read_faces(m, polys);
       read_ends(m);
       read_corners(m, states, polys);
+      read_neighbours(m, polys);
       read_points(m);
     }
   }
@@ -105,7 +107,7 @@ class crossed_cells {
       cell& c = cells[i];
       c.first_face = static_cast<std::uint32_t>(faces.size());
       if (!is_hex || !c.is_inside)
-        for (const face_t<M> f : adj_p2f(m, polys[i])) faces.push_back({f, 0, 0, 0, 0, false});
+        for (const face_t<M> f : adj_p2f(m, polys[i])) faces.push_back({f, 0, 0, 0, 0, false, false});
       c.last_face = static_cast<std::uint32_t>(faces.size());
     }
   }
@@ -126,21 +128,31 @@ class crossed_cells {
       if (const std::uint32_t k = cells[i].first_face; k < cells[i].last_face) faces[k].is_outward = face_is_outward(m, polys[i], faces[k].face);
     for (std::size_t i = 0; i < cells.size(); ++i)
       for (std::uint32_t k = cells[i].first_face; k < cells[i].last_face; ++k) faces[k].is_outward = face_is_outward(m, polys[i], faces[k].face);
-    for (face& f : faces)
+    std::uint32_t num_corners = 0;
+    for (face& f : faces) {
+      f.first_corner = num_corners;
+      num_corners += static_cast<std::uint32_t>(num_elements(adj_f2v(m, f.face)));
+      f.last_corner = num_corners;
+    }
+    corners.resize(num_corners);
+    for (const face& f : faces)  // the first corner of each, then all
       for (const vert_t<M> v : adj_f2v(m, f.face)) {
-        f.first_corner = static_cast<std::uint32_t>(index_of(m, v));
+        corners[f.first_corner] = static_cast<std::uint32_t>(index_of(m, v));
         break;
       }
-    for (face& f : faces) {
-      f.first_corner = static_cast<std::uint32_t>(corners.size());
-      for (const vert_t<M> v : adj_f2v(m, f.face)) {
-        corner_names_.push_back(v);
-        corners.push_back(static_cast<std::uint32_t>(index_of(m, v)));
-      }
-      f.last_corner = static_cast<std::uint32_t>(corners.size());
+    for (const face& f : faces) {
+      std::uint32_t* to = corners.data() + f.first_corner;
+      for (const vert_t<M> v : adj_f2v(m, f.face)) *to++ = static_cast<std::uint32_t>(index_of(m, v));
     }
     for (face& f : faces)
       for (std::uint32_t k = f.first_corner; k < f.last_corner; ++k) f.joint_states |= states[corners[k]];
+  }
+  /// Whether it depends on the points of a face how it is crossed.
+  static bool has_polygon(const face& f) { return is_crossed(f.joint_states) && f.last_corner - f.first_corner > 3; }
+  void read_neighbours(const M& m, std::span<const poly_t<M>> polys) {
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      for (std::uint32_t k = cells[i].first_face; k < cells[i].last_face; ++k)
+        if (has_polygon(faces[k])) faces[k].has_two_polys = num_elements(other_polys(m, polys[i], faces[k].face)) == 1;
   }
   void read_points(const M& m) {
     if constexpr (is_hex)
@@ -149,10 +161,16 @@ class crossed_cells {
         if (c.is_inside)
           for (std::uint32_t k = 0; k < 8; ++k) vert_points.push_back(to_vec3(point(m, vert_names_[c.first_vert + k])));
       }
+    std::uint32_t num_points = 0;
     for (face& f : faces) {
-      f.first_point = static_cast<std::uint32_t>(points.size());
-      if (is_crossed(f.joint_states) && f.last_corner - f.first_corner > 3)
-        for (std::uint32_t k = f.first_corner; k < f.last_corner; ++k) points.push_back(to_vec3(point(m, corner_names_[k])));
+      f.first_point = num_points;
+      if (has_polygon(f)) num_points += f.last_corner - f.first_corner;
+    }
+    points.resize(num_points);
+    for (const face& f : faces) {
+      if (!has_polygon(f)) continue;
+      vec3* to = points.data() + f.first_point;
+      for (const vert_t<M> v : adj_f2v(m, f.face)) *to++ = to_vec3(point(m, v));
     }
   }
 };

@@ -117,7 +117,7 @@ class simple_cap_reader {
       const auto& f = read_.faces[k];
       const std::uint32_t *const corners = read_.corners.data() + f.first_corner, n = f.last_corner - f.first_corner;
       if (f.joint_states & on_level) list.meets_verts = true;
-      if (is_crossed(f.joint_states) && !(add_chord(corners, n, f.is_outward) == 2 && (n == 3 || is_flat(c, f)))) return false;
+      if (is_crossed(f.joint_states) && !(add_chord(corners, n, f.is_outward) == 2 && (n == 3 || is_flat(f)))) return false;
       if constexpr (arity_v<M> == 0) {  // cells of fixed arity are spheres
         for (std::uint32_t i = 0; i < n; ++i) surface_.add_corner(corners[i]);
         surface_.end_facet(f.is_outward);
@@ -147,9 +147,9 @@ class simple_cap_reader {
     return crossings;
   }
   /// Whether a face is convex and, if it is on the boundary, planar.
-  bool is_flat(const cell_data& c, const typename crossed_cells<M>::face& f) const {
+  bool is_flat(const typename crossed_cells<M>::face& f) const {
     const std::span<const vec3> corners(read_.points.data() + f.first_point, f.last_corner - f.first_corner);
-    return is_convex_polygon(corners) && (c.is_inside || num_elements(adj_f2p(m_, f.face)) == 2 || is_planar_polygon(corners));
+    return is_convex_polygon(corners) && (f.has_two_polys || is_planar_polygon(corners));
   }
 
   void list_crossed_edges(const cell_data& c) {
