@@ -97,6 +97,7 @@ class incident_lists {
   edge_id* edges_begin(vert_id v) { return edges_.data() + places_.first(v.raw()); }
   std::size_t num_values() const { return verts_.size(); }
   const std::shared_ptr<const offsets>& shared_offsets() const { return places_.shared_offsets(); }
+  bool is_packed() const { return places_.is_packed(); }
 
   /// The place of an edge of v, which has it.
   std::uint32_t position(vert_id v, edge_id e) const { return position_in_row(edges_.data() + places_.first(v.raw()), num_readable(v), e); }

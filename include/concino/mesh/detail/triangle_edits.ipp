@@ -93,10 +93,12 @@ direct_edit surface_tables<Arity, Lists>::flip_edge(edge_id e)
   if (find_triangles(e, a, b, {{false, true}, {true, false}}, s) != 2) return direct_edit::left_to_rewire;
   const auto runs_to_b = [](const side_of_edge& x) { return x.corner_a == x.at_edge; };
   if (runs_to_b(s[0]) == runs_to_b(s[1])) return direct_edit::left_to_rewire;
-  make_growable();
-  // The lists of a and b are searched first: those of the opposite verts arrive later, and the less is left to do then, the sooner the next edit begins.
   const poly_id p = s[0].p, q = s[1].p;
   const vert_id c = s[0].c, d = s[1].c;
+  if (incident_.is_packed()) [[unlikely]]
+    if (have_common_edge(incident_, c, d)) return direct_edit::refused;  // without memory for edits
+  make_growable();
+  // The lists of a and b are searched first: those of the opposite verts arrive later, and the less is left to do then, the sooner the next edit begins.
   auto lists = incident_.loose();
   const std::uint32_t e_at_a = lists.position(a, e), e_at_b = lists.position(b, e);
   const std::uint32_t q_at_a = lists.position(a, q), p_at_b = lists.position(b, p);
