@@ -65,7 +65,7 @@ level_surface<M, To> collect_isosurface(const M& m, const U& u, const std::vecto
     const auto add_points = [&] {
       surface_builder& to = builder;  // compilers keep variables of this function in registers
       for (const mesh_point<M>& x : parts.places) to.add_point(x.position);
-      if constexpr (arity_v<To> != 3) result.values.resize(result.polys.size() + parts.polys.size(), level);
+      result.values.resize(result.polys.size() + parts.polys.size(), level);  // fewer than a triangulation has
     };
     const auto add_polygons = [&] {
       surface_builder& to = builder;
