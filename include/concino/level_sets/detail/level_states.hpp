@@ -66,12 +66,11 @@ template<class M>
 [[gnu::always_inline]] inline unsigned char joint_states(const M& m, const unsigned char* states, const poly_t<M>& p) {
   unsigned char joint = 0;
   const auto all = adj_p2v(m, p);
-  if constexpr (arity_v<M> == 0 && requires { all.begin()[0]; all.size(); }) {  // in fours: compilers make worse loops for the short lists of most polys
+  if constexpr (arity_v<M> == 0 && std::is_pointer_v<decltype(all.begin())>) {  // in fours: compilers make worse loops for the short lists of most polys
     auto v = all.begin();
-    std::size_t n = all.size();
-    const auto state = [&](std::size_t k) { return states[index_of(m, v[k])]; };
-    for (; n >= 4; n -= 4, v += 4) joint |= static_cast<unsigned char>(state(0) | state(1) | state(2) | state(3));
-    for (std::size_t k = 0; k < n; ++k) joint |= state(k);
+    const auto state = [&](std::ptrdiff_t k) { return states[index_of(m, v[k])]; };
+    for (; all.end() - v >= 4; v += 4) joint |= static_cast<unsigned char>(state(0) | state(1) | state(2) | state(3));
+    for (; v != all.end(); ++v) joint |= state(0);
   } else {
     for (const vert_t<M> v : all) joint |= states[index_of(m, v)];
   }
