@@ -4,21 +4,21 @@
 #include "floor/level_sets.hpp"
 #include "support/arrays_of.hpp"
 #include "support/kinds.hpp"
+#include "support/level_set_values.hpp"
 
 #include <concino/convert/convert.hpp>
-#include <concino/geometry/bounding_box.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/level_sets.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
 
 namespace {
 
+using bench::expect;
+using bench::sphere;
 using bench::u32;
 namespace floors = bench::floors;
 namespace cn = concino;
@@ -26,24 +26,6 @@ namespace cn = concino;
 const auto timed = [](auto work) { return [work] { return bench::seconds_of(work); }; };
 
 bool close(double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(b); }
-
-void expect(bool same, const std::string& work, const char* what) {
-  if (!same) throw std::runtime_error(work + ": " + what);
-}
-
-/// The squared distance of each vert from a point.
-floors::buffer<double> squared_distances(const std::vector<cn::vec3>& points, const cn::vec3& centre) {
-  floors::buffer<double> u(points.size());
-  for (std::size_t v = 0; v < points.size(); ++v) u[v] = cn::dot(points[v] - centre, points[v] - centre);
-  return u;
-}
-
-template<class M>
-auto as_map(const M& m, const floors::buffer<double>& values) {
-  auto u = cn::make_vert_map<double>(m);
-  for (const auto v : cn::verts(m)) u[v] = values[cn::index_of(m, v)];
-  return u;
-}
 
 /// The area of a surface, and the volume inside, which is negative if it is turned over.
 struct size_of_surface { double area = 0, volume = 0; };
@@ -75,11 +57,9 @@ void isolines(const bench::program& p) {
   const auto arrays = p.data.tri1m();
   const auto flat = bench::flat_surface<3>(arrays);
   const cn::trimesh m(arrays);
-  const auto values = squared_distances(arrays.points, cn::bounding_box(m).centre());
-  const double level = (*std::min_element(values.begin(), values.end()) + *std::max_element(values.begin(), values.end())) / 2;
-  const auto u = as_map(m, values);
-  const auto floor = [&] { return floors::level_segments(flat.points, flat.p2v, values, level); };
-  const auto ours = [&] { return cn::isolines(m, u, level); };
+  const bench::middle_level s(m);
+  const auto floor = [&] { return floors::level_segments(flat.points, flat.p2v, s.values, s.level); };
+  const auto ours = [&] { return cn::isolines(m, s.u, s.level); };
 
   const auto ends = floor();
   double floor_length = 0, length = 0;
@@ -93,37 +73,6 @@ void isolines(const bench::program& p) {
   expect(segments > 0 && 2 * segments == ends.size() && close(length, floor_length), work, "the floor's lines and the library's differ");
   p.print(bench::compare(work, p.rounds, {{"floor", timed(floor)}, {"concino", timed(ours)}}));
 }
-
-/// A sphere in a grid of cells. Its radius, as a part of the width of the grid, is such that it cuts about 3 % of the cells.
-template<class M>
-struct sphere {
-  floors::buffer<double> values;
-  double level;
-  decltype(cn::make_vert_map<double>(std::declval<const M&>())) u;
-  std::size_t cut = 0, cut_edges = 0, outside = 0;  // polys and edges that are cut, and polys outside
-
-  sphere(const bench::program& p, const std::string& work, const M& m, double radius)
-      : sphere(p, work, m, cn::bounding_box(m), radius) {}
-
- private:
-  sphere(const bench::program& p, const std::string& work, const M& m, const cn::box& b, double radius)
-      : values(squared_distances(m.points(), b.centre())), level(square(radius * (b.max.x - b.min.x))), u(as_map(m, values)) {
-    const auto above = [&](auto v) { return u[v] >= level; };
-    for (const auto q : cn::polys(m)) {
-      std::size_t n = 0, all = 0;
-      for (const auto v : cn::adj_p2v(m, q)) n += above(v), ++all;
-      cut += n > 0 && n < all;
-      outside += n == all;
-    }
-    for (const auto e : cn::edges(m)) {
-      const auto ends = cn::adj_e2v(m, e);
-      cut_edges += above(*ends.begin()) != above(*std::next(ends.begin()));
-    }
-    const double share = static_cast<double>(cut) / static_cast<double>(cn::num_polys(m));
-    expect(p.data.tiny || (0.029 < share && share < 0.031), work, "the sphere does not cut about 3 % of the polys");
-  }
-  static double square(double x) { return x * x; }
-};
 
 /// Prints the rows of isosurface on m, and of the adjacencies of its result. `floor` may be null: there is no floor for this shape.
 template<class M, class Floor>

@@ -23,6 +23,7 @@ struct program {
   std::string only;                // part of the work's name; empty: all work
   std::FILE* out = stdout;
   std::filesystem::path folder;    // for the input files; removed at the end
+  cpu_set_t cores;                 // those of the process before it was kept on one
 
   program(int argc, char** argv) {
     bool warm = false;
@@ -43,7 +44,7 @@ struct program {
     if (!out || rounds < 1) usage(argv[0]);
     folder = std::filesystem::temp_directory_path() / ("concino-benchmark-" + std::to_string(::getpid()));
     std::filesystem::create_directories(folder);
-    pin_to_one_core();
+    cores = pin_to_one_core();
     // Large arrays come from the system in every run and are returned to it, as in a program that does the work once. By default malloc starts to keep
     // them, and the order of the contenders then decides which one pays for new pages. --warm leaves this default on, as in a long session.
     if (!warm) mallopt(M_MMAP_THRESHOLD, 128 * 1024);

@@ -18,18 +18,24 @@
 
 namespace bench {
 
-/// Keeps the thread on one core, so that no contender pays for a move: the last core allowed, because the first one serves interrupts.
-inline void pin_to_one_core() {
-  cpu_set_t allowed;
-  if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return;
+/// Keeps the thread on one core, so that no contender pays for a move: the last core allowed, because the first one serves interrupts. Returns what was allowed
+/// before, for use_cores().
+inline cpu_set_t pin_to_one_core() {
+  cpu_set_t allowed, one;
+  CPU_ZERO(&allowed);
+  CPU_ZERO(&one);
+  if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return allowed;
   for (int cpu = CPU_SETSIZE - 1; cpu >= 0; --cpu)
     if (CPU_ISSET(cpu, &allowed)) {
-      CPU_ZERO(&allowed);
-      CPU_SET(cpu, &allowed);
-      sched_setaffinity(0, sizeof allowed, &allowed);
-      return;
+      CPU_SET(cpu, &one);
+      sched_setaffinity(0, sizeof one, &one);
+      break;
     }
+  return allowed;
 }
+
+/// For works of several threads.
+inline void use_cores(const cpu_set_t& allowed) { sched_setaffinity(0, sizeof allowed, &allowed); }
 
 inline double process_seconds() {
   timespec t = {};
@@ -44,6 +50,20 @@ double seconds_of(F&& f) {
   auto result = f();
   asm volatile("" : : "g"(&result) : "memory");
   return process_seconds() - start;
+}
+
+/// Seconds that pass while f() runs, for works of several threads.
+template<class F>
+double wall_seconds_of(F&& f) {
+  const auto now = [] {
+    timespec t = {};
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+  };
+  const double start = now();
+  auto result = f();
+  asm volatile("" : : "g"(&result) : "memory");
+  return now() - start;
 }
 
 inline double median(std::vector<double> x) {
