@@ -72,6 +72,23 @@ TEST_CASE("thread_team: helps with all loops, whether its helpers are awake or a
   }
 }
 
+TEST_CASE("thread_team: after finish() loops start helpers of their own, and another team can be made") {
+  const with_num_threads now(2);
+  thread_team team(true);
+  const id helper = helper_of_loop();
+  for (int i = 0; i < 2; ++i) {
+    team.finish();
+    CHECK_FALSE(helper_of_loop() == helper);
+    const thread_team second(true);
+    const id other = helper_of_loop();
+    CHECK_FALSE(other == helper);
+    CHECK(is_shared_at_once());
+    CHECK(helper_of_loop() == other);
+  }
+  thread_team none(false);
+  none.finish();
+}
+
 TEST_CASE("thread_team: starts nothing for one thread, for short calls, inside another team and in parts of a loop") {
   {
     const with_num_threads now(1);

@@ -1,6 +1,7 @@
 // isolines: the curves on a surface where a function of its verts has a value, as polylines.
 #pragma once
 
+#include <concino/core/block_allocator.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/core/parallel.hpp>
 #include <concino/level_sets/detail/crossed_edge.hpp>
@@ -12,6 +13,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <initializer_list>
+#include <memory>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -42,36 +45,59 @@ void add_edge_point(const M& m, const mesh_point<M>& x, std::vector<edge_point<M
 /// Adds the lines of one level set. locate(places, n, to) writes n points.
 template<class M, class Locate>
 void add_lines(const M& m, const level_lines& joined, double level, const Locate& locate, std::vector<level_line<M>>& lines) {
+  const std::size_t before = lines.size(), num_lines = joined.ends.size();
+  const auto begin_of = [&](std::size_t i) { return i == 0 ? 0 : joined.ends[i - 1]; };
+  lines.resize(before + num_lines);
+  parallel_for(  // new memory takes as long as the points: each array is one task
+      2 * num_lines,
+      [&](std::size_t i) {
+        level_line<M>& line = lines[before + i / 2];
+        const std::size_t n = joined.ends[i / 2] - begin_of(i / 2);
+        if (i % 2 == 0) line.places.resize(n);
+        else line.points.resize(n), line.edge_points.reserve(n);
+      },
+      num_lines / 32 + 1);
   constexpr std::size_t chunk = 256;
-  for (std::size_t i = 0, first = 0; i < joined.ends.size(); first = joined.ends[i++]) {
-    level_line<M>& line = lines.emplace_back();
+  const std::size_t num_places = num_lines == 0 ? 0 : joined.ends.back();
+  parallel_for(
+      (num_places + chunk - 1) / chunk,
+      [&](std::size_t c) {
+        const std::size_t last = std::min(num_places, (c + 1) * chunk);
+        std::size_t i = static_cast<std::size_t>(std::upper_bound(joined.ends.begin(), joined.ends.end(), c * chunk) - joined.ends.begin());
+        for (std::size_t k = c * chunk; k < last; ++i) {
+          level_line<M>& line = lines[before + i];
+          const std::size_t first = k - begin_of(i), n = std::min(joined.ends[i], last) - k;
+          locate(joined.places.data() + k, n, line.places.data() + first);
+          for (std::size_t at = first; at < first + n; ++at) line.points[at] = line.places[at].position;
+          k += n;
+        }
+      },
+      1);
+  for (std::size_t i = 0; i < num_lines; ++i) {
+    level_line<M>& line = lines[before + i];
     line.closed = joined.closed[i] != 0;
     line.value = level;
-    const std::size_t n = joined.ends[i] - first;
-    line.places.resize(n), line.points.resize(n), line.edge_points.reserve(n);
-    parallel_for(
-        (n + chunk - 1) / chunk,
-        [&, places = joined.places.data() + first](std::size_t c) {
-          const std::size_t begin = c * chunk, end = std::min(n, begin + chunk);
-          locate(places + begin, end - begin, line.places.data() + begin);
-          for (std::size_t k = begin; k < end; ++k) line.points[k] = line.places[k].position;
-        },
-        1);
     for (const mesh_point<M>& x : line.places) add_edge_point(m, x, line.edge_points);
   }
 }
 
 template<class M, class U, class V>
 std::vector<level_line<M>> find_isolines(const M& m, const U& u, const V& values, const char* caller) {
-  const core::thread_team threads(has_many_polys(m));
+  core::thread_team threads(has_many_polys(m));
   std::vector<level_line<M>> lines;
   check_vert_values(m, u, caller);
-  for (const double level : sorted_levels(values, caller)) {
-    const auto states = level_states(m, u, level, caller);
+  const auto levels = sorted_levels(values, caller);
+  for (const double& level : levels) {
+    // One block: new memory in many small pages would take as long as the lines.
+    const std::size_t num_verts = vert_index_bound(m);
+    const auto block = std::make_shared<core::memory_block>(num_verts + num_verts / 4);
+    auto* const states = static_cast<unsigned char*>(block->take(num_verts, 1));
+    find_level_states(m, u, level, caller, states);
     auto polys = crossed_polys(m, states);
-    if (simple_lines<M> simple; simple.find(m, states.data(), polys)) {
+    simple_lines<M> simple(block);
+    if (simple.find(m, states, polys)) {
       const auto locate = [&](const level_place* places, std::size_t n, mesh_point<M>* to) {
-        const auto edge_of = [&](std::size_t k) { return simple.edges[places[k].element]; };
+        const auto edge_of = [&](std::size_t k) { return simple.edge_of(places[k].element); };
         cross_edges(m, u, level, n, [](std::size_t) { return true; }, edge_of, [to](std::size_t k, const mesh_point<M>& x) { to[k] = x; });
       };
       add_lines(m, simple.join(), level, locate, lines);
@@ -83,6 +109,7 @@ std::vector<level_line<M>> find_isolines(const M& m, const U& u, const V& values
       };
       add_lines(m, line_pieces(cuts).join(), level, locate, lines);
     }
+    if (&level == &levels.back()) threads.finish();
   }
   return lines;
 }

@@ -34,16 +34,19 @@ class helper_threads {
   helper_threads(const helper_threads&) = delete;
   helper_threads& operator=(const helper_threads&) = delete;
   ~helper_threads() {
-    if (threads_.empty()) return;
-    {
-      mutex_lock lock(mutex_);
-      __atomic_store_n(&is_over_, 1, __ATOMIC_SEQ_CST);
-      if (asleep_ > 0) ::pthread_cond_broadcast(&loop_begins_);
-    }
+    end();
     for (const ::pthread_t t : threads_) ::pthread_join(t, nullptr);
   }
 
   std::size_t size() const { return threads_.size(); }
+
+  /// Lets the helpers end, without waiting for it. No loop may be opened afterwards.
+  void end() {
+    if (threads_.empty()) return;
+    const mutex_lock lock(mutex_);
+    __atomic_store_n(&is_over_, 1, __ATOMIC_SEQ_CST);
+    if (asleep_ > 0) ::pthread_cond_broadcast(&loop_begins_);
+  }
 
   /// Starts up to n more threads, which run(this) and call help(). Returns false if the system or memory does not allow all: those that were started do the work.
   bool start(std::size_t n, void* (*run)(void*)) {

@@ -154,9 +154,14 @@ CONCINO_INLINE thread_team::thread_team(bool is_long) {
   context.idle = helpers_;
 }
 
-CONCINO_INLINE thread_team::~thread_team() {
+CONCINO_INLINE void thread_team::finish() {
   if (!helpers_) return;
   context_of_thread.idle = nullptr;
+  helpers_->end();
+}
+
+CONCINO_INLINE thread_team::~thread_team() {
+  finish();
   delete helpers_;
 }
 

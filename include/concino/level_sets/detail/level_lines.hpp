@@ -1,19 +1,25 @@
 // Lines on a surface, joined of pieces.
 #pragma once
 
+#include <concino/core/block_allocator.hpp>
 #include <concino/level_sets/detail/level_place.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace concino::detail {
 
 /// Lines, one after another. Line i has the places from ends[i - 1] to ends[i].
 struct level_lines {
-  std::vector<level_place> places;
+  std::vector<level_place, core::block_allocator<level_place>> places;
   std::vector<std::size_t> ends;
   std::vector<unsigned char> closed;
+
+  /// Without lines. The places are taken from the block.
+  explicit level_lines(std::shared_ptr<core::memory_block> block = nullptr) : places(core::block_allocator<level_place>(std::move(block))) {}
 
   /// Adds a place to the current line unless it is there already; a line that returns at once to the place before loses both steps.
   void add_place(const level_place& x) {
@@ -47,11 +53,11 @@ struct level_lines {
 
 /// Joins pieces: in the order of the pieces, and in the direction of the first one of each line. pieces[i].link[0] and link[1] say what follows at the start and
 /// at the end of piece i: 2 piece + (0 at the start of that piece, 1 at its end), or ~0 for nothing. Links are mutual.
-/// append(lines, i, forward) adds the places of piece i to the current line.
-template<class Piece, class Append>
-level_lines join_pieces(const std::vector<Piece>& pieces, const Append& append) {
+/// append(lines, i, forward) adds the places of piece i to the current line. The places are taken from the block, if there is one.
+template<class Pieces, class Append>
+level_lines join_pieces(const Pieces& pieces, const Append& append, std::shared_ptr<core::memory_block> block = nullptr) {
   constexpr std::uint32_t none = ~0u;
-  level_lines lines;
+  level_lines lines(std::move(block));
   lines.places.reserve(pieces.size() + pieces.size() / 8);  // most lines have about as many places as pieces
   std::vector<unsigned char> is_joined(pieces.size(), 0);
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {

@@ -44,12 +44,10 @@ void check_vert_values(const M& m, const U& u, const char* caller) {
 [[noreturn, gnu::cold, gnu::noinline]] inline void throw_value_is_nan(const char* caller, std::size_t vert) {
   core::throw_joined<invalid_argument>({caller, ": the value at vert ", vert, " is not a number (NaN)"});
 }
-/// The states of all verts, by index. Those of deleted verts are not set.
+/// Writes the states of all verts, by index. Those of deleted verts are not set.
 /// Errors: invalid_argument that names a vert whose value is NaN.
 template<class M, class U>
-state_array level_states(const M& m, const U& u, double level, const char* caller) {
-  state_array states(vert_index_bound(m));
-  unsigned char* const all = states.data();
+void find_level_states(const M& m, const U& u, double level, const char* caller, unsigned char* all) {
   parallel_for_each(
       verts(m),
       [&m, &u, all, level, caller](const vert_t<M>& v) {
@@ -58,6 +56,11 @@ state_array level_states(const M& m, const U& u, double level, const char* calle
         all[index_of(m, v)] = level_state(x, level);
       },
       8192);
+}
+template<class M, class U>
+state_array level_states(const M& m, const U& u, double level, const char* caller) {
+  state_array states(vert_index_bound(m));
+  find_level_states(m, u, level, caller, states.data());
   return states;
 }
 
@@ -103,9 +106,10 @@ std::vector<poly_t<M>> crossed_by_state(const M& m, const state_array& states) {
 
 /// The polys with verts below the level set and others, in the order of polys(m).
 template<class M>
-std::vector<poly_t<M>> crossed_polys(const M& m, const state_array& states) {
-  const unsigned char* const all = states.data();
-  return core::collect_if(polys(m), [&m, all](const poly_t<M>& p) { return is_crossed(joint_states(m, all, p)); });
+std::vector<poly_t<M>> crossed_polys(const M& m, const unsigned char* states) {
+  return core::collect_if(polys(m), [&m, states](const poly_t<M>& p) { return is_crossed(joint_states(m, states, p)); });
 }
+template<class M>
+std::vector<poly_t<M>> crossed_polys(const M& m, const state_array& states) { return crossed_polys(m, states.data()); }
 
 }  // namespace concino::detail

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/concepts/oriented_edges.hpp>
-#include <concino/core/local_numbers.hpp>
+#include <concino/core/block_allocator.hpp>
 #include <concino/core/parallel.hpp>
 #include <concino/level_sets/detail/level_lines.hpp>
 #include <concino/level_sets/detail/level_states.hpp>
@@ -10,14 +10,17 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace concino::detail {
 
-/// One piece for each poly that the level set crosses. The lines are those of line_pieces. Places have numbers of edges as elements, and no verts.
+/// One piece for each poly that the level set crosses. The lines are those of line_pieces. Places have as elements where their edges come first, as edge_of()
+/// takes it, and no verts.
 template<class M>
 class simple_lines {
   static constexpr std::size_t chunk = 256, few = 32;
@@ -25,8 +28,8 @@ class simple_lines {
 
   struct piece {
     edge_t<M> edges[2];                     // those where it starts and ends
-    std::uint32_t numbers[2] = {};          // of the edges
-    std::uint32_t link[2] = {none, none};  // see join_pieces
+    std::uint32_t first[2] = {};            // where these edges come first: 2 piece + (0 at the start of that piece, 1 at its end)
+    std::uint32_t link[2] = {none, none};  // see join_pieces; `many`, until all are linked, where an edge of more than two polys comes first
   };
   struct corner {
     vert_t<M> vert;
@@ -34,10 +37,15 @@ class simple_lines {
     unsigned char state;
   };
 
-  std::vector<piece> pieces_;
+  template<class T> using array = std::vector<T, core::block_allocator<T>>;
+  std::shared_ptr<core::memory_block> block_;
+  array<piece> pieces_;
 
  public:
-  std::vector<edge_t<M>> edges;  // by number
+  /// All arrays are taken from the block, if there is one.
+  explicit simple_lines(std::shared_ptr<core::memory_block> block = nullptr) : block_(std::move(block)), pieces_(core::block_allocator<piece>(block_)) {}
+
+  edge_t<M> edge_of(std::uint32_t first) const { return pieces_[first / 2].edges[first % 2]; }
 
   /// Finds the pieces of the polys that the level set crosses. Returns false if it meets a vert, crosses more than two edges of a poly, or crosses a poly that is
   /// not convex; nothing here is of use then.
@@ -57,9 +65,10 @@ class simple_lines {
   }
 
   level_lines join() const {
-    return join_pieces(pieces_, [this](level_lines& lines, std::uint32_t i, bool forward) {
-      for (const unsigned end : {0u, 1u}) lines.add_place({level_place::edge, pieces_[i].numbers[forward ? end : 1 - end], 0, 0});
-    });
+    const auto append = [this](level_lines& lines, std::uint32_t i, bool forward) {
+      for (const unsigned end : {0u, 1u}) lines.add_place({level_place::edge, pieces_[i].first[forward ? end : 1 - end], 0, 0});
+    };
+    return join_pieces(pieces_, append, block_);
   }
 
  private:
@@ -103,30 +112,38 @@ class simple_lines {
     return is_convex_polygon(points);
   }
 
-  /// Numbers the edges, and links the two pieces at each edge of two polys. All polys at a crossed edge are crossed.
+  /// Links the two pieces at each edge of two polys. All polys at a crossed edge are crossed.
   void link(const M& m) {
-    core::local_numbers numbers;
-    numbers.reserve(pieces_.size() + pieces_.size() / 16);  // about as many as pieces
-    std::vector<std::uint32_t> uses;                        // by edge: where it came first, as in link; `many` if it has more than two
-    uses.reserve(pieces_.size()), edges.reserve(pieces_.size());
+    const std::size_t size = std::bit_ceil(3 * pieces_.size() + 1);  // of a hash table: most pieces add one edge, some add two
+    array<std::uint32_t> slots(size, none, core::block_allocator<std::uint32_t>(block_));  // where edges come first
+    bool has_many = false;
     for (std::uint32_t i = 0; i < pieces_.size(); ++i)
       for (const unsigned end : {0u, 1u}) {
-        const std::uint32_t use = 2 * i + end, number = pieces_[i].numbers[end] = numbers.add(index_of(m, pieces_[i].edges[end]));
-        if (number == uses.size()) uses.push_back(use), edges.push_back(pieces_[i].edges[end]);
-        else add_use(uses[number], use);
+        const edge_t<M> e = pieces_[i].edges[end];
+        const std::uint64_t hash = std::uint64_t{index_of(m, e)} * 0x9e3779b97f4a7c15u;
+        std::size_t at = static_cast<std::size_t>(hash >> 32) & (size - 1);
+        while (slots[at] != none && edge_of(slots[at]) != e) at = (at + 1) & (size - 1);
+        const std::uint32_t use = 2 * i + end;
+        if (slots[at] == none) slots[at] = use;
+        else has_many |= add_use(slots[at], use);
+        pieces_[i].first[end] = slots[at];
       }
+    if (!has_many) return;
+    for (piece& x : pieces_)
+      for (std::uint32_t& link : x.link)
+        if (link == many) link = none;
   }
-  void add_use(std::uint32_t& first, std::uint32_t use) {
-    if (first == many) return;
-    std::uint32_t& link = pieces_[first / 2].link[first % 2];
+  std::uint32_t& link_at(std::uint32_t use) { return pieces_[use / 2].link[use % 2]; }
+  /// Returns whether the edge has more than two polys.
+  bool add_use(std::uint32_t first, std::uint32_t use) {
+    std::uint32_t& link = link_at(first);
     if (link == none) {
-      link = use;
-      pieces_[use / 2].link[use % 2] = first;
-    } else {
-      pieces_[link / 2].link[link % 2] = none;
-      link = none;
-      first = many;
+      link = use, link_at(use) = first;
+      return false;
     }
+    if (link != many) link_at(link) = none;
+    link = many;
+    return true;
   }
 };
 

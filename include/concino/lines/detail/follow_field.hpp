@@ -4,6 +4,7 @@
 #include <concino/concepts/maps.hpp>
 #include <concino/core/block_allocator.hpp>
 #include <concino/core/large_pages.hpp>
+#include <concino/core/memory_blocks.hpp>
 #include <concino/core/parallel.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/geometry/centroid.hpp>
