@@ -20,3 +20,11 @@ TEST_CASE("prefetch: rows that are stored in memory have an address, others have
   core::prefetch(nullptr);
   core::prefetch(0, 0);  // no mesh
 }
+
+TEST_CASE("prefetch: rows of any kind can be requested, empty ones too") {
+  const int values[] = {1, 2, 3};
+  const id_span<int> all(values, values + 3), none;
+  core::prefetch_row(all), core::prefetch_row(none);
+  core::prefetch_rows(all, none, std::vector<int>{1});
+  CHECK(all.size() == 3);
+}

@@ -99,6 +99,11 @@ class cell_tables {
   detail::polys_of_facet adj_f2p_from(face_id f, poly_id p) const { return facet_adjacency_.polys_of(f, p); }
   /// Requests what the polys and verts of f are found by.
   void prefetch(face_id f) const { facet_adjacency_.prefetch_owner(f); }
+  /// Requests the lists of p.
+  void prefetch(poly_id p) const {
+    core::prefetch_rows(p2v_[p.raw()], p2e_[p.raw()]);
+    facet_adjacency_.prefetch(p);
+  }
   auto adj_p2v(poly_id p) const { return p2v_[p.raw()]; }
   id_span<edge_id> adj_p2e(poly_id p) const { return p2e_[p.raw()]; }
   id_span<face_id> adj_p2f(poly_id p) const { return facet_adjacency_.facets(p); }

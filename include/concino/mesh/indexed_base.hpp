@@ -131,6 +131,7 @@ struct indexed_volume : detail::indexed_elements<M> {
   static auto adj_f2p_from(const M& m, face_id f, poly_id p) { return detail::tables_of<M>(m).adj_f2p_from(f, p); }
   static auto adj_p2f(const M& m, poly_id p) { return detail::tables_of<M>(m).adj_p2f(p); }
   static void prefetch(const M& m, face_id f) { detail::tables_of<M>(m).prefetch(f); }
+  static void prefetch(const M& m, poly_id p) { detail::tables_of<M>(m).prefetch(p); }
   static bool face_is_outward(const M& m, poly_id p, face_id f) { return detail::tables_of<M>(m).face_is_outward(p, f); }
 };
 

@@ -1,16 +1,18 @@
 // The caps of cells that a level set cuts simply, without flat arrays of their facets: the fast way, for most cells of a smooth function.
 #pragma once
 
-#include <concino/core/parallel.hpp>
+#include <concino/concepts/end_verts.hpp>
+#include <concino/concepts/facets.hpp>
+#include <concino/core/vec3.hpp>
 #include <concino/level_sets/detail/cell_surface.hpp>
-#include <concino/level_sets/detail/crossed_cells.hpp>
 #include <concino/level_sets/detail/hex_caps.hpp>
+#include <concino/level_sets/detail/level_states.hpp>
 #include <concino/level_sets/detail/polygon_crossings.hpp>
+#include <concino/level_sets/detail/requested_cells.hpp>
 #include <concino/level_sets/detail/simple_cap_list.hpp>
 #include <concino/level_sets/detail/tet_caps.hpp>
 #include <concino/mesh/standard_cells.hpp>
 
-#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -29,13 +31,14 @@ class simple_cap_reader {
     edge_key key;
     edge_t<M> edge;
   };
-  using cell_data = typename crossed_cells<M>::cell;
 
   const M& m_;
   const unsigned char* states_;
-  crossed_cells<M> read_;
   std::vector<chord> chords_;
   std::vector<crossed_edge> edges_;
+  std::size_t num_edges_ = 0;  // all of them
+  std::vector<std::uint32_t> corners_;
+  std::vector<vec3> points_;
   cell_surface surface_;
 
  public:
@@ -43,36 +46,36 @@ class simple_cap_reader {
 
   /// Adds the caps of some cells; `number` is that of the first.
   void read(std::span<const poly_t<M>> polys, std::uint32_t number, simple_cap_list<M>& list) {
-    while (!polys.empty() && !list.meets_verts) {
-      const std::size_t n = std::min(polys.size(), crossed_cells<M>::max_size);
-      read_.read(m_, states_, polys.first(n));
-      for (const cell_data& c : read_.cells) read_cell(c, number++, list);
-      polys = polys.subspan(n);
-    }
+    read_requested(m_, polys, [&](const poly_t<M>& p) {
+      read_cell(p, number++, list);
+      return !list.meets_verts;
+    });
   }
 
  private:
-  void read_cell(const cell_data& c, std::uint32_t cell, simple_cap_list<M>& list) {
+  void read_cell(const poly_t<M>& p, std::uint32_t cell, simple_cap_list<M>& list) {
     if constexpr (arity_v<M> == 4) {  // faster: tets have one cap each, which follows from their signs
-      read_tet(c, cell, list);
+      read_tet(p, cell, list);
     } else {
       bool is_simple = false;
       if constexpr (arity_v<M> == 8)  // faster: the faces follow from the order of the verts, and the caps of a hex inside from its signs
-        is_simple = c.is_inside ? read_hex(c, cell, list) : find_chords(c, list) && chain(c, cell, list);
-      else is_simple = find_chords(c, list) && chain(c, cell, list);
+        is_simple = is_inside(p) ? read_hex(p, cell, list) : find_chords(p, list) && chain(cell, list);
+      else is_simple = find_chords(p, list) && chain(cell, list);
       if (!is_simple) list.difficult.push_back(cell);
     }
   }
 
-  void read_tet(const cell_data& c, std::uint32_t cell, simple_cap_list<M>& list) {
-    unsigned signs = 0;
-    for (unsigned k = 0; k < 4; ++k) {
-      const unsigned char s = states_[read_.verts[c.first_vert + k]];
+  void read_tet(const poly_t<M>& p, std::uint32_t cell, simple_cap_list<M>& list) {
+    unsigned signs = 0, k = 0;
+    for (const vert_t<M> v : adj_p2v(m_, p)) {
+      const unsigned char s = states_[index_of(m_, v)];
       if (s == on_level) list.meets_verts = true;
-      signs |= unsigned{s != below_level} << k;
+      signs |= unsigned{s != below_level} << k++;
     }
+    edge_t<M> edges[6], *to = edges;
+    for (const edge_t<M> e : adj_p2e(m_, p)) *to++ = e;
     const tet_cap& cap = tet_caps[signs];
-    for (unsigned i = 0; i < cap.size; ++i) list.corners.push_back(read_.edges[c.first_edge + cap.edges[i]].edge);
+    for (unsigned i = 0; i < cap.size; ++i) list.corners.push_back(edges[cap.edges[i]]);
     end_cap(cell, list);
   }
   static void end_cap(std::uint32_t cell, simple_cap_list<M>& list) {
@@ -80,15 +83,25 @@ class simple_cap_reader {
     list.cells.push_back(cell);
   }
 
-  bool read_hex(const cell_data& c, std::uint32_t cell, simple_cap_list<M>& list) {
+  /// Whether each face has two cells.
+  bool is_inside(const poly_t<M>& p) const {
+    for (const face_t<M> f : adj_p2f(m_, p))
+      if (num_elements(other_polys(m_, p, f)) != 1) return false;
+    return true;
+  }
+
+  bool read_hex(const poly_t<M>& p, std::uint32_t cell, simple_cap_list<M>& list) {
     constexpr const standard_cell& hex = standard_cell_of(cell_shape::hex);
-    const std::uint32_t* const verts = read_.verts.data() + c.first_vert;
-    const vec3* const points = read_.vert_points.data() + c.first_point;
+    edge_key verts[8];
+    vec3 points[8];
     unsigned char joint = 0;
-    unsigned signs = 0;
-    for (unsigned k = 0; k < 8; ++k) {
-      joint |= states_[verts[k]];
-      signs |= unsigned{states_[verts[k]] != below_level} << k;
+    unsigned signs = 0, k = 0;
+    for (const vert_t<M> v : adj_p2v(m_, p)) {
+      verts[k] = index_of(m_, v);
+      points[k] = to_vec3(point(m_, v));
+      const unsigned char s = states_[verts[k]];
+      joint |= s;
+      signs |= unsigned{s != below_level} << k++;
     }
     if (joint & on_level) list.meets_verts = true;
     const hex_cap_list& caps = hex_caps(signs);
@@ -99,73 +112,81 @@ class simple_cap_reader {
       const vec3 corners[4] = {points[face[0]], points[face[1]], points[face[2]], points[face[3]]};
       if (!is_convex_polygon(corners)) return false;
     }
-    list_crossed_edges(c);
+    list_crossed_edges(p);
     const std::size_t num_corners = list.corners.size(), num_caps = list.ends.size();
     bool closes = true;
-    for (unsigned i = 0, k = 0; i < caps.num_caps; ++i) {
-      for (; k < caps.ends[i]; ++k) closes = add_corner(edge_key{verts[caps.corners[k].below]} << 32 | verts[caps.corners[k].above], list) && closes;
+    k = 0;
+    for (unsigned i = 0; i < caps.num_caps; ++i) {
+      for (; k < caps.ends[i]; ++k) closes = add_corner(verts[caps.corners[k].below] << 32 | verts[caps.corners[k].above], list) && closes;
       end_cap(cell, list);
     }
     if (!closes) list.truncate(num_corners, num_caps);
     return closes;
   }
 
-  bool find_chords(const cell_data& c, simple_cap_list<M>& list) {
+  bool find_chords(const poly_t<M>& p, simple_cap_list<M>& list) {
     chords_.clear();
     surface_.clear();
-    for (std::uint32_t k = c.first_face; k < c.last_face; ++k) {
-      const auto& f = read_.faces[k];
-      const std::uint32_t *const corners = read_.corners.data() + f.first_corner, n = f.last_corner - f.first_corner;
-      if (f.joint_states & on_level) list.meets_verts = true;
-      if (is_crossed(f.joint_states) && !(add_chord(corners, n, f.is_outward) == 2 && (n == 3 || is_flat(f)))) return false;
+    for (const face_t<M> f : adj_p2f(m_, p)) {
+      corners_.clear();
+      unsigned char joint = 0;
+      for (const vert_t<M> v : adj_f2v(m_, f)) {
+        corners_.push_back(static_cast<std::uint32_t>(index_of(m_, v)));
+        joint |= states_[corners_.back()];
+      }
+      const bool is_outward = face_is_outward(m_, p, f);
+      if (joint & on_level) list.meets_verts = true;
+      if (is_crossed(joint) && !(add_chord(is_outward) == 2 && (corners_.size() == 3 || is_flat(p, f)))) return false;
       if constexpr (arity_v<M> == 0) {  // cells of fixed arity are spheres
-        for (std::uint32_t i = 0; i < n; ++i) surface_.add_corner(corners[i]);
-        surface_.end_facet(f.is_outward);
+        for (const std::uint32_t v : corners_) surface_.add_corner(v);
+        surface_.end_facet(is_outward);
       }
     }
-    if constexpr (arity_v<M> == 0) return surface_.is_sphere(c.num_verts, c.last_edge - c.first_edge);  // the same
+    list_crossed_edges(p);
+    if constexpr (arity_v<M> == 0) return surface_.is_sphere(num_elements(adj_p2v(m_, p)), num_edges_);  // the same
     else return true;
   }
 
-  /// Adds the chord of a face, if there is one. Returns how many of its edges are crossed.
-  unsigned add_chord(const std::uint32_t* facet, std::size_t n, bool outward) {
+  /// Adds the chord of the face whose corners were read, if there is one. Returns how many of its edges are crossed.
+  unsigned add_chord(bool outward) {
     unsigned crossings = 0;
-    chord c{};
-    edge_key a = facet[n - 1];
+    edge_key ends[3] = {};  // where the level set enters the cell through the face and where it leaves; the third one is of no use
+    edge_key a = corners_.back();
     bool above = states_[a] != below_level;
-    for (std::size_t k = 0; k < n; ++k) {
-      const edge_key b = facet[k];
-      const bool next_above = states_[b] != below_level;
-      if (above != next_above) {
-        ++crossings;
-        (next_above == outward ? c.to : c.from) = above ? b << 32 | a : a << 32 | b;
-      }
+    for (const edge_key b : corners_) {
+      const bool next_above = states_[b] != below_level, is_crossed_here = above != next_above;
+      crossings += is_crossed_here;
+      ends[is_crossed_here ? next_above == outward : 2] = above ? b << 32 | a : a << 32 | b;
       a = b;
       above = next_above;
     }
-    if (crossings > 0) chords_.push_back(c);
+    if (crossings > 0) chords_.push_back({ends[0], ends[1]});
     return crossings;
   }
   /// Whether a face is convex and, if it is on the boundary, planar.
-  bool is_flat(const typename crossed_cells<M>::face& f) const {
-    const std::span<const vec3> corners(read_.points.data() + f.first_point, f.last_corner - f.first_corner);
-    return is_convex_polygon(corners) && (f.has_two_polys || is_planar_polygon(corners));
+  bool is_flat(const poly_t<M>& p, const face_t<M>& f) {
+    points_.clear();
+    for (const vert_t<M> v : adj_f2v(m_, f)) points_.push_back(to_vec3(point(m_, v)));
+    return is_convex_polygon(points_) && (num_elements(other_polys(m_, p, f)) == 1 || is_planar_polygon(points_));
   }
 
-  void list_crossed_edges(const cell_data& c) {
-    edges_.clear();
-    for (std::uint32_t k = c.first_edge; k < c.last_edge; ++k) {
-      const auto& e = read_.edges[k];
-      const edge_key a = e.first, b = e.second;
+  void list_crossed_edges(const poly_t<M>& p) {
+    const auto& all = adj_p2e(m_, p);
+    num_edges_ = num_elements(all);
+    edges_.resize(num_edges_);
+    crossed_edge* to = edges_.data();
+    for (const edge_t<M> e : all) {
+      const auto ends = end_verts(m_, e);
+      const edge_key a = index_of(m_, ends.first), b = index_of(m_, ends.second);
       const bool above = states_[a] != below_level;
-      if (above == (states_[b] != below_level)) continue;
-      edges_.push_back({above ? b << 32 | a : a << 32 | b, e.edge});
+      *to = {above ? b << 32 | a : a << 32 | b, e};
+      to += above != (states_[b] != below_level);
     }
+    edges_.resize(static_cast<std::size_t>(to - edges_.data()));
   }
 
   /// Joins the chords to cycles of edges. Returns false if they do not close.
-  bool chain(const cell_data& c, std::uint32_t cell, simple_cap_list<M>& list) {
-    list_crossed_edges(c);
+  bool chain(std::uint32_t cell, simple_cap_list<M>& list) {
     const std::size_t corners = list.corners.size(), caps = list.ends.size();
     std::size_t left = chords_.size();
     bool closes = left == edges_.size();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <concino/core/parallel.hpp>
+#include <concino/core/prefetch.hpp>
 #include <concino/core/sort_numbers.hpp>
 #include <concino/mesh/detail/facet_adjacency_ranges.hpp>
 #include <concino/mesh/detail/row_lookup.hpp>
@@ -300,6 +301,10 @@ class facet_adjacency {
       poly_lists_.add_row(three, three + 3, min_list_capacity);
       first = second = own;
     }
+  }
+  /// Requests the facets and neighbours of p, which will be read.
+  void prefetch(poly_id p) const {
+    core::prefetch_rows(facets_[p.raw()], neighbours_[p.raw()]);
   }
   void prefetch_owner(Facet f) const { __builtin_prefetch(owner_.data() + f.raw()); }
   /// Requests the rows of p, or what put() reads and writes besides those of p.
