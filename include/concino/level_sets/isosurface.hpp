@@ -41,13 +41,6 @@ template<class To> concept is_level_surface_mesh = std::same_as<To, polygonmesh>
 
 namespace detail {
 
-/// The first values are moved, others are copied.
-template<class T>
-void append(std::vector<T>&& values, std::vector<T>& to) {
-  if (to.empty()) to = std::move(values);
-  else to.insert(to.end(), values.begin(), values.end());
-}
-
 /// fast: in the fast way where a value allows it; the surface may then not be a manifold.
 template<class To, class M, class U>
 level_surface<M, To> collect_isosurface(const M& m, const U& u, const std::vector<double>& levels, bool fast, const char* caller) {
@@ -60,25 +53,9 @@ level_surface<M, To> collect_isosurface(const M& m, const U& u, const std::vecto
     const level_surface_maker<M, U> maker(m, u, level, has_properties, caller);
     level_surface_parts<M> parts;
     if (!fast || !maker.make_simple(parts)) parts = maker.make_general();
-    builder.reserve(parts.places.size(), parts.verts.size(), parts.ends.size());
-    std::vector<poly_t<M>> polys;
-    const auto add_points = [&] {
-      surface_builder& to = builder;  // compilers keep variables of this function in registers
-      for (const mesh_point<M>& x : parts.places) to.add_point(x.position);
-      result.values.resize(result.polys.size() + parts.polys.size(), level);  // fewer than a triangulation has
-    };
-    const auto add_polygons = [&] {
-      surface_builder& to = builder;
-      const std::vector<std::uint32_t>&verts = parts.verts, &ends = parts.ends;
-      for (std::size_t i = 0, first = 0; i < ends.size(); first = ends[i++]) {
-        const std::size_t n = to.add_polygon({verts.data() + first, ends[i] - first});
-        if constexpr (arity_v<To> == 3) polys.insert(polys.end(), n, parts.polys[i]);  // other polygons are not divided
-      }
-    };
-    core::run_both(arity_v<To> != 3 && parts.ends.size() > 16384, add_points, add_polygons);  // a triangulation reads the points
-    builder.end_part();
+    builder.add_part(std::move(parts.points), std::move(parts.verts), std::move(parts.offsets), parts.polys);
     append(std::move(parts.places), result.places);
-    append(arity_v<To> == 3 ? std::move(polys) : std::move(parts.polys), result.polys);
+    append(std::move(parts.polys), result.polys);
     result.values.resize(result.polys.size(), level);
     for (std::size_t i = 0; i < parts.origins.size(); ++i) {
       std::vector<origin> list;

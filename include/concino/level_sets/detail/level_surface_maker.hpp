@@ -1,6 +1,7 @@
 // Makes the level set of a volume as polygons, in the fast way where that is possible.
 #pragma once
 
+#include <concino/core/large_pages.hpp>
 #include <concino/level_sets/detail/crossed_edge.hpp>
 #include <concino/level_sets/detail/crossed_edge_numbers.hpp>
 #include <concino/level_sets/detail/crossed_volume_reader.hpp>
@@ -18,11 +19,12 @@ namespace concino::detail {
 /// A level set as polygons.
 template<class M>
 struct level_surface_parts {
-  std::vector<mesh_point<M>> places;  // by vert
-  std::vector<std::uint32_t> verts;   // the corners of all polygons
-  std::vector<std::uint32_t> ends;    // by polygon: where its corners end
-  std::vector<poly_t<M>> polys;       // by polygon
-  element_origins origins;            // of the verts, if asked for
+  std::vector<mesh_point<M>> places;   // by vert
+  std::vector<vec3> points;            // their positions
+  std::vector<vert_id> verts;          // the corners of all polygons
+  std::vector<std::uint32_t> offsets;  // where the corners of each polygon begin, and where those of the last one end
+  std::vector<poly_t<M>> polys;        // by polygon
+  element_origins origins;             // of the verts, if asked for
 };
 
 /// The level set of one value.
@@ -52,10 +54,12 @@ class level_surface_maker {
     level_surface_parts<M> parts;
     for (const level_place& x : made.places) {
       parts.places.push_back(crossed.mesh_point_of(m_, x));
+      parts.points.push_back(parts.places.back().position);
       if (with_origins_) parts.origins.add(std::span<const origin>(crossed.origins_of(x)));
     }
-    parts.verts = std::move(made.verts);
-    parts.ends = std::move(made.ends);
+    for (const std::uint32_t v : made.verts) parts.verts.push_back(vert_id{v});
+    parts.offsets.push_back(0);
+    parts.offsets.insert(parts.offsets.end(), made.ends.begin(), made.ends.end());
     for (const std::uint32_t c : made.cells) parts.polys.push_back(cells_[c]);
     return parts;
   }
@@ -101,7 +105,8 @@ class level_surface_maker {
     for (const level_place& x : other_caps.places)
       if (x.kind == level_place::edge && others.is_edge_of_mesh(x.element)) numbers.announce(x.element);
       else ++num_inside;
-    parts.verts.reserve(num_corners), parts.ends.reserve(num_polys), parts.polys.reserve(num_polys);
+    parts.verts.reserve(num_corners), parts.offsets.reserve(num_polys + 1), parts.polys.reserve(num_polys);
+    parts.offsets.push_back(0);
     return numbers.count() + num_inside;
   }
 
@@ -119,7 +124,7 @@ class level_surface_maker {
         for (std::uint32_t k = other == 0 ? 0 : other_caps.ends[other - 1]; k < other_caps.ends[other]; ++k) {
           const level_place& x = other_caps.places[other_caps.verts[k]];
           if (x.kind == level_place::edge && others.is_edge_of_mesh(x.element)) {
-            parts.verts.push_back(numbers.add(m_, others.edge_of(x.element)));
+            parts.verts.push_back(vert_id{numbers.add(m_, others.edge_of(x.element))});
             continue;
           }
           const std::uint32_t n = other_places.add(x);
@@ -127,9 +132,9 @@ class level_surface_maker {
             number_of_other.push_back(numbers.add_other());
             inside.push_back({number_of_other.back(), x});
           }
-          parts.verts.push_back(number_of_other[n]);
+          parts.verts.push_back(vert_id{number_of_other[n]});
         }
-        parts.ends.push_back(static_cast<std::uint32_t>(parts.verts.size()));
+        parts.offsets.push_back(static_cast<std::uint32_t>(parts.verts.size()));
         parts.polys.push_back(others.polys[other_caps.cells[other]]);
       }
     };
@@ -140,17 +145,21 @@ class level_surface_maker {
         std::uint32_t k = 0;
         for (std::size_t i = 0; i < list.ends.size(); ++i) {
           if (other < other_caps.ends.size()) add_others_before(list.cells[i]);
-          for (; k < list.ends[i]; ++k) to.verts.push_back(to_numbers.add(m_, list.corners[k]));
-          to.ends.push_back(static_cast<std::uint32_t>(to.verts.size()));
+          for (; k < list.ends[i]; ++k) to.verts.push_back(vert_id{to_numbers.add(m_, list.corners[k])});
+          to.offsets.push_back(static_cast<std::uint32_t>(to.verts.size()));
           to.polys.push_back(cells_[list.cells[i]]);
         }
       }
       add_others_before(~0u);
     };
-    core::run_both(cells_.size() > many, number_corners, [&] { parts.places.resize(max_places); });  // pages of new memory take half as long as numbers
-    parts.places.resize(numbers.edges.size());
+    const auto make_places = [&] {  // pages of new memory take as long as numbers
+      parts.places = core::exact_vector(max_places, mesh_point<M>{});
+      parts.points = core::exact_vector(max_places, vec3{});
+    };
+    core::run_both(cells_.size() > many, number_corners, make_places);
+    parts.places.resize(numbers.edges.size()), parts.points.resize(numbers.edges.size());
     locate_edges(numbers, parts);
-    for (const auto& [number, x] : inside) parts.places[number] = others.mesh_point_of(m_, x);
+    for (const auto& [number, x] : inside) parts.places[number] = others.mesh_point_of(m_, x), parts.points[number] = parts.places[number].position;
     if (!with_origins_) return;
     auto next = inside.begin();
     for (std::size_t i = 0; i < numbers.edges.size(); ++i) {
@@ -168,7 +177,10 @@ class level_surface_maker {
           const std::size_t first = i * some;
           cross_edges(
               m_, u_, level_, std::min(some, n - first), [&](std::size_t k) { return numbers.is_edge(first + k); },
-              [&](std::size_t k) { return numbers.edges[first + k]; }, [&](std::size_t k, const mesh_point<M>& x) { parts.places[first + k] = x; });
+              [&](std::size_t k) { return numbers.edges[first + k]; }, [&](std::size_t k, const mesh_point<M>& x) {
+                parts.places[first + k] = x;
+                parts.points[first + k] = x.position;
+              });
         },
         1);
   }

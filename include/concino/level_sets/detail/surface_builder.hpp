@@ -12,10 +12,16 @@
 
 namespace concino::detail {
 
+/// Appends values. If there are none before them, they are moved.
+template<class T>
+void append(std::vector<T>&& values, std::vector<T>& to) {
+  if (to.empty()) to = std::move(values);
+  else to.insert(to.end(), values.begin(), values.end());
+}
+
 /// Polygons come in parts: their corners are numbers of points of the same part.
 class surface_builder {
   surface_arrays a_;
-  std::uint32_t shift_ = 0;
   polygon_triangulator triangulate_;
   std::vector<vec3> corners_;
 
@@ -25,32 +31,45 @@ class surface_builder {
     else a_.offsets.push_back(0);
   }
 
-  /// Makes room for the first part; others make room as they come.
-  void reserve(std::size_t points, std::size_t corners, std::size_t polygons) {
-    if (!a_.points.empty()) return;
-    a_.points.reserve(points);
-    a_.verts.reserve(corners);
-    if (a_.arity == 0) a_.offsets.reserve(polygons + 1);
+  /// Adds polygons, or the triangles of their triangulations. `offsets`: where the corners of each polygon begin, and where the last ones end. `polys`: something
+  /// for each polygon; after the call, the same for each poly that was added.
+  template<class Poly>
+  void add_part(std::vector<vec3>&& points, std::vector<vert_id>&& verts, std::vector<std::uint32_t>&& offsets, std::vector<Poly>& polys) {
+    const auto shift = static_cast<std::uint32_t>(a_.points.size()), num_verts = static_cast<std::uint32_t>(a_.verts.size());
+    append(std::move(points), a_.points);
+    if (shift > 0)
+      for (vert_id& v : verts) v = vert_id{shift + v.raw()};
+    if (a_.arity == 3) return add_triangles(verts, offsets, polys);
+    append(std::move(verts), a_.verts);
+    if (num_verts == 0) a_.offsets = std::move(offsets);
+    else for (std::size_t i = 1; i < offsets.size(); ++i) a_.offsets.push_back(num_verts + offsets[i]);
   }
-  void add_point(const vec3& x) { a_.points.push_back(x); }
 
-  /// Adds a polygon, or the triangles of its triangulation. Returns how many polys these are.
-  std::size_t add_polygon(std::span<const std::uint32_t> corners) {
-    if (a_.arity == 0 || corners.size() == 3) {
-      for (const std::uint32_t v : corners) a_.verts.push_back(vert_id{shift_ + v});
-      if (a_.arity == 0) a_.offsets.push_back(static_cast<std::uint32_t>(a_.verts.size()));
+  surface_arrays arrays() && { return std::move(a_); }
+
+ private:
+  template<class Poly>
+  void add_triangles(const std::vector<vert_id>& verts, const std::vector<std::uint32_t>& offsets, std::vector<Poly>& polys) {
+    std::vector<Poly> of_triangles;
+    for (std::size_t i = 0; i < polys.size(); ++i) {
+      const std::size_t n = add_triangles({verts.data() + offsets[i], offsets[i + 1] - offsets[i]});
+      of_triangles.insert(of_triangles.end(), n, polys[i]);
+    }
+    polys.swap(of_triangles);
+  }
+  /// Adds the triangles of a polygon. Returns their number.
+  std::size_t add_triangles(std::span<const vert_id> polygon) {
+    if (polygon.size() == 3) {
+      a_.verts.insert(a_.verts.end(), polygon.begin(), polygon.end());
       return 1;
     }
     corners_.clear();
-    for (const std::uint32_t v : corners) corners_.push_back(a_.points[shift_ + v]);
+    for (const vert_id v : polygon) corners_.push_back(a_.points[v.raw()]);
     const auto triangles = triangulate_(corners_);
     for (const polygon_triangle& t : triangles)
-      for (const std::uint32_t k : t) a_.verts.push_back(vert_id{shift_ + corners[k]});
+      for (const std::uint32_t k : t) a_.verts.push_back(polygon[k]);
     return triangles.size();
   }
-  void end_part() { shift_ = static_cast<std::uint32_t>(a_.points.size()); }
-
-  surface_arrays arrays() && { return std::move(a_); }
 };
 
 }  // namespace concino::detail
