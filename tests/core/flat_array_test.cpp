@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <random>
 
 using concino::core::flat_array;
@@ -88,6 +90,18 @@ TEST_CASE("flat_array: empty arrays work") {
 }
 
 TEST_CASE("flat_array: sizes beyond the address space throw") { CHECK_THROWS_AS(flat_array<int>(static_cast<std::size_t>(-1) / 4), std::bad_alloc); }
+
+TEST_CASE("flat_array: a request for pages keeps the values, and the room behind them") {
+  for (const std::size_t n : {std::size_t{0}, std::size_t{1}, std::size_t{5000}, std::size_t{300'000}, std::size_t{3'000'000}}) {
+    flat_array<unsigned> a(n, 7u, n + n / 8);
+    a.request_pages();
+    CHECK(a.size() == n);
+    CHECK(std::count(a.begin(), a.end(), 7u) == static_cast<std::ptrdiff_t>(n));
+    const unsigned* const before = a.data();
+    a.resize(n + n / 8);
+    CHECK(a.data() == before);
+  }
+}
 
 TEST_CASE("flat_array: the memory advice for large arrays does not change values") {
   flat_array<int> a(3 << 20, 5);

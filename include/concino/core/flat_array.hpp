@@ -89,6 +89,10 @@ class flat_array {
   void reserve(std::size_t n) {
     if (n > capacity_) reallocate(n);
   }
+  /// Requests pages for all memory of the array, which will be written at once. Large pages are taken in no more time by the first access.
+  void request_pages() {
+    if (capacity_ * sizeof(T) < detail::large_page) core::request_pages(data_, capacity_ * sizeof(T));
+  }
   /// New entries are uninitialised.
   void resize(std::size_t n) {
     reserve(n);

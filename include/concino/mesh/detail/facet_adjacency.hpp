@@ -136,8 +136,8 @@ class facet_adjacency {
     link(p, k, f, first);
     return true;
   }
-  /// Adds the facets that one of the threads has linked under the numbers mark, mark + 1, ... `mark` is a bit that no other number has.
-  void add_facets(const core::flat_array<std::uint32_t>& owners, std::uint32_t mark);
+  /// Adds the facets that one of the threads has linked under the numbers mark, mark + 1, ... `mark` is 0 for the first thread, else a bit that no other number has.
+  void add_facets(core::flat_array<std::uint32_t>& owners, std::uint32_t mark);
 
   /// Construction: call it after the last link, so that a neighbour behind two facets is listed once.
   void finish();

@@ -35,10 +35,10 @@ void facet_adjacency<Facet, N>::copy_links(std::uint32_t p, const encoded_neighb
 }
 
 template<class Facet, unsigned N>
-void facet_adjacency<Facet, N>::add_facets(const core::flat_array<std::uint32_t>& owners, std::uint32_t mark) {
+void facet_adjacency<Facet, N>::add_facets(core::flat_array<std::uint32_t>& owners, std::uint32_t mark) {
+  if (mark == 0) return owner_.swap(owners);
   const auto first = static_cast<std::uint32_t>(owner_.size());
   owner_.append(owners.data(), owners.size());
-  if (mark == 0) return;
   Facet* const all = facets_.begin(0);
   for (std::size_t i = 0; i < facets_.num_values(); ++i) all[i] = Facet{(all[i].raw() & ~mark) + (all[i].raw() & mark ? first : 0)};
 }

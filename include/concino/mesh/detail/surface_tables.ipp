@@ -90,7 +90,7 @@ void surface_tables<Arity, Lists>::check(std::size_t vert_count) const {
 }
 
 template<unsigned Arity, class Lists>
-detail::offsets surface_tables<Arity, Lists>::list_at_verts(jagged<poly_id>& v2p, core::flat_array<std::uint32_t>& scratch) const {
+detail::offsets surface_tables<Arity, Lists>::list_at_verts(jagged<poly_id>& v2p, core::flat_array<poly_id> memory, core::flat_array<std::uint32_t>& scratch) const {
   const std::size_t vert_count = scratch.size(), corner_count = p2v_.num_values();
   const auto poly_count = static_cast<std::uint32_t>(p2v_.size());
   const vert_id* const corner_vert = p2v_.begin(0);
@@ -106,7 +106,9 @@ detail::offsets surface_tables<Arity, Lists>::list_at_verts(jagged<poly_id>& v2p
   }
   detail::offsets counts(vert_count + 1, 0);
   for (std::size_t c = 0; c < corner_count; ++c) ++counts[corner_vert[c].raw() + 1];
-  v2p = detail::make_jagged_array<poly_id>(std::move(counts));
+  detail::prefix_sum(counts);
+  memory.request_pages();
+  v2p = {std::make_shared<const detail::offsets>(std::move(counts)), std::move(memory)};
   std::uint32_t* const fill = scratch.data();
   for (std::size_t v = 0; v < vert_count; ++v) fill[v] = static_cast<std::uint32_t>(v2p.begin(v) - v2p.begin(0));
   poly_id* const corners = v2p.begin(0);
@@ -143,6 +145,9 @@ struct surface_tables<Arity, Lists>::edge_range {
   core::flat_array<vert_id> ends = {};
   core::flat_array<std::uint32_t> owners = {};  // see facet_adjacency::add_facets
   detail::offsets degrees = detail::offsets(edge_to.size() + 1, 0);  // one vert later, for prefix_sum
+  // Memory for make_incident_edges.
+  core::flat_array<vert_id> verts_at_verts = {};
+  core::flat_array<edge_id> edges_at_verts = {};
   bool is_manifold = true;
 };
 
@@ -191,15 +196,51 @@ void surface_tables<Arity, Lists>::find_edges(edge_range& range, jagged<poly_id>
   }
 }
 
+/// Memory that is allocated before several threads request pages of it: while one of them does that, the system lets the others wait if they allocate.
+template<unsigned Arity, class Lists>
+struct surface_tables<Arity, Lists>::build_memory {
+  core::flat_array<poly_id> v2p;
+  core::flat_array<edge_id> facets;
+  core::flat_array<detail::encoded_neighbour> neighbours;
+
+  explicit build_memory(std::size_t corner_count) : v2p(corner_count), facets(corner_count), neighbours(corner_count) {}
+};
+
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::start_facets(build_memory& memory) {
+  memory.facets.request_pages(), memory.neighbours.request_pages();
+  std::fill_n(memory.facets.data(), memory.facets.size(), edge_id{});
+  if constexpr (Arity == 0) facet_adjacency_ = {{p2v_.shared_offsets(), std::move(memory.facets)}, {p2v_.shared_offsets(), std::move(memory.neighbours)}};
+  else facet_adjacency_ = {per_poly<edge_id>(std::move(memory.facets)), per_poly<detail::encoded_neighbour>(std::move(memory.neighbours))};
+}
+
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::find_edges_alone(edge_range& all, jagged<poly_id>& v2p, std::size_t max_edges) {
+  build_memory memory(p2v_.num_values());
+  all.ends.reserve(2 * max_edges);
+  const detail::offsets poly_of = list_at_verts(v2p, std::move(memory.v2p), all.edge_to);
+  start_facets(memory);
+  facet_adjacency_.reserve_facets(max_edges);
+  all.ends.request_pages();
+  find_edges<true>(all, v2p, poly_of);
+}
+
 /// Finds the edges in two threads. Returns false if an edge has more than two polys; the tables are undefined then.
 template<unsigned Arity, class Lists>
-bool surface_tables<Arity, Lists>::find_edges_in_two(edge_range& all, jagged<poly_id>& v2p, const detail::offsets& poly_of, std::size_t max_edges) {
-  const detail::offsets& first_poly = *v2p.shared_offsets();
+bool surface_tables<Arity, Lists>::find_edges_in_two(edge_range& all, jagged<poly_id>& v2p, std::size_t max_edges) {
   const std::uint32_t vert_count = all.last_vert;
-  all.last_vert = static_cast<std::uint32_t>(std::lower_bound(first_poly.begin(), first_poly.begin() + vert_count, p2v_.num_values() / 2) - first_poly.begin());
-  edge_range second{all.last_vert, vert_count, core::flat_array<std::uint32_t>(vert_count), 1u << 31};
-  all.owners.reserve(max_edges);
+  build_memory memory(p2v_.num_values());
+  edge_range second{0, vert_count, core::flat_array<std::uint32_t>(vert_count), 1u << 31};
+  all.ends.reserve(2 * max_edges), all.owners.reserve(max_edges);
   second.ends.reserve(max_edges), second.owners.reserve(max_edges / 2);
+  detail::offsets poly_of;
+  const auto list_polys = [&] { poly_of = list_at_verts(v2p, std::move(memory.v2p), all.edge_to); };
+  const auto request_first = [&] { all.ends.request_pages(), all.owners.request_pages(); };
+  const auto request_second = [&] { second.ends.request_pages(), second.owners.request_pages(); };
+  core::run_all(true, {list_polys, [&] { start_facets(memory); }, request_first, request_second});
+  const detail::offsets& first_poly = *v2p.shared_offsets();
+  all.last_vert = static_cast<std::uint32_t>(std::lower_bound(first_poly.begin(), first_poly.begin() + vert_count, p2v_.num_values() / 2) - first_poly.begin());
+  second.first_vert = all.last_vert;
   core::run_both(true, [&] { find_edges<false>(all, v2p, poly_of); }, [&] { find_edges<false>(second, v2p, poly_of); });
   if (!all.is_manifold || !second.is_manifold) return false;
   const auto add_facets = [&] {
@@ -210,16 +251,10 @@ bool surface_tables<Arity, Lists>::find_edges_in_two(edge_range& all, jagged<pol
     all.ends.append(second.ends.data(), second.ends.size());
     for (std::size_t v = 0; v < all.degrees.size(); ++v) all.degrees[v] += second.degrees[v];
   };
-  core::run_both(true, add_facets, add_ends);
+  const std::size_t num_ends = all.ends.size() + second.ends.size();
+  all.verts_at_verts = core::flat_array<vert_id>(num_ends), all.edges_at_verts = core::flat_array<edge_id>(num_ends);
+  core::run_all(true, {add_facets, add_ends, [&] { all.verts_at_verts.request_pages(); }, [&] { all.edges_at_verts.request_pages(); }});
   return true;
-}
-
-template<unsigned Arity, class Lists>
-void surface_tables<Arity, Lists>::start_facets(std::size_t max_edges) {
-  const std::size_t corner_count = p2v_.num_values();
-  if constexpr (Arity == 0) facet_adjacency_ = {{p2v_.shared_offsets(), core::flat_array<edge_id>(corner_count, edge_id{})}, {p2v_.shared_offsets(), core::flat_array<detail::encoded_neighbour>(corner_count)}};
-  else facet_adjacency_ = {per_poly<edge_id>(p2v_.size(), edge_id{}), per_poly<detail::encoded_neighbour>(p2v_.size())};
-  facet_adjacency_.reserve_facets(max_edges);
 }
 
 template<unsigned Arity, class Lists>
@@ -231,23 +266,16 @@ void surface_tables<Arity, Lists>::build(std::size_t vert_count) {
   const auto range = [&] { return edge_range{0, static_cast<std::uint32_t>(vert_count), core::flat_array<std::uint32_t>(vert_count)}; };
   edge_range edges = range();
   jagged<poly_id> v2p;
-  detail::offsets poly_of;
-  core::run_both(is_large, [&] { poly_of = list_at_verts(v2p, edges.edge_to); }, [&] { start_facets(max_edges); });
-  edges.ends.reserve(2 * max_edges);
-  if (!is_large || !find_edges_in_two(edges, v2p, poly_of, max_edges)) {
-    if (is_large) {
-      edges = range();
-      poly_of = list_at_verts(v2p, edges.edge_to);
-      start_facets(max_edges);
-      edges.ends.reserve(2 * max_edges);
-    }
-    find_edges<true>(edges, v2p, poly_of);
-  }
+  const bool in_two = is_large && find_edges_in_two(edges, v2p, max_edges);
+  if (is_large && !in_two) edges = range();
+  if (!in_two) find_edges_alone(edges, v2p, max_edges);
   const std::size_t edge_count = edges.ends.size() / 2;
   const auto list_edges = [&] {
     edges.ends.shrink_to_fit();
     e2v_ = detail::jagged_array<vert_id, 2>(std::move(edges.ends));
-    incident_ = {detail::make_incident_edges(std::move(edges.degrees), e2v_, edges.edge_to), std::move(v2p)};
+    detail::incident_edges incident = in_two ? detail::make_incident_edges(std::move(edges.degrees), e2v_, edges.edge_to, std::move(edges.verts_at_verts), std::move(edges.edges_at_verts))
+                                             : detail::make_incident_edges(std::move(edges.degrees), e2v_, edges.edge_to);
+    incident_ = {std::move(incident), std::move(v2p)};
   };
   core::run_both(is_large, list_edges, [&] { facet_adjacency_.finish(); });
   verts_ = detail::alive_elements<vert_id>(vert_count);
