@@ -56,7 +56,7 @@ M editable(const Arrays& a) {
 template<class M>
 bool split(M& m, u32 e) { return bool(concino::edge_split(m, concino::edge_id{e})); }
 template<class M>
-bool flip(M& m, u32 e) { return concino::contains(m, concino::edge_id{e}) && concino::edge_flip(m, concino::edge_id{e}); }
+bool flip(M& m, u32 e) { return bool(concino::edge_flip(m, concino::edge_id{e})); }  // all edges remain, here and in the peers
 template<class M>
 bool collapse(M& m, u32 e) { return concino::contains(m, concino::edge_id{e}) && concino::edge_collapse(m, concino::edge_id{e}); }
 
