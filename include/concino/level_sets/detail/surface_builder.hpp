@@ -31,28 +31,28 @@ class surface_builder {
     else a_.offsets.push_back(0);
   }
 
-  /// Adds polygons, or the triangles of their triangulations. `offsets`: where the corners of each polygon begin, and where the last ones end. `polys`: something
+  /// Adds polygons, or the triangles of their triangulations. `begins`: where the corners of each polygon begin, and where the last ones end. `polys`: something
   /// for each polygon; after the call, the same for each poly that was added.
   template<class Poly>
-  void add_part(std::vector<vec3>&& points, std::vector<vert_id>&& verts, std::vector<std::uint32_t>&& offsets, std::vector<Poly>& polys) {
+  void add_part(std::vector<vec3>&& points, std::vector<vert_id>&& verts, std::vector<std::uint32_t>&& begins, std::vector<Poly>& polys) {
     const auto shift = static_cast<std::uint32_t>(a_.points.size()), num_verts = static_cast<std::uint32_t>(a_.verts.size());
     append(std::move(points), a_.points);
     if (shift > 0)
       for (vert_id& v : verts) v = vert_id{shift + v.raw()};
-    if (a_.arity == 3) return add_triangles(verts, offsets, polys);
+    if (a_.arity == 3) return add_triangles(verts, begins, polys);
     append(std::move(verts), a_.verts);
-    if (num_verts == 0) a_.offsets = std::move(offsets);
-    else for (std::size_t i = 1; i < offsets.size(); ++i) a_.offsets.push_back(num_verts + offsets[i]);
+    if (num_verts == 0) a_.offsets = std::move(begins);
+    else for (std::size_t i = 1; i < begins.size(); ++i) a_.offsets.push_back(num_verts + begins[i]);
   }
 
   surface_arrays arrays() && { return std::move(a_); }
 
  private:
   template<class Poly>
-  void add_triangles(const std::vector<vert_id>& verts, const std::vector<std::uint32_t>& offsets, std::vector<Poly>& polys) {
+  void add_triangles(const std::vector<vert_id>& verts, const std::vector<std::uint32_t>& begins, std::vector<Poly>& polys) {
     std::vector<Poly> of_triangles;
     for (std::size_t i = 0; i < polys.size(); ++i) {
-      const std::size_t n = add_triangles({verts.data() + offsets[i], offsets[i + 1] - offsets[i]});
+      const std::size_t n = add_triangles({verts.data() + begins[i], begins[i + 1] - begins[i]});
       of_triangles.insert(of_triangles.end(), n, polys[i]);
     }
     polys.swap(of_triangles);
