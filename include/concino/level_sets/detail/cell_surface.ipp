@@ -63,26 +63,17 @@ CONCINO_INLINE bool cell_surface::are_connected() {
 /// Edges have two facets each. So the facets form closed surfaces, whose Euler characteristics sum to V - E + F plus one for each additional fan of facets at a
 /// vert. One surface has at most 2, and 2 only if it is a sphere that does not touch itself. Two surfaces have at least 8 facets: a tetrahedron has 4, and a torus 7.
 CONCINO_INLINE bool cell_surface::is_sphere(std::size_t num_verts) {
-  return num_verts + ends_.size() == verts_.size() / 2 + 2 && (ends_.size() < 8 || are_connected());
+  return num_verts + ends_.size() == verts_.size() / 2 + 2 && (ends_.size() <= few_facets::max_size || are_connected());
 }
 
-/// Sums a hash of each edge, with the sign of its direction. If the sum is 0 and there are twice as many corners as edges, each edge is used once in each
-/// direction.
 CONCINO_INLINE bool cell_surface::is_sphere(std::size_t num_verts, std::size_t num_edges) {
-  if (verts_.size() != 2 * num_edges || num_verts + ends_.size() != num_edges + 2) return false;
-  if (ends_.size() >= 8) return find_mates() && are_connected();
-  std::uint64_t sum = 0;
+  if (ends_.size() > few_facets::max_size)
+    return verts_.size() == 2 * num_edges && num_verts + ends_.size() == num_edges + 2 && find_mates() && are_connected();
+  few_facets few;
   std::uint32_t first = 0;
-  for (std::uint32_t facet = 0; facet < ends_.size(); first = ends_[facet++]) {
-    std::uint64_t of_facet = 0, a = verts_[ends_[facet] - 1];
-    for (std::uint32_t k = first; k < ends_[facet]; ++k) {
-      const std::uint64_t b = verts_[k], hash = ((a < b ? a << 32 | b : b << 32 | a) + 1) * 0x9e3779b97f4a7c15u, mixed = (hash ^ hash >> 31) * 0xbf58476d1ce4e5b9u;
-      of_facet += a < b ? mixed : std::uint64_t{0} - mixed;
-      a = b;
-    }
-    sum += outward_[facet] ? of_facet : std::uint64_t{0} - of_facet;
-  }
-  return sum == 0;
+  for (std::uint32_t facet = 0; facet < ends_.size(); first = ends_[facet++])
+    few.add_facet({verts_.data() + first, ends_[facet] - first}, outward_[facet]);
+  return few.is_sphere(num_verts, num_edges);
 }
 
 }  // namespace concino::detail

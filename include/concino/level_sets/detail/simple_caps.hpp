@@ -126,48 +126,65 @@ class simple_cap_reader {
 
   bool find_chords(const poly_t<M>& p, simple_cap_list<M>& list) {
     chords_.clear();
+    const auto& faces = adj_p2f(m_, p);
+    const bool are_few = num_elements(faces) <= few_facets::max_size;
+    few_facets few;
     surface_.clear();
-    for (const face_t<M> f : adj_p2f(m_, p)) {
-      corners_.clear();
-      unsigned char joint = 0;
-      for (const vert_t<M> v : adj_f2v(m_, f)) {
-        corners_.push_back(static_cast<std::uint32_t>(index_of(m_, v)));
-        joint |= states_[corners_.back()];
-      }
+    for (const face_t<M> f : faces) {
+      const auto& verts = adj_f2v(m_, f);
+      const std::size_t n = num_elements(verts);
+      if (corners_.size() < n) corners_.resize(n);
+      std::uint32_t* to = corners_.data();
+      for (const vert_t<M> v : verts) *to++ = static_cast<std::uint32_t>(index_of(m_, v));
+      const std::span<const std::uint32_t> corners(corners_.data(), n);
       const bool is_outward = face_is_outward(m_, p, f);
-      if (joint & on_level) list.meets_verts = true;
-      if (is_crossed(joint) && !(add_chord(is_outward) == 2 && (corners_.size() == 3 || is_flat(p, f)))) return false;
+      const face_crossing x = crossing_of(corners, is_outward);
+      if (x.joint_states & on_level) list.meets_verts = true;
+      if (x.num_ends > 0) {
+        if (x.num_ends > 2 || (n > 3 && !is_flat(p, f, n))) return false;
+        chords_.push_back(x.piece);
+      }
       if constexpr (arity_v<M> == 0) {  // cells of fixed arity are spheres
-        for (const std::uint32_t v : corners_) surface_.add_corner(v);
-        surface_.end_facet(is_outward);
+        if (are_few) few.add_facet(corners, is_outward);
+        else surface_.add_facet(corners, is_outward);
       }
     }
     list_crossed_edges(p);
-    if constexpr (arity_v<M> == 0) return surface_.is_sphere(num_elements(adj_p2v(m_, p)), num_edges_);  // the same
-    else return true;
+    if constexpr (arity_v<M> > 0) return true;
+    const std::size_t num_verts = num_elements(adj_p2v(m_, p));
+    return are_few ? few.is_sphere(num_verts, num_edges_) : surface_.is_sphere(num_verts, num_edges_);
   }
 
-  /// Adds the chord of the face whose corners were read, if there is one. Returns how many of its edges are crossed.
-  unsigned add_chord(bool outward) {
-    unsigned crossings = 0;
-    edge_key ends[3] = {};  // where the level set enters the cell through the face and where it leaves; the third one is of no use
-    edge_key a = corners_.back();
+  struct face_crossing {
+    unsigned char joint_states = 0;
+    unsigned num_ends = 0;  // crossed edges
+    chord piece;            // if there are two
+  };
+  /// Without branches on states, which processors would predict wrongly.
+  face_crossing crossing_of(std::span<const std::uint32_t> corners, bool is_outward) const {
+    face_crossing x;
+    edge_key ends[3] = {};  // where the level set leaves the face and where it enters it, seen with the corners; the third one is of no use
+    edge_key a = corners.back();
     bool above = states_[a] != below_level;
-    for (const edge_key b : corners_) {
-      const bool next_above = states_[b] != below_level, is_crossed_here = above != next_above;
-      crossings += is_crossed_here;
-      ends[is_crossed_here ? next_above == outward : 2] = above ? b << 32 | a : a << 32 | b;
+    for (const edge_key b : corners) {
+      const unsigned char state = states_[b];
+      const bool next_above = state != below_level, is_end = above != next_above;
+      x.joint_states = static_cast<unsigned char>(x.joint_states | state);
+      x.num_ends += is_end;
+      ends[is_end ? unsigned{next_above} : 2] = above ? b << 32 | a : a << 32 | b;
       a = b;
       above = next_above;
     }
-    if (crossings > 0) chords_.push_back({ends[0], ends[1]});
-    return crossings;
+    x.piece = {ends[is_outward ? 0 : 1], ends[is_outward ? 1 : 0]};
+    return x;
   }
-  /// Whether a face is convex and, if it is on the boundary, planar.
-  bool is_flat(const poly_t<M>& p, const face_t<M>& f) {
-    points_.clear();
-    for (const vert_t<M> v : adj_f2v(m_, f)) points_.push_back(to_vec3(point(m_, v)));
-    return is_convex_polygon(points_) && (num_elements(other_polys(m_, p, f)) == 1 || is_planar_polygon(points_));
+  /// Whether a face of n > 3 verts is convex and, if it is on the boundary, planar.
+  bool is_flat(const poly_t<M>& p, const face_t<M>& f, std::size_t n) {
+    if (points_.size() < n) points_.resize(n);
+    vec3* to = points_.data();
+    for (const vert_t<M> v : adj_f2v(m_, f)) *to++ = to_vec3(point(m_, v));
+    const std::span<const vec3> points(points_.data(), n);
+    return is_convex_polygon(points) && (num_elements(other_polys(m_, p, f)) == 1 || is_planar_polygon(points));
   }
 
   void list_crossed_edges(const poly_t<M>& p) {
