@@ -1,5 +1,6 @@
 #include <concino/core/collect.hpp>
 
+#include <concino/edit/elements.hpp>
 #include <concino/mesh/trimesh.hpp>
 
 #include <support/kinds.hpp>
@@ -34,6 +35,23 @@ TEST_CASE("collect_if: what is kept, in the order of the range, for any number o
     for (const int n : numbers)
       if (n % 2) odd.push_back(n);
     CHECK(core::collect_if(numbers, [](int n) { return n % 2 != 0; }) == odd);
+  }
+}
+
+TEST_CASE("collect_if: the same if all tests come first, with elements that do not exist between others") {
+  auto m = grid<trimesh>(80);
+  for (const unsigned at : {0u, 5u, 63u, 64u, 65u, 640u, 8191u, 8192u, 8200u}) remove_poly(m, poly_id{at});
+  for (unsigned at = 1024; at < 1200; ++at) remove_poly(m, poly_id{at});  // none of 64 is left
+  for (const int threads : {1, 3}) {
+    const with_num_threads fixed(threads);
+    for (const unsigned step : {1u, 2u, 7u, 64u, 129u, 5000u, 100000u}) {
+      const auto keep = [step](poly_id p) { return p.raw() % step == 3 % step; };
+      std::vector<poly_id> expected;
+      for (const poly_id p : polys(m))
+        if (keep(p)) expected.push_back(p);
+      CHECK(core::collect_if<true>(polys(m), keep) == expected);
+      CHECK(core::collect_if(polys(m), keep) == expected);
+    }
   }
 }
 

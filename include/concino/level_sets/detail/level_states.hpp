@@ -64,20 +64,31 @@ state_array level_states(const M& m, const U& u, double level, const char* calle
   return states;
 }
 
+/// The states of all verts of a list in memory, in fours: compilers make worse loops for the short lists of most polys.
+template<class M>
+[[gnu::noinline, gnu::pure]] unsigned char joint_states_of_list(const M& m, const unsigned char* states, const vert_t<M>* v, const vert_t<M>* end) {
+  int joint = 0;
+  const auto state = [&](std::ptrdiff_t k) { return states[index_of(m, v[k])]; };
+  for (; end - v >= 4; v += 4) joint |= state(0) | state(1) | state(2) | state(3);
+  for (; v != end; ++v) joint |= state(0);
+  return static_cast<unsigned char>(joint);
+}
+
 /// The states of all verts of p. `states`: by index.
 template<class M>
 [[gnu::always_inline]] inline unsigned char joint_states(const M& m, const unsigned char* states, const poly_t<M>& p) {
-  unsigned char joint = 0;
   const auto all = adj_p2v(m, p);
-  if constexpr (arity_v<M> == 0 && std::is_pointer_v<decltype(all.begin())>) {  // in fours: compilers make worse loops for the short lists of most polys
-    auto v = all.begin();
+  if constexpr (arity_v<M> == 0 && std::is_pointer_v<decltype(all.begin())>) {
+    const auto v = all.begin();
     const auto state = [&](std::ptrdiff_t k) { return states[index_of(m, v[k])]; };
-    for (; all.end() - v >= 4; v += 4) joint |= static_cast<unsigned char>(state(0) | state(1) | state(2) | state(3));
-    for (; v != all.end(); ++v) joint |= state(0);
+    if (all.end() - v == 8) [[likely]]  // as of hexes: a loop takes longer
+      return static_cast<unsigned char>(state(0) | state(1) | state(2) | state(3) | state(4) | state(5) | state(6) | state(7));
+    return joint_states_of_list(m, states, v, all.end());
   } else {
+    unsigned char joint = 0;
     for (const vert_t<M> v : all) joint |= states[index_of(m, v)];
+    return joint;
   }
-  return joint;
 }
 
 /// The states of all verts of each poly, by index of the poly.
@@ -107,7 +118,7 @@ std::vector<poly_t<M>> crossed_by_state(const M& m, const state_array& states) {
 /// The polys with verts below the level set and others, in the order of polys(m).
 template<class M>
 std::vector<poly_t<M>> crossed_polys(const M& m, const unsigned char* states) {
-  return core::collect_if(polys(m), [&m, states](const poly_t<M>& p) { return is_crossed(joint_states(m, states, p)); });
+  return core::collect_if<arity_v<M> == 0>(polys(m), [&m, states](const poly_t<M>& p) { return is_crossed(joint_states(m, states, p)); });
 }
 template<class M>
 std::vector<poly_t<M>> crossed_polys(const M& m, const state_array& states) { return crossed_polys(m, states.data()); }
