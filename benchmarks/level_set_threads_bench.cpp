@@ -22,22 +22,32 @@ double seconds_with(int n, const F& f) {
   return bench::wall_seconds_of(f);
 }
 
-std::vector<cn::vec3> points_of(const std::vector<cn::level_line<cn::trimesh>>& lines) {
-  std::vector<cn::vec3> all;
-  for (const auto& line : lines) all.insert(all.end(), line.points.begin(), line.points.end());
+/// The numbers of a result that are compared: coordinates of points, or measures.
+template<class Points>
+void add_coordinates(const Points& points, std::vector<double>& all) {
+  for (const cn::vec3& x : points) all.insert(all.end(), {x.x, x.y, x.z});
+}
+std::vector<double> numbers_of(const std::vector<double>& measures) { return measures; }
+std::vector<double> numbers_of(const std::vector<cn::level_line<cn::trimesh>>& lines) {
+  std::vector<double> all;
+  for (const auto& line : lines) add_coordinates(line.points, all);
   return all;
 }
 template<class LevelSet>
-std::vector<cn::vec3> points_of(const LevelSet& s) { return {s.mesh.points().begin(), s.mesh.points().end()}; }
+std::vector<double> numbers_of(const LevelSet& s) {
+  std::vector<double> all;
+  add_coordinates(s.mesh.points(), all);
+  return all;
+}
 
 template<class F>
 void compare(const bench::program& p, const std::string& name, const F& f) {
   const std::string work = "two-threads." + name;
   if (!p.wants(work)) return;
-  std::vector<cn::vec3> of_one, of_two;
-  seconds_with(1, [&] { return of_one = points_of(f()), 0; });
-  seconds_with(2, [&] { return of_two = points_of(f()), 0; });
-  bench::expect(!of_one.empty() && of_one == of_two, work, "one thread and two give other points");
+  std::vector<double> of_one, of_two;
+  seconds_with(1, [&] { return of_one = numbers_of(f()), 0; });
+  seconds_with(2, [&] { return of_two = numbers_of(f()), 0; });
+  bench::expect(!of_one.empty() && of_one == of_two, work, "one thread and two give other results");
   p.print(bench::compare(work, p.rounds, {{"one-thread", [&] { return seconds_with(1, f); }}, {"concino", [&] { return seconds_with(2, f); }}}));
 }
 
@@ -59,6 +69,7 @@ int main(int argc, char** argv) {
       const cn::tetmesh m(p.data.tet1m());
       const bench::sphere s(p, "tet1m", m, 0.34);
       compare(p, "isosurface.tet1m", [&] { return cn::isosurface(m, s.u, s.level); });
+      compare(p, "measure_between.tet1m", [&] { return cn::measure_between(m, s.u, {s.level / 2, s.level, 2 * s.level}); });
     }
     const cn::hexmesh hexes(p.data.hex1m());
     {

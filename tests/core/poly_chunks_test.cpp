@@ -44,6 +44,14 @@ void check_chunks(const M& m) {
   bool right = true;
   for (const auto p : polys(m)) right = right && met[p] == 1 && first[p] == expected[k++];
   CHECK(right);
+  std::vector<poly_t<M>> in_order;
+  for (const auto& part : chunks.template results<std::vector<poly_t<M>>>([](auto& to, const poly_t<M>& p) { to.push_back(p); })) {
+    CHECK(part.size() <= 1024);
+    in_order.insert(in_order.end(), part.begin(), part.end());
+  }
+  std::vector<poly_t<M>> all;
+  for (const auto p : polys(m)) all.push_back(p);
+  CHECK(in_order == all);
 }
 
 }  // namespace

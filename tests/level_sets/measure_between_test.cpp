@@ -5,6 +5,7 @@
 
 #include <support/kinds.hpp>
 #include <support/level_sets.hpp>
+#include <support/threads.hpp>
 
 #include <doctest/doctest.h>
 
@@ -47,6 +48,38 @@ TEST_CASE_TEMPLATE("measure_between: layers of a box", M, CONCINO_KINDS) {
   CHECK(layers[2] == doctest::Approx(0.25).epsilon(1e-13));
   const double infinite = std::numeric_limits<double>::infinity();
   CHECK(measure_between(m, u, {-infinite, infinite}).at(0) == doctest::Approx(1).epsilon(1e-13));
+}
+
+TEST_CASE_TEMPLATE("measure_between: the same for any number of threads, also where neighbours are cut apart from each other", M, trimesh, tetmesh, polyhedralmesh) {
+  const unsigned n = dimension_v<M> == 2 ? 40 : 12;
+  const M m = make_grid<M>({.cells = {n, n, dimension_v<M> == 2 ? 1 : n}});
+  std::mt19937 random(4);
+  const auto u = random_values(m, random, true);  // nearly all polys are cut, in many parts
+  const auto with = [&](int threads) {
+    const with_num_threads fixed(threads);
+    const core::thread_team team(true);
+    return measure_between(m, u, {0.0, 0.7, 1.0, 2.0});
+  };
+  const auto one = with(1);
+  CHECK(one == with(2));
+  CHECK(one == with(3));
+  double sum = 0;
+  for (const double x : one) sum += x;
+  CHECK(std::abs(sum - 1) <= 1e-12);
+  CHECK(std::abs(one[1] - (total_measure(clip(m, u, 0.7).mesh) - total_measure(clip(m, u, 1.0).mesh))) <= 1e-12);
+}
+
+TEST_CASE_TEMPLATE("measure_between: polys can be cut one by one, also where caps of neighbours coincide", M, CONCINO_KINDS) {
+  std::mt19937 random(5);
+  for (int i = 0; i < 60; ++i) {
+    const M m = mesh_to_cut<M>(random);
+    const auto u = random_values(m, random, i % 2 == 0);
+    const auto crossed = detail::crossed_polys(m, detail::level_states(m, u, 1, "test"));
+    if (crossed.empty()) continue;
+    double sum = 0;
+    for (const auto p : crossed) sum += detail::cut_measure_of(m, u, 1.0, std::vector{p});
+    CHECK(std::abs(sum - detail::cut_measure_of(m, u, 1.0, crossed)) <= 1e-12 * total_measure(m));
+  }
 }
 
 TEST_CASE("measure_between: errors") {

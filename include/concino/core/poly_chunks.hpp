@@ -58,6 +58,26 @@ class poly_chunks {
         },
         1);
   }
+
+  /// Calls f(result, p) for every poly, with a Result for each chunk, in parallel. Returns these in the order of the chunks, which do not depend on the number
+  /// of threads.
+  template<class Result, class F>
+  std::vector<Result> results(F&& f) const {
+    std::vector<Result> all(starts_.size());
+    parallel_for(
+        starts_.size(),
+        [&](std::size_t c) {
+          Result result;  // not beside those of other threads
+          std::size_t left = chunk;
+          for (auto it = starts_[c].first; left > 0 && it != range_.end(); ++it, --left) {
+            const poly_t<M> p = *it;
+            f(result, p);
+          }
+          all[c] = std::move(result);
+        },
+        1);
+    return all;
+  }
 };
 
 }  // namespace concino::core
