@@ -185,12 +185,11 @@ class surface_tables {
   template<bool Alone>
   void find_edges(edge_range& range, jagged<poly_id>& v2p, const detail::offsets& poly_of);
   void find_edges_alone(edge_range& all, jagged<poly_id>& v2p, std::size_t max_edges);
-  bool find_edges_in_two(edge_range& all, jagged<poly_id>& v2p, std::size_t max_edges);
+  bool find_edges_in_two(edge_range& all, edge_range& second, jagged<poly_id>& v2p, std::size_t max_edges);
 
   /// Lists, for each vert, what build() needs to find its polys: polys or corners. It lists corners if all polygons have the same size, and also if some
-  /// polygon is long, since searching it for the vert would take too long. `memory` is that of v2p. Returns the poly of each corner, if polygons differ and corners
-  /// are listed.
-  detail::offsets list_at_verts(jagged<poly_id>& v2p, core::flat_array<poly_id> memory, core::flat_array<std::uint32_t>& scratch) const;
+  /// polygon is long, since searching it for the vert would take too long. Returns the poly of each corner, if polygons differ and corners are listed.
+  detail::offsets list_at_verts(jagged<poly_id>& v2p, build_memory& memory, core::flat_array<std::uint32_t>& scratch) const;
 
   /// Vert k of `poly`, which has `size` verts.
   struct poly_corner {

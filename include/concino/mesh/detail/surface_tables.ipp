@@ -89,8 +89,19 @@ void surface_tables<Arity, Lists>::check(std::size_t vert_count) const {
   core::run_chunks(p2v_.size(), std::max<std::size_t>(8192, p2v_.size() / 8), check_some, nullptr);
 }
 
+/// Memory that is allocated before several threads request pages of it: while one of them does that, the system lets the others wait if they allocate.
 template<unsigned Arity, class Lists>
-detail::offsets surface_tables<Arity, Lists>::list_at_verts(jagged<poly_id>& v2p, core::flat_array<poly_id> memory, core::flat_array<std::uint32_t>& scratch) const {
+struct surface_tables<Arity, Lists>::build_memory {
+  detail::offsets counts;
+  core::flat_array<poly_id> v2p;
+  core::flat_array<edge_id> facets;
+  core::flat_array<detail::encoded_neighbour> neighbours;
+
+  build_memory(std::size_t vert_count, std::size_t corner_count) : v2p(corner_count), facets(corner_count), neighbours(corner_count) { counts.reserve(vert_count + 1); }
+};
+
+template<unsigned Arity, class Lists>
+detail::offsets surface_tables<Arity, Lists>::list_at_verts(jagged<poly_id>& v2p, build_memory& memory, core::flat_array<std::uint32_t>& scratch) const {
   const std::size_t vert_count = scratch.size(), corner_count = p2v_.num_values();
   const auto poly_count = static_cast<std::uint32_t>(p2v_.size());
   const vert_id* const corner_vert = p2v_.begin(0);
@@ -104,11 +115,12 @@ detail::offsets surface_tables<Arity, Lists>::list_at_verts(jagged<poly_id>& v2p
         for (std::uint32_t k = 0; k < p2v_.length(p); ++k) poly_of.push_back(p);
     }
   }
-  detail::offsets counts(vert_count + 1, 0);
+  detail::offsets& counts = memory.counts;
+  counts.assign(vert_count + 1, 0);
   for (std::size_t c = 0; c < corner_count; ++c) ++counts[corner_vert[c].raw() + 1];
   detail::prefix_sum(counts);
-  memory.request_pages();
-  v2p = {std::make_shared<const detail::offsets>(std::move(counts)), std::move(memory)};
+  memory.v2p.request_pages();
+  v2p = {std::make_shared<const detail::offsets>(std::move(counts)), std::move(memory.v2p)};
   std::uint32_t* const fill = scratch.data();
   for (std::size_t v = 0; v < vert_count; ++v) fill[v] = static_cast<std::uint32_t>(v2p.begin(v) - v2p.begin(0));
   poly_id* const corners = v2p.begin(0);
@@ -136,15 +148,15 @@ template<unsigned Arity, class Lists>
   }
 }
 
-/// The edges whose smaller verts are in a range.
+/// The edges whose smaller verts are in a range. Two threads write to two of them, which therefore have no common cache line.
 template<unsigned Arity, class Lists>
-struct surface_tables<Arity, Lists>::edge_range {
+struct alignas(128) surface_tables<Arity, Lists>::edge_range {
   std::uint32_t first_vert, last_vert;
   core::flat_array<std::uint32_t> edge_to;  // by vert
   std::uint32_t mark = 0;                   // the number of the first edge: a bit, if another range comes before
   core::flat_array<vert_id> ends = {};
   core::flat_array<std::uint32_t> owners = {};  // see facet_adjacency::add_facets
-  detail::offsets degrees = detail::offsets(edge_to.size() + 1, 0);  // one vert later, for prefix_sum
+  detail::offsets degrees = {};  // one vert later, for prefix_sum
   // Memory for make_incident_edges.
   core::flat_array<vert_id> verts_at_verts = {};
   core::flat_array<edge_id> edges_at_verts = {};
@@ -158,6 +170,7 @@ void surface_tables<Arity, Lists>::find_edges(edge_range& range, jagged<poly_id>
   // Every edge is found first at its smaller vert a; edge_to[b] is the edge from a to b if it is at least the first edge of a.
   core::flat_array<std::uint32_t>& edge_to = range.edge_to;
   std::fill_n(edge_to.data(), edge_to.size(), ~0u);
+  range.degrees.assign(edge_to.size() + 1, 0);
   std::uint32_t edge_count = 0;
   std::vector<typename detail::facet_adjacency<edge_id, Arity>::incidence> met_first;  // per edge of a, if polygons may be long
   const auto visit = [&](std::uint32_t a, vert_id b, std::uint32_t first_edge, std::uint32_t p, std::uint32_t k) __attribute__((always_inline)) {  // g++ would not
@@ -196,16 +209,6 @@ void surface_tables<Arity, Lists>::find_edges(edge_range& range, jagged<poly_id>
   }
 }
 
-/// Memory that is allocated before several threads request pages of it: while one of them does that, the system lets the others wait if they allocate.
-template<unsigned Arity, class Lists>
-struct surface_tables<Arity, Lists>::build_memory {
-  core::flat_array<poly_id> v2p;
-  core::flat_array<edge_id> facets;
-  core::flat_array<detail::encoded_neighbour> neighbours;
-
-  explicit build_memory(std::size_t corner_count) : v2p(corner_count), facets(corner_count), neighbours(corner_count) {}
-};
-
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::start_facets(build_memory& memory) {
   memory.facets.request_pages(), memory.neighbours.request_pages();
@@ -216,25 +219,25 @@ void surface_tables<Arity, Lists>::start_facets(build_memory& memory) {
 
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::find_edges_alone(edge_range& all, jagged<poly_id>& v2p, std::size_t max_edges) {
-  build_memory memory(p2v_.num_values());
+  build_memory memory(all.last_vert, p2v_.num_values());
   all.ends.reserve(2 * max_edges);
-  const detail::offsets poly_of = list_at_verts(v2p, std::move(memory.v2p), all.edge_to);
+  const detail::offsets poly_of = list_at_verts(v2p, memory, all.edge_to);
   start_facets(memory);
   facet_adjacency_.reserve_facets(max_edges);
   all.ends.request_pages();
   find_edges<true>(all, v2p, poly_of);
 }
 
-/// Finds the edges in two threads. Returns false if an edge has more than two polys; the tables are undefined then.
+/// Finds the edges in two threads; `second` is only memory for one of them. Returns false if an edge has more than two polys; the tables are undefined then.
 template<unsigned Arity, class Lists>
-bool surface_tables<Arity, Lists>::find_edges_in_two(edge_range& all, jagged<poly_id>& v2p, std::size_t max_edges) {
+bool surface_tables<Arity, Lists>::find_edges_in_two(edge_range& all, edge_range& second, jagged<poly_id>& v2p, std::size_t max_edges) {
   const std::uint32_t vert_count = all.last_vert;
-  build_memory memory(p2v_.num_values());
-  edge_range second{0, vert_count, core::flat_array<std::uint32_t>(vert_count), 1u << 31};
+  build_memory memory(all.last_vert, p2v_.num_values());
+  second.mark = 1u << 31;
   all.ends.reserve(2 * max_edges), all.owners.reserve(max_edges);
   second.ends.reserve(max_edges), second.owners.reserve(max_edges / 2);
   detail::offsets poly_of;
-  const auto list_polys = [&] { poly_of = list_at_verts(v2p, std::move(memory.v2p), all.edge_to); };
+  const auto list_polys = [&] { poly_of = list_at_verts(v2p, memory, all.edge_to); };
   const auto request_first = [&] { all.ends.request_pages(), all.owners.request_pages(); };
   const auto request_second = [&] { second.ends.request_pages(), second.owners.request_pages(); };
   core::run_all(true, {list_polys, [&] { start_facets(memory); }, request_first, request_second});
@@ -263,11 +266,15 @@ void surface_tables<Arity, Lists>::build(std::size_t vert_count) {
   const bool is_large = corner_count > 50'000 && corner_count < std::size_t{1} << 31 && core::num_threads() > 1;
   const core::thread_team threads(is_large);
   const std::size_t max_edges = std::min(vert_count + poly_count + poly_count / 64 + 16, corner_count);  // but for few meshes
-  const auto range = [&] { return edge_range{0, static_cast<std::uint32_t>(vert_count), core::flat_array<std::uint32_t>(vert_count)}; };
-  edge_range edges = range();
+  const auto range = [](std::size_t n) {
+    edge_range all{0, static_cast<std::uint32_t>(n), core::flat_array<std::uint32_t>(n)};
+    all.degrees.reserve(n + 1);
+    return all;
+  };
+  edge_range edges = range(vert_count), second = range(is_large ? vert_count : 0);
   jagged<poly_id> v2p;
-  const bool in_two = is_large && find_edges_in_two(edges, v2p, max_edges);
-  if (is_large && !in_two) edges = range();
+  const bool in_two = is_large && find_edges_in_two(edges, second, v2p, max_edges);
+  if (is_large && !in_two) edges = range(vert_count);
   if (!in_two) find_edges_alone(edges, v2p, max_edges);
   const std::size_t edge_count = edges.ends.size() / 2;
   const auto list_edges = [&] {
@@ -276,6 +283,7 @@ void surface_tables<Arity, Lists>::build(std::size_t vert_count) {
     detail::incident_edges incident = in_two ? detail::make_incident_edges(std::move(edges.degrees), e2v_, edges.edge_to, std::move(edges.verts_at_verts), std::move(edges.edges_at_verts))
                                              : detail::make_incident_edges(std::move(edges.degrees), e2v_, edges.edge_to);
     incident_ = {std::move(incident), std::move(v2p)};
+    second = range(0);  // takes the system some time, while the other thread still works
   };
   core::run_both(is_large, list_edges, [&] { facet_adjacency_.finish(); });
   verts_ = detail::alive_elements<vert_id>(vert_count);
