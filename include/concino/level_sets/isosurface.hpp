@@ -56,6 +56,7 @@ level_surface<M, To> collect_isosurface(const M& m, const U& u, const std::vecto
     builder.add_part(std::move(parts.points), std::move(parts.verts), std::move(parts.offsets), parts.polys);
     append(std::move(parts.places), result.places);
     append(std::move(parts.polys), result.polys);
+    append(std::move(parts.values), result.values);
     result.values.resize(result.polys.size(), level);
     for (std::size_t i = 0; i < parts.origins.size(); ++i) {
       std::vector<origin> list;

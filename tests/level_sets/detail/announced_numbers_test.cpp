@@ -4,14 +4,18 @@
 
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <random>
 #include <set>
 #include <vector>
 
-TEST_CASE("announced_numbers: indices have numbers in the order in which they come") {
-  constexpr std::size_t bound = 1000;
+using concino::core::memory_block;
+using concino::detail::announced_numbers;
+
+namespace {
+
+void check_numbers(announced_numbers numbers, std::size_t bound) {
   std::mt19937 random(5);
-  concino::detail::announced_numbers numbers(bound);
   std::vector<std::size_t> announced{0, 63, 64, 127, bound - 1};
   for (unsigned i = 0; i < 200; ++i) announced.push_back(random() % bound);
   for (const std::size_t i : announced) numbers.announce(i);
@@ -23,4 +27,20 @@ TEST_CASE("announced_numbers: indices have numbers in the order in which they co
     const std::size_t next = expected.size(), number = expected.emplace(i, next).first->second;
     CHECK(numbers.add(i, next) == number);
   }
+}
+
+}  // namespace
+
+TEST_CASE("announced_numbers: indices have numbers in the order in which they come") {
+  constexpr std::size_t bound = 1000;
+  check_numbers(announced_numbers(bound), bound);
+}
+
+TEST_CASE("announced_numbers: they lie in a block, and on the heap if it has no room") {
+  constexpr std::size_t bound = 1000;
+  const auto block = std::make_shared<memory_block>(announced_numbers::bytes_for(bound, 205));
+  check_numbers(announced_numbers(bound, block), bound);
+  CHECK(!block->has_room(announced_numbers::bytes_for(bound, 0)));
+  check_numbers(announced_numbers(bound, block), bound);
+  check_numbers(announced_numbers(bound, std::make_shared<memory_block>(64)), bound);
 }

@@ -1,9 +1,12 @@
 // Numbers some of many indices in the order in which they come, in little memory: two bits for each index, and a number for each one that comes.
 #pragma once
 
+#include <concino/core/block_allocator.hpp>
+
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace concino::detail {
@@ -15,12 +18,17 @@ class announced_numbers {
     std::uint32_t before = 0;  // how many smaller indices are announced
   };
 
-  std::vector<word> announced_;        // 64 indices each
-  std::vector<std::uint32_t> number_;  // of the announced ones, by index
+  template<class T> using array = std::vector<T, core::block_allocator<T>>;
+
+  array<word> announced_;        // 64 indices each
+  array<std::uint32_t> number_;  // of the announced ones, by index
 
  public:
-  /// For indices below `bound`.
-  explicit announced_numbers(std::size_t bound) : announced_((bound + 63) / 64) {}
+  /// For indices below `bound`, in a block of memory if there is one.
+  explicit announced_numbers(std::size_t bound, const std::shared_ptr<core::memory_block>& block = nullptr)
+      : announced_((bound + 63) / 64, core::block_allocator<word>(block)), number_(core::block_allocator<std::uint32_t>(block)) {}
+  /// The bytes of a block that so many announced indices take.
+  static std::size_t bytes_for(std::size_t bound, std::size_t announced) { return (bound / 64 + 2) * sizeof(word) + (announced + 1) * sizeof(std::uint32_t); }
 
   void announce(std::size_t index) { announced_[index / 64].bits |= std::uint64_t{1} << index % 64; }
   /// Counts the announced indices. It must follow after all were announced.

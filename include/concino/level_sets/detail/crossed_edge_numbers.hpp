@@ -2,11 +2,13 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
+#include <concino/core/block_allocator.hpp>
 #include <concino/level_sets/detail/announced_numbers.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace concino::detail {
@@ -17,9 +19,12 @@ class crossed_edge_numbers {
   std::vector<std::uint32_t> others_;  // numbers of other things, ascending
 
  public:
-  std::vector<edge_t<M>> edges;  // by number
+  std::vector<edge_t<M>, core::block_allocator<edge_t<M>>> edges;  // by number
 
-  explicit crossed_edge_numbers(std::size_t bound) : numbers_(bound) {}
+  /// For edges of smaller indices, in a block of memory.
+  crossed_edge_numbers(std::size_t bound, const std::shared_ptr<core::memory_block>& block) : numbers_(bound, block), edges(core::block_allocator<edge_t<M>>(block)) {}
+  /// The bytes of the block that so many edges take.
+  static std::size_t bytes_for(std::size_t bound, std::size_t n) { return announced_numbers::bytes_for(bound, n) + (n + 1) * sizeof(edge_t<M>); }
 
   /// Announces an edge that will be added.
   void announce(std::size_t index) { numbers_.announce(index); }

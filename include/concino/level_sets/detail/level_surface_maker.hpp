@@ -1,6 +1,7 @@
 // Makes the level set of a volume as polygons, in the fast way where that is possible.
 #pragma once
 
+#include <concino/core/block_allocator.hpp>
 #include <concino/core/large_pages.hpp>
 #include <concino/level_sets/detail/crossed_edge.hpp>
 #include <concino/level_sets/detail/crossed_edge_numbers.hpp>
@@ -9,6 +10,8 @@
 #include <concino/level_sets/detail/simple_caps.hpp>
 
 #include <algorithm>
+#include <memory>
+#include <mutex>
 #include <span>
 #include <utility>
 #include <variant>
@@ -24,6 +27,7 @@ struct level_surface_parts {
   std::vector<vert_id> verts;          // the corners of all polygons
   std::vector<std::uint32_t> offsets;  // where the corners of each polygon begin, and where those of the last one end
   std::vector<poly_t<M>> polys;        // by polygon
+  std::vector<double> values;          // by polygon, or empty: the value of the level set
   element_origins origins;             // of the verts, if asked for
 };
 
@@ -68,13 +72,21 @@ class level_surface_maker {
   /// Returns false if a vert lies on the level set.
   bool make_simple(level_surface_parts<M>& parts) const {
     std::vector<simple_cap_list<M>> lists((cells_.size() + chunk - 1) / chunk);
+    const std::size_t bound = edge_index_bound(m_), of_lists = (cells_.size() + lists.size()) * simple_cap_list<M>::bytes_per_cell;
+    const std::size_t of_numbers = crossed_edge_numbers<M>::bytes_for(bound, cells_.size());  // most level sets cross fewer edges than cells
+    const auto block = std::make_shared<core::memory_block>(of_numbers + of_lists);
+    crossed_edge_numbers<M> numbers(bound, block);
+    std::mutex announcing;
     const unsigned char* const states = states_.data();
     parallel_for(
         lists.size(),
         [&](std::size_t i) {
           simple_cap_reader<M> reader(m_, states);
           const std::size_t first = i * chunk, last = std::min(cells_.size(), first + chunk);
+          lists[i] = simple_cap_list<M>(last - first, block);
           reader.read({cells_.data() + first, last - first}, static_cast<std::uint32_t>(first), lists[i]);
+          const std::lock_guard<std::mutex> lock(announcing);  // for a fiftieth of the time of a chunk
+          for (const edge_t<M>& e : lists[i].corners) numbers.announce(index_of(m_, e));
         },
         1);
     std::vector<poly_t<M>> difficult;
@@ -89,19 +101,16 @@ class level_surface_maker {
       cell_cuts cuts(others.arrays, surface, caller_, others.poly_indices);
       other_caps = level_polygons(cuts).make();
     }
-    join(lists, others, other_caps, difficult_numbers, parts);
+    join(lists, others, other_caps, difficult_numbers, numbers, parts);
     return true;
   }
 
  private:
-  /// Announces the edges with corners, and makes room. Returns the number of places, or a little more.
+  /// Announces the edges of other caps, and makes room. Returns the number of places, or a little more.
   std::size_t prepare(const std::vector<simple_cap_list<M>>& lists, const crossed_volume_reader<M>& others, const level_surface_arrays& other_caps,
                       crossed_edge_numbers<M>& numbers, level_surface_parts<M>& parts) const {
     std::size_t num_corners = other_caps.verts.size(), num_polys = other_caps.ends.size(), num_inside = 0;
-    for (const simple_cap_list<M>& list : lists) {
-      for (const edge_t<M>& e : list.corners) numbers.announce(index_of(m_, e));
-      num_corners += list.corners.size(), num_polys += list.ends.size();
-    }
+    for (const simple_cap_list<M>& list : lists) num_corners += list.corners.size(), num_polys += list.ends.size();
     for (const level_place& x : other_caps.places)
       if (x.kind == level_place::edge && others.is_edge_of_mesh(x.element)) numbers.announce(x.element);
       else ++num_inside;
@@ -110,10 +119,9 @@ class level_surface_maker {
     return numbers.count() + num_inside;
   }
 
-  /// Numbers the corners, and merges the caps of simple and of difficult cells in the order of the cells.
+  /// Numbers the corners, whose edges are announced, and merges the caps of simple and of difficult cells in the order of the cells.
   void join(const std::vector<simple_cap_list<M>>& lists, const crossed_volume_reader<M>& others, const level_surface_arrays& other_caps,
-            const std::vector<std::uint32_t>& difficult, level_surface_parts<M>& parts) const {
-    crossed_edge_numbers<M> numbers(edge_index_bound(m_));
+            const std::vector<std::uint32_t>& difficult, crossed_edge_numbers<M>& numbers, level_surface_parts<M>& parts) const {
     const std::size_t max_places = prepare(lists, others, other_caps, numbers, parts);
     place_numbers other_places;
     std::vector<std::uint32_t> number_of_other;  // by number in other_places
@@ -152,12 +160,15 @@ class level_surface_maker {
       }
       add_others_before(~0u);
     };
-    const auto make_places = [&] {  // pages of new memory take as long as numbers
-      parts.places = core::exact_vector(max_places, mesh_point<M>{});
-      parts.points = core::exact_vector(max_places, vec3{});
-    };
-    core::run_both(cells_.size() > many, number_corners, make_places);
-    parts.places.resize(numbers.edges.size()), parts.points.resize(numbers.edges.size());
+    // Pages of new memory take as long as numbers. While one thread requests some, the system lets another wait if it allocates.
+    core::reserve_exact(parts.places, max_places), core::reserve_exact(parts.points, max_places), core::reserve_exact(parts.values, parts.polys.capacity());
+    const auto request = [](auto& v) { core::request_pages(v.data(), v.capacity() * sizeof v[0]); };
+    const auto request_lists = [&] { request(parts.verts), request(parts.offsets), request(parts.polys); };
+    const auto make_places = [&] { request(parts.places), parts.places.resize(max_places); };
+    const auto make_points = [&] { request(parts.points), parts.points.resize(max_places); };
+    const auto make_values = [&] { request(parts.values), parts.values.resize(parts.values.capacity(), level_); };
+    core::run_all(cells_.size() > many, {request_lists, number_corners, make_places, make_points, make_values});
+    parts.places.resize(numbers.edges.size()), parts.points.resize(numbers.edges.size()), parts.values.resize(parts.polys.size());
     locate_edges(numbers, parts);
     for (const auto& [number, x] : inside) parts.places[number] = others.mesh_point_of(m_, x), parts.points[number] = parts.places[number].position;
     if (!with_origins_) return;
