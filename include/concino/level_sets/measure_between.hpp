@@ -70,7 +70,7 @@ core::temporary_array<std::uint32_t> level_ranks(const M& m, const U& u, const s
 /// The levels with these numbers cross a poly.
 struct crossing_levels { std::uint32_t first, last; };
 template<class M>
-crossing_levels levels_across(const M& m, const std::uint32_t* ranks, const poly_t<M>& p) {
+crossing_levels crossing_levels_of(const M& m, const std::uint32_t* ranks, const poly_t<M>& p) {
   crossing_levels x{~0u, 0};
   for (const vert_t<M> v : adj_p2v(m, p)) {
     const std::uint32_t rank = ranks[index_of(m, v)];
@@ -104,7 +104,7 @@ std::vector<double> measure_between(const M& m, const U& u, const V& values) {
     std::vector<poly_t<M>> crossed;
   };
   const auto parts = core::poly_chunks<M>(m).template results<part>([&](part& x, const poly_t<M>& p) {
-    const auto [first, last] = detail::levels_across(m, ranks.data(), p);
+    const auto [first, last] = detail::crossing_levels_of(m, ranks.data(), p);
     if (first < last) x.crossed.push_back(p);
     if (first == 0 || first > between.size()) return;
     if (x.whole.empty() || x.whole.back().first != first - 1) x.whole.emplace_back(first - 1, 0);
@@ -114,7 +114,7 @@ std::vector<double> measure_between(const M& m, const U& u, const V& values) {
   for (const part& x : parts) {
     for (const auto& [interval, whole] : x.whole) between[interval] += whole;
     for (const poly_t<M>& p : x.crossed) {
-      const auto [first, last] = detail::levels_across(m, ranks.data(), p);
+      const auto [first, last] = detail::crossing_levels_of(m, ranks.data(), p);
       for (std::uint32_t i = first; i < last; ++i) crossed[i].push_back(p);
     }
   }
