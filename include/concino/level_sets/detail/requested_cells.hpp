@@ -38,7 +38,7 @@ void request_lists(const M& m, std::span<const poly_t<M>> polys) {
 /// Calls read(p) for each poly until it returns false. Some cells before, the lists of p are requested, and then what is behind them; of tets, this is not read.
 template<class M, class Read>
 void read_requested(const M& m, std::span<const poly_t<M>> polys, const Read& read) {
-  constexpr std::size_t few = 16;
+  constexpr std::size_t few = 8;
   const auto some = [&](std::size_t first) {
     const std::size_t begin = std::min(first, polys.size()), end = std::min(first + few, polys.size());
     return polys.subspan(begin, end - begin);
