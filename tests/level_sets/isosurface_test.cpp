@@ -237,6 +237,8 @@ std::size_t compare_threads(const M& m, const U& u, double level) {
     return isosurface(m, u, level);
   };
   const auto one = with(1);
+  CHECK(one.values == std::vector<double>(num_polys(one.mesh), level));
+  for (const auto v : verts(one.mesh)) REQUIRE(norm(point(one.mesh, v) - one.place_of(v).position) == 0);
   for (const int threads : {2, 3}) {
     const auto more = with(threads);
     REQUIRE(num_verts(one.mesh) == num_verts(more.mesh));
@@ -278,6 +280,34 @@ TEST_CASE("isosurface: the same for any number of threads, for so many cells tha
     u[v] = is_above ? 1 + value(random) : value(random);
   }
   CHECK(compare_threads(hexes, u, 1.0) > 16'384);
+}
+
+TEST_CASE_TEMPLATE("isosurface: of several values, the surfaces of each value alone, one after another", To, polygonmesh, trimesh) {
+  const auto m = make_grid<hexmesh>({.cells = {8, 8, 8}});
+  auto u = make_vert_map<double>(m);
+  for (const auto v : verts(m)) u[v] = norm(point(m, v) - vec3(0.47, 0.52, 0.49));
+  const std::vector<double> levels{0.21, 0.33, 0.44};
+  const auto all = isosurface<To>(m, u, levels);
+  std::size_t vert = 0, poly = 0;
+  for (const double level : levels) {
+    const auto one = isosurface<To>(m, u, {level});
+    for (const auto p : polys(one.mesh)) {
+      const poly_id same{poly + p.raw()};
+      CHECK(all.value_of(same) == level);
+      CHECK(all.poly_of(same) == one.poly_of(p));
+      auto other = adj_p2v(all.mesh, same).begin();
+      for (const auto v : adj_p2v(one.mesh, p)) CHECK((*other++).raw() == vert + v.raw());
+    }
+    for (const auto v : verts(one.mesh)) {
+      const vert_id same{vert + v.raw()};
+      CHECK(norm(point(all.mesh, same) - point(one.mesh, v)) == 0);
+      CHECK(norm(all.place_of(same).position - point(one.mesh, v)) == 0);
+    }
+    vert += num_verts(one.mesh), poly += num_polys(one.mesh);
+  }
+  CHECK(poly > 300);
+  CHECK(num_verts(all.mesh) == vert);
+  CHECK(num_polys(all.mesh) == poly);
 }
 
 TEST_CASE("isosurface: where nothing is crossed there is no surface, and infinite values are limits") {
