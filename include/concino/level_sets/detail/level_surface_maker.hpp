@@ -85,7 +85,7 @@ class level_surface_maker {
           const std::size_t first = i * chunk, last = std::min(cells_.size(), first + chunk);
           lists[i] = simple_cap_list<M>(last - first, block);
           reader.read({cells_.data() + first, last - first}, static_cast<std::uint32_t>(first), lists[i]);
-          const std::lock_guard<std::mutex> lock(announcing);  // for a fiftieth of the time of a chunk
+          const std::lock_guard<std::mutex> lock(announcing);  // for a sixth of the time of a chunk
           for (const edge_t<M>& e : lists[i].corners) numbers.announce(index_of(m_, e));
         },
         1);
