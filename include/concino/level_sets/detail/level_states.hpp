@@ -78,7 +78,7 @@ template<class M>
 template<class M>
 [[gnu::always_inline]] inline unsigned char joint_states(const M& m, const unsigned char* states, const poly_t<M>& p) {
   const auto all = adj_p2v(m, p);
-  if constexpr (arity_v<M> == 0 && std::is_pointer_v<decltype(all.begin())>) {
+  if constexpr (arity_v<M> == 0 && std::is_pointer_v<decltype(all.begin())>) {  // compilers unroll lists of fixed length
     const auto v = all.begin();
     const auto state = [&](std::ptrdiff_t k) { return states[index_of(m, v[k])]; };
     if (all.end() - v == 8) [[likely]]  // as of hexes: a loop takes longer

@@ -31,7 +31,7 @@ void request_elements(const M& m, std::span<const poly_t<M>> polys) {
 template<class M>
 void request_lists(const M& m, std::span<const poly_t<M>> polys) {
   for (const poly_t<M>& p : polys)
-    if constexpr (arity_v<M> == 4) core::prefetch_rows(adj_p2e(m, p), adj_p2v(m, p));
+    if constexpr (arity_v<M> == 4) core::prefetch_rows(adj_p2e(m, p), adj_p2v(m, p));  // all that is read of tets
     else core::prefetch(m, p);
 }
 
@@ -44,10 +44,10 @@ void read_requested(const M& m, std::span<const poly_t<M>> polys, const Read& re
     return polys.subspan(begin, end - begin);
   };
   request_lists<M>(m, some(0)), request_lists<M>(m, some(few));
-  if constexpr (arity_v<M> != 4) request_elements<M>(m, some(0));
+  if constexpr (arity_v<M> != 4) request_elements<M>(m, some(0));  // of tets they are not read
   for (std::size_t first = 0; first < polys.size(); first += few) {
     request_lists<M>(m, some(first + 2 * few));
-    if constexpr (arity_v<M> != 4) request_elements<M>(m, some(first + few));
+    if constexpr (arity_v<M> != 4) request_elements<M>(m, some(first + few));  // the same
     for (const poly_t<M>& p : some(first))
       if (!read(p)) return;
   }

@@ -150,7 +150,7 @@ class simple_cap_reader {
       }
     }
     list_crossed_edges(p);
-    if constexpr (arity_v<M> > 0) return true;
+    if constexpr (arity_v<M> > 0) return true;  // the same
     const std::size_t num_verts = num_elements(adj_p2v(m_, p));
     return are_few ? few.is_sphere(num_verts, num_edges_) : surface_.is_sphere(num_verts, num_edges_);
   }
