@@ -73,12 +73,15 @@ void add_lines(const M& m, const level_lines& joined, double level, const Locate
         }
       },
       1);
-  for (std::size_t i = 0; i < num_lines; ++i) {
-    level_line<M>& line = lines[before + i];
-    line.closed = joined.closed[i] != 0;
-    line.value = level;
-    for (const mesh_point<M>& x : line.places) add_edge_point(m, x, line.edge_points);
-  }
+  parallel_for(
+      num_lines,
+      [&](std::size_t i) {
+        level_line<M>& line = lines[before + i];
+        line.closed = joined.closed[i] != 0;
+        line.value = level;
+        for (const mesh_point<M>& x : line.places) add_edge_point(m, x, line.edge_points);
+      },
+      num_lines / 32 + 1);
 }
 
 template<class M, class U, class V>
