@@ -21,6 +21,8 @@ struct level_lines {
   /// Without lines. The places are taken from the block.
   explicit level_lines(std::shared_ptr<core::memory_block> block = nullptr) : places(core::block_allocator<level_place>(std::move(block))) {}
 
+  /// Whether the current line has no places yet.
+  bool begins() const { return places.size() == begin_of_current(); }
   /// Adds a place to the current line unless it is there already; a line that returns at once to the place before loses both steps.
   void add_place(const level_place& x) {
     const std::size_t n = places.size() - begin_of_current();

@@ -66,7 +66,9 @@ class simple_lines {
 
   level_lines join() const {
     const auto append = [this](level_lines& lines, std::uint32_t i, bool forward) {
-      for (const unsigned end : {0u, 1u}) lines.add_place({level_place::edge, pieces_[i].first[forward ? end : 1 - end], 0, 0});
+      const auto& ends = pieces_[i].first;
+      if (lines.begins()) lines.add_place({level_place::edge, ends[forward ? 0 : 1], 0, 0});  // else it is where the piece before ended
+      lines.add_place({level_place::edge, ends[forward ? 1 : 0], 0, 0});
     };
     return join_pieces(pieces_, append, block_);
   }
