@@ -25,6 +25,15 @@ class poly_chunks {
   std::vector<start> starts_;
   std::size_t corners_ = 0;
 
+  template<class Visit>
+  void visit_chunk(std::size_t c, const Visit& visit) const {
+    std::size_t left = chunk;
+    for (auto it = starts_[c].first; left > 0 && it != range_.end(); ++it, --left) {
+      const poly_t<M> p = *it;
+      visit(p);
+    }
+  }
+
  public:
   /// Iterates over the polys once, in one thread. visit(p) returns the number of corners of p.
   template<class Visit>
@@ -50,11 +59,8 @@ class poly_chunks {
         starts_.size(),
         [&](std::size_t c) {
           Scratch scratch;
-          std::size_t corner = starts_[c].corner, left = chunk;
-          for (auto it = starts_[c].first; left > 0 && it != range_.end(); ++it, --left) {
-            const poly_t<M> p = *it;
-            corner += static_cast<std::size_t>(f(scratch, p, corner));
-          }
+          std::size_t corner = starts_[c].corner;
+          visit_chunk(c, [&](const poly_t<M>& p) { corner += static_cast<std::size_t>(f(scratch, p, corner)); });
         },
         1);
   }
@@ -68,11 +74,7 @@ class poly_chunks {
         starts_.size(),
         [&](std::size_t c) {
           Result result;  // not beside those of other threads
-          std::size_t left = chunk;
-          for (auto it = starts_[c].first; left > 0 && it != range_.end(); ++it, --left) {
-            const poly_t<M> p = *it;
-            f(result, p);
-          }
+          visit_chunk(c, [&](const poly_t<M>& p) { f(result, p); });
           all[c] = std::move(result);
         },
         1);
