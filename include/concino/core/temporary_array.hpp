@@ -47,6 +47,7 @@ class temporary_array {
       void* const p = ::mmap(nullptr, mapped_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
       if (p == MAP_FAILED) throw std::bad_alloc();
       ::madvise(p, mapped_, MADV_HUGEPAGE);
+      *static_cast<unsigned char*>(p) = 0;  // if two threads were the first to write to a large page, both would clear one
       data_ = static_cast<T*>(p);
     }
 #endif
