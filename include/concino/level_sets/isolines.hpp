@@ -42,9 +42,9 @@ void add_edge_point(const M& m, const mesh_point<M>& x, std::vector<edge_point<M
     }
 }
 
-/// Adds the lines of one level set. locate(places, n, to) writes n points.
+/// Adds the lines of one level set, still without edge_points. locate(places, n, to) writes n points.
 template<class M, class Locate>
-void add_lines(const M& m, const level_lines& joined, double level, const Locate& locate, std::vector<level_line<M>>& lines) {
+void add_lines(const level_lines& joined, double level, const Locate& locate, std::vector<level_line<M>>& lines) {
   const std::size_t before = lines.size(), num_lines = joined.ends.size();
   const auto begin_of = [&](std::size_t i) { return i == 0 ? 0 : joined.ends[i - 1]; };
   lines.resize(before + num_lines);
@@ -57,6 +57,10 @@ void add_lines(const M& m, const level_lines& joined, double level, const Locate
         else line.points.resize(n), line.edge_points.reserve(n);
       },
       num_lines / 32 + 1);
+  for (std::size_t i = 0; i < num_lines; ++i) {
+    lines[before + i].closed = joined.closed[i] != 0;
+    lines[before + i].value = level;
+  }
   constexpr std::size_t chunk = 256;
   const std::size_t num_places = num_lines == 0 ? 0 : joined.ends.back();
   parallel_for(
@@ -73,15 +77,19 @@ void add_lines(const M& m, const level_lines& joined, double level, const Locate
         }
       },
       1);
+}
+
+/// Lists the edge points of all lines from the first one given.
+template<class M>
+void add_edge_points(const M& m, std::size_t first, std::vector<level_line<M>>& lines) {
+  const std::size_t n = lines.size() - first;
   parallel_for(
-      num_lines,
+      n,
       [&](std::size_t i) {
-        level_line<M>& line = lines[before + i];
-        line.closed = joined.closed[i] != 0;
-        line.value = level;
+        level_line<M>& line = lines[first + i];
         for (const mesh_point<M>& x : line.places) add_edge_point(m, x, line.edge_points);
       },
-      num_lines / 32 + 1);
+      n / 32 + 1);
 }
 
 template<class M, class U, class V>
@@ -91,6 +99,7 @@ std::vector<level_line<M>> find_isolines(const M& m, const U& u, const V& values
   check_vert_values(m, u, caller);
   const auto levels = sorted_levels(values, caller);
   for (const double& level : levels) {
+    const std::size_t num_before = lines.size();
     // One block: new memory in many small pages would take as long as the lines.
     const std::size_t num_verts = vert_index_bound(m);
     const auto block = std::make_shared<core::memory_block>(num_verts + num_verts / 4);
@@ -103,16 +112,17 @@ std::vector<level_line<M>> find_isolines(const M& m, const U& u, const V& values
         const auto edge_of = [&](std::size_t k) { return simple.edge_of(places[k].element); };
         cross_edges(m, u, level, n, [](std::size_t) { return true; }, edge_of, [to](std::size_t k, const mesh_point<M>& x) { to[k] = x; });
       };
-      add_lines(m, simple.join(), level, locate, lines);
+      add_lines(simple.join(), level, locate, lines);
     } else {
       const crossed_surface_reader<M> crossed(m, u, level, std::move(polys));
       const poly_cuts cuts(crossed.arrays, level);
       const auto locate = [&](const level_place* places, std::size_t n, mesh_point<M>* to) {
         for (std::size_t k = 0; k < n; ++k) to[k] = crossed.mesh_point_of(m, places[k], level);
       };
-      add_lines(m, line_pieces(cuts).join(), level, locate, lines);
+      add_lines(line_pieces(cuts).join(), level, locate, lines);
     }
-    if (&level == &levels.back()) threads.finish();
+    if (&level == &levels.back()) threads.finish();  // what is left takes less time than to wait for helpers that end
+    add_edge_points(m, num_before, lines);
   }
   return lines;
 }
