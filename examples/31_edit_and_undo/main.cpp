@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include <stdexcept>
+#include <vector>
 
 namespace cn = concino;
 
@@ -24,14 +25,16 @@ int main() {
   fmt::print("the new vert is {}, at height {:.3f}\n", cn::index_of(m, split.vert), height[split.vert]);
   print("an edge split:");
 
-  // All edits of a transaction are undone unless it is committed: here, because too much of the area is lost.
+  // All edits of a transaction are undone unless it is committed: here, because too much of the area is lost. read_ahead requests the memory of the next edits
+  // early, which saves time in large meshes.
+  std::vector<cn::edge_id> all;
+  for (const auto e : cn::edges(m)) all.push_back(e);
   try {
     cn::transaction t(m);
     const double area = cn::total_measure(m);
-    for (unsigned i = 0; i < cn::edge_index_bound(m); ++i) {
-      const cn::edge_id e{i};
+    for (const cn::edge_id e : cn::read_ahead(m, all)) {
       if (!cn::contains(m, e)) continue;
-      if (const auto made = cn::edge_collapse(m, e); !made) fmt::print("edge {} stays: {}\n", i, made.why);
+      if (const auto made = cn::edge_collapse(m, e); !made) fmt::print("edge {} stays: {}\n", cn::index_of(m, e), made.why);
       if (cn::total_measure(m) < 0.9 * area) throw std::runtime_error("a tenth of the area is lost");
     }
     t.commit();

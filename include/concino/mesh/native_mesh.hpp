@@ -241,6 +241,11 @@ struct native_traits : Base<M> {
     count_edit(m);
     return result;
   }
+  static void prefetch_edit(const M& m, edge_id e, unsigned round)
+    requires requires { m.tables().prefetch_edit(e, round); }
+  {
+    m.tables().prefetch_edit(e, round);
+  }
   static edit_state<typename M::native>& edits(M& m) { return m.edits(); }
   static correspondence garbage_collect(M& m) {
     if (is_recorded(m)) throw unsupported("garbage_collect: elements cannot be renumbered while a transaction is open; call it before or after");

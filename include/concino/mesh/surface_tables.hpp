@@ -129,6 +129,9 @@ class surface_tables {
   /// Collapses e: its first end remains. It is refused if the link condition does not hold.
   direct_edit collapse_edge(edge_id e)
     requires(Arity == 3);
+  /// Requests what these edits use, if e is an edge; see edit/detail/direct_edits.hpp.
+  void prefetch_edit(edge_id e, unsigned round) const
+    requires(Arity == 3);
 
   /// Calls f for every array of the tables, for undoing edits.
   template<class F>
@@ -210,10 +213,11 @@ class surface_tables {
   EXTERN template surface_tables<ARITY> surface_tables<ARITY>::compacted(const detail::compaction&) const;                            \
   EXTERN template void surface_tables<ARITY>::check(std::size_t) const;                                                               \
   EXTERN template void surface_tables<ARITY>::build(std::size_t)
-#define CONCINO_TRIANGLE_EDITS(EXTERN)                                 \
-  EXTERN template vert_id surface_tables<3>::split_edge(edge_id);      \
-  EXTERN template direct_edit surface_tables<3>::flip_edge(edge_id);   \
-  EXTERN template direct_edit surface_tables<3>::collapse_edge(edge_id)
+#define CONCINO_TRIANGLE_EDITS(EXTERN)                                   \
+  EXTERN template vert_id surface_tables<3>::split_edge(edge_id);        \
+  EXTERN template direct_edit surface_tables<3>::flip_edge(edge_id);     \
+  EXTERN template direct_edit surface_tables<3>::collapse_edge(edge_id); \
+  EXTERN template void surface_tables<3>::prefetch_edit(edge_id, unsigned) const
 #ifdef CONCINO_COMPILED
 CONCINO_SURFACE_TABLES(extern, 0);
 CONCINO_SURFACE_TABLES(extern, 3);

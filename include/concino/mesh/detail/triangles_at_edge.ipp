@@ -128,4 +128,27 @@ template<unsigned Arity, class Lists>
   return two[1].is_regular() ? 2 : 0;
 }
 
+template<unsigned Arity, class Lists>
+void surface_tables<Arity, Lists>::prefetch_edit(edge_id e, unsigned round) const
+  requires(Arity == 3)
+{
+  if (!edges_.contains(e)) return;
+  const bool has_probable = e.raw() < probable_second_poly_.size();
+  if (round == 0) {
+    prefetch(e);
+    if (has_probable) __builtin_prefetch(probable_second_poly_.data() + e.raw());
+    return;
+  }
+  const vert_id a = e2v_[e.raw()][0], b = e2v_[e.raw()][1];
+  if (round == 1) {
+    if (!facet_adjacency_.is_owned(e)) return;
+    prefetch_poly(poly_id{facet_adjacency_.owner(e).poly});
+    if (has_probable) prefetch_poly(probable_second_poly_[e.raw()]);
+    prefetch_vert(a), prefetch_vert(b);
+    return;
+  }
+  side_of_edge two[2];
+  find_triangles(e, a, b, {{true, true}, {true, true}}, two);
+}
+
 }  // namespace concino
