@@ -7,7 +7,10 @@
 #include <concino/core/error.hpp>
 #include <concino/core/parallel.hpp>
 #include <concino/core/temporary_array.hpp>
+#include <concino/mesh/element_map.hpp>
+#include <concino/mesh/property.hpp>
 
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
@@ -44,10 +47,39 @@ void check_vert_values(const M& m, const U& u, const char* caller) {
 [[noreturn, gnu::cold, gnu::noinline]] inline void throw_value_is_nan(const char* caller, std::size_t vert) {
   core::throw_joined<invalid_argument>({caller, ": the value at vert ", vert, " is not a number (NaN)"});
 }
-/// Writes the states of all verts, by index. Those of deleted verts are not set.
+
+/// The values of a map by index, if they are in an array. Those at the indices of deleted verts are meaningless.
+template<class M, class X, class T>
+const auto* array_of_values(const element_map<M, X, T>& u) { return u.data(); }
+template<class Id, class T>
+const T* array_of_values(const property_map<Id, T>& u) { return &u[Id{0}]; }
+
+/// Writes the states of n values. Returns whether one is NaN. Compilers make vector instructions of this loop.
+template<class T>
+bool write_level_states(const T* values, std::size_t n, double level, unsigned char* states) {
+  bool has_nan = false;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = static_cast<double>(values[i]);
+    states[i] = level_state(x, level);
+    has_nan |= std::isnan(x);
+  }
+  return has_nan;
+}
+
+/// Writes the states of all verts, by index. Those of deleted verts are meaningless.
 /// Errors: invalid_argument that names a vert whose value is NaN.
 template<class M, class U>
 void find_level_states(const M& m, const U& u, double level, const char* caller, unsigned char* all) {
+  if constexpr (requires { array_of_values(u); }) {
+    std::atomic<bool> may_have_nan = false;  // at a vert, or at the index of a deleted one
+    core::run_chunks(
+        vert_index_bound(m), 32768,
+        [&](std::size_t first, std::size_t last) {
+          if (write_level_states(array_of_values(u) + first, last - first, level, all + first)) may_have_nan.store(true, std::memory_order_relaxed);
+        },
+        {});
+    if (!may_have_nan) return;
+  }
   parallel_for_each(
       verts(m),
       [&m, &u, all, level, caller](const vert_t<M>& v) {
