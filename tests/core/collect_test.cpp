@@ -17,7 +17,7 @@ using namespace concino;
 using namespace concino::testing;
 
 TEST_CASE("collect_if: what is kept, in the order of the range, for any number of threads") {
-  const auto m = grid<trimesh>(120);  // more verts than one part holds
+  const auto m = grid<trimesh>(300);  // more verts than a few parts hold
   const std::list<int> numbers = [] {
     std::list<int> r;
     for (int i = 0; i < 50000; ++i) r.push_back(i * 7919 % 50021);
@@ -39,8 +39,8 @@ TEST_CASE("collect_if: what is kept, in the order of the range, for any number o
 }
 
 TEST_CASE("collect_if: the same if all tests come first, with elements that do not exist between others") {
-  auto m = grid<trimesh>(80);
-  for (const unsigned at : {0u, 5u, 63u, 64u, 65u, 640u, 8191u, 8192u, 8200u}) remove_poly(m, poly_id{at});
+  auto m = grid<trimesh>(200);
+  for (const unsigned at : {0u, 5u, 63u, 64u, 65u, 640u, 16383u, 16384u, 16400u, 79'999u}) remove_poly(m, poly_id{at});
   for (unsigned at = 1024; at < 1200; ++at) remove_poly(m, poly_id{at});  // none of 64 is left
   for (const int threads : {1, 3}) {
     const with_num_threads fixed(threads);

@@ -57,11 +57,12 @@ auto collect_if(const R& range, const Keep& keep) {
   using body_type = loop_body<const Keep, element>;
   std::vector<std::unique_ptr<std::vector<element>>> parts;
   if constexpr (is_divisible<R>) {
-    constexpr std::size_t chunk = 8192;
+    constexpr std::size_t chunk = 16384;
     const std::size_t n = range.index_bound();
     std::size_t next = 0;
     run_parts([&](function_ref<void()> release) {
-      const std::size_t first = next, last = n - first < chunk ? n : first + chunk;
+      const std::size_t first = next, left = n - first, most = left > 4 * chunk ? chunk : chunk / 4;  // small at the end, so that all threads end together
+      const std::size_t last = left < most ? n : first + most;
       next = last;
       parts.push_back(std::make_unique<std::vector<element>>());
       std::vector<element>& found = *parts.back();
