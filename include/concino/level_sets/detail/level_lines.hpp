@@ -53,20 +53,20 @@ struct level_lines {
   std::size_t begin_of_current() const { return ends.empty() ? 0 : ends.back(); }
 };
 
-/// Joins pieces: in the order of the pieces, and in the direction of the first one of each line. pieces[i].link[0] and link[1] say what follows at the start and
-/// at the end of piece i: 2 piece + (0 at the start of that piece, 1 at its end), or ~0 for nothing. Links are mutual.
+/// Joins n pieces: in the order of the pieces, and in the direction of the first one of each line. link_of(x) says what follows at an end of a piece, or ~0 for
+/// nothing; ends have the numbers 2 piece + (0 at the start of the piece, 1 at its end). Links are mutual.
 /// append(lines, i, forward) adds the places of piece i to the current line. The places are taken from the block, if there is one.
-template<class Pieces, class Append>
-level_lines join_pieces(const Pieces& pieces, const Append& append, std::shared_ptr<core::memory_block> block = nullptr) {
+template<class LinkOf, class Append>
+level_lines join_pieces(std::size_t n, const LinkOf& link_of, const Append& append, std::shared_ptr<core::memory_block> block = nullptr) {
   constexpr std::uint32_t none = ~0u;
   level_lines lines(std::move(block));
-  lines.places.reserve(pieces.size() + pieces.size() / 8);  // most lines have about as many places as pieces
-  std::vector<unsigned char> is_joined(pieces.size(), 0);
-  for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+  lines.places.reserve(n + n / 8);  // most lines have about as many places as pieces
+  std::vector<unsigned char> is_joined(n, 0);
+  for (std::uint32_t i = 0; i < n; ++i) {
     if (is_joined[i]) continue;
     std::uint32_t start = 2 * i;  // an end of a piece: the line starts there
     bool closed = false;
-    for (std::uint32_t before = pieces[i].link[0]; before != none; before = pieces[start / 2].link[start % 2]) {
+    for (std::uint32_t before = link_of(start); before != none; before = link_of(start)) {
       start = before ^ 1u;
       closed = before / 2 == i;
       if (closed) break;
@@ -75,7 +75,7 @@ level_lines join_pieces(const Pieces& pieces, const Append& append, std::shared_
     for (std::uint32_t at = start;;) {
       append(lines, at / 2, at % 2 == 0);
       is_joined[at / 2] = 1;
-      const std::uint32_t after = pieces[at / 2].link[at % 2 == 0 ? 1 : 0];
+      const std::uint32_t after = link_of(at ^ 1u);
       if (after == none || after == start) break;
       at = after;
     }

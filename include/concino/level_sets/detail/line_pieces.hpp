@@ -42,7 +42,9 @@ class line_pieces {
 
   /// Joins the pieces: in the order of their first polys, with larger values to the left of the first piece.
   level_lines join() const {
-    return join_pieces(pieces_, [this](level_lines& lines, std::uint32_t i, bool forward) { append(lines, i, forward); });
+    return join_pieces(
+        pieces_.size(), [this](std::uint32_t end) { return pieces_[end / 2].link[end % 2]; },
+        [this](level_lines& lines, std::uint32_t i, bool forward) { append(lines, i, forward); });
   }
 
  private:
