@@ -48,7 +48,9 @@ void add_lines(const level_lines& joined, double level, const Locate& locate, st
   const std::size_t before = lines.size(), num_lines = joined.ends.size();
   const auto begin_of = [&](std::size_t i) { return i == 0 ? 0 : joined.ends[i - 1]; };
   lines.resize(before + num_lines);
-  parallel_for(  // new memory takes as long as the points: each array is one task
+  const std::size_t num_places = num_lines == 0 ? 0 : joined.ends.back();
+  constexpr std::size_t many = 50'000;
+  parallel_for(  // new memory takes as long as the points: each array is one task; short ones lie in memory that this thread had before
       2 * num_lines,
       [&](std::size_t i) {
         level_line<M>& line = lines[before + i / 2];
@@ -56,13 +58,12 @@ void add_lines(const level_lines& joined, double level, const Locate& locate, st
         if (i % 2 == 0) line.places.resize(n);
         else line.points.resize(n), line.edge_points.reserve(n);
       },
-      num_lines / 32 + 1);
+      num_places < many ? 2 * num_lines + 1 : num_lines / 32 + 1);
   for (std::size_t i = 0; i < num_lines; ++i) {
     lines[before + i].closed = joined.closed[i] != 0;
     lines[before + i].value = level;
   }
   constexpr std::size_t chunk = 256;
-  const std::size_t num_places = num_lines == 0 ? 0 : joined.ends.back();
   parallel_for(
       (num_places + chunk - 1) / chunk,
       [&](std::size_t c) {
