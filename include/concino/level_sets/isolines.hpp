@@ -122,7 +122,7 @@ std::vector<level_line<M>> find_isolines(const M& m, const U& u, const V& values
       };
       add_lines(line_pieces(cuts).join(), level, locate, lines);
     }
-    if (&level == &levels.back()) threads.finish();  // what is left takes less time than to wait for helpers that end
+    if (&level == &levels.back()) threads.finish();  // the helpers end meanwhile, which takes longer than what is left
     add_edge_points(m, num_before, lines);
   }
   return lines;
