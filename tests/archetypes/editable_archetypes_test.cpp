@@ -136,6 +136,12 @@ TEST_CASE("editable archetypes: flips") {
     CHECK(cn::can_edge_flip(m, named(m, e)));
     return cn::edge_flip(m, named(m, e));
   });
+  edits_alike(surface, [](auto& m) -> cn::permission {
+    std::vector<cn::edge_t<std::remove_cvref_t<decltype(m)>>> list;
+    for (const auto x : cn::edges(m)) list.push_back(x);
+    for (const auto& x : cn::read_ahead(m, list)) cn::edge_flip(m, x);
+    return {};
+  });
   const auto volume = cn::testing::grid<cn::tetmesh>(2);
   cn::face_id f{0};
   while (!cn::can_face_flip(volume, f)) f = cn::face_id(f.raw() + 1);
