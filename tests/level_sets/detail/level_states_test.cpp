@@ -1,5 +1,6 @@
 #include <concino/level_sets/detail/level_states.hpp>
 
+#include <concino/concepts/views/forward.hpp>
 #include <concino/edit/elements.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 #include <concino/mesh/trimesh.hpp>
@@ -15,6 +16,23 @@
 #include <vector>
 
 namespace cn = concino;
+
+namespace {
+
+/// The same mesh with verts numbered from the last to the first.
+struct renumbered : cn::views::view_base<cn::trimesh> {
+  using cn::views::view_base<cn::trimesh>::view_base;
+};
+
+}  // namespace
+
+template<>
+struct concino::mesh_traits<renumbered> : concino::detail::forward_all<renumbered, concino::trimesh> {
+  using forwarded = concino::detail::forward_all<renumbered, concino::trimesh>;
+  static constexpr bool is_view = true;
+  using forwarded::index_of;
+  static std::size_t index_of(const renumbered& m, const vert_id& v) { return concino::vert_index_bound(m.base()) - 1 - v.raw(); }
+};
 
 namespace {
 
@@ -58,7 +76,7 @@ TEST_CASE("level_states: below, on and above, of maps of all types, with any num
     all[v.raw()] = u[v] = named[v] = x;
     single[v] = static_cast<float>(x);
     whole[v] = static_cast<int>(v.raw() % 3) - 1;
-    flag[v] = v.raw() % 3 == 1;
+    flag[v] = v.raw() % 3 == 1 ? 7 : 0;  // stored as a byte, read as true
   }
   std::vector<int> expected, of_whole, of_flag;
   for (const auto v : cn::verts(m)) {
@@ -74,6 +92,19 @@ TEST_CASE("level_states: below, on and above, of maps of all types, with any num
     CHECK(states_of(m, single, 0) == expected);
     CHECK(states_of(m, whole, 0) == of_whole);
     CHECK(states_of(m, flag, 1) == of_flag);
+  }
+}
+
+TEST_CASE("level_states: values by vert, not by index, if the map is of a mesh that numbers its verts in another way") {
+  const auto m = cn::testing::grid<cn::trimesh>(5);
+  const renumbered other(m);
+  auto of_m = cn::make_vert_map<double>(m);
+  auto own = cn::make_vert_map<double>(other);
+  for (const auto v : cn::verts(m)) of_m[v] = own[v] = v.raw() % 3;
+  const auto states = cn::detail::level_states(other, of_m, 1, "test"), of_own = cn::detail::level_states(other, own, 1, "test");
+  for (const auto v : cn::verts(m)) {
+    CHECK(states[cn::index_of(other, v)] == cn::detail::level_state(of_m[v], 1));
+    CHECK(of_own[cn::index_of(other, v)] == cn::detail::level_state(of_m[v], 1));
   }
 }
 

@@ -48,11 +48,15 @@ void check_vert_values(const M& m, const U& u, const char* caller) {
   core::throw_joined<invalid_argument>({caller, ": the value at vert ", vert, " is not a number (NaN)"});
 }
 
-/// The values of a map by index, if they are in an array. Those at the indices of deleted verts are meaningless.
-template<class M, class X, class T>
-const auto* array_of_values(const element_map<M, X, T>& u) { return u.data(); }
-template<class Id, class T>
-const T* array_of_values(const property_map<Id, T>& u) { return &u[Id{0}]; }
+/// Values that an array holds as they are: vert_map<bool> stores bytes.
+template<class T> concept is_stored_number = std::is_arithmetic_v<T> && !std::is_same_v<std::remove_cv_t<T>, bool>;
+
+/// The values of a map by index_of(m, v), if they are in an array: of a map of m, not of a mesh that may number its verts in another way, or of a property of m.
+/// Those at the indices of deleted verts are meaningless.
+template<class M, is_stored_number T>
+const T* array_of_values(const M&, const element_map<M, vert_t<M>, T>& u) { return u.data(); }
+template<ShowsProperties M, class Id, is_stored_number T>
+const T* array_of_values(const M&, const property_map<Id, T>& u) { return &u[Id{0}]; }
 
 /// Writes the states of n values. Returns whether one is NaN. Compilers make vector instructions of this loop.
 template<class T>
@@ -70,12 +74,12 @@ bool write_level_states(const T* values, std::size_t n, double level, unsigned c
 /// Errors: invalid_argument that names a vert whose value is NaN.
 template<class M, class U>
 void find_level_states(const M& m, const U& u, double level, const char* caller, unsigned char* all) {
-  if constexpr (requires { array_of_values(u); }) {
+  if constexpr (requires { array_of_values(m, u); }) {
     std::atomic<bool> may_have_nan = false;  // at a vert, or at the index of a deleted one
     core::run_chunks(
         vert_index_bound(m), 32768,
         [&](std::size_t first, std::size_t last) {
-          if (write_level_states(array_of_values(u) + first, last - first, level, all + first)) may_have_nan.store(true, std::memory_order_relaxed);
+          if (write_level_states(array_of_values(m, u) + first, last - first, level, all + first)) may_have_nan.store(true, std::memory_order_relaxed);
         },
         {});
     if (!may_have_nan) return;
