@@ -113,6 +113,17 @@ TEST_CASE_TEMPLATE("check_laws: each broken law of graphs is found", M, surface,
   law_by_ring<M>("DG3", "p1 p0", "adj_p2p", 0, {});
 }
 
+TEST_CASE_TEMPLATE("check_laws: an element that is listed many times is reported as that, and what is listed behind it is not missing", M, surface, volume) {
+  const M m = example(static_cast<M*>(nullptr));
+  std::vector<int> ring(30, 0);
+  for (const auto v : cn::verts(m))
+    if (cn::index_of(m, v) == 1)
+      for (const auto w : cn::adj_v2v(m, v)) ring.push_back(static_cast<int>(cn::index_of(m, w)));
+  const auto found = with_ring<M>("adj_v2v", 1, ring);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].what == "adj_v2v(v1) holds v0 twice");
+}
+
 TEST_CASE_TEMPLATE("check_laws: each broken law of edges and points is found", M, surface, volume) {
   law_by_number<M>("SM1", "e99", "index_of e", 3, 99);
   law_by_number<M>("SM1", "e2", "index_of e", 3, 2);
