@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/message.hpp>
-#include <concino/edit/detail/representable.hpp>
+#include <concino/edit/replace_polys.hpp>
 #include <concino/testing/detail/described_mesh.hpp>
 #include <concino/testing/detail/sample_cavities.hpp>
 #include <concino/validate/broken_law.hpp>
@@ -79,7 +79,7 @@ void compare(const described_mesh<M>& expected, const described_mesh<M>& found, 
 /// Applies the cavity. ED1, ED2, ED3 and ED5: the mesh is as the cavity describes. Returns whether it was applied.
 template<class M>
 bool check_rewire(M& m, built_cavity<M>& c, concino::detail::law_log& log) {
-  if (!concino::detail::is_representable(m, c.lists())) return false;
+  if (!can_replace_polys(m, c.lists())) return false;
   const described_mesh<M> before = describe(m);
   c.apply(m);
   for (std::size_t i = 0; i < c.kept; ++i)

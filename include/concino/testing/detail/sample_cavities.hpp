@@ -3,8 +3,8 @@
 
 #include <concino/concepts/editable.hpp>
 #include <concino/core/vec3.hpp>
+#include <concino/mesh/standard_cells.hpp>
 #include <concino/testing/detail/described_mesh.hpp>
-#include <concino/validate/detail/volume_laws.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -110,16 +110,13 @@ vec3 inner_point(const M& m, const std::vector<vert_t<M>>& corners, std::size_t 
 
 /// The facets of a poly without general polyhedra as numbers of corners, counter-clockwise seen from outside.
 template<class M>
-std::vector<std::vector<unsigned>> facets_of_corners(unsigned n) {
+std::vector<std::vector<unsigned>> facets_of_corners([[maybe_unused]] unsigned n) {
   std::vector<std::vector<unsigned>> all;
   if constexpr (dimension_v<M> == 2) {  // facets have different names in both dimensions
     for (unsigned k = 0; k < n; ++k) all.push_back({k, (k + 1) % n});
   } else {
-    for (const auto& face : concino::detail::standard_faces<arity_v<M>>) {
-      all.emplace_back();
-      for (const int k : face)
-        if (k >= 0) all.back().push_back(static_cast<unsigned>(k));
-    }
+    const standard_cell& cell = standard_cell_of(arity_v<M> == 4 ? cell_shape::tet : cell_shape::hex);
+    for (unsigned f = 0; f < cell.num_faces; ++f) all.emplace_back(cell.face_vert[f], cell.face_vert[f] + cell.face_size[f]);
   }
   return all;
 }
