@@ -3,6 +3,7 @@
 
 #include <concino/core/message.hpp>
 #include <concino/edit/replace_polys.hpp>
+#include <concino/testing/detail/adjacencies.hpp>
 #include <concino/testing/detail/described_mesh.hpp>
 #include <concino/testing/detail/sample_cavities.hpp>
 #include <concino/validate/broken_law.hpp>
