@@ -87,7 +87,7 @@ check() {
 compilers=()
 find_gcc >/dev/null || compilers+=(g++-12)
 [ $quick -eq 1 ] || find_clang >/dev/null || compilers+=(clang-14)
-install_packages "${packages_test[@]}" "${compilers[@]}" || exit 1
+install_parts "${compilers[@]}" || exit 1
 [ $long -eq 0 ] || install_packages "${packages_long[@]}" || exit 1
 gcc=$(find_gcc) || { echo "no g++ 12 or later"; exit 1; }
 [ $quick -eq 1 ] || clang=$(find_clang) || { echo "no clang++ 14 or later"; exit 1; }
