@@ -4,7 +4,7 @@
 #                                    and runs a program with the library that is installed
 #   scripts/bare_machine.sh --demo   ./demo.sh alone
 # Needs root, and mmdebstrap, which it installs. Environment: CONCINO_BARE_BUILD (default build/bare: the root, some 5 GB after ./test.sh, and the logs),
-# CONCINO_CORPUS (as in test.sh; it is copied too where it is), CONCINO_JOBS.
+# CONCINO_JOBS.
 set -u
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
 . scripts/packages.sh
@@ -41,10 +41,8 @@ for file in /etc/apt/apt.conf.d/*; do # how packages are reached from here
   [ -e "$root/etc/apt/apt.conf.d/${file##*/}" ] || cp "$file" "$root/etc/apt/apt.conf.d/"
 done
 mount -t proc proc "$root/proc" || fail "mount"
-corpus=${CONCINO_CORPUS:-../shared/data}
 mkdir -p "$root/home/new/concino"
 git archive HEAD | tar -x -C "$root/home/new/concino" || fail "git archive"
-[ $demo_only -eq 1 ] || [ ! -d "$corpus" ] || { mkdir -p "$root/home/new/shared" && cp -r "$corpus" "$root/home/new/shared/data"; }
 chroot "$root" useradd --home-dir /home/new new && chroot "$root" chown -R new: /home/new || fail "useradd"
 
 # inside <user> <log> <command>: runs it in the checkout, with an environment of its own.
