@@ -172,10 +172,12 @@ with_both() {
   # Who allocated a block is not recorded, and freed blocks are kept back by the megabyte, not by hundreds: a third of the time of many tests.
   ASAN_OPTIONS=malloc_context_size=1:quarantine_size_mb=16 check sanitized "$clang: run (sanitized)" "${selection[@]}"
 }
-# benchmarks <target...>: builds them and runs them on tiny data, where each compares its results with those of its peers.
+# benchmarks <compiler> [option...]: builds them and runs them on tiny data, where each compares its results with those of its peers.
 benchmarks() {
-  say "$gcc: benchmarks on tiny data"
-  if CXX=$gcc benchmarks/run.sh --build "$build/benchmarks" --tiny --rounds 1 "$@" >"$build/benchmarks.log" 2>&1; then
+  local compiler=$1
+  shift
+  say "$compiler: benchmarks on tiny data"
+  if CXX=$compiler CMAKE_BUILD_PARALLEL_LEVEL=$jobs benchmarks/run.sh --build "$build/benchmarks" --tiny --rounds 1 "$@" >"$build/benchmarks.log" 2>&1; then
     passed=$((passed + 1))
   else
     grep -E 'error|FAILED' "$build/benchmarks.log" | head -n 50
@@ -208,14 +210,14 @@ if [ $long -eq 1 ]; then
   scripts/clang_tidy.sh "$build/clang-tidy" && passed=$((passed + 1)) || failed=$((failed + 1))
   say "the reference"
   (cat docs/Doxyfile; echo "OUTPUT_DIRECTORY = $build/reference") | doxygen - && passed=$((passed + 1)) || failed=$((failed + 1))
-  benchmarks
+  benchmarks "$gcc"
   say "$gcc: mutations"
   CONCINO_MUTATE_BUILD=$build/mutate CONCINO_JOBS=$jobs scripts/mutate.sh && passed=$((passed + 1)) || failed=$((failed + 1))
   bare_machine
 elif [ $full -eq 1 ]; then
   with_both
   fuzz 5
-  benchmarks
+  benchmarks "$clang" --unoptimised
   bare_machine --demo
 else
   whole plain dev-clang "$clang" "${batches[@]}"
