@@ -1,6 +1,7 @@
 // What the readers of formats of verts, faces and polyhedra have in common.
 #pragma once
 
+#include <concino/io/detail/canonical_cells.hpp>
 #include <concino/io/detail/contents.hpp>
 #include <concino/io/detail/orient.hpp>
 #include <concino/io/detail/text_sample.hpp>
@@ -143,6 +144,10 @@ class polyhedra_reader : protected token_cursor {
              {"a ", s == cell_shape::general ? "polyhedron" : standard_cell_of(s).name, " of ", out_.poly_offsets[p + 1] - out_.poly_offsets[p],
               " faces"});
       }
+      match_face_order(s, known.cell, [&](std::size_t k, vert_id v) {
+        const std::size_t f = out_.poly_faces[out_.poly_offsets[p] + k].raw();
+        return std::find(out_.face_verts.data() + out_.face_offsets[f], out_.face_verts.data() + out_.face_offsets[f + 1], v) != out_.face_verts.data() + out_.face_offsets[f + 1];
+      });
       for (std::uint32_t k = 0; k < n; ++k) cells.verts.push_back(known.cell[k]);
     }
     if (cells.arity == 0) cells.arity = 4;
