@@ -178,11 +178,11 @@ class basic_cell_builder {
     return list;
   }
   /// Adds what options.repeated_verts makes of a polyhedron with a vert twice.
-  [[gnu::noinline, gnu::cold]] bool add_mended(const vert_id* faces) {
+  [[gnu::noinline, gnu::cold]] bool add_mended(const vert_id* listed) {
     const auto number = static_cast<std::uint32_t>(size());
     repeated_.add(number, [] { return std::string(); });
     std::vector<vert_id> list;
-    if (in_.repeated_verts == repeated_verts::collapse) list = detail::collapsed_faces(faces, points_);
+    if (in_.repeated_verts == repeated_verts::collapse) list = detail::collapsed_faces(listed, points_);
     if (list.empty() || list[0].raw() == 0) {
       if (!list.empty()) repeated_.add_vanished();
       repeated_.dropped.push_back(number);

@@ -4,6 +4,7 @@
 #include <concino/concepts/mesh_traits.hpp>
 #include <concino/io/detail/choose_format.hpp>
 #include <concino/io/detail/contents.hpp>
+#include <concino/io/detail/mend_repeated_verts.hpp>
 #include <concino/io/detail/properties.hpp>
 #include <concino/io/file_text.hpp>
 #include <concino/mesh/to_polyhedra.hpp>

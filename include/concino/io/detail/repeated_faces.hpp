@@ -46,11 +46,11 @@ class faces_mender {
     std::vector<std::vector<vert_id>> sorted;
     for (std::size_t k = 0; k < list_.size();) {
       const std::size_t f = list_[k].raw();
-      std::vector<vert_id> verts(out.face_verts.begin() + static_cast<std::ptrdiff_t>(out.face_offsets[f]), out.face_verts.begin() + static_cast<std::ptrdiff_t>(out.face_offsets[f + 1]));
-      std::sort(verts.begin(), verts.end());
-      const auto same = std::find(sorted.begin(), sorted.end(), verts);
+      std::vector<vert_id> ids(out.face_verts.begin() + static_cast<std::ptrdiff_t>(out.face_offsets[f]), out.face_verts.begin() + static_cast<std::ptrdiff_t>(out.face_offsets[f + 1]));
+      std::sort(ids.begin(), ids.end());
+      const auto same = std::find(sorted.begin(), sorted.end(), ids);
       if (same == sorted.end()) {
-        sorted.push_back(std::move(verts));
+        sorted.push_back(std::move(ids));
         ++k;
         continue;
       }
@@ -64,16 +64,16 @@ class faces_mender {
   /// Drops the faces of which `keeps` is false.
   static void drop_faces(polyhedra_arrays& out, const std::vector<bool>& keeps) {
     std::vector<std::uint32_t> offsets{0}, number(keeps.size(), 0);
-    std::vector<vert_id> verts;
+    std::vector<vert_id> ids;
     for (std::size_t f = 0; f < keeps.size(); ++f) {
       if (!keeps[f]) continue;
       number[f] = static_cast<std::uint32_t>(offsets.size() - 1);
-      for (std::uint32_t i = out.face_offsets[f]; i < out.face_offsets[f + 1]; ++i) verts.push_back(out.face_verts[i]);
-      offsets.push_back(static_cast<std::uint32_t>(verts.size()));
+      for (std::uint32_t i = out.face_offsets[f]; i < out.face_offsets[f + 1]; ++i) ids.push_back(out.face_verts[i]);
+      offsets.push_back(static_cast<std::uint32_t>(ids.size()));
     }
     for (face_id& f : out.poly_faces) f = face_id{number[f.raw()]};
     out.face_offsets = std::move(offsets);
-    out.face_verts = std::move(verts);
+    out.face_verts = std::move(ids);
   }
 
  public:
@@ -88,8 +88,8 @@ class faces_mender {
       const std::vector<vert_id> face = verts_of(f);
       if (first_repeated(face.data(), face.size(), scratch) != face.size()) collapse_face(f);
       first_part.push_back(static_cast<std::uint32_t>(out.num_faces()));
-      const auto push = [&](const std::vector<vert_id>& verts) {
-        out.face_verts.insert(out.face_verts.end(), verts.begin(), verts.end());
+      const auto push = [&](const std::vector<vert_id>& ids) {
+        out.face_verts.insert(out.face_verts.end(), ids.begin(), ids.end());
         out.face_offsets.push_back(static_cast<std::uint32_t>(out.face_verts.size()));
       };
       if (number_[f] == ~0u) push(face);
