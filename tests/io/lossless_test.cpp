@@ -110,10 +110,12 @@ TEST_CASE("lossless: verts without polys are written in every format") {
 
 TEST_CASE("lossless: edges without polys are lost with a word") {
   const with_loose_edges m{trimesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}})};
-  for (const format_id f : {format_id(file_format::obj), format_id(file_format::off), format_id(file_format::medit), format_id(file_format::vtk), format_id(file_format::vtp)}) {
+  for (const format_id f : {format_id(file_format::obj), format_id(file_format::off), format_id(file_format::medit), format_id(file_format::vtk),
+      format_id(file_format::vtp)}) {
     save_report r;
     save_text(m, f, {.report = &r});
-    CHECK(r.lost == std::vector<std::string>{"2 edges without polys: ." + std::string(f == format_id(file_format::medit) ? "mesh" : f.name()) + " cannot store them"});
+    CHECK(r.lost == std::vector<std::string>{"2 edges without polys: ." + std::string(f == format_id(file_format::medit) ? "mesh" : f.name()) + " "
+        "cannot store them"});
     CHECK_THROWS_AS(save_text(m, f, {.strict = true}), unsupported);
   }
 }

@@ -47,8 +47,11 @@ namespace concino::detail {
     names->renumber([&](std::size_t p) { return std::size_t{first[std::min(p, num_in_file)]}; });
     names->end(origin.size());
   }
-  for (property_column& x : c.properties)
-    if (x.values && (x.kind == element_kind::poly || x.kind == element_kind::corner)) x.values = picked(*x.values, x.kind == element_kind::poly ? origin : corner_origin);
+  for (property_column& x : c.properties) {
+    if (!x.values) continue;
+    if (x.kind == element_kind::poly) x.values = picked(*x.values, origin);
+    if (x.kind == element_kind::corner) x.values = picked(*x.values, corner_origin);
+  }
 }
 
 /// Mends the polys of a surface.

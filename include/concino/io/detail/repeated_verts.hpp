@@ -19,7 +19,7 @@ namespace concino {
 namespace detail {
 
 /// Ends what readers say that they expect instead of a vert twice.
-inline constexpr const char* repeated_verts_hint = " (or options.repeated_verts = repeated_verts::collapse or skip)";
+inline constexpr const char* repeated_verts_hint = " (or set options.repeated_verts)";
 
 /// Removes corners from a cycle of verts until no two neighbours are equal, and no vert lies between two equal ones.
 class cycle_collapser {

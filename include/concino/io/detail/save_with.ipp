@@ -58,7 +58,8 @@ CONCINO_INLINE void report_lost_faces(save_report& report, flat_mesh& m, std::st
   };
   for (std::size_t i = 1; i < keys.size(); ++i) num_equal += keys[i].first == keys[i - 1].first && sorted(keys[i].second) == sorted(keys[i - 1].second);
   if (num_equal)
-    report.lost.push_back(core::joined({num_equal, " faces with the verts of another face: ", format, " lists no faces, so that readers unite them, and polys become neighbours; .hedra holds them"}));
+    report.lost.push_back(core::joined({num_equal, " faces with the verts of another face: ", format,
+                                        " lists no faces, so that readers unite them, and polys become neighbours; .hedra holds them"}));
   if (num_unused) report.lost.push_back(core::joined({num_unused, " faces of no poly: ", format, " lists no faces; .hedra holds them"}));
 }
 
