@@ -98,7 +98,7 @@ class volume_line_walker {
     if (!out) return false;
     out_ = *out;
     x_ = out->position;
-    face_ = opposite_face(*m_, tet_.poly, tet_.verts[out->left_out], tet_.corners[out->left_out]);
+    face_ = opposite_face(*m_, tet_.poly, tet_.verts[out->left_out]);
     to.add({face_, x_}, tet_.poly);
     if (to.done()) return true;
     std::size_t n = 0;
