@@ -147,7 +147,7 @@ prepared_harmonic_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepa
 ///         and exponent 1, every value lies between the extrema of the prescribed values in its component.
 /// Cost:   one factorisation of a sparse matrix with as many unknowns as there are verts to solve for. On large meshes the default solver iterates
 ///         instead, in time proportional to their number.
-/// Errors: invalid_mesh if a value is prescribed at what is no vert of m, or if exponent > 1 and a vert has edges and no mass.
+/// Errors: invalid_mesh if a value is prescribed at what is no vert of m, or if exponent > 1 and a vert is coupled with others and has no mass.
 ///         invalid_argument if a value is not finite, a vert gets two different values, or exponent < 1. solver_error if a component that has edges has
 ///         no prescribed value (the message names one of its verts), or if the system cannot be solved in double precision. Those of `laplacian` with
 ///         this discretisation. cancelled.

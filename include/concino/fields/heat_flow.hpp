@@ -51,7 +51,7 @@ implicit_system<M> heat_flow_system(const M& m, double time, const D& discretisa
   const double step = (options.scheme == heat_scheme::second_order ? alexander_gamma : 1) * (time / options.steps);
   return at_unit_size(m, discretisation, [&](const auto& at, int exponent) -> implicit_system<M> {
     auto mass = mass_beside(at, discretisation, options.lumped, caller);
-    return {m, std::move(constrained), std::move(mass), std::ldexp(step, -2 * exponent), minus_laplacian(at, discretisation), caller};
+    return {m, discretisation, std::move(constrained), std::move(mass), std::ldexp(step, -2 * exponent), minus_laplacian(at, discretisation), caller};
   });
 }
 
@@ -160,7 +160,7 @@ prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_
 /// Cost:   one factorisation of a sparse matrix with as many unknowns as there are verts to solve for, and two back-substitutions per step, or one, see
 ///         heat_scheme. On large meshes the default solver iterates for the first ones, in time proportional to the number of unknowns.
 /// Errors: invalid_argument if time or steps is out of its range, or a value is not finite at a vert that has edges or is fixed. invalid_mesh if a
-///         fixed vert is no vert of m, or if a vert has edges and no mass. Those of `laplacian` with this discretisation and of mass_matrix.
+///         fixed vert is no vert of m, or if a vert is coupled with others and has no mass. Those of `laplacian` with this discretisation and of mass_matrix.
 ///         solver_error. cancelled.
 /// Source: Alexander 1977, "Diagonally implicit Runge-Kutta methods for stiff O.D.E.'s" (the scheme of two stages).
 template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class Solver = auto_solver>

@@ -74,7 +74,7 @@ class poisson_problem {
     report_progress(on_progress, 0, "Poisson's equation");
     constrained_verts<M> constrained(m);
     constrained.constrain(m, fixed, caller);
-    constrained.number_reached(m, caller);
+    constrained.number_reached(m, coupling_edges<M, D>(m, discretisation), caller);
     return at_unit_size(m, discretisation, [&](const auto& at, int exponent) -> poisson_problem {
       auto system = laplace_system(at, std::move(constrained), discretisation, 1, caller);
       return {std::move(system), mass_matrix(at, {.lumped = false}), exponent};

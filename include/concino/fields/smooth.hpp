@@ -40,7 +40,7 @@ implicit_system<M> smoothing_system(const M& m, double amount, const D& discreti
   constrained.constrain(m, options.fixed, caller);
   return at_unit_size(m, discretisation, [&](const auto& at, int exponent) -> implicit_system<M> {
     auto mass = mass_beside(at, discretisation, true, caller);
-    return {m, std::move(constrained), std::move(mass), std::ldexp(amount, -2 * options.exponent * exponent),
+    return {m, discretisation, std::move(constrained), std::move(mass), std::ldexp(amount, -2 * options.exponent * exponent),
             polyharmonic(at, discretisation, options.exponent, caller), caller};
   });
 }
@@ -123,7 +123,7 @@ prepared_smooth<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_smo
 /// Cost:   one factorisation of a sparse matrix with as many unknowns as there are verts to solve for. On large meshes the default solver iterates
 ///         instead, in time proportional to their number.
 /// Errors: invalid_argument if amount or exponent is out of its range, or f is not finite at a vert that has edges or is fixed. invalid_mesh if a
-///         fixed vert is no vert of m, or if a vert has edges and no mass. Those of `laplacian` with this discretisation. solver_error. cancelled.
+///         fixed vert is no vert of m, or if a vert is coupled with others and has no mass. Those of `laplacian` with this discretisation. solver_error. cancelled.
 /// Source: Whittaker 1923; of points: Desbrun, Meyer, Schroeder, Barr 1999, "Implicit fairing of irregular meshes using diffusion and curvature
 ///         flow".
 template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class Solver = auto_solver>

@@ -9,7 +9,7 @@
 #include <concino/core/progress.hpp>
 #include <concino/core/residual.hpp>
 #include <concino/core/vec3.hpp>
-#include <concino/graph/bfs.hpp>
+#include <concino/fields/detail/coupling_edges.hpp>
 #include <concino/mesh/element_map.hpp>
 
 #include <Eigen/SparseCore>
@@ -79,7 +79,7 @@ right_hand_sides<T> zeros(std::size_t size) {
 
 enum : int { constrained_vert = -1, isolated_vert = -2 };
 
-/// The unknown verts, numbered. The other verts are constrained to prescribed values, or isolated: they have no edges.
+/// The unknown verts, numbered. The other verts are constrained to prescribed values, or isolated: they have no edges that couple them with others.
 template<class M>
 struct constrained_verts {
   static constexpr int constrained = constrained_vert, isolated = isolated_vert;
@@ -106,15 +106,16 @@ struct constrained_verts {
   }
 
   /// Numbers the verts with edges.      Errors: solver_error if one cannot be reached from a constrained vert along edges.
-  void number_reached(const M& m, const char* caller) {
-    const vert_map<M, int> hops = prescribed.empty() ? make_vert_map<int>(m, -1) : concino::bfs(m, prescribed);
+  template<class D>
+  void number_reached(const M& m, const coupling_edges<M, D>& edges, const char* caller) {
+    const vert_map<M, int> hops = prescribed.empty() ? make_vert_map<int>(m, -1) : edges.bfs(prescribed);
     for (const vert_t<M> v : verts(m)) {
       if (unknown[v] == constrained) continue;
       if (hops[v] >= 0) {
         number(m, v);
-      } else if (has_edges(m, v)) {
+      } else if (edges.has_any(v)) {
         std::size_t component = 0;
-        const vert_map<M, int> from_v = concino::bfs(m, std::vector<vert_t<M>>{v});
+        const vert_map<M, int> from_v = edges.bfs({v});
         for (const vert_t<M> w : verts(m)) component += from_v[w] >= 0;
         throw_unconstrained_component(caller, index_of(m, v), component);
       } else {
@@ -124,10 +125,11 @@ struct constrained_verts {
   }
 
   /// Numbers the verts with edges, for systems that need no constrained vert.
-  void number_all(const M& m) {
+  template<class D>
+  void number_all(const M& m, const coupling_edges<M, D>& edges) {
     for (const vert_t<M> v : verts(m)) {
       if (unknown[v] == constrained) continue;
-      if (has_edges(m, v)) number(m, v);
+      if (edges.has_any(v)) number(m, v);
       else ++num_isolated;
     }
   }
@@ -136,10 +138,6 @@ struct constrained_verts {
   void number(const M& m, const vert_t<M>& v) {
     unknown[v] = unknowns++;
     index.push_back(static_cast<int>(index_of(m, v)));
-  }
-  static bool has_edges(const M& m, const vert_t<M>& v) {
-    const auto& around = adj_v2v(m, v);
-    return around.begin() != around.end();
   }
 
   void constrain_vert(const M& m, const vert_t<M>& v, const char* caller, const char* what) {

@@ -73,7 +73,7 @@ class form_problem {
   constrained_system<M> system_;
 
  public:
-  explicit form_problem(const M& m) : m_(m), at_(scaled_to_unit(m)), system_(laplace_system(at_, all_but_one_vert(m, caller), de_goes, 1, caller)) {}
+  explicit form_problem(const M& m) : m_(m), at_(scaled_to_unit(m)), system_(laplace_system(at_, all_but_one_vert(m, de_goes, caller), de_goes, 1, caller)) {}
 
   template<class Solver>
   void factorize(Solver& solver, const progress& on_progress) const { system_.factorize(solver, on_progress, caller); }

@@ -54,11 +54,12 @@ class implicit_system {
 
  public:
   /// mass and k: both triangles. Not yet factorised.
-  implicit_system(const M& m, constrained_verts<M>&& constrained, Eigen::SparseMatrix<double>&& mass, double amount, const Eigen::SparseMatrix<double>& k,
+  template<class D>
+  implicit_system(const M& m, const D& discretisation, constrained_verts<M>&& constrained, Eigen::SparseMatrix<double>&& mass, double amount, const Eigen::SparseMatrix<double>& k,
                   const char* caller)
       : system_(std::move(constrained)), caller_(caller) {
     mass_.swap(mass);  // the move operations of Eigen 3.4 would copy
-    system_.verts.number_all(m);
+    system_.verts.number_all(m, coupling_edges<M, D>(m, discretisation));
     for (const vert_t<M> v : verts(m)) {
       const auto i = index_of(m, v);
       if (system_.verts.unknown[v] >= 0 && !has_mass(mass_, i))
