@@ -36,7 +36,8 @@ class form_on_polygon {
   void visit(const M& m, const Real& real, const poly_t<Real>& p, const char* caller) {
     points_.clear(), edges.clear(), signs.clear(), steps.clear(), to_vector.clear();
     for (const vert_t<M> v : adj_p2v(m, p)) points_.push_back(to_vec3(point(m, v)));
-    auto it = adj_p2v(m, p).begin();
+    const auto& corners = adj_p2v(m, p);  // a range may own its elements
+    auto it = corners.begin();
     for (const edge_t<M> e : adj_p2e(m, p)) {  // edge k joins verts k and k + 1
       const vert_t<M> v = *it;
       edges.push_back(index_of(m, e));
