@@ -1,6 +1,7 @@
 // Prescribed values at some verts (Dirichlet conditions): the numbering of the unknowns and the reduced system that is left for them.
 #pragma once
 
+#include <concino/concepts/maps.hpp>
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/assembly.hpp>
 #include <concino/core/compiled.hpp>
@@ -22,6 +23,17 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+namespace concino::requirement {
+
+/// F has a number or a point for each vert of M: a map f[v], or a function f(x) of the point of the vert, a vec3.
+template<class F, class M>
+concept is_function_of_points = Embedded<M> && (requires(const std::remove_cvref_t<F>& f, const vec3& x) { { f(x) } -> std::convertible_to<double>; } ||
+                                                requires(const std::remove_cvref_t<F>& f, const vec3& x) { { f(x)[2] } -> std::convertible_to<double>; });
+template<class F, class M>
+concept is_field = gives_numbers_or_points<F, vert_t<M>> || is_function_of_points<F, M>;
+
+}  // namespace concino::requirement
 
 namespace concino::detail {
 
@@ -46,9 +58,17 @@ T same_in_all_parts(double x) {
   if constexpr (std::same_as<T, double>) return x;
   else return {x, x, x};
 }
-/// The value type of a readable map over elements X: double if its values are numbers, vec3 otherwise.
-template<class F, class X>
-using field_value_at = std::conditional_t<std::convertible_to<decltype(std::declval<const F&>()[std::declval<const X&>()]), double>, double, vec3>;
+
+/// The value of a field at a vert: that of a map, or of a function at its point.
+template<class M, class F>
+decltype(auto) value_at(const M& m, const F& f, const vert_t<M>& v) {
+  if constexpr (requirement::gives_numbers_or_points<F, vert_t<M>>) return f[v];
+  else return f(to_vec3(point(m, v)));
+}
+/// double if the values of a field on M are numbers, vec3 otherwise.
+template<class F, class M>
+  requires requirement::is_field<F, M>
+using field_value_of = std::conditional_t<std::convertible_to<decltype(value_at(std::declval<const std::remove_cvref_t<M>&>(), std::declval<const F&>(), std::declval<const vert_t<M>&>())), double>, double, vec3>;
 
 /// Elements X in a container or braces; or pairs of an X and a T, or other values that decompose into two parts.
 template<class R, class X> concept holds_elements = core::iterable<R> && requires(const R& r) { requires std::convertible_to<decltype(*r.begin()), X>; };
