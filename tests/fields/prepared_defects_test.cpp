@@ -187,7 +187,8 @@ TEST_CASE("prepared problems: edges of no poly connect no components, except wit
   user_mesh::surface m({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}, {3, 4, 5}});
   m.es.push_back({1, 3});
   const user_mesh::vertex a{0}, b{4};
-  const char* const message = "harmonic_map: the system is singular, because the component of vert 3 (3 verts) has no prescribed value; give one at any of its verts";
+  const char* const message = "harmonic_map: the system is singular, because the component of vert 3 (3 verts) has no prescribed value;"
+                              " give one at any of its verts";
   CHECK_THROWS_WITH_AS(harmonic_map(m, {{a, 1.0}}), message, solver_error);
   CHECK_THROWS_WITH_AS(harmonic_map(m, {{a, 1.0}}, cotangent), message, solver_error);
   CHECK(harmonic_map(m, {{a, 1.0}}, uniform)[b] == doctest::Approx(1));

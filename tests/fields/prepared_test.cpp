@@ -216,7 +216,8 @@ TEST_CASE_TEMPLATE("prepared problems: fields may be functions of points", M, po
   same(smooth(m, number, 0.1), smooth(m, numbers, 0.1));
   same(smooth(m, vector, 0.1, uniform), smooth(m, vectors, 0.1, uniform));
   same(prepare_smooth(m, 0.1).apply(number), prepare_smooth(m, 0.1).apply(numbers));
-  CHECK_THROWS_WITH_AS(poisson(m, [](const vec3&) { return std::nan(""); }, {.values = {{a, 0.0}}}), doctest::Contains("the load f at vert 0 is not finite"), invalid_argument);
+  const auto no_number = [](const vec3&) { return std::nan(""); };
+  CHECK_THROWS_WITH_AS(poisson(m, no_number, {.values = {{a, 0.0}}}), doctest::Contains("the load f at vert 0 is not finite"), invalid_argument);
   const auto nothing = [](const vec3&) {};
   const auto of_vert = [](vert_id) { return 1.0; };
   static_assert(requirement::is_field<decltype(number), M> && !requirement::is_field<decltype(nothing), M> && !requirement::is_field<decltype(of_vert), M>);

@@ -387,7 +387,8 @@ TEST_CASE("triangulate: outlines may repeat their first point at the end") {
   CHECK(by_numbers.segments().size() == 4);
 
   CHECK(error_of(loop{{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}) == "triangulate: line 0: an outline needs 3 points, but has 2");
-  CHECK(error_of(loop{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) == "triangulate: points 0 and 3 are at the same place; options.merge_points makes one vert of them");
+  CHECK(error_of(loop{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) ==
+        "triangulate: points 0 and 3 are at the same place; options.merge_points makes one vert of them");
 }
 
 TEST_CASE("triangulate: errors name lines, segments and points") {

@@ -151,12 +151,13 @@ prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_
 /// Solves the heat equation u_t = Laplacian of u: returns the values at `time`, starting from `initial` at time 0. The Laplacian is that of the
 /// discretisation, which is passed after the time; the default is virtual_elements. Fixed verts keep their values. No heat flows through the boundary
 /// where no verts are fixed.
-/// Needs:  EmbeddedMesh M; with a Discretisation what that needs: with `uniform` any PrimalGraph. initial: any readable map over verts, or function of the point
-///         of a vert, of numbers, or of points for vectors, whose components flow independently. time: finite, 0 or more, in units of length^2; without unit with
-///         `uniform`, where M is the identity. solver as for harmonic_map.
+/// Needs:  EmbeddedMesh M; with a Discretisation what that needs: with `uniform` any PrimalGraph. initial: any readable map over verts, or function of the
+///         point of a vert, of numbers, or of points for vectors, whose components flow independently. time: finite, 0 or more, in units of length^2;
+///         without unit with `uniform`, where M is the identity. solver as for harmonic_map.
 /// Result: a map of double or vec3. If nothing is fixed, the total heat (the sum of M u) is constant, and the sum of u times M u never grows.
 ///         The limit for long times is then the mean value in each component; with fixed values it is the harmonic map through them. Verts without
-///         edges keep their value; prepare_heat_flow counts them. Edges of no poly do not count, unless the discretisation gives them a weight, as uniform does.
+///         edges keep their value; prepare_heat_flow counts them. Edges of no poly do not count, unless the discretisation gives them a weight, as uniform
+///         does.
 /// Cost:   one factorisation of a sparse matrix with as many unknowns as there are verts to solve for, and two back-substitutions per step, or one, see
 ///         heat_scheme. On large meshes the default solver iterates for the first ones, in time proportional to the number of unknowns.
 /// Errors: invalid_argument if time or steps is out of its range, or a value is not finite at a vert that has edges or is fixed. invalid_mesh if a

@@ -134,11 +134,11 @@ prepared_log_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_lo
 /// Result: see log_map_result. Where the surface is flat, polar coordinates to rounding, whatever the polygons are; directions across holes
 ///         too, if heat reaches them along a way without turns about curved parts. Elsewhere approximate: on spheres the errors halve if edges do. On scanned
 ///         and designed surfaces distances are wrong by 1 to 3 % of the largest in the mean, and by up to 12 % where several paths are nearly the shortest, at
-///         the cut locus. There directions are between theirs. Distances are root mean squares over paths along which heat flows; where these differ from
-///         the shortest path along edges and straight across triangles by more than 1.5 to 2.5 times the mean width of polys, they are the length of that
-///         path. So they are lengths of paths round notches and holes too, and distance times direction is no position there. For distances alone,
-///         heat_geodesics is more accurate.
-///         Polygons other than triangles are triangulated. Frames where the surface is not orientable are those carried along the path.
+///         the cut locus. There directions are between theirs. Distances are root mean squares over paths along which heat flows. Where they are off
+///         from the shortest path along edges and straight across triangles by more than 2.5 times the mean width of polys, they are its length; from 1.5 to
+///         2.5 times they are between both. So they are lengths of paths round notches and holes too, and distance times direction is no position there.
+///         For distances alone, heat_geodesics is more accurate. Polygons other than triangles are triangulated. Frames where the surface is not orientable
+///         are those carried along the path.
 /// Cost:   two sparse factorisations, of as many unknowns as there are verts and of twice as many. Then two back-substitutions with each, one more with the second if polys at an edge have opposite orientations; as many again for each 550 root(time) of distance.
 ///         And a search for shortest paths, O(n log n) for n elements.
 /// Errors: invalid_mesh if source is not a vert of the mesh, or if a poly has no area or points that are not finite. unsupported if the polys at a vert are not

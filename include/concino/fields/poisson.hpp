@@ -175,9 +175,9 @@ prepared_poisson<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_po
 /// some verts and outward derivatives du/dn on parts of the boundary: poisson(m, f, {.values = {{a, 0.0}}, .fluxes = {{e, 1.0}}}). Where the
 /// boundary has neither, du/dn is 0. L is the Laplacian of the discretisation, which is passed after the load; the default is virtual_elements.
 /// Needs:  EmbeddedMesh M, with a Discretisation also what that needs. f: any readable map over verts, f[v], or function of the point of a
-///         vert, f(x) with a vec3 x, in units of u over length^2; of numbers, or of points for vectors, which are solved for component by component; then
-///         values and fluxes are points too. Values: at least one in each component. Fluxes: edges of a surface or faces of a volume on the boundary, with the outward derivative, constant on
-///         the edge or face. A facet may be listed twice with the same flux. solver: as for harmonic_map.
+///         vert, f(x) with a vec3 x, in units of u over length^2. Its values are numbers, or points for vectors, which are solved for component by component;
+///         then values and fluxes are points too. Values: at least one in each component. Fluxes: edges of a surface or faces of a volume on the boundary,
+///         with the outward derivative, constant on the edge or face. A facet may be listed twice with the same flux. solver: as for harmonic_map.
 /// Result: a map of double or vec3, u[v]. Prescribed values are exact. M is the Galerkin mass: the load is integrated against the projected hat
 ///         functions. A lumped mass would lose the order of the error, which is 2 in the size of the polys with virtual_elements. S integrates the hat
 ///         functions over edges and faces exactly as the Laplacian of virtual_elements does. Linear functions are reproduced where the mesh is planar, or

@@ -117,13 +117,14 @@ prepared_smooth<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_smo
 ///         vert, of numbers, or of points for vectors, which are smoothed component by component with one factorisation. amount: finite, 0 or more, in units of
 ///         length^(2 exponent), without unit with `uniform`. Features narrower than its (2 exponent)-th root disappear. solver as for harmonic_map.
 /// Result: a map of double or vec3. Constants do not change, nor does the sum of mass times value if nothing is fixed. Verts without edges keep their
-///         values; prepare_smooth counts them. Edges of no poly do not count, unless the discretisation gives them a weight, as uniform does. Where nothing is fixed on the boundary, u meets it with slope 0, so linear functions bend
-///         there. With `uniform` and exponent 1, values stay between the extrema of f. With other discretisations they do so if no weight
-///         is negative.
+///         values; prepare_smooth counts them. Edges of no poly do not count, unless the discretisation gives them a weight, as uniform does. Where nothing
+///         is fixed on the boundary, u meets it with slope 0, so linear functions bend there. With `uniform` and exponent 1, values stay between the
+///         extrema of f. With other discretisations they do so if no weight is negative.
 /// Cost:   one factorisation of a sparse matrix with as many unknowns as there are verts to solve for. On large meshes the default solver iterates
 ///         instead, in time proportional to their number.
 /// Errors: invalid_argument if amount or exponent is out of its range, or f is not finite at a vert that has edges or is fixed. invalid_mesh if a
-///         fixed vert is no vert of m, or if a vert is coupled with others and has no mass. Those of `laplacian` with this discretisation. solver_error. cancelled.
+///         fixed vert is no vert of m, or if a vert is coupled with others and has no mass. Those of `laplacian` with this discretisation. solver_error.
+///         cancelled.
 /// Source: Whittaker 1923; of points: Desbrun, Meyer, Schroeder, Barr 1999, "Implicit fairing of irregular meshes using diffusion and curvature
 ///         flow".
 template<class M, class F, class T = detail::field_value_of<F, M>, class Solver = auto_solver>

@@ -72,9 +72,9 @@ polyhedralmesh dual_mesh_of(const M& m, const Creases& creases, const dual_mesh_
 ///         faces of the volume are planar. With creases only where the boundary turns, that is still so, with fewer verts and faces. A cell has
 ///         one face for each part of the boundary between two creases, and a vert where two or more creases meet. Edges between boundary faces that share
 ///         several edges are creases in any case, also of closed cells.
-///         A cell is inverted where the verts of the dual are not in the order of the polys around its vert: in meshes of polyhedra of very different shapes,
-///         of polys that are not convex, and with circumcentres of polys that are not Delaunay. options.inverted lists the cells of volumes without positive
-///         volume, and those of surfaces whose normal and that of their vert point to different sides, or that have no area.
+///         A cell may be inverted, since the verts of the dual need not surround its vert. This happens with polyhedra of very different shapes, with polys
+///         that are not convex, and with circumcentres if m is not Delaunay. options.inverted lists the cells of volumes without positive volume. Of surfaces
+///         it lists those whose normal and that of their vert point to different sides, and those without area.
 /// Cost:   O(size of the mesh), plus the squares of the numbers of polys around each vert (surface) or edge (volume).
 /// Errors: invalid_mesh that names the vert, edge, face or poly that is not manifold, not closed, not at a finite point or without circumcentre, or an
 ///         interior vert of a volume that has only two edges. invalid_argument for circumcentres that names a poly that is no triangle or tet.

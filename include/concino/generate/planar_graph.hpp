@@ -39,7 +39,8 @@ vec3 planar_point(const P& p) {
 }  // namespace detail
 
 /// A planar straight-line graph: lines through numbered points. The last point of a closed line, an outline, is joined to the first one, unless it repeats
-/// it: then both are one vert. Flat arrays: line i has the points line_points[line_ends[i - 1]] to line_points[line_ends[i] - 1]. Lines may share points and segments.
+/// it: then both are one vert. Flat arrays: line i has the points line_points[line_ends[i - 1]] to line_points[line_ends[i] - 1]. Lines may share points
+/// and segments.
 ///
 ///   planar_graph g;
 ///   for (std::size_t i = 0; i < layer.outer.size(); ++i) g.add_outline(layer.outer[i], layer.z);  // of load_slices(path)

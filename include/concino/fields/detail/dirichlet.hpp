@@ -68,7 +68,9 @@ decltype(auto) value_at(const M& m, const F& f, const vert_t<M>& v) {
 /// double if the values of a field on M are numbers, vec3 otherwise.
 template<class F, class M>
   requires requirement::is_field<F, M>
-using field_value_of = std::conditional_t<std::convertible_to<decltype(value_at(std::declval<const std::remove_cvref_t<M>&>(), std::declval<const F&>(), std::declval<const vert_t<M>&>())), double>, double, vec3>;
+using field_value_of = std::conditional_t<
+    std::convertible_to<decltype(value_at(std::declval<const std::remove_cvref_t<M>&>(), std::declval<const F&>(), std::declval<const vert_t<M>&>())), double>,
+    double, vec3>;
 
 /// Elements X in a container or braces; or pairs of an X and a T, or other values that decompose into two parts.
 template<class R, class X> concept holds_elements = core::iterable<R> && requires(const R& r) { requires std::convertible_to<decltype(*r.begin()), X>; };

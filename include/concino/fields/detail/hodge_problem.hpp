@@ -86,7 +86,8 @@ class hodge_problem {
 
  public:
   explicit hodge_problem(const M& m)
-      : m_(require_simplices(m)), at_(scaled_to_unit(m)), measure_(poly_index_bound(m)), system_(laplace_system(at_, all_but_one_vert(m, cotangent, caller), cotangent, 1, caller)) {
+      : m_(require_simplices(m)), at_(scaled_to_unit(m)), measure_(poly_index_bound(m)),
+        system_(laplace_system(at_, all_but_one_vert(m, cotangent, caller), cotangent, 1, caller)) {
     for (const poly_t<M> p : polys(m)) measure_[index_of(m, p)] = std::abs(measure(at_, p));
   }
 

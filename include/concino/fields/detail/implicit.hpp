@@ -55,8 +55,8 @@ class implicit_system {
  public:
   /// mass and k: both triangles. Not yet factorised.
   template<class D>
-  implicit_system(const M& m, const D& discretisation, constrained_verts<M>&& constrained, Eigen::SparseMatrix<double>&& mass, double amount, const Eigen::SparseMatrix<double>& k,
-                  const char* caller)
+  implicit_system(const M& m, const D& discretisation, constrained_verts<M>&& constrained, Eigen::SparseMatrix<double>&& mass, double amount,
+                  const Eigen::SparseMatrix<double>& k, const char* caller)
       : system_(std::move(constrained)), caller_(caller) {
     mass_.swap(mass);  // the move operations of Eigen 3.4 would copy
     system_.verts.number_all(m, coupling_edges<M, D>(m, discretisation));

@@ -40,7 +40,8 @@ class planar_segment_reader {
       const std::size_t end = g_.line_ends[i], needed = g_.line_closed[i] ? 3 : 2;
       require(begin <= end && end <= g_.line_points.size(), {"line_ends[", i, "] is ", end, "; it must not be below the one before, and there are ", g_.line_points.size(), " line_points"});
       const bool repeats = g_.repeats_first_point(i);
-      require(end - begin - repeats >= needed, {"line ", i, ": ", g_.line_closed[i] ? "an outline" : "an open line", " needs ", needed, " points, but has ", end - begin - repeats});
+      const std::size_t n = end - begin - repeats;
+      require(n >= needed, {"line ", i, ": ", g_.line_closed[i] ? "an outline" : "an open line", " needs ", needed, " points, but has ", n});
       for (std::size_t k = begin; k < end; ++k) use(g_.line_points[k], {"line ", i});
       if (repeats) repeats_[g_.line_points[end - 1]] = g_.line_points[begin];
       begin = end;
