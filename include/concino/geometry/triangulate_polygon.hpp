@@ -1,6 +1,7 @@
 // Triangulation of a polygon in space without new points, for drawing, areas and formats with triangles only.
 #pragma once
 
+#include <concino/core/lexicographic.hpp>
 #include <concino/core/vec3.hpp>
 #include <concino/geometry/orientation.hpp>
 
@@ -86,11 +87,9 @@ class polygon_triangulator {
   index left_ = 0;
   bool exact_ = false;
 
-  // Negative if a comes before b in the lexicographic order of coordinates, positive if after.
+  // Negative if a comes before b, positive if after.
   static int compare(const vec3& a, const vec3& b) {
-    for (const std::size_t k : {0u, 1u, 2u})
-      if (a[k] != b[k]) return a[k] < b[k] ? -1 : 1;
-    return 0;
+    return core::is_lexicographically_less(a, b) ? -1 : core::is_lexicographically_less(b, a) ? 1 : 0;
   }
 
   // The first of the lexicographically smallest rotations. Source: Shiloach 1981, "Fast canonization of circular strings".

