@@ -93,6 +93,7 @@ class distance_graph::search {
 
   node& at(int v) { return node_[static_cast<std::size_t>(v)]; }
   const node& at(int v) const { return node_[static_cast<std::size_t>(v)]; }
+  const vec3& position(int v) const { return graph_.positions_[static_cast<std::size_t>(v)]; }
 
   void offer(int vert, double length, const node& from) {
     node& n = at(vert);
@@ -159,12 +160,14 @@ class distance_graph::search {
     }
   }
 
-  void cross(const node& from, const int* corners, const local_tet& s, std::size_t last) {
-    const node &a = at(corners[others[last][0]]), &b = at(corners[others[last][1]]), &c = at(corners[others[last][2]]);
+  void cross(const node& from, const int* corners, std::size_t last) {
+    const int at_a = corners[others[last][0]], at_b = corners[others[last][1]], at_c = corners[others[last][2]];
+    const node &a = at(at_a), &b = at(at_b), &c = at(at_c);
     const node& to = at(corners[last]);
     if (a.source != from.source || b.source != from.source || c.source != from.source || to.state >= max_changes) return;
     if (to.path_length <= std::min({a.path_length, b.path_length, c.path_length})) return;
     const double there = from.before;
+    const local_tet s = seen_from(position(at_a), position(at_b), position(at_c), position(corners[last]));
     const double path_length = there + unfolded_distance(s, a.path_length - there, b.path_length - there, c.path_length - there, to.path_length - there);
     if (improves(to, path_length)) across_tets_.emplace_back(corners[last], path_length);
   }
@@ -191,7 +194,7 @@ class distance_graph::search {
       std::uint8_t& known = known_[i / 4];
       known = static_cast<std::uint8_t>(known | 1u << (i - first));
       for (std::size_t last = 0; last < 4; ++last)
-        if (first + last != i && (known | 1u << last) == 15) cross(from, &graph_.tet_[first], graph_.local_tets_[first + last], last);
+        if (first + last != i && (known | 1u << last) == 15) cross(from, &graph_.tet_[first], last);
     }
     for (const auto& [to, path_length] : across_tets_)  // only now, so that they do not depend on the order of the tets
       if (improves(at(to), path_length)) offer(to, path_length, from);
