@@ -1,11 +1,9 @@
-// Level sets, lines, quality and facts do not depend on the order in which a mesh is stored.
+// Level sets and integral lines do not depend on the order in which a mesh is stored.
 #include <concino/level_sets/clip.hpp>
 #include <concino/level_sets/isolines.hpp>
 #include <concino/level_sets/isosurface.hpp>
 #include <concino/level_sets/measure_between.hpp>
 #include <concino/lines/integral_line.hpp>
-#include <concino/quality/poly_quality.hpp>
-#include <concino/validate/validate.hpp>
 
 #include <support/permuted.hpp>
 
@@ -36,25 +34,6 @@ TEST_CASE_TEMPLATE("level sets do not depend on storage", M, CONCINO_KINDS) {
   });
 }
 
-TEST_CASE_TEMPLATE("quality and facts do not depend on storage", M, CONCINO_KINDS) {
-  for_each_stored_mesh<M>([](const storage_check<M>& check) {
-    using s = stored_mesh<M>;
-    for (std::size_t k = 0; k < num_metrics; ++k) {
-      const auto what = static_cast<metric>(k);
-      const M& m = check.original().mesh;
-      if (!is_defined(what, shape_of_poly(m, poly_id{0}))) continue;
-      bool all = true;
-      for (const poly_id p : polys(m)) all = all && is_defined(what, shape_of_poly(m, p));
-      if (all) check.at_polys(std::string(name_of(what)), [&](const s& x) { return quality(x.mesh, what); });
-    }
-    check.number("facts", [](const s& x) {
-      const mesh_facts f = validate(x.mesh).facts;
-      return std::vector<double>{double(f.manifold), double(f.orientable), double(f.closed), double(f.components), double(f.boundary_loops),
-                                 double(f.euler_characteristic), f.genus ? double(*f.genus) : -1};
-    });
-  });
-}
-
 TEST_CASE_TEMPLATE("ends of integral lines do not depend on storage", M, CONCINO_KINDS) {
   for_each_stored_mesh<M>([](const storage_check<M>& check) {
     if (check.name() == "regular") return;  // lines that meet verts have several ways to go on
@@ -63,7 +42,7 @@ TEST_CASE_TEMPLATE("ends of integral lines do not depend on storage", M, CONCINO
       auto g = make_poly_map<vec3>(x.mesh);
       for (const poly_id p : x.polys) g[p] = vec3{1, 0.3217, SurfaceMesh<M> ? 0 : 0.2113};
       const auto line = integral_line(x.mesh, g, x[poly_id{1}]);
-      const vec3 end = line.points.back();
+      const vec3 end = line.points.back().position;
       return std::vector<double>{end.x, end.y, end.z};
     });
   });

@@ -1,5 +1,7 @@
 // Operators do not depend on the order in which a mesh is stored.
 #include <concino/operators.hpp>
+#include <concino/operators/de_goes.hpp>
+#include <concino/operators/virtual_refinement.hpp>
 
 #include <support/permuted.hpp>
 
