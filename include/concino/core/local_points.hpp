@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace concino::core {
@@ -90,7 +91,9 @@ inline bool is_degenerate_simplex(std::span<const vec3> corners) {
   vec3 points[4];
   const std::size_t n = corners.size();
   std::copy_n(corners.begin(), n, points);
-  std::sort(points, points + n, [](const vec3& a, const vec3& b) { return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z; });
+  const auto is_less = [](const vec3& a, const vec3& b) { return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z; };
+  for (std::size_t i = 1; i < n; ++i)
+    for (std::size_t k = i; k > 0 && is_less(points[k], points[k - 1]); --k) std::swap(points[k], points[k - 1]);
   local_accuracy local;
   if (!local.fit({points, n})) return true;
   if (n == 3) return local.is_zero_area(vector_area({points, n}, 0, n), n);
