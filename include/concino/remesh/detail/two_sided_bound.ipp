@@ -27,6 +27,8 @@ struct few_triangles {
 /// Whether all points of t are near triangles. Marks those that this follows from in is_used_. False too if it is not known after max_cuts.
 template<class Triangles>
 bool two_sided_bound::is_near(const triangle_points& t, const Triangles& to, std::size_t guess, std::size_t max_cuts) {
+  for (const vec3& x : t)
+    if (to.nearest(x, guess).squared > squared_limit_) return false;
   stack_.clear();
   bool is_far = false;
   const auto look_at = [&](core::polygon_part& p) {
