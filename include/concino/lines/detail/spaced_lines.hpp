@@ -117,8 +117,9 @@ class spaced_lines {
     if (!p || !is_free(seed.position, *p, distance_ * (1 - 1e-9), 0, never)) return;
     is_kept_.push_back(1);
     samples_.add({seed.position, *p, attempt_, 0});
-    field_line<M> line = follow(seed, 1);
-    if (line.stopped_by != line_end::closed) line = joined(follow(seed, -1), line);
+    const mesh_point<M> start = lowest_element_of(*m_, seed, "evenly_spaced_lines", "seed");
+    field_line<M> line = follow(start, 1);
+    if (line.stopped_by != line_end::closed) line = joined(follow(start, -1), line);
     is_kept_[attempt_] = line.length >= min_length_;
     if (is_kept_[attempt_]) lines_.push_back(std::move(line));
   }
