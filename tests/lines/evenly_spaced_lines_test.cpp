@@ -44,7 +44,7 @@ void check_spacing(const M& m, const std::vector<field_line<M>>& lines, double s
   double least = std::numeric_limits<double>::infinity(), farthest = 0;
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) least = std::min(least, distance_between(all[i], all[j]));
-  CHECK(least > 0.4 * spacing);  // half the distance between points a quarter of it apart
+  CHECK(least > 0.495 * spacing);
   std::size_t far = 0;
   for (const auto v : verts(m)) {
     double d = std::numeric_limits<double>::infinity();

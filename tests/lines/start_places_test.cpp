@@ -135,3 +135,36 @@ TEST_CASE_TEMPLATE("integral_line: along an axis from each place, also located",
     CHECK(wrong == 0);
   }
 }
+
+TEST_CASE_TEMPLATE("integral_line: from places on and near faces that are not planar", M, CONCINO_VOLUME_KINDS) {
+  const M m = jittered<M>(5);
+  const auto tree = bounding_tree(m);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(-1, 1);
+  auto g = make_poly_map<vec3>(m);
+  std::size_t wrong = 0, n = 0;
+  const auto follow = [&](const mesh_point<M>& x) {
+    const vec3 d(any(random), any(random), any(random));
+    for (const auto p : polys(m)) g[p] = d;
+    const auto line = integral_line(m, g, x);
+    const vec3 from = line.points.front().position;  // in the shell between the triangles and the face as it is for locate, the start is moved to the triangles
+    wrong += !(distance(from, x.position) < 0.1 && distance(line.points.back().position, expected_end<M>(from, d)) < 1e-9);
+    ++n;
+  };
+  for (const auto f : faces(m)) {
+    std::vector<vec3> x;
+    for (const auto v : adj_f2v(m, f)) x.push_back(point(m, v));
+    if (x.size() < 4) continue;
+    for (const std::size_t k : {0u, 1u}) {
+      const vec3 middle = 0.5 * (x[k] + x[k + 2]);
+      follow({f, middle});
+      for (const auto p : adj_f2p(m, f)) follow({p, middle});
+    }
+  }
+  for (int i = 0; i < 200; ++i) {
+    const vec3 x(0.5 + 0.5 * any(random), 0.5 + 0.5 * any(random), 0.5 + 0.5 * any(random));
+    follow({*tree.locate(x), x});
+  }
+  CHECK(wrong == 0);
+  CHECK(n >= 200);
+}

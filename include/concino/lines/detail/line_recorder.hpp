@@ -53,7 +53,8 @@ class line_recorder {
     if (limit_) {
       const double part = limit_(last(), x.position, p);
       if (part < 1) {
-        start({p, last() + part * (x.position - last())});
+        if (part > 0) start({p, last() + part * (x.position - last())});
+        else line_->polys.pop_back();
         line_->length += part * step;
         if (!close_at_start()) stop(line_end::too_close);
         return;
