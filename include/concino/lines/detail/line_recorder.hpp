@@ -103,6 +103,11 @@ class line_recorder {
       line_->points.pop_back();
       line_->polys.pop_back();
     }
+    const double step = last_step(), rest = length - (line_->length - step);
+    if (!(rest < step)) return;
+    const vec3 from = at(num_points() - 2), end = from + rest / step * (last() - from);
+    line_->points.back() = {line_->polys.back(), end};
+    line_->length = length;
   }
   double room() const { return max_length_ - line_->length; }
 

@@ -109,14 +109,19 @@ class spaced_lines {
       };
       for (std::size_t k = 0; k < n; ++k) {
         const double from = static_cast<double>(k) / static_cast<double>(n), to = static_cast<double>(k + 1) / static_cast<double>(n), here = arc + to * step;
+        const auto add_up_to = [&](double t) { samples_.add({a + from * (b - a), a + t * (b - a), p, attempt_, sense * (arc + 0.5 * (from + t) * step)}); };
         runs_into_itself = false;
-        if (!is_free_at(to)) return last_free(from, to, is_free_at);
-        if (runs_into_itself) {
-          met_itself = std::min(met_itself, here);
-          if (here > met_itself + 2 * distance_) return to;
-        } else {
-          samples_.add({a + from * (b - a), a + to * (b - a), p, attempt_, sense * (arc + 0.5 * (from + to) * step)});
+        if (!is_free_at(to)) {
+          const double end = last_free(from, to, is_free_at);
+          add_up_to(end);
+          return end;
         }
+        if (!runs_into_itself) {
+          add_up_to(to);
+          continue;
+        }
+        met_itself = std::min(met_itself, here);
+        if (here > met_itself + 2 * distance_) return to;
       }
       arc += step;
       return 1.0;
