@@ -73,9 +73,10 @@ TEST_CASE("read_vtk: cells of every linear type, with any line ends") {
   CHECK(raw(hex.verts) == std::vector<unsigned>{0, 1, 2, 3, 4, 5, 6, 7});
   CHECK(raw(vtk<cell_arrays>(vtk_grid_of("8 0 1 3 2 4 5 7 6\n", "11")).verts) == raw(hex.verts));  // a voxel
   load_report r;
-  const auto wedges = vtk<polyhedra_arrays>(vtk_grid_of("6 0 1 2 4 5 6\n6 0 3 2 4 7 6\n", "13 13"), {.report = &r});  // both orders
+  const auto wedges = vtk<polyhedra_arrays>(vtk_grid_of("6 0 2 1 4 6 5\n6 0 2 3 4 6 7\n", "13 13"), {.report = &r});  // VTK's order, and mirrored
   CHECK(vtk_volume(wedges) == doctest::Approx(1));
   CHECK(r.reoriented_polys == 1);
+  CHECK(r.notes == std::vector<std::string>{"1 of 2 cells had a negative volume: their verts were put into the standard order"});
   CHECK(wedges.num_faces() == 9);
   const auto two = vtk<polyhedra_arrays>(vtk_grid_of(pyramid_as_polyhedron + "8 0 1 2 3 4 5 6 7\n", "42\n12"));
   CHECK(two.num_polys() == 2);
@@ -89,10 +90,32 @@ TEST_CASE("read_vtk: cells of every linear type, with any line ends") {
       if (lifted[i] == '0' && (i + 2 >= lifted.size() || lifted.substr(i + 1, 2) == "  ")) lifted[i] = '1';
     for (unsigned i = 0; i < 2 * n; ++i) ids += ' ' + std::to_string(i);
     const auto prism = vtk<polyhedra_arrays>(vtk_head + "POINTS " + std::to_string(2 * n) + " float " + points + ' ' + lifted + "\nCELLS 1 " + std::to_string(2 * n + 1) + '\n' +
-                                             std::to_string(2 * n) + ids + "\nCELL_TYPES 1 " + (n == 5 ? "15" : "16"));
+                                             std::to_string(2 * n) + ids + "\nCELL_TYPES 1 " + (n == 5 ? "15" : "16"), {.report = &r});
+    CHECK(r.reoriented_polys == 0);
+    CHECK(r.notes.empty());
     CHECK(prism.num_faces() == n + 2);
     CHECK(vtk_volume(prism) == doctest::Approx(n == 5 ? 5 : 6));
   }
+}
+
+TEST_CASE("read_vtk: cells in VTK's order need no change, alone and beside others") {
+  const std::string wedge = "6 0 2 1 4 6 5\n", mirrored = "6 0 1 2 4 5 6\n";  // the base of a wedge is counter-clockwise seen from outside
+  const std::pair<std::string, std::string> grids[] = {{wedge, "13"}, {wedge + wedge, "13 13"}, {wedge + "5 4 5 6 7 8\n", "13 14"}, {wedge + pyramid_as_polyhedron, "13 42"},
+                                                       {wedge + "4 0 2 3 4\n", "13 10"}, {wedge + "3 0 2 3\n", "13 5"}, {"8 0 1 3 2 4 5 7 6\n" + wedge, "11 13"}};
+  for (const auto& grid : grids) {  // the faces of the polyhedron are wound inconsistently
+    const std::string &cells = grid.first, &types = grid.second;
+    CAPTURE(types);
+    load_report r;
+    const auto m = vtk<polyhedra_arrays>(vtk_grid_of(cells, types), {.report = &r});
+    CHECK(r.reoriented_polys == (types == "13 42" ? 1 : 0));
+    const std::size_t at = types == "11 13" ? 1 : 0;
+    CHECK(testing::six_times_poly_volume(m, at) == doctest::Approx(3));
+    vtk<polyhedra_arrays>(vtk_grid_of(mirrored, "13"), {.report = &r});
+    CHECK(r.reoriented_polys == 1);
+  }
+  CHECK(complaint<polyhedra_arrays>(vtk_grid_of("6 0 2 1 4 6 6\n", "13"), file_format::vtk) == "10: different verts in a cell | vert 6 twice");
+  CHECK(complaint<polyhedra_arrays>(vtk_grid_of("5 0 2 1 4 6\n", "13"), file_format::vtk) == "10: 6 points, for a cell of type 13 | 5");
+  CHECK(complaint<polyhedra_arrays>(vtk_grid_of("7 0 1 3 2 4 5 6\n", "11"), file_format::vtk) == "10: 8 points, for a cell of type 11 | 7");
 }
 
 TEST_CASE("read_vtk: polygons of every type make a surface") {

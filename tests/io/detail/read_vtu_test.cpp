@@ -142,6 +142,19 @@ TEST_CASE("read_vtu: base64 and appended arrays, in both byte orders and widths 
       }
 }
 
+TEST_CASE("read_vtu: cells in VTK's order need no change, also beside polyhedra") {
+  const std::string lists = vtu_array("Int64", "faces", "5 4 4 5 6 7 3 5 4 8 3 6 5 8 3 7 6 8 3 4 7 8"), ends = vtu_array("Int64", "faceoffsets", "-1 22");
+  const std::string grids[] = {vtu_cells("0 2 1 4 6 5", "6", "13"), vtu_cells("0 2 1 4 6 5  0 2 1 4 6 5", "6 12", "13 13"), vtu_cells("0 2 1 4 6 5  4 5 6 7 8", "6 11", "13 42", lists + ends),
+                               vtu_cells("0 2 1 4 6 5  0 2 3", "6 9", "13 5"), vtu_cells("0 2 1 4 6 5  0 1 3 2 4 5 7 6", "6 14", "13 11")};
+  for (const std::string& cells : grids) {
+    CAPTURE(cells);
+    load_report r;
+    const auto m = vtu<polyhedra_arrays>(cube_file(cells, cells == grids[0] ? 1 : 2), {.report = &r});
+    CHECK(r.reoriented_polys == (cells == grids[2] ? 1 : 0));  // the faces of the polyhedron are wound inconsistently
+    CHECK(testing::six_times_poly_volume(m, 0) == doctest::Approx(3));
+  }
+}
+
 TEST_CASE("read_vtu: polyhedra beside other cells, in two pieces") {
   const std::string face_lists = "5 4 4 5 6 7 3 4 5 8 3 5 6 8 3 6 7 8 3 7 4 8  4 3 0 1 2 3 0 1 8 3 1 2 8 3 0 2 8";
   const std::string both = vtu_cells("4 5 6 7 8  0 1 2 3 4 5 6 7  0 1 2 8", "5 13 17", "42 12 42", vtu_array("Int64", "faces", face_lists) + vtu_array("Int64", "faceoffsets", "22 -1 39"));

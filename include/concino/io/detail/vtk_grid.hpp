@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace concino::detail {
@@ -63,6 +64,12 @@ inline cell_shape shape_of_vtk_cell(unsigned type) {
     case 14: return cell_shape::pyramid;
     default: return cell_shape::general;
   }
+}
+/// Puts the verts of a cell from VTK's order into the standard one, and the reverse: they differ in voxels, whose x changes fastest, and in wedges, whose base
+/// 0 1 2 is counter-clockwise seen from outside.
+inline void swap_vtk_order(unsigned type, vert_id* v) {
+  if (type == 11) std::swap(v[2], v[3]), std::swap(v[6], v[7]);
+  if (type == 13) std::swap(v[1], v[2]), std::swap(v[4], v[5]);
 }
 
 }  // namespace concino::detail

@@ -162,6 +162,7 @@ class vtk_mesh {
       return built->finish(out_);
     }
     basic_cell_builder<Contents> cells(in_, grid_.points, 0);
+    swap_orders();
     if (has_one_shape()) {
       const std::size_t n = grid_.size(), added = cells.add_all_cells(shape_of_vtk_cell(grid_.types[0]), std::move(grid_.verts));
       if (added != n) places_.fail_at_cell(added, {cells.expected}, {cells.found});
@@ -182,14 +183,19 @@ class vtk_mesh {
 
   /// Whether all cells are tets, or hexes, and so on, and none has a wrong vert.
   bool has_one_shape() {
-    return identity_ = common_size() && shape_of_vtk_cell(grid_.types[0]) != cell_shape::general && grid_.types[0] != 11;
+    return identity_ = common_size() && shape_of_vtk_cell(grid_.types[0]) != cell_shape::general;
   }
   /// Whether all cells are listed as cell_builder does it: tets, hexes, prisms, pyramids, and polyhedra unless these have to become tets or hexes.
   bool lists_as_builder() const {
     const bool takes_polyhedra = in_.wanted.polyhedra || !in_.wanted.cells;
     for (const std::uint8_t t : grid_.types)
-      if (t == vtk_polyhedron ? !takes_polyhedra : shape_of_vtk_cell(t) == cell_shape::general || t == 11) return false;
+      if (t == vtk_polyhedron ? !takes_polyhedra : shape_of_vtk_cell(t) == cell_shape::general) return false;
     return true;
+  }
+  /// Puts the verts of all cells into the standard order. Cells of a wrong number of verts stay as they are: they are rejected later.
+  void swap_orders() {
+    for (std::size_t c = 0; c < grid_.size(); ++c)
+      if (grid_.cell_ends[c] - grid_.first(c) == size_of_vtk_cell(grid_.types[c])) swap_vtk_order(grid_.types[c], grid_.verts.data() + grid_.first(c));
   }
   template<class Builder>
   bool add_taken(Builder& cells, std::size_t c) {
@@ -216,7 +222,9 @@ class vtk_mesh {
     const vert_id* const v = verts_of(c);
     if (type == 15 || type == 16) {
       const std::size_t n = type == 15 ? 5 : 6;
-      cells.add_face(v, n);
+      vert_id base[6];
+      std::reverse_copy(v, v + n, base);
+      cells.add_face(base, n);
       cells.add_face(v + n, n);
       for (std::size_t i = 0; i < n; ++i) {
         const vert_id quad[] = {v[i], v[(i + 1) % n], v[n + (i + 1) % n], v[n + i]};
@@ -224,9 +232,7 @@ class vtk_mesh {
       }
       return cells.end_polyhedron();
     }
-    if (type != 11) return cells.add_cell(shape_of_vtk_cell(type), v);
-    const vert_id voxel[] = {v[0], v[1], v[3], v[2], v[4], v[5], v[7], v[6]};
-    return cells.add_cell(cell_shape::hex, voxel);
+    return cells.add_cell(shape_of_vtk_cell(type), v);
   }
 
   /// Checks the list of the faces of a polyhedron.
