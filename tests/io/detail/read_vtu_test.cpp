@@ -216,8 +216,9 @@ TEST_CASE("read_vtu: polygons of .vtp, whatever the format that was asked for") 
     load_report r;
     const auto m = load_text<polygonmesh>(text, f, {.report = &r});
     CHECK(num_polys(m) == 4);
-    const auto c = find_poly_property<int>(m, "c");  // values are in the order verts, lines, strips, polys
-    CHECK((c[poly_id{0}] == 20 && c[poly_id{1}] == 20 && c[poly_id{2}] == 30 && c[poly_id{3}] == 40));
+    const auto c = find_poly_property<int>(m, "c");  // values are in the order verts, lines, polys, strips
+    CHECK((c[poly_id{0}] == 20 && c[poly_id{1}] == 30 && c[poly_id{2}] == 40 && c[poly_id{3}] == 40));
+    CHECK(num_elements(adj_p2v(m, poly_id{1})) == 4);
     CHECK(r.skipped == std::vector<std::string>{"1 cells that are verts or lines"});
   }
 }
