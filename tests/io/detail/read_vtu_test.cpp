@@ -169,25 +169,66 @@ TEST_CASE("read_vtu: polyhedra beside other cells, in two pieces") {
 }
 
 TEST_CASE("read_vtu: pieces are joined at equal points, and ghost cells dropped") {
-  const auto piece = [](const std::string& points, const std::string& cells, const std::string& ghosts, const std::string& values) {
+  const auto piece = [](const std::string& points, const std::string& cells, const std::string& ghosts, const std::string& values, const std::string& heights = "1 2 3 4") {
     return vtu_piece(4, 1, "<Points>\n" + vtu_array("Float32", "Points", points, "NumberOfComponents='3' ") + "</Points>\n" + cells + "<CellData>\n" + vtu_array("UInt8", "vtkGhostType", ghosts) +
-                               vtu_array("Int32", "part", values) + "</CellData><PointData>" + vtu_array("Float64", "h", "1 2 3 4") + "</PointData>");
+                               vtu_array("Int32", "part", values) + "</CellData><PointData>" + vtu_array("Float64", "h", heights) + "</PointData>");
   };
   const std::string cells = vtu_cells("0 1 2 3", "4", "10");
   const std::string of_tet = vtu_array("Int64", "faces", "4  3 0 1 2  3 0 1 3  3 1 2 3  3 0 2 3") + vtu_array("Int64", "faceoffsets", "17");
   load_report r;
-  const auto m = load_text<polyhedralmesh>(vtu_file(piece("0 0 0 1 0 0 0 1 0 0 0 1", cells, "0", "5") + piece("1 0 0 0 1 0 0 -0.0 1 1 1 1", vtu_cells("0 1 2 3", "4", "42", of_tet), "0", "6") +
+  const auto m = load_text<polyhedralmesh>(vtu_file(piece("0 0 0 1 0 0 0 1 0 0 0 1", cells, "0", "5") + piece("1 0 0 0 1 0 0 -0.0 1 1 1 1", vtu_cells("0 1 2 3", "4", "42", of_tet), "0", "6", "2 3 4 5") +
                                                     piece("0 0 0 1 0 0 0 1 0 0 0 1", cells, "1", "7")),
                                            file_format::vtu, {.report = &r});
   CHECK(num_verts(m) == 5);
   CHECK(num_polys(m) == 2);
   CHECK(num_faces(m) == 7);
   CHECK(find_poly_property<int>(m, "part")[poly_id{1}] == 6);
-  CHECK(find_vert_property<double>(m, "h")[vert_id{4}] == 4);
+  CHECK(find_vert_property<double>(m, "h")[vert_id{4}] == 5);
   CHECK(!find_poly_property<std::uint8_t>(m, "vtkGhostType"));
   REQUIRE(!r.notes.empty());
   CHECK(r.notes.front() == "3 pieces were joined: 7 points at the place of a point of an earlier piece became that point");
   CHECK(r.skipped == std::vector<std::string>{"1 ghost cells"});
+}
+
+TEST_CASE("read_vtu: points of pieces stay apart where their values differ, or where a piece has several points") {
+  const auto piece = [](const std::string& points, const std::string& heights, const std::string& velocities) {
+    return vtu_piece(4, 1, "<Points>\n" + vtu_array("Float32", "Points", points, "NumberOfComponents='3' ") + "</Points>\n" + vtu_cells("0 1 2 3", "4", "10") + "<PointData>" +
+                               vtu_array("Float32", "h", heights) + vtu_array("Float64", "v", velocities, "NumberOfComponents='3' ") + "</PointData>");
+  };
+  const std::string one = "0 0 0 1 0 0 0 1 0 0 0 1", other = "1 0 0 0 1 0 0 -0.0 1 1 1 1", no_motion = "0 0 0 0 0 0 0 0 0 0 0 0", earlier = " at the place of a point of an earlier piece ";
+  const auto load_pieces = [](const std::string& pieces, load_report& r) { return load_text<tetmesh>(vtu_file(pieces), file_format::vtu, {.report = &r}); };
+  load_report r;
+  // not-a-number is equal to itself, and 0 to -0
+  auto m = load_pieces(piece(one, "1 2 nan 4", no_motion) + piece(other, "2 nan 4 5", "-0.0 0 0 0 0 0 0 0 0 0 0 1"), r);
+  CHECK(num_verts(m) == 5);
+  CHECK(r.notes == std::vector<std::string>{"2 pieces were joined: 3 points" + earlier + "became that point"});
+  // one of three points has another value, and another one differs in one component
+  m = load_pieces(piece(one, "1 2 3 4", no_motion) + piece(other, "2 7 4 5", "0 0 0 0 0 0 0 1e-300 0 0 0 0"), r);
+  CHECK(num_verts(m) == 7);
+  std::vector<float> heights;
+  for (const auto v : verts(m)) heights.push_back(find_vert_property<float>(m, "h")[v]);
+  CHECK(heights == std::vector<float>{1, 2, 3, 4, 7, 4, 5});
+  CHECK(raw(adj_p2v(m, poly_id{1})) == std::vector<unsigned>{1, 4, 5, 6});
+  CHECK(r.notes == std::vector<std::string>{"2 pieces were joined: 1 points" + earlier + "became that point",
+                                            "2 points" + earlier + "stayed apart: they have other values, the first one in \"h\""});
+  // the third piece finds its values at the second one
+  m = load_pieces(piece(one, "1 2 3 4", no_motion) + piece(other, "9 9 9 9", no_motion) + piece(other, "9 9 9 9", no_motion), r);
+  CHECK(num_verts(m) == 8);
+  // a crack: one piece has two points at a place
+  const std::string cracked = "1 0 0 0 1 0 1 0 0 1 1 1";
+  for (const std::string& pieces : {piece(one, "1 2 3 4", no_motion) + piece(cracked, "2 3 2 5", no_motion), piece(cracked, "2 3 2 5", no_motion) + piece(one, "1 2 3 4", no_motion)}) {
+    m = load_pieces(pieces, r);
+    CHECK(num_verts(m) == 7);
+    CHECK(r.notes.size() >= 2);
+    CHECK(r.notes[0] == "2 pieces were joined: 1 points" + earlier + "became that point");
+    const std::size_t others = pieces.find("1 0 0 0 1 0 1") < pieces.find("0 0 0 1 0 0 0") ? 1 : 2;
+    CHECK(r.notes[1] == std::to_string(others) + " points" + earlier + "stayed apart: a piece has several points there");
+  }
+  m = load_pieces(piece(cracked, "2 3 2 5", no_motion) + piece(cracked, "2 3 2 5", no_motion), r);
+  CHECK(num_verts(m) == 6);
+  m = load_pieces(piece(cracked, "2 3 2 5", no_motion) + piece("5 5 5 6 5 5 5 6 5 5 5 6", "1 1 1 1", no_motion), r);  // the crack is in one piece only
+  CHECK(r.notes.front() == "2 pieces were joined: 0 points" + earlier + "became that point");
+  CHECK((r.notes.size() == 1 || r.notes[1].find("apart") == std::string::npos));
 }
 
 TEST_CASE("read_vtu: arrays become properties; those that cannot are reported") {
