@@ -35,6 +35,9 @@ struct load_options {
   /// program by SIGBUS; without `map` it cannot. In both cases a file whose size has changed at the end is an io_error.
   bool map = false;
   inflate_function inflate = nullptr;  // for compressed .vtu and .vtp: zlib_inflate of <concino/adapters/zlib.hpp>; null: they are unsupported
+  /// Reads elements of second and higher order, such as VTK's quadratic tets and MEDIT's TetrahedraP2, by their corners. Points that are only their other nodes
+  /// are skipped, and the report says how many. Without this option such elements are unsupported.
+  bool corners_only = false;
 };
 
 struct save_options {

@@ -194,6 +194,60 @@ TEST_CASE("read_vtk: arrays become properties of verts, polys, faces and the mes
                          "1 cells that are verts or lines"});
 }
 
+TEST_CASE("read_vtk: elements of second and higher order are read by their corners, if the options say so") {
+  load_report r;
+  const auto grid = [&](const std::string& points, const std::string& cell, int type, const std::string& data = "") {
+    const auto count = [](const std::string& words) { return static_cast<std::size_t>(std::count(words.begin(), words.end(), ' ')); };
+    return vtk_head + "POINTS " + std::to_string((count(points) + 1) / 3) + " double\n" + points + "\nCELLS 1 " + std::to_string(count(cell) + 1) + "\n" + cell + "\nCELL_TYPES 1\n" + std::to_string(type) + "\n" + data;
+  };
+  // The middle of an edge is point 2, before corners, so that these are renumbered; point 10 belongs to no cell.
+  const std::string tet = "0 0 0 1 0 0 .5 0 0 0 1 0 0 0 1 .5 .5 0 0 .5 0 0 0 .5 .5 0 .5 0 .5 .5 7 7 7";
+  const std::string values = "POINT_DATA 11\nSCALARS h int\nLOOKUP_TABLE default\n0 1 2 3 4 5 6 7 8 9 10\nCELL_DATA 1\nSCALARS part int\nLOOKUP_TABLE default\n42\n";
+  for (const int type : {24, 71, 78}) {
+    const std::string text = grid(tet, "10 0 1 3 4 2 5 6 7 8 9", type, values);
+    const std::string complaint = core::joined({"text: the cell at line 8 is a ", type == 24 ? "second-order" : "higher-order", " element, of type ", type,
+                                                ", with nodes on edges; load with {.corners_only = true} to read only the corners"});
+    CHECK_THROWS_WITH_AS(load_text<tetmesh>(text, file_format::vtk), complaint.c_str(), unsupported);
+    const auto m = load_text<tetmesh>(text, file_format::vtk, {.report = &r, .corners_only = true});
+    CHECK(num_verts(m) == 5);
+    CHECK(raw(adj_p2v(m, poly_id{0})) == std::vector<unsigned>{0, 1, 2, 3});
+    CHECK(find_vert_property<int>(m, "h")[vert_id{2}] == 3);
+    CHECK(find_vert_property<int>(m, "h")[vert_id{4}] == 10);
+    CHECK(find_poly_property<int>(m, "part")[poly_id{0}] == 42);
+    CHECK(r.reoriented_polys == 0);
+    CHECK(r.skipped == std::vector<std::string>{"6 points, the nodes of 1 elements of second or higher order: only corners were read"});
+  }
+  // The base of quadratic wedges is reversed, as that of wedges; those of Lagrange and Bezier are in the standard order.
+  const std::string wedge = "0 0 0 0 1 0 1 0 0 0 0 1 0 1 1 1 0 1 0 .5 0 .5 .5 0 .5 0 0 0 .5 1 .5 .5 1 .5 0 1", mid_edges = " 6 7 8 9 10 11";
+  for (const int type : {31, 73, 80}) {
+    const auto m = vtk<polyhedra_arrays>(grid(wedge, (type == 31 ? "12 0 1 2 3 4 5" : "12 0 2 1 3 5 4") + mid_edges, type), {.report = &r, .corners_only = true});
+    CHECK(m.points.size() == 6);
+    CHECK(vtk_volume(m) == doctest::Approx(0.5));
+    CHECK(r.notes.empty());
+  }
+  // A node of one cell that is the corner of another stays. Quadratic edges are skipped with or without the option.
+  const std::string both = vtk_grid_of("6 0 1 2 4 5 6\n3 4 5 8\n3 0 1 4\n", "22 5 21");
+  const auto s = vtk<surface_arrays>(both, {.report = &r, .corners_only = true});
+  CHECK(raw(s.verts) == std::vector<unsigned>{0, 1, 2, 4, 5, 7});
+  CHECK(s.points.size() == 8);
+  CHECK(r.skipped == std::vector<std::string>{"1 cells that are verts or lines", "1 points, the nodes of 1 elements of second or higher order: only corners were read"});
+  CHECK(vtk<surface_arrays>(vtk_grid_of("3 0 1 4\n3 0 1 2\n", "21 5")).verts.size() == 3);
+  CHECK(vtk<surface_arrays>(vtk_grid_of("3 0 1 4\n", "21")).verts.empty());
+  CHECK(vtk<surface_arrays>(vtk_grid_of("8 0 1 2 3 4 5 6 7\n", "36"), {.corners_only = true}).arity == 4);
+  const auto says = [](const std::string& cells, const char* type) {
+    try {
+      load_text<surface_arrays>(vtk_grid_of(cells, type), file_format::vtk, {.corners_only = true});
+    } catch (const parse_error& e) {
+      return e.expected + " | " + e.found;
+    }
+    return std::string();
+  };
+  CHECK(says("7 0 1 2 3 4 5 6\n", "36") == "an even number of points, for a cell of type 36 | 7");
+  CHECK(says("5 0 1 2 3 4\n", "22") == "6 points, for a cell of type 22 | 5");
+  CHECK(says("2 0 1\n", "69") == "at least 3 points, for a cell of type 69 | 2");
+  CHECK(says("6 0 1 2 3 4 9\n", "22") == "a point index below 9 | 9");
+}
+
 TEST_CASE("read_vtk: errors name the line") {
   const auto says = [](const std::string& text) { return complaint<polyhedra_arrays>(text, file_format::vtk); };
   CHECK(says("") == "1: # vtk DataFile Version | an empty file");
@@ -225,7 +279,9 @@ TEST_CASE("read_vtk: errors name the line") {
   CHECK(says(std::string(offsets).replace(offsets.find("0 4\n"), 3, "0 5")) == "11: offsets that increase to 4 | 5");
   CHECK(says(std::string(offsets).replace(offsets.find("0 1 2 4\n"), 7, "0 1\n2 9")) == "13: a point index below 9 | 9");
   CHECK_THROWS_WITH_AS(load_text<polyhedralmesh>(vtk_grid_of("8 0 1 2 3 4 5 6 7\n", "24"), file_format::vtk),
-                       "text: the cell at line 10 has type 24; cells with nodes on edges and other types from 17 on, except 42, are not supported", unsupported);
+                       "text: the cell at line 10 is a second-order element, of type 24, with nodes on edges; load with {.corners_only = true} to read only the corners", unsupported);
+  CHECK_THROWS_WITH_AS(load_text<polyhedralmesh>(vtk_grid_of("8 0 1 2 3 4 5 6 7\n", "41"), file_format::vtk),
+                       "text: the cell at line 10 has type 41; types from 17 on are not supported, except 42 and elements of second and higher order", unsupported);
   CHECK_THROWS_WITH_AS(load_text<polyhedralmesh>("# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\n", file_format::vtk),
                        "text: DATASET 'STRUCTURED_POINTS' is not supported; UNSTRUCTURED_GRID and POLYDATA are", unsupported);
   CHECK_THROWS_AS(load_text<trimesh>(vtk_grid_of("8 0 1 2 3 4 5 6 7\n", "12"), file_format::vtk), unsupported);

@@ -296,7 +296,13 @@ TEST_CASE("read_vtu: errors name the line") {
   CHECK(with_faces("4  3 0 1 2  3 0 1 4  3 1 2 4  3 0 2 9", "17") == "22: point indices below 9 | 9 in the array \"faces\"");
   CHECK_THROWS_WITH_AS(load_text<trimesh>("<VTKFile type=\"ImageData\"/>", file_format::vtu), "text: type=\"ImageData\" is not supported; UnstructuredGrid and PolyData are", unsupported);
   CHECK_THROWS_AS(load_text<trimesh>(vtu_file("", "compressor=\"vtkLZ4DataCompressor\""), file_format::vtu), unsupported);
-  CHECK_THROWS_AS(load_text<polyhedralmesh>(cube_file(vtu_cells("0 1 2 4", "4", "24"), 1), file_format::vtu), unsupported);
+  const std::string quadratic = cube_file(vtu_cells("0 1 2 3 4 5", "6", "22"), 1);
+  CHECK_THROWS_WITH_AS(load_text<trimesh>(quadratic, file_format::vtu),
+                       "text: the cell at position 0 of the piece on line 5 is a second-order element, of type 22, with nodes on edges; load with {.corners_only = true} to read only the corners",
+                       unsupported);
+  const auto corners = load_text<trimesh>(quadratic, file_format::vtu, {.corners_only = true});
+  CHECK(num_polys(corners) == 1);
+  CHECK(num_verts(corners) == 6);  // points 6 to 8 belong to no cell
 }
 
 TEST_CASE("read_vtu: long arrays are checked as short ones") {

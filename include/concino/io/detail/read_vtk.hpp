@@ -252,6 +252,8 @@ namespace concino {
 /// Result: a volume if there is any cell of a volume, else a surface. Polys keep their order. The verts of cells of negative volume are put into the
 ///         standard order, polyhedra are turned outward, and both are counted. Arrays of numbers become properties: those of the cells become
 ///         properties of polys, and in a volume those of its polygons become properties of faces. Lines, verts and texts are reported as skipped.
+///         Elements of second or higher order are read by their corners, if load_options::corners_only is set; points that are only their other nodes are
+///         reported as skipped.
 /// Cost:   O(size of the text)
 /// Errors: parse_error naming the line, or in binary files the byte, of what is wrong; unsupported for other datasets and cell types, and if the file
 ///         holds a volume and a surface was wanted, or the reverse.
