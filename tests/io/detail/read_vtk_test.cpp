@@ -248,6 +248,23 @@ TEST_CASE("read_vtk: elements of second and higher order are read by their corne
   CHECK(says("6 0 1 2 3 4 9\n", "22") == "a point index below 9 | 9");
 }
 
+TEST_CASE("read_vtk: arrays with another number of values than there are elements are skipped with a remark") {
+  const std::string data = "CELL_DATA 3\nSCALARS part int\nLOOKUP_TABLE default\n1 2 3\nCOLOR_SCALARS c 3\n0 0 0 0.5 0 0 1 nan inf\nNORMALS n float\n0 0 1 0 0 1 0 0 1\n"
+                           "FIELD f 3\nthree 1 3 double\n7 8 9\none 1 1 double\n1.5\nnames 1 3 string\na\nb\nc\n"
+                           "POINT_DATA 9\nSCALARS h int\nLOOKUP_TABLE default\n0 1 2 3 4 5 6 7 8\nFIELD f 1\ntwo 2 8 int\n0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\nCELL_DATA 1\nSCALARS late int\nLOOKUP_TABLE default\n5\n";
+  load_report r;
+  const auto m = load_text<hexmesh>(vtk_grid_of("8 0 1 2 3 4 5 6 7\n", "12", data), file_format::vtk, {.report = &r});
+  CHECK(find_poly_property<double>(m, "one")[poly_id{0}] == 1.5);
+  CHECK(find_poly_property<int>(m, "late")[poly_id{0}] == 5);
+  CHECK(find_vert_property<int>(m, "h")[vert_id{8}] == 8);
+  CHECK(property_list(m).size() == 3);
+  const std::string need = " values, where 1 cells need one each";
+  CHECK(r.skipped == std::vector<std::string>{"array \"part\" of 3" + need, "array \"c\" of 3" + need, "array \"normal\" of 3" + need, "array \"three\" of 3" + need, "array \"names\" of texts",
+                                              "array \"two\" of 8 values, where 9 points need one each"});
+  CHECK(complaint<cell_arrays>(vtk_grid_of("8 0 1 2 3 4 5 6 7\n", "12", "CELL_DATA 300\nSCALARS a int\nLOOKUP_TABLE default\n1 2 3\n"), file_format::vtk) ==
+        "14: a count that fits into the file | 300 int numbers, and 7 bytes");
+}
+
 TEST_CASE("read_vtk: errors name the line") {
   const auto says = [](const std::string& text) { return complaint<polyhedra_arrays>(text, file_format::vtk); };
   CHECK(says("") == "1: # vtk DataFile Version | an empty file");
@@ -270,7 +287,7 @@ TEST_CASE("read_vtk: errors name the line") {
   CHECK(says(vtk_grid_of("9 2 3 0 1 2 4 0 1 2\n", "42")) == "10: the verts of 2 faces of a polyhedron | a list that ends in face 1");
   CHECK(says(vtk_grid_of("10 2 3 0 1 2 3 0 1 2 7\n", "42")) == "10: the end of the polyhedron after 2 faces | 1 more numbers");
   CHECK(says(vtk_grid_of("9 2 3 0 1 2 3 2 1 0\n", "42")) == "10: different faces in a polyhedron | two with the same verts");
-  CHECK(says(vtk_grid_of("1 0\n4 4 5 6 7\n8 0 1 2 3 4 5 6 7\n", "1 9 12", "CELL_DATA 2\n")) == "15: 3 values, one for each cell | 2");
+  CHECK(says(vtk_head + vtk_points + "CELL_DATA 1\nCELLS 1 5\n4 0 1 2 4\nCELL_TYPES 1\n10\n") == "10: one section CELLS, before CELL_DATA | 'CELLS'");
   CHECK(says(vtk_grid_of("8 0 1 2 3 4 5 6 7\n", "12", "CELL_DATA 1\nSCALARS a int\nLOOKUP_TABLE default\n3000000000\n")) == "16: an integer of type int32 | '3000000000'");
   CHECK(complaint<trimesh>(vtk_grid_of("3 0 1 2\n4 0 1 2 3\n", "5 9"), file_format::vtk) == "11: a triangle (polygonmesh and load_any take any polygon) | a polygon of 4 corners");
   CHECK(complaint<tetmesh>(vtk_grid_of("4 0 1 2 4\n8 0 1 2 3 4 5 6 7\n", "10 12"), file_format::vtk) == "11: a tet (polyhedralmesh and load_any take any cell) | a hex of 6 faces");

@@ -248,6 +248,25 @@ TEST_CASE("read_vtu: arrays become properties; those that cannot are reported") 
   CHECK(r.skipped.size() == 3);
 }
 
+TEST_CASE("read_vtu: arrays with another number of values than there are elements are skipped with a remark") {
+  const std::string cells = vtu_cells("0 1 2 3", "4", "9"), four_bytes = base64(bytes_of<std::uint32_t>({4}) + "abcd");
+  const std::string data = "<CellData>" + vtu_array("Int32", "many", "1 2 3") + vtu_array("Int32", "right", "7") + "<DataArray type=\"Int8\" Name=\"binary\" format=\"binary\">" + four_bytes +
+                           "</DataArray></CellData><PointData>" + vtu_array("Float64", "few", "1 2") + vtu_array("Float64", "v", "1 2 3", "NumberOfComponents=\"3\" ") + "</PointData>";
+  load_report r;
+  const auto m = load_text<quadmesh>(cube_file(cells, 1, data), file_format::vtu, {.report = &r});
+  CHECK(find_poly_property<int>(m, "right")[poly_id{0}] == 7);
+  CHECK(property_list(m).size() == 1);
+  CHECK(r.skipped == std::vector<std::string>{"array \"many\" of 3 numbers, where 1 cells need 1", "array \"binary\" of 4 numbers, where 1 cells need 1",
+                                              "array \"few\" of 2 numbers, where 9 points need 9", "array \"v\" of 3 numbers, where 9 points need 27"});
+  const std::string two_pieces = vtu_file(vtu_piece(9, 1, points_of_cube() + cells + "<CellData>" + vtu_array("Int32", "a", "1") + "</CellData>") +
+                                          vtu_piece(9, 1, points_of_cube() + cells + "<CellData>" + vtu_array("Int32", "a", "1 2") + "</CellData>"));
+  CHECK(property_list(load_text<quadmesh>(two_pieces, file_format::vtu, {.report = &r})).empty());
+  CHECK(r.skipped == std::vector<std::string>{"array \"a\" of 2 numbers, where 1 cells need 1"});
+  const std::string twice = "<FieldData>" + vtu_array("Float64", "TIME", "1 2", "NumberOfTuples=\"1\" ") + "</FieldData>";
+  load_text<quadmesh>(cube_file(cells, 1, twice), file_format::vtu, {.report = &r});
+  CHECK(r.skipped == std::vector<std::string>{"array \"TIME\" of 2 numbers, where the mesh needs 1"});
+}
+
 TEST_CASE("read_vtu: polygons of .vtp, whatever the format that was asked for") {
   const std::string text = "<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"9\" NumberOfVerts=\"1\" NumberOfLines=\"0\" NumberOfStrips=\"1\" NumberOfPolys=\"2\">" + points_of_cube() +
                            "<Polys>" + vtu_array("Int32", "connectivity", "0 1 2 4 5 6 7") + vtu_array("Int32", "offsets", "3 7") + "</Polys><Verts>" + vtu_array("Int32", "connectivity", "8") +

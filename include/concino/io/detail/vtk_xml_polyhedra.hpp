@@ -86,7 +86,7 @@ class vtk_xml_volume_reader : public vtk_xml_face_lists<vert_id> {
   /// Builds all cells, each while its faces are in the cache. `others` has the verts of cells that are no polyhedra, which get the standard order.
   void build_cells(std::size_t p, const vtk_xml_array& faces, std::vector<vert_id>& others) {
     const std::vector<std::int64_t> ends = integers(need(p, vtk_xml_part::cells, "faceoffsets"));
-    const std::uint64_t size = length_of(faces);
+    const std::uint64_t size = count_numbers(faces);
     require_numbers(faces, size);
     if (ends.size() < grid_.size()) fail_array(faces, {"an end for each of ", grid_.size(), " cells"}, {ends.size()});
     const auto cells = std::make_shared<basic_cell_builder<Contents>>(in_, grid_.points, 0);

@@ -105,7 +105,8 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
     }
     const std::size_t total = kind == element_kind::mesh ? 1 : first.back();
     if (!fits || num_values != total) return skip_column(array_name, one.components);
-    for (const vtk_xml_entry* e = &start; e; e = next(e)) require_numbers(e->array, count(e->piece) * one.components);
+    for (const vtk_xml_entry* e = &start; e; e = next(e))
+      if (!has_numbers(e->array, kind, count(e->piece))) return;
     if (property != array_name) report_.notes.push_back(core::joined({"the array \"", array_name, "\" is the property \"", property, "\""}));
     const std::shared_ptr<detail::column> values = make_column(*type, total);
     auto* to = static_cast<unsigned char*>(values->data());
@@ -116,6 +117,14 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
     const bool is_ghost_array = array_name == "vtkGhostType" && one.type == vtk_number::uint8 && one.components == 1;
     if (!is_ghost_array) grid_.columns.push_back({kind, property, values});
     else if (kind == element_kind::poly) is_ghost_ = values;
+  }
+  /// Whether an array has a value for each of n elements. Reports it as skipped if not.
+  [[gnu::noinline, gnu::cold]] bool has_numbers(const vtk_xml_array& a, element_kind kind, std::uint64_t n) {
+    const std::uint64_t found = count_numbers(a), needed = n * a.components;
+    if (found == needed || n == 0) return true;
+    const std::string elements = kind == element_kind::mesh ? "the mesh needs" : core::joined({n, kind == element_kind::vert ? " points" : " cells", " need"});
+    report_.skipped.push_back(core::joined({"array \"", a.name, "\" of ", found, " numbers, where ", elements, " ", needed}));
+    return false;
   }
   void read_column(const vtk_xml_array& a, std::uint64_t n, bool as_doubles, unsigned char* to) {
     if (!as_doubles || a.type == vtk_number::float64) return read_array(a, n, to);
