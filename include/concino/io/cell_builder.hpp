@@ -68,7 +68,7 @@ class basic_cell_builder {
     return n == wanted_arity(n) && (n == 4 || n == 8);
   }
 
-  /// Adds a cell with its verts in the order of VTK and MEDIT. Returns false if a vert is there twice, or if the wanted mesh cannot hold the cell.
+  /// Adds a cell with its verts in the standard order, that of MEDIT. Returns false if a vert is there twice, or if the wanted mesh cannot hold the cell.
   bool add_cell(cell_shape s, const vert_id* v) {
     const std::size_t first = verts_.size(), n = standard_cell_of(s).num_verts;
     if (takes_repeated() && detail::first_repeated(v, n, scratch_) != n) return add_mended(faces_of(s, v).data());

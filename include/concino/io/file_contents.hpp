@@ -122,6 +122,7 @@ struct read_context {
   bool is_file = false;                         // `name` is a path, and the same folder may contain more files to read
   inflate_function inflate = nullptr;           // load_options::inflate
   concino::repeated_verts repeated_verts = concino::repeated_verts::refuse;  // load_options::repeated_verts
+  bool corners_only = false;                    // load_options::corners_only
 
   /// A cursor over the words of the text. `comment`, unless 0, begins a comment that ends with its line.
   token_cursor words(char comment = 0) const { return {text, name, progress, comment}; }

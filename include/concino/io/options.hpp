@@ -48,6 +48,9 @@ struct load_options {
   bool map = false;
   concino::repeated_verts repeated_verts = concino::repeated_verts::refuse;  // what to do with polys that have a vert twice
   inflate_function inflate = nullptr;  // for compressed .vtu and .vtp: zlib_inflate of <concino/adapters/zlib.hpp>; null: they are unsupported
+  /// Reads elements of second and higher order, such as VTK's quadratic tets and MEDIT's TetrahedraP2, by their corners. Points that are only their other nodes
+  /// are skipped, and the report says how many. Without this option such elements are unsupported.
+  bool corners_only = false;
 };
 
 struct save_options {

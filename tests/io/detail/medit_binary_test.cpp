@@ -276,3 +276,24 @@ TEST_CASE("medit_binary: corpus files are the same after saving as text or binar
   }
   if (files == 0) skip("no corpus");
 }
+
+TEST_CASE("medit_binary: second-order elements are read by their corners, if the options say so") {
+  for (const int version : {1, 4})
+    for (const int ordering : {0, 133}) {
+      meshb file{version};
+      file.begin();
+      file.vertices({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.5, 0, 0}, {0.5, 0.5, 0}, {0, 0.5, 0}, {0, 0, 0.5}, {0.5, 0, 0.5}, {0, 0.5, 0.5}});
+      if (ordering) file.section(ordering, 1, {0, 0, 0, 2});
+      file.section(30, 1, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 3});
+      file.end();
+      CHECK_THROWS_WITH_AS(load_text<tetmesh>(file.text, file_format::medit),
+                           "text: section TetrahedraP2 has 1 second-order elements, with nodes on edges; load with {.corners_only = true} to read only the corners", unsupported);
+      if (ordering) {
+        CHECK_THROWS_AS(load_text<tetmesh>(file.text, file_format::medit, {.corners_only = true}), unsupported);
+        continue;
+      }
+      const auto m = load_text<tetmesh>(file.text, file_format::medit, {.corners_only = true});
+      CHECK(num_verts(m) == 4);
+      CHECK(find_poly_property<int>(m, "label")[poly_id{0}] == 3);
+    }
+}

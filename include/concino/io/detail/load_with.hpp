@@ -104,7 +104,8 @@ void read_text(std::string_view text, std::string_view name, format_list<F...> k
                Contents& contents, file_text* file = nullptr) {
   load_report unused_report;
   load_report* const report = options.report ? options.report : &unused_report;
-  const read_context context{text, name, wanted, report, &options.progress, file != nullptr, options.inflate, options.repeated_verts};
+  const read_context context{text,           name,           wanted, report, &options.progress, file != nullptr, options.inflate, options.repeated_verts,
+                             options.corners_only};
   with_format(known, chosen, [&]<Format G>(G) { read_as<G, Surfaces, Volumes>(context, contents); });
   if (file) file->close(std::string(name));
 }
