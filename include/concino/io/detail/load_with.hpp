@@ -96,7 +96,8 @@ template<bool Surfaces, bool Volumes, class... F, class Contents>
 void read_text(std::string_view text, std::string_view name, format_list<F...> known, std::size_t chosen, const wanted_mesh& wanted, const load_options& options,
                Contents& contents, file_text* file = nullptr) {
   load_report unused_report;
-  const read_context context{text, name, wanted, options.report ? options.report : &unused_report, &options.progress, file != nullptr, options.inflate, options.corners_only};
+  const read_context context{text, name, wanted, options.report ? options.report : &unused_report, &options.progress, file != nullptr, options.inflate,
+                             options.corners_only};
   with_format(known, chosen, [&]<Format G>(G) { read_as<G, Surfaces, Volumes>(context, contents); });
   if (file) file->close(std::string(name));
 }
