@@ -1,6 +1,6 @@
 // Exchanges files with VTK, which compare.py runs:  exchange FOLDER FILE...
-// Reads each file, prints "file NAME", a line "note ..." for each remark of the report, and for each poly "measure X number N": its area or volume, and its value of
-// the property "number". Saves the mesh as FOLDER/NAME_text.vtk, ..._binary.vtk, and the same as .vtu and, if it is a surface, as .vtp.
+// Reads each file, prints "file NAME", a line "note ..." for each remark of the report, and for each poly "measure X number N": its area or volume, and its
+// value of the property "number". Saves the mesh as FOLDER/NAME_text.vtk, ..._binary.vtk, and the same as .vtu and, if it is a surface, as .vtp.
 #include <concino/geometry/measure.hpp>
 #include <concino/io.hpp>
 

@@ -287,7 +287,8 @@ TEST_CASE("medit_binary: second-order elements are read by their corners, if the
       file.section(30, 1, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 3});
       file.end();
       CHECK_THROWS_WITH_AS(load_text<tetmesh>(file.text, file_format::medit),
-                           "text: section TetrahedraP2 has 1 second-order elements, with nodes on edges; load with {.corners_only = true} to read only the corners", unsupported);
+                           "text: section TetrahedraP2 has 1 second-order elements, with nodes on edges; load with {.corners_only = true} to read only the "
+                               "corners", unsupported);
       if (ordering) {
         CHECK_THROWS_AS(load_text<tetmesh>(file.text, file_format::medit, {.corners_only = true}), unsupported);
         continue;

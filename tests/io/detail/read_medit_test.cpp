@@ -305,7 +305,8 @@ TEST_CASE("read_medit: a file without polys loads as any kind; a type of several
 }
 
 TEST_CASE("read_medit: elements of second and higher order are read by their corners, if the options say so") {
-  const std::string nodes = head + "Vertices 11\n0 0 0 1  1 0 0 2  .5 0 0 3  0 1 0 4  0 0 1 5\n.5 .5 0 6  0 .5 0 7  0 0 .5 8  .5 0 .5 9  0 .5 .5 10  7 7 7 11\n";
+  const std::string nodes = head + "Vertices 11\n0 0 0 1  1 0 0 2  .5 0 0 3  0 1 0 4  0 0 1 5\n.5 .5 0 6  0 .5 0 7  0 0 .5 8  .5 0 .5 9  0 .5 .5 10  7 7 7 "
+      "11\n";
   const std::string tet = "TetrahedraP2\n1\n1 2 4 5 3 6 7 8 9 10 42\n", triangle = "TrianglesP2 1 1 2 4 3 6 7 5\n", edge = "EdgesP2 1 1 2 3 9\n";
   const std::string instead = " second-order elements, with nodes on edges; load with {.corners_only = true} to read only the corners";
   const auto says = [](const std::string& text, bool corners_only = false) {
@@ -328,13 +329,15 @@ TEST_CASE("read_medit: elements of second and higher order are read by their cor
     CHECK(r.skipped == std::vector<std::string>{"6 points, the nodes of 1 elements of second or higher order: only corners were read"});
   }
   CHECK(says(nodes + triangle + "End") == "text: section TrianglesP2 has 1" + instead);
-  CHECK(says(nodes + "HexahedraQ3 1 1 End") == "text: section HexahedraQ3 has 1 higher-order elements, with nodes on edges; load with {.corners_only = true} to read only the corners");
+  CHECK(says(nodes + "HexahedraQ3 1 1 End") == "text: section HexahedraQ3 has 1 higher-order elements, with nodes on edges; load with {.corners_only = "
+      "true} to read only the corners");
   // Edges alone are skipped, as before; with the option, all sections give labels to edges and faces.
   load_report r;
   const auto linear = load_text<tetmesh>(nodes + edge + "Tetrahedra 1 1 2 4 5 0 End", file_format::medit, {.report = &r});
   CHECK(num_verts(linear) == 11);
   CHECK(r.skipped == std::vector<std::string>{"section EdgesP2, 1 rows"});
-  const auto all = load_text<tetmesh>(nodes + edge + triangle + tet + "Corners 1 3 RequiredTriangles 1 1 End", file_format::medit, {.report = &r, .corners_only = true});
+  const auto all = load_text<tetmesh>(nodes + edge + triangle + tet + "Corners 1 3 RequiredTriangles 1 1 End", file_format::medit, {.report = &r,
+      .corners_only = true});
   int sum = 0;
   for (const auto e : edges(all)) sum += find_edge_property<int>(all, "label")[e];
   for (const auto f : faces(all)) sum += 100 * find_face_property<int>(all, "label")[f] + 1000 * find_face_property<int>(all, "required")[f];

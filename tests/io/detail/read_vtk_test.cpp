@@ -100,8 +100,13 @@ TEST_CASE("read_vtk: cells of every linear type, with any line ends") {
 
 TEST_CASE("read_vtk: cells in VTK's order need no change, alone and beside others") {
   const std::string wedge = "6 0 2 1 4 6 5\n", mirrored = "6 0 1 2 4 5 6\n";  // the base of a wedge is counter-clockwise seen from outside
-  const std::pair<std::string, std::string> grids[] = {{wedge, "13"}, {wedge + wedge, "13 13"}, {wedge + "5 4 5 6 7 8\n", "13 14"}, {wedge + pyramid_as_polyhedron, "13 42"},
-                                                       {wedge + "4 0 2 3 4\n", "13 10"}, {wedge + "3 0 2 3\n", "13 5"}, {"8 0 1 3 2 4 5 7 6\n" + wedge, "11 13"}};
+  const std::pair<std::string, std::string> grids[] = {{wedge, "13"},
+                                                       {wedge + wedge, "13 13"},
+                                                       {wedge + "5 4 5 6 7 8\n", "13 14"},
+                                                       {wedge + pyramid_as_polyhedron, "13 42"},
+                                                       {wedge + "4 0 2 3 4\n", "13 10"},
+                                                       {wedge + "3 0 2 3\n", "13 5"},
+                                                       {"8 0 1 3 2 4 5 7 6\n" + wedge, "11 13"}};
   for (const auto& grid : grids) {  // the faces of the polyhedron are wound inconsistently
     const std::string &cells = grid.first, &types = grid.second;
     CAPTURE(types);
@@ -198,11 +203,13 @@ TEST_CASE("read_vtk: elements of second and higher order are read by their corne
   load_report r;
   const auto grid = [&](const std::string& points, const std::string& cell, int type, const std::string& data = "") {
     const auto count = [](const std::string& words) { return static_cast<std::size_t>(std::count(words.begin(), words.end(), ' ')); };
-    return vtk_head + "POINTS " + std::to_string((count(points) + 1) / 3) + " double\n" + points + "\nCELLS 1 " + std::to_string(count(cell) + 1) + "\n" + cell + "\nCELL_TYPES 1\n" + std::to_string(type) + "\n" + data;
+    return vtk_head + "POINTS " + std::to_string((count(points) + 1) / 3) + " double\n" + points + "\nCELLS 1 " + std::to_string(count(cell) + 1) + "\n" +
+        cell + "\nCELL_TYPES 1\n" + std::to_string(type) + "\n" + data;
   };
   // The middle of an edge is point 2, before corners, so that these are renumbered; point 10 belongs to no cell.
   const std::string tet = "0 0 0 1 0 0 .5 0 0 0 1 0 0 0 1 .5 .5 0 0 .5 0 0 0 .5 .5 0 .5 0 .5 .5 7 7 7";
-  const std::string values = "POINT_DATA 11\nSCALARS h int\nLOOKUP_TABLE default\n0 1 2 3 4 5 6 7 8 9 10\nCELL_DATA 1\nSCALARS part int\nLOOKUP_TABLE default\n42\n";
+  const std::string values = "POINT_DATA 11\nSCALARS h int\nLOOKUP_TABLE default\n0 1 2 3 4 5 6 7 8 9 10\nCELL_DATA 1\nSCALARS part int\nLOOKUP_TABLE "
+      "default\n42\n";
   for (const int type : {24, 71, 78}) {
     const std::string text = grid(tet, "10 0 1 3 4 2 5 6 7 8 9", type, values);
     const std::string complaint = core::joined({"text: the cell at line 8 is a ", type == 24 ? "second-order" : "higher-order", " element, of type ", type,
@@ -220,7 +227,8 @@ TEST_CASE("read_vtk: elements of second and higher order are read by their corne
   // The base of quadratic wedges is reversed, as that of wedges; those of Lagrange and Bezier are in the standard order.
   const std::string wedge = "0 0 0 0 1 0 1 0 0 0 0 1 0 1 1 1 0 1 0 .5 0 .5 .5 0 .5 0 0 0 .5 1 .5 .5 1 .5 0 1", mid_edges = " 6 7 8 9 10 11";
   for (const int type : {31, 73, 80}) {
-    const auto m = vtk<polyhedra_arrays>(grid(wedge, (type == 31 ? "12 0 1 2 3 4 5" : "12 0 2 1 3 5 4") + mid_edges, type), {.report = &r, .corners_only = true});
+    const auto m = vtk<polyhedra_arrays>(grid(wedge, (type == 31 ? "12 0 1 2 3 4 5" : "12 0 2 1 3 5 4") + mid_edges, type), {.report = &r,
+        .corners_only = true});
     CHECK(m.points.size() == 6);
     CHECK(vtk_volume(m) == doctest::Approx(0.5));
     CHECK(r.notes.empty());
@@ -230,7 +238,8 @@ TEST_CASE("read_vtk: elements of second and higher order are read by their corne
   const auto s = vtk<surface_arrays>(both, {.report = &r, .corners_only = true});
   CHECK(raw(s.verts) == std::vector<unsigned>{0, 1, 2, 4, 5, 7});
   CHECK(s.points.size() == 8);
-  CHECK(r.skipped == std::vector<std::string>{"1 cells that are verts or lines", "1 points, the nodes of 1 elements of second or higher order: only corners were read"});
+  CHECK(r.skipped == std::vector<std::string>{"1 cells that are verts or lines", "1 points, the nodes of 1 elements of second or higher order: only corners "
+      "were read"});
   CHECK(vtk<surface_arrays>(vtk_grid_of("3 0 1 4\n3 0 1 2\n", "21 5")).verts.size() == 3);
   CHECK(vtk<surface_arrays>(vtk_grid_of("3 0 1 4\n", "21")).verts.empty());
   CHECK(vtk<surface_arrays>(vtk_grid_of("8 0 1 2 3 4 5 6 7\n", "36"), {.corners_only = true}).arity == 4);
@@ -249,9 +258,11 @@ TEST_CASE("read_vtk: elements of second and higher order are read by their corne
 }
 
 TEST_CASE("read_vtk: arrays with another number of values than there are elements are skipped with a remark") {
-  const std::string data = "CELL_DATA 3\nSCALARS part int\nLOOKUP_TABLE default\n1 2 3\nCOLOR_SCALARS c 3\n0 0 0 0.5 0 0 1 nan inf\nNORMALS n float\n0 0 1 0 0 1 0 0 1\n"
+  const std::string data = "CELL_DATA 3\nSCALARS part int\nLOOKUP_TABLE default\n1 2 3\nCOLOR_SCALARS c 3\n0 0 0 0.5 0 0 1 nan inf\nNORMALS n float\n0 0 1 "
+      "0 0 1 0 0 1\n"
                            "FIELD f 3\nthree 1 3 double\n7 8 9\none 1 1 double\n1.5\nnames 1 3 string\na\nb\nc\n"
-                           "POINT_DATA 9\nSCALARS h int\nLOOKUP_TABLE default\n0 1 2 3 4 5 6 7 8\nFIELD f 1\ntwo 2 8 int\n0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\nCELL_DATA 1\nSCALARS late int\nLOOKUP_TABLE default\n5\n";
+                           "POINT_DATA 9\nSCALARS h int\nLOOKUP_TABLE default\n0 1 2 3 4 5 6 7 8\nFIELD f 1\ntwo 2 8 int\n0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n"
+                               "CELL_DATA 1\nSCALARS late int\nLOOKUP_TABLE default\n5\n";
   load_report r;
   const auto m = load_text<hexmesh>(vtk_grid_of("8 0 1 2 3 4 5 6 7\n", "12", data), file_format::vtk, {.report = &r});
   CHECK(find_poly_property<double>(m, "one")[poly_id{0}] == 1.5);
@@ -259,7 +270,8 @@ TEST_CASE("read_vtk: arrays with another number of values than there are element
   CHECK(find_vert_property<int>(m, "h")[vert_id{8}] == 8);
   CHECK(property_list(m).size() == 3);
   const std::string need = " values, where 1 cells need one each";
-  CHECK(r.skipped == std::vector<std::string>{"array \"part\" of 3" + need, "array \"c\" of 3" + need, "array \"normal\" of 3" + need, "array \"three\" of 3" + need, "array \"names\" of texts",
+  CHECK(r.skipped == std::vector<std::string>{"array \"part\" of 3" + need, "array \"c\" of 3" + need, "array \"normal\" of 3" + need,
+      "array \"three\" of 3" + need, "array \"names\" of texts",
                                               "array \"two\" of 8 values, where 9 points need one each"});
   CHECK(complaint<cell_arrays>(vtk_grid_of("8 0 1 2 3 4 5 6 7\n", "12", "CELL_DATA 300\nSCALARS a int\nLOOKUP_TABLE default\n1 2 3\n"), file_format::vtk) ==
         "14: a count that fits into the file | 300 int numbers, and 7 bytes");
@@ -296,9 +308,11 @@ TEST_CASE("read_vtk: errors name the line") {
   CHECK(says(std::string(offsets).replace(offsets.find("0 4\n"), 3, "0 5")) == "11: offsets that increase to 4 | 5");
   CHECK(says(std::string(offsets).replace(offsets.find("0 1 2 4\n"), 7, "0 1\n2 9")) == "13: a point index below 9 | 9");
   CHECK_THROWS_WITH_AS(load_text<polyhedralmesh>(vtk_grid_of("8 0 1 2 3 4 5 6 7\n", "24"), file_format::vtk),
-                       "text: the cell at line 10 is a second-order element, of type 24, with nodes on edges; load with {.corners_only = true} to read only the corners", unsupported);
+                       "text: the cell at line 10 is a second-order element, of type 24, with nodes on edges; load with {.corners_only = true} to read only "
+                           "the corners", unsupported);
   CHECK_THROWS_WITH_AS(load_text<polyhedralmesh>(vtk_grid_of("8 0 1 2 3 4 5 6 7\n", "41"), file_format::vtk),
-                       "text: the cell at line 10 has type 41; types from 17 on are not supported, except 42 and elements of second and higher order", unsupported);
+                       "text: the cell at line 10 has type 41; types from 17 on are not supported, except 42 and elements of second and higher order",
+                           unsupported);
   CHECK_THROWS_WITH_AS(load_text<polyhedralmesh>("# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\n", file_format::vtk),
                        "text: DATASET 'STRUCTURED_POINTS' is not supported; UNSTRUCTURED_GRID and POLYDATA are", unsupported);
   CHECK_THROWS_AS(load_text<trimesh>(vtk_grid_of("8 0 1 2 3 4 5 6 7\n", "12"), file_format::vtk), unsupported);

@@ -144,7 +144,8 @@ TEST_CASE("read_vtu: base64 and appended arrays, in both byte orders and widths 
 
 TEST_CASE("read_vtu: cells in VTK's order need no change, also beside polyhedra") {
   const std::string lists = vtu_array("Int64", "faces", "5 4 4 5 6 7 3 5 4 8 3 6 5 8 3 7 6 8 3 4 7 8"), ends = vtu_array("Int64", "faceoffsets", "-1 22");
-  const std::string grids[] = {vtu_cells("0 2 1 4 6 5", "6", "13"), vtu_cells("0 2 1 4 6 5  0 2 1 4 6 5", "6 12", "13 13"), vtu_cells("0 2 1 4 6 5  4 5 6 7 8", "6 11", "13 42", lists + ends),
+  const std::string grids[] = {vtu_cells("0 2 1 4 6 5", "6", "13"), vtu_cells("0 2 1 4 6 5  0 2 1 4 6 5", "6 12", "13 13"), vtu_cells("0 2 1 4 6 5  4 5 6 7 8",
+      "6 11", "13 42", lists + ends),
                                vtu_cells("0 2 1 4 6 5  0 2 3", "6 9", "13 5"), vtu_cells("0 2 1 4 6 5  0 1 3 2 4 5 7 6", "6 14", "13 11")};
   for (const std::string& cells : grids) {
     CAPTURE(cells);
@@ -169,14 +170,16 @@ TEST_CASE("read_vtu: polyhedra beside other cells, in two pieces") {
 }
 
 TEST_CASE("read_vtu: pieces are joined at equal points, and ghost cells dropped") {
-  const auto piece = [](const std::string& points, const std::string& cells, const std::string& ghosts, const std::string& values, const std::string& heights = "1 2 3 4") {
+  const auto piece = [](const std::string& points, const std::string& cells, const std::string& ghosts, const std::string& values,
+      const std::string& heights = "1 2 3 4") {
     return vtu_piece(4, 1, "<Points>\n" + vtu_array("Float32", "Points", points, "NumberOfComponents='3' ") + "</Points>\n" + cells + "<CellData>\n" + vtu_array("UInt8", "vtkGhostType", ghosts) +
                                vtu_array("Int32", "part", values) + "</CellData><PointData>" + vtu_array("Float64", "h", heights) + "</PointData>");
   };
   const std::string cells = vtu_cells("0 1 2 3", "4", "10");
   const std::string of_tet = vtu_array("Int64", "faces", "4  3 0 1 2  3 0 1 3  3 1 2 3  3 0 2 3") + vtu_array("Int64", "faceoffsets", "17");
   load_report r;
-  const auto m = load_text<polyhedralmesh>(vtu_file(piece("0 0 0 1 0 0 0 1 0 0 0 1", cells, "0", "5") + piece("1 0 0 0 1 0 0 -0.0 1 1 1 1", vtu_cells("0 1 2 3", "4", "42", of_tet), "0", "6", "2 3 4 5") +
+  const auto m = load_text<polyhedralmesh>(vtu_file(piece("0 0 0 1 0 0 0 1 0 0 0 1", cells, "0", "5") + piece("1 0 0 0 1 0 0 -0.0 1 1 1 1",
+      vtu_cells("0 1 2 3", "4", "42", of_tet), "0", "6", "2 3 4 5") +
                                                     piece("0 0 0 1 0 0 0 1 0 0 0 1", cells, "1", "7")),
                                            file_format::vtu, {.report = &r});
   CHECK(num_verts(m) == 5);
@@ -192,10 +195,12 @@ TEST_CASE("read_vtu: pieces are joined at equal points, and ghost cells dropped"
 
 TEST_CASE("read_vtu: points of pieces stay apart where their values differ, or where a piece has several points") {
   const auto piece = [](const std::string& points, const std::string& heights, const std::string& velocities) {
-    return vtu_piece(4, 1, "<Points>\n" + vtu_array("Float32", "Points", points, "NumberOfComponents='3' ") + "</Points>\n" + vtu_cells("0 1 2 3", "4", "10") + "<PointData>" +
+    return vtu_piece(4, 1, "<Points>\n" + vtu_array("Float32", "Points", points, "NumberOfComponents='3' ") + "</Points>\n" + vtu_cells("0 1 2 3", "4",
+        "10") + "<PointData>" +
                                vtu_array("Float32", "h", heights) + vtu_array("Float64", "v", velocities, "NumberOfComponents='3' ") + "</PointData>");
   };
-  const std::string one = "0 0 0 1 0 0 0 1 0 0 0 1", other = "1 0 0 0 1 0 0 -0.0 1 1 1 1", no_motion = "0 0 0 0 0 0 0 0 0 0 0 0", earlier = " at the place of a point of an earlier piece ";
+  const std::string one = "0 0 0 1 0 0 0 1 0 0 0 1", other = "1 0 0 0 1 0 0 -0.0 1 1 1 1", no_motion = "0 0 0 0 0 0 0 0 0 0 0 0",
+      earlier = " at the place of a point of an earlier piece ";
   const auto load_pieces = [](const std::string& pieces, load_report& r) { return load_text<tetmesh>(vtu_file(pieces), file_format::vtu, {.report = &r}); };
   load_report r;
   // not-a-number is equal to itself, and 0 to -0
@@ -216,7 +221,8 @@ TEST_CASE("read_vtu: points of pieces stay apart where their values differ, or w
   CHECK(num_verts(m) == 8);
   // a crack: one piece has two points at a place
   const std::string cracked = "1 0 0 0 1 0 1 0 0 1 1 1";
-  for (const std::string& pieces : {piece(one, "1 2 3 4", no_motion) + piece(cracked, "2 3 2 5", no_motion), piece(cracked, "2 3 2 5", no_motion) + piece(one, "1 2 3 4", no_motion)}) {
+  for (const std::string& pieces : {piece(one, "1 2 3 4", no_motion) + piece(cracked, "2 3 2 5", no_motion), piece(cracked, "2 3 2 5", no_motion) + piece(one,
+      "1 2 3 4", no_motion)}) {
     m = load_pieces(pieces, r);
     CHECK(num_verts(m) == 7);
     CHECK(r.notes.size() >= 2);
@@ -250,8 +256,10 @@ TEST_CASE("read_vtu: arrays become properties; those that cannot are reported") 
 
 TEST_CASE("read_vtu: arrays with another number of values than there are elements are skipped with a remark") {
   const std::string cells = vtu_cells("0 1 2 3", "4", "9"), four_bytes = base64(bytes_of<std::uint32_t>({4}) + "abcd");
-  const std::string data = "<CellData>" + vtu_array("Int32", "many", "1 2 3") + vtu_array("Int32", "right", "7") + "<DataArray type=\"Int8\" Name=\"binary\" format=\"binary\">" + four_bytes +
-                           "</DataArray></CellData><PointData>" + vtu_array("Float64", "few", "1 2") + vtu_array("Float64", "v", "1 2 3", "NumberOfComponents=\"3\" ") + "</PointData>";
+  const std::string data = "<CellData>" + vtu_array("Int32", "many", "1 2 3") + vtu_array("Int32", "right", "7") +
+      "<DataArray type=\"Int8\" Name=\"binary\" format=\"binary\">" + four_bytes +
+                           "</DataArray></CellData><PointData>" + vtu_array("Float64", "few", "1 2") + vtu_array("Float64", "v", "1 2 3",
+                               "NumberOfComponents=\"3\" ") + "</PointData>";
   load_report r;
   const auto m = load_text<quadmesh>(cube_file(cells, 1, data), file_format::vtu, {.report = &r});
   CHECK(find_poly_property<int>(m, "right")[poly_id{0}] == 7);
@@ -317,7 +325,8 @@ TEST_CASE("read_vtu: errors name the line") {
   CHECK_THROWS_AS(load_text<trimesh>(vtu_file("", "compressor=\"vtkLZ4DataCompressor\""), file_format::vtu), unsupported);
   const std::string quadratic = cube_file(vtu_cells("0 1 2 3 4 5", "6", "22"), 1);
   CHECK_THROWS_WITH_AS(load_text<trimesh>(quadratic, file_format::vtu),
-                       "text: the cell at position 0 of the piece on line 5 is a second-order element, of type 22, with nodes on edges; load with {.corners_only = true} to read only the corners",
+                       "text: the cell at position 0 of the piece on line 5 is a second-order element, of type 22, with nodes on edges; load with "
+                           "{.corners_only = true} to read only the corners",
                        unsupported);
   const auto corners = load_text<trimesh>(quadratic, file_format::vtu, {.corners_only = true});
   CHECK(num_polys(corners) == 1);

@@ -207,7 +207,8 @@ TEST_CASE("vtk_output: properties of faces or polys with default values only are
 }
 
 TEST_CASE("vtk_output: wedges are written in VTK's order, with the base counter-clockwise seen from outside") {
-  const std::string start = "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 7 double\n0 0 0 0 1 0 1 0 0 0 0 1 0 1 1 1 0 1 0.25 0.25 2\n";
+  const std::string start = "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 7 double\n0 0 0 0 1 0 1 0 0 0 0 1 0 1 1 1 0 1 0.25 "
+      "0.25 2\n";
   const std::string text = start + "CELLS 2 12\n6 0 1 2 3 4 5\n4 3 5 4 6\nCELL_TYPES 2\n13\n10\n";
   load_report r;
   const auto m = load_text<polyhedralmesh>(text, file_format::vtk, {.report = &r});

@@ -48,7 +48,8 @@ class element_nodes {
       number[v] = static_cast<std::uint32_t>(kept.size());
       if (!is_node_[v]) kept.push_back(static_cast<std::uint32_t>(v));
     }
-    report.skipped.push_back(core::joined({points.size() - kept.size(), " points, the nodes of ", num_elements_, " elements of second or higher order: only corners were read"}));
+    report.skipped.push_back(core::joined({points.size() - kept.size(), " points, the nodes of ", num_elements_,
+                                           " elements of second or higher order: only corners were read"}));
     for_each_list(out, [&](std::vector<vert_id>& verts) {
       for (vert_id& v : verts) v = vert_id{number[v.raw()]};
     });

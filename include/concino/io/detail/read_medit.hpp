@@ -38,7 +38,8 @@ class medit_reader : Cursor {
   std::conditional_t<Volumes, cell_builder, no_cells> cells_;
 
  public:
-  medit_reader(const read_context& c, contents_of<Volumes>& out) : Cursor(c), wanted_(c.wanted), report_(*c.report), out_(out), corners_only_(c.corners_only), cells_(c, points_, 1) {}
+  medit_reader(const read_context& c, contents_of<Volumes>& out) : Cursor(c), wanted_(c.wanted), report_(*c.report), out_(out), corners_only_(c.corners_only),
+                                                                   cells_(c, points_, 1) {}
 
   void read() {
     this->begin_file();
@@ -272,7 +273,8 @@ class medit_reader : Cursor {
     if constexpr (Volumes)
       if (volume) cells_.finish(out_);
     if (nodes_.any() && this->has_ordering_)
-      core::throw_joined<unsupported>({this->name(), ": has elements of second or higher order, and a section that lists the order of their nodes: corners need not come first"});
+      core::throw_joined<unsupported>({this->name(), ": has elements of second or higher order, and "
+                                                     "a section that lists the order of their nodes: corners need not come first"});
     nodes_.remove(out_, report_);
   }
 };
@@ -288,8 +290,8 @@ namespace concino {
 ///         those that are not integers are rounded and counted. Marks become properties (int) of verts ("corner", "required"), edges ("ridge",
 ///         "required") and triangles and quads ("required"). If the file lists edges or faces without any of these, they and the others listed
 ///         have the property "entity". Normals at vertices become "normal" of verts. Elements of second or higher order are read by their corners, if
-///         load_options::corners_only is set; points that are only their other nodes are reported as skipped. Other sections are reported as skipped, as are edges and faces
-///         that the mesh does not have.
+///         load_options::corners_only is set; points that are only their other nodes are reported as skipped. Other sections are reported as skipped, as are
+///         edges and faces that the mesh does not have.
 /// Cost:   O(size of the text)
 /// Errors: parse_error naming the line (of binary files the byte) of a wrong number, an index out of range, an element with a vertex twice, an element
 ///         that the wanted mesh cannot hold, or the end of a file that is cut off; unsupported if the file holds a volume and a surface was wanted,

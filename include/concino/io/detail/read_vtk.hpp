@@ -170,7 +170,8 @@ class vtk_reader : public vtk_cells_reader {
     require_room(from, n, type);
     const value_type* const stored = property_type_of(as_doubles ? vtk_number::float64 : type, components, array);
     if (kind_ != element_kind::mesh && tuples != num_elements()) {
-      report_.skipped.push_back(core::joined({"array \"", array, "\" of ", tuples, " values, where ", num_elements(), kind_ == element_kind::vert ? " points" : " cells", " need one each"}));
+      report_.skipped.push_back(core::joined({"array \"", array, "\" of ", tuples, " values, where ", num_elements(),
+          kind_ == element_kind::vert ? " points" : " cells", " need one each"}));
       return skip_values(type, n);
     }
     if (!stored || tuples != num_elements()) {

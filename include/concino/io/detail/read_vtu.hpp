@@ -8,8 +8,8 @@
 namespace concino {
 
 /// Needs:  text of a .vtu file, or of a .vtp file: arrays as text, base64 or appended, in either byte order, compressed by zlib or not, in pieces.
-/// Result: as vtk_format::read. Points of different pieces at the same place with the same values become one, unless a piece has several points there; ghost cells
-///         are dropped. Both are reported.
+/// Result: as vtk_format::read. Points of different pieces at the same place with the same values become one, unless a piece has several points there;
+///         ghost cells are dropped. Both are reported.
 /// Cost:   O(size of the text), and of the data it was compressed from; for files in pieces O(n log n) in the points, and more where many pieces have different
 ///         values at one place.
 /// Errors: parse_error naming the line of the tag of a wrong array, or of a wrong number in text; unsupported for compressed files without

@@ -74,8 +74,8 @@ inline cell_shape shape_of_vtk_cell(unsigned type) {
     default: return cell_shape::general;
   }
 }
-/// Puts the corners of a cell from VTK's order into the standard one, and the reverse: they differ in voxels, whose x changes fastest, and in wedges, linear and
-/// quadratic, whose base 0 1 2 is counter-clockwise seen from outside.
+/// Puts the corners of a cell from VTK's order into the standard one, and the reverse: they differ in voxels, whose x changes fastest, and in wedges, linear
+/// and quadratic, whose base 0 1 2 is counter-clockwise seen from outside.
 inline void swap_vtk_order(unsigned type, vert_id* v) {
   if (type == 11) std::swap(v[2], v[3]), std::swap(v[6], v[7]);
   if (type == 13 || type == 26 || type == 31 || type == 32) std::swap(v[1], v[2]), std::swap(v[4], v[5]);

@@ -72,7 +72,8 @@ class vtk_mesh {
     if (is_high_order(c))
       core::throw_joined<unsupported>({in_.name, ": the cell at ", places_.place_of_cell(c), " is a ", type < 68 ? "second-order" : "higher-order",
                                        " element, of type ", type, ", with nodes on edges; ", read_corners_instead});
-    core::throw_joined<unsupported>({in_.name, ": the cell at ", places_.place_of_cell(c), " has type ", type, "; types from 17 on are not supported, except 42 and elements of second and higher order"});
+    core::throw_joined<unsupported>({in_.name, ": the cell at ", places_.place_of_cell(c), " has type ", type,
+                                     "; types from 17 on are not supported, except 42 and elements of second and higher order"});
   }
   bool is_high_order(std::size_t c) const { return linear_vtk_type(grid_.types[c]) != grid_.types[c]; }
 
@@ -95,7 +96,8 @@ class vtk_mesh {
   /// Adds the verts of a cell that are no corners to the nodes.
   [[gnu::noinline, gnu::cold]] void add_nodes(std::size_t c, const vert_id* v, std::size_t n) {
     const std::size_t corners = num_corners(c);
-    if (grid_.types[c] == quadratic_polygon && n % 2 != 0) places_.fail_at_cell(c, {"an even number of points, for a cell of type ", unsigned{grid_.types[c]}}, {n});
+    if (grid_.types[c] == quadratic_polygon && n % 2 != 0)
+      places_.fail_at_cell(c, {"an even number of points, for a cell of type ", unsigned{grid_.types[c]}}, {n});
     if (n < corners) places_.fail_at_cell(c, {"at least ", corners, " points, for a cell of type ", unsigned{grid_.types[c]}}, {n});
     nodes_.add(v + corners, n - corners);
   }

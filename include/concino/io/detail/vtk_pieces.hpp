@@ -35,8 +35,10 @@ class vtk_point_merger {
 
   vtk_point_merger(const vtk_grid& grid, const std::vector<std::size_t>& first_point) : points_(grid.points), first_point_(first_point), same_(points_.size()) {
     for (const property_column& c : grid.columns)
-      if (c.kind == element_kind::vert)
-        columns_.push_back({&c.name, static_cast<const unsigned char*>(c.values->data()), vtk_type_of(*c.values->operations().type), c.values->operations().size});
+      if (c.kind == element_kind::vert) {
+        const value_type& type = c.values->operations();
+        columns_.push_back({&c.name, static_cast<const unsigned char*>(c.values->data()), vtk_type_of(*type.type), type.size});
+      }
     std::vector<std::uint32_t> order(points_.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = same_[i] = static_cast<std::uint32_t>(i);
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {

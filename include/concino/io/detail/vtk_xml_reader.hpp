@@ -156,7 +156,8 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
     constexpr const char* where = " points at the place of a point of an earlier piece ";
     report_.notes.push_back(core::joined({index_.pieces.size(), " pieces were joined: ", n - merged.kept.size(), where, "became that point"}));
     if (merged.num_different)
-      report_.notes.push_back(core::joined({merged.num_different, where, "stayed apart: they have other values, the first one in \"", *merged.different, "\""}));
+      report_.notes.push_back(
+          core::joined({merged.num_different, where, "stayed apart: they have other values, the first one in \"", *merged.different, "\""}));
     if (merged.num_coincident) report_.notes.push_back(core::joined({merged.num_coincident, where, "stayed apart: a piece has several points there"}));
     if (merged.kept.size() == n) return;
     for (std::size_t c = 0; c < grid_.size(); ++c) renumber(c, merged.number);
