@@ -1,5 +1,5 @@
-// Measures geodesics on surfaces: logarithmic maps against the factorisations, back-substitutions and search that they need, straightest geodesics in edges that are
-// crossed per second, and paths made straight.
+// Measures geodesics on surfaces: logarithmic maps against the factorisations, back-substitutions and search that they need, straightest
+// geodesics in edges that are crossed per second, and paths made straight.
 #include "support/matrix_keeper.hpp"
 #include "support/kinds.hpp"
 
@@ -52,7 +52,8 @@ void log_map(const bench::program& p, const std::string& name, const cn::trimesh
   p.print(bench::compare(query, p.rounds,
                          {{"substitutions", [&] {
                              return bench::seconds_of([&] {
-                               return paths.from(0).back() + all[0]->solve(heat).sum() + all[1]->solve(vectors).sum() + all[1]->solve(carried_vectors).sum() + all[0]->solve(carried).sum();
+                               return paths.from(0).back() + all[0]->solve(heat).sum() +
+                                      all[1]->solve(vectors).sum() + all[1]->solve(carried_vectors).sum() + all[0]->solve(carried).sum();
                              });
                            }},
                           {"concino", [&] { return bench::seconds_of([&] { return log.log_map_from(source); }); }}}));
