@@ -49,7 +49,7 @@ prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> pre
 ///         Distances are approximate. On the meshes of docs/convergence.md the mean error is at most 0.3 edges, mostly below 0.1. The largest error is
 ///         below two edges, except for agglomerates round a corner and squeezed polygons.
 ///         Distances are clamped. They are at most the shortest path along edges and straight across triangles or tets inside the polys, and at least
-///         the straight line through space. With .clamp = false they are as smooth as heat, and wrong by some edges on curved surfaces; a
+///         the straight line through space. Polyhedra have overlapping tets, those of up to 16 of their verts with all others. With .clamp = false they are as smooth as heat, and wrong by some edges on curved surfaces; a
 ///         query then takes as little as a third of the time. Distances scale exactly with the mesh by powers of two.
 ///         The default time is twice the squared width of polys, averaged by their measure, over their dimension: two squared edges in grids of
 ///         squares and of cubes. Heat resolves directions over a distance of about one poly, and rounds off finer details. The average by measure
@@ -109,10 +109,10 @@ vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<std::pair<vert_t
 }
 
 /// Geodesic distances of all verts from a point of poly p, by the heat method.
-/// Needs:  x lies on or in p. p should be convex: the distances of its verts are those of straight lines.
-/// Result: as above.
+/// Needs:  x lies on or in p. The polys that contain it should be convex: the distances of their verts are those of straight lines.
+/// Result: as above; a place of the lowest element that contains x.
 /// Cost:   as above.
-/// Errors: as above, and invalid_mesh if p is not a poly of the mesh; invalid_argument if x is not finite.
+/// Errors: as above, and those of lowest_element.
 template<class M, class Solver = auto_solver>
   requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, double> heat_geodesics(M&& m, const poly_t<M>& p, const vec3& x, const heat_geodesics_options& options = {},

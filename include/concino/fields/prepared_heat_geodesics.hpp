@@ -1,6 +1,7 @@
 // A mesh prepared for queries of heat geodesics, the result of prepare_heat_geodesics.
 #pragma once
 
+#include <concino/core/lexicographic.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
@@ -9,6 +10,7 @@
 #include <concino/fields/detail/heat_matrix.hpp>
 #include <concino/fields/detail/heat_preparation.hpp>
 #include <concino/fields/heat_geodesics_options.hpp>
+#include <concino/geometry/lowest_element.hpp>
 #include <concino/operators/virtual_elements.hpp>
 
 #include <algorithm>
@@ -17,6 +19,7 @@
 #include <memory>
 #include <span>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace concino {
@@ -34,7 +37,8 @@ class prepared_heat_geodesics {
     bool clamp;
 
     bool is_heat_negative() const {
-      const auto sources = system.one_source_per_component();
+      const auto position = [&](int v) { return graph.position(static_cast<std::size_t>(v)); };
+      const auto sources = system.one_source_per_component([&](int v, int w) { return core::is_lexicographically_less(position(v), position(w)); });
       std::vector<double> guess;
       if (system.is_iterative()) {
         std::vector<detail::distance_graph::start> starts;
@@ -158,20 +162,23 @@ class prepared_heat_geodesics {
   }
   void distance_from(mistake::number<mistake::name_the_element>, ...) const = delete;  // elements have types: vert_id{0}, not 0
 
-  /// The distances of all verts from a point of poly p.
-  /// Needs:  x lies on or in p. p should be convex: the distances of its verts are those of straight lines.
+  /// The distances of all verts from a point of poly p, as a place of its lowest element.
+  /// Needs:  x lies on or in p. The polys that contain it should be convex: the distances of their verts are those of straight lines.
   /// Result, cost: as above.
-  /// Errors: invalid_mesh if p is not a poly of the mesh; invalid_argument if x is not finite.
+  /// Errors: those of lowest_element.
   vert_map<M, double> distance_from(const poly_t<M>& p, const vec3& x) const {
     const M& m = mesh_.get();
-    if (!contains(m, p)) throw invalid_mesh("heat_geodesics: the poly of a source is not a poly of the mesh; take it from polys(m)");
-    if (!is_finite(x)) throw invalid_argument("heat_geodesics: the point of a source is not finite");
+    const mesh_point<M> source = detail::lowest_element_of(m, mesh_point<M>{p, x}, "heat_geodesics", "source");
+    if (const auto* v = std::get_if<vert_t<M>>(&source.element)) return distance_from(*v);
     query q;
-    q.sources.push_back({vec3{scale_down(x.x), scale_down(x.y), scale_down(x.z)}, 0});
-    for (const vert_t<M> v : adj_p2v(m, p)) {
-      const int i = number(v);
-      q.starts.push_back({i, 0, distance(q.sources[0].position, prepared_->graph.position(static_cast<std::size_t>(i))), 0});
-    }
+    q.sources.push_back({vec3{scale_down(source.position.x), scale_down(source.position.y), scale_down(source.position.z)}, 0});
+    detail::for_each_poly_at(m, source, [&](const poly_t<M>& at) {
+      for (const vert_t<M> v : adj_p2v(m, at)) {
+        const int i = number(v);
+        if (std::any_of(q.starts.begin(), q.starts.end(), [&](const auto& s) { return s.vert == i; })) continue;
+        q.starts.push_back({i, 0, distance(q.sources[0].position, prepared_->graph.position(static_cast<std::size_t>(i))), 0});
+      }
+    });
     return answer(q);
   }
 };
@@ -206,8 +213,9 @@ vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const query& q) c
   for (const auto& s : q.starts) least[component(index(s))] = std::min(least[component(index(s))], path_length_at_source(s));
   // The integral of the gradient is known up to a constant in each component, and it is too round at a source. The constant is fitted to bounds of the
   // distances near the sources; tighter bounds have more weight.
-  constexpr double near = 2;          // verts are used up to this times `decay` from a source,
-  constexpr double max_doubt = 0.2;  // if the path over the mesh is longer than the straight line by at most this fraction of it
+  // Verts are used up to `near` times `decay` from a source, if the path over the mesh is longer than the straight line by at most `max_doubt` of it. The
+  // numbers are not round, as those of regular grids are: rounding must not decide which verts are used.
+  constexpr double near = 2 + 1e-6, max_doubt = 0.2 + 1e-6;
   // Without clamp, longer paths are only needed as a guess.
   const bool needs_all = prepared_->clamp || prepared_->system.is_iterative();
   double first = -infinity;

@@ -6,6 +6,7 @@
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/core/tangent_vector.hpp>
+#include <concino/geometry/lowest_element.hpp>
 #include <concino/lines/detail/geodesic_start.hpp>
 #include <concino/mesh/element_map.hpp>
 
@@ -65,9 +66,10 @@ class prepared_trace_geodesic {
     if (!(size > 0 && std::isfinite(size))) core::throw_joined<invalid_argument>({caller, ": the direction is 0 or not finite"});
     const detail::geodesic_start<M> find(m, *surface_, caller);
     const int exponent = surface_->triangles().exponent;
-    const detail::walk_state state = find(start, (1 / size) * direction);
+    const mesh_point<M> from = detail::lowest_element_of(m, start, caller, "start");
+    const detail::walk_state state = find(from, (1 / size) * direction, start);
     traced_geodesic<M> r;
-    r.points.push_back(find.first_point(start, state));
+    r.points.push_back(find.first_point(from, state));
     if (state.side < 0) {
       r.stopped_by = line_end::boundary;
       return r;
