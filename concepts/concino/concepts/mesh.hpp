@@ -141,6 +141,40 @@ consteval void explain_embedded_graph() {
   if constexpr (!EmbeddedGraph<M>) requirement::first_missing<requirement::embedded_graph_requirements, M>::template explain<M>();
 }
 
+namespace requirement {
+
+// Of a graph of verts alone or of polys alone nothing else is declared.
+template<class M> concept is_graph_of_verts = PrimalGraph<M> && !requires { typename poly_t<M>; } && dimension_v<M> == 0;
+template<class M> concept is_graph_of_polys = DualGraph<M> && !requires { typename vert_t<M>; } && dimension_v<M> == 0;
+
+/// There are mesh_traits<M>, but those of no mesh and of no graph: a member is missing, not static, or of another type, or does not take const M&.
+template<class M> concept is_incomplete = is_adapted<M> && !AnyMesh<M> && !is_graph_of_verts<M> && !is_graph_of_polys<M>;
+
+}  // namespace requirement
+
+namespace mistake {
+
+/// Converts from a class that is no mesh and no graph: without mesh_traits, or with incomplete ones. For algorithms; the verbs have no_mesh_traits, since
+/// traits call them before they are complete.
+template<sentence Remedy>
+struct no_mesh {
+  template<class M>
+    requires((std::is_class_v<M> && !requirement::is_adapted<M>) || requirement::is_incomplete<M>)
+  no_mesh(const M&);
+};
+inline constexpr sentence adapt_the_mesh("include the adapter of the mesh's library, such as #include <concino/adapters/openmesh.hpp>, or specialise concino::mesh_traits; if they are incomplete, explain_any_mesh<M>() (a graph: explain_primal_graph<M>()) names what is missing");
+
+/// Converts from a temporary mesh, which would no longer exist when the result is used.
+template<sentence Remedy>
+struct temporary_mesh {
+  template<class M>
+    requires(requirement::is_adapted<M> && !requirement::is_lvalue_or_view<M> && !requirement::is_incomplete<M>)
+  temporary_mesh(M&&);
+};
+inline constexpr sentence name_the_mesh("the result refers to the mesh, which must not be a temporary: give it a name, auto m = ...;");
+
+}  // namespace mistake
+
 /// Whether x is an element of m now.
 /// Needs:  mesh_traits<M>::index_of for elements of its kind.
 /// Result: true or false.

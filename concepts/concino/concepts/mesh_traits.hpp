@@ -134,15 +134,6 @@ struct no_mesh_traits {
 };
 inline constexpr sentence include_adapter("include the adapter of the mesh's library, such as #include <concino/adapters/openmesh.hpp>, or specialise concino::mesh_traits");
 
-/// Converts from a temporary mesh, which would no longer exist when the result is used.
-template<sentence Remedy>
-struct temporary_mesh {
-  template<class M>
-    requires(requirement::is_adapted<M> && !requirement::is_lvalue_or_view<M>)
-  temporary_mesh(M&&);
-};
-inline constexpr sentence name_the_mesh("the result refers to the mesh, which must not be a temporary: give it a name, auto m = ...;");
-
 /// The type of a default template argument with a text: compilers print it, for mistakes that no parameter type can express.
 template<sentence Remedy> struct remedy {};
 

@@ -1,6 +1,6 @@
-// Parameter types of deleted functions. Compilers print their template argument: a sentence that says what to write instead. See mesh_traits.hpp.
+// Parameter types of deleted functions. Compilers print their template argument: a sentence that says what to write instead. See mesh_traits.hpp, mesh.hpp.
 //
-//   template<class... T> void f(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+//   template<class... T> void f(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 //
 // The pack accepts explicit template arguments, as in f<vec3>(m), and `...` accepts any other arguments, braces too.
 #pragma once
@@ -18,7 +18,8 @@ namespace concino::mistake {
 template<sentence Remedy>
 struct no_points {
   template<class M>
-    requires(requirement::is_adapted<M> && requirement::is_lvalue_or_view<const M&> && requirement::has_vert<M> && !requirement::has_point<M>)
+    requires(requirement::is_adapted<M> && !requirement::is_incomplete<M> && requirement::is_lvalue_or_view<const M&> && requirement::has_vert<M> &&
+             !requirement::has_point<M>)
   no_points(const M&);
 };
 inline constexpr sentence give_points("needs an Embedded mesh: write mesh_traits<M>::point(m, v), or call with with_points(m, map)");
@@ -27,7 +28,7 @@ inline constexpr sentence give_points("needs an Embedded mesh: write mesh_traits
 template<sentence Remedy>
 struct bare_graph {
   template<class M>
-    requires(PrimalGraph<M> && requirement::is_lvalue_or_view<const M&> && !EmbeddedMesh<M>)
+    requires(PrimalGraph<M> && !requirement::is_incomplete<M> && requirement::is_lvalue_or_view<const M&> && !EmbeddedMesh<M>)
   bare_graph(const M&);
 };
 inline constexpr sentence name_discretisation("the default discretisation needs polys and mesh_traits<M>::point(m, v): write what is missing, or name another, as in laplacian(m, uniform) or harmonic_map(m, values, uniform)");
@@ -36,7 +37,7 @@ inline constexpr sentence name_discretisation("the default discretisation needs 
 template<sentence Remedy>
 struct polys_alone {
   template<class M>
-    requires(DualGraph<M> && requirement::is_lvalue_or_view<const M&> && !requirement::has_vert<M>)
+    requires(DualGraph<M> && !requirement::is_incomplete<M> && requirement::is_lvalue_or_view<const M&> && !requirement::has_vert<M>)
   polys_alone(const M&);
 };
 inline constexpr sentence name_dual("the graph has polys but no verts: pass dual(m), as in connected_components(dual(m))");
@@ -44,7 +45,7 @@ inline constexpr sentence name_dual("the graph has polys but no verts: pass dual
 /// Converts from any mesh or graph.
 struct any_mesh {
   template<class M>
-    requires requirement::is_adapted<M>
+    requires(requirement::is_adapted<M> && !requirement::is_incomplete<M>)
   any_mesh(const M&);
 };
 

@@ -197,7 +197,7 @@ polyhedralmesh agglomerate(const M& m, const L& labels, const agglomerate_option
 }
 
 // What to write instead of calls that cannot compile.
-template<class... T> void agglomerate(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+template<class... T> void agglomerate(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void agglomerate(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 template<class M, class U, class R = mistake::remedy<mistake::give_labels_at_polys>>
   requires(EmbeddedMesh<M> && !requirement::is_label_map<U, M>)

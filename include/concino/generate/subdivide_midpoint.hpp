@@ -46,7 +46,7 @@ hexmesh subdivide_midpoint(const M& m, const midpoint_options& options = {}) {
 }
 
 // What to write instead of calls that cannot compile.
-template<class... T> void subdivide_midpoint(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+template<class... T> void subdivide_midpoint(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void subdivide_midpoint(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

@@ -83,7 +83,7 @@ polyhedralmesh voronoi_polyhedra(const Sites& sites, const S& surface, const vor
 }
 
 // What to write instead of calls that cannot compile.
-template<class Sites = std::initializer_list<vec3>> void voronoi_polyhedra(const Sites&, mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+template<class Sites = std::initializer_list<vec3>> void voronoi_polyhedra(const Sites&, mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class Sites = std::initializer_list<vec3>> void voronoi_polyhedra(const Sites&, mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

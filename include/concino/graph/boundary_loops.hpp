@@ -156,6 +156,6 @@ boundary_loops_result<M> boundary_loops(const M& m) {
 }
 
 // What to write instead of calls that cannot compile.
-template<class... T> void boundary_loops(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+template<class... T> void boundary_loops(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 
 }  // namespace concino

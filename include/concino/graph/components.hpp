@@ -100,7 +100,7 @@ auto connected_components(M&& m, const connected_components_options<detail::defa
 }
 
 // What to write instead of calls that cannot compile.
-template<class... T> void connected_components(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+template<class... T> void connected_components(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void connected_components(mistake::polys_alone<mistake::name_dual>, ...) = delete;  // of a graph of polys alone write connected_components(dual(m))
 template<class... T> void connected_components(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
 

@@ -58,6 +58,6 @@ std::vector<edge_walk<M>> homology_generators(const M& m, const homology_options
 }
 
 // What to write instead of calls that cannot compile.
-template<class... T> void homology_generators(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+template<class... T> void homology_generators(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 
 }  // namespace concino

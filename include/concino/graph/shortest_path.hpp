@@ -92,7 +92,7 @@ auto shortest_path(const M& m, std::initializer_list<S> sources, const T& target
 }
 
 // What to write instead of calls that cannot compile.
-template<class... T> void shortest_path(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+template<class... T> void shortest_path(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void shortest_path(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
 template<class... T> void shortest_path(mistake::no_points<"the mesh has no points (Embedded), so its edges have no lengths: pass a callable that returns lengths, shortest_path(m, source, target, length)">, ...) = delete;
 

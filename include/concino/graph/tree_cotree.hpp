@@ -156,6 +156,6 @@ tree_cotree_result<M> tree_cotree(const M& m) {
 }
 
 // What to write instead of calls that cannot compile.
-template<class... T> void tree_cotree(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+template<class... T> void tree_cotree(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 
 }  // namespace concino

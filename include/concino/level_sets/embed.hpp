@@ -199,8 +199,8 @@ embedded_surface<M> embed_isosurface(M& m, U&& u, double value, const embed_opti
 }
 
 // What to write instead of calls that cannot compile.
-template<class... T> void embed_isolines(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
-template<class... T> void embed_isosurface(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+template<class... T> void embed_isolines(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void embed_isosurface(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<EditableSurfaceMesh M, class R = mistake::remedy<mistake::use_general_polys>>
   requires(!requirement::has_room_for_parts<M>)
 void embed_isolines(M&, ...) = delete;  // convert<polygonmesh>(m) has room for the parts of quads

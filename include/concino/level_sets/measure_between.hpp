@@ -127,7 +127,7 @@ std::vector<double> measure_between(const M& m, const U& u, const V& values) {
 }
 
 // What to write instead of calls that cannot compile.
-template<class... T> void measure_between(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+template<class... T> void measure_between(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void measure_between(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 template<class M, class U, class R = mistake::remedy<mistake::give_numbers_at_verts>>
   requires(EmbeddedMesh<M> && !requirement::gives_numbers<U, vert_t<M>>)

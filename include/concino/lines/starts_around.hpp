@@ -28,7 +28,7 @@ std::vector<mesh_point<M>> starts_around(const M& m, const poly_t<M>& p, double 
 }
 
 // What to write instead of calls that cannot compile.
-template<class... T> void starts_around(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+template<class... T> void starts_around(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void starts_around(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 template<class... T> void starts_around(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: poly_id{0}, not 0
 

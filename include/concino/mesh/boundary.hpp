@@ -167,6 +167,6 @@ template<VolumeMesh M, class R = mistake::remedy<mistake::name_the_mesh>>
 void boundary(const M&& m) = delete;  // give the mesh a name: auto m = ...;
 
 // What to write instead of calls that cannot compile.
-template<class... T> void boundary(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+template<class... T> void boundary(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 
 }  // namespace concino

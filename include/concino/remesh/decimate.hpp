@@ -97,6 +97,6 @@ decimation decimate(M& m, const decimate_options& options) {
 }
 
 // What to write instead of calls that cannot compile.
-template<class... T> void decimate(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+template<class... T> void decimate(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 
 }  // namespace concino

@@ -99,7 +99,7 @@ drawable make_arrows(const M& m, const G& g, const arrow_options& options = {}) 
 }
 
 // What to write instead of calls that cannot compile.
-template<class... T> void make_arrows(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+template<class... T> void make_arrows(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void make_arrows(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 template<class M, class G, class R = mistake::remedy<mistake::give_vectors_at_polys>>
   requires(EmbeddedMesh<M> && !requirement::has_vectors_at_polys<M, G> && !requirement::has_vectors_at_verts<M, G>)

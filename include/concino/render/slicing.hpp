@@ -67,11 +67,11 @@ template<AnyMesh M, CriterionOn<M> C>
 std::vector<facet_t<M>> exposed_facets(const M& m, const C& criterion) { return detail::visible_facets(m, criterion, true); }
 
 // What to write instead of calls that cannot compile.
-template<class... T> void visible_polys(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+template<class... T> void visible_polys(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void visible_polys(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
-template<class... T> void visible_facets(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
-template<class... T> void visible_faces(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
-template<class... T> void exposed_facets(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+template<class... T> void visible_facets(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void visible_faces(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void exposed_facets(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class M, class C, class R = mistake::remedy<mistake::give_criterion>>
   requires(AnyMesh<M> && requirement::is_lvalue_or_view<M> && !CriterionOn<C, M>)
 void visible_polys(M&&, const C&, ...) = delete;  // a criterion for the polys of this mesh: below() needs points, the map of labeled() whole numbers at polys

@@ -1,5 +1,6 @@
-# Passes if the compiler rejects the call, and the first 30 lines of its output name the concept and the requirement has_<lacking>. If the adapter or the
-# points are missing, the first 10 lines must name the header or the concept.
+# Passes if the compiler rejects the call, and the first 10 lines of its output name explain_any_mesh and explain_primal_graph. If the adapter or the points
+# are missing, they must name the header or the concept. For what only edits need, the first 30 lines must name the concept and the requirement
+# has_<lacking>.
 set(ENV{LC_ALL} C)
 if(compiler MATCHES "clang")
   set(depth "")
@@ -12,13 +13,14 @@ if(code EQUAL 0)
 endif()
 string(REGEX REPLACE "[][;]" "." plain "${said}")  # these have a meaning in lists
 string(REGEX MATCHALL "[^\n]*\n" lines "${plain}")
-set(limit 30)
-set(words "[^a-zA-Z_]${concept}[^a-zA-Z_]" "[^a-z_]has_${lacking}[^a-z_]")
-if(lacking STREQUAL "adapted")
-  set(limit 10)
+set(limit 10)
+set(words "explain_any_mesh<M>" "explain_primal_graph<M>")
+if(lacking MATCHES "^(rewire|set_point)$")
+  set(limit 30)
+  set(words "[^a-zA-Z_]${concept}[^a-zA-Z_]" "[^a-z_]has_${lacking}[^a-z_]")
+elseif(lacking STREQUAL "adapted")
   set(words "#include <concino/adapters/openmesh.hpp>")
 elseif(lacking STREQUAL "point")
-  set(limit 10)
   set(words "[^a-zA-Z_]Embedded[^a-zA-Z_]")
 endif()
 list(SUBLIST lines 0 ${limit} lines)
