@@ -1,6 +1,6 @@
 # Passes if the compiler rejects the call, and the first 10 lines of its output name explain_any_mesh and explain_primal_graph. If the adapter or the points
-# are missing, they must name the header or the concept. For what only edits need, the first 30 lines must name the concept and the requirement
-# has_<lacking>.
+# are missing, they must name the header or the concept. For what only edits need, and for meshes that are made, the first 30 lines must name the concept
+# and the requirement has_<lacking>.
 set(ENV{LC_ALL} C)
 if(compiler MATCHES "clang")
   set(depth "")
@@ -15,7 +15,7 @@ string(REGEX REPLACE "[][;]" "." plain "${said}")  # these have a meaning in lis
 string(REGEX MATCHALL "[^\n]*\n" lines "${plain}")
 set(limit 10)
 set(words "explain_any_mesh<M>" "explain_primal_graph<M>")
-if(lacking MATCHES "^(rewire|set_point)$")
+if(lacking MATCHES "^(rewire|set_point)$" OR case MATCHES "make_grid")
   set(limit 30)
   set(words "[^a-zA-Z_]${concept}[^a-zA-Z_]" "[^a-z_]has_${lacking}[^a-z_]")
 elseif(lacking STREQUAL "adapted")
