@@ -3,6 +3,7 @@
 
 #include <concino/core/message.hpp>
 #include <concino/edit/replace_polys.hpp>
+#include <concino/testing/detail/adjacencies.hpp>
 #include <concino/testing/detail/described_mesh.hpp>
 #include <concino/testing/detail/sample_cavities.hpp>
 #include <concino/validate/broken_law.hpp>
@@ -17,17 +18,17 @@ namespace concino::testing::detail {
 /// What cavity c makes of the mesh that `before` describes. The new elements have the names that rewire returned.
 template<class M>
 described_mesh<M> as_cavity_describes(const M& m, described_mesh<M> before, const built_cavity<M>& c) {
-  const auto index = [&](unsigned i) { return index_of(m, i < c.verts.size() ? c.verts[i] : c.made_verts[i - c.verts.size()]); };
+  const auto index = [&](unsigned i) { return index_of(m, i < c.verts.size() ? c.verts[i] : c.new_verts[i - c.verts.size()]); };
   for (const auto& p : c.polys) before.polys.erase(index_of(m, p));
   for (std::size_t i = c.verts.size() - c.removed; i < c.verts.size(); ++i) before.verts.erase(index_of(m, c.verts[i]));
-  for (std::size_t i = 0; i < c.points.size(); ++i) before.verts[index_of(m, c.made_verts[i])] = {c.made_verts[i], c.points[i], true};
-  for (std::size_t i = 0; i < c.made_polys.size(); ++i) {
+  for (std::size_t i = 0; i < c.points.size(); ++i) before.verts[index_of(m, c.new_verts[i])] = {c.new_verts[i], c.points[i], true};
+  for (std::size_t i = 0; i < c.new_polys.size(); ++i) {
     poly_shape shape;
     for (const auto& loop : c.loops_of(i)) {
       shape.emplace_back();
       for (const unsigned v : loop) shape.back().push_back(index(v));
     }
-    before.polys[index_of(m, c.made_polys[i])] = {c.made_polys[i], in_normal_form<M>(std::move(shape)), true};
+    before.polys[index_of(m, c.new_polys[i])] = {c.new_polys[i], in_normal_form<M>(std::move(shape)), true};
   }
   return before;
 }
@@ -83,7 +84,7 @@ bool check_rewire(M& m, built_cavity<M>& c, concino::detail::law_log& log) {
   const described_mesh<M> before = describe(m);
   c.apply(m);
   for (std::size_t i = 0; i < c.kept; ++i)
-    if (!(c.made_polys[i] == c.polys[i]))
+    if (!(c.new_polys[i] == c.polys[i]))
       log.add("ED5", core::joined({"new poly ", i, " of the cavity does not have the descriptor of old poly ", i, ", though kept is ", c.kept}), name('p', index_of(m, c.polys[i])));
   compare(as_cavity_describes(m, before, c), describe(m), log);
   return log.empty();

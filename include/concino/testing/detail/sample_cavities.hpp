@@ -20,8 +20,8 @@ struct built_cavity {
   std::vector<vec3> points;
   std::vector<unsigned> corners, ends, poly_ends;
   std::size_t kept = 0, removed = 0;
-  std::vector<vert_t<M>> made_verts;
-  std::vector<poly_t<M>> made_polys;
+  std::vector<vert_t<M>> new_verts;
+  std::vector<poly_t<M>> new_polys;
 
   /// The number of a vert, which is added if it is new to the cavity.
   unsigned number(const vert_t<M>& v) {
@@ -55,9 +55,9 @@ struct built_cavity {
     return {all(polys), all(verts), all(points), all(corners), all(ends), all(poly_ends), kept, removed};
   }
   void apply(M& m) {
-    made_verts.resize(points.size());
-    made_polys.resize(num_new());
-    rewire(m, lists(), {made_verts.data(), made_polys.data()});
+    new_verts.resize(points.size());
+    new_polys.resize(num_new());
+    rewire(m, lists(), {new_verts.data(), new_polys.data()});
   }
 };
 
@@ -85,8 +85,8 @@ built_cavity<M> turned_poly(const M& m, const poly_t<M>& p) {
   c.polys = {p};
   c.kept = 1;
   for (auto& loop : loops_of(m, p, c)) {
-    if constexpr (dimension_v<M> == 3 && arity_v<M> == 4) loop = {loop[1], loop[2], loop[0], loop[3]};
-    else if constexpr (arity_v<M> == 8) loop = {loop[1], loop[2], loop[3], loop[0], loop[5], loop[6], loop[7], loop[4]};
+    if constexpr (dimension_v<M> == 3 && arity_v<M> == 4) loop = {loop[1], loop[2], loop[0], loop[3]};  // a rotation of the standard order
+    else if constexpr (arity_v<M> == 8) loop = {loop[1], loop[2], loop[3], loop[0], loop[5], loop[6], loop[7], loop[4]};  // about the vertical axis
     else std::rotate(loop.begin(), loop.begin() + 1, loop.end());
     c.add_loop(loop);
   }
@@ -165,10 +165,10 @@ built_cavity<M> divided_poly(const M& m, const poly_t<M>& p) {
 template<EditableMesh M>
 built_cavity<M> joined_parts(const M&, const built_cavity<M>& parts, const built_cavity<M>& whole) {
   built_cavity<M> c = whole;
-  c.polys = parts.made_polys;
+  c.polys = parts.new_polys;
   c.kept = 1;
-  c.verts.insert(c.verts.end(), parts.made_verts.begin(), parts.made_verts.end());
-  c.removed = parts.made_verts.size();
+  c.verts.insert(c.verts.end(), parts.new_verts.begin(), parts.new_verts.end());
+  c.removed = parts.new_verts.size();
   return c;
 }
 
