@@ -36,8 +36,9 @@ inline bool is_near_new(const proposed_edit& e, const vec3& x, double distance_a
 
 }  // namespace detail
 
-/// Refuses edits of triangles that make one with a vert, an edge's midpoint or a centroid farther than `distance` from the surface of the tree, or that replace one
-/// with such a point farther than that from all new triangles, as where a corner of an open surface would vanish. The tree must outlive the invariant.
+/// Refuses edits of triangles that make one with a vert, an edge's midpoint or a centroid farther than `distance` from the surface of the tree. It also refuses
+/// those that replace a triangle with such a point farther than that from all new ones, as where a corner of an open surface would vanish. The tree must
+/// outlive the invariant.
 /// Needs:  a bounding_tree of a surface; a distance >= 0, in units of the mesh.
 /// Result: an invariant for `keep`. Between these points a triangle may be farther away, by at most half the length of its longest edge. Each edit
 ///         may take something from an open surface; decimate with max_error bounds all its edits together.
