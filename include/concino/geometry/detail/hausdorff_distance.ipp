@@ -1,5 +1,5 @@
-// Defines hausdorff_distance.hpp. Each part of a triangle has an upper bound, see polygon_part. Only parts whose bound exceeds the largest distance met so far are
-// cut into smaller ones.
+// Defines hausdorff_distance.hpp. Each part of a triangle has an upper bound, see polygon_part. Only parts whose bound exceeds the largest distance met so far
+// are cut into smaller ones.
 #pragma once
 
 #include <concino/core/parallel.hpp>

@@ -87,11 +87,11 @@ class bounded_collapses {
     for (const std::size_t p : e.old_polys) polys_.old.push_back(static_cast<std::uint32_t>(p));
     for (std::size_t k = 0; k < e.num_new_polys(); ++k) {
       const auto v = e.new_poly(k);
-      polys_.made.push_back({polys_.old[e.origins[k].first], {at(v[0]), at(v[1]), at(v[2])}});
+      polys_.added.push_back({polys_.old[e.origins[k].first], {at(v[0]), at(v[1]), at(v[2])}});
     }
     if (line_ids_.empty()) return;
     for (const auto& [a, b] : lines_at_ends(c, false)) lines_.old.push_back(line_id(e.verts[a], e.verts[b]));
-    for (const auto& [a, b] : lines_at_ends(c, true)) lines_.made.push_back({line_id(e.verts[a], e.verts[b]), {at(a), at(b), at(b)}});
+    for (const auto& [a, b] : lines_at_ends(c, true)) lines_.added.push_back({line_id(e.verts[a], e.verts[b]), {at(a), at(b), at(b)}});
   }
 
  public:
