@@ -87,7 +87,8 @@ struct file_contents {
   material_table table;                          // of the materials
 
   /// Properties with any names and types. The values of a kind are in the order of the file: those of corners follow surface.verts, those of edges
-  /// and faces belong to the elements listed below. Of two with the same kind and name, or with the name of a member above, the first one counts.
+  /// and faces belong to the elements listed below. A second one with the same kind and name, or with the name of a member above, becomes a
+  /// property with another name, such as "heat_2".
   std::vector<property_column> properties;
   listed_elements edges, faces;
 

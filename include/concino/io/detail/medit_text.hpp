@@ -16,7 +16,7 @@ class medit_text : protected token_cursor {
   int dimension_ = 0;
   bool ended_ = false;
 
-  explicit medit_text(const read_context& c) : token_cursor(c.text, c.name, c.progress, '#'), report_(*c.report) {}
+  explicit medit_text(const read_context& c) : token_cursor(text_without_padding(c.text), c.name, c.progress, '#'), report_(*c.report) {}
 
   void begin_file() {
     skip();

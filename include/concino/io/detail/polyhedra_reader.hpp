@@ -30,7 +30,7 @@ class polyhedra_reader : protected token_cursor {
   load_report& report_;
   polyhedra_arrays out_;
 
-  explicit polyhedra_reader(const read_context& c) : token_cursor(c.text, c.name, c.progress, 0), wanted_(c.wanted), report_(*c.report) {}
+  explicit polyhedra_reader(const read_context& c) : token_cursor(text_without_padding(c.text), c.name, c.progress, 0), wanted_(c.wanted), report_(*c.report) {}
 
   void verts(std::uint64_t n) {
     core::reserve_large(out_.points, reservable(n, 6));

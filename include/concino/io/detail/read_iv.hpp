@@ -54,7 +54,7 @@ class iv_reader : iv_cursor {
 
  public:
   iv_reader(const read_context& c, file_contents& out)
-      : iv_cursor(c.text, c.name, c.progress), wanted_(c.wanted), extra_(out), out_(out.surface), report_(*c.report) {}
+      : iv_cursor(text_without_padding(c.text), c.name, c.progress), wanted_(c.wanted), extra_(out), out_(out.surface), report_(*c.report) {}
 
   void read() {
     header();

@@ -21,7 +21,7 @@ class vtk_reader : public vtk_cells_reader {
     header();
     for (;;) {
       skip();
-      if (at_end()) break;
+      if (at_end() || (!binary_ && text_without_padding({at, left()}).empty())) break;
       section();
     }
     if (num_tables_) report_.skipped.push_back(core::joined({num_tables_, " lookup tables of colours"}));

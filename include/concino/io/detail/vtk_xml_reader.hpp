@@ -65,7 +65,7 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
       vtk_xml_entry& e = index_.entries[i];
       if (e.part != vtk_xml_part::of_points && e.part != vtk_xml_part::of_cells && e.part != vtk_xml_part::of_mesh) continue;
       if (e.part == vtk_xml_part::of_mesh) e.piece = 0;
-      const std::size_t k = names.add(core::joined({static_cast<char>('0' + static_cast<int>(e.part)), e.array.name}));
+      const std::size_t k = number_of_name(names, e, [&](std::size_t known) { return known < last.size() && index_.entries[last[known]].piece == e.piece; });
       const auto here = static_cast<std::uint32_t>(i);
       if (k == first.size()) {
         first.push_back(here), last.push_back(here);
@@ -75,6 +75,19 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
       }
     }
     for (const std::uint32_t i : first) column(index_.entries[i]);
+  }
+  /// The number of the name of an array. If the piece has an array of that name already, this one gets another name.
+  template<class IsTaken>
+  std::size_t number_of_name(name_table& names, vtk_xml_entry& e, const IsTaken& is_taken) {
+    const std::string given = e.array.name;
+    for (unsigned n = 2;; ++n) {
+      const std::size_t k = names.add(core::joined({static_cast<char>('0' + static_cast<int>(e.part)), e.array.name}));
+      if (!is_taken(k)) {
+        if (n > 2) report_.notes.push_back(core::joined({"another array \"", given, "\" is the property \"", e.array.name, "\""}));
+        return k;
+      }
+      e.array.name = core::joined({given, "_", n});
+    }
   }
   const vtk_xml_entry* next(const vtk_xml_entry* e) const { return e->next == ~0u ? nullptr : &index_.entries[e->next]; }
 

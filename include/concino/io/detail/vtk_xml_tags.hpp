@@ -153,6 +153,10 @@ class vtk_xml_tags : xml_scanner {
       ++index_.num_texts;
       return;
     }
+    if (type == "Bit") {
+      in_.report->skipped.push_back(core::joined({"array \"", a.name, "\" of bits"}));
+      return;
+    }
     if (a.type == vtk_number::none) fail(tag.at, {"a type of numbers, such as Float64 or Int32"}, {"'", std::string_view(type).substr(0, 40), "'"});
     a.components = std::max<std::uint64_t>(1, number_of(tag, "NumberOfComponents", 1));
     a.tuples = number_of(tag, "NumberOfTuples", 1);

@@ -145,7 +145,7 @@ inline void obj_format::write(write_context& c, flat_mesh& m) {
       transparent = transparent || x.a != 1;
       for (const float part : {x.r, x.g, x.b}) {
         c.out << ' ';
-        detail::write_part(c.out, c.finite(part), false);
+        detail::write_part(c.out, c.color_part(part), false);
       }
     }
     c.out << '\n';
