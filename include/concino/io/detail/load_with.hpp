@@ -38,8 +38,14 @@ inline constexpr bool reads_surfaces_alone = !F::holds_surfaces || requires(cons
 template<Format F, bool Surfaces, bool Volumes, class Contents>
 void read_as(const read_context& context, Contents& out) {
   *context.report = {};
+  out.repeated.policy = context.repeated_verts;
   if constexpr ((Surfaces && F::holds_surfaces) || (Volumes && F::holds_volumes)) F::read(context, out);
   else throw_wrong_dimension(context.name, F::holds_volumes);
+  if (context.repeated_verts != repeated_verts::refuse) {
+    std::size_t num_polys = 0;
+    if constexpr (requires { out.cells; }) num_polys = out.filled == arrays_kind::cells ? out.cells.num_polys() : out.polyhedra.num_polys();
+    mend_repeated_verts(out, num_polys, *context.report);
+  }
   drop_equal_offsets(out.surface);
   report_progress(*context.progress, 1.0, "reading");
 }
@@ -96,7 +102,7 @@ template<bool Surfaces, bool Volumes, class... F, class Contents>
 void read_text(std::string_view text, std::string_view name, format_list<F...> known, std::size_t chosen, const wanted_mesh& wanted, const load_options& options,
                Contents& contents, file_text* file = nullptr) {
   load_report unused_report;
-  const read_context context{text, name, wanted, options.report ? options.report : &unused_report, &options.progress, file != nullptr, options.inflate};
+  const read_context context{text, name, wanted, options.report ? options.report : &unused_report, &options.progress, file != nullptr, options.inflate, options.repeated_verts};
   with_format(known, chosen, [&]<Format G>(G) { read_as<G, Surfaces, Volumes>(context, contents); });
   if (file) file->close(std::string(name));
 }

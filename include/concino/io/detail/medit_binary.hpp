@@ -76,6 +76,7 @@ class medit_binary : protected text_cursor {
 
   void skip_rows() {}
 
+  std::string place_of(const char* p) const { return core::joined({"at byte ", static_cast<std::uint64_t>(p - begin())}); }
   const char* position() const { return at; }
   std::uint32_t index(std::uint64_t bound, const char* what) {
     const std::int64_t i = integer();

@@ -59,6 +59,7 @@ class medit_text : protected token_cursor {
     }
   }
 
+  std::string place_of(const char* p) const { return core::joined({"on line ", line_of(p)}); }
   const char* position() {
     skip();
     return at;

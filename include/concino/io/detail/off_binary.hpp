@@ -23,19 +23,7 @@ struct off_header : off_word {
   }
 };
 
-/// Adds the poly at `position`, whose corners begin at `first`. Errors: parse_error if it has a vert twice or the wanted mesh cannot hold it.
-inline void check_poly(const text_cursor& in, const char* position, std::size_t first, std::vector<std::uint64_t>& scratch,
-                       const wanted_mesh& wanted, surface_arrays& out, std::uint32_t& arity) {
-  const std::size_t size = out.verts.size() - first;
-  const vert_id* const corners = out.verts.data() + first;
-  if (const std::size_t i = first_repeated(corners, size, scratch); i != size)
-    in.fail(position, {"different verts at the corners of a poly"}, {"vert ", corners[i].raw(), " twice"});
-  if (wanted.surface && wanted.arity && size != wanted.arity)
-    in.fail(position, {name_of_poly(false, wanted.arity), " (polygonmesh and load_any take any polygon)"},
-            {"a polygon of ", size, " corners"});
-  if (out.verts.size() > max_ids) in.fail_to_count("corners");
-  end_poly(out, arity, first);
-}
+inline constexpr polygon_words off_words{"different verts at the corners of a poly"};
 
 /// Reports colours of reals of which one is larger than 1.
 [[gnu::noinline, gnu::cold]] inline void note_large_colors(std::uint64_t n, load_report& report) {
@@ -83,7 +71,7 @@ class off_binary_reader {
     core::reserve_large(out.verts, in_.left() / 4 - std::min<std::uint64_t>(in_.left() / 4, 2 * polys));  // if polys have no colours
     std::vector<std::uint64_t> scratch;
     for (std::uint64_t f = 0; f < polys; ++f) {
-      poly(out, arity, scratch);
+      poly(out, extra, arity, scratch);
       if (header_.has_poly_colors) attributes(extra, f);
       in_.report_progress();
     }
@@ -188,7 +176,7 @@ class off_binary_reader {
     return p;
   }
 
-  void poly(surface_arrays& out, std::uint32_t& arity, std::vector<std::uint64_t>& scratch) {
+  void poly(surface_arrays& out, file_contents& extra, std::uint32_t& arity, std::vector<std::uint64_t>& scratch) {
     const std::uint64_t size = count("the number of verts of a poly", 4);
     if (size < 3) fail(in_.at - 4, "a poly of at least three verts");
     const std::size_t first = out.verts.size();
@@ -198,7 +186,7 @@ class off_binary_reader {
       const vert_id v{i};
       out.verts.push_back(v);
     }
-    check_poly(in_, line_, first, scratch, wanted_, out, arity);
+    end_checked_poly(in_, line_, first, scratch, wanted_, extra, arity, off_words);
   }
 
   void attributes(file_contents& extra, std::uint64_t f) {

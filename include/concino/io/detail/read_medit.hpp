@@ -100,11 +100,11 @@ class medit_reader : Cursor {
     const std::size_t room = this->room_for(part, s.arity + 1);
     if constexpr (Volumes)
       if (s.is_volume()) {
-        if (!cells_.can_hold(s.shape)) throw_wrong_arity_of(s, wanted_.arity ? wanted_.arity : polys_ ? cells_.arity() : s.arity);
+        if (!cells_.can_hold(s.shape) && !takes_repeated()) throw_wrong_arity_of(s, wanted_.arity ? wanted_.arity : polys_ ? cells_.arity() : s.arity);
         cells_.reserve(s.shape, room);
       }
     if (!s.is_volume()) {
-      if (wanted_.surface && wanted_.arity && s.arity != wanted_.arity) throw_wrong_arity_of(s, wanted_.arity);
+      if (wanted_.surface && wanted_.arity && s.arity != wanted_.arity && !takes_repeated()) throw_wrong_arity_of(s, wanted_.arity);
       surface_.reserve(room * s.arity);
       numbers_of(s).add(part.count, polys_);
     }
@@ -113,7 +113,7 @@ class medit_reader : Cursor {
       const char* const from = next_element(s, corners);
       if constexpr (Volumes)
         if (s.is_volume() && !cells_.add_cell(s.shape, corners)) fail(from, {cells_.expected}, {cells_.found});
-      if (!s.is_volume()) add_polygon(from, corners, s.arity);
+      if (!s.is_volume()) add_polygon(from, corners, s.arity, polys_ + i);
       add_label(poly_labels_, polys_ + i, next_reference());
       this->report_progress();
     }
@@ -122,13 +122,21 @@ class medit_reader : Cursor {
 
   row_numbers& numbers_of(const medit_section& s) { return s.code == 6 || s.code == 17 ? triangles_ : quads_; }
 
-  void require_different(const char* from, const vert_id* corners, std::uint32_t n) {
-    if (const std::size_t k = first_repeated(corners, n, scratch_); k != n)
-      fail(from, {"different verts in an element"}, {"vert ", corners[k].raw() + 1, " twice"});
+  /// Whether elements with a vert twice become others, or none, so that what the mesh can hold depends on each of them.
+  bool takes_repeated() const { return out_.repeated.policy != repeated_verts::refuse; }
+
+  /// The number of verts of an edge or face that is listed. Without options.repeated_verts they have to be different; with it, equal neighbours become one.
+  std::uint32_t collapse_listed(const char* from, vert_id* corners, std::uint32_t n) {
+    const std::size_t k = first_repeated(corners, n, scratch_);
+    if (k == n) return n;
+    if (!takes_repeated()) fail(from, {"different verts in an element", repeated_verts_hint}, {"vert ", corners[k].raw() + 1, " twice"});
+    return collapse_verts(corners, n);
   }
 
-  void add_polygon(const char* from, const vert_id* corners, std::uint32_t n) {
-    require_different(from, corners, n);
+  void add_polygon(const char* from, const vert_id* corners, std::uint32_t n, std::size_t poly) {
+    check_polygon(
+        out_, wanted_, corners, n, {.different = "different verts in an element", .first = 1}, scratch_,
+        [&](core::message expected, core::message found) { fail(from, expected, found); }, [&] { return poly; }, [&] { return this->place_of(from); });
     surface_.add(corners, n);
     if (surface_.size_of_lists() > max_ids) this->fail_to_count("corners");
   }
@@ -146,8 +154,8 @@ class medit_reader : Cursor {
     numbers.add(part.count, listed.size());
     for (std::uint64_t i = 0; i < part.count; ++i) {
       vert_id corners[8];
-      require_different(next_element(s, corners), corners, s.arity);
-      listed.verts.insert(listed.verts.end(), corners, corners + s.arity);
+      const std::uint32_t n = collapse_listed(next_element(s, corners), corners, s.arity);
+      listed.verts.insert(listed.verts.end(), corners, corners + n);
       if (listed.verts.size() > max_ids) this->fail_to_count("corners of edges or faces");
       listed.end_element();
       marks_.set(kind, "label", listed.size() - 1, next_reference());

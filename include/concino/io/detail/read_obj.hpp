@@ -211,13 +211,7 @@ class obj_reader : obj_cursor {
   void end_face(const char* line, std::size_t first) {
     const std::size_t size = out_.verts.size() - first;
     if (size < 3) fail(line, {"a face of at least three corners"}, {"one of ", size});
-    const vert_id* corners = out_.verts.data() + first;
-    if (const std::size_t i = first_repeated(corners, size, scratch_); i != size)
-      fail(line, {"different verts at the corners of a face"}, {"vert ", corners[i].raw() + 1, " twice"});
-    if (wanted_.surface && wanted_.arity && size != wanted_.arity)
-      fail(line, {name_of_poly(false, wanted_.arity), " (polygonmesh and load_any take any polygon)"}, {"a polygon of ", size, " corners"});
-    if (out_.verts.size() > max_ids) fail_to_count("corners");
-    end_poly(out_, arity_, first);
+    end_checked_poly(*this, line, first, scratch_, wanted_, extra_, arity_, {.different = "different verts at the corners of a face", .first = 1});
   }
 
   [[gnu::noinline, gnu::cold]] void finish_colors(load_report& report) {

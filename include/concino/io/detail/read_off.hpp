@@ -191,7 +191,7 @@ class off_reader : off_cursor {
       const vert_id v{static_cast<std::uint32_t>(i)};
       out_.verts.push_back(v);
     }
-    check_poly(*this, line, first, scratch_, wanted_, out_, arity_);
+    end_checked_poly(*this, line, first, scratch_, wanted_, extra_, arity_, off_words);
   }
 
   [[noreturn, gnu::noinline, gnu::cold]] void fail_index() const {

@@ -112,9 +112,15 @@ class vtk_mesh {
       use(v, n);
     }
   }
-  void check_distinct(std::size_t c, const vert_id* v, std::size_t n) {
-    if (const std::size_t k = first_repeated(v, n, scratch_); k != n)
-      places_.fail_at_cell(c, {"different points at the corners of a polygon"}, {"point ", v[k].raw(), " twice"});
+  static constexpr polygon_words words_{"different points at the corners of a polygon", "point "};
+  /// The verts of a face that is listed. Without options.repeated_verts they have to be different; with it, equal neighbours become one.
+  std::vector<vert_id> listed_face(std::size_t c, const vert_id* v, std::size_t n) {
+    std::vector<vert_id> face(v, v + n);
+    const std::size_t k = first_repeated(v, n, scratch_);
+    if (k == n) return face;
+    if (out_.repeated.policy == repeated_verts::refuse) places_.fail_at_cell(c, {words_.different, repeated_verts_hint}, {words_.vert, v[k].raw(), " twice"});
+    face.resize(collapse_verts(face.data(), static_cast<std::uint32_t>(n)));
+    return face;
   }
 
   /// Takes over the verts of all cells, if they are different triangles or quads, as in most files. Returns whether it did.
@@ -141,9 +147,9 @@ class vtk_mesh {
     for (std::size_t c = 0; c < grid_.size(); ++c) {
       if (kind_of_vtk_cell(grid_.types[c]) != vtk_kind::polygon) continue;
       for_each_polygon(c, [&](const vert_id* v, std::size_t n) {
-        check_distinct(c, v, n);
-        if (in_.wanted.arity && n != in_.wanted.arity)
-          places_.fail_at_cell(c, {name_of_poly(false, in_.wanted.arity), " (polygonmesh and load_any take any polygon)"}, {"a polygon of ", n, " corners"});
+        check_polygon(
+            out_, in_.wanted, v, n, words_, scratch_, [&](core::message expected, core::message found) { places_.fail_at_cell(c, expected, found); },
+            [&] { return poly_cells_.size(); }, [&] { return core::joined({"at ", places_.place_of_cell(c)}); });
         const std::size_t first = s.verts.size();
         for (std::size_t i = 0; i < n; ++i) s.verts.push_back(v[i]);
         if (s.verts.size() > max_ids) core::throw_joined<unsupported>({in_.name, ": more than ", max_ids, " corners"});
@@ -186,6 +192,7 @@ class vtk_mesh {
   }
   /// Whether all cells are listed as cell_builder does it: tets, hexes, prisms, pyramids, and polyhedra unless these have to become tets or hexes.
   bool lists_as_builder() const {
+    if (out_.repeated.policy != repeated_verts::refuse) return false;  // the builder may change the lists
     const bool takes_polyhedra = in_.wanted.polyhedra || !in_.wanted.cells;
     for (const std::uint8_t t : grid_.types)
       if (t == vtk_polyhedron ? !takes_polyhedra : shape_of_vtk_cell(t) == cell_shape::general || t == 11) return false;
@@ -201,9 +208,9 @@ class vtk_mesh {
   /// Checks the polygons of a cell, and lists them as faces.
   void list_faces(std::size_t c, bool listed) {
     for_each_polygon(c, [&](const vert_id* v, std::size_t n) {
-      check_distinct(c, v, n);
+      const std::vector<vert_id> face = listed_face(c, v, n);
       if (!listed) return;
-      out_.faces.verts.insert(out_.faces.verts.end(), v, v + n);
+      out_.faces.verts.insert(out_.faces.verts.end(), face.begin(), face.end());
       out_.faces.end_element();
       face_cells_.push_back(static_cast<std::uint32_t>(c));
     });

@@ -32,6 +32,7 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
     first_cell_.push_back(grid_.size());
     columns();
     if (index_.num_texts) report_.skipped.push_back(core::joined({index_.num_texts, " arrays of texts"}));
+    for (const std::string& name : index_.bit_arrays) report_.skipped.push_back(core::joined({"array \"", name, "\" of bits"}));
     merge_pieces();
     drop_ghosts();
     if (!grid_.points.empty()) grid_.largest = static_cast<std::uint32_t>(grid_.points.size() - 1);  // all verts were compared with it

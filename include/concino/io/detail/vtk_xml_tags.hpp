@@ -31,6 +31,7 @@ struct vtk_xml_index {
   std::vector<vtk_xml_piece> pieces;
   std::vector<vtk_xml_entry> entries;
   std::uint64_t num_texts = 0;           // arrays of texts
+  std::vector<std::string> bit_arrays;   // the names of arrays of bits
   std::string normals, textures;         // the arrays that are named as such, of the first piece
 };
 
@@ -154,7 +155,7 @@ class vtk_xml_tags : xml_scanner {
       return;
     }
     if (type == "Bit") {
-      in_.report->skipped.push_back(core::joined({"array \"", a.name, "\" of bits"}));
+      index_.bit_arrays.push_back(a.name);
       return;
     }
     if (a.type == vtk_number::none) fail(tag.at, {"a type of numbers, such as Float64 or Int32"}, {"'", std::string_view(type).substr(0, 40), "'"});
