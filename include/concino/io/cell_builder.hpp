@@ -70,8 +70,8 @@ class basic_cell_builder {
 
   /// Adds a cell with its verts in the order of VTK and MEDIT. Returns false if a vert is there twice, or if the wanted mesh cannot hold the cell.
   bool add_cell(cell_shape s, const vert_id* v) {
-    if (takes_repeated() && detail::first_repeated(v, standard_cell_of(s).num_verts, scratch_) != standard_cell_of(s).num_verts) return add_mended(faces_of(s, v).data());
     const std::size_t first = verts_.size(), n = standard_cell_of(s).num_verts;
+    if (takes_repeated() && detail::first_repeated(v, n, scratch_) != n) return add_mended(faces_of(s, v).data());
     verts_.insert(verts_.end(), v, v + n);
     const bool is_valid = check_cell(s, verts_.data() + first);
     if (!is_valid || polyhedra_) verts_.resize(first);
@@ -178,11 +178,11 @@ class basic_cell_builder {
     return list;
   }
   /// Adds what options.repeated_verts makes of a polyhedron with a vert twice.
-  [[gnu::noinline, gnu::cold]] bool add_mended(const vert_id* faces) {
+  [[gnu::noinline, gnu::cold]] bool add_mended(const vert_id* listed) {
     const auto number = static_cast<std::uint32_t>(size());
     repeated_.add(number, [] { return std::string(); });
     std::vector<vert_id> list;
-    if (in_.repeated_verts == repeated_verts::collapse) list = detail::collapsed_faces(faces, points_);
+    if (in_.repeated_verts == repeated_verts::collapse) list = detail::collapsed_faces(listed, points_);
     if (list.empty() || list[0].raw() == 0) {
       if (!list.empty()) repeated_.add_vanished();
       repeated_.dropped.push_back(number);

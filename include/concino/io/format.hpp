@@ -16,6 +16,7 @@
 //     static constexpr bool is_read_only = true;         if it has no write: save then refuses it
 //     static constexpr bool has_binary = true;           if it has a binary form, for save_options::binary
 //     static constexpr bool has_only_properties = true;  if its reader stores no values but by add_property, for verts, faces, polys and the mesh
+//     static constexpr bool holds_faces = true;          if files list the faces of volumes; else save reports equal faces, and faces of no poly, as lost
 //     read as a template over the contents               so that programs that read only surfaces, into file_contents, need not compile volumes
 //
 // A reader stores a property of any name and type by out.add_property<double>(element_kind::poly, "temperature", n), and collects the cells of

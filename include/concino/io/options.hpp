@@ -28,11 +28,12 @@ struct save_report {
 /// Several threads may call it at once.
 using inflate_function = bool (*)(const unsigned char* from, std::size_t n, unsigned char* to, std::size_t size);
 
-/// What readers do with polys that have a vert twice, which no mesh holds. Values of polys follow, and the report has the number of such polys and the first one.
+/// What readers do with polys that have a vert twice, which no mesh holds. Values of polys follow, and the report has the number of such polys and the
+/// first one.
 enum class repeated_verts : std::uint8_t {
   refuse,    // parse_error
-  /// Equal neighbours in a polygon or face become one vert, and so do spikes (a vert between two equal ones): a quad with two equal corners becomes a triangle,
-  /// such a hex a prism, pyramid, tet or other polyhedron. A polygon that still passes a vert twice, as at a bridge to a hole, becomes triangles, by
+  /// Equal neighbours in a polygon or face become one vert, and so do spikes (a vert between two equal ones): a quad with two equal corners becomes a
+  /// triangle, such a hex a prism, pyramid, tet or other polyhedron. A polygon that still passes a vert twice, as at a bridge to a hole, becomes triangles, by
   /// polygon_triangulator. Polys without area or volume are skipped.
   collapse,
   skip       // these polys, and their values, are left out

@@ -203,7 +203,8 @@ TEST_CASE("medit_binary: errors name the byte") {
   CHECK(after_start([](meshb& b) { b.section(4, -1, {}); }) ==
         "1: the number of rows of the section, at most 0 up to the next one or the end of the file | -1 at byte 28");
   CHECK(after_start([](meshb& b) { b.vertices(corners), b.section(8, 1, {1, 2, 3, 5, 0}); }) == "1: a vertex index from 1 to 4 | 5 at byte 168");
-  CHECK(after_start([](meshb& b) { b.vertices(corners), b.section(8, 1, {1, 2, 3, 3, 0}); }) == "1: different verts in a cell (or options.repeated_verts = repeated_verts::collapse or skip) | vert 3 twice at byte 156");
+  CHECK(after_start([](meshb& b) { b.vertices(corners), b.section(8, 1, {1, 2, 3, 3, 0}); }) == "1: different verts in a cell (or set "
+      "options.repeated_verts) | vert 3 twice at byte 156");
   CHECK(after_start([](meshb& b) { b.vertices(corners), b.vertices(corners); }).starts_with("1: one section Vertices | another at byte "));
   CHECK(after_start([](meshb& b) { b.vertices({{0, std::nan(""), 0}}); }) == "1: the y of a vertex, a finite number | another value at byte 40");
   CHECK(after_start([](meshb& b) { b.vertices(corners), b.section(14, 1, {1}); }) == "1: the index of an edge, but there is nothing to refer to | 1 at byte 156");

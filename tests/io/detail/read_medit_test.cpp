@@ -206,7 +206,7 @@ TEST_CASE("read_medit: the error names the line of the first cell that cell_arra
 TEST_CASE("read_medit: messages name what was expected and what was found") {
   const auto says = [](const std::string& text) { return complaint<cell_arrays>(text, file_format::medit); };
   CHECK(says("MeshVersionFormatted 1\nDimension\n4\n") == "3: the dimension, 2 or 3 | '4'");
-  CHECK(says(head + points + "Tetrahedra\n1\n1 3 3 2 0\nEnd\n") == "11: different verts in a cell (or options.repeated_verts = repeated_verts::collapse or skip) | vert 3 twice");
+  CHECK(says(head + points + "Tetrahedra\n1\n1 3 3 2 0\nEnd\n") == "11: different verts in a cell (or set options.repeated_verts) | vert 3 twice");
   CHECK(says(head + points + "Tetrahedra\n1\n1 2 3 5 0\nEnd\n").starts_with("11: "));
   CHECK(complaint<trimesh>(head + points + "Quadrilaterals\n1\n1 2 3 4 0\nEnd\n", file_format::medit) ==
         "11: a triangle (polygonmesh and load_any take any polygon) | an element of section Quadrilaterals");

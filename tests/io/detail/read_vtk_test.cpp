@@ -185,7 +185,7 @@ TEST_CASE("read_vtk: errors name the line") {
   CHECK(says(vtk_grid_of("4 0 1 2 9\n", "10")) == "10: a point index below 9 | 9");
   CHECK(says(vtk_grid_of("8 0 1 2 3 4 5 6 7\n4 0 1 2\n", "12 10")) == "11: cells of 13 numbers | a cell of 4 where 3 are left");
   CHECK(says(vtk_grid_of("8 0 1 2 3 4 5 6 7\n3 0 1 2\n", "12 10")) == "11: 4 points, for a cell of type 10 | 3");
-  CHECK(says(vtk_grid_of("4 0 1 2 2\n", "10")) == "10: different verts in a cell (or options.repeated_verts = repeated_verts::collapse or skip) | vert 2 twice");
+  CHECK(says(vtk_grid_of("4 0 1 2 2\n", "10")) == "10: different verts in a cell (or set options.repeated_verts) | vert 2 twice");
   CHECK(says(vtk_grid_of("4 0 1 2 4\n", "10 12")) == "12: a section, such as POINTS, CELLS, POINT_DATA or SCALARS | '12'");
   CHECK(says(vtk_grid_of("4 0 1 2 4\n", "")) == "11: an integer of type int32 | the end of the file");
   CHECK(says(vtk_head + vtk_points + "CELLS 1 5\n4 0 1 2 4\n") == "10: a section CELL_TYPES | the end of the file");

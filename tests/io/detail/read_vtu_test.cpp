@@ -229,7 +229,7 @@ TEST_CASE("read_vtu: errors name the line") {
   CHECK(with("0 1 2 4", "-4", "10") == "16: ends that do not decrease | -4 after 0 in the array \"offsets\"");
   CHECK(with("0 1 2 4", "4", "256") == "20: an integer of type unsigned int8 | '256'");
   CHECK(with("0 1 2", "3", "10") == "5: 4 points, for a cell of type 10 | 3 in cell 0 of the piece");
-  CHECK(with("0 1 2 2", "4", "10") == "5: different verts in a cell (or options.repeated_verts = repeated_verts::collapse or skip) | vert 2 twice in cell 0 of the piece");
+  CHECK(with("0 1 2 2", "4", "10") == "5: different verts in a cell (or set options.repeated_verts) | vert 2 twice in cell 0 of the piece");
   CHECK(with("0 1 2 4", "4", "42") == "5: the array \"faces\" | a piece without it");
   const auto with_faces = [&](const std::string& list, const std::string& ends) {
     return says(cube_file(vtu_cells("0 1 2 4", "4", "42", vtu_array("Int64", "faces", list) + vtu_array("Int64", "faceoffsets", ends)), 1));
@@ -282,7 +282,8 @@ TEST_CASE("read_vtu: quads and pixels") {
   CHECK(verts_of("8 8", "0 1 3 2 4 5 7 6") == std::vector<unsigned>{0, 1, 2, 3, 4, 5, 6, 7});
   CHECK(verts_of("9 8", "0 1 2 3 4 5 7 6") == std::vector<unsigned>{0, 1, 2, 3, 4, 5, 6, 7});
   const auto says = [](const std::string& text) { return complaint<surface_arrays>(text, file_format::vtu); };
-  CHECK(says(cube_file(vtu_cells("0 1 2 3 4 5 4 7", "4 8", "9 9"), 2)) == "5: different points at the corners of a polygon (or options.repeated_verts = repeated_verts::collapse or skip) | point 4 twice in cell 1 of the piece");
+  CHECK(says(cube_file(vtu_cells("0 1 2 3 4 5 4 7", "4 8", "9 9"), 2)) == "5: different points at the corners of a polygon (or set "
+      "options.repeated_verts) | point 4 twice in cell 1 of the piece");
   CHECK(complaint<trimesh>(cube_file(vtu_cells("0 1 2 3 4 5 6 7", "4 8", "9 9"), 2), file_format::vtu).find("a polygon of 4 corners") != std::string::npos);
 }
 

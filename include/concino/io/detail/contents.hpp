@@ -33,8 +33,8 @@ struct polygon_words {
 /// Checks a polygon that was read: the wanted mesh can hold it, and if verts are there twice, options.repeated_verts allows it.
 /// fail(expected, found) throws parse_error with its place, poly() is its number, place() says where it is.
 template<class Fail, class Number, class Place>
-void check_polygon(file_contents& out, const wanted_mesh& wanted, const vert_id* v, std::size_t n, const polygon_words& words, std::vector<std::uint64_t>& scratch,
-                   const Fail& fail, const Number& poly, const Place& place) {
+void check_polygon(file_contents& out, const wanted_mesh& wanted, const vert_id* v, std::size_t n, const polygon_words& words,
+                   std::vector<std::uint64_t>& scratch, const Fail& fail, const Number& poly, const Place& place) {
   std::size_t size = n;
   if (const std::size_t k = first_repeated(v, n, scratch); k != n) [[unlikely]] {
     if (out.repeated.policy == repeated_verts::refuse) fail({words.different, repeated_verts_hint}, {words.vert, v[k].raw() + words.first, " twice"});

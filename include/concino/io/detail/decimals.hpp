@@ -116,7 +116,8 @@ inline bool divide_by_power_of_ten(std::uint64_t w, unsigned k, double& x) {
   return p;
 }
 
-/// As std::from_chars, but accepts a leading '+', and exponents that begin with d or D. A number too small for a double becomes 0, a number too large becomes infinite.
+/// As std::from_chars, but accepts a leading '+', and exponents that begin with d or D.
+/// A number too small for a double becomes 0, a number too large becomes infinite.
 [[gnu::noinline]] inline const char* parse_real_slowly(const char* first, const char* last, double& x) {
   const char* p = first;
   if (p != last && *p == '+') {

@@ -4,6 +4,7 @@
 #include <concino/concepts/mesh_traits.hpp>
 #include <concino/io/detail/choose_format.hpp>
 #include <concino/io/detail/contents.hpp>
+#include <concino/io/detail/mend_repeated_verts.hpp>
 #include <concino/io/detail/properties.hpp>
 #include <concino/io/file_text.hpp>
 #include <concino/mesh/to_polyhedra.hpp>
@@ -102,7 +103,8 @@ template<bool Surfaces, bool Volumes, class... F, class Contents>
 void read_text(std::string_view text, std::string_view name, format_list<F...> known, std::size_t chosen, const wanted_mesh& wanted, const load_options& options,
                Contents& contents, file_text* file = nullptr) {
   load_report unused_report;
-  const read_context context{text, name, wanted, options.report ? options.report : &unused_report, &options.progress, file != nullptr, options.inflate, options.repeated_verts};
+  load_report* const report = options.report ? options.report : &unused_report;
+  const read_context context{text, name, wanted, report, &options.progress, file != nullptr, options.inflate, options.repeated_verts};
   with_format(known, chosen, [&]<Format G>(G) { read_as<G, Surfaces, Volumes>(context, contents); });
   if (file) file->close(std::string(name));
 }

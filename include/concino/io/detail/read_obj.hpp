@@ -22,7 +22,8 @@ class obj_reader : obj_cursor {
   std::uint64_t points_ = max_ids, textures_ = max_ids, normals_ = max_ids;  // the final numbers, once they are known
   std::uint64_t max_point_ = 0, max_texture_ = 0, max_normal_ = 0;           // the largest index so far
   std::uint64_t num_extra_ = 0, num_lines_ = 0, num_smooth_ = 0, num_other_ = 0;
-  std::uint64_t num_third_ = 0, num_invalid_ = 0, num_zero_ = 0, num_bad_colors_ = 0;  // texture coordinates with a third number; those and normals that are not finite numbers
+  std::uint64_t num_zero_ = 0, num_bad_colors_ = 0;
+  std::uint64_t num_third_ = 0, num_invalid_ = 0;  // texture coordinates with a third number; those and normals that are not finite numbers
   double largest_color_ = 0;              // component of a colour
   std::vector<std::uint32_t> uncolored_;  // verts without a colour before the last one that has one
   std::size_t first_other_ = 0, first_invalid_ = 0;
@@ -136,21 +137,22 @@ class obj_reader : obj_cursor {
     constexpr const char* expected = "a number (a weight or a colour) or the end of the line";
     double x[3] = {};
     std::size_t n = 0;
-    bool is_finite = true;
+    const char* not_finite = nullptr;
     for (; !line_is_over(); ++n, blanks()) {
       double value = 0;
       const char* const p = parse_real(at, end(), value);
       if (!p || !ends_token(p, '#')) fail(at, expected);
+      if (!std::isfinite(value)) not_finite = at;
       at = p;
-      is_finite = is_finite && std::isfinite(value);
       if (n < 3) x[n] = value;
     }
+    if (not_finite && n != 3) fail(not_finite, {expected, ", a finite number"});
     text_cursor::skip_line();
     if (n != 3) {
       ++num_extra_;
       return;
     }
-    if (!is_finite) {
+    if (not_finite) {
       ++num_bad_colors_;
       return;
     }
@@ -274,7 +276,8 @@ namespace concino {
 
 /// Needs:  text of an OBJ file. Lines may end in LF, CRLF or CR, and go on after a backslash; indices count from 1 or back from the last.
 /// Result: its verts and polys, in the order of the file; isolated verts and equal positions are kept. `v x y z r g b` defines the colour of a
-///         vert, by components from 0 to 1, or from 0 to 255 if one in the file exceeds 1; the others are white. An index 0 of vt or vn is none. `o`, `g` and `usemtl` define names of polys, of at most 1000 bytes. Labels number the groups (the
+///         vert, by components from 0 to 1, or from 0 to 255 if one in the file exceeds 1; the others are white.
+///         An index 0 of vt or vn is none. `o`, `g` and `usemtl` define names of polys, of at most 1000 bytes. Labels number the groups (the
 ///         objects if there are no groups) from 1, in the order of the file. If all groups are called label_<number>, they become labels only.
 ///         Texture coordinates and normals become "texture" (std::array<double, 2>) and "normal" (vec3) of corners, if a corner has one; those of the
 ///         other corners are not-a-number. Kd and d in the libraries define colours of polys. A material called color_<number> that defines nothing else becomes a colour only.

@@ -22,14 +22,14 @@ class faces_mender {
   std::vector<face_id> list_;                             // the faces of a poly, and whether they are outward
   std::vector<std::uint8_t> outward_;
 
-  std::vector<vert_id> verts_of(std::size_t f) const {
-    return {m_.face_verts.begin() + static_cast<std::ptrdiff_t>(m_.face_offsets[f]), m_.face_verts.begin() + static_cast<std::ptrdiff_t>(m_.face_offsets[f + 1])};
+  static std::vector<vert_id> verts_of(const polyhedra_arrays& m, std::size_t f) {
+    return {m.face_verts.data() + m.face_offsets[f], m.face_verts.data() + m.face_offsets[f + 1]};
   }
 
   void collapse_face(std::size_t f) {
     std::vector<std::uint64_t> scratch;
     cycle_collapser collapse;
-    const std::vector<vert_id> given = verts_of(f);
+    const std::vector<vert_id> given = verts_of(m_, f);
     number_[f] = static_cast<std::uint32_t>(parts_.size());
     std::vector<std::vector<vert_id>>& parts = parts_.emplace_back();
     if (repeated_.policy == repeated_verts::skip) return;
@@ -45,12 +45,11 @@ class faces_mender {
   void cancel_equal_faces(const polyhedra_arrays& out) {
     std::vector<std::vector<vert_id>> sorted;
     for (std::size_t k = 0; k < list_.size();) {
-      const std::size_t f = list_[k].raw();
-      std::vector<vert_id> verts(out.face_verts.begin() + static_cast<std::ptrdiff_t>(out.face_offsets[f]), out.face_verts.begin() + static_cast<std::ptrdiff_t>(out.face_offsets[f + 1]));
-      std::sort(verts.begin(), verts.end());
-      const auto same = std::find(sorted.begin(), sorted.end(), verts);
+      std::vector<vert_id> ids = verts_of(out, list_[k].raw());
+      std::sort(ids.begin(), ids.end());
+      const auto same = std::find(sorted.begin(), sorted.end(), ids);
       if (same == sorted.end()) {
-        sorted.push_back(std::move(verts));
+        sorted.push_back(std::move(ids));
         ++k;
         continue;
       }
@@ -64,16 +63,16 @@ class faces_mender {
   /// Drops the faces of which `keeps` is false.
   static void drop_faces(polyhedra_arrays& out, const std::vector<bool>& keeps) {
     std::vector<std::uint32_t> offsets{0}, number(keeps.size(), 0);
-    std::vector<vert_id> verts;
+    std::vector<vert_id> ids;
     for (std::size_t f = 0; f < keeps.size(); ++f) {
       if (!keeps[f]) continue;
       number[f] = static_cast<std::uint32_t>(offsets.size() - 1);
-      for (std::uint32_t i = out.face_offsets[f]; i < out.face_offsets[f + 1]; ++i) verts.push_back(out.face_verts[i]);
-      offsets.push_back(static_cast<std::uint32_t>(verts.size()));
+      for (std::uint32_t i = out.face_offsets[f]; i < out.face_offsets[f + 1]; ++i) ids.push_back(out.face_verts[i]);
+      offsets.push_back(static_cast<std::uint32_t>(ids.size()));
     }
     for (face_id& f : out.poly_faces) f = face_id{number[f.raw()]};
     out.face_offsets = std::move(offsets);
-    out.face_verts = std::move(verts);
+    out.face_verts = std::move(ids);
   }
 
  public:
@@ -85,11 +84,11 @@ class faces_mender {
     std::vector<std::uint32_t> first_part;  // the number in `out` of each face, or of what stays of it
     out.face_offsets.push_back(0);
     for (std::size_t f = 0; f < m_.num_faces(); ++f) {
-      const std::vector<vert_id> face = verts_of(f);
+      const std::vector<vert_id> face = verts_of(m_, f);
       if (first_repeated(face.data(), face.size(), scratch) != face.size()) collapse_face(f);
       first_part.push_back(static_cast<std::uint32_t>(out.num_faces()));
-      const auto push = [&](const std::vector<vert_id>& verts) {
-        out.face_verts.insert(out.face_verts.end(), verts.begin(), verts.end());
+      const auto push = [&](const std::vector<vert_id>& ids) {
+        out.face_verts.insert(out.face_verts.end(), ids.begin(), ids.end());
         out.face_offsets.push_back(static_cast<std::uint32_t>(out.face_verts.size()));
       };
       if (number_[f] == ~0u) push(face);

@@ -16,12 +16,10 @@
 
 namespace concino {
 
-struct file_contents;
-
 namespace detail {
 
 /// Ends what readers say that they expect instead of a vert twice.
-inline constexpr const char* repeated_verts_hint = " (or options.repeated_verts = repeated_verts::collapse or skip)";
+inline constexpr const char* repeated_verts_hint = " (or set options.repeated_verts)";
 
 /// Removes corners from a cycle of verts until no two neighbours are equal, and no vert lies between two equal ones.
 class cycle_collapser {
@@ -71,10 +69,6 @@ std::vector<vert_id> cut_cycle(std::vector<vert_id> cycle, std::span<const vec3>
 std::vector<vert_id> collapsed_faces(const vert_id* list, std::span<const vec3> points);
 /// Whether a face of a polyhedron has a vert twice.
 bool has_repeated_vert(const vert_id* list, std::vector<std::uint64_t>& scratch);
-
-/// Collapses or skips the polys of a surface that have a vert twice, drops the values of polys that have become none, and gives each poly of the
-/// mesh the values of its poly in the file. Called once a file is read.
-void mend_repeated_verts(file_contents& contents, std::size_t num_polys_of_volume, load_report& report);
 
 }  // namespace detail
 
