@@ -25,7 +25,8 @@
 // as lost, or an error if options.strict is set. What else is lost it adds to context.report.lost.
 //
 // Laws: read() fills the arrays in the order of the file and reports what it skips. Where the file breaks the format, it throws parse_error, by
-// text_cursor::fail. It checks indices, or leaves that to the mesh, which throws invalid_mesh. From what write() writes, read() reads the same mesh.
+// text_cursor::fail. Polys of surfaces with a vert twice it may leave as they are:
+// load follows load_options::repeated_verts, and so does cell_builder. It checks indices, or leaves that to the mesh, which throws invalid_mesh. From what write() writes, read() reads the same mesh.
 #pragma once
 
 #include <concino/concepts/mesh_traits.hpp>

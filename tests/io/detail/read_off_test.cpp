@@ -138,7 +138,7 @@ TEST_CASE("read_off: reads the properties of every valid prefix of OFF, and reje
             CHECK(find_vert_property<std::array<double, 2>>(m, "texture")[vert_id{2}] == std::array<double, 2>{8, 9});
         }
       }
-  for (const std::string bad : {"NCOFF", "CSTOFF", "nOF", "OOFF", "off", "4COFF", "OFFX", "CCOFF", "n4OFF", "44OFF", "PLY"})
+  for (const std::string bad : {"NCNOFF", "CSTOFF", "nOF", "OOFF", "off", "4COFF", "OFFX", "CCOFF", "n4OFF", "44OFF", "PLY"})
     CHECK_MESSAGE(line("# c\n" + bad + "\n3\n0 0 0\n") == 2, bad);
 }
 

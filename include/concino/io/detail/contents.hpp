@@ -33,7 +33,7 @@ struct polygon_words {
 /// Checks a polygon that was read: the wanted mesh can hold it, and if verts are there twice, options.repeated_verts allows it.
 /// fail(expected, found) throws parse_error with its place, poly() is its number, place() says where it is.
 template<class Fail, class Number, class Place>
-void check_polygon(file_contents& out, const wanted_mesh& wanted, const vert_id* v, std::size_t n, const polygon_words& words,
+void check_read_polygon(file_contents& out, const wanted_mesh& wanted, const vert_id* v, std::size_t n, const polygon_words& words,
                    std::vector<std::uint64_t>& scratch, const Fail& fail, const Number& poly, const Place& place) {
   std::size_t size = n;
   if (const std::size_t k = first_repeated(v, n, scratch); k != n) [[unlikely]] {
@@ -57,11 +57,11 @@ inline void end_poly(surface_arrays& s, std::uint32_t& arity, std::size_t first)
   s.offsets.push_back(static_cast<std::uint32_t>(s.verts.size()));
 }
 
-/// Checks and ends the poly at `position`, whose corners begin at `first`. Errors: parse_error, as check_polygon.
+/// Checks and ends the poly at `position`, whose corners begin at `first`. Errors: parse_error, as check_read_polygon.
 inline void end_checked_poly(const text_cursor& in, const char* position, std::size_t first, std::vector<std::uint64_t>& scratch, const wanted_mesh& wanted,
                              file_contents& out, std::uint32_t& arity, const polygon_words& words) {
   surface_arrays& s = out.surface;
-  check_polygon(
+  check_read_polygon(
       out, wanted, s.verts.data() + first, s.verts.size() - first, words, scratch,
       [&](core::message expected, core::message found) { in.fail(position, expected, found); },
       [&] { return s.offsets.empty() ? (arity ? first / arity : 0) : s.offsets.size() - 1; },

@@ -25,11 +25,6 @@ struct off_header : off_word {
 
 inline constexpr polygon_words off_words{"different verts at the corners of a poly"};
 
-/// Reports colours of reals of which one is larger than 1.
-[[gnu::noinline, gnu::cold]] inline void note_large_colors(std::uint64_t n, load_report& report) {
-  if (n) report.notes.push_back(core::joined({n, " colours of reals that are larger than 1 were read as components from 0 to 255"}));
-}
-
 class off_binary_reader {
   text_cursor& in_;
   off_header& header_;
@@ -77,12 +72,11 @@ class off_binary_reader {
     }
     if (!in_.at_end()) report_.skipped.push_back(core::joined({in_.left(), " bytes after the last poly"}));
     if (num_odd_) report_.skipped.push_back(core::joined({num_odd_, " polys with numbers after the corners that are not a colour"}));
-    note_large_colors(num_large_, report_);
     in_.at = in_.end();
   }
 
  private:
-  std::uint64_t num_odd_ = 0, num_large_ = 0;
+  std::uint64_t num_odd_ = 0;
 
   [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* position, core::message_piece expected) const {
     in_.fail(
@@ -144,12 +138,7 @@ class off_binary_reader {
   rgba color(std::uint32_t n) {
     rgba c;
     float* const parts[] = {&c.r, &c.g, &c.b, &c.a};
-    float largest = 0;
-    for (std::uint32_t i = 0; i < n; ++i) largest = std::max(largest, *parts[i] = static_cast<float>(real()));
-    if (largest > 1) {
-      for (std::uint32_t i = 0; i < n; ++i) *parts[i] /= 255;
-      ++num_large_;
-    }
+    for (std::uint32_t i = 0; i < n; ++i) *parts[i] = static_cast<float>(real());
     return c;
   }
 

@@ -157,8 +157,8 @@ class polyhedra_reader : protected token_cursor {
       }
       match_face_order(s, known.cell, [&](std::size_t k, vert_id v) {
         const std::size_t f = out_.poly_faces[out_.poly_offsets[p] + k].raw();
-        const vert_id* const end_of_face = out_.face_verts.data() + out_.face_offsets[f + 1];
-        return std::find(out_.face_verts.data() + out_.face_offsets[f], end_of_face, v) != end_of_face;
+        const vert_id *const first = out_.face_verts.data() + out_.face_offsets[f], *const last = out_.face_verts.data() + out_.face_offsets[f + 1];
+        return std::find(first, last, v) != last;
       });
       for (std::uint32_t k = 0; k < n; ++k) cells.verts.push_back(known.cell[k]);
     }

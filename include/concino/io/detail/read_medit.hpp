@@ -134,7 +134,7 @@ class medit_reader : Cursor {
   }
 
   void add_polygon(const char* from, const vert_id* corners, std::uint32_t n, std::size_t poly) {
-    check_polygon(
+    check_read_polygon(
         out_, wanted_, corners, n, {.different = "different verts in an element", .first = 1}, scratch_,
         [&](core::message expected, core::message found) { fail(from, expected, found); }, [&] { return poly; }, [&] { return this->place_of(from); });
     surface_.add(corners, n);

@@ -21,7 +21,7 @@ class off_reader : off_cursor {
   bool wraps_ = false;                       // polys may continue on the next line
   std::vector<std::uint32_t> whole_colors_;  // verts whose colours are integers, all 0 or 1
   std::uint64_t largest_part_ = 0;           // the largest integer of the verts' colours
-  std::uint64_t num_extra_ = 0, num_odd_ = 0, num_large_ = 0;
+  std::uint64_t num_extra_ = 0, num_odd_ = 0;
 
  public:
   off_reader(const read_context& c, file_contents& out)
@@ -115,7 +115,7 @@ class off_reader : off_cursor {
     rgba color() const {
       rgba c;
       float* const parts[] = {&c.r, &c.g, &c.b, &c.a};
-      for (std::uint32_t i = 0; i < size; ++i) *parts[i] = static_cast<float>(whole || largest() > 1 ? x[i] / 255 : x[i]);
+      for (std::uint32_t i = 0; i < size; ++i) *parts[i] = static_cast<float>(whole ? x[i] / 255 : x[i]);
       return c;
     }
   };
@@ -126,8 +126,7 @@ class off_reader : off_cursor {
     ++c.size;
     for (const char* p = from; p != at; ++p) c.whole = c.whole && (is_digit(*p) || *p == '-' || *p == '+');
   }
-  void check_bytes(const char* position, const color_parts& c) {
-    num_large_ += !c.whole && c.largest() > 1;
+  void check_bytes(const char* position, const color_parts& c) const {
     if (c.whole && (c.largest() > 255 || std::min({c.x[0], c.x[1], c.x[2], c.x[3]}) < 0))
       fail(position, "a colour of integers from 0 to 255, or of reals from 0 to 1");
   }
@@ -240,7 +239,6 @@ class off_reader : off_cursor {
       }
       report_.notes.push_back("colours of verts: no integer is larger than 1, so they were read as components from 0 to 1");
     }
-    note_large_colors(num_large_, report_);
     const auto skipped = [&](std::uint64_t n, const char* what) {
       if (n) report_.skipped.push_back(core::joined({n, " ", what}));
     };
@@ -257,8 +255,7 @@ namespace concino {
 /// Needs:  text of an OFF file: [ST][C][N][4][n]OFF or nothing, also NC for CN, then BINARY and numbers of 32 bits, or text with comments.
 /// Result: its verts and polys, in the order of the file. 4OFF: x, y, z are divided by w. nOFF: missing coordinates are 0, those beyond the
 ///         third are reported as skipped. Colours, normals and texture coordinates of verts; colours of polys (white if a poly has none), and
-///         indices of colours as labels. Each colour may be integers from 0 to 255 or reals from 0 to 1; reals above 1 are divided by 255.
-///         If no integer of the verts exceeds 1,
+///         indices of colours as labels. Each colour may be integers from 0 to 255 or reals from 0 to 1. If no integer of the verts exceeds 1,
 ///         these integers are parts from 0 to 1 too, as in Geomview.
 ///         Binary numbers are big-endian. If the file is valid only with little-endian numbers, it is read so, and a note says so.
 ///         The same for files without the numbers of components of colours.

@@ -7,7 +7,6 @@
 #include <concino/io/options.hpp>
 #include <concino/mesh/arrays.hpp>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>

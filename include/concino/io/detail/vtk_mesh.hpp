@@ -147,7 +147,7 @@ class vtk_mesh {
     for (std::size_t c = 0; c < grid_.size(); ++c) {
       if (kind_of_vtk_cell(grid_.types[c]) != vtk_kind::polygon) continue;
       for_each_polygon(c, [&](const vert_id* v, std::size_t n) {
-        check_polygon(
+        check_read_polygon(
             out_, in_.wanted, v, n, words_, scratch_, [&](core::message expected, core::message found) { places_.fail_at_cell(c, expected, found); },
             [&] { return poly_cells_.size(); }, [&] { return core::joined({"at ", places_.place_of_cell(c)}); });
         const std::size_t first = s.verts.size();

@@ -60,7 +60,7 @@ class off_numbers {
     write_part(c_.out, c_.finite(x), true);
   }
   [[gnu::noinline]] void color(const rgba& x) {
-    for (const float p : {x.r, x.g, x.b, x.a}) part(c_.color_part(p));
+    for (const float p : {x.r, x.g, x.b, x.a}) part(p);
   }
   void point(const vec3& p) {
     if (!binary_) return write_point(c_.out, p);
