@@ -5,6 +5,8 @@
 #include <concino/io/detail/obj_format.hpp>
 #include <concino/io/detail/write_mtl.hpp>
 
+#include <algorithm>
+
 namespace concino::detail {
 
 /// The name of a poly (object, group, material) in the form that a line can hold. Sets `changed` if it differs. Only names that look like labels do so
@@ -136,7 +138,8 @@ inline void obj_format::write(write_context& c, flat_mesh& m) {
     for (std::size_t p = 0; p < m.num_polys; ++p) material.assign_material(p);
   }
   material.end();
-  bool transparent = false;
+  bool transparent = false, has_large = false;  // readers take whole numbers for components from 0 to 255 if one is larger than 1
+  for (std::size_t v = 0; vert_color && v < m.points.size(); ++v) has_large = has_large || std::max({vert_color[v].r, vert_color[v].g, vert_color[v].b}) > 1;
   for (std::size_t v = 0; v < m.points.size(); ++v) {
     c.out << "v ";
     detail::write_point(c.out, m.points[v]);
@@ -145,7 +148,7 @@ inline void obj_format::write(write_context& c, flat_mesh& m) {
       transparent = transparent || x.a != 1;
       for (const float part : {x.r, x.g, x.b}) {
         c.out << ' ';
-        detail::write_part(c.out, c.color_part(part), false);
+        detail::write_part(c.out, c.finite(part), has_large);
       }
     }
     c.out << '\n';
