@@ -2,10 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
 #include <set>
+#include <vector>
 
 using namespace concino;
 
@@ -172,4 +175,38 @@ TEST_CASE("triangulate_polygon: seen from above, by exact tests") {
   check_joined(nearly_flat.size(), {triangles.begin(), triangles.end()});
   for (const auto& t : triangles) CHECK(orient2d(nearly_flat[t[0]], nearly_flat[t[1]], nearly_flat[t[2]]) == 1);
   CHECK(cut.from_above({}).empty());
+}
+
+TEST_CASE("triangulate_polygon: neither the first corner nor the direction changes the triangles") {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  std::vector<polygon> shapes = {flat({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), flat({{0, 0}, {2, 0}, {3, 1}, {2, 2}, {0, 2}, {-1, 1}}),
+                                 flat({{0, 0}, {1, 0}, {0, 0}, {1, 0}, {0, 1}}), flat({{0, 0}, {2, 3}, {4, 0}, {0, 2}, {4, 2}})};
+  for (std::size_t n = 4; n < 80; n = 2 * n - 1) {
+    polygon p(n);
+    for (std::size_t k = 0; k < n; ++k) {  // concave and not planar
+      const double angle = 6.283185307179586 * static_cast<double>(k) / static_cast<double>(n), radius = 2 + unit(random);
+      p[k] = {radius * std::cos(angle), radius * std::sin(angle), 0.3 * unit(random)};
+    }
+    shapes.push_back(p);
+  }
+  const auto points_of = [](const polygon& p) {  // each triangle as its sorted points
+    std::vector<std::vector<std::array<double, 3>>> all;
+    for (const auto& t : triangulate_polygon(p)) {
+      auto& points = all.emplace_back();
+      for (const auto k : t) points.push_back({p[k].x, p[k].y, p[k].z});
+      std::sort(points.begin(), points.end());
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+  };
+  for (const polygon& shape : shapes) {
+    const auto expected = points_of(shape);
+    for (polygon p : {shape, polygon(shape.rbegin(), shape.rend())})
+      for (std::size_t k = 0; k < p.size(); ++k) {
+        std::rotate(p.begin(), p.begin() + 1, p.end());
+        CHECK(points_of(p) == expected);
+        check_joined(p.size(), triangulate_polygon(p));
+      }
+  }
 }

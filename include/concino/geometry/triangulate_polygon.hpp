@@ -1,6 +1,7 @@
 // Triangulation of a polygon in space without new points, for drawing, areas and formats with triangles only.
 #pragma once
 
+#include <concino/core/lexicographic.hpp>
 #include <concino/core/vec3.hpp>
 #include <concino/geometry/orientation.hpp>
 
@@ -11,6 +12,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace concino {
@@ -25,16 +27,25 @@ class polygon_triangulator {
   /// Needs:  the corners in cyclic order; concave, non-planar, collinear or repeated corners are allowed.
   /// Result: max(n, 2) - 2 triangles with the orientation of the polygon, valid until the next call. If the projection of the polygon along its vector
   ///         area is simple, none is inverted there and they cover it. If it is not simple or has no area, they still join all
-  ///         corners.                                           Cost: O(n) for most; ears are looked up in a grid if n is large.
+  ///         corners. The triangles depend on the cycle of points alone: neither on the corner that comes first nor on the direction.
+  ///         Cost: O(n) for most; ears are looked up in a grid if n is large.
   /// Source: ear clipping, Meisters 1975; the plane is that of the vector area.
   std::span<const polygon_triangle> operator()(std::span<const vec3> corners) {
     exact_ = false;
     triangles_.clear();
     const std::size_t n = corners.size();
     if (n < 3) return {};
-    if (n == 3) triangles_.push_back({0, 1, 2});
-    else if (!flatten(corners)) fan(n);
+    if (n == 3) {
+      triangles_.push_back({0, 1, 2});
+      return triangles_;
+    }
+    const cycle by_points = order_by_points(corners);
+    if (!flatten(ordered_)) fan(n);
     else cut(n);
+    for (polygon_triangle& t : triangles_) {
+      for (index& k : t) k = by_points.corner(k);
+      if (by_points.backward) std::swap(t[1], t[2]);
+    }
     return triangles_;
   }
 
@@ -57,10 +68,17 @@ class polygon_triangulator {
  private:
   struct point2 { double x, y; };
   using index = std::uint32_t;
+  // The corners in turn from `first`.
+  struct cycle {
+    index first, size;
+    bool backward;
+    index corner(index k) const { return backward ? (first >= k ? first - k : first + size - k) : first + k < size ? first + k : first + k - size; }
+  };
   // The condition for an ear. The later ones are for polygons that touch or intersect themselves, if no better ear is left.
   enum class ear { clear, touched, flat, any };
 
   std::vector<polygon_triangle> triangles_;
+  std::vector<vec3> ordered_;
   std::vector<point2> q_;
   std::vector<index> next_, prev_, now_, later_, grid_offsets_, grid_;
   std::vector<std::uint8_t> reflex_, removed_, wait_;
@@ -68,6 +86,41 @@ class polygon_triangulator {
   point2 low_ = {0, 0}, cell_ = {0, 0};
   index left_ = 0;
   bool exact_ = false;
+
+  // Negative if a comes before b, positive if after.
+  static int compare(const vec3& a, const vec3& b) {
+    return core::is_lexicographically_less(a, b) ? -1 : core::is_lexicographically_less(b, a) ? 1 : 0;
+  }
+
+  // The first of the lexicographically smallest rotations. Source: Shiloach 1981, "Fast canonization of circular strings".
+  static cycle smallest_rotation(std::span<const vec3> corners, bool backward) {
+    const auto n = static_cast<index>(corners.size());
+    index i = 0, j = 1, k = 0;
+    while (i < n && j < n && k < n) {
+      const cycle a{backward ? n - 1 - i : i, n, backward}, b{backward ? n - 1 - j : j, n, backward};
+      const int order = compare(corners[a.corner(k)], corners[b.corner(k)]);
+      if (order == 0) {
+        ++k;
+        continue;
+      }
+      (order < 0 ? j : i) += k + 1;
+      if (i == j) ++j;
+      k = 0;
+    }
+    const index first = std::min(i, j);
+    return {backward ? n - 1 - first : first, n, backward};
+  }
+
+  // Copies the corners to ordered_, in an order that follows from the points.
+  cycle order_by_points(std::span<const vec3> corners) {
+    const cycle a = smallest_rotation(corners, false), b = smallest_rotation(corners, true);
+    int order = 0;
+    for (index k = 0; k < a.size && order == 0; ++k) order = compare(corners[a.corner(k)], corners[b.corner(k)]);
+    const cycle& smaller = order > 0 ? b : a;
+    ordered_.clear();
+    for (index k = 0; k < a.size; ++k) ordered_.push_back(corners[smaller.corner(k)]);
+    return smaller;
+  }
 
   void cut(std::size_t n) {
     if (n == 4) cut_quad();
