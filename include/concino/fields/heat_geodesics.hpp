@@ -49,7 +49,7 @@ prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> pre
 ///         Distances are approximate. On the meshes of docs/convergence.md the mean error is at most 0.3 edges, mostly below 0.1. The largest error is
 ///         below two edges, except for agglomerates round a corner and squeezed polygons.
 ///         Distances are clamped. They are at most the shortest path along edges and straight across triangles or tets inside the polys, and at least
-///         the straight line through space. With .clamp = false they are as smooth as heat, and wrong by some edges on curved surfaces; a
+///         the straight line through space. Polyhedra have overlapping tets, those of up to 16 of their verts with all others. With .clamp = false they are as smooth as heat, and wrong by some edges on curved surfaces; a
 ///         query then takes as little as a third of the time. Distances scale exactly with the mesh by powers of two.
 ///         The default time is twice the squared width of polys, averaged by their measure, over their dimension: two squared edges in grids of
 ///         squares and of cubes. Heat resolves directions over a distance of about one poly, and rounds off finer details. The average by measure

@@ -1,6 +1,7 @@
 // A mesh prepared for queries of heat geodesics, the result of prepare_heat_geodesics.
 #pragma once
 
+#include <concino/core/lexicographic.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
@@ -34,7 +35,8 @@ class prepared_heat_geodesics {
     bool clamp;
 
     bool is_heat_negative() const {
-      const auto sources = system.one_source_per_component();
+      const auto position = [&](int v) { return graph.position(static_cast<std::size_t>(v)); };
+      const auto sources = system.one_source_per_component([&](int v, int w) { return core::is_lexicographically_less(position(v), position(w)); });
       std::vector<double> guess;
       if (system.is_iterative()) {
         std::vector<detail::distance_graph::start> starts;
@@ -206,8 +208,9 @@ vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const query& q) c
   for (const auto& s : q.starts) least[component(index(s))] = std::min(least[component(index(s))], path_length_at_source(s));
   // The integral of the gradient is known up to a constant in each component, and it is too round at a source. The constant is fitted to bounds of the
   // distances near the sources; tighter bounds have more weight.
-  constexpr double near = 2;          // verts are used up to this times `decay` from a source,
-  constexpr double max_doubt = 0.2;  // if the path over the mesh is longer than the straight line by at most this fraction of it
+  // Verts are used up to `near` times `decay` from a source, if the path over the mesh is longer than the straight line by at most `max_doubt` of it. The
+  // numbers are not round, as those of regular grids are: rounding must not decide which verts are used.
+  constexpr double near = 2 + 1e-6, max_doubt = 0.2 + 1e-6;
   // Without clamp, longer paths are only needed as a guess.
   const bool needs_all = prepared_->clamp || prepared_->system.is_iterative();
   double first = -infinity;

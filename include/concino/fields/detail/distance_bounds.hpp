@@ -88,10 +88,12 @@ class distance_graph::search {
   core::indexed_heap<int> queue_;
   std::vector<int> offered_;         // verts improved since the last vert left the queue
   std::vector<crossing> crossings_;
+  std::vector<std::pair<int, double>> tet_paths_;  // verts, and lengths of paths to them
   std::vector<std::uint8_t> known_;  // of each tet: bits of its settled corners
 
   node& at(int v) { return node_[static_cast<std::size_t>(v)]; }
   const node& at(int v) const { return node_[static_cast<std::size_t>(v)]; }
+  const vec3& position(int v) const { return graph_.positions_[static_cast<std::size_t>(v)]; }
 
   void offer(int vert, double length, const node& from) {
     node& n = at(vert);
@@ -112,17 +114,15 @@ class distance_graph::search {
   void queue_offered() {
     for (const int v : offered_) {
       const auto i = static_cast<std::size_t>(v);
-      if (node_[i].path_length < waiting_[i] && node_[i].path_length <= longest_) queue_.decrease_key(v, i, node_[i].path_length);
+      if (!(node_[i].path_length < waiting_[i] && node_[i].path_length <= longest_)) continue;
+      if (node_[i].is_settled() && waiting_[i] == infinity) node_[i].state = static_cast<std::uint8_t>(std::min(node_[i].state + 2, 255));
+      queue_.decrease_key(v, i, node_[i].path_length);
     }
     offered_.clear();
   }
 
-  /// Whether a path across to a vert is shorter, by more than rounding, than the known one. For a settled vert this counts as an improvement.
-  static bool improves(node& n, double path_length) {
-    if (!(n.path_length - path_length > 1e-14 * std::abs(path_length))) return false;
-    if (n.is_settled()) n.state = static_cast<std::uint8_t>(n.state + 2);
-    return true;
-  }
+  /// Whether a path across to a vert is shorter, by more than rounding, than the known one.
+  static bool improves(const node& n, double path_length) { return n.path_length - path_length > 1e-14 * std::abs(path_length); }
 
   /// Whether the front may have reached the end `last` of the triangle through the other end. Fills in c, except for its path length.
   bool may_cross(const node& from, const corner& triangle, std::size_t last, crossing& c) const {
@@ -136,6 +136,7 @@ class distance_graph::search {
     return is_known & may_change & is_ahead & (other.source == from.source);
   }
 
+  /// All paths are found before any is offered, so that they do not depend on the order of the triangles.
   void cross_triangles(std::size_t v) {
     const node& from = node_[v];
     const std::size_t first = graph_.simplex_begin_[v], end = graph_.simplex_begin_[v + 1];
@@ -150,29 +151,25 @@ class distance_graph::search {
     }
     const double there = from.before;
     for (std::size_t i = 0; i < n; ++i) crossings_[i].find_path_length(from.path_length - there);
-    bool is_stale = false;
     for (std::size_t i = 0; i < n; ++i) {
-      crossing& c = crossings_[i];
-      if (is_stale) {
-        if (!may_cross(from, *c.triangle, c.last, c)) continue;
-        c.find_path_length(from.path_length - there);
-      }
+      const crossing& c = crossings_[i];
       const int vert = c.triangle->ends[c.last];
       if (!c.is_seen || !improves(at(vert), there + c.path_length)) continue;
-      is_stale = is_stale || at(vert).is_settled();
       const double path_length = there + c.path_length, mean = (from.path_length - there + c.near) / 2;
       offer(vert, path_length, from, c.curvature_deficit, mean, std::max(c.path_length - mean, 0.25 * c.triangle->lengths[c.last]));
     }
   }
 
-  void cross(const node& from, const int* corners, const local_tet& s, std::size_t last) {
-    const node &a = at(corners[others[last][0]]), &b = at(corners[others[last][1]]), &c = at(corners[others[last][2]]);
-    node& to = at(corners[last]);
+  void cross(const node& from, const int* corners, std::size_t last) {
+    const int at_a = corners[others[last][0]], at_b = corners[others[last][1]], at_c = corners[others[last][2]];
+    const node &a = at(at_a), &b = at(at_b), &c = at(at_c);
+    const node& to = at(corners[last]);
     if (a.source != from.source || b.source != from.source || c.source != from.source || to.state >= max_changes) return;
     if (to.path_length <= std::min({a.path_length, b.path_length, c.path_length})) return;
     const double there = from.before;
+    const local_tet s = seen_from(position(at_a), position(at_b), position(at_c), position(corners[last]));
     const double path_length = there + unfolded_distance(s, a.path_length - there, b.path_length - there, c.path_length - there, to.path_length - there);
-    if (improves(to, path_length)) offer(corners[last], path_length, from);
+    if (improves(to, path_length)) tet_paths_.emplace_back(corners[last], path_length);
   }
 
   void visit_triangles(std::size_t v) {
@@ -197,8 +194,11 @@ class distance_graph::search {
       std::uint8_t& known = known_[i / 4];
       known = static_cast<std::uint8_t>(known | 1u << (i - first));
       for (std::size_t last = 0; last < 4; ++last)
-        if (first + last != i && (known | 1u << last) == 15) cross(from, &graph_.tet_[first], graph_.local_tets_[first + last], last);
+        if (first + last != i && (known | 1u << last) == 15) cross(from, &graph_.tet_[first], last);
     }
+    for (const auto& [to, path_length] : tet_paths_)  // only now, so that they do not depend on the order of the tets
+      if (improves(at(to), path_length)) offer(to, path_length, from);
+    tet_paths_.clear();
   }
 
  public:

@@ -43,7 +43,6 @@ class distance_graph {
   std::vector<double> curvature_;           // Gaussian curvature at each vert of a surface; 0 on the boundary
   std::vector<int> tet_at_;                 // positions in tet_, grouped by vert
   std::vector<int> tet_;                    // four corners of each tet
-  std::vector<local_tet> local_tets_;       // of each tet; the first omits the first corner
 
   /// Where the list of each vert begins, if each vert occurs in `verts` once per entry of its list.
   static std::vector<std::size_t> count(std::size_t size, const std::vector<int>& verts) {
@@ -95,7 +94,7 @@ class distance_graph {
     }
   }
 
-  local_tet seen_from(const vec3& a, const vec3& b, const vec3& c, const vec3& last) const {
+  static local_tet seen_from(const vec3& a, const vec3& b, const vec3& c, const vec3& last) {
     const vec3 ab = b - a, ac = c - a, to = last - a, normal = cross(ab, ac);
     const double length = std::sqrt(dot(ab, ab)), area = std::sqrt(dot(normal, normal));
     if (!(area > 0)) return {};
@@ -105,14 +104,8 @@ class distance_graph {
 
   void add_tets() {
     tet_at_.resize(tet_.size());
-    local_tets_.resize(tet_.size());
     std::vector<std::size_t> next = simplex_begin_;
-    for (std::size_t i = 0; i < tet_.size(); ++i) {
-      tet_at_[next[static_cast<std::size_t>(tet_[i])]++] = static_cast<int>(i);
-      const std::size_t first = i / 4 * 4, last = i - first;
-      const auto at = [&](std::size_t k) { return positions_[static_cast<std::size_t>(tet_[first + k])]; };
-      local_tets_[i] = seen_from(at(others[last][0]), at(others[last][1]), at(others[last][2]), at(last));
-    }
+    for (std::size_t i = 0; i < tet_.size(); ++i) tet_at_[next[static_cast<std::size_t>(tet_[i])]++] = static_cast<int>(i);
   }
 
   static constexpr std::size_t others[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <concino/core/assembly.hpp>
+#include <concino/core/lexicographic.hpp>
 #include <concino/core/poly_chunks.hpp>
 #include <concino/fields/detail/distance_bounds.hpp>
 #include <concino/fields/detail/heat_system.hpp>
@@ -15,6 +16,7 @@
 #include <concino/operators/stiffness.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -119,13 +121,16 @@ double mean_square_width(const M& m) {
   return total > 0 ? sum / total : 0;
 }
 
-/// Collects the triangles or tets of poly p as indices of its verts. Polygons are triangulated. Polyhedra are split into cones from
-/// one vert to triangles of the faces, if there is a vert that sees them all from inside.
+/// Collects triangles or tets in poly p as indices of its verts. Polygons are triangulated. Tets of a polyhedron are the cones from verts that see all
+/// triangles of its faces from inside. They overlap: those of one vert alone have too few directions. Up to 16 verts are tried, first in the
+/// lexicographic order of their points.
 template<AnyMesh M>
 class simplex_collector {
   polygon_triangulator triangulate_;
   std::vector<vec3> x_;
-  std::vector<int> number_, cone_;
+  std::vector<int> number_;
+  std::vector<vert_t<M>> tops_;
+  std::vector<std::array<int, 4>> cones_;
 
   void read(const M& m, const auto& verts) {
     x_.clear();
@@ -136,23 +141,38 @@ class simplex_collector {
     }
   }
 
-  bool add_cone(const M& m, const poly_t<M>& p, const vert_t<M>& top, std::vector<int>& simplices) {
+  /// Adds the tets between vert `top` and the triangles, if it sees them all.
+  void add_cone(const M& m, const poly_t<M>& p, const vert_t<M>& top) {
     const int apex = static_cast<int>(index_of(m, top));
     const vec3 from = to_vec3(point(m, top));
-    cone_.clear();
+    const std::size_t before = cones_.size();
     for (const face_t<M> f : adj_p2f(m, p)) {
       read(m, adj_f2v(m, f));
       if (std::find(number_.begin(), number_.end(), apex) != number_.end()) continue;
       const double sign = face_is_outward(m, p, f) ? 1 : -1;
-      for (std::size_t k = 1; k + 1 < x_.size(); ++k) {
-        const vec3 a = x_[0] - from, b = x_[k] - from, c = x_[k + 1] - from;
+      for (const auto& [i, j, k] : triangulate_(x_)) {
+        const vec3 a = x_[i] - from, b = x_[j] - from, c = x_[k] - from;
         const double six = sign * dot(a, cross(b, c)), box = norm(a) * norm(b) * norm(c);
-        if (six < -0.05 * box) return false;  // a tolerance: faces need not be quite planar
-        if (six > 1e-9 * box) cone_.insert(cone_.end(), {apex, number_[0], number_[k], number_[k + 1]});
+        if (six < -0.05 * box) return cones_.resize(before);  // a tolerance: faces need not be quite planar
+        if (!(six > 1e-9 * box)) continue;
+        std::array<int, 4>& tet = cones_.emplace_back(std::array<int, 4>{apex, number_[i], number_[j], number_[k]});
+        std::sort(tet.begin(), tet.end());
       }
     }
-    simplices.insert(simplices.end(), cone_.begin(), cone_.end());
-    return true;
+  }
+
+  void add_cones(const M& m, const poly_t<M>& p, std::vector<int>& simplices) {
+    tops_.clear();
+    cones_.clear();
+    for (const vert_t<M> v : adj_p2v(m, p)) tops_.push_back(v);
+    const auto end = tops_.begin() + std::min(std::ptrdiff_t{16}, std::ssize(tops_));
+    std::partial_sort(tops_.begin(), end, tops_.end(), [&](const vert_t<M>& v, const vert_t<M>& w) {
+      return core::is_lexicographically_less(to_vec3(point(m, v)), to_vec3(point(m, w)));
+    });
+    for (auto v = tops_.begin(); v != end; ++v) add_cone(m, p, *v);
+    std::sort(cones_.begin(), cones_.end());
+    const auto last = std::unique(cones_.begin(), cones_.end());
+    for (auto tet = cones_.begin(); tet != last; ++tet) simplices.insert(simplices.end(), tet->begin(), tet->end());
   }
 
  public:
@@ -164,9 +184,7 @@ class simplex_collector {
       for (const polygon_triangle& t : triangulate_(x_))
         for (const std::uint32_t k : t) simplices.push_back(number_[k]);
     } else {
-      std::size_t tried = 0;
-      for (const vert_t<M> v : adj_p2v(m, p))
-        if (tried++ == 8 || add_cone(m, p, v, simplices)) break;
+      add_cones(m, p, simplices);
     }
   }
 };

@@ -75,15 +75,15 @@ class heat_system {
   /// Whether the solver was iterative when it was factorised. Heat is then found in bands, which need a guess.
   bool is_iterative() const { return is_iterative_; }
 
-  /// One vert of each component of polys.
-  std::vector<heat_source> one_source_per_component() const {
+  /// The first vert of each component of polys in the order is_before(v, w).
+  template<class IsBefore>
+  std::vector<heat_source> one_source_per_component(const IsBefore& is_before) const {
     std::vector<heat_source> sources;
-    std::vector<unsigned char> is_heated(component_.size());
+    std::vector<int> first(component_.size(), -1);
     for (const int v : corners_.vert)
-      if (unsigned char& known = is_heated[static_cast<std::size_t>(component(v))]; !known) {
-        known = 1;
-        sources.push_back({component(v), 1});
-      }
+      if (int& known = first[static_cast<std::size_t>(component(v))]; known < 0 || is_before(v, known)) known = v;
+    for (const int v : first)
+      if (v >= 0) sources.push_back({v, 1});
     return sources;
   }
 
@@ -135,7 +135,8 @@ class heat_system {
   }
 
   /// The function whose gradient is nearest to the unit vectors along the gradient of -log_u, which has the direction of that of -u. Gradients
-  /// that are very small or large are divided by their largest component before they are squared. Polys with zero gradient do not contribute.
+  /// that are very small or large are divided by their largest component before they are squared. Polys where the gradient is zero up to rounding have no
+  /// direction and do not contribute.
   Eigen::VectorXd integrate_gradient(const std::vector<double>& log_u) const {
     Eigen::VectorXd b = Eigen::VectorXd::Zero(poisson_.cols());
     for (std::size_t p = 0; p + 1 < corners_.begin.size(); ++p) {
@@ -144,9 +145,14 @@ class heat_system {
       const double here = log_u[static_cast<std::size_t>(corners_.vert[first])];
       if (here == none) continue;
       vec3 g;
-      for (std::size_t k = first + 1; k < end; ++k) g += (here - log_u[static_cast<std::size_t>(corners_.vert[k])]) * corners_.flux[k];
+      double terms = 0;
+      for (std::size_t k = first + 1; k < end; ++k) {
+        const vec3 term = (here - log_u[static_cast<std::size_t>(corners_.vert[k])]) * corners_.flux[k];
+        g += term;
+        terms = std::max({terms, std::abs(term.x), std::abs(term.y), std::abs(term.z)});
+      }
       const double largest = std::max({std::abs(g.x), std::abs(g.y), std::abs(g.z)});
-      if (!(largest > 0)) continue;
+      if (!(largest > 1e-10 * terms)) continue;
       if (!(largest > 0x1p-400 && largest < 0x1p400)) g = g / largest;
       const vec3 direction = (1 / std::sqrt(dot(g, g))) * g;
       for (std::size_t k = first; k < end; ++k) b[corners_.vert[k]] += dot(corners_.flux[k], direction);
