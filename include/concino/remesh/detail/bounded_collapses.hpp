@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/concepts/end_verts.hpp>
-#include <concino/edit/detail/typed_edit.hpp>
+#include <concino/edit/typed_edit.hpp>
 #include <concino/edit/proposed_edit.hpp>
 #include <concino/remesh/detail/two_sided_bound.hpp>
 #include <concino/remesh/detail/unit_points.hpp>
@@ -99,7 +99,7 @@ class bounded_collapses {
       : m_(m), unit_(m, caller), surface_(triangles(), unit_.length_to_unit(max_error)), boundary_(boundary_edges(), unit_.length_to_unit(max_error)) {}
 
   permission ask(const proposed_edit& e) {
-    find_changes(e, cavity_of_edit(e, m_, "decimate"));
+    find_changes(e, core::cavity_of_edit(e, m_, "decimate"));
     if (surface_.stays_near(polys_) && boundary_.stays_near(lines_)) return {};
     return {refusal::invariant, "options.max_error: the surface would be too far from the input"};
   }

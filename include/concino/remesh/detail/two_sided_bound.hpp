@@ -35,7 +35,7 @@ class two_sided_bound {
   };
 
   std::vector<triangle_points> items_, parts_;  // of the input, and of the result by id
-  triangle_tree input_;
+  core::triangle_tree input_;
   double squared_limit_;
   std::vector<link> links_;  // lists of the links of each item and of each part
   std::vector<std::uint32_t> first_of_item_, first_of_part_;
