@@ -16,7 +16,7 @@ namespace concino::detail {
 template<std::same_as<polyhedra_arrays> Arrays>  // a template only so that programs without volumes need not compile it
 class faces_mender {
   Arrays& m_;
-  repeated_polys& repeated_;
+  polys_with_repeats& repeated_;
   std::vector<std::vector<std::vector<vert_id>>> parts_;  // of each face with a vert twice, what stays; by number_
   std::vector<std::uint32_t> number_;                     // of each face in parts_; ~0u: it stays as it is
   std::vector<face_id> list_;                             // the faces of a poly, and whether they are outward
@@ -76,7 +76,7 @@ class faces_mender {
   }
 
  public:
-  faces_mender(Arrays& m, repeated_polys& repeated) : m_(m), repeated_(repeated), number_(m.num_faces(), ~0u) {}
+  faces_mender(Arrays& m, polys_with_repeats& repeated) : m_(m), repeated_(repeated), number_(m.num_faces(), ~0u) {}
 
   void mend() {
     std::vector<std::uint64_t> scratch;
