@@ -62,16 +62,16 @@ class faces_mender {
 
   /// Drops the faces of which `keeps` is false.
   static void drop_faces(polyhedra_arrays& out, const std::vector<bool>& keeps) {
-    std::vector<std::uint32_t> offsets{0}, number(keeps.size(), 0);
+    std::vector<std::uint32_t> face_ends{0}, number(keeps.size(), 0);
     std::vector<vert_id> ids;
     for (std::size_t f = 0; f < keeps.size(); ++f) {
       if (!keeps[f]) continue;
-      number[f] = static_cast<std::uint32_t>(offsets.size() - 1);
+      number[f] = static_cast<std::uint32_t>(face_ends.size() - 1);
       for (std::uint32_t i = out.face_offsets[f]; i < out.face_offsets[f + 1]; ++i) ids.push_back(out.face_verts[i]);
-      offsets.push_back(static_cast<std::uint32_t>(ids.size()));
+      face_ends.push_back(static_cast<std::uint32_t>(ids.size()));
     }
     for (face_id& f : out.poly_faces) f = face_id{number[f.raw()]};
-    out.face_offsets = std::move(offsets);
+    out.face_offsets = std::move(face_ends);
     out.face_verts = std::move(ids);
   }
 
