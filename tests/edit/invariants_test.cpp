@@ -207,6 +207,18 @@ TEST_CASE_TEMPLATE("keep_labels: the boundary between two regions remains in pla
   }
 }
 
+TEST_CASE("max_distance: a corner of an open surface does not vanish") {
+  const double scale = 0x1p400;
+  cn::trimesh m(points{{0, 0, 0}, {scale, 0, 0}, {scale, scale, 0}, {0, scale, 0}, {0.5 * scale, 0, 0}}, lists{{0, 4, 3}, {4, 1, 2}, {4, 2, 3}});
+  const auto tree = cn::bounding_tree(m);
+  const std::vector<cn::invariant> keep{cn::max_distance(tree, 0.001 * scale)};
+  invariant_refuses(m, [&](auto& x) { return cn::edge_collapse(x, edge_between_verts(x, 1, 2), {.keep = keep, .at = 0.0}); });
+  invariant_refuses(m, [&](auto& x) { return cn::edge_collapse(x, edge_between_verts(x, 0, 3), {.keep = keep, .at = 0.5}); });
+  const auto e = edge_between_verts(m, 0, 4);
+  CHECK(cn::edge_collapse(m, e, {.keep = keep, .at = cn::end_verts(m, e).first == cn::vert_id{0} ? 0.0 : 1.0}));
+  CHECK(cn::total_measure(m) == scale * scale);
+}
+
 TEST_CASE("max_distance: collapses of a sphere stay near it") {
   const cn::trimesh sphere = cn::icosphere(3);
   const auto tree = cn::bounding_tree(sphere);

@@ -116,7 +116,8 @@ TEST_CASE("lowest_element: work on an archetype") {
     const auto [a, b] = end_verts(m, e);
     for (const auto p : adj_e2p(m, e)) {
       const vec3 x = 0.5 * (point(m, a) + point(m, b));
-      CHECK(lowest_element(weak, mesh_point<std::remove_cvref_t<decltype(weak)>>{weak.poly(p), x}).position == lowest_element(m, mesh_point<tetmesh>{p, x}).position);
+      const auto found = lowest_element(weak, mesh_point<std::remove_cvref_t<decltype(weak)>>{weak.poly(p), x});
+      CHECK(found.position == lowest_element(m, mesh_point<tetmesh>{p, x}).position);
     }
   }
 }
@@ -124,14 +125,17 @@ TEST_CASE("lowest_element: work on an archetype") {
 TEST_CASE("lowest_element: errors") {
   auto m = make_grid<tetmesh>({.cells = {2, 2, 2}});
   using place = mesh_point<tetmesh>;
-  CHECK_THROWS_WITH_AS(lowest_element(m, place{vert_id{99}, {}}), "lowest_element: the place, vert 99, is no vert of the mesh; take it from verts(m)", invalid_mesh);
+  CHECK_THROWS_WITH_AS(lowest_element(m, place{vert_id{99}, {}}),
+                       "lowest_element: the place, vert 99, is no vert of the mesh; take it from verts(m)", invalid_mesh);
   CHECK_THROWS_AS(lowest_element(m, place{edge_point<tetmesh>{edge_id{999}, 0.5}, {}}), invalid_mesh);
   CHECK_THROWS_AS(lowest_element(m, place{face_id{999}, {}}), invalid_mesh);
   CHECK_THROWS_AS(lowest_element(m, place{poly_id{999}, {}}), invalid_mesh);
-  CHECK_THROWS_WITH_AS(lowest_element(m, place{edge_point<tetmesh>{edge_id{0}, 1.5}, {}}), "lowest_element: the place is on an edge, but its parameter is not in [0, 1]",
+  CHECK_THROWS_WITH_AS(lowest_element(m, place{edge_point<tetmesh>{edge_id{0}, 1.5}, {}}),
+                       "lowest_element: the place is on an edge, but its parameter is not in [0, 1]",
                        invalid_argument);
   CHECK_THROWS_WITH_AS(lowest_element(m, place{poly_id{0}, {0, std::nan(""), 0}}), "lowest_element: the position of the place is not finite", invalid_argument);
-  CHECK_THROWS_WITH_AS(lowest_element(m, place{poly_id{0}, {3, 3, 3}}), doctest::Contains("lowest_element: the position of the place is not in poly 0, but "), invalid_argument);
+  CHECK_THROWS_WITH_AS(lowest_element(m, place{poly_id{0}, {3, 3, 3}}),
+                       doctest::Contains("lowest_element: the position of the place is not in poly 0, but "), invalid_argument);
   set_point(m, vert_id{0}, vec3(0, std::nan(""), 0));
   CHECK_THROWS_WITH_AS(lowest_element(m, place{poly_id{0}, {}}), "lowest_element: poly 0 has points that are not finite", invalid_mesh);
 }

@@ -44,7 +44,8 @@ function(missing_rows variable number modules tables)
 endfunction()
 
 # The check itself finds a function without a row and a row without a function.
-set(body "// A header.\n#pragma once\nnamespace concino {\n\nvoid f();\ntemplate<class M>\nvoid g(M& m) {}\nvoid f(int) = delete;\nvoid h(int) = delete;\n\n}\n")
+set(body "// A header.\n#pragma once\nnamespace concino {\n\nvoid f();\ntemplate<class M>\nvoid g(M& m) {}\n")
+string(APPEND body "void f(int) = delete;\nvoid h(int) = delete;\n\n}\n")
 file(WRITE ${scratch}/include/concino/edit/x.hpp "${body}")
 file(WRITE ${scratch}/include/concino/edit/detail/y.hpp "${body}")
 file(WRITE ${scratch}/tables/edit.cpp "  call(\"f\", [] { f(); });\n  call(\"k\", [] { k(); });\n")

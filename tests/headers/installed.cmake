@@ -1,7 +1,8 @@
 # Installs the headers and compares them with the sources. Adapters whose libraries are absent are left out.
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${scratch})
-execute_process(COMMAND ${CMAKE_COMMAND} --install ${build} --prefix ${scratch} --component headers RESULT_VARIABLE code OUTPUT_VARIABLE said ERROR_VARIABLE said)
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${build} --prefix ${scratch} --component headers
+  RESULT_VARIABLE code OUTPUT_VARIABLE said ERROR_VARIABLE said)
 if(NOT code EQUAL 0)
   message(FATAL_ERROR "the headers cannot be installed:\n${said}")
 endif()

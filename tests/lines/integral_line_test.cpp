@@ -449,8 +449,8 @@ TEST_CASE("integral_line: errors") {
                        "integral_line: the start is on an edge, but its parameter is not in [0, 1]", invalid_argument);
   CHECK_THROWS_WITH_AS(integral_line(m, g, mesh_point<trimesh>{poly_id{0}, {std::nan(""), 0, 0}}), "integral_line: the position of the start is not finite",
                        invalid_argument);
-  CHECK_THROWS_WITH_AS(integral_line(m, g, mesh_point<trimesh>{poly_id{0}, {0.5, 0.5, 0.5}}), doctest::Contains("integral_line: the position of the start is not in poly 0, but "),
-                       invalid_argument);
+  CHECK_THROWS_WITH_AS(integral_line(m, g, mesh_point<trimesh>{poly_id{0}, {0.5, 0.5, 0.5}}),
+                       doctest::Contains("integral_line: the position of the start is not in poly 0, but "), invalid_argument);
   CHECK_THROWS_AS(integral_lines(m, g, polys(m), {.progress = [](double, const char*) { return false; }}), cancelled);
   g[poly_id{5}] = {0, std::nan(""), 0};
   CHECK_THROWS_WITH_AS(integral_line(m, g, vert_id{0}), "integral_line: the vector at poly 5 is not finite; give each poly a finite vector", invalid_argument);

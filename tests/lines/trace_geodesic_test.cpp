@@ -173,8 +173,8 @@ TEST_CASE("trace_geodesic: follows great circles of the sphere") {
 TEST_CASE("trace_geodesic: says why it ends, and goes back the way it came") {
   const trimesh m = icosphere(2);
   const auto trace = prepare_trace_geodesic(m);
-  const vert_id first_vert = *adj_p2v(m, poly_id{3}).begin();
-  const auto there = trace.trace_from(mesh_point<trimesh>{poly_id{3}, centroid(m, poly_id{3}) + 0.1 * (point(m, first_vert) - centroid(m, poly_id{3}))}, tangent_vector{0.3, 0.7}, 40);
+  const vec3 from = 0.9 * centroid(m, poly_id{3}) + 0.1 * point(m, *adj_p2v(m, poly_id{3}).begin());
+  const auto there = trace.trace_from(mesh_point<trimesh>{poly_id{3}, from}, tangent_vector{0.3, 0.7}, 40);
   CHECK(there.length == 40);
   const auto back = trace.trace_from(there.points.back(), -1 * there.direction, 40);
   CHECK(distance(back.points.back().position, there.points.front().position) < 1e-9);
@@ -238,7 +238,8 @@ TEST_CASE("trace_geodesic: goes on straight over a corner of the boundary that t
     const auto along = trace_geodesic(m, vert_id{mirrored ? 5u : 7u}, turned({0, -1, 0}), 5);  // down its boundary, on between two squares
     CHECK(along.stopped_by == line_end::boundary);
     CHECK(distance(along.points.back().position, turned({1, 0, 0})) < 1e-12);
-    const auto beside = trace_geodesic(m, mesh_point<polygonmesh>{poly_id{mirrored ? 1u : 2u}, turned({0.75, 1.5, 0})}, turned({0.25, -0.5, 0}), 5);  // touches the corner
+    const mesh_point<polygonmesh> above{poly_id{mirrored ? 1u : 2u}, turned({0.75, 1.5, 0})};
+    const auto beside = trace_geodesic(m, above, turned({0.25, -0.5, 0}), 5);  // touches the corner
     CHECK(distance(beside.points.back().position, turned({1.5, 0, 0})) < 1e-12);
   }
   const auto into = trace_geodesic(m, vert_id{0}, vec3(1, 1, 0), 5);
@@ -268,10 +269,13 @@ TEST_CASE("trace_geodesic: throw if an argument or the mesh is invalid") {
   const auto at = [&](auto element, const vec3& position) { return mesh_point<trimesh>{element, position}; };
   CHECK_THROWS_AS(trace.trace_from(at(poly_id{8}, {}), x, 1), invalid_mesh);
   CHECK_THROWS_WITH_AS(trace.trace_from(at(poly_id{0}, {0, 0, std::nan("")}), x, 1), "trace_geodesic: the position of the start is not finite", invalid_argument);
-  CHECK_THROWS_WITH_AS(trace.trace_from(at(poly_id{0}, {0.1, 0.1, 1}), x, 1), doctest::Contains("the position of the start is not in poly 0, but "), invalid_argument);
-  CHECK_THROWS_WITH_AS(trace.trace_from(at(poly_id{0}, {0.3, 0.1, 0}), {0, 0, 1}, 1), "trace_geodesic: the direction is perpendicular to the surface; choose another", invalid_argument);
+  CHECK_THROWS_WITH_AS(trace.trace_from(at(poly_id{0}, {0.1, 0.1, 1}), x, 1),
+                       doctest::Contains("the position of the start is not in poly 0, but "), invalid_argument);
+  CHECK_THROWS_WITH_AS(trace.trace_from(at(poly_id{0}, {0.3, 0.1, 0}), {0, 0, 1}, 1),
+                       "trace_geodesic: the direction is perpendicular to the surface; choose another", invalid_argument);
   CHECK_THROWS_AS(trace.trace_from(at(edge_point<trimesh>{edge_id{99}, 0.5}, {}), x, 1), invalid_mesh);
-  CHECK_THROWS_WITH_AS(trace.trace_from(at(edge_point<trimesh>{edge_id{0}, 2}, {}), x, 1), doctest::Contains("its parameter is not in [0, 1]"), invalid_argument);
+  CHECK_THROWS_WITH_AS(trace.trace_from(at(edge_point<trimesh>{edge_id{0}, 2}, {}), x, 1),
+                       doctest::Contains("its parameter is not in [0, 1]"), invalid_argument);
   const trimesh two_fans({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {0, 3, 4}});
   CHECK_THROWS_WITH_AS(trace_geodesic(two_fans, vert_id{0}, x, 1), doctest::Contains("the polys at vert 0 are not one fan"), unsupported);
   CHECK(trace_geodesic(two_fans, vert_id{0}, {1, 1, 0}, 0.5).stopped_by == line_end::max_length);

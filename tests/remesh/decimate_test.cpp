@@ -208,7 +208,8 @@ TEST_CASE_TEMPLATE("decimate: max_error keeps open surfaces and their boundaries
   sheet(bent, 40, 10, [](unsigned i, unsigned j) { return vec3{std::cos(std::acos(-1.0) * i / 40), std::sin(std::acos(-1.0) * i / 40), 0.3 * j}; });
   keeps(bent, 0.01, 40);
   // a small sheet on a large one: what it loses would be near the other
-  for (const double side : {4.0, 1.0}) sheet(sheets, 4, 4, [side](unsigned i, unsigned j) { return vec3{side * i / 4 + 1 / side, side * j / 4 + 1 / side, 0.001 * side}; });
+  for (const double side : {4.0, 1.0})
+    sheet(sheets, 4, 4, [side](unsigned i, unsigned j) { return vec3{side * i / 4 + 1 / side, side * j / 4 + 1 / side, 0.001 * side}; });
   keeps(sheets, 0.01, 8);
 }
 

@@ -244,14 +244,16 @@ TEST_CASE_TEMPLATE("remesh: flat triangles vanish", M, trimesh, polygonmesh) {
   for (const double h : {0.0, 1e-12, 1e-9, 1e-6, 1e-4, -1e-9}) {
     CAPTURE(h);
     // a cap between two triangles, as of a T-junction
-    remeshed(M(std::vector<vec3>{{0, 0, 0}, {1, -h, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}, {1, -1, 0}}, lists{{0, 2, 3}, {0, 3, 4}, {0, 1, 2}, {0, 5, 1}, {1, 5, 2}}), 3);
+    remeshed(M(std::vector<vec3>{{0, 0, 0}, {1, -h, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}, {1, -1, 0}},
+               lists{{0, 2, 3}, {0, 3, 4}, {0, 1, 2}, {0, 5, 1}, {1, 5, 2}}), 3);
     // one whose longest edge is on the boundary
     remeshed(M(std::vector<vec3>{{0, 0, 0}, {1, -h, 0}, {2, 0, 0}, {1, -1, 0}}, lists{{0, 1, 2}, {0, 3, 1}, {1, 3, 2}}), 1);
     // several verts on one long edge
     remeshed(M(std::vector<vec3>{{0, 0, 0}, {0.5, -h, 0}, {1, -h, 0}, {1.5, -h, 0}, {2, 0, 0}, {1, 1, 0}, {1, -1, 0}},
                lists{{0, 4, 5}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {1, 0, 6}, {2, 1, 6}, {3, 2, 6}, {4, 3, 6}}), 2);
     // two needles at one short edge
-    remeshed(M(std::vector<vec3>{{0, 0, 0}, {1, h, 0}, {1, h + 1e-7, 0}, {2, 0, 0}, {1, 1, 0}, {1, -1, 0}}, lists{{0, 1, 2}, {1, 3, 2}, {0, 5, 1}, {1, 5, 3}, {2, 3, 4}, {0, 2, 4}}), 2);
+    remeshed(M(std::vector<vec3>{{0, 0, 0}, {1, h, 0}, {1, h + 1e-7, 0}, {2, 0, 0}, {1, 1, 0}, {1, -1, 0}},
+               lists{{0, 1, 2}, {1, 3, 2}, {0, 5, 1}, {1, 5, 3}, {2, 3, 4}, {0, 2, 4}}), 2);
   }
 }
 

@@ -85,8 +85,8 @@ inline vec3 vector_area(std::span<const vec3> points, std::size_t first, std::si
   return 0.5 * doubled;
 }
 
-/// Whether three corners make a triangle without area, or four a tet without volume, within the accuracy of their coordinates. It does not depend on the order of
-/// the corners.
+/// Whether three corners make a triangle without area, or four a tet without volume, within the accuracy of their coordinates. The order of the corners has no
+/// effect.
 inline bool is_degenerate_simplex(std::span<const vec3> corners) {
   vec3 points[4];
   const std::size_t n = corners.size();

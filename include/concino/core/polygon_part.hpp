@@ -1,5 +1,5 @@
-// A convex part of a triangle, and how far it is from a set of triangles. The distance from a triangle is a convex function, so on a convex polygon it is largest
-// at a corner. That gives an upper bound for each part from any of the triangles near it.
+// A convex part of a triangle, and how far it is from a set of triangles. The distance from a triangle is a convex function, so on a convex polygon it is
+// largest at a corner. That gives an upper bound for each part from any of the triangles near it.
 #pragma once
 
 #include <concino/core/vec3.hpp>
@@ -68,8 +68,8 @@ struct polygon_part {
     }
     return sides;
   }
-  /// Splits at the edges of its candidate t, seen along the normal of that, and calls take(part) for each part outside: the part above the candidate, which remains,
-  /// has no other bound than its distance from it. Returns false if that splits nothing.
+  /// Splits at the edges of its candidate t, seen along the normal of that, and calls take(part) for each part outside. The part above the candidate remains;
+  /// it has no other bound than its distance from it. Returns false if that splits nothing.
   template<class F>
   bool split_at(const std::array<vec3, 3>& t, const F& take) {
     const vec3 normal = cross(t[1] - t[0], t[2] - t[0]);

@@ -116,7 +116,7 @@ class prepared_heat_flow {
   /// Result: that of heat_flow.      Cost: two back-substitutions per step, or one, see heat_scheme; three times that for vectors.
   /// Errors: as heat_flow about u; solver_error; cancelled.
   template<class F, class T = detail::field_value_of<F, M>>
-    requires requirement::is_field<F, M>
+    requires requirement::is_given_field<F, M>
   vert_map<M, T> advance(const F& u, const progress& on_progress = nullptr) const {
     const M& m = mesh_.get();
     auto r = prepared_->system.template values_of<T>(m, u);
@@ -165,13 +165,13 @@ prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_
 ///         solver_error. cancelled.
 /// Source: Alexander 1977, "Diagonally implicit Runge-Kutta methods for stiff O.D.E.'s" (the scheme of two stages).
 template<class M, class F, class T = detail::field_value_of<F, M>, class Solver = auto_solver>
-  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && requirement::is_field<F, M> &&
+  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && requirement::is_given_field<F, M> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> heat_flow(M&& m, const F& initial, double time, const heat_flow_options<std::remove_cvref_t<M>>& options = {}, Solver&& solver = {}) {
   return heat_flow(m, initial, time, virtual_elements, options, solver);
 }
 template<class M, class F, class T = detail::field_value_of<F, M>, class D, class Solver = auto_solver>
-  requires requirement::is_lvalue_or_view<M> && Discretisation<D, M> && requirement::is_field<F, M> &&
+  requires requirement::is_lvalue_or_view<M> && Discretisation<D, M> && requirement::is_given_field<F, M> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> heat_flow(M&& m, const F& initial, double time, const D& discretisation,
                          const heat_flow_options<std::remove_cvref_t<M>>& options = {}, Solver&& solver = {}) {
@@ -191,7 +191,7 @@ template<class... T> void heat_flow(mistake::no_mesh<mistake::adapt_the_mesh>, .
 template<class... T> void heat_flow(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
 template<class... T> void heat_flow(mistake::bare_graph<mistake::name_discretisation>, ...) = delete;  // needs point(m, v) and polys; else write heat_flow(m, initial, time, uniform)
 template<class M, class U, class R = mistake::remedy<mistake::give_numbers_or_points_at_verts>>
-  requires(PrimalGraph<M> && !requirement::is_field<U, M>)
+  requires(PrimalGraph<M> && !requirement::is_given_field<U, M>)
 void heat_flow(M&&, const U&, ...) = delete;  // a number or a point at each vert: make_vert_map<double>(m)
 
 }  // namespace concino

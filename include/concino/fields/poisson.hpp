@@ -142,7 +142,7 @@ class prepared_poisson {
   /// Cost:   one back-substitution, three for vectors, and a product with the mass matrix.
   /// Errors: as poisson about values, loads and fluxes; invalid_argument if a constrained vert has no value, or another vert has one.
   template<class F, class T = detail::field_value_of<F, M>>
-    requires requirement::is_field<F, M>
+    requires requirement::is_given_field<F, M>
   vert_map<M, T> solve(const F& f, const poisson_options<M, std::type_identity_t<T>>& options = {}) const {
     auto q = prepared_->problem.template make_query<T>(mesh_.get(), f, options);
     return prepared_->problem.template solve<T>(*prepared_->solver, std::move(q), options.progress);
@@ -190,13 +190,13 @@ prepared_poisson<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_po
 ///         given at what is no edge or face of m, or at one that does not have exactly one poly.
 /// Source: Beirao da Veiga et al. 2013, Ahmad et al. 2013 (the load); paper section 2.2.
 template<class M, class F, class T = detail::field_value_of<F, M>, class Solver = auto_solver>
-  requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && requirement::is_field<F, M> &&
+  requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && requirement::is_given_field<F, M> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> poisson(M&& m, const F& f, const poisson_options<std::remove_cvref_t<M>, std::type_identity_t<T>>& options = {}, Solver&& solver = {}) {
   return poisson(m, f, virtual_elements, options, solver);
 }
 template<class M, class F, class T = detail::field_value_of<F, M>, class D, class Solver = auto_solver>
-  requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && requirement::is_field<F, M> && Discretisation<D, M> &&
+  requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && requirement::is_given_field<F, M> && Discretisation<D, M> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> poisson(M&& m, const F& f, const D& discretisation, const poisson_options<std::remove_cvref_t<M>, std::type_identity_t<T>>& options = {},
                        Solver&& solver = {}) {
@@ -216,7 +216,7 @@ template<class... T> void poisson(mistake::no_mesh<mistake::adapt_the_mesh>, ...
 template<class... T> void poisson(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
 template<class... T> void poisson(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 template<class M, class U, class R = mistake::remedy<mistake::give_numbers_or_points_at_verts>>
-  requires(EmbeddedMesh<M> && !requirement::is_field<U, M>)
+  requires(EmbeddedMesh<M> && !requirement::is_given_field<U, M>)
 void poisson(M&&, const U&, ...) = delete;  // a number or a point at each vert: make_vert_map<double>(m)
 
 }  // namespace concino

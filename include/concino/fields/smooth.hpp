@@ -78,7 +78,7 @@ class prepared_smooth {
   /// Result: that of smooth.      Cost: one back-substitution, three for vectors.
   /// Errors: as smooth about f; solver_error.
   template<class F, class T = detail::field_value_of<F, M>>
-    requires requirement::is_field<F, M>
+    requires requirement::is_given_field<F, M>
   vert_map<M, T> apply(const F& f) const {
     const M& m = mesh_.get();
     auto u = prepared_->system.template values_of<T>(m, f);
@@ -128,13 +128,13 @@ prepared_smooth<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_smo
 /// Source: Whittaker 1923; of points: Desbrun, Meyer, Schroeder, Barr 1999, "Implicit fairing of irregular meshes using diffusion and curvature
 ///         flow".
 template<class M, class F, class T = detail::field_value_of<F, M>, class Solver = auto_solver>
-  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && requirement::is_field<F, M> &&
+  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && requirement::is_given_field<F, M> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> smooth(M&& m, const F& f, double amount, const smooth_options<std::remove_cvref_t<M>>& options = {}, Solver&& solver = {}) {
   return smooth(m, f, amount, virtual_elements, options, solver);
 }
 template<class M, class F, class T = detail::field_value_of<F, M>, class D, class Solver = auto_solver>
-  requires requirement::is_lvalue_or_view<M> && Discretisation<D, M> && requirement::is_field<F, M> &&
+  requires requirement::is_lvalue_or_view<M> && Discretisation<D, M> && requirement::is_given_field<F, M> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> smooth(M&& m, const F& f, double amount, const D& discretisation, const smooth_options<std::remove_cvref_t<M>>& options = {},
                       Solver&& solver = {}) {
@@ -156,7 +156,7 @@ template<class... T> void smooth(mistake::no_mesh<mistake::adapt_the_mesh>, ...)
 template<class... T> void smooth(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
 template<class... T> void smooth(mistake::bare_graph<mistake::name_discretisation>, ...) = delete;  // needs point(m, v) and polys; else write smooth(m, f, amount, uniform)
 template<class M, class U, class R = mistake::remedy<mistake::give_numbers_or_points_at_verts>>
-  requires(PrimalGraph<M> && !requirement::is_field<U, M>)
+  requires(PrimalGraph<M> && !requirement::is_given_field<U, M>)
 void smooth(M&&, const U&, ...) = delete;  // a number or a point at each vert: make_vert_map<double>(m)
 
 }  // namespace concino

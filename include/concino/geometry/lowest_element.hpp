@@ -232,7 +232,8 @@ void for_each_poly_at(const M& m, const mesh_point<M>& x, const F& f) {
 template<EmbeddedMesh M>
 mesh_point<M> lowest_element_of(const M& m, const mesh_point<M>& x, const char* caller, const char* role) {
   const auto check = [&](const auto& y, const char* kind, const char* all) {
-    if (!contains(m, y)) core::throw_joined<invalid_mesh>({caller, ": the ", role, ", ", kind, ' ', index_of(m, y), ", is no ", kind, " of the mesh; take it from ", all, "(m)"});
+    if (!contains(m, y))
+      core::throw_joined<invalid_mesh>({caller, ": the ", role, ", ", kind, ' ', index_of(m, y), ", is no ", kind, " of the mesh; take it from ", all, "(m)"});
   };
   const auto place = [&](const auto& y, [[maybe_unused]] const char* kind) {
     const auto found = lowest_element_search<M>(m, caller)(y, x.position);
@@ -248,7 +249,8 @@ mesh_point<M> lowest_element_of(const M& m, const mesh_point<M>& x, const char* 
   }
   if (const auto* e = std::get_if<edge_point<M>>(&x.element)) {
     check(e->edge, "edge", "edges");
-    if (!(e->parameter >= 0 && e->parameter <= 1)) core::throw_joined<invalid_argument>({caller, ": the ", role, " is on an edge, but its parameter is not in [0, 1]"});
+    if (!(e->parameter >= 0 && e->parameter <= 1))
+      core::throw_joined<invalid_argument>({caller, ": the ", role, " is on an edge, but its parameter is not in [0, 1]"});
     return place(*e, "edge");
   }
   if (const auto* p = std::get_if<poly_t<M>>(&x.element)) check(*p, "poly", "polys");
@@ -272,9 +274,9 @@ mesh_point<M> nearest_place(const M& m, const poly_t<M>& p, const vec3& x, const
 /// The same place at the element of the lowest dimension that contains it: auto x = lowest_element(m, mesh_point<M>{*tree.locate(y), y}). A place of a
 /// poly that lies on one of its faces, edges or verts is a place of that. Lines, geodesics and distances start from there.
 /// Needs:  EmbeddedMesh. Of a vert or an edge, the position is not read.
-/// Result: a vert or an edge that is at most 1e-12 of the diameter of the poly, or eight units of rounding of its coordinates, away; else, as far
-///         from a face of a volume, that face; else the element of x. The position is that of the element found: of a vert its point, of an edge the
-///         point at the parameter, and a point of the poly where the position lies outside. Faces and polygons that are not planar are those of
+/// Result: the nearest vert, else edge, else face of a volume, that is at most 1e-12 of the diameter or eight units of rounding of the coordinates
+///         away; else the element of x. The position is that of the element found: of a vert its point, of an edge the point at the parameter. Where
+///         the position lies outside the poly, it is the nearest point of it. Faces and polygons that are not planar are those of
 ///         triangulate_polygon; places away from them by no more than their extent along the normal belong to them.
 /// Cost:   O(size of the poly).
 /// Errors: invalid_mesh if the element is not one of the mesh, or has points that are not finite. invalid_argument if the position is not finite, or

@@ -12,28 +12,28 @@
 #include <utility>
 #include <vector>
 
-namespace concino::detail {
+namespace concino::core {
 
 /// Triangles with a tree of their boxes.
 class triangle_tree {
-  std::vector<triangle_points> triangles_;
-  box_tree boxes_;
+  std::vector<detail::triangle_points> triangles_;
+  detail::box_tree boxes_;
 
  public:
-  explicit triangle_tree(std::vector<triangle_points> triangles) {
+  explicit triangle_tree(std::vector<detail::triangle_points> triangles) {
     std::vector<std::uint32_t> order;
-    boxes_ = build_box_tree(triangles.size(), 4, [&](std::size_t i) {
+    boxes_ = detail::build_box_tree(triangles.size(), 4, [&](std::size_t i) {
       box b;
       for (const vec3& x : triangles[i]) b.add(x);
       return b;
     }, order);
-    arrange(triangles, order);
+    detail::arrange(triangles, order);
     triangles_ = std::move(triangles);
   }
 
-  const triangle_points& triangle(std::size_t i) const { return triangles_[i]; }
+  const detail::triangle_points& triangle(std::size_t i) const { return triangles_[i]; }
   double squared_distance(const vec3& x, std::size_t i) const {
-    const triangle_points& t = triangles_[i];
+    const detail::triangle_points& t = triangles_[i];
     const vec3 d = x - closest_point(x, t[0], t[1], t[2]);
     return dot(d, d);
   }
@@ -45,9 +45,9 @@ class triangle_tree {
   /// The triangle nearest to x. The search is quick if `guess` is near.
   place nearest(const vec3& x, std::size_t guess) const {
     place best{guess, squared_distance(x, guess)};
-    boxes_.search([&](const box_node& n) { return n.squared_distance(x); }, best.squared, [&](std::size_t i) {
-      const triangle_points& t = triangles_[i];
-      if (squared_distance_to_box(x, t[0], t[1], t[2]) >= best.squared) return;
+    boxes_.search([&](const detail::box_node& n) { return n.squared_distance(x); }, best.squared, [&](std::size_t i) {
+      const detail::triangle_points& t = triangles_[i];
+      if (detail::squared_distance_to_box(x, t[0], t[1], t[2]) >= best.squared) return;
       const double squared = squared_distance(x, i);
       if (squared < best.squared) best = {i, squared};
     });
@@ -55,4 +55,4 @@ class triangle_tree {
   }
 };
 
-}  // namespace concino::detail
+}  // namespace concino::core

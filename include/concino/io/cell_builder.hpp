@@ -39,7 +39,7 @@ class basic_cell_builder {
   std::size_t expected_ = 0;           // the same when all cells are added, if known
   std::size_t first_ = 0, faces_ = 0;  // of the polyhedron that is being added
   std::vector<std::uint64_t> scratch_;
-  detail::repeated_polys repeated_;
+  detail::polys_with_repeats repeated_;
   std::optional<detail::polyhedra_builder<vert_id>> polyhedra_;  // all cells, once one is a polyhedron
 
  public:

@@ -92,7 +92,7 @@ struct file_contents {
   /// property with another name, such as "heat_2".
   std::vector<property_column> properties;
   listed_elements edges, faces;
-  detail::repeated_polys repeated;  // with the policy of load_options::repeated_verts, which cell_builder and load follow
+  detail::polys_with_repeats repeated;  // with the policy of load_options::repeated_verts, which cell_builder and load follow
 
   /// Adds a property with n default values.
   /// Result: where to store the n values; valid as long as the contents.

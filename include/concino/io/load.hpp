@@ -37,8 +37,8 @@ namespace concino {
 /// Cost:   one pass over the file, which is read into memory as a whole (or mapped: options.map); the arrays are moved into the mesh.
 /// Errors: io_error if the file cannot be read, or shrinks or grows meanwhile. parse_error with the line if it breaks its format or holds a
 ///         poly that M cannot hold, or one with a vert twice unless options.repeated_verts takes such polys. unsupported if neither extension nor first words
-///         are known, if the file holds a volume and M is a surface or the reverse, if it has elements of second or higher order (see
-///         load_options::corners_only), or if faces of more than 16 verts belong to very many polyhedra. cancelled.
+///         are known, if the file holds a volume and M is a surface or the reverse, or if faces of more than 16 verts belong to very many polyhedra.
+///         unsupported for elements of second or higher order, unless options.corners_only. cancelled.
 template<Loadable M>
 M load(const std::string& path, const load_options& options = {}) {
   return detail::load_standard<M>(path, options);

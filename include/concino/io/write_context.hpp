@@ -43,7 +43,7 @@ struct write_context {
   std::vector<stored_property> stored = {};
   std::unique_ptr<companion_files> companions = {};  // created by the writer, if there are any
   std::size_t num_elements = 0, num_written = 0;        // verts and polys
-  std::size_t num_not_finite = 0, num_above_one = 0;
+  std::size_t num_not_finite = 0;
 
   /// Called once for every vert and poly; calls options.progress from time to time. Errors: cancelled.
   void report_progress() {
@@ -63,13 +63,6 @@ struct write_context {
     return 0;
   }
   float finite(float x) { return static_cast<float>(finite(static_cast<double>(x))); }
-
-  /// A component of a colour, for formats whose readers take numbers above 1 for components from 0 to 255: at most 1, which is reported.
-  float color_part(float x) {
-    if (!(x > 1) || std::isinf(x)) return finite(x);
-    ++num_above_one;
-    return 1;
-  }
 
   /// Errors: unsupported, "<name>: <format> cannot hold <what>; save it as <instead>".
   [[noreturn, gnu::noinline, gnu::cold]] void throw_cannot_hold(std::string_view format, core::message what, std::string_view instead) const {

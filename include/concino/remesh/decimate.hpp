@@ -37,7 +37,7 @@ enum class decimation_end : unsigned char {
 
 struct decimation {
   std::size_t num_collapses = 0;
-  double error = std::numeric_limits<double>::quiet_NaN();  // how far the result and the input are apart: an upper bound of hausdorff_distance; at most max_error
+  double error = std::numeric_limits<double>::quiet_NaN();  // how far the result and the input are apart: an upper bound of hausdorff_distance
   decimation_end stopped_by = decimation_end::target;
   permission last_refusal = {};  // if refused: why the last edge was
 };
@@ -58,8 +58,8 @@ inline void check_decimation(const decimate_options& options) {
 /// Needs:  EditableSurfaceMesh; of any topology. Polys that are no triangles stay as they are.
 /// Result: the number of collapses, why it ended, and how far the result is from the input. The topology remains: the link condition holds at each collapse.
 ///         Named properties follow by their rules. Removed elements leave gaps in the indices, which garbage_collect closes.
-/// Cost:   O(n log n) for n edges, and one bounding tree of the input and one of the result for the error; with max_error, for
-///         each collapse, the distances between its triangles and those of the input near them: O(n log n) in all if about as many edges are refused as collapsed.
+/// Cost:   O(n log n) for n edges, and one bounding tree of the input and one of the result for the error. With max_error, for
+///         each edge that is tried, also the distances between its triangles and those of the input near them.
 /// Errors: invalid_argument if an option is out of its range or no target is given; invalid_mesh if a point is not finite; m is unchanged then. cancelled,
 ///         what an invariant throws, and if memory runs out: m is valid and decimated in part; open a transaction to have the input back.
 /// Source: Garland and Heckbert 1997, "Surface simplification using quadric error metrics"; memoryless: Hoppe 1999, "New quadric metric for simplifying

@@ -12,7 +12,7 @@ void call_problems() {
   call("prepare_harmonic_map", [](auto& m) { cn::prepare_harmonic_map(m, {a, b}); }, all);
   call("harmonic_map", [](auto& m) { cn::harmonic_map(m, {{a, 0.0}, {b, 1.0}}); }, all);
   call("prepare_poisson", [](auto& m) { cn::prepare_poisson(m, {a}); }, all);
-  call("poisson", [](auto& m) { cn::poisson(m, heights(m)); }, all);
+  call("poisson", [](auto& m) { cn::poisson(m, heights(m), {.values = {{a, 0.0}}}); }, all);
   call("prepare_heat_flow", [](auto& m) { cn::prepare_heat_flow(m, 0.1); }, all);
   call("heat_flow", [](auto& m) { cn::heat_flow(m, heights(m), 0.1); }, all);
   call("prepare_smooth", [](auto& m) { cn::prepare_smooth(m, 0.1); }, all);
@@ -41,8 +41,8 @@ void call_topology() {
   call("persistence", [](auto& m) { cn::persistence(m, heights(m)); }, all);
   call("regions_of_maxima", [](auto& m) { cn::regions_of_maxima(m, heights(m)); }, all);
   call("regions_of_minima", [](auto& m) { cn::regions_of_minima(m, heights(m)); }, all);
-  call("simplified", [](auto& m) { cn::simplified(m, heights(m), {}); }, all);
-  call("simplified_on_cells", [](auto& m) { cn::simplified_on_cells(m, heights(m), {}); }, surfaces);
+  call("simplified", [](auto& m) { cn::simplified(m, heights(m), {.minima_below = 0.1}); }, all);
+  call("simplified_on_cells", [](auto& m) { cn::simplified_on_cells(m, heights(m), {.below = 0.1}); }, surfaces);
 }
 
 }  // namespace

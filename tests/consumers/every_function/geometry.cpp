@@ -54,6 +54,7 @@ void call_sizes() {
 }
 
 void call_places() {
+  call("lowest_element", []<class M>(M& m) { cn::lowest_element(m, cn::mesh_point<M>{poly(m), cn::centroid(m, poly(m))}); }, all);
   call("bounding_box", [](auto& m) {
     cn::bounding_box(m);
     cn::bounding_box(m, poly(m));

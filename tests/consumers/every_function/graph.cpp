@@ -15,7 +15,11 @@ void call_graph() {
   call("bfs_forest", [&](auto& m) { cn::bfs_forest(m); }, all);
   call("dijkstra", [&](auto& m) { cn::dijkstra(m, a); }, all);
   call("shortest_path", [&](auto& m) { cn::shortest_path(m, a, b); }, all);
-  call("path_to", [&](auto& m) { cn::path_to(cn::bfs(m, a).predecessors, b); }, all);
+  call("path_to", [&](auto& m) {
+    auto from = cn::make_vert_map<cn::vert_id>(m);
+    cn::bfs(m, a, {.predecessors = &from});
+    cn::path_to(from, b);
+  }, all);
   call("grow_regions", [&](auto& m) { cn::grow_regions(m, {a, b}, [](auto&&...) { return 1.0; }); }, all);
   call("connected_components", [&](auto& m) { cn::connected_components(m); }, all);
   call("spanning_tree", [&](auto& m) { cn::spanning_tree(m); }, all);

@@ -24,9 +24,9 @@ void call_formats() {
   call("load_hybrid", [](auto& m) { cn::save_hybrid(m, "m.hybrid"), cn::load_hybrid<std::remove_reference_t<decltype(m)>>("m.hybrid"); }, cells);
   call("save_tet", [](auto& m) { cn::save_tet(m, "m.tet"); }, tets);
   call("load_tet", [](auto& m) { cn::save_tet(m, "m.tet"), cn::load_tet<std::remove_reference_t<decltype(m)>>("m.tet"); }, tets);
-  call("save_medit", [](auto& m) { cn::save_medit(m, "m.mesh"); }, kinds<cn::trimesh, cn::quadmesh, cn::polygonmesh, cn::tetmesh, cn::hexmesh>());
+  call("save_medit", [](auto& m) { cn::save_medit(m, "m.mesh"); }, kinds<cn::trimesh, cn::quadmesh, cn::tetmesh, cn::hexmesh>());
   call("load_medit", [](auto& m) { cn::save_medit(m, "m.mesh"), cn::load_medit<std::remove_reference_t<decltype(m)>>("m.mesh"); },
-       kinds<cn::trimesh, cn::quadmesh, cn::polygonmesh, cn::tetmesh, cn::hexmesh>());
+       kinds<cn::trimesh, cn::quadmesh, cn::tetmesh, cn::hexmesh>());
   call("save_vtk", [](auto& m) { cn::save_vtk(m, "m.vtk"); }, all);
   call("load_vtk", [](auto& m) { cn::save_vtk(m, "m.vtk"), cn::load_vtk<std::remove_reference_t<decltype(m)>>("m.vtk"); }, all);
   call("save_vtp", [](auto& m) { cn::save_vtp(m, "m.vtp"); }, surfaces);
@@ -53,8 +53,11 @@ void call_io() {
   call("explain_format", [] { cn::explain_format<std::remove_cvref_t<decltype(cn::file_format::obj)>>(); });
   call("save_skeleton", [] { cn::save_skeleton({}, "k.skel"); });
   call("load_skeleton", [] { cn::save_skeleton({}, "k.skel"), cn::load_skeleton("k.skel"); });
-  call("save_skeleton_text", [] { cn::save_skeleton_text({}, {}); });
-  call("load_skeleton_text", [] { cn::load_skeleton_text(cn::save_skeleton_text({}, {})); });
+  call("save_skeleton_text", [] { cn::save_skeleton_text({}, {.format = cn::file_format::skel}); });
+  call("load_skeleton_text", [] {
+    const auto format = cn::file_format::skel;
+    cn::load_skeleton_text(cn::save_skeleton_text({}, {.format = format}), {.format = format});
+  });
   call("save_slices", [] { cn::save_slices({}, "s.cli"); });
   call("load_slices", [] { cn::save_slices({}, "s.cli"), cn::load_slices("s.cli"); });
   call("save_slices_text", [] { cn::save_slices_text({}, {}); });

@@ -31,7 +31,7 @@ template<class F, class M>
 concept is_function_of_points = Embedded<M> && (requires(const std::remove_cvref_t<F>& f, const vec3& x) { { f(x) } -> std::convertible_to<double>; } ||
                                                 requires(const std::remove_cvref_t<F>& f, const vec3& x) { { f(x)[2] } -> std::convertible_to<double>; });
 template<class F, class M>
-concept is_field = gives_numbers_or_points<F, vert_t<M>> || is_function_of_points<F, M>;
+concept is_given_field = gives_numbers_or_points<F, vert_t<M>> || is_function_of_points<F, M>;
 
 }  // namespace concino::requirement
 
@@ -67,7 +67,7 @@ decltype(auto) value_at(const M& m, const F& f, const vert_t<M>& v) {
 }
 /// double if the values of a field on M are numbers, vec3 otherwise.
 template<class F, class M>
-  requires requirement::is_field<F, M>
+  requires requirement::is_given_field<F, M>
 using field_value_of = std::conditional_t<
     std::convertible_to<decltype(value_at(std::declval<const std::remove_cvref_t<M>&>(), std::declval<const F&>(), std::declval<const vert_t<M>&>())), double>,
     double, vec3>;

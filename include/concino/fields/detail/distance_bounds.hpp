@@ -88,7 +88,7 @@ class distance_graph::search {
   core::indexed_heap<int> queue_;
   std::vector<int> offered_;         // verts improved since the last vert left the queue
   std::vector<crossing> crossings_;
-  std::vector<std::pair<int, double>> across_tets_;  // verts, and lengths of paths to them
+  std::vector<std::pair<int, double>> tet_paths_;  // verts, and lengths of paths to them
   std::vector<std::uint8_t> known_;  // of each tet: bits of its settled corners
 
   node& at(int v) { return node_[static_cast<std::size_t>(v)]; }
@@ -169,7 +169,7 @@ class distance_graph::search {
     const double there = from.before;
     const local_tet s = seen_from(position(at_a), position(at_b), position(at_c), position(corners[last]));
     const double path_length = there + unfolded_distance(s, a.path_length - there, b.path_length - there, c.path_length - there, to.path_length - there);
-    if (improves(to, path_length)) across_tets_.emplace_back(corners[last], path_length);
+    if (improves(to, path_length)) tet_paths_.emplace_back(corners[last], path_length);
   }
 
   void visit_triangles(std::size_t v) {
@@ -196,9 +196,9 @@ class distance_graph::search {
       for (std::size_t last = 0; last < 4; ++last)
         if (first + last != i && (known | 1u << last) == 15) cross(from, &graph_.tet_[first], last);
     }
-    for (const auto& [to, path_length] : across_tets_)  // only now, so that they do not depend on the order of the tets
+    for (const auto& [to, path_length] : tet_paths_)  // only now, so that they do not depend on the order of the tets
       if (improves(at(to), path_length)) offer(to, path_length, from);
-    across_tets_.clear();
+    tet_paths_.clear();
   }
 
  public:

@@ -1,5 +1,5 @@
-// Defines hausdorff_distance.hpp. Each part of a triangle has an upper bound, see polygon_part. Only parts whose bound exceeds the largest distance met so far are
-// cut into smaller ones.
+// Defines hausdorff_distance.hpp. Each part of a triangle has an upper bound, see polygon_part. Only parts whose bound exceeds the largest distance met so far
+// are cut into smaller ones.
 #pragma once
 
 #include <concino/core/parallel.hpp>
@@ -14,7 +14,7 @@
 namespace concino::detail {
 
 class distance_search {
-  const triangle_tree& to_;
+  const core::triangle_tree& to_;
   std::vector<core::polygon_part> parts_;  // a heap: those that may have a larger distance than `lower_`
   double lower_ = 0;
   double done_ = 0;  // the upper bound of the parts that were left out because they hardly exceed the lower one
@@ -44,7 +44,7 @@ class distance_search {
   }
 
  public:
-  distance_search(const triangle_tree& to, double tolerance) : to_(to), enough_(1 / ((1 - tolerance) * (1 - tolerance))) {}
+  distance_search(const core::triangle_tree& to, double tolerance) : to_(to), enough_(1 / ((1 - tolerance) * (1 - tolerance))) {}
 
   void start(const std::vector<triangle_points>& from) {
     std::vector<core::polygon_part> all(from.size());
@@ -88,7 +88,7 @@ CONCINO_INLINE distance_bounds distance_between(std::vector<triangle_points> fro
     for (triangle_points& t : *triangles)
       for (vec3& x : t) x *= scale;
   const double num_cuts = options.max_cuts * static_cast<double>(from.size() + to.size());
-  const triangle_tree tree(std::move(to));
+  const core::triangle_tree tree(std::move(to));
   distance_search search(tree, options.tolerance);
   search.start(from);
   const distance_bounds squared = search.run(num_cuts);

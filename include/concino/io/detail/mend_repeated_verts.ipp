@@ -57,7 +57,7 @@ namespace concino::detail {
 /// Mends the polys of a surface.
 [[gnu::cold]] CONCINO_INLINE void mend_surface(file_contents& contents) {
   surface_arrays& s = contents.surface;
-  repeated_polys& repeated = contents.repeated;
+  polys_with_repeats& repeated = contents.repeated;
   surface_arrays out;
   std::vector<std::uint32_t> origin, corner_origin;
   std::vector<std::uint64_t> scratch;

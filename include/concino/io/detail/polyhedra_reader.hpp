@@ -31,7 +31,7 @@ class polyhedra_reader : protected token_cursor {
  protected:
   load_report& report_;
   polyhedra_arrays out_;
-  repeated_polys repeated_;
+  polys_with_repeats repeated_;
 
   explicit polyhedra_reader(const read_context& c) : token_cursor(text_without_padding(c.text), c.name, c.progress, 0), wanted_(c.wanted), report_(*c.report) {
     repeated_.policy = c.repeated_verts;

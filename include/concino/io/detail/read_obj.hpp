@@ -25,6 +25,7 @@ class obj_reader : obj_cursor {
   std::uint64_t num_zero_ = 0, num_bad_colors_ = 0;
   std::uint64_t num_third_ = 0, num_invalid_ = 0;  // texture coordinates with a third number; those and normals that are not finite numbers
   double largest_color_ = 0;              // component of a colour
+  bool are_bytes_ = true;                 // all of them are whole numbers up to 255
   std::vector<std::uint32_t> uncolored_;  // verts without a colour before the last one that has one
   std::size_t first_other_ = 0, first_invalid_ = 0;
   std::string other_;
@@ -138,12 +139,13 @@ class obj_reader : obj_cursor {
     double x[3] = {};
     std::size_t n = 0;
     const char* not_finite = nullptr;
+    bool is_whole = true;
     for (; !line_is_over(); ++n, blanks()) {
       double value = 0;
       const char* const p = parse_real(at, end(), value);
       if (!p || !ends_token(p, '#')) fail(at, expected);
       if (!std::isfinite(value)) not_finite = at;
-      at = p;
+      for (; at != p; ++at) is_whole = is_whole && is_digit(*at);
       if (n < 3) x[n] = value;
     }
     if (not_finite && n != 3) fail(not_finite, {expected, ", a finite number"});
@@ -156,7 +158,9 @@ class obj_reader : obj_cursor {
       ++num_bad_colors_;
       return;
     }
-    largest_color_ = std::max({largest_color_, x[0], x[1], x[2]});
+    const double largest = std::max({x[0], x[1], x[2]});
+    are_bytes_ = are_bytes_ && is_whole && largest <= 255;
+    largest_color_ = std::max(largest_color_, largest);
     const std::size_t first = extra_.vert_colors.size(), vert = out_.points.size() - 1;
     for (std::size_t v = first; v < vert; ++v) uncolored_.push_back(static_cast<std::uint32_t>(v));
     extra_.vert_colors.resize(vert);
@@ -217,14 +221,14 @@ class obj_reader : obj_cursor {
   }
 
   [[gnu::noinline, gnu::cold]] void finish_colors(load_report& report) {
-    if (largest_color_ > 1) {
+    if (are_bytes_ && largest_color_ > 1) {
       std::size_t next = 0;
       for (std::size_t v = 0; v < extra_.vert_colors.size(); ++v) {
         rgba& c = extra_.vert_colors[v];
         if (next < uncolored_.size() && uncolored_[next] == v) ++next;
         else c = {c.r / 255, c.g / 255, c.b / 255};
       }
-      report.notes.push_back("colours of verts: a number is larger than 1, so they were read as components from 0 to 255");
+      report.notes.push_back("colours of verts: all numbers are whole and one is larger than 1, so they were read as components from 0 to 255");
     }
     extra_.vert_colors.resize(out_.points.size());
   }
@@ -276,7 +280,7 @@ namespace concino {
 
 /// Needs:  text of an OBJ file. Lines may end in LF, CRLF or CR, and go on after a backslash; indices count from 1 or back from the last.
 /// Result: its verts and polys, in the order of the file; isolated verts and equal positions are kept. `v x y z r g b` defines the colour of a
-///         vert, by components from 0 to 1, or from 0 to 255 if one in the file exceeds 1; the others are white.
+///         vert, by components from 0 to 1, or from 0 to 255 if all in the file are whole numbers and one exceeds 1; the others are white.
 ///         An index 0 of vt or vn is none. `o`, `g` and `usemtl` define names of polys, of at most 1000 bytes. Labels number the groups (the
 ///         objects if there are no groups) from 1, in the order of the file. If all groups are called label_<number>, they become labels only.
 ///         Texture coordinates and normals become "texture" (std::array<double, 2>) and "normal" (vec3) of corners, if a corner has one; those of the

@@ -16,7 +16,7 @@ namespace concino::detail {
 template<std::same_as<polyhedra_arrays> Arrays>  // a template only so that programs without volumes need not compile it
 class faces_mender {
   Arrays& m_;
-  repeated_polys& repeated_;
+  polys_with_repeats& repeated_;
   std::vector<std::vector<std::vector<vert_id>>> parts_;  // of each face with a vert twice, what stays; by number_
   std::vector<std::uint32_t> number_;                     // of each face in parts_; ~0u: it stays as it is
   std::vector<face_id> list_;                             // the faces of a poly, and whether they are outward
@@ -62,21 +62,21 @@ class faces_mender {
 
   /// Drops the faces of which `keeps` is false.
   static void drop_faces(polyhedra_arrays& out, const std::vector<bool>& keeps) {
-    std::vector<std::uint32_t> offsets{0}, number(keeps.size(), 0);
+    std::vector<std::uint32_t> face_ends{0}, number(keeps.size(), 0);
     std::vector<vert_id> ids;
     for (std::size_t f = 0; f < keeps.size(); ++f) {
       if (!keeps[f]) continue;
-      number[f] = static_cast<std::uint32_t>(offsets.size() - 1);
+      number[f] = static_cast<std::uint32_t>(face_ends.size() - 1);
       for (std::uint32_t i = out.face_offsets[f]; i < out.face_offsets[f + 1]; ++i) ids.push_back(out.face_verts[i]);
-      offsets.push_back(static_cast<std::uint32_t>(ids.size()));
+      face_ends.push_back(static_cast<std::uint32_t>(ids.size()));
     }
     for (face_id& f : out.poly_faces) f = face_id{number[f.raw()]};
-    out.face_offsets = std::move(offsets);
+    out.face_offsets = std::move(face_ends);
     out.face_verts = std::move(ids);
   }
 
  public:
-  faces_mender(Arrays& m, repeated_polys& repeated) : m_(m), repeated_(repeated), number_(m.num_faces(), ~0u) {}
+  faces_mender(Arrays& m, polys_with_repeats& repeated) : m_(m), repeated_(repeated), number_(m.num_faces(), ~0u) {}
 
   void mend() {
     std::vector<std::uint64_t> scratch;

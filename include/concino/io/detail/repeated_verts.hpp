@@ -33,7 +33,7 @@ class cycle_collapser {
 std::uint32_t collapse_verts(vert_id* v, std::uint32_t n);
 
 /// The polys with a vert twice that a reader has found. A reader that does not refuse them leaves those of surfaces as they are.
-class repeated_polys {
+class polys_with_repeats {
   std::size_t num_ = 0, num_vanished_ = 0;
   std::string first_;
   cycle_collapser collapse_;

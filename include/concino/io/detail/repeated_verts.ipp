@@ -37,7 +37,7 @@ namespace concino::detail {
   return static_cast<std::uint32_t>(kept.size());
 }
 
-[[gnu::cold]] CONCINO_INLINE std::size_t repeated_polys::size_after(const vert_id* v, std::size_t n) {
+[[gnu::cold]] CONCINO_INLINE std::size_t polys_with_repeats::size_after(const vert_id* v, std::size_t n) {
   if (policy == concino::repeated_verts::skip) return 0;
   std::vector<vert_id> left;
   std::vector<std::uint64_t> scratch;
@@ -46,7 +46,7 @@ namespace concino::detail {
   return first_repeated(left.data(), left.size(), scratch) == left.size() ? left.size() : 3;
 }
 
-[[gnu::cold]] CONCINO_INLINE void repeated_polys::report(load_report& r) const {
+[[gnu::cold]] CONCINO_INLINE void polys_with_repeats::report(load_report& r) const {
   if (num_ == 0) return;
   if (policy == concino::repeated_verts::skip) {
     r.skipped.push_back(core::joined({num_, " polys with a vert twice, the first is ", first_}));

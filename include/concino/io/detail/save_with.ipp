@@ -69,7 +69,6 @@ CONCINO_INLINE void report_lost(const write_context& c, const flat_mesh& m, std:
   if (m.properties) report_lost_properties(*m.properties, c.stored, format, c.report.lost);
   if (c.num_not_finite)
     c.report.lost.push_back(core::joined({c.num_not_finite, " numbers of colours and other properties that are not finite: written as 0"}));
-  if (c.num_above_one) c.report.lost.push_back(core::joined({c.num_above_one, " components of colours above 1: written as 1"}));
 }
 
 [[noreturn, gnu::cold]] CONCINO_INLINE void throw_lossy(std::string_view name, const save_report& report) {

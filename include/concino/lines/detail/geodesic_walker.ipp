@@ -101,9 +101,9 @@ class straight_walk {
     const double back = t_.fan_angle(corner, c.along < 0.5 ? from_edge : t_.angle[static_cast<std::size_t>(corner)] - from_edge);
     if (t_.around[i] == core::unfolded_triangles::vert_fan::open_fan) {
       constexpr double pi = std::numbers::pi, tolerance = 1e-12;
-      at_ = {};
-      if (back + pi <= t_.whole_turn[i] + tolerance) at_ = leave_vert(t_, static_cast<int>(i), std::min(back + pi, t_.whole_turn[i]), 2 * pi + t_.whole_turn[i]);
-      else if (back - pi >= -tolerance) at_ = leave_vert(t_, static_cast<int>(i), std::max(back - pi, 0.0), 2 * pi + t_.whole_turn[i]);
+      const double whole = t_.whole_turn[i], left = back + pi, right = back - pi;
+      if (left > whole + tolerance && right < -tolerance) return stop(line_end::boundary);
+      at_ = leave_vert(t_, static_cast<int>(i), left <= whole + tolerance ? std::min(left, whole) : std::max(right, 0.0), whole + 2 * pi);
       return at_.side >= 0 || stop(line_end::boundary);
     }
     at_ = leave_vert(t_, static_cast<int>(i), back + t_.whole_turn[i] / 2, t_.whole_turn[i]);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/concepts/end_verts.hpp>
-#include <concino/edit/detail/typed_edit.hpp>
+#include <concino/edit/typed_edit.hpp>
 #include <concino/edit/proposed_edit.hpp>
 #include <concino/remesh/detail/two_sided_bound.hpp>
 #include <concino/remesh/detail/unit_points.hpp>
@@ -87,11 +87,11 @@ class bounded_collapses {
     for (const std::size_t p : e.old_polys) polys_.old.push_back(static_cast<std::uint32_t>(p));
     for (std::size_t k = 0; k < e.num_new_polys(); ++k) {
       const auto v = e.new_poly(k);
-      polys_.made.push_back({polys_.old[e.origins[k].first], {at(v[0]), at(v[1]), at(v[2])}});
+      polys_.added.push_back({polys_.old[e.origins[k].first], {at(v[0]), at(v[1]), at(v[2])}});
     }
     if (line_ids_.empty()) return;
     for (const auto& [a, b] : lines_at_ends(c, false)) lines_.old.push_back(line_id(e.verts[a], e.verts[b]));
-    for (const auto& [a, b] : lines_at_ends(c, true)) lines_.made.push_back({line_id(e.verts[a], e.verts[b]), {at(a), at(b), at(b)}});
+    for (const auto& [a, b] : lines_at_ends(c, true)) lines_.added.push_back({line_id(e.verts[a], e.verts[b]), {at(a), at(b), at(b)}});
   }
 
  public:
@@ -99,7 +99,7 @@ class bounded_collapses {
       : m_(m), unit_(m, caller), surface_(triangles(), unit_.length_to_unit(max_error)), boundary_(boundary_edges(), unit_.length_to_unit(max_error)) {}
 
   permission ask(const proposed_edit& e) {
-    find_changes(e, cavity_of_edit(e, m_, "decimate"));
+    find_changes(e, core::cavity_of_edit(e, m_, "decimate"));
     if (surface_.stays_near(polys_) && boundary_.stays_near(lines_)) return {};
     return {refusal::invariant, "options.max_error: the surface would be too far from the input"};
   }

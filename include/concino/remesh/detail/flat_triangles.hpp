@@ -1,8 +1,8 @@
 // Removes triangles that are so flat that nobody would miss them, before a surface is remeshed: their normals mean nothing, and splits of their edges make more
 // of them.
 //
-// A needle, which has one very short edge, vanishes if this edge is collapsed. Otherwise the corner opposite to the longest edge lies nearly on that: the edge is
-// flipped, or, on a line, split there and the two verts become one. No point moves by more than the height of the triangle or the length of the short edge.
+// A needle, which has one very short edge, vanishes if this edge is collapsed. Otherwise the corner opposite to the longest edge lies nearly on that: the edge
+// is flipped, or, on a line, split there and the two verts become one. No point moves by more than the height of the triangle or the length of the short edge.
 // All lengths and points are unit points.
 #pragma once
 
@@ -89,7 +89,8 @@ class flat_triangles {
     const auto [a, b] = end_verts(m_, e);
     const auto of_a = lines_.freedom(m_, a), of_b = lines_.freedom(m_, b);
     const bool is_on_line = lines_.has(m_, e), keeps_b = of_b > of_a;
-    if (of_a != vert_freedom::surface && of_b != vert_freedom::surface && (!is_on_line || (of_a == vert_freedom::none && of_b == vert_freedom::none))) return false;
+    const bool both_on_lines = of_a != vert_freedom::surface && of_b != vert_freedom::surface, both_fixed = std::min(of_a, of_b) == vert_freedom::none;
+    if (both_on_lines && (!is_on_line || both_fixed)) return false;
     const vert_t<M> kept = keeps_b ? b : a, removed = keeps_b ? a : b;
     if (would_turn(removed, kept, unit_.at(m_, kept), size)) return false;
     std::vector<vert_t<M>> on_lines;
@@ -157,8 +158,8 @@ class flat_triangles {
 
   bool has_needle(const triangle& t, double size) const { return t.shortest <= thin * std::min(t.longest, size); }
 
-  /// Goes from p, which is flat, over its longest edge as long as the next triangle is flat too and has a longer one. A flip of an edge that is the longest of both
-  /// its triangles makes a shorter one, so there is an end to flips.
+  /// Goes from p, which is flat, over its longest edge as long as the next triangle is flat too and has a longer one. A flip of an edge that is the longest of
+  /// both its triangles makes a shorter one, so there is an end to flips.
   void go_to_longest(poly_t<M>& p, triangle& t, double size) const {
     for (bool goes_on = true; goes_on;) {
       edge_t<M> e{};

@@ -1,7 +1,7 @@
 // Whether edits keep a surface near the one that it was, and that one near it. It does not depend on the mesh type, so it is compiled once.
 //
-// A triangle of the input is near the result if each of its points is near one of the `parts` that are linked with it. An edit replaces parts; only the triangles
-// linked with these are measured again, against what remains and what is new. All points are unit points.
+// A triangle of the input is near the result if each of its points is near one of the `parts` that are linked with it. An edit replaces parts; only the
+// triangles linked with these are measured again, against what remains and what is new. All points are unit points.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -23,9 +23,9 @@ struct surface_part {
 /// The parts that an edit removes or moves, and those that it makes or moves.
 struct part_change {
   std::vector<std::uint32_t> old;
-  std::vector<surface_part> made;
+  std::vector<surface_part> added;
 
-  void clear() { old.clear(), made.clear(); }
+  void clear() { old.clear(), added.clear(); }
 };
 
 class two_sided_bound {
@@ -35,7 +35,7 @@ class two_sided_bound {
   };
 
   std::vector<triangle_points> items_, parts_;  // of the input, and of the result by id
-  triangle_tree input_;
+  core::triangle_tree input_;
   double squared_limit_;
   std::vector<link> links_;  // lists of the links of each item and of each part
   std::vector<std::uint32_t> first_of_item_, first_of_part_;

@@ -16,8 +16,8 @@ struct few_triangles {
     const vec3 d = x - closest_point(x, all[i][0], all[i][1], all[i][2]);
     return dot(d, d);
   }
-  triangle_tree::place nearest(const vec3& x, std::size_t guess) const {
-    triangle_tree::place best{guess, squared_distance(x, guess)};
+  core::triangle_tree::place nearest(const vec3& x, std::size_t guess) const {
+    core::triangle_tree::place best{guess, squared_distance(x, guess)};
     for (std::size_t i = 0; i < all.size(); ++i)
       if (const double d = squared_distance(x, i); d < best.squared) best = {i, d};
     return best;
@@ -107,17 +107,17 @@ CONCINO_INLINE void two_sided_bound::find_changed_items() {
 
 /// The candidates are the new parts, which come first, and those of the item that stay.
 CONCINO_INLINE bool two_sided_bound::item_is_near(std::uint32_t item) {
-  const std::size_t num_made = change_.made.size();
-  candidates_.resize(num_made);
+  const std::size_t num_new = change_.added.size();
+  candidates_.resize(num_new);
   for (std::uint32_t i = first_of_item_[item]; i != none; i = links_[i].next_of_item) {
     const std::uint32_t part = links_[i].part;
     if (std::find(change_.old.begin(), change_.old.end(), part) == change_.old.end()) candidates_.push_back(parts_[part]);
   }
   if (candidates_.empty()) return false;
-  is_used_.assign(num_made, 0);
+  is_used_.assign(num_new, 0);
   if (!is_near(items_[item], few_triangles{candidates_}, 0, 64 + 8 * candidates_.size())) return false;
-  for (std::size_t k = 0; k < num_made; ++k)
-    if (is_used_[k]) new_links_.push_back({item, change_.made[k].id, none, none});
+  for (std::size_t k = 0; k < num_new; ++k)
+    if (is_used_[k]) new_links_.push_back({item, change_.added[k].id, none, none});
   return true;
 }
 
@@ -127,16 +127,16 @@ CONCINO_INLINE bool two_sided_bound::stays_near(const part_change& change) {
   find_changed_items();
   is_used_.clear();
   if (!items_.empty())
-    for (const surface_part& x : change_.made)
+    for (const surface_part& x : change_.added)
       if (!is_near(x.points, input_, 0, 64 + 8 * changed_items_.size())) return false;
   candidates_.clear();
-  for (const surface_part& x : change_.made) candidates_.push_back(x.points);
+  for (const surface_part& x : change_.added) candidates_.push_back(x.points);
   return std::all_of(changed_items_.begin(), changed_items_.end(), [&](std::uint32_t item) { return item_is_near(item); });
 }
 
 CONCINO_INLINE void two_sided_bound::accept() {
   for (const std::uint32_t part : change_.old) remove_links_of(part);
-  for (const surface_part& x : change_.made) {
+  for (const surface_part& x : change_.added) {
     if (x.id >= parts_.size()) parts_.resize(x.id + 1), first_of_part_.resize(x.id + 1, none);
     parts_[x.id] = x.points;
   }
