@@ -97,6 +97,22 @@ struct concino::mesh_traits<cycle> {
   static two adj_v2v(const cycle& c, int v) { return {{(v + 1) % c.n, (v + c.n - 1) % c.n}}; }
 };
 
+// Incomplete traits. What has all members of a graph, or of a mesh, is not incomplete.
+namespace {
+struct half_cycle {};
+struct no_surface {};
+}  // namespace
+template<>
+struct concino::mesh_traits<half_cycle> { using vert = int; };
+template<>
+struct concino::mesh_traits<no_surface> : mesh_traits<cycle> { [[maybe_unused]] static constexpr int dimension = 2; };
+template<class M> inline constexpr bool is_incomplete = cn::requirement::is_incomplete<M>;
+static_assert(is_incomplete<half_cycle> && is_incomplete<const half_cycle&> && is_incomplete<no_surface>);
+static_assert(!is_incomplete<foreign> && !is_incomplete<int> && !is_incomplete<cycle>);
+static_assert(!is_incomplete<mesh> && !is_incomplete<pure_mesh> && !is_incomplete<graph>);
+static_assert(!is_incomplete<decltype(cn::only_dual_graph(std::declval<mesh>()))> && !is_incomplete<decltype(cn::dual(std::declval<mesh>()))>);
+static_assert(!can_bfs<const half_cycle&, int> && !can_bfs<half_cycle, int> && !can_measure<const half_cycle&, int> && !can_harmonic<const no_surface&, int>);
+
 TEST_CASE("mistakes: a viable function is preferred to the deleted overloads") {
   CHECK(measure(derived{}, cn::vec3{}) == 7);
   const cycle c{6};
