@@ -1,19 +1,20 @@
 #!/usr/bin/env bash
-# Installs what the tests need, builds and runs them with both compilers. The last line says how many passed, failed and were skipped.
-#   ./test.sh          everything that must hold
-#   ./test.sh --long   all of it with both compilers, and clang-tidy, the reference, mutations, benchmarks on tiny data, runs of many steps
-#   ./test.sh --quick  g++ only, without sanitizers and consumers: while developing
+# Builds and runs the tests, after installing what they need. The last line says how many passed, failed and were skipped. On two cores:
+#   ./test.sh          every test once, with clang++ and without sanitizers: up to 12 minutes
+#   ./test.sh --full   every test with clang++ and sanitizers, most with g++ too; users' projects, every header alone, fuzzing, the benchmarks on tiny
+#                      data, the demo on a bare machine: up to 45 minutes. What continuous integration runs
+#   ./test.sh --long   all tests with both compilers, and clang-tidy, the reference, mutations, runs of many steps, all of scripts/bare_machine.sh: hours
 # Environment: CONCINO_CORPUS (folder of real mesh files; default ../shared/data), CONCINO_TEST_BUILD (default build/test), CONCINO_JOBS (2).
 set -u
 cd "$(dirname "${BASH_SOURCE[0]}")" || exit 1
 . scripts/packages.sh
 
-long=0 quick=0
+full=0 long=0
 for argument in "$@"; do
   case "$argument" in
+    --full) full=1 ;;
     --long) long=1 ;;
-    --quick) quick=1 ;;
-    *) sed -n '2,6s/^# //p' "$0"; [ "$argument" = --help ] && exit 0 || exit 2 ;;
+    *) sed -n '2,8s/^# //p' "$0"; [ "$argument" = --help ] && exit 0 || exit 2 ;;
   esac
 done
 
@@ -49,7 +50,7 @@ configure() {
   local dir=$build/$1 preset=$2 compiler=$3
   shift 3
   say "$compiler: configure ($preset)"
-  if ! cmake --preset "$preset" -B "$dir" -D CMAKE_CXX_COMPILER="$compiler" "${linker[@]}" "$@" >"$dir.configure.log" 2>&1; then
+  if ! cmake --preset "$preset" -B "$dir" -D CMAKE_CXX_COMPILER="$compiler" -D CMAKE_COMPILE_WARNING_AS_ERROR=ON "${linker[@]}" "$@" >"$dir.configure.log" 2>&1; then
     cat "$dir.configure.log"
     failed=$((failed + 1))
     return 1
@@ -84,23 +85,26 @@ check() {
   failed=$((failed + ${counts#* }))
 }
 
-compilers=()
-find_gcc >/dev/null || compilers+=(g++-12)
-[ $quick -eq 1 ] || find_clang >/dev/null || compilers+=(clang-14)
-install_packages "${packages_test[@]}" "${compilers[@]}" || exit 1
-[ $long -eq 0 ] || install_packages "${packages_long[@]}" || exit 1
-gcc=$(find_gcc) || { echo "no g++ 12 or later"; exit 1; }
-[ $quick -eq 1 ] || clang=$(find_clang) || { echo "no clang++ 14 or later"; exit 1; }
+needs=(build concino fmt bunny doctest ctags lld meshio boost_graph cgal cholmod eigen embree openmesh spectra stb tetgen zlib)
+find_clang >/dev/null || needs+=(clang)
+if [ $((full + long)) -gt 0 ]; then
+  needs+=(sanitizers vtk)
+  find_gcc >/dev/null || needs+=(gcc)
+fi
+[ $long -eq 0 ] || needs+=(tidy reference)
+install_parts "${needs[@]}" || exit 1
+clang=$(find_clang) || { echo "no clang++ 14 or later"; exit 1; }
+[ $((full + long)) -eq 0 ] || gcc=$(find_gcc) || { echo "no g++ 12 or later"; exit 1; }
 
 linker=()
 ! command -v ld.lld >/dev/null || linker=(-D CMAKE_EXE_LINKER_FLAGS=-fuse-ld=lld)  # links eighty programs in a sixth of the time
 
-selection=(-LE long)
+selection=(-LE 'long|full|consumers')
+[ $full -eq 0 ] || selection=(-LE long)
 if [ $long -eq 1 ]; then
   export CONCINO_LONG=1
   selection=()
 fi
-[ $quick -eq 0 ] || selection+=(-E '^consumers/')
 
 # whole <folder> <preset> <compiler> [option...]: builds and runs all that the options leave.
 whole() {
@@ -128,19 +132,15 @@ fuzz() {
   fi
 }
 
-# All tests are built once with g++ and once with clang++ and sanitizers, a batch of files at a time. g++, which takes more than twice as long,
+# In --full, all tests are built once with g++ and once with clang++ and sanitizers, a batch of files at a time. g++, which takes more than twice as long,
 # builds most tests of every kind of mesh for two kinds, and not the matrix of algorithms and models. It runs those of the modules on which all others
 # stand; the others it checks without generating code, in a third of the time. Programs that must not compile, lessons and tools are left to clang++, projects of
 # users to g++.
 batches=(-D CONCINO_TEST_BATCHES=ON)
-fewer=(-D CONCINO_TEST_AGREEMENT=OFF -D CONCINO_TEST_FEW_KINDS=ON -D CONCINO_BUILD_EXAMPLES=OFF -D CONCINO_BUILD_TOOLS=OFF)
-checked="adapters;fields;graph;operators"
-if [ $quick -eq 0 ]; then
-  generated=" archetypes concepts core geometry mesh "
-  checked=$(cd tests && for folder in */; do [[ $generated == *" ${folder%/} "* ]] || printf '%s;' "${folder%/}"; done)
-  fewer+=(-D CONCINO_TEST_WITHOUT=must_not_compile)
-fi
-fewer+=("-DCONCINO_TEST_SYNTAX_ONLY=$checked")
+generated=" archetypes concepts core geometry mesh "
+checked=$(cd tests && for folder in */; do [[ $generated == *" ${folder%/} "* ]] || printf '%s;' "${folder%/}"; done)
+fewer=(-D CONCINO_TEST_AGREEMENT=OFF -D CONCINO_TEST_FEW_KINDS=ON -D CONCINO_BUILD_EXAMPLES=OFF -D CONCINO_BUILD_TOOLS=OFF -D CONCINO_TEST_WITHOUT=must_not_compile
+  "-DCONCINO_TEST_SYNTAX_ONLY=$checked")
 
 # build_sanitized: all that clang++ compiles, in one call of ninja.
 build_sanitized() {
@@ -168,37 +168,59 @@ with_both() {
   read -r built not_built <"$counts" || { built=0 not_built=1; }
   passed=$((passed + built))
   failed=$((failed + not_built))
-  selection+=(-E '^consumers/')
+  selection=(-LE 'long|consumers')
   # Who allocated a block is not recorded, and freed blocks are kept back by the megabyte, not by hundreds: a third of the time of many tests.
   ASAN_OPTIONS=malloc_context_size=1:quarantine_size_mb=16 check sanitized "$clang: run (sanitized)" "${selection[@]}"
 }
-if [ $long -eq 1 ]; then
-  whole gcc dev-gcc "$gcc"
-  whole clang dev-clang "$clang"
-  headers headers_gcc "$gcc" -D CONCINO_VERIFY_DETAILS=ON
-  headers headers_clang "$clang" -D CONCINO_VERIFY_DETAILS=ON
-  whole asan asan "$clang" "${batches[@]}"
-elif [ $quick -eq 1 ]; then
-  whole gcc dev-gcc "$gcc" "${batches[@]}" "${fewer[@]}"
-else
-  with_both
-fi
-[ $quick -eq 1 ] || fuzz $((long == 1 ? 300 : 5))
-if [ $long -eq 1 ]; then
-  say "clang-tidy"
-  scripts/clang_tidy.sh "$build/clang-tidy" && passed=$((passed + 1)) || failed=$((failed + 1))
-  say "the reference"
-  (cat docs/Doxyfile; echo "OUTPUT_DIRECTORY = $build/reference") | doxygen - && passed=$((passed + 1)) || failed=$((failed + 1))
-  say "$gcc: benchmarks on tiny data"
-  if CXX=$gcc benchmarks/run.sh --build "$build/benchmarks" --tiny --rounds 1 >"$build/benchmarks.log" 2>&1; then
+# benchmarks <compiler> [option...]: builds them and runs them on tiny data, where each compares its results with those of its peers.
+benchmarks() {
+  local compiler=$1
+  shift
+  say "$compiler: benchmarks on tiny data"
+  if CXX=$compiler CMAKE_BUILD_PARALLEL_LEVEL=$jobs benchmarks/run.sh --build "$build/benchmarks" --tiny --rounds 1 "$@" >"$build/benchmarks.log" 2>&1; then
     passed=$((passed + 1))
   else
     grep -E 'error|FAILED' "$build/benchmarks.log" | head -n 50
     say "the benchmarks fail; whole log: $build/benchmarks.log"
     failed=$((failed + 1))
   fi
+}
+
+# bare_machine [--demo]: the README's commands where nothing is installed.
+bare_machine() {
+  say "a bare machine"
+  if [ "$(id -u)" -ne 0 ] || ! command -v mmdebstrap >/dev/null; then
+    echo "bare_machine: needs root and mmdebstrap (Debian: $(packages_of bare_root))" >>"$skipped_names"
+  elif CONCINO_BARE_BUILD=$build/bare scripts/bare_machine.sh "$@" >"$build/bare.log" 2>&1; then
+    passed=$((passed + 1))
+  else
+    cat "$build/bare.log"
+    failed=$((failed + 1))
+  fi
+}
+
+if [ $long -eq 1 ]; then
+  whole gcc dev-gcc "$gcc"
+  whole clang dev-clang "$clang"
+  headers headers_gcc "$gcc" -D CONCINO_VERIFY_DETAILS=ON
+  headers headers_clang "$clang" -D CONCINO_VERIFY_DETAILS=ON
+  whole asan asan "$clang" "${batches[@]}"
+  fuzz 300
+  say "clang-tidy"
+  scripts/clang_tidy.sh "$build/clang-tidy" && passed=$((passed + 1)) || failed=$((failed + 1))
+  say "the reference"
+  (cat docs/Doxyfile; echo "OUTPUT_DIRECTORY = $build/reference") | doxygen - && passed=$((passed + 1)) || failed=$((failed + 1))
+  benchmarks "$gcc"
   say "$gcc: mutations"
   CONCINO_MUTATE_BUILD=$build/mutate CONCINO_JOBS=$jobs scripts/mutate.sh && passed=$((passed + 1)) || failed=$((failed + 1))
+  bare_machine
+elif [ $full -eq 1 ]; then
+  with_both
+  fuzz 5
+  benchmarks "$clang" --unoptimised
+  bare_machine --demo
+else
+  whole plain dev-clang "$clang" "${batches[@]}"
 fi
 say "done"
 finished=1

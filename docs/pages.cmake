@@ -1,7 +1,11 @@
 # Keeps the pages of docs/ true: what stands between `<!-- snippet FILE NAME -->` and `<!-- end -->` is the part of FILE between its two lines
-# `//! [NAME]`, or all of it where NAME is `whole`; between `<!-- generated WHAT -->` and `<!-- end -->` stands what docs/generate prints for WHAT.
+# `//! [NAME]`, or all of it where NAME is `whole`; between `<!-- generated WHAT -->` and `<!-- end -->` stands what docs/generate prints for WHAT;
+# between `<!-- laws HEADER -->` and `<!-- end -->` the laws in the comment of that header, between `<!-- members LIST... -->` and `<!-- end -->` the members
+# of mesh_traits that these lists of requirements ask for, with their signatures.
 #   cmake -D source=<repository> -D generate=<program> [-D update=ON] -P docs/pages.cmake
 # Without `update` it fails where a page differs; the pictures are drawn anew from the .dot files if Graphviz' dot is there.
+cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/from_headers.cmake)
 file(GLOB pages ${source}/docs/*.md)
 
 function(printed what out)
@@ -30,7 +34,7 @@ endfunction()
 foreach(page IN LISTS pages)
   file(READ ${page} rest)
   set(text "")
-  while(rest MATCHES "<!-- (snippet|generated) ([^\n]*) -->\n")
+  while(rest MATCHES "<!-- (snippet|generated|laws|members) ([^\n]*) -->\n")
     set(mark "${CMAKE_MATCH_0}")
     set(kind ${CMAKE_MATCH_1})
     set(what "${CMAKE_MATCH_2}")
@@ -46,6 +50,11 @@ foreach(page IN LISTS pages)
     string(SUBSTRING "${rest}" ${at} -1 rest)
     if(kind STREQUAL "generated")
       printed("${what}" part)
+    elseif(kind STREQUAL "laws")
+      laws_of(${source}/${what} part)
+    elseif(kind STREQUAL "members")
+      string(REPLACE " " ";" lists "${what}")
+      members_of("${lists}" part)
     else()
       string(REGEX MATCH "^([^ ]+) (.*)$" parts "${what}")
       set(name "${CMAKE_MATCH_2}")

@@ -15,13 +15,14 @@
 # Options are the structs named ..._options, in folders detail/ too: every field has a comment with its unit, range or meaning, after it or above it.
 # Adapters are the headers of adapters/concino/adapters/: the comment at the top says what is adapted, and Needs: which library and what of it.
 #
+# With -v functions=1 it checks nothing, but prints the file and the name of each public function, once for each header.
 # With -v prose=1 it checks nothing, but prints the text of what users read: comments at the top of headers and comments that begin with /// in
 # public namespaces. A line is file, line and text with tabs between them; an empty text ends a comment.
 
 BEGIN { split("Needs Result Cost Errors", labels, " ") }
 
 function complain(at, what) {
-  if (prose) return
+  if (prose || functions) return
   print FILENAME ":" at ": " what
   found = 1
 }
@@ -119,6 +120,10 @@ function declared(    name, contract, missing) {
   if (name == "") {
     if (statement !~ /=[ \t]*delete[ \t]*$/) group = ""
     return
+  }
+  if (functions && !((FILENAME, name) in printed)) {
+    printed[FILENAME, name] = 1
+    print FILENAME "\t" name
   }
   contract = above
   if (contract == "" && group == "" && name == last_name) contract = last_contract

@@ -209,7 +209,7 @@ rm -rf "$tree"
 mkdir -p "$tree" && cp -r adapters concepts include tests "$tree" || exit 1
 # Failed assertions of the standard library end the program: a mutant that reads out of bounds is found. Each program runs hundreds of times,
 # so it is worth optimising a little.
-flags=(-std=c++20 -O1 -w -Wno-narrowing -fmax-errors=0 -D_GLIBCXX_ASSERTIONS -DCONCINO_TEST_DEFAULT_CORPUS=\"none\" $eigen -I"$tree/tests")
+flags=(-std=c++20 -O1 -w -Wno-narrowing -fmax-errors=0 -D_GLIBCXX_ASSERTIONS -DCONCINO_TEST_DEFAULT_CORPUS=\"none\" -DCONCINO_TEST_SMALL_CORPUS=\"$tree/tests/small_corpus\" $eigen -I"$tree/tests")
 roots=(-I"$tree/concepts" -I"$tree/include" -I"$tree/adapters")
 
 # What every test includes and no mutant is in, compiled once.

@@ -1,9 +1,17 @@
-# The Debian packages that concino's scripts use, and how they are installed. Sourced by test.sh and demo.sh.
+# Finds compilers, and installs the Debian packages of the parts that a script needs. Sourced by the scripts, which are in the folder above or below.
 
-packages_core=(cmake ninja-build libeigen3-dev libboost-dev libfmt-dev)
-packages_demo=("${packages_core[@]}" libembree-dev glmark2-data)
-packages_test=("${packages_demo[@]}" libstb-dev doctest-dev libclang-rt-14-dev lld libopenmesh-dev libcgal-dev libsuitesparse-dev libspectra-dev libtet1.5-dev zlib1g-dev python3-meshio universal-ctags)
-packages_long=(clang-tidy-14 doxygen)
+packages_list=$(dirname "${BASH_SOURCE[0]}")/../cmake/packages.txt
+
+# The packages of the given parts, as cmake/packages.txt names them.
+packages_of() {
+  local part
+  for part in "$@"; do
+    awk -v part="$part" '$1 == part { found = 1; for (k = 2; k <= NF; k++) print $k } END { exit !found }' "$packages_list" || {
+      echo "cmake/packages.txt has no part $part" >&2
+      return 1
+    }
+  done
+}
 
 # The first compiler of the given names whose major version is at least $1.
 find_compiler() {
@@ -22,12 +30,13 @@ find_compiler() {
 find_gcc() { find_compiler 12 g++-12 g++; }
 find_clang() { find_compiler 14 clang++-14 clang++; }
 
-# Installs what is missing of the given packages: as root, or by sudo where it asks for no password. Otherwise prints the line to type
+# Installs what is missing of the packages of the given parts: as root, or by sudo where it asks for no password. Otherwise prints the line to type
 # and fails. On a system without apt-get the packages are taken to be there under other names; CMake will tell.
-install_packages() {
-  local missing=() package as=()
+install_parts() {
+  local missing=() package as=() packages
+  packages=$(packages_of "$@") || return 1
   command -v apt-get >/dev/null 2>&1 && command -v dpkg-query >/dev/null 2>&1 || return 0
-  for package in "$@"; do
+  for package in $packages; do
     case "$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null)" in
       "install ok installed") ;;
       *) missing+=("$package") ;;

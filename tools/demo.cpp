@@ -1,12 +1,14 @@
 // A harmonic field between two far ends of any mesh, and its picture:  concino_demo mesh picture.png [field.txt]
 
-#include <concino/adapters/embree.hpp>
 #include <concino/fields.hpp>
 #include <concino/geometry.hpp>
 #include <concino/graph.hpp>
 #include <concino/io.hpp>
 #include <concino/mesh.hpp>
 #include <concino/render.hpp>
+#ifdef CONCINO_DEMO_EMBREE
+#include <concino/adapters/embree.hpp>
+#endif
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -23,6 +25,12 @@
 namespace cn = concino;
 
 namespace {
+
+#ifdef CONCINO_DEMO_EMBREE
+using ray_tracer = cn::embree;
+#else
+using ray_tracer = cn::box_tree_tracer;  // slower, and needs no package
+#endif
 
 using seconds = std::chrono::duration<double>;
 
@@ -158,8 +166,8 @@ cn::image picture_of(const M& m, const U& u, const std::vector<far_ends<M>>& end
   cn::render_options options;
   options.progress = progress;
   const double aspect = static_cast<double>(options.width) / static_cast<double>(options.height);
-  options.camera = cn::best_view(scene.drawables(), aspect, {}, cn::embree{});
-  return cn::render(scene, options, cn::embree{});
+  options.camera = cn::best_view(scene.drawables(), aspect, {}, ray_tracer{});
+  return cn::render(scene, options, ray_tracer{});
 }
 
 template<class M>

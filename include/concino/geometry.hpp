@@ -13,6 +13,7 @@
 #include <concino/geometry/edge_length.hpp>
 #include <concino/geometry/hausdorff_distance.hpp>
 #include <concino/geometry/lines_and_planes.hpp>
+#include <concino/geometry/lowest_element.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/geometry/normals.hpp>
 #include <concino/geometry/orientation.hpp>

@@ -242,6 +242,20 @@ TEST_CASE("triangulate with cgal: heights of new verts, seen from any direction"
   for (const edge_id e : tiles.edges_of(4)) CHECK(point(tiles.mesh, end_verts(tiles.mesh, e).first).z == 1);
 }
 
+TEST_CASE("triangulate with cgal: outlines may repeat their first point at the end") {
+  loop outer = square(0, 0, 4);
+  outer.push_back(outer.front());
+  planar_graph g(outer);
+  const auto t = triangulate(g, cgal);
+  check_constrained_delaunay(g, t);
+  CHECK(num_verts(t.mesh) == 4);
+  CHECK(t.vert_of[4] == t.vert_of[0]);
+  g.add_line(loop{{-5, 0, 0}, {5, 0, 0}});
+  const auto divided = triangulate(g, cgal, {.divide_segments = true});
+  CHECK(signed_area(divided.mesh) == doctest::Approx(64));
+  CHECK(divided.edges_of(3).size() == 2);
+}
+
 TEST_CASE("triangulate with cgal: segments that meet are divided if asked for") {
   // a bow tie: two triangles, and a vert where its diagonals cross
   const planar_graph bow(loop{{0, 0, 0}, {2, 2, 4}, {2, 0, 0}, {0, 2, 0}});

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string>
 #include <vector>
 
 using namespace concino;
@@ -100,6 +101,17 @@ TEST_CASE("tetgen: volumes, edge lengths and shapes that are asked for") {
   const auto good = tetrahedralize(m, tetgen, {.radius_edge = 2, .min_dihedral_deg = 12, .keep_boundary = false});
   CHECK(good.report.beyond_radius_edge.empty());
   CHECK(good.report.beyond_min_dihedral.size() * 20 < num_polys(good.mesh));  // TetGen tries
+}
+
+TEST_CASE("tetgen: the report says in a sentence what was not met, and which option helps") {
+  const trimesh m = cube();
+  const auto kept = tetrahedralize(m, tetgen, {.max_volume = 1e-3});
+  const std::string tets = std::to_string(num_polys(kept.mesh)), missed = std::to_string(kept.report.beyond_max_volume.size());
+  CHECK(kept.report.beyond_max_volume.size() > 0);
+  CHECK(kept.report.not_met == "Of " + tets + " tets, " + missed +
+                                   " are larger than max_volume; the boundary is kept as it is, and keep_boundary = false lets it get more verts.");
+  CHECK(tetrahedralize(m, tetgen, {.max_volume = 1e-3, .keep_boundary = false}).report.not_met.empty());
+  CHECK(tetrahedralize(m, tetgen).report.not_met.empty());
 }
 
 TEST_CASE("tetgen: extra points, segments and facets are in the result") {

@@ -3,7 +3,9 @@
 #include <concino/generate/icosphere.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/mesh.hpp>
+#include <concino/operators/gradient.hpp>
 #include <concino/quality/poly_quality.hpp>
+#include <concino/validate/validate.hpp>
 
 #include <support/simplex_edits.hpp>
 
@@ -69,6 +71,44 @@ TEST_CASE("no_inversion: flips, splits and collapses of triangles") {
   CHECK(cn::can_edge_flip(roof, edge_between_verts(roof, 0, 1), {{cn::no_inversion}}));
   const cn::trimesh folded(points{{0, 0, 0}, {0, 2, 0}, {1, 1, 0}, {1, 1, 0.01}}, lists{{0, 2, 1}, {0, 1, 3}});  // one on the other
   CHECK_FALSE(cn::can_edge_flip(folded, edge_between_verts(folded, 0, 1), {{cn::no_inversion}}));
+}
+
+TEST_CASE("no_inversion: flips after splits make no poly that validate reports or gradient refuses") {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> where(0.1, 0.9), x(-2, 2);
+  unsigned tried = 0, done = 0;
+  for (unsigned round = 0; round < 500; ++round) {
+    cn::trimesh m(points{{0, 0, 0}, {2.125, 0.375 + x(random) / 8, 0}, {x(random), 2, 0}, {x(random), -2, 0}}, lists{{0, 1, 2}, {1, 0, 3}});
+    const auto v = cn::edge_split(m, edge_between_verts(m, 0, 1), where(random)).vert;
+    for (const auto e : cn::edges(m)) {
+      auto c = m;
+      const auto ends = cn::end_verts(m, e);
+      if (ends.first != v && ends.second != v) continue;
+      ++tried;
+      if (!cn::edge_flip(c, e, {.keep = {cn::no_inversion}})) continue;
+      ++done;
+      CHECK(cn::validate(c).count(cn::defect_kind::zero_size) == 0);
+      CHECK_NOTHROW(cn::gradient(c, cn::make_vert_map<double>(c)));
+    }
+  }
+  CHECK(tried == 2000);
+  CHECK(done > 150);
+}
+
+TEST_CASE("no_inversion: a vert that is put on a face by rounding makes no tet that validate reports") {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> x(0.1, 1);
+  const cn::tetmesh tet(points{{0.1, 0.2, 0.3}, {1.3, 0.1, 0.2}, {0.2, 1.7, 0.1}, {0.3, 0.4, 1.9}}, lists{{0, 1, 2, 3}});
+  unsigned refused = 0;
+  for (unsigned round = 0; round < 300; ++round) {
+    auto m = tet;
+    const double a = x(random), b = x(random), c = x(random);
+    const auto at = [&](unsigned i) { return cn::to_vec3(cn::point(m, cn::vert_id{i})); };
+    const cn::vec3 on_face = (a * at(1) + b * at(2) + c * at(3)) / (a + b + c);
+    if (!cn::poly_split(m, cn::poly_id{0}, on_face, {{cn::no_inversion}})) ++refused;
+    CHECK(cn::validate(m).count(cn::defect_kind::zero_size) == 0);
+  }
+  CHECK(refused == 300);
 }
 
 TEST_CASE_TEMPLATE("no_inversion: random edits keep all orientations", M, cn::trimesh, cn::tetmesh) {
@@ -165,6 +205,18 @@ TEST_CASE_TEMPLATE("keep_labels: the boundary between two regions remains in pla
     if (labels.size() == 2)
       for (const auto v : cn::adj_facet2v(m, x)) CHECK(cn::point(m, v).x == doctest::Approx(0.5));
   }
+}
+
+TEST_CASE("max_distance: a corner of an open surface does not vanish") {
+  const double scale = 0x1p400;
+  cn::trimesh m(points{{0, 0, 0}, {scale, 0, 0}, {scale, scale, 0}, {0, scale, 0}, {0.5 * scale, 0, 0}}, lists{{0, 4, 3}, {4, 1, 2}, {4, 2, 3}});
+  const auto tree = cn::bounding_tree(m);
+  const std::vector<cn::invariant> keep{cn::max_distance(tree, 0.001 * scale)};
+  invariant_refuses(m, [&](auto& x) { return cn::edge_collapse(x, edge_between_verts(x, 1, 2), {.keep = keep, .at = 0.0}); });
+  invariant_refuses(m, [&](auto& x) { return cn::edge_collapse(x, edge_between_verts(x, 0, 3), {.keep = keep, .at = 0.5}); });
+  const auto e = edge_between_verts(m, 0, 4);
+  CHECK(cn::edge_collapse(m, e, {.keep = keep, .at = cn::end_verts(m, e).first == cn::vert_id{0} ? 0.0 : 1.0}));
+  CHECK(cn::total_measure(m) == scale * scale);
 }
 
 TEST_CASE("max_distance: collapses of a sphere stay near it") {

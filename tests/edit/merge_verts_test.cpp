@@ -289,3 +289,49 @@ TEST_CASE("merge_verts: a face without polys is named") {
   CHECK(cn::merge_verts(m, w, {v}).reason == cn::refusal::loose_face);
   CHECK(cn::remove_unreferenced(m).faces == 1);
 }
+
+TEST_CASE_TEMPLATE("merge_verts: keeps invariants, or changes nothing", M, cn::trimesh, cn::tetmesh) {
+  M m = cn::testing::grid<M>(3);
+  const auto before = whole(m);
+  const auto refused_by = [&](auto kept, auto removed, const cn::merge_verts_options& options) {
+    const cn::permission p = cn::merge_verts(m, kept, {removed}, options);
+    CHECK(cn::can_merge_verts(m, kept, {removed}, options).reason == p.reason);
+    CHECK(whole(m) == before);
+    return p.reason;
+  };
+  unsigned folded = 0, done = 0;
+  const cn::vert_id a = vert(5);
+  for (const auto b : cn::verts(m)) {
+    for (const bool at_mean : {false, true}) {
+      M merged = m;
+      if (!cn::can_merge_verts(m, a, {b}, {.degenerate = cn::degenerate_polys::remove, .at_mean = at_mean})) continue;
+      const cn::merge_verts_options options{.degenerate = cn::degenerate_polys::remove, .at_mean = at_mean, .keep = {cn::no_inversion}};
+      const auto r = cn::merge_verts(merged, a, {b}, options);
+      (r ? done : folded) += 1;
+      if (!r) CHECK(refused_by(a, b, options) == cn::refusal::invariant);
+      else CHECK(cn::validate(merged).count(cn::defect_kind::zero_size) == 0);
+    }
+  }
+  CHECK(folded > 0);
+  CHECK(done > 0);
+  const auto never = [](const auto&) { return true; };
+  CHECK(refused_by(vert(0), vert(1), {.degenerate = cn::degenerate_polys::remove, .keep = {cn::protect_edges(m, never)}}) == cn::refusal::invariant);
+}
+
+TEST_CASE("merge_verts: invariants of each removed vert, and of polys that are no simplices") {
+  cn::trimesh m = cn::testing::two_grids<cn::trimesh>(1);
+  unsigned asked = 0;
+  std::vector<std::size_t> removed;
+  const auto count = [&](const cn::proposed_edit& e) {
+    ++asked, removed.push_back(e.verts[e.removed_vert]);
+    CHECK(e.verts[e.kept_vert] == 0);
+    return cn::permission{};
+  };
+  CHECK(cn::merge_verts(m, vert(0), {vert(1), vert(2)}, {.degenerate = cn::degenerate_polys::remove, .keep = {count}}));
+  CHECK(asked == 2);
+  CHECK(removed == std::vector<std::size_t>{1, 2});
+  cn::quadmesh quads = cn::testing::two_grids<cn::quadmesh>(1);
+  const auto [v, w] = pairs_to_glue(quads)[0];
+  CHECK(cn::can_merge_verts(quads, v, {w}));
+  CHECK(cn::merge_verts(quads, v, {w}, {.keep = {cn::no_inversion}}).reason == cn::refusal::not_simplices);
+}

@@ -58,3 +58,31 @@ TEST_CASE("own mesh: operators edit it as they edit a mesh of this library") {
   CHECK_THROWS_AS(cn::edge_split(m, cn::edge_id{9999}), cn::invalid_mesh);
   CHECK(m.points == before.points);
 }
+
+namespace {
+/// A mesh of this library that replaces `rewire`.
+struct counting : cn::trimesh {
+  int num_edits = 0;
+};
+}  // namespace
+template<>
+struct concino::mesh_traits<counting> : concino::mesh_traits<trimesh> {
+  static void rewire(counting& m, const cavity_of<vert_id, poly_id>& c, const cavity_result_of<vert_id, poly_id>& made) {
+    ++m.num_edits;
+    mesh_traits<trimesh>::rewire(m, c, made);
+  }
+};
+
+TEST_CASE("own mesh: traits that replace rewire are asked for every edit") {
+  counting m{cn::testing::grid<cn::trimesh>(3)};
+  CHECK(cn::edge_split(m, cn::edge_id{0}));
+  CHECK(m.num_edits == 1);
+  cn::edge_id e{0};
+  while (!cn::can_edge_flip(m, e)) e = cn::edge_id(e.raw() + 1);
+  CHECK(cn::edge_flip(m, e));
+  CHECK(m.num_edits == 2);
+  e = cn::edge_id{0};
+  while (!cn::can_edge_collapse(m, e)) e = cn::edge_id(e.raw() + 1);
+  CHECK(cn::edge_collapse(m, e));
+  CHECK(m.num_edits == 3);
+}

@@ -324,7 +324,7 @@ TEST_CASE("exact_geodesics: sources may be in triangles, on edges and at verts")
       std::size_t k = 0;
       for (const auto v : adj_p2v(m, poly_id{p})) x += part[k++] * point(m, v);
       CHECK(largest_error(exact.distance_from(poly_id{p}, x), line_from(x)) < 1e-13);
-      CHECK(largest_error(exact.distance_from(poly_id{p}, x + vec3{0, 0, 3}), line_from(x)) < 1e-13);  // the source is the nearest point of the triangle
+      CHECK(largest_error(exact.distance_from(poly_id{p}, x + vec3{0, 0, 1e-8}), line_from(x)) < 1e-13);  // the source is the nearest point of the triangle
     }
   // from a point near a vert, distances differ from those of the vert at most by the distance between the two
   const trimesh ball = icosphere(3);
@@ -416,6 +416,8 @@ TEST_CASE("exact_geodesics: throw if an argument or the mesh is invalid") {
                        invalid_argument);
   CHECK_THROWS_AS(exact.distance_from(poly_id{8}, {0, 0, 0}), invalid_mesh);
   CHECK_THROWS_AS(exact.distance_from(poly_id{0}, {0, 0, infinity}), invalid_argument);
+  CHECK_THROWS_WITH_AS(exact.distance_from(poly_id{0}, {0, 0, 3}),
+                       doctest::Contains("exact_geodesics: the position of the source is not in poly 0, but "), invalid_argument);
   const trimesh flat({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}}, {{0, 1, 3}, {0, 1, 2}});
   CHECK_THROWS_WITH_AS(prepare_exact_geodesics(flat),
                        "exact_geodesics: poly 1 has no area, or points that are not finite; remove it or move its verts", invalid_mesh);

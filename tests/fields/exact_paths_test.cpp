@@ -4,6 +4,7 @@
 #include <concino/concepts/archetypes.hpp>
 #include <concino/edit/elements.hpp>
 #include <concino/generate/icosphere.hpp>
+#include <concino/geometry/centroid.hpp>
 
 #include <support/kinds.hpp>
 
@@ -221,11 +222,11 @@ TEST_CASE("exact_geodesics: a single query can be one call") {
   const trimesh m(bumps(4, 7));
   const auto exact = prepare_exact_geodesics(m);
   const auto a = exact_geodesics(m, vert_id{3}), b = exact_geodesics(m, {vert_id{3}, vert_id{9}});
-  const auto c = exact_geodesics(m, {{vert_id{3}, 0.5}, {vert_id{9}, 0.0}}), d = exact_geodesics(m, poly_id{2}, point(m, vert_id{3}));
+  const auto c = exact_geodesics(m, {{vert_id{3}, 0.5}, {vert_id{9}, 0.0}}), d = exact_geodesics(m, poly_id{2}, centroid(m, poly_id{2}));
   for (const auto v : verts(m)) {
     CHECK(a[v] == exact.distance_from(vert_id{3})[v]);
     CHECK(b[v] == exact.distance_from({vert_id{3}, vert_id{9}})[v]);
     CHECK(c[v] == exact.distance_from({{vert_id{3}, 0.5}, {vert_id{9}, 0.0}})[v]);
-    CHECK(d[v] == exact.distance_from(poly_id{2}, point(m, vert_id{3}))[v]);
+    CHECK(d[v] == exact.distance_from(poly_id{2}, centroid(m, poly_id{2}))[v]);
   }
 }

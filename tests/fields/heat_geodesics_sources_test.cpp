@@ -83,6 +83,24 @@ TEST_CASE_TEMPLATE("heat_geodesics: a source may be a point in a poly", M, CONCI
   CHECK(e.mean / e.farthest < (VolumeMesh<M> ? 0.1 : 0.05));
 }
 
+TEST_CASE_TEMPLATE("heat_geodesics: a source at a vert or an edge is the same as a place of each of its polys", M, CONCINO_KINDS) {
+  const M m = square_or_cube<M>(3);
+  const auto heat = prepare_heat_geodesics(m);
+  const poly_id p{static_cast<unsigned>(num_polys(m) / 2)};
+  const vert_id v = *adj_p2v(m, p).begin();
+  const edge_id e = *adj_p2e(m, p).begin();
+  const auto [a, b] = end_verts(m, e);
+  const vec3 x = 0.7 * point(m, a) + 0.3 * point(m, b);
+  const auto from_vert = heat.distance_from(v), from_edge = heat.distance_from(p, x);
+  const auto largest_difference = [&](const auto& one, const auto& two) {
+    double largest = 0;
+    for (const auto w : verts(m)) largest = std::max(largest, std::abs(one[w] - two[w]));
+    return largest;
+  };
+  for (const auto q : adj_v2p(m, v)) CHECK(largest_difference(heat.distance_from(q, point(m, v)), from_vert) == 0);
+  for (const auto q : adj_e2p(m, e)) CHECK(largest_difference(heat.distance_from(q, x), from_edge) < 1e-12);
+}
+
 TEST_CASE_TEMPLATE("heat_geodesics: are between straight lines and edge paths", M, CONCINO_KINDS) {
   M m(jittered(grid_arrays<M>(VolumeMesh<M> ? 3 : 8), 0.03, VolumeMesh<M>));
   for (const auto v : verts(m)) set_point(m, v, vec3{point(m, v).x, 0.1 * point(m, v).y, point(m, v).z + 0.3 * std::sin(3 * point(m, v).x)});

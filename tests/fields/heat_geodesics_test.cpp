@@ -126,6 +126,8 @@ TEST_CASE("heat_geodesics: throw if an argument is invalid") {
                        invalid_argument);
   CHECK_THROWS_AS(heat.distance_from(poly_id{4}, {0, 0, 0}), invalid_mesh);
   CHECK_THROWS_AS(heat.distance_from(poly_id{0}, {0, 0, infinity}), invalid_argument);
+  CHECK_THROWS_WITH_AS(heat.distance_from(poly_id{0}, {0, 0, 30}),
+                       doctest::Contains("heat_geodesics: the position of the source is not in poly 0, but "), invalid_argument);
   CHECK_THROWS_WITH_AS(prepare_heat_geodesics(m, {.time = -1}), "heat_geodesics: time is -1; it must be finite and 0 or more", invalid_argument);
   CHECK_THROWS_AS(prepare_heat_geodesics(m, {.time = infinity}), invalid_argument);
   const polygonmesh square({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}});

@@ -4,6 +4,7 @@
 
 #include <support/closed_surfaces.hpp>
 #include <support/kinds.hpp>
+#include <support/user_mesh.hpp>
 
 #include <doctest/doctest.h>
 
@@ -130,4 +131,17 @@ TEST_CASE("hodge_decomposition of forms: any scale, empty meshes, and errors") {
   const quadmesh flat({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, {{0, 1, 2, 3}});
   CHECK_THROWS_AS(hodge_decomposition(flat, make_edge_map<double>(flat)), invalid_mesh);
   CHECK_THROWS_WITH_AS(form_vectors(flat, make_edge_map<double>(flat)), doctest::Contains("form_vectors: poly 0 has no area"), invalid_mesh);
+}
+
+TEST_CASE("hodge_decomposition of forms: edges of no poly, and ranges that own their elements") {
+  auto m = user_mesh::surface_example();
+  m.es.push_back({0, 7});
+  auto differences = make_edge_map<double>(m, 0.0);
+  for (const auto e : edges(m)) {
+    const auto [a, b] = end_verts(m, e);
+    differences[e] = point(m, b)[0] - point(m, a)[0];
+  }
+  const auto parts = hodge_decomposition(m, differences);
+  for (const auto e : edges(m))
+    if (num_elements(adj_e2p(m, e)) > 0) CHECK(parts.exact[e] == doctest::Approx(differences[e]));
 }

@@ -27,6 +27,12 @@ struct concino::mesh_traits<downwards> : concino::mesh_traits<user_mesh::surface
   }
 };
 
+/// Conductors along edges, also those of no poly. Masses are those of the mesh.
+struct conductors {
+  template<class M>
+  auto edge_weights(const M& m) const { return make_edge_map<double>(m, 1.0); }
+};
+
 TEST_CASE("laplace_system: does not depend on the order of the verts") {
   user_mesh::surface m = user_mesh::surface_example();
   m.points[0] = {0.1, 0.05, 0};
@@ -40,12 +46,14 @@ TEST_CASE("laplace_system: does not depend on the order of the verts") {
   }
 }
 
-TEST_CASE("harmonic_map: higher exponents need a mass at every vert with edges") {
+TEST_CASE("harmonic_map: higher exponents need a mass at every vert of a poly") {
   auto m = user_mesh::surface_example();  // vert 7 has no edges
   const user_mesh::vertex a{0}, b{5}, c{7};
   CHECK(harmonic_map(m, {{a, 0.0}, {b, 1.0}}, {.exponent = 2})[c] == 0);
   m.es.push_back({0, 7});
-  CHECK_THROWS_WITH_AS(harmonic_map(m, {{a, 0.0}, {b, 1.0}}, {.exponent = 2}),
+  CHECK(harmonic_map(m, {{a, 0.0}, {b, 1.0}}, {.exponent = 2})[c] == 0);
+  CHECK(harmonic_map(m, {{a, 3.0}}, conductors())[c] == doctest::Approx(3));
+  CHECK_THROWS_WITH_AS(harmonic_map(m, {{a, 0.0}, {b, 1.0}}, conductors(), {.exponent = 2}),
                        "harmonic_map: vert 7 has edges but no polys with a measure, so no mass; use uniform", invalid_mesh);
 }
 

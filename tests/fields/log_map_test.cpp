@@ -2,7 +2,11 @@
 
 #include <concino/concepts/archetypes.hpp>
 #include <concino/edit/elements.hpp>
+#include <concino/edit/garbage_collect.hpp>
+#include <concino/fields/exact_geodesics.hpp>
+#include <concino/generate/grid.hpp>
 #include <concino/generate/icosphere.hpp>
+#include <concino/geometry/centroid.hpp>
 #include <concino/solve/multigrid.hpp>
 
 #include <support/geodesic_errors.hpp>
@@ -15,6 +19,7 @@
 #include <limits>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 using namespace concino;
 using namespace concino::testing;
@@ -99,6 +104,23 @@ TEST_CASE("log_map: distances do not vanish where paths of all directions meet")
   const deviation e = error_of(of_bumpy.distance, exact_distances);
   CHECK(e.mean < 0.03 * e.farthest);
   CHECK(e.largest < 0.12 * e.farthest);
+}
+
+TEST_CASE("log_map: distances are those in the unfolded plane, also across a notch") {
+  auto m = make_grid<trimesh>({.cells = {12, 12}, .max = {3, 3, 0}});
+  std::vector<poly_id> notch;
+  for (const poly_id p : polys(m))
+    if (const vec3 c = centroid(m, p); c.x > 1 && c.x < 2 && c.y > 1) notch.push_back(p);
+  for (const poly_id p : notch) remove_poly(m, p);
+  garbage_collect(m);
+  const vert_id source = nearest(m, vec3{2, 3, 0}), end = nearest(m, vec3{1, 3, 0});
+  const auto l = log_map(m, source);
+  double worst = 0;
+  for (const vert_id v : verts(m))
+    if (num_elements(adj_v2p(m, v)) > 0) worst = std::max(worst, std::abs(l.distance[v] - distance(point(m, v), point(m, source))));
+  CHECK(worst < 1e-9);
+  CHECK(l.distance[end] == doctest::Approx(1).epsilon(1e-9));
+  CHECK(exact_geodesics(m, source)[end] == doctest::Approx(5).epsilon(1e-9));  // round the notch
 }
 
 TEST_CASE("log_map: does not depend on the orientation of polys, and scales with the mesh") {

@@ -6,8 +6,10 @@
 
 #include <concino/edit/elements.hpp>
 #include <concino/mesh/boundary.hpp>
+#include <concino/operators/cotangent.hpp>
 
 #include <support/kinds.hpp>
+#include <support/user_mesh.hpp>
 #include <support/values_at_verts.hpp>
 
 #include <doctest/doctest.h>
@@ -137,4 +139,58 @@ TEST_CASE("prepared problems: store a copy of a view") {
   const std::vector<std::pair<vert_id, double>> given{{vert_id{0}, 0}, {vert_id{26}, 1}};
   CHECK(largest_difference(harmonic_map(surface, given), h.with_values(given)) == 0);
   CHECK(num_verts(s.mesh()) == 26);
+}
+
+namespace {
+
+/// The same for a mesh and for one with further verts that have edges, but no polys.
+template<class M>
+void check_edges_of_no_poly(const M& m, const M& with_edges, std::size_t added) {
+  const auto a = *verts(m).begin();
+  const auto f = make_vert_map<double>(m, 1.0), g = make_vert_map<double>(with_edges, 1.0);
+  const auto same = [&](const auto& u, const auto& w, double there) {
+    for (const auto v : verts(with_edges)) {
+      const bool has_polys = num_elements(adj_v2p(with_edges, v)) > 0;
+      CHECK(w[v] == doctest::Approx(has_polys ? u[v] : there).epsilon(1e-12));
+    }
+  };
+  for (const int n : {1, 2}) {
+    same(harmonic_map(m, {{a, 2.0}}, {.exponent = n}), harmonic_map(with_edges, {{a, 2.0}}, {.exponent = n, .isolated_value = 7}), 7);
+    same(smooth(m, f, 0.1, {.exponent = n}), smooth(with_edges, g, 0.1, {.exponent = n}), 1);
+  }
+  same(poisson(m, f, {.values = {{a, 0.0}}}), poisson(with_edges, g, {.values = {{a, 0.0}}, .isolated_value = 7}), 7);
+  for (const bool lumped : {false, true}) same(heat_flow(m, f, 0.1, {.lumped = lumped}), heat_flow(with_edges, g, 0.1, {.lumped = lumped}), 1);
+  CHECK(prepare_harmonic_map(with_edges, {a}).num_isolated() == added);
+  CHECK(prepare_poisson(with_edges, {a}).num_isolated() == added);
+  CHECK(prepare_smooth(with_edges, 1).num_isolated() == added);
+  CHECK(prepare_harmonic_map(with_edges, {a}, uniform).num_isolated() == 0);  // along edges they are connected
+}
+
+}  // namespace
+
+TEST_CASE("prepared problems: verts with edges and without polys are isolated") {
+  auto m = user_mesh::surface_example();
+  auto more = m;
+  more.es.push_back({0, 7});
+  check_edges_of_no_poly(m, more, 1);
+  auto solid = user_mesh::volume_example();
+  solid.cells.pop_back();  // the pyramid: its apex keeps faces and edges
+  solid.points.pop_back();
+  user_mesh::volume cube = solid;
+  cube.facets.resize(6);
+  cube.points.pop_back();
+  cube = {cube.points, cube.facets, cube.cells};
+  check_edges_of_no_poly(cube, solid, 1);
+}
+
+TEST_CASE("prepared problems: edges of no poly connect no components, except with uniform") {
+  user_mesh::surface m({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}, {3, 4, 5}});
+  m.es.push_back({1, 3});
+  const user_mesh::vertex a{0}, b{4};
+  const char* const message = "harmonic_map: the system is singular, because the component of vert 3 (3 verts) has no prescribed value;"
+                              " give one at any of its verts";
+  CHECK_THROWS_WITH_AS(harmonic_map(m, {{a, 1.0}}), message, solver_error);
+  CHECK_THROWS_WITH_AS(harmonic_map(m, {{a, 1.0}}, cotangent), message, solver_error);
+  CHECK(harmonic_map(m, {{a, 1.0}}, uniform)[b] == doctest::Approx(1));
+  CHECK(harmonic_map(m, {{a, 1.0}, {b, 2.0}}, cotangent)[user_mesh::vertex{5}] == doctest::Approx(2));
 }

@@ -1,6 +1,8 @@
 // Harmonic maps and Poisson's equation prepared once and solved many times.
 #include <concino/fields/harmonic_map.hpp>
+#include <concino/fields/heat_flow.hpp>
 #include <concino/fields/poisson.hpp>
+#include <concino/fields/smooth.hpp>
 
 #include <concino/concepts/archetypes.hpp>
 #include <concino/solve/ldlt.hpp>
@@ -188,4 +190,35 @@ TEST_CASE("prepared problems: throw if an argument is invalid") {
   CHECK_THROWS_AS(p.solve(constant{1}, {.values = {{b, 0.0}}}), invalid_argument);
   CHECK_THROWS_AS(prepare_harmonic_map(m, {a}, {.progress = [](double, const char*) { return false; }}), cancelled);
   CHECK_THROWS_AS(prepare_poisson(m, {a}, {.progress = [](double x, const char*) { return x == 0; }}), cancelled);
+}
+
+TEST_CASE_TEMPLATE("prepared problems: fields may be functions of points", M, polygonmesh, tetmesh) {
+  const M m(jittered(grid_arrays<M>(2), 0.02, VolumeMesh<M>));
+  const vert_id a{0};
+  const auto number = [](const vec3& x) { return std::sin(x.x) + x.y; };
+  const auto vector = [](const vec3& x) { return vec3{x.y, 1, x.x * x.z}; };
+  auto numbers = make_vert_map<double>(m);
+  auto vectors = make_vert_map<vec3>(m);
+  for (const auto v : verts(m)) {
+    numbers[v] = number(point(m, v));
+    vectors[v] = vector(point(m, v));
+  }
+  const auto same = [&](const auto& u, const auto& w) {
+    for (const auto v : verts(m)) CHECK(u[v] == w[v]);
+  };
+  same(poisson(m, number, {.values = {{a, 0.0}}}), poisson(m, numbers, {.values = {{a, 0.0}}}));
+  same(poisson(m, vector, {.values = {{a, vec3()}}}), poisson(m, vectors, {.values = {{a, vec3()}}}));
+  same(poisson(m, number, virtual_elements, {.values = {{a, 0.0}}}), poisson(m, numbers, {.values = {{a, 0.0}}}));
+  const auto p = prepare_poisson(m, {a});
+  same(p.solve(number, {.values = {{a, 1.0}}}), p.solve(numbers, {.values = {{a, 1.0}}}));
+  same(heat_flow(m, number, 0.1), heat_flow(m, numbers, 0.1));
+  same(prepare_heat_flow(m, 0.1).advance(vector), prepare_heat_flow(m, 0.1).advance(vectors));
+  same(smooth(m, number, 0.1), smooth(m, numbers, 0.1));
+  same(smooth(m, vector, 0.1, uniform), smooth(m, vectors, 0.1, uniform));
+  same(prepare_smooth(m, 0.1).apply(number), prepare_smooth(m, 0.1).apply(numbers));
+  const auto no_number = [](const vec3&) { return std::nan(""); };
+  CHECK_THROWS_WITH_AS(poisson(m, no_number, {.values = {{a, 0.0}}}), doctest::Contains("the load f at vert 0 is not finite"), invalid_argument);
+  const auto nothing = [](const vec3&) {};
+  const auto of_vert = [](vert_id) { return 1.0; };
+  static_assert(requirement::is_field<decltype(number), M> && !requirement::is_field<decltype(nothing), M> && !requirement::is_field<decltype(of_vert), M>);
 }

@@ -7,6 +7,7 @@
 #include <concino/generate/jitter.hpp>
 #include <concino/generate/random_points.hpp>
 #include <concino/generate/voronoi_polyhedra.hpp>
+#include <concino/geometry/measure.hpp>
 #include <concino/mesh/submesh.hpp>
 #include <concino/validate/check_laws.hpp>
 
@@ -14,8 +15,10 @@
 
 #include <doctest/doctest.h>
 
+#include <cstdint>
 #include <limits>
 #include <string>
+#include <vector>
 
 using namespace concino;
 using namespace concino::testing;
@@ -229,6 +232,33 @@ TEST_CASE_TEMPLATE("dual_mesh: the dual of a selected region", M, CONCINO_KINDS)
   CHECK(num_polys(d) == num_verts(region));
   if constexpr (arity_v<M> != 0) CHECK(total_measure(d) == doctest::Approx(size).epsilon(1e-12));
   for (const auto v : verts(region)) CHECK(!maps.poly_of_vert[index_of(region, v)].is_none());
+}
+
+TEST_CASE("dual_mesh: lists cells that come out inverted") {
+  const box b{{0, 0, 0}, {1, 1, 1}};
+  std::size_t listed = 0;
+  for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
+    const polyhedralmesh m = voronoi_polyhedra(random_points(20, b, seed), b);
+    std::vector<poly_id> inverted = {poly_id{99}}, expected;
+    const polyhedralmesh d = dual_mesh(m, {.inverted = &inverted});
+    for (const poly_id p : polys(d))
+      if (!(measure(d, p) > 0)) expected.push_back(p);
+    CHECK(inverted == expected);
+    listed += inverted.size();
+  }
+  CHECK(listed > 0);
+
+  // A vert with one neighbour that is far away: with circumcentres its cell turns over.
+  const trimesh fan({{0, 0, 0}, {6, 0, 0}, {1, 1, 0}, {0, 1, 0}, {-1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}, {0, -1, 0}, {1, -1, 0}},
+                    {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 6}, {0, 6, 7}, {0, 7, 8}, {0, 8, 1}});
+  std::vector<poly_id> inverted;
+  dual_maps maps;
+  const polygonmesh d = dual_mesh(fan, {.boundary = dual_boundary::discarded, .points = dual_points::circumcentres, .maps = &maps, .inverted = &inverted});
+  REQUIRE(num_polys(d) == 1);
+  CHECK(area_vector(d, poly_id{0}).z < 0);
+  CHECK(inverted == std::vector{maps.poly_of_vert[0]});
+  CHECK(num_polys(dual_mesh(fan, {.inverted = &inverted})) == 9);
+  CHECK(inverted.empty());  // centroids lie in their triangles, so cells see their verts
 }
 
 TEST_CASE("dual_mesh: refuses options that contradict each other, and circumcentres of other polys; the maps are unchanged") {

@@ -252,6 +252,9 @@ TEST_CASE("tetrahedralize: tets that miss a wanted shape are listed") {
     }
     CHECK(t.report.beyond_min_dihedral == sharp);
     CHECK(t.report.beyond_radius_edge == large);
+    CHECK(t.report.not_met.empty() == (sharp.empty() && large.empty()));
+    if (!sharp.empty()) CHECK(has(t.report.not_met, "an angle below min_dihedral_deg"));
+    if (!large.empty()) CHECK(has(t.report.not_met, "beyond radius_edge"));
     CHECK((z > 0.1 || !sharp.empty()));
   }
 }

@@ -364,6 +364,33 @@ TEST_CASE("triangulate: slices and closed level lines are outlines") {
                                             std::abs(signed_area({ring.points.begin(), ring.points.begin() + static_cast<std::ptrdiff_t>(ring.line_ends[0])})));
 }
 
+TEST_CASE("triangulate: outlines may repeat their first point at the end") {
+  loop outer = square(0, 0, 4), inner = square(0, 0, 1);
+  outer.push_back(outer.front());
+  inner.push_back(inner.front());
+  planar_graph g(outer);
+  g.add_outline(inner);
+  const auto t = triangulate(g);
+  check_triangles(g, t, 60);
+  CHECK(num_verts(t.mesh) == 8);
+  CHECK(g.segments().size() == 8);
+  CHECK(t.constraints.size() == 8);
+  CHECK(t.vert_of[4] == t.vert_of[0]);
+  CHECK(t.vert_of[9] == t.vert_of[5]);
+  CHECK(num_polys(triangulate(planar_graph(outer)).mesh) == 2);
+
+  planar_graph by_numbers;
+  for (const vec3& p : square(0, 0, 4)) by_numbers.add_point(p);
+  const std::uint32_t ring[]{0, 1, 2, 3, 0};
+  by_numbers.add_line_through(ring, true);
+  check_triangles(by_numbers, triangulate(by_numbers), 64);
+  CHECK(by_numbers.segments().size() == 4);
+
+  CHECK(error_of(loop{{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}) == "triangulate: line 0: an outline needs 3 points, but has 2");
+  CHECK(error_of(loop{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) ==
+        "triangulate: points 0 and 3 are at the same place; options.merge_points makes one vert of them");
+}
+
 TEST_CASE("triangulate: errors name lines, segments and points") {
   const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
   CHECK(error_of(loop{{0, 0, 0}, {1, 0, 0}}) == "triangulate: line 0: an outline needs 3 points, but has 2");

@@ -105,13 +105,13 @@ TEST_CASE("cell_builder: polyhedra that are tets or hexes fit meshes of tets or 
 TEST_CASE("cell_builder: rejects cells that are no cells, and names the vert") {
   built_cells bad;
   CHECK(!bad.add(cell_shape::tet, {0, 1, 1, 3}));
-  CHECK(bad.reason() == "different verts in a cell | vert 2 twice");
+  CHECK(bad.reason() == "different verts in a cell (or set options.repeated_verts) | vert 2 twice");
   CHECK(!bad.cells.end_polyhedron());
   CHECK(bad.reason() == "a polyhedron of at least one face | one without faces");
   CHECK(!bad.polyhedron({{0, 1, 2}, {0, 1}, {2, 2, 3}}));
   CHECK(bad.reason() == "a face of at least three verts | one of 2");
   CHECK(!bad.polyhedron({{0, 1, 2, 0}, {0, 1, 3}}));
-  CHECK(bad.reason() == "different verts in a face | vert 1 twice");
+  CHECK(bad.reason() == "different verts in a face (or set options.repeated_verts) | vert 1 twice");
   CHECK(!bad.polyhedron({{0, 1, 2}, {0, 1, 4}, {2, 1, 0}}));
   CHECK(bad.reason() == "different faces in a polyhedron | two with the same verts");
   CHECK(bad.cells.size() == 0);
@@ -141,7 +141,7 @@ TEST_CASE("cell_builder: a list that is taken over gives the same as its cells a
   built_cells bad;
   bad.cells.take({vert_id{0}, vert_id{1}, vert_id{1}, vert_id{3}});
   CHECK(!bad.cells.add_taken(cell_shape::tet, 4));
-  CHECK(bad.reason() == "different verts in a cell | vert 2 twice");
+  CHECK(bad.reason() == "different verts in a cell (or set options.repeated_verts) | vert 2 twice");
 }
 
 TEST_CASE("cell_builder: faces with equal sums of verts are different, and many faces are compared too") {

@@ -282,8 +282,8 @@ TEST_CASE("format: a signature decides against the extension, and the report say
   // a format that the caller names is not changed
   CHECK_THROWS_AS(load_medit<trimesh>(dir / "a.mesh"), parse_error);
   CHECK_THROWS_AS(load<trimesh>(dir / "a.mesh", {.format = file_format::medit}), parse_error);
-  for (const std::string word : {"OFF", "STCN4nOFF 3", "NOFF\n"}) CHECK(off_format::has_signature(word));
-  for (const std::string word : {"", "OFFS", "off", "NCOFF", "3 1 0", "#OFF"}) CHECK(!off_format::has_signature(word));
+  for (const std::string word : {"OFF", "STCN4nOFF 3", "NOFF\n", "NCOFF", "OFF4 4 0"}) CHECK(off_format::has_signature(word));
+  for (const std::string word : {"", "OFFS", "off", "NCNOFF", "3 1 0", "#OFF"}) CHECK(!off_format::has_signature(word));
 }
 
 TEST_CASE("format: strict writers throw if anything would be lost, before they touch the file") {
@@ -325,8 +325,9 @@ TEST_CASE("format: readers and writers of properties of any name and type") {
   std::size_t num_sharp = 0;
   for (const auto e : edges(m)) num_sharp += sharp[e] == 1;
   CHECK(num_sharp == 1);
-  CHECK(r.skipped == std::vector<std::string>{"a second property \"height\" of kind vert", "values of 1 elements of kind face that the mesh does not have"});
-  CHECK(save_text(m, column_format{}) == "vert height 4 d3.5\npoly pair 2\nface label 7\nmesh step 1 i7\n");
+  CHECK(r.skipped == std::vector<std::string>{"values of 1 elements of kind face that the mesh does not have"});
+  CHECK(r.notes == std::vector<std::string>{"another vert property \"height\" in the file is the property \"height_2\""});
+  CHECK(save_text(m, column_format{}) == "vert height 4 d3.5\nvert height_2 4\npoly pair 2\nface label 7\nmesh step 1 i7\n");
   const auto bare = load_text<cell_arrays>("columns", column_format{}, {.report = &r});
   CHECK(bare.num_polys() == 2);
   CHECK(r.skipped.size() == 6);

@@ -90,7 +90,10 @@ TEST_CASE("numbers: reals may have more digits than fit in 64 bits") {
   for (std::size_t n = 15; n < 25; ++n) check(std::string(n, '9')), check("." + std::string(n, '9')), check("0." + std::string(n, '9'));
   CHECK(wrong == 0);
   CHECK(parsed("1e18446744073709551617") == std::numeric_limits<double>::infinity());
-  CHECK(extent("1.5d3") == 3);
+  CHECK(extent("1.5d3") == 5);  // Fortran's exponent
+  CHECK(extent("1.5d") == 3);
+  CHECK(extent("1.5e3d2") == 5);
+  CHECK(extent("1.5D+300x") == 8);
 }
 
 TEST_CASE("numbers: signs, points and exponents are parsed or rejected") {

@@ -132,3 +132,28 @@ TEST_CASE("clip: the result is the same for any number of threads") {
   CHECK((one == all_with(2)));
   CHECK((one == all_with(3)));
 }
+
+namespace {
+/// The mirror image of a mesh of this library: it replaces two verbs.
+struct mirror_image : concino::polyhedralmesh {};
+}  // namespace
+template<>
+struct concino::mesh_traits<mirror_image> : concino::mesh_traits<polyhedralmesh> {
+  static vec3 point(const polyhedralmesh& m, vert_id v) { return {m.points()[v.raw()].x, m.points()[v.raw()].y, -m.points()[v.raw()].z}; }
+  static bool face_is_outward(const polyhedralmesh& m, poly_id p, face_id f) { return !m.tables().face_is_outward(p, f); }
+};
+
+TEST_CASE("clip: reads verbs that were replaced, not the tables of the mesh") {
+  const mirror_image m{concino::testing::grid<concino::polyhedralmesh>(3)};
+  auto x = concino::make_vert_map<double>(m);
+  for (const auto v : concino::verts(m)) x[v] = concino::point(m, v).x;
+  const double whole = concino::total_measure(m);
+  REQUIRE(whole > 0);
+  const auto part = concino::clip(m, x, concino::point(m, concino::vert_id{0}).x + 0.4).mesh;
+  double sum = 0;
+  for (const auto p : concino::polys(part)) {
+    CHECK(concino::measure(part, p) > 0);
+    sum += concino::measure(part, p);
+  }
+  CHECK(sum < whole);
+}

@@ -2,12 +2,15 @@
 
 #include <concino/core/error.hpp>
 #include <concino/generate/grid.hpp>
+#include <concino/generate/jitter.hpp>
 #include <concino/generate/sphere.hpp>
 #include <concino/mesh/polygonmesh.hpp>
+#include <concino/mesh/quadmesh.hpp>
 #include <concino/mesh/trimesh.hpp>
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -24,7 +27,7 @@ std::vector<vec3> points_along(const field_line<M>& line, double spacing) {
   for (std::size_t i = 0; i < line.polys.size(); ++i) {
     const vec3 &a = line.points[i].position, &b = line.points[(i + 1) % line.points.size()].position;
     const int n = static_cast<int>(distance(a, b) / spacing) + 1;
-    for (int k = 0; k < n; ++k) x.push_back(a + k / double(n) * (b - a));
+    for (int k = 0; k <= n; ++k) x.push_back(a + k / double(n) * (b - a));
   }
   return x;
 }
@@ -44,7 +47,7 @@ void check_spacing(const M& m, const std::vector<field_line<M>>& lines, double s
   double least = std::numeric_limits<double>::infinity(), farthest = 0;
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) least = std::min(least, distance_between(all[i], all[j]));
-  CHECK(least > 0.4 * spacing);  // half the distance between points a quarter of it apart
+  CHECK(least > 0.495 * spacing);
   std::size_t far = 0;
   for (const auto v : verts(m)) {
     double d = std::numeric_limits<double>::infinity();
@@ -81,6 +84,26 @@ TEST_CASE("evenly_spaced_lines: circles close, and cover a square and a sphere")
   auto round = make_poly_map<vec3>(sphere);
   for (const auto p : polys(sphere)) round[p] = cross({0.2, 0.3, 1}, centroid(sphere, p));
   check_spacing(sphere, evenly_spaced_lines(sphere, round, {.distance = 0.25}), 0.25);
+}
+
+TEST_CASE_TEMPLATE("evenly_spaced_lines: keep their distance up to the ends of lines", M, trimesh, quadmesh) {
+  M m = make_grid<M>({.cells = {7, 7}});
+  jitter(m, 0.3);
+  auto g = make_poly_map<vec3>(m);
+  for (const auto p : polys(m)) {
+    const vec3 x = centroid(m, p);
+    g[p] = {0.5 - x.y, x.x - 0.5, 0};
+  }
+  for (const double spacing : {0.1, 0.3})
+    for (const double part : {0.5, 0.8}) {
+      std::vector<std::vector<vec3>> all;
+      for (const auto& line : evenly_spaced_lines(m, g, {.distance = spacing, .stops_below = part})) all.push_back(points_along(line, spacing / 16));
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t i = 0; i < all.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) least = std::min(least, distance_between(all[i], all[j]));
+      CHECK(all.size() > 2);
+      CHECK(least > 0.99 * part * spacing);
+    }
 }
 
 TEST_CASE("evenly_spaced_lines: begins where the density is greatest; sheets that lie close to each other do not count") {

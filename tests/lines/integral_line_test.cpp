@@ -441,14 +441,16 @@ TEST_CASE_TEMPLATE("integral_line: a copy with all elements in reversed order ha
 TEST_CASE("integral_line: errors") {
   const auto m = make_grid<trimesh>({.cells = {3, 3}});
   auto g = constant_field(m, {1, 0, 0});
-  CHECK_THROWS_WITH_AS(integral_line(m, g, vert_id{99}), "integral_line: the start, vert 99, is no vert of the mesh", invalid_mesh);
-  CHECK_THROWS_WITH_AS(integral_line(m, g, poly_id{99}), "integral_line: the start, poly 99, is no poly of the mesh", invalid_mesh);
+  CHECK_THROWS_WITH_AS(integral_line(m, g, vert_id{99}), "integral_line: the start, vert 99, is no vert of the mesh; take it from verts(m)", invalid_mesh);
+  CHECK_THROWS_WITH_AS(integral_line(m, g, poly_id{99}), "integral_line: the start, poly 99, is no poly of the mesh; take it from polys(m)", invalid_mesh);
   CHECK_THROWS_WITH_AS(integral_line(m, g, vert_id{0}, {.max_length = 0}), "integral_line: max_length must be above 0; leave it out to follow lines to their end",
                        invalid_argument);
   CHECK_THROWS_WITH_AS(integral_line(m, g, mesh_point<trimesh>{edge_point<trimesh>{edge_id{0}, 1.5}, {}}),
                        "integral_line: the start is on an edge, but its parameter is not in [0, 1]", invalid_argument);
   CHECK_THROWS_WITH_AS(integral_line(m, g, mesh_point<trimesh>{poly_id{0}, {std::nan(""), 0, 0}}), "integral_line: the position of the start is not finite",
                        invalid_argument);
+  CHECK_THROWS_WITH_AS(integral_line(m, g, mesh_point<trimesh>{poly_id{0}, {0.5, 0.5, 0.5}}),
+                       doctest::Contains("integral_line: the position of the start is not in poly 0, but "), invalid_argument);
   CHECK_THROWS_AS(integral_lines(m, g, polys(m), {.progress = [](double, const char*) { return false; }}), cancelled);
   g[poly_id{5}] = {0, std::nan(""), 0};
   CHECK_THROWS_WITH_AS(integral_line(m, g, vert_id{0}), "integral_line: the vector at poly 5 is not finite; give each poly a finite vector", invalid_argument);

@@ -2,7 +2,10 @@
 
 #include <concino/concepts/archetypes.hpp>
 #include <concino/fields/log_map.hpp>
+#include <concino/generate/grid.hpp>
 #include <concino/generate/icosphere.hpp>
+#include <concino/generate/jitter.hpp>
+#include <concino/geometry/centroid.hpp>
 
 #include <support/geodesic_errors.hpp>
 
@@ -102,11 +105,7 @@ TEST_CASE("trace_geodesic: is straight on the unrolled cylinder and cone") {
     // Around as far as the boundary is not reached. It starts at a vert of the boundary.
     const double around = std::min(4.9 / std::max(slope, 1e-9), 30.0);
     const auto t = trace_geodesic(m, start, d, around * std::hypot(1, slope));
-    if (slope == 0) {
-      CHECK(t.stopped_by == line_end::boundary);  // at the next vert of the boundary
-      CHECK(t.length == doctest::Approx(side));
-      continue;
-    }
+    CHECK(t.stopped_by == line_end::max_length);
     const auto column = static_cast<unsigned>(around / side);
     const vec3 a = point(m, vert_id{column % n}), b = point(m, vert_id{(column + 1) % n});
     const vec3 end = a + (around / side - column) * (b - a) + vec3{0, 0, slope * around};
@@ -174,7 +173,8 @@ TEST_CASE("trace_geodesic: follows great circles of the sphere") {
 TEST_CASE("trace_geodesic: says why it ends, and goes back the way it came") {
   const trimesh m = icosphere(2);
   const auto trace = prepare_trace_geodesic(m);
-  const auto there = trace.trace_from(mesh_point<trimesh>{poly_id{3}, (point(m, vert_id{0}) + point(m, vert_id{1})) / 2}, tangent_vector{0.3, 0.7}, 40);
+  const vec3 from = 0.9 * centroid(m, poly_id{3}) + 0.1 * point(m, *adj_p2v(m, poly_id{3}).begin());
+  const auto there = trace.trace_from(mesh_point<trimesh>{poly_id{3}, from}, tangent_vector{0.3, 0.7}, 40);
   CHECK(there.length == 40);
   const auto back = trace.trace_from(there.points.back(), -1 * there.direction, 40);
   CHECK(distance(back.points.back().position, there.points.front().position) < 1e-9);
@@ -197,6 +197,56 @@ TEST_CASE("trace_geodesic: says why it ends, and goes back the way it came") {
   CHECK(spine.length == doctest::Approx(0.3));
 }
 
+TEST_CASE_TEMPLATE("trace_geodesic: goes on along a straight boundary to its end", M, CONCINO_SURFACE_KINDS) {
+  M m = make_grid<M>({.cells = {5, 5}});
+  const M regular = m;
+  jitter(m, 0.2, {.seed = 7, .keep_boundary = false});
+  for (const auto v : verts(m)) {  // verts of the boundary at any places along it
+    vec3 x = point(m, v);
+    for (const std::size_t k : {0u, 1u, 2u})
+      if (const double before = point(regular, v)[k]; before == 0 || before == 1) x[k] = before;
+    set_point(m, v, x);
+  }
+  const auto trace = prepare_trace_geodesic(m);
+  std::size_t n = 0;
+  const auto check = [&](const mesh_point<M>& start, const vec3& d) {
+    const vec3 end(d.x > 0 ? 1 : d.x < 0 ? 0 : start.position.x, d.y > 0 ? 1 : d.y < 0 ? 0 : start.position.y, 0);
+    const auto t = trace.trace_from(start, d, 5);
+    CHECK(t.stopped_by == line_end::boundary);
+    CHECK(distance(t.points.back().position, end) < 1e-12);
+    CHECK(t.length == doctest::Approx(distance(start.position, end)));
+    ++n;
+  };
+  for (const auto e : edges(m)) {
+    if (!is_boundary(m, e)) continue;
+    const auto [a, b] = end_verts(m, e);
+    const vec3 along = point(m, b) - point(m, a), d(std::round(along.x * 1e3), std::round(along.y * 1e3), 0), x = 0.7 * point(m, a) + 0.3 * point(m, b);
+    for (const double sense : {1.0, -1.0}) {
+      check({edge_point<M>{e, 0.3}, x}, sense * d);
+      check({*adj_e2p(m, e).begin(), x}, sense * d);
+      check({a, point(m, a)}, sense * d);
+    }
+  }
+  CHECK(n >= 120);
+}
+
+TEST_CASE("trace_geodesic: goes on straight over a corner of the boundary that the surface lies around") {
+  // an L of three unit squares, with the inner corner (1, 1) at vert 4
+  const polygonmesh m({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}, {0, 2, 0}, {1, 2, 0}}, {{0, 1, 4, 3}, {1, 2, 5, 4}, {3, 4, 7, 6}});
+  for (const bool mirrored : {false, true}) {
+    const auto turned = [&](const vec3& x) { return mirrored ? vec3(x.y, x.x, 0) : x; };
+    const auto along = trace_geodesic(m, vert_id{mirrored ? 5u : 7u}, turned({0, -1, 0}), 5);  // down its boundary, on between two squares
+    CHECK(along.stopped_by == line_end::boundary);
+    CHECK(distance(along.points.back().position, turned({1, 0, 0})) < 1e-12);
+    const mesh_point<polygonmesh> above{poly_id{mirrored ? 1u : 2u}, turned({0.75, 1.5, 0})};
+    const auto beside = trace_geodesic(m, above, turned({0.25, -0.5, 0}), 5);  // touches the corner
+    CHECK(distance(beside.points.back().position, turned({1.5, 0, 0})) < 1e-12);
+  }
+  const auto into = trace_geodesic(m, vert_id{0}, vec3(1, 1, 0), 5);
+  CHECK(into.stopped_by == line_end::boundary);
+  CHECK(distance(into.points.back().position, {1, 1, 0}) < 1e-12);
+}
+
 TEST_CASE("trace_geodesic: work on an archetype") {
   const polygonmesh m = cube();
   const auto weak = only_embedded_mesh(m);
@@ -210,7 +260,7 @@ TEST_CASE("trace_geodesic: throw if an argument or the mesh is invalid") {
   const trimesh m = grid<trimesh>(2);
   const auto trace = prepare_trace_geodesic(m);
   const tangent_vector x{1, 0};
-  CHECK_THROWS_WITH_AS(trace.trace_from(vert_id{9}, x, 1), "trace_geodesic: the start is not a vert of the mesh; take it from verts(m)", invalid_mesh);
+  CHECK_THROWS_WITH_AS(trace.trace_from(vert_id{9}, x, 1), "trace_geodesic: the start, vert 9, is no vert of the mesh; take it from verts(m)", invalid_mesh);
   CHECK_THROWS_WITH_AS(trace.trace_from(vert_id{0}, x, -1), "trace_geodesic: the length is -1; it has to be finite and not negative", invalid_argument);
   CHECK_THROWS_WITH_AS(trace.trace_from(vert_id{0}, tangent_vector{0, 0}, 1), "trace_geodesic: the direction is 0 or not finite", invalid_argument);
   CHECK_THROWS_AS(trace.trace_from(vert_id{0}, {std::nan(""), 0, 0}, 1), invalid_argument);
@@ -219,9 +269,13 @@ TEST_CASE("trace_geodesic: throw if an argument or the mesh is invalid") {
   const auto at = [&](auto element, const vec3& position) { return mesh_point<trimesh>{element, position}; };
   CHECK_THROWS_AS(trace.trace_from(at(poly_id{8}, {}), x, 1), invalid_mesh);
   CHECK_THROWS_WITH_AS(trace.trace_from(at(poly_id{0}, {0, 0, std::nan("")}), x, 1), "trace_geodesic: the position of the start is not finite", invalid_argument);
-  CHECK_THROWS_WITH_AS(trace.trace_from(at(poly_id{0}, {0.1, 0.1, 0}), {0, 0, 1}, 1), "trace_geodesic: the direction is perpendicular to the surface; choose another", invalid_argument);
+  CHECK_THROWS_WITH_AS(trace.trace_from(at(poly_id{0}, {0.1, 0.1, 1}), x, 1),
+                       doctest::Contains("the position of the start is not in poly 0, but "), invalid_argument);
+  CHECK_THROWS_WITH_AS(trace.trace_from(at(poly_id{0}, {0.3, 0.1, 0}), {0, 0, 1}, 1),
+                       "trace_geodesic: the direction is perpendicular to the surface; choose another", invalid_argument);
   CHECK_THROWS_AS(trace.trace_from(at(edge_point<trimesh>{edge_id{99}, 0.5}, {}), x, 1), invalid_mesh);
-  CHECK_THROWS_WITH_AS(trace.trace_from(at(edge_point<trimesh>{edge_id{0}, 2}, {}), x, 1), doctest::Contains("not between 0 and 1"), invalid_argument);
+  CHECK_THROWS_WITH_AS(trace.trace_from(at(edge_point<trimesh>{edge_id{0}, 2}, {}), x, 1),
+                       doctest::Contains("its parameter is not in [0, 1]"), invalid_argument);
   const trimesh two_fans({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {0, 3, 4}});
   CHECK_THROWS_WITH_AS(trace_geodesic(two_fans, vert_id{0}, x, 1), doctest::Contains("the polys at vert 0 are not one fan"), unsupported);
   CHECK(trace_geodesic(two_fans, vert_id{0}, {1, 1, 0}, 0.5).stopped_by == line_end::max_length);

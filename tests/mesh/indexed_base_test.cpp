@@ -1,4 +1,5 @@
 // A user's mesh with lists of verts becomes a complete mesh through the indexed bases.
+#include <concino/concepts/facets.hpp>
 #include <concino/concepts/mesh.hpp>
 #include <concino/mesh/cell_tables.hpp>
 #include <concino/mesh/indexed_base.hpp>
@@ -9,6 +10,8 @@
 #include <support/meshes.hpp>
 
 #include <doctest/doctest.h>
+
+#include <algorithm>
 
 namespace cn = concino;
 
@@ -54,4 +57,56 @@ TEST_CASE("indexed bases: a volume of lists obeys all laws") {
   CHECK(cn::num_edges(m) == 98);
   CHECK(cn::num_faces(m) == 120);
   CHECK(cn::check_laws(m).empty());
+}
+
+namespace {
+/// A strip of three triangles that hides the last one, with its vert and its two edges.
+struct hiding : flat {
+  bool has(cn::poly_id p) const { return p.raw() != 2; }
+  bool has(cn::edge_id e) const { return std::ranges::any_of(tables.adj_e2p(e), [&](cn::poly_id p) { return has(p); }); }
+  bool has(cn::vert_id v) const { return v.raw() != 4; }
+  template<class X, class R>
+  std::vector<X> visible(const R& all) const {
+    std::vector<X> kept;
+    for (const X x : all)
+      if (has(x)) kept.push_back(x);
+    return kept;
+  }
+};
+}  // namespace
+template<>
+struct concino::mesh_traits<hiding> : concino::indexed_surface<hiding> {
+  static constexpr int arity = 3;
+  static const auto& tables(const hiding& m) { return m.tables; }
+  static vec3 point(const hiding& m, vert_id v) { return m.x[v.raw()]; }
+  static bool contains(const hiding& m, auto x) { return m.has(x); }
+  static auto verts(const hiding& m) { return m.visible<vert_id>(m.tables.verts().all()); }
+  static auto edges(const hiding& m) { return m.visible<edge_id>(m.tables.edges().all()); }
+  static auto polys(const hiding& m) { return m.visible<poly_id>(m.tables.polys().all()); }
+  static std::size_t num_verts(const hiding& m) { return verts(m).size(); }
+  static std::size_t num_edges(const hiding& m) { return edges(m).size(); }
+  static std::size_t num_polys(const hiding& m) { return polys(m).size(); }
+  static auto adj_v2v(const hiding& m, vert_id v) { return m.visible<vert_id>(m.tables.adj_v2v(v)); }
+  static auto adj_v2e(const hiding& m, vert_id v) { return m.visible<edge_id>(m.tables.adj_v2e(v)); }
+  static auto adj_v2p(const hiding& m, vert_id v) { return m.visible<poly_id>(m.tables.adj_v2p(v)); }
+  static auto adj_e2p(const hiding& m, edge_id e) { return m.visible<poly_id>(m.tables.adj_e2p(e)); }
+  static auto adj_p2p(const hiding& m, poly_id p) { return m.visible<poly_id>(m.tables.adj_p2p(p)); }
+};
+
+TEST_CASE("indexed bases: no inherited member answers for a verb that was replaced") {
+  std::vector<cn::vert_id> corners;
+  for (const unsigned v : {0u, 1u, 2u, 2u, 1u, 3u, 2u, 3u, 4u}) corners.emplace_back(v);
+  const hiding m{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 2, 0}}, cn::surface_tables<3>(5, corners)}};
+  CHECK(cn::num_edges(m) == 5);
+  for (const auto e : cn::edges(m))
+    for (const auto p : cn::adj_e2p(m, e)) {
+      std::size_t others = 0;
+      for (const auto q : cn::other_polys(m, p, e)) {
+        CHECK(cn::contains(m, q));
+        ++others;
+      }
+      CHECK(cn::is_boundary(m, e) == (others == 0));
+    }
+  const auto broken = cn::check_laws(m);
+  CHECK_MESSAGE(broken.empty(), broken[0].what);
 }

@@ -171,6 +171,58 @@ TEST_CASE("decimate: max_error bounds the distance of the result from the input"
   check_result(before, m, d);
 }
 
+TEST_CASE_TEMPLATE("decimate: max_error keeps open surfaces and their boundaries", M, trimesh, polygonmesh) {
+  const auto keeps = [](const surface_arrays& a, double e, std::size_t most) {
+    const M before(a);
+    M m = before;
+    const auto d = decimate(m, {.max_error = e});
+    CHECK(d.error <= e);
+    CHECK(hausdorff_distance(before, m).lower <= e);
+    CHECK(total_measure(m) == doctest::Approx(total_measure(before)).epsilon(0.01));
+    CHECK(num_polys(m) <= most);
+    CHECK(check_laws(m).empty());
+    CHECK(chi(m) == chi(before));
+    return m;
+  };
+  const auto sheet = [](surface_arrays& a, unsigned nx, unsigned ny, auto&& at) {
+    const auto first = static_cast<unsigned>(a.points.size());
+    for (unsigned j = 0; j <= ny; ++j)
+      for (unsigned i = 0; i <= nx; ++i) a.points.push_back(at(i, j));
+    for (unsigned j = 0; j < ny; ++j)
+      for (unsigned i = 0; i < nx; ++i) {
+        const unsigned b = first + j * (nx + 1) + i, c = b + nx + 1;
+        for (const unsigned v : {b, b + 1, c + 1, b, c + 1, c}) a.verts.push_back(vert_id{v});
+      }
+  };
+  surface_arrays square{{}, {}, {}, 3}, strip = square, bent = square, sheets = square;
+  sheet(square, 1, 1, [](unsigned i, unsigned j) { return vec3{double(i), double(j), 0}; });
+  keeps(square, 0.001, 2);
+  sheet(strip, 20, 2, [](unsigned i, unsigned j) { return vec3{i / 2.0, j / 2.0, 0}; });
+  const M two = keeps(strip, 0.001, 4);
+  for (const double x : {0.0, 10.0})
+    for (const double y : {0.0, 1.0}) {
+      double least = 1;
+      for (const auto v : verts(two)) least = std::min(least, distance(point(two, v), {x, y, 0}));
+      CHECK(least <= 0.001 * 1.5);
+    }
+  sheet(bent, 40, 10, [](unsigned i, unsigned j) { return vec3{std::cos(std::acos(-1.0) * i / 40), std::sin(std::acos(-1.0) * i / 40), 0.3 * j}; });
+  keeps(bent, 0.01, 40);
+  // a small sheet on a large one: what it loses would be near the other
+  for (const double side : {4.0, 1.0})
+    sheet(sheets, 4, 4, [side](unsigned i, unsigned j) { return vec3{side * i / 4 + 1 / side, side * j / 4 + 1 / side, 0.001 * side}; });
+  keeps(sheets, 0.01, 8);
+}
+
+TEST_CASE("decimate: max_error holds both ways without weights") {
+  const auto before = make_torus<trimesh>({.cells = {48, 24}});
+  for (const double e : {0.0, 0.003, 0.03}) {
+    auto m = before;
+    decimate(m, {.max_error = e, .feature_angle_deg = 180, .boundary_weight = 0});
+    CHECK(hausdorff_distance(before, m, {.tolerance = 0.001}).lower <= e + 1e-12);
+    CHECK(check_laws(m).empty());
+  }
+}
+
 TEST_CASE("decimate: features sharper than the angle are held in place") {
   // a roof over a grid: the ridge at x = 1/2
   auto roof = grid<trimesh>(16);

@@ -12,6 +12,7 @@
 #include <concino/io/load.hpp>
 #include <concino/remesh/adaptive_size.hpp>
 #include <concino/validate/check_laws.hpp>
+#include <concino/validate/validate.hpp>
 
 #include <support/corpus_meshes.hpp>
 #include <support/kinds.hpp>
@@ -215,6 +216,45 @@ TEST_CASE("remesh: triangles without area, and with much too long edges") {
   const auto r = remesh(one, {.edge_length = 0.02});
   CHECK(r.share_of_lengths > 0.9);
   CHECK(total_area(one) == doctest::Approx(0.5));
+}
+
+TEST_CASE_TEMPLATE("remesh: flat triangles vanish", M, trimesh, polygonmesh) {
+  const auto num_flat = [](const M& m) {
+    unsigned n = 0;
+    for (const auto p : polys(m)) {
+      double longest = 0;
+      for (const auto e : adj_p2e(m, p)) longest = std::max(longest, edge_length(m, e));
+      n += area(m, p) <= 1e-3 * longest * longest;
+    }
+    return n;
+  };
+  using lists = std::vector<std::vector<unsigned>>;
+  const auto remeshed = [&](M m, double area_of_all) {
+    CHECK(num_flat(m) > 0);
+    const long chi = long(num_verts(m)) - long(num_edges(m)) + long(num_polys(m));
+    remesh(m, {.edge_length = 0.3});
+    CHECK(num_flat(m) == 0);
+    CHECK(validate(m).count(defect_kind::zero_size) == 0);
+    CHECK(check_laws(m).empty());
+    CHECK(long(num_verts(m)) - long(num_edges(m)) + long(num_polys(m)) == chi);
+    double sum = 0;
+    for (const auto p : polys(m)) sum += area(m, p);
+    CHECK(sum == doctest::Approx(area_of_all).epsilon(1e-3));
+  };
+  for (const double h : {0.0, 1e-12, 1e-9, 1e-6, 1e-4, -1e-9}) {
+    CAPTURE(h);
+    // a cap between two triangles, as of a T-junction
+    remeshed(M(std::vector<vec3>{{0, 0, 0}, {1, -h, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}, {1, -1, 0}},
+               lists{{0, 2, 3}, {0, 3, 4}, {0, 1, 2}, {0, 5, 1}, {1, 5, 2}}), 3);
+    // one whose longest edge is on the boundary
+    remeshed(M(std::vector<vec3>{{0, 0, 0}, {1, -h, 0}, {2, 0, 0}, {1, -1, 0}}, lists{{0, 1, 2}, {0, 3, 1}, {1, 3, 2}}), 1);
+    // several verts on one long edge
+    remeshed(M(std::vector<vec3>{{0, 0, 0}, {0.5, -h, 0}, {1, -h, 0}, {1.5, -h, 0}, {2, 0, 0}, {1, 1, 0}, {1, -1, 0}},
+               lists{{0, 4, 5}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {1, 0, 6}, {2, 1, 6}, {3, 2, 6}, {4, 3, 6}}), 2);
+    // two needles at one short edge
+    remeshed(M(std::vector<vec3>{{0, 0, 0}, {1, h, 0}, {1, h + 1e-7, 0}, {2, 0, 0}, {1, 1, 0}, {1, -1, 0}},
+               lists{{0, 1, 2}, {1, 3, 2}, {0, 5, 1}, {1, 5, 3}, {2, 3, 4}, {0, 2, 4}}), 2);
+  }
 }
 
 TEST_CASE("remesh: properties follow") {

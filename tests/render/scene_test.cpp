@@ -82,6 +82,10 @@ TEST_CASE_TEMPLATE("scene: hidden polys are not drawn, and faces that a cut laid
   CHECK(num_exposed == (dimension_v<M> == 3 ? exposed_facets(m, below('x', 0.5)).size() : 0));
   CHECK((num_exposed > 0) == (dimension_v<M> == 3));
   CHECK(make_drawable(m, {.visible = below('x', -1)}).points.empty());
+  scene by_map;
+  by_map.add(m, {.visible = visible_polys(m, below('x', 0.5)), .color = {1, 1, 1}, .exposed_color = {1, 0, 0}});
+  CHECK(by_map.drawables()[0].polys.size() == d.polys.size());
+  CHECK(by_map.drawables()[0].exposed == d.exposed);
 }
 
 TEST_CASE("scene: several things, each with its own colour, map and visibility") {

@@ -1,4 +1,4 @@
-// Finds the real mesh files of the corpus, which is not part of this repository, and skips test cases whose files are missing.
+// Finds the mesh files of the corpus, real ones or the small ones of tests/small_corpus, and skips test cases whose files are missing.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -18,19 +18,19 @@ inline void skip(const std::string& why) {
   std::fflush(stdout);
 }
 
-/// The folder $CONCINO_CORPUS, else ../shared/data beside the source tree; empty if there is none.
+/// The folder $CONCINO_CORPUS, else ../shared/data beside the source tree, else tests/small_corpus, which is part of the repository.
 inline std::filesystem::path corpus_dir() {
   const char* named = std::getenv("CONCINO_CORPUS");
   const std::filesystem::path dir = named && *named ? named : CONCINO_TEST_DEFAULT_CORPUS;
   std::error_code none;
-  return std::filesystem::is_directory(dir, none) ? dir : std::filesystem::path();
+  return std::filesystem::is_directory(dir, none) ? dir : std::filesystem::path(CONCINO_TEST_SMALL_CORPUS);
 }
 
 /// The path of a file or folder of the corpus, such as "tri/bunny.obj"; empty if it is absent.
 inline std::filesystem::path corpus(const std::filesystem::path& file) {
-  const std::filesystem::path dir = corpus_dir();
+  const std::filesystem::path path = corpus_dir() / file;
   std::error_code none;
-  return !dir.empty() && std::filesystem::exists(dir / file, none) ? dir / file : std::filesystem::path();
+  return std::filesystem::exists(path, none) ? path : std::filesystem::path();
 }
 
 /// Whether tests run in their long form (more rounds, larger meshes), as with `./test.sh --long`.

@@ -4,6 +4,7 @@
 #include <concino/convert/convert.hpp>
 #include <concino/generate/icosphere.hpp>
 #include <concino/generate/torus.hpp>
+#include <concino/geometry/measure.hpp>
 #include <concino/remesh/decimate.hpp>
 
 #include <support/foreign_edits.hpp>
@@ -41,6 +42,11 @@ void decimates_as_trimesh_does() {
   }
   decimates_as_trimesh_does<M>(grid<trimesh>(8), {.target_polys = 40});
   decimates_as_trimesh_does<M>(icosphere(3), {.max_error = 0.03});
+  auto open = convert<M>(grid<trimesh>(8));
+  const double area_before = total_measure(open);
+  CHECK(decimate(open, {.max_error = 0.001}).error <= 0.001);
+  CHECK(total_measure(open) > area_before * 0.99);
+  CHECK(num_polys(open) < 128);
   auto m = convert<M>(icosphere(1));
   CHECK_THROWS_AS(decimate(m, {}), invalid_argument);
   CHECK(num_polys(m) == 80);

@@ -1,5 +1,8 @@
 // The conformance kit finds each planted bug under the right law. All are common bugs of adapters.
+#include <concino/convert/convert.hpp>
 #include <concino/mesh/polygonmesh.hpp>
+#include <concino/mesh/polyhedralmesh.hpp>
+#include <concino/mesh/property.hpp>
 #include <concino/mesh/tetmesh.hpp>
 #include <concino/testing/conformance.hpp>
 
@@ -38,11 +41,24 @@ enum class bug {
   swaps_with_the_last,
   add_poly_loses_a_corner,
   deleted_still_contained,
+  // bugs of rewire
+  rewire_swaps_coordinates,
+  rewire_forgets_points,
+  rewire_moves_another_vert,
+  rewire_swaps_corners,
+  rewire_forgets_a_poly,
+  rewire_keeps_removed_verts,
+  rewire_keeps_no_descriptor,
+  rewire_changes_values,
+  rewire_checks_nothing,
+  rewire_is_half_done,
   // bugs of volumes
   face_turned,
   cells_in_another_order,
   face_of_one_poly_too_few,
   face_lists_no_cycle,
+  polys_turned_inside_out,
+  poly_turned_inside_out,
 };
 
 /// A native mesh with a planted bug. Every ring is a vector of its own, unless the bug is that they are not.
@@ -170,7 +186,7 @@ struct planted_traits {
   static places adj_p2p(const M& m, poly p) {
     std::vector<poly> ring = copied(T::adj_p2p(m.inner, p));
     if (m.mistake == bug::poly_its_own_neighbour && p.raw() == 1) ring.push_back(p);
-    if (m.mistake == bug::stale_polys_across) ring = m.across_as_made[p.raw()];
+    if (m.mistake == bug::stale_polys_across && p.raw() < m.across_as_made.size()) ring = m.across_as_made[p.raw()];
     if (m.mistake == bug::polys_across_verts_too)
       for (const vert v : T::adj_p2v(m.inner, p))
         for (const poly q : T::adj_v2p(m.inner, v))
@@ -187,6 +203,30 @@ struct planted_traits {
   static void set_point(M& m, vert v, const X& x) {
     const vert to{m.mistake == bug::set_point_moves_the_next ? (v.raw() + 1) % T::vert_index_bound(m.inner) : v.raw()};
     T::set_point(m.inner, to, x);
+  }
+
+  static const cn::property_set& properties(const M& m) { return T::properties(m.inner); }
+  static cn::property_set& properties(M& m) { return T::properties(m.inner); }
+  static void rewire(M& m, const cn::cavity_of<vert, poly>& cavity, const cn::cavity_result_of<vert, poly>& made) {
+    cn::cavity_of<vert, poly> c = cavity;
+    std::vector<cn::vec3> points = copied(c.points);
+    for (cn::vec3& x : points) {
+      if (m.mistake == bug::rewire_swaps_coordinates) std::swap(x.x, x.y);
+      if (m.mistake == bug::rewire_forgets_points) x = {};
+    }
+    c.points = {points.data(), points.data() + points.size()};
+    std::vector<unsigned> corners = copied(c.corners);
+    if (m.mistake == bug::rewire_swaps_corners) std::swap(corners[0], corners[1]);
+    if (m.mistake == bug::rewire_checks_nothing && corners[0] == corners[1]) corners[1] = 2;  // the number that is missing
+    c.corners = {corners.data(), corners.data() + corners.size()};
+    if (m.mistake == bug::rewire_keeps_removed_verts) c.removed = 0;
+    if (m.mistake == bug::rewire_keeps_no_descriptor) c.kept = 0;
+    if (m.mistake == bug::rewire_is_half_done) T::set_point(m.inner, *c.verts.begin(), cn::vec3{7, 8, 9});
+    T::rewire(m.inner, c, made);
+    if (m.mistake == bug::rewire_forgets_a_poly) T::remove_poly(m.inner, *T::polys(m.inner).begin());
+    if (m.mistake == bug::rewire_moves_another_vert) T::set_point(m.inner, vert{0}, cn::vec3{7, 8, 9});
+    if (m.mistake == bug::rewire_changes_values)
+      for (const auto& x : cn::property_list(m.inner)) cn::vert_property<double>(m.inner, x.name)[vert{0}] = 99;
   }
 
   static vert add_vert(M& m, const cn::vec3& x) { return T::add_vert(m.inner, x); }
@@ -215,13 +255,19 @@ struct concino::mesh_traits<promised> : planted_traits<cn::polygonmesh> {
   static constexpr int arity = 3;
 };
 
-template<>
-struct concino::mesh_traits<planted<cn::tetmesh>> : planted_traits<cn::tetmesh> {
-  using base = planted_traits<cn::tetmesh>;
+namespace {
+
+template<class Inner>
+struct planted_volume_traits : planted_traits<Inner> {
+  using base = planted_traits<Inner>;
+  using typename base::M;
+  using typename base::T;
+  using typename base::vert;
+  using typename base::edge;
+  using typename base::poly;
   using face = cn::face_id;
   using base::contains;
   using base::index_of;
-  static constexpr int arity = 4;
   static auto faces(const M& m) { return T::faces(m.inner); }
   static std::size_t num_faces(const M& m) { return T::num_faces(m.inner); }
   static std::size_t face_index_bound(const M& m) { return T::face_index_bound(m.inner); }
@@ -240,8 +286,23 @@ struct concino::mesh_traits<planted<cn::tetmesh>> : planted_traits<cn::tetmesh> 
     return ring;
   }
   static auto adj_p2f(const M& m, poly p) { return copied(T::adj_p2f(m.inner, p)); }
-  static bool face_is_outward(const M& m, poly p, face f) { return T::face_is_outward(m.inner, p, f) != (m.mistake == bug::face_turned && p.raw() == 0 && f.raw() == 0); }
+  static bool face_is_outward(const M& m, poly p, face f) {
+    const bool is_wrong = m.mistake == bug::polys_turned_inside_out || (m.mistake == bug::poly_turned_inside_out && p.raw() == 1) ||
+                          (m.mistake == bug::face_turned && p.raw() == 0 && f.raw() == 0);
+    return T::face_is_outward(m.inner, p, f) != is_wrong;
+  }
+};
+
+}  // namespace
+
+template<>
+struct concino::mesh_traits<planted<cn::tetmesh>> : planted_volume_traits<cn::tetmesh> {
+  static constexpr int arity = 4;
   static poly add_poly(M& m, std::span<const vert> corners) { return T::add_poly(m.inner, corners); }
+};
+template<>
+struct concino::mesh_traits<planted<cn::polyhedralmesh>> : planted_volume_traits<cn::polyhedralmesh> {
+  static poly add_poly(M& m, std::span<const vert> corners) = delete;
 };
 
 namespace {
@@ -274,6 +335,13 @@ planted<cn::tetmesh> volume(bug mistake) {
   return m;
 }
 
+planted<cn::polyhedralmesh> polyhedra(bug mistake) {
+  planted<cn::polyhedralmesh> m;
+  m.inner = cn::convert<cn::polyhedralmesh>(volume(bug::none).inner);
+  m.mistake = mistake;
+  return m;
+}
+
 template<class Make>
 void found(const Make& make, const char* law) {
   const cn::conformance_report report = cn::conformance(make);
@@ -287,10 +355,37 @@ void found(const Make& make, const char* law) {
 
 TEST_CASE("conformance: without a planted bug nothing is found") {
   CHECK(cn::conformance([] { return surface(bug::none); }).text() ==
-        "models: PrimalGraph DualGraph SurfaceMesh AnyMesh Embedded MutablePoints\n"
-        "states: as constructed, after all points were moved, after every third poly was removed, after a poly was added\n"
+        "models: PrimalGraph DualGraph SurfaceMesh AnyMesh Embedded MutablePoints EditableSurfaceMesh\n"
+        "states: as constructed, after all points were moved, after every third poly was removed, after a poly was added, after polys were rewired\n"
         "all laws hold\n");
   const auto report = cn::conformance([] { return volume(bug::none); });
+  CHECK_MESSAGE(report.ok(), report.text());
+  const auto of_polyhedra = cn::conformance([] { return polyhedra(bug::none); });
+  CHECK_MESSAGE(of_polyhedra.ok(), of_polyhedra.text());
+}
+
+TEST_CASE("conformance: finds wrong rewiring") {
+  const auto found_in_all = [](bug mistake, const char* law) {
+    found([mistake] { return surface(mistake); }, law);
+    found([mistake] { return volume(mistake); }, law);
+    if (mistake != bug::rewire_swaps_corners) found([mistake] { return polyhedra(mistake); }, law);
+  };
+  found_in_all(bug::rewire_swaps_coordinates, "ED1");
+  found_in_all(bug::rewire_forgets_points, "ED1");
+  found_in_all(bug::rewire_moves_another_vert, "ED2");
+  found_in_all(bug::rewire_swaps_corners, "ED1");
+  found_in_all(bug::rewire_forgets_a_poly, "ED1");
+  found_in_all(bug::rewire_keeps_removed_verts, "ED1");
+  found_in_all(bug::rewire_keeps_no_descriptor, "ED5");
+  found_in_all(bug::rewire_changes_values, "ED2");
+  found_in_all(bug::rewire_checks_nothing, "ED4");
+  found_in_all(bug::rewire_is_half_done, "ED2");
+}
+
+TEST_CASE("conformance: finds polyhedra that are turned inside out, unless the data may have some") {
+  found([] { return polyhedra(bug::polys_turned_inside_out); }, "KIT7");
+  found([] { return polyhedra(bug::poly_turned_inside_out); }, "KIT7");
+  const auto report = cn::conformance([] { return polyhedra(bug::poly_turned_inside_out); }, {.turned_polys = true});
   CHECK_MESSAGE(report.ok(), report.text());
 }
 

@@ -1,5 +1,5 @@
 // Derived adjacencies, for every mesh: adj_e2e, the edges that share a vert with an edge, and in volumes adj_f2f, the
-// faces that share an edge with a face. If the traits have these members, they are used instead.
+// faces that share an edge with a face.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -132,32 +132,22 @@ class faces_of_face {
 
 /// The edges that share a vert with e, each once.
 /// Needs:  AnyMesh M; e is an edge of m.
-/// Result: a range of edges without e: those at one end, then those at the other. If the traits have adj_e2e, what that returns.
+/// Result: a range of edges without e: those at one end, then those at the other.
 /// Cost:   proportional to the edges at the ends of e; nothing is allocated.
 /// Errors: none.
 inline constexpr struct adj_e2e_verb : detail::verb {
   using verb::operator();
-  template<class M>
-    requires AnyMesh<M> || requires(const M& m, edge_t<M> e) { traits<M>::adj_e2e(m, e); }
-  constexpr decltype(auto) operator()(const M& m, edge_t<M> e) const {
-    if constexpr (requires { traits<M>::adj_e2e(m, e); }) return traits<M>::adj_e2e(m, e);
-    else return detail::edges_of_edge<M>(m, e);
-  }
+  template<AnyMesh M> constexpr auto operator()(const M& m, edge_t<M> e) const { return detail::edges_of_edge<M>(m, e); }
 } adj_e2e{};
 
 /// The faces of a volume that share an edge with f, each once.
 /// Needs:  VolumeMesh M; f is a face of m.
-/// Result: a range of faces without f, in the order of the edges of f. If the traits have adj_f2f, what that returns.
+/// Result: a range of faces without f, in the order of the edges of f.
 /// Cost:   proportional to the edges of f, times the faces at an edge squared, times the edges of a face; nothing is allocated.
 /// Errors: none.
 inline constexpr struct adj_f2f_verb : detail::verb {
   using verb::operator();
-  template<class M>
-    requires VolumeMesh<M> || requires(const M& m, face_t<M> f) { traits<M>::adj_f2f(m, f); }
-  constexpr decltype(auto) operator()(const M& m, face_t<M> f) const {
-    if constexpr (requires { traits<M>::adj_f2f(m, f); }) return traits<M>::adj_f2f(m, f);
-    else return detail::faces_of_face<M>(m, f);
-  }
+  template<VolumeMesh M> constexpr auto operator()(const M& m, face_t<M> f) const { return detail::faces_of_face<M>(m, f); }
 } adj_f2f{};
 
 }  // namespace concino

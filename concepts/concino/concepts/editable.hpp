@@ -2,8 +2,10 @@
 // `rewire`, so an operator such as a flip or a collapse works on every model without knowing how the mesh is stored.
 //
 // Laws of rewire(m, c, made):
-//   ED1  the polys c.polys are gone, apart from the first c.kept; the new ones have the verts that c lists, in this order
-//   ED2  elements that are not in the cavity keep their descriptors, their points and their adjacencies to each other
+//   ED1  the polys c.polys are gone, apart from the first c.kept, and so are the removed verts; the new polys have the verts that c lists, in this
+//        order, the new verts have the points of c, and `made` names them
+//   ED2  elements that are not in the cavity keep their descriptors, their indices, their points, their values of named properties and their
+//        adjacencies to each other; so do the verts of the cavity that are not removed, apart from adjacencies
 //   ED3  an edge or face that an old and a new poly share keeps its descriptor; one that only old polys have is gone, and a new one may take its descriptor
 //   ED4  if it throws, the mesh is as before
 //   ED5  the n-th new poly has the descriptor of the n-th old one for n < c.kept

@@ -115,23 +115,11 @@ inline constexpr struct adj_facet2v_verb : detail::verb {
 
 namespace detail {
 
-template<class M>
-concept finds_polys_from_one = (dimension_v<M> == 2 && requires(const std::remove_cvref_t<M>& m, edge_t<M> x, poly_t<M> p) { traits<M>::adj_e2p_from(m, x, p); }) ||
-                               (dimension_v<M> == 3 && requires(const std::remove_cvref_t<M>& m, face_t<M> x, poly_t<M> p) { traits<M>::adj_f2p_from(m, x, p); });
-
-/// The polys of a facet, found from one of them if the mesh can do so.
-template<class M>
-constexpr decltype(auto) adj_facet2p_from(const M& m, const facet_t<M>& x, [[maybe_unused]] const poly_t<M>& p) {
-  if constexpr (finds_polys_from_one<M> && dimension_v<M> == 3) return traits<M>::adj_f2p_from(m, x, p);  // the names differ
-  else if constexpr (finds_polys_from_one<M>) return traits<M>::adj_e2p_from(m, x, p);
-  else return adj_facet2p(m, x);
-}
-
 /// The polys of a facet without one of them.
 template<class M>
 class polys_without {
   using poly = poly_t<M>;
-  using ring = decltype(adj_facet2p_from<M>(std::declval<const M&>(), std::declval<facet_t<M>>(), std::declval<poly_t<M>>()));
+  using ring = decltype(adj_facet2p(std::declval<const M&>(), std::declval<facet_t<M>>()));
   using base_iterator = decltype(std::declval<const std::remove_reference_t<ring>&>().begin());
   using last = decltype(std::declval<const std::remove_reference_t<ring>&>().end());
 
@@ -166,7 +154,7 @@ class polys_without {
     constexpr bool operator!=(const sentinel& s) const { return it_ != s.end_; }
   };
 
-  constexpr polys_without(const M& m, const poly& p, const facet_t<M>& x) : polys_(adj_facet2p_from<M>(m, x, p)), left_out_(p) {}
+  constexpr polys_without(const M& m, const poly& p, const facet_t<M>& x) : polys_(adj_facet2p(m, x)), left_out_(p) {}
   polys_without(const polys_without&) = delete;
 
   constexpr iterator begin() const { return iterator(*this); }

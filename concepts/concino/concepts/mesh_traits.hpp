@@ -13,9 +13,10 @@
 //   contains(m, x)                           optional: whether x is an element of m now, in constant time
 //   prefetch(m, e)                           optional: requests the memory that adj_e2v and adj_e2p of an edge read; changes no result
 //   prefetch(m, f) prefetch(m, p)            optional, of volumes: the same of a face, and of a poly: its lists and what face_is_outward reads
-//   adj_e2p_from(m, e, p)                    optional, of surfaces: adj_e2p(m, e) in any order, found from p, one of these polys; other_polys calls it
-//   adj_f2p_from(m, f, p)                    optional, of volumes: the same of a face
-//   faces_in_order                           optional: static constexpr bool; true if adj_p2f of tets lists the faces in the order of VM7
+//   rewire(m, c, made)                       editing: replaces polys by others, see <concino/concepts/editable.hpp>
+//   add_vert add_face add_poly remove_vert remove_face remove_poly reserve_removal garbage_collect why_not_rewire edits    editing, optional: see
+//                                            <concino/edit.hpp> and docs/adapt-your-mesh.md
+//   properties first_corner corner_index_bound    optional: named properties, see <concino/mesh/property.hpp>
 //   edges_in_order                           optional: static constexpr bool; false if adj_p2e or adj_f2e violates SM7 or VM8: then the verbs sort
 //
 // Include the adapter, or specialise, before the first use of the type with this library: a call of an algorithm, a check of a concept. A later

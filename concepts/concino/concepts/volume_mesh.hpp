@@ -10,8 +10,7 @@
 //   VM6  if each edge of a poly is in two of its faces, the poly is oriented consistently: of the two faces, oriented outward, one has the
 //        direction of the edge and the other the opposite one
 //   VM7  if the type fixes that polys are tets or hexes, adj_p2v lists 4 or 8 verts in the standard order: the tet's faces are 0 2 1, 0 1 3,
-//        0 3 2, 1 2 3, the hex's 0 3 2 1, 1 2 6 5, 4 5 6 7, 3 0 4 7, 0 1 5 4, 2 3 7 6, in any order. If the traits of a mesh of tets say
-//        faces_in_order = true, adj_p2f lists its faces in this order
+//        0 3 2, 1 2 3, the hex's 0 3 2 1, 1 2 6 5, 4 5 6 7, 3 0 4 7, 0 1 5 4, 2 3 7 6, in any order
 //   VM8  the k-th edge of adj_f2e(f) joins the k-th vert of adj_f2v(f) and the next one; the last edge joins the last vert and the first. If the
 //        type fixes that polys are tets, the edges of adj_p2e(p) join the verts 01 02 03 12 13 23 of adj_p2v(p)
 //
@@ -164,11 +163,6 @@ concept VolumeMesh = PrimalGraph<M> && DualGraph<M> && requirement::is_volume<M>
 /// Volumes of tetrahedra, of hexahedra, if the type fixes that at compile time.
 template<class M> concept TetMesh = VolumeMesh<M> && requirement::has_arity_4<M>;
 template<class M> concept HexMesh = VolumeMesh<M> && requirement::has_arity_8<M>;
-
-namespace detail {
-/// Whether a mesh of tets says that adj_p2f lists the faces in the order of VM7.
-template<class M> concept lists_faces_in_order = requires { requires traits<M>::faces_in_order; };
-}  // namespace detail
 
 /// Fails to compile with one sentence that names the first thing M lacks to be a VolumeMesh and what to write.
 template<class M>

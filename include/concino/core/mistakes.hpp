@@ -30,7 +30,7 @@ struct bare_graph {
     requires(PrimalGraph<M> && requirement::is_lvalue_or_view<const M&> && !EmbeddedMesh<M>)
   bare_graph(const M&);
 };
-inline constexpr sentence name_discretisation("a graph without polys or points has no default discretisation: name one, as in laplacian(m, uniform) or harmonic_map(m, values, uniform)");
+inline constexpr sentence name_discretisation("the default discretisation needs polys and mesh_traits<M>::point(m, v): write what is missing, or name another, as in laplacian(m, uniform) or harmonic_map(m, values, uniform)");
 
 /// Converts from a graph of polys alone that is not dual(m), for functions on verts.
 template<sentence Remedy>

@@ -12,8 +12,9 @@ struct no_inversion_invariant {
   permission operator()(const proposed_edit& e) const;
 };
 
-/// Refuses edits that make degenerate or inverted polys. Those are tets whose volume is not positive, by the sign of the exact determinant, triangles without
-/// area, and triangles whose normal turns by 90 degrees or more from that of an old triangle that they come from.
+/// Refuses edits that make degenerate or inverted polys. Degenerate are triangles without area and tets without volume, within the accuracy of their
+/// coordinates: those that validate reports as of zero size. Inverted are tets whose volume is not positive, by the sign of the exact determinant. So are
+/// triangles whose normal turns by 90 degrees or more from that of an old triangle that they come from.
 /// Needs:  an option `keep` of an edit.      Result: a permission.      Cost: the polys of the edit.      Errors: none.
 /// Source: Shewchuk 1997, as orient3d.
 inline constexpr no_inversion_invariant no_inversion{};

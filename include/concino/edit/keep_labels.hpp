@@ -1,7 +1,7 @@
 // An invariant that keeps regions of polys with equal labels, such as materials, apart and their common boundaries in place.
 #pragma once
 
-#include <concino/edit/detail/typed_edit.hpp>
+#include <concino/edit/typed_edit.hpp>
 
 namespace concino {
 
@@ -53,10 +53,10 @@ class label_checker {
 /// Cost:   at each edit, at most the square of the number of its polys.
 /// Errors: an edit throws invalid_argument if its mesh is not m; the mesh is unchanged then.
 template<EditableMesh M, class F>
-  requires(detail::caller_map<std::remove_cvref_t<F>>::template can_hold<F>)
+  requires(core::caller_map<std::remove_cvref_t<F>>::template can_hold<F>)
 invariant keep_labels(const M& m, F&& labels) {
-  return [&m, map = detail::caller_map<std::remove_cvref_t<F>>(labels)](const proposed_edit& e) -> permission {
-    const auto& c = detail::cavity_of_edit(e, m, "keep_labels");
+  return [&m, map = core::caller_map<std::remove_cvref_t<F>>(labels)](const proposed_edit& e) -> permission {
+    const auto& c = core::cavity_of_edit(e, m, "keep_labels");
     const detail::label_checker<M, decltype(map)> checker(m, c, map);
     if (!checker.new_polys_have_one_label()) return {refusal::invariant, "keep_labels: polys of different labels would be mixed"};
     if (c.removed_vert() != c.none && !checker.collapse_keeps_labels()) return {refusal::invariant, "keep_labels: the boundary between labels would change"};

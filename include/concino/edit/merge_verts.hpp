@@ -2,9 +2,11 @@
 #pragma once
 
 #include <concino/edit/detail/operator_checks.hpp>
+#include <concino/edit/detail/propose.hpp>
 #include <concino/edit/detail/relabelled_values.hpp>
 #include <concino/edit/detail/representable.hpp>
 
+#include <array>
 #include <initializer_list>
 #include <span>
 #include <vector>
@@ -20,6 +22,7 @@ enum class degenerate_polys : unsigned char {
 struct merge_verts_options {
   degenerate_polys degenerate = degenerate_polys::refuse;  // what happens to polys that become degenerate
   bool at_mean = false;  // the remaining vert moves to the mean of all points, and has the mean of interpolated values; else it stays and keeps them
+  std::vector<invariant> keep = {};  // see edit_options; asked about each removed vert. Polys at the verts must be triangles or tets if any is given
 };
 
 namespace detail {
@@ -87,6 +90,44 @@ permission merge_cavity(const M& m, const vert_t<M>& kept, std::span<const vert_
 }
 
 template<class M>
+vec3 mean_of_merged(const M& m, const vert_t<M>& kept, std::span<const vert_t<M>> removed) {
+  vec3 mean = to_vec3(point(m, kept));
+  for (const vert_t<M>& v : removed) mean += to_vec3(point(m, v));
+  return mean / static_cast<double>(removed.size() + 1);
+}
+
+/// Asks the invariants about the edit of c, as one in which removed vert i becomes one with `kept`.
+template<class M>
+permission ask_about_removed(const M& m, const vert_t<M>& kept, std::span<const vert_t<M>> removed, std::size_t i, const merge_verts_options& options,
+                             const relabelled_cavity<M>& c) {
+  cavity_builder<M> simplices(m);
+  for (const poly_t<M>& p : c.polys())
+    if (!simplices.add_old(p)) return not_simplices;
+  for (const poly_t<M> p : adj_v2p(m, kept))
+    if (!c.has(p) && !simplices.add_neighbour(p)) return not_simplices;
+  const unsigned a = simplices.vert(kept), b = simplices.vert(removed[i]);
+  for (const unsigned k : c.survivors()) {
+    std::array<unsigned, cavity_builder<M>::size> corners{};
+    std::size_t n = 0;
+    for (const unsigned label : c.labels(k)) corners[n++] = simplices.vert(c.vert_at(label));
+    simplices.add_new(corners.data(), k);
+  }
+  simplices.merge(a, b, options.at_mean ? 0.5 : 0);
+  if (options.at_mean) simplices.move(a, mean_of_merged(m, kept, removed));
+  return ask(options.keep, m, simplices);
+}
+
+/// The edit, and whether it is allowed.
+template<class M>
+permission propose_merge(const M& m, const vert_t<M>& kept, std::span<const vert_t<M>> removed, const merge_verts_options& options, relabelled_cavity<M>& c) {
+  const permission p = merge_cavity<M>(m, kept, removed, options, c);
+  if (!p || options.keep.empty()) return p;
+  for (std::size_t i = 0; i < removed.size(); ++i)
+    if (const permission x = ask_about_removed(m, kept, removed, i, options, c); !x) return x;
+  return p;
+}
+
+template<class M>
 void check_merge(const M& m, const vert_t<M>& kept, std::span<const vert_t<M>> removed, const char* edit) {
   check_element(m, kept, edit, "vert");
   for (const vert_t<M>& v : removed) check_element(m, v, edit, "vert");
@@ -105,15 +146,15 @@ relabelled_vert origins_of_merged(const M& m, const vert_t<M>& kept, std::span<c
 }  // namespace detail
 
 /// Whether verts can be merged: they are different, no poly becomes degenerate unless options allow that, no two polys would have the same
-/// verts, and the library of m can represent the result.
+/// verts, the library of m can represent the result, and the invariants hold.
 /// Needs:  EditableMesh M, verts of m.      Result: true, or the reason.
 /// Cost:   the polys at the verts, and sorting these.
-/// Errors: invalid_mesh if one of the verts is not a vert of m.
+/// Errors: invalid_mesh if one of the verts is not a vert of m, and what an invariant throws.
 template<EditableMesh M>
 permission can_merge_verts(const M& m, vert_t<M> kept, std::span<const std::type_identity_t<vert_t<M>>> removed, const merge_verts_options& options = {}) {
   detail::check_merge<M>(m, kept, removed, "can_merge_verts");
   detail::relabelled_cavity<M> c(m);
-  return detail::merge_cavity<M>(m, kept, removed, options, c);
+  return detail::propose_merge<M>(m, kept, removed, options, c);
 }
 template<EditableMesh M>
 permission can_merge_verts(const M& m, vert_t<M> kept, std::initializer_list<vert_t<M>> removed, const merge_verts_options& options = {}) {
@@ -127,17 +168,15 @@ permission can_merge_verts(const M& m, vert_t<M> kept, std::initializer_list<ver
 /// Result: the remaining vert, or the reason why not. Other descriptors remain valid, apart from those of the removed verts, of degenerate polys, and of one of
 ///         each two edges or faces that become one. The values of properties at elements that become one follow their rules.
 /// Cost:   that of can_merge_verts, and the elements at the verts of the polys at the removed verts, but O(mesh) the first time.
-/// Errors: invalid_mesh if one of the verts is not a vert of m. The mesh is unchanged then, also if memory runs out.
+/// Errors: invalid_mesh if one of the verts is not a vert of m, and what an invariant throws. The mesh is unchanged then, also if memory runs out.
 template<EditableMesh M>
 vert_result<M> merge_verts(M& m, vert_t<M> kept, std::span<const std::type_identity_t<vert_t<M>>> removed, const merge_verts_options& options = {}) {
   detail::check_merge<M>(m, kept, removed, "merge_verts");
   detail::relabelled_cavity<M> c(m);
-  if (const permission p = detail::merge_cavity<M>(m, kept, removed, options, c); !p) return {p};
+  if (const permission p = detail::propose_merge<M>(m, kept, removed, options, c); !p) return {p};
   if (removed.empty()) return {{}, kept};
   const std::vector<detail::relabelled_vert> changed{detail::origins_of_merged<M>(m, kept, removed, options.at_mean, c.num_removed())};
-  vec3 mean = to_vec3(point(m, kept));
-  for (const vert_t<M>& v : removed) mean += to_vec3(point(m, v));
-  mean = mean / static_cast<double>(removed.size() + 1);
+  const vec3 mean = detail::mean_of_merged<M>(m, kept, removed);
   detail::apply_relabelling(m, c, changed, [&] {
     // while a transaction is open, moving the vert may fail, so it comes first
     const bool is_recorded = detail::has_open_transaction(m);

@@ -7,7 +7,7 @@
 #include <concino/fields/detail/exact_windows.hpp>
 #include <concino/fields/detail/geodesic_sources.hpp>
 #include <concino/fields/exact_paths.hpp>
-#include <concino/geometry/closest_point.hpp>
+#include <concino/geometry/lowest_element.hpp>
 #include <concino/geometry/unfolded_surface.hpp>
 #include <concino/mesh/element_map.hpp>
 
@@ -22,6 +22,7 @@
 #include <optional>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace concino {
@@ -82,7 +83,7 @@ class prepared_exact_geodesics {
     for (const start& s : starts) windows.add_vert(s.vert, std::ldexp(s.distance - least, -triangles().exponent));
     return solve(windows, least, target);
   }
-  /// source_point: set to the source, which is the point of p nearest to x.
+  /// source_point: set to the source, at the lowest element of p that contains x.
   vert_map<M, double> solve_from(const poly_t<M>& p, const vec3& x, mesh_point<M>& source_point, detail::path_tree* paths = nullptr) const;
 
   detail::path_tree empty_tree() const { return detail::path_tree(triangles().around.size()); }
@@ -115,8 +116,8 @@ class prepared_exact_geodesics {
   }
   void distance_from(mistake::number<mistake::name_the_element>, ...) const = delete;  // elements have types: vert_id{0}, not 0
 
-  /// The distances of all verts from a point of poly p: the one nearest to x.
-  /// Result, cost: as above.      Errors: invalid_mesh if p is not a poly of the mesh; invalid_argument if x is not finite.
+  /// The distances of all verts from the point x of poly p, as a place of its lowest element.
+  /// Result, cost: as above.      Errors: those of lowest_element.
   vert_map<M, double> distance_from(const poly_t<M>& p, const vec3& x) const {
     mesh_point<M> source_point{p, x};
     return solve_from(p, x, source_point);
@@ -157,15 +158,17 @@ class prepared_exact_geodesics {
 template<class M>
 vert_map<M, double> prepared_exact_geodesics<M>::solve_from(const poly_t<M>& p, const vec3& x, mesh_point<M>& source_point, detail::path_tree* paths) const {
   const M& m = mesh_.get();
-  if (!contains(m, p)) throw invalid_mesh("exact_geodesics: the poly of a source is not a poly of the mesh; take it from polys(m)");
-  if (!is_finite(x)) throw invalid_argument("exact_geodesics: the point of a source is not finite");
+  source_point = detail::lowest_element_of(m, mesh_point<M>{p, x}, "exact_geodesics", "source");
+  detail::exact_windows windows(triangles(), paths);
+  if (const auto* v = std::get_if<vert_t<M>>(&source_point.element)) {
+    windows.add_vert(static_cast<int>(index_of(m, *v)), 0);
+    return solve(windows, 0);
+  }
   std::array<vec3, 3> corner;
   std::size_t n = 0;
   const double unit = std::ldexp(1.0, -triangles().exponent);
   for (const vert_t<M> v : adj_p2v(m, p)) corner[n++] = unit * to_vec3(point(m, v));
-  const vec3 nearest = closest_point(unit * x, corner[0], corner[1], corner[2]), side = corner[1] - corner[0], to = nearest - corner[0];
-  source_point.position = std::ldexp(1.0, triangles().exponent) * nearest;
-  detail::exact_windows windows(triangles(), paths);
+  const vec3 side = corner[1] - corner[0], to = unit * source_point.position - corner[0];
   const double length = norm(side);
   windows.add_point(3 * prepared_->triangle_of[index_of(m, p)], dot(to, side) / length, norm(cross(side, to)) / length);
   return solve(windows, 0);

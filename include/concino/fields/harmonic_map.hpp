@@ -143,11 +143,12 @@ prepared_harmonic_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepa
 ///         T: double or vec3. solver: a SparseSolver for symmetric positive definite matrices. The default factorises small meshes, and iterates on
 ///         large ones: see auto_solver. To learn what it did, pass one that has a name.
 /// Result: a map of T, u[v]. Prescribed values are exact. Verts without edges get isolated_value unless a value is prescribed; prepare_harmonic_map
-///         counts them. With virtual_elements, linear functions on planar surfaces and on volumes are harmonic, whatever the polys. With uniform
-///         and exponent 1, every value lies between the extrema of the prescribed values in its component.
+///         counts them. Edges of no poly do not count, unless the discretisation gives them a weight, as uniform does. With virtual_elements, linear
+///         functions on planar surfaces and on volumes are harmonic, whatever the polys. With uniform and exponent 1, every value lies between the extrema
+///         of the prescribed values in its component.
 /// Cost:   one factorisation of a sparse matrix with as many unknowns as there are verts to solve for. On large meshes the default solver iterates
 ///         instead, in time proportional to their number.
-/// Errors: invalid_mesh if a value is prescribed at what is no vert of m, or if exponent > 1 and a vert has edges and no mass.
+/// Errors: invalid_mesh if a value is prescribed at what is no vert of m, or if exponent > 1 and a vert is coupled with others and has no mass.
 ///         invalid_argument if a value is not finite, a vert gets two different values, or exponent < 1. solver_error if a component that has edges has
 ///         no prescribed value (the message names one of its verts), or if the system cannot be solved in double precision. Those of `laplacian` with
 ///         this discretisation. cancelled.
@@ -175,11 +176,11 @@ vert_map<M, T> harmonic_map(M&& m, const V& values, const D& discretisation, con
 // What to write instead of calls that cannot compile.
 template<class... T> void prepare_harmonic_map(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
 template<class... T> void prepare_harmonic_map(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
-template<class... T> void prepare_harmonic_map(mistake::bare_graph<mistake::name_discretisation>, ...) = delete;  // of a graph without polys or points write prepare_harmonic_map(m, verts, uniform)
+template<class... T> void prepare_harmonic_map(mistake::bare_graph<mistake::name_discretisation>, ...) = delete;  // needs point(m, v) and polys; else write prepare_harmonic_map(m, verts, uniform)
 template<class... T> void prepare_harmonic_map(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
 template<class... T> void harmonic_map(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
 template<class... T> void harmonic_map(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
-template<class... T> void harmonic_map(mistake::bare_graph<mistake::name_discretisation>, ...) = delete;  // of a graph without polys or points write harmonic_map(m, values, uniform)
+template<class... T> void harmonic_map(mistake::bare_graph<mistake::name_discretisation>, ...) = delete;  // needs point(m, v) and polys; else write harmonic_map(m, values, uniform)
 template<class... T> void harmonic_map(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
 
 }  // namespace concino

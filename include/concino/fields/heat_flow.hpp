@@ -51,7 +51,7 @@ implicit_system<M> heat_flow_system(const M& m, double time, const D& discretisa
   const double step = (options.scheme == heat_scheme::second_order ? alexander_gamma : 1) * (time / options.steps);
   return at_unit_size(m, discretisation, [&](const auto& at, int exponent) -> implicit_system<M> {
     auto mass = mass_beside(at, discretisation, options.lumped, caller);
-    return {m, std::move(constrained), std::move(mass), std::ldexp(step, -2 * exponent), minus_laplacian(at, discretisation), caller};
+    return {m, discretisation, std::move(constrained), std::move(mass), std::ldexp(step, -2 * exponent), minus_laplacian(at, discretisation), caller};
   });
 }
 
@@ -115,8 +115,8 @@ class prepared_heat_flow {
   /// Needs:  u as for heat_flow; the mesh has not changed since it was prepared.
   /// Result: that of heat_flow.      Cost: two back-substitutions per step, or one, see heat_scheme; three times that for vectors.
   /// Errors: as heat_flow about u; solver_error; cancelled.
-  template<class F, class T = detail::field_value_at<F, vert_t<M>>>
-    requires requirement::gives_numbers_or_points<F, vert_t<M>>
+  template<class F, class T = detail::field_value_of<F, M>>
+    requires requirement::is_field<F, M>
   vert_map<M, T> advance(const F& u, const progress& on_progress = nullptr) const {
     const M& m = mesh_.get();
     auto r = prepared_->system.template values_of<T>(m, u);
@@ -151,26 +151,27 @@ prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_
 /// Solves the heat equation u_t = Laplacian of u: returns the values at `time`, starting from `initial` at time 0. The Laplacian is that of the
 /// discretisation, which is passed after the time; the default is virtual_elements. Fixed verts keep their values. No heat flows through the boundary
 /// where no verts are fixed.
-/// Needs:  EmbeddedMesh M; with a Discretisation what that needs: with `uniform` any PrimalGraph. initial: any readable map over verts, of numbers,
-///         or of points for vectors, whose components flow independently. time: finite, 0 or more, in units of length^2; without unit with
-///         `uniform`, where M is the identity. solver as for harmonic_map.
+/// Needs:  EmbeddedMesh M; with a Discretisation what that needs: with `uniform` any PrimalGraph. initial: any readable map over verts, or function of the
+///         point of a vert, of numbers, or of points for vectors, whose components flow independently. time: finite, 0 or more, in units of length^2;
+///         without unit with `uniform`, where M is the identity. solver as for harmonic_map.
 /// Result: a map of double or vec3. If nothing is fixed, the total heat (the sum of M u) is constant, and the sum of u times M u never grows.
 ///         The limit for long times is then the mean value in each component; with fixed values it is the harmonic map through them. Verts without
-///         edges keep their value; prepare_heat_flow counts them.
+///         edges keep their value; prepare_heat_flow counts them. Edges of no poly do not count, unless the discretisation gives them a weight, as uniform
+///         does.
 /// Cost:   one factorisation of a sparse matrix with as many unknowns as there are verts to solve for, and two back-substitutions per step, or one, see
 ///         heat_scheme. On large meshes the default solver iterates for the first ones, in time proportional to the number of unknowns.
 /// Errors: invalid_argument if time or steps is out of its range, or a value is not finite at a vert that has edges or is fixed. invalid_mesh if a
-///         fixed vert is no vert of m, or if a vert has edges and no mass. Those of `laplacian` with this discretisation and of mass_matrix.
+///         fixed vert is no vert of m, or if a vert is coupled with others and has no mass. Those of `laplacian` with this discretisation and of mass_matrix.
 ///         solver_error. cancelled.
 /// Source: Alexander 1977, "Diagonally implicit Runge-Kutta methods for stiff O.D.E.'s" (the scheme of two stages).
-template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class Solver = auto_solver>
-  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
+template<class M, class F, class T = detail::field_value_of<F, M>, class Solver = auto_solver>
+  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && requirement::is_field<F, M> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> heat_flow(M&& m, const F& initial, double time, const heat_flow_options<std::remove_cvref_t<M>>& options = {}, Solver&& solver = {}) {
   return heat_flow(m, initial, time, virtual_elements, options, solver);
 }
-template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class D, class Solver = auto_solver>
-  requires requirement::is_lvalue_or_view<M> && Discretisation<D, M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
+template<class M, class F, class T = detail::field_value_of<F, M>, class D, class Solver = auto_solver>
+  requires requirement::is_lvalue_or_view<M> && Discretisation<D, M> && requirement::is_field<F, M> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> heat_flow(M&& m, const F& initial, double time, const D& discretisation,
                          const heat_flow_options<std::remove_cvref_t<M>>& options = {}, Solver&& solver = {}) {
@@ -185,12 +186,12 @@ vert_map<M, T> heat_flow(M&& m, const F& initial, double time, const D& discreti
 // What to write instead of calls that cannot compile.
 template<class... T> void prepare_heat_flow(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
 template<class... T> void prepare_heat_flow(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
-template<class... T> void prepare_heat_flow(mistake::bare_graph<mistake::name_discretisation>, ...) = delete;  // of a graph without polys or points write prepare_heat_flow(m, time, uniform)
+template<class... T> void prepare_heat_flow(mistake::bare_graph<mistake::name_discretisation>, ...) = delete;  // needs point(m, v) and polys; else write prepare_heat_flow(m, time, uniform)
 template<class... T> void heat_flow(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
 template<class... T> void heat_flow(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
-template<class... T> void heat_flow(mistake::bare_graph<mistake::name_discretisation>, ...) = delete;  // of a graph without polys or points write heat_flow(m, initial, time, uniform)
+template<class... T> void heat_flow(mistake::bare_graph<mistake::name_discretisation>, ...) = delete;  // needs point(m, v) and polys; else write heat_flow(m, initial, time, uniform)
 template<class M, class U, class R = mistake::remedy<mistake::give_numbers_or_points_at_verts>>
-  requires(PrimalGraph<M> && !requirement::gives_numbers_or_points<U, vert_t<M>>)
+  requires(PrimalGraph<M> && !requirement::is_field<U, M>)
 void heat_flow(M&&, const U&, ...) = delete;  // a number or a point at each vert: make_vert_map<double>(m)
 
 }  // namespace concino

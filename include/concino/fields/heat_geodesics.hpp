@@ -109,10 +109,10 @@ vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<std::pair<vert_t
 }
 
 /// Geodesic distances of all verts from a point of poly p, by the heat method.
-/// Needs:  x lies on or in p. p should be convex: the distances of its verts are those of straight lines.
-/// Result: as above.
+/// Needs:  x lies on or in p. The polys that contain it should be convex: the distances of their verts are those of straight lines.
+/// Result: as above; a place of the lowest element that contains x.
 /// Cost:   as above.
-/// Errors: as above, and invalid_mesh if p is not a poly of the mesh; invalid_argument if x is not finite.
+/// Errors: as above, and those of lowest_element.
 template<class M, class Solver = auto_solver>
   requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, double> heat_geodesics(M&& m, const poly_t<M>& p, const vec3& x, const heat_geodesics_options& options = {},

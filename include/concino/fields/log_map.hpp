@@ -24,8 +24,10 @@ struct log_map_options {
   concino::progress progress = nullptr;  // called with "log map" and "factorising"
 };
 
-/// distance: along the surface, in units of length; 0 at the source, +inf where no path leads there.
-/// direction: the direction in which the path leaves the source, of length 1, in the source's frame (see tangent_vector); 0 at the source and where the
+/// distance: of the vert from the source, in units of length, in the plane into which the surface unfolds; 0 at the source, +inf where no path leads there. Where
+///           a straight path over the surface joins both, it is the length of this path. Across a notch or a hole it is shorter than every path;
+///           heat_geodesics and exact_geodesics measure round it.
+/// direction: the direction in which the straight path leaves the source, of length 1, in the source's frame (see tangent_vector); 0 at the source and where the
 ///            distance is infinite.
 template<class M>
 struct log_map_result {
@@ -90,8 +92,8 @@ prepared_log_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_lo
   return {m, options, solver};
 }
 
-/// The logarithmic map of a surface about one vert, by the affine heat method: auto l = log_map(m, v). Then l.distance[w] is the length of a path from v to w
-/// that is as straight as the surface allows, and l.direction[w] the direction in which it leaves v.
+/// The logarithmic map of a surface about one vert, by the affine heat method: auto l = log_map(m, v). Then l.distance[w] and l.direction[w] are the
+/// polar coordinates of w in the plane into which the surface unfolds about v: length and direction of the straight path from v to w, where there is one.
 /// Needs:  Embedded SurfaceMesh, not a temporary, with or without boundary. The polys at each vert are one fan. solver: a SparseSolver that factorises.
 /// Result: see log_map_result. Where the surface is flat, polar coordinates to rounding, whatever the polygons are; across holes too, if heat reaches them
 ///         along a way without turns about curved parts. Elsewhere approximate: on spheres the errors halve if edges do. On scanned and designed surfaces

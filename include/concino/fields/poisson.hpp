@@ -74,7 +74,7 @@ class poisson_problem {
     report_progress(on_progress, 0, "Poisson's equation");
     constrained_verts<M> constrained(m);
     constrained.constrain(m, fixed, caller);
-    constrained.number_reached(m, caller);
+    constrained.number_reached(m, coupling_edges<M, D>(m, discretisation), caller);
     return at_unit_size(m, discretisation, [&](const auto& at, int exponent) -> poisson_problem {
       auto system = laplace_system(at, std::move(constrained), discretisation, 1, caller);
       return {std::move(system), mass_matrix(at, {.lumped = false}), exponent};
@@ -141,8 +141,8 @@ class prepared_poisson {
   /// Result: that of poisson with these arguments.
   /// Cost:   one back-substitution, three for vectors, and a product with the mass matrix.
   /// Errors: as poisson about values, loads and fluxes; invalid_argument if a constrained vert has no value, or another vert has one.
-  template<class F, class T = detail::field_value_at<F, vert_t<M>>>
-    requires requirement::gives_numbers_or_points<F, vert_t<M>>
+  template<class F, class T = detail::field_value_of<F, M>>
+    requires requirement::is_field<F, M>
   vert_map<M, T> solve(const F& f, const poisson_options<M, std::type_identity_t<T>>& options = {}) const {
     auto q = prepared_->problem.template make_query<T>(mesh_.get(), f, options);
     return prepared_->problem.template solve<T>(*prepared_->solver, std::move(q), options.progress);
@@ -174,29 +174,29 @@ prepared_poisson<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_po
 /// Solves Poisson's equation -(Laplacian of u) = f for a function u on the verts, in its weak form -L u = M f + S. The options prescribe values of u at
 /// some verts and outward derivatives du/dn on parts of the boundary: poisson(m, f, {.values = {{a, 0.0}}, .fluxes = {{e, 1.0}}}). Where the
 /// boundary has neither, du/dn is 0. L is the Laplacian of the discretisation, which is passed after the load; the default is virtual_elements.
-/// Needs:  EmbeddedMesh M, with a Discretisation also what that needs. f: any readable map over verts, f[v], in units of u over length^2, of
-///         numbers, or of points for vectors, which are solved for component by component; then values and fluxes are points too. Values: at least one
-///         in each component. Fluxes: edges of a surface or faces of a volume on the boundary, with the outward derivative, constant on
-///         the edge or face. A facet may be listed twice with the same flux. solver: as for harmonic_map.
+/// Needs:  EmbeddedMesh M, with a Discretisation also what that needs. f: any readable map over verts, f[v], or function of the point of a
+///         vert, f(x) with a vec3 x, in units of u over length^2. Its values are numbers, or points for vectors, which are solved for component by component;
+///         then values and fluxes are points too. Values: at least one in each component. Fluxes: edges of a surface or faces of a volume on the boundary,
+///         with the outward derivative, constant on the edge or face. A facet may be listed twice with the same flux. solver: as for harmonic_map.
 /// Result: a map of double or vec3, u[v]. Prescribed values are exact. M is the Galerkin mass: the load is integrated against the projected hat
 ///         functions. A lumped mass would lose the order of the error, which is 2 in the size of the polys with virtual_elements. S integrates the hat
 ///         functions over edges and faces exactly as the Laplacian of virtual_elements does. Linear functions are reproduced where the mesh is planar, or
 ///         a volume with planar faces on the boundary. Verts without edges get isolated_value unless a value is prescribed; prepare_poisson counts
-///         them. f is not read at verts of no poly.
+///         them. Edges of no poly do not count, unless the discretisation gives them a weight, as uniform does. f is not read at verts of no poly.
 /// Cost:   one factorisation of a sparse matrix with as many unknowns as there are verts to solve for. On large meshes the default solver iterates
 ///         instead, in time proportional to their number.
 /// Errors: as harmonic_map with the same discretisation. invalid_argument if f is not finite at a vert of a poly, or a flux is not finite or given
 ///         twice with different values. invalid_mesh if a poly has no area or volume or has points that are not finite. invalid_mesh if a flux is
 ///         given at what is no edge or face of m, or at one that does not have exactly one poly.
 /// Source: Beirao da Veiga et al. 2013, Ahmad et al. 2013 (the load); paper section 2.2.
-template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class Solver = auto_solver>
-  requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
+template<class M, class F, class T = detail::field_value_of<F, M>, class Solver = auto_solver>
+  requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && requirement::is_field<F, M> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> poisson(M&& m, const F& f, const poisson_options<std::remove_cvref_t<M>, std::type_identity_t<T>>& options = {}, Solver&& solver = {}) {
   return poisson(m, f, virtual_elements, options, solver);
 }
-template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class D, class Solver = auto_solver>
-  requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && requirement::gives_numbers_or_points<F, vert_t<M>> && Discretisation<D, M> &&
+template<class M, class F, class T = detail::field_value_of<F, M>, class D, class Solver = auto_solver>
+  requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && requirement::is_field<F, M> && Discretisation<D, M> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> poisson(M&& m, const F& f, const D& discretisation, const poisson_options<std::remove_cvref_t<M>, std::type_identity_t<T>>& options = {},
                        Solver&& solver = {}) {
@@ -216,7 +216,7 @@ template<class... T> void poisson(mistake::no_mesh_traits<mistake::include_adapt
 template<class... T> void poisson(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
 template<class... T> void poisson(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 template<class M, class U, class R = mistake::remedy<mistake::give_numbers_or_points_at_verts>>
-  requires(EmbeddedMesh<M> && !requirement::gives_numbers_or_points<U, vert_t<M>>)
+  requires(EmbeddedMesh<M> && !requirement::is_field<U, M>)
 void poisson(M&&, const U&, ...) = delete;  // a number or a point at each vert: make_vert_map<double>(m)
 
 }  // namespace concino

@@ -10,6 +10,7 @@
 #include <concino/fields/detail/heat_matrix.hpp>
 #include <concino/fields/detail/heat_preparation.hpp>
 #include <concino/fields/heat_geodesics_options.hpp>
+#include <concino/geometry/lowest_element.hpp>
 #include <concino/operators/virtual_elements.hpp>
 
 #include <algorithm>
@@ -18,6 +19,7 @@
 #include <memory>
 #include <span>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace concino {
@@ -160,20 +162,23 @@ class prepared_heat_geodesics {
   }
   void distance_from(mistake::number<mistake::name_the_element>, ...) const = delete;  // elements have types: vert_id{0}, not 0
 
-  /// The distances of all verts from a point of poly p.
-  /// Needs:  x lies on or in p. p should be convex: the distances of its verts are those of straight lines.
+  /// The distances of all verts from a point of poly p, as a place of its lowest element.
+  /// Needs:  x lies on or in p. The polys that contain it should be convex: the distances of their verts are those of straight lines.
   /// Result, cost: as above.
-  /// Errors: invalid_mesh if p is not a poly of the mesh; invalid_argument if x is not finite.
+  /// Errors: those of lowest_element.
   vert_map<M, double> distance_from(const poly_t<M>& p, const vec3& x) const {
     const M& m = mesh_.get();
-    if (!contains(m, p)) throw invalid_mesh("heat_geodesics: the poly of a source is not a poly of the mesh; take it from polys(m)");
-    if (!is_finite(x)) throw invalid_argument("heat_geodesics: the point of a source is not finite");
+    const mesh_point<M> source = detail::lowest_element_of(m, mesh_point<M>{p, x}, "heat_geodesics", "source");
+    if (const auto* v = std::get_if<vert_t<M>>(&source.element)) return distance_from(*v);
     query q;
-    q.sources.push_back({vec3{scale_down(x.x), scale_down(x.y), scale_down(x.z)}, 0});
-    for (const vert_t<M> v : adj_p2v(m, p)) {
-      const int i = number(v);
-      q.starts.push_back({i, 0, distance(q.sources[0].position, prepared_->graph.position(static_cast<std::size_t>(i))), 0});
-    }
+    q.sources.push_back({vec3{scale_down(source.position.x), scale_down(source.position.y), scale_down(source.position.z)}, 0});
+    detail::for_each_poly_at(m, source, [&](const poly_t<M>& at) {
+      for (const vert_t<M> v : adj_p2v(m, at)) {
+        const int i = number(v);
+        if (std::any_of(q.starts.begin(), q.starts.end(), [&](const auto& s) { return s.vert == i; })) continue;
+        q.starts.push_back({i, 0, distance(q.sources[0].position, prepared_->graph.position(static_cast<std::size_t>(i))), 0});
+      }
+    });
     return answer(q);
   }
 };

@@ -40,7 +40,7 @@ implicit_system<M> smoothing_system(const M& m, double amount, const D& discreti
   constrained.constrain(m, options.fixed, caller);
   return at_unit_size(m, discretisation, [&](const auto& at, int exponent) -> implicit_system<M> {
     auto mass = mass_beside(at, discretisation, true, caller);
-    return {m, std::move(constrained), std::move(mass), std::ldexp(amount, -2 * options.exponent * exponent),
+    return {m, discretisation, std::move(constrained), std::move(mass), std::ldexp(amount, -2 * options.exponent * exponent),
             polyharmonic(at, discretisation, options.exponent, caller), caller};
   });
 }
@@ -77,8 +77,8 @@ class prepared_smooth {
   /// Needs:  f as for smooth; the mesh has not changed since it was prepared.
   /// Result: that of smooth.      Cost: one back-substitution, three for vectors.
   /// Errors: as smooth about f; solver_error.
-  template<class F, class T = detail::field_value_at<F, vert_t<M>>>
-    requires requirement::gives_numbers_or_points<F, vert_t<M>>
+  template<class F, class T = detail::field_value_of<F, M>>
+    requires requirement::is_field<F, M>
   vert_map<M, T> apply(const F& f) const {
     const M& m = mesh_.get();
     auto u = prepared_->system.template values_of<T>(m, f);
@@ -113,27 +113,28 @@ prepared_smooth<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_smo
 /// Smooths values on verts: minimises the sum of mass times |u - f|^2 plus amount times the energy of u. That is, it solves (M + amount L') u = M f.
 /// L' is minus the Laplacian or, for exponent n, its power L' (M^-1 L')^(n-1). M is the lumped mass, or that of the discretisation, which is passed
 /// after the amount; in smooth(m, f, amount, uniform) it is the identity. The default is virtual_elements. Fixed verts keep their value.
-/// Needs:  EmbeddedMesh M; with a Discretisation what that needs: with `uniform` any PrimalGraph. f: any readable map over verts, of numbers, or of
-///         points for vectors, which are smoothed component by component with one factorisation. amount: finite, 0 or more, in units of
+/// Needs:  EmbeddedMesh M; with a Discretisation what that needs: with `uniform` any PrimalGraph. f: any readable map over verts, or function of the point of a
+///         vert, of numbers, or of points for vectors, which are smoothed component by component with one factorisation. amount: finite, 0 or more, in units of
 ///         length^(2 exponent), without unit with `uniform`. Features narrower than its (2 exponent)-th root disappear. solver as for harmonic_map.
 /// Result: a map of double or vec3. Constants do not change, nor does the sum of mass times value if nothing is fixed. Verts without edges keep their
-///         values; prepare_smooth counts them. Where nothing is fixed on the boundary, u meets it with slope 0, so linear functions bend
-///         there. With `uniform` and exponent 1, values stay between the extrema of f. With other discretisations they do so if no weight
-///         is negative.
+///         values; prepare_smooth counts them. Edges of no poly do not count, unless the discretisation gives them a weight, as uniform does. Where nothing
+///         is fixed on the boundary, u meets it with slope 0, so linear functions bend there. With `uniform` and exponent 1, values stay between the
+///         extrema of f. With other discretisations they do so if no weight is negative.
 /// Cost:   one factorisation of a sparse matrix with as many unknowns as there are verts to solve for. On large meshes the default solver iterates
 ///         instead, in time proportional to their number.
 /// Errors: invalid_argument if amount or exponent is out of its range, or f is not finite at a vert that has edges or is fixed. invalid_mesh if a
-///         fixed vert is no vert of m, or if a vert has edges and no mass. Those of `laplacian` with this discretisation. solver_error. cancelled.
+///         fixed vert is no vert of m, or if a vert is coupled with others and has no mass. Those of `laplacian` with this discretisation. solver_error.
+///         cancelled.
 /// Source: Whittaker 1923; of points: Desbrun, Meyer, Schroeder, Barr 1999, "Implicit fairing of irregular meshes using diffusion and curvature
 ///         flow".
-template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class Solver = auto_solver>
-  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
+template<class M, class F, class T = detail::field_value_of<F, M>, class Solver = auto_solver>
+  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && requirement::is_field<F, M> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> smooth(M&& m, const F& f, double amount, const smooth_options<std::remove_cvref_t<M>>& options = {}, Solver&& solver = {}) {
   return smooth(m, f, amount, virtual_elements, options, solver);
 }
-template<class M, class F, class T = detail::field_value_at<F, vert_t<M>>, class D, class Solver = auto_solver>
-  requires requirement::is_lvalue_or_view<M> && Discretisation<D, M> && requirement::gives_numbers_or_points<F, vert_t<M>> &&
+template<class M, class F, class T = detail::field_value_of<F, M>, class D, class Solver = auto_solver>
+  requires requirement::is_lvalue_or_view<M> && Discretisation<D, M> && requirement::is_field<F, M> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> smooth(M&& m, const F& f, double amount, const D& discretisation, const smooth_options<std::remove_cvref_t<M>>& options = {},
                       Solver&& solver = {}) {
@@ -150,12 +151,12 @@ vert_map<M, T> smooth(M&& m, const F& f, double amount, const D& discretisation,
 // What to write instead of calls that cannot compile.
 template<class... T> void prepare_smooth(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
 template<class... T> void prepare_smooth(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
-template<class... T> void prepare_smooth(mistake::bare_graph<mistake::name_discretisation>, ...) = delete;  // of a graph without polys or points write prepare_smooth(m, amount, uniform)
+template<class... T> void prepare_smooth(mistake::bare_graph<mistake::name_discretisation>, ...) = delete;  // needs point(m, v) and polys; else write prepare_smooth(m, amount, uniform)
 template<class... T> void smooth(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
 template<class... T> void smooth(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
-template<class... T> void smooth(mistake::bare_graph<mistake::name_discretisation>, ...) = delete;  // of a graph without polys or points write smooth(m, f, amount, uniform)
+template<class... T> void smooth(mistake::bare_graph<mistake::name_discretisation>, ...) = delete;  // needs point(m, v) and polys; else write smooth(m, f, amount, uniform)
 template<class M, class U, class R = mistake::remedy<mistake::give_numbers_or_points_at_verts>>
-  requires(PrimalGraph<M> && !requirement::gives_numbers_or_points<U, vert_t<M>>)
+  requires(PrimalGraph<M> && !requirement::is_field<U, M>)
 void smooth(M&&, const U&, ...) = delete;  // a number or a point at each vert: make_vert_map<double>(m)
 
 }  // namespace concino

@@ -4,20 +4,42 @@
 #include <concino/core/mistakes.hpp>
 #include <concino/generate/detail/surface_dual.hpp>
 #include <concino/generate/detail/volume_dual.hpp>
+#include <concino/geometry/measure.hpp>
+#include <concino/geometry/normals.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 #include <concino/mesh/polyhedralmesh.hpp>
+
+#include <utility>
+#include <vector>
 
 namespace concino {
 
 namespace detail {
 
+/// The cells of a surface that do not face the side of the normal of their vert.
+template<SurfaceMesh M>
+std::vector<poly_id> inverted_cells(const M& m, const dual_maps& maps, const polygonmesh& dual) {
+  std::vector<poly_id> inverted;
+  for (const vert_t<M> v : verts(m))
+    if (const poly_id cell = maps.poly_of_vert[index_of(m, v)]; !cell.is_none() && !(dot(vert_normal(m, v), normal(dual, cell)) > 0)) inverted.push_back(cell);
+  return inverted;
+}
+inline std::vector<poly_id> inverted_cells(const polyhedralmesh& dual) {
+  std::vector<poly_id> inverted;
+  for (const poly_id p : polys(dual))
+    if (!(measure(dual, p) > 0)) inverted.push_back(p);
+  return inverted;
+}
+
 template<SurfaceMesh M, class Creases>
 polygonmesh dual_mesh_of(const M& m, const Creases& creases, const dual_mesh_options& o) {
   dual_maps maps;
+  dual_maps* const wanted = o.maps || o.inverted ? &maps : nullptr;
   const boundary_creases<M, Creases> at(m, creases, o);
-  surface_arrays a = surface_dual(m, at, o.points, o.maps ? &maps : nullptr);
-  if (!at.clips()) drop_unused_dual_verts(a.points, a.verts, o.maps ? &maps : nullptr);
+  surface_arrays a = surface_dual(m, at, o.points, wanted);
+  if (!at.clips()) drop_unused_dual_verts(a.points, a.verts, wanted);
   polygonmesh dual(std::move(a));
+  if (o.inverted) *o.inverted = inverted_cells(m, maps, dual);
   if (o.maps) *o.maps = std::move(maps);
   return dual;
 }
@@ -30,6 +52,7 @@ polyhedralmesh dual_mesh_of(const M& m, const Creases& creases, const dual_mesh_
   if (o.maps) maps = builder.maps();
   if (!at.clips()) drop_unused_dual_verts(a.points, a.face_verts, o.maps ? &maps : nullptr);
   polyhedralmesh dual(std::move(a));
+  if (o.inverted) *o.inverted = inverted_cells(dual);
   if (o.maps) *o.maps = std::move(maps);
   return dual;
 }
@@ -49,6 +72,9 @@ polyhedralmesh dual_mesh_of(const M& m, const Creases& creases, const dual_mesh_
 ///         faces of the volume are planar. With creases only where the boundary turns, that is still so, with fewer verts and faces. A cell has
 ///         one face for each part of the boundary between two creases, and a vert where two or more creases meet. Edges between boundary faces that share
 ///         several edges are creases in any case, also of closed cells.
+///         A cell may be inverted, since the verts of the dual need not surround its vert. This happens with polyhedra of very different shapes, with polys
+///         that are not convex, and with circumcentres if m is not Delaunay. options.inverted lists the cells of volumes without positive volume. Of surfaces
+///         it lists those whose normal and that of their vert point to different sides, and those without area.
 /// Cost:   O(size of the mesh), plus the squares of the numbers of polys around each vert (surface) or edge (volume).
 /// Errors: invalid_mesh that names the vert, edge, face or poly that is not manifold, not closed, not at a finite point or without circumcentre, or an
 ///         interior vert of a volume that has only two edges. invalid_argument for circumcentres that names a poly that is no triangle or tet.

@@ -37,6 +37,7 @@ struct dual_mesh_options {
   double crease_angle_deg = 0;  // of clipped cells: the least angle, in degrees, by which the boundary turns at a crease; 0: it has creases everywhere
   dual_points points = dual_points::centroids;  // where the dual verts of polys are
   dual_maps* maps = nullptr;  // unless null, filled with the elements of the dual
+  std::vector<poly_id>* inverted = nullptr;  // unless null, filled with the cells that are inverted, see dual_mesh
 };
 
 namespace detail {

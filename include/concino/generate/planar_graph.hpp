@@ -38,8 +38,9 @@ vec3 planar_point(const P& p) {
 
 }  // namespace detail
 
-/// A planar straight-line graph: lines through numbered points. The last point of a closed line, an outline, is joined to the first one, which is not
-/// repeated. Flat arrays: line i has the points line_points[line_ends[i - 1]] to line_points[line_ends[i] - 1]. Lines may share points and segments.
+/// A planar straight-line graph: lines through numbered points. The last point of a closed line, an outline, is joined to the first one, unless it repeats
+/// it: then both are one vert. Flat arrays: line i has the points line_points[line_ends[i - 1]] to line_points[line_ends[i] - 1]. Lines may share points
+/// and segments.
 ///
 ///   planar_graph g;
 ///   for (std::size_t i = 0; i < layer.outer.size(); ++i) g.add_outline(layer.outer[i], layer.z);  // of load_slices(path)
@@ -61,6 +62,14 @@ struct planar_graph {
   std::span<const std::uint32_t> line(std::size_t i) const {
     const std::size_t begin = i == 0 ? 0 : line_ends[i - 1];
     return {line_points.data() + begin, line_ends[i] - begin};
+  }
+
+  /// Whether a line is closed and its last point is the first one again, by its number or its coordinates.
+  bool repeats_first_point(std::size_t i) const {
+    const auto numbers = line(i);
+    if (!line_closed[i] || numbers.size() < 2) return false;
+    const std::uint32_t first = numbers.front(), last = numbers.back();
+    return first == last || (first < points.size() && last < points.size() && points[first] == points[last]);
   }
 
   std::uint32_t add_point(const vec3& p) {
@@ -99,7 +108,7 @@ struct planar_graph {
     for (std::size_t i = 0; i < num_lines(); ++i) {
       const auto numbers = line(i);
       for (std::size_t k = 1; k < numbers.size(); ++k) list.push_back({numbers[k - 1], numbers[k]});
-      if (line_closed[i] && !numbers.empty()) list.push_back({numbers.back(), numbers.front()});
+      if (line_closed[i] && !numbers.empty() && !repeats_first_point(i)) list.push_back({numbers.back(), numbers.front()});
     }
     return list;
   }

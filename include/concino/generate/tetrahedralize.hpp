@@ -41,7 +41,8 @@ struct tetrahedralization {
 ///         triangulate_polygon; the report lists those that are not planar.
 /// Result: verified before it is returned: all tets have a positive volume (by orient3d), the boundary is the surface (with keep_boundary its triangles, otherwise
 ///         triangles that cover them), and the tets have the enclosed volume, to 1e-9 of it. Back ends that approximate the surface promise a distance instead.
-///         Tets that miss a wanted shape are in the report. The same each time.
+///         Tets that miss a wanted shape, length or volume are in the report, and report.not_met says so in a sentence. By default the boundary is kept, so
+///         tets at it are about as large as its polys, whatever max_volume is: with keep_boundary = false they can be smaller. The same each time.
 /// Cost:   that of the back end, and O(n log n) for the checks before and after it; the report has their times.
 /// Errors: invalid_mesh that names the elements if the surface is empty, open, flat, not orientable, intersects itself or a facet, has edges with more than two
 ///         polys, repeated points, points that are not finite, or polys without area. invalid_argument if an option is out of its range. unsupported if the back
@@ -75,6 +76,7 @@ tetrahedralization<M> tetrahedralize(const M& m, const BackEnd& back_end, const 
   for (const std::uint32_t r : tets.region_of_poly) result.labels.push_back(r == tets.no_region ? result.no_label : options.regions[r].label);
   result.report.not_planar = std::move(surface.not_planar);
   detail::list_poor_tets(result.mesh, tets.region_of_poly, options, result.report);
+  detail::say_what_is_not_met(num_polys(result.mesh), options.keep_boundary && !requirement::approximates_surface<BackEnd>, result.report);
   steps.end_of_verification(result.report);
   return result;
 }

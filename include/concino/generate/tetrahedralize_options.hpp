@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace concino {
@@ -28,7 +29,7 @@ struct tetrahedralize_options {
   double min_dihedral_deg = 0;  // smallest dihedral angle of a tet, in degrees, below 70; 0: any
   double max_volume = 0;        // of a tet; 0: any
   function_ref<double(const vec3&)> edge_length = nullptr;  // the longest edge of a tet with its centroid there, above 0; a back end may call it in another process
-  bool keep_boundary = true;    // the boundary of the result is the surface itself; false: it may get more verts, for better tets
+  bool keep_boundary = true;    // the boundary of the result is the surface itself; false: it may get more verts, for better and smaller tets
   std::span<const vec3> extra_points = {};                                  // further verts
   std::span<const std::array<std::uint32_t, 2>> segments = {};              // pairs of points that edges join
   std::span<const std::array<std::uint32_t, 3>> facets = {};                // triangles inside that are unions of faces
@@ -47,6 +48,7 @@ struct tetrahedralize_report {
   std::vector<poly_id> beyond_min_dihedral;
   std::vector<poly_id> beyond_edge_length;
   std::vector<poly_id> beyond_max_volume;  // that of their region included
+  std::string not_met = {};        // one sentence that says how many tets miss what, and which option helps; empty if none does
   double seconds_of_check = 0;     // of the surface, before the back end ran
   double seconds_of_back_end = 0;
   double seconds_of_verification = 0;  // of the tets

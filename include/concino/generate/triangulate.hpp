@@ -16,7 +16,8 @@ struct triangulate_options {
 };
 
 /// Triangulates what is inside of outlines, without new points; so the triangles may be thin.
-/// Needs:  outlines in any orientation and order. Lines and outlines may have points and segments in common, but must not meet elsewhere.
+/// Needs:  outlines in any orientation and order, which may repeat their first point at the end. Lines and outlines may have points and segments in common,
+///         but must not meet elsewhere.
 /// Result: triangles for what is inside an odd number of outlines: outlines within outlines are holes, and those within holes are islands. With
 ///         options.holes instead, all bounded regions but these holes. Triangles are counter-clockwise seen from options.seen_from. Verts have the
 ///         coordinates and the order of the points; points outside, and points on no line that are not isolated, have no vert. Each segment inside or on

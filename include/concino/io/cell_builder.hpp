@@ -39,6 +39,7 @@ class basic_cell_builder {
   std::size_t expected_ = 0;           // the same when all cells are added, if known
   std::size_t first_ = 0, faces_ = 0;  // of the polyhedron that is being added
   std::vector<std::uint64_t> scratch_;
+  detail::repeated_polys repeated_;
   std::optional<detail::polyhedra_builder<vert_id>> polyhedra_;  // all cells, once one is a polyhedron
 
  public:
@@ -48,8 +49,8 @@ class basic_cell_builder {
   basic_cell_builder(const read_context& in, std::vector<vec3>& points, std::size_t first_number)
       : in_(in), points_(points), first_number_(first_number) {}
 
-  /// How many cells were added.
-  std::size_t size() const { return cells_; }
+  /// How many cells were added, with those that options.repeated_verts has dropped.
+  std::size_t size() const { return cells_ + repeated_.dropped.size(); }
   /// The number of verts of the first cell. Needs: a cell that is no polyhedron.
   std::uint32_t arity() const { return standard_cell_of(only_).num_verts; }
   /// Makes room for n more cells of a shape. Needs: n was compared with the size of the file.
@@ -67,9 +68,10 @@ class basic_cell_builder {
     return n == wanted_arity(n) && (n == 4 || n == 8);
   }
 
-  /// Adds a cell with its verts in the order of VTK and MEDIT. Returns false if a vert is there twice, or if the wanted mesh cannot hold the cell.
+  /// Adds a cell with its verts in the standard order, that of MEDIT. Returns false if a vert is there twice, or if the wanted mesh cannot hold the cell.
   bool add_cell(cell_shape s, const vert_id* v) {
     const std::size_t first = verts_.size(), n = standard_cell_of(s).num_verts;
+    if (takes_repeated() && detail::first_repeated(v, n, scratch_) != n) return add_mended(faces_of(s, v).data());
     verts_.insert(verts_.end(), v, v + n);
     const bool is_valid = check_cell(s, verts_.data() + first);
     if (!is_valid || polyhedra_) verts_.resize(first);
@@ -91,6 +93,11 @@ class basic_cell_builder {
   bool end_polyhedron() {
     if (faces_ == 0) return reject_with({"a polyhedron of at least one face"}, {"one without faces"});
     verts_[first_] = vert_id{std::exchange(faces_, 0)};
+    if (takes_repeated() && detail::has_repeated_vert(verts_.data() + first_, scratch_)) {
+      const std::vector<vert_id> list(verts_.begin() + static_cast<std::ptrdiff_t>(first_), verts_.end());
+      verts_.resize(first_);
+      return add_mended(list.data());
+    }
     const bool is_recognised = in_.wanted.cells && !in_.wanted.polyhedra;
     const bool is_valid = is_recognised ? add_recognised() : check_polyhedron(verts_.data() + first_, verts_.size() - first_);
     if (!is_valid || polyhedra_) verts_.resize(first_);
@@ -99,13 +106,15 @@ class basic_cell_builder {
 
   /// The same with a list: the number of the faces, and for each the number of its verts and these.
   /// Needs:  the wanted mesh can hold polyhedra. So many numbers, which are right.
-  bool add_polyhedron(const vert_id* list, std::size_t numbers) { return check_polyhedron(list, numbers); }
+  bool add_polyhedron(const vert_id* list, std::size_t numbers) {
+    return takes_repeated() && detail::has_repeated_vert(list, scratch_) ? add_mended(list) : check_polyhedron(list, numbers);
+  }
   /// Says how many numbers the lists of all cells have. Needs: as above.
   void expect_numbers(std::size_t n) { expected_ = n; }
 
   /// Takes over a list of all cells, which is not copied: the verts of standard cells in their order; of a polyhedron the number of its faces, and for
   /// each the number of its verts and these. add_taken then adds each of its cells.
-  /// Needs:  no cell was added before. The wanted mesh can hold polyhedra, if there are any.
+  /// Needs:  no cell was added before. The wanted mesh can hold polyhedra, if there are any. options.repeated_verts is refuse.
   void take(std::vector<vert_id>&& list) {
     verts_ = std::move(list);
     expected_ = verts_.size();
@@ -120,6 +129,11 @@ class basic_cell_builder {
   /// Result: the number of cells; less if one is not valid, as for add_cell: then its position.
   std::size_t add_all_cells(cell_shape s, std::vector<vert_id>&& list) {
     const standard_cell& cell = standard_cell_of(s);
+    if (takes_repeated()) {
+      for (std::size_t c = 0; c * cell.num_verts < list.size(); ++c)
+        if (!add_cell(s, list.data() + c * cell.num_verts)) return c;
+      return size();
+    }
     verts_ = std::move(list);
     const std::size_t n = verts_.size() / cell.num_verts;
     const bool fits = can_hold(s), are_tets = s == cell_shape::tet && fits && have_moderate_coordinates();
@@ -146,9 +160,50 @@ class basic_cell_builder {
     if (fits) out.cells = cell_arrays{std::move(points_), std::move(verts_), arity ? static_cast<std::uint32_t>(arity) : in_.wanted.arity ? in_.wanted.arity : 4};
     else out.polyhedra = polyhedra();
     report_reoriented();
+    repeated_.policy = in_.repeated_verts;
+    out.repeated = std::move(repeated_);
   }
 
  private:
+  bool takes_repeated() const { return in_.repeated_verts != repeated_verts::refuse; }
+
+  /// The faces of a standard cell, as a list.
+  static std::vector<vert_id> faces_of(cell_shape s, const vert_id* v) {
+    const standard_cell& cell = standard_cell_of(s);
+    std::vector<vert_id> list{vert_id{std::size_t{cell.num_faces}}};
+    for (unsigned f = 0; f < cell.num_faces; ++f) {
+      list.push_back(vert_id{std::size_t{cell.face_size[f]}});
+      for (unsigned i = 0; i < cell.face_size[f]; ++i) list.push_back(v[cell.face_vert[f][i]]);
+    }
+    return list;
+  }
+  /// Adds what options.repeated_verts makes of a polyhedron with a vert twice.
+  [[gnu::noinline, gnu::cold]] bool add_mended(const vert_id* listed) {
+    const auto number = static_cast<std::uint32_t>(size());
+    repeated_.add(number, [] { return std::string(); });
+    std::vector<vert_id> list;
+    if (in_.repeated_verts == repeated_verts::collapse) list = detail::collapsed_faces(listed, points_);
+    if (list.empty() || list[0].raw() == 0) {
+      if (!list.empty()) repeated_.add_vanished();
+      repeated_.dropped.push_back(number);
+      return true;
+    }
+    cell_recogniser known;
+    const vert_id* v = list.data();
+    for (std::uint32_t left = v++->raw(); left > 0; --left) {
+      known.begin_face();
+      for (std::uint32_t n = v++->raw(); n > 0; --n) known.push(*v++);
+    }
+    if (const cell_shape s = known.recognise(); s != cell_shape::general) return add_cell(s, known.cell);
+    v = list.data();
+    for (std::uint32_t left = v++->raw(); left > 0; --left) {
+      const std::uint32_t n = v++->raw();
+      add_face(v, n);
+      v += n;
+    }
+    return end_polyhedron();
+  }
+
   bool have_moderate_coordinates() const {
     bool all = true;
     for (const vec3& p : points_) all &= concino::has_moderate_coordinates(p);
@@ -229,7 +284,7 @@ class basic_cell_builder {
     return reject_with({"different faces in a polyhedron"}, {"two with the same verts"});
   }
   [[gnu::noinline, gnu::cold]] bool reject_repeated(vert_id v, const char* where) {
-    return reject_with({"different verts in ", where}, {"vert ", v.raw() + first_number_, " twice"});
+    return reject_with({"different verts in ", where, detail::repeated_verts_hint}, {"vert ", v.raw() + first_number_, " twice"});
   }
   [[gnu::noinline, gnu::cold]] bool reject(const char* shape, std::size_t faces_of_it) {
     return reject_with({detail::name_of_poly(true, wanted_arity(4)), " (polyhedralmesh and load_any take any cell)"}, {"a ", shape, " of ", faces_of_it, " faces"});

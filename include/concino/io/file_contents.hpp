@@ -3,6 +3,7 @@
 
 #include <concino/core/rgba.hpp>
 #include <concino/io/detail/name_runs.hpp>
+#include <concino/io/detail/repeated_verts.hpp>
 #include <concino/io/material_table.hpp>
 #include <concino/io/options.hpp>
 #include <concino/io/text_cursor.hpp>
@@ -87,9 +88,11 @@ struct file_contents {
   material_table table;                          // of the materials
 
   /// Properties with any names and types. The values of a kind are in the order of the file: those of corners follow surface.verts, those of edges
-  /// and faces belong to the elements listed below. Of two with the same kind and name, or with the name of a member above, the first one counts.
+  /// and faces belong to the elements listed below. A second one with the same kind and name, or with the name of a member above, becomes a
+  /// property with another name, such as "heat_2".
   std::vector<property_column> properties;
   listed_elements edges, faces;
+  detail::repeated_polys repeated;  // with the policy of load_options::repeated_verts, which cell_builder and load follow
 
   /// Adds a property with n default values.
   /// Result: where to store the n values; valid as long as the contents.
@@ -118,6 +121,8 @@ struct read_context {
   const concino::progress* progress = nullptr;  // for text_cursor
   bool is_file = false;                         // `name` is a path, and the same folder may contain more files to read
   inflate_function inflate = nullptr;           // load_options::inflate
+  concino::repeated_verts repeated_verts = concino::repeated_verts::refuse;  // load_options::repeated_verts
+  bool corners_only = false;                    // load_options::corners_only
 
   /// A cursor over the words of the text. `comment`, unless 0, begins a comment that ends with its line.
   token_cursor words(char comment = 0) const { return {text, name, progress, comment}; }

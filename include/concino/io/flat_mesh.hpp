@@ -88,6 +88,9 @@ class flat_mesh {
     return edge_verts_;
   }
 
+  /// The number of edges of a surface without polys, and of a volume without faces, which no file holds.      Cost: O(edges); native meshes have none.
+  virtual std::size_t num_loose_edges() const { return 0; }
+
   /// The index of a vert or poly in the mesh, for messages.
   std::size_t vert_index(std::size_t i) const { return vert_indices.empty() ? i : vert_indices[i]; }
   std::size_t poly_index(std::size_t i) const { return poly_indices.empty() ? i : poly_indices[i]; }

@@ -16,6 +16,7 @@
 //     static constexpr bool is_read_only = true;         if it has no write: save then refuses it
 //     static constexpr bool has_binary = true;           if it has a binary form, for save_options::binary
 //     static constexpr bool has_only_properties = true;  if its reader stores no values but by add_property, for verts, faces, polys and the mesh
+//     static constexpr bool holds_faces = true;          if files list the faces of volumes; else save reports equal faces, and faces of no poly, as lost
 //     read as a template over the contents               so that programs that read only surfaces, into file_contents, need not compile volumes
 //
 // A reader stores a property of any name and type by out.add_property<double>(element_kind::poly, "temperature", n), and collects the cells of
@@ -24,7 +25,8 @@
 // as lost, or an error if options.strict is set. What else is lost it adds to context.report.lost.
 //
 // Laws: read() fills the arrays in the order of the file and reports what it skips. Where the file breaks the format, it throws parse_error, by
-// text_cursor::fail. It checks indices, or leaves that to the mesh, which throws invalid_mesh. From what write() writes, read() reads the same mesh.
+// text_cursor::fail. Polys of surfaces with a vert twice it may leave as they are:
+// load follows load_options::repeated_verts, and so does cell_builder. It checks indices, or leaves that to the mesh, which throws invalid_mesh. From what write() writes, read() reads the same mesh.
 #pragma once
 
 #include <concino/concepts/mesh_traits.hpp>

@@ -36,8 +36,9 @@ namespace concino {
 ///         options.report lists what was skipped, reoriented or worth a remark.
 /// Cost:   one pass over the file, which is read into memory as a whole (or mapped: options.map); the arrays are moved into the mesh.
 /// Errors: io_error if the file cannot be read, or shrinks or grows meanwhile. parse_error with the line if it breaks its format or holds a
-///         poly that M cannot hold. unsupported if neither extension nor first words are known, if the file holds a volume and M is a surface or the reverse, or
-///         if faces of more than 16 verts belong to very many polyhedra. cancelled.
+///         poly that M cannot hold, or one with a vert twice unless options.repeated_verts takes such polys. unsupported if neither extension nor first words
+///         are known, if the file holds a volume and M is a surface or the reverse, or if faces of more than 16 verts belong to very many polyhedra.
+///         unsupported for elements of second or higher order, unless options.corners_only. cancelled.
 template<Loadable M>
 M load(const std::string& path, const load_options& options = {}) {
   return detail::load_standard<M>(path, options);

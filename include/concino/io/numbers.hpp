@@ -8,7 +8,7 @@
 
 namespace concino {
 
-/// Reads a real number at the beginning of a text, in decimal digits with an optional sign, point and exponent.
+/// Reads a real number at the beginning of a text, in decimal digits with an optional sign, point and exponent; as in Fortran, the exponent may begin with D.
 /// Needs:  a text [first, last); nothing beyond `last` is read.
 /// Result: the end of the number, or null if there is none. x is the nearest double, infinite if the number is too large. "nan" and "inf"
 ///         are read too; the caller decides whether to accept them.
@@ -32,7 +32,7 @@ namespace concino {
     for (; digits != p && (*digits == '0' || *digits == '.'); ++digits) count -= *digits == '0';
   if (count == 0 || count > 19) return detail::parse_real_slowly(first, last, x);
   std::ptrdiff_t exponent = -decimals;
-  if (p != last && (*p | 0x20) == 'e') {
+  if (p != last && ((*p | 0x20) == 'e' || (*p | 0x20) == 'd')) {
     ++p;
     const bool minus = p != last && *p == '-';
     if (p != last && (*p == '-' || *p == '+')) ++p;

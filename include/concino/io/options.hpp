@@ -5,6 +5,7 @@
 #include <concino/io/format_id.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,17 @@ struct save_report {
 /// Several threads may call it at once.
 using inflate_function = bool (*)(const unsigned char* from, std::size_t n, unsigned char* to, std::size_t size);
 
+/// What readers do with polys that have a vert twice, which no mesh holds. Values of polys follow, and the report has the number of such polys and the
+/// first one.
+enum class repeated_verts : std::uint8_t {
+  refuse,    // parse_error
+  /// Equal neighbours in a polygon or face become one vert, and so do spikes (a vert between two equal ones): a quad with two equal corners becomes a
+  /// triangle, such a hex a prism, pyramid, tet or other polyhedron. A polygon that still passes a vert twice, as at a bridge to a hole, becomes triangles, by
+  /// polygon_triangulator. Polys without area or volume are skipped.
+  collapse,
+  skip       // these polys, and their values, are left out
+};
+
 struct load_options {
   format_id format = {};                   // one of the formats that the call knows; by default the first words of the file or its extension
   concino::load_report* report = nullptr;  // unless null, cleared and then filled in
@@ -34,7 +46,11 @@ struct load_options {
   /// Maps the file into memory instead of reading it. Loading is about a tenth faster, but a file that shrinks meanwhile may terminate the
   /// program by SIGBUS; without `map` it cannot. In both cases a file whose size has changed at the end is an io_error.
   bool map = false;
+  concino::repeated_verts repeated_verts = concino::repeated_verts::refuse;  // what to do with polys that have a vert twice
   inflate_function inflate = nullptr;  // for compressed .vtu and .vtp: zlib_inflate of <concino/adapters/zlib.hpp>; null: they are unsupported
+  /// Reads elements of second and higher order, such as VTK's quadratic tets and MEDIT's TetrahedraP2, by their corners. Points that are only their other nodes
+  /// are skipped, and the report says how many. Without this option such elements are unsupported.
+  bool corners_only = false;
 };
 
 struct save_options {

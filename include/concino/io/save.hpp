@@ -40,7 +40,7 @@ namespace concino {
 ///         not changed, but those that earlier saves created for this file are removed. Both files change or neither does; even if the program
 ///         is killed, the .obj on disk finds its materials. options.report names whatever is lost, changed or renamed.
 /// Cost:   O(size of the mesh) time. Memory: O(corners), or none for arrays that the mesh stores in the form of the file, as native meshes do
-///         until something is removed. O(corners) for .mesh, O(polys) for .obj with colours or materials.
+///         until something is removed. O(faces) for polyhedra in formats that list no faces. O(corners) for .mesh, O(polys) for .obj with colours or materials.
 /// Errors: unsupported if the extension is unknown or that of a format that is only read, or if the format cannot hold the mesh: it names the
 ///         first poly that does not fit, and formats that can hold it. With options.strict, also if anything would be lost. invalid_mesh if a
 ///         coordinate is not finite. io_error if a file cannot be written, or if another program

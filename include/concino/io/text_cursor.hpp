@@ -15,6 +15,17 @@
 
 namespace concino {
 
+namespace detail {
+
+/// A text without the characters NUL and Ctrl-Z at its end, which some programs write behind the last line.
+inline std::string_view text_without_padding(std::string_view text) {
+  const std::size_t last = text.find_last_not_of(std::string_view("\0\x1a \t\r\n", 6));
+  const std::string_view rest = text.substr(last == text.npos ? 0 : last + 1);
+  return rest.find_first_of(std::string_view("\0\x1a", 2)) == rest.npos ? text : text.substr(0, text.size() - rest.size());
+}
+
+}  // namespace detail
+
 /// A position in a text. Its errors name the line and quote the word that was found there.
 ///
 ///   token_cursor in(text, "a.txt", nullptr, '#');       // words with blanks or line ends between them; # begins a comment

@@ -36,7 +36,7 @@ std::vector<field_line<M>> find_spaced_lines(const M& m, const G& g, const std::
   std::size_t done = 0;
   for (const poly_t<M>& p : seeds) {
     if (done++ % 1024 == 0) report_progress(o.progress, static_cast<double>(done - 1) / static_cast<double>(seeds.size()), caller);
-    all.fill_from({p, centroid(m, p)});
+    all.fill_from({p, nearest_place(m, p, centroid(m, p), caller).position});
   }
   return all.take();
 }
@@ -44,7 +44,7 @@ std::vector<field_line<M>> find_spaced_lines(const M& m, const G& g, const std::
 }  // namespace detail
 
 /// Lines along a field that cover a surface evenly: auto lines = evenly_spaced_lines(m, g, {.distance = 0.05}). Each new line begins at the
-/// distance from a line found before, and ends where it comes nearer to another one than a part of it.
+/// distance from a line found before, and ends where it comes nearer to another one than a part of it, by 1 % of that part at most.
 /// Needs:  Embedded SurfaceMesh, not a temporary; g as in integral_line. density[p], if given, a number of each poly: lines begin at the polys with
 ///         the greatest ones; else in the order of polys(m).
 /// Result: lines as integral_line gives them both ways, with line_end::too_close where another line stopped them. No point of the surface is much

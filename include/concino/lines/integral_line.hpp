@@ -10,7 +10,8 @@ namespace concino {
 
 /// The line that follows a vector field from a point: auto line = integral_line(m, gradient(m, u), v); line.points[0].position.
 /// Needs:  EmbeddedMesh. g[p], the vector of each poly: of a surface its part in the plane of the polygon counts. start: a vert, a poly (the line
-///         starts at its centroid) or a mesh_point. The parts of points are 0 or from about 1e-60 to 1e60.
+///         starts at its point nearest to the centroid) or a mesh_point: one of a poly on its faces, edges or verts is a place of these, see
+///         lowest_element. The parts of points are 0 or from about 1e-60 to 1e60.
 /// Result: points, each with its element, and the poly of each segment; see field_line. Only directions of g matter where one poly leads on; speeds
 ///         decide between several. Inside a poly the line is straight. A planar polygon is not divided, nor is a polyhedron, convex or not: the
 ///         line leaves it where it meets its surface, which is made of the triangles of polygon_triangulator where faces are not planar. Other
@@ -30,8 +31,8 @@ namespace concino {
 ///         comes back to a vert or cycle. Nor does it go round a vert of triangles: it enters a sector only where the slope along the direction
 ///         from the vert increases with the angle, which cannot be so all round. So a line passes each sector of a vert at most once. Other fields
 ///         have no such bound.
-/// Errors: invalid_argument if a vector is not finite, naming the poly; if max_length is not above 0. invalid_mesh if start is no element of m, or
-///         a poly on the way has points that are not finite.
+/// Errors: invalid_argument if a vector is not finite, naming the poly; if max_length is not above 0. Those of lowest_element about the start.
+///         invalid_mesh if a poly on the way has points that are not finite.
 /// Source: paper section 2.2, "Fields"; Filippov 1988, "Differential equations with discontinuous righthand sides", for edges and faces along which
 ///         lines run.
 template<class M, class G, class S>

@@ -6,6 +6,7 @@
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/core/tangent_vector.hpp>
+#include <concino/geometry/lowest_element.hpp>
 #include <concino/lines/detail/geodesic_start.hpp>
 #include <concino/mesh/element_map.hpp>
 
@@ -65,9 +66,10 @@ class prepared_trace_geodesic {
     if (!(size > 0 && std::isfinite(size))) core::throw_joined<invalid_argument>({caller, ": the direction is 0 or not finite"});
     const detail::geodesic_start<M> find(m, *surface_, caller);
     const int exponent = surface_->triangles().exponent;
-    const detail::walk_state state = find(start, (1 / size) * direction);
+    const mesh_point<M> from = detail::lowest_element_of(m, start, caller, "start");
+    const detail::walk_state state = find(from, (1 / size) * direction, start);
     traced_geodesic<M> r;
-    r.points.push_back(find.first_point(start, state));
+    r.points.push_back(find.first_point(from, state));
     if (state.side < 0) {
       r.stopped_by = line_end::boundary;
       return r;
@@ -95,7 +97,7 @@ class prepared_trace_geodesic {
   traced_geodesic<M> trace_from(const Start& start, const Direction& direction, double length, const trace_geodesic_options& options = {}) const {
     return run(detail::geodesic_start_at<M>(start), direction, length, options);
   }
-  /// The same from the point of poly p that is nearest to x.
+  /// The same from the point x of poly p.
   template<detail::tangent_direction Direction = vec3>
   traced_geodesic<M> trace_from(const poly_t<M>& p, const vec3& x, const Direction& direction, double length, const trace_geodesic_options& options = {}) const {
     return run(mesh_point<M>{p, x}, direction, length, options);
@@ -117,13 +119,15 @@ prepared_trace_geodesic<std::remove_cvref_t<M>> prepare_trace_geodesic(M&& m) {
 /// polys lay in one plane, and passes verts with equal angles on both sides.
 /// Needs:  Embedded SurfaceMesh, not a temporary. start: a vert, a mesh_point of a vert, an edge or a poly, or a poly p and a position x in it.
 ///         direction: a tangent_vector in the frame of that element, or a vec3, which is projected onto the surface: of the polys at a vert or an
-///         edge, onto the one to which it is nearest. Only the direction of either counts. length: finite, in units of length.
+///         edge, onto the one to which it is nearest. Only the direction of either counts. length: finite, in units of length. A place of a poly on
+///         its edges or verts is a place of these, see lowest_element.
 /// Result: see traced_geodesic. It ends at the length, at the boundary, or where the surface is not manifold, and says which. It may cross itself.
+///         It goes on along a straight boundary, and past a vert of the boundary with half a turn or more of surface on one side of it.
 ///         On parts that can be unrolled into the plane it is a straight line there, to rounding. It passes through a vert if it comes nearer than
 ///         1e-12 of the edge's length. Polygons other than triangles are walked by their triangulation (triangulate_polygon).
 /// Cost:   O(size of the mesh) to prepare, then O(number of points); see prepare_trace_geodesic.
-/// Errors: invalid_mesh if the element of the start is not one of the mesh, or a poly has no area or points that are not finite. invalid_argument
-///         if the length, the direction, the position or max_steps is out of its range, or the direction is perpendicular to the surface.
+/// Errors: those of lowest_element about the start. invalid_mesh if a poly has no area or points that are not finite. invalid_argument if the
+///         length, the direction or max_steps is out of its range, or the direction is perpendicular to the surface.
 ///         unsupported if the start is a vert about which the polys are not one fan, and the direction is in its frame.
 /// Source: Polthier, Schmies 1998, "Straightest geodesics on polyhedral surfaces".
 template<class M, class Start, detail::tangent_direction Direction = vec3>

@@ -96,7 +96,6 @@ class cell_tables {
     return all;
   }
   detail::polys_of_facet adj_f2p(face_id f) const { return facet_adjacency_.polys_of(f); }
-  detail::polys_of_facet adj_f2p_from(face_id f, poly_id p) const { return facet_adjacency_.polys_of(f, p); }
   /// Requests what the polys and verts of f are found by.
   void prefetch(face_id f) const { facet_adjacency_.prefetch_owner(f); }
   /// Requests the lists of p.

@@ -103,7 +103,6 @@ template<class M>
 struct indexed_surface : detail::indexed_elements<M> {
   static constexpr int dimension = 2;
 
-  static auto adj_e2p_from(const M& m, edge_id e, poly_id p) { return detail::tables_of<M>(m).adj_e2p_from(e, p); }
   static void prefetch(const M& m, edge_id e) { detail::tables_of<M>(m).prefetch(e); }
 };
 
@@ -113,7 +112,6 @@ struct indexed_volume : detail::indexed_elements<M> {
   using base = detail::indexed_elements<M>;
   using face = face_id;
   static constexpr int dimension = 3;
-  static constexpr bool faces_in_order = true;  // of tet_tables
 
   using base::contains;
   using base::index_of;
@@ -128,7 +126,6 @@ struct indexed_volume : detail::indexed_elements<M> {
   static auto adj_f2v(const M& m, face_id f) { return detail::tables_of<M>(m).adj_f2v(f); }
   static auto adj_f2e(const M& m, face_id f) { return detail::tables_of<M>(m).adj_f2e(f); }
   static auto adj_f2p(const M& m, face_id f) { return detail::tables_of<M>(m).adj_f2p(f); }
-  static auto adj_f2p_from(const M& m, face_id f, poly_id p) { return detail::tables_of<M>(m).adj_f2p_from(f, p); }
   static auto adj_p2f(const M& m, poly_id p) { return detail::tables_of<M>(m).adj_p2f(p); }
   static void prefetch(const M& m, face_id f) { detail::tables_of<M>(m).prefetch(f); }
   static void prefetch(const M& m, poly_id p) { detail::tables_of<M>(m).prefetch(p); }

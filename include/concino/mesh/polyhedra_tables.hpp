@@ -91,7 +91,6 @@ class basic_polyhedra_tables {
   auto adj_f2v(face_id f) const { return f2v_[f.raw()]; }
   auto adj_f2e(face_id f) const { return detail::edges_between(this, adj_f2v(f)); }
   detail::polys_of_facet adj_f2p(face_id f) const { return facet_adjacency_.polys_of(f); }
-  detail::polys_of_facet adj_f2p_from(face_id f, poly_id p) const { return facet_adjacency_.polys_of(f, p); }
   /// Requests what adj_f2p and adj_f2v read first.
   void prefetch(face_id f) const {
     facet_adjacency_.prefetch_owner(f);

@@ -15,8 +15,8 @@ namespace concino {
 /// The shapes of the standard cells, and `general` for all others.
 enum class cell_shape : std::uint8_t { tet, hex, prism, pyramid, general };
 
-/// A table for one standard cell. Verts are in the order of VTK and MEDIT; faces run counter-clockwise seen from outside if the cell's volume is
-/// positive.
+/// A table for one standard cell. Verts are in the order of MEDIT, which is that of VTK but for its wedges, whose base is reversed. Faces run
+/// counter-clockwise seen from outside if the cell's volume is positive.
 struct standard_cell {
   const char* name;
   unsigned num_verts, num_faces;

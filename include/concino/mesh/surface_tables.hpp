@@ -84,7 +84,6 @@ class surface_tables {
   id_span<poly_id> adj_v2p(vert_id v) const { return incident_.polys(v); }
   id_span<vert_id> adj_e2v(edge_id e) const { return e2v_[e.raw()]; }
   detail::polys_of_facet adj_e2p(edge_id e) const { return facet_adjacency_.polys_of(e); }
-  detail::polys_of_facet adj_e2p_from(edge_id e, poly_id p) const { return facet_adjacency_.polys_of(e, p); }
   auto adj_p2v(poly_id p) const { return p2v_[p.raw()]; }
   id_span<edge_id> adj_p2e(poly_id p) const { return facet_adjacency_.facets(p); }
   detail::adjacent_polys adj_p2p(poly_id p) const { return facet_adjacency_.polys(p); }

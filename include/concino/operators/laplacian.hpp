@@ -41,6 +41,6 @@ Eigen::SparseMatrix<double> laplacian(const M& m) {
 
 // What to write instead of calls that cannot compile.
 template<class... T> void laplacian(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
-template<class... T> void laplacian(mistake::bare_graph<mistake::name_discretisation>, ...) = delete;  // of a graph without polys or points write laplacian(m, uniform)
+template<class... T> void laplacian(mistake::bare_graph<mistake::name_discretisation>, ...) = delete;  // needs point(m, v) and polys; else write laplacian(m, uniform)
 
 }  // namespace concino

@@ -108,8 +108,8 @@ std::string_view name_of(poly_shape shape);
 metric metric_named(std::string_view name);
 
 /// The value of a metric for a poly of this shape with these points.
-/// Needs:  a triangle, quad, tet, hex, prism or pyramid in the standard order (that of VTK), or a polygon in cyclic order. Relative sizes are those to
-///         mean_size, a mean area or volume; they are 0 if it is 0.
+/// Needs:  a triangle, quad, tet, hex, prism or pyramid in the standard order (that of MEDIT and Verdict), or a polygon in cyclic order. Relative sizes are
+///         those to mean_size, a mean area or volume; they are 0 if it is 0.
 /// Result: within limits_of(what, shape).full, up to rounding. NaN if a point is not finite. A degenerate poly, for which the definition divides by 0,
 ///         has the value 0 where smaller ones are worse, else the high end of the full range, mostly infinity (Verdict: 1e30). Inverted cells have negative
 ///         scaled_jacobian, mean_ratio, jacobian, volume, inradius and collapse_ratio. Polys of any magnitude are evaluated as if scaled by a power of two.

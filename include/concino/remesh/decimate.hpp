@@ -6,8 +6,10 @@
 #include <concino/core/progress.hpp>
 #include <concino/geometry/hausdorff_distance.hpp>
 #include <concino/mesh/polygonmesh.hpp>
+#include <concino/remesh/detail/bounded_collapses.hpp>
 #include <concino/remesh/detail/collapse_queue.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -17,7 +19,8 @@ namespace concino {
 
 struct decimate_options {
   std::size_t target_polys = 0;  // the mesh shall have at most this many polys
-  double max_error = std::numeric_limits<double>::infinity();  // no vert, midpoint of an edge or centroid of a new triangle is farther than this from the input
+  double max_error = std::numeric_limits<double>::infinity();  // no point of the result is farther than this from the input, and none of the input from the
+                                                               // result; the same holds for their boundaries. In units of the mesh, at least 0
   double feature_angle_deg = 60;  // edges at which the surface turns by more than this are held in place, as boundaries are
   double boundary_weight = 10;    // how strongly; 0: not at all
   bool memoryless = false;        // measures each collapse against the surface as it is, not against the input: better for smooth surfaces, and slower
@@ -55,8 +58,8 @@ inline void check_decimation(const decimate_options& options) {
 /// Needs:  EditableSurfaceMesh; of any topology. Polys that are no triangles stay as they are.
 /// Result: the number of collapses, why it ended, and how far the result is from the input. The topology remains: the link condition holds at each collapse.
 ///         Named properties follow by their rules. Removed elements leave gaps in the indices, which garbage_collect closes.
-/// Cost:   O(n log n) for n edges, and one bounding tree of the input and one of the result for the error; with max_error, seven closest points for each new
-///         triangle.
+/// Cost:   O(n log n) for n edges, and one bounding tree of the input and one of the result for the error. With max_error, for
+///         each edge that is tried, also the distances between its triangles and those of the input near them.
 /// Errors: invalid_argument if an option is out of its range or no target is given; invalid_mesh if a point is not finite; m is unchanged then. cancelled,
 ///         what an invariant throws, and if memory runs out: m is valid and decimated in part; open a transaction to have the input back.
 /// Source: Garland and Heckbert 1997, "Surface simplification using quadric error metrics"; memoryless: Hoppe 1999, "New quadric metric for simplifying
@@ -67,12 +70,12 @@ decimation decimate(M& m, const decimate_options& options) {
   detail::collapse_queue<M> queue(m, {options.feature_angle_deg, options.boundary_weight, options.memoryless});
   const bool is_limited = options.max_error < std::numeric_limits<double>::infinity();
   polygonmesh input;
-  if (is_limited || options.measure_error) input = convert<polygonmesh>(m);
-  std::optional<poly_tree<polygonmesh>> tree;
+  if (options.measure_error) input = convert<polygonmesh>(m);
+  std::optional<detail::bounded_collapses<M>> bound;
   edge_collapse_options collapse{options.keep};
   if (is_limited) {
-    tree.emplace(input);
-    collapse.keep.push_back(max_distance(*tree, options.max_error));
+    bound.emplace(m, options.max_error, "decimate");
+    collapse.keep.push_back([&bound](const proposed_edit& e) { return bound->ask(e); });
   }
   decimation result;
   const std::size_t before = num_polys(m);
@@ -85,10 +88,11 @@ decimation decimate(M& m, const decimate_options& options) {
       result.last_refusal = p;
       break;
     }
+    if (bound) bound->accept();
     ++result.num_collapses;
   }
   detail::report_progress(options.progress, 1, "decimating");
-  if (options.measure_error) result.error = hausdorff_distance(input, m).upper;
+  if (options.measure_error) result.error = std::min(hausdorff_distance(input, m).upper, options.max_error);
   return result;
 }
 

@@ -63,8 +63,9 @@ remeshing remesh(M& m, std::vector<double> sizes, const remesh_options& options,
   if (num_polys(m) == 0) return result;
   const polygonmesh before = options.measure_error ? convert<polygonmesh>(m) : polygonmesh();
   const surface_sizes input(m, unit, std::move(sizes), options.edge_length);
-  remesher<M> r(m, unit, input, options.feature_angle_deg, is_feature);
+  remesher<M> r(m, unit, input, is_feature);
   if (!(r.num_wanted() < 2e9)) core::throw_joined<invalid_argument>({"remesh: these lengths ask for more than 2,000,000,000 triangles; meshes cannot have so many"});
+  r.begin(unit, options.feature_angle_deg);
   const auto report = [&](unsigned part) { report_progress(options.progress, (result.num_rounds + 0.25 * part) / options.max_rounds, "remeshing"); };
   while (result.num_rounds < options.max_rounds) {
     const std::size_t edits = r.num_splits + r.num_collapses + r.num_flips;
@@ -94,7 +95,8 @@ remeshing remesh(M& m, std::vector<double> sizes, const remesh_options& options,
 ///         read before m changes. is_feature(e) names edges to keep besides boundaries, non-manifold edges and those sharper than the angle.
 /// Result: the numbers of edits and how good the lengths are. The topology remains. Feature lines are kept: their verts lie on those of the input, their sharp
 ///         bends and ends stay. Other verts lie on the input. No change turns a triangle by more than 60 degrees, or moves it away from the input by more than
-///         0.3 times its size, as measured at its centre and the middles of its edges. Named properties follow by their rules. Removed elements leave gaps in
+///         0.3 times its size, as measured at its centre and the middles of its edges. Triangles that are flatter than a thousandth of their size vanish first,
+///         unless this would change the topology or move a line. Named properties follow by their rules. Removed elements leave gaps in
 ///         the indices, which garbage_collect closes.
 /// Cost:   in each round, a few edits for each edge that is too long or too short, and a closest point of the input for each vert, in parallel. Splits make
 ///         as many triangles as the lengths ask for: about 2.3 times the area divided by the square of the length.

@@ -25,7 +25,7 @@ struct mesh_look {
   bool edges = false;                                 // draws the edges of the mesh; edges with values are always drawn
   double edge_width = 1.3;                            // in pixels
   rgb edge_color = srgb(0.1f, 0.1f, 0.12f);
-  poly_criterion<M> visible = {};                     // polys that are shown, such as below('x', 0.3); empty: all
+  poly_criterion<M> visible = {};                     // polys that are shown: below('x', 0.3), or a map of bool; empty: all
   polygon_selection<M> exposed = {};                  // more polygons that a cut laid bare, such as c.cut_faces of a result c of clip
   rgb color = srgb(0.80f, 0.80f, 0.82f);              // without field and labels
   rgb exposed_color = srgb(0.93f, 0.78f, 0.50f);       // of faces inside the mesh that a cut laid bare, without field and labels

@@ -7,12 +7,16 @@
 //   KIT4  set_point moves its vert and no other
 //   KIT5  algorithms give the same results as on the mesh converted to a native mesh
 //   KIT6  removed elements are gone, added elements exist, and no other descriptor changes; editing with valid arguments does not throw
+//   KIT7  in a volume, as constructed, the sum over the faces of a poly of centroid times outward vector, three times its volume, is positive
+// and it rewires polys of editable meshes, which must be as the laws ED1 .. ED5 say.
 #pragma once
 
 #include <concino/core/message.hpp>
 #include <concino/testing/detail/edit_checks.hpp>
 #include <concino/testing/detail/oracle.hpp>
+#include <concino/testing/detail/outward_checks.hpp>
 #include <concino/testing/detail/range_checks.hpp>
+#include <concino/testing/detail/rewire_checks.hpp>
 #include <concino/validate/check_laws.hpp>
 
 #include <new>
@@ -60,6 +64,7 @@ template<class M>
 struct conformance_options {
   std::vector<conformance_state<M>> states = {};  // to check, in addition to the states after edits
   bool algorithms = true;                         // whether KIT5 is checked; it takes most of the time to compile and to run
+  bool turned_polys = false;                      // whether polys of the data may be turned inside out, so that KIT7 is not checked
 };
 
 namespace testing::detail {
@@ -76,7 +81,7 @@ template<class M>
 std::vector<named_concept> forms() {
   return {CONCINO_FORMS_OF(PrimalGraph), CONCINO_FORMS_OF(DualGraph), CONCINO_FORMS_OF(SurfaceMesh), CONCINO_FORMS_OF(VolumeMesh), CONCINO_FORMS_OF(AnyMesh),
           CONCINO_FORMS_OF(TriMesh),     CONCINO_FORMS_OF(QuadMesh),  CONCINO_FORMS_OF(TetMesh),     CONCINO_FORMS_OF(HexMesh),    CONCINO_FORMS_OF(Embedded),
-          CONCINO_FORMS_OF(MutablePoints)};
+          CONCINO_FORMS_OF(MutablePoints), CONCINO_FORMS_OF(EditableSurfaceMesh), CONCINO_FORMS_OF(EditableVolumeMesh)};
 }
 #undef CONCINO_FORMS_OF
 
@@ -127,6 +132,8 @@ conformance_report conformance(const Make& make, const conformance_options<M>& o
   {
     const M m = make();
     kit::check_state(m, "as constructed", options.algorithms, report);
+    if constexpr (VolumeMesh<M> && Embedded<M>)  // polygons have no outside
+      if (report.ok() && !options.turned_polys) kit::check_outward(m, "as constructed", report.findings);
   }
   if (!report.ok()) return report;
 
@@ -151,6 +158,7 @@ conformance_report conformance(const Make& make, const conformance_options<M>& o
     });
   if constexpr (requirement::has_add_vert<M> && requirement::has_add_poly<M>)
     edited("after a poly was added", [](M& m, auto& log) { kit::add_one(m, log); });
+  if constexpr (EditableMesh<M> && !is_view_v<M>) edited("after polys were rewired", [](M& m, auto& log) { kit::rewire_polys(m, log); });
   for (const auto& state : options.states) edited(state.name, [&](M& m, auto&) { state.apply(m); });
   return report;
 }

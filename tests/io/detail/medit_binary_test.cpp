@@ -203,7 +203,8 @@ TEST_CASE("medit_binary: errors name the byte") {
   CHECK(after_start([](meshb& b) { b.section(4, -1, {}); }) ==
         "1: the number of rows of the section, at most 0 up to the next one or the end of the file | -1 at byte 28");
   CHECK(after_start([](meshb& b) { b.vertices(corners), b.section(8, 1, {1, 2, 3, 5, 0}); }) == "1: a vertex index from 1 to 4 | 5 at byte 168");
-  CHECK(after_start([](meshb& b) { b.vertices(corners), b.section(8, 1, {1, 2, 3, 3, 0}); }) == "1: different verts in a cell | vert 3 twice at byte 156");
+  CHECK(after_start([](meshb& b) { b.vertices(corners), b.section(8, 1, {1, 2, 3, 3, 0}); }) == "1: different verts in a cell (or set "
+      "options.repeated_verts) | vert 3 twice at byte 156");
   CHECK(after_start([](meshb& b) { b.vertices(corners), b.vertices(corners); }).starts_with("1: one section Vertices | another at byte "));
   CHECK(after_start([](meshb& b) { b.vertices({{0, std::nan(""), 0}}); }) == "1: the y of a vertex, a finite number | another value at byte 40");
   CHECK(after_start([](meshb& b) { b.vertices(corners), b.section(14, 1, {1}); }) == "1: the index of an edge, but there is nothing to refer to | 1 at byte 156");
@@ -274,4 +275,26 @@ TEST_CASE("medit_binary: corpus files are the same after saving as text or binar
         load_any(file));
   }
   if (files == 0) skip("no corpus");
+}
+
+TEST_CASE("medit_binary: second-order elements are read by their corners, if the options say so") {
+  for (const int version : {1, 4})
+    for (const int ordering : {0, 133}) {
+      meshb file{version};
+      file.begin();
+      file.vertices({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.5, 0, 0}, {0.5, 0.5, 0}, {0, 0.5, 0}, {0, 0, 0.5}, {0.5, 0, 0.5}, {0, 0.5, 0.5}});
+      if (ordering) file.section(ordering, 1, {0, 0, 0, 2});
+      file.section(30, 1, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 3});
+      file.end();
+      CHECK_THROWS_WITH_AS(load_text<tetmesh>(file.text, file_format::medit),
+                           "text: section TetrahedraP2 has 1 second-order elements, with nodes on edges; load with {.corners_only = true} to read only the "
+                               "corners", unsupported);
+      if (ordering) {
+        CHECK_THROWS_AS(load_text<tetmesh>(file.text, file_format::medit, {.corners_only = true}), unsupported);
+        continue;
+      }
+      const auto m = load_text<tetmesh>(file.text, file_format::medit, {.corners_only = true});
+      CHECK(num_verts(m) == 4);
+      CHECK(find_poly_property<int>(m, "label")[poly_id{0}] == 3);
+    }
 }

@@ -74,7 +74,7 @@ TEST_CASE("read_hedra: errors name the line") {
   CHECK(line("1000000000000 1 1\n0 0 0\n") == 2);
   CHECK(line("4 4 0\n\x01\n" + points + face_rows) == 2);  // no comments
   CHECK(complaint<polyhedra_arrays>("4 1 0\n" + points + "4 1 4 2 4\n", file_format::hedra) ==
-        "6: different verts at the corners of a face | vert 4 twice");
+        "6: different verts at the corners of a face (or set options.repeated_verts) | vert 4 twice");
 }
 
 TEST_CASE("read_hedra: a mesh of tets accepts only tets, with faces in any order") {

@@ -103,7 +103,7 @@ TEST_CASE("read_hybrid: errors name the line") {
   CHECK(hybrid_line("1000000000002 1 3\n0 0 0\n") == 2);
   CHECK(complaint<polyhedra_arrays>("4 4 4\n", file_format::hybrid) == "1: three times the number of polyhedra | '4'");
   CHECK(complaint<polyhedra_arrays>("4 1 0\n" + hybrid_points + "3 1 3 1\n", file_format::hybrid) ==
-        "6: different verts at the corners of a face | vert 1 twice");
+        "6: different verts at the corners of a face (or set options.repeated_verts) | vert 1 twice");
   CHECK(complaint<polyhedra_arrays>("0 1 0\n3 1 3 1\n", file_format::hybrid) == "2: a vert index, but there is nothing to refer to | '1'");
   CHECK(complaint<polyhedra_arrays>(begin + "4 0 1 2 3\n3 1 1 1\n", file_format::hybrid) ==
         "11: one flag for each face of a polyhedron, 4 in number | 3");

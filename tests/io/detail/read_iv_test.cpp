@@ -130,7 +130,7 @@ TEST_CASE("read_iv: errors name the line") {
   CHECK(iv_complaint(set + "0, 1, 4, -1 ] }") == "4: the index of a vert from 0 to 3 or -1 | '4,'");
   CHECK(iv_complaint(set + "0, 1, 2,\n -2 ] }") == "5: the index of a vert or -1 | '-2'");
   CHECK(iv_complaint(set + "0, 1,\n -1 ] }") == "4: a face of at least three verts | one of 2");
-  CHECK(iv_complaint(set + "0, 1, 2, 1 ] }") == "4: different verts at the corners of a face | vert 1 twice");
+  CHECK(iv_complaint(set + "0, 1, 2, 1 ] }") == "4: different verts at the corners of a face (or set options.repeated_verts) | vert 1 twice");
   CHECK(iv_complaint(set + "0, 1, 2.5 ] }") == "4: the index of a vert or -1 | '2.5'");
   CHECK(iv_complaint(set + "0, 1, 2") == "4: the index of a vert or -1 or ']' | the end of the file");
   CHECK(iv_complaint(set + "0, 1, 2 ]\n") == "4: '}' | the end of the file");

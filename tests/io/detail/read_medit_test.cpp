@@ -206,7 +206,7 @@ TEST_CASE("read_medit: the error names the line of the first cell that cell_arra
 TEST_CASE("read_medit: messages name what was expected and what was found") {
   const auto says = [](const std::string& text) { return complaint<cell_arrays>(text, file_format::medit); };
   CHECK(says("MeshVersionFormatted 1\nDimension\n4\n") == "3: the dimension, 2 or 3 | '4'");
-  CHECK(says(head + points + "Tetrahedra\n1\n1 3 3 2 0\nEnd\n") == "11: different verts in a cell | vert 3 twice");
+  CHECK(says(head + points + "Tetrahedra\n1\n1 3 3 2 0\nEnd\n") == "11: different verts in a cell (or set options.repeated_verts) | vert 3 twice");
   CHECK(says(head + points + "Tetrahedra\n1\n1 2 3 5 0\nEnd\n").starts_with("11: "));
   CHECK(complaint<trimesh>(head + points + "Quadrilaterals\n1\n1 2 3 4 0\nEnd\n", file_format::medit) ==
         "11: a triangle (polygonmesh and load_any take any polygon) | an element of section Quadrilaterals");
@@ -302,6 +302,54 @@ TEST_CASE("read_medit: a file without polys loads as any kind; a type of several
   CHECK(!is_of_cells(cube + "Pyramids 1\n5 6 7 8 9 0\nEnd"));
   CHECK(!is_of_cells(cube + "Tetrahedra 1\n1 2 3 6 0\nHexahedra 1\n1 2 3 4 5 6 7 8 0\nEnd"));
   CHECK(triangles.polys == 1);
+}
+
+TEST_CASE("read_medit: elements of second and higher order are read by their corners, if the options say so") {
+  const std::string nodes = head + "Vertices 11\n0 0 0 1  1 0 0 2  .5 0 0 3  0 1 0 4  0 0 1 5\n.5 .5 0 6  0 .5 0 7  0 0 .5 8  .5 0 .5 9  0 .5 .5 10  7 7 7 "
+      "11\n";
+  const std::string tet = "TetrahedraP2\n1\n1 2 4 5 3 6 7 8 9 10 42\n", triangle = "TrianglesP2 1 1 2 4 3 6 7 5\n", edge = "EdgesP2 1 1 2 3 9\n";
+  const std::string instead = " second-order elements, with nodes on edges; load with {.corners_only = true} to read only the corners";
+  const auto says = [](const std::string& text, bool corners_only = false) {
+    try {
+      load_text<polyhedra_arrays>(text, file_format::medit, {.corners_only = corners_only});
+    } catch (const error& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  for (const std::string& text : {nodes + tet + "End", head + tet + nodes.substr(head.size()) + "End"}) {
+    CHECK(says(text) == "text: section TetrahedraP2 has 1" + instead);
+    load_report r;
+    const auto m = load_text<tetmesh>(text, file_format::medit, {.report = &r, .corners_only = true});
+    CHECK(num_verts(m) == 5);
+    CHECK(raw(adj_p2v(m, poly_id{0})) == std::vector<unsigned>{0, 1, 2, 3});
+    CHECK(find_vert_property<int>(m, "label")[vert_id{2}] == 4);
+    CHECK(find_vert_property<int>(m, "label")[vert_id{4}] == 11);
+    CHECK(find_poly_property<int>(m, "label")[poly_id{0}] == 42);
+    CHECK(r.skipped == std::vector<std::string>{"6 points, the nodes of 1 elements of second or higher order: only corners were read"});
+  }
+  CHECK(says(nodes + triangle + "End") == "text: section TrianglesP2 has 1" + instead);
+  CHECK(says(nodes + "HexahedraQ3 1 1 End") == "text: section HexahedraQ3 has 1 higher-order elements, with nodes on edges; load with {.corners_only = "
+      "true} to read only the corners");
+  // Edges alone are skipped, as before; with the option, all sections give labels to edges and faces.
+  load_report r;
+  const auto linear = load_text<tetmesh>(nodes + edge + "Tetrahedra 1 1 2 4 5 0 End", file_format::medit, {.report = &r});
+  CHECK(num_verts(linear) == 11);
+  CHECK(r.skipped == std::vector<std::string>{"section EdgesP2, 1 rows"});
+  const auto all = load_text<tetmesh>(nodes + edge + triangle + tet + "Corners 1 3 RequiredTriangles 1 1 End", file_format::medit, {.report = &r,
+      .corners_only = true});
+  int sum = 0;
+  for (const auto e : edges(all)) sum += find_edge_property<int>(all, "label")[e];
+  for (const auto f : faces(all)) sum += 100 * find_face_property<int>(all, "label")[f] + 1000 * find_face_property<int>(all, "required")[f];
+  CHECK(sum == 9 + 500 + 1000);
+  CHECK(r.skipped == std::vector<std::string>{"6 points, the nodes of 3 elements of second or higher order: only corners were read"});
+  const auto surface = load_text<trimesh>(nodes + triangle + "End", file_format::medit, {.corners_only = true});
+  CHECK(num_polys(surface) == 1);
+  CHECK(num_verts(surface) == 8);  // the others belong to no element
+  CHECK(says(nodes + "TetrahedraP2Ordering 1 0 0 0 2 " + tet + "End", true) ==
+        "text: has elements of second or higher order, and a section that lists the order of their nodes: corners need not come first");
+  CHECK(bad_line<cell_arrays>(nodes + "TetrahedraP2 0 End", file_format::medit) == 0);
+  CHECK(says(nodes + "TetrahedraP2 1\n1 2 4 5 3 6 7 8 9 99 0 End", true) == "text:7: expected a vertex index from 1 to 11, found '99'");
 }
 
 TEST_CASE("read_medit: throws if a volume is loaded as a surface or the reverse") {

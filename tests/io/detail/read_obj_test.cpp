@@ -65,7 +65,8 @@ TEST_CASE("read_obj: indices of texture coordinates and normals are accepted and
   CHECK(raw(obj(attributes + "f 1/1 2/2 3/-1\nf 1//1 2//-1 3//1\nf 1/2/1 2/1/1 4/1/1\nf 1/ 2/ 3/\nf 1// 2/1/ 3\n").verts) ==
         std::vector<unsigned>{0, 1, 2, 0, 1, 2, 0, 1, 3, 0, 1, 2, 0, 1, 2});
   CHECK(raw(obj("f 1/2/1 2/1/1 4/1/1\n" + attributes).verts) == std::vector<unsigned>{0, 1, 3});
-  for (const std::string bad : {"f 1/3 2/1 3/1", "f 1//2 2 3", "f 1/0 2 3", "f 1/x 2 3", "f 1/1/1/1 2 3", "f 1 2 3x", "f 1 2 3.0"})
+  CHECK(raw(obj(attributes + "f 1/0 2//0 3/0/0\n").verts) == std::vector<unsigned>{0, 1, 2});
+  for (const std::string bad : {"f 1/3 2/1 3/1", "f 1//2 2 3", "f 1/-3 2 3", "f 1/x 2 3", "f 1/1/1/1 2 3", "f 1 2 3x", "f 1 2 3.0"})
     CHECK_MESSAGE(line(attributes + bad) == 8, bad);
 }
 
@@ -206,7 +207,7 @@ TEST_CASE("read_obj: messages name what was expected and what was found") {
   CHECK(line(points + "f 1 2 3 4\nf 1 2 9\n") == 6);
   CHECK(line(points + "vt 0 0\nf 1/-1 2/-1 3/-1\nf 1 2 9\n") == 7);
   CHECK(line(points + "vn 0 0\nf 1//-1 2//-1 3//-1\nf 1 2 9\n") == 7);
-  CHECK(says(points + "f 1 3 3 2\n") == "5: different verts at the corners of a face | vert 3 twice");
+  CHECK(says(points + "f 1 3 3 2\n") == "5: different verts at the corners of a face (or set options.repeated_verts) | vert 3 twice");
   CHECK(says(points + "f 1 2\n") == "5: a face of at least three corners | one of 2");
   CHECK(complaint<trimesh>(points + "f 1 2 3 4\n", file_format::obj) ==
         "5: a triangle (polygonmesh and load_any take any polygon) | a polygon of 4 corners");

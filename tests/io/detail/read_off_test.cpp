@@ -138,7 +138,7 @@ TEST_CASE("read_off: reads the properties of every valid prefix of OFF, and reje
             CHECK(find_vert_property<std::array<double, 2>>(m, "texture")[vert_id{2}] == std::array<double, 2>{8, 9});
         }
       }
-  for (const std::string bad : {"NCOFF", "CSTOFF", "nOF", "OOFF", "off", "4COFF", "OFFX", "CCOFF", "n4OFF", "44OFF", "PLY"})
+  for (const std::string bad : {"NCNOFF", "CSTOFF", "nOF", "OOFF", "off", "4COFF", "OFFX", "CCOFF", "n4OFF", "44OFF", "PLY"})
     CHECK_MESSAGE(line("# c\n" + bad + "\n3\n0 0 0\n") == 2, bad);
 }
 
@@ -409,7 +409,7 @@ TEST_CASE("read_off: binary: messages name the byte; counts may be as large as t
   CHECK(says(three + bytes().i(2).i(0).i(1).i(0).i(0).text) == "1: a poly of at least three verts | another value at byte 59");
   CHECK(says(three + bytes().i(4).i(0).i(1).i(2).text) == "1: the number of verts of a poly" + too_many + "59");
   CHECK(says(three + bytes().i(3).i(0).i(1).i(3).i(0).text) == "1: the index of a vert below 3 | another value at byte 71");
-  CHECK(says(three + bytes().i(3).i(0).i(1).i(1).i(0).text) == "1: different verts at the corners of a poly | vert 1 twice");
+  CHECK(says(three + bytes().i(3).i(0).i(1).i(1).i(0).text) == "1: different verts at the corners of a poly (or set options.repeated_verts) | vert 1 twice");
   CHECK(says(three + bytes().i(3).i(0).i(1).i(2).i(5).text + std::string(20, '\0')) ==
         "1: a colour of at most 4 numbers | another value at byte 75");
   CHECK(says("# c\r\nOFF BINARY\r\n" + bytes().i(-1).i(0).i(0).text) == "2: the number of verts, not negative | another value at byte 17");

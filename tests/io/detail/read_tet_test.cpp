@@ -97,7 +97,7 @@ TEST_CASE("read_tet: errors name the line") {
   CHECK(tet_complaint(two + "4 0 1 2 4\n") == "8: a vertex index from 0 to 3 | '4'");
   CHECK(tet_complaint(two + "7 0 1 2 3\n") == "8: the number of vertices of a cell: 4, 5, 6 or 8 | '7'");
   CHECK(tet_complaint(two + "4 0 1 2\n") == "8: a vertex index from 0 to 3 | the end of the file");
-  CHECK(tet_complaint(two + "4 0 1 2 1\n") == "8: different verts in a cell | vert 1 twice");
+  CHECK(tet_complaint(two + "4 0 1 2 1\n") == "8: different verts in a cell (or set options.repeated_verts) | vert 1 twice");
   CHECK(tet_complaint(two + "\n# C 0 1 2 3\n# C 0 1 2 3\n") == "10: 2 cells | 1 cells and 2 connectors");
   CHECK(tet_complaint(two) == "7: 2 cells | 1 cells and 0 connectors");
   CHECK(tet_complaint(two + "4 0 1 2 3\n\n4 0 1 2 3\n") == "10: the end of the file after the last cell | '4'");

@@ -73,9 +73,10 @@ TEST_CASE("read_vtk: cells of every linear type, with any line ends") {
   CHECK(raw(hex.verts) == std::vector<unsigned>{0, 1, 2, 3, 4, 5, 6, 7});
   CHECK(raw(vtk<cell_arrays>(vtk_grid_of("8 0 1 3 2 4 5 7 6\n", "11")).verts) == raw(hex.verts));  // a voxel
   load_report r;
-  const auto wedges = vtk<polyhedra_arrays>(vtk_grid_of("6 0 1 2 4 5 6\n6 0 3 2 4 7 6\n", "13 13"), {.report = &r});  // both orders
+  const auto wedges = vtk<polyhedra_arrays>(vtk_grid_of("6 0 2 1 4 6 5\n6 0 2 3 4 6 7\n", "13 13"), {.report = &r});  // VTK's order, and mirrored
   CHECK(vtk_volume(wedges) == doctest::Approx(1));
   CHECK(r.reoriented_polys == 1);
+  CHECK(r.notes == std::vector<std::string>{"1 of 2 cells had a negative volume: their verts were put into the standard order"});
   CHECK(wedges.num_faces() == 9);
   const auto two = vtk<polyhedra_arrays>(vtk_grid_of(pyramid_as_polyhedron + "8 0 1 2 3 4 5 6 7\n", "42\n12"));
   CHECK(two.num_polys() == 2);
@@ -89,10 +90,37 @@ TEST_CASE("read_vtk: cells of every linear type, with any line ends") {
       if (lifted[i] == '0' && (i + 2 >= lifted.size() || lifted.substr(i + 1, 2) == "  ")) lifted[i] = '1';
     for (unsigned i = 0; i < 2 * n; ++i) ids += ' ' + std::to_string(i);
     const auto prism = vtk<polyhedra_arrays>(vtk_head + "POINTS " + std::to_string(2 * n) + " float " + points + ' ' + lifted + "\nCELLS 1 " + std::to_string(2 * n + 1) + '\n' +
-                                             std::to_string(2 * n) + ids + "\nCELL_TYPES 1 " + (n == 5 ? "15" : "16"));
+                                             std::to_string(2 * n) + ids + "\nCELL_TYPES 1 " + (n == 5 ? "15" : "16"), {.report = &r});
+    CHECK(r.reoriented_polys == 0);
+    CHECK(r.notes.empty());
     CHECK(prism.num_faces() == n + 2);
     CHECK(vtk_volume(prism) == doctest::Approx(n == 5 ? 5 : 6));
   }
+}
+
+TEST_CASE("read_vtk: cells in VTK's order need no change, alone and beside others") {
+  const std::string wedge = "6 0 2 1 4 6 5\n", mirrored = "6 0 1 2 4 5 6\n";  // the base of a wedge is counter-clockwise seen from outside
+  const std::pair<std::string, std::string> grids[] = {{wedge, "13"},
+                                                       {wedge + wedge, "13 13"},
+                                                       {wedge + "5 4 5 6 7 8\n", "13 14"},
+                                                       {wedge + pyramid_as_polyhedron, "13 42"},
+                                                       {wedge + "4 0 2 3 4\n", "13 10"},
+                                                       {wedge + "3 0 2 3\n", "13 5"},
+                                                       {"8 0 1 3 2 4 5 7 6\n" + wedge, "11 13"}};
+  for (const auto& grid : grids) {  // the faces of the polyhedron are wound inconsistently
+    const std::string &cells = grid.first, &types = grid.second;
+    CAPTURE(types);
+    load_report r;
+    const auto m = vtk<polyhedra_arrays>(vtk_grid_of(cells, types), {.report = &r});
+    CHECK(r.reoriented_polys == (types == "13 42" ? 1 : 0));
+    const std::size_t at = types == "11 13" ? 1 : 0;
+    CHECK(testing::six_times_poly_volume(m, at) == doctest::Approx(3));
+    vtk<polyhedra_arrays>(vtk_grid_of(mirrored, "13"), {.report = &r});
+    CHECK(r.reoriented_polys == 1);
+  }
+  CHECK(complaint<polyhedra_arrays>(vtk_grid_of("6 0 2 1 4 6 6\n", "13"), file_format::vtk) == "10: different verts in a cell | vert 6 twice");
+  CHECK(complaint<polyhedra_arrays>(vtk_grid_of("5 0 2 1 4 6\n", "13"), file_format::vtk) == "10: 6 points, for a cell of type 13 | 5");
+  CHECK(complaint<polyhedra_arrays>(vtk_grid_of("7 0 1 3 2 4 5 6\n", "11"), file_format::vtk) == "10: 8 points, for a cell of type 11 | 7");
 }
 
 TEST_CASE("read_vtk: polygons of every type make a surface") {
@@ -171,6 +199,84 @@ TEST_CASE("read_vtk: arrays become properties of verts, polys, faces and the mes
                          "1 cells that are verts or lines"});
 }
 
+TEST_CASE("read_vtk: elements of second and higher order are read by their corners, if the options say so") {
+  load_report r;
+  const auto grid = [&](const std::string& points, const std::string& cell, int type, const std::string& data = "") {
+    const auto count = [](const std::string& words) { return static_cast<std::size_t>(std::count(words.begin(), words.end(), ' ')); };
+    return vtk_head + "POINTS " + std::to_string((count(points) + 1) / 3) + " double\n" + points + "\nCELLS 1 " + std::to_string(count(cell) + 1) + "\n" +
+        cell + "\nCELL_TYPES 1\n" + std::to_string(type) + "\n" + data;
+  };
+  // The middle of an edge is point 2, before corners, so that these are renumbered; point 10 belongs to no cell.
+  const std::string tet = "0 0 0 1 0 0 .5 0 0 0 1 0 0 0 1 .5 .5 0 0 .5 0 0 0 .5 .5 0 .5 0 .5 .5 7 7 7";
+  const std::string values = "POINT_DATA 11\nSCALARS h int\nLOOKUP_TABLE default\n0 1 2 3 4 5 6 7 8 9 10\nCELL_DATA 1\nSCALARS part int\nLOOKUP_TABLE "
+      "default\n42\n";
+  for (const int type : {24, 71, 78}) {
+    const std::string text = grid(tet, "10 0 1 3 4 2 5 6 7 8 9", type, values);
+    const std::string complaint = core::joined({"text: the cell at line 8 is a ", type == 24 ? "second-order" : "higher-order", " element, of type ", type,
+                                                ", with nodes on edges; load with {.corners_only = true} to read only the corners"});
+    CHECK_THROWS_WITH_AS(load_text<tetmesh>(text, file_format::vtk), complaint.c_str(), unsupported);
+    const auto m = load_text<tetmesh>(text, file_format::vtk, {.report = &r, .corners_only = true});
+    CHECK(num_verts(m) == 5);
+    CHECK(raw(adj_p2v(m, poly_id{0})) == std::vector<unsigned>{0, 1, 2, 3});
+    CHECK(find_vert_property<int>(m, "h")[vert_id{2}] == 3);
+    CHECK(find_vert_property<int>(m, "h")[vert_id{4}] == 10);
+    CHECK(find_poly_property<int>(m, "part")[poly_id{0}] == 42);
+    CHECK(r.reoriented_polys == 0);
+    CHECK(r.skipped == std::vector<std::string>{"6 points, the nodes of 1 elements of second or higher order: only corners were read"});
+  }
+  // The base of quadratic wedges is reversed, as that of wedges; those of Lagrange and Bezier are in the standard order.
+  const std::string wedge = "0 0 0 0 1 0 1 0 0 0 0 1 0 1 1 1 0 1 0 .5 0 .5 .5 0 .5 0 0 0 .5 1 .5 .5 1 .5 0 1", mid_edges = " 6 7 8 9 10 11";
+  for (const int type : {31, 73, 80}) {
+    const auto m = vtk<polyhedra_arrays>(grid(wedge, (type == 31 ? "12 0 1 2 3 4 5" : "12 0 2 1 3 5 4") + mid_edges, type), {.report = &r,
+        .corners_only = true});
+    CHECK(m.points.size() == 6);
+    CHECK(vtk_volume(m) == doctest::Approx(0.5));
+    CHECK(r.notes.empty());
+  }
+  // A node of one cell that is the corner of another stays. Quadratic edges are skipped with or without the option.
+  const std::string both = vtk_grid_of("6 0 1 2 4 5 6\n3 4 5 8\n3 0 1 4\n", "22 5 21");
+  const auto s = vtk<surface_arrays>(both, {.report = &r, .corners_only = true});
+  CHECK(raw(s.verts) == std::vector<unsigned>{0, 1, 2, 4, 5, 7});
+  CHECK(s.points.size() == 8);
+  CHECK(r.skipped == std::vector<std::string>{"1 cells that are verts or lines", "1 points, the nodes of 1 elements of second or higher order: only corners "
+      "were read"});
+  CHECK(vtk<surface_arrays>(vtk_grid_of("3 0 1 4\n3 0 1 2\n", "21 5")).verts.size() == 3);
+  CHECK(vtk<surface_arrays>(vtk_grid_of("3 0 1 4\n", "21")).verts.empty());
+  CHECK(vtk<surface_arrays>(vtk_grid_of("8 0 1 2 3 4 5 6 7\n", "36"), {.corners_only = true}).arity == 4);
+  const auto says = [](const std::string& cells, const char* type) {
+    try {
+      load_text<surface_arrays>(vtk_grid_of(cells, type), file_format::vtk, {.corners_only = true});
+    } catch (const parse_error& e) {
+      return e.expected + " | " + e.found;
+    }
+    return std::string();
+  };
+  CHECK(says("7 0 1 2 3 4 5 6\n", "36") == "an even number of points, for a cell of type 36 | 7");
+  CHECK(says("5 0 1 2 3 4\n", "22") == "6 points, for a cell of type 22 | 5");
+  CHECK(says("2 0 1\n", "69") == "at least 3 points, for a cell of type 69 | 2");
+  CHECK(says("6 0 1 2 3 4 9\n", "22") == "a point index below 9 | 9");
+}
+
+TEST_CASE("read_vtk: arrays with another number of values than there are elements are skipped with a remark") {
+  const std::string data = "CELL_DATA 3\nSCALARS part int\nLOOKUP_TABLE default\n1 2 3\nCOLOR_SCALARS c 3\n0 0 0 0.5 0 0 1 nan inf\nNORMALS n float\n0 0 1 "
+      "0 0 1 0 0 1\n"
+                           "FIELD f 3\nthree 1 3 double\n7 8 9\none 1 1 double\n1.5\nnames 1 3 string\na\nb\nc\n"
+                           "POINT_DATA 9\nSCALARS h int\nLOOKUP_TABLE default\n0 1 2 3 4 5 6 7 8\nFIELD f 1\ntwo 2 8 int\n0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n"
+                               "CELL_DATA 1\nSCALARS late int\nLOOKUP_TABLE default\n5\n";
+  load_report r;
+  const auto m = load_text<hexmesh>(vtk_grid_of("8 0 1 2 3 4 5 6 7\n", "12", data), file_format::vtk, {.report = &r});
+  CHECK(find_poly_property<double>(m, "one")[poly_id{0}] == 1.5);
+  CHECK(find_poly_property<int>(m, "late")[poly_id{0}] == 5);
+  CHECK(find_vert_property<int>(m, "h")[vert_id{8}] == 8);
+  CHECK(property_list(m).size() == 3);
+  const std::string need = " values, where 1 cells need one each";
+  CHECK(r.skipped == std::vector<std::string>{"array \"part\" of 3" + need, "array \"c\" of 3" + need, "array \"normal\" of 3" + need,
+      "array \"three\" of 3" + need, "array \"names\" of texts",
+                                              "array \"two\" of 8 values, where 9 points need one each"});
+  CHECK(complaint<cell_arrays>(vtk_grid_of("8 0 1 2 3 4 5 6 7\n", "12", "CELL_DATA 300\nSCALARS a int\nLOOKUP_TABLE default\n1 2 3\n"), file_format::vtk) ==
+        "14: a count that fits into the file | 300 int numbers, and 7 bytes");
+}
+
 TEST_CASE("read_vtk: errors name the line") {
   const auto says = [](const std::string& text) { return complaint<polyhedra_arrays>(text, file_format::vtk); };
   CHECK(says("") == "1: # vtk DataFile Version | an empty file");
@@ -185,7 +291,7 @@ TEST_CASE("read_vtk: errors name the line") {
   CHECK(says(vtk_grid_of("4 0 1 2 9\n", "10")) == "10: a point index below 9 | 9");
   CHECK(says(vtk_grid_of("8 0 1 2 3 4 5 6 7\n4 0 1 2\n", "12 10")) == "11: cells of 13 numbers | a cell of 4 where 3 are left");
   CHECK(says(vtk_grid_of("8 0 1 2 3 4 5 6 7\n3 0 1 2\n", "12 10")) == "11: 4 points, for a cell of type 10 | 3");
-  CHECK(says(vtk_grid_of("4 0 1 2 2\n", "10")) == "10: different verts in a cell | vert 2 twice");
+  CHECK(says(vtk_grid_of("4 0 1 2 2\n", "10")) == "10: different verts in a cell (or set options.repeated_verts) | vert 2 twice");
   CHECK(says(vtk_grid_of("4 0 1 2 4\n", "10 12")) == "12: a section, such as POINTS, CELLS, POINT_DATA or SCALARS | '12'");
   CHECK(says(vtk_grid_of("4 0 1 2 4\n", "")) == "11: an integer of type int32 | the end of the file");
   CHECK(says(vtk_head + vtk_points + "CELLS 1 5\n4 0 1 2 4\n") == "10: a section CELL_TYPES | the end of the file");
@@ -193,7 +299,7 @@ TEST_CASE("read_vtk: errors name the line") {
   CHECK(says(vtk_grid_of("9 2 3 0 1 2 4 0 1 2\n", "42")) == "10: the verts of 2 faces of a polyhedron | a list that ends in face 1");
   CHECK(says(vtk_grid_of("10 2 3 0 1 2 3 0 1 2 7\n", "42")) == "10: the end of the polyhedron after 2 faces | 1 more numbers");
   CHECK(says(vtk_grid_of("9 2 3 0 1 2 3 2 1 0\n", "42")) == "10: different faces in a polyhedron | two with the same verts");
-  CHECK(says(vtk_grid_of("1 0\n4 4 5 6 7\n8 0 1 2 3 4 5 6 7\n", "1 9 12", "CELL_DATA 2\n")) == "15: 3 values, one for each cell | 2");
+  CHECK(says(vtk_head + vtk_points + "CELL_DATA 1\nCELLS 1 5\n4 0 1 2 4\nCELL_TYPES 1\n10\n") == "10: one section CELLS, before CELL_DATA | 'CELLS'");
   CHECK(says(vtk_grid_of("8 0 1 2 3 4 5 6 7\n", "12", "CELL_DATA 1\nSCALARS a int\nLOOKUP_TABLE default\n3000000000\n")) == "16: an integer of type int32 | '3000000000'");
   CHECK(complaint<trimesh>(vtk_grid_of("3 0 1 2\n4 0 1 2 3\n", "5 9"), file_format::vtk) == "11: a triangle (polygonmesh and load_any take any polygon) | a polygon of 4 corners");
   CHECK(complaint<tetmesh>(vtk_grid_of("4 0 1 2 4\n8 0 1 2 3 4 5 6 7\n", "10 12"), file_format::vtk) == "11: a tet (polyhedralmesh and load_any take any cell) | a hex of 6 faces");
@@ -202,7 +308,11 @@ TEST_CASE("read_vtk: errors name the line") {
   CHECK(says(std::string(offsets).replace(offsets.find("0 4\n"), 3, "0 5")) == "11: offsets that increase to 4 | 5");
   CHECK(says(std::string(offsets).replace(offsets.find("0 1 2 4\n"), 7, "0 1\n2 9")) == "13: a point index below 9 | 9");
   CHECK_THROWS_WITH_AS(load_text<polyhedralmesh>(vtk_grid_of("8 0 1 2 3 4 5 6 7\n", "24"), file_format::vtk),
-                       "text: the cell at line 10 has type 24; cells with nodes on edges and other types from 17 on, except 42, are not supported", unsupported);
+                       "text: the cell at line 10 is a second-order element, of type 24, with nodes on edges; load with {.corners_only = true} to read only "
+                           "the corners", unsupported);
+  CHECK_THROWS_WITH_AS(load_text<polyhedralmesh>(vtk_grid_of("8 0 1 2 3 4 5 6 7\n", "41"), file_format::vtk),
+                       "text: the cell at line 10 has type 41; types from 17 on are not supported, except 42 and elements of second and higher order",
+                           unsupported);
   CHECK_THROWS_WITH_AS(load_text<polyhedralmesh>("# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\n", file_format::vtk),
                        "text: DATASET 'STRUCTURED_POINTS' is not supported; UNSTRUCTURED_GRID and POLYDATA are", unsupported);
   CHECK_THROWS_AS(load_text<trimesh>(vtk_grid_of("8 0 1 2 3 4 5 6 7\n", "12"), file_format::vtk), unsupported);

@@ -142,6 +142,20 @@ TEST_CASE("read_vtu: base64 and appended arrays, in both byte orders and widths 
       }
 }
 
+TEST_CASE("read_vtu: cells in VTK's order need no change, also beside polyhedra") {
+  const std::string lists = vtu_array("Int64", "faces", "5 4 4 5 6 7 3 5 4 8 3 6 5 8 3 7 6 8 3 4 7 8"), ends = vtu_array("Int64", "faceoffsets", "-1 22");
+  const std::string grids[] = {vtu_cells("0 2 1 4 6 5", "6", "13"), vtu_cells("0 2 1 4 6 5  0 2 1 4 6 5", "6 12", "13 13"), vtu_cells("0 2 1 4 6 5  4 5 6 7 8",
+      "6 11", "13 42", lists + ends),
+                               vtu_cells("0 2 1 4 6 5  0 2 3", "6 9", "13 5"), vtu_cells("0 2 1 4 6 5  0 1 3 2 4 5 7 6", "6 14", "13 11")};
+  for (const std::string& cells : grids) {
+    CAPTURE(cells);
+    load_report r;
+    const auto m = vtu<polyhedra_arrays>(cube_file(cells, cells == grids[0] ? 1 : 2), {.report = &r});
+    CHECK(r.reoriented_polys == (cells == grids[2] ? 1 : 0));  // the faces of the polyhedron are wound inconsistently
+    CHECK(testing::six_times_poly_volume(m, 0) == doctest::Approx(3));
+  }
+}
+
 TEST_CASE("read_vtu: polyhedra beside other cells, in two pieces") {
   const std::string face_lists = "5 4 4 5 6 7 3 4 5 8 3 5 6 8 3 6 7 8 3 7 4 8  4 3 0 1 2 3 0 1 8 3 1 2 8 3 0 2 8";
   const std::string both = vtu_cells("4 5 6 7 8  0 1 2 3 4 5 6 7  0 1 2 8", "5 13 17", "42 12 42", vtu_array("Int64", "faces", face_lists) + vtu_array("Int64", "faceoffsets", "22 -1 39"));
@@ -156,25 +170,71 @@ TEST_CASE("read_vtu: polyhedra beside other cells, in two pieces") {
 }
 
 TEST_CASE("read_vtu: pieces are joined at equal points, and ghost cells dropped") {
-  const auto piece = [](const std::string& points, const std::string& cells, const std::string& ghosts, const std::string& values) {
+  const auto piece = [](const std::string& points, const std::string& cells, const std::string& ghosts, const std::string& values,
+      const std::string& heights = "1 2 3 4") {
     return vtu_piece(4, 1, "<Points>\n" + vtu_array("Float32", "Points", points, "NumberOfComponents='3' ") + "</Points>\n" + cells + "<CellData>\n" + vtu_array("UInt8", "vtkGhostType", ghosts) +
-                               vtu_array("Int32", "part", values) + "</CellData><PointData>" + vtu_array("Float64", "h", "1 2 3 4") + "</PointData>");
+                               vtu_array("Int32", "part", values) + "</CellData><PointData>" + vtu_array("Float64", "h", heights) + "</PointData>");
   };
   const std::string cells = vtu_cells("0 1 2 3", "4", "10");
   const std::string of_tet = vtu_array("Int64", "faces", "4  3 0 1 2  3 0 1 3  3 1 2 3  3 0 2 3") + vtu_array("Int64", "faceoffsets", "17");
   load_report r;
-  const auto m = load_text<polyhedralmesh>(vtu_file(piece("0 0 0 1 0 0 0 1 0 0 0 1", cells, "0", "5") + piece("1 0 0 0 1 0 0 -0.0 1 1 1 1", vtu_cells("0 1 2 3", "4", "42", of_tet), "0", "6") +
+  const auto m = load_text<polyhedralmesh>(vtu_file(piece("0 0 0 1 0 0 0 1 0 0 0 1", cells, "0", "5") + piece("1 0 0 0 1 0 0 -0.0 1 1 1 1",
+      vtu_cells("0 1 2 3", "4", "42", of_tet), "0", "6", "2 3 4 5") +
                                                     piece("0 0 0 1 0 0 0 1 0 0 0 1", cells, "1", "7")),
                                            file_format::vtu, {.report = &r});
   CHECK(num_verts(m) == 5);
   CHECK(num_polys(m) == 2);
   CHECK(num_faces(m) == 7);
   CHECK(find_poly_property<int>(m, "part")[poly_id{1}] == 6);
-  CHECK(find_vert_property<double>(m, "h")[vert_id{4}] == 4);
+  CHECK(find_vert_property<double>(m, "h")[vert_id{4}] == 5);
   CHECK(!find_poly_property<std::uint8_t>(m, "vtkGhostType"));
   REQUIRE(!r.notes.empty());
   CHECK(r.notes.front() == "3 pieces were joined: 7 points at the place of a point of an earlier piece became that point");
   CHECK(r.skipped == std::vector<std::string>{"1 ghost cells"});
+}
+
+TEST_CASE("read_vtu: points of pieces stay apart where their values differ, or where a piece has several points") {
+  const auto piece = [](const std::string& points, const std::string& heights, const std::string& velocities) {
+    return vtu_piece(4, 1, "<Points>\n" + vtu_array("Float32", "Points", points, "NumberOfComponents='3' ") + "</Points>\n" + vtu_cells("0 1 2 3", "4",
+        "10") + "<PointData>" +
+                               vtu_array("Float32", "h", heights) + vtu_array("Float64", "v", velocities, "NumberOfComponents='3' ") + "</PointData>");
+  };
+  const std::string one = "0 0 0 1 0 0 0 1 0 0 0 1", other = "1 0 0 0 1 0 0 -0.0 1 1 1 1", no_motion = "0 0 0 0 0 0 0 0 0 0 0 0",
+      earlier = " at the place of a point of an earlier piece ";
+  const auto load_pieces = [](const std::string& pieces, load_report& r) { return load_text<tetmesh>(vtu_file(pieces), file_format::vtu, {.report = &r}); };
+  load_report r;
+  // not-a-number is equal to itself, and 0 to -0
+  auto m = load_pieces(piece(one, "1 2 nan 4", no_motion) + piece(other, "2 nan 4 5", "-0.0 0 0 0 0 0 0 0 0 0 0 1"), r);
+  CHECK(num_verts(m) == 5);
+  CHECK(r.notes == std::vector<std::string>{"2 pieces were joined: 3 points" + earlier + "became that point"});
+  // one of three points has another value, and another one differs in one component
+  m = load_pieces(piece(one, "1 2 3 4", no_motion) + piece(other, "2 7 4 5", "0 0 0 0 0 0 0 1e-300 0 0 0 0"), r);
+  CHECK(num_verts(m) == 7);
+  std::vector<float> heights;
+  for (const auto v : verts(m)) heights.push_back(find_vert_property<float>(m, "h")[v]);
+  CHECK(heights == std::vector<float>{1, 2, 3, 4, 7, 4, 5});
+  CHECK(raw(adj_p2v(m, poly_id{1})) == std::vector<unsigned>{1, 4, 5, 6});
+  CHECK(r.notes == std::vector<std::string>{"2 pieces were joined: 1 points" + earlier + "became that point",
+                                            "2 points" + earlier + "stayed apart: they have other values, the first one in \"h\""});
+  // the third piece finds its values at the second one
+  m = load_pieces(piece(one, "1 2 3 4", no_motion) + piece(other, "9 9 9 9", no_motion) + piece(other, "9 9 9 9", no_motion), r);
+  CHECK(num_verts(m) == 8);
+  // a crack: one piece has two points at a place
+  const std::string cracked = "1 0 0 0 1 0 1 0 0 1 1 1";
+  for (const std::string& pieces : {piece(one, "1 2 3 4", no_motion) + piece(cracked, "2 3 2 5", no_motion), piece(cracked, "2 3 2 5", no_motion) + piece(one,
+      "1 2 3 4", no_motion)}) {
+    m = load_pieces(pieces, r);
+    CHECK(num_verts(m) == 7);
+    CHECK(r.notes.size() >= 2);
+    CHECK(r.notes[0] == "2 pieces were joined: 1 points" + earlier + "became that point");
+    const std::size_t others = pieces.find("1 0 0 0 1 0 1") < pieces.find("0 0 0 1 0 0 0") ? 1 : 2;
+    CHECK(r.notes[1] == std::to_string(others) + " points" + earlier + "stayed apart: a piece has several points there");
+  }
+  m = load_pieces(piece(cracked, "2 3 2 5", no_motion) + piece(cracked, "2 3 2 5", no_motion), r);
+  CHECK(num_verts(m) == 6);
+  m = load_pieces(piece(cracked, "2 3 2 5", no_motion) + piece("5 5 5 6 5 5 5 6 5 5 5 6", "1 1 1 1", no_motion), r);  // the crack is in one piece only
+  CHECK(r.notes.front() == "2 pieces were joined: 0 points" + earlier + "became that point");
+  CHECK((r.notes.size() == 1 || r.notes[1].find("apart") == std::string::npos));
 }
 
 TEST_CASE("read_vtu: arrays become properties; those that cannot are reported") {
@@ -194,6 +254,27 @@ TEST_CASE("read_vtu: arrays become properties; those that cannot are reported") 
   CHECK(r.skipped.size() == 3);
 }
 
+TEST_CASE("read_vtu: arrays with another number of values than there are elements are skipped with a remark") {
+  const std::string cells = vtu_cells("0 1 2 3", "4", "9"), four_bytes = base64(bytes_of<std::uint32_t>({4}) + "abcd");
+  const std::string data = "<CellData>" + vtu_array("Int32", "many", "1 2 3") + vtu_array("Int32", "right", "7") +
+      "<DataArray type=\"Int8\" Name=\"binary\" format=\"binary\">" + four_bytes +
+                           "</DataArray></CellData><PointData>" + vtu_array("Float64", "few", "1 2") + vtu_array("Float64", "v", "1 2 3",
+                               "NumberOfComponents=\"3\" ") + "</PointData>";
+  load_report r;
+  const auto m = load_text<quadmesh>(cube_file(cells, 1, data), file_format::vtu, {.report = &r});
+  CHECK(find_poly_property<int>(m, "right")[poly_id{0}] == 7);
+  CHECK(property_list(m).size() == 1);
+  CHECK(r.skipped == std::vector<std::string>{"array \"many\" of 3 numbers, where 1 cells need 1", "array \"binary\" of 4 numbers, where 1 cells need 1",
+                                              "array \"few\" of 2 numbers, where 9 points need 9", "array \"v\" of 3 numbers, where 9 points need 27"});
+  const std::string two_pieces = vtu_file(vtu_piece(9, 1, points_of_cube() + cells + "<CellData>" + vtu_array("Int32", "a", "1") + "</CellData>") +
+                                          vtu_piece(9, 1, points_of_cube() + cells + "<CellData>" + vtu_array("Int32", "a", "1 2") + "</CellData>"));
+  CHECK(property_list(load_text<quadmesh>(two_pieces, file_format::vtu, {.report = &r})).empty());
+  CHECK(r.skipped == std::vector<std::string>{"array \"a\" of 2 numbers, where 1 cells need 1"});
+  const std::string twice = "<FieldData>" + vtu_array("Float64", "TIME", "1 2", "NumberOfTuples=\"1\" ") + "</FieldData>";
+  load_text<quadmesh>(cube_file(cells, 1, twice), file_format::vtu, {.report = &r});
+  CHECK(r.skipped == std::vector<std::string>{"array \"TIME\" of 2 numbers, where the mesh needs 1"});
+}
+
 TEST_CASE("read_vtu: polygons of .vtp, whatever the format that was asked for") {
   const std::string text = "<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"9\" NumberOfVerts=\"1\" NumberOfLines=\"0\" NumberOfStrips=\"1\" NumberOfPolys=\"2\">" + points_of_cube() +
                            "<Polys>" + vtu_array("Int32", "connectivity", "0 1 2 4 5 6 7") + vtu_array("Int32", "offsets", "3 7") + "</Polys><Verts>" + vtu_array("Int32", "connectivity", "8") +
@@ -203,8 +284,9 @@ TEST_CASE("read_vtu: polygons of .vtp, whatever the format that was asked for") 
     load_report r;
     const auto m = load_text<polygonmesh>(text, f, {.report = &r});
     CHECK(num_polys(m) == 4);
-    const auto c = find_poly_property<int>(m, "c");  // values are in the order verts, lines, strips, polys
-    CHECK((c[poly_id{0}] == 20 && c[poly_id{1}] == 20 && c[poly_id{2}] == 30 && c[poly_id{3}] == 40));
+    const auto c = find_poly_property<int>(m, "c");  // values are in the order verts, lines, polys, strips
+    CHECK((c[poly_id{0}] == 20 && c[poly_id{1}] == 30 && c[poly_id{2}] == 40 && c[poly_id{3}] == 40));
+    CHECK(num_elements(adj_p2v(m, poly_id{1})) == 4);
     CHECK(r.skipped == std::vector<std::string>{"1 cells that are verts or lines"});
   }
 }
@@ -229,7 +311,7 @@ TEST_CASE("read_vtu: errors name the line") {
   CHECK(with("0 1 2 4", "-4", "10") == "16: ends that do not decrease | -4 after 0 in the array \"offsets\"");
   CHECK(with("0 1 2 4", "4", "256") == "20: an integer of type unsigned int8 | '256'");
   CHECK(with("0 1 2", "3", "10") == "5: 4 points, for a cell of type 10 | 3 in cell 0 of the piece");
-  CHECK(with("0 1 2 2", "4", "10") == "5: different verts in a cell | vert 2 twice in cell 0 of the piece");
+  CHECK(with("0 1 2 2", "4", "10") == "5: different verts in a cell (or set options.repeated_verts) | vert 2 twice in cell 0 of the piece");
   CHECK(with("0 1 2 4", "4", "42") == "5: the array \"faces\" | a piece without it");
   const auto with_faces = [&](const std::string& list, const std::string& ends) {
     return says(cube_file(vtu_cells("0 1 2 4", "4", "42", vtu_array("Int64", "faces", list) + vtu_array("Int64", "faceoffsets", ends)), 1));
@@ -241,7 +323,14 @@ TEST_CASE("read_vtu: errors name the line") {
   CHECK(with_faces("4  3 0 1 2  3 0 1 4  3 1 2 4  3 0 2 9", "17") == "22: point indices below 9 | 9 in the array \"faces\"");
   CHECK_THROWS_WITH_AS(load_text<trimesh>("<VTKFile type=\"ImageData\"/>", file_format::vtu), "text: type=\"ImageData\" is not supported; UnstructuredGrid and PolyData are", unsupported);
   CHECK_THROWS_AS(load_text<trimesh>(vtu_file("", "compressor=\"vtkLZ4DataCompressor\""), file_format::vtu), unsupported);
-  CHECK_THROWS_AS(load_text<polyhedralmesh>(cube_file(vtu_cells("0 1 2 4", "4", "24"), 1), file_format::vtu), unsupported);
+  const std::string quadratic = cube_file(vtu_cells("0 1 2 3 4 5", "6", "22"), 1);
+  CHECK_THROWS_WITH_AS(load_text<trimesh>(quadratic, file_format::vtu),
+                       "text: the cell at position 0 of the piece on line 5 is a second-order element, of type 22, with nodes on edges; load with "
+                           "{.corners_only = true} to read only the corners",
+                       unsupported);
+  const auto corners = load_text<trimesh>(quadratic, file_format::vtu, {.corners_only = true});
+  CHECK(num_polys(corners) == 1);
+  CHECK(num_verts(corners) == 6);  // points 6 to 8 belong to no cell
 }
 
 TEST_CASE("read_vtu: long arrays are checked as short ones") {
@@ -282,7 +371,8 @@ TEST_CASE("read_vtu: quads and pixels") {
   CHECK(verts_of("8 8", "0 1 3 2 4 5 7 6") == std::vector<unsigned>{0, 1, 2, 3, 4, 5, 6, 7});
   CHECK(verts_of("9 8", "0 1 2 3 4 5 7 6") == std::vector<unsigned>{0, 1, 2, 3, 4, 5, 6, 7});
   const auto says = [](const std::string& text) { return complaint<surface_arrays>(text, file_format::vtu); };
-  CHECK(says(cube_file(vtu_cells("0 1 2 3 4 5 4 7", "4 8", "9 9"), 2)) == "5: different points at the corners of a polygon | point 4 twice in cell 1 of the piece");
+  CHECK(says(cube_file(vtu_cells("0 1 2 3 4 5 4 7", "4 8", "9 9"), 2)) == "5: different points at the corners of a polygon (or set "
+      "options.repeated_verts) | point 4 twice in cell 1 of the piece");
   CHECK(complaint<trimesh>(cube_file(vtu_cells("0 1 2 3 4 5 6 7", "4 8", "9 9"), 2), file_format::vtu).find("a polygon of 4 corners") != std::string::npos);
 }
 

@@ -1,5 +1,6 @@
 // What .vtk, .vtu and .vtp store: meshes of all kinds with properties are the same after saving and loading, and saved again byte for byte.
 #include <concino/concepts/facets.hpp>
+#include <concino/geometry/measure.hpp>
 #include <concino/io.hpp>
 
 #include <support/corpus.hpp>
@@ -203,6 +204,23 @@ TEST_CASE("vtk_output: properties of faces or polys with default values only are
     CHECK(find_face_property<double>(again, "flux")[face_id{3}] == 0.5);
     CHECK_THROWS_AS(save_text(m, f, {.strict = true}), unsupported);
   }
+}
+
+TEST_CASE("vtk_output: wedges are written in VTK's order, with the base counter-clockwise seen from outside") {
+  const std::string start = "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 7 double\n0 0 0 0 1 0 1 0 0 0 0 1 0 1 1 1 0 1 0.25 "
+      "0.25 2\n";
+  const std::string text = start + "CELLS 2 12\n6 0 1 2 3 4 5\n4 3 5 4 6\nCELL_TYPES 2\n13\n10\n";
+  load_report r;
+  const auto m = load_text<polyhedralmesh>(text, file_format::vtk, {.report = &r});
+  CHECK(r.notes.empty());
+  CHECK(total_measure(m) == doctest::Approx(2.0 / 3));
+  CHECK(save_text(m, file_format::vtk).find("\n6 0 1 2 3 4 5\n4 3 4 6 5\nCELL_TYPES 2\n13\n10\n") != std::string::npos);
+  const std::string vtu = save_text(m, file_format::vtu);
+  CHECK(vtu.find("Name=\"connectivity\" format=\"ascii\">\n0\n1\n2\n3\n4\n5\n3\n4\n6\n5\n<") != std::string::npos);
+  CHECK(total_measure(load_text<polyhedralmesh>(vtu, file_format::vtu, {.report = &r})) == doctest::Approx(2.0 / 3));
+  CHECK(r.reoriented_polys == 0);
+  // MEDIT has the standard order
+  CHECK(save_text(m, file_format::medit).find("Prisms\n1\n1 3 2 4 6 5 0\n") != std::string::npos);
 }
 
 TEST_CASE("vtk_output: corpus files of all kinds are the same after saving and loading") {

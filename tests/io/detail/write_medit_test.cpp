@@ -109,7 +109,8 @@ TEST_CASE("write_medit: reports what is lost") {
   polyhedralmesh loose(std::move(a));
   face_property<int>(loose, "label")[face_id{0}] = 3;
   save_text(loose, file_format::medit, {.report = &r});
-  CHECK(r.lost == std::vector<std::string>{"values of 1 faces that are neither triangles nor quads"});
+  CHECK(r.lost == std::vector<std::string>{"values of 1 faces that are neither triangles nor quads",
+                                           "1 faces of no poly: .mesh lists no faces; .hedra holds them"});
 }
 
 TEST_CASE("write_medit: a normal without finite components is lost, and the second save is the first") {

@@ -14,7 +14,7 @@ namespace cn = concino;
 
 namespace {
 
-/// Tets that list their faces in reverse and do not say that they are in order.
+/// Tets that list their faces in reverse.
 struct faces_backwards : cn::tetmesh {
   using cn::tetmesh::tetmesh;
   explicit faces_backwards(const cn::tetmesh& m) : cn::tetmesh(m) {}
@@ -23,7 +23,6 @@ struct faces_backwards : cn::tetmesh {
 }  // namespace
 template<>
 struct concino::mesh_traits<faces_backwards> : mesh_traits<tetmesh> {
-  static constexpr bool faces_in_order = false;
   static std::vector<face_id> adj_p2f(const tetmesh& m, poly_id p) {
     const auto in_order = mesh_traits<tetmesh>::adj_p2f(m, p);
     return {in_order[3], in_order[2], in_order[1], in_order[0]};

@@ -290,6 +290,6 @@ TEST_CASE("tet_crossing: a line leaves a tet where flat_cell says, or leaves the
   for (const auto p : polys(m)) {
     const auto v = adj_p2v(m, p);
     for (std::uint32_t k = 0; k < 4; ++k)
-      for (const vert_id w : adj_f2v(m, detail::opposite_face(m, p, v[k], k))) CHECK(w != v[k]);
+      for (const vert_id w : adj_f2v(m, detail::opposite_face(m, p, v[k]))) CHECK(w != v[k]);
   }
 }

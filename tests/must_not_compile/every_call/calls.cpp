@@ -149,6 +149,7 @@ void no_adapter(const stranger& other) {
   cn::prepare_exact_geodesics(other);  // refused
   cn::exact_geodesics(other);  // refused
   cn::critical_points(other);  // refused
+  cn::lowest_element(other);  // refused
   cn::integral_line(other);  // refused
   cn::integral_lines(other);  // refused
   cn::starts_around(other);  // refused
@@ -358,6 +359,7 @@ void no_points(const cn::trimesh& m) {
   cn::heat_geodesics(pure);  // refused
   cn::prepare_log_map(pure);  // refused
   cn::log_map(pure);  // refused
+  cn::lowest_element(pure);  // refused
   cn::integral_line(pure);  // refused
   cn::integral_lines(pure);  // refused
   cn::starts_around(pure);  // refused

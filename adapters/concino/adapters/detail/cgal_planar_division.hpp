@@ -74,7 +74,7 @@ class segment_divider {
         add_pieces(g_.segment_of[segment++], old[k - 1], line);
         line.push_back(old[k]);
       }
-      if (input_.line_closed[i]) add_pieces(g_.segment_of[segment++], old.back(), line);
+      if (input_.line_closed[i] && !input_.repeats_first_point(i)) add_pieces(g_.segment_of[segment++], old.back(), line);
       result_.add_line_through(line, input_.line_closed[i] != 0);
     }
     return {std::move(result_), std::move(ends_)};

@@ -1,6 +1,7 @@
 // Defines invariants.hpp.
 #pragma once
 
+#include <concino/core/local_points.hpp>
 #include <concino/edit/invariants.hpp>
 #include <concino/geometry/orientation.hpp>
 
@@ -31,12 +32,6 @@ inline std::array<vec3, 4> points_of(const proposed_edit& e, std::span<const uns
   return p;
 }
 
-/// Exact. A triangle is degenerate if it is so seen from all three axes.
-inline bool is_degenerate_triangle(const vec3& a, const vec3& b, const vec3& c) {
-  const auto turned = [](const vec3& x) { return vec3{x.y, x.z, x.x}; };
-  return orient2d(a, b, c) == 0 && orient2d(turned(a), turned(b), turned(c)) == 0 && orient2d(turned(turned(a)), turned(turned(b)), turned(turned(c))) == 0;
-}
-
 /// A vector along the normal, of a length that neither overflows nor underflows; zero for one point.
 inline vec3 scaled_normal(const std::array<vec3, 4>& p) {
   vec3 u = p[1] - p[0], v = p[2] - p[0];
@@ -51,15 +46,15 @@ CONCINO_INLINE permission no_inversion_invariant::operator()(const proposed_edit
   constexpr permission degenerate{refusal::invariant, "no_inversion: a new poly would be degenerate or inverted"};
   for (std::size_t k = 0; k < e.num_new_polys(); ++k) {
     const auto p = detail::points_of(e, e.new_poly(k), e.points_after);
+    if (core::is_degenerate_simplex(std::span(p).first(e.corners_per_poly))) return degenerate;
     if (e.corners_per_poly == 4) {
       if (orient3d(p[0], p[1], p[2], p[3]) <= 0) return degenerate;
       continue;
     }
-    if (detail::is_degenerate_triangle(p[0], p[1], p[2])) return degenerate;
     const vec3 normal = detail::scaled_normal(p);
     for (unsigned i = e.origins[k].first; i < e.origins[k].first + e.origins[k].count; ++i) {
       const auto old = detail::points_of(e, e.old_poly(i), e.points_before);
-      if (!detail::is_degenerate_triangle(old[0], old[1], old[2]) && dot(normal, detail::scaled_normal(old)) <= 0) return degenerate;
+      if (!core::is_degenerate_simplex(std::span(old).first(3)) && dot(normal, detail::scaled_normal(old)) <= 0) return degenerate;
     }
   }
   return {};

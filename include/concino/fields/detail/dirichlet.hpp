@@ -1,6 +1,7 @@
 // Prescribed values at some verts (Dirichlet conditions): the numbering of the unknowns and the reduced system that is left for them.
 #pragma once
 
+#include <concino/concepts/maps.hpp>
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/assembly.hpp>
 #include <concino/core/compiled.hpp>
@@ -9,7 +10,7 @@
 #include <concino/core/progress.hpp>
 #include <concino/core/residual.hpp>
 #include <concino/core/vec3.hpp>
-#include <concino/graph/bfs.hpp>
+#include <concino/fields/detail/coupling_edges.hpp>
 #include <concino/mesh/element_map.hpp>
 
 #include <Eigen/SparseCore>
@@ -22,6 +23,17 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+namespace concino::requirement {
+
+/// F has a number or a point for each vert of M: a map f[v], or a function f(x) of the point of the vert, a vec3.
+template<class F, class M>
+concept is_function_of_points = Embedded<M> && (requires(const std::remove_cvref_t<F>& f, const vec3& x) { { f(x) } -> std::convertible_to<double>; } ||
+                                                requires(const std::remove_cvref_t<F>& f, const vec3& x) { { f(x)[2] } -> std::convertible_to<double>; });
+template<class F, class M>
+concept is_field = gives_numbers_or_points<F, vert_t<M>> || is_function_of_points<F, M>;
+
+}  // namespace concino::requirement
 
 namespace concino::detail {
 
@@ -46,9 +58,19 @@ T same_in_all_parts(double x) {
   if constexpr (std::same_as<T, double>) return x;
   else return {x, x, x};
 }
-/// The value type of a readable map over elements X: double if its values are numbers, vec3 otherwise.
-template<class F, class X>
-using field_value_at = std::conditional_t<std::convertible_to<decltype(std::declval<const F&>()[std::declval<const X&>()]), double>, double, vec3>;
+
+/// The value of a field at a vert: that of a map, or of a function at its point.
+template<class M, class F>
+decltype(auto) value_at(const M& m, const F& f, const vert_t<M>& v) {
+  if constexpr (requirement::gives_numbers_or_points<F, vert_t<M>>) return f[v];
+  else return f(to_vec3(point(m, v)));
+}
+/// double if the values of a field on M are numbers, vec3 otherwise.
+template<class F, class M>
+  requires requirement::is_field<F, M>
+using field_value_of = std::conditional_t<
+    std::convertible_to<decltype(value_at(std::declval<const std::remove_cvref_t<M>&>(), std::declval<const F&>(), std::declval<const vert_t<M>&>())), double>,
+    double, vec3>;
 
 /// Elements X in a container or braces; or pairs of an X and a T, or other values that decompose into two parts.
 template<class R, class X> concept holds_elements = core::iterable<R> && requires(const R& r) { requires std::convertible_to<decltype(*r.begin()), X>; };
@@ -79,7 +101,7 @@ right_hand_sides<T> zeros(std::size_t size) {
 
 enum : int { constrained_vert = -1, isolated_vert = -2 };
 
-/// The unknown verts, numbered. The other verts are constrained to prescribed values, or isolated: they have no edges.
+/// The unknown verts, numbered. The other verts are constrained to prescribed values, or isolated: they have no edges that couple them with others.
 template<class M>
 struct constrained_verts {
   static constexpr int constrained = constrained_vert, isolated = isolated_vert;
@@ -106,15 +128,16 @@ struct constrained_verts {
   }
 
   /// Numbers the verts with edges.      Errors: solver_error if one cannot be reached from a constrained vert along edges.
-  void number_reached(const M& m, const char* caller) {
-    const vert_map<M, int> hops = prescribed.empty() ? make_vert_map<int>(m, -1) : concino::bfs(m, prescribed);
+  template<class D>
+  void number_reached(const M& m, const coupling_edges<M, D>& edges, const char* caller) {
+    const vert_map<M, int> hops = prescribed.empty() ? make_vert_map<int>(m, -1) : edges.bfs(prescribed);
     for (const vert_t<M> v : verts(m)) {
       if (unknown[v] == constrained) continue;
       if (hops[v] >= 0) {
         number(m, v);
-      } else if (has_edges(m, v)) {
+      } else if (edges.has_any(v)) {
         std::size_t component = 0;
-        const vert_map<M, int> from_v = concino::bfs(m, std::vector<vert_t<M>>{v});
+        const vert_map<M, int> from_v = edges.bfs({v});
         for (const vert_t<M> w : verts(m)) component += from_v[w] >= 0;
         throw_unconstrained_component(caller, index_of(m, v), component);
       } else {
@@ -124,10 +147,11 @@ struct constrained_verts {
   }
 
   /// Numbers the verts with edges, for systems that need no constrained vert.
-  void number_all(const M& m) {
+  template<class D>
+  void number_all(const M& m, const coupling_edges<M, D>& edges) {
     for (const vert_t<M> v : verts(m)) {
       if (unknown[v] == constrained) continue;
-      if (has_edges(m, v)) number(m, v);
+      if (edges.has_any(v)) number(m, v);
       else ++num_isolated;
     }
   }
@@ -136,10 +160,6 @@ struct constrained_verts {
   void number(const M& m, const vert_t<M>& v) {
     unknown[v] = unknowns++;
     index.push_back(static_cast<int>(index_of(m, v)));
-  }
-  static bool has_edges(const M& m, const vert_t<M>& v) {
-    const auto& around = adj_v2v(m, v);
-    return around.begin() != around.end();
   }
 
   void constrain_vert(const M& m, const vert_t<M>& v, const char* caller, const char* what) {

@@ -36,7 +36,8 @@ class form_on_polygon {
   void visit(const M& m, const Real& real, const poly_t<Real>& p, const char* caller) {
     points_.clear(), edges.clear(), signs.clear(), steps.clear(), to_vector.clear();
     for (const vert_t<M> v : adj_p2v(m, p)) points_.push_back(to_vec3(point(m, v)));
-    auto it = adj_p2v(m, p).begin();
+    const auto& corners = adj_p2v(m, p);  // a range may own its elements
+    auto it = corners.begin();
     for (const edge_t<M> e : adj_p2e(m, p)) {  // edge k joins verts k and k + 1
       const vert_t<M> v = *it;
       edges.push_back(index_of(m, e));
@@ -73,7 +74,7 @@ class form_problem {
   constrained_system<M> system_;
 
  public:
-  explicit form_problem(const M& m) : m_(m), at_(scaled_to_unit(m)), system_(laplace_system(at_, all_but_one_vert(m, caller), de_goes, 1, caller)) {}
+  explicit form_problem(const M& m) : m_(m), at_(scaled_to_unit(m)), system_(laplace_system(at_, all_but_one_vert(m, de_goes, caller), de_goes, 1, caller)) {}
 
   template<class Solver>
   void factorize(Solver& solver, const progress& on_progress) const { system_.factorize(solver, on_progress, caller); }

@@ -22,18 +22,20 @@ namespace concino::detail {
 [[noreturn]] void throw_no_simplex(const char* caller, bool in_volume, std::size_t poly, std::size_t verts);
 [[noreturn]] void throw_vector_not_finite(const char* caller, std::size_t poly);
 
-/// All verts with edges but the first of each component, at which potentials are 0.
-template<class M>
-constrained_verts<M> all_but_one_vert(const M& m, const char* caller) {
+/// All verts with edges but the first of each component, at which potentials are 0. Edges of no poly do not count.
+template<class M, class D>
+constrained_verts<M> all_but_one_vert(const M& m, const D& discretisation, const char* caller) {
   disjoint_sets sets(vert_index_bound(m));
-  for (const vert_t<M> v : verts(m))
-    for (const vert_t<M> w : adj_v2v(m, v)) sets.unite(index_of(m, v), index_of(m, w));
+  for (const poly_t<M> p : polys(m)) {
+    const auto& corners = adj_p2v(m, p);
+    for (const vert_t<M> v : corners) sets.unite(index_of(m, v), index_of(m, *corners.begin()));
+  }
   constrained_verts<M> constrained(m);
   std::vector<vert_t<M>> first;
   for (const vert_t<M> v : verts(m))
     if (sets.root(index_of(m, v)) == index_of(m, v)) first.push_back(v);
   constrained.constrain(m, first, caller);
-  constrained.number_reached(m, caller);
+  constrained.number_reached(m, coupling_edges<M, D>(m, discretisation), caller);
   return constrained;
 }
 
@@ -84,7 +86,8 @@ class hodge_problem {
 
  public:
   explicit hodge_problem(const M& m)
-      : m_(require_simplices(m)), at_(scaled_to_unit(m)), measure_(poly_index_bound(m)), system_(laplace_system(at_, all_but_one_vert(m, caller), cotangent, 1, caller)) {
+      : m_(require_simplices(m)), at_(scaled_to_unit(m)), measure_(poly_index_bound(m)),
+        system_(laplace_system(at_, all_but_one_vert(m, cotangent, caller), cotangent, 1, caller)) {
     for (const poly_t<M> p : polys(m)) measure_[index_of(m, p)] = std::abs(measure(at_, p));
   }
 

@@ -54,11 +54,12 @@ class implicit_system {
 
  public:
   /// mass and k: both triangles. Not yet factorised.
-  implicit_system(const M& m, constrained_verts<M>&& constrained, Eigen::SparseMatrix<double>&& mass, double amount, const Eigen::SparseMatrix<double>& k,
-                  const char* caller)
+  template<class D>
+  implicit_system(const M& m, const D& discretisation, constrained_verts<M>&& constrained, Eigen::SparseMatrix<double>&& mass, double amount,
+                  const Eigen::SparseMatrix<double>& k, const char* caller)
       : system_(std::move(constrained)), caller_(caller) {
     mass_.swap(mass);  // the move operations of Eigen 3.4 would copy
-    system_.verts.number_all(m);
+    system_.verts.number_all(m, coupling_edges<M, D>(m, discretisation));
     for (const vert_t<M> v : verts(m)) {
       const auto i = index_of(m, v);
       if (system_.verts.unknown[v] >= 0 && !has_mass(mass_, i))
@@ -72,13 +73,13 @@ class implicit_system {
   template<class Solver>
   void factorize(Solver& solver, const progress& on_progress) const { system_.factorize(solver, on_progress, caller_); }
 
-  /// The values of a readable map at all verts.
+  /// The values of a field at all verts.
   /// Errors: invalid_argument if one is not finite at a vert that has edges or is constrained.
   template<class T, class F>
   vert_map<M, T> values_of(const M& m, const F& f) const {
     auto u = make_vert_map<T>(m);
     for (const vert_t<M> v : verts(m)) {
-      const T x = u[v] = as_field_value<T>(f[v]);
+      const T x = u[v] = as_field_value<T>(value_at(m, f, v));
       if (system_.verts.unknown[v] == constrained_verts<M>::isolated) continue;
       for (std::size_t k = 0; k < parts_of<T>; ++k)
         if (!std::isfinite(field_component(x, k)))

@@ -25,23 +25,20 @@ namespace concino::detail {
 template<class M, class D>
 std::vector<double> lumped_masses(const M& m, const D& discretisation, const char* caller) {
   std::vector<double> r(vert_index_bound(m), 1.0);
-  const auto has_edges = [&](const vert_t<M>& v) {
-    const auto& around = adj_v2v(m, v);
-    return around.begin() != around.end();
-  };
+  const coupling_edges<M, D> edges(m, discretisation);
   if constexpr (requirement::has_masses<D, M>) {
     const auto mass = discretisation.masses(m);
     for (const vert_t<M> v : verts(m)) {
       const auto i = index_of(m, v);
       r[i] = static_cast<double>(mass[v]);
-      if (!(r[i] > 0 && std::isfinite(r[i])) && has_edges(v))
+      if (!(r[i] > 0 && std::isfinite(r[i])) && edges.has_any(v))
         core::throw_joined<invalid_argument>({caller, ": the discretisation gives vert ", i, " the mass ", core::number_text(r[i]), "; masses must be positive and finite"});
     }
   } else {
     const auto mass = vert_masses(m);
     for (std::size_t i = 0; i < r.size(); ++i) r[i] = mass.data()[i];
     for (const vert_t<M> v : verts(m))
-      if (!(mass[v] > 0) && has_edges(v))
+      if (!(mass[v] > 0) && edges.has_any(v))
         core::throw_joined<invalid_mesh>({caller, ": vert ", index_of(m, v),
                                     " has edges but no polys with a measure, so no mass; use uniform"});
   }
@@ -103,7 +100,7 @@ constrained_system<M> laplace_system(const At& m, constrained_verts<M>&& constra
 /// Numbers the unknowns and assembles their system at a size near 1: scaling the Laplacian does not change a harmonic map.
 template<class M, class D>
 constrained_system<M> unit_laplace_system(const M& m, constrained_verts<M>&& constrained, const D& discretisation, int exponent, const char* caller) {
-  constrained.number_reached(m, caller);
+  constrained.number_reached(m, coupling_edges<M, D>(m, discretisation), caller);
   return at_unit_size(m, discretisation, [&](const auto& at, int) { return laplace_system(at, std::move(constrained), discretisation, exponent, caller); });
 }
 

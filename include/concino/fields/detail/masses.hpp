@@ -34,7 +34,7 @@ right_hand_sides<T> mass_times(const M& m, const Eigen::SparseMatrix<double>& ma
   for (const vert_t<M> v : verts(m)) {
     const auto i = index_of(m, v);
     if (!has_mass(mass, i)) continue;
-    const T value = as_field_value<T>(f[v]);
+    const T value = as_field_value<T>(value_at(m, f, v));
     for (std::size_t k = 0; k < parts_of<T>; ++k) {
       if (!std::isfinite(field_component(value, k))) core::throw_joined<invalid_argument>({what, " at vert ", i, " is not finite"});
       x[k][static_cast<Eigen::Index>(i)] = field_component(value, k);

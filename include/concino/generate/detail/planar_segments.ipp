@@ -15,6 +15,7 @@ class planar_segment_reader {
 
   const planar_graph& g_;
   core::planar_segments result_;
+  std::vector<std::uint32_t> repeats_;  // by the number of a point that ends an outline: the first point, which it repeats; else none
 
   void require(bool good, core::message what) const {
     if (!good) core::throw_joined<invalid_argument>({result_.caller, ": ", core::joined(what)});
@@ -33,12 +34,16 @@ class planar_segment_reader {
     require(g_.points.size() < (1u << 30) && g_.line_points.size() < (1u << 30), {"there are 2^30 points or more"});
     require(g_.line_closed.size() == g_.num_lines(), {"line_closed has ", g_.line_closed.size(), " entries for ", g_.num_lines(), " lines"});
     result_.same_as.assign(g_.points.size(), none);
+    repeats_.assign(g_.points.size(), none);
     std::size_t begin = 0;
     for (std::size_t i = 0; i < g_.num_lines(); ++i) {
       const std::size_t end = g_.line_ends[i], needed = g_.line_closed[i] ? 3 : 2;
       require(begin <= end && end <= g_.line_points.size(), {"line_ends[", i, "] is ", end, "; it must not be below the one before, and there are ", g_.line_points.size(), " line_points"});
-      require(end - begin >= needed, {"line ", i, ": ", g_.line_closed[i] ? "an outline" : "an open line", " needs ", needed, " points, but has ", end - begin});
+      const bool repeats = g_.repeats_first_point(i);
+      const std::size_t n = end - begin - repeats;
+      require(n >= needed, {"line ", i, ": ", g_.line_closed[i] ? "an outline" : "an open line", " needs ", needed, " points, but has ", n});
       for (std::size_t k = begin; k < end; ++k) use(g_.line_points[k], {"line ", i});
+      if (repeats) repeats_[g_.line_points[end - 1]] = g_.line_points[begin];
       begin = end;
     }
     for (std::size_t i = 0; i < g_.isolated.size(); ++i) use(g_.isolated[i], {"isolated[", i, "]"});
@@ -82,8 +87,9 @@ class planar_segment_reader {
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return result_.is_before(a, b) || (x[a] == x[b] && a < b); });
     for (std::size_t i = 1; i < order.size(); ++i) {
       if (!(x[order[i]] == x[order[i - 1]])) continue;
-      require(merge, {"points ", order[i - 1], " and ", order[i], " are at the same place; options.merge_points makes one vert of them"});
-      result_.same_as[order[i]] = result_.same_as[order[i - 1]];
+      const std::uint32_t a = order[i - 1], b = order[i];
+      require(merge || repeats_[a] == b || repeats_[b] == a, {"points ", a, " and ", b, " are at the same place; options.merge_points makes one vert of them"});
+      result_.same_as[b] = result_.same_as[a];
     }
     for (std::uint32_t p = 0; p < g_.points.size(); ++p)
       if (result_.same_as[p] == p) result_.used.push_back(p);
@@ -99,8 +105,9 @@ class planar_segment_reader {
     list.reserve(g_.line_points.size());
     for (std::size_t i = 0; i < g_.num_lines(); ++i) {
       const auto line = g_.line(i);
-      for (std::size_t k = g_.line_closed[i] ? 0 : 1; k < line.size(); ++k) {
-        const std::size_t to = g_.line_closed[i] ? (k + 1) % line.size() : k, from = g_.line_closed[i] ? k : k - 1;
+      const std::size_t num_segments = line.size() - (!g_.line_closed[i] || g_.repeats_first_point(i));
+      for (std::size_t from = 0; from < num_segments; ++from) {
+        const std::size_t to = (from + 1) % line.size();
         std::uint32_t a = result_.same_as[line[from]], b = result_.same_as[line[to]];
         const auto number = static_cast<std::uint32_t>(list.size());
         require(a != b, {"segment ", number, " (points ", line[from], " and ", line[to], ") has no length"});

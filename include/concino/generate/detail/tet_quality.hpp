@@ -6,6 +6,7 @@
 #include <concino/mesh/tetmesh.hpp>
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -27,6 +28,9 @@ class tetrahedralize_steps {
 
 /// Lists the tets whose shape or volume misses the options by more than rounding errors. `regions`, unless empty, has the region of each poly, if it has one.
 void list_poor_tets(const tetmesh& m, std::span<const std::uint32_t> regions, const tetrahedralize_options& options, tetrahedralize_report& report);
+
+/// Sets report.not_met from its lists.
+void say_what_is_not_met(std::size_t num_tets, bool is_boundary_kept, tetrahedralize_report& report);
 
 }  // namespace concino::detail
 

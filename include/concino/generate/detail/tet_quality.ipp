@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/error.hpp>
+#include <concino/core/message.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/generate/detail/tet_quality.hpp>
 #include <concino/geometry/circumcentre.hpp>
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 namespace concino::detail {
 
@@ -63,6 +65,21 @@ CONCINO_INLINE void list_poor_tets(const tetmesh& m, std::span<const std::uint32
     if (o.min_dihedral_deg > 0 && !(cosine <= largest_cosine)) report.beyond_min_dihedral.push_back(p);
     if (o.radius_edge > 0 && !(norm(circumcentre(m, p) - q[0]) <= o.radius_edge * (1 + 1e-9) * shortest)) report.beyond_radius_edge.push_back(p);
   }
+}
+
+CONCINO_INLINE void say_what_is_not_met(std::size_t num_tets, bool is_boundary_kept, tetrahedralize_report& report) {
+  const auto add = [&](const std::vector<poly_id>& tets, const char* one, const char* several, const char* what) {
+    if (tets.empty()) return;
+    if (report.not_met.empty()) report.not_met = core::joined({"Of ", num_tets, num_tets == 1 ? " tet, " : " tets, "});
+    else report.not_met.append(", ");
+    report.not_met.append(core::joined({tets.size(), tets.size() == 1 ? one : several, what}));
+  };
+  add(report.beyond_max_volume, " is", " are", " larger than max_volume");
+  add(report.beyond_edge_length, " has", " have", " an edge longer than edge_length");
+  add(report.beyond_radius_edge, " is", " are", " beyond radius_edge");
+  add(report.beyond_min_dihedral, " has", " have", " an angle below min_dihedral_deg");
+  if (report.not_met.empty()) return;
+  report.not_met.append(is_boundary_kept ? "; the boundary is kept as it is, and keep_boundary = false lets it get more verts." : ".");
 }
 
 }  // namespace concino::detail

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <string>
 #include <system_error>
 
 namespace concino::detail {
@@ -103,7 +104,20 @@ inline bool divide_by_power_of_ten(std::uint64_t w, unsigned k, double& x) {
   return true;
 }
 
-/// As std::from_chars, but accepts a leading '+'. A number too small for a double becomes 0, a number too large becomes infinite.
+/// The end of an exponent that begins with d or D after the digits [first, end) of a number without an exponent; null if there is none.
+[[gnu::noinline, gnu::cold]] inline const char* end_of_fortran_exponent(const char* first, const char* end, const char* last) {
+  if (end == last || (*end | 0x20) != 'd' || !(is_digit(end[-1]) || end[-1] == '.')) return nullptr;
+  for (const char* q = first; q != end; ++q)
+    if ((*q | 0x20) == 'e') return nullptr;
+  const char* p = end + 1;
+  if (p != last && (*p == '-' || *p == '+')) ++p;
+  if (p == last || !is_digit(*p)) return nullptr;
+  while (p != last && is_digit(*p)) ++p;
+  return p;
+}
+
+/// As std::from_chars, but accepts a leading '+', and exponents that begin with d or D.
+/// A number too small for a double becomes 0, a number too large becomes infinite.
 [[gnu::noinline]] inline const char* parse_real_slowly(const char* first, const char* last, double& x) {
   const char* p = first;
   if (p != last && *p == '+') {
@@ -112,6 +126,11 @@ inline bool divide_by_power_of_ten(std::uint64_t w, unsigned k, double& x) {
   }
   const auto [end, problem] = std::from_chars(p, last, x);
   if (problem == std::errc::invalid_argument) return nullptr;
+  if (const char* const past = end_of_fortran_exponent(p, end, last)) {
+    std::string with_e(p, past);
+    with_e[static_cast<std::size_t>(end - p)] = 'e';
+    return parse_real_slowly(with_e.data(), with_e.data() + with_e.size(), x) ? past : nullptr;
+  }
   if (problem == std::errc::result_out_of_range) {
     const bool negative = *p == '-';
     if (negative) ++p;

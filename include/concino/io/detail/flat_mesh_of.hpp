@@ -4,6 +4,7 @@
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/compiled.hpp>
 #include <concino/io/flat_mesh.hpp>
+#include <concino/mesh/arrays.hpp>
 #include <concino/mesh/corner_property.hpp>
 #include <concino/mesh/property.hpp>
 
@@ -162,6 +163,17 @@ class flat_mesh_of final : public flat_mesh {
     poly_indices_ = std::move(numbered.indices);
     poly_indices = poly_indices_;
     poly_verts = poly_verts_.lists();
+  }
+
+  std::size_t num_loose_edges() const override {
+    std::size_t n = 0;
+    if constexpr (!from_surface<M> && !from_cells<M> && !from_polyhedra<M>)  // native meshes have no such edges
+      for (const edge_t<M> e : edges(mesh_)) {
+        const auto is_empty = [](const auto& around) { return !(around.begin() != around.end()); };
+        if constexpr (dimension_v<M> == 2) n += is_empty(adj_e2p(mesh_, e));  // edges bound polys in a surface, and faces in a volume
+        else n += is_empty(adj_e2f(mesh_, e));
+      }
+    return n;
   }
 };
 

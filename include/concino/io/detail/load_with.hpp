@@ -4,6 +4,7 @@
 #include <concino/concepts/mesh_traits.hpp>
 #include <concino/io/detail/choose_format.hpp>
 #include <concino/io/detail/contents.hpp>
+#include <concino/io/detail/mend_repeated_verts.hpp>
 #include <concino/io/detail/properties.hpp>
 #include <concino/io/file_text.hpp>
 #include <concino/mesh/to_polyhedra.hpp>
@@ -38,8 +39,14 @@ inline constexpr bool reads_surfaces_alone = !F::holds_surfaces || requires(cons
 template<Format F, bool Surfaces, bool Volumes, class Contents>
 void read_as(const read_context& context, Contents& out) {
   *context.report = {};
+  out.repeated.policy = context.repeated_verts;
   if constexpr ((Surfaces && F::holds_surfaces) || (Volumes && F::holds_volumes)) F::read(context, out);
   else throw_wrong_dimension(context.name, F::holds_volumes);
+  if (context.repeated_verts != repeated_verts::refuse) {
+    std::size_t num_polys = 0;
+    if constexpr (requires { out.cells; }) num_polys = out.filled == arrays_kind::cells ? out.cells.num_polys() : out.polyhedra.num_polys();
+    mend_repeated_verts(out, num_polys, *context.report);
+  }
   drop_equal_offsets(out.surface);
   report_progress(*context.progress, 1.0, "reading");
 }
@@ -96,7 +103,9 @@ template<bool Surfaces, bool Volumes, class... F, class Contents>
 void read_text(std::string_view text, std::string_view name, format_list<F...> known, std::size_t chosen, const wanted_mesh& wanted, const load_options& options,
                Contents& contents, file_text* file = nullptr) {
   load_report unused_report;
-  const read_context context{text, name, wanted, options.report ? options.report : &unused_report, &options.progress, file != nullptr, options.inflate};
+  load_report* const report = options.report ? options.report : &unused_report;
+  const read_context context{text,           name,           wanted, report, &options.progress, file != nullptr, options.inflate, options.repeated_verts,
+                             options.corners_only};
   with_format(known, chosen, [&]<Format G>(G) { read_as<G, Surfaces, Volumes>(context, contents); });
   if (file) file->close(std::string(name));
 }

@@ -31,6 +31,7 @@ class medit_binary : protected text_cursor {
  protected:
   int dimension_ = 0;
   bool ended_ = false;
+  bool has_ordering_ = false;  // a section that lists the order of nodes in elements
 
   explicit medit_binary(const read_context& c) : text_cursor(c.text, c.name, c.progress), report_(*c.report) {}
 
@@ -76,6 +77,7 @@ class medit_binary : protected text_cursor {
 
   void skip_rows() {}
 
+  std::string place_of(const char* p) const { return core::joined({"at byte ", static_cast<std::uint64_t>(p - begin())}); }
   const char* position() const { return at; }
   std::uint32_t index(std::uint64_t bound, const char* what) {
     const std::int64_t i = integer();
@@ -143,12 +145,12 @@ class medit_binary : protected text_cursor {
       if (dimension_ == 0) fail(from, {"the dimension before the vertices"});
       row = static_cast<std::size_t>(dimension_) * real_size() + integer_size();
     } else {
-      for (const medit_section& s : medit_sections)
-        if (code == s.code) part.section = &s;
+      part.section = find_medit_section(&medit_section::code, code);
+      has_ordering_ = has_ordering_ || is_medit_ordering(code);
       if (!part.section) return false;
       if (part.section->rows == medit_rows::normals && dimension_ == 0) fail(from, {"the dimension before the normals"});
       row = part.section->rows == medit_rows::normals ? static_cast<std::size_t>(dimension_) * real_size()
-                                                      : (part.section->arity + part.section->has_reference()) * integer_size();
+                                                      : (part.section->num_indices() + part.section->has_reference()) * integer_size();
     }
     const char* const number = at;
     const std::int64_t n = version_ == 4 ? header<std::int64_t>("the number of rows") : header<std::int32_t>("the number of rows");

@@ -15,8 +15,9 @@ class medit_text : protected token_cursor {
  protected:
   int dimension_ = 0;
   bool ended_ = false;
+  bool has_ordering_ = false;  // a section that lists the order of nodes in elements
 
-  explicit medit_text(const read_context& c) : token_cursor(c.text, c.name, c.progress, '#'), report_(*c.report) {}
+  explicit medit_text(const read_context& c) : token_cursor(text_without_padding(c.text), c.name, c.progress, '#'), report_(*c.report) {}
 
   void begin_file() {
     skip();
@@ -59,6 +60,7 @@ class medit_text : protected token_cursor {
     }
   }
 
+  std::string place_of(const char* p) const { return core::joined({"on line ", line_of(p)}); }
   const char* position() {
     skip();
     return at;
@@ -104,13 +106,13 @@ class medit_text : protected token_cursor {
       part.at = at;
       return true;
     }
-    for (const medit_section& s : medit_sections)
-      if (keyword == s.keyword) {
-        part.section = &s;
-        part.count = next_count("the number of elements", 2 * s.arity + 2);
-        part.at = at;
-        return true;
-      }
+    part.section = find_medit_section(&medit_section::keyword, keyword);
+    if (part.section) {
+      part.count = next_count("the number of elements", 2 * part.section->num_indices() + 2);
+      part.at = at;
+      return true;
+    }
+    has_ordering_ = has_ordering_ || is_medit_ordering(keyword);
     skip();
     std::int64_t n = 0;
     parse_integer(at, end(), n);  // most sections begin with the number of their rows

@@ -66,6 +66,15 @@ class name_runs {
   /// The length of the longest name in bytes.
   std::size_t longest() const;
 
+  /// Replaces the first poly of each run by f(poly), which does not decrease.
+  template<class F>
+  void renumber(const F& f) {
+    name_runs renumbered;
+    for (std::size_t i = 0; i < first_.size(); ++i) renumbered.change(f(std::size_t{first_[i]}), std::move(names_[i]));
+    names_.swap(renumbered.names_);
+    first_.swap(renumbered.first_);
+  }
+
   /// Replaces every name by f(name).
   template<class F>
   void rename(const F& f) {

@@ -1,8 +1,9 @@
-// The first word of an OFF file, and the reader of binary files: 32-bit integers and floats, big-endian as in Geomview, or little-endian.
+// The reader of binary OFF files: 32-bit integers and floats, big-endian as in Geomview, or little-endian.
 #pragma once
 
 #include <concino/core/large_pages.hpp>
 #include <concino/io/detail/contents.hpp>
+#include <concino/io/detail/off_format.hpp>
 #include <concino/io/text_cursor.hpp>
 
 #include <algorithm>
@@ -10,24 +11,11 @@
 
 namespace concino::detail {
 
-/// The first word of an OFF file: [ST][C][N][4][n]OFF.
-struct off_header {
-  bool texture = false, color = false, normal = false, homogeneous = false, any_dimension = false, binary = false;
+/// The first word of an OFF file, and the form of its numbers.
+struct off_header : off_word {
+  bool binary = false;
+  bool has_poly_colors = true;  // binary files: after each poly the number of components of its colour, and these
   std::uint64_t dimension = 3;
-
-  bool parse(std::string_view word) {
-    const auto take = [&](std::string_view prefix) {
-      const bool is = word.starts_with(prefix);
-      if (is) word.remove_prefix(prefix.size());
-      return is;
-    };
-    texture = take("ST");
-    color = take("C");
-    normal = take("N");
-    homogeneous = take("4");
-    any_dimension = take("n");
-    return word == "OFF";
-  }
 
   /// How many numbers each vert has.
   std::uint64_t numbers(std::uint64_t color_size = 4) const {
@@ -35,19 +23,7 @@ struct off_header {
   }
 };
 
-/// Adds the poly at `position`, whose corners begin at `first`. Errors: parse_error if it has a vert twice or the wanted mesh cannot hold it.
-inline void check_poly(const text_cursor& in, const char* position, std::size_t first, std::vector<std::uint64_t>& scratch,
-                       const wanted_mesh& wanted, surface_arrays& out, std::uint32_t& arity) {
-  const std::size_t size = out.verts.size() - first;
-  const vert_id* const corners = out.verts.data() + first;
-  if (const std::size_t i = first_repeated(corners, size, scratch); i != size)
-    in.fail(position, {"different verts at the corners of a poly"}, {"vert ", corners[i].raw(), " twice"});
-  if (wanted.surface && wanted.arity && size != wanted.arity)
-    in.fail(position, {name_of_poly(false, wanted.arity), " (polygonmesh and load_any take any polygon)"},
-            {"a polygon of ", size, " corners"});
-  if (out.verts.size() > max_ids) in.fail_to_count("corners");
-  end_poly(out, arity, first);
-}
+inline constexpr polygon_words off_words{"different verts at the corners of a poly"};
 
 class off_binary_reader {
   text_cursor& in_;
@@ -62,14 +38,15 @@ class off_binary_reader {
       : in_(in), header_(header), wanted_(wanted), report_(report), line_(in.at - 2) {}
 
   void read(surface_arrays& out, file_contents& extra, std::uint32_t& arity) {
-    little_ = is_little();
+    choose_form();
     if (little_) report_.notes.push_back("the numbers of the binary file are little-endian; those of OFF are big-endian");
+    if (!header_.has_poly_colors) report_.notes.push_back("the polys of the binary file do not say how many components their colours have: they have none");
     if (header_.any_dimension) {
       header_.dimension = count("the dimension of the space, at least 1", 1);
       if (header_.dimension == 0) fail(in_.at - 4, "the dimension of the space, at least 1");
     }
     const std::uint64_t verts = count("the number of verts", 4 * header_.numbers());
-    const std::uint64_t polys = count("the number of polys", 20);
+    const std::uint64_t polys = count("the number of polys", header_.has_poly_colors ? 20 : 16);
     word("the number of edges");
     core::reserve_large(out.points, verts);
     for (std::uint64_t i = 0; i < verts; ++i) {
@@ -89,8 +66,8 @@ class off_binary_reader {
     core::reserve_large(out.verts, in_.left() / 4 - std::min<std::uint64_t>(in_.left() / 4, 2 * polys));  // if polys have no colours
     std::vector<std::uint64_t> scratch;
     for (std::uint64_t f = 0; f < polys; ++f) {
-      poly(out, arity, scratch);
-      attributes(extra, f);
+      poly(out, extra, arity, scratch);
+      if (header_.has_poly_colors) attributes(extra, f);
       in_.report_progress();
     }
     if (!in_.at_end()) report_.skipped.push_back(core::joined({in_.left(), " bytes after the last poly"}));
@@ -114,11 +91,16 @@ class off_binary_reader {
     return little_ ? x << 24 | (x & 0xFF00u) << 8 | (x >> 8 & 0xFF00u) | x >> 24 : x;
   }
 
-  /// Whether the file is valid with little-endian numbers and invalid with big-endian ones.
-  [[gnu::noinline, gnu::cold]] bool is_little() { return fits(true) && !fits(false); }
+  /// Finds the byte order, big-endian if the file is valid with it, and whether polys have numbers of components. Files without these numbers, as pmp
+  /// writes them, end with the last poly.
+  [[gnu::noinline, gnu::cold]] void choose_form() {
+    const bool fits_big = fits(false, true), fits_little = !fits_big && fits(true, true);
+    header_.has_poly_colors = fits_big || fits_little || (!fits(true, false) && !fits(false, false));
+    little_ = header_.has_poly_colors ? fits_little : fits(true, false);
+  }
 
   /// Whether the counts of verts and polys, and of the corners and colours of each poly, stay within the file.
-  [[gnu::noinline, gnu::cold]] bool fits(bool little) {
+  [[gnu::noinline, gnu::cold]] bool fits(bool little, bool has_colors) {
     const char* const begin = in_.at;
     const std::uint64_t dimension = header_.dimension;
     little_ = little;
@@ -134,13 +116,14 @@ class off_binary_reader {
       for (std::uint64_t f = 0; f < polys; ++f) {
         if (!has(1)) return false;
         const std::uint64_t size = word("");
-        if (size < 3 || !has(size + 1)) return false;
+        if (size < 3 || !has(size + has_colors)) return false;
         in_.at += 4 * size;
+        if (!has_colors) continue;
         const std::uint64_t colors = word("");
         if (colors > 4 || !has(colors)) return false;
         in_.at += 4 * colors;
       }
-      return true;
+      return has_colors || in_.at_end();
     };
     const bool is = walk();
     in_.at = begin;
@@ -182,7 +165,7 @@ class off_binary_reader {
     return p;
   }
 
-  void poly(surface_arrays& out, std::uint32_t& arity, std::vector<std::uint64_t>& scratch) {
+  void poly(surface_arrays& out, file_contents& extra, std::uint32_t& arity, std::vector<std::uint64_t>& scratch) {
     const std::uint64_t size = count("the number of verts of a poly", 4);
     if (size < 3) fail(in_.at - 4, "a poly of at least three verts");
     const std::size_t first = out.verts.size();
@@ -192,7 +175,7 @@ class off_binary_reader {
       const vert_id v{i};
       out.verts.push_back(v);
     }
-    check_poly(in_, line_, first, scratch, wanted_, out, arity);
+    end_checked_poly(in_, line_, first, scratch, wanted_, extra, arity, off_words);
   }
 
   void attributes(file_contents& extra, std::uint64_t f) {

@@ -37,7 +37,9 @@ class off_cursor : protected text_cursor {
       at = from;
       return;
     }
-    if (!header_.parse(word)) fail(from, "OFF, preceded only by ST, C, N, 4, n in this order");
+    const std::size_t length = header_.parse(word);
+    if (length == 0) fail(from, "OFF, preceded only by ST, C, N, 4, n in this order");
+    at = from + length;
     blanks();
     const std::string_view rest{at, static_cast<std::size_t>(end() - at)};
     if (rest.starts_with("BINARY")) {

@@ -5,6 +5,33 @@
 
 namespace concino {
 
+namespace detail {
+
+/// The first word of an OFF file: [ST][C][N][4][n]OFF, or NC instead of CN.
+struct off_word {
+  bool texture = false, color = false, normal = false, homogeneous = false, any_dimension = false;
+
+  /// How many characters the word has. 0: it is another one. The counts may follow without a blank.
+  std::size_t parse(std::string_view word) {
+    std::string_view rest = word;
+    const auto take = [&](std::string_view prefix) {
+      const bool is = rest.starts_with(prefix);
+      if (is) rest.remove_prefix(prefix.size());
+      return is;
+    };
+    texture = take("ST");
+    color = take("C");
+    normal = take("N");
+    color = color || take("C");
+    homogeneous = take("4");
+    any_dimension = take("n");
+    if (!take("OFF") || rest.find_first_not_of("0123456789") != rest.npos) return 0;
+    return word.size() - rest.size();
+  }
+};
+
+}  // namespace detail
+
 /// The OFF format: verts and polygons of any size; "color" of verts and polys, "label" of polys that have no colour, "normal" and "texture" of verts.
 struct off_format {
   static constexpr std::string_view name = "off";
@@ -16,10 +43,7 @@ struct off_format {
   static bool has_signature(std::string_view text) {
     token_cursor in(text.substr(0, 4096), name, nullptr, '#');
     in.skip();
-    std::string_view word = in.word();
-    for (const std::string_view prefix : {"ST", "C", "N", "4", "n"})
-      if (word.starts_with(prefix)) word.remove_prefix(prefix.size());
-    return word == "OFF";
+    return detail::off_word().parse(in.word()) > 0;
   }
   static void read(const read_context& in, file_contents& out);
   static void write(write_context& out, flat_mesh& m);

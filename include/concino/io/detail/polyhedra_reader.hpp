@@ -1,8 +1,10 @@
 // What the readers of formats of verts, faces and polyhedra have in common.
 #pragma once
 
+#include <concino/io/detail/canonical_cells.hpp>
 #include <concino/io/detail/contents.hpp>
 #include <concino/io/detail/orient.hpp>
+#include <concino/io/detail/repeated_faces.hpp>
 #include <concino/io/detail/text_sample.hpp>
 #include <concino/io/text_cursor.hpp>
 #include <concino/mesh/limits.hpp>
@@ -18,6 +20,7 @@ class polyhedra_reader : protected token_cursor {
   unsigned lists_per_poly_ = 1;
   std::vector<std::uint32_t> last_poly_;  // the last poly that had each face
   std::uint64_t poly_corners_ = 0;
+  bool has_repeated_ = false;  // a face has a vert twice
 
   /// The expected number of entries of n lists, estimated from the first few; no more than the text can hold.
   std::size_t expected(std::size_t entries, std::uint64_t lists, std::uint64_t n) const {
@@ -28,8 +31,11 @@ class polyhedra_reader : protected token_cursor {
  protected:
   load_report& report_;
   polyhedra_arrays out_;
+  repeated_polys repeated_;
 
-  explicit polyhedra_reader(const read_context& c) : token_cursor(c.text, c.name, c.progress, 0), wanted_(c.wanted), report_(*c.report) {}
+  explicit polyhedra_reader(const read_context& c) : token_cursor(text_without_padding(c.text), c.name, c.progress, 0), wanted_(c.wanted), report_(*c.report) {
+    repeated_.policy = c.repeated_verts;
+  }
 
   void verts(std::uint64_t n) {
     core::reserve_large(out_.points, reservable(n, 6));
@@ -54,8 +60,11 @@ class polyhedra_reader : protected token_cursor {
       if (size < 3) fail(from, {"a face of at least three verts"}, {"one of ", size});
       for (std::uint64_t i = 0; i < size; ++i) out_.face_verts.push_back(vert_id{next_index(out_.points.size(), "a vert index", First)});
       const vert_id* const corners = out_.face_verts.data() + (out_.face_verts.size() - size);
-      if (const std::size_t i = first_repeated(corners, size, scratch); i != size)
-        fail(from, {"different verts at the corners of a face"}, {"vert ", corners[i].raw() + First, " twice"});
+      if (const std::size_t i = first_repeated(corners, size, scratch); i != size) {
+        if (repeated_.policy == repeated_verts::refuse)
+          fail(from, {"different verts at the corners of a face", repeated_verts_hint}, {"vert ", corners[i].raw() + First, " twice"});
+        has_repeated_ = true;
+      }
       if (out_.face_verts.size() > max_ids) fail_to_count("corners");
       if (f == 4095) core::reserve_large(out_.face_verts, expected(out_.face_verts.size(), f + 1, n));
       out_.face_offsets.push_back(static_cast<std::uint32_t>(out_.face_verts.size()));
@@ -101,6 +110,7 @@ class polyhedra_reader : protected token_cursor {
   void end_polys() {
     std::vector<std::uint32_t>().swap(last_poly_);
     check_poly_corners(poly_corners_, out_.face_verts.size(), out_.poly_faces.size(), core::joined({name(), ": "}));
+    if (has_repeated_) faces_mender<polyhedra_arrays>(out_, repeated_).mend();
   }
 
   void orient_polys() {
@@ -113,10 +123,12 @@ class polyhedra_reader : protected token_cursor {
     out.filled = wanted_.polyhedra ? arrays_kind::polyhedra : arrays_kind::cells;
     if (wanted_.polyhedra) out.polyhedra = std::move(out_);
     else out.cells = cells();
+    out.repeated = std::move(repeated_);
   }
 
  private:
   const char* position_of_poly(std::size_t p) {
+    for (const std::uint32_t dropped : repeated_.dropped) p += dropped <= p;  // its number in the file
     at = first_poly_;
     const char* position = at;
     for (std::size_t q = 0; q <= p; ++q)
@@ -143,6 +155,11 @@ class polyhedra_reader : protected token_cursor {
              {"a ", s == cell_shape::general ? "polyhedron" : standard_cell_of(s).name, " of ", out_.poly_offsets[p + 1] - out_.poly_offsets[p],
               " faces"});
       }
+      match_face_order(s, known.cell, [&](std::size_t k, vert_id v) {
+        const std::size_t f = out_.poly_faces[out_.poly_offsets[p] + k].raw();
+        const vert_id *const first = out_.face_verts.data() + out_.face_offsets[f], *const last = out_.face_verts.data() + out_.face_offsets[f + 1];
+        return std::find(first, last, v) != last;
+      });
       for (std::uint32_t k = 0; k < n; ++k) cells.verts.push_back(known.cell[k]);
     }
     if (cells.arity == 0) cells.arity = 4;

@@ -86,23 +86,28 @@ CONCINO_INLINE bool has_columns(const file_contents& contents, element_kind kind
     return false;
   };
   const auto missing = static_cast<std::size_t>(std::count(where.begin(), where.end(), ~0u));
+  const auto is_used = [&](const std::string& name) {  // by a property, or by values that follow
+    return is_taken(name) || std::any_of(contents.properties.begin(), contents.properties.end(),
+                                         [&](const property_column& c) { return c.kind == kind && c.values && c.name == name; });
+  };
   bool any = false;
   for (property_column& c : contents.properties) {
     if (c.kind != kind || !c.values) continue;
-    if (is_taken(c.name)) {
-      if (report) report->skipped.push_back(core::joined({"a second property \"", c.name, "\" of kind ", to_string(kind)}));
-    } else {
-      const value_type& type = c.values->operations();
-      const std::shared_ptr<column> to = all.get(kind, c.name, type, bound);
-      const auto* from = static_cast<const unsigned char*>(c.values->data());
-      auto* const first = static_cast<unsigned char*>(to->data());
-      for (std::size_t i = 0, n = std::min(where.size(), c.values->size()); i < n; ++i) {
-        if (where[i] == ~0u) continue;
-        if (type.copy) type.destroy(first + where[i] * type.size), type.copy(first + where[i] * type.size, from + i * type.size);
-        else std::memcpy(first + where[i] * type.size, from + i * type.size, type.size);
-      }
-      any = true;
+    std::string name = c.name;
+    if (is_taken(name)) {
+      for (unsigned n = 2; is_used(name); ++n) name = core::joined({c.name, "_", n});
+      if (report) report->notes.push_back(core::joined({"another ", to_string(kind), " property \"", c.name, "\" in the file is the property \"", name, "\""}));
     }
+    const value_type& type = c.values->operations();
+    const std::shared_ptr<column> to = all.get(kind, name, type, bound);
+    const auto* from = static_cast<const unsigned char*>(c.values->data());
+    auto* const first = static_cast<unsigned char*>(to->data());
+    for (std::size_t i = 0, n = std::min(where.size(), c.values->size()); i < n; ++i) {
+      if (where[i] == ~0u) continue;
+      if (type.copy) type.destroy(first + where[i] * type.size), type.copy(first + where[i] * type.size, from + i * type.size);
+      else std::memcpy(first + where[i] * type.size, from + i * type.size, type.size);
+    }
+    any = true;
     c.values.reset();
   }
   if (any && missing && report)

@@ -10,7 +10,7 @@ namespace concino::detail {
 template<class Contents>
 class hybrid_reader : polyhedra_reader<Contents, 0> {
   using base = polyhedra_reader<Contents, 0>;
-  using base::at, base::skip, base::at_end, base::end, base::fail, base::next_count, base::next_integer, base::out_, base::report_;
+  using base::at, base::skip, base::at_end, base::end, base::fail, base::next_count, base::next_integer, base::out_, base::report_, base::repeated_;
 
   std::vector<std::uint8_t> is_hex_;  // the marks of the polyhedra; empty if the file has none
 
@@ -73,7 +73,10 @@ class hybrid_reader : polyhedra_reader<Contents, 0> {
   /// The marks follow from the faces. If some do not, they are lost.
   void report_marks() {
     cell_recogniser known;
-    std::size_t wrong = 0;
+    std::size_t wrong = 0, kept = 0;
+    for (std::size_t p = 0; p < is_hex_.size(); ++p)
+      if (!std::binary_search(repeated_.dropped.begin(), repeated_.dropped.end(), static_cast<std::uint32_t>(p))) is_hex_[kept++] = is_hex_[p];
+    is_hex_.resize(kept);
     for (std::size_t p = 0; p < is_hex_.size(); ++p) {
       const bool six = out_.poly_offsets[p + 1] - out_.poly_offsets[p] == 6;
       wrong += (is_hex_[p] != 0) != (six && recognise(out_, p, known) == cell_shape::hex);

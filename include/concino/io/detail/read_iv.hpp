@@ -54,7 +54,7 @@ class iv_reader : iv_cursor {
 
  public:
   iv_reader(const read_context& c, file_contents& out)
-      : iv_cursor(c.text, c.name, c.progress), wanted_(c.wanted), extra_(out), out_(out.surface), report_(*c.report) {}
+      : iv_cursor(text_without_padding(c.text), c.name, c.progress), wanted_(c.wanted), extra_(out), out_(out.surface), report_(*c.report) {}
 
   void read() {
     header();
@@ -198,13 +198,7 @@ class iv_reader : iv_cursor {
   void end_face(const char* position, std::size_t first) {
     const std::size_t size = out_.verts.size() - first;
     if (size < 3) fail(position, {"a face of at least three verts"}, {"one of ", size});
-    const vert_id* const corners = out_.verts.data() + first;
-    if (const std::size_t i = first_repeated(corners, size, scratch_); i != size)
-      fail(position, {"different verts at the corners of a face"}, {"vert ", corners[i].raw(), " twice"});
-    if (wanted_.surface && wanted_.arity && size != wanted_.arity)
-      fail(position, {name_of_poly(false, wanted_.arity), " (polygonmesh and load_any take any polygon)"}, {"a polygon of ", size, " corners"});
-    if (out_.verts.size() > max_ids) fail_to_count("corners");
-    end_poly(out_, arity_, first);
+    end_checked_poly(*this, position, first, scratch_, wanted_, extra_, arity_, {.different = "different verts at the corners of a face"});
   }
 
   std::size_t num_polys() const { return out_.offsets.empty() ? (arity_ ? out_.verts.size() / arity_ : 0) : out_.offsets.size() - 1; }

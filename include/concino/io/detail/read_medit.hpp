@@ -3,6 +3,7 @@
 
 #include <concino/io/cell_builder.hpp>
 #include <concino/io/detail/contents.hpp>
+#include <concino/io/detail/element_nodes.hpp>
 #include <concino/io/detail/medit_binary.hpp>
 #include <concino/io/detail/medit_format.hpp>
 #include <concino/io/detail/medit_marks.hpp>
@@ -26,6 +27,9 @@ class medit_reader : Cursor {
   std::vector<medit_part> deferred_;  // all sections but cells after the verts: their meaning depends on whether there are cells
   row_numbers triangles_, quads_, edges_;
   medit_marks marks_;
+  bool corners_only_;
+  element_nodes nodes_;
+  std::vector<vert_id> nodes_of_element_;
   std::vector<std::uint64_t> scratch_;
 
   struct no_cells {
@@ -34,13 +38,17 @@ class medit_reader : Cursor {
   std::conditional_t<Volumes, cell_builder, no_cells> cells_;
 
  public:
-  medit_reader(const read_context& c, contents_of<Volumes>& out) : Cursor(c), wanted_(c.wanted), report_(*c.report), out_(out), cells_(c, points_, 1) {}
+  medit_reader(const read_context& c, contents_of<Volumes>& out) : Cursor(c), wanted_(c.wanted), report_(*c.report), out_(out), corners_only_(c.corners_only),
+                                                                   cells_(c, points_, 1) {}
 
   void read() {
     this->begin_file();
     for (medit_part part; this->next_section(part);) {
       if (!part.section) {
         vertices(part);
+      } else if (part.section->nodes && !corners_only_) {
+        reject_nodes(part);
+        this->skip_rows();
       } else if (Volumes && part.section->is_volume() && has_verts_) {
         elements(part);
       } else {
@@ -56,6 +64,14 @@ class medit_reader : Cursor {
  private:
   void report_skipped(const medit_part& part) {
     if (part.count > 0) report_.skipped.push_back(core::joined({"section ", part.section->keyword, ", ", part.count, " rows"}));
+  }
+
+  /// Errors: unsupported for elements of second or higher order, but for edges, which are skipped.
+  [[gnu::noinline, gnu::cold]] void reject_nodes(const medit_part& part) {
+    const medit_section& s = *part.section;
+    if (part.count == 0 || s.rows == medit_rows::edges) return report_skipped(part);
+    core::throw_joined<unsupported>({this->name(), ": section ", s.keyword, " has ", part.count, s.keyword.back() == '2' ? " second-order" : " higher-order",
+                                     " elements, with nodes on edges; ", read_corners_instead});
   }
 
   /// Adds the label of element n. Labels are stored only if one of them is not zero.
@@ -88,7 +104,13 @@ class medit_reader : Cursor {
   const char* next_element(const medit_section& s, vert_id* corners) {
     const char* const from = position();
     for (std::uint32_t k = 0; k < s.arity; ++k) corners[k] = vert_id{index(points_.size(), "a vertex index")};
+    if (s.nodes) [[unlikely]] read_nodes(s);
     return from;
+  }
+  [[gnu::noinline, gnu::cold]] void read_nodes(const medit_section& s) {
+    nodes_of_element_.resize(s.nodes);
+    for (vert_id& v : nodes_of_element_) v = vert_id{index(points_.size(), "a vertex index")};
+    nodes_.add(nodes_of_element_.data(), s.nodes);
   }
   int next_reference() { return reference("the reference of an element, an integer"); }
 
@@ -97,14 +119,14 @@ class medit_reader : Cursor {
     const medit_section& s = *part.section;
     if (part.count == 0) return;
     position();
-    const std::size_t room = this->room_for(part, s.arity + 1);
+    const std::size_t room = this->room_for(part, s.num_indices() + 1);
     if constexpr (Volumes)
       if (s.is_volume()) {
-        if (!cells_.can_hold(s.shape)) throw_wrong_arity_of(s, wanted_.arity ? wanted_.arity : polys_ ? cells_.arity() : s.arity);
+        if (!cells_.can_hold(s.shape) && !takes_repeated()) throw_wrong_arity_of(s, wanted_.arity ? wanted_.arity : polys_ ? cells_.arity() : s.arity);
         cells_.reserve(s.shape, room);
       }
     if (!s.is_volume()) {
-      if (wanted_.surface && wanted_.arity && s.arity != wanted_.arity) throw_wrong_arity_of(s, wanted_.arity);
+      if (wanted_.surface && wanted_.arity && s.arity != wanted_.arity && !takes_repeated()) throw_wrong_arity_of(s, wanted_.arity);
       surface_.reserve(room * s.arity);
       numbers_of(s).add(part.count, polys_);
     }
@@ -113,22 +135,31 @@ class medit_reader : Cursor {
       const char* const from = next_element(s, corners);
       if constexpr (Volumes)
         if (s.is_volume() && !cells_.add_cell(s.shape, corners)) fail(from, {cells_.expected}, {cells_.found});
-      if (!s.is_volume()) add_polygon(from, corners, s.arity);
+      if (!s.is_volume()) add_polygon(from, corners, s.arity, polys_ + i);
       add_label(poly_labels_, polys_ + i, next_reference());
       this->report_progress();
     }
     polys_ += part.count;
   }
 
-  row_numbers& numbers_of(const medit_section& s) { return s.code == 6 || s.code == 17 ? triangles_ : quads_; }
+  /// Of the rows of triangles or quads, which a section lists or marks.
+  row_numbers& numbers_of(const medit_section& s) { return s.arity == 3 || s.code == 17 ? triangles_ : quads_; }
 
-  void require_different(const char* from, const vert_id* corners, std::uint32_t n) {
-    if (const std::size_t k = first_repeated(corners, n, scratch_); k != n)
-      fail(from, {"different verts in an element"}, {"vert ", corners[k].raw() + 1, " twice"});
+  /// Whether elements with a vert twice become others, or none, so that what the mesh can hold depends on each of them.
+  bool takes_repeated() const { return out_.repeated.policy != repeated_verts::refuse; }
+
+  /// The number of verts of an edge or face that is listed. Without options.repeated_verts they have to be different; with it, equal neighbours become one.
+  std::uint32_t collapse_listed(const char* from, vert_id* corners, std::uint32_t n) {
+    const std::size_t k = first_repeated(corners, n, scratch_);
+    if (k == n) return n;
+    if (!takes_repeated()) fail(from, {"different verts in an element", repeated_verts_hint}, {"vert ", corners[k].raw() + 1, " twice"});
+    return collapse_verts(corners, n);
   }
 
-  void add_polygon(const char* from, const vert_id* corners, std::uint32_t n) {
-    require_different(from, corners, n);
+  void add_polygon(const char* from, const vert_id* corners, std::uint32_t n, std::size_t poly) {
+    check_read_polygon(
+        out_, wanted_, corners, n, {.different = "different verts in an element", .first = 1}, scratch_,
+        [&](core::message expected, core::message found) { fail(from, expected, found); }, [&] { return poly; }, [&] { return this->place_of(from); });
     surface_.add(corners, n);
     if (surface_.size_of_lists() > max_ids) this->fail_to_count("corners");
   }
@@ -146,8 +177,8 @@ class medit_reader : Cursor {
     numbers.add(part.count, listed.size());
     for (std::uint64_t i = 0; i < part.count; ++i) {
       vert_id corners[8];
-      require_different(next_element(s, corners), corners, s.arity);
-      listed.verts.insert(listed.verts.end(), corners, corners + s.arity);
+      const std::uint32_t n = collapse_listed(next_element(s, corners), corners, s.arity);
+      listed.verts.insert(listed.verts.end(), corners, corners + n);
       if (listed.verts.size() > max_ids) this->fail_to_count("corners of edges or faces");
       listed.end_element();
       marks_.set(kind, "label", listed.size() - 1, next_reference());
@@ -241,6 +272,10 @@ class medit_reader : Cursor {
     if (!volume) out_.surface = std::move(surface_).finish(std::move(points_), wanted_.arity);
     if constexpr (Volumes)
       if (volume) cells_.finish(out_);
+    if (nodes_.any() && this->has_ordering_)
+      core::throw_joined<unsupported>({this->name(), ": has elements of second or higher order, and "
+                                                     "a section that lists the order of their nodes: corners need not come first"});
+    nodes_.remove(out_, report_);
   }
 };
 
@@ -254,12 +289,13 @@ namespace concino {
 ///         standard order, and these cells are counted. References become "label" of verts, polys, edges, and faces of a volume, unless all are zero;
 ///         those that are not integers are rounded and counted. Marks become properties (int) of verts ("corner", "required"), edges ("ridge",
 ///         "required") and triangles and quads ("required"). If the file lists edges or faces without any of these, they and the others listed
-///         have the property "entity". Normals at vertices become "normal" of verts. Other sections are reported as skipped, as are edges and faces
-///         that the mesh does not have.
+///         have the property "entity". Normals at vertices become "normal" of verts. Elements of second or higher order are read by their corners, if
+///         load_options::corners_only is set; points that are only their other nodes are reported as skipped. Other sections are reported as skipped, as are
+///         edges and faces that the mesh does not have.
 /// Cost:   O(size of the text)
 /// Errors: parse_error naming the line (of binary files the byte) of a wrong number, an index out of range, an element with a vertex twice, an element
 ///         that the wanted mesh cannot hold, or the end of a file that is cut off; unsupported if the file holds a volume and a surface was wanted,
-///         or the reverse.
+///         or the reverse, or if it has polys of second or higher order.
 template<std::derived_from<file_contents> Contents>
 void medit_format::read(const read_context& in, Contents& out) {
   constexpr bool volumes = std::is_same_v<Contents, volume_contents>;

@@ -22,7 +22,11 @@ class obj_reader : obj_cursor {
   std::uint64_t points_ = max_ids, textures_ = max_ids, normals_ = max_ids;  // the final numbers, once they are known
   std::uint64_t max_point_ = 0, max_texture_ = 0, max_normal_ = 0;           // the largest index so far
   std::uint64_t num_extra_ = 0, num_lines_ = 0, num_smooth_ = 0, num_other_ = 0;
+  std::uint64_t num_zero_ = 0, num_bad_colors_ = 0;
   std::uint64_t num_third_ = 0, num_invalid_ = 0;  // texture coordinates with a third number; those and normals that are not finite numbers
+  double largest_color_ = 0;              // component of a colour
+  bool are_bytes_ = true;                 // all of them are whole numbers up to 255
+  std::vector<std::uint32_t> uncolored_;  // verts without a colour before the last one that has one
   std::size_t first_other_ = 0, first_invalid_ = 0;
   std::string other_;
   std::uint32_t arity_ = 0;
@@ -30,7 +34,7 @@ class obj_reader : obj_cursor {
 
  public:
   obj_reader(const read_context& c, file_contents& out)
-      : obj_cursor(c.text, c.name, c.progress), context_(c), wanted_(c.wanted), extra_(out), out_(out.surface) {}
+      : obj_cursor(text_without_padding(c.text), c.name, c.progress), context_(c), wanted_(c.wanted), extra_(out), out_(out.surface) {}
 
   void read(load_report& report) {
     const std::string_view all{at, static_cast<std::size_t>(end() - at)};
@@ -48,7 +52,7 @@ class obj_reader : obj_cursor {
     if (out_.offsets.empty()) out_.arity = arity_;
     if (out_.arity == 0 && out_.offsets.empty()) out_.offsets.push_back(0);
     report_skipped(report);
-    if (!extra_.vert_colors.empty()) extra_.vert_colors.resize(out_.points.size());
+    if (!extra_.vert_colors.empty()) finish_colors(report);
     end_obj_names(context_, libraries_, extra_);
   }
 
@@ -131,18 +135,35 @@ class obj_reader : obj_cursor {
 
   /// Reads the weight or the colour after the coordinates of a vert.
   [[gnu::noinline]] void after_point() {
+    constexpr const char* expected = "a number (a weight or a colour) or the end of the line";
     double x[3] = {};
     std::size_t n = 0;
+    const char* not_finite = nullptr;
+    bool is_whole = true;
     for (; !line_is_over(); ++n, blanks()) {
-      const double value = coordinate("a number (a weight or a colour) or the end of the line");
+      double value = 0;
+      const char* const p = parse_real(at, end(), value);
+      if (!p || !ends_token(p, '#')) fail(at, expected);
+      if (!std::isfinite(value)) not_finite = at;
+      for (; at != p; ++at) is_whole = is_whole && is_digit(*at);
       if (n < 3) x[n] = value;
     }
+    if (not_finite && n != 3) fail(not_finite, {expected, ", a finite number"});
     text_cursor::skip_line();
     if (n != 3) {
       ++num_extra_;
       return;
     }
-    extra_.vert_colors.resize(out_.points.size() - 1);
+    if (not_finite) {
+      ++num_bad_colors_;
+      return;
+    }
+    const double largest = std::max({x[0], x[1], x[2]});
+    are_bytes_ = are_bytes_ && is_whole && largest <= 255;
+    largest_color_ = std::max(largest_color_, largest);
+    const std::size_t first = extra_.vert_colors.size(), vert = out_.points.size() - 1;
+    for (std::size_t v = first; v < vert; ++v) uncolored_.push_back(static_cast<std::uint32_t>(v));
+    extra_.vert_colors.resize(vert);
     extra_.vert_colors.push_back(rgba{static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2])});
   }
 
@@ -166,20 +187,28 @@ class obj_reader : obj_cursor {
     end_face(line, first);
   }
 
-  /// Reads the indices of a texture coordinate and a normal, each of which may be missing.
+  /// Reads the indices of a texture coordinate and a normal, each of which may be missing. Some programs write 0 for none.
   const char* attributes(const char* corner, const char* p) {
     std::int64_t i = 0;
     if (const char* q = parse_integer(++p, end(), i)) {
-      const std::uint64_t t = absolute(corner, i, texture_.size(), textures_, "a texture coordinate");
-      texture_.set(out_.verts.size(), t - 1);
-      if (t > max_texture_) max_texture_ = t;
+      if (i == 0) {
+        ++num_zero_;
+      } else {
+        const std::uint64_t t = absolute(corner, i, texture_.size(), textures_, "a texture coordinate");
+        texture_.set(out_.verts.size(), t - 1);
+        if (t > max_texture_) max_texture_ = t;
+      }
       p = q;
     }
     if (p == end() || *p != '/') return p;
     if (const char* q = parse_integer(++p, end(), i)) {
-      const std::uint64_t n = absolute(corner, i, normal_.size(), normals_, "a normal");
-      normal_.set(out_.verts.size(), n - 1);
-      if (n > max_normal_) max_normal_ = n;
+      if (i == 0) {
+        ++num_zero_;
+      } else {
+        const std::uint64_t n = absolute(corner, i, normal_.size(), normals_, "a normal");
+        normal_.set(out_.verts.size(), n - 1);
+        if (n > max_normal_) max_normal_ = n;
+      }
       p = q;
     }
     return p;
@@ -188,13 +217,20 @@ class obj_reader : obj_cursor {
   void end_face(const char* line, std::size_t first) {
     const std::size_t size = out_.verts.size() - first;
     if (size < 3) fail(line, {"a face of at least three corners"}, {"one of ", size});
-    const vert_id* corners = out_.verts.data() + first;
-    if (const std::size_t i = first_repeated(corners, size, scratch_); i != size)
-      fail(line, {"different verts at the corners of a face"}, {"vert ", corners[i].raw() + 1, " twice"});
-    if (wanted_.surface && wanted_.arity && size != wanted_.arity)
-      fail(line, {name_of_poly(false, wanted_.arity), " (polygonmesh and load_any take any polygon)"}, {"a polygon of ", size, " corners"});
-    if (out_.verts.size() > max_ids) fail_to_count("corners");
-    end_poly(out_, arity_, first);
+    end_checked_poly(*this, line, first, scratch_, wanted_, extra_, arity_, {.different = "different verts at the corners of a face", .first = 1});
+  }
+
+  [[gnu::noinline, gnu::cold]] void finish_colors(load_report& report) {
+    if (are_bytes_ && largest_color_ > 1) {
+      std::size_t next = 0;
+      for (std::size_t v = 0; v < extra_.vert_colors.size(); ++v) {
+        rgba& c = extra_.vert_colors[v];
+        if (next < uncolored_.size() && uncolored_[next] == v) ++next;
+        else c = {c.r / 255, c.g / 255, c.b / 255};
+      }
+      report.notes.push_back("colours of verts: all numbers are whole and one is larger than 1, so they were read as components from 0 to 255");
+    }
+    extra_.vert_colors.resize(out_.points.size());
   }
 
   std::size_t num_polys() const { return out_.offsets.empty() ? (arity_ ? out_.verts.size() / arity_ : 0) : out_.offsets.size() - 1; }
@@ -227,6 +263,8 @@ class obj_reader : obj_cursor {
     if (num_invalid_)
       report.notes.push_back(core::joined({num_invalid_, " texture coordinates (vt) or normals (vn) are not finite numbers, so that their corners have no value; the first on line ",
                                            line_of(begin() + first_invalid_)}));
+    skipped(num_bad_colors_, "colours of verts with a number that is not finite");
+    if (num_zero_) report.notes.push_back(core::joined({num_zero_, " indices of texture coordinates or normals are 0: the corners have none"}));
     skipped(num_extra_, "weights of verts, or other numbers after x y z that are not r g b");
     skipped(num_lines_, "points and lines (p, l)");
     skipped(num_smooth_, "smoothing groups (s)");
@@ -242,7 +280,8 @@ namespace concino {
 
 /// Needs:  text of an OBJ file. Lines may end in LF, CRLF or CR, and go on after a backslash; indices count from 1 or back from the last.
 /// Result: its verts and polys, in the order of the file; isolated verts and equal positions are kept. `v x y z r g b` defines the colour of a
-///         vert; the others are white. `o`, `g` and `usemtl` define names of polys, of at most 1000 bytes. Labels number the groups (the
+///         vert, by components from 0 to 1, or from 0 to 255 if all in the file are whole numbers and one exceeds 1; the others are white.
+///         An index 0 of vt or vn is none. `o`, `g` and `usemtl` define names of polys, of at most 1000 bytes. Labels number the groups (the
 ///         objects if there are no groups) from 1, in the order of the file. If all groups are called label_<number>, they become labels only.
 ///         Texture coordinates and normals become "texture" (std::array<double, 2>) and "normal" (vec3) of corners, if a corner has one; those of the
 ///         other corners are not-a-number. Kd and d in the libraries define colours of polys. A material called color_<number> that defines nothing else becomes a colour only.

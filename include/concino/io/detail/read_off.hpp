@@ -7,6 +7,9 @@
 
 namespace concino::detail {
 
+/// Whether the text may be a binary file.
+inline bool is_off_binary(std::string_view text) { return text.substr(0, 4096).find("BINARY") != text.npos; }
+
 class off_reader : off_cursor {
   const wanted_mesh& wanted_;
   load_report& report_;
@@ -22,7 +25,8 @@ class off_reader : off_cursor {
 
  public:
   off_reader(const read_context& c, file_contents& out)
-      : off_cursor(c.text, c.name, c.progress), wanted_(c.wanted), report_(*c.report), extra_(out), out_(out.surface) {}
+      : off_cursor(is_off_binary(c.text) ? c.text : text_without_padding(c.text), c.name, c.progress),
+        wanted_(c.wanted), report_(*c.report), extra_(out), out_(out.surface) {}
 
   void read() {
     skip_space('#');
@@ -190,7 +194,7 @@ class off_reader : off_cursor {
       const vert_id v{static_cast<std::uint32_t>(i)};
       out_.verts.push_back(v);
     }
-    check_poly(*this, line, first, scratch_, wanted_, out_, arity_);
+    end_checked_poly(*this, line, first, scratch_, wanted_, extra_, arity_, off_words);
   }
 
   [[noreturn, gnu::noinline, gnu::cold]] void fail_index() const {
@@ -248,12 +252,13 @@ class off_reader : off_cursor {
 
 namespace concino {
 
-/// Needs:  text of an OFF file: [ST][C][N][4][n]OFF or nothing, then BINARY and numbers of 32 bits, or text with comments.
+/// Needs:  text of an OFF file: [ST][C][N][4][n]OFF or nothing, also NC for CN, then BINARY and numbers of 32 bits, or text with comments.
 /// Result: its verts and polys, in the order of the file. 4OFF: x, y, z are divided by w. nOFF: missing coordinates are 0, those beyond the
 ///         third are reported as skipped. Colours, normals and texture coordinates of verts; colours of polys (white if a poly has none), and
 ///         indices of colours as labels. Each colour may be integers from 0 to 255 or reals from 0 to 1. If no integer of the verts exceeds 1,
 ///         these integers are parts from 0 to 1 too, as in Geomview.
 ///         Binary numbers are big-endian. If the file is valid only with little-endian numbers, it is read so, and a note says so.
+///         The same for files without the numbers of components of colours.
 /// Cost:   O(size of the text)
 /// Errors: parse_error naming the line (in binary files, the byte) of a number that is invalid or not finite, of counts that are negative or
 ///         larger than the file, of an index out of range, of a poly of fewer than three verts or with a vert twice, of a poly that the

@@ -22,7 +22,7 @@ class tet_reader : token_cursor {
   bool standard_hexes_ = false;  // else in the order of voxels
 
  public:
-  explicit tet_reader(const read_context& c) : token_cursor(c.text, c.name, c.progress, '#'), report_(*c.report), cells_(c, points_, 0) {}
+  explicit tet_reader(const read_context& c) : token_cursor(text_without_padding(c.text), c.name, c.progress, '#'), report_(*c.report), cells_(c, points_, 0) {}
 
   void read(Contents& out) {
     skip();

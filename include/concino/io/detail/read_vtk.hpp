@@ -11,7 +11,7 @@ namespace concino::detail {
 class vtk_reader : public vtk_cells_reader {
   load_report& report_;
   element_kind kind_ = element_kind::mesh;  // the elements of the values that follow
-  std::uint64_t tuples_ = 0;                // and their number
+  std::uint64_t tuples_ = 0;                // and their number in the file
   std::uint64_t num_tables_ = 0;
 
  public:
@@ -21,7 +21,7 @@ class vtk_reader : public vtk_cells_reader {
     header();
     for (;;) {
       skip();
-      if (at_end()) break;
+      if (at_end() || (!binary_ && text_without_padding({at, left()}).empty())) break;
       section();
     }
     if (num_tables_) report_.skipped.push_back(core::joined({num_tables_, " lookup tables of colours"}));
@@ -65,9 +65,7 @@ class vtk_reader : public vtk_cells_reader {
     if (keyword == "point_data" || keyword == "cell_data") {
       kind_ = keyword == "point_data" ? element_kind::vert : element_kind::poly;
       if (kind_ == element_kind::poly) finish_cells();
-      const std::size_t n = kind_ == element_kind::vert ? grid_.points.size() : grid_.size();
       tuples_ = next_number("the number of values");
-      if (tuples_ != n) reject(from, {n, " values, one for each ", kind_ == element_kind::vert ? "point" : "cell"}, {tuples_});
     } else if (keyword == "metadata") {
       metadata();
     } else if (keyword == "field") {
@@ -119,6 +117,9 @@ class vtk_reader : public vtk_cells_reader {
     reject(at, {"the coordinates of a point, finite numbers"});
   }
 
+  /// The number of the elements to which the values belong.
+  std::uint64_t num_elements() const { return kind_ == element_kind::vert ? grid_.points.size() : kind_ == element_kind::poly ? grid_.size() : 1; }
+
   vtk_number number_type() {
     skip();
     const char* const from = at;
@@ -168,8 +169,12 @@ class vtk_reader : public vtk_cells_reader {
     const std::uint64_t n = tuples * components;
     require_room(from, n, type);
     const value_type* const stored = property_type_of(as_doubles ? vtk_number::float64 : type, components, array);
-    const std::uint64_t expected = kind_ == element_kind::mesh ? 1 : tuples_;
-    if (!stored || tuples != expected) {
+    if (kind_ != element_kind::mesh && tuples != num_elements()) {
+      report_.skipped.push_back(core::joined({"array \"", array, "\" of ", tuples, " values, where ", num_elements(),
+          kind_ == element_kind::vert ? " points" : " cells", " need one each"}));
+      return skip_values(type, n);
+    }
+    if (!stored || tuples != num_elements()) {
       report_.skipped.push_back(core::joined({"array \"", array, "\" of ", tuples, " values of ", components, " numbers: properties have one value for each element, of 1, 2, 3, 4, 6 or 9 numbers"}));
       return skip_values(type, n);
     }
@@ -190,7 +195,7 @@ class vtk_reader : public vtk_cells_reader {
   [[gnu::noinline, gnu::cold]] void colors(std::string& array, std::size_t components, const char* from) {
     begin_numbers();
     const vtk_number type = binary_ ? vtk_number::uint8 : vtk_number::float32;
-    if (components != 3 && components != 4) return column(array, type, components, tuples_, from, false);
+    if ((components != 3 && components != 4) || tuples_ != num_elements()) return column(array, type, components, tuples_, from, false);
     require_room(from, tuples_ * components, type);
     rename(array, "color");
     grid_.columns.push_back({kind_, array, make_column(values_of<rgba>, tuples_)});
@@ -252,6 +257,8 @@ namespace concino {
 /// Result: a volume if there is any cell of a volume, else a surface. Polys keep their order. The verts of cells of negative volume are put into the
 ///         standard order, polyhedra are turned outward, and both are counted. Arrays of numbers become properties: those of the cells become
 ///         properties of polys, and in a volume those of its polygons become properties of faces. Lines, verts and texts are reported as skipped.
+///         Elements of second or higher order are read by their corners, if load_options::corners_only is set; points that are only their other nodes are
+///         reported as skipped, and so are arrays that have not one value for each element.
 /// Cost:   O(size of the text)
 /// Errors: parse_error naming the line, or in binary files the byte, of what is wrong; unsupported for other datasets and cell types, and if the file
 ///         holds a volume and a surface was wanted, or the reverse.

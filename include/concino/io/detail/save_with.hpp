@@ -21,6 +21,9 @@ void check_savable_points(std::string_view name, const flat_mesh& m);
 /// Reports what was lost. Called after the whole mesh is written.
 [[gnu::cold]] void report_lost(const write_context& c, const flat_mesh& m, std::string_view format);
 
+/// Reports faces of a volume that a reader will not find if the file lists the cells only: those with the verts of another face, and those of no poly.
+[[gnu::cold]] void report_lost_faces(save_report& report, flat_mesh& m, std::string_view format);
+
 /// Errors: unsupported, with all that is lost.
 [[noreturn, gnu::cold]] void throw_lossy(std::string_view name, const save_report& report);
 
@@ -45,6 +48,7 @@ std::unique_ptr<companion_files> write_with(text_sink& out, flat_mesh_source mes
         context.num_elements = flat.points.size() + flat.num_polys;
         G::write(context, flat);
         report_lost(context, flat, row.extensions[0]);
+        if constexpr (Dimension == 3 && !requires { requires G::holds_faces; }) report_lost_faces(report, flat, row.extensions[0]);  // surfaces have no faces
       });
     } else if constexpr (Dimension == 2) {  // the message names formats that hold surfaces
       context.throw_cannot_hold(row.extensions[0], {"surfaces"}, ".obj, or .mesh if it has triangles and quads only");

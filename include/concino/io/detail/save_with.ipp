@@ -1,11 +1,14 @@
 // Definitions of save_with.hpp.
 #pragma once
 
+#include <concino/io/detail/face_key.hpp>
 #include <concino/io/detail/save_with.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #ifdef CONCINO_COMPILED
@@ -36,7 +39,33 @@ CONCINO_INLINE void check_savable_points(std::string_view name, const flat_mesh&
       core::throw_joined<invalid_mesh>({name, ": vert ", m.vert_index(v), " has a coordinate that is not a finite number; no file can hold it"});
 }
 
+CONCINO_INLINE void report_lost_faces(save_report& report, flat_mesh& m, std::string_view format) {
+  if (m.arity != 0) return;  // the faces of tets and hexes are those of the polys
+  const flat_polyhedra& all = m.polyhedra();
+  std::vector<bool> is_used(all.face_verts.size());
+  for (const face_id f : all.poly_faces.values) is_used[f.raw()] = true;
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> keys;
+  std::size_t num_unused = 0, num_equal = 0;
+  for (std::uint32_t f = 0; f < all.face_verts.size(); ++f) {
+    if (is_used[f]) keys.emplace_back(face_key(all.face_verts[f].data(), all.face_verts[f].size()), f);
+    else ++num_unused;
+  }
+  std::sort(keys.begin(), keys.end());
+  const auto sorted = [&](std::uint32_t f) {
+    std::vector<vert_id> verts_of_face(all.face_verts[f].begin(), all.face_verts[f].end());
+    std::sort(verts_of_face.begin(), verts_of_face.end());
+    return verts_of_face;
+  };
+  for (std::size_t i = 1; i < keys.size(); ++i) num_equal += keys[i].first == keys[i - 1].first && sorted(keys[i].second) == sorted(keys[i - 1].second);
+  if (num_equal)
+    report.lost.push_back(core::joined({num_equal, " faces with the verts of another face: ", format,
+                                        " lists no faces, so that readers unite them, and polys become neighbours; .hedra holds them"}));
+  if (num_unused) report.lost.push_back(core::joined({num_unused, " faces of no poly: ", format, " lists no faces; .hedra holds them"}));
+}
+
 CONCINO_INLINE void report_lost(const write_context& c, const flat_mesh& m, std::string_view format) {
+  if (const std::size_t n = m.num_loose_edges())
+    c.report.lost.push_back(core::joined({n, m.dimension == 2 ? " edges without polys" : " edges without faces", ": ", format, " cannot store them"}));
   if (m.properties) report_lost_properties(*m.properties, c.stored, format, c.report.lost);
   if (c.num_not_finite)
     c.report.lost.push_back(core::joined({c.num_not_finite, " numbers of colours and other properties that are not finite: written as 0"}));

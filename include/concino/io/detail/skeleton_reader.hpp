@@ -87,7 +87,7 @@ class skeleton_reader : protected token_cursor {
 
  public:
   skeleton_reader(std::string_view text, std::string_view name, const concino::progress* progress, load_report& report, skeleton_contents& out)
-      : token_cursor(text, name, progress, 0), out_(out), report_(report) {}
+      : token_cursor(text_without_padding(text), name, progress, 0), out_(out), report_(report) {}
 };
 
 }  // namespace concino::detail

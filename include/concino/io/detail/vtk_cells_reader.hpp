@@ -55,6 +55,7 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
       return false;
     }
     if (keyword == "cells") {
+      if (finished_) reject(from, {"one section CELLS, before CELL_DATA"});
       if (has_cells_) reject(from, {"one section CELLS"}, {"another"});
       has_cells_ = true;
       lists(parts_[0], from);

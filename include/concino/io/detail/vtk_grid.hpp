@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace concino::detail {
@@ -42,7 +43,15 @@ struct vtk_places {
 /// What a cell type stands for.
 enum class vtk_kind : std::uint8_t { none, line, polygon, cell, unknown };
 inline constexpr unsigned vtk_polyhedron = 42;
+/// The type of the cell with the same corners and no other nodes, for elements of second and higher order; else the type itself.
+inline unsigned linear_vtk_type(unsigned type) {
+  constexpr std::uint8_t quadratic[] = {3, 5, 9, 10, 12, 13, 14, 9, 12, 9, 13, 13, 12, 5, 3, 7, 14};  // 21 to 37; 35 is cubic
+  constexpr std::uint8_t of_any_order[] = {3, 5, 9, 10, 12, 13, 14};                                   // Lagrange from 68 on, Bezier from 75 on
+  if (type >= 21 && type <= 37) return quadratic[type - 21];
+  return type >= 68 && type <= 81 ? of_any_order[(type - 68) % 7] : type;
+}
 inline vtk_kind kind_of_vtk_cell(unsigned type) {
+  type = linear_vtk_type(type);
   if (type == 0) return vtk_kind::none;
   if (type <= 4) return vtk_kind::line;
   if (type <= 9) return vtk_kind::polygon;
@@ -50,7 +59,8 @@ inline vtk_kind kind_of_vtk_cell(unsigned type) {
 }
 /// The number of verts of a cell of this type; 0 if it varies.
 inline std::size_t size_of_vtk_cell(unsigned type) {
-  constexpr std::uint8_t sizes[] = {0, 1, 0, 2, 0, 3, 0, 0, 4, 4, 4, 8, 8, 6, 5, 10, 12};
+  constexpr std::uint8_t sizes[] = {0, 1, 0, 2, 0, 3, 0,  0,  4,  4,  4, 8,  8, 6,  5,  10, 12, 0, 0,
+                                    0, 0, 3, 6, 8, 10, 20, 15, 13, 9, 27, 6, 12, 18, 24, 7, 4, 0, 19};
   return type < std::size(sizes) ? sizes[type] : 0;
 }
 /// The shape of a standard cell of this type, or `general`.
@@ -63,6 +73,12 @@ inline cell_shape shape_of_vtk_cell(unsigned type) {
     case 14: return cell_shape::pyramid;
     default: return cell_shape::general;
   }
+}
+/// Puts the corners of a cell from VTK's order into the standard one, and the reverse: they differ in voxels, whose x changes fastest, and in wedges, linear
+/// and quadratic, whose base 0 1 2 is counter-clockwise seen from outside.
+inline void swap_vtk_order(unsigned type, vert_id* v) {
+  if (type == 11) std::swap(v[2], v[3]), std::swap(v[6], v[7]);
+  if (type == 13 || type == 26 || type == 31 || type == 32) std::swap(v[1], v[2]), std::swap(v[4], v[5]);
 }
 
 }  // namespace concino::detail

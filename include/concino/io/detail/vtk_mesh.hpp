@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/io/cell_builder.hpp>
+#include <concino/io/detail/element_nodes.hpp>
 #include <concino/io/detail/vtk_grid.hpp>
 
 #include <algorithm>
@@ -15,6 +16,7 @@ namespace concino::detail {
 /// Contents is volume_contents if the program reads volumes.
 template<class Contents>
 class vtk_mesh {
+  static constexpr unsigned quadratic_polygon = 36;
   static constexpr bool volumes = std::is_same_v<Contents, volume_contents>;
 
   vtk_grid& grid_;
@@ -25,6 +27,7 @@ class vtk_mesh {
   std::vector<std::uint32_t> poly_cells_, face_cells_;  // the cell of each poly or listed face
   bool in_range_ = false;  // all verts are, so that each need not be compared
   bool identity_ = false;  // poly_cells_ would be 0, 1, 2, ...
+  element_nodes nodes_;
   std::vector<std::uint64_t> scratch_;
 
  public:
@@ -39,7 +42,7 @@ class vtk_mesh {
     std::size_t count[5] = {};
     for (std::size_t c = 0, end; c < grid_.size(); c = end) {
       const vtk_kind k = kind_of_vtk_cell(grid_.types[c]);
-      if (k == vtk_kind::unknown) fail_type(c);
+      if (k == vtk_kind::unknown || (k != vtk_kind::line && is_high_order(c) && !in_.corners_only)) fail_type(c);
       for (end = c + 1; end < grid_.size() && grid_.types[end] == grid_.types[c];) ++end;
       count[static_cast<unsigned>(k)] += end - c;
     }
@@ -60,21 +63,43 @@ class vtk_mesh {
     }
     std::vector<vert_id>().swap(grid_.verts);
     set_columns_of_grid();
+    nodes_.remove(out_, *in_.report);
   }
 
  private:
   [[noreturn, gnu::noinline, gnu::cold]] void fail_type(std::size_t c) {
-    core::throw_joined<unsupported>({in_.name, ": the cell at ", places_.place_of_cell(c), " has type ", unsigned{grid_.types[c]},
-                                     "; cells with nodes on edges and other types from 17 on, except 42, are not supported"});
+    const unsigned type = grid_.types[c];
+    if (is_high_order(c))
+      core::throw_joined<unsupported>({in_.name, ": the cell at ", places_.place_of_cell(c), " is a ", type < 68 ? "second-order" : "higher-order",
+                                       " element, of type ", type, ", with nodes on edges; ", read_corners_instead});
+    core::throw_joined<unsupported>({in_.name, ": the cell at ", places_.place_of_cell(c), " has type ", type,
+                                     "; types from 17 on are not supported, except 42 and elements of second and higher order"});
+  }
+  bool is_high_order(std::size_t c) const { return linear_vtk_type(grid_.types[c]) != grid_.types[c]; }
+
+  /// The number of corners of a cell, which come first among its verts.
+  std::size_t num_corners(std::size_t c) const {
+    const std::size_t n = grid_.cell_ends[c] - grid_.first(c);
+    if (grid_.types[c] == quadratic_polygon) return n / 2;
+    return is_high_order(c) ? size_of_vtk_cell(linear_vtk_type(grid_.types[c])) : n;
   }
 
-  /// The verts of a cell, checked. Errors: parse_error for a point that is not there, or a wrong number of points.
+  /// The verts of a cell, checked, the corners first. Errors: parse_error for a point that is not there, or a wrong number of points.
   const vert_id* verts_of(std::size_t c) {
     const std::size_t first = grid_.first(c), n = grid_.cell_ends[c] - first, expected = size_of_vtk_cell(grid_.types[c]);
     if (expected && n != expected)
       places_.fail_at_cell(c, {expected, " points, for a cell of type ", unsigned{grid_.types[c]}}, {n});
     check_verts(c, first, n);
+    if (is_high_order(c)) add_nodes(c, verts_ + first, n);
     return verts_ + first;
+  }
+  /// Adds the verts of a cell that are no corners to the nodes.
+  [[gnu::noinline, gnu::cold]] void add_nodes(std::size_t c, const vert_id* v, std::size_t n) {
+    const std::size_t corners = num_corners(c);
+    if (grid_.types[c] == quadratic_polygon && n % 2 != 0)
+      places_.fail_at_cell(c, {"an even number of points, for a cell of type ", unsigned{grid_.types[c]}}, {n});
+    if (n < corners) places_.fail_at_cell(c, {"at least ", corners, " points, for a cell of type ", unsigned{grid_.types[c]}}, {n});
+    nodes_.add(v + corners, n - corners);
   }
   /// The number of verts of each cell, if all have the same type and as many verts as that, which are points of the grid; else 0.
   std::size_t common_size() const {
@@ -97,7 +122,7 @@ class vtk_mesh {
   template<class Use>
   void for_each_polygon(std::size_t c, const Use& use) {
     const vert_id* const v = verts_of(c);
-    const std::size_t n = grid_.cell_ends[c] - grid_.first(c);
+    const std::size_t n = num_corners(c);
     if (grid_.types[c] == 8) {
       const vert_id pixel[] = {v[0], v[1], v[3], v[2]};
       use(pixel, 4);
@@ -112,15 +137,21 @@ class vtk_mesh {
       use(v, n);
     }
   }
-  void check_distinct(std::size_t c, const vert_id* v, std::size_t n) {
-    if (const std::size_t k = first_repeated(v, n, scratch_); k != n)
-      places_.fail_at_cell(c, {"different points at the corners of a polygon"}, {"point ", v[k].raw(), " twice"});
+  static constexpr polygon_words words_{"different points at the corners of a polygon", "point "};
+  /// The verts of a face that is listed. Without options.repeated_verts they have to be different; with it, equal neighbours become one.
+  std::vector<vert_id> listed_face(std::size_t c, const vert_id* v, std::size_t n) {
+    std::vector<vert_id> face(v, v + n);
+    const std::size_t k = first_repeated(v, n, scratch_);
+    if (k == n) return face;
+    if (out_.repeated.policy == repeated_verts::refuse) places_.fail_at_cell(c, {words_.different, repeated_verts_hint}, {words_.vert, v[k].raw(), " twice"});
+    face.resize(collapse_verts(face.data(), static_cast<std::uint32_t>(n)));
+    return face;
   }
 
   /// Takes over the verts of all cells, if they are different triangles or quads, as in most files. Returns whether it did.
   bool take_polygons(surface_arrays& s) {
     const std::size_t n = common_size();
-    if ((n != 3 && (n != 4 || grid_.types[0] != 9)) || (in_.wanted.arity && n != in_.wanted.arity)) return false;
+    if (n == 0 || (grid_.types[0] != 5 && grid_.types[0] != 9) || (in_.wanted.arity && n != in_.wanted.arity)) return false;
     bool distinct = true;
     for (const vert_id *v = verts_, *end = v + grid_.verts.size(); v != end; v += n) {
       distinct &= v[0] != v[1] && v[0] != v[2] && v[1] != v[2];
@@ -141,9 +172,9 @@ class vtk_mesh {
     for (std::size_t c = 0; c < grid_.size(); ++c) {
       if (kind_of_vtk_cell(grid_.types[c]) != vtk_kind::polygon) continue;
       for_each_polygon(c, [&](const vert_id* v, std::size_t n) {
-        check_distinct(c, v, n);
-        if (in_.wanted.arity && n != in_.wanted.arity)
-          places_.fail_at_cell(c, {name_of_poly(false, in_.wanted.arity), " (polygonmesh and load_any take any polygon)"}, {"a polygon of ", n, " corners"});
+        check_read_polygon(
+            out_, in_.wanted, v, n, words_, scratch_, [&](core::message expected, core::message found) { places_.fail_at_cell(c, expected, found); },
+            [&] { return poly_cells_.size(); }, [&] { return core::joined({"at ", places_.place_of_cell(c)}); });
         const std::size_t first = s.verts.size();
         for (std::size_t i = 0; i < n; ++i) s.verts.push_back(v[i]);
         if (s.verts.size() > max_ids) core::throw_joined<unsupported>({in_.name, ": more than ", max_ids, " corners"});
@@ -162,6 +193,7 @@ class vtk_mesh {
       return built->finish(out_);
     }
     basic_cell_builder<Contents> cells(in_, grid_.points, 0);
+    swap_orders();
     if (has_one_shape()) {
       const std::size_t n = grid_.size(), added = cells.add_all_cells(shape_of_vtk_cell(grid_.types[0]), std::move(grid_.verts));
       if (added != n) places_.fail_at_cell(added, {cells.expected}, {cells.found});
@@ -182,14 +214,20 @@ class vtk_mesh {
 
   /// Whether all cells are tets, or hexes, and so on, and none has a wrong vert.
   bool has_one_shape() {
-    return identity_ = common_size() && shape_of_vtk_cell(grid_.types[0]) != cell_shape::general && grid_.types[0] != 11;
+    return identity_ = common_size() && shape_of_vtk_cell(grid_.types[0]) != cell_shape::general;
   }
   /// Whether all cells are listed as cell_builder does it: tets, hexes, prisms, pyramids, and polyhedra unless these have to become tets or hexes.
   bool lists_as_builder() const {
+    if (out_.repeated.policy != repeated_verts::refuse) return false;  // the builder may change the lists
     const bool takes_polyhedra = in_.wanted.polyhedra || !in_.wanted.cells;
     for (const std::uint8_t t : grid_.types)
-      if (t == vtk_polyhedron ? !takes_polyhedra : shape_of_vtk_cell(t) == cell_shape::general || t == 11) return false;
+      if (t == vtk_polyhedron ? !takes_polyhedra : shape_of_vtk_cell(t) == cell_shape::general) return false;
     return true;
+  }
+  /// Puts the verts of all cells into the standard order. Cells of a wrong number of verts stay as they are: they are rejected later.
+  void swap_orders() {
+    for (std::size_t c = 0; c < grid_.size(); ++c)
+      if (grid_.cell_ends[c] - grid_.first(c) == size_of_vtk_cell(grid_.types[c])) swap_vtk_order(grid_.types[c], grid_.verts.data() + grid_.first(c));
   }
   template<class Builder>
   bool add_taken(Builder& cells, std::size_t c) {
@@ -201,9 +239,9 @@ class vtk_mesh {
   /// Checks the polygons of a cell, and lists them as faces.
   void list_faces(std::size_t c, bool listed) {
     for_each_polygon(c, [&](const vert_id* v, std::size_t n) {
-      check_distinct(c, v, n);
+      const std::vector<vert_id> face = listed_face(c, v, n);
       if (!listed) return;
-      out_.faces.verts.insert(out_.faces.verts.end(), v, v + n);
+      out_.faces.verts.insert(out_.faces.verts.end(), face.begin(), face.end());
       out_.faces.end_element();
       face_cells_.push_back(static_cast<std::uint32_t>(c));
     });
@@ -211,12 +249,14 @@ class vtk_mesh {
 
   template<class Builder>
   bool add_cell(Builder& cells, std::size_t c) {
-    const unsigned type = grid_.types[c];
+    const unsigned type = linear_vtk_type(grid_.types[c]);
     if (type == vtk_polyhedron) return add_polyhedron(cells, c);
     const vert_id* const v = verts_of(c);
     if (type == 15 || type == 16) {
       const std::size_t n = type == 15 ? 5 : 6;
-      cells.add_face(v, n);
+      vert_id base[6];
+      std::reverse_copy(v, v + n, base);
+      cells.add_face(base, n);
       cells.add_face(v + n, n);
       for (std::size_t i = 0; i < n; ++i) {
         const vert_id quad[] = {v[i], v[(i + 1) % n], v[n + (i + 1) % n], v[n + i]};
@@ -224,9 +264,7 @@ class vtk_mesh {
       }
       return cells.end_polyhedron();
     }
-    if (type != 11) return cells.add_cell(shape_of_vtk_cell(type), v);
-    const vert_id voxel[] = {v[0], v[1], v[3], v[2], v[4], v[5], v[7], v[6]};
-    return cells.add_cell(cell_shape::hex, voxel);
+    return cells.add_cell(shape_of_vtk_cell(type), v);
   }
 
   /// Checks the list of the faces of a polyhedron.

@@ -65,9 +65,11 @@ class vtk_cell_list {
     }
     verts_.resize(first);
     make_canonical(shape, known.cell);
-    verts_.insert(verts_.end(), known.cell, known.cell + standard_cell_of(shape).num_verts);
     constexpr std::uint8_t types[] = {10, 12, 13, 14};
-    end_cell(c, types[static_cast<unsigned>(shape)]);
+    const unsigned type = types[static_cast<unsigned>(shape)];
+    swap_vtk_order(type, known.cell);
+    verts_.insert(verts_.end(), known.cell, known.cell + standard_cell_of(shape).num_verts);
+    end_cell(c, type);
   }
 
  public:

@@ -125,7 +125,7 @@ class vtk_xml_cells : public vtk_xml_data {
   [[gnu::noinline, gnu::cold]] void polydata_cells(std::size_t p, unsigned list) {
     const std::uint64_t n = index_.pieces[p].lists[list];
     if (n == 0) return;
-    constexpr std::uint8_t types[] = {2, 4, 6, 7};
+    constexpr std::uint8_t types[] = {2, 4, 7, 6};
     const auto part = static_cast<vtk_xml_part>(list);
     if (n > max_ids || grid_.size() + n > max_ids) fail_to_count("cells");
     const std::uint32_t verts = add_ends(need(p, part, "offsets"), n);

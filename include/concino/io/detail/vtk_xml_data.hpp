@@ -26,8 +26,9 @@ class vtk_xml_data : public vtk_xml_bytes {
     open(a);
     if (n > max_count * 16 || bytes_ != n * size) fail_array(a, {n, " numbers of ", size, " bytes"}, {bytes_, " bytes"});
   }
-  /// How many numbers an array has. Needs: it is not text.
+  /// How many numbers an array has; if it is text, how many words.
   std::uint64_t count_numbers(const vtk_xml_array& a) {
+    if (a.format == "ascii") return count_words(a);
     if (is_empty(a)) return 0;
     open(a);
     return bytes_ / vtk_names_of(a.type).size;
@@ -82,6 +83,15 @@ class vtk_xml_data : public vtk_xml_bytes {
   }
 
  private:
+  static std::uint64_t count_words(const vtk_xml_array& a) {
+    std::uint64_t n = 0;
+    bool in_word = false;
+    for (const char* c = a.begin; c != a.end; ++c) {
+      n += !is_space(*c) && !in_word;
+      in_word = !is_space(*c);
+    }
+    return n;
+  }
   /// Moves to the numbers of an array that is text.
   void begin_text(const vtk_xml_array& a) {
     token_cursor& here = *this;

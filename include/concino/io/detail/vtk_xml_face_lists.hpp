@@ -30,20 +30,9 @@ class vtk_xml_face_lists : public vtk_xml_reader {
     }
     check_poly_corners(corners, num_verts, cell_faces.size(), core::joined({in_.name, ": "}));
   }
-  /// The number of integers in an array of any length.
-  std::uint64_t length_of(const vtk_xml_array& a) {
-    if (a.format != "ascii") return count_numbers(a);
-    std::uint64_t n = 0;
-    bool in_word = false;
-    for (const char* c = a.begin; c != a.end; ++c) {
-      n += !is_space(*c) && !in_word;
-      in_word = !is_space(*c);
-    }
-    return n;
-  }
   std::vector<std::int64_t> integers(const vtk_xml_array& a) {
     std::vector<std::int64_t> all;
-    const std::uint64_t n = length_of(a);
+    const std::uint64_t n = count_numbers(a);
     require_numbers(a, n);
     core::reserve_large(all, n);
     core::request_pages(all.data(), n * sizeof all[0]);
@@ -52,7 +41,7 @@ class vtk_xml_face_lists : public vtk_xml_reader {
   }
   /// Appends the integers of an array to the verts of the grid.
   id_list append_ids(const vtk_xml_array& a) {
-    const std::uint64_t n = length_of(a);
+    const std::uint64_t n = count_numbers(a);
     require_numbers(a, n);
     id_list list;
     core::reserve_large(grid_.verts, grid_.verts.size() + n);

@@ -25,7 +25,7 @@ class vtk_xml_volume_reader : public vtk_xml_face_lists<vert_id> {
     has_faces_ = grid_.has_checked_faces = true;
     std::uint32_t* const ends = grid_.cell_ends.data() + first_cell_[p];
     const std::size_t num_cells = grid_.size() - first_cell_[p];
-    const std::vector<vert_id> others(grid_.verts.begin() + static_cast<std::ptrdiff_t>(first), grid_.verts.end());
+    std::vector<vert_id> others(grid_.verts.begin() + static_cast<std::ptrdiff_t>(first), grid_.verts.end());
     const auto part = vtk_xml_part::cells;
     const bool is_new = !find(p, part, "faces");
     const vtk_xml_array& faces = need(p, part, is_new && find(p, part, "polyhedron_to_faces") ? "polyhedron_to_faces" : "faces");
@@ -80,20 +80,20 @@ class vtk_xml_volume_reader : public vtk_xml_face_lists<vert_id> {
     for (const vtk_xml_entry& e : index_.entries)
       if (e.part == vtk_xml_part::of_cells && e.array.name == "vtkGhostType") return false;
     for (const std::uint8_t t : grid_.types)
-      if (t != vtk_polyhedron && (shape_of_vtk_cell(t) == cell_shape::general || t == 11)) return false;
+      if (t != vtk_polyhedron && shape_of_vtk_cell(t) == cell_shape::general) return false;
     return true;
   }
-  /// Builds all cells, each while its faces are in the cache. `others` has the verts of cells that are no polyhedra.
-  void build_cells(std::size_t p, const vtk_xml_array& faces, const std::vector<vert_id>& others) {
+  /// Builds all cells, each while its faces are in the cache. `others` has the verts of cells that are no polyhedra, which get the standard order.
+  void build_cells(std::size_t p, const vtk_xml_array& faces, std::vector<vert_id>& others) {
     const std::vector<std::int64_t> ends = integers(need(p, vtk_xml_part::cells, "faceoffsets"));
-    const std::uint64_t size = length_of(faces);
+    const std::uint64_t size = count_numbers(faces);
     require_numbers(faces, size);
     if (ends.size() < grid_.size()) fail_array(faces, {"an end for each of ", grid_.size(), " cells"}, {ends.size()});
     const auto cells = std::make_shared<basic_cell_builder<Contents>>(in_, grid_.points, 0);
     grid_.cell_builder = cells;
     cells->expect_numbers(size + others.size());
     std::size_t c = 0, at_list = 0;            // the next cell, and where its list begins
-    const vert_id* other = others.data();
+    vert_id* other = others.data();
     std::vector<vert_id> part;                 // of the list, from there on
     id_list list;
     const auto add_cells = [&] {
@@ -122,10 +122,11 @@ class vtk_xml_volume_reader : public vtk_xml_face_lists<vert_id> {
       add_cells();
     });
   }
-  /// The verts of a cell that is no polyhedron. Errors: parse_error if it has another number of verts than its type.
-  const vert_id* other_cell(std::size_t c, const vert_id*& other) {
+  /// The verts of a cell that is no polyhedron, in the standard order. Errors: parse_error if it has another number of verts than its type.
+  const vert_id* other_cell(std::size_t c, vert_id*& other) {
     const std::size_t n = grid_.cell_ends[c] - grid_.first(c), expected = size_of_vtk_cell(grid_.types[c]);
     if (n != expected) this->fail_at_cell(c, {expected, " points, for a cell of type ", unsigned{grid_.types[c]}}, {n});
+    swap_vtk_order(grid_.types[c], other);
     return std::exchange(other, other + n);
   }
   /// The same from lists of faces and of their verts.

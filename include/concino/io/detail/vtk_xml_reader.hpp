@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/io/detail/name_runs.hpp>
+#include <concino/io/detail/vtk_pieces.hpp>
 #include <concino/io/detail/vtk_xml_cells.hpp>
 
 #include <algorithm>
@@ -9,7 +10,7 @@
 
 namespace concino::detail {
 
-/// Reads the points and cells of all pieces, then their arrays. Points of different pieces at the same place become one.
+/// Reads the points and cells of all pieces, then their arrays. Points of different pieces at the same place with the same values become one.
 class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
   load_report& report_;
   std::vector<std::uint32_t> kept_cells_;              // without ghosts; empty: all
@@ -32,6 +33,7 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
     first_cell_.push_back(grid_.size());
     columns();
     if (index_.num_texts) report_.skipped.push_back(core::joined({index_.num_texts, " arrays of texts"}));
+    for (const std::string& name : index_.bit_arrays) report_.skipped.push_back(core::joined({"array \"", name, "\" of bits"}));
     merge_pieces();
     drop_ghosts();
     if (!grid_.points.empty()) grid_.largest = static_cast<std::uint32_t>(grid_.points.size() - 1);  // all verts were compared with it
@@ -65,7 +67,7 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
       vtk_xml_entry& e = index_.entries[i];
       if (e.part != vtk_xml_part::of_points && e.part != vtk_xml_part::of_cells && e.part != vtk_xml_part::of_mesh) continue;
       if (e.part == vtk_xml_part::of_mesh) e.piece = 0;
-      const std::size_t k = names.add(core::joined({static_cast<char>('0' + static_cast<int>(e.part)), e.array.name}));
+      const std::size_t k = number_of_name(names, e, [&](std::size_t known) { return known < last.size() && index_.entries[last[known]].piece == e.piece; });
       const auto here = static_cast<std::uint32_t>(i);
       if (k == first.size()) {
         first.push_back(here), last.push_back(here);
@@ -75,6 +77,19 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
       }
     }
     for (const std::uint32_t i : first) column(index_.entries[i]);
+  }
+  /// The number of the name of an array. If the piece has an array of that name already, this one gets another name.
+  template<class IsTaken>
+  std::size_t number_of_name(name_table& names, vtk_xml_entry& e, const IsTaken& is_taken) {
+    const std::string given = e.array.name;
+    for (unsigned n = 2;; ++n) {
+      const std::size_t k = names.add(core::joined({static_cast<char>('0' + static_cast<int>(e.part)), e.array.name}));
+      if (!is_taken(k)) {
+        if (n > 2) report_.notes.push_back(core::joined({"another array \"", given, "\" is the property \"", e.array.name, "\""}));
+        return k;
+      }
+      e.array.name = core::joined({given, "_", n});
+    }
   }
   const vtk_xml_entry* next(const vtk_xml_entry* e) const { return e->next == ~0u ? nullptr : &index_.entries[e->next]; }
 
@@ -104,7 +119,8 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
     }
     const std::size_t total = kind == element_kind::mesh ? 1 : first.back();
     if (!fits || num_values != total) return skip_column(array_name, one.components);
-    for (const vtk_xml_entry* e = &start; e; e = next(e)) require_numbers(e->array, count(e->piece) * one.components);
+    for (const vtk_xml_entry* e = &start; e; e = next(e))
+      if (!has_numbers(e->array, kind, count(e->piece))) return;
     if (property != array_name) report_.notes.push_back(core::joined({"the array \"", array_name, "\" is the property \"", property, "\""}));
     const std::shared_ptr<detail::column> values = make_column(*type, total);
     auto* to = static_cast<unsigned char*>(values->data());
@@ -116,6 +132,14 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
     if (!is_ghost_array) grid_.columns.push_back({kind, property, values});
     else if (kind == element_kind::poly) is_ghost_ = values;
   }
+  /// Whether an array has a value for each of n elements. Reports it as skipped if not.
+  [[gnu::noinline, gnu::cold]] bool has_numbers(const vtk_xml_array& a, element_kind kind, std::uint64_t n) {
+    const std::uint64_t found = count_numbers(a), needed = n * a.components;
+    if (found == needed || n == 0) return true;
+    const std::string elements = kind == element_kind::mesh ? "the mesh needs" : core::joined({n, kind == element_kind::vert ? " points" : " cells", " need"});
+    report_.skipped.push_back(core::joined({"array \"", a.name, "\" of ", found, " numbers, where ", elements, " ", needed}));
+    return false;
+  }
   void read_column(const vtk_xml_array& a, std::uint64_t n, bool as_doubles, unsigned char* to) {
     if (!as_doubles || a.type == vtk_number::float64) return read_array(a, n, to);
     for_each_part<double>(a, n, [&](const double* values, std::size_t k) {
@@ -124,49 +148,23 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
     });
   }
 
-  /// Gives points of different pieces at the same place one number.
+  /// Gives points of different pieces at the same place, with the same values, one number.
   [[gnu::noinline, gnu::cold]] void merge_pieces() {
     if (index_.pieces.size() < 2) return;
     const std::size_t n = grid_.points.size();
-    std::vector<std::uint32_t> number(n), kept, table(std::bit_ceil(2 * n + 1), ~0u);
-    const auto slot_of = [&](const vec3& x) {
-      std::uint64_t h = 0;
-      const double parts[] = {x.x + 0.0, x.y + 0.0, x.z + 0.0};
-      for (const double part : parts) {
-        h = (h ^ std::bit_cast<std::uint64_t>(part)) * 0x9e3779b97f4a7c15u;
-        h ^= h >> 29;
-      }
-      return h & (table.size() - 1);
-    };
-    std::vector<std::uint32_t> added, last_piece;  // the last piece of which a point became each kept point
-    for (std::size_t p = 0; p + 1 < first_point_.size(); ++p) {
-      added.clear();
-      for (std::size_t i = first_point_[p]; i < first_point_[p + 1]; ++i) {
-        std::size_t s = slot_of(grid_.points[i]);
-        while (table[s] != ~0u && !(grid_.points[kept[table[s]]] == grid_.points[i])) s = (s + 1) & (table.size() - 1);
-        number[i] = table[s];
-        if (table[s] != ~0u && last_piece[table[s]] != p) {
-          last_piece[table[s]] = static_cast<std::uint32_t>(p);
-          continue;
-        }
-        number[i] = static_cast<std::uint32_t>(kept.size());
-        kept.push_back(static_cast<std::uint32_t>(i));
-        last_piece.push_back(static_cast<std::uint32_t>(p));
-        added.push_back(number[i]);
-      }
-      for (const std::uint32_t k : added) {  // only now, because points of the same piece are different points
-        std::size_t s = slot_of(grid_.points[kept[k]]);
-        while (table[s] != ~0u && !(grid_.points[kept[table[s]]] == grid_.points[kept[k]])) s = (s + 1) & (table.size() - 1);
-        if (table[s] == ~0u) table[s] = k;
-      }
-    }
-    report_.notes.push_back(core::joined({index_.pieces.size(), " pieces were joined: ", n - kept.size(), " points at the place of a point of an earlier piece became that point"}));
-    if (kept.size() == n) return;
-    for (std::size_t c = 0; c < grid_.size(); ++c) renumber(c, number);
-    keep(element_kind::vert, kept);
+    const vtk_point_merger merged(grid_, first_point_);
+    constexpr const char* where = " points at the place of a point of an earlier piece ";
+    report_.notes.push_back(core::joined({index_.pieces.size(), " pieces were joined: ", n - merged.kept.size(), where, "became that point"}));
+    if (merged.num_different)
+      report_.notes.push_back(
+          core::joined({merged.num_different, where, "stayed apart: they have other values, the first one in \"", *merged.different, "\""}));
+    if (merged.num_coincident) report_.notes.push_back(core::joined({merged.num_coincident, where, "stayed apart: a piece has several points there"}));
+    if (merged.kept.size() == n) return;
+    for (std::size_t c = 0; c < grid_.size(); ++c) renumber(c, merged.number);
+    keep(element_kind::vert, merged.kept);
     std::vector<vec3> points;
-    points.reserve(kept.size());
-    for (const std::uint32_t i : kept) points.push_back(grid_.points[i]);
+    points.reserve(merged.kept.size());
+    for (const std::uint32_t i : merged.kept) points.push_back(grid_.points[i]);
     grid_.points = std::move(points);
   }
   void renumber(std::size_t c, const std::vector<std::uint32_t>& number) {

@@ -7,12 +7,12 @@
 namespace concino::detail {
 
 /// The parts of a piece. The order of lists of cells is that of their values.
-enum class vtk_xml_part : std::uint8_t { verts, lines, strips, polys, cells, points, of_points, of_cells, of_mesh, none };
+enum class vtk_xml_part : std::uint8_t { verts, lines, polys, strips, cells, points, of_points, of_cells, of_mesh, none };
 
 struct vtk_xml_piece {
   const char* at = nullptr;
   std::uint64_t points = 0, cells = 0;   // of an UnstructuredGrid
-  std::uint64_t lists[4] = {};           // of PolyData: the numbers of verts, lines, strips, polys
+  std::uint64_t lists[4] = {};           // of PolyData: the numbers of verts, lines, polys, strips
   std::size_t first_entry = 0;           // of its arrays
 };
 
@@ -31,6 +31,7 @@ struct vtk_xml_index {
   std::vector<vtk_xml_piece> pieces;
   std::vector<vtk_xml_entry> entries;
   std::uint64_t num_texts = 0;           // arrays of texts
+  std::vector<std::string> bit_arrays;   // the names of arrays of bits
   std::string normals, textures;         // the arrays that are named as such, of the first piece
 };
 
@@ -112,7 +113,7 @@ class vtk_xml_tags : xml_scanner {
   }
 
   static vtk_xml_part part_of(std::string_view name) {
-    constexpr std::string_view names[] = {"Verts", "Lines", "Strips", "Polys", "Cells", "Points", "PointData", "CellData", "FieldData"};
+    constexpr std::string_view names[] = {"Verts", "Lines", "Polys", "Strips", "Cells", "Points", "PointData", "CellData", "FieldData"};
     for (unsigned i = 0; i < std::size(names); ++i)
       if (names[i] == name) return static_cast<vtk_xml_part>(i);
     return vtk_xml_part::none;
@@ -128,7 +129,7 @@ class vtk_xml_tags : xml_scanner {
       piece.first_entry = index_.entries.size();
       piece.points = number_of(tag, "NumberOfPoints", 0);
       piece.cells = number_of(tag, "NumberOfCells", 0);
-      constexpr std::string_view lists[] = {"NumberOfVerts", "NumberOfLines", "NumberOfStrips", "NumberOfPolys"};
+      constexpr std::string_view lists[] = {"NumberOfVerts", "NumberOfLines", "NumberOfPolys", "NumberOfStrips"};
       for (unsigned i = 0; i < 4; ++i) piece.lists[i] = number_of(tag, lists[i], 0);
       index_.pieces.push_back(piece);
     } else if (const vtk_xml_part part = part_of(tag.name); part != vtk_xml_part::none) {
@@ -151,6 +152,10 @@ class vtk_xml_tags : xml_scanner {
     a.type = vtk_number_of_xml(type);
     if (tag.name == "Array" || type == "String") {
       ++index_.num_texts;
+      return;
+    }
+    if (type == "Bit") {
+      index_.bit_arrays.push_back(a.name);
       return;
     }
     if (a.type == vtk_number::none) fail(tag.at, {"a type of numbers, such as Float64 or Int32"}, {"'", std::string_view(type).substr(0, 40), "'"});

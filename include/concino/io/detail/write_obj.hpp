@@ -5,6 +5,8 @@
 #include <concino/io/detail/obj_format.hpp>
 #include <concino/io/detail/write_mtl.hpp>
 
+#include <algorithm>
+
 namespace concino::detail {
 
 /// The name of a poly (object, group, material) in the form that a line can hold. Sets `changed` if it differs. Only names that look like labels do so
@@ -108,6 +110,13 @@ class obj_corners {
   }
 };
 
+/// Whether a component is larger than 1. Readers then take whole numbers for components from 0 to 255.
+inline bool has_large_component(const flat_values<rgba>& color, std::size_t num_verts) {
+  for (std::size_t v = 0; v < num_verts; ++v)
+    if (std::max({color[v].r, color[v].g, color[v].b}) > 1) return true;
+  return false;
+}
+
 }  // namespace concino::detail
 
 namespace concino {
@@ -131,12 +140,11 @@ inline void obj_format::write(write_context& c, flat_mesh& m) {
     c.companions = std::move(library_file);
   }
   detail::mtl_names material(c, library, m.poly_values<std::string>("material"), m.poly_values<rgba>("color"), m.mesh_value<material_table>("materials"));
-  if (material.any()) {
-    for (std::size_t p = 0; p < m.num_polys; ++p) material.register_poly(p);
-    for (std::size_t p = 0; p < m.num_polys; ++p) material.assign_material(p);
-  }
+  for (std::size_t p = 0; material.any() && p < m.num_polys; ++p) material.register_poly(p);
+  for (std::size_t p = 0; material.any() && p < m.num_polys; ++p) material.assign_material(p);
   material.end();
   bool transparent = false;
+  const bool has_large = vert_color && detail::has_large_component(vert_color, m.points.size());
   for (std::size_t v = 0; v < m.points.size(); ++v) {
     c.out << "v ";
     detail::write_point(c.out, m.points[v]);
@@ -145,7 +153,7 @@ inline void obj_format::write(write_context& c, flat_mesh& m) {
       transparent = transparent || x.a != 1;
       for (const float part : {x.r, x.g, x.b}) {
         c.out << ' ';
-        detail::write_part(c.out, c.finite(part), false);
+        detail::write_part(c.out, c.finite(part), has_large);
       }
     }
     c.out << '\n';

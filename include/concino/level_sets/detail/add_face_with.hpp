@@ -23,20 +23,11 @@ bool are_corners(const Verts& verts, const std::vector<vert_t<M>>& corners) {
 /// Adds the face of tet p that has these corners to a list, and returns true, if there is one.
 template<class M>
 bool add_face_of_tet(const M& m, const poly_t<M>& p, const std::vector<vert_t<M>>& corners, std::vector<face_t<M>>& to) {
-  std::size_t met = 0, opposite = 0, k = 0;
-  for (const vert_t<M> v : adj_p2v(m, p)) {
-    const bool is_corner = v == corners[0] || v == corners[1] || v == corners[2];
-    met += is_corner;
-    opposite = is_corner ? opposite : k;
-    ++k;
-  }
+  std::size_t met = 0;
+  for (const vert_t<M> v : adj_p2v(m, p)) met += v == corners[0] || v == corners[1] || v == corners[2];
   if (met != 3) return false;
   for (const face_t<M> f : adj_p2f(m, p)) {
-    if constexpr (lists_faces_in_order<M>) {  // the last face is opposite to the first vert, and no face is read
-      if (opposite++ < 3) continue;
-    } else {
-      if (!are_corners<M>(adj_f2v(m, f), corners)) continue;
-    }
+    if (!are_corners<M>(adj_f2v(m, f), corners)) continue;
     to.push_back(f);
     return true;
   }

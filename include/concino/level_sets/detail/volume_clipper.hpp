@@ -4,6 +4,7 @@
 #include <concino/concepts/end_verts.hpp>
 #include <concino/core/large_pages.hpp>
 #include <concino/core/parallel.hpp>
+#include <concino/core/precompiled.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/level_sets/clip_options.hpp>
 #include <concino/level_sets/detail/clip_edges.hpp>
@@ -21,7 +22,7 @@ namespace concino::detail {
 
 /// Whether M is stored as a polyhedralmesh is, so that lists of its tables can be copied.
 template<class M>
-concept has_polyhedra_tables = requires(const M& m) { { traits<M>::tables(m) } -> std::same_as<const polyhedra_tables&>; };
+concept has_polyhedra_tables = core::is_native<M> && requires(const M& m) { { traits<M>::tables(m) } -> std::same_as<const polyhedra_tables&>; };
 
 /// The polys of the result are those that are kept whole, in the order of m, and then parts of polys. Likewise faces.
 template<class M, class U>

@@ -8,6 +8,7 @@
 #include <concino/core/parallel.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/geometry/centroid.hpp>
+#include <concino/geometry/lowest_element.hpp>
 #include <concino/lines/detail/surface_line_walker.hpp>
 #include <concino/lines/detail/volume_line_walker.hpp>
 
@@ -166,31 +167,12 @@ class field_follower {
   }
 
  private:
-  template<class X>
-  void check(const X& x, const char* kind) const {
-    if (!contains(*m_, x)) core::throw_joined<invalid_mesh>({caller_, ": the start, ", kind, ' ', index_of(*m_, x), ", is no ", kind, " of the mesh"});
-  }
-  mesh_point<M> place_of(const vert_t<M>& v) const {
-    check(v, "vert");
-    return {v, to_vec3(point(*m_, v))};
-  }
+  mesh_point<M> place_of(const vert_t<M>& v) const { return place_of(mesh_point<M>{v, {}}); }
   mesh_point<M> place_of(const poly_t<M>& p) const {
-    check(p, "poly");
-    return {p, centroid(*m_, p)};
+    if (!contains(*m_, p)) return place_of(mesh_point<M>{p, {}});
+    return nearest_place(*m_, p, centroid(*m_, p), caller_);
   }
-  mesh_point<M> place_of(const mesh_point<M>& x) const {
-    if (const auto* v = std::get_if<vert_t<M>>(&x.element)) return place_of(*v);
-    if (const auto* e = std::get_if<edge_point<M>>(&x.element)) {
-      check(e->edge, "edge");
-      if (!(e->parameter >= 0 && e->parameter <= 1)) core::throw_joined<invalid_argument>({caller_, ": the start is on an edge, but its parameter is not in [0, 1]"});
-      const auto [a, b] = end_verts(*m_, e->edge);
-      const vec3 p = to_vec3(point(*m_, a)), q = to_vec3(point(*m_, b));
-      return {*e, p + e->parameter * (q - p)};
-    }
-    if (!is_finite(x.position)) core::throw_joined<invalid_argument>({caller_, ": the position of the start is not finite"});
-    if (const auto* p = std::get_if<poly_t<M>>(&x.element)) check(*p, "poly");
-    return x;
-  }
+  mesh_point<M> place_of(const mesh_point<M>& x) const { return lowest_element_of(*m_, x, caller_, "start"); }
 
   /// A line that is followed by steps, in turn with others: while memory for the one is on its way, the others go on. Its memory grows with the lines, and
   /// what is returned is copied from it.

@@ -20,6 +20,7 @@ namespace concino::detail {
 /// Finds the first triangle of a geodesic. State with side -1: the direction leads out of the surface.
 template<SurfaceMesh M>
 class geodesic_start {
+  static constexpr double nearly_along = 1e-12;  // directions along the boundary do not lead out because of rounding
   const M& m_;
   const geodesic_surface<M>& s_;
   const char* caller_;
@@ -46,7 +47,6 @@ class geodesic_start {
   };
 
   nearest_direction nearest_to(std::size_t v, const vec3& d) const {
-    constexpr double tolerance = 1e-12;  // directions along the boundary do not lead out because of rounding
     nearest_direction best;
     for (int k = triangles().first_corner[v]; k < triangles().first_corner[v + 1]; ++k) {
       const int c = triangles().corner[static_cast<std::size_t>(k)];
@@ -60,7 +60,7 @@ class geodesic_start {
       const int side = is_before ? c : core::unfolded_triangles::previous(c);
       const double beyond = std::remainder(wanted - turn, 2 * std::numbers::pi);
       best = {{c, 0, 0, cosine, sine, walk_state::place::at_start}, along, false};
-      best.leads_out = triangles().twin[static_cast<std::size_t>(side)] == side && std::abs(beyond) > tolerance && std::hypot(x, y) > tolerance;
+      best.leads_out = triangles().twin[static_cast<std::size_t>(side)] == side && std::abs(beyond) > nearly_along && std::hypot(x, y) > nearly_along;
     }
     return best;
   }
@@ -138,7 +138,7 @@ class geodesic_start {
       }
     const vec3 x = s_.axes(best)[0];
     const double along = is_along(e.edge, best) ? dot(d, x) : -dot(d, x);
-    if (sides.size() == 1 && into < 0) return {};
+    if (sides.size() == 1 && into < -nearly_along * norm(d)) return {};
     if (along == 0 && !(into > 0)) throw_perpendicular();
     return on_edge(e, best, along, std::max(into, 0.0));
   }
@@ -184,26 +184,40 @@ class geodesic_start {
     return (d.x / norm(x)) * x + (d.y / norm(y)) * y;
   }
 
+  vec3 in_space(const edge_t<M>& e, const tangent_vector& d) const {
+    const int side = incidences_of(e)[0];
+    const auto axis = s_.axes(side);
+    return (is_along(e, side) ? d.x : -d.x) * axis[0] + d.y * axis[1];
+  }
+
+  /// From a vert or an edge of p, by a direction in the plane of p. Over an edge it leads as if the other poly lay in that plane.
+  walk_state from_frame_of(const poly_t<M>& p, const mesh_point<M>& start, const vec3& d) const {
+    if (const auto* v = std::get_if<vert_t<M>>(&start.element)) return from(*v, d);
+    const auto& e = std::get<edge_point<M>>(start.element);
+    std::vector<int> sides = incidences_of(e.edge);
+    std::stable_partition(sides.begin(), sides.end(), [&](int side) { return s_.poly_of(side) == p; });
+    const auto axis = s_.axes(sides[0]);
+    const double along = is_along(e.edge, sides[0]) ? dot(d, axis[0]) : -dot(d, axis[0]), into = dot(d, axis[1]);
+    if (into >= -nearly_along * norm(d)) return on_edge(e, sides[0], along, std::max(into, 0.0));
+    return sides.size() == 2 ? on_edge(e, sides[1], along, -into) : walk_state();
+  }
+
  public:
   geodesic_start(const M& m, const geodesic_surface<M>& surface, const char* caller) : m_(m), s_(surface), caller_(caller) {}
 
-  /// Direction: a tangent_vector or a vec3, not 0.
-  /// Errors: invalid_mesh if the element of the start is not one of the mesh; invalid_argument if its position is not on the element, or the
-  ///         direction is perpendicular to the surface; unsupported if the frame of a vert has no angles.
+  /// Direction: a tangent_vector or a vec3, not 0; a tangent_vector is in the frame of the element of `given`. start: the lowest element of `given`.
+  /// Errors: invalid_argument if the direction is perpendicular to the surface; unsupported if the frame of a vert has no angles.
   template<class Direction>
-  walk_state operator()(const mesh_point<M>& start, const Direction& d) const {
-    if (const auto* v = std::get_if<vert_t<M>>(&start.element)) {
-      if (!contains(m_, *v)) core::throw_joined<invalid_mesh>({caller_, ": the start is not a vert of the mesh; take it from verts(m)"});
-      return from(*v, d);
+  walk_state operator()(const mesh_point<M>& start, const Direction& d, const mesh_point<M>& given) const {
+    if constexpr (std::is_same_v<Direction, tangent_vector>) {
+      if (start.element.index() != given.element.index()) {
+        if (const auto* p = std::get_if<poly_t<M>>(&given.element)) return from_frame_of(*p, start, in_space(*p, d));
+        return from(std::get<vert_t<M>>(start.element), in_space(std::get<edge_point<M>>(given.element).edge, d));
+      }
     }
-    if (const auto* e = std::get_if<edge_point<M>>(&start.element)) {
-      if (!contains(m_, e->edge)) core::throw_joined<invalid_mesh>({caller_, ": the start is not on an edge of the mesh; take it from edges(m)"});
-      if (!(e->parameter >= 0 && e->parameter <= 1)) core::throw_joined<invalid_argument>({caller_, ": the parameter of the start on its edge is not between 0 and 1"});
-      return from(*e, d);
-    }
+    if (const auto* v = std::get_if<vert_t<M>>(&start.element)) return from(*v, d);
+    if (const auto* e = std::get_if<edge_point<M>>(&start.element)) return from(*e, d);
     const poly_t<M>& p = std::get<poly_t<M>>(start.element);
-    if (!contains(m_, p)) core::throw_joined<invalid_mesh>({caller_, ": the start is not in a poly of the mesh; take it from polys(m)"});
-    if (!is_finite(start.position)) core::throw_joined<invalid_argument>({caller_, ": the position of the start is not finite"});
     if constexpr (std::is_same_v<Direction, tangent_vector>) return inside(p, start.position, in_space(p, d));
     else return inside(p, start.position, d);
   }

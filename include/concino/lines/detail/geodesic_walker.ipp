@@ -89,17 +89,23 @@ class straight_walk {
     return false;
   }
 
-  /// Goes on through a vert with equal angles on both sides. Returns whether that is possible.
+  /// Goes on through a vert with equal angles on both sides; at the boundary, with half a turn on the side of the surface. Returns whether that is possible.
   bool pass_vert(const crossing& c) {
     const int corner = c.along < 0.5 ? c.side : core::unfolded_triangles::next(c.side);
     const auto i = static_cast<std::size_t>(t_.start(corner));
     result_.stops.push_back({t_.start(corner), -1, 0, 0, false});
     if (t_.around[i] == core::unfolded_triangles::vert_fan::other) return stop(line_end::non_manifold);
-    if (t_.around[i] == core::unfolded_triangles::vert_fan::open_fan) return stop(line_end::boundary);
     // The angle from the side to the way back, which is on the other side of the crossed edge's normal.
     const double along_way_back = c.along < 0.5 ? -c.direction_along : c.direction_along;
     const double from_edge = std::clamp(std::atan2(c.direction_out, along_way_back), 0.0, t_.angle[static_cast<std::size_t>(corner)]);
     const double back = t_.fan_angle(corner, c.along < 0.5 ? from_edge : t_.angle[static_cast<std::size_t>(corner)] - from_edge);
+    if (t_.around[i] == core::unfolded_triangles::vert_fan::open_fan) {
+      constexpr double pi = std::numbers::pi, tolerance = 1e-12;
+      const double whole = t_.whole_turn[i], left = back + pi, right = back - pi;
+      if (left > whole + tolerance && right < -tolerance) return stop(line_end::boundary);
+      at_ = leave_vert(t_, static_cast<int>(i), left <= whole + tolerance ? std::min(left, whole) : std::max(right, 0.0), whole + 2 * pi);
+      return at_.side >= 0 || stop(line_end::boundary);
+    }
     at_ = leave_vert(t_, static_cast<int>(i), back + t_.whole_turn[i] / 2, t_.whole_turn[i]);
     return at_.side >= 0 || stop(line_end::boundary);
   }

@@ -53,7 +53,8 @@ class line_recorder {
     if (limit_) {
       const double part = limit_(last(), x.position, p);
       if (part < 1) {
-        start({p, last() + part * (x.position - last())});
+        if (part > 0) start({p, last() + part * (x.position - last())});
+        else line_->polys.pop_back();
         line_->length += part * step;
         if (!close_at_start()) stop(line_end::too_close);
         return;
@@ -102,6 +103,11 @@ class line_recorder {
       line_->points.pop_back();
       line_->polys.pop_back();
     }
+    const double step = last_step(), rest = length - (line_->length - step);
+    if (!(rest < step)) return;
+    const vec3 from = at(num_points() - 2), end = from + rest / step * (last() - from);
+    line_->points.back() = {line_->polys.back(), end};
+    line_->length = length;
   }
   double room() const { return max_length_ - line_->length; }
 

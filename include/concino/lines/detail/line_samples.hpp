@@ -1,8 +1,9 @@
-// Points along lines, by cells of a grid, to ask which of them are near a point.
+// Short segments of lines, by cells of a grid, to ask which of them are near a point.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/vec3.hpp>
+#include <concino/geometry/closest_point.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -11,10 +12,10 @@
 
 namespace concino::detail {
 
-/// A point of a line, after `arc` of its length; of a part backwards, minus the length.
+/// A straight segment of a line, whose middle is after `arc` of its length; of a part backwards, minus the length.
 template<class M>
 struct line_sample {
-  vec3 at;
+  vec3 from, to;
   poly_t<M> poly;
   std::size_t line = 0;
   double arc = 0;
@@ -41,13 +42,14 @@ class line_samples {
     return static_cast<std::size_t>((h ^ h >> 29) & (first_.size() - 1));
   }
   void list(std::size_t i) {
-    std::int64_t& head = first_[slot(cell_of(all_[i].sample.at))];
+    const line_sample<M>& s = all_[i].sample;
+    std::int64_t& head = first_[slot(cell_of(s.from + 0.5 * (s.to - s.from)))];
     all_[i].next = head;
     head = static_cast<std::int64_t>(i);
   }
 
  public:
-  /// cell: at least the distances that are asked for.
+  /// cell: at least the distances that are asked for, and half of the length of a segment.
   explicit line_samples(double cell) : cell_(cell) {}
 
   void add(const line_sample<M>& s) {
@@ -66,7 +68,7 @@ class line_samples {
         for (std::int64_t dz = -1; dz <= 1; ++dz)
           for (std::int64_t i = first_[slot({c.x + dx, c.y + dy, c.z + dz})]; i >= 0; i = all_[static_cast<std::size_t>(i)].next) {
             const line_sample<M>& s = all_[static_cast<std::size_t>(i)].sample;
-            if (distance(s.at, x) < radius && is_hit(s)) return true;
+            if (distance(closest_point(x, s.from, s.to), x) < radius && is_hit(s)) return true;
           }
     return false;
   }

@@ -34,7 +34,7 @@ class spaced_lines {
  public:
   spaced_lines(const M& m, const field_reader<M, G>& field, double distance, double test, double min_length, std::size_t max_steps)
       : m_(&m), distance_(distance), test_(test), min_length_(min_length), max_steps_(max_steps), walker_(m, field),
-        sideways_(prepare_trace_geodesic(m)), samples_(distance), visited_(poly_index_bound(m), 0) {}
+        sideways_(prepare_trace_geodesic(m)), samples_(distance + test / 8), visited_(poly_index_bound(m), 0) {}
 
   std::vector<field_line<M>> take() { return std::move(lines_); }
 
@@ -78,28 +78,50 @@ class spaced_lines {
     });
   }
 
+  double longest_sample() const { return test_ / 4; }
+
+  /// Where between a free place and one that is not the free ones end.
+  template<class F>
+  static double last_free(double from, double to, const F& is_free_at) {
+    for (int i = 0; i < 20; ++i) {
+      const double middle = 0.5 * (from + to);
+      (is_free_at(middle) ? from : to) = middle;
+    }
+    return from;
+  }
+
   /// One part of a line. Where it runs straight into itself it goes on for a while, so that it is seen whether it is closed.
   field_line<M> follow(const mesh_point<M>& seed, double sense) {
     field_line<M> line;
-    double arc = 0, next = test_ / 2, met_itself = std::numeric_limits<double>::infinity();
+    double arc = 0, met_itself = std::numeric_limits<double>::infinity();
     const auto limit = [&](const vec3& a, const vec3& b, const poly_t<M>& p) {
       const double step = concino::distance(a, b);
-      for (; arc + step >= next; next += test_ / 2) {
-        const double t = (next - arc) / step;
+      const auto n = static_cast<std::size_t>(std::ceil(step / longest_sample()));
+      bool runs_into_itself = false;
+      const auto of_itself = [&](const line_sample<M>& s, const vec3& x) {
+        const vec3 d = closest_point(x, s.from, s.to) - x, along = (b - a) / step;
+        runs_into_itself = norm(d - dot(d, along) * along) < 0.05 * distance_;
+        return !runs_into_itself;
+      };
+      const auto is_free_at = [&](double t) {
         const vec3 x = a + t * (b - a);
-        bool runs_into_itself = false;
-        const auto of_itself = [&](const line_sample<M>& s) {
-          const vec3 d = s.at - x, along = (b - a) / step;
-          runs_into_itself = norm(d - dot(d, along) * along) < 0.05 * distance_;
-          return !runs_into_itself;
-        };
-        if (!is_free(x, p, test_, sense * next, of_itself)) return t;
-        if (runs_into_itself) {
-          met_itself = std::min(met_itself, next);
-          if (next > met_itself + 2 * distance_) return t;
-        } else {
-          samples_.add({x, p, attempt_, sense * next});
+        return is_free(x, p, test_, sense * (arc + t * step), [&](const line_sample<M>& s) { return of_itself(s, x); });
+      };
+      for (std::size_t k = 0; k < n; ++k) {
+        const double from = static_cast<double>(k) / static_cast<double>(n), to = static_cast<double>(k + 1) / static_cast<double>(n), here = arc + to * step;
+        const auto add_up_to = [&](double t) { samples_.add({a + from * (b - a), a + t * (b - a), p, attempt_, sense * (arc + 0.5 * (from + t) * step)}); };
+        runs_into_itself = false;
+        if (!is_free_at(to)) {
+          const double end = last_free(from, to, is_free_at);
+          add_up_to(end);
+          return end;
         }
+        if (!runs_into_itself) {
+          add_up_to(to);
+          continue;
+        }
+        met_itself = std::min(met_itself, here);
+        if (here > met_itself + 2 * distance_) return to;
       }
       arc += step;
       return 1.0;
@@ -116,9 +138,10 @@ class spaced_lines {
     const auto never = [](const line_sample<M>&) { return false; };
     if (!p || !is_free(seed.position, *p, distance_ * (1 - 1e-9), 0, never)) return;
     is_kept_.push_back(1);
-    samples_.add({seed.position, *p, attempt_, 0});
-    field_line<M> line = follow(seed, 1);
-    if (line.stopped_by != line_end::closed) line = joined(follow(seed, -1), line);
+    samples_.add({seed.position, seed.position, *p, attempt_, 0});
+    const mesh_point<M> start = lowest_element_of(*m_, seed, "evenly_spaced_lines", "seed");
+    field_line<M> line = follow(start, 1);
+    if (line.stopped_by != line_end::closed) line = joined(follow(start, -1), line);
     is_kept_[attempt_] = line.length >= min_length_;
     if (is_kept_[attempt_]) lines_.push_back(std::move(line));
   }

@@ -161,7 +161,6 @@ class surface_line_walker {
     entry_ = step;
     where_ = where::edge;
     core::prefetch(*m_, edge_);
-    if constexpr (finds_polys_from_one<M>) find_other();  // what this reads was requested with the poly
   }
 
   /// Finds the poly behind the edge by which the line leaves.
@@ -180,14 +179,9 @@ class surface_line_walker {
     const triangle_side& out = at();
     to.add(on_edge(edge_, out, place_), out.in.poly);
     if (to.done()) return;
-    if constexpr (!finds_polys_from_one<M>) find_other();
+    find_other();
     if (num_others_ != 1) return to.stop(num_others_ == 0 ? line_end::boundary : line_end::non_manifold);
-    if constexpr (!finds_polys_from_one<M>) {
-      where_ = where::lists;
-    } else {
-      polygon_.request_points(*m_, other_);
-      where_ = where::points;
-    }
+    where_ = where::lists;
   }
 
   void enter_other(line_recorder<M>& to) {

@@ -12,18 +12,13 @@
 
 namespace concino::detail {
 
-/// The face of tet p without v, the vert with this number in adj_p2v(p).
+/// The face of tet p without its vert v.
 template<class M>
-face_t<M> opposite_face(const M& m, const poly_t<M>& p, [[maybe_unused]] const vert_t<M>& v, [[maybe_unused]] std::uint32_t number) {
+face_t<M> opposite_face(const M& m, const poly_t<M>& p, const vert_t<M>& v) {
   std::optional<face_t<M>> found;
-  std::uint32_t k = 0;
   for (const face_t<M> f : adj_p2f(m, p)) {
     bool has_v = false;
-    if constexpr (lists_faces_in_order<M>) {
-      has_v = k++ != 3 - number;
-    } else {
-      for (const vert_t<M> w : adj_f2v(m, f)) has_v |= w == v;
-    }
+    for (const vert_t<M> w : adj_f2v(m, f)) has_v |= w == v;
     if (!has_v) found = f;
   }
   return *found;

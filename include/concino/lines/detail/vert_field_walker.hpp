@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <type_traits>
@@ -95,7 +94,7 @@ class vert_field_walker {
     field_line<M> line;
     line_recorder<M> to(line, length, 10'000);
     direction_.value = d / norm(d);
-    run(straight_, x, 1, to);
+    run(straight_, lowest_element_of(*m_, x, "integral_line", "start"), 1, to);  // a step may end on an edge
     return line;
   }
 
@@ -122,16 +121,11 @@ class vert_field_walker {
   }
   /// A poly at a place, if there is one.
   std::optional<poly_t<M>> poly_at(const mesh_point<M>& x) const {
-    const auto first = [](const auto& list) -> std::optional<poly_t<M>> {
-      for (const poly_t<M> p : list) return p;
-      return {};
-    };
-    return std::visit([&](const auto& y) -> std::optional<poly_t<M>> {
-      if constexpr (requires { y.edge; }) return first(adj_e2p(*m_, y.edge));
-      else if constexpr (std::same_as<decltype(y), const vert_t<M>&>) return first(adj_v2p(*m_, y));
-      else if constexpr (std::same_as<decltype(y), const poly_t<M>&>) return y;
-      else return first(adj_f2p(*m_, y));
-    }, x.element);
+    std::optional<poly_t<M>> first;
+    for_each_poly_at(*m_, x, [&](const poly_t<M>& p) {
+      if (!first) first = p;
+    });
+    return first;
   }
 
   /// The largest distance of a corner of the poly from its first one; 0 at verts and edges without polys.

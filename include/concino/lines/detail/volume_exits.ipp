@@ -104,25 +104,42 @@ class volume_exit_search {
     return true;
   }
 
-  /// For a cone that is not convex: counts the triangles that the arc from g to the middle of one of them crosses.
+  bool is_on_triangle(const incident_triangle& t, const vec3& g) const {
+    if (side_of_line(g, t.a, t.b, from_).sign != 0) return false;
+    const vec3 normal = cross(t.a - from_, t.b - from_);
+    const int a = side_in_plane(g, t.a, normal, from_).sign, b = side_in_plane(g, t.b, normal, from_).sign;
+    return a <= 0 && b >= 0 && a != b;
+  }
+
+  /// Of a cone, the triangle to whose plane g is the least parallel.
+  const incident_triangle& steepest_triangle(const incident_cell& c) const {
+    const auto slope = [&](const incident_triangle& t) {
+      const double n = norm(cross(t.a - from_, t.b - from_));
+      return n > 0 ? std::abs(side_of_line(c.field, t.a, t.b, from_).value) / n : 0;
+    };
+    return *std::max_element(c.triangles.begin(), c.triangles.end(), [&](const auto& t, const auto& u) { return slope(t) < slope(u); });
+  }
+
+  /// For a cone that is not convex: counts the triangles that the arc from g to the middle of one of them crosses. g may lie in the planes of others.
   bool is_in_cone(const incident_cell& c) const {
     const vec3& g = c.field;
-    const incident_triangle& first = c.triangles[0];
+    for (const incident_triangle& t : c.triangles)
+      if (is_on_triangle(t, g)) return false;
+    const incident_triangle& first = steepest_triangle(c);
     const vec3 middle = (first.a - from_) / norm(first.a - from_) + (first.b - from_) / norm(first.b - from_), normal = cross(g, middle);
     const auto height = [&](const vec3& p) { return dot(normal, p - from_); };
     std::size_t crossed = 0;
-    const int from_outside = side_of_line(g, first.a, first.b, from_).sign;
-    if (from_outside == 0) return false;
     for (const incident_triangle& t : c.triangles) {
       if (&t == &first) continue;
-      const int s = side_of_line(g, t.a, t.b, from_).sign;
-      if (s == 0 && leads_along_triangle(t, g)) return false;
       const bool a = height(t.a) >= 0, b = height(t.b) >= 0;
       if (a == b) continue;
-      const vec3 at = height(t.a) * (t.b - from_) - height(t.b) * (t.a - from_), on_arc = height(t.a) - height(t.b) < 0 ? -at : at;
-      if (dot(cross(g, on_arc), normal) > 0 && dot(cross(on_arc, middle), normal) > 0) ++crossed;
+      const vec3 u = t.a - from_, w = t.b - from_;
+      const int s = side_of_line(g, t.a, t.b, from_).sign;
+      if (!(s * dot(cross(u, w), middle) < 0)) continue;  // its plane does not separate g and the middle
+      const vec3 at = height(t.a) * w - height(t.b) * u, on_arc = height(t.a) - height(t.b) < 0 ? -at : at;
+      if (dot(cross(on_arc, middle), normal) > 0) ++crossed;
     }
-    return (crossed % 2 == 1) == (from_outside > 0);
+    return (crossed % 2 == 1) == (side_of_line(g, first.a, first.b, from_).sign > 0);
   }
 };
 

@@ -3,6 +3,7 @@
 
 #include <concino/concepts/end_verts.hpp>
 #include <concino/concepts/facets.hpp>
+#include <concino/geometry/closest_point.hpp>
 #include <concino/lines/detail/field_reader.hpp>
 #include <concino/lines/detail/incident_cells.hpp>
 #include <concino/lines/detail/line_recorder.hpp>
@@ -98,7 +99,7 @@ class volume_line_walker {
     if (!out) return false;
     out_ = *out;
     x_ = out->position;
-    face_ = opposite_face(*m_, tet_.poly, tet_.verts[out->left_out], tet_.corners[out->left_out]);
+    face_ = opposite_face(*m_, tet_.poly, tet_.verts[out->left_out]);
     to.add({face_, x_}, tet_.poly);
     if (to.done()) return true;
     std::size_t n = 0;
@@ -323,8 +324,24 @@ class volume_line_walker {
     to.stop(why_no_exit(*m_, faces, !incident_.all().empty(), incident_.all_are_zero()));
   }
 
-  /// From inside a face: into the poly whose field leads into it fastest, or along the face.
+  /// The diagonal of a face of the cell that was read last at which x is, but for rounding.
+  std::optional<line_ridge<M>> diagonal_at(const face_t<M>& f) {
+    for (const cell_triangle& t : cell_.flat.triangles)
+      for (unsigned k = 0; k < 3; ++k) {
+        if (!(cell_.faces[t.face] == f) || !t.is_diagonal(k)) continue;
+        const vec3 &a = cell_.flat.points[t.corner[k]], &b = cell_.flat.points[t.corner[(k + 1) % 3]];
+        if (distance(closest_point(x_, a, b), x_) <= 1e-12 * distance(a, b) + 0x1p-49 * max_part(x_)) return ridge_of(*m_, cell_, t, k);
+      }
+    return {};
+  }
+
+  /// From inside a face: from one of its diagonals, or into the poly whose field leads into it fastest, or along the face.
   void start_on(const face_t<M>& f, line_recorder<M>& to) {
+    for (const poly_t<M> p : adj_f2p(*m_, f)) {
+      read_triangles(p);
+      if (const auto diagonal = diagonal_at(f)) return reach_ridge(*diagonal);
+      break;  // the diagonals of the others are the same
+    }
     struct side {
       poly_t<M> poly;
       std::uint32_t triangle;

@@ -237,12 +237,4 @@ void cell_tables<Shape, Lists>::builder::check_fans() {
       for (const edge_id e : t_.adj_f2e(face_id{f})) check(e);
 }
 
-#ifdef CONCINO_COMPILED
-#define CONCINO_DEFINE_CELL_TABLES(TABLES) \
-  template void TABLES::build(std::size_t)
-CONCINO_DEFINE_CELL_TABLES(cell_tables<detail::tet_shape>);
-CONCINO_DEFINE_CELL_TABLES(cell_tables<detail::hex_shape>);
-#undef CONCINO_DEFINE_CELL_TABLES
-#endif
-
 }  // namespace concino

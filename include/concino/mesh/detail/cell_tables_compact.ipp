@@ -41,9 +41,4 @@ cell_tables<Shape, Lists> cell_tables<Shape, Lists>::compacted(const detail::com
   return t;
 }
 
-#ifdef CONCINO_COMPILED
-template cell_tables<detail::tet_shape> cell_tables<detail::tet_shape>::compacted(const detail::compaction&) const;
-template cell_tables<detail::hex_shape> cell_tables<detail::hex_shape>::compacted(const detail::compaction&) const;
-#endif
-
 }  // namespace concino

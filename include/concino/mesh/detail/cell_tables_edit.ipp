@@ -151,16 +151,5 @@ face_id cell_tables<Shape, Lists>::face_on(std::span<const vert_id> corners, uns
     }
   return {};
 }
-#ifdef CONCINO_COMPILED
-#define CONCINO_DEFINE_CELL_TABLES(TABLES)                                                                      \
-  template vert_id TABLES::add_vert(function_ref<void(const detail::index_bounds&)>);                           \
-  template poly_id TABLES::add_poly(std::span<const vert_id>, function_ref<void(const detail::index_bounds&)>); \
-  template void TABLES::reserve_removal(std::span<const poly_id>);                                              \
-  template void TABLES::remove_poly(poly_id);                                                                   \
-  template void TABLES::remove_vert(vert_id)
-CONCINO_DEFINE_CELL_TABLES(cell_tables<detail::tet_shape>);
-CONCINO_DEFINE_CELL_TABLES(cell_tables<detail::hex_shape>);
-#undef CONCINO_DEFINE_CELL_TABLES
-#endif
 
 }  // namespace concino

@@ -74,16 +74,4 @@ void cell_tables<Shape, Lists>::list_polys_of_edges() {
   for_each_use([&](std::size_t poly_list, poly_id p) { polys[next[poly_list]++] = p; });
 }
 
-#ifdef CONCINO_COMPILED
-#define CONCINO_DEFINE_CELL_TABLES(TABLES)                          \
-  template std::uint32_t TABLES::count_polys(edge_id) const;        \
-  template void TABLES::update_fan(edge_id, std::uint32_t);         \
-  template bool TABLES::closes_early(edge_id, std::uint32_t) const; \
-  template void TABLES::check_fan(edge_id, std::uint32_t);          \
-  template void TABLES::list_polys_of_edges()
-CONCINO_DEFINE_CELL_TABLES(cell_tables<detail::tet_shape>);
-CONCINO_DEFINE_CELL_TABLES(cell_tables<detail::hex_shape>);
-#undef CONCINO_DEFINE_CELL_TABLES
-#endif
-
 }  // namespace concino

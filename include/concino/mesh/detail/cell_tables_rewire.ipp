@@ -218,11 +218,4 @@ void cell_tables<Shape, Lists>::rewire(const detail::native_cavity& c, const det
   r.commit(made);
 }
 
-#ifdef CONCINO_COMPILED
-template void cell_tables<detail::tet_shape>::rewire(const detail::native_cavity&, const detail::native_cavity_result&, function_ref<void(const detail::index_bounds&)>,
-                                                     detail::edit_log*);
-template void cell_tables<detail::hex_shape>::rewire(const detail::native_cavity&, const detail::native_cavity_result&, function_ref<void(const detail::index_bounds&)>,
-                                                     detail::edit_log*);
-#endif
-
 }  // namespace concino

@@ -84,14 +84,6 @@ class facet_adjacency {
     return {poly_id{s.poly}, poly_id{x.poly()}};
   }
 
-  /// The same in another order, found from p, one of these polys: only its lists are read.
-  polys_of_facet polys_of(Facet f, poly_id p) const {
-    const encoded_neighbour x = neighbours_.begin(p.raw())[position_of(p, f)];
-    if (x.is_none()) return polys_of_facet{p};
-    if (x.is_non_manifold()) return {poly_lists_.begin(x.poly_list()), poly_lists_.end(x.poly_list())};
-    return {p, poly_id{x.poly()}};
-  }
-
   /// Adds a facet without polys.
   void add_facet() { owner_.push_back(~0u); }
   /// Construction: adds the next facet, which is facet k of p and of no other poly so far.

@@ -52,8 +52,4 @@ void basic_polyhedra_tables<Lists>::sort_smaller_neighbours() {
   }
 }
 
-#ifdef CONCINO_COMPILED
-template basic_polyhedra_tables<detail::jagged_array<vert_id, 0>> basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::compacted(const detail::compaction&) const;
-#endif
-
 }  // namespace concino

@@ -355,17 +355,4 @@ void basic_polyhedra_tables<Lists>::list_verts_of_polys(std::size_t vert_count, 
     for (const vert_id v : p2v_[p]) polys_of_verts[met[v.raw()]++] = poly_id{p};
 }
 
-#ifdef CONCINO_COMPILED
-template basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::basic_polyhedra_tables(std::size_t, std::vector<std::uint32_t>, std::vector<vert_id>, std::vector<std::uint32_t>, std::vector<face_id>,
-                                                  std::vector<std::uint8_t>);
-template vert_id basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::add_vert(function_ref<void(const detail::index_bounds&)>);
-template face_id basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::add_face(std::span<const vert_id>, function_ref<void(const detail::index_bounds&)>, detail::edit_log*);
-template poly_id basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::add_poly(std::span<const face_id>, std::span<const std::uint8_t>, function_ref<void(const detail::index_bounds&)>,
-                                                                                                    detail::edit_log*);
-template void basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::reserve_removal(std::span<const poly_id>);
-template void basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::remove_poly(poly_id);
-template void basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::remove_face(face_id, detail::edit_log*);
-template void basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::remove_vert(vert_id);
-#endif
-
 }  // namespace concino

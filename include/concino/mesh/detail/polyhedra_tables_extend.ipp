@@ -182,9 +182,4 @@ basic_polyhedra_tables<Lists>::basic_polyhedra_tables(const basic_polyhedra_tabl
   extension(*this, before, kept, vert_count).build();
 }
 
-#ifdef CONCINO_COMPILED
-template basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::basic_polyhedra_tables(const basic_polyhedra_tables&, kept_polyhedra&, std::size_t, std::vector<std::uint32_t>, std::vector<vert_id>,
-                                                                                          std::vector<std::uint32_t>, std::vector<face_id>, std::vector<std::uint8_t>);
-#endif
-
 }  // namespace concino

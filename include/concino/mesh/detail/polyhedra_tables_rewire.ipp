@@ -236,9 +236,4 @@ void basic_polyhedra_tables<Lists>::rewire(const detail::native_cavity& c, const
   r.commit(made);
 }
 
-#ifdef CONCINO_COMPILED
-template void basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>::rewire(const detail::native_cavity&, const detail::native_cavity_result&,
-                                                                               function_ref<void(const detail::index_bounds&)>, detail::edit_log*);
-#endif
-
 }  // namespace concino

@@ -281,8 +281,4 @@ direct_edit cell_tables<Shape, Lists>::collapse_edge(edge_id e)
   return collapse(*this, e).run();
 }
 
-#ifdef CONCINO_COMPILED
-template direct_edit cell_tables<detail::tet_shape>::collapse_edge(edge_id);
-#endif
-
 }  // namespace concino

@@ -3,7 +3,6 @@
 
 #include <concino/edit/edge_collapse.hpp>
 #include <concino/edit/invariants.hpp>
-#include <concino/edit/max_distance.hpp>
 #include <concino/geometry/normals.hpp>
 #include <concino/remesh/detail/quadric.hpp>
 #include <concino/remesh/detail/unit_points.hpp>

@@ -10,6 +10,7 @@
 #include <concino/edit/edge_flip.hpp>
 #include <concino/edit/edge_split.hpp>
 #include <concino/edit/read_ahead.hpp>
+#include <concino/remesh/detail/flat_triangles.hpp>
 #include <concino/remesh/detail/sized_surface.hpp>
 
 #include <algorithm>
@@ -157,8 +158,16 @@ class remesher : sized_surface<M> {
 
   /// is_named: see feature_lines.
   template<class F>
-  remesher(M& m, const unit_points& unit, const surface_sizes& input, double feature_angle_deg, const F& is_named)
-      : surface(m, unit, input, feature_angle_deg, is_named), m_(m) {}
+  remesher(M& m, const unit_points& unit, const surface_sizes& input, const F& is_named) : surface(m, unit, input, is_named), m_(m) {}
+
+  /// What comes before the first round: flat triangles vanish, and sharp edges become lines. Normals of flat triangles say nothing about edges.
+  void begin(const unit_points& unit, double feature_angle_deg) {
+    flat_triangles<M> flat(m_, unit, lines);
+    flat.remove_all([this](const vec3& x) { return nearest(x).size; });
+    num_splits += flat.num_splits, num_collapses += flat.num_collapses, num_flips += flat.num_flips;
+    if (num_splits + num_collapses + num_flips > 0) this->find_places();
+    this->add_sharp_lines(feature_angle_deg);
+  }
 
   void split_long_edges() {
     using entry = std::pair<double, edge_t<M>>;

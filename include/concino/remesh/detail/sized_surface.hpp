@@ -37,17 +37,24 @@ class sized_surface {
 
   feature_lines<M> lines;
 
-  /// is_named: see feature_lines.
+  /// is_named: see feature_lines. Sharp edges become lines later.
   template<class F>
-  sized_surface(const M& m, const unit_points& unit, const surface_sizes& input, double feature_angle_deg, const F& is_named)
-      : m_(m), unit_(unit), input_(input), verts_(vert_index_bound(m)), lines(m, feature_angle_deg, is_named) {
-    for (const vert_t<M> v : verts(m)) set(v, nearest(at(v)));
+  sized_surface(const M& m, const unit_points& unit, const surface_sizes& input, const F& is_named)
+      : m_(m), unit_(unit), input_(input), verts_(vert_index_bound(m)), lines(m, 180, is_named) {
+    find_places();
+  }
+  void find_places() {
+    for (const vert_t<M> v : verts(m_)) set(v, nearest(at(v)));
+  }
+  void add_sharp_lines(double feature_angle_deg) {
+    lines = feature_lines<M>(m_, feature_angle_deg, [kept = lines, this](const edge_t<M>& e) { return kept.has(m_, e); });
+    for (const vert_t<M> v : verts(m_)) set(v, size_at(v), normal_at(v));
   }
 
   vec3 at(const vert_t<M>& v) const { return unit_.at(m_, v); }
   double size_at(const vert_t<M>& v) const { return verts_[index_of(m_, v)].size; }
   const vec3& normal_at(const vert_t<M>& v) const { return verts_[index_of(m_, v)].normal; }
-  void set(const vert_t<M>& v, double size, const vec3& normal) {
+  void set(const vert_t<M>& v, double size, vec3 normal) {
     const std::size_t i = index_of(m_, v);
     if (i >= verts_.size()) verts_.resize(std::max(i + 1, 2 * verts_.size()));
     verts_[i] = {size, lines.freedom(m_, v) == vert_freedom::surface ? normal : vec3{}};

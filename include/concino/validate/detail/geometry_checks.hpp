@@ -1,19 +1,22 @@
 // Checks of the shape of elements: points, lengths, areas, volumes, planarity, self-intersecting polygons.
 #pragma once
 
+#include <concino/core/local_points.hpp>
 #include <concino/core/message.hpp>
 #include <concino/geometry/bounding_box.hpp>
 #include <concino/validate/detail/defect_log.hpp>
 #include <concino/validate/detail/hex_orders.hpp>
-#include <concino/validate/detail/local_points.hpp>
 #include <concino/validate/detail/self_intersection_finder.hpp>
+
+#include <array>
+#include <optional>
 
 namespace concino::detail {
 
 /// Checks one polygon after another: polys of a surface, faces of a volume.
 template<class M>
 class polygon_checks {
-  local_points local_;
+  core::local_points local_;
   std::vector<plane_point> flat_;
   self_intersection_finder self_intersection_;
 
@@ -30,11 +33,12 @@ class polygon_checks {
     const auto add_zero = [&](const char* why) {
       if (defect<M>* d = log.add(defect_kind::zero_size, x)) d->what = core::joined({log.name(x), " has no area: ", why});
     };
+    const bool is_degenerate = n == 3 && core::is_degenerate_simplex(points);  // before fit changes them
     if (!local_.fit()) return add_zero("its verts are all at one point");
 
-    const vec3 area = vector_area(points, 0, n);
+    const vec3 area = core::vector_area(points, 0, n);
     const double size = local_.size, length = norm(area);
-    const bool no_area = local_.is_zero_area(area, n);
+    const bool no_area = n == 3 ? is_degenerate : local_.is_zero_area(area, n);
     if (n == 3) {
       if (no_area) return add_zero("its verts lie on one line");
       if (length <= log.options().size_tolerance * size * size) add_zero(below_tolerance().c_str());
@@ -108,8 +112,20 @@ class polygon_checks {
   }
 };
 
+/// Whether a tet is degenerate; nothing for other polys.
 template<VolumeMesh M>
-void check_cell_size(const M& m, const poly_t<M>& p, local_points& local, std::vector<std::pair<std::size_t, bool>>& ends, defect_log<M>& log) {
+std::optional<bool> is_degenerate_tet(const M& m, const poly_t<M>& p) {
+  std::array<vec3, 4> corners;
+  std::size_t n = 0;
+  for (const vert_t<M> v : adj_p2v(m, p)) {
+    if (n == corners.size()) return std::nullopt;
+    corners[n++] = to_vec3(point(m, v));
+  }
+  return n == corners.size() ? std::optional(core::is_degenerate_simplex(corners)) : std::nullopt;
+}
+
+template<VolumeMesh M>
+void check_cell_size(const M& m, const poly_t<M>& p, core::local_points& local, std::vector<std::pair<std::size_t, bool>>& ends, defect_log<M>& log) {
   local.points.clear();
   ends.clear();
   for (const face_t<M> f : adj_p2f(m, p)) {
@@ -124,15 +140,16 @@ void check_cell_size(const M& m, const poly_t<M>& p, local_points& local, std::v
     for (const auto& [last, outward] : ends) {
       vec3 mean;
       for (std::size_t i = first; i < last; ++i) mean += local.points[i];
-      const double part = last > first ? dot(mean / static_cast<double>(last - first), vector_area(local.points, first, last)) / 3 : 0;
+      const double part = last > first ? dot(mean / static_cast<double>(last - first), core::vector_area(local.points, first, last)) / 3 : 0;
       volume += outward ? part : -part;
       first = last;
     }
   }
   const double size = local.size, none = local.zero_volume(local.points.size());
-  if (std::abs(volume) <= std::max(none, log.options().size_tolerance * size * size * size)) {
+  const bool is_flat = is_degenerate_tet(m, p).value_or(std::abs(volume) <= none);
+  if (is_flat || std::abs(volume) <= log.options().size_tolerance * size * size * size) {
     if (defect<M>* d = log.add(defect_kind::zero_size, p))
-      d->what = core::joined({log.name(p), std::abs(volume) <= none ? " has no volume: it is flat" : " has no volume: it is below the tolerance"});
+      d->what = core::joined({log.name(p), is_flat ? " has no volume: it is flat" : " has no volume: it is below the tolerance"});
   } else if (volume < 0) {
     if (defect<M>* d = log.add(defect_kind::inverted_cell, p))
       d->what = core::joined({log.name(p), " is inside out: its volume is negative, ",
@@ -199,7 +216,7 @@ void check_geometry(const M& m, [[maybe_unused]] const std::vector<std::uint8_t>
         for (const poly_t<M> p : adj_f2p(m, f)) of_misread = of_misread || is_misread(p);
       if (!of_misread) check_polygon(m, f, adj_f2v(m, f), log);
     }
-    local_points local;
+    core::local_points local;
     std::vector<std::pair<std::size_t, bool>> ends;
     for (const poly_t<M> p : polys(m)) {
       log.step();

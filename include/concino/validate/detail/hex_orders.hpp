@@ -2,15 +2,15 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
+#include <concino/core/local_points.hpp>
 #include <concino/mesh/corner_orders.hpp>
-#include <concino/validate/detail/local_points.hpp>
 
 namespace concino::detail {
 
 /// Whether the corners of hexes are listed in another order than the standard one: in the other order all corner angles have the right orientation,
 /// in the standard order some do not.
 class hex_order_checks {
-  local_points local_;
+  core::local_points local_;
 
   bool turns_right(const std::uint8_t* permutation) const {
     constexpr std::uint8_t next[8][3] = {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}};

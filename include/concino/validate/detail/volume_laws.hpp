@@ -31,10 +31,10 @@ int standard_face(std::span<const int> face) {
   return -1;
 }
 
-/// VM7: the verts of tets and hexes are in the standard order, and with in_order the faces of tets too.
+/// VM7: the verts of tets and hexes are in the standard order.
 template<int Arity, class P, class V>
 void check_standard_order(const element_table<P>& ps, const element_table<V>& vs, const adjacency_lists& p2v, const adjacency_lists& p2f, const adjacency_lists& f2v,
-                          const std::vector<bool>& outward, bool in_order, law_log& log) {
+                          const std::vector<bool>& outward, law_log& log) {
   std::vector<int> local;
   for (order_index p = 0; p < ps.size() && !log.full("VM7"); ++p) {
     const auto ring = p2v[p];
@@ -49,13 +49,13 @@ void check_standard_order(const element_table<P>& ps, const element_table<V>& vs
       }
       if (!outward[p2f.offsets[p] + k]) std::reverse(local.begin(), local.end());
       const int which = standard_face<Arity>(local);
-      good = which >= 0 && !(met >> which & 1u) && (Arity != 4 || !in_order || which == static_cast<int>(k));
+      good = which >= 0 && !(met >> which & 1u);
       if (good) met |= 1u << which;
     }
     if (!good && vs.sound)
       log.add("VM7",
               core::joined({"adj_p2v(", ps.name(p), ") is not the standard order of a ", Arity == 4 ? "tet" : "hex",
-                      " with the faces adj_p2f gives, turned outward", Arity == 4 && in_order ? " and in this order, as mesh_traits says by faces_in_order" : ""}),
+                      " with the faces adj_p2f gives, turned outward"}),
               ps.name(p));
   }
 }
@@ -140,7 +140,7 @@ void check_volume_mesh(const M& m, const graph_tables<vert_t<M>>& primal, const 
     }
   check_winding(ps, es, p2f, f2e, senses, outward, log);
   // the laws of tets and hexes
-  if constexpr (arity_v<M> == 4 || arity_v<M> == 8) check_standard_order<arity_v<M>>(ps, vs, p2v, p2f, f2v, outward, lists_faces_in_order<M>, log);
+  if constexpr (arity_v<M> == 4 || arity_v<M> == 8) check_standard_order<arity_v<M>>(ps, vs, p2v, p2f, f2v, outward, log);
   if constexpr (arity_v<M> == 4 && !lists_edges_unordered<M>) {  // in other volumes the edges of a poly have no order
     static constexpr std::pair<std::size_t, std::size_t> ends[6] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
     check_edges_in_order(ps, vs, es, p2v, p2e, edge.e2v, [](std::size_t k, std::size_t) { return ends[k % 6]; }, "VM8", "adj_p2e", "adj_p2v", log);

@@ -5,14 +5,14 @@
 
 #include <array>
 
-namespace concino::detail {
+namespace concino::core {
 
 /// The cavity of an edit of m.
 /// Errors: invalid_argument if e is an edit of another mesh.
 template<class M>
-const cavity_builder<M>& cavity_of_edit(const proposed_edit& e, const M& m, const char* name) {
-  if (e.mesh_type != &type_tag<M> || e.mesh != &m) core::throw_joined<invalid_argument>({name, ": the invariant was made for another mesh; make it with the mesh that is edited"});
-  return *static_cast<const cavity_builder<M>*>(e.cavity);
+const detail::cavity_builder<M>& cavity_of_edit(const proposed_edit& e, const M& m, const char* name) {
+  if (e.mesh_type != &detail::type_tag<M> || e.mesh != &m) throw_joined<invalid_argument>({name, ": the invariant was made for another mesh; make it with the mesh that is edited"});
+  return *static_cast<const detail::cavity_builder<M>*>(e.cavity);
 }
 
 /// A map or predicate of the caller: a copy if it is small and can be copied byte by byte, else a reference.
@@ -42,8 +42,8 @@ class caller_map {
 
 /// Calls f with the local verts of each edge (N = 2) or face (N = 3) of old polys that the edit removes, until f returns false.
 template<std::size_t N, class M, class F>
-bool for_each_removed(const cavity_builder<M>& c, const F& f) {
-  constexpr unsigned size = cavity_builder<M>::size;
+bool for_each_removed(const detail::cavity_builder<M>& c, const F& f) {
+  constexpr unsigned size = detail::cavity_builder<M>::size;
   const auto is_kept = [&](const std::array<unsigned, N>& s) {
     const auto is_in = [&](const unsigned* corners) {
       for (const unsigned v : s)
@@ -70,4 +70,4 @@ bool for_each_removed(const cavity_builder<M>& c, const F& f) {
   return true;
 }
 
-}  // namespace concino::detail
+}  // namespace concino::core

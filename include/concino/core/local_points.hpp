@@ -1,4 +1,4 @@
-// The points of one element, translated and scaled so that nothing overflows or underflows, and their accuracy.
+// The points of one element, translated and scaled so that nothing overflows or underflows, and their accuracy. Which triangles and tets are degenerate.
 #pragma once
 
 #include <concino/core/vec3.hpp>
@@ -6,20 +6,21 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <utility>
 #include <vector>
 
-namespace concino::detail {
+namespace concino::core {
 
-/// Fill `points` and call fit(). Then they are relative to the first of them, in units of `unit`, with the largest coordinate in [0.5, 1).
+/// After fit(points), these are relative to the first of them, in units of `unit`, with the largest coordinate in [0.5, 1).
 /// Scaling is by powers of two, so sizes are equally accurate for any size of the mesh.
-struct local_points {
-  std::vector<vec3> points;
+struct local_accuracy {
   vec3 box;         // extent of their bounding box, in units
   vec3 error;       // maximal effect of the rounding of coordinates on a point, in each direction, in units
   double size = 0;  // diagonal of the box, in units
 
   /// False if some point is not finite, or all are equal.
-  bool fit() {
+  bool fit(std::span<vec3> points) {
     double most = 0;
     for (const vec3& p : points) {
       if (!is_finite(p)) return false;
@@ -70,11 +71,33 @@ struct local_points {
   }
 };
 
+struct local_points : local_accuracy {
+  std::vector<vec3> points;
+
+  /// False if some point is not finite, or all are equal.
+  bool fit() { return local_accuracy::fit(points); }
+};
+
 /// Half the sum of cross products along the polygon points[first] .. points[last - 1], relative to the first of them.
-inline vec3 vector_area(const std::vector<vec3>& points, std::size_t first, std::size_t last) {
+inline vec3 vector_area(std::span<const vec3> points, std::size_t first, std::size_t last) {
   vec3 doubled;
   for (std::size_t i = first + 2; i < last; ++i) doubled += cross(points[i - 1] - points[first], points[i] - points[first]);
   return 0.5 * doubled;
 }
 
-}  // namespace concino::detail
+/// Whether three corners make a triangle without area, or four a tet without volume, within the accuracy of their coordinates. The order of the corners has no
+/// effect.
+inline bool is_degenerate_simplex(std::span<const vec3> corners) {
+  vec3 points[4];
+  const std::size_t n = corners.size();
+  std::copy_n(corners.begin(), n, points);
+  const auto is_less = [](const vec3& a, const vec3& b) { return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z; };
+  for (std::size_t i = 1; i < n; ++i)
+    for (std::size_t k = i; k > 0 && is_less(points[k], points[k - 1]); --k) std::swap(points[k], points[k - 1]);
+  local_accuracy local;
+  if (!local.fit({points, n})) return true;
+  if (n == 3) return local.is_zero_area(vector_area({points, n}, 0, n), n);
+  return std::abs(dot(points[1], cross(points[2], points[3]))) <= 6 * local.zero_volume(12);  // as many as the corners of its faces
+}
+
+}  // namespace concino::core
