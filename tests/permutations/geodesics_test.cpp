@@ -16,6 +16,9 @@ TEST_CASE_TEMPLATE("heat geodesics do not depend on storage", M, CONCINO_KINDS) 
     check.at_verts("heat_geodesics", [&](const s& x) { return heat_geodesics(x.mesh, x[a], {}, ldlt()); });
     check.at_verts("heat_geodesics of two", [&](const s& x) { return heat_geodesics(x.mesh, {{x[a], 0.1}, {x[b], 0.0}}, {}, ldlt()); });
     check.at_verts("heat_geodesics without bounds", [&](const s& x) { return heat_geodesics(x.mesh, x[b], {.clamp = false}, ldlt()); });
-    check.at_verts("heat_geodesics from a poly", [&](const s& x) { return heat_geodesics(x.mesh, x[poly_id{1}], centroid(x.mesh, x[poly_id{1}]), {}, ldlt()); });
+    const poly_id p{1};
+    check.at_verts("heat_geodesics from a poly", [&](const s& x) {
+      return heat_geodesics(x.mesh, x[p], centroid(x.mesh, x[p]), {}, ldlt());
+    });
   });
 }

@@ -68,8 +68,8 @@ class prepared_heat_geodesics {
     const double time = options.time > 0 ? std::ldexp(options.time, -2 * m.exponent()) : 2 * detail::mean_square_width(m) / dimension_v<M>;
     constexpr bool along_edges = requirement::has_masses<D, M>;  // lengths are still those of the mesh
     Eigen::SparseMatrix<double> stiffness;
-    if constexpr (along_edges) stiffness = lower_stiffness(m, virtual_elements);
-    else stiffness = detail::lower_stiffness_at(m, mesh_in, discretisation);
+    if constexpr (along_edges) stiffness = detail::with_diagonal(lower_stiffness(m, virtual_elements));
+    else stiffness = detail::with_diagonal(detail::lower_stiffness_at(m, mesh_in, discretisation));
     const auto mass = vert_masses(m);
     double sum = 0;
     for (const double x : mass.values()) sum += x;
@@ -79,7 +79,7 @@ class prepared_heat_geodesics {
     std::vector<double> own;
     if constexpr (along_edges) own = detail::lumped_masses(mesh_in, discretisation, "heat_geodesics");
     const auto heat_by = [&](Eigen::SparseMatrix<double> a) {
-      return detail::lower_heat_matrix(std::move(a), flow, [&](int c) {
+      return detail::lower_heat_matrix(detail::with_diagonal(std::move(a)), flow, [&](int c) {
         const double here = mass.values()[static_cast<std::size_t>(c)];
         return along_edges && here > 0 ? mean * own[static_cast<std::size_t>(c)] : here;
       });

@@ -122,7 +122,7 @@ class distance_graph::search {
   }
 
   /// Whether a path across to a vert is shorter, by more than rounding, than the known one.
-  static bool improves(const node& n, double path_length) { return n.path_length - path_length > 1e-14 * std::abs(path_length); }
+  static bool improves(const node& n, double path_length) { return n.path_length - path_length > 1e-12 * std::abs(path_length); }
 
   /// Whether the front may have reached the end `last` of the triangle through the other end. Fills in c, except for its path length.
   bool may_cross(const node& from, const corner& triangle, std::size_t last, crossing& c) const {

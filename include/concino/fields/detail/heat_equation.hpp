@@ -9,6 +9,7 @@
 #include <Eigen/SparseCore>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -54,6 +55,7 @@ class heat_equation {
   explicit heat_equation(Eigen::SparseMatrix<double>&& lower) : lower_(std::move(lower)) {
     for (int i = 0; i < lower_.cols(); ++i)
       if (double& x = lower_.coeffRef(i, i); !(x > 0)) x = 1;  // a vert of no poly
+    assert(lower_.isCompressed());
   }
 
   /// By a solver like `like`. same_pattern: has factorised a matrix with the same pattern.

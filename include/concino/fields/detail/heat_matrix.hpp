@@ -7,6 +7,7 @@
 
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -24,6 +25,17 @@ Eigen::SparseMatrix<double> lower_stiffness_at(const views::scaled<M>& scaled, c
     for (Eigen::Index k = 0; k < a.nonZeros(); ++k) a.valuePtr()[k] = std::ldexp(a.valuePtr()[k], (2 - dimension_v<M>) * scaled.exponent());
     return a;
   }
+}
+
+/// A lower triangle in which each column without entries, as those of deleted verts are, gets a diagonal entry of 0. Entries that are inserted later would
+/// leave a matrix that is not compressed, whose columns do not end where the next one begins.
+inline Eigen::SparseMatrix<double> with_diagonal(Eigen::SparseMatrix<double> lower) {
+  const int* const begin = lower.outerIndexPtr();
+  if (std::adjacent_find(begin, begin + lower.cols() + 1) == begin + lower.cols() + 1) return lower;
+  Eigen::SparseMatrix<double> zero(lower.rows(), lower.cols());
+  zero.setIdentity();
+  zero *= 0;
+  return lower + zero;
 }
 
 /// The lower triangle of the masses plus `flow` times the stiffness a; mass(c) is the mass of column c.
