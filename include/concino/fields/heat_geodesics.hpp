@@ -51,7 +51,7 @@ prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> pre
 ///         Distances are clamped. They are at most the shortest path along edges and straight across triangles or tets inside the polys, and at least
 ///         the straight line through space. Tets of hexes and polyhedra overlap: they are cones from each of up to 16 verts to the triangles of the faces.
 ///         With .clamp = false distances are as smooth as heat, and wrong by some edges on curved surfaces; a query then takes as little as a third of the
-///         time. Distances scale exactly with the mesh by powers of two. They do not depend on the order in which the mesh is stored.
+///         time. Distances scale exactly with the mesh by powers of two. By a factorisation they do not depend on the order of storage, but for rounding.
 ///         The default time is twice the squared width of polys, averaged by their measure, over their dimension: two squared edges in grids of
 ///         squares and of cubes. Heat resolves directions over a distance of about one poly, and rounds off finer details. The average by measure
 ///         sets that distance by the polys that cover most of the mesh. The many small polys in a corner of a graded mesh do not set it, nor do the
