@@ -14,6 +14,7 @@ namespace concino {
 /// turn is 2 pi. At the boundary they are those of the surface.
 /// On an edge, x is along it, from the first vert of adj_e2v to the second, and y is perpendicular, into the first poly of adj_e2p.
 /// In a poly, x is along its first edge, from the first vert of adj_p2v to the second, and y is perpendicular, in the plane of its vector area, to the left.
+/// So the numbers depend on which edge, poly or corner is stored first. Lengths of vectors and angles between vectors of one element do not.
 struct tangent_vector {
   double x = 0, y = 0;
 

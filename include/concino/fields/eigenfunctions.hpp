@@ -27,7 +27,8 @@ struct lobpcg_eigenfunctions_options {
 /// virtual_elements. They are computed by lobpcg, without a factorisation, so that meshes may be large; <concino/adapters/spectra.hpp> has the same with one.
 /// Needs:  EmbeddedMesh M, no temporary; with a Discretisation also what that needs. count: at least 1, at most the verts of polys.
 /// Result: `count` functions; the first is constant with value 0, and the value 0 occurs once per component of polys. Errors of values
-///         decrease with the square of the edge length. Scaling the mesh by a power of 2 scales values exactly, and also functions, but those of
+///         decrease with the square of the edge length. The sign of a function, and the basis of those with the same value, depend on the order in which
+///         the mesh is stored. Scaling the mesh by a power of 2 scales values exactly, and also functions, but those of
 ///         volumes only for a power of 4.
 /// Cost:   as laplacian, mass_matrix and eigenpairs.
 /// Errors: as laplacian, mass_matrix and eigenpairs.

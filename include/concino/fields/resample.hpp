@@ -46,6 +46,7 @@ double value_of_nearest(const From& from, const poly_t<From>& p, const U& u, con
 /// Needs:  EmbeddedMesh both, surfaces or volumes, `to` not a temporary; u[v] is a number for each vert of `from`, readable from several threads.
 /// Result: a map of double. Linear functions are exact at points of `from`, on polys of every shape; constants stay what they are; verts at the same points as verts of
 ///         `from` have their values, if polys are star-shaped about the means of their verts. Verts outside get the value at the closest point, not a continuation.
+///         With `nearest`, which of several polys or verts at the same distance is taken depends on the order in which `from` is stored.
 /// Cost:   O((P + V) log P) time for P polys of `from` and V verts of `to`, in parallel, O(P) memory.
 /// Errors: invalid_argument if `from` has no polys, or a vert of `to` is not finite. invalid_mesh if a vert of `from` is not finite.
 template<EmbeddedMesh From, class U, class To>
@@ -70,7 +71,8 @@ vert_map<To, double> resample(const From& from, const U& u, To&& to, vert_resamp
 /// Result: a map of double. conservative: each poly of `from` is divided among the polys of `to` with which it has a part in common, so that the integral, the
 ///         sum of values times measures, is kept to rounding. Where both meshes cover the same domain, values are exact means, and constants stay. A poly
 ///         that is partly outside of `to` gives all to the polys that it meets, and one that meets none to the poly closest to its centroid. On surfaces, polys are projected
-///         to the planes of those of `to` near to them that face the same side. nearest: values are copied.
+///         to the planes of those of `to` near to them that face the same side. nearest: values are copied; which of several polys at the same
+///         distance is taken depends on the order in which `from` is stored.
 /// Cost:   O(P log P) time, and that of cutting simplices by each other for each pair of polys that meet: some microseconds for triangles and tets, a hundred times
 ///         more for hexes. In parallel.
 /// Errors: invalid_argument if `from` has polys and `to` has none, or `from` has none and `to` has some. invalid_mesh if a vert of a poly is not finite, or
