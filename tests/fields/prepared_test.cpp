@@ -220,5 +220,5 @@ TEST_CASE_TEMPLATE("prepared problems: fields may be functions of points", M, po
   CHECK_THROWS_WITH_AS(poisson(m, no_number, {.values = {{a, 0.0}}}), doctest::Contains("the load f at vert 0 is not finite"), invalid_argument);
   const auto nothing = [](const vec3&) {};
   const auto of_vert = [](vert_id) { return 1.0; };
-  static_assert(requirement::is_field<decltype(number), M> && !requirement::is_field<decltype(nothing), M> && !requirement::is_field<decltype(of_vert), M>);
+  static_assert(requirement::is_given_field<decltype(number), M> && !requirement::is_given_field<decltype(nothing), M> && !requirement::is_given_field<decltype(of_vert), M>);
 }
