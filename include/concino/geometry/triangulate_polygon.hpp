@@ -122,9 +122,17 @@ class polygon_triangulator {
     return smaller;
   }
 
+  // Up to this many corners, the fan whose smallest triangle is largest is taken, so that corners on a common line make no flat triangle if another fan has
+  // none.
+  static constexpr std::size_t max_compared = 16;
+
   void cut(std::size_t n) {
-    if (n == 4) cut_quad();
-    else if (fan_fits()) fan(n);
+    if (n == 4) return cut_quad();
+    index apex = 0;
+    double largest = smallest_of_fan(0, 0);
+    for (index k = 1; k < n && n <= max_compared; ++k)
+      if (const double smallest = smallest_of_fan(k, largest); smallest > largest) apex = k, largest = smallest;
+    if (largest > 0) fan(n, apex);
     else clip_ears();
   }
 
@@ -160,15 +168,19 @@ class polygon_triangulator {
     return true;
   }
 
-  void fan(std::size_t n) {
-    for (std::size_t i = 2; i < n; ++i) triangles_.push_back({0, static_cast<index>(i - 1), static_cast<index>(i)});
+  // The corner that comes i after the apex of a fan.
+  static index after(index apex, std::size_t i, std::size_t n) { return static_cast<index>((apex + i) % n); }
+  void fan(std::size_t n, index apex = 0) {
+    for (std::size_t i = 2; i < n; ++i) triangles_.push_back({apex, after(apex, i - 1, n), after(apex, i, n)});
   }
-
-  // Whether all triangles of the fan from corner 0 have positive area: then corner 0 sees the whole polygon.
-  bool fan_fits() const {
-    for (index i = 2; i < size(); ++i)
-      if (!(turn(0, i - 1, i) > 0)) return false;
-    return true;
+  // Twice the area of the smallest triangle of the fan from a corner; 0 or less if that is not more than `bound`, which is at least 0.
+  double smallest_of_fan(index apex, double bound) const {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (index i = 2; i < size(); ++i) {
+      smallest = std::min(smallest, turn(apex, after(apex, i - 1, size()), after(apex, i, size())));
+      if (!(smallest > bound)) return 0;
+    }
+    return smallest;
   }
 
   // Takes the diagonal that maximises the smaller triangle; in a concave quad it is the inner one.
