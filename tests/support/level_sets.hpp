@@ -183,15 +183,15 @@ void check_level_surface(const M& m, const S& s) {
 /// A number for each place of a mesh, the same for the same element.
 template<class M>
 class place_key {
-  using key = std::tuple<int, std::size_t, double>;
+  using key = std::tuple<int, std::size_t, double, double, double>;
   const M& m_;
 
  public:
   explicit place_key(const M& m) : m_(m) {}
   key operator()(const mesh_point<M>& x) const {
-    if (const auto* v = std::get_if<vert_t<M>>(&x.element)) return {0, index_of(m_, *v), 0};
-    if (const auto* e = std::get_if<edge_point<M>>(&x.element)) return {1, index_of(m_, e->edge), 0};
-    return {2, 0, x.position.x + 3 * x.position.y + 7 * x.position.z};
+    if (const auto* v = std::get_if<vert_t<M>>(&x.element)) return {0, index_of(m_, *v), 0, 0, 0};
+    if (const auto* e = std::get_if<edge_point<M>>(&x.element)) return {1, index_of(m_, e->edge), 0, 0, 0};
+    return {2, 0, x.position.x, x.position.y, x.position.z};
   }
 };
 
@@ -199,7 +199,7 @@ class place_key {
 template<class M, class Lines>
 void check_level_lines(const M& m, const Lines& lines) {
   std::size_t wrong_ends = 0, short_lines = 0, wrong_points = 0, empty_segments = 0;
-  std::map<std::tuple<double, int, std::size_t, double>, int> uses;
+  std::map<std::tuple<double, int, std::size_t, double, double, double>, int> uses;
   const place_key<M> key(m);
   for (const auto& line : lines) {
     const std::size_t n = line.points.size();

@@ -118,7 +118,7 @@ TEST_CASE("read_vtk: cells in VTK's order need no change, alone and beside other
     vtk<polyhedra_arrays>(vtk_grid_of(mirrored, "13"), {.report = &r});
     CHECK(r.reoriented_polys == 1);
   }
-  CHECK(complaint<polyhedra_arrays>(vtk_grid_of("6 0 2 1 4 6 6\n", "13"), file_format::vtk) == "10: different verts in a cell | vert 6 twice");
+  CHECK(complaint<polyhedra_arrays>(vtk_grid_of("6 0 2 1 4 6 6\n", "13"), file_format::vtk) == "10: different verts in a cell (or set options.repeated_verts) | vert 6 twice");
   CHECK(complaint<polyhedra_arrays>(vtk_grid_of("5 0 2 1 4 6\n", "13"), file_format::vtk) == "10: 6 points, for a cell of type 13 | 5");
   CHECK(complaint<polyhedra_arrays>(vtk_grid_of("7 0 1 3 2 4 5 6\n", "11"), file_format::vtk) == "10: 8 points, for a cell of type 11 | 7");
 }

@@ -110,10 +110,11 @@ class obj_corners {
   }
 };
 
-/// Whether a component is larger than 1. Readers then take whole numbers for components from 0 to 255.
+/// Whether a component that can be written is larger than 1. Readers then take whole numbers for components from 0 to 255.
 inline bool has_large_component(const flat_values<rgba>& color, std::size_t num_verts) {
   for (std::size_t v = 0; v < num_verts; ++v)
-    if (std::max({color[v].r, color[v].g, color[v].b}) > 1) return true;
+    for (const float x : {color[v].r, color[v].g, color[v].b})
+      if (x > 1 && std::isfinite(x)) return true;
   return false;
 }
 
