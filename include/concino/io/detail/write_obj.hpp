@@ -6,6 +6,7 @@
 #include <concino/io/detail/write_mtl.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace concino::detail {
 
