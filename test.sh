@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds and runs the tests, after installing what they need. The last line says how many passed, failed and were skipped. On two cores:
-#   ./test.sh          every test once, with clang++ and without sanitizers: up to 12 minutes
+#   ./test.sh          every test once, with clang++ and without sanitizers: 10 to 20 minutes
 #   ./test.sh --full   every test with clang++ and sanitizers, most with g++ too; users' projects, every header alone, fuzzing, the benchmarks on tiny
 #                      data, the demo on a bare machine: up to 45 minutes. What continuous integration runs
 #   ./test.sh --long   all tests with both compilers, and clang-tidy, the reference, mutations, runs of many steps, all of scripts/bare_machine.sh: hours
