@@ -68,8 +68,8 @@ struct hiding : flat {
   template<class X, class R>
   std::vector<X> visible(const R& all) const {
     std::vector<X> kept;
-    for (const X x : all)
-      if (has(x)) kept.push_back(x);
+    for (const X element : all)
+      if (has(element)) kept.push_back(element);
     return kept;
   }
 };

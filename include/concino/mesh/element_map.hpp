@@ -1,7 +1,7 @@
 // Values at the elements of a mesh, stored outside the mesh: make_vert_map<double>(m, 0.0), and the same for edges, faces and polys.
 #pragma once
 
-#include <concino/concepts/mesh_traits.hpp>
+#include <concino/concepts/mesh.hpp>
 #include <concino/core/flat_array.hpp>
 #include <concino/core/large_pages.hpp>
 

@@ -15,31 +15,6 @@ CONCINO_INLINE bool is_corner_of(std::uint32_t c, std::span<const std::uint32_t>
   return false;
 }
 
-/// Whether the smaller triangle is as large with the diagonal from 0 to 2 as with the other: the rule of polygon_triangulator, with fewer operations.
-CONCINO_INLINE bool is_cut_from_0(const vec3& p0, const vec3& p1, const vec3& p2, const vec3& p3) {
-  const vec3 d02 = p2 - p0, d13 = p3 - p1, u = p1 - p0, n = cross(d02, d13);
-  const double whole = dot(n, n), t012 = dot(n, cross(u, d02)), t013 = dot(n, cross(u, d13));
-  return std::min(t012, whole - t012) >= std::min(t013, whole - t013);
-}
-
-/// Whether polygon_triangulator certainly divides the polygon by the diagonals from its first corner: seen along the vector area, all their
-/// triangles are counter-clockwise, by more than rounding. This takes fewer operations.
-CONCINO_INLINE bool is_cut_to_fan(std::span<const vec3> ring) {
-  vec3 area;
-  double farthest = 0;
-  for (std::size_t i = 2; i < ring.size(); ++i) {
-    const vec3 d = ring[i] - ring[0], before = ring[i - 1] - ring[0];
-    area += cross(before, d);
-    farthest = std::max({farthest, dot(before, before), dot(d, d)});
-  }
-  const double nearly = 1e-24 * farthest * farthest * dot(area, area);
-  for (std::size_t i = 2; i < ring.size(); ++i) {
-    const double along = dot(cross(ring[i - 1] - ring[0], ring[i] - ring[0]), area);
-    if (!(along > 0 && along * along > nearly)) return false;
-  }
-  return true;
-}
-
 CONCINO_INLINE void flat_cell::clear() {
   points.clear();
   triangles.clear();
@@ -80,18 +55,8 @@ CONCINO_INLINE void flat_cell::cut_face(std::uint32_t face) {
     const std::uint32_t second = outward ? t[1] : t[2], third = outward ? t[2] : t[1];
     triangles.push_back({{ring_[t[0]], ring_[second], ring_[third]}, {t[0], second, third}, face, number++, n});
   };
-  if (n == 4) {
-    const bool from_0 = is_cut_from_0(points[ring_[0]], points[ring_[1]], points[ring_[2]], points[ring_[3]]);
-    add(from_0 ? polygon_triangle{0, 1, 2} : polygon_triangle{1, 2, 3});
-    add(from_0 ? polygon_triangle{0, 2, 3} : polygon_triangle{1, 3, 0});
-    return;
-  }
   ring_points_.clear();
   for (const std::uint32_t i : ring_) ring_points_.push_back(points[i]);
-  if (is_cut_to_fan(ring_points_)) {
-    for (std::uint32_t i = 2; i < n; ++i) add({0, i - 1, i});
-    return;
-  }
   for (const polygon_triangle& t : cut_(ring_points_)) add(t);
 }
 
