@@ -8,19 +8,19 @@ source=$(cd "$(dirname "$0")/.." && pwd)
 build=$source/build/benchmarks
 json=
 options=
-flags="-O3;-march=native" type=Release
+flags="-O3;-march=native" type=Release unity=OFF
 while [ $# -gt 0 ]; do
   case $1 in
     --json) json=$2; shift 2 ;;
     --build) build=$2; shift 2 ;;
-    --unoptimised) flags=-O0 type=Debug; shift ;;
+    --unoptimised) flags=-O0 type=Debug unity=ON; shift ;;
     *) options="$options $1"; shift ;;
   esac
 done
 json=${json:-$build/benchmarks.json}
 
 mkdir -p "$build"
-cmake -S "$source" -B "$build" -DCMAKE_BUILD_TYPE=$type -DCMAKE_CXX_FLAGS_DEBUG= -DCONCINO_BUILD_BENCHMARKS=ON "-DCONCINO_BENCHMARK_FLAGS=$flags" \
+cmake -S "$source" -B "$build" -DCMAKE_BUILD_TYPE=$type -DCMAKE_CXX_FLAGS_DEBUG= -DCMAKE_UNITY_BUILD=$unity -DCONCINO_BUILD_BENCHMARKS=ON "-DCONCINO_BENCHMARK_FLAGS=$flags" \
   -DCONCINO_BUILD_TESTS=OFF -DCONCINO_BUILD_EXAMPLES=OFF -DCONCINO_BUILD_TOOLS=OFF > "$build/log" 2>&1 || { cat "$build/log"; exit 1; }
 cmake --build "$build" --target benchmarks >> "$build/log" 2>&1 || { cat "$build/log"; exit 1; }
 
