@@ -14,7 +14,7 @@ namespace concino {
 ///         are read too; the caller decides whether to accept them.
 /// Cost:   linear in the number of digits.
 /// Errors: none; x is unspecified if there is no number.
-[[gnu::noinline]] inline const char* parse_real(const char* first, const char* last, double& x) {
+inline const char* parse_real(const char* first, const char* last, double& x) {
   const char* p = first;
   const bool negative = p != last && *p == '-';
   if (p != last && (*p == '-' || *p == '+')) ++p;

@@ -105,7 +105,7 @@ inline bool divide_by_power_of_ten(std::uint64_t w, unsigned k, double& x) {
 }
 
 /// The end of an exponent that begins with d or D after the digits [first, end) of a number without an exponent; null if there is none.
-[[gnu::noinline, gnu::cold]] inline const char* end_of_fortran_exponent(const char* first, const char* end, const char* last) {
+inline const char* end_of_fortran_exponent(const char* first, const char* end, const char* last) {
   if (end == last || (*end | 0x20) != 'd' || !(is_digit(end[-1]) || end[-1] == '.')) return nullptr;
   for (const char* q = first; q != end; ++q)
     if ((*q | 0x20) == 'e') return nullptr;
@@ -118,7 +118,7 @@ inline bool divide_by_power_of_ten(std::uint64_t w, unsigned k, double& x) {
 
 /// As std::from_chars, but accepts a leading '+', and exponents that begin with d or D.
 /// A number too small for a double becomes 0, a number too large becomes infinite.
-[[gnu::noinline]] inline const char* parse_real_slowly(const char* first, const char* last, double& x) {
+inline const char* parse_real_slowly(const char* first, const char* last, double& x) {
   const char* p = first;
   if (p != last && *p == '+') {
     ++p;
