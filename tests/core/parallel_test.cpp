@@ -12,14 +12,29 @@
 #include <chrono>
 #include <cstdlib>
 #include <forward_list>
+#include <fstream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #ifdef __linux__
 #include <sched.h>
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define CONCINO_TEST_WITH_SANITIZER 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define CONCINO_TEST_WITH_SANITIZER 1
+#endif
+#endif
+#ifndef CONCINO_TEST_WITH_SANITIZER
+#define CONCINO_TEST_WITH_SANITIZER 0
 #endif
 
 using concino::parallel_for;
@@ -255,3 +270,91 @@ TEST_CASE("parallel: loops call the function itself, not a copy") {
   parallel_for_each(concino::id_range<concino::vert_id>(10), count, 3);
   CHECK(last == 30);
 }
+
+TEST_CASE("parallel: loops in loops and many short loops are those of one thread") {
+  for (const int n : numbers_of_threads) {
+    const with_num_threads now(n);
+    std::vector<int> calls(64 * 64, 0);
+    concino::core::for_each_chunk(64, [&](std::size_t i) {
+      const auto outer = std::this_thread::get_id();
+      parallel_for(64, [&](std::size_t k) { calls[64 * i + k] += n == 1 || std::this_thread::get_id() == outer; }, 1);
+    });
+    CHECK(calls == std::vector<int>(calls.size(), 1));
+    std::size_t sum = 0;
+    for (std::size_t loop = 0; loop < 200; ++loop) {
+      std::size_t parts[7] = {};
+      concino::core::for_each_chunk(7, [&](std::size_t i) { parts[i] = i + loop; });
+      for (const std::size_t x : parts) sum += x;
+    }
+    CHECK(sum == 7 * (199 * 200 / 2) + 200 * 21);
+  }
+}
+
+TEST_CASE("parallel: the calling thread waits for chunks that take long") {
+  const with_num_threads now(2);
+  const auto caller = std::this_thread::get_id();
+  bool is_done = false;  // not atomic: the end of the loop orders both threads
+  std::atomic<bool> begun{false};
+  concino::core::for_each_chunk(2, [&](std::size_t) {
+    if (std::this_thread::get_id() == caller) {
+      while (!begun) std::this_thread::yield();
+      return;
+    }
+    begun = true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(3));
+    is_done = true;
+  });
+  CHECK(is_done);
+}
+
+TEST_CASE("parallel: what stop throws reaches the caller, and the next loop is complete") {
+  for (const int n : numbers_of_threads) {
+    const with_num_threads now(n);
+    for (int repeat = 0; repeat < 20; ++repeat) {
+      std::atomic<std::size_t> calls{0};
+      const auto wait = [&](std::size_t) {
+        ++calls;
+        std::this_thread::sleep_for(std::chrono::microseconds(50));
+      };
+      const auto stop = [&](double) -> bool { return calls >= 10 ? throw std::domain_error("stop") : false; };
+      CHECK_THROWS_AS(parallel_for(1000, wait, 1, stop), std::domain_error);
+      CHECK(calls >= 10);
+      CHECK(calls < 1000);
+      calls = 0;
+      concino::core::for_each_chunk(20, [&](std::size_t) { ++calls; });
+      CHECK(calls == 20);
+    }
+  }
+}
+
+#if defined(__linux__) && !CONCINO_TEST_WITH_SANITIZER
+TEST_CASE("parallel: where the system starts no thread, the calling one does all") {
+  const with_num_threads now(3);
+  std::size_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  ::rlimit before;
+  REQUIRE(::getrlimit(RLIMIT_AS, &before) == 0);
+  const ::rlimit small{pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) + (std::size_t{4} << 20), before.rlim_max};
+  std::atomic<bool> is_over{false};
+  std::vector<std::thread> others;  // take the memory that ended threads have left
+  others.reserve(100);
+  std::size_t calls = 0, elsewhere = 0;
+  REQUIRE(::setrlimit(RLIMIT_AS, &small) == 0);
+  try {
+    while (others.size() < 100) others.emplace_back([&] { while (!is_over) std::this_thread::sleep_for(std::chrono::milliseconds(1)); });
+  } catch (const std::system_error&) {
+  }
+  const auto caller = std::this_thread::get_id();
+  parallel_for(8, [&](std::size_t) {
+    elsewhere += std::this_thread::get_id() != caller;
+    std::this_thread::sleep_for(std::chrono::microseconds(300));
+    ++calls;
+  }, 1);
+  ::setrlimit(RLIMIT_AS, &before);
+  is_over = true;
+  for (std::thread& t : others) t.join();
+  CHECK(others.size() < 100);
+  CHECK(calls == 8);
+  CHECK(elsewhere == 0);
+}
+#endif

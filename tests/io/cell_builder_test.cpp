@@ -117,33 +117,6 @@ TEST_CASE("cell_builder: rejects cells that are no cells, and names the vert") {
   CHECK(bad.cells.size() == 0);
 }
 
-TEST_CASE("cell_builder: a list that is taken over gives the same as its cells added one by one") {
-  const std::vector<unsigned> pyramid = {5, 4, 7, 6, 8};  // inside out
-  built_cells one_by_one, taken;
-  CHECK(one_by_one.add(cell_shape::pyramid, pyramid));
-  CHECK(one_by_one.polyhedron(hex_faces));
-  std::vector<vert_id> list;
-  for (const unsigned v : pyramid) list.push_back(vert_id{v});
-  list.push_back(vert_id{hex_faces.size()});
-  for (const auto& face : hex_faces) {
-    list.push_back(vert_id{face.size()});
-    for (const unsigned v : face) list.push_back(vert_id{v});
-  }
-  const std::size_t n = list.size() - 5;
-  taken.cells.take(std::move(list));
-  CHECK(taken.cells.add_taken(cell_shape::pyramid, 5));
-  CHECK(taken.cells.add_taken(cell_shape::general, n));
-  const volume_contents a = one_by_one.finish(), b = taken.finish();
-  CHECK(a.polyhedra.face_verts == b.polyhedra.face_verts);
-  CHECK(a.polyhedra.poly_faces == b.polyhedra.poly_faces);
-  CHECK(a.polyhedra.outward == b.polyhedra.outward);
-  CHECK(one_by_one.report.notes == taken.report.notes);
-  built_cells bad;
-  bad.cells.take({vert_id{0}, vert_id{1}, vert_id{1}, vert_id{3}});
-  CHECK(!bad.cells.add_taken(cell_shape::tet, 4));
-  CHECK(bad.reason() == "different verts in a cell (or set options.repeated_verts) | vert 2 twice");
-}
-
 TEST_CASE("cell_builder: faces with equal sums of verts are different, and many faces are compared too") {
   built_cells some;
   CHECK(some.polyhedron({{0, 5, 4}, {1, 2, 6}, {1, 3, 5}}));

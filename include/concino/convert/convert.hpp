@@ -61,7 +61,7 @@ conversion<To, From> convert_by_arrays(const From& m) {
       cell_arrays a;
       a.arity = static_cast<std::uint32_t>(arity_v<To>);
       a.points = copy_points(m);
-      core::reserve_exact(a.verts, a.arity * num_polys(m));
+      a.verts.reserve(a.arity * num_polys(m));
       for_each_cell(m, vert_number, a.arity, [&](const poly_t<From>&, const vert_id* corners) { a.verts.insert(a.verts.end(), corners, corners + a.arity); });
       return To(std::move(a));
     }

@@ -4,7 +4,6 @@
 // hierarchies", for the restriction to a few split positions.
 #pragma once
 
-#include <concino/core/large_pages.hpp>
 #include <concino/core/parallel.hpp>
 
 #include <algorithm>
@@ -145,7 +144,7 @@ class box_tree_builder {
     const auto n = static_cast<std::uint32_t>(items_.size());
     std::vector<Node> nodes;
     if (n == 0) return nodes;
-    core::reserve_large(nodes, n);
+    nodes.reserve(n);
     nodes.resize(1);
     std::vector<range> parts;
     const std::uint32_t part_size = std::max<std::uint32_t>(n / 64, 2048);

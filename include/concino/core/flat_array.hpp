@@ -2,8 +2,6 @@
 // returned without a copy if the system can free pages. It can take over a vector of the caller's as it is.
 #pragma once
 
-#include <concino/core/large_pages.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -24,11 +22,11 @@ class flat_array {
   std::size_t size_ = 0, capacity_ = 0;
   std::vector<T> adopted_;  // not empty: data_ is its memory
 
-  [[gnu::noinline]] void reallocate(std::size_t n) {
+  void reallocate(std::size_t n) {
     if (n > static_cast<std::size_t>(-1) / 2 / sizeof(T)) throw std::bad_alloc();
     const bool was_adopted = !adopted_.empty();
     void* const old = was_adopted ? nullptr : static_cast<void*>(data_);
-    void* const p = was_adopted || n > capacity_ ? reallocate_large(old, size_ * sizeof(T), n * sizeof(T)) : std::realloc(old, n * sizeof(T));
+    void* const p = std::realloc(old, n * sizeof(T));
     if (!p) throw std::bad_alloc();
     if (was_adopted) {
       std::memcpy(p, static_cast<const void*>(data_), std::min(n, size_) * sizeof(T));
@@ -37,12 +35,8 @@ class flat_array {
     data_ = static_cast<T*>(p);
     capacity_ = n;
   }
-  /// Reallocates for n entries and some more: half as many as there are, in whole large pages.
-  void grow(std::size_t n) {
-    n = std::max(n, size_ + size_ / 2);
-    if (n <= static_cast<std::size_t>(-1) / 2 / sizeof(T)) n = whole_pages(n * sizeof(T), n * sizeof(T) / 3) / sizeof(T);
-    reallocate(n);
-  }
+  /// Reallocates for n entries and some more: half as many as there are.
+  void grow(std::size_t n) { reallocate(std::max(n, size_ + size_ / 2)); }
 
  public:
   flat_array() = default;
@@ -89,23 +83,17 @@ class flat_array {
   void reserve(std::size_t n) {
     if (n > capacity_) reallocate(n);
   }
-  /// Requests pages for all memory of the array, which will be written at once. Large pages are taken in no more time by the first access.
-  void request_pages() {
-    if (capacity_ * sizeof(T) < detail::large_page) core::request_pages(data_, capacity_ * sizeof(T));
-  }
+  /// Has no effect.
+  void request_pages() {}
   /// New entries are uninitialised.
   void resize(std::size_t n) {
     reserve(n);
     size_ = n;
   }
-  [[gnu::always_inline]] inline void push_back(const T& value) {  // g++ would not inline it where it is called often
-    if (size_ == capacity_) [[unlikely]] {
-      const T kept = value;
-      grow(16);
-      data_[size_++] = kept;
-    } else {
-      data_[size_++] = value;
-    }
+  void push_back(const T& value) {
+    const T kept = value;  // a copy: value may be in this array
+    if (size_ == capacity_) grow(16);
+    data_[size_++] = kept;
   }
   /// Reserves memory for n more entries and returns their address; resize() makes them part of the array.
   T* reserve_back(std::size_t n) {

@@ -2,8 +2,6 @@
 // decrease.
 #pragma once
 
-#include <concino/core/large_pages.hpp>
-
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -44,9 +42,7 @@ class indexed_heap {
   }
 
  public:
-  explicit indexed_heap(std::span<double> keys) : keys_(keys.data()), positions_(std::make_unique_for_overwrite<std::uint32_t[]>(keys.size())) {
-    prefer_large_pages(positions_.get(), keys.size() * sizeof(std::uint32_t));
-  }
+  explicit indexed_heap(std::span<double> keys) : keys_(keys.data()), positions_(std::make_unique_for_overwrite<std::uint32_t[]>(keys.size())) {}
 
   bool empty() const { return heap_.empty(); }
   const Node& front() const { return heap_.front().node; }

@@ -1,7 +1,6 @@
 // Numbers a few elements 0, 1, 2, ... in the order in which they come.
 #pragma once
 
-#include <concino/core/large_pages.hpp>
 #include <concino/core/small_array.hpp>
 
 #include <algorithm>
@@ -26,7 +25,7 @@ class local_numbers {
     return i;
   }
   void make_table(std::size_t size) {
-    slots_ = large_vector(size, std::uint32_t{0});
+    slots_.assign(size, 0);
     for (std::size_t i = 0; i < keys_.size(); ++i) slots_[slot(keys_[i])] = static_cast<std::uint32_t>(i + 1);
   }
 

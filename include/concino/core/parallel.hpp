@@ -1,7 +1,7 @@
 // Parallel loops; all loops in parallel use this header. A loop starts on the calling thread; after a fifth of a millisecond it shares the rest with other
-// threads, so that short loops have no overhead. If the calls write to different places, the result is the same for any number of threads. The
-// environment variable CONCINO_NUM_THREADS is the maximum number of threads of a loop, 1 for the calling one only. The default is the number of
-// cores available to the process.
+// threads, so that short loops have no overhead. Loops in loops that are shared run on one thread each. If the calls write to different places, the result is
+// the same for any number of threads. The environment variable CONCINO_NUM_THREADS is the maximum number of threads of a loop, 1 for the calling one only.
+// The default is the number of cores available to the process.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -10,6 +10,8 @@
 #include <cstddef>
 #include <initializer_list>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace concino {
 
@@ -18,28 +20,13 @@ namespace core {
 /// The maximum number of threads of a loop.
 std::size_t num_threads();
 
-class helper_threads;
-
-/// Helper threads for all loops of a call that lasts some milliseconds, since it takes a tenth of one until a thread that is started runs. The first
-/// statement of such a call makes this object: the first helper starts at once, without waiting for it, more when a loop is long, and each loop on this
-/// thread shares its chunks with those that are there. The destructor ends them. Loops find the object through a pointer of the calling thread, not as an argument:
-/// they lie in constructors of meshes and in maps of users, whose functions would all need it, and no result depends on it.
-/// Nothing is started if the call is not long, if an object exists on this thread already, or in a loop of several threads, where all cores are busy.
+/// Has no effect.
 class thread_team {
-  helper_threads* helpers_ = nullptr;
-
  public:
-  explicit thread_team(bool is_long);
-  thread_team(const thread_team&) = delete;
-  thread_team& operator=(const thread_team&) = delete;
-  ~thread_team();
-  /// Call it if no long loop follows: the helpers end while this thread goes on, and the system frees memory faster for a process of one thread.
-  void finish();
+  explicit thread_team(bool) {}
+  ~thread_team() {}
+  void finish() {}
 };
-
-/// Runs the parts of a task, in several threads if it takes long. run(release) takes the next part, calls release() and works on the part; it
-/// returns whether more were left. Until release() no other thread takes a part; release is empty while there is no other thread.
-void run_parts(function_ref<bool(function_ref<void()>)> run);
 
 /// Calls run(first, last) for indices 0 to n in chunks, in several threads if it takes long; calls stop(fraction done), if there is one, as
 /// parallel_for does.
@@ -82,12 +69,48 @@ using loop_body = std::conditional_t<std::is_trivially_copyable_v<F> && std::is_
 /// A range whose parts are accessible without iteration, such as the elements of the native meshes.
 template<class R> concept is_divisible = requires(const R& r, std::size_t i) { r.part(i, i); r.index_bound(); };
 
+/// A range in chunks that several threads can visit. The range must live as long.
+template<class R>
+class range_chunks {
+  const R& range_;
+  std::size_t chunk_, size_ = 0;
+  std::vector<decltype(std::declval<const R&>().begin())> begins_;  // of the chunks, unless the range is divisible
+
+ public:
+  range_chunks(const R& range, std::size_t chunk) : range_(range), chunk_(chunk == 0 ? 1 : chunk) {
+    if constexpr (is_divisible<R>) {
+      size_ = range.index_bound() / chunk_ + (range.index_bound() % chunk_ != 0);
+    } else {
+      const auto end = range.end();
+      std::size_t n = 0;
+      for (auto it = range.begin(); it != end; ++it, ++n)
+        if (n % chunk_ == 0) begins_.push_back(it);
+      size_ = begins_.size();
+    }
+  }
+  /// How many chunks there are.
+  std::size_t size() const { return size_; }
+
+  /// Calls f(x) for every element of a chunk.
+  template<class F>
+  void for_each(std::size_t c, F&& f) const {
+    if constexpr (is_divisible<R>) {
+      const std::size_t first = c * chunk_, left = range_.index_bound() - first;
+      for (const auto& x : range_.part(first, first + (left < chunk_ ? left : chunk_))) f(x);
+    } else {
+      const auto end = range_.end();
+      std::size_t n = 0;
+      for (auto it = begins_[c]; n < chunk_ && it != end; ++it, ++n) f(*it);
+    }
+  }
+};
+
 }  // namespace core
 
 /// Calls f(i) for every i in [0, n).
 /// Needs:  calls with different i do not write to the same place; chunk > 0 neighbouring indices go to one thread together.
 /// Result: as of the plain loop, for any number of threads. `stop` is called now and then on the calling thread; once it
-///         returns true the calls not yet begun are omitted.                    Cost: n calls; one lock per chunk once several threads work.
+///         returns true the calls not yet begun are omitted.                    Cost: n calls; two locks per chunk.
 /// Errors: what f throws; of several exceptions the one of the lowest chunk, as the plain loop would.
 template<class F>
 void parallel_for(std::size_t n, F&& f, std::size_t chunk, function_ref<bool(double)> stop) {
@@ -105,34 +128,17 @@ void parallel_for(std::size_t n, F&& f, std::size_t chunk = 1024) {
 
 /// Calls f(x) for every x of a range that can only be iterated over, such as the elements of any mesh.
 /// Needs:  calls with different x do not write to the same place; several threads can iterate over the range, more than once.
-/// Result: as of the plain loop, for any number of threads.      Cost: n calls; once several threads work, one lock per chunk and one more
-///         iteration, none of a range with accessible parts, as those of the native meshes.
+/// Result: as of the plain loop, for any number of threads.      Cost: n calls; two locks per chunk, and one more iteration, none of a range with
+///         accessible parts, as those of the native meshes.
 /// Errors: what f throws; of several, as parallel_for.
 template<class R, class F>
 void parallel_for_each(const R& range, F&& f, std::size_t chunk = 1024) {
-  using body_type = core::loop_body<std::remove_reference_t<F>, decltype(*range.begin())>;
-  if constexpr (core::is_divisible<R>) {
-    const auto run = [&](std::size_t first, std::size_t last) {
-      body_type body = f;
-      for (const auto& x : range.part(first, last)) body(x);
-    };
-    core::run_chunks(range.index_bound(), chunk, run, {});
-  } else {
-    const auto end = range.end();
-    auto next = range.begin();
-    const std::size_t most = chunk == 0 ? 1 : chunk;
-    core::run_parts([&](function_ref<void()> release) {
-      auto it = next;
-      if (release) {  // the next part begins where this one will end
-        for (std::size_t n = 0; n < most && next != end; ++n) ++next;
-        release();
-      }
-      body_type body = f;
-      for (std::size_t n = 0; n < most && it != end; ++n, ++it) body(*it);
-      if (!release) next = it;
-      return it != end;
-    });
-  }
+  const core::range_chunks<R> chunks(range, chunk);
+  const auto run = [&](std::size_t c, std::size_t) {
+    core::loop_body<std::remove_reference_t<F>, decltype(*range.begin())> body = f;
+    chunks.for_each(c, body);
+  };
+  core::run_chunks(chunks.size(), 1, run, {});
 }
 
 }  // namespace concino

@@ -1,11 +1,11 @@
 // small_array: an array that needs no allocation while it is small, for lists of a few elements that are made often.
 #pragma once
 
-#include <concino/core/temporary_array.hpp>
-
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <type_traits>
+#include <utility>
 
 namespace concino::core {
 
@@ -15,17 +15,17 @@ class small_array {
   static_assert(std::is_trivially_copyable_v<T>);
 
   alignas(T) std::byte inside_[N * sizeof(T)];  // no values are constructed before they are needed
-  temporary_array<T> outside_;                  // empty, or all values
+  std::unique_ptr<T[]> outside_;                // null, or all values
   T* data_ = reinterpret_cast<T*>(inside_);
   std::size_t size_ = 0, capacity_ = N;
 
   void grow(std::size_t n) {
     n = std::max(n, 2 * capacity_);
-    temporary_array<T> more(n);
-    std::copy_n(data_, size_, more.data());
-    outside_.swap(more);
-    data_ = outside_.data();
-    capacity_ = outside_.capacity();
+    auto more = std::make_unique_for_overwrite<T[]>(n);
+    std::copy_n(data_, size_, more.get());
+    outside_ = std::move(more);
+    data_ = outside_.get();
+    capacity_ = n;
   }
 
  public:
@@ -53,7 +53,7 @@ class small_array {
   }
   void push_back(const T& value) {
     const T kept = value;  // a copy: value may be in this array
-    if (size_ == capacity_) [[unlikely]] grow(size_ + 1);
+    if (size_ == capacity_) grow(size_ + 1);
     data_[size_++] = kept;
   }
   /// New values are copies of `value`.

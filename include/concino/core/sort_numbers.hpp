@@ -8,7 +8,7 @@
 namespace concino::core {
 
 /// Sorts [first, last), ascending.
-/// Cost:   as std::sort; many 64-bit numbers are sorted by their bytes, O(n), and need as much memory again if there is any.      Errors: none.
+/// Cost:   as std::sort.      Errors: none.
 void sort_numbers(int* first, int* last);
 void sort_numbers(std::uint64_t* first, std::uint64_t* last);
 

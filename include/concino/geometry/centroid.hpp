@@ -30,7 +30,7 @@ vec3 large_mean_of(const M& m, const Loop& loop) {
   return frame.is_finite() && !is_finite(mean) ? frame.from_local(mean_of<vert_t<M>>(loop, points_by_vert_in(m, frame))) : mean;
 }
 template<class M>
-[[gnu::noinline, gnu::cold]] vec3 large_mean(const M& m, const poly_t<M>& p) {
+vec3 large_mean(const M& m, const poly_t<M>& p) {
   return large_mean_of(m, adj_p2v(m, p));
 }
 
@@ -42,7 +42,7 @@ template<Embedded M>
   requires requires(const M& m, poly_t<M> p) { adj_p2v(m, p); }
 vec3 vert_mean(const M& m, const poly_t<M>& p) {
   const vec3 mean = detail::mean_of<vert_t<M>>(adj_p2v(m, p), detail::points_by_vert(m));
-  if (is_finite(mean)) [[likely]] return mean;
+  if (is_finite(mean)) return mean;
   return detail::large_mean(m, p);
 }
 
@@ -135,11 +135,11 @@ vec3 centre_in(const local_frame& frame, const M& m, const X& x, const vec3& ori
 }
 // Only the mesh and the element are passed, so that the common case keeps its sums in registers.
 template<class M>
-[[gnu::noinline, gnu::cold]] vec3 centroid_at_any_scale(const M& m, const poly_t<M>& p) {
+vec3 centroid_at_any_scale(const M& m, const poly_t<M>& p) {
   return centre_in(frame_of_poly(m, p), m, p, vert_mean(m, p));
 }
 template<class M>
-[[gnu::noinline, gnu::cold]] vec3 face_centroid_at_any_scale(const M& m, const face_t<M>& f) {
+vec3 face_centroid_at_any_scale(const M& m, const face_t<M>& f) {
   return centre_in(frame_of_loop(m, adj_f2v(m, f)), m, f, large_mean_of(m, adj_f2v(m, f)));
 }
 
@@ -154,7 +154,7 @@ template<EmbeddedMesh M>
 vec3 centroid(const M& m, const poly_t<M>& p) {
   const vec3 origin = detail::mean_of<vert_t<M>>(adj_p2v(m, p), detail::points_by_vert(m));
   const detail::moments sum = detail::moments_of(m, p, detail::points_by_vert(m), origin);
-  if (detail::moments_keep_digits(sum)) [[likely]] return detail::centre_of(sum, origin);
+  if (detail::moments_keep_digits(sum)) return detail::centre_of(sum, origin);
   return detail::centroid_at_any_scale(m, p);
 }
 
@@ -166,7 +166,7 @@ template<VolumeMesh M>
 vec3 centroid(const M& m, const face_t<M>& f) {
   const vec3 origin = shape_of(m, adj_f2v(m, f)).mean;
   const detail::moments sum = detail::moments_of(m, f, detail::points_by_vert(m), origin);
-  if (detail::moments_keep_digits(sum)) [[likely]] return detail::centre_of(sum, origin);
+  if (detail::moments_keep_digits(sum)) return detail::centre_of(sum, origin);
   return detail::face_centroid_at_any_scale(m, f);
 }
 

@@ -20,7 +20,7 @@ namespace detail {
 inline double angle_at_corner(const vec3& before, const vec3& at, const vec3& after, const vec3& normal) {
   vec3 out = after - at, back = before - at, turn = cross(out, back);
   double cosine = dot(out, back);
-  if (!keeps_digits(dot(turn, turn) + cosine * cosine)) [[unlikely]] {
+  if (!keeps_digits(dot(turn, turn) + cosine * cosine)) {
     out = step_about_one(at, after);
     back = step_about_one(at, before);
     turn = cross(out, back);

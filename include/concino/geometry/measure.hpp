@@ -19,7 +19,7 @@ namespace detail {
 
 /// The vector area for points so far apart that the sum overflows.
 template<class M, class Loop>
-[[gnu::noinline, gnu::cold]] vec3 large_area_vector(const M& m, const Loop& loop, const vec3& otherwise) {
+vec3 large_area_vector(const M& m, const Loop& loop, const vec3& otherwise) {
   const local_frame frame = frame_of_loop(m, loop);
   if (!frame.is_finite()) return otherwise;
   const vec3 a = area_vector_through<vert_t<M>>(loop, points_by_vert_in(m, frame));
@@ -28,7 +28,7 @@ template<class M, class Loop>
 template<class M, class Loop>
 vec3 safe_area_vector(const M& m, const Loop& loop) {
   const vec3 a = area_vector_of(m, loop);
-  if (is_finite(a)) [[likely]] return a;
+  if (is_finite(a)) return a;
   return large_area_vector(m, loop, a);
 }
 
@@ -36,13 +36,13 @@ template<class M, class Loop>
 double safe_area(const M& m, const Loop& loop) {
   const vec3 a = area_vector_of(m, loop);
   const double size = norm(a);
-  if (size <= std::numeric_limits<double>::max()) [[likely]] return size;
+  if (size <= std::numeric_limits<double>::max()) return size;
   return norm(large_area_vector(m, loop, a));
 }
 
 /// at(v): the point of vert v.
 template<class M, class At>
-[[gnu::always_inline]] inline double volume_through(const M& m, const poly_t<M>& p, const At& at) {
+inline double volume_through(const M& m, const poly_t<M>& p, const At& at) {
   if constexpr (TetMesh<M>) {  // faster: a determinant
     vec3 x[4];
     std::size_t n = 0;
@@ -65,18 +65,18 @@ template<class M, class At>
 
 /// The area or volume of p with the points at(v).
 template<class M, class At>
-[[gnu::always_inline]] inline double measure_through(const M& m, const poly_t<M>& p, const At& at) {
+inline double measure_through(const M& m, const poly_t<M>& p, const At& at) {
   if constexpr (SurfaceMesh<M>) return norm(area_vector_through<vert_t<M>>(adj_p2v(m, p), at));  // an area needs the cycle of verts, a volume the faces
   else return volume_through(m, p, at);
 }
 
 template<class M>
-[[gnu::noinline, gnu::cold]] double large_volume(const M& m, const poly_t<M>& p, double otherwise) {
+double large_volume(const M& m, const poly_t<M>& p, double otherwise) {
   const local_frame frame = frame_of_poly(m, p);
   return frame.is_finite() ? frame.from_local(volume_through(m, p, points_by_vert_in(m, frame)), 3) : otherwise;
 }
 template<class M>
-[[gnu::noinline, gnu::cold]] double large_total_measure(const M& m, double otherwise) {
+double large_total_measure(const M& m, double otherwise) {
   const local_frame frame([&](auto&& visit) {
     for (const poly_t<M> p : polys(m)) for_each_point_of(m, p, visit);
   });
@@ -129,7 +129,7 @@ template<VolumeMesh M>
   requires Embedded<M>
 double volume(const M& m, const poly_t<M>& p) {
   const double size = detail::volume_through(m, p, detail::points_by_vert(m));
-  if (std::isfinite(size)) [[likely]] return size;
+  if (std::isfinite(size)) return size;
   return detail::large_volume(m, p, size);
 }
 
@@ -167,7 +167,7 @@ template<EmbeddedMesh M>
 double total_measure(const M& m) {
   double sum = 0;
   for (const poly_t<M> p : polys(m)) sum += detail::measure_through(m, p, detail::points_by_vert(m));
-  if (std::isfinite(sum)) [[likely]] return sum;
+  if (std::isfinite(sum)) return sum;
   return detail::large_total_measure(m, sum);
 }
 

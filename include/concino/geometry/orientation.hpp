@@ -13,12 +13,12 @@ namespace detail {
 /// Half the distance from 1 to the next double.
 inline constexpr double unit_roundoff = 0x1p-53;
 
-[[gnu::noinline]] inline int orient2d_exactly(double ax, double ay, double bx, double by, double cx, double cy) {
+inline int orient2d_exactly(double ax, double ay, double bx, double by, double cx, double cy) {
   const auto left = product(core::difference(ax, cx), core::difference(by, cy)), right = product(core::difference(ay, cy), core::difference(bx, cx));
   return sum(left, minus(right)).sign();
 }
 
-[[gnu::noinline]] inline int orient3d_exactly(const vec3& a, const vec3& b, const vec3& c, const vec3& d) {
+inline int orient3d_exactly(const vec3& a, const vec3& b, const vec3& c, const vec3& d) {
   const core::expansion<2> ax = core::difference(a.x, d.x), ay = core::difference(a.y, d.y), az = core::difference(a.z, d.z);
   const core::expansion<2> bx = core::difference(b.x, d.x), by = core::difference(b.y, d.y), bz = core::difference(b.z, d.z);
   const core::expansion<2> cx = core::difference(c.x, d.x), cy = core::difference(c.y, d.y), cz = core::difference(c.z, d.z);

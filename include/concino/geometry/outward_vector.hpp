@@ -23,7 +23,7 @@ vec3 outward_vector(const M& m, const poly_t<M>& p, const edge_t<M>& x) {
     if (!(e == x)) continue;
     const vec3 a = to_vec3(point(m, from)), b = to_vec3(point(m, to)), n = normal(m, p);
     const vec3 step = b - a;
-    if (is_finite(step)) [[likely]] return cross(step, n);
+    if (is_finite(step)) return cross(step, n);
     return 2 * cross(0.5 * b - 0.5 * a, n);
   }
   return {};

@@ -17,7 +17,7 @@ namespace detail {
 
 /// at(v): the point of vert v.
 template<class V, class Loop, class At>
-[[gnu::always_inline]] inline polygon_shape shape_through(const Loop& loop, const At& at) {
+inline polygon_shape shape_through(const Loop& loop, const At& at) {
   vec3 first, previous, sum, doubled;
   double n = 0;
   for (const V v : loop) {
@@ -36,7 +36,7 @@ template<class V, class Loop, class At>
 }
 
 template<class V, class Loop, class At>
-[[gnu::always_inline]] inline vec3 area_vector_through(const Loop& loop, const At& at) {
+inline vec3 area_vector_through(const Loop& loop, const At& at) {
   auto it = loop.begin();
   const auto end = loop.end();
   vec3 doubled;
@@ -78,7 +78,7 @@ polygon_shape shape_of(const M& m, const Loop& loop) {
 /// The vector area only.
 /// Needs:  Embedded M.      Result: the area of shape_of, with the same bits.      Cost: O(verts), half of that of shape_of.      Errors: none.
 template<Embedded M, class Loop>  // g++ would not inline it into face_normals, which takes a fifth more time
-[[gnu::always_inline]] inline vec3 area_vector_of(const M& m, const Loop& loop) {
+inline vec3 area_vector_of(const M& m, const Loop& loop) {
   return detail::area_vector_through<vert_t<M>>(loop, detail::points_by_vert(m));
 }
 

@@ -1,7 +1,7 @@
 // cell_builder: collects the cells of a volume, of any shapes in any order, for the readers of file formats.
 #pragma once
 
-#include <concino/io/detail/contents.hpp>
+#include <concino/io/detail/cell_record.hpp>
 #include <concino/io/detail/polyhedra_builder.hpp>
 
 #include <concepts>
@@ -26,52 +26,31 @@ namespace concino {
 /// Errors: unsupported for more corners than there are ids. What else is wrong with a cell is returned, so that the reader can say where it stands.
 /// A template only so that programs without volumes need not compile it: cell_builder.
 template<std::same_as<volume_contents> Contents>
-class basic_cell_builder {
-  const read_context& in_;
+class basic_cell_builder : public detail::cell_record {
   std::vector<vec3>& points_;
-  std::size_t first_number_;           // of verts, in messages
-  std::vector<vert_id> verts_;         // of the cells before the first polyhedron, or those that were taken over; of a polyhedron its list
-  std::vector<cell_shape> shapes_;     // of each cell, once they differ
-  cell_shape only_ = cell_shape::tet;  // of all cells so far
-  std::size_t cells_ = 0, num_general_ = 0, num_negative_ = 0, num_turned_ = 0;
-  std::uint64_t corners_ = 0;          // of the faces of all cells
-  std::size_t numbers_ = 0;            // of the lists of all cells
-  std::size_t expected_ = 0;           // the same when all cells are added, if known
+  std::vector<vert_id> verts_;         // of the cells before the first polyhedron, and the list of the polyhedron that is being added
+  std::size_t num_general_ = 0;
   std::size_t first_ = 0, faces_ = 0;  // of the polyhedron that is being added
   std::vector<std::uint64_t> scratch_;
   detail::polys_with_repeats repeated_;
   std::optional<detail::polyhedra_builder<vert_id>> polyhedra_;  // all cells, once one is a polyhedron
 
  public:
-  std::string expected, found;  // the reason why a function below returned false
-
   /// `first_number` is the number of the first vert in messages.
   basic_cell_builder(const read_context& in, std::vector<vec3>& points, std::size_t first_number)
-      : in_(in), points_(points), first_number_(first_number) {}
+      : cell_record(in, first_number), points_(points) {}
 
   /// How many cells were added, with those that options.repeated_verts has dropped.
   std::size_t size() const { return cells_ + repeated_.dropped.size(); }
-  /// The number of verts of the first cell. Needs: a cell that is no polyhedron.
-  std::uint32_t arity() const { return standard_cell_of(only_).num_verts; }
   /// Makes room for n more cells of a shape. Needs: n was compared with the size of the file.
-  void reserve(cell_shape s, std::size_t n) { reserve_numbers(n * standard_cell_of(s).num_verts); }
-  /// Makes room for more cells, whose lists have so many numbers. Needs: as above.
-  void reserve_numbers(std::size_t n) {
-    expect_numbers(numbers_ + n);
-    if (!polyhedra_) core::reserve_large(verts_, verts_.size() + n);
-  }
-
-  /// Whether the wanted mesh can hold a cell of this shape.
-  bool can_hold(cell_shape s) const {
-    if (!in_.wanted.cells || in_.wanted.polyhedra) return true;
-    const std::uint32_t n = standard_cell_of(s).num_verts;
-    return n == wanted_arity(n) && (n == 4 || n == 8);
+  void reserve(cell_shape s, std::size_t n) {
+    if (!polyhedra_) verts_.reserve(verts_.size() + n * standard_cell_of(s).num_verts);
   }
 
   /// Adds a cell with its verts in the standard order, that of MEDIT. Returns false if a vert is there twice, or if the wanted mesh cannot hold the cell.
   bool add_cell(cell_shape s, const vert_id* v) {
     const std::size_t first = verts_.size(), n = standard_cell_of(s).num_verts;
-    if (takes_repeated() && detail::first_repeated(v, n, scratch_) != n) return add_mended(faces_of(s, v).data());
+    if (takes_repeated() && detail::first_repeated(v, n, scratch_) != n) return add_mended(detail::faces_of_cell(s, v).data());
     verts_.insert(verts_.end(), v, v + n);
     const bool is_valid = check_cell(s, verts_.data() + first);
     if (!is_valid || polyhedra_) verts_.resize(first);
@@ -99,57 +78,9 @@ class basic_cell_builder {
       return add_mended(list.data());
     }
     const bool is_recognised = in_.wanted.cells && !in_.wanted.polyhedra;
-    const bool is_valid = is_recognised ? add_recognised() : check_polyhedron(verts_.data() + first_, verts_.size() - first_);
+    const bool is_valid = is_recognised ? add_recognised() : check_polyhedron(verts_.data() + first_);
     if (!is_valid || polyhedra_) verts_.resize(first_);
     return is_valid;
-  }
-
-  /// The same with a list: the number of the faces, and for each the number of its verts and these.
-  /// Needs:  the wanted mesh can hold polyhedra. So many numbers, which are right.
-  bool add_polyhedron(const vert_id* list, std::size_t numbers) {
-    return takes_repeated() && detail::has_repeated_vert(list, scratch_) ? add_mended(list) : check_polyhedron(list, numbers);
-  }
-  /// Says how many numbers the lists of all cells have. Needs: as above.
-  void expect_numbers(std::size_t n) { expected_ = n; }
-
-  /// Takes over a list of all cells, which is not copied: the verts of standard cells in their order; of a polyhedron the number of its faces, and for
-  /// each the number of its verts and these. add_taken then adds each of its cells.
-  /// Needs:  no cell was added before. The wanted mesh can hold polyhedra, if there are any. options.repeated_verts is refuse.
-  void take(std::vector<vert_id>&& list) {
-    verts_ = std::move(list);
-    expected_ = verts_.size();
-  }
-  /// Adds the next n numbers of the list as a cell. Returns false as add_cell and end_polyhedron. Needs: n is right for the shape.
-  bool add_taken(cell_shape s, std::size_t n) {
-    vert_id* const v = verts_.data() + numbers_;
-    return s == cell_shape::general ? check_polyhedron(v, n) : check_cell(s, v);
-  }
-
-  /// Adds all cells of a volume that has cells of one shape only. Needs: no cell was added before.
-  /// Result: the number of cells; less if one is not valid, as for add_cell: then its position.
-  std::size_t add_all_cells(cell_shape s, std::vector<vert_id>&& list) {
-    const standard_cell& cell = standard_cell_of(s);
-    if (takes_repeated()) {
-      for (std::size_t c = 0; c * cell.num_verts < list.size(); ++c)
-        if (!add_cell(s, list.data() + c * cell.num_verts)) return c;
-      return size();
-    }
-    verts_ = std::move(list);
-    const std::size_t n = verts_.size() / cell.num_verts;
-    const bool fits = can_hold(s), are_tets = s == cell_shape::tet && fits && have_moderate_coordinates();
-    for (std::size_t c = 0; c < n; ++c) {
-      vert_id* const v = verts_.data() + c * cell.num_verts;
-      if (are_tets && is_plain_tet(v)) continue;
-      const std::size_t k = detail::first_repeated(v, cell.num_verts, scratch_);
-      if (k != cell.num_verts ? !reject_repeated(v[k], "a cell") : !fits && !reject(cell.name, cell.num_faces)) return c;
-      num_negative_ += make_volume_positive(s, v, points_);
-    }
-    for (unsigned f = 0; f < cell.num_faces; ++f) corners_ += n * cell.face_size[f];
-    if (verts_.size() > detail::max_ids || corners_ > detail::max_ids) core::throw_joined<unsupported>({in_.name, ": more than ", detail::max_ids, " corners of faces"});
-    only_ = s;
-    cells_ = n;
-    expected_ = verts_.size();
-    return n;
   }
 
   /// Moves the points and the cells into the contents.
@@ -167,18 +98,8 @@ class basic_cell_builder {
  private:
   bool takes_repeated() const { return in_.repeated_verts != repeated_verts::refuse; }
 
-  /// The faces of a standard cell, as a list.
-  static std::vector<vert_id> faces_of(cell_shape s, const vert_id* v) {
-    const standard_cell& cell = standard_cell_of(s);
-    std::vector<vert_id> list{vert_id{std::size_t{cell.num_faces}}};
-    for (unsigned f = 0; f < cell.num_faces; ++f) {
-      list.push_back(vert_id{std::size_t{cell.face_size[f]}});
-      for (unsigned i = 0; i < cell.face_size[f]; ++i) list.push_back(v[cell.face_vert[f][i]]);
-    }
-    return list;
-  }
   /// Adds what options.repeated_verts makes of a polyhedron with a vert twice.
-  [[gnu::noinline, gnu::cold]] bool add_mended(const vert_id* listed) {
+  bool add_mended(const vert_id* listed) {
     const auto number = static_cast<std::uint32_t>(size());
     repeated_.add(number, [] { return std::string(); });
     std::vector<vert_id> list;
@@ -204,94 +125,44 @@ class basic_cell_builder {
     return end_polyhedron();
   }
 
-  bool have_moderate_coordinates() const {
-    bool all = true;
-    for (const vec3& p : points_) all &= concino::has_moderate_coordinates(p);
-    return all;
-  }
-  /// Whether a tet has four different verts and a positive volume without doubt, as nearly all tets. Needs: have_moderate_coordinates().
-  bool is_plain_tet(const vert_id* v) const {
-    const vec3* const p = points_.data();
-    const vec3 &a = p[v[0].raw()], &b = p[v[1].raw()], &c = p[v[2].raw()], &d = p[v[3].raw()];
-    const double volume = dot(b - a, cross(c - a, d - a));
-    return volume > 1e-100 && volume < 1e100 && v[0] != v[1] && v[0] != v[2] && v[0] != v[3] && v[1] != v[2] && v[1] != v[3] && v[2] != v[3];
-  }
-
-  /// The number of verts that every cell must have: that of the wanted mesh, else that of the cells so far, else the one given.
-  std::uint32_t wanted_arity(std::uint32_t otherwise) const {
-    return in_.wanted.arity ? in_.wanted.arity : cells_ ? standard_cell_of(only_).num_verts : otherwise;
-  }
-
-  void end_cell(cell_shape s, std::size_t numbers) {
-    if (verts_.size() > detail::max_ids || corners_ > detail::max_ids) core::throw_joined<unsupported>({in_.name, ": more than ", detail::max_ids, " corners of faces"});
-    if (cells_ == 0) only_ = s;
-    if (s != only_ && shapes_.empty()) shapes_.assign(cells_, only_);
-    if (!shapes_.empty()) shapes_.push_back(s);
-    ++cells_;
-    numbers_ += numbers;
-    if (polyhedra_) expect_polyhedra();
-  }
-
   /// Ends a cell whose verts are in the list, if it is valid.
   bool check_cell(cell_shape s, vert_id* v) {
     const standard_cell& cell = standard_cell_of(s);
     if (const std::size_t k = detail::first_repeated(v, cell.num_verts, scratch_); k != cell.num_verts) return reject_repeated(v[k], "a cell");
-    if (!can_hold(s)) return reject(cell.name, cell.num_faces);
+    if (!can_hold(s)) return reject_shape(cell.name, cell.num_faces);
     num_negative_ += make_volume_positive(s, v, points_);
-    for (unsigned f = 0; f < cell.num_faces; ++f) corners_ += cell.face_size[f];
+    std::uint64_t corners = 0;
+    for (unsigned f = 0; f < cell.num_faces; ++f) corners += cell.face_size[f];
+    count_cell(s, corners);
     if (polyhedra_) polyhedra_->add_cell(s, v);
-    end_cell(s, cell.num_verts);
     return true;
   }
 
-  /// The same with the list of a polyhedron, which has so many numbers.
-  bool check_polyhedron(const vert_id* list, std::size_t numbers) {
+  /// The same with the list of a polyhedron.
+  bool check_polyhedron(const vert_id* list) {
     if (!polyhedra_) begin_polyhedra();
-    if (const detail::face_fault fault = polyhedra_->add(list, numbers); fault != detail::face_fault::none) {
+    if (const detail::face_fault fault = polyhedra_->add(list); fault != detail::face_fault::none) {
       const std::uint32_t number = polyhedra_->checked().number;
       if (num_general_ == 0) polyhedra_.reset();
       return reject_faces(fault, number);
     }
     ++num_general_;
-    corners_ += numbers - 1 - list->raw();
-    end_cell(cell_shape::general, numbers);
+    count_cell(cell_shape::general, polyhedra_->checked().num_corners);
     return true;
   }
 
   /// Makes polyhedra of all cells that there are.
-  [[gnu::noinline, gnu::cold]] void begin_polyhedra() {
+  void begin_polyhedra() {
     polyhedra_.emplace(points_);
     const vert_id* v = verts_.data();
     for (std::size_t c = 0; c < cells_; ++c) {
-      const cell_shape s = shapes_.empty() ? only_ : shapes_[c];
+      const cell_shape s = shape(c);
       polyhedra_->add_cell(s, v);
       v += standard_cell_of(s).num_verts;
-      if (c == 1023) polyhedra_->reserve_times(static_cast<double>(expected_) / static_cast<double>(v - verts_.data()));
     }
   }
-  /// Makes room for the expected polyhedra, as soon as there are enough of them to know how large they are.
-  void expect_polyhedra() {
-    if (cells_ == 1024 && expected_ > numbers_) polyhedra_->reserve_times(static_cast<double>(expected_) / static_cast<double>(numbers_));
-  }
-  [[gnu::noinline, gnu::cold]] bool reject_with(core::message what, core::message instead) {
-    expected = core::joined(what);
-    found = core::joined(instead);
-    return false;
-  }
-  [[gnu::noinline, gnu::cold]] bool reject_faces(detail::face_fault fault, std::uint32_t number) {
-    if (fault == detail::face_fault::too_few_verts) return reject_with({"a face of at least three verts"}, {"one of ", number});
-    if (fault == detail::face_fault::repeated_vert) return reject_repeated(vert_id{number}, "a face");
-    return reject_with({"different faces in a polyhedron"}, {"two with the same verts"});
-  }
-  [[gnu::noinline, gnu::cold]] bool reject_repeated(vert_id v, const char* where) {
-    return reject_with({"different verts in ", where, detail::repeated_verts_hint}, {"vert ", v.raw() + first_number_, " twice"});
-  }
-  [[gnu::noinline, gnu::cold]] bool reject(const char* shape, std::size_t faces_of_it) {
-    return reject_with({detail::name_of_poly(true, wanted_arity(4)), " (polyhedralmesh and load_any take any cell)"}, {"a ", shape, " of ", faces_of_it, " faces"});
-  }
-
   /// Replaces the polyhedron at the end of the list by a tet or a hex.
-  [[gnu::noinline, gnu::cold]] bool add_recognised() {
+  bool add_recognised() {
     detail::faces_check<vert_id> check;
     detail::face_list_decoder<vert_id> decode;
     const vert_id* const list = verts_.data() + first_;
@@ -305,21 +176,13 @@ class basic_cell_builder {
       if (!listed.outward[f]) known.reverse_face();
     }
     const cell_shape s = known.recognise();
-    if (s == cell_shape::general || !can_hold(s)) return reject(s == cell_shape::general ? "polyhedron" : standard_cell_of(s).name, listed.size);
+    if (s == cell_shape::general || !can_hold(s)) return reject_shape(s == cell_shape::general ? "polyhedron" : standard_cell_of(s).name, listed.size);
     const std::uint32_t n = standard_cell_of(s).num_verts;
     num_turned_ += turned;
-    corners_ += check.num_corners;
     verts_.resize(first_);
     verts_.insert(verts_.end(), known.cell, known.cell + n);
-    end_cell(s, n);
+    count_cell(s, check.num_corners);
     return true;
-  }
-
-  [[gnu::noinline, gnu::cold]] void report_reoriented() {
-    load_report& r = *in_.report;
-    r.reoriented_polys += num_negative_ + num_turned_;
-    if (num_negative_) r.notes.push_back(core::joined({num_negative_, " of ", cells_, " cells had a negative volume: their verts were put into the standard order"}));
-    if (num_turned_) r.notes.push_back(core::joined({num_turned_, " of ", cells_, " polyhedra were wound inconsistently or inside out: their faces were turned outward"}));
   }
 
   polyhedra_arrays polyhedra() {

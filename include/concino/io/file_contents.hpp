@@ -55,7 +55,7 @@ struct property_column {
 namespace detail {
 
 /// n default values.
-[[gnu::noinline]] inline std::shared_ptr<column> make_column(const value_type& type, std::size_t n) { return std::make_shared<column>(type, n); }
+inline std::shared_ptr<column> make_column(const value_type& type, std::size_t n) { return std::make_shared<column>(type, n); }
 
 }  // namespace detail
 

@@ -1,10 +1,15 @@
-// Parses numbers: independent of the locale, correctly rounded, and fast on the decimals of mesh files.
+// Parses numbers: independent of the locale, and correctly rounded.
 #pragma once
 
 #include <concino/io/detail/decimals.hpp>
 
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <system_error>
 
 namespace concino {
 
@@ -14,45 +19,23 @@ namespace concino {
 ///         are read too; the caller decides whether to accept them.
 /// Cost:   linear in the number of digits.
 /// Errors: none; x is unspecified if there is no number.
-[[gnu::noinline]] inline const char* parse_real(const char* first, const char* last, double& x) {
-  const char* p = first;
-  const bool negative = p != last && *p == '-';
-  if (p != last && (*p == '-' || *p == '+')) ++p;
-  std::uint64_t w = 0;
-  const char* digits = p;
-  p = detail::read_digits(p, last, w);
-  std::ptrdiff_t count = p - digits, decimals = 0;
-  if (p != last && *p == '.') {
-    const char* fraction = ++p;
-    p = detail::read_digits(p, last, w);
-    decimals = p - fraction;
-    count += decimals;
+inline const char* parse_real(const char* first, const char* last, double& x) {
+  const char* const from = detail::skip_plus(first, last);
+  if (!from) return nullptr;
+  const auto [end, problem] = detail::real_from_chars(from, last, x);
+  if (problem == std::errc::invalid_argument) return nullptr;
+  if (end != last && (*end | 0x20) == 'd' && std::string_view(from, end).find_first_of("eEnN") == std::string_view::npos)
+    if (const char* const past = detail::end_of_exponent(end, last, 'd'); past != end) {
+      std::string with_e(from, past);
+      with_e[static_cast<std::size_t>(end - from)] = 'e';
+      return parse_real(with_e.data(), with_e.data() + with_e.size(), x) ? past : nullptr;
+    }
+  if (problem == std::errc::result_out_of_range) {
+    const bool negative = *from == '-';
+    x = detail::is_too_large(from + negative, end) ? std::numeric_limits<double>::infinity() : 0.0;
+    if (negative) x = -x;
   }
-  if (count > 19)  // leading zeros do not count
-    for (; digits != p && (*digits == '0' || *digits == '.'); ++digits) count -= *digits == '0';
-  if (count == 0 || count > 19) return detail::parse_real_slowly(first, last, x);
-  std::ptrdiff_t exponent = -decimals;
-  if (p != last && ((*p | 0x20) == 'e' || (*p | 0x20) == 'd')) {
-    ++p;
-    const bool minus = p != last && *p == '-';
-    if (p != last && (*p == '-' || *p == '+')) ++p;
-    std::uint64_t e = 0;
-    const char* from = p;
-    p = detail::read_digits(p, last, e);
-    if (p == from || p - from > 4) return detail::parse_real_slowly(first, last, x);
-    exponent += minus ? -static_cast<std::ptrdiff_t>(e) : static_cast<std::ptrdiff_t>(e);
-  }
-  if (w < (std::uint64_t{1} << 53) && exponent >= -22 && exponent <= 22) {  // both are exact, so only the result is rounded
-    x = static_cast<double>(w);
-    if (exponent < 0) x /= detail::exact_powers_of_ten[static_cast<std::size_t>(-exponent)];
-    else x *= detail::exact_powers_of_ten[static_cast<std::size_t>(exponent)];
-  } else if (w == 0) {
-    x = 0;
-  } else if (exponent > 0 || exponent < -27 || !detail::divide_by_power_of_ten(w, static_cast<unsigned>(-exponent), x)) {
-    return detail::parse_real_slowly(first, last, x);
-  }
-  if (negative) x = -x;
-  return p;
+  return end;
 }
 
 /// Reads an integer at the beginning of a text, in at most 18 decimal digits (leading zeros do not count) with an optional sign.
@@ -61,17 +44,11 @@ namespace concino {
 /// Cost:   linear in the number of digits.
 /// Errors: none; i is unspecified if there is no number.
 inline const char* parse_integer(const char* first, const char* last, std::int64_t& i) {
-  const char* p = first;
-  const bool negative = p != last && *p == '-';
-  if (p != last && (*p == '-' || *p == '+')) ++p;
-  const char* from = p;
-  std::uint64_t n = 0;
-  p = detail::read_digits(p, last, n);
-  if (p - from > 18)  // leading zeros do not count
-    while (from != p && *from == '0') ++from;
-  if (p == first || !detail::is_digit(p[-1]) || p - from > 18) return nullptr;
-  i = negative ? -static_cast<std::int64_t>(n) : static_cast<std::int64_t>(n);
-  return p;
+  constexpr std::int64_t bound = 1'000'000'000'000'000'000;
+  const char* const from = detail::skip_plus(first, last);
+  if (!from) return nullptr;
+  const auto [end, problem] = std::from_chars(from, last, i);
+  return problem == std::errc() && -bound < i && i < bound ? end : nullptr;
 }
 
 }  // namespace concino

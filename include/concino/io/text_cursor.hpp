@@ -62,18 +62,18 @@ class text_cursor {
 
   /// Reports the fraction that has been read, about a hundred times per file.
   void report_progress() {
-    if (at >= next_report_ && next_report_ != end_) [[unlikely]] report_progress_now();
+    if (at >= next_report_ && next_report_ != end_) report_progress_now();
   }
 
  private:
-  [[gnu::noinline, gnu::cold]] void report_progress_now() {
+  void report_progress_now() {
     detail::report_progress(*progress_, static_cast<double>(at - begin_) / static_cast<double>(end_ - begin_), "reading");
     next_report_ = static_cast<std::size_t>(end_ - at) > 1 ? at + std::min<std::ptrdiff_t>(end_ - at, (end_ - begin_) / 100 + 1) : end_;
   }
 
  public:
   /// The line of a position, from 1; LF, CRLF and CR each end a line. The end of the text counts as the end of its last line that is not blank.
-  [[gnu::noinline, gnu::cold]] std::size_t line_of(const char* position) const {
+  std::size_t line_of(const char* position) const {
     if (position == end_) while (position != begin_ && detail::is_space(position[-1])) --position;
     if (position < counted_) {
       counted_ = begin_;
@@ -96,7 +96,7 @@ class text_cursor {
   }
 
   /// The text at a position, for errors: its first word, at most 40 characters, or that the line or the file ends there.
-  [[gnu::noinline, gnu::cold]] std::string found_at(const char* position) const {
+  std::string found_at(const char* position) const {
     if (begin_ == end_) return "an empty file";
     if (position == end_) return "the end of the file";
     if (detail::is_line_end(*position)) return "the end of the line";

@@ -36,11 +36,11 @@ class text_sink {
     if (text_.size() - used_ < n) grow(n);
     return text_.data() + used_;
   }
-  [[gnu::noinline]] void grow(std::size_t n) {
+  void grow(std::size_t n) {
     if (file_ != keep) flush();
     if (text_.size() - used_ < n) text_.resize(std::max({piece, used_ + n, file_ == keep ? 2 * text_.size() : 0}));
   }
-  [[gnu::noinline]] text_sink& put(std::uint64_t i) {
+  text_sink& put(std::uint64_t i) {
     char* const p = reserve(24);
     used_ += static_cast<std::size_t>(std::to_chars(p, p + 24, i).ptr - p);
     return *this;
@@ -52,19 +52,19 @@ class text_sink {
   /// A sink that discards what is written to it.
   static text_sink nowhere() { return text_sink(discard, {}); }
 
-  [[gnu::noinline]] text_sink& operator<<(char c) {  // not inlined: there are many calls, and the numbers between them take longer
+  text_sink& operator<<(char c) {  // not inlined: there are many calls, and the numbers between them take longer
     *reserve(1) = c;
     ++used_;
     return *this;
   }
-  [[gnu::noinline]] text_sink& operator<<(std::string_view s) {
+  text_sink& operator<<(std::string_view s) {
     std::memcpy(reserve(s.size()), s.data(), s.size());
     used_ += s.size();
     return *this;
   }
   text_sink& operator<<(const char* s) { return *this << std::string_view(s); }
   /// Writes the shortest decimal number that reads back as the same double.
-  [[gnu::noinline]] text_sink& operator<<(double x) {
+  text_sink& operator<<(double x) {
     char* const p = reserve(32);
     used_ += static_cast<std::size_t>(std::to_chars(p, p + 32, x).ptr - p);
     return *this;

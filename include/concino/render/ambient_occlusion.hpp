@@ -11,7 +11,6 @@
 #include <concino/render/make_drawable.hpp>
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -62,12 +61,7 @@ void add_visible_sky(const drawable& d, std::span<const place_in_triangle> place
       const unit_point shift = random_point(t * each + k);
       const unsigned rays = std::max(1u, static_cast<unsigned>(options.rays) / num_places[group_of(t, k)]);
       unsigned open = 0;
-      for (unsigned r = 0; r < rays;) {
-        vec3 directions[max_rays_together];
-        std::size_t together = 0;
-        while (together < max_rays_together && r < rays) directions[together++] = cosine_direction(around, spread_point(r++, shift));
-        open += static_cast<unsigned>(together) - static_cast<unsigned>(std::popcount(occluded_rays(caster, start, {directions, together}, 0, far)));
-      }
+      for (unsigned r = 0; r < rays; ++r) open += !caster.occluded(start, cosine_direction(around, spread_point(r, shift)), 0, far);
       visible[t * each + k] = static_cast<double>(open) / rays;
     }
   };

@@ -3,7 +3,6 @@
 
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/error.hpp>
-#include <concino/core/large_pages.hpp>
 #include <concino/mesh/arrays.hpp>
 #include <concino/mesh/cell_recogniser.hpp>
 #include <concino/mesh/element_map.hpp>
@@ -25,7 +24,7 @@ std::vector<std::uint32_t> numbered(const M& m, const R& elements, std::size_t b
 template<Embedded M>
 std::vector<vec3> copy_points(const M& m) {
   std::vector<vec3> points;
-  core::reserve_exact(points, num_verts(m));
+  points.reserve(num_verts(m));
   for (const vert_t<M> v : verts(m)) points.push_back(to_vec3(point(m, v)));
   return points;
 }
@@ -47,10 +46,10 @@ surface_arrays arrays_of(const M& m, const std::vector<std::uint32_t>& vert_numb
   std::size_t num_corners = arity * num_polys(m);
   if (!arity) {
     for (const poly_t<M> p : polys(m)) num_corners += num_elements(adj_p2v(m, p));
-    core::reserve_exact(a.offsets, num_polys(m) + 1);
+    a.offsets.reserve(num_polys(m) + 1);
     a.offsets.push_back(0);
   }
-  core::reserve_exact(a.verts, num_corners);
+  a.verts.reserve(num_corners);
   for (const poly_t<M> p : polys(m)) {
     const std::size_t before = a.verts.size();
     for (const vert_t<M> v : adj_p2v(m, p)) a.verts.push_back(vert_id{vert_number[index_of(m, v)]});
@@ -68,8 +67,8 @@ polyhedra_arrays polyhedra_of(const M& m, const std::vector<std::uint32_t>& vert
   std::size_t num_corners = 0, num_uses = 0;
   for (const face_t<M> f : faces(m)) num_corners += num_elements(adj_f2v(m, f));
   for (const poly_t<M> p : polys(m)) num_uses += num_elements(adj_p2f(m, p));
-  core::reserve_exact(a.face_offsets, num_faces(m) + 1), core::reserve_exact(a.face_verts, num_corners);
-  core::reserve_exact(a.poly_offsets, num_polys(m) + 1), core::reserve_exact(a.poly_faces, num_uses), core::reserve_exact(a.outward, num_uses);
+  a.face_offsets.reserve(num_faces(m) + 1), a.face_verts.reserve(num_corners);
+  a.poly_offsets.reserve(num_polys(m) + 1), a.poly_faces.reserve(num_uses), a.outward.reserve(num_uses);
   a.face_offsets.push_back(0);
   a.poly_offsets.push_back(0);
   for (const face_t<M> f : faces(m)) {

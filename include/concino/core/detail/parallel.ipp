@@ -1,15 +1,18 @@
-// Parallel loops on threads; see parallel.hpp.
+// Parallel loops on std::thread; see parallel.hpp.
 #pragma once
 
-#include <concino/core/detail/helper_threads.hpp>
 #include <concino/core/parallel.hpp>
 
 #include <algorithm>
-#include <cstdint>
+#include <chrono>
 #include <cstdlib>
-#include <new>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <utility>
+#include <vector>
 
-#include <unistd.h>
 #ifdef __linux__
 #include <sched.h>
 #endif
@@ -21,148 +24,121 @@ CONCINO_INLINE std::size_t num_threads() {
   if (const char* const text = std::getenv("CONCINO_NUM_THREADS"))
     if (const long n = std::strtol(text, nullptr, 10); n > 0) return static_cast<std::size_t>(std::min(n, most));
 #ifdef __linux__
-  ::cpu_set_t allowed;  // sysconf() counts cores that the process may not run on
+  ::cpu_set_t allowed;  // hardware_concurrency() counts cores that the process may not run on
   if (::sched_getaffinity(0, sizeof allowed, &allowed) == 0) return static_cast<std::size_t>(std::max(1, CPU_COUNT(&allowed)));
 #endif
-  return static_cast<std::size_t>(std::clamp(::sysconf(_SC_NPROCESSORS_ONLN), 1L, most));
+  return std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, most);
 }
 
-/// What the loops of a thread have to know: the helpers of its thread_team, if these have nothing to do, and whether it runs a part of a loop that
-/// several threads share.
-struct loop_context {
-  helper_threads* idle = nullptr;
-  bool is_in_loop = false;
-};
-inline constinit thread_local loop_context context_of_thread;
+/// Whether this thread runs chunks of a loop that several threads share.
+inline constinit thread_local bool is_in_shared_loop = false;
 
-inline void* run_helper(void* threads) {
-  context_of_thread.is_in_loop = true;
-  static_cast<helper_threads*>(threads)->help();
-  return nullptr;
-}
+/// The chunks of a loop, which threads take in order. The destructor leaves out those that were not taken, and waits for the others.
+class chunk_loop {
+  const std::size_t n_, chunk_, chunks_;
+  const function_ref<void(std::size_t, std::size_t)> run_;
+  std::mutex mutex_;  // of all below
+  std::size_t next_ = 0, done_ = 0, failed_;
+  std::exception_ptr error_;  // of chunk failed_, the lowest that has failed
+  std::vector<std::thread> helpers_;
+  const bool was_in_shared_loop_ = is_in_shared_loop;
 
-/// The helpers of one loop: those of the call's thread_team if they are idle, else new ones. The destructor waits for them, however the loop ends.
-class loop_helpers {
-  shared_parts& parts_;
-  loop_context& context_;
-  const loop_context before_;
-  helper_threads own_;
-  helper_threads& threads_;
-  bool is_open_ = false;
-
-  void close() {
-    if (!is_open_) return;
-    threads_.close();
-    context_ = before_;
-    is_open_ = false;
+  bool take(std::size_t& c) {
+    const std::lock_guard lock(mutex_);
+    c = next_;
+    if (c == chunks_) return false;
+    ++next_;
+    return true;
+  }
+  void leave_out_rest() {
+    const std::lock_guard lock(mutex_);
+    next_ = chunks_;
+  }
+  void join() {
+    for (std::thread& t : helpers_) t.join();
+    helpers_.clear();
+    is_in_shared_loop = was_in_shared_loop_;
   }
 
  public:
-  explicit loop_helpers(shared_parts& parts)
-      : parts_(parts), context_(context_of_thread), before_(context_), threads_(before_.idle ? *before_.idle : own_) {}
-  loop_helpers(const loop_helpers&) = delete;
-  loop_helpers& operator=(const loop_helpers&) = delete;
-  ~loop_helpers() {
-    if (is_open_) parts_.leave_out_rest();
-    close();
+  chunk_loop(std::size_t n, std::size_t chunk, function_ref<void(std::size_t, std::size_t)> run)
+      : n_(n), chunk_(chunk), chunks_(n / chunk + (n % chunk != 0)), run_(run), failed_(chunks_) {}
+  chunk_loop(const chunk_loop&) = delete;
+  chunk_loop& operator=(const chunk_loop&) = delete;
+  ~chunk_loop() {
+    leave_out_rest();
+    join();
   }
 
-  bool is_open() const { return is_open_; }
-  std::size_t size() const { return threads_.size(); }
-  /// Starts up to n more; see helper_threads.
-  bool start(std::size_t n) { return threads_.start(n, run_helper); }
-  /// Lets the helpers take parts, if there are helpers.
-  void open() {
-    if (is_open_ || size() == 0) return;
-    context_ = {nullptr, true};
-    is_open_ = true;
-    threads_.open(parts_);
+  std::size_t size() const { return chunks_; }
+
+  /// Takes and runs a chunk. Result: false if there was none.
+  bool run_next() {
+    std::size_t c;
+    if (!take(c)) return false;
+    std::exception_ptr error;
+    try {
+      run_(c * chunk_, n_ - c * chunk_ < chunk_ ? n_ : (c + 1) * chunk_);
+    } catch (...) {
+      error = std::current_exception();
+    }
+    const std::lock_guard lock(mutex_);
+    ++done_;
+    if (error && c < failed_) {
+      failed_ = c;
+      error_ = error;
+      next_ = chunks_;
+    }
+    return true;
   }
+
+  /// Starts n threads that run chunks, or as many as the system permits.
+  void start(std::size_t n) {
+    if (n == 0) return;
+    is_in_shared_loop = true;
+    helpers_.reserve(n);
+    const auto help = [this] {
+      is_in_shared_loop = true;
+      while (run_next()) {}
+    };
+    try {
+      while (helpers_.size() < n) helpers_.emplace_back(help);
+    } catch (const std::system_error&) {
+    }
+  }
+
+  double fraction() {
+    const std::lock_guard lock(mutex_);
+    return static_cast<double>(done_) / static_cast<double>(chunks_);
+  }
+
+  /// Waits for the chunks that were taken, if there is no other. Errors: that of the lowest chunk.
   void finish() {
-    close();
-    parts_.rethrow();
+    join();
+    if (error_) std::rethrow_exception(error_);
   }
 };
 
-/// run_parts. Helper threads that the call's thread_team has take parts from the beginning if `soon`, else after the first part. If there are none,
-/// `at_once` are started before the first part; if that is 0, some when the loop turns out to be long. After each part on the calling thread, calls
-/// stop(number of parts done), if there is one.
-inline void run_shared(function_ref<bool(function_ref<void()>)> run, function_ref<bool(std::size_t)> stop, bool soon, std::size_t at_once) {
-  constexpr std::size_t unknown = static_cast<std::size_t>(-1);
-  shared_parts parts(run);
-  loop_helpers helpers(parts);
-  std::size_t most = unknown;  // number of helpers; determined when the first may be worth its cost
-  if (at_once > 0) {
-    if (at_once > helpers.size()) helpers.start(at_once - helpers.size());
-    most = helpers.size();
-  }
-  if (soon) helpers.open();
-  std::int64_t since = nanoseconds();
-  for (bool is_more = true; is_more;) {
-    is_more = helpers.is_open() ? parts.run_next() : parts.run_next_alone();
-    if (stop && stop(parts.num_done())) {
-      parts.leave_out_rest();
-      break;
-    }
-    if (!is_more) break;
-    helpers.open();
-    if (helpers.size() >= most) continue;
-    if (const std::int64_t spent = nanoseconds() - since; spent >= 0 && spent < helper_threads::time_to_start) continue;
-    if (most == unknown) most = num_threads() - 1;
-    if (helpers.size() < most && !helpers.start(std::min(helpers.size() + 1, most - helpers.size()))) most = helpers.size();
-    helpers.open();
-    since = nanoseconds();
-  }
-  helpers.finish();
-}
-
-/// Calls run(first, last) for the chunks of 0 to n.
-inline void run_shared_chunks(std::size_t n, std::size_t chunk, function_ref<void(std::size_t, std::size_t)> run, function_ref<bool(double)> stop,
-                              std::size_t at_once) {
-  if (n == 0) return;
-  const std::size_t chunks = n / chunk + (n % chunk != 0);
-  const auto stop_after = [&](std::size_t done) { return stop(static_cast<double>(std::min(done, chunks)) / static_cast<double>(chunks)); };
-  std::size_t next = 0;
-  run_shared(
-      [&](function_ref<void()> release) {
-        const std::size_t first = next, last = n - first < chunk ? n : first + chunk;
-        next = last;
-        if (release) release();
-        if (first < last) run(first, last);
-        return last < n;
-      },
-      stop ? function_ref<bool(std::size_t)>(stop_after) : nullptr, chunks > 1, at_once);
-}
-
-CONCINO_INLINE void run_parts(function_ref<bool(function_ref<void()>)> run) { run_shared(run, nullptr, false, 0); }
-
 CONCINO_INLINE void run_chunks(std::size_t n, std::size_t chunk, function_ref<void(std::size_t, std::size_t)> run, function_ref<bool(double)> stop) {
-  run_shared_chunks(n, chunk == 0 ? 1 : chunk, run, stop, 0);
+  constexpr std::chrono::microseconds time_to_start(200);
+  chunk_loop loop(n, std::max<std::size_t>(chunk, 1), run);
+  const auto begin = std::chrono::steady_clock::now();
+  for (bool is_shared = is_in_shared_loop; loop.run_next();) {
+    if (stop && stop(loop.fraction())) return;
+    if (is_shared || std::chrono::steady_clock::now() - begin < time_to_start) continue;
+    is_shared = true;
+    loop.start(std::min(num_threads(), loop.size()) - 1);
+  }
+  loop.finish();
 }
 
 CONCINO_INLINE void for_each_chunk(std::size_t chunks, function_ref<void(std::size_t)> run) {
+  if (chunks == 0) return;
   const auto run_one = [&](std::size_t c, std::size_t) { run(c); };
-  run_shared_chunks(chunks, 1, run_one, nullptr, chunks > 1 ? std::min(num_threads(), chunks) - 1 : 0);
-}
-
-CONCINO_INLINE thread_team::thread_team(bool is_long) {
-  loop_context& context = context_of_thread;
-  if (!is_long || context.idle || context.is_in_loop || num_threads() == 1) return;
-  helpers_ = new (std::nothrow) helper_threads;
-  if (!helpers_) return;
-  helpers_->start(1, run_helper);
-  context.idle = helpers_;
-}
-
-CONCINO_INLINE void thread_team::finish() {
-  if (!helpers_) return;
-  context_of_thread.idle = nullptr;
-  helpers_->end();
-}
-
-CONCINO_INLINE thread_team::~thread_team() {
-  finish();
-  delete helpers_;
+  chunk_loop loop(chunks, 1, run_one);
+  if (!is_in_shared_loop) loop.start(std::min(num_threads(), chunks) - 1);
+  while (loop.run_next()) {}
+  loop.finish();
 }
 
 }  // namespace concino::core

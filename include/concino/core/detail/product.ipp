@@ -2,7 +2,6 @@
 #pragma once
 
 #include <concino/core/product.hpp>
-#include <concino/core/sort_numbers.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -88,7 +87,7 @@ CONCINO_INLINE Eigen::SparseMatrix<double> scaled_product(const Eigen::SparseMat
     }
     if (rows.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
       throw unsupported("product of sparse matrices: more entries than 32-bit indices can count; use a smaller exponent");
-    core::sort_numbers(rows.data() + begin, rows.data() + rows.size());
+    std::sort(rows.data() + begin, rows.data() + rows.size());
     for (std::size_t k = begin; k < rows.size(); ++k) values.push_back(sum[static_cast<std::size_t>(rows[k])]);
     first.push_back(static_cast<int>(rows.size()));
   }

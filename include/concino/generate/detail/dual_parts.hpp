@@ -87,7 +87,7 @@ class dual_parts {
 
   void read_polys() {
     poly_number_.assign(poly_index_bound(m_), none);
-    core::reserve_large(points, num_polys(m_));
+    points.reserve(num_polys(m_));
     for (const poly_t<M> p : polys(m_)) {
       const vec3 x = centre_of(p);
       if (!is_finite(x))

@@ -192,7 +192,7 @@ class half_spaces {
     return std::sqrt(squared) * (1 + unit);
   }
 
-  [[gnu::noinline]] bool is_beyond_exactly(const corner& v, std::uint32_t m) const {
+  bool is_beyond_exactly(const corner& v, std::uint32_t m) const {
     std::array<int256, D> y;
     int256 w;
     solve_exactly(v.planes, y, w);

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
-#include <concino/core/large_pages.hpp>
 #include <concino/core/local_numbers.hpp>
 #include <concino/core/parallel.hpp>
 #include <concino/core/vec3.hpp>
@@ -126,10 +125,7 @@ vec3 refined_point(const M& m, const Rule& rule, const X& x) {
 /// The points of the new verts.
 template<class M, refined_kinds kinds, class Rule>
 std::vector<vec3> refined_points(const refined_verts<M, kinds>& refined, const Rule& rule) {
-  std::vector<vec3> points;
-  points.reserve(refined.size());  // no more: a mesh copies points that have unused memory
-  core::prefer_large_pages(points.data(), refined.size() * sizeof(vec3));
-  points.resize(refined.size());
+  std::vector<vec3> points(refined.size());
   refined.for_each_in_parallel([&](const auto& x) { points[refined[x].raw()] = refined_point(refined.mesh(), rule, x); });
   return points;
 }

@@ -17,7 +17,7 @@ surface_arrays surface_dual(const M& m, const boundary_creases<M, Creases>& crea
   std::vector<std::uint32_t> cell_of, own_of;
   if (maps) cell_of.assign(vert_index_bound(m), parts.none), own_of = cell_of;
   surface_arrays a;
-  core::reserve_large(a.verts, parts.num_corners());
+  a.verts.reserve(parts.num_corners());
   a.offsets.reserve(num_verts(m) + 1);
   a.offsets.push_back(0);
   for (const vert_t<M> v : verts(m)) {

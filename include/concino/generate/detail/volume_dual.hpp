@@ -164,7 +164,7 @@ class volume_dual {
   polyhedra_arrays build() {
     find_border_verts();
     if (clips_ && !creases_everywhere_) add_needed_creases();
-    core::reserve_large(arrays_.face_verts, parts_.num_corners());
+    arrays_.face_verts.reserve(parts_.num_corners());
     arrays_.face_offsets.push_back(0);
     arrays_.poly_offsets.push_back(0);
     add_faces_of_edges();

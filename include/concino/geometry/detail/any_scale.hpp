@@ -35,7 +35,7 @@ inline vec3 step_about_one(const vec3& a, const vec3& b) {
 template<class F>
 vec3 unit_or(const vec3& a, F&& otherwise) {
   const double squared = dot(a, a);
-  if (keeps_digits(squared)) [[likely]] return a / std::sqrt(squared);
+  if (keeps_digits(squared)) return a / std::sqrt(squared);
   return otherwise();
 }
 
@@ -109,7 +109,7 @@ auto points_by_vert_in(const M& m, const local_frame& frame) {
 /// The direction of a signed sum of vector areas, for polygons so small or large that the sum is not accurate. for_each(visit) calls
 /// visit(loop, sign) for every polygon.
 template<class M, class ForEach>
-[[gnu::noinline, gnu::cold]] vec3 direction_of_areas_at_any_scale(const M& m, const ForEach& for_each) {
+vec3 direction_of_areas_at_any_scale(const M& m, const ForEach& for_each) {
   double farthest = 0, size = 0;  // the largest distance from the origin; the size of the polygons
   for_each([&](const auto& loop, double) {
     for (const vert_t<M> v : loop) farthest = std::max(farthest, largest_component(to_vec3(point(m, v))));

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <concino/core/box_tree_builder.hpp>
-#include <concino/core/large_pages.hpp>
 #include <concino/core/parallel.hpp>
 #include <concino/geometry/detail/box_tree.hpp>
 
@@ -12,7 +11,7 @@ namespace concino::detail {
 template<class BoxOf>
 box_tree build_box_tree(std::size_t n, std::uint32_t leaf_size, BoxOf&& box_of, std::vector<std::uint32_t>& order) {
   std::vector<core::box_item> items;
-  core::reserve_large(items, n);
+  items.reserve(n);
   items.resize(n);
   parallel_for(n, [&](std::size_t i) {
     const box b = box_of(i);

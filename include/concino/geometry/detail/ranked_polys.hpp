@@ -4,7 +4,6 @@
 
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/error.hpp>
-#include <concino/core/large_pages.hpp>
 #include <concino/core/vec3.hpp>
 #include <concino/geometry/bounding_box.hpp>
 
@@ -21,7 +20,7 @@ using corner_index = std::uint32_t;
 /// Sorts values into the order of the leaves of a tree.
 template<class T>
 void arrange(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
-  auto arranged = core::large_vector(order.size(), T{});
+  auto arranged = std::vector(order.size(), T{});
   for (std::size_t i = 0; i < order.size(); ++i) arranged[i] = values[order[i]];
   values = std::move(arranged);
 }
@@ -33,7 +32,7 @@ class first_come_numbers {
   std::uint32_t num_numbered_ = 0;
 
  public:
-  explicit first_come_numbers(std::size_t n) : number_(core::large_vector(n, none)) {}
+  explicit first_come_numbers(std::size_t n) : number_(std::vector(n, none)) {}
   bool has(std::size_t i) const { return number_[i] != none; }
   std::uint32_t operator()(std::size_t i) {
     if (number_[i] == none) number_[i] = num_numbered_++;
@@ -41,7 +40,7 @@ class first_come_numbers {
   }
   template<class T>
   void arrange(std::vector<T>& values) const {
-    auto arranged = core::large_vector(num_numbered_, T{});
+    auto arranged = std::vector(num_numbered_, T{});
     for (std::size_t i = 0; i < number_.size(); ++i)
       if (has(i)) arranged[number_[i]] = values[i];
     values = std::move(arranged);
@@ -61,9 +60,9 @@ class ranked_polys {
   static double magnitude(const vec3& x) { return std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)}); }
 
   explicit ranked_polys(const M& m) {
-    core::reserve_large(polys_, num_polys(m));
+    polys_.reserve(num_polys(m));
     for (const poly_t<M> p : polys(m)) polys_.push_back(p);
-    points_ = core::large_vector(vert_index_bound(m), vec3{});
+    points_ = std::vector(vert_index_bound(m), vec3{});
     for (const vert_t<M> v : verts(m)) points_[index_of(m, v)] = to_vec3(point(m, v));
   }
 

@@ -6,6 +6,7 @@
 #include <concino/geometry/detail/triangle_tests.hpp>
 
 #include <array>
+#include <vector>
 
 namespace concino::detail {
 
@@ -24,8 +25,8 @@ class tet_pieces : public ranked_polys<M> {
 
   explicit tet_pieces(const M& m)
       : base(m),
-        corners_(core::large_vector(this->num_ranks(), std::array<corner_index, 4>{})),
-        owners_(core::large_vector(this->num_ranks(), std::uint32_t{0})) {
+        corners_(std::vector(this->num_ranks(), std::array<corner_index, 4>{})),
+        owners_(std::vector(this->num_ranks(), std::uint32_t{0})) {
     for (std::size_t r = 0; r < corners_.size(); ++r) {
       owners_[r] = static_cast<std::uint32_t>(r);
       std::size_t k = 0;
@@ -95,9 +96,9 @@ class polyhedron_pieces : public ranked_polys<M> {
   static constexpr bool are_solid = true;
 
   explicit polyhedron_pieces(const M& m) : base(m), rings_(face_index_bound(m)), first_ring_{0}, owners_(this->num_ranks()) {
-    core::reserve_large(oriented_rings_, 2 * rings_.size());  // an estimate, exact if all faces are shared
-    core::reserve_large(corners_, 4 * rings_.size());
-    core::reserve_large(first_ring_, this->num_ranks() + 1);
+    oriented_rings_.reserve(2 * rings_.size());  // an estimate, exact if all faces are shared
+    corners_.reserve(4 * rings_.size());
+    first_ring_.reserve(this->num_ranks() + 1);
     for (std::size_t r = 0; r < this->num_ranks(); ++r) {
       owners_[r] = static_cast<std::uint32_t>(r);
       const poly_t<M> p = this->poly(r);
@@ -115,7 +116,7 @@ class polyhedron_pieces : public ranked_polys<M> {
       first_ring_.push_back(oriented_rings_.size());
     }
     this->scale();
-    core::reserve_large(points_, points_.size() + rings_.size());
+    points_.reserve(points_.size() + rings_.size());
     for (ring& r : rings_)
       if (r.size > 3) add_mean(r);
   }
@@ -155,9 +156,9 @@ class polyhedron_pieces : public ranked_polys<M> {
     std::vector<std::size_t> first{0};
     std::vector<std::uint32_t> oriented_rings;
     std::vector<corner_index> corners;
-    core::reserve_large(oriented_rings, oriented_rings_.size());
-    core::reserve_large(corners, corners_.size());
-    core::reserve_large(first, first_ring_.size());
+    oriented_rings.reserve(oriented_rings_.size());
+    corners.reserve(corners_.size());
+    first.reserve(first_ring_.size());
     for (const std::uint32_t item : order) {
       for (std::size_t s = first_ring_[item]; s < first_ring_[item + 1]; ++s) {
         const std::uint32_t oriented_ring = oriented_rings_[s];

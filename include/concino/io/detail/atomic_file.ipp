@@ -81,7 +81,7 @@ CONCINO_INLINE bool atomic_file::link_unnamed(const std::string& name) {
 
 CONCINO_INLINE std::string atomic_file::temporary_name(std::string_view target) { return core::joined({".concino-", core::hash_text(target)}); }
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE atomic_file::atomic_file(const std::string& path, const atomic_file_options& options)
+CONCINO_INLINE atomic_file::atomic_file(const std::string& path, const atomic_file_options& options)
     : path_(path), options_(options) {
   detail::check_path(path);
   const std::string target = detail::resolve_links(path);
@@ -111,16 +111,16 @@ CONCINO_INLINE std::string atomic_file::temporary_name(std::string_view target) 
   }
 }
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE atomic_file::~atomic_file() { close_all(); }
+CONCINO_INLINE atomic_file::~atomic_file() { close_all(); }
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE void atomic_file::finish() {
+CONCINO_INLINE void atomic_file::finish() {
   if (std::exchange(finished_, true)) return;
   if (options_.sync && ::fsync(file_) != 0) fail();
   const int duplicate = ::dup(file_);  // some file systems report errors when a file is closed, and file_ has to stay open
   if (duplicate < 0 || ::close(duplicate) != 0) fail();
 }
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE void atomic_file::commit() {
+CONCINO_INLINE void atomic_file::commit() {
   finish();
   if (temporary_.empty() ? !commit_unnamed() : !commit_named()) fail(options_.must_be_new ? "cannot be created" : "cannot be replaced");
   committed_ = true;

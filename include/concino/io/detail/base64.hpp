@@ -36,7 +36,7 @@ class base64_reader {
   const char* position() const { return at_; }
 
   /// Decodes n bytes. Returns false if the text ends or is no base64; position() is then there.
-  [[gnu::noinline]] bool read(unsigned char* to, std::size_t n) {
+  bool read(unsigned char* to, std::size_t n) {
     while (n > 0 && num_rest_ > 0) {
       *to++ = rest_[0];
       rest_[0] = rest_[1];
@@ -47,7 +47,7 @@ class base64_reader {
     while (n > 0) {
       if (n >= 3 && end_ - at_ >= 4) {
         const std::uint32_t a = value(0), b = value(1), c = value(2), d = value(3);
-        if ((a | b | c | d) < 64) [[likely]] {
+        if ((a | b | c | d) < 64) {
           const std::uint32_t bits = a << 18 | b << 12 | c << 6 | d;
           to[0] = static_cast<unsigned char>(bits >> 16);
           to[1] = static_cast<unsigned char>(bits >> 8);
@@ -69,7 +69,7 @@ class base64_reader {
 
  private:
   /// Decodes one group, with blanks and padding. Returns its size, 1 to 3, or 0.
-  [[gnu::noinline]] unsigned read_group(unsigned char* group) {
+  unsigned read_group(unsigned char* group) {
     std::uint32_t bits = 0;
     unsigned digits = 0, padding = 0;
     for (; digits + padding < 4; ++at_) {

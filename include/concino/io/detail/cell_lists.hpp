@@ -1,9 +1,9 @@
 // Lists of cells of any shapes: of standard cells their verts, of a polyhedron the number of its faces, and for each the number of its verts and these.
 #pragma once
 
-#include <concino/core/sort_numbers.hpp>
 #include <concino/io/detail/corners.hpp>
 #include <concino/io/detail/face_key.hpp>
+#include <concino/mesh/standard_cells.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -11,6 +11,18 @@
 #include <vector>
 
 namespace concino::detail {
+
+/// The faces of a standard cell, as a list.
+template<class Vert>
+std::vector<Vert> faces_of_cell(cell_shape s, const Vert* v) {
+  const standard_cell& cell = standard_cell_of(s);
+  std::vector<Vert> list{Vert{std::size_t{cell.num_faces}}};
+  for (unsigned f = 0; f < cell.num_faces; ++f) {
+    list.push_back(Vert{std::size_t{cell.face_size[f]}});
+    for (unsigned i = 0; i < cell.face_size[f]; ++i) list.push_back(v[cell.face_vert[f][i]]);
+  }
+  return list;
+}
 
 /// What is wrong with the faces of a polyhedron.
 enum class face_fault : std::uint8_t { none, too_few_verts, repeated_vert, equal_faces };
@@ -30,14 +42,14 @@ class faces_check {
       for (std::size_t j = 0; j < i; ++j) equal |= sums_[i] == sums_[j];
     return equal;
   }
-  [[gnu::noinline, gnu::cold]] bool has_equal_faces(const Vert* list) {
+  bool has_equal_faces(const Vert* list) {
     scratch_.clear();
     for (std::uint32_t left = list++->raw(); left > 0; --left) {
       const std::uint32_t n = list++->raw();
       scratch_.push_back(face_key(list, n));
       list += n;
     }
-    core::sort_numbers(scratch_.data(), scratch_.data() + scratch_.size());
+    std::sort(scratch_.begin(), scratch_.end());
     return std::adjacent_find(scratch_.begin(), scratch_.end()) != scratch_.end();
   }
 

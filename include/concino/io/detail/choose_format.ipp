@@ -20,7 +20,7 @@ inline bool has_extension(std::string_view path, std::string_view extension) {
   return true;
 }
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE std::uint64_t formats_for(std::string_view path, format_id requested, format_rows known) {
+CONCINO_INLINE std::uint64_t formats_for(std::string_view path, format_id requested, format_rows known) {
   check_path(path);
   std::uint64_t found = 0;
   std::string all;
@@ -40,7 +40,7 @@ inline bool has_extension(std::string_view path, std::string_view extension) {
   core::throw_joined<unsupported>({path, ": the format ", requested.name(), " is not among those of this call: ", all});
 }
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE std::size_t choose_format(std::uint64_t candidates, format_rows known, const std::string_view* text) {
+CONCINO_INLINE std::size_t choose_format(std::uint64_t candidates, format_rows known, const std::string_view* text) {
   const auto last = static_cast<std::size_t>(63 - std::countl_zero(candidates));
   if (!text || (candidates & (candidates - 1)) == 0) return last;
   for (std::size_t i = last + 1; i-- > 0;)
@@ -61,7 +61,7 @@ inline std::string listed_in_message(format_rows known, bool signatures) {
   return all;
 }
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE std::uint64_t writable(std::string_view path, std::uint64_t candidates, format_rows known) {
+CONCINO_INLINE std::uint64_t writable(std::string_view path, std::uint64_t candidates, format_rows known) {
   std::uint64_t left = 0;
   std::string_view refused;
   std::string others;
@@ -79,7 +79,7 @@ inline std::string listed_in_message(format_rows known, bool signatures) {
   return left;
 }
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE std::size_t choose_by_text(std::string_view path, std::uint64_t candidates, format_rows known, std::string_view text,
+CONCINO_INLINE std::size_t choose_by_text(std::string_view path, std::uint64_t candidates, format_rows known, std::string_view text,
                                                                        std::string& note) {
   const auto has_signature = [&](std::size_t i) { return known.rows[i].has_signature && known.rows[i].has_signature(text); };
   for (std::size_t i = known.size; i-- > 0;)

@@ -93,7 +93,7 @@ class cli_binary_reader {
   void skip_padding() { in_.at += std::min(padding(in_.at), in_.left()); }
 
   /// Whether the file consists of whole commands, with alignment after their codes or at their ends.
-  [[gnu::noinline, gnu::cold]] bool fits(bool aligned_code = false) const {
+  bool fits(bool aligned_code = false) const {
     for (const char* p = begin_; p != in_.end();) {
       const auto left = [&] { return static_cast<std::uint64_t>(in_.end() - p); };
       if (left() < 2) return false;

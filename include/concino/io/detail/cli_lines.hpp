@@ -1,7 +1,6 @@
 // What text and binary files of the Common Layer Interface have in common: how contours are closed, and numbers in units of the file.
 #pragma once
 
-#include <concino/core/large_pages.hpp>
 #include <concino/io/slice_layer.hpp>
 
 #include <cmath>
@@ -18,7 +17,6 @@ template<class T>
 std::vector<T> take_exactly(std::vector<T>& from) {
   std::vector<T> exact;
   exact.reserve(from.size());
-  core::request_pages(exact.data(), from.size() * sizeof(T));
   exact.insert(exact.end(), from.begin(), from.end());
   from.clear();
   return exact;

@@ -1,7 +1,6 @@
 // Helper functions for the readers of all formats.
 #pragma once
 
-#include <concino/core/large_pages.hpp>
 #include <concino/core/message.hpp>
 #include <concino/io/detail/corners.hpp>
 #include <concino/io/file_contents.hpp>
@@ -36,7 +35,7 @@ template<class Fail, class Number, class Place>
 void check_read_polygon(file_contents& out, const wanted_mesh& wanted, const vert_id* v, std::size_t n, const polygon_words& words,
                    std::vector<std::uint64_t>& scratch, const Fail& fail, const Number& poly, const Place& place) {
   std::size_t size = n;
-  if (const std::size_t k = first_repeated(v, n, scratch); k != n) [[unlikely]] {
+  if (const std::size_t k = first_repeated(v, n, scratch); k != n) {
     if (out.repeated.policy == repeated_verts::refuse) fail({words.different, repeated_verts_hint}, {words.vert, v[k].raw() + words.first, " twice"});
     out.repeated.add(poly(), place);
     size = out.repeated.size_after(v, n);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <concino/concepts/descriptors.hpp>
-#include <concino/core/sort_numbers.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -14,10 +13,10 @@ namespace concino::detail {
 inline constexpr std::uint64_t max_ids = 0xFFFFFFFEu;  // 32-bit ids, one of which means "none"
 
 /// The position of the first vert that occurs earlier in the list, or the length of the list. Sorts, for long lists.
-[[gnu::noinline, gnu::cold]] inline std::size_t first_repeated_of_many(const vert_id* verts, std::size_t n, std::vector<std::uint64_t>& scratch) {
+inline std::size_t first_repeated_of_many(const vert_id* verts, std::size_t n, std::vector<std::uint64_t>& scratch) {
   scratch.clear();
   for (std::size_t i = 0; i < n; ++i) scratch.push_back(std::uint64_t{verts[i].raw()} << 32 | i);
-  core::sort_numbers(scratch.data(), scratch.data() + n);
+  std::sort(scratch.data(), scratch.data() + n);
   std::size_t first = n;
   for (std::size_t i = 1; i < n; ++i)
     if (scratch[i] >> 32 == scratch[i - 1] >> 32) first = std::min<std::size_t>(first, static_cast<std::uint32_t>(scratch[i]));

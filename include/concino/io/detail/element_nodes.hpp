@@ -36,7 +36,7 @@ class element_nodes {
   /// Removes the points that are nodes and no corner of any element.
   /// Needs:  complete contents, whose values of verts can be copied byte by byte.
   template<class Contents>
-  [[gnu::noinline, gnu::cold]] void remove(Contents& out, load_report& report) {
+  void remove(Contents& out, load_report& report) {
     if (num_elements_ == 0) return;
     std::vector<vec3>& points = points_of(out);
     is_node_.resize(points.size());

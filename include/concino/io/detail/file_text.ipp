@@ -1,9 +1,7 @@
 // Definitions of file_text.hpp.
 #pragma once
 
-#include <concino/core/large_pages.hpp>
 #include <concino/core/message.hpp>
-#include <concino/core/parallel.hpp>
 #include <concino/io/detail/io_errors.hpp>
 #include <concino/io/file_text.hpp>
 
@@ -22,7 +20,7 @@
 
 namespace concino {
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE file_text::file_text(const std::string& path, file_access access) : file_text() {
+CONCINO_INLINE file_text::file_text(const std::string& path, file_access access) : file_text() {
   struct open_file {
     int fd;
     ~open_file() {
@@ -52,7 +50,7 @@ namespace concino {
   }
 }
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE file_text::file_text(int fd, const std::string& path, std::uint64_t size) : file_text() { read(fd, path, size); }
+CONCINO_INLINE file_text::file_text(int fd, const std::string& path, std::uint64_t size) : file_text() { read(fd, path, size); }
 
 CONCINO_INLINE file_text::~file_text() {
   if (mapped_ < 0) {
@@ -63,7 +61,7 @@ CONCINO_INLINE file_text::~file_text() {
   }
 }
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE void file_text::close(const std::string& path) {
+CONCINO_INLINE void file_text::close(const std::string& path) {
   const file_text old = std::move(*this);
   *this = file_text();
   if (old.mapped_ < 0) return;
@@ -73,60 +71,25 @@ CONCINO_INLINE file_text::~file_text() {
   if (now != old.size_) detail::throw_size_changed(path, now > old.size_);
 }
 
-namespace detail {
-
-// Calls a function that reads up to n bytes, again if a signal interrupted it.
-template<class Call>
-std::size_t read_some(const std::string& path, const Call& call) {
-  for (;;) {
-    const ::ssize_t n = call();
-    if (n >= 0) return static_cast<std::size_t>(n);
-    if (errno != EINTR) throw_io_error(path, "cannot be read", errno);
-  }
-}
-
-// Reads the `size` bytes of a regular file from position `start`, in parts by several threads. This does not move the file's position.
-inline void read_parts(int fd, const std::string& path, ::off_t start, char* data, std::size_t size) {
-  constexpr std::size_t part = std::size_t{4} << 20;
-  const auto run = [&](std::size_t i) {
-    std::size_t at = i * part;
-    const std::size_t last = std::min(size, at + part);
-    while (at < last) {
-      const std::size_t n = read_some(path, [&] { return ::pread(fd, data + at, last - at, start + static_cast<::off_t>(at)); });
-      if (n == 0) throw_size_changed(path, false);
-      at += n;
-    }
-  };
-  core::for_each_chunk(size / part + (size % part != 0), run);
-}
-
-}  // namespace detail
-
 CONCINO_INLINE void file_text::read(int fd, const std::string& path, std::uint64_t size) {
   std::size_t room = 0;
   const auto make_room = [&](std::size_t n) {
     void* const p = std::realloc(const_cast<char*>(data_), n);
     if (!p) throw std::bad_alloc();
-    core::prefer_large_pages(p, n);
     data_ = static_cast<const char*>(p);
     room = n;
   };
   if (size >= SIZE_MAX) throw std::bad_alloc();
   make_room(size ? static_cast<std::size_t>(size) + 1 : 1 << 16);  // one more byte, to notice that a file has grown
-  constexpr std::uint64_t large = std::uint64_t{8} << 20;
-  if (const ::off_t start = size < large ? -1 : ::lseek(fd, 0, SEEK_CUR); start >= 0) {
-    detail::read_parts(fd, path, start, const_cast<char*>(data_), static_cast<std::size_t>(size));
-    size_ = static_cast<std::size_t>(size);
-    if (::lseek(fd, start + static_cast<::off_t>(size), SEEK_SET) < 0) detail::throw_io_error(path, "cannot be read", errno);
-  }
   for (;;) {
     if (size_ == room) {
       if (size) detail::throw_size_changed(path, true);
       make_room(2 * room);
     }
-    const std::size_t n = detail::read_some(path, [&] { return ::read(fd, const_cast<char*>(data_) + size_, std::min<std::size_t>(room - size_, 1 << 30)); });
+    const ::ssize_t n = ::read(fd, const_cast<char*>(data_) + size_, std::min<std::size_t>(room - size_, 1 << 30));
+    if (n < 0 && errno != EINTR) detail::throw_io_error(path, "cannot be read", errno);
     if (n == 0) break;
-    size_ += n;
+    if (n > 0) size_ += static_cast<std::size_t>(n);
   }
   if (size_ < size) detail::throw_size_changed(path, false);
 }

@@ -46,7 +46,7 @@ struct element_numbers {
   template<class X>
   void add(const X& x, std::size_t index, std::size_t bound) {
     if constexpr (requires { x.raw(); }) lists_hold_numbers = lists_hold_numbers && x.raw() == size;
-    if (index != size && numbers.empty()) [[unlikely]] renumber(bound);
+    if (index != size && numbers.empty()) renumber(bound);
     if (!numbers.empty()) {
       numbers[index] = static_cast<std::uint32_t>(size);
       indices.push_back(static_cast<std::uint32_t>(index));

@@ -20,7 +20,7 @@ void list_collector<T>::end(std::size_t length) {
 }
 
 template<class T>
-[[gnu::noinline]] void list_collector<T>::refer_to(const T* first, const T* last) {
+void list_collector<T>::refer_to(const T* first, const T* last) {
   if (!is_copy_ && values_ == 0) first_ = first;
   if (!is_copy_ && first != last && first != first_ + values_) {
     copies_.assign(first_, first_ + values_);
@@ -35,7 +35,7 @@ flat_lists<T> list_collector<T>::lists() const {
   return {std::span<const T>(is_copy_ ? copies_.data() : first_, values_), std::span<const std::size_t>(offsets_), offsets_.empty() ? arity_ : 0};
 }
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE void element_numbers::renumber(std::size_t bound) {
+CONCINO_INLINE void element_numbers::renumber(std::size_t bound) {
   lists_hold_numbers = false;
   numbers.resize(bound);
   for (std::size_t i = 0; i < size; ++i) {

@@ -18,7 +18,7 @@ class node_counts {
   std::vector<std::size_t> counts_;
 
  public:
-  [[gnu::noinline]] void add(std::string_view type) {
+  void add(std::string_view type) {
     const bool is_another = types_.find(type) == name_table::none && types_.size() >= max_types;
     const std::size_t i = types_.add(is_another ? "of other types" : type);
     counts_.resize(std::max(counts_.size(), i + 1));

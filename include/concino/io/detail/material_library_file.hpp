@@ -24,7 +24,7 @@
 namespace concino::detail {
 
 /// A name in the form that a line of a file can hold. Sets `changed` if it differs.
-[[gnu::noinline]] inline std::string line_name(std::string name, bool& changed) {
+inline std::string line_name(std::string name, bool& changed) {
   const auto hide = [&](char& c) {
     c = '_';
     changed = true;
@@ -37,7 +37,7 @@ namespace concino::detail {
 }
 
 /// A line of a material in the form that a library can hold. It is empty if there is none, because the line is blank or begins another material.
-[[gnu::noinline, gnu::cold]] inline std::string library_line(std::string line) {
+inline std::string library_line(std::string line) {
   for (char& c : line)
     if (is_line_end(c)) c = ' ';
   while (!line.empty() && is_blank(line.back())) line.pop_back();
@@ -48,13 +48,13 @@ namespace concino::detail {
 }
 
 /// The first line of a library that save writes. By its checksum a later save knows whether the text has been changed. `file` is the .obj file.
-[[gnu::noinline, gnu::cold]] inline std::string signature_of(std::string_view file, std::string_view text) {
+inline std::string signature_of(std::string_view file, std::string_view text) {
   return core::joined({signature_begins, file, signature_goes_on, core::hash_text(text), "\n"});
 }
 
 /// The lines of an .obj file that name libraries, without the keyword; none if the file does not exist. Reads it in pieces, as it may be large.
 /// Errors: io_error.
-[[gnu::noinline, gnu::cold]] inline std::vector<std::string> library_lines(const std::string& path, std::size_t piece = 1 << 18) {
+inline std::vector<std::string> library_lines(const std::string& path, std::size_t piece = 1 << 18) {
   struct open_file {
     int fd;
     ~open_file() {
@@ -240,7 +240,7 @@ class material_library_file final : public companion_files {
   /// Finds libraries that define all `needed` materials with the same lines, or writes a new one, which gets its name in commit_with(). A library
   /// that is not in `table` must not define the materials in `undefined`.
   /// Result: the names for the mtllib lines.      Errors: io_error.
-  [[gnu::noinline, gnu::cold]] std::vector<std::string> choose_or_write(const std::vector<material>& needed,
+  std::vector<std::string> choose_or_write(const std::vector<material>& needed,
                                                                         const std::vector<std::string>& undefined,
                                                                         const material_table* table, save_report& report) {
     load_report unused_report;
@@ -265,7 +265,7 @@ class material_library_file final : public companion_files {
 
   /// Gives the library its name, then the .obj file; or neither. Then removes outdated libraries.
   /// Errors: io_error. Nothing has changed then, unless the only failure was to synchronise a folder with the disk.
-  [[gnu::noinline, gnu::cold]] void commit_with(atomic_file& file) override {
+  void commit_with(atomic_file& file) override {
     try {
       if (file_) file_->commit();
       file.commit();

@@ -52,7 +52,7 @@ class medit_binary : protected text_cursor {
   }
 
   /// Finds the next section of the table, or Vertices, and moves to its first row. Returns false if there is none.
-  [[gnu::noinline]] bool next_section(medit_part& part) {
+  bool next_section(medit_part& part) {
     while (next_ && next_ != end()) {
       at = next_;
       limit_ = end();
@@ -81,17 +81,17 @@ class medit_binary : protected text_cursor {
   const char* position() const { return at; }
   std::uint32_t index(std::uint64_t bound, const char* what) {
     const std::int64_t i = integer();
-    if (static_cast<std::uint64_t>(i - 1) >= bound) [[unlikely]] fail_index(i, bound, what);
+    if (static_cast<std::uint64_t>(i - 1) >= bound) fail_index(i, bound, what);
     return static_cast<std::uint32_t>(i - 1);
   }
   double coordinate(const char* what) {
     const double x = version_ == 1 ? static_cast<double>(take<float>()) : take<double>();
-    if (!std::isfinite(x)) [[unlikely]] fail(at - real_size(), {what, ", a finite number"});
+    if (!std::isfinite(x)) fail(at - real_size(), {what, ", a finite number"});
     return x;
   }
   int reference(const char* what) {
     const std::int64_t i = integer();
-    if (i != static_cast<int>(i)) [[unlikely]] fail(at - integer_size(), {what, " of 32 bits"}, {i});
+    if (i != static_cast<int>(i)) fail(at - integer_size(), {what, " of 32 bits"}, {i});
     return static_cast<int>(i);
   }
   std::size_t room_for(const medit_part& part, std::uint64_t) const { return static_cast<std::size_t>(part.count); }  // compared with the size of the file

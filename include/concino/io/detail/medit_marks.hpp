@@ -73,7 +73,7 @@ class medit_polygons {
 
  public:
   std::size_t size_of_lists() const { return surface_.verts.size(); }
-  void reserve(std::size_t more) { core::reserve_large(surface_.verts, surface_.verts.size() + more); }
+  void reserve(std::size_t more) { surface_.verts.reserve(surface_.verts.size() + more); }
   void add(const vert_id* corners, std::uint32_t n) {
     const std::size_t first = surface_.verts.size();
     surface_.verts.insert(surface_.verts.end(), corners, corners + n);

@@ -44,7 +44,7 @@ class medit_text : protected token_cursor {
   }
 
   /// Moves to the next word that begins with a letter.
-  [[gnu::noinline]] void skip_rows() {
+  void skip_rows() {
     for (bool after_space = true; !at_end(); ++at) {
       if (*at == comment) {
         skip_line();
@@ -75,7 +75,7 @@ class medit_text : protected token_cursor {
     const char* const from = at;
     std::int64_t label = 0;
     const char* const p = parse_integer(at, end(), label);
-    if (p && ends_token(p, comment)) [[likely]] at = p;
+    if (p && ends_token(p, comment)) at = p;
     else label = real_reference(what);
     if (label < std::numeric_limits<int>::min() || label > std::numeric_limits<int>::max()) fail(from, {what, " of 32 bits"});
     return static_cast<int>(label);
@@ -90,7 +90,7 @@ class medit_text : protected token_cursor {
   }
 
  private:
-  [[gnu::noinline, gnu::cold]] void dimension() {
+  void dimension() {
     skip();
     const char* const number = at;
     dimension_ = static_cast<int>(std::clamp<std::int64_t>(next_integer("the dimension, 2 or 3"), 0, 4));
@@ -98,7 +98,7 @@ class medit_text : protected token_cursor {
   }
 
   /// Finds the section of a keyword and reads the number of its rows. Skips one that is unknown, and returns false.
-  [[gnu::noinline, gnu::cold]] bool find(std::string_view keyword, const char* from, medit_part& part) {
+  bool find(std::string_view keyword, const char* from, medit_part& part) {
     part = {};
     if (keyword == "Vertices") {
       if (dimension_ == 0) fail(from, "Dimension before Vertices");
@@ -122,7 +122,7 @@ class medit_text : protected token_cursor {
   }
 
   /// Reads a reference that is a real number, as some programs write them. If it exceeds 32 bits, the result does too.
-  [[gnu::noinline, gnu::cold]] std::int64_t real_reference(const char* what) {
+  std::int64_t real_reference(const char* what) {
     const char* const from = at;
     const double x = std::clamp(real(what, comment), -0x1p40, 0x1p40), rounded = std::round(x);
     if (x != rounded && num_rounded_++ == 0) first_rounded_ = from;

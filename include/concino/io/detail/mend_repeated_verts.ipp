@@ -11,7 +11,7 @@
 namespace concino::detail {
 
 /// The values of a column at some positions.
-[[gnu::cold]] CONCINO_INLINE std::shared_ptr<column> picked(const column& from, const std::vector<std::uint32_t>& origin) {
+CONCINO_INLINE std::shared_ptr<column> picked(const column& from, const std::vector<std::uint32_t>& origin) {
   const value_type& type = from.operations();
   const std::shared_ptr<column> to = make_column(type, origin.size());
   auto* value = static_cast<unsigned char*>(to->data());
@@ -27,7 +27,7 @@ namespace concino::detail {
 }
 
 /// Gives the polys of the mesh the values of polys of the file: the i-th those of origin[i]. The same for corners.
-[[gnu::cold]] CONCINO_INLINE void renumber_polys(file_contents& c, std::size_t num_in_file, const std::vector<std::uint32_t>& origin,
+CONCINO_INLINE void renumber_polys(file_contents& c, std::size_t num_in_file, const std::vector<std::uint32_t>& origin,
                                                  const std::vector<std::uint32_t>& corner_origin) {
   if (!c.poly_labels.empty()) {
     std::vector<int> labels;
@@ -55,7 +55,7 @@ namespace concino::detail {
 }
 
 /// Mends the polys of a surface.
-[[gnu::cold]] CONCINO_INLINE void mend_surface(file_contents& contents) {
+CONCINO_INLINE void mend_surface(file_contents& contents) {
   surface_arrays& s = contents.surface;
   polys_with_repeats& repeated = contents.repeated;
   surface_arrays out;
@@ -111,7 +111,7 @@ namespace concino::detail {
   s = std::move(out);
 }
 
-[[gnu::cold]] CONCINO_INLINE void mend_repeated_verts(file_contents& contents, std::size_t num_polys_of_volume, load_report& report) {
+CONCINO_INLINE void mend_repeated_verts(file_contents& contents, std::size_t num_polys_of_volume, load_report& report) {
   if (contents.filled == arrays_kind::surface) {
     mend_surface(contents);
   } else if (const std::vector<std::uint32_t>& dropped = contents.repeated.dropped; !dropped.empty()) {

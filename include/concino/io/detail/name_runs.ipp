@@ -22,7 +22,7 @@ CONCINO_INLINE std::size_t name_table::slot_of(std::string_view name) const {
 
 CONCINO_INLINE std::size_t name_table::find(std::string_view name) const { return std::size_t{slots_[slot_of(name)]} - 1; }
 
-[[gnu::noinline]] CONCINO_INLINE std::size_t name_table::add(std::string_view name) {
+CONCINO_INLINE std::size_t name_table::add(std::string_view name) {
   const std::size_t found = find(name);
   if (found != none) return found;
   names_.push_back(std::string(name));
@@ -34,7 +34,7 @@ CONCINO_INLINE std::size_t name_table::find(std::string_view name) const { retur
   return names_.size() - 1;
 }
 
-[[gnu::noinline]] CONCINO_INLINE void name_runs::change(std::size_t first, std::string name) {
+CONCINO_INLINE void name_runs::change(std::size_t first, std::string name) {
   if (!first_.empty() && first_.back() == first) drop_last();
   if (names_.empty() ? name.empty() : std::string_view(names_.back()) == name) return;
   names_.push_back(std::move(name));
@@ -61,7 +61,7 @@ CONCINO_INLINE void name_runs::drop_last() {
   first_.pop_back();
 }
 
-[[gnu::noinline]] CONCINO_INLINE bool is_number(std::string_view name, std::string_view prefix, int& number) {
+CONCINO_INLINE bool is_number(std::string_view name, std::string_view prefix, int& number) {
   if (!name.starts_with(prefix)) return false;
   name.remove_prefix(prefix.size());
   std::int64_t n = 0;

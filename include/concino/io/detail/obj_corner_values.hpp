@@ -1,7 +1,6 @@
 // Texture coordinates and normals of the corners of OBJ files, which list the values and then name them at the corners.
 #pragma once
 
-#include <concino/core/large_pages.hpp>
 #include <concino/core/vec3.hpp>
 #include <concino/io/file_contents.hpp>
 
@@ -39,8 +38,8 @@ class corner_value_list {
  public:
   std::size_t size() const { return values_.size(); }
   void reserve(std::size_t values, std::size_t corners) {
-    core::reserve_large(values_, values);
-    core::reserve_large(index_, corners);
+    values_.reserve(values);
+    index_.reserve(corners);
   }
   void add(const T& x) { values_.push_back(x); }
   /// Sets the value of a corner, by its index. Corners come in order.

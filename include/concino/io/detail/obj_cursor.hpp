@@ -45,7 +45,7 @@ class obj_cursor : protected text_cursor {
   }
 
   /// The rest of the line, without surrounding blanks and without a comment. A comment must follow a blank.
-  [[gnu::noinline]] std::string name_to_end_of_line() {
+  std::string name_to_end_of_line() {
     std::string name;
     while (at != end() && !is_line_end(*at)) {
       if (*at == '\\' && joins_lines()) {

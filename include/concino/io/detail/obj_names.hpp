@@ -14,7 +14,7 @@ namespace concino::detail {
 inline constexpr std::size_t max_obj_name = 1000;  // the length of the names of polys, in bytes
 
 /// Sets labels from the names of groups or objects, and materials and colours from the libraries. Needs: all polys are read.
-[[gnu::noinline, gnu::cold]] inline void end_obj_names(const read_context& context, const std::vector<std::string>& libraries, file_contents& out) {
+inline void end_obj_names(const read_context& context, const std::vector<std::string>& libraries, file_contents& out) {
   const std::size_t n = out.surface.num_polys();
   for (name_runs* const names : {&out.objects, &out.groups, &out.materials}) names->end(n);
   const name_runs& named = out.groups.empty() ? out.objects : out.groups;

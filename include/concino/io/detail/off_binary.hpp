@@ -1,7 +1,6 @@
 // The reader of binary OFF files: 32-bit integers and floats, big-endian as in Geomview, or little-endian.
 #pragma once
 
-#include <concino/core/large_pages.hpp>
 #include <concino/io/detail/contents.hpp>
 #include <concino/io/detail/off_format.hpp>
 #include <concino/io/text_cursor.hpp>
@@ -48,7 +47,7 @@ class off_binary_reader {
     const std::uint64_t verts = count("the number of verts", 4 * header_.numbers());
     const std::uint64_t polys = count("the number of polys", header_.has_poly_colors ? 20 : 16);
     word("the number of edges");
-    core::reserve_large(out.points, verts);
+    out.points.reserve(verts);
     for (std::uint64_t i = 0; i < verts; ++i) {
       const vec3 p = point();
       out.points.push_back(p);
@@ -63,7 +62,7 @@ class off_binary_reader {
       }
       in_.report_progress();
     }
-    core::reserve_large(out.verts, in_.left() / 4 - std::min<std::uint64_t>(in_.left() / 4, 2 * polys));  // if polys have no colours
+    out.verts.reserve(in_.left() / 4 - std::min<std::uint64_t>(in_.left() / 4, 2 * polys));  // if polys have no colours
     std::vector<std::uint64_t> scratch;
     for (std::uint64_t f = 0; f < polys; ++f) {
       poly(out, extra, arity, scratch);
@@ -93,14 +92,14 @@ class off_binary_reader {
 
   /// Finds the byte order, big-endian if the file is valid with it, and whether polys have numbers of components. Files without these numbers, as pmp
   /// writes them, end with the last poly.
-  [[gnu::noinline, gnu::cold]] void choose_form() {
+  void choose_form() {
     const bool fits_big = fits(false, true), fits_little = !fits_big && fits(true, true);
     header_.has_poly_colors = fits_big || fits_little || (!fits(true, false) && !fits(false, false));
     little_ = header_.has_poly_colors ? fits_little : fits(true, false);
   }
 
   /// Whether the counts of verts and polys, and of the corners and colours of each poly, stay within the file.
-  [[gnu::noinline, gnu::cold]] bool fits(bool little, bool has_colors) {
+  bool fits(bool little, bool has_colors) {
     const char* const begin = in_.at;
     const std::uint64_t dimension = header_.dimension;
     little_ = little;

@@ -29,7 +29,7 @@ class off_cursor : protected text_cursor {
   }
 
   /// Reads the first word. It may be missing: then the file begins with its counts.
-  [[gnu::noinline, gnu::cold]] void header_word() {
+  void header_word() {
     const char* const from = at;
     while (at != end() && !is_space(*at) && *at != '#') ++at;
     std::string_view word{from, static_cast<std::size_t>(at - from)};
@@ -58,7 +58,7 @@ class off_cursor : protected text_cursor {
   }
 
   /// Reads a number of elements, each of which takes at least `bytes` in the file.
-  [[gnu::noinline, gnu::cold]] std::uint64_t count(const char* what, std::uint64_t bytes) {
+  std::uint64_t count(const char* what, std::uint64_t bytes) {
     const char* const from = at;
     const std::int64_t n = integer(what);
     if (n < 0) fail(from, {what, ", not negative"});
@@ -69,7 +69,7 @@ class off_cursor : protected text_cursor {
 
   /// Reads the numbers of verts and polys. The number of edges is ignored. It may be missing, if the line ends before it and the next line is not
   /// a single number.
-  [[gnu::noinline, gnu::cold]] std::pair<std::uint64_t, std::uint64_t> counts() {
+  std::pair<std::uint64_t, std::uint64_t> counts() {
     skip_space('#');
     const std::uint64_t verts = count("the number of verts", 2 * header_.numbers(3));
     skip_space('#');
@@ -93,7 +93,7 @@ class off_cursor : protected text_cursor {
   }
 
   /// The number of lines from here on that are neither blank nor only a comment.
-  [[gnu::noinline]] std::uint64_t lines_left() const {
+  std::uint64_t lines_left() const {
     std::uint64_t n = 0;
     bool has_content = false, comment = false;
     for (const char* p = at; p != end(); ++p) {
@@ -111,7 +111,7 @@ class off_cursor : protected text_cursor {
 
   /// Finds out whether each vert has a line of its own, with additional numbers perhaps, or line ends have no meaning. The first line and the
   /// number of lines decide.
-  [[gnu::noinline, gnu::cold]] void choose_layout(std::uint64_t verts, std::uint64_t polys) {
+  void choose_layout(std::uint64_t verts, std::uint64_t polys) {
     const char* const back = at;
     std::uint64_t numbers = 0;
     for (blanks(); !line_is_over() && numbers <= header_.numbers() + 1; blanks(), ++numbers) word();

@@ -13,14 +13,14 @@
 
 namespace concino::detail {
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE void check_path(std::string_view path) {
+CONCINO_INLINE void check_path(std::string_view path) {
   if (path.find('\0') == path.npos) return;
   std::string printable;
   for (const char c : path) printable.append(c ? std::string_view(&c, 1) : std::string_view("\\0"));
   core::throw_joined<io_error>({printable, ": a path cannot contain a null character"});
 }
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE std::string resolve_links(const std::string& path) {
+CONCINO_INLINE std::string resolve_links(const std::string& path) {
   std::string at = path;
   for (int links = 0; links < 40; ++links) {
     char buffer[PATH_MAX + 1];

@@ -38,7 +38,7 @@ class polyhedra_reader : protected token_cursor {
   }
 
   void verts(std::uint64_t n) {
-    core::reserve_large(out_.points, reservable(n, 6));
+    out_.points.reserve(reservable(n, 6));
     for (std::uint64_t i = 0; i < n; ++i) {
       vec3 p;
       p.x = next_real("the x of a vert");
@@ -51,7 +51,7 @@ class polyhedra_reader : protected token_cursor {
 
   void faces(std::uint64_t n) {
     std::vector<std::uint64_t> scratch;
-    core::reserve_large(out_.face_offsets, reservable(n, 8) + 1);
+    out_.face_offsets.reserve(reservable(n, 8) + 1);
     out_.face_offsets.push_back(0);
     for (std::uint64_t f = 0; f < n; ++f) {
       skip();
@@ -66,7 +66,7 @@ class polyhedra_reader : protected token_cursor {
         has_repeated_ = true;
       }
       if (out_.face_verts.size() > max_ids) fail_to_count("corners");
-      if (f == 4095) core::reserve_large(out_.face_verts, expected(out_.face_verts.size(), f + 1, n));
+      if (f == 4095) out_.face_verts.reserve(expected(out_.face_verts.size(), f + 1, n));
       out_.face_offsets.push_back(static_cast<std::uint32_t>(out_.face_verts.size()));
       report_progress();
     }
@@ -78,7 +78,7 @@ class polyhedra_reader : protected token_cursor {
     first_poly_ = at;
     lists_per_poly_ = lists_per_poly;
     last_poly_.assign(out_.num_faces(), ~0u);
-    core::reserve_large(out_.poly_offsets, reservable(n, 4 * lists_per_poly) + 1);
+    out_.poly_offsets.reserve(reservable(n, 4 * lists_per_poly) + 1);
     out_.poly_offsets.push_back(0);
   }
   /// Reads the number of faces of a polyhedron.
@@ -101,8 +101,8 @@ class polyhedra_reader : protected token_cursor {
   void end_poly(std::uint64_t n) {
     if (out_.poly_faces.size() > max_ids) fail_to_count("faces of polyhedra");
     if (const std::size_t p = out_.num_polys(); p == 4095) {
-      core::reserve_large(out_.poly_faces, expected(out_.poly_faces.size(), p + 1, n));
-      core::reserve_large(out_.outward, out_.poly_faces.capacity());
+      out_.poly_faces.reserve(expected(out_.poly_faces.size(), p + 1, n));
+      out_.outward.reserve(out_.poly_faces.capacity());
     }
     out_.poly_offsets.push_back(static_cast<std::uint32_t>(out_.poly_faces.size()));
     report_progress();

@@ -52,7 +52,7 @@ class element_finder {
 };
 
 template<class M>
-[[gnu::noinline, gnu::cold]] void set_columns_of_corners(M& m, file_contents& contents, std::vector<std::uint32_t>& where, load_report* report) {
+void set_columns_of_corners(M& m, file_contents& contents, std::vector<std::uint32_t>& where, load_report* report) {
   if constexpr (NumbersCorners<M>) {
     for (const poly_t<M> p : polys(m))
       for (std::size_t k = 0, n = num_elements(adj_p2v(m, p)); k < n; ++k) where.push_back(static_cast<std::uint32_t>(traits<M>::first_corner(m, p) + k));
@@ -63,7 +63,7 @@ template<class M>
 
 /// Needs: columns of verts, faces, polys and the mesh only, if OfPolys.
 template<bool OfPolys, class M>
-[[gnu::noinline, gnu::cold]] void set_all_columns(M& m, file_contents& contents, load_report* report) {
+void set_all_columns(M& m, file_contents& contents, load_report* report) {
   property_set& all = traits<M>::properties(m);
   std::vector<std::uint32_t> where;
   if (has_columns(contents, element_kind::vert)) {
@@ -106,7 +106,7 @@ template<bool OfPolys, class M>
 /// of the file.
 /// OnlyProperties: the formats of the program have nothing but contents.properties of verts, faces, polys and the mesh; the rest is not compiled.
 template<bool OnlyProperties = false, class M>
-[[gnu::noinline, gnu::cold]] void set_properties(M& m, file_contents& contents, load_report* report) {
+void set_properties(M& m, file_contents& contents, load_report* report) {
   if constexpr (HasProperties<M> && OnlyProperties) {
     assert(has_only_properties(contents));
     if (!contents.properties.empty()) set_all_columns<true>(m, contents, report);

@@ -1,7 +1,6 @@
 // Definitions of properties.hpp.
 #pragma once
 
-#include <concino/core/sort_numbers.hpp>
 #include <concino/io/detail/properties.hpp>
 
 #include <algorithm>
@@ -10,7 +9,7 @@
 
 namespace concino::detail {
 
-[[gnu::noinline]] CONCINO_INLINE void set_values(property_set& all, element_kind kind, const char* name, const value_type& type, const void* values,
+CONCINO_INLINE void set_values(property_set& all, element_kind kind, const char* name, const value_type& type, const void* values,
                         const std::vector<std::uint32_t>& where, std::size_t bound) {
   unsigned char* const to = static_cast<unsigned char*>(all.get(kind, name, type, bound)->data());
   const unsigned char* from = static_cast<const unsigned char*>(values);
@@ -20,7 +19,7 @@ namespace concino::detail {
   }
 }
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE void set_vert_property(property_set& all, file_contents& contents, const std::vector<std::uint32_t>& where, std::size_t bound) {
+CONCINO_INLINE void set_vert_property(property_set& all, file_contents& contents, const std::vector<std::uint32_t>& where, std::size_t bound) {
   const auto give = [&](const char* name, const value_type& type, std::size_t n, const void* values) {
     if (n) set_values(all, element_kind::vert, name, type, values, where, bound);
   };
@@ -30,7 +29,7 @@ namespace concino::detail {
   give("texture", values_of<std::array<double, 2>>, contents.vert_textures.size(), contents.vert_textures.values().data());
 }
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE void set_names(property_set& all, const char* name, const name_runs& names, const std::vector<std::uint32_t>& where, std::size_t bound) {
+CONCINO_INLINE void set_names(property_set& all, const char* name, const name_runs& names, const std::vector<std::uint32_t>& where, std::size_t bound) {
   if (names.empty()) return;
   std::string* const to = static_cast<std::string*>(all.get(element_kind::poly, name, values_of<std::string>, bound)->data());
   names.for_each(where.size(), [&](std::size_t i, std::size_t end, std::string_view text) {
@@ -38,7 +37,7 @@ namespace concino::detail {
   });
 }
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE void set_poly_property(property_set& all, file_contents& contents, const std::vector<std::uint32_t>& where, std::size_t bound) {
+CONCINO_INLINE void set_poly_property(property_set& all, file_contents& contents, const std::vector<std::uint32_t>& where, std::size_t bound) {
   const auto give = [&](const char* name, const value_type& type, std::size_t n, const void* values) {
     if (n) set_values(all, element_kind::poly, name, type, values, where, bound);
   };
@@ -49,7 +48,7 @@ namespace concino::detail {
   set_names(all, "material", contents.materials, where, bound);
 }
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE void report_skipped(const file_contents& contents, load_report& report) {
+CONCINO_INLINE void report_skipped(const file_contents& contents, load_report& report) {
   const auto skipped = [&](bool is_empty, const char* what) {
     if (!is_empty) report.skipped.push_back(what);
   };
@@ -78,7 +77,7 @@ CONCINO_INLINE bool has_columns(const file_contents& contents, element_kind kind
   return false;
 }
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE void set_columns(property_set& all, file_contents& contents, element_kind kind, const std::vector<std::uint32_t>& where,
+CONCINO_INLINE void set_columns(property_set& all, file_contents& contents, element_kind kind, const std::vector<std::uint32_t>& where,
                                                              std::size_t bound, load_report* report) {
   const auto is_taken = [&](const std::string& name) {
     for (std::size_t i = 0; i < all.size(); ++i)
@@ -138,14 +137,14 @@ CONCINO_INLINE bool element_finder::is_same(std::uint32_t i) {
   if (n != verts.size()) return false;
   sorted_.clear();
   for (std::uint32_t k = 0; k < n; ++k) sorted_.push_back(listed_.verts[listed_.offsets[i] + k].raw());
-  core::sort_numbers(sorted_.data(), sorted_.data() + n);
+  std::sort(sorted_.data(), sorted_.data() + n);
   for (std::uint32_t k = 0; k < n; ++k)
     if (sorted_[k] != verts[k]) return false;
   return true;
 }
 
 CONCINO_INLINE void element_finder::match(std::size_t index) {
-  core::sort_numbers(verts.data(), verts.data() + verts.size());
+  std::sort(verts.data(), verts.data() + verts.size());
   std::uint64_t sum = verts.size();
   for (const std::uint64_t v : verts) sum += hash(v);
   for (std::uint32_t i = slot_of(sum); i != ~0u; i = next_[i])

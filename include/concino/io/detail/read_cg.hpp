@@ -1,7 +1,6 @@
 // The reader of .cg, the format of curve skeletons by Tagliasacchi et al. 2012: lines of verts and edges.
 #pragma once
 
-#include <concino/core/large_pages.hpp>
 #include <concino/io/detail/skeleton_reader.hpp>
 #include <concino/io/detail/characters.hpp>
 
@@ -79,13 +78,13 @@ class cg_reader : skeleton_reader {
       if (!line_continues()) fail(at, "x y z of a vert in one line");
       c = real("a coordinate of a vert");
     }
-    core::append_large(out_.points, {x[0], x[1], x[2]});
+    out_.points.push_back({x[0], x[1], x[2]});
     double radius = 0;
     if (line_continues()) {
       radius = real("the radius of a vert");
       ++num_radii_;
     }
-    core::append_large(out_.radii, radius);
+    out_.radii.push_back(radius);
     end_line("the end of the line after x y z and the radius");
   }
 

@@ -1,7 +1,6 @@
 // The reader of .csv: points of a polyline, one in each line.
 #pragma once
 
-#include <concino/core/large_pages.hpp>
 #include <concino/io/detail/skeleton_reader.hpp>
 #include <concino/io/detail/characters.hpp>
 
@@ -52,7 +51,7 @@ class csv_reader : skeleton_reader {
       if (!next_number()) fail(at, "x y z of a point in one line");
       c = number("a coordinate of a point");
     }
-    core::append_large(out_.points, {x[0], x[1], x[2]});
+    out_.points.push_back({x[0], x[1], x[2]});
     if (out_.points.size() > 1) add_edge(out_.points.size() - 2, out_.points.size() - 1);
     if (next_number()) {
       number("a number after x y z");

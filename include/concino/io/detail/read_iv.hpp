@@ -1,7 +1,6 @@
 // The reader of Open Inventor files: the polygons of all nodes IndexedFaceSet, with the points of Coordinate3 and VertexProperty.
 #pragma once
 
-#include <concino/core/large_pages.hpp>
 #include <concino/io/detail/contents.hpp>
 #include <concino/io/detail/iv_cursor.hpp>
 #include <concino/io/detail/iv_format.hpp>
@@ -85,7 +84,7 @@ class iv_reader : iv_cursor {
       core::throw_joined<unsupported>({name(), ": binary Open Inventor files cannot be read; convert it to ASCII, with ivcat of Coin or Open Inventor"});
   }
 
-  [[gnu::noinline]] node_kind kind_of(std::string_view type) {
+  node_kind kind_of(std::string_view type) {
     if (type == "Coordinate3") return node_kind::coordinates;
     if (type == "VertexProperty") return node_kind::vertex_property;
     if (type == "IndexedFaceSet") return node_kind::face_set;
@@ -159,7 +158,7 @@ class iv_reader : iv_cursor {
       p.y = real("the y of a vert");
       skip();
       p.z = real("the z of a vert");
-      core::append_large(out_.points, p);
+      out_.points.push_back(p);
     });
     if (out_.points.size() > max_ids) fail_to_count("verts");
     if (out_.points.size() == begin) return;
@@ -190,7 +189,7 @@ class iv_reader : iv_cursor {
         at_max_index_ = position;
       }
       const vert_id v{static_cast<std::uint32_t>(i)};
-      core::append_large(out_.verts, v);
+      out_.verts.push_back(v);
     });
     if (out_.verts.size() > first) end_face(face, first);
   }
@@ -227,7 +226,7 @@ class iv_reader : iv_cursor {
     extra_.poly_labels.insert(extra_.poly_labels.end(), materials_.begin(), materials_.end());
   }
 
-  [[gnu::noinline, gnu::cold]] void report_skipped() const {
+  void report_skipped() const {
     skipped_nodes_.report(report_.skipped);
     if (num_copies_) report_.skipped.push_back(core::joined({num_copies_, " nodes used again (USE)"}));
     if (num_unmatched_) report_.skipped.push_back(core::joined({num_unmatched_, " material indices that are not one for each face"}));

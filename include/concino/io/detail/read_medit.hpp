@@ -67,7 +67,7 @@ class medit_reader : Cursor {
   }
 
   /// Errors: unsupported for elements of second or higher order, but for edges, which are skipped.
-  [[gnu::noinline, gnu::cold]] void reject_nodes(const medit_part& part) {
+  void reject_nodes(const medit_part& part) {
     const medit_section& s = *part.section;
     if (part.count == 0 || s.rows == medit_rows::edges) return report_skipped(part);
     core::throw_joined<unsupported>({this->name(), ": section ", s.keyword, " has ", part.count, s.keyword.back() == '2' ? " second-order" : " higher-order",
@@ -91,7 +91,7 @@ class medit_reader : Cursor {
 
   void vertices(const medit_part& part) {
     if (has_verts_) fail(part.at, {"one section Vertices"}, {"another"});
-    core::reserve_large(points_, this->room_for(part, static_cast<std::uint64_t>(this->dimension_) + 1));
+    points_.reserve(this->room_for(part, static_cast<std::uint64_t>(this->dimension_) + 1));
     for (std::uint64_t i = 0; i < part.count; ++i) {
       points_.push_back(next_vector("the x of a vertex", "the y of a vertex", "the z of a vertex"));
       add_label(vert_labels_, i, reference("the reference of a vertex, an integer"));
@@ -104,10 +104,10 @@ class medit_reader : Cursor {
   const char* next_element(const medit_section& s, vert_id* corners) {
     const char* const from = position();
     for (std::uint32_t k = 0; k < s.arity; ++k) corners[k] = vert_id{index(points_.size(), "a vertex index")};
-    if (s.nodes) [[unlikely]] read_nodes(s);
+    if (s.nodes) read_nodes(s);
     return from;
   }
-  [[gnu::noinline, gnu::cold]] void read_nodes(const medit_section& s) {
+  void read_nodes(const medit_section& s) {
     nodes_of_element_.resize(s.nodes);
     for (vert_id& v : nodes_of_element_) v = vert_id{index(points_.size(), "a vertex index")};
     nodes_.add(nodes_of_element_.data(), s.nodes);
@@ -253,7 +253,7 @@ class medit_reader : Cursor {
       if (p.section->rows == medit_rows::normals && !uses_normals) report_skipped(p);
   }
 
-  [[gnu::noinline, gnu::cold]] void finish() {
+  void finish() {
     const bool has_cells = polys_ > 0 || has_deferred(medit_rows::cells);
     read_deferred(has_cells);
     this->report_rounded();

@@ -25,7 +25,7 @@ struct material_library {
 
 /// Reads a colour or an opacity from a line; `in` is after the keyword and its blanks.
 /// Result: whether the line defines the colour of its material.      Errors: parse_error; the colour is as it was.
-[[gnu::noinline, gnu::cold]] inline bool read_color(text_cursor& in, std::string_view keyword, rgba& color) {
+inline bool read_color(text_cursor& in, std::string_view keyword, rgba& color) {
   if (in.at_end() || is_letter(*in.at)) return false;  // Kd spectral, Kd xyz: colours in other forms, which are ignored
   if (keyword == "Kd") {
     float x[3];
@@ -45,7 +45,7 @@ inline constexpr std::string_view signature_begins = "# Materials of ", signatur
 inline bool is_signature(std::string_view line) { return line.starts_with(signature_begins) && line.find(signature_goes_on) != line.npos; }
 
 /// Moves to the next line.   Result: the text from `from` to the end of the current line, without trailing blanks.
-[[gnu::noinline, gnu::cold]] inline std::string_view rest_of_line(text_cursor& in, const char* from) {
+inline std::string_view rest_of_line(text_cursor& in, const char* from) {
   in.at = from;
   in.skip_line();
   const char* to = in.at;
@@ -54,7 +54,7 @@ inline bool is_signature(std::string_view line) { return line.starts_with(signat
 }
 
 /// The part of a text before a comment (a # after a blank), without trailing blanks.
-[[gnu::noinline, gnu::cold]] inline std::string_view without_comment(std::string_view text) {
+inline std::string_view without_comment(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i)
     if (text[i] == '#' && (i == 0 || is_blank(text[i - 1]))) text = text.substr(0, i);
   while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
@@ -63,7 +63,7 @@ inline bool is_signature(std::string_view line) { return line.starts_with(signat
 
 /// Adds the materials of a text: newmtl, and all lines up to the next newmtl. Lines Kd and d define a colour. Of materials with the same name,
 /// the first is used.
-[[gnu::noinline, gnu::cold]] inline void read_mtl(std::string_view text, std::string_view name, material_library& library, load_report& report) {
+inline void read_mtl(std::string_view text, std::string_view name, material_library& library, load_report& report) {
   text_cursor in(text, name);
   material now;
   rgba color;
@@ -115,7 +115,7 @@ inline bool is_signature(std::string_view line) { return line.starts_with(signat
 }
 
 /// Whether a material defines a colour in numbers, and nothing else.
-[[gnu::noinline, gnu::cold]] inline bool is_only_color(const material& m) {
+inline bool is_only_color(const material& m) {
   for (const std::string& line : m.lines) {
     const std::size_t keyword = line.starts_with("Kd ") ? 3 : line.starts_with("d ") ? 2 : line.size();
     if (keyword == line.size() || line.find_first_not_of("0123456789+-.eE ", keyword) != line.npos) return false;
@@ -124,7 +124,7 @@ inline bool is_signature(std::string_view line) { return line.starts_with(signat
 }
 
 /// The path of the library of that name, if it is in the folder of the file `of` or, if this is a link, of the file it refers to; else empty.
-[[gnu::noinline, gnu::cold]] inline std::string library_beside(std::string_view of, std::string name) {
+inline std::string library_beside(std::string_view of, std::string name) {
   for (char& c : name)
     if (c == '\\') c = '/';
   if (name.starts_with('/') || (name.size() > 1 && name[1] == ':')) name.erase(0, name.rfind('/') + 1);  // an absolute path, probably of another machine
@@ -151,7 +151,7 @@ class material_library_reader {
 
   material_library_reader(const read_context& c, material_library& l) : context_(c), library_(l) {}
 
-  [[gnu::noinline, gnu::cold]] result operator()(std::string_view name) {
+  result operator()(std::string_view name) {
     const std::string path = library_beside(context_.name, std::string(name));
     if (path.empty()) return result::absent;
     struct ::stat info {};
@@ -172,7 +172,7 @@ class material_library_reader {
 };
 
 /// Reads the libraries that the lines of a file name. A line names one or more.
-[[gnu::noinline, gnu::cold]] inline void read_libraries(const read_context& context, const std::vector<std::string>& lines, material_library& library) {
+inline void read_libraries(const read_context& context, const std::vector<std::string>& lines, material_library& library) {
   load_report& report = *context.report;
   material_library_reader read(context, library);
   name_table seen_lines, seen_names;
@@ -223,7 +223,7 @@ class material_library_reader {
 
 /// Sets the materials and colours of the polys from the libraries that a file names. Materials that a writer has created only for a colour lose
 /// their names.
-[[gnu::noinline, gnu::cold]] inline void assign_materials(const read_context& context, const std::vector<std::string>& lines, std::size_t polys, file_contents& contents) {
+inline void assign_materials(const read_context& context, const std::vector<std::string>& lines, std::size_t polys, file_contents& contents) {
   load_report& report = *context.report;
   material_library library;
   read_libraries(context, lines, library);

@@ -67,15 +67,15 @@ class obj_reader : obj_cursor {
       if (*line == 'v') ++points;
       else if (*line == 'f') corners += words_of_line(line, last) - 1;
     });
-    core::reserve_large(out_.points, with_margin(scale * static_cast<double>(points)));
-    core::reserve_large(out_.verts, with_margin(scale * static_cast<double>(corners)));
+    out_.points.reserve(with_margin(scale * static_cast<double>(points)));
+    out_.verts.reserve(with_margin(scale * static_cast<double>(corners)));
     const std::size_t room = with_margin(scale * static_cast<double>(corners));
     if (textures) texture_.reserve(with_margin(scale * static_cast<double>(textures)), room);
     if (normals) normal_.reserve(with_margin(scale * static_cast<double>(normals)), room);
   }
 
   /// Reads the file again to throw the error. Members that do not influence the error are not reset.
-  [[gnu::noinline, gnu::cold]] void restart(const char* from) {
+  void restart(const char* from) {
     out_.points.clear();
     out_.offsets.clear();
     out_.verts.clear();
@@ -134,7 +134,7 @@ class obj_reader : obj_cursor {
   }
 
   /// Reads the weight or the colour after the coordinates of a vert.
-  [[gnu::noinline]] void after_point() {
+  void after_point() {
     constexpr const char* expected = "a number (a weight or a colour) or the end of the line";
     double x[3] = {};
     std::size_t n = 0;
@@ -220,7 +220,7 @@ class obj_reader : obj_cursor {
     end_checked_poly(*this, line, first, scratch_, wanted_, extra_, arity_, {.different = "different verts at the corners of a face", .first = 1});
   }
 
-  [[gnu::noinline, gnu::cold]] void finish_colors(load_report& report) {
+  void finish_colors(load_report& report) {
     if (are_bytes_ && largest_color_ > 1) {
       std::size_t next = 0;
       for (std::size_t v = 0; v < extra_.vert_colors.size(); ++v) {
@@ -235,7 +235,7 @@ class obj_reader : obj_cursor {
 
   std::size_t num_polys() const { return out_.offsets.empty() ? (arity_ ? out_.verts.size() / arity_ : 0) : out_.offsets.size() - 1; }
 
-  [[gnu::noinline]] void other() {
+  void other() {
     const char* const from = at;
     while (at != end() && (is_letter(*at) || is_digit(*at) || *at == '_')) ++at;
     const std::string_view word{from, static_cast<std::size_t>(at - from)};
@@ -253,7 +253,7 @@ class obj_reader : obj_cursor {
     skip_joined_line();
   }
 
-  [[gnu::noinline, gnu::cold]] void report_skipped(load_report& report) {
+  void report_skipped(load_report& report) {
     const auto skipped = [&](std::uint64_t n, const char* what) {
       if (n) report.skipped.push_back(core::joined({n, " ", what}));
     };

@@ -51,7 +51,7 @@ class off_reader : off_cursor {
     skip_space('#');
     if (n == 0) return;
     choose_layout(n, polys);
-    core::reserve_large(out_.points, n);
+    out_.points.reserve(n);
     const bool plain = header_.numbers() == 3 && header_.dimension == 3;
     for (std::uint64_t i = 0; i < n; ++i) {
       skip_space('#');
@@ -73,7 +73,7 @@ class off_reader : off_cursor {
     }
   }
 
-  [[gnu::noinline]] vec3 point() {
+  vec3 point() {
     double x[3] = {};
     for (std::uint64_t i = 0; i < header_.dimension; ++i) {
       const double c = number("a coordinate of a vert");
@@ -90,7 +90,7 @@ class off_reader : off_cursor {
     return p;
   }
 
-  [[gnu::noinline]] void attributes() {
+  void attributes() {
     if (header_.normal) {
       vec3 n;
       n.x = number("the x of a normal");
@@ -119,7 +119,7 @@ class off_reader : off_cursor {
       return c;
     }
   };
-  [[gnu::noinline]] void add_part(color_parts& c) {
+  void add_part(color_parts& c) {
     const char* const from = at;
     const double x = real("a component of a colour");
     if (c.size < 4) c.x[c.size] = x;
@@ -147,7 +147,7 @@ class off_reader : off_cursor {
     extra_.vert_colors.push_back(c.color());
   }
 
-  [[gnu::noinline]] void extra_numbers() {
+  void extra_numbers() {
     ++num_extra_;
     for (; !line_is_over(); blanks()) real("a number or the end of the line");
   }
@@ -166,7 +166,7 @@ class off_reader : off_cursor {
         blanks();
         if (!line_is_over()) poly_attributes(f);
       }
-      if (f == 4095) core::reserve_large(out_.verts, expected_corners(n));
+      if (f == 4095) out_.verts.reserve(expected_corners(n));
       report_progress();
     }
   }
@@ -185,7 +185,7 @@ class off_reader : off_cursor {
     const auto bound = out_.points.size();
     for (std::int64_t k = 0; k < size; ++k) {
       blanks();
-      if (line_is_over()) [[unlikely]]
+      if (line_is_over())
         go_on(n - f - 1);
       std::int64_t i = 0;
       const char* const p = parse_integer(at, end(), i);
@@ -203,13 +203,13 @@ class off_reader : off_cursor {
   }
 
   /// Continues a poly on the next line, if enough lines remain for the other polys. Otherwise its line is too short, which is an error.
-  [[gnu::noinline]] void go_on(std::uint64_t others) {
+  void go_on(std::uint64_t others) {
     if (!wraps_) wraps_ = lines_left() > others;
     if (!wraps_) fail(at, "the index of a vert");
     skip_space('#');
   }
 
-  [[gnu::noinline]] void poly_attributes(std::uint64_t f) {
+  void poly_attributes(std::uint64_t f) {
     const char* const position = at;
     color_parts c;
     for (; !line_is_over(); blanks()) add_part(c);
@@ -229,7 +229,7 @@ class off_reader : off_cursor {
   }
 
   /// Completes the arrays of attributes, as the last polys may have none, and reports what was skipped.
-  [[gnu::noinline, gnu::cold]] void finish_attributes() {
+  void finish_attributes() {
     if (!extra_.poly_labels.empty()) extra_.poly_labels.resize(out_.num_polys());
     if (!extra_.poly_colors.empty()) extra_.poly_colors.resize(out_.num_polys());
     if (largest_part_ < 2 && !whole_colors_.empty()) {

@@ -1,7 +1,6 @@
 // The reader of .skc, the format of curve skeletons by Dey and Sun 2006: points, and edges with numbers whose meaning is not documented.
 #pragma once
 
-#include <concino/core/large_pages.hpp>
 #include <concino/io/detail/skeleton_reader.hpp>
 
 #include <cstdint>
@@ -14,12 +13,12 @@ class skc_reader : skeleton_reader {
 
   void read() {
     const std::uint64_t verts = next_count("the number of verts", 6), edges = next_count("the number of edges", 12);
-    core::reserve_large(out_.points, reservable(verts, 6));
+    out_.points.reserve(reservable(verts, 6));
     for (std::uint64_t i = 0; i < verts; ++i) {
       out_.points.push_back(next_point());
       report_progress();
     }
-    core::reserve_large(out_.edges, reservable(edges, 12));
+    out_.edges.reserve(reservable(edges, 12));
     for (std::uint64_t i = 0; i < edges; ++i) {
       const std::uint64_t a = next_vert(), b = next_vert();
       add_edge(a, b);

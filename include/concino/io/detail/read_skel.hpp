@@ -1,7 +1,6 @@
 // The reader of .skel, the format of curve skeletons by Livesu et al. 2012: for each node its id, point, radius and neighbours.
 #pragma once
 
-#include <concino/core/large_pages.hpp>
 #include <concino/io/detail/skeleton_reader.hpp>
 
 #include <algorithm>
@@ -45,9 +44,9 @@ class skel_reader : skeleton_reader {
   /// Reads all nodes. Result: whether their ids are 0, 1, 2 ...
   bool read_nodes(std::uint64_t n) {
     const std::size_t room = reservable(n, 12);
-    core::reserve_large(out_.points, room);
-    core::reserve_large(out_.radii, room);
-    core::reserve_large(ends_, room);
+    out_.points.reserve(room);
+    out_.radii.reserve(room);
+    ends_.reserve(room);
     bool in_order = true;
     for (std::uint64_t i = 0; i < n; ++i) {
       const std::int64_t id = next_integer("the id of a node");
@@ -60,7 +59,7 @@ class skel_reader : skeleton_reader {
       out_.points.push_back(next_point());
       out_.radii.push_back(next_real("the radius of a node"));
       const std::uint64_t num_neighbours = next_count("the number of neighbours", 2);
-      for (std::uint64_t k = 0; k < num_neighbours; ++k) core::append_large(neighbours_, next_integer("the id of a neighbour"));
+      for (std::uint64_t k = 0; k < num_neighbours; ++k) neighbours_.push_back(next_integer("the id of a neighbour"));
       ends_.push_back(neighbours_.size());
       report_progress();
     }
@@ -91,7 +90,7 @@ class skel_reader : skeleton_reader {
   }
 
   /// Moves to a number of a node, for errors.
-  [[gnu::noinline, gnu::cold]] void go_to(const char* nodes, std::size_t node, std::uint64_t number) {
+  void go_to(const char* nodes, std::size_t node, std::uint64_t number) {
     at = nodes;
     std::uint64_t words = number;
     for (std::size_t i = 0; i < node; ++i) words += 6 + ends_[i] - (i == 0 ? 0 : ends_[i - 1]);

@@ -49,7 +49,7 @@ class tet_reader : token_cursor {
   }
 
   void verts(std::uint64_t n) {
-    core::reserve_large(points_, reservable(n, 6));
+    points_.reserve(reservable(n, 6));
     for (std::uint64_t i = 0; i < n; ++i) {
       vec3 p;
       p.x = next_real("the x of a vertex");

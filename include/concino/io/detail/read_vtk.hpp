@@ -29,7 +29,7 @@ class vtk_reader : public vtk_cells_reader {
   }
 
  private:
-  [[gnu::noinline, gnu::cold]] void header() {
+  void header() {
     constexpr std::string_view first = "# vtk DataFile Version ";
     if (at_end()) fail(at, {"# vtk DataFile Version"}, {"an empty file"});
     if (left() < first.size() || std::string_view(at, first.size()) != first) fail(at, "# vtk DataFile Version");
@@ -57,7 +57,7 @@ class vtk_reader : public vtk_cells_reader {
                                        "' is not supported; UNSTRUCTURED_GRID and POLYDATA are"});
   }
 
-  [[gnu::noinline, gnu::cold]] void section() {
+  void section() {
     const char* const from = at;
     const std::string keyword = next_keyword();
     if (keyword == "points") return points(from);
@@ -82,14 +82,14 @@ class vtk_reader : public vtk_cells_reader {
     }
   }
 
-  [[gnu::noinline]] void points(const char* from) {
+  void points(const char* from) {
     if (!grid_.points.empty()) reject(from, {"one section POINTS"}, {"another"});
     const std::uint64_t n = next_number("the number of points");
     const vtk_number type = number_type();
     begin_numbers();
     require_room(from, n > max_count ? n : 3 * n, type);
     if (n > max_ids) fail_to_count("points");
-    core::reserve_large(grid_.points, n);
+    grid_.points.reserve(n);
     const char* const first = at;
     if (type == vtk_number::float64) {
       grid_.points.resize(n);
@@ -129,7 +129,7 @@ class vtk_reader : public vtk_cells_reader {
   }
 
   /// SCALARS, VECTORS and their like: a name, a type, and values for every point or cell.
-  [[gnu::noinline]] void attribute(const std::string& keyword, const char* from) {
+  void attribute(const std::string& keyword, const char* from) {
     struct row {
       std::string_view keyword;
       std::size_t components;  // 0: in the file
@@ -164,7 +164,7 @@ class vtk_reader : public vtk_cells_reader {
   }
 
   /// Reads the values of a column, or skips them. `as_doubles`: stores numbers of any type as doubles.
-  [[gnu::noinline]] void column(const std::string& array, vtk_number type, std::size_t components, std::uint64_t tuples, const char* from, bool as_doubles) {
+  void column(const std::string& array, vtk_number type, std::size_t components, std::uint64_t tuples, const char* from, bool as_doubles) {
     if (components > max_count || tuples > max_count) reject(from, {"a count that fits into the file"}, {components > max_count ? components : tuples});
     const std::uint64_t n = tuples * components;
     require_room(from, n, type);
@@ -192,7 +192,7 @@ class vtk_reader : public vtk_cells_reader {
   }
 
   /// COLOR_SCALARS: reals from 0 to 1 in text files, bytes in binary ones.
-  [[gnu::noinline, gnu::cold]] void colors(std::string& array, std::size_t components, const char* from) {
+  void colors(std::string& array, std::size_t components, const char* from) {
     begin_numbers();
     const vtk_number type = binary_ ? vtk_number::uint8 : vtk_number::float32;
     if ((components != 3 && components != 4) || tuples_ != num_elements()) return column(array, type, components, tuples_, from, false);
@@ -207,7 +207,7 @@ class vtk_reader : public vtk_cells_reader {
     }
   }
 
-  [[gnu::noinline, gnu::cold]] void field() {
+  void field() {
     next_name();
     std::uint64_t arrays = next_number("the number of arrays");
     for (; arrays > 0; --arrays) {
@@ -238,7 +238,7 @@ class vtk_reader : public vtk_cells_reader {
   }
 
   /// Skips a block that ends with an empty line.
-  [[gnu::noinline, gnu::cold]] void metadata() {
+  void metadata() {
     for (skip_line(); !at_end(); skip_line()) {
       at += *at == '\r' && left() > 1 && at[1] == '\n' ? 2 : 1;
       const char* const from = at;

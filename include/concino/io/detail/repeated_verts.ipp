@@ -9,7 +9,7 @@
 
 namespace concino::detail {
 
-[[gnu::cold]] CONCINO_INLINE std::span<const std::uint32_t> cycle_collapser::operator()(const vert_id* v, std::size_t n) {
+CONCINO_INLINE std::span<const std::uint32_t> cycle_collapser::operator()(const vert_id* v, std::size_t n) {
   kept_.clear();
   for (std::uint32_t i = 0; i < n; ++i) {
     const std::size_t size = kept_.size();
@@ -29,7 +29,7 @@ namespace concino::detail {
   return std::span<const std::uint32_t>(kept_).subspan(begin);
 }
 
-[[gnu::cold]] CONCINO_INLINE std::uint32_t collapse_verts(vert_id* v, std::uint32_t n) {
+CONCINO_INLINE std::uint32_t collapse_verts(vert_id* v, std::uint32_t n) {
   cycle_collapser collapse;
   const std::span<const std::uint32_t> kept = collapse(v, n);
   if (kept.size() < 3) return n;
@@ -37,7 +37,7 @@ namespace concino::detail {
   return static_cast<std::uint32_t>(kept.size());
 }
 
-[[gnu::cold]] CONCINO_INLINE std::size_t polys_with_repeats::size_after(const vert_id* v, std::size_t n) {
+CONCINO_INLINE std::size_t polys_with_repeats::size_after(const vert_id* v, std::size_t n) {
   if (policy == concino::repeated_verts::skip) return 0;
   std::vector<vert_id> left;
   std::vector<std::uint64_t> scratch;
@@ -46,7 +46,7 @@ namespace concino::detail {
   return first_repeated(left.data(), left.size(), scratch) == left.size() ? left.size() : 3;
 }
 
-[[gnu::cold]] CONCINO_INLINE void polys_with_repeats::report(load_report& r) const {
+CONCINO_INLINE void polys_with_repeats::report(load_report& r) const {
   if (num_ == 0) return;
   if (policy == concino::repeated_verts::skip) {
     r.skipped.push_back(core::joined({num_, " polys with a vert twice, the first is ", first_}));
@@ -57,7 +57,7 @@ namespace concino::detail {
   if (num_vanished_) r.skipped.push_back(core::joined({num_vanished_, " polys with a vert twice that have no area or volume left"}));
 }
 
-[[gnu::cold]] CONCINO_INLINE std::vector<vert_id> cut_cycle(std::vector<vert_id> cycle, std::span<const vec3> points) {
+CONCINO_INLINE std::vector<vert_id> cut_cycle(std::vector<vert_id> cycle, std::span<const vec3> points) {
   const std::vector<vert_id> given = cycle;
   std::vector<vert_id> best;
   bool is_reversed = false;
@@ -81,7 +81,7 @@ namespace concino::detail {
   return triangles;
 }
 
-[[gnu::cold]] CONCINO_INLINE bool has_repeated_vert(const vert_id* list, std::vector<std::uint64_t>& scratch) {
+CONCINO_INLINE bool has_repeated_vert(const vert_id* list, std::vector<std::uint64_t>& scratch) {
   for (std::uint32_t left = list++->raw(); left > 0; --left) {
     const std::uint32_t n = list++->raw();
     if (first_repeated(list, n, scratch) != n) return true;
@@ -90,7 +90,7 @@ namespace concino::detail {
   return false;
 }
 
-[[gnu::cold]] CONCINO_INLINE std::vector<vert_id> collapsed_faces(const vert_id* list, std::span<const vec3> points) {
+CONCINO_INLINE std::vector<vert_id> collapsed_faces(const vert_id* list, std::span<const vec3> points) {
   std::vector<std::vector<vert_id>> kept, sorted;
   std::vector<std::uint64_t> scratch;
   cycle_collapser collapse;

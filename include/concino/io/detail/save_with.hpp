@@ -19,10 +19,10 @@ namespace concino::detail {
 void check_savable_points(std::string_view name, const flat_mesh& m);
 
 /// Reports what was lost. Called after the whole mesh is written.
-[[gnu::cold]] void report_lost(const write_context& c, const flat_mesh& m, std::string_view format);
+void report_lost(const write_context& c, const flat_mesh& m, std::string_view format);
 
 /// Reports faces of a volume that a reader will not find if the file lists the cells only: those with the verts of another face, and those of no poly.
-[[gnu::cold]] void report_lost_faces(save_report& report, flat_mesh& m, std::string_view format);
+void report_lost_faces(save_report& report, flat_mesh& m, std::string_view format);
 
 /// Errors: unsupported, with all that is lost.
 [[noreturn, gnu::cold]] void throw_lossy(std::string_view name, const save_report& report);

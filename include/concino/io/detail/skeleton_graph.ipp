@@ -2,11 +2,11 @@
 #pragma once
 
 #include <concino/core/error.hpp>
-#include <concino/core/large_pages.hpp>
 #include <concino/io/skeleton_graph.hpp>
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace concino {
 
@@ -27,12 +27,12 @@ CONCINO_INLINE skeleton::skeleton(std::vector<vec3> points, std::vector<std::arr
     edge_id edge;
     bool operator<(const neighbour& o) const { return vert < o.vert; }
   };
-  std::vector<neighbour> all = core::large_vector(2 * edges_.size(), neighbour());
+  std::vector<neighbour> all = std::vector(2 * edges_.size(), neighbour());
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
   for (std::size_t e = 0; e < edges_.size(); ++e)
     for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) all[next[edges_[e][k].raw()]++] = {edges_[e][1 - k], edge_id{e}};
-  core::reserve_large(neighbours_, all.size());
-  core::reserve_large(incident_, all.size());
+  neighbours_.reserve(all.size());
+  incident_.reserve(all.size());
   for (std::size_t v = 0; v < n; ++v) {
     std::sort(all.begin() + first_[v], all.begin() + first_[v + 1]);
     for (std::size_t i = first_[v]; i < first_[v + 1]; ++i) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <concino/concepts/descriptors.hpp>
-#include <concino/core/large_pages.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/vec3.hpp>
 #include <concino/io/options.hpp>
@@ -32,7 +31,7 @@ inline void drop_superfluous_edges(std::vector<std::array<vert_id, 2>>& edges, b
     bool operator<(const entry& o) const { return low != o.low ? low < o.low : high != o.high ? high < o.high : index < o.index; }
   };
   std::vector<entry> sorted;
-  core::reserve_large(sorted, edges.size());
+  sorted.reserve(edges.size());
   for (std::size_t i = 0; i < edges.size(); ++i)
     sorted.push_back({std::min(edges[i][0], edges[i][1]), std::max(edges[i][0], edges[i][1]), static_cast<std::uint32_t>(i)});
   std::sort(sorted.begin(), sorted.end());
@@ -78,7 +77,7 @@ class skeleton_reader : protected token_cursor {
   }
   void add_edge(std::uint64_t a, std::uint64_t b) {
     if (out_.edges.size() == max_edges) fail_to_count("edges");
-    core::append_large(out_.edges, {vert_id{a}, vert_id{b}});
+    out_.edges.push_back({vert_id{a}, vert_id{b}});
   }
   void end_file(const char* what) {
     skip();

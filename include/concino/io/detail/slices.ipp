@@ -12,7 +12,7 @@ namespace concino {
 
 namespace detail {
 
-[[gnu::cold]] CONCINO_INLINE void check_cli(std::string_view name, format_id format) {
+CONCINO_INLINE void check_cli(std::string_view name, format_id format) {
   if (format != format_id() && format != format_id(file_format::cli))
     core::throw_joined<unsupported>({name, ": the format ", format.name(), " holds no slices; the format of slices is cli"});
 }

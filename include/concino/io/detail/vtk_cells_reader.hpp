@@ -35,14 +35,14 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
   [[noreturn, gnu::noinline, gnu::cold]] void fail_at_cell(std::size_t cell, core::message expected, core::message found) override {
     reject(position_of(cell), expected, found);
   }
-  [[gnu::noinline, gnu::cold]] std::string place_of_cell(std::size_t cell) override {
+  std::string place_of_cell(std::size_t cell) override {
     const char* const p = position_of(cell);
     return binary_ ? core::joined({"byte ", static_cast<std::uint64_t>(p - begin())}) : core::joined({"line ", line_of(p)});
   }
 
  protected:
   /// Reads the section, if it has cells or their types. Returns false if it is another one.
-  [[gnu::noinline, gnu::cold]] bool read_cells(std::string_view keyword, const char* from) {
+  bool read_cells(std::string_view keyword, const char* from) {
     if (is_polydata_) {
       for (std::size_t i = 0; i < 4; ++i) {
         if (polydata_sections[i] != keyword) continue;
@@ -81,7 +81,7 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
   }
 
   /// Puts the cells of all sections into the grid.
-  [[gnu::noinline, gnu::cold]] void finish_cells() {
+  void finish_cells() {
     if (std::exchange(finished_, true)) return;
     if (has_cells_ && !types_at_) reject(end(), {"a section CELL_TYPES"});
     if (!is_polydata_) {
@@ -106,7 +106,7 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
     if (!binary_) skip();
   }
 
-  [[gnu::noinline]] void lists(part& p, const char* from) {
+  void lists(part& p, const char* from) {
     const std::uint64_t n = next_number("the number of cells"), size = next_number("the size of the list");
     if (size > max_count) fail_to_count("corners");
     const char* const back = at;
@@ -116,9 +116,9 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
     if (n > size) reject(from, {"no more cells than numbers"}, {n, " cells of ", size, " numbers"});
     require_room(from, size, vtk_number::int32);
     p.at = at;
-    core::reserve_large(p.ends, n);
+    p.ends.reserve(n);
     if (binary_) return binary_rows(p, n, size, from);
-    core::reserve_large(p.verts, size - n);
+    p.verts.reserve(size - n);
     const char* last = from;
     std::uint64_t used = 0;
     for (std::uint64_t c = 0; c < n; ++c) {
@@ -134,10 +134,10 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
     if (used != size) reject(last, {"cells of ", size, " numbers"}, {n, " cells of ", used});
   }
   /// The same in binary files, in one pass over the file.
-  [[gnu::noinline]] void binary_rows(part& p, std::uint64_t n, std::uint64_t size, const char* from) {
+  void binary_rows(part& p, std::uint64_t n, std::uint64_t size, const char* from) {
     constexpr std::size_t step = 4096;  // verts by which the list grows, which stay in the cache until they are overwritten
     const std::uint64_t total = size - n;
-    core::reserve_large(p.verts, total);
+    p.verts.reserve(total);
     const char* last = from;
     std::uint64_t left = size, num_verts = 0;
     p.largest = 0;
@@ -182,7 +182,7 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
   }
 
   /// OFFSETS type, n numbers, the first 0; CONNECTIVITY type, `size` numbers.
-  [[gnu::noinline]] void offsets(part& p, std::uint64_t n, std::uint64_t size, const char* from) {
+  void offsets(part& p, std::uint64_t n, std::uint64_t size, const char* from) {
     const auto type = [&] {
       const char* const here = at;
       const vtk_number t = vtk_number_of_legacy(next_keyword());
@@ -193,7 +193,7 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
     const vtk_number of_offsets = type();
     if (n > max_count) fail_to_count("cells");
     require_room(from, n, of_offsets);
-    core::reserve_large(p.ends, n);
+    p.ends.reserve(n);
     std::uint64_t last = 0;
     for (std::uint64_t i = 0; i < n; ++i) {
       skip_to_value();
@@ -212,7 +212,7 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
     p.at = at;
     p.rows = false;
     p.value_size = vtk_names_of(of_verts).size;
-    core::reserve_large(p.verts, size);
+    p.verts.reserve(size);
     for (std::uint64_t i = 0; i < size; ++i) {
       skip_to_value();
       const char* const position = at;
@@ -233,7 +233,7 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
   }
 
   /// Where a cell stands in the file. Reads its section again.
-  [[gnu::noinline, gnu::cold]] const char* position_of(std::size_t cell) {
+  const char* position_of(std::size_t cell) {
     const part* p = parts_;
     std::size_t before = is_polydata_ ? 0 : grid_.first(cell);  // verts of the section before those of the cell
     for (; is_polydata_ && cell >= p->ends.size(); ++p) cell -= p->ends.size();

@@ -1,7 +1,6 @@
 // Reads words and arrays of numbers of legacy VTK files, as text or big-endian.
 #pragma once
 
-#include <concino/core/large_pages.hpp>
 #include <concino/io/detail/vtk_numbers.hpp>
 #include <concino/io/text_cursor.hpp>
 
@@ -27,7 +26,7 @@ class vtk_cursor : public token_cursor {
   [[noreturn, gnu::noinline, gnu::cold]] void reject(const char* position, core::message expected) const { reject(position, expected, {found_at(position)}); }
 
   /// Reads the next word, in lower case. Line ends are blanks.
-  [[gnu::noinline]] std::string next_keyword() {
+  std::string next_keyword() {
     skip();
     std::string w(word().substr(0, 64));
     for (char& c : w)
@@ -35,7 +34,7 @@ class vtk_cursor : public token_cursor {
     return w;
   }
   /// Reads the next word, with %XX for characters that words cannot contain.
-  [[gnu::noinline]] std::string next_name() {
+  std::string next_name() {
     skip();
     const char* const from = at;
     const std::string_view w = word();
@@ -53,7 +52,7 @@ class vtk_cursor : public token_cursor {
     return name;
   }
   /// Reads a number that is written as text in binary files too, at least 0.
-  [[gnu::noinline]] std::uint64_t next_number(const char* what) {
+  std::uint64_t next_number(const char* what) {
     skip();
     std::int64_t i = 0;
     const char* const p = parse_integer(at, end(), i);
@@ -62,7 +61,7 @@ class vtk_cursor : public token_cursor {
     return static_cast<std::uint64_t>(i);
   }
   /// The same on the rest of this line; `otherwise` if there is no number.
-  [[gnu::noinline]] std::uint64_t number_on_line(std::uint64_t otherwise) {
+  std::uint64_t number_on_line(std::uint64_t otherwise) {
     while (!at_end() && is_blank(*at)) ++at;
     std::int64_t i = 0;
     const char* const p = parse_integer(at, end(), i);
@@ -79,14 +78,14 @@ class vtk_cursor : public token_cursor {
   }
 
   /// Whether the rest of the file can hold n numbers. Errors: parse_error if not.
-  [[gnu::noinline]] void require_room(const char* position, std::uint64_t n, vtk_number type) const {
+  void require_room(const char* position, std::uint64_t n, vtk_number type) const {
     const std::uint64_t room = left() + (binary_ ? 0 : 1), size = binary_ ? vtk_names_of(type).size : 2;
     const std::uint64_t most = type == vtk_number::bit && binary_ ? (room < max_count ? 8 * room : room) : room / size;
     if (n > most) reject(position, {"a count that fits into the file"}, {n, " ", vtk_names_of(type).legacy, " numbers, and ", left(), " bytes"});
   }
 
   /// Reads an integer of so many bytes as text. Result: modulo 2^64. One function for all types, which compiles faster than ten.
-  [[gnu::noinline]] std::uint64_t next_integer(bool is_signed, std::size_t size) {
+  std::uint64_t next_integer(bool is_signed, std::size_t size) {
     skip();
     std::int64_t i = 0;
     const char* p = parse_integer(at, end(), i);
@@ -104,7 +103,7 @@ class vtk_cursor : public token_cursor {
     at = p;
     return x;
   }
-  [[gnu::noinline]] double next_real() {
+  double next_real() {
     skip();
     double x = 0;
     const char* const p = parse_real(at, end(), x);
@@ -134,7 +133,7 @@ class vtk_cursor : public token_cursor {
 
   /// Reads n numbers into memory. Needs: begin_numbers() and require_room() for this type.
   template<class T>
-  [[gnu::noinline]] void read_values(T* to, std::size_t n) {
+  void read_values(T* to, std::size_t n) {
     if (binary_) {
       if (n) std::memcpy(to, at, n * sizeof(T));
       if constexpr (std::endian::native == std::endian::little) swap_bytes(to, n, sizeof(T));
@@ -147,12 +146,12 @@ class vtk_cursor : public token_cursor {
       }
     }
   }
-  [[gnu::noinline]] void read_bits(bool* to, std::size_t n) {
+  void read_bits(bool* to, std::size_t n) {
     for (std::size_t i = 0; i < n; ++i) to[i] = binary_ ? (static_cast<unsigned char>(at[i / 8]) >> (7 - i % 8) & 1) != 0 : next_integer(false, 1) != 0;
     if (binary_) at += (n + 7) / 8;
   }
   /// The same with any type of numbers.
-  [[gnu::noinline]] void read_values_of(vtk_number type, void* to, std::size_t n) {
+  void read_values_of(vtk_number type, void* to, std::size_t n) {
     if (type == vtk_number::bit) return read_bits(static_cast<bool*>(to), n);
     if (type == vtk_number::float64) return read_values(static_cast<double*>(to), n);
     const std::size_t size = vtk_names_of(type).size;
@@ -176,7 +175,7 @@ class vtk_cursor : public token_cursor {
     }
   }
   /// Moves behind n numbers.
-  [[gnu::noinline]] void skip_values(vtk_number type, std::uint64_t n) {
+  void skip_values(vtk_number type, std::uint64_t n) {
     if (binary_) at += type == vtk_number::bit ? (n + 7) / 8 : n * vtk_names_of(type).size;
     for (; !binary_ && n > 0; --n) {
       skip();
@@ -184,7 +183,7 @@ class vtk_cursor : public token_cursor {
     }
   }
   /// Moves behind n texts: in text files a line each, in binary files each with its length.
-  [[gnu::noinline, gnu::cold]] void skip_strings(std::uint64_t n) {
+  void skip_strings(std::uint64_t n) {
     for (; n > 0; --n) {
       if (!binary_) {
         skip();

@@ -5,7 +5,6 @@
 #include <concino/io/file_contents.hpp>
 #include <concino/mesh/standard_cells.hpp>
 
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,8 +20,6 @@ struct vtk_grid {
   std::vector<std::uint8_t> types;       // VTK's number of the type of each cell
   std::vector<property_column> columns;  // of verts, of all cells (element_kind::poly) and of the mesh
   std::uint32_t largest = unknown;       // number in verts, or more
-  bool has_checked_faces = false;        // the lists of the faces of polyhedra have the right lengths
-  std::shared_ptr<void> cell_builder;    // a basic_cell_builder with all cells, which are not in `verts` then; or null
   std::uint64_t num_ghosts = 0;          // cells that were dropped
 
   std::size_t size() const { return types.size(); }

@@ -94,7 +94,7 @@ class vtk_mesh {
     return verts_ + first;
   }
   /// Adds the verts of a cell that are no corners to the nodes.
-  [[gnu::noinline, gnu::cold]] void add_nodes(std::size_t c, const vert_id* v, std::size_t n) {
+  void add_nodes(std::size_t c, const vert_id* v, std::size_t n) {
     const std::size_t corners = num_corners(c);
     if (grid_.types[c] == quadratic_polygon && n % 2 != 0)
       places_.fail_at_cell(c, {"an even number of points, for a cell of type ", unsigned{grid_.types[c]}}, {n});
@@ -114,7 +114,7 @@ class vtk_mesh {
     for (std::size_t i = first; !in_range_ && i < first + n; ++i)
       if (verts_[i].raw() >= grid_.points.size()) fail_vert(c, verts_[i]);
   }
-  [[gnu::noinline, gnu::cold]] void fail_vert(std::size_t c, vert_id v) {
+  void fail_vert(std::size_t c, vert_id v) {
     places_.fail_at_cell(c, {"a point index below ", grid_.points.size()}, {v.raw()});
   }
 
@@ -168,7 +168,7 @@ class vtk_mesh {
     surface_arrays& s = out_.surface;
     if (take_polygons(s)) return;
     std::uint32_t arity = 0;
-    core::reserve_large(s.verts, grid_.verts.size());
+    s.verts.reserve(grid_.verts.size());
     for (std::size_t c = 0; c < grid_.size(); ++c) {
       if (kind_of_vtk_cell(grid_.types[c]) != vtk_kind::polygon) continue;
       for_each_polygon(c, [&](const vert_id* v, std::size_t n) {
@@ -188,54 +188,24 @@ class vtk_mesh {
   }
 
   void make_volume(bool lists_faces) {
-    if (auto* const built = static_cast<basic_cell_builder<Contents>*>(grid_.cell_builder.get())) {
-      identity_ = true;
-      return built->finish(out_);
-    }
     basic_cell_builder<Contents> cells(in_, grid_.points, 0);
     swap_orders();
-    if (has_one_shape()) {
-      const std::size_t n = grid_.size(), added = cells.add_all_cells(shape_of_vtk_cell(grid_.types[0]), std::move(grid_.verts));
-      if (added != n) places_.fail_at_cell(added, {cells.expected}, {cells.found});
-      return cells.finish(out_);
-    }
-    identity_ = lists_as_builder();
-    if (identity_) cells.take(std::move(grid_.verts));
-    else cells.reserve_numbers(grid_.verts.size());
+    if (common_size()) cells.reserve(shape_of_vtk_cell(grid_.types[0]), grid_.size());
     for (std::size_t c = 0; c < grid_.size(); ++c) {
       const vtk_kind kind = kind_of_vtk_cell(grid_.types[c]);
       if (kind == vtk_kind::polygon) list_faces(c, lists_faces);
       if (kind != vtk_kind::cell) continue;
-      if (!(identity_ ? add_taken(cells, c) : add_cell(cells, c))) places_.fail_at_cell(c, {cells.expected}, {cells.found});
-      if (!identity_) poly_cells_.push_back(static_cast<std::uint32_t>(c));
+      if (!add_cell(cells, c)) places_.fail_at_cell(c, {cells.expected}, {cells.found});
+      poly_cells_.push_back(static_cast<std::uint32_t>(c));
     }
     cells.finish(out_);
   }
 
-  /// Whether all cells are tets, or hexes, and so on, and none has a wrong vert.
-  bool has_one_shape() {
-    return identity_ = common_size() && shape_of_vtk_cell(grid_.types[0]) != cell_shape::general;
-  }
-  /// Whether all cells are listed as cell_builder does it: tets, hexes, prisms, pyramids, and polyhedra unless these have to become tets or hexes.
-  bool lists_as_builder() const {
-    if (out_.repeated.policy != repeated_verts::refuse) return false;  // the builder may change the lists
-    const bool takes_polyhedra = in_.wanted.polyhedra || !in_.wanted.cells;
-    for (const std::uint8_t t : grid_.types)
-      if (t == vtk_polyhedron ? !takes_polyhedra : shape_of_vtk_cell(t) == cell_shape::general) return false;
-    return true;
-  }
   /// Puts the verts of all cells into the standard order. Cells of a wrong number of verts stay as they are: they are rejected later.
   void swap_orders() {
     for (std::size_t c = 0; c < grid_.size(); ++c)
       if (grid_.cell_ends[c] - grid_.first(c) == size_of_vtk_cell(grid_.types[c])) swap_vtk_order(grid_.types[c], grid_.verts.data() + grid_.first(c));
   }
-  template<class Builder>
-  bool add_taken(Builder& cells, std::size_t c) {
-    if (grid_.types[c] == vtk_polyhedron) check_faces(c);
-    else verts_of(c);
-    return cells.add_taken(shape_of_vtk_cell(grid_.types[c]), grid_.cell_ends[c] - grid_.first(c));
-  }
-
   /// Checks the polygons of a cell, and lists them as faces.
   void list_faces(std::size_t c, bool listed) {
     for_each_polygon(c, [&](const vert_id* v, std::size_t n) {
@@ -270,7 +240,6 @@ class vtk_mesh {
   /// Checks the list of the faces of a polyhedron.
   void check_faces(std::size_t c) {
     std::size_t at = grid_.first(c);
-    if (grid_.has_checked_faces && verts_[at].raw() > 0) return;
     const std::size_t end = grid_.cell_ends[c];
     const std::size_t faces = at < end ? verts_[at++].raw() : 0;
     for (std::size_t f = 0; f < faces; ++f) {
@@ -296,7 +265,7 @@ class vtk_mesh {
 
   /// Moves the values of verts, and copies those of cells to the polys and faces that the cells became. Values of faces only, or of polys only, have
   /// default values at the others in the file: they become no property of these.
-  [[gnu::noinline, gnu::cold]] void set_columns_of_grid() {
+  void set_columns_of_grid() {
     constexpr element_kind kinds[] = {element_kind::vert, element_kind::poly, element_kind::face, element_kind::mesh};
     for (const element_kind kind : kinds)
       for (property_column& c : grid_.columns) {

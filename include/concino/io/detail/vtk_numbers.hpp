@@ -81,7 +81,7 @@ inline constexpr const value_type* const* vtk_value_types[] = {
 
 /// The type of a property with so many numbers per element: vec3 for three doubles, rgba for four floats called "color", else T or std::array<T, n>.
 /// Null if there is none.
-[[gnu::noinline, gnu::cold]] inline const value_type* property_type_of(vtk_number t, std::size_t components, std::string_view name) {
+inline const value_type* property_type_of(vtk_number t, std::size_t components, std::string_view name) {
   if (t == vtk_number::none) return nullptr;
   if (t == vtk_number::float32 && components == 4 && name == "color") return &values_of<rgba>;
   if (t == vtk_number::float64 && components == 3) return &values_of<vec3>;
@@ -95,7 +95,7 @@ struct vtk_property_type {
   vtk_number number = vtk_number::none;
   std::size_t components = 0;
 };
-[[gnu::noinline, gnu::cold]] inline vtk_property_type vtk_type_of(const std::type_info& type) {
+inline vtk_property_type vtk_type_of(const std::type_info& type) {
   for (unsigned i = 0; i < std::size(vtk_numbers); ++i)
     for (const std::size_t n : vtk_component_counts)
       if (const value_type* v = property_type_of(static_cast<vtk_number>(i), n, ""); v && *v->type == type) return {static_cast<vtk_number>(i), n};

@@ -204,7 +204,7 @@ struct vtk_output_arrays {
 };
 
 /// Writes a number as text.
-[[gnu::noinline]] inline void write_vtk_number(text_sink& out, vtk_number type, const unsigned char* bytes) {
+inline void write_vtk_number(text_sink& out, vtk_number type, const unsigned char* bytes) {
   with_number_type(type, [&]<class T>(std::type_identity<T>) {
     T x;
     std::memcpy(&x, bytes, sizeof x);

@@ -1,7 +1,6 @@
 // Reads the bytes of one array of a .vtu or .vtp file: base64, or appended; compressed or not.
 #pragma once
 
-#include <concino/core/parallel.hpp>
 #include <concino/io/detail/base64.hpp>
 #include <concino/io/detail/vtk_cursor.hpp>
 #include <concino/io/file_contents.hpp>
@@ -59,7 +58,7 @@ class vtk_xml_bytes : public vtk_cursor {
   }
 
   /// Reads the sizes that precede the data of an array, and compares them with the size of the file.
-  [[gnu::noinline, gnu::cold]] void open(const vtk_xml_array& a) {
+  void open(const vtk_xml_array& a) {
     const std::uint64_t before = num_read_;
     if (a.format == "appended") {
       if (!encoding_.appended || a.offset > static_cast<std::uint64_t>(text_end() - encoding_.appended)) fail_array(a, {"an offset into AppendedData"}, {a.offset});
@@ -79,28 +78,24 @@ class vtk_xml_bytes : public vtk_cursor {
     num_read_ = before;  // what is only looked at does not count
   }
   /// Reads the bytes of an array.
-  [[gnu::noinline]] void read_bytes(const vtk_xml_array& a, unsigned char* to) {
+  void read_bytes(const vtk_xml_array& a, unsigned char* to) {
     open(a);
     if (!encoding_.compressed) return take(a, to, bytes_);
-    inflate_blocks(a, 0, num_blocks(), to);
+    for (std::size_t i = 0; i < num_blocks(); ++i) inflate_block(a, i, to + i * block_size_);
   }
   /// The bytes of the array that is open, in the file. Needs: they are appended as they are.
   const unsigned char* bytes_in_file(const vtk_xml_array& a) {
     count_bytes(a, bytes_);
     return reinterpret_cast<const unsigned char*>(raw_);
   }
-  /// Calls use(bytes, count) for the numbers of a compressed array, some blocks at a time, which remain in the cache.
-  [[gnu::noinline]] void for_each_block(const vtk_xml_array& a, std::size_t number_size, function_ref<void(const unsigned char*, std::uint64_t)> use) {
+  /// Calls use(bytes, count) for the numbers of a compressed array, one block at a time.
+  void for_each_block(const vtk_xml_array& a, std::size_t number_size, function_ref<void(const unsigned char*, std::uint64_t)> use) {
     open(a);
-    const std::size_t size_at_once = std::size_t{1} << (core::num_threads() == 1 ? 16 : 20);  // one thread needs no more than a block
-    const std::size_t most = std::max<std::size_t>(size_at_once / std::max<std::uint64_t>(block_size_, 1), 1);
     std::uint64_t carried = 0;  // the bytes of a number of which the last block has a part
-    for (std::size_t first = 0, count = 0; first < num_blocks(); first += count) {
-      count = std::min(most, num_blocks() - first);
-      const std::uint64_t size = inflated_size(first + count) - inflated_size(first);
+    for (std::size_t i = 0; i < num_blocks(); ++i) {
+      const std::uint64_t size = inflated_size(i), numbers = (carried + size) / number_size, used = numbers * number_size;
       if (buffer_.size() < carried + size) buffer_.resize(carried + size);
-      inflate_blocks(a, first, count, buffer_.data() + carried);
-      const std::uint64_t numbers = (carried + size) / number_size, used = numbers * number_size;
+      inflate_block(a, i, buffer_.data() + carried);
       if (encoding_.swapped) swap_bytes(buffer_.data(), numbers, number_size);
       use(buffer_.data(), numbers);
       carried += size - used;
@@ -137,7 +132,7 @@ class vtk_xml_bytes : public vtk_cursor {
     return encoding_.wide ? x : low;
   }
 
-  [[gnu::noinline, gnu::cold]] void open_compressed(const vtk_xml_array& a) {
+  void open_compressed(const vtk_xml_array& a) {
     if (!in_.inflate)
       core::throw_joined<unsupported>({in_.name, ": the arrays are compressed: include <concino/adapters/zlib.hpp> (Debian's zlib1g-dev, link -lz), and load with {.inflate = zlib_inflate}"});
     const std::uint64_t blocks = word(a);
@@ -159,11 +154,11 @@ class vtk_xml_bytes : public vtk_cursor {
   }
 
   std::size_t num_blocks() const { return block_begins_.size() - 1; }
-  /// The size of the first n blocks when they are decompressed.
-  std::uint64_t inflated_size(std::size_t n) const { return n < num_blocks() ? n * block_size_ : bytes_; }
-  /// Decompresses blocks, the next ones, in parallel.
-  [[gnu::noinline]] void inflate_blocks(const vtk_xml_array& a, std::size_t first, std::size_t count, unsigned char* to) {
-    const std::uint64_t begin = block_begins_[first], n = block_begins_[first + count] - begin;
+  /// The size of block i when it is decompressed.
+  std::uint64_t inflated_size(std::size_t i) const { return i + 1 < num_blocks() ? block_size_ : bytes_ - i * block_size_; }
+  /// Decompresses block i, the next one.
+  void inflate_block(const vtk_xml_array& a, std::size_t i, unsigned char* to) {
+    const std::uint64_t n = block_begins_[i + 1] - block_begins_[i], size = inflated_size(i);
     const auto* from = reinterpret_cast<const unsigned char*>(raw_);
     if (base64_) {
       compressed_.resize(n);
@@ -173,12 +168,7 @@ class vtk_xml_bytes : public vtk_cursor {
       count_bytes(a, n);
       raw_ += n;
     }
-    parallel_for(count, [&](std::size_t k) {
-      const std::size_t i = first + k;
-      const std::uint64_t size = inflated_size(i + 1) - inflated_size(i);
-      if (!in_.inflate(from + (block_begins_[i] - begin), block_begins_[i + 1] - block_begins_[i], to + (inflated_size(i) - inflated_size(first)), size))
-        fail_array(a, {"zlib data of ", size, " bytes"}, {"other data"});
-    }, 1);
+    if (!in_.inflate(from, n, to, size)) fail_array(a, {"zlib data of ", size, " bytes"}, {"other data"});
   }
 };
 

@@ -35,7 +35,7 @@ class vtk_xml_cells : public vtk_xml_data {
     return *a;
   }
 
-  [[gnu::noinline]] void points(std::size_t p) {
+  void points(std::size_t p) {
     const std::uint64_t n = index_.pieces[p].points;
     if (n == 0) return;
     const vtk_xml_array& a = need(p, vtk_xml_part::points, "");
@@ -43,8 +43,7 @@ class vtk_xml_cells : public vtk_xml_data {
     if (n > max_ids || grid_.points.size() + n > max_ids) fail_to_count("points");
     require_numbers(a, 3 * n);
     const std::size_t first = grid_.points.size();
-    core::reserve_large(grid_.points, first + n);
-    core::request_pages(grid_.points.data() + first, n * sizeof(vec3));
+    grid_.points.reserve(first + n);
     const auto check_from = [&](std::size_t i) {
       for (; i < grid_.points.size(); ++i)
         if (!is_finite(grid_.points[i])) fail_array(a, {"finite coordinates"}, {"others at point ", i - first});
@@ -83,8 +82,7 @@ class vtk_xml_cells : public vtk_xml_data {
   std::uint32_t add_ends(const vtk_xml_array& a, std::uint64_t n) {
     require_numbers(a, n);
     std::vector<std::uint32_t>& ends = grid_.cell_ends;
-    core::reserve_large(ends, ends.size() + n);
-    core::request_pages(ends.data() + ends.size(), n * sizeof ends[0]);
+    ends.reserve(ends.size() + n);
     const auto before = static_cast<std::uint32_t>(grid_.verts.size());
     std::int64_t last = 0;
     for_each_integers(a, n, [&](const std::int64_t* values, std::size_t count) {
@@ -104,7 +102,7 @@ class vtk_xml_cells : public vtk_xml_data {
   void add_verts(const vtk_xml_array& a, std::size_t p, std::uint32_t n, bool has_polyhedra = false) {
     if (grid_.verts.size() + n > max_ids) fail_to_count("corners");
     require_numbers(a, n);
-    if (!has_polyhedra) core::reserve_large(grid_.verts, grid_.verts.size() + n);
+    if (!has_polyhedra) grid_.verts.reserve(grid_.verts.size() + n);
     const std::uint64_t bound = index_.pieces[p].points;
     std::size_t cell = first_cell_[p], read = grid_.verts.size();  // the end of the verts that were read
     for_each_integers(a, n, [&](const std::int64_t* values, std::size_t count) {
@@ -122,7 +120,7 @@ class vtk_xml_cells : public vtk_xml_data {
     });
   }
 
-  [[gnu::noinline, gnu::cold]] void polydata_cells(std::size_t p, unsigned list) {
+  void polydata_cells(std::size_t p, unsigned list) {
     const std::uint64_t n = index_.pieces[p].lists[list];
     if (n == 0) return;
     constexpr std::uint8_t types[] = {2, 4, 7, 6};
@@ -135,14 +133,14 @@ class vtk_xml_cells : public vtk_xml_data {
     std::memset(grid_.types.data() + first, types[list], n);
   }
 
-  [[gnu::noinline]] void grid_cells(std::size_t p) {
+  void grid_cells(std::size_t p) {
     const std::uint64_t n = index_.pieces[p].cells;
     if (n == 0) return;
     if (n > max_ids || grid_.size() + n > max_ids) fail_to_count("cells");
     const vtk_xml_array& types = need(p, vtk_xml_part::cells, "types");
     const std::uint32_t verts = add_ends(need(p, vtk_xml_part::cells, "offsets"), n);
     require_numbers(types, n);
-    core::reserve_large(grid_.types, grid_.types.size() + n);
+    grid_.types.reserve(grid_.types.size() + n);
     std::size_t num_polyhedra = 0;
     for_each_integers(types, n, [&](const std::int64_t* values, std::size_t count) {
       grid_.types.resize(grid_.types.size() + count);

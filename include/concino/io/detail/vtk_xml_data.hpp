@@ -15,7 +15,7 @@ class vtk_xml_data : public vtk_xml_bytes {
 
  protected:
   /// Checks that an array has n numbers, before any memory is allocated for them. Errors: parse_error if it does not.
-  [[gnu::noinline]] void require_numbers(const vtk_xml_array& a, std::uint64_t n) {
+  void require_numbers(const vtk_xml_array& a, std::uint64_t n) {
     if (a.type == vtk_number::none) fail(a.at, {"an array of numbers"}, {"another type in the array \"", a.name, "\""});
     if (a.format == "ascii") {
       if (n > (static_cast<std::uint64_t>(a.end - a.begin) + 1) / 2) fail_array(a, {n, " numbers"}, {a.end - a.begin, " characters"});
@@ -35,7 +35,7 @@ class vtk_xml_data : public vtk_xml_bytes {
   }
 
   /// Reads n numbers of the array's own type. Needs: require_numbers(a, n), and room for them.
-  [[gnu::noinline]] void read_array(const vtk_xml_array& a, std::uint64_t n, void* to) {
+  void read_array(const vtk_xml_array& a, std::uint64_t n, void* to) {
     if (n == 0) return;
     if (a.format == "ascii") {
       begin_text(a);
@@ -47,7 +47,7 @@ class vtk_xml_data : public vtk_xml_bytes {
 
   /// Calls use(values, count) for parts of the n numbers of an array, converted to T: double or std::int64_t.
   template<class T>
-  [[gnu::noinline]] void for_each_part(const vtk_xml_array& a, std::uint64_t n, function_ref<void(const T*, std::size_t)> use) {
+  void for_each_part(const vtk_xml_array& a, std::uint64_t n, function_ref<void(const T*, std::size_t)> use) {
     require_numbers(a, n);
     const std::size_t size = vtk_names_of(a.type).size;
     const bool is_same = std::is_same_v<T, double> ? a.type == vtk_number::float64 : a.type == vtk_number::int64 || a.type == vtk_number::uint64;
@@ -77,7 +77,7 @@ class vtk_xml_data : public vtk_xml_bytes {
     if (buffer_.capacity() > std::size_t{1} << 20) std::vector<unsigned char>().swap(buffer_);
   }
   /// The same with integers. Errors: parse_error if the array has reals.
-  [[gnu::noinline]] void for_each_integers(const vtk_xml_array& a, std::uint64_t n, function_ref<void(const std::int64_t*, std::size_t)> use) {
+  void for_each_integers(const vtk_xml_array& a, std::uint64_t n, function_ref<void(const std::int64_t*, std::size_t)> use) {
     if (a.type == vtk_number::float32 || a.type == vtk_number::float64) fail(a.at, {"integers"}, {"reals in the array \"", a.name, "\""});
     for_each_part<std::int64_t>(a, n, use);
   }
@@ -99,25 +99,25 @@ class vtk_xml_data : public vtk_xml_bytes {
     at = a.begin;
   }
   /// The n numbers of an array, in the file if they stand there as they are in memory, else in the buffer. Needs: as read_array; no text.
-  [[gnu::noinline]] const unsigned char* bytes_of(const vtk_xml_array& a, std::uint64_t n) {
+  const unsigned char* bytes_of(const vtk_xml_array& a, std::uint64_t n) {
     if (n && a.format == "appended" && !encoding_.base64_appended && !encoding_.compressed && !encoding_.swapped) {
       open(a);
       return bytes_in_file(a);
     }
-    core::reserve_large(buffer_, n * vtk_names_of(a.type).size);
+    buffer_.reserve(n * vtk_names_of(a.type).size);
     buffer_.resize(n * vtk_names_of(a.type).size);
     read_array(a, n, buffer_.data());
     return buffer_.data();
   }
   template<class N, class T>
-  [[gnu::noinline]] static void convert_from(const unsigned char* from, std::size_t n, T* to) {
+  static void convert_from(const unsigned char* from, std::size_t n, T* to) {
     for (std::size_t k = 0; k < n; ++k) {
       N x;
       std::memcpy(&x, from + k * sizeof(N), sizeof x);
       to[k] = static_cast<T>(x);
     }
   }
-  [[gnu::noinline]] static void convert(vtk_number type, const unsigned char* from, std::size_t n, std::int64_t* to) {
+  static void convert(vtk_number type, const unsigned char* from, std::size_t n, std::int64_t* to) {
     switch (type) {
       case vtk_number::int8: return convert_from<std::int8_t>(from, n, to);
       case vtk_number::uint8: return convert_from<std::uint8_t>(from, n, to);
@@ -129,7 +129,7 @@ class vtk_xml_data : public vtk_xml_bytes {
     }
   }
   /// Needs: at most `largest_part` numbers.
-  [[gnu::noinline]] static void convert(vtk_number type, const unsigned char* from, std::size_t n, double* to) {
+  static void convert(vtk_number type, const unsigned char* from, std::size_t n, double* to) {
     if (type == vtk_number::float64) return convert_from<double>(from, n, to);
     if (type == vtk_number::float32) return convert_from<float>(from, n, to);
     if (type == vtk_number::uint64) return convert_from<std::uint64_t>(from, n, to);

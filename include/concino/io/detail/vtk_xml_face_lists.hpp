@@ -34,8 +34,7 @@ class vtk_xml_face_lists : public vtk_xml_reader {
     std::vector<std::int64_t> all;
     const std::uint64_t n = count_numbers(a);
     require_numbers(a, n);
-    core::reserve_large(all, n);
-    core::request_pages(all.data(), n * sizeof all[0]);
+    all.reserve(n);
     for_each_integers(a, n, [&](const std::int64_t* values, std::size_t count) { all.insert(all.end(), values, values + count); });
     return all;
   }
@@ -44,8 +43,7 @@ class vtk_xml_face_lists : public vtk_xml_reader {
     const std::uint64_t n = count_numbers(a);
     require_numbers(a, n);
     id_list list;
-    core::reserve_large(grid_.verts, grid_.verts.size() + n);
-    core::request_pages(grid_.verts.data() + grid_.verts.size(), n * sizeof(Vert));
+    grid_.verts.reserve(grid_.verts.size() + n);
     for_each_integers(a, n, [&](const std::int64_t* values, std::size_t count) { list.append(values, count, grid_.verts); });
     return list;
   }

@@ -44,7 +44,7 @@ class vtk_xml_output {
   }
 
   /// Writes an array of n values of several numbers. values(use) calls use(value) for each.
-  [[gnu::noinline]] void array(std::string_view array_name, vtk_property_type type, std::uint64_t n, std::string_view more, vtk_number_source values) {
+  void array(std::string_view array_name, vtk_property_type type, std::uint64_t n, std::string_view more, vtk_number_source values) {
     const std::size_t size = vtk_names_of(type.number).size, bytes = type.components * size;
     if (!data_pass_) {
       c_.out << "<DataArray type=\"" << vtk_names_of(type.number).xml << "\" Name=\"" << xml_text(array_name) << '"';

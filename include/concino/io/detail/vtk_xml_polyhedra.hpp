@@ -1,14 +1,11 @@
 // Reads the polyhedra of .vtu files, in the layout before version 2.3 of the format, and in that of shared faces since then.
 #pragma once
 
-#include <concino/io/cell_builder.hpp>
 #include <concino/io/detail/vtk_xml_face_lists.hpp>
 
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <memory>
-#include <utility>
 #include <vector>
 
 namespace concino::detail {
@@ -21,15 +18,14 @@ class vtk_xml_volume_reader : public vtk_xml_face_lists<vert_id> {
 
  private:
   /// Puts the faces of polyhedra between the verts of other cells.
-  [[gnu::noinline, gnu::cold]] void polyhedra(std::size_t p, std::size_t first) override {
-    has_faces_ = grid_.has_checked_faces = true;
+  void polyhedra(std::size_t p, std::size_t first) override {
+    has_faces_ = true;
     std::uint32_t* const ends = grid_.cell_ends.data() + first_cell_[p];
     const std::size_t num_cells = grid_.size() - first_cell_[p];
     std::vector<vert_id> others(grid_.verts.begin() + static_cast<std::ptrdiff_t>(first), grid_.verts.end());
     const auto part = vtk_xml_part::cells;
     const bool is_new = !find(p, part, "faces");
     const vtk_xml_array& faces = need(p, part, is_new && find(p, part, "polyhedron_to_faces") ? "polyhedron_to_faces" : "faces");
-    if (!is_new && can_build()) return build_cells(p, faces, others);
     // The list of faces is read behind the room for the verts of other cells, and changed in place: what is written never reaches what is not read yet.
     const std::size_t list_begin = first + (is_new ? 0 : others.size());
     id_list list;
@@ -73,61 +69,6 @@ class vtk_xml_volume_reader : public vtk_xml_face_lists<vert_id> {
       ends[c] = static_cast<std::uint32_t>(written);
     }
     grid_.verts.resize(written);
-  }
-  /// Whether the cells can be built while the list of their faces is read: they stay as they are, and the mesh can hold polyhedra.
-  bool can_build() const {
-    if (!in_.wanted.polyhedra || index_.pieces.size() != 1) return false;
-    for (const vtk_xml_entry& e : index_.entries)
-      if (e.part == vtk_xml_part::of_cells && e.array.name == "vtkGhostType") return false;
-    for (const std::uint8_t t : grid_.types)
-      if (t != vtk_polyhedron && shape_of_vtk_cell(t) == cell_shape::general) return false;
-    return true;
-  }
-  /// Builds all cells, each while its faces are in the cache. `others` has the verts of cells that are no polyhedra, which get the standard order.
-  void build_cells(std::size_t p, const vtk_xml_array& faces, std::vector<vert_id>& others) {
-    const std::vector<std::int64_t> ends = integers(need(p, vtk_xml_part::cells, "faceoffsets"));
-    const std::uint64_t size = count_numbers(faces);
-    require_numbers(faces, size);
-    if (ends.size() < grid_.size()) fail_array(faces, {"an end for each of ", grid_.size(), " cells"}, {ends.size()});
-    const auto cells = std::make_shared<basic_cell_builder<Contents>>(in_, grid_.points, 0);
-    grid_.cell_builder = cells;
-    cells->expect_numbers(size + others.size());
-    std::size_t c = 0, at_list = 0;            // the next cell, and where its list begins
-    vert_id* other = others.data();
-    std::vector<vert_id> part;                 // of the list, from there on
-    id_list list;
-    const auto add_cells = [&] {
-      const vert_id* source = part.data();
-      for (; c < grid_.size(); ++c) {
-        const cell_shape shape = shape_of_vtk_cell(grid_.types[c]);
-        bool is_valid = true;
-        if (shape != cell_shape::general) {
-          is_valid = cells->add_cell(shape, other_cell(c, other));
-        } else {
-          const auto end = static_cast<std::size_t>(ends[c]);
-          if (ends[c] < 0 || end < at_list || end > size) fail_array(faces, {"ends of polyhedra that increase to ", size}, {ends[c]});
-          if (end > list.size) break;
-          const std::size_t n = length_of_faces(faces, p, list, source, at_list, end);
-          is_valid = source->raw() > 0 ? cells->add_polyhedron(source, n) : cells->end_polyhedron();
-          source += end - at_list;
-          at_list = end;
-        }
-        if (!is_valid) this->fail_at_cell(c, {cells->expected}, {cells->found});
-      }
-      part.erase(part.begin(), part.begin() + (source - part.data()));
-    };
-    add_cells();
-    for_each_integers(faces, size, [&](const std::int64_t* values, std::size_t count) {
-      list.append(values, count, part);
-      add_cells();
-    });
-  }
-  /// The verts of a cell that is no polyhedron, in the standard order. Errors: parse_error if it has another number of verts than its type.
-  const vert_id* other_cell(std::size_t c, vert_id*& other) {
-    const std::size_t n = grid_.cell_ends[c] - grid_.first(c), expected = size_of_vtk_cell(grid_.types[c]);
-    if (n != expected) this->fail_at_cell(c, {expected, " points, for a cell of type ", unsigned{grid_.types[c]}}, {n});
-    swap_vtk_order(grid_.types[c], other);
-    return std::exchange(other, other + n);
   }
   /// The same from lists of faces and of their verts.
   void listed_faces(const vtk_xml_array& a, std::size_t p, const std::vector<std::int64_t>& cell_faces, const std::vector<std::int64_t>& face_ends,

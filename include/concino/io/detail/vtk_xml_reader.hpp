@@ -19,7 +19,7 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
  public:
   vtk_xml_reader(const read_context& in, vtk_grid& grid) : vtk_xml_cells(in, grid), report_(*in.report) {}
 
-  [[gnu::noinline, gnu::cold]] void read() {
+  void read() {
     vtk_xml_tags(in_, index_).read();
     encoding_ = index_.encoding;
     for (std::size_t p = 0; p < index_.pieces.size(); ++p) {
@@ -43,7 +43,7 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
     const place_in_piece x = piece_of(cell);
     fail(index_.pieces[x.piece].at, expected, {core::joined(found), " in cell ", x.cell, " of the piece"});
   }
-  [[gnu::noinline, gnu::cold]] std::string place_of_cell(std::size_t cell) override {
+  std::string place_of_cell(std::size_t cell) override {
     const place_in_piece x = piece_of(cell);
     return core::joined({"position ", x.cell, " of the piece on line ", line_of(index_.pieces[x.piece].at)});
   }
@@ -60,7 +60,7 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
   }
 
   /// Reads the arrays that all pieces have. The arrays of one name become a list.
-  [[gnu::noinline, gnu::cold]] void columns() {
+  void columns() {
     name_table names;
     std::vector<std::uint32_t> first, last;
     for (std::size_t i = 0; i < index_.entries.size(); ++i) {
@@ -93,12 +93,12 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
   }
   const vtk_xml_entry* next(const vtk_xml_entry* e) const { return e->next == ~0u ? nullptr : &index_.entries[e->next]; }
 
-  [[gnu::noinline, gnu::cold]] void skip_column(const std::string& array_name, std::uint64_t components) {
+  void skip_column(const std::string& array_name, std::uint64_t components) {
     report_.skipped.push_back(core::joined(
         {"array \"", array_name, "\": properties have one value for each element, in all pieces, of 1, 2, 3, 4, 6 or 9 numbers, and it has ", components}));
   }
 
-  [[gnu::noinline, gnu::cold]] void column(const vtk_xml_entry& start) {
+  void column(const vtk_xml_entry& start) {
     const vtk_xml_part part = start.part;
     const std::string& array_name = start.array.name;
     const element_kind kind = part == vtk_xml_part::of_points ? element_kind::vert : part == vtk_xml_part::of_cells ? element_kind::poly : element_kind::mesh;
@@ -133,7 +133,7 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
     else if (kind == element_kind::poly) is_ghost_ = values;
   }
   /// Whether an array has a value for each of n elements. Reports it as skipped if not.
-  [[gnu::noinline, gnu::cold]] bool has_numbers(const vtk_xml_array& a, element_kind kind, std::uint64_t n) {
+  bool has_numbers(const vtk_xml_array& a, element_kind kind, std::uint64_t n) {
     const std::uint64_t found = count_numbers(a), needed = n * a.components;
     if (found == needed || n == 0) return true;
     const std::string elements = kind == element_kind::mesh ? "the mesh needs" : core::joined({n, kind == element_kind::vert ? " points" : " cells", " need"});
@@ -149,7 +149,7 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
   }
 
   /// Gives points of different pieces at the same place, with the same values, one number.
-  [[gnu::noinline, gnu::cold]] void merge_pieces() {
+  void merge_pieces() {
     if (index_.pieces.size() < 2) return;
     const std::size_t n = grid_.points.size();
     const vtk_point_merger merged(grid_, first_point_);
@@ -193,7 +193,7 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
   }
 
   /// Drops cells that another piece has too, and hidden ones.
-  [[gnu::noinline, gnu::cold]] void drop_ghosts() {
+  void drop_ghosts() {
     constexpr unsigned duplicate = 1, hidden = 32;
     std::size_t verts = 0;
     std::vector<std::uint32_t> kept;

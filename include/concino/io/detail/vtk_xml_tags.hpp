@@ -44,7 +44,7 @@ class vtk_xml_tags : xml_scanner {
  public:
   vtk_xml_tags(const read_context& in, vtk_xml_index& index) : xml_scanner(in.text, in.name), index_(index) {}
 
-  [[gnu::noinline, gnu::cold]] void read() {
+  void read() {
     xml_tag tag;
     if (!next(tag) || tag.name != "VTKFile" || !tag.begins) fail(tag.at ? tag.at : at, "<VTKFile>");
     file(tag);
@@ -72,12 +72,12 @@ class vtk_xml_tags : xml_scanner {
   }
   std::string_view last_open() const { return {text_cursor::begin() + open_[open_.size() - 2], open_.back()}; }
 
-  [[gnu::noinline, gnu::cold]] std::string text_of(const xml_tag& tag, std::string_view name) const {
+  std::string text_of(const xml_tag& tag, std::string_view name) const {
     std::string value;
     attribute(tag, name, value);
     return value;
   }
-  [[gnu::noinline, gnu::cold]] std::uint64_t number_of(const xml_tag& tag, std::string_view name, std::uint64_t otherwise) const {
+  std::uint64_t number_of(const xml_tag& tag, std::string_view name, std::uint64_t otherwise) const {
     std::string value;
     if (!attribute(tag, name, value)) return otherwise;
     std::uint64_t n = 0;
@@ -97,7 +97,7 @@ class vtk_xml_tags : xml_scanner {
     return n;
   }
 
-  [[gnu::noinline, gnu::cold]] void file(const xml_tag& tag) {
+  void file(const xml_tag& tag) {
     const std::string type = text_of(tag, "type"), order = text_of(tag, "byte_order"), header = text_of(tag, "header_type"), compressor = text_of(tag, "compressor");
     index_.is_polydata = type == "PolyData";
     if (!index_.is_polydata && type != "UnstructuredGrid")
@@ -119,7 +119,7 @@ class vtk_xml_tags : xml_scanner {
     return vtk_xml_part::none;
   }
 
-  [[gnu::noinline, gnu::cold]] void begin(const xml_tag& tag) {
+  void begin(const xml_tag& tag) {
     if (tag.name == (index_.is_polydata ? "PolyData" : "UnstructuredGrid")) {
       in_grid_ = true;
     } else if (tag.name == "Piece") {
@@ -144,7 +144,7 @@ class vtk_xml_tags : xml_scanner {
     }
   }
 
-  [[gnu::noinline, gnu::cold]] void array(const xml_tag& tag) {
+  void array(const xml_tag& tag) {
     vtk_xml_array a;
     a.at = tag.at;
     a.name = text_of(tag, "Name");
@@ -176,7 +176,7 @@ class vtk_xml_tags : xml_scanner {
   }
 
   /// The rest of the file is data.
-  [[gnu::noinline, gnu::cold]] void appended(const xml_tag& tag) {
+  void appended(const xml_tag& tag) {
     const std::string encoding = text_of(tag, "encoding");
     if (encoding != "raw" && encoding != "base64") fail(tag.at, {"encoding raw or base64"}, {"'", std::string_view(encoding).substr(0, 40), "'"});
     skip_space();

@@ -88,7 +88,7 @@ class medit_writer {
     return false;
   }
 
-  [[gnu::noinline]] void collect_listed() {
+  void collect_listed() {
     const flat_values<int> edge[] = {m_.edge_values<int>("label"), m_.edge_values<int>("ridge"), m_.edge_values<int>("required"), m_.edge_values<int>("entity")};
     if (edge[0] || edge[1] || edge[2] || edge[3])
       for (std::size_t e = 0; e < m_.edge_verts().size(); ++e)

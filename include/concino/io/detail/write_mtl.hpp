@@ -16,7 +16,7 @@
 namespace concino::detail {
 
 /// The colour that the lines of a material define. Sets is_taken to whether a reader assigns it to polys.
-[[gnu::noinline, gnu::cold]] inline rgba color_of(const std::vector<std::string>& lines, bool& is_taken) {
+inline rgba color_of(const std::vector<std::string>& lines, bool& is_taken) {
   rgba color;
   is_taken = false;
   for (const std::string& line : lines) {
@@ -66,7 +66,7 @@ class mtl_names {
  public:
   bool changed = false;  // some names had to be changed, as no line can hold them
 
-  [[gnu::noinline, gnu::cold]] mtl_names(write_context& c, material_library_file* library, const flat_values<std::string>& material,
+  mtl_names(write_context& c, material_library_file* library, const flat_values<std::string>& material,
                                                   const flat_values<rgba>& color, const material_table* table)
       : c_(c), library_(library), material_(material), color_(color), table_(table) {
     c.declare_stored<rgba>(element_kind::poly, "color");
@@ -113,7 +113,7 @@ class mtl_names {
   }
 
   /// Chooses the name of the material of a poly. Called for every poly, in the order of polys(m).
-  [[gnu::noinline]] void assign_material(std::size_t poly) {
+  void assign_material(std::size_t poly) {
     const std::uint32_t name = name_of(poly);
     if (!color_) {
       poly_material_.push_back(name);
@@ -134,7 +134,7 @@ class mtl_names {
   }
 
   /// Writes the lines that name the libraries. Called after all polys have their materials.
-  [[gnu::noinline, gnu::cold]] void end() {
+  void end() {
     const auto lost = [&](std::size_t n, const char* what, const char* why) {
       if (n) c_.report.lost.push_back(core::joined({what, n, why}));
     };
@@ -170,7 +170,7 @@ class mtl_names {
   }
 
   /// The material of polys with this name and colour. Defines it if necessary.
-  [[gnu::noinline, gnu::cold]] std::uint32_t material_for(std::uint32_t name, const rgba& color) {
+  std::uint32_t material_for(std::uint32_t name, const rgba& color) {
     const name_info a = info_[name];
     if (a.in_table != none && color == a.color) return name;
     if (a.in_table == none && table_colors_ && color == rgba{} && (name == 0 || !a.is_colored)) {
@@ -217,7 +217,7 @@ class mtl_names {
   }
 
   /// Replaces the lines for the colour and the opacity, if they differ.
-  [[gnu::noinline, gnu::cold]] void set_color(std::vector<std::string>& lines, const rgba& color) {
+  void set_color(std::vector<std::string>& lines, const rgba& color) {
     bool is_taken = false;
     const rgba defined_color = color_of(lines, is_taken);
     const bool opacity = !(color.a == defined_color.a), parts = !is_taken || !(defined_color == rgba{color.r, color.g, color.b, defined_color.a});

@@ -12,7 +12,7 @@ namespace concino::detail {
 
 /// The name of a poly (object, group, material) in the form that a line can hold. Sets `changed` if it differs. Only names that look like labels do so
 /// afterwards: a reader takes groups with such names for labels.
-[[gnu::noinline]] inline std::string written_name(const std::string& name, bool& changed) {
+inline std::string written_name(const std::string& name, bool& changed) {
   if (name.empty()) return name;
   std::string written = line_name(name, changed);
   if (int label = 0; written != name && is_number(written, "label_", label)) written.insert(0, "_");
@@ -29,7 +29,7 @@ class obj_names {
   bool changed = false;
 
   obj_names(write_context& c, std::string_view keyword) : c_(c), keyword_(keyword) {}
-  [[gnu::noinline]] void before_poly(const std::string& name) {
+  void before_poly(const std::string& name) {
     if (std::string_view(name) == last_) return;
     last_ = name;
     std::string written = written_name(name, changed);

@@ -37,11 +37,11 @@ class off_numbers {
 
   off_numbers(write_context& c, bool binary) : c_(c), binary_(binary) {}
 
-  [[gnu::noinline]] void integer(std::int64_t i) {
+  void integer(std::int64_t i) {
     if (binary_) word(static_cast<std::uint32_t>(i));
     else c_.out << ' ' << i;
   }
-  [[gnu::noinline]] void real(double x) {
+  void real(double x) {
     if (!binary_) {
       c_.out << ' ' << c_.finite(x);
       return;
@@ -51,7 +51,7 @@ class off_numbers {
     rounded = rounded || static_cast<double>(f) != x;
     word(std::bit_cast<std::uint32_t>(f));
   }
-  [[gnu::noinline]] void part(float x) {
+  void part(float x) {
     if (binary_) {
       word(std::bit_cast<std::uint32_t>(c_.finite(x)));
       return;
@@ -59,20 +59,20 @@ class off_numbers {
     c_.out << ' ';
     write_part(c_.out, c_.finite(x), true);
   }
-  [[gnu::noinline]] void color(const rgba& x) {
+  void color(const rgba& x) {
     for (const float p : {x.r, x.g, x.b, x.a}) part(p);
   }
   void point(const vec3& p) {
     if (!binary_) return write_point(c_.out, p);
     for (const double x : {p.x, p.y, p.z}) real(x);
   }
-  [[gnu::noinline]] void poly_color(const rgba& x) {
+  void poly_color(const rgba& x) {
     int bytes[4];
     if (binary_) integer(4);
     if (binary_ || !bytes_of(x, bytes)) return color(x);
     for (const int i : bytes) integer(i);
   }
-  [[gnu::noinline]] void poly_label(int label) {
+  void poly_label(int label) {
     if (!binary_) return integer(label);
     integer(1);
     const float nearest = std::min(static_cast<float>(label), 0x1.fffffep30f);  // the next float is no label

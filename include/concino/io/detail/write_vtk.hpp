@@ -29,7 +29,7 @@ class vtk_writer {
   void end_line() {
     if (!binary_) c_.out << '\n';
   }
-  [[gnu::noinline]] void numbers(vtk_property_type type, const unsigned char* bytes) {
+  void numbers(vtk_property_type type, const unsigned char* bytes) {
     const std::size_t size = vtk_names_of(type.number).size;
     if (binary_) {
       unsigned char swapped[72];
@@ -57,7 +57,7 @@ class vtk_writer {
   }
 
   template<class Value>
-  [[gnu::noinline]] void field(const std::vector<vtk_output_array>& all, std::size_t n, const Value& value) {
+  void field(const std::vector<vtk_output_array>& all, std::size_t n, const Value& value) {
     c_.out << "FIELD FieldData " << all.size() << '\n';
     for (const vtk_output_array& a : all) {
       c_.out << encoded(a.name) << ' ' << a.type.components << ' ' << n << ' ' << vtk_names_of(a.type.number).legacy << '\n';

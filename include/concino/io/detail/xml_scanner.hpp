@@ -21,7 +21,7 @@ class xml_scanner : public text_cursor {
   using text_cursor::text_cursor;
 
   /// Reads the next tag, and stops behind it. Returns false at the end of the text. Errors: parse_error for what is no such XML.
-  [[gnu::noinline]] bool next(xml_tag& tag) {
+  bool next(xml_tag& tag) {
     for (;;) {
       const auto* const open = left() ? static_cast<const char*>(std::memchr(at, '<', left())) : nullptr;
       if (!open) {
@@ -37,7 +37,7 @@ class xml_scanner : public text_cursor {
   }
 
   /// The value of an attribute, with its entities replaced. Returns false if there is none.
-  [[gnu::noinline]] bool attribute(const xml_tag& tag, std::string_view name, std::string& value) const {
+  bool attribute(const xml_tag& tag, std::string_view name, std::string& value) const {
     const char *p = tag.attributes.data(), *const last = p + tag.attributes.size();
     while (p != last) {
       while (p != last && is_space(*p)) ++p;

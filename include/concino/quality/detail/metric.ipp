@@ -57,7 +57,7 @@ CONCINO_INLINE const metric_row* find_row(metric what, poly_shape shape) {
 }
 
 /// For points so far apart or so close that products of their distances would overflow or underflow: scales by a power of two.
-[[gnu::noinline, gnu::cold]] inline double evaluate_scaled(const metric_row& row, poly_geometry g) {
+inline double evaluate_scaled(const metric_row& row, poly_geometry g) {
   if (g.points.empty()) return no_ideal;
   std::vector<vec3> local;
   bool far_apart = false;
@@ -89,7 +89,7 @@ CONCINO_INLINE void evaluate(const metric_row& row, const poly_geometry& all, st
     for (std::size_t k = 1; k < size; ++k) sum += std::abs(p[k].x - p[0].x) + std::abs(p[k].y - p[0].y) + std::abs(p[k].z - p[0].z);
     moderate = moderate && sum > 1e-25 && sum < 1e25;
   }
-  if (moderate) [[likely]] return row.compute(all, n, values);
+  if (moderate) return row.compute(all, n, values);
   poly_geometry g = all;
   for (std::size_t i = 0; i < n; ++i) {
     g.points = all.points.subspan(i * size, size);

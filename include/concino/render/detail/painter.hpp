@@ -9,7 +9,6 @@
 #include <concino/render/render_options.hpp>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -66,21 +65,11 @@ class painter {
     const std::size_t last = std::max(first + 1, sky_.size() * (sample + 1) / all);
     const frame f(normal);
     double sum = 0;
-    for (std::size_t start = first; start < last; start += max_rays_together) {
-      vec3 directions[max_rays_together];  // of the rays that may hit something
-      std::size_t number[max_rays_together], num_cast = 0;
-      double light[max_rays_together];
-      const std::size_t n = std::min(max_rays_together, last - start);
-      for (std::size_t k = 0; k < n; ++k) {
-        vec3 d = sky_(start + k, turn, f);
-        const double above = dot(d, flat);
-        if (above < 0) d -= flat * (2 * above);  // the hemisphere of the smooth normal extends below the triangle
-        light[k] = brightness(d);
-        if (!misses_all(position, d)) directions[num_cast] = d, number[num_cast++] = k;
-      }
-      for (std::uint64_t hit = occluded_rays(opaque_, position, {directions, num_cast}, 0, options_.occlusion_distance); hit != 0; hit &= hit - 1)
-        light[number[std::countr_zero(hit)]] = 0;
-      for (std::size_t k = 0; k < n; ++k) sum += light[k];
+    for (std::size_t k = first; k < last; ++k) {
+      vec3 d = sky_(k, turn, f);
+      const double above = dot(d, flat);
+      if (above < 0) d -= flat * (2 * above);  // the hemisphere of the smooth normal extends below the triangle
+      if (misses_all(position, d) || !opaque_.occluded(position, d, 0, options_.occlusion_distance)) sum += brightness(d);
     }
     return sum / static_cast<double>(last - first);
   }
