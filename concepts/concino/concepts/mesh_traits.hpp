@@ -11,9 +11,8 @@
 //   face_is_outward(m, p, f)                 whether f's verts run counter-clockwise seen from outside poly p
 //   point(m, v) set_point(m, v, x)           coordinates
 //   contains(m, x)                           optional: whether x is an element of m now, in constant time
-//   prefetch(m, e)                           optional: requests the memory that adj_e2v and adj_e2p of an edge read; changes no result
-//   prefetch(m, f) prefetch(m, p)            optional, of volumes: the same of a face, and of a poly: its lists and what face_is_outward reads
 //   rewire(m, c, made)                       editing: replaces polys by others, see <concino/concepts/editable.hpp>
+//   split_edge flip_edge collapse_edge       editing, optional: operators of the mesh's own, see <concino/concepts/editable.hpp>
 //   add_vert add_face add_poly remove_vert remove_face remove_poly reserve_removal garbage_collect why_not_rewire edits    editing, optional: see
 //                                            <concino/edit.hpp> and docs/adapt-your-mesh.md
 //   properties first_corner corner_index_bound    optional: named properties, see <concino/mesh/property.hpp>

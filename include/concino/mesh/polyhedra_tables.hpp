@@ -91,16 +91,6 @@ class basic_polyhedra_tables {
   auto adj_f2v(face_id f) const { return f2v_[f.raw()]; }
   auto adj_f2e(face_id f) const { return detail::edges_between(this, adj_f2v(f)); }
   detail::polys_of_facet adj_f2p(face_id f) const { return facet_adjacency_.polys_of(f); }
-  /// Requests what adj_f2p and adj_f2v read first.
-  void prefetch(face_id f) const {
-    facet_adjacency_.prefetch_owner(f);
-    if constexpr (requires { f2v_.begin(f.raw()); }) __builtin_prefetch(f2v_.begin(f.raw()));  // arrays of the caller have no such address
-  }
-  /// Requests the lists of p, and what face_is_outward reads of it.
-  void prefetch(poly_id p) const {
-    core::prefetch_rows(p2v_[p.raw()], p2e_[p.raw()], outward_[p.raw()]);
-    facet_adjacency_.prefetch(p);
-  }
   id_span<vert_id> adj_p2v(poly_id p) const { return p2v_[p.raw()]; }
   id_span<edge_id> adj_p2e(poly_id p) const { return p2e_[p.raw()]; }
   id_span<face_id> adj_p2f(poly_id p) const { return facet_adjacency_.facets(p); }
