@@ -270,6 +270,10 @@ struct planted_traits {
 
 template<>
 struct concino::mesh_traits<planted<cn::polygonmesh>> : planted_traits<cn::polygonmesh> {};
+template<>
+struct concino::mesh_traits<planted<cn::trimesh>> : planted_traits<cn::trimesh> {
+  static constexpr int arity = 3;
+};
 
 /// The same with a type that declares triangles.
 struct promised : planted<cn::polygonmesh> {};

@@ -30,9 +30,9 @@ template<class M, class Make, class Own, class ByRewire>
 void check_operator(const Make& make, std::size_t n, const char* operation, const Own& own, const ByRewire& by_rewire, concino::detail::law_log& log) {
   M direct = make(), expected = make();
   const auto nth = [n](const M& m) {
-    auto at = edges(m).begin();
-    for (std::size_t i = 0; i < n; ++i) ++at;
-    return edge_t<M>(*at);
+    std::vector<edge_t<M>> all;
+    for (const edge_t<M> e : edges(m)) all.push_back(e);
+    return all[n];
   };
   const edge_t<M> e = nth(direct);
   const auto ends = end_verts(direct, e);
