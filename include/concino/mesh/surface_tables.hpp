@@ -11,7 +11,6 @@
 #include <concino/mesh/detail/edit_log.hpp>
 #include <concino/mesh/detail/facet_adjacency.hpp>
 #include <concino/mesh/detail/vertex_incidence.hpp>
-#include <concino/mesh/surface_adjacency.hpp>
 
 namespace concino {
 
@@ -55,13 +54,6 @@ class surface_tables {
     check(vert_count);
     build(vert_count);
   }
-  /// From finished tables, which are not checked.
-  explicit surface_tables(surface_adjacency<Arity>&& a)
-    requires(Arity > 0 && std::same_as<Lists, per_poly<vert_id>>)
-      : verts_(a.first_edge.size() - 1), edges_(a.first_corner.size()), polys_(a.p2v.size() / Arity), p2v_(std::move(a.p2v)),
-        facet_adjacency_(per_poly<edge_id>(std::move(a.p2e)), per_poly<detail::encoded_neighbour>(std::move(a.p2p)), std::move(a.first_corner)), e2v_(std::move(a.e2v)),
-        incident_(std::make_shared<const detail::offsets>(std::move(a.first_edge)), std::move(a.v2v), std::move(a.v2e),
-                  a.first_poly.empty() ? nullptr : std::make_shared<const detail::offsets>(std::move(a.first_poly)), std::move(a.v2p)) {}
   /// From lists stored elsewhere, and from tables that were built from a copy of these lists.
   surface_tables(surface_tables<Arity>&& built, Lists elsewhere)
     requires(!std::same_as<Lists, per_poly<vert_id>>)
@@ -157,18 +149,13 @@ class surface_tables {
 
   void check(std::size_t vert_count) const;
 
-  struct edge_range;
-  struct build_memory;
+  struct found_edges;
   void build(std::size_t vert_count);
-  void start_facets(build_memory& memory);
-  template<bool Alone>
-  void find_edges(edge_range& range, jagged<poly_id>& v2p, const detail::offsets& poly_of);
-  void find_edges_alone(edge_range& all, jagged<poly_id>& v2p, std::size_t max_edges);
-  bool find_edges_in_two(edge_range& all, edge_range& second, jagged<poly_id>& v2p, std::size_t max_edges);
+  void find_edges(found_edges& found, jagged<poly_id>& v2p, const detail::offsets& poly_of);
 
   /// Lists, for each vert, what build() needs to find its polys: polys or corners. It lists corners if all polygons have the same size, and also if some
   /// polygon is long, since searching it for the vert would take too long. Returns the poly of each corner, if polygons differ and corners are listed.
-  detail::offsets list_at_verts(jagged<poly_id>& v2p, build_memory& memory, core::flat_array<std::uint32_t>& scratch) const;
+  detail::offsets list_at_verts(jagged<poly_id>& v2p, core::flat_array<std::uint32_t>& scratch) const;
 
   /// Vert k of `poly`, which has `size` verts.
   struct poly_corner {

@@ -50,7 +50,6 @@ class polyhedra_builder {
   std::size_t num_turned_ = 0;
 
   void begin_poly(std::size_t num_faces, std::size_t num_corners) {
-    merger_.make_room(num_faces, num_corners);
     core::make_room(out_.poly_faces, num_faces_ + num_faces);
     core::make_room(out_.outward, num_faces_ + num_faces);
   }

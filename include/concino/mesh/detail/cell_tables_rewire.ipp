@@ -176,7 +176,7 @@ void cell_tables<Shape, Lists>::rewiring::replace_polys() {
 }
 
 template<class Shape, class Lists>
-[[gnu::always_inline]] inline void cell_tables<Shape, Lists>::rewiring::attach(std::size_t k, unsigned j) {
+void cell_tables<Shape, Lists>::rewiring::attach(std::size_t k, unsigned j) {
   const auto use = static_cast<std::uint32_t>(k * Shape::faces + j), mate = x_.mate(use);
   const face_id f = face_ids_[x_.faces_of_new(k)[j]];
   if (mate == x_.has_others) return t_.facet_adjacency_.attach(new_poly(k), j, f);

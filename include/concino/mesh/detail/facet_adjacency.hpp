@@ -3,7 +3,6 @@
 #pragma once
 
 #include <concino/core/parallel.hpp>
-#include <concino/core/sort_numbers.hpp>
 #include <concino/mesh/detail/facet_adjacency_ranges.hpp>
 #include <concino/mesh/detail/row_lookup.hpp>
 
@@ -30,11 +29,6 @@ class facet_adjacency {
   facet_adjacency() = default;
   /// Starts without facets and with uninitialised neighbours. Call link() once for each incidence.
   facet_adjacency(jagged_array<Facet, N> facets, jagged_array<encoded_neighbour, N> unwritten) : facets_(std::move(facets)), neighbours_(std::move(unwritten)) {}
-  /// Finished: `first` is the first incidence of each facet, N * poly + k. No facet has more than two polys, and no two polys have two common facets.
-  facet_adjacency(jagged_array<Facet, N> facets, jagged_array<encoded_neighbour, N> neighbours, core::flat_array<std::uint32_t> first)
-    requires(N > 0)
-      : facets_(std::move(facets)), neighbours_(std::move(neighbours)), owner_(std::move(first)) {}
-
   std::size_t num_polys() const { return facets_.size(); }
   std::size_t num_facets() const { return owner_.size(); }
   id_span<Facet> facets(poly_id p) const { return facets_[p.raw()]; }
@@ -101,40 +95,8 @@ class facet_adjacency {
     join(first, p, k);
   }
 
-  /// Construction: gives p the neighbours and marks that it had in other tables, where numbers[q] is the number of poly q here, or ~0. These numbers have the
-  /// same order, and no facet had more than two polys. Polys without a number there are linked later.
-  void copy_links(std::uint32_t p, const encoded_neighbour* before, const std::uint32_t* numbers)
-    requires(N == 0);
-  /// Whether a facet has, or had, more than two polys.
-  bool has_poly_lists() const { return poly_lists_.size() > 0; }
-
-  // Construction by several threads, each with facets of its own, which have at most two polys.
-
-  /// Makes f facet k of p, its first poly. Returns what add_facets() needs to know of f.
-  std::uint32_t link_first(std::uint32_t p, std::uint32_t k, Facet f) {
-    facets_.begin(p)[k] = f;
-    neighbours_.begin(p)[k] = {};
-    return N > 0 ? N * p + k : p;
-  }
-  /// Makes f facet k of p, its second poly; `first` is that of the first. Returns false if it has two already.
-  bool link_second(std::uint32_t p, std::uint32_t k, Facet f, incidence first) {
-    encoded_neighbour& x = neighbours_.begin(first.poly)[first.k];
-    if (!x.is_none()) return false;
-    link(p, k, f, first);
-    return true;
-  }
-  /// Adds the facets that one of the threads has linked under the numbers mark, mark + 1, ... `mark` is 0 for the first thread, else a bit that no other number has.
-  void add_facets(core::flat_array<std::uint32_t>& owners, std::uint32_t mark);
-
   /// Construction: call it after the last link, so that a neighbour behind two facets is listed once.
   void finish();
-  /// The same if only these polys, each of them once, have links that were not copied, and index_facets() was called.
-  void finish(const std::vector<std::uint32_t>& linked);
-  /// Construction: makes link() fast for polys with many facets, when all facets are listed.
-  void index_facets() {
-    if constexpr (N == 0) facet_lookup_ = row_lookup(facets_);
-  }
-
   // Edits allocate their memory first, which changes nothing, and cannot fail afterwards.
 
   /// Edits: stages the n facets of a poly that will be added. They are copied, or the caller writes them; none for a facet that does not exist yet.
@@ -348,8 +310,6 @@ class facet_adjacency {
 
  private:
   static constexpr std::size_t min_list_capacity = 4;       // of a new list of polys
-
-  void finish_lists();
 
   /// Marks incidences of one poly, given as neighbour and position, that repeat a neighbour.
   template<class Scratch>

@@ -114,13 +114,6 @@ class incident_lists {
   void make_growable() {
     if (places_.is_packed()) spread_rows();
   }
-  /// The same, but rows stay where they are until they become too long, if they can; for the case that few do.
-  void make_few_growable() {
-    if (!places_.is_packed()) return;
-    if (!places_.can_stay()) return spread_rows();
-    reserve_back(1);
-    places_.make_loose();
-  }
   /// After this call, n calls of add_vert() with that room in all cannot fail.
   void reserve_verts(std::size_t n, std::size_t room) {
     make_growable();

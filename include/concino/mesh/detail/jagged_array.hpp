@@ -91,12 +91,6 @@ class jagged_array<T, 0> {
   void make_growable() {
     if (places_.is_packed()) spread_rows();
   }
-  /// The same as make_editable(), but rows that become too long have memory to move to; for the case that these are few.
-  void make_few_growable() {
-    if (!places_.is_packed()) return;
-    data_.reserve_back(1);
-    places_.make_loose();
-  }
   /// After this call, n calls of add_row() with that many values in all cannot fail.
   void reserve_rows(std::size_t n, std::size_t values) {
     places_.reserve(n);

@@ -102,14 +102,9 @@ class row_places {
 
   // Edits allocate their memory first, which changes no row, and cannot fail afterwards.
 
-  /// Whether make_loose() can leave all rows where they are.
-  bool can_stay() const {
-    if constexpr (WithSecond) return !packed_ || packed_ == second_.packed;
-    else return true;
-  }
-  /// The same rows, with a capacity of their own, where they are. Needs: can_stay().
+  /// The same rows, with a capacity of their own, where they are. Needs: no second rows, or spread() before.
   void make_loose() {
-    assert(can_stay());
+    assert(!WithSecond || !packed_);
     if (packed_) *this = loose([](std::uint32_t n) { return n; });
   }
   /// The same rows, apart from each other, so that most of them can grow where they are. Without room to grow if the places were more than 32 bits can count.
@@ -120,6 +115,7 @@ class row_places {
     return loose([](std::uint32_t n) { return room_for(n + 1); });
   }
   static std::uint32_t room_for(std::uint32_t n) { return (n + room_unit - 1) / room_unit * room_unit; }
+
   /// Copies the values of the same rows at other places to these ones. The room of rows, and what is between them, has values of none. `to` is empty. It gets
   /// capacity for half as much again, so that rows can move to its end: memory that is not used yet costs nothing, and moving all values to other memory much.
   template<class T>
