@@ -271,7 +271,6 @@ class adjacent_polys {
   adjacent_polys() = default;
   adjacent_polys(const encoded_neighbour* first, const encoded_neighbour* last, const non_manifold_facets* lists, poly_id self)
       : first_(first), last_(last), poly_lists_(lists), self_(self) {}
-  const void* row() const { return first_; }
   /// Calls f(q) for all of them in the same order. Without an iterator, short loops are faster.
   template<class F>
   void for_each(F&& f) const {
