@@ -126,8 +126,6 @@ mesh/detail/cell_tables_fans mesh/cell_tables mesh/native_mesh edit/elements mes
 mesh/detail/met_faces mesh/cell_tables mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws validate/dense_meshes
 mesh/detail/cell_tables_rewire mesh/cell_tables_rewire
 mesh/detail/cell_cavity mesh/cell_tables_rewire
-mesh/detail/cavity_numbers mesh/cell_tables_rewire
-mesh/detail/pair_numbers mesh/detail/pair_numbers
 mesh/detail/cavity_faces mesh/cell_tables_rewire
 mesh/detail/cavity_edges mesh/surface_rewire mesh/cell_tables_rewire mesh/polyhedra_tables_rewire
 mesh/detail/cavity_changes mesh/surface_rewire mesh/cell_tables_rewire mesh/polyhedra_tables_rewire
@@ -159,12 +157,10 @@ core/indexed_heap    core/indexed_heap graph/dijkstra
 graph/detail/lengths   graph/dijkstra
 graph/detail/targets   graph/bfs graph/dijkstra
 graph/detail/crossings graph/bfs graph/dijkstra graph/predecessors
-graph/detail/bounded_fifo    graph/bfs
 graph/detail/any_iterator     graph/boost
 graph/detail/edge_numbers  graph/boost
 graph/detail/corners   graph/cut_along graph/boundary_loops
 graph/disjoint_sets   graph/disjoint_sets graph/spanning_tree
-generate/detail/triangles_in_four  generate/subdivide_1_to_4
 lines/detail/flat_cell      lines/detail/flat_cell lines/integral_line
 lines/detail/line_signs     lines/integral_line
 lines/detail/line_watch     lines/integral_line

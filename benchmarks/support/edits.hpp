@@ -39,18 +39,6 @@ double seconds_of_edits(const M& m, const std::vector<u32>& edges, const Edit& e
   });
 }
 
-/// The same in a loop over read_ahead.
-template<class M, class Edit>
-double seconds_of_edits_ahead(const M& m, const std::vector<u32>& edges, const Edit& edit) {
-  const std::vector<concino::edge_id> list(edges.begin(), edges.end());
-  auto copy = std::make_unique<M>(m);
-  return seconds_of([&] {
-    edit_counts n;
-    for (const concino::edge_id e : concino::read_ahead(*copy, list)) n.asked += 1, n.done += edit(*copy, e.raw());
-    return n;
-  });
-}
-
 /// A mesh of this library that was edited once: a vert was added and removed, of triangles an edge was flipped and flipped back too.
 template<class M, class Arrays>
 M editable(const Arrays& a) {
@@ -81,13 +69,9 @@ void compare_edits(const program& p, const char* name, const surface_arrays& arr
   for (const bool shuffled : {false, true}) {
     const auto edges = edges_to_edit(concino::num_edges(ours), shuffled);
     const auto run = [&](const char* edit, auto mine, auto peer) {
-      const std::string works = std::string("edit.") + edit + (shuffled ? ".random" : "");
-      const auto compare_with = [&](const std::string& work, auto seconds_of_ours) {
-        if (!p.wants(work)) return;
-        p.print(compare(work, p.rounds, {{name, [&] { return seconds_of_edits(theirs, edges, peer); }}, {"concino", [&] { return seconds_of_ours(ours, edges, mine); }}}));
-      };
-      compare_with(works + ".bunny16", seconds_of_edits<concino::trimesh, decltype(mine)>);
-      compare_with(works + ".read-ahead.bunny16", seconds_of_edits_ahead<concino::trimesh, decltype(mine)>);
+      const std::string work = std::string("edit.") + edit + (shuffled ? ".random" : "") + ".bunny16";
+      if (!p.wants(work)) return;
+      p.print(compare(work, p.rounds, {{name, [&] { return seconds_of_edits(theirs, edges, peer); }}, {"concino", [&] { return seconds_of_edits(ours, edges, mine); }}}));
     };
     run("split", split<concino::trimesh>, Peer::split);
     run("flip", flip<concino::trimesh>, Peer::flip);

@@ -25,14 +25,13 @@ int main() {
   fmt::print("the new vert is {}, at height {:.3f}\n", cn::index_of(m, split.vert), height[split.vert]);
   print("an edge split:");
 
-  // All edits of a transaction are undone unless it is committed: here, because too much of the area is lost. read_ahead requests the memory of the next edits
-  // early, which saves time in large meshes.
+  // All edits of a transaction are undone unless it is committed: here, because too much of the area is lost.
   std::vector<cn::edge_id> all;
   for (const auto e : cn::edges(m)) all.push_back(e);
   try {
     cn::transaction t(m);
     const double area = cn::total_measure(m);
-    for (const cn::edge_id e : cn::read_ahead(m, all)) {
+    for (const cn::edge_id e : all) {
       if (!cn::contains(m, e)) continue;
       if (const auto made = cn::edge_collapse(m, e); !made) fmt::print("edge {} stays: {}\n", cn::index_of(m, e), made.why);
       if (cn::total_measure(m) < 0.9 * area) throw std::runtime_error("a tenth of the area is lost");

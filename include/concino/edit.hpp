@@ -17,7 +17,6 @@
 #include <concino/edit/poly_split.hpp>
 #include <concino/edit/proposed_edit.hpp>
 #include <concino/edit/protect.hpp>
-#include <concino/edit/read_ahead.hpp>
 #include <concino/edit/remove_unreferenced.hpp>
 #include <concino/edit/replace_polys.hpp>
 #include <concino/edit/simplex_cavity.hpp>

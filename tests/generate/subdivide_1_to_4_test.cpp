@@ -12,28 +12,6 @@
 using namespace concino;
 using namespace concino::testing;
 
-namespace {
-
-detail::numbered_triangles numbered(const trimesh& m) {
-  detail::numbered_triangles t{num_verts(m), num_edges(m), core::flat_array<detail::numbered_triangles::corner>(3 * num_polys(m))};
-  for (const poly_id p : polys(m))
-    for (unsigned k = 0; k < 3; ++k) t.corners[3 * p.raw() + k] = {adj_p2v(m, p)[k].raw(), adj_p2e(m, p)[k].raw()};
-  return t;
-}
-
-/// The tables of the split triangles, from the verts of each.
-surface_tables<3> built(const detail::numbered_triangles& t) {
-  std::vector<vert_id> lists;
-  for (std::size_t c = 0; c < t.corners.size(); c += 3) {
-    const auto middle = [&](std::size_t k) { return vert_id{t.num_verts + t.corners[c + k].edge}; };
-    for (std::size_t k = 0; k < 3; ++k) lists.insert(lists.end(), {vert_id{t.corners[c + k].vert}, middle(k), middle((k + 2) % 3)});
-    lists.insert(lists.end(), {middle(0), middle(1), middle(2)});
-  }
-  return surface_tables<3>(t.num_verts + t.num_edges, lists);
-}
-
-}  // namespace
-
 TEST_CASE("subdivide_1_to_4: halves all edges and numbers the elements in order") {
   const trimesh m = grid<trimesh>(3);
   const trimesh s = subdivide_1_to_4(m);
@@ -99,32 +77,4 @@ TEST_CASE("subdivide_1_to_4: the result can be edited") {
   add_poly(s, {a, b, v});
   CHECK(check_laws(s).empty());
   equals_rebuilt(s);
-}
-
-TEST_CASE("subdivide_1_to_4: tables are derived if edges have at most two triangles, else built") {
-  const auto is_derived = [](const trimesh& m) { return detail::has_derived_tables(numbered(m)); };
-  CHECK(is_derived(grid<trimesh>(4)));
-  CHECK(is_derived(icosphere(1)));
-  const std::vector<vec3> x(5);
-  CHECK(is_derived(trimesh(x, std::vector<std::vector<unsigned>>{{0, 1, 2}, {0, 1, 3}})));  // not oriented alike
-  CHECK_FALSE(is_derived(trimesh(x, std::vector<std::vector<unsigned>>{{0, 1, 2}, {1, 0, 3}, {0, 1, 4}})));
-  CHECK_FALSE(is_derived(trimesh(x, std::vector<std::vector<unsigned>>{{0, 1, 2}, {2, 1, 0}})));
-
-  // Any numbers, also those of no mesh, or of one with two edges between the same verts.
-  std::mt19937 random(11);
-  std::size_t derived = 0;
-  for (int i = 0; i < (long_run() ? 100000 : 3000); ++i) {
-    detail::numbered_triangles t{4, 6, core::flat_array<detail::numbered_triangles::corner>(3 * (1 + random() % 3))};
-    bool is_valid = true;
-    for (std::size_t c = 0; c < t.corners.size(); ++c) t.corners[c] = {static_cast<unsigned>(random() % 4), static_cast<unsigned>(random() % 6)};
-    if (i % 2 == 0)  // with the same ends for each edge
-      for (std::size_t c = 0; c < t.corners.size(); ++c) t.corners[c].vert = (static_cast<unsigned>(c % 3) + (i % 4 == 0 && c > 2 ? t.corners[3].vert : 0)) % 3;
-    for (std::size_t c = 0; c < t.corners.size(); c += 3)
-      for (std::size_t k = 0; k < 3; ++k) is_valid &= t.corners[c + k].edge != t.corners[c + (k + 1) % 3].edge;
-    if (!is_valid) continue;
-    const std::vector<vec3> points(10);
-    derived += detail::has_derived_tables(t);
-    has_same_adjacency(trimesh(points, detail::triangles_in_four(t)), trimesh(points, built(t)));
-  }
-  CHECK(derived > 100);
 }

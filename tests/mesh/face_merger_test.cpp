@@ -23,7 +23,6 @@ struct merged_faces {
   explicit merged_faces(std::size_t bound) : merger(bound) {}
   void add(const std::vector<unsigned>& numbers) {
     const std::vector<vert_id> face = ids(numbers);
-    merger.make_room(1, face.size());
     const auto place = merger.add(face.data(), face.size());
     m.poly_faces.push_back(place.face);
     m.outward.push_back(place.order > 0);

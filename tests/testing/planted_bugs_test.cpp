@@ -1,14 +1,17 @@
 // The conformance kit finds each planted bug under the right law. All are common bugs of adapters.
 #include <concino/convert/convert.hpp>
+#include <concino/generate/icosphere.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 #include <concino/mesh/polyhedralmesh.hpp>
 #include <concino/mesh/property.hpp>
 #include <concino/mesh/tetmesh.hpp>
+#include <concino/mesh/trimesh.hpp>
 #include <concino/testing/conformance.hpp>
 
 #include <doctest/doctest.h>
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -52,6 +55,10 @@ enum class bug {
   rewire_changes_values,
   rewire_checks_nothing,
   rewire_is_half_done,
+  // bugs of operators
+  split_forgets_its_point,
+  flip_says_that_it_did_nothing,
+  collapse_keeps_the_point,
   // bugs of volumes
   face_turned,
   cells_in_another_order,
@@ -229,6 +236,22 @@ struct planted_traits {
       for (const auto& x : cn::property_list(m.inner)) cn::vert_property<double>(m.inner, x.name)[vert{0}] = 99;
   }
 
+  static std::optional<vert> split_edge(M& m, edge e, const cn::vec3& x)
+    requires requires { T::split_edge(m.inner, e, x); }
+  {
+    return T::split_edge(m.inner, e, m.mistake == bug::split_forgets_its_point ? cn::vec3{} : x);
+  }
+  static bool flip_edge(M& m, edge e)
+    requires requires { T::flip_edge(m.inner, e); }
+  {
+    return T::flip_edge(m.inner, e) && m.mistake != bug::flip_says_that_it_did_nothing;
+  }
+  static bool collapse_edge(M& m, edge e, const cn::vec3& x)
+    requires requires { T::collapse_edge(m.inner, e, x); }
+  {
+    return T::collapse_edge(m.inner, e, m.mistake == bug::collapse_keeps_the_point ? T::point(m.inner, *T::adj_e2v(m.inner, e).begin()) : x);
+  }
+
   static vert add_vert(M& m, const cn::vec3& x) { return T::add_vert(m.inner, x); }
   static poly add_poly(M& m, std::span<const vert> corners) {
     return T::add_poly(m.inner, m.mistake == bug::add_poly_loses_a_corner ? std::vector<vert>{corners[0], corners[1], *T::verts(m.inner).begin()} : copied(corners));
@@ -247,6 +270,10 @@ struct planted_traits {
 
 template<>
 struct concino::mesh_traits<planted<cn::polygonmesh>> : planted_traits<cn::polygonmesh> {};
+template<>
+struct concino::mesh_traits<planted<cn::trimesh>> : planted_traits<cn::trimesh> {
+  static constexpr int arity = 3;
+};
 
 /// The same with a type that declares triangles.
 struct promised : planted<cn::polygonmesh> {};
@@ -380,6 +407,21 @@ TEST_CASE("conformance: finds wrong rewiring") {
   found_in_all(bug::rewire_changes_values, "ED2");
   found_in_all(bug::rewire_checks_nothing, "ED4");
   found_in_all(bug::rewire_is_half_done, "ED2");
+}
+
+TEST_CASE("conformance: finds operators that do not make what rewire makes") {
+  const auto sphere = [](bug mistake) {
+    return [mistake] {
+      planted<cn::trimesh> m;
+      m.inner = cn::icosphere(1);
+      m.mistake = mistake;
+      for (const auto p : cn::polys(m.inner)) m.across_as_made.push_back(copied(cn::adj_p2p(m.inner, p)));
+      return m;
+    };
+  };
+  for (const bug mistake : {bug::split_forgets_its_point, bug::flip_says_that_it_did_nothing, bug::collapse_keeps_the_point}) found(sphere(mistake), "ED6");
+  const auto report = cn::conformance(sphere(bug::none));
+  CHECK_MESSAGE(report.ok(), report.text());
 }
 
 TEST_CASE("conformance: finds polyhedra that are turned inside out, unless the data may have some") {

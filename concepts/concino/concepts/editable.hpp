@@ -9,6 +9,13 @@
 //   ED3  an edge or face that an old and a new poly share keeps its descriptor; one that only old polys have is gone, and a new one may take its descriptor
 //   ED4  if it throws, the mesh is as before
 //   ED5  the n-th new poly has the descriptor of the n-th old one for n < c.kept
+//   ED6  split_edge, flip_edge and collapse_edge, where the traits have them, make the same mesh as rewire, or do nothing
+//
+// A mesh that has operators of its own may offer them; the operators of <concino/edit.hpp> ask them first, and use rewire if they have done nothing:
+//   std::optional<vert> split_edge(m, e, x)   splits the edge e, and each triangle at it into two, at the new vert, whose point is x; returns that vert
+//   bool flip_edge(m, e)                      replaces e by the edge between the verts opposite to it, which has the descriptor e; returns whether it was done
+//   bool collapse_edge(m, e, x)               merges the ends of e, if the link condition holds: the first one remains, with the point x; returns whether it was done
+// Like rewire, they change nothing if they throw.
 #pragma once
 
 #include <concino/concepts/cavity.hpp>

@@ -1,23 +1,42 @@
 // mesh_traits: the customisation point for mesh types. Specialise it for a mesh type, and every algorithm of the library runs on that type.
 //
-// The members of a specialisation (all static; only those that the concept in question lists are needed, see the concept headers):
+// These are all members that any code of the library looks up; tests/headers/traits_members.cmake compares. All are static. x is an element of any kind.
 //
-//   using vert = ...; edge, face, poly       descriptor types, std::regular, all different
+// Needed, those that the concept in question lists (see the concept headers):
+//   vert edge face poly                      descriptor types, std::regular, all different
 //   dimension                                2: surface, 3: volume
+//   verts edges faces polys                  (m): the elements of one kind
+//   num_verts num_edges num_faces num_polys  (m): how many these are
+//   vert_index_bound edge_index_bound face_index_bound poly_index_bound    (m): exclusive bounds of index_of
+//   index_of                                 (m, x)
+//   adj_v2v adj_v2e adj_v2f adj_v2p          (m, v): adjacencies; a2b returns the b's of one a
+//   adj_e2v adj_e2f adj_e2p                  (m, e)
+//   adj_f2v adj_f2e adj_f2p                  (m, f)
+//   adj_p2v adj_p2e adj_p2f adj_p2p          (m, p)
+//   face_is_outward                          (m, p, f): whether f's verts run counter-clockwise seen from outside poly p
+//   point                                    (m, v): coordinates
+//
+// Editing (see <concino/concepts/editable.hpp>, <concino/edit.hpp> and docs/adapt-your-mesh.md):
+//   set_point                                (m, v, x)
+//   rewire                                   (m, c, made): replaces polys by others
+//   why_not_rewire                           (m, c): why the library of m cannot represent what rewire(m, c, made) would make; null if it can
+//   split_edge flip_edge collapse_edge       operators of the mesh's own
+//   add_vert add_face add_poly remove_vert remove_face remove_poly    single elements
+//   reserve_removal                          (m, polys): allocates the memory for their removal
+//   garbage_collect                          (m): numbers the elements without gaps
+//   edits edits_if_any                       (m): the state of transactions; the second is null until there was one
+//
+// Optional, they refine what a mesh means:
 //   arity                                    the number of verts of every poly, if that is fixed
 //   is_view                                  true: cheap to copy, does not own its elements (maps then keep a copy of it)
-//   verts(m) num_verts(m) vert_index_bound(m) index_of(m, v)    and the same for edges, faces, polys
-//   adj_v2v(m, v) ...                        adjacencies: a2b returns the b's of one a
-//   face_is_outward(m, p, f)                 whether f's verts run counter-clockwise seen from outside poly p
-//   point(m, v) set_point(m, v, x)           coordinates
-//   contains(m, x)                           optional: whether x is an element of m now, in constant time
-//   prefetch(m, e)                           optional: requests the memory that adj_e2v and adj_e2p of an edge read; changes no result
-//   prefetch(m, f) prefetch(m, p)            optional, of volumes: the same of a face, and of a poly: its lists and what face_is_outward reads
-//   rewire(m, c, made)                       editing: replaces polys by others, see <concino/concepts/editable.hpp>
-//   add_vert add_face add_poly remove_vert remove_face remove_poly reserve_removal garbage_collect why_not_rewire edits    editing, optional: see
-//                                            <concino/edit.hpp> and docs/adapt-your-mesh.md
-//   properties first_corner corner_index_bound    optional: named properties, see <concino/mesh/property.hpp>
-//   edges_in_order                           optional: static constexpr bool; false if adj_p2e or adj_f2e violates SM7 or VM8: then the verbs sort
+//   contains                                 (m, x): whether x is an element of m now, in constant time
+//   edges_in_order                           false if adj_p2e or adj_f2e violates SM7 or VM8: then the verbs sort
+//   properties                               (m): named properties, see <concino/mesh/property.hpp>
+//   first_corner corner_index_bound          (m, p), (m): numbers of corners, for properties of these
+//   base_requirements                        what a base class of the traits needs, see below
+//   tables                                   (m): for indexed_surface and indexed_volume, the base classes of <concino/mesh/indexed_base.hpp>
+//   halfedge_links                           for halfedge_kernel: the traits with the links, which have laws of their own
+//   precompiled                              the meshes of this library: the name of the mesh, for which concino::compiled has algorithms
 //
 // Include the adapter, or specialise, before the first use of the type with this library: a call of an algorithm, a check of a concept. A later
 // specialisation for one type is an error. So is a later one for many types, as adapters have, with g++; clang++ accepts it without a warning, but

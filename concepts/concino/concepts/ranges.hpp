@@ -55,6 +55,31 @@ class id_span {
   constexpr T operator[](std::size_t i) const { return first_[i]; }
 };
 
+namespace detail {
+
+/// An iterator over elements with indices below `bound` that skips those for which skips(i) holds.
+template<class Id, class Skips>
+class skipping_iterator {
+  unsigned i_ = 0, bound_ = 0;
+  Skips skips_{};
+
+  constexpr void skip() { while (i_ != bound_ && skips_(i_)) ++i_; }
+
+ public:
+  using value_type = Id;
+  using reference = Id;
+  using difference_type = std::ptrdiff_t;
+
+  constexpr skipping_iterator() = default;
+  constexpr skipping_iterator(unsigned i, unsigned bound, const Skips& skips) : i_(i), bound_(bound), skips_(skips) { skip(); }
+  constexpr Id operator*() const { return Id(i_); }
+  constexpr skipping_iterator& operator++() { ++i_; skip(); return *this; }
+  constexpr skipping_iterator operator++(int) { skipping_iterator old = *this; ++*this; return old; }
+  friend constexpr bool operator==(const skipping_iterator& a, const skipping_iterator& b) { return a.i_ == b.i_; }
+};
+
+}  // namespace detail
+
 /// Elements 0 .. bound-1, without those that `dead` marks (null: none are marked).
 template<class Id>
 class id_range {
@@ -62,35 +87,21 @@ class id_range {
   unsigned bound_ = 0;
   const unsigned char* dead_ = nullptr;
 
- public:
-  class iterator {
-    unsigned i_ = 0;
-    unsigned bound_ = 0;
-    const unsigned char* dead_ = nullptr;
-    constexpr void skip() {
-      if (dead_) while (i_ != bound_ && dead_[i_]) ++i_;
-    }
-
-   public:
-    using value_type = Id;
-    using reference = Id;
-    using difference_type = std::ptrdiff_t;
-
-    constexpr iterator() = default;
-    constexpr iterator(unsigned i, unsigned bound, const unsigned char* dead) : i_(i), bound_(bound), dead_(dead) { skip(); }
-    constexpr Id operator*() const { return Id{i_}; }
-    constexpr iterator& operator++() { ++i_; skip(); return *this; }
-    constexpr iterator operator++(int) { iterator old = *this; ++*this; return old; }
-    friend constexpr bool operator==(const iterator& a, const iterator& b) { return a.i_ == b.i_; }
+  struct is_dead {
+    const unsigned char* dead = nullptr;
+    constexpr bool operator()(unsigned i) const { return dead && dead[i]; }
   };
+
+ public:
+  using iterator = detail::skipping_iterator<Id, is_dead>;
   using value_type = Id;
 
   constexpr id_range() = default;
   constexpr explicit id_range(std::size_t bound, const unsigned char* dead = nullptr)
       : bound_(static_cast<unsigned>(bound)), dead_(dead) {}
 
-  constexpr iterator begin() const { return {first_, bound_, dead_}; }
-  constexpr iterator end() const { return {bound_, bound_, nullptr}; }
+  constexpr iterator begin() const { return {first_, bound_, {dead_}}; }
+  constexpr iterator end() const { return {bound_, bound_, {}}; }
 
   /// The elements of this range with index `first` or more and less than `last`, for parallel loops.
   constexpr id_range part(std::size_t first, std::size_t last) const {
@@ -107,29 +118,18 @@ class filtered_id_range {
   unsigned bound_;
   Alive alive_;
 
- public:
-  class iterator {
-    const filtered_id_range* r_ = nullptr;
-    unsigned i_ = 0;
-    constexpr void skip() { while (i_ != r_->bound_ && !r_->alive_(i_)) ++i_; }
-
-   public:
-    using value_type = Id;
-    using reference = Id;
-    using difference_type = std::ptrdiff_t;
-
-    constexpr iterator() = default;
-    constexpr iterator(const filtered_id_range& r, unsigned i) : r_(&r), i_(i) { skip(); }
-    constexpr Id operator*() const { return Id(i_); }
-    constexpr iterator& operator++() { ++i_; skip(); return *this; }
-    constexpr iterator operator++(int) { iterator old = *this; ++*this; return old; }
-    friend constexpr bool operator==(const iterator& a, const iterator& b) { return a.i_ == b.i_; }
+  struct is_not_alive {
+    const filtered_id_range* range = nullptr;
+    constexpr bool operator()(unsigned i) const { return !range->alive_(i); }
   };
+
+ public:
+  using iterator = detail::skipping_iterator<Id, is_not_alive>;
   using value_type = Id;
 
   constexpr filtered_id_range(std::size_t bound, const Alive& alive) : bound_(static_cast<unsigned>(bound)), alive_(alive) {}
-  constexpr iterator begin() const { return {*this, 0}; }
-  constexpr iterator end() const { return {*this, bound_}; }
+  constexpr iterator begin() const { return {0, bound_, {this}}; }
+  constexpr iterator end() const { return {bound_, bound_, {this}}; }
 };
 
 /// The elements of a mesh whose indices have gaps: ids_where<vert_id>(bound, [&m](unsigned i) { return !m.is_deleted(i); }).

@@ -112,9 +112,7 @@ vert_result<M> edge_collapse(M& m, edge_t<M> e, const edge_collapse_options& opt
   if constexpr (detail::collapses_edges<M>) {
     if (!options.keeps_second) {
       const vec3 at = options.point ? *options.point : detail::point_between(to_vec3(point(m, ends.first)), to_vec3(point(m, ends.second)), options.at);
-      const direct_edit x = traits<M>::collapse_edge(m, e, at);
-      if (x == direct_edit::done) return {{}, kept};
-      if (x == direct_edit::refused) return {detail::breaks_link_condition};
+      if (traits<M>::collapse_edge(m, e, at)) return {{}, kept};
     }
   }
   if (options.keep.empty())

@@ -49,11 +49,7 @@ template<EditableSurfaceMesh M>
 edge_result<M> edge_flip(M& m, edge_t<M> e, const edit_options& options = {}) {
   detail::check_element(m, e, "edge_flip", "edge");
   if constexpr (detail::flips_edges<M>)
-    if (options.keep.empty()) {
-      const direct_edit x = traits<M>::flip_edge(m, e);
-      if (x == direct_edit::done) return {{}, e};
-      if (x == direct_edit::refused) return {detail::opposite_verts_joined};
-    }
+    if (options.keep.empty() && traits<M>::flip_edge(m, e)) return {{}, e};
   return detail::flip_facet(m, e, options.keep);
 }
 

@@ -55,8 +55,8 @@ vert_result<M> edge_split(M& m, edge_t<M> e, double t = 0.5, const edit_options&
   if constexpr (detail::splits_edges<M>)
     if (options.keep.empty()) {
       const auto ends = end_verts(m, e);
-      const vert_t<M> made = traits<M>::split_edge(m, e, detail::point_between(to_vec3(point(m, ends.first)), to_vec3(point(m, ends.second)), t));
-      if (made != vert_t<M>{}) return {{}, made};
+      const auto made = traits<M>::split_edge(m, e, detail::point_between(to_vec3(point(m, ends.first)), to_vec3(point(m, ends.second)), t));
+      if (made) return {{}, *made};
     }
   detail::cavity_builder<M> c(m);
   if (const permission p = detail::edge_split_cavity(m, e, t, c); !p) return {p};

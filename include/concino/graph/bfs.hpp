@@ -4,7 +4,6 @@
 #include <concino/core/function_ref.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/core/prefetch.hpp>
 #include <concino/graph/detail/bounded_fifo.hpp>
 #include <concino/graph/detail/crossings.hpp>
 #include <concino/graph/detail/for_each.hpp>
@@ -51,9 +50,6 @@ auto plain_bfs(const G& g, const S& sources, [[maybe_unused]] function_ref<bool(
   while (!queue.empty()) {
     const node v = queue.pop();
     const int next = value[g.index(v)] + 1;
-    if constexpr (core::is_contiguous<decltype(g.neighbours(v))>) {
-      if (const node* const later = queue.peek(4)) core::prefetch(core::row_address(g.neighbours(*later)));
-    }
     for_each_with_repeats(g.neighbours(v), [&](const node& w) {
       int& h = value[g.index(w)];
       if (h >= 0) return;
@@ -119,9 +115,6 @@ auto full_bfs(const G& g, const S& sources, const bfs_options<typename G::node, 
     const node v = queue.pop();
     const int h = value[g.index(v)];
     if (h >= limit) continue;
-    if constexpr (core::is_contiguous<decltype(g.neighbours(v))>) {
-      if (const node* const later = queue.peek(4)) core::prefetch(core::row_address(g.neighbours(*later)));
-    }
     if constexpr (Reports) for_each_recorded_neighbour(g, v, options, [&](const node& w, const auto& put_crossed) { mark_reached(w, v, h + 1, put_crossed); });
     else for_each_open_neighbour(g, v, options.may_enter, options.may_cross, [&](const node& w) { mark_reached(w, v, h + 1, [] {}); });
   }

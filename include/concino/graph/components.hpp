@@ -37,7 +37,7 @@ namespace detail {
 /// Unites each node with its neighbours of smaller index. Nodes with similar indices are close in memory, so the mesh and the labels are read
 /// almost in order, while a search would jump. A separate function, so that its loop can use all registers.
 template<class G>
-[[gnu::noinline]] void unite_neighbours(G g, disjoint_sets& sets) {
+void unite_neighbours(G g, disjoint_sets& sets) {
   for (const auto v : g.nodes()) {
     const std::size_t i = g.index(v);
     std::size_t root = sets.root(i);

@@ -5,7 +5,6 @@
 #include <concino/core/indexed_heap.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/core/prefetch.hpp>
 #include <concino/graph/detail/for_each.hpp>
 #include <concino/graph/detail/graph_of.hpp>
 #include <concino/graph/detail/lengths.hpp>
@@ -79,18 +78,11 @@ auto search_by_length(const G& g, const S& sources, const L& lengths, const dijk
       if (options.visit && !options.visit(v, d)) break;
     }
     const auto length_to = lengths.from(v);
-    if constexpr (core::is_contiguous<decltype(g.neighbours(v))>) {
-      if (!queue.empty()) core::prefetch(core::row_address(g.neighbours(queue.front())));
-      for (const node w : g.neighbours(v)) {
-        queue.prefetch_key(g.index(w));
-        lengths.prefetch(w);
-      }
-    }
     const auto relax = [&, from = v, far = d](const node& w, [[maybe_unused]] const auto& put_crossed) {
       const auto w_slot = g.index(w);
       const double known = queue.key(w_slot);
       const double length = length_to(w, known - far);
-      if (!(length >= 0)) [[unlikely]] throw_bad_length(g, from, w, length, caller);
+      if (!(length >= 0)) throw_bad_length(g, from, w, length, caller);
       if (far + length < known) {
         queue.decrease_key(w, w_slot, far + length);
         if constexpr (Full) {

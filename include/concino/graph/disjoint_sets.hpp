@@ -2,7 +2,6 @@
 #pragma once
 
 #include <concino/core/error.hpp>
-#include <concino/core/large_pages.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -27,7 +26,7 @@ class disjoint_sets {
  public:
   disjoint_sets() = default;
   /// n sets of one index each.
-  explicit disjoint_sets(std::size_t n) : parent_(core::large_vector(expect_32_bits(n), 0u)) {
+  explicit disjoint_sets(std::size_t n) : parent_(expect_32_bits(n)) {
     for (std::size_t i = 0; i < n; ++i) parent_[i] = static_cast<std::uint32_t>(i);
   }
 

@@ -37,7 +37,7 @@ double cost_of_step(const G& g, const C& cost, const typename G::node& v, const 
     return cost(v, w) ? 1 : std::numeric_limits<double>::infinity();
   } else {
     const auto step = static_cast<double>(cost(v, w));
-    if (!(step >= 0)) [[unlikely]]
+    if (!(step >= 0))
       core::throw_joined<invalid_mesh>({"grow_regions: the cost from ", name_of(g, v), " to ", name_of(g, w), " is ",
                                           step < 0 ? core::number_text(step) : std::string("not a number"), "; costs must be 0 or more; +inf keeps regions out"});
     return step;

@@ -92,7 +92,7 @@ class tree_builder {
       const auto& from = upward ? v : w;
       const auto& to = upward ? w : v;
       const double length = lengths.from(from)(to, std::numeric_limits<double>::infinity());
-      if (!(length > -std::numeric_limits<double>::infinity())) [[unlikely]]
+      if (!(length > -std::numeric_limits<double>::infinity()))
         core::throw_joined<invalid_mesh>({"spanning_tree: the length from ", name_of(g_, from), " to ", name_of(g_, to), " is ",
                                             length < 0 ? "-inf" : "not a number", "; lengths must be numbers, +inf for no arc"});
       if (length < std::numeric_limits<double>::infinity()) visit(candidate{length, std::min(i, j), std::max(i, j), {from, to}, upward, via});

@@ -12,7 +12,6 @@
 #include <concino/mesh/detail/checks.hpp>
 #include <concino/mesh/detail/edit_log.hpp>
 #include <concino/mesh/detail/vertex_incidence.hpp>
-#include <concino/mesh/direct_edit.hpp>
 
 namespace concino {
 
@@ -96,13 +95,6 @@ class cell_tables {
     return all;
   }
   detail::polys_of_facet adj_f2p(face_id f) const { return facet_adjacency_.polys_of(f); }
-  /// Requests what the polys and verts of f are found by.
-  void prefetch(face_id f) const { facet_adjacency_.prefetch_owner(f); }
-  /// Requests the lists of p.
-  void prefetch(poly_id p) const {
-    core::prefetch_rows(p2v_[p.raw()], p2e_[p.raw()]);
-    facet_adjacency_.prefetch(p);
-  }
   auto adj_p2v(poly_id p) const { return p2v_[p.raw()]; }
   id_span<edge_id> adj_p2e(poly_id p) const { return p2e_[p.raw()]; }
   id_span<face_id> adj_p2f(poly_id p) const { return facet_adjacency_.facets(p); }
@@ -141,11 +133,6 @@ class cell_tables {
   ///         refuse a new poly; if it removes a vert that keeps a poly. The tables are unchanged then.
   void rewire(const detail::native_cavity& c, const detail::native_cavity_result& made, function_ref<void(const detail::index_bounds&)> grow = {},
               detail::edit_log* log = nullptr);
-
-  /// Collapses an edge of tets: its first end remains. Faster than by rewire, with the same result. It is refused if the link condition does not hold, and
-  /// left to rewire if the removed end is not inside a manifold or has many polys.
-  direct_edit collapse_edge(edge_id e)
-    requires(Shape::verts == 4);
 
   /// Calls f for every array of the tables, for undoing edits.
   template<class F>
@@ -199,7 +186,6 @@ class cell_tables {
 
  private:
   class rewiring;
-  class collapse;
 
   /// The edges of a poly that will be added.
   struct edges_of_new_poly {
@@ -259,5 +245,4 @@ using hex_tables = cell_tables<detail::hex_shape>;
 #include <concino/mesh/detail/cell_tables_edit.ipp>
 #include <concino/mesh/detail/cell_tables_fans.ipp>
 #include <concino/mesh/detail/cell_tables_rewire.ipp>
-#include <concino/mesh/detail/tet_edits.ipp>
 #endif

@@ -3,7 +3,6 @@
 
 #include <concino/concepts/end_verts.hpp>
 #include <concino/concepts/mesh.hpp>
-#include <concino/core/large_pages.hpp>
 #include <concino/core/message.hpp>
 #include <concino/mesh/corner_property.hpp>
 #include <concino/mesh/element_origins.hpp>
@@ -22,7 +21,7 @@ namespace concino {
 template<class M, class X>
 element_origins origins_of(const M& before, const std::vector<X>& sources) {
   std::vector<std::uint32_t> single;
-  core::reserve_exact(single, sources.size());
+  single.reserve(sources.size());
   for (const X& x : sources) single.push_back(static_cast<std::uint32_t>(index_of(before, x)));
   return element_origins(std::move(single));
 }
@@ -112,7 +111,7 @@ class single_origins {
   std::vector<std::pair<std::uint32_t, origin>> weighted_;  // those with a weight other than 1
 
  public:
-  explicit single_origins(std::size_t bound) : index_(core::exact_vector(bound, element_origins::none)) {}
+  explicit single_origins(std::size_t bound) : index_(bound, element_origins::none) {}
 
   void set(std::size_t i, std::uint32_t index) { index_[i] = index; }
   void set(std::size_t i, const origin& x) {

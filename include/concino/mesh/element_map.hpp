@@ -3,7 +3,6 @@
 
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/flat_array.hpp>
-#include <concino/core/large_pages.hpp>
 
 #include <cassert>
 #include <cstddef>
@@ -40,8 +39,8 @@ struct unwritten {};
 template<class T>
 struct map_storage {
   using type = std::vector<T>;
-  static type filled(std::size_t n, const T& value) { return core::large_vector(n, value); }
-  static type unfilled(std::size_t n) { return core::large_vector(n, T()); }
+  static type filled(std::size_t n, const T& value) { return type(n, value); }
+  static type unfilled(std::size_t n) { return type(n, T()); }
 };
 template<class T>
   requires(std::is_trivially_copyable_v<T> && alignof(T) <= alignof(std::max_align_t))

@@ -1,9 +1,8 @@
 // face_merger: merges equal faces of polys while they are listed.
 #pragma once
 
-#include <concino/core/large_pages.hpp>
-#include <concino/core/temporary_array.hpp>
 #include <concino/mesh/arrays.hpp>
+#include <concino/mesh/detail/offsets.hpp>
 #include <concino/mesh/standard_cells.hpp>
 
 #include <algorithm>
@@ -52,42 +51,34 @@ class basic_face_merger {
     }
   };
 
-  std::vector<std::uint32_t> offsets_{0};  // of the different faces; this and the next two have room at their ends
+  std::vector<std::uint32_t> offsets_{0};  // of the different faces
   std::vector<Vert> verts_;
-  core::temporary_array<entry> entries_;   // of the different faces
-  std::size_t num_faces_ = 0, num_corners_ = 0;
-  core::temporary_array<std::uint32_t> last_;  // the last different face with each smallest vert
+  std::vector<entry> entries_;      // of the different faces
+  std::vector<std::uint32_t> last_;  // the last different face with each smallest vert
   bool has_many_ = false;                  // some vert is the smallest one of too many faces
 
   std::uint32_t size(std::size_t f) const { return offsets_[f + 1] - offsets_[f]; }
   const Vert* first(std::size_t f) const { return verts_.data() + offsets_[f]; }
 
   face_id push(const Vert* v, std::size_t n, std::uint32_t sum, std::uint32_t next) {
-    Vert* const to = verts_.data() + num_corners_;
-    for (std::size_t i = 0; i < n; ++i) to[i] = v[i];
-    entries_[num_faces_] = {sum, next};
-    offsets_[num_faces_ + 1] = static_cast<std::uint32_t>(num_corners_ += n);
-    return face_id{num_faces_++};
-  }
-
-  void grow_entries(std::size_t n) {
-    core::temporary_array<entry> larger(n);
-    std::copy_n(entries_.data(), num_faces_, larger.data());
-    entries_.swap(larger);
+    verts_.insert(verts_.end(), v, v + n);
+    offsets_.push_back(static_cast<std::uint32_t>(verts_.size()));
+    entries_.push_back({sum, next});
+    return face_id{entries_.size() - 1};
   }
 
   /// The faces whose smallest verts have many faces, in an order in which equal ones are consecutive.
   std::vector<cycle> sorted_cycles() const {
     std::vector<cycle> cycles;
-    for (std::uint32_t f = 0; f < num_faces_; ++f)
+    for (std::uint32_t f = 0; f < num_faces(); ++f)
       if (last_[std::min_element(first(f), first(f) + size(f))->raw()] == too_many) cycles.push_back(cycle(first(f), size(f), f));
     std::sort(cycles.begin(), cycles.end());
     return cycles;
   }
   /// Merges the faces that were not compared, by sorting them, and renumbers the faces of polys.
-  [[gnu::noinline, gnu::cold]] void merge_many(std::vector<face_id>& poly_faces, std::vector<std::uint8_t>& outward) {
-    std::vector<std::uint32_t> number(num_faces_);  // first the equal face, and then the new number of each
-    std::vector<std::uint8_t> is_reversed(num_faces_, 0);
+  void merge_many(std::vector<face_id>& poly_faces, std::vector<std::uint8_t>& outward) {
+    std::vector<std::uint32_t> number(num_faces());  // first the equal face, and then the new number of each
+    std::vector<std::uint8_t> is_reversed(num_faces(), 0);
     for (std::uint32_t f = 0; f < number.size(); ++f) number[f] = f;
     std::uint32_t original = none;
     for (const cycle& c : sorted_cycles()) {
@@ -108,8 +99,8 @@ class basic_face_merger {
       number[f] = kept;
       offsets_[++kept] = end;
     }
-    num_faces_ = kept;
-    num_corners_ = end;
+    offsets_.resize(kept + 1);
+    verts_.resize(end);
     for (std::size_t i = 0; i < poly_faces.size(); ++i) {
       const std::uint32_t f = poly_faces[i].raw();
       outward[i] ^= is_reversed[f];
@@ -127,23 +118,16 @@ class basic_face_merger {
   /// Needs: verts below `bound`.
   explicit basic_face_merger(std::size_t bound) : last_(bound, none) {}
 
-  std::size_t num_faces() const { return num_faces_; }
-  std::size_t num_corners() const { return num_corners_; }
+  std::size_t num_faces() const { return entries_.size(); }
+  std::size_t num_corners() const { return verts_.size(); }
   /// Makes room for so many different faces, of so many corners.
   void reserve(std::size_t face_count, std::size_t corner_count) {
-    core::reserve_large(offsets_, face_count + 1);
-    core::reserve_large(verts_, corner_count);
-    if (face_count > entries_.capacity()) grow_entries(face_count);
+    offsets_.reserve(face_count + 1);
+    verts_.reserve(corner_count);
+    entries_.reserve(face_count);
   }
-  /// Makes room for the next faces. Needed before these are added, unlike reserve().
-  void make_room(std::size_t face_count, std::size_t corner_count) {
-    core::make_room(offsets_, num_faces_ + face_count + 1);
-    core::make_room(verts_, num_corners_ + corner_count);
-    if (num_faces_ + face_count > entries_.capacity()) grow_entries(std::max(num_faces_ + face_count, 2 * entries_.capacity()));
-  }
-
   /// Adds a face, unless an equal one is there already.
-  /// Needs: room for it; at least three different verts; the smallest one, and the sum of their number and of all of them modulo 2^32.
+  /// Needs: at least three different verts; the smallest one, and the sum of their number and of all of them modulo 2^32.
   place add(const Vert* v, std::size_t n, std::uint32_t smallest, std::uint32_t sum) {
     const std::uint32_t before = last_[smallest];
     unsigned compared = 0;
@@ -170,10 +154,10 @@ class basic_face_merger {
   /// direction of the face of the merger, is outward for its poly, else 0.
   void finish(polyhedra_arrays& m) {
     if (has_many_) merge_many(m.poly_faces, m.outward);
-    core::temporary_array<entry>().swap(entries_);
-    core::temporary_array<std::uint32_t>().swap(last_);
-    core::trim(offsets_, num_faces_ + 1);
-    core::trim(verts_, num_corners_);
+    std::vector<entry>().swap(entries_);
+    std::vector<std::uint32_t>().swap(last_);
+    detail::shrink_if_wasteful(offsets_);
+    detail::shrink_if_wasteful(verts_);
     m.face_offsets = std::move(offsets_);
     m.face_verts = std::move(verts_);
   }

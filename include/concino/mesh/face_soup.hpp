@@ -1,7 +1,6 @@
 // face_soup: builds polyhedra from cells with separate faces, and merges equal faces.
 #pragma once
 
-#include <concino/core/large_pages.hpp>
 #include <concino/mesh/arrays.hpp>
 #include <concino/mesh/face_merger.hpp>
 #include <concino/mesh/standard_cells.hpp>
@@ -24,9 +23,9 @@ struct basic_face_soup {
 
   /// Makes room for polys that have so many faces, of so many corners.
   void reserve(std::size_t poly_count, std::size_t face_count, std::size_t corner_count) {
-    core::reserve_large(poly_offsets, poly_count + 1);
-    core::reserve_large(face_offsets, face_count + 1);
-    core::reserve_large(face_verts, corner_count);
+    poly_offsets.reserve(poly_count + 1);
+    face_offsets.reserve(face_count + 1);
+    face_verts.reserve(corner_count);
   }
 
   void add_cell(cell_shape s, const Vert* v) {
@@ -41,14 +40,13 @@ struct basic_face_soup {
   /// Merges equal faces. outward[f] says whether face f, as it is listed, is outward for its poly; empty: all are.
   polyhedra_arrays unite(std::vector<vec3> points, std::vector<std::uint8_t> outward = {}) && {
     const std::size_t n = face_offsets.size() - 1;
-    if (outward.empty()) outward = core::large_vector(n, std::uint8_t{1});
+    if (outward.empty()) outward.assign(n, 1);
     basic_face_merger<Vert> merger(points.size());
     merger.reserve(n / 2 + n / 32, face_verts.size() / 2 + face_verts.size() / 32);  // few faces are at the boundary
     polyhedra_arrays m;
-    core::reserve_large(m.poly_faces, n);
+    m.poly_faces.reserve(n);
     for (std::size_t f = 0; f < n; ++f) {
       const std::size_t size = face_offsets[f + 1] - face_offsets[f];
-      merger.make_room(1, size);
       const auto place = merger.add(face_verts.data() + face_offsets[f], size);
       m.poly_faces.push_back(place.face);
       if (place.order < 0) outward[f] ^= 1;

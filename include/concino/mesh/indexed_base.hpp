@@ -103,7 +103,6 @@ template<class M>
 struct indexed_surface : detail::indexed_elements<M> {
   static constexpr int dimension = 2;
 
-  static void prefetch(const M& m, edge_id e) { detail::tables_of<M>(m).prefetch(e); }
 };
 
 /// tables(m) is a reference to a tet_tables, hex_tables or polyhedra_tables.
@@ -127,8 +126,6 @@ struct indexed_volume : detail::indexed_elements<M> {
   static auto adj_f2e(const M& m, face_id f) { return detail::tables_of<M>(m).adj_f2e(f); }
   static auto adj_f2p(const M& m, face_id f) { return detail::tables_of<M>(m).adj_f2p(f); }
   static auto adj_p2f(const M& m, poly_id p) { return detail::tables_of<M>(m).adj_p2f(p); }
-  static void prefetch(const M& m, face_id f) { detail::tables_of<M>(m).prefetch(f); }
-  static void prefetch(const M& m, poly_id p) { detail::tables_of<M>(m).prefetch(p); }
   static bool face_is_outward(const M& m, poly_id p, face_id f) { return detail::tables_of<M>(m).face_is_outward(p, f); }
 };
 

@@ -12,7 +12,9 @@
 #include <concino/mesh/property_set.hpp>
 #include <concino/mesh/surface_tables.hpp>
 
+#include <concepts>
 #include <initializer_list>
+#include <optional>
 
 namespace concino {
 
@@ -211,40 +213,39 @@ struct native_traits : Base<M> {
     m.points().insert(m.points().end(), c.points.begin(), c.points.end());
   }
 
-  // See edit/detail/direct_edits.hpp. An edit that is recorded, or whose properties must follow, is left to rewire.
+  // See concepts/editable.hpp. An edit that is recorded, or whose properties must follow, is left to rewire. Meshes whose traits are derived from these do not
+  // have them: there another `rewire` may have been written.
 
-  static vert_id split_edge(M& m, edge_id e, const vec3& x)
+  template<std::same_as<M> X>
+  static std::optional<vert_id> split_edge(X& m, edge_id e, const vec3& x)
     requires requires { m.tables().split_edge(e); }
   {
     if (!may_edit_directly(m)) return {};
+    const vec3 copy = x;  // a copy: x may be a point of m, which moves
     reserve_more(m.points(), 1);
     const vert_id v = m.tables().split_edge(e);
-    if (v.is_none()) return v;
-    m.points().push_back(x);
+    if (v.is_none()) return {};
+    m.points().push_back(copy);
     count_edit(m);
     return v;
   }
-  static direct_edit flip_edge(M& m, edge_id e)
+  template<std::same_as<M> X>
+  static bool flip_edge(X& m, edge_id e)
     requires requires { m.tables().flip_edge(e); }
   {
-    const direct_edit x = may_edit_directly(m) ? m.tables().flip_edge(e) : direct_edit::left_to_rewire;
-    if (x == direct_edit::done) count_edit(m);
-    return x;
+    if (!may_edit_directly(m) || !m.tables().flip_edge(e)) return false;
+    count_edit(m);
+    return true;
   }
-  static direct_edit collapse_edge(M& m, edge_id e, const vec3& x)
+  template<std::same_as<M> X>
+  static bool collapse_edge(X& m, edge_id e, const vec3& x)
     requires requires { m.tables().collapse_edge(e); }
   {
     const vert_id kept = m.tables().adj_e2v(e)[0];
-    const direct_edit result = may_edit_directly(m) ? m.tables().collapse_edge(e) : direct_edit::left_to_rewire;
-    if (result != direct_edit::done) return result;
+    if (!may_edit_directly(m) || !m.tables().collapse_edge(e)) return false;
     m.points()[kept.raw()] = x;
     count_edit(m);
-    return result;
-  }
-  static void prefetch_edit(const M& m, edge_id e, unsigned round)
-    requires requires { m.tables().prefetch_edit(e, round); }
-  {
-    m.tables().prefetch_edit(e, round);
+    return true;
   }
   static edit_state<typename M::native>& edits(M& m) { return m.edits(); }
   static correspondence garbage_collect(M& m) {

@@ -10,7 +10,6 @@
 #include <concino/mesh/detail/edit_log.hpp>
 #include <concino/mesh/detail/polyhedra_ranges.hpp>
 #include <concino/mesh/detail/vertex_incidence.hpp>
-#include <concino/mesh/kept_polyhedra.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -43,7 +42,6 @@ class basic_polyhedra_tables {
   detail::row_lookup face_vert_lookup_;  // of verts in faces with many verts
   jagged<std::uint8_t> outward_;  // parallel to the faces of each poly
   detail::jagged_array<vert_id, 2> e2v_;
-  bool is_built_ = false;  // and not compacted
 
  public:
   basic_polyhedra_tables() = default;
@@ -57,10 +55,6 @@ class basic_polyhedra_tables {
   ///         many polys that the adjacencies would be far longer than these lists.
   basic_polyhedra_tables(std::size_t vert_count, std::vector<std::uint32_t> face_offsets, std::vector<vert_id> face_verts,
                          std::vector<std::uint32_t> poly_offsets, std::vector<face_id> poly_faces, std::vector<std::uint8_t> outward);
-  /// The same tables, made in less time: what is known of earlier tables is copied, and `kept` says what. The lists are not checked.
-  /// Needs:  before.can_be_extended(); lists that the first constructor would accept.      Errors: unsupported if there are too many elements.
-  basic_polyhedra_tables(const basic_polyhedra_tables& before, kept_polyhedra& kept, std::size_t vert_count, std::vector<std::uint32_t> face_offsets,
-                         std::vector<vert_id> face_verts, std::vector<std::uint32_t> poly_offsets, std::vector<face_id> poly_faces, std::vector<std::uint8_t> outward);
   /// From lists stored elsewhere, and from tables that were built from a copy of these lists.
   basic_polyhedra_tables(basic_polyhedra_tables<jagged<vert_id>>&& built, Lists elsewhere)
     requires(!std::same_as<Lists, jagged<vert_id>>)
@@ -68,13 +62,6 @@ class basic_polyhedra_tables {
         f2v_(std::move(elsewhere)), p2v_(std::move(built.p2v_)), incident_edges_(std::move(built.incident_edges_)),
         p2e_(std::move(built.p2e_)), e2f_(std::move(built.e2f_)), v2p_(std::move(built.v2p_)), facet_adjacency_(std::move(built.facet_adjacency_)),
         face_vert_lookup_(std::move(built.face_vert_lookup_)), outward_(std::move(built.outward_)), e2v_(std::move(built.e2v_)) {}
-
-  /// Whether other tables can be made of these: every list has the order that the first constructor gives it, since no edit or compaction came later, and no
-  /// face has more than two polys.
-  bool can_be_extended() const {
-    const auto are_packed = [](const auto&... rows) { return (... && (rows.shared_offsets() != nullptr)); };
-    return is_built_ && are_packed(f2v_, p2v_, incident_edges_, p2e_, e2f_, v2p_, facet_adjacency_.facet_rows()) && !facet_adjacency_.has_poly_lists();
-  }
 
   const detail::alive_elements<vert_id>& verts() const { return verts_; }
   const detail::alive_elements<edge_id>& edges() const { return edges_; }
@@ -91,16 +78,6 @@ class basic_polyhedra_tables {
   auto adj_f2v(face_id f) const { return f2v_[f.raw()]; }
   auto adj_f2e(face_id f) const { return detail::edges_between(this, adj_f2v(f)); }
   detail::polys_of_facet adj_f2p(face_id f) const { return facet_adjacency_.polys_of(f); }
-  /// Requests what adj_f2p and adj_f2v read first.
-  void prefetch(face_id f) const {
-    facet_adjacency_.prefetch_owner(f);
-    if constexpr (requires { f2v_.begin(f.raw()); }) __builtin_prefetch(f2v_.begin(f.raw()));  // arrays of the caller have no such address
-  }
-  /// Requests the lists of p, and what face_is_outward reads of it.
-  void prefetch(poly_id p) const {
-    core::prefetch_rows(p2v_[p.raw()], p2e_[p.raw()], outward_[p.raw()]);
-    facet_adjacency_.prefetch(p);
-  }
   id_span<vert_id> adj_p2v(poly_id p) const { return p2v_[p.raw()]; }
   id_span<edge_id> adj_p2e(poly_id p) const { return p2e_[p.raw()]; }
   id_span<face_id> adj_p2f(poly_id p) const { return facet_adjacency_.facets(p); }
@@ -167,7 +144,7 @@ class basic_polyhedra_tables {
   // Used by the ranges above.
   edge_id edge_between(vert_id a, vert_id b) const {
     const auto [smaller, larger] = std::minmax({a, b});
-    if (incident_edges_.num_edges(larger) > detail::row_lookup::longest_scan) [[unlikely]]
+    if (incident_edges_.num_edges(larger) > detail::row_lookup::longest_scan)
       if (const edge_id e = edge_to_smaller(larger, smaller); !e.is_none()) return e;
     return incident_edges_.edge_between(larger, smaller);
   }
@@ -175,7 +152,7 @@ class basic_polyhedra_tables {
     const auto corners = adj_f2v(f);
     const std::size_t n = corners.size();
     std::size_t i = 0;
-    if (n > detail::row_lookup::longest_scan) [[unlikely]] i = face_vert_lookup_.find(f.raw(), corners, v);
+    if (n > detail::row_lookup::longest_scan) i = face_vert_lookup_.find(f.raw(), corners, v);
     else
       while (i < n && corners[i] != v) ++i;
     return i == n ? vert_id{} : corners[i + 1 == n ? 0 : i + 1];
@@ -184,8 +161,6 @@ class basic_polyhedra_tables {
  private:
   friend class detail::polyhedra_cavity;
   class rewiring;
-  class edge_extension;
-  class extension;
 
   static constexpr std::size_t faces_of_new_edge = 4;  // for which memory is reserved
 
@@ -199,15 +174,10 @@ class basic_polyhedra_tables {
   std::size_t check(std::size_t vert_count, const jagged<face_id>& polys) const;
   std::size_t check_polys(const jagged<face_id>& polys) const;
 
-  /// Whether to build in two threads: it takes tens of milliseconds.
-  bool is_large() const { return f2v_.num_values() > 300'000; }
-
   /// The smaller neighbours of a vert come before the larger ones, in ascending order, until edges are added or removed there.
   edge_id edge_to_smaller(vert_id v, vert_id smaller) const;
 
   void build(std::size_t vert_count, const jagged<face_id>& polys, std::size_t poly_corners);
-  /// The last step, when all lists exist.
-  void finish(std::size_t vert_count, std::size_t poly_count);
 
   void sort_smaller_neighbours();
 
@@ -223,7 +193,7 @@ class basic_polyhedra_tables {
 };
 
 template<class Lists>
-[[gnu::noinline]] edge_id basic_polyhedra_tables<Lists>::edge_to_smaller(vert_id v, vert_id smaller) const {
+edge_id basic_polyhedra_tables<Lists>::edge_to_smaller(vert_id v, vert_id smaller) const {
   const id_span<vert_id> near = incident_edges_.verts(v);
   const vert_id* const at = std::lower_bound(near.begin(), near.end(), smaller);
   return at != near.end() && *at == smaller ? incident_edges_.edges(v)[static_cast<std::size_t>(at - near.begin())] : edge_id{};
@@ -236,6 +206,5 @@ using polyhedra_tables = basic_polyhedra_tables<detail::jagged_array<vert_id, 0>
 #ifndef CONCINO_COMPILED
 #include <concino/mesh/detail/polyhedra_compact.ipp>
 #include <concino/mesh/detail/polyhedra_tables.ipp>
-#include <concino/mesh/detail/polyhedra_tables_extend.ipp>
 #include <concino/mesh/detail/polyhedra_tables_rewire.ipp>
 #endif

@@ -11,8 +11,6 @@
 #include <concino/mesh/detail/edit_log.hpp>
 #include <concino/mesh/detail/facet_adjacency.hpp>
 #include <concino/mesh/detail/vertex_incidence.hpp>
-#include <concino/mesh/direct_edit.hpp>
-#include <concino/mesh/surface_adjacency.hpp>
 
 namespace concino {
 
@@ -31,9 +29,6 @@ class surface_tables {
   detail::facet_adjacency<edge_id, Arity> facet_adjacency_;
   detail::jagged_array<vert_id, 2> e2v_;
   detail::incident_edges_and_polys incident_;  // to verts
-  // Of triangles, after the first edit: a poly of each edge, which is mostly its second one. It is only requested from memory before it is known, so that
-  // both polys of an edge arrive together, and never read as the truth: edits by rewire and undoing leave it as it is.
-  core::flat_array<poly_id> probable_second_poly_;
 
  public:
   static constexpr unsigned arity = Arity;
@@ -59,19 +54,11 @@ class surface_tables {
     check(vert_count);
     build(vert_count);
   }
-  /// From finished tables, which are not checked.
-  explicit surface_tables(surface_adjacency<Arity>&& a)
-    requires(Arity > 0 && std::same_as<Lists, per_poly<vert_id>>)
-      : verts_(a.first_edge.size() - 1), edges_(a.first_corner.size()), polys_(a.p2v.size() / Arity), p2v_(std::move(a.p2v)),
-        facet_adjacency_(per_poly<edge_id>(std::move(a.p2e)), per_poly<detail::encoded_neighbour>(std::move(a.p2p)), std::move(a.first_corner)), e2v_(std::move(a.e2v)),
-        incident_(std::make_shared<const detail::offsets>(std::move(a.first_edge)), std::move(a.v2v), std::move(a.v2e),
-                  a.first_poly.empty() ? nullptr : std::make_shared<const detail::offsets>(std::move(a.first_poly)), std::move(a.v2p)) {}
   /// From lists stored elsewhere, and from tables that were built from a copy of these lists.
   surface_tables(surface_tables<Arity>&& built, Lists elsewhere)
     requires(!std::same_as<Lists, per_poly<vert_id>>)
       : verts_(std::move(built.verts_)), edges_(std::move(built.edges_)), polys_(std::move(built.polys_)), p2v_(std::move(elsewhere)),
-        facet_adjacency_(std::move(built.facet_adjacency_)), e2v_(std::move(built.e2v_)), incident_(std::move(built.incident_)),
-        probable_second_poly_(std::move(built.probable_second_poly_)) {
+        facet_adjacency_(std::move(built.facet_adjacency_)), e2v_(std::move(built.e2v_)), incident_(std::move(built.incident_)) {
     if constexpr (Arity == 0) p2v_.share_offsets(built.p2v_);
   }
 
@@ -87,12 +74,6 @@ class surface_tables {
   auto adj_p2v(poly_id p) const { return p2v_[p.raw()]; }
   id_span<edge_id> adj_p2e(poly_id p) const { return facet_adjacency_.facets(p); }
   detail::adjacent_polys adj_p2p(poly_id p) const { return facet_adjacency_.polys(p); }
-
-  /// Requests what adj_e2v and adj_e2p read first.
-  void prefetch(edge_id e) const {
-    __builtin_prefetch(e2v_.begin(e.raw()));
-    facet_adjacency_.prefetch_owner(e);
-  }
 
   /// The number of the first corner of p; the other corners of p follow. All corner numbers are below corner_bound(). Edits do not change them.
   std::size_t first_corner(poly_id p) const { return p2v_.first(p.raw()); }
@@ -116,20 +97,17 @@ class surface_tables {
 
   // The first poly of an edge with two polys stays the first, in each edit after which it has the edge still and the edge has two polys again.
 
-  // Edits of an edge of triangles, faster than by rewire and with the same result. They leave an edit to rewire if a triangle has a non-manifold edge or a
-  // neighbour behind two of its edges.
+  // Edits of an edge of triangles, faster than by rewire and with the same result. They do nothing if the edit is impossible, or if a triangle at the edge has
+  // a non-manifold edge or a neighbour behind two of its edges.
 
   /// Splits e, and each poly at it into two. Returns the new vert, or none if nothing is done.
   vert_id split_edge(edge_id e)
     requires(Arity == 3);
-  /// Replaces e by the edge between the verts opposite to it. It is refused if these have an edge already.
-  direct_edit flip_edge(edge_id e)
+  /// Replaces e by the edge between the verts opposite to it. Returns whether it was done.
+  bool flip_edge(edge_id e)
     requires(Arity == 3);
-  /// Collapses e: its first end remains. It is refused if the link condition does not hold.
-  direct_edit collapse_edge(edge_id e)
-    requires(Arity == 3);
-  /// Requests what these edits use, if e is an edge; see edit/detail/direct_edits.hpp.
-  void prefetch_edit(edge_id e, unsigned round) const
+  /// Collapses e: its first end remains. Returns whether it was done. Nothing is done if the removed end is not inside a manifold or has many polys.
+  bool collapse_edge(edge_id e)
     requires(Arity == 3);
 
   /// Calls f for every array of the tables, for undoing edits.
@@ -156,42 +134,28 @@ class surface_tables {
   class rewiring;
 
   // Of edits of triangles.
-  struct changing_edges;
   struct side_of_edge;
   struct outer_edge;
   static constexpr std::uint32_t longest_fan = 32;
-  void make_growable();
-  core::flat_array<poly_id> second_polys() const;
-  void expect_second_poly(edge_id e, poly_id p);
-  void prefetch_vert(vert_id v) const;
-  void prefetch_lists(vert_id v) const;
-  void prefetch_poly(poly_id p) const;
-  void prefetch_fan(vert_id b) const;
-  std::uint32_t find_triangles(edge_id e, vert_id a, vert_id b, const changing_edges (&changing)[2], side_of_edge* two) const;
+  std::uint32_t find_triangles(edge_id e, vert_id a, side_of_edge* two) const;
   void reserve_split(const side_of_edge* s, std::uint32_t n)
     requires(Arity == 3);
   void split_edges(edge_id e, vert_id x, const side_of_edge* s, std::uint32_t n, edge_id* to)
     requires(Arity == 3);
-  template<class Incident>
-  static bool have_common_edge(const Incident& at, vert_id a, vert_id b);
+  bool have_common_edge(vert_id a, vert_id b) const;
   bool is_closed_fan(vert_id b, const side_of_edge* s) const;
   void set_ends(edge_id e, vert_id a, vert_id b);
   void move_end(edge_id e, vert_id from, vert_id to, poly_id p, std::uint32_t k);
 
   void check(std::size_t vert_count) const;
 
-  struct edge_range;
-  struct build_memory;
+  struct found_edges;
   void build(std::size_t vert_count);
-  void start_facets(build_memory& memory);
-  template<bool Alone>
-  void find_edges(edge_range& range, jagged<poly_id>& v2p, const detail::offsets& poly_of);
-  void find_edges_alone(edge_range& all, jagged<poly_id>& v2p, std::size_t max_edges);
-  bool find_edges_in_two(edge_range& all, edge_range& second, jagged<poly_id>& v2p, std::size_t max_edges);
+  void find_edges(found_edges& found, jagged<poly_id>& v2p, const detail::offsets& poly_of);
 
   /// Lists, for each vert, what build() needs to find its polys: polys or corners. It lists corners if all polygons have the same size, and also if some
   /// polygon is long, since searching it for the vert would take too long. Returns the poly of each corner, if polygons differ and corners are listed.
-  detail::offsets list_at_verts(jagged<poly_id>& v2p, build_memory& memory, core::flat_array<std::uint32_t>& scratch) const;
+  detail::offsets list_at_verts(jagged<poly_id>& v2p, core::flat_array<std::uint32_t>& scratch) const;
 
   /// Vert k of `poly`, which has `size` verts.
   struct poly_corner {
@@ -214,9 +178,8 @@ class surface_tables {
   EXTERN template void surface_tables<ARITY>::build(std::size_t)
 #define CONCINO_TRIANGLE_EDITS(EXTERN)                                   \
   EXTERN template vert_id surface_tables<3>::split_edge(edge_id);        \
-  EXTERN template direct_edit surface_tables<3>::flip_edge(edge_id);     \
-  EXTERN template direct_edit surface_tables<3>::collapse_edge(edge_id); \
-  EXTERN template void surface_tables<3>::prefetch_edit(edge_id, unsigned) const
+  EXTERN template bool surface_tables<3>::flip_edge(edge_id);            \
+  EXTERN template bool surface_tables<3>::collapse_edge(edge_id)
 #ifdef CONCINO_COMPILED
 CONCINO_SURFACE_TABLES(extern, 0);
 CONCINO_SURFACE_TABLES(extern, 3);

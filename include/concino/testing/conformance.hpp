@@ -8,11 +8,12 @@
 //   KIT5  algorithms give the same results as on the mesh converted to a native mesh
 //   KIT6  removed elements are gone, added elements exist, and no other descriptor changes; editing with valid arguments does not throw
 //   KIT7  in a volume, as constructed, the sum over the faces of a poly of centroid times outward vector, three times its volume, is positive
-// and it rewires polys of editable meshes, which must be as the laws ED1 .. ED5 say.
+// and it rewires polys of editable meshes, which must be as the laws ED1 .. ED5 say, and edits edges by operators of the mesh itself, if it has some (ED6).
 #pragma once
 
 #include <concino/core/message.hpp>
 #include <concino/testing/detail/edit_checks.hpp>
+#include <concino/testing/detail/operator_checks.hpp>
 #include <concino/testing/detail/oracle.hpp>
 #include <concino/testing/detail/outward_checks.hpp>
 #include <concino/testing/detail/range_checks.hpp>
@@ -159,6 +160,7 @@ conformance_report conformance(const Make& make, const conformance_options<M>& o
   if constexpr (requirement::has_add_vert<M> && requirement::has_add_poly<M>)
     edited("after a poly was added", [](M& m, auto& log) { kit::add_one(m, log); });
   if constexpr (EditableMesh<M> && !is_view_v<M>) edited("after polys were rewired", [](M& m, auto& log) { kit::rewire_polys(m, log); });
+  if constexpr (kit::has_own_operators<M>) edited("after an edge was edited", [&](M& m, auto& log) { kit::check_own_operators(m, make, log); });
   for (const auto& state : options.states) edited(state.name, [&](M& m, auto&) { state.apply(m); });
   return report;
 }

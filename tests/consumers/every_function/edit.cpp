@@ -2,7 +2,6 @@
 
 #include <concino/edit.hpp>
 #include <concino/edit/connected_verts.hpp>
-#include <concino/edit/read_ahead.hpp>
 #include <concino/edit/replace_polys.hpp>
 #include <concino/geometry/bounding_tree.hpp>
 
@@ -108,7 +107,6 @@ void call_vert_edits() {
   call("flip_winding", [](auto& m) { cn::flip_winding(m); }, all);
   call("are_joined", [](auto& m) { cn::are_joined(m, cn::vert_id{0}, cn::vert_id{1}); }, all);
   call("are_joined", [](auto& m) { cn::are_joined(m, cn::vert_id{0}, cn::vert_id{1}, cn::vert_id{2}); }, volumes);
-  call("read_ahead", [](auto& m) { for (const auto e : cn::read_ahead(m, cn::edges(m))) static_cast<void>(e); }, all);
   call("can_replace_polys", [](auto& m) { cn::can_replace_polys(m, cn::cavity<std::remove_reference_t<decltype(m)>>()); }, all);
   call("replace_polys", [](auto& m) {
     using M = std::remove_reference_t<decltype(m)>;

@@ -69,34 +69,11 @@ TEST_CASE("jagged_array: rows have room to grow after make_growable()") {
   CHECK(r.find_in_row(2, 1) == 5);
 }
 
-TEST_CASE("jagged_array: a few long rows come behind the others in make_growable()") {
-  std::vector<std::uint32_t> lengths(34, 7);
-  lengths[0] = 0, lengths[2] = 8, lengths[32] = 20;  // of rows 1 and 31
-  jagged_array<int, 0> r = make_jagged_array<int>(lengths);
-  std::vector<std::vector<int>> expected;
-  int next = 0;
-  for (std::size_t i = 0; i < r.size(); ++i) {
-    for (int* at = r.begin(i); at != r.begin(i) + r.length(i); ++at) *at = next++;
-    expected.push_back(row(r, i));
-  }
-  r.make_growable();
-  const std::size_t values = r.num_values();
-  for (std::size_t i = 0; i < r.size(); ++i) {
-    r.prefetch_slot(i);
-    CHECK(row(r, i) == expected[i]);
-    r.push(i, -1), expected[i].push_back(-1);
-    CHECK((i == 1 || i == 31 ? r.first(i) >= r.first(0) + 8 * r.size() : r.first(i) == r.first(0) + 8 * i));
-  }
-  CHECK(r.num_values() == values);
-  for (std::size_t i = 0; i < r.size(); ++i) CHECK(row(r, i) == expected[i]);
-}
-
 TEST_CASE("jagged_array: random edits agree with vectors of vectors") {
   std::mt19937 random(1);
   jagged_array<int, 0> r = three_rows();
   SUBCASE("where the rows were") {}
   SUBCASE("spread") { r.make_growable(); }
-  SUBCASE("where the rows were, with memory to move to") { r.make_few_growable(); }
   std::vector<std::vector<int>> oracle{{0, 1}, {}, {2, 3, 4}};
   for (int step = 0; step < 3000; ++step) {
     const std::size_t i = random() % oracle.size();

@@ -151,7 +151,7 @@ class halfedge_neighbours {
   }
   /// Whether q, the poly behind `at`, is also behind an edge of p from `first` up to `at`. It walks along p and around q at the same time and stops
   /// after the shorter walk, unless q is adjacent to p more than once. Not inlined and by value, so that loops around it keep their values in registers.
-  [[gnu::noinline]] static bool is_adjacent_between(const M& m, poly p, poly q, halfedge first, halfedge at) {
+  static bool is_adjacent_between(const M& m, poly p, poly q, halfedge first, halfedge at) {
     const halfedge start = K::opposite(m, at);
     halfedge g = start;
     bool once = true;
@@ -233,10 +233,10 @@ class halfedge_neighbours {
       h = K::next(m, h);
       if (K::is_border(m, o)) continue;
       const poly q = K::poly_of(m, o);
-      if (q == p) [[unlikely]] continue;
-      if (q == a) [[unlikely]] continue;
-      if (q == b) [[unlikely]] continue;
-      if (!(c == p)) [[unlikely]] {
+      if (q == p) continue;
+      if (q == a) continue;
+      if (q == b) continue;
+      if (!(c == p)) {
         if (q == c || q == d) continue;
         if (!(d == p) && is_adjacent_between(m, p, q, first, at)) continue;
       }

@@ -3,7 +3,6 @@
 
 #include <concino/concepts/oriented_edges.hpp>
 #include <concino/generate/detail/subdivision.hpp>
-#include <concino/generate/detail/triangles_in_four.hpp>
 #include <concino/mesh/quadmesh.hpp>
 #include <concino/mesh/trimesh.hpp>
 
@@ -17,14 +16,16 @@ subdivided<trimesh> subdivide_in_four(const char* caller, const M& m, const Crea
   using new_verts = refined_verts<M, refined_kinds{.edges = true}>;
   check_subdivided_counts<trimesh>(caller, new_verts::expected_size(m), 4.0 * static_cast<double>(num_polys(m)));
   const new_verts refined(m);
-  numbered_triangles t{num_verts(m), num_edges(m), core::flat_array<numbered_triangles::corner>(3 * num_polys(m))};
-  numbered_triangles::corner* next = t.corners.data();
+  surface_arrays a{{}, {}, {}, 3};
+  a.verts.reserve(12 * num_polys(m));
   for (const poly_t<M> p : polys(m)) {
     const triangle_parts<M> parts(caller, m, p);
-    for (unsigned k = 0; k < 3; ++k) *next++ = {refined[parts.verts[k]].raw(), static_cast<std::uint32_t>(refined.edge_position(refined[parts.edges[k]]))};
+    const vert_id middles[] = {refined[parts.edges[0]], refined[parts.edges[1]], refined[parts.edges[2]]};
+    for (unsigned k = 0; k < 3; ++k) a.verts.insert(a.verts.end(), {refined[parts.verts[k]], middles[k], middles[(k + 2) % 3]});
+    a.verts.insert(a.verts.end(), middles, middles + 3);
   }
-  auto tables = triangles_in_four(std::move(t));
-  auto result = with_origins(trimesh(refined_points(refined, rule), std::move(tables)), refined, rule, o, [&] { return repeated_polys(m, 4); });
+  a.points = refined_points(refined, rule);
+  auto result = with_origins(trimesh(std::move(a)), refined, rule, o, [&] { return repeated_polys(m, 4); });
   result.has_crease = halved_creases(refined, creases, result.mesh);
   return result;
 }

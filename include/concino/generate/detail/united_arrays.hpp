@@ -71,7 +71,6 @@ void append_polyhedra(const M& m, const std::vector<std::uint32_t>& number, face
   for (const face_t<M> f : faces(m)) {
     corners.clear();
     for (const vert_t<M> v : adj_f2v(m, f)) corners.push_back(vert_id{number[index_of(m, v)]});
-    merger.make_room(1, corners.size());
     places[index_of(m, f)] = merger.add(corners.data(), corners.size());
   }
   for (const poly_t<M> p : polys(m)) {

@@ -1,8 +1,6 @@
 // bounded_fifo: the queue of breadth-first search. Every node enters at most once, so the capacity is known in advance.
 #pragma once
 
-#include <concino/core/large_pages.hpp>
-
 #include <cstddef>
 #include <memory>
 
@@ -17,7 +15,7 @@ class bounded_fifo {
   std::size_t head_ = 0, tail_ = 0;
 
  public:
-  explicit bounded_fifo(std::size_t room) : room_(room), nodes_(memory_.allocate(room)) { core::prefer_large_pages(nodes_, room * sizeof(Node)); }
+  explicit bounded_fifo(std::size_t room) : room_(room), nodes_(memory_.allocate(room)) {}
   bounded_fifo(const bounded_fifo&) = delete;
   bounded_fifo& operator=(const bounded_fifo&) = delete;
   ~bounded_fifo() {
@@ -27,8 +25,6 @@ class bounded_fifo {
 
   bool empty() const { return head_ == tail_; }
   void push(const Node& x) { std::construct_at(nodes_ + tail_++, x); }
-  /// The node that will be popped n pops after the next one; null if it is not known yet.
-  const Node* peek(std::size_t n) const { return head_ + n < tail_ ? nodes_ + head_ + n : nullptr; }
   Node pop() { return nodes_[head_++]; }
 };
 

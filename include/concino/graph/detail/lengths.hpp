@@ -2,7 +2,6 @@
 #pragma once
 
 #include <concino/core/flat_array.hpp>
-#include <concino/core/prefetch.hpp>
 #include <concino/core/vec3.hpp>
 #include <concino/geometry/centroid.hpp>
 #include <concino/graph/detail/crossings.hpp>
@@ -17,9 +16,6 @@ namespace concino::detail {
 template<class L>
 struct input_lengths {
   const L& length;
-
-  template<class Node>
-  void prefetch(const Node&) const {}
 
   template<class Node>
   auto from(const Node& v) const {
@@ -41,10 +37,6 @@ template<Embedded M>
 struct euclidean_vert_lengths {
   const M& m;
 
-  void prefetch(const vert_t<M>& v) const {
-    if constexpr (std::is_lvalue_reference_v<decltype(point(m, v))>) core::prefetch(&point(m, v));
-  }
-
   auto from(const vert_t<M>& v) const {
     return [this, p = to_vec3(point(m, v))](const vert_t<M>& w, double gap) {
       if (gap <= 0) return std::numeric_limits<double>::infinity();
@@ -64,7 +56,6 @@ class euclidean_poly_lengths {
     for (const poly_t<M> p : polys(m)) centres_[index_of(m, p)] = vert_mean(m, p);
   }
 
-  void prefetch(const poly_t<M>& p) const { core::prefetch(&centres_[index_of(m_, p)]); }
   auto from(const poly_t<M>& p) const {
     return [this, c = centres_[index_of(m_, p)]](const poly_t<M>& q, double gap) {
       if (gap <= 0) return std::numeric_limits<double>::infinity();

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <concino/concepts/ranges.hpp>
-#include <concino/core/large_pages.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -17,8 +16,7 @@ namespace concino::detail {
 template<class T>
 void reserve_more(std::vector<T>& v, std::size_t n) {
   if (v.capacity() - v.size() >= n) return;
-  if constexpr (std::is_trivially_copyable_v<T>) core::reserve_large(v, std::max(v.size() + n, 2 * v.size()));
-  else v.reserve(std::max(v.size() + n, 2 * v.size()));
+  v.reserve(std::max(v.size() + n, 2 * v.size()));
 }
 
 /// One more than the largest index of each kind of elements; 0 for faces if there are none.

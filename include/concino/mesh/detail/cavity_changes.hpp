@@ -57,9 +57,6 @@ void pair_with_left_over(Elements& all, std::size_t fresh, std::size_t left_over
   pair_with_left_over(all, fresh, left_over, [](const auto& x, const auto& y) { return x.shares_all_but_one(y); });
 }
 
-/// Whether a cavity with so many old verts is probably not one of many, so that few lists will become longer.
-inline bool is_single_cavity(unsigned num_old_verts, std::size_t all_verts) { return num_old_verts >= 256 && num_old_verts <= all_verts / 4; }
-
 /// The numbers of edges and of polys of the new verts.
 template<class Changes>
 std::pair<std::size_t, std::size_t> count_at_new_verts(const Changes& changes, unsigned num_old) {
@@ -73,8 +70,7 @@ inline std::uint32_t growth(std::uint32_t before, std::uint32_t after) { return 
 /// Allocates memory for the lists of the verts as they will be. Memory for removals too. `vert` gives the vert with a local number.
 template<class Changes, class Verts>
 void reserve_lists_of_verts(incident_edges& edges_at, jagged_array<poly_id, 0>& v2p, const Changes& changes, unsigned num_old, const Verts& vert) {
-  if (is_single_cavity(num_old, v2p.size())) edges_at.make_few_growable(), v2p.make_few_growable();
-  else make_vertex_incidence_growable(edges_at, v2p);
+  make_vertex_incidence_growable(edges_at, v2p);
   for (unsigned v = 0; v < num_old; ++v) {
     const vert_change& x = changes[v];
     if (const std::uint32_t n = growth(x.edges_lost, x.edges_gained)) edges_at.reserve_at(vert(v), n);
@@ -86,8 +82,7 @@ void reserve_lists_of_verts(incident_edges& edges_at, jagged_array<poly_id, 0>& 
 }
 template<class Changes, class Verts>
 void reserve_lists_of_verts(incident_edges_and_polys& lists, const Changes& changes, unsigned num_old, const Verts& vert) {
-  if (is_single_cavity(num_old, lists.size())) lists.make_few_growable();
-  else lists.make_growable();
+  lists.make_growable();
   for (unsigned v = 0; v < num_old; ++v) {
     const vert_change& x = changes[v];
     const std::uint32_t edges = growth(x.edges_lost, x.edges_gained), polys = growth(x.polys_before, x.polys_after);

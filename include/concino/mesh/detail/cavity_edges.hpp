@@ -1,6 +1,7 @@
 // The edges of a cavity: those of its old and of its new polys, found by the local numbers of their ends.
 #pragma once
 
+#include <concino/core/index_table.hpp>
 #include <concino/core/small_array.hpp>
 #include <concino/concepts/descriptors.hpp>
 
@@ -27,55 +28,24 @@ struct cavity_edge {
 
 /// The edges of a cavity by the local numbers of their ends. A pointer to one is valid until the next is added.
 class cavity_edges {
- public:
-  static constexpr unsigned largest_matrix = 24;  // verts, up to which the number of every edge is in a matrix; else the numbers are in a hash table
-
- private:
-  unsigned verts_;
   core::small_array<cavity_edge, 80> edges_;
-  core::small_array<std::uint32_t, largest_matrix * largest_matrix> numbers_;  // of edges plus 1
-
-  /// Where the search in the hash table starts.
-  std::size_t first_slot(unsigned a, unsigned b) const {
-    const std::uint64_t hash = (std::uint64_t{a} << 32 | b) * 0x9e3779b97f4a7c15u;
-    return static_cast<std::size_t>(hash >> 32 ^ hash) & (numbers_.size() - 1);
-  }
-  void enlarge_table() {
-    const std::size_t n = 2 * numbers_.size();
-    numbers_.clear(), numbers_.resize(n, 0);
-    for (std::uint32_t i = 0; i < edges_.size(); ++i) number_at(edges_[i].a, edges_[i].b) = i + 1;
-  }
-  std::uint32_t& number_at(unsigned a, unsigned b) {
-    if (verts_ <= largest_matrix) return numbers_[a * verts_ + b];
-    std::size_t i = first_slot(a, b);
-    while (numbers_[i] != 0 && (edges_[numbers_[i] - 1].a != a || edges_[numbers_[i] - 1].b != b)) i = (i + 1) & (numbers_.size() - 1);
-    return numbers_[i];
-  }
+  core::index_table numbers_;
 
  public:
-  /// Room for the edges of old and new polys that have `uses` edges in all, on `verts` verts.
-  cavity_edges(unsigned verts, std::size_t uses) : verts_(verts) {
-    std::size_t n = 64;
-    if (verts > largest_matrix)
-      while (n < uses / 2) n *= 2;  // in large cavities, most edges have more polys
-    numbers_.resize(verts > largest_matrix ? n : std::size_t{verts} * verts, 0);
-    edges_.reserve(uses / 3);
-  }
+  /// Room for the edges of old and new polys that have `uses` edges in all.
+  explicit cavity_edges(std::size_t uses) { edges_.reserve(uses / 3); }
 
   /// The number of the edge between two verts; it is added if it is new.
   unsigned number(unsigned a, unsigned b) {
     if (b < a) std::swap(a, b);
-    std::uint32_t* plus_one = &number_at(a, b);
-    if (*plus_one == 0) {
-      if (verts_ > largest_matrix && 2 * edges_.size() >= numbers_.size()) enlarge_table(), plus_one = &number_at(a, b);
-      edges_.push_back({a, b, {}});
-      *plus_one = static_cast<std::uint32_t>(edges_.size());
-    }
-    return *plus_one - 1;
+    const std::uint32_t hash = core::index_table::hash(std::uint64_t{a} << 32 | b);
+    const std::uint32_t known = numbers_.find(hash, [&](std::uint32_t i) { return edges_[i].a == a && edges_[i].b == b; });
+    if (known != core::index_table::none) return known;
+    const auto fresh = static_cast<unsigned>(edges_.size());
+    edges_.push_back({a, b, {}});
+    numbers_.add(hash, fresh);
+    return fresh;
   }
-  /// Adds an edge that has got its number elsewhere; number() does not find it.
-  void add(unsigned a, unsigned b) { edges_.push_back({std::min(a, b), std::max(a, b), {}}); }
-  void reserve(std::size_t n) { edges_.reserve(n); }
   cavity_edge& at(unsigned a, unsigned b) { return edges_[number(a, b)]; }
 
   std::size_t size() const { return edges_.size(); }

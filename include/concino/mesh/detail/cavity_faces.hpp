@@ -4,6 +4,7 @@
 #include <concino/concepts/descriptors.hpp>
 #include <concino/core/small_array.hpp>
 #include <concino/mesh/detail/met_faces.hpp>
+#include <concino/mesh/detail/shapes.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -49,11 +50,11 @@ class cavity_faces {
     unsigned edge, other[N - 2];
   };
   /// The key of the face with these verts in cyclic order, where edge i joins verts i and i + 1.
-  [[gnu::always_inline]] static inline face_key key(const unsigned (&v)[N], const unsigned (&edges)[N]) {
+  static face_key key(const unsigned (&v)[N], const unsigned (&edges)[N]) {
     static_assert(N == 3 || N == 4);
     unsigned last = edges[0];
     if constexpr (N == 3) {
-      unsigned other = v[2];  // no branches, which would often be predicted wrongly
+      unsigned other = v[2];
       other = edges[1] > last ? v[0] : other, last = std::max(last, edges[1]);
       other = edges[2] > last ? v[1] : other, last = std::max(last, edges[2]);
       return {last, {other}};
@@ -65,16 +66,13 @@ class cavity_faces {
     }
   }
   /// The number of the face with this key. It is added if it is new.
-  [[gnu::always_inline]] inline unsigned number(const face_key& x, std::uint32_t use) {
+  unsigned number(const face_key& x, std::uint32_t use) {
     typename met::face wanted;
     std::copy_n(x.other, N - 2, wanted.other);
     const auto [number, is_new] = met_.find_or_add(x.edge, wanted);
-    if (is_new) add(use);
+    if (is_new) faces_.push_back({use, {}});
     return number;
   }
-  /// Adds a face that has got its number elsewhere; number() does not find it.
-  void add(std::uint32_t first_use) { faces_.push_back({first_use, {}}); }
-  void reserve(std::size_t n) { faces_.reserve(n); }
 
   std::size_t size() const { return faces_.size(); }
   unsigned number(const cavity_face<N>& x) const { return static_cast<unsigned>(&x - faces_.begin()); }
@@ -85,5 +83,13 @@ class cavity_faces {
   const cavity_face<N>* begin() const { return faces_.begin(); }
   const cavity_face<N>* end() const { return faces_.end(); }
 };
+
+/// The key of face j of a poly with corners v, of which the edges have these numbers.
+template<class Shape>
+auto key_of_face(const unsigned* v, const std::uint32_t* edges, unsigned j) {
+  unsigned w[Shape::face_verts], e[Shape::face_verts];
+  for (unsigned i = 0; i < Shape::face_verts; ++i) w[i] = v[Shape::face_vert[j][i]], e[i] = edges[shape_v<Shape>.face_edge[j][i]];
+  return cavity_faces<Shape::face_verts>::key(w, e);
+}
 
 }  // namespace concino::detail

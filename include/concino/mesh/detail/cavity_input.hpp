@@ -3,6 +3,7 @@
 
 #include <concino/concepts/editable.hpp>
 #include <concino/core/error.hpp>
+#include <concino/core/index_table.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/small_array.hpp>
 #include <concino/core/vec3.hpp>
@@ -21,27 +22,20 @@ class cavity_verts {
   static constexpr std::size_t longest_scan = 24;
 
   id_span<vert_id> verts_;
-  core::small_array<std::uint32_t, 1> slots_;  // a hash table of local numbers plus 1, if there are many
+  core::index_table numbers_;  // if there are many
   vert_id repeated_;
 
-  std::size_t slot(vert_id v) const {
-    const std::uint64_t hash = std::uint64_t{v.raw()} * 0x9e3779b97f4a7c15u;
-    std::size_t i = static_cast<std::size_t>(hash >> 32) & (slots_.size() - 1);
-    while (slots_[i] != 0 && verts_[slots_[i] - 1] != v) i = (i + 1) & (slots_.size() - 1);
-    return i;
+  unsigned find(vert_id v) const {
+    return numbers_.find(core::index_table::hash(v.raw()), [&](std::uint32_t i) { return verts_[i] == v; });
   }
 
  public:
-  static constexpr unsigned none = ~0u;
+  static constexpr unsigned none = core::index_table::none;
 
   explicit cavity_verts(id_span<vert_id> verts) : verts_(verts) {
     if (verts.size() <= longest_scan) return;
-    std::size_t n = 64;
-    while (n < 2 * verts.size()) n *= 2;
-    slots_.resize(n, 0);
     for (unsigned i = 0; i < size(); ++i) {
-      const std::size_t at = slot(verts[i]);
-      if (slots_[at] == 0) slots_[at] = i + 1;
+      if (find(verts[i]) == none) numbers_.add(core::index_table::hash(verts[i].raw()), i);
       else if (repeated_.is_none()) repeated_ = verts[i];
     }
   }
@@ -51,7 +45,7 @@ class cavity_verts {
 
   /// The local number of a vert, or `none`.
   unsigned local(vert_id v) const {
-    if (!slots_.empty()) return slots_[slot(v)] - 1;
+    if (numbers_.size() > 0) return find(v);
     for (unsigned i = 0; i < size(); ++i)
       if (verts_[i] == v) return i;
     return none;
@@ -59,7 +53,7 @@ class cavity_verts {
 
   /// A vert that is listed twice, or a vert id of none.
   vert_id repeated() const {
-    if (!slots_.empty()) return repeated_;
+    if (numbers_.size() > 0) return repeated_;
     for (unsigned i = 1; i < size(); ++i)
       for (unsigned j = 0; j < i; ++j)
         if (verts_[i] == verts_[j]) return verts_[i];

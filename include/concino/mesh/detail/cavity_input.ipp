@@ -2,7 +2,6 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
-#include <concino/core/sort_numbers.hpp>
 #include <concino/mesh/detail/cavity_input.hpp>
 
 namespace concino::detail {
@@ -33,7 +32,7 @@ const T* repeated(const T* first, const T* last) {
     if constexpr (std::is_same_v<T, poly_id>) sorted.push_back(i->raw());
     else sorted.push_back(*i);
   }
-  core::sort_numbers(sorted.begin(), sorted.end());
+  std::sort(sorted.begin(), sorted.end());
   const std::uint64_t* const twice = std::adjacent_find(sorted.begin(), sorted.end());
   return twice == sorted.end() ? nullptr : std::find(first, last, T(static_cast<unsigned>(*twice)));
 }
@@ -63,7 +62,7 @@ CONCINO_INLINE void check_old_elements(const native_cavity& c, const cavity_vert
   if (c.removed > c.verts.size()) core::throw_joined<invalid_mesh>({"rewire: ", c.removed, " verts cannot be removed: the cavity lists ", c.verts.size()});
 }
 
-/// Whether these few corners are different and below vert_count. There are no branches, which would often be predicted wrongly.
+/// Whether these few corners are different and below vert_count.
 inline bool are_different_verts(const unsigned* v, std::size_t n, std::size_t vert_count) {
   bool all = true;
   for (std::size_t i = 0; i < n; ++i) {

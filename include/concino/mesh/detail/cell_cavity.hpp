@@ -5,7 +5,6 @@
 #include <concino/mesh/detail/cavity_edges.hpp>
 #include <concino/mesh/detail/cavity_faces.hpp>
 #include <concino/mesh/detail/cavity_input.hpp>
-#include <concino/mesh/detail/cavity_numbers.hpp>
 #include <concino/mesh/detail/shapes.hpp>
 
 #include <array>
@@ -60,19 +59,18 @@ class cell_cavity {
 
   template<class Tables>
   cell_cavity(const Tables& t, const native_cavity& cavity)
-      : c(cavity), verts(c.verts), edges(num_verts, is_large() ? 0 : Shape::edges * num_all()), faces(is_large() ? 0 : Shape::faces * num_all(), edges.capacity()),
+      : c(cavity), verts(c.verts), edges(Shape::edges * num_all()), faces(Shape::faces * num_all(), edges.capacity()),
         changes(num_verts, vert_change{}), corners_of_old(Shape::verts * num_old(), 0), edges_of_polys(Shape::edges * num_all(), 0),
         faces_of_polys(Shape::faces * num_all(), 0) {
     check_cavity(c, verts, t.verts(), t.polys(), Shape::verts);
     for (std::size_t k = 0; k < num_old(); ++k) list_corners_of_old(t, k);
-    if (is_large()) number_all();
     for (std::size_t k = 0; k < num_old(); ++k) {
-      if (!is_large()) find(k);
+      find(k);
       fans.resize(edges.size(), {});
       count_old(t, k);
     }
     for (std::size_t k = 0; k < num_new(); ++k) {
-      if (!is_large()) find(num_old() + k);
+      find(num_old() + k);
       count_new(k);
     }
     fans.resize(edges.size(), {});
@@ -87,8 +85,6 @@ class cell_cavity {
  private:
   static constexpr const auto& shape = shape_v<Shape>;
 
-  bool is_large() const { return num_new() >= 64; }  // the edges and faces of few polys are found in less time one after another
-
   /// Numbers the edges and faces of poly k, counted with old ones.
   void find(std::size_t k) {
     const unsigned* const v = corners_of_poly(k);
@@ -99,13 +95,6 @@ class cell_cavity {
       const std::size_t use = k * Shape::faces + j;
       faces_of_polys[use] = faces.number(key_of_face<Shape>(v, edges_of_poly, j), static_cast<std::uint32_t>(use));
     }
-  }
-  /// The same for all polys of a large cavity.
-  [[gnu::noinline]] void number_all() {
-    pair_numbers numbers;
-    const auto corners_of_any = [this](std::size_t k) { return corners_of_poly(k); };
-    number_edges<Shape>(num_all(), corners_of_any, num_verts, edges_of_polys.data(), edges, numbers);
-    number_faces<Shape>(num_all(), corners_of_any, num_verts, edges_of_polys.data(), edges.size(), faces_of_polys.data(), faces, numbers);
   }
   const unsigned* corners_of_poly(std::size_t k) const { return k < num_old() ? corners_of_old.begin() + k * Shape::verts : corners(k - num_old()); }
   std::array<unsigned, Shape::face_verts> corners_of(const face& x) const {
@@ -153,7 +142,6 @@ class cell_cavity {
     }
   }
 
-  /// Without branches, which would often be predicted wrongly.
   void count_new(std::size_t k) {
     for (unsigned i = 0; i < Shape::verts; ++i) ++changes[corners(k)[i]].polys_after;
     for (unsigned j = 0; j < Shape::edges; ++j) {
@@ -241,7 +229,7 @@ class cell_cavity {
   std::uint32_t other_face_at(unsigned e, std::uint32_t k, std::uint32_t j) const {
     const std::uint32_t* const at = edges_of_new(k);
     unsigned i = 0;
-    for (unsigned l = 1; l < Shape::edges; ++l) i = at[l] == e ? l : i;  // no branch, which would often be predicted wrongly
+    for (unsigned l = 1; l < Shape::edges; ++l) i = at[l] == e ? l : i;
     const std::uint8_t* const two = shape.edge_face[i];
     return two[two[0] == j];
   }

@@ -142,7 +142,7 @@ void cell_tables<Shape, Lists>::builder::visit(std::uint32_t a) {
 }
 
 template<class Shape, class Lists>
-[[gnu::always_inline]] inline void cell_tables<Shape, Lists>::builder::meet_edges(std::uint32_t a, std::uint32_t first_edge, corner& x, cursor& at) {
+inline void cell_tables<Shape, Lists>::builder::meet_edges(std::uint32_t a, std::uint32_t first_edge, corner& x, cursor& at) {
   const vert_id* const pv = t_.p2v_.begin(x.poly);
   edge_id* const pe = t_.p2e_.begin(x.poly);
   for (unsigned j = 0; j < valence; ++j) {
@@ -174,7 +174,7 @@ template<class Shape, class Lists>
 
 /// Finds or adds each face at the corner. It is searched among the faces at the edge from a to the smaller of its two neighbours.
 template<class Shape, class Lists>
-[[gnu::always_inline]] inline void cell_tables<Shape, Lists>::builder::meet_faces(std::uint32_t a, std::uint32_t first_face, const corner& at) {
+inline void cell_tables<Shape, Lists>::builder::meet_faces(std::uint32_t a, std::uint32_t first_face, const corner& at) {
   const vert_id* const pv = t_.p2v_.begin(at.poly);
   for (unsigned k = 0; k < valence; ++k) {
     // The neighbours of a in the face, the smaller first, and the verts between them: the same for every poly at the face.
@@ -196,7 +196,7 @@ template<class Shape, class Lists>
 /// Marks those edges of a, met since `first_edge`, around which a walk would not meet all polys. All faces at these edges are linked already: the
 /// smallest vert of each face is a or was visited before a.
 template<class Shape, class Lists>
-[[gnu::always_inline]] inline void cell_tables<Shape, Lists>::builder::mark_edges_met_since(std::uint32_t first_edge, std::uint32_t a) {
+inline void cell_tables<Shape, Lists>::builder::mark_edges_met_since(std::uint32_t first_edge, std::uint32_t a) {
   if (std::find(uses_.begin() + first_edge, uses_.end(), many) != uses_.end()) {
     std::vector<std::uint32_t> uses_since(edge_count_ - first_edge);
     for (const poly_id p : t_.v2p_[a])

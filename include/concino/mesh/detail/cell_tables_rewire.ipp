@@ -176,7 +176,7 @@ void cell_tables<Shape, Lists>::rewiring::replace_polys() {
 }
 
 template<class Shape, class Lists>
-[[gnu::always_inline]] inline void cell_tables<Shape, Lists>::rewiring::attach(std::size_t k, unsigned j) {
+void cell_tables<Shape, Lists>::rewiring::attach(std::size_t k, unsigned j) {
   const auto use = static_cast<std::uint32_t>(k * Shape::faces + j), mate = x_.mate(use);
   const face_id f = face_ids_[x_.faces_of_new(k)[j]];
   if (mate == x_.has_others) return t_.facet_adjacency_.attach(new_poly(k), j, f);
@@ -210,8 +210,6 @@ void cell_tables<Shape, Lists>::rewiring::refresh_marks() {
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::rewire(const detail::native_cavity& c, const detail::native_cavity_result& made, function_ref<void(const detail::index_bounds&)> grow,
                                         detail::edit_log* log) {
-  for (const vert_id v : c.verts)  // in random order, most of the time would be spent in waiting for these
-    if (verts_.contains(v)) incident_edges_.prefetch_place(v), v2p_.prefetch_place(v.raw());
   rewiring r(*this, c);
   if (log) r.save(*log);
   r.reserve(grow);

@@ -3,8 +3,6 @@
 #pragma once
 
 #include <concino/core/parallel.hpp>
-#include <concino/core/prefetch.hpp>
-#include <concino/core/sort_numbers.hpp>
 #include <concino/mesh/detail/facet_adjacency_ranges.hpp>
 #include <concino/mesh/detail/row_lookup.hpp>
 
@@ -31,11 +29,6 @@ class facet_adjacency {
   facet_adjacency() = default;
   /// Starts without facets and with uninitialised neighbours. Call link() once for each incidence.
   facet_adjacency(jagged_array<Facet, N> facets, jagged_array<encoded_neighbour, N> unwritten) : facets_(std::move(facets)), neighbours_(std::move(unwritten)) {}
-  /// Finished: `first` is the first incidence of each facet, N * poly + k. No facet has more than two polys, and no two polys have two common facets.
-  facet_adjacency(jagged_array<Facet, N> facets, jagged_array<encoded_neighbour, N> neighbours, core::flat_array<std::uint32_t> first)
-    requires(N > 0)
-      : facets_(std::move(facets)), neighbours_(std::move(neighbours)), owner_(std::move(first)) {}
-
   std::size_t num_polys() const { return facets_.size(); }
   std::size_t num_facets() const { return owner_.size(); }
   id_span<Facet> facets(poly_id p) const { return facets_[p.raw()]; }
@@ -64,15 +57,11 @@ class facet_adjacency {
   /// The k with facet k of p equal to f; the number of facets of p if there is none.
   std::uint32_t position_of(poly_id p, Facet f) const {
     const std::uint32_t n = facets_.length(p.raw());
-    if (n > row_lookup::longest_scan) [[unlikely]] return facet_lookup_.find(p.raw(), facets_[p.raw()], f);
+    if (n > row_lookup::longest_scan) return facet_lookup_.find(p.raw(), facets_[p.raw()], f);
     const Facet* const at = facets_.begin(p.raw());
-    if constexpr (N == 3) {  // without branches, which processors would predict wrongly
-      return 3 - 3 * static_cast<std::uint32_t>(at[0] == f) - 2 * static_cast<std::uint32_t>(at[1] == f) - static_cast<std::uint32_t>(at[2] == f);
-    } else {
-      std::uint32_t k = 0;
-      while (k < n && at[k] != f) ++k;
-      return k;
-    }
+    std::uint32_t k = 0;
+    while (k < n && at[k] != f) ++k;
+    return k;
   }
 
   polys_of_facet polys_of(Facet f) const {
@@ -106,40 +95,8 @@ class facet_adjacency {
     join(first, p, k);
   }
 
-  /// Construction: gives p the neighbours and marks that it had in other tables, where numbers[q] is the number of poly q here, or ~0. These numbers have the
-  /// same order, and no facet had more than two polys. Polys without a number there are linked later.
-  void copy_links(std::uint32_t p, const encoded_neighbour* before, const std::uint32_t* numbers)
-    requires(N == 0);
-  /// Whether a facet has, or had, more than two polys.
-  bool has_poly_lists() const { return poly_lists_.size() > 0; }
-
-  // Construction by several threads, each with facets of its own, which have at most two polys.
-
-  /// Makes f facet k of p, its first poly. Returns what add_facets() needs to know of f.
-  std::uint32_t link_first(std::uint32_t p, std::uint32_t k, Facet f) {
-    facets_.begin(p)[k] = f;
-    neighbours_.begin(p)[k] = {};
-    return N > 0 ? N * p + k : p;
-  }
-  /// Makes f facet k of p, its second poly; `first` is that of the first. Returns false if it has two already.
-  bool link_second(std::uint32_t p, std::uint32_t k, Facet f, incidence first) {
-    encoded_neighbour& x = neighbours_.begin(first.poly)[first.k];
-    if (!x.is_none()) return false;
-    link(p, k, f, first);
-    return true;
-  }
-  /// Adds the facets that one of the threads has linked under the numbers mark, mark + 1, ... `mark` is 0 for the first thread, else a bit that no other number has.
-  void add_facets(core::flat_array<std::uint32_t>& owners, std::uint32_t mark);
-
   /// Construction: call it after the last link, so that a neighbour behind two facets is listed once.
   void finish();
-  /// The same if only these polys, each of them once, have links that were not copied, and index_facets() was called.
-  void finish(const std::vector<std::uint32_t>& linked);
-  /// Construction: makes link() fast for polys with many facets, when all facets are listed.
-  void index_facets() {
-    if constexpr (N == 0) facet_lookup_ = row_lookup(facets_);
-  }
-
   // Edits allocate their memory first, which changes nothing, and cannot fail afterwards.
 
   /// Edits: stages the n facets of a poly that will be added. They are copied, or the caller writes them; none for a facet that does not exist yet.
@@ -294,36 +251,16 @@ class facet_adjacency {
       first = second = own;
     }
   }
-  /// Requests the facets and neighbours of p, which will be read.
-  void prefetch(poly_id p) const {
-    core::prefetch_rows(facets_[p.raw()], neighbours_[p.raw()]);
-  }
-  void prefetch_owner(Facet f) const { __builtin_prefetch(owner_.data() + f.raw()); }
-  /// Requests the rows of p, or what put() reads and writes besides those of p.
-  void prefetch_poly(poly_id p) const {
-    __builtin_prefetch(facets_.begin(p.raw()), 1);
-    __builtin_prefetch(neighbours_.begin(p.raw()), 1);
-  }
-  void prefetch_outside(Facet f, encoded_neighbour outside) const {
-    __builtin_prefetch(owner_.data() + f.raw(), 1);
-    if (!outside.is_none()) __builtin_prefetch(neighbours_.begin(outside.poly()), 1);
-  }
   // Edits that know that no poly has a neighbour behind two facets or a non-manifold facet, before and afterwards.
 
   /// Makes f facet k of p. Behind it is `outside`, to which f belongs first, or nothing.
   void put(poly_id p, std::uint32_t k, Facet f, encoded_neighbour outside) {
-    put_before(p, k, f, outside, outside.is_none() ? 0 : local(outside.raw, f));
-  }
-  /// The same if `before` was behind f seen from outside, which is read in fewer places.
-  void put(poly_id p, std::uint32_t k, Facet f, encoded_neighbour outside, poly_id before)
-    requires(N == 3)
-  {
-    std::uint32_t j = 0;
-    if (!outside.is_none()) {
-      const encoded_neighbour* const s = neighbours_.begin(outside.raw);
-      j = static_cast<std::uint32_t>(s[1].raw == before.raw()) + 2 * static_cast<std::uint32_t>(s[2].raw == before.raw());
-    }
-    put_before(p, k, f, outside, j);
+    facets_.begin(p.raw())[k] = f;
+    neighbours_.begin(p.raw())[k] = outside;
+    if (outside.is_none()) return set_owner(f, p.raw(), k);
+    const std::uint32_t j = local(outside.raw, f);
+    neighbours_.begin(outside.raw)[j].raw = p.raw();
+    set_owner(f, outside.raw, j);
   }
   /// Makes f facet k of p, to which it belongs first, and facet j of q.
   void put_between(poly_id p, std::uint32_t k, poly_id q, std::uint32_t j, Facet f) {
@@ -374,8 +311,6 @@ class facet_adjacency {
  private:
   static constexpr std::size_t min_list_capacity = 4;       // of a new list of polys
 
-  void finish_lists();
-
   /// Marks incidences of one poly, given as neighbour and position, that repeat a neighbour.
   template<class Scratch>
   static void mark_repeats_in(Scratch& sorted, encoded_neighbour* s);
@@ -402,22 +337,13 @@ class facet_adjacency {
   std::uint32_t local(std::uint32_t p, Facet f) const {
     const Facet* const at = facets_.begin(p);
     for (std::uint32_t k = 0; k < row_lookup::longest_scan; ++k)
-      if (at[k] == f) [[likely]] return k;
+      if (at[k] == f) return k;
     return facet_lookup_.find(p, facets_[p], f);
-  }
-
-  /// Makes f facet k of p, and facet j of `outside`, which exists already.
-  void put_before(poly_id p, std::uint32_t k, Facet f, encoded_neighbour outside, std::uint32_t j) {
-    facets_.begin(p.raw())[k] = f;
-    neighbours_.begin(p.raw())[k] = outside;
-    if (outside.is_none()) return set_owner(f, p.raw(), k);
-    neighbours_.begin(outside.raw)[j].raw = p.raw();
-    set_owner(f, outside.raw, j);
   }
 
   void set_owner(Facet f, std::uint32_t p, std::uint32_t k) { owner_[f.raw()] = N > 0 ? N * p + k : p; }
 
-  [[gnu::always_inline]] inline void join(incidence s, std::uint32_t p, std::uint32_t k) {
+  void join(incidence s, std::uint32_t p, std::uint32_t k) {
     encoded_neighbour& first = neighbours_.begin(s.poly)[s.k];
     if (first.is_none()) {
       first.raw = p;

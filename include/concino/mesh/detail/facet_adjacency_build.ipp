@@ -21,52 +21,16 @@ inline void facet_adjacency<Facet, N>::link(std::uint32_t p, std::uint32_t k, Fa
 }
 
 template<class Facet, unsigned N>
-void facet_adjacency<Facet, N>::copy_links(std::uint32_t p, const encoded_neighbour* before, const std::uint32_t* numbers)
-  requires(N == 0)
-{
-  encoded_neighbour* const links = neighbours_.begin(p);
-  const Facet* const facets = facets_.begin(p);
-  for (std::uint32_t k = 0, n = facets_.length(p); k < n; ++k) {
-    const encoded_neighbour x = before[k];
-    const std::uint32_t q = x.is_none() ? ~0u : numbers[x.poly()];
-    links[k].raw = q == ~0u ? encoded_neighbour::none : q | (x.raw & encoded_neighbour::special);
-    if (q > p) owner_[facets[k].raw()] = p;
-  }
-}
-
-template<class Facet, unsigned N>
-void facet_adjacency<Facet, N>::add_facets(core::flat_array<std::uint32_t>& owners, std::uint32_t mark) {
-  if (mark == 0) return owner_.swap(owners);
-  const auto first = static_cast<std::uint32_t>(owner_.size());
-  owner_.append(owners.data(), owners.size());
-  Facet* const all = facets_.begin(0);
-  for (std::size_t i = 0; i < facets_.num_values(); ++i) all[i] = Facet{(all[i].raw() & ~mark) + (all[i].raw() & mark ? first : 0)};
-}
-
-template<class Facet, unsigned N>
 void facet_adjacency<Facet, N>::finish() {
-  index_facets();
-  finish_lists();
-  std::vector<std::uint32_t> met;
-  for (std::uint32_t p = 0; p < num_polys(); ++p)
-    if (may_repeat(p)) mark_repeats(p, met);
-}
-
-template<class Facet, unsigned N>
-void facet_adjacency<Facet, N>::finish(const std::vector<std::uint32_t>& linked) {
-  finish_lists();
-  std::vector<std::uint32_t> met;
-  for (const std::uint32_t p : linked)
-    if (may_repeat(p)) mark_repeats(p, met);
-}
-
-template<class Facet, unsigned N>
-void facet_adjacency<Facet, N>::finish_lists() {
   owner_.shrink_to_fit();
   if constexpr (N == 0) {
+    facet_lookup_ = row_lookup(facets_);
     set_poly_lists();
     poly_lists_.index_poly_lists(neighbours_, few_facets);
   }
+  std::vector<std::uint32_t> met;
+  for (std::uint32_t p = 0; p < num_polys(); ++p)
+    if (may_repeat(p)) mark_repeats(p, met);
 }
 
 template<class Facet, unsigned N>

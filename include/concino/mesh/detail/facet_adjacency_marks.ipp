@@ -90,7 +90,7 @@ void facet_adjacency<Facet, N>::mark_repeats(std::uint32_t p, std::vector<std::u
 template<class Facet, unsigned N>
 template<class Scratch>
 void facet_adjacency<Facet, N>::mark_repeats_in(Scratch& sorted, encoded_neighbour* s) {
-  core::sort_numbers(sorted.data(), sorted.data() + sorted.size());
+  std::sort(sorted.data(), sorted.data() + sorted.size());
   for (std::size_t i = 1; i < sorted.size(); ++i)
     if (sorted[i] >> 32 == sorted[i - 1] >> 32) s[static_cast<std::uint32_t>(sorted[i])].raw |= encoded_neighbour::special;
 }

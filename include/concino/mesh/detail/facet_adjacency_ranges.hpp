@@ -2,7 +2,6 @@
 #pragma once
 
 #include <concino/concepts/descriptors.hpp>
-#include <concino/core/sort_numbers.hpp>
 #include <concino/mesh/detail/jagged_array.hpp>
 
 #include <algorithm>
@@ -87,7 +86,7 @@ class non_manifold_facets : private jagged_array<poly_id, 0> {
     std::vector<std::uint64_t> all;
     for (std::size_t i = from; i < poly_lists_.size(); ++i)
       for (const poly_id q : (*this)[poly_lists_[i]]) all.push_back(q.raw());
-    core::sort_numbers(all.data(), all.data() + all.size());
+    std::sort(all.data(), all.data() + all.size());
     for (std::size_t i = 0; i < all.size(); ++i)
       if (i == 0 || all[i] != all[i - 1]) united_.push_back(poly_id{all[i]});
     poly_lists_.resize(from);
@@ -206,7 +205,7 @@ class adjacent_polys {
 
   /// The poly with the smallest number, at least `from`, in the poly lists of `self`; none if there is none.
   // Poly lists are rare. This code stays out of the loop and works on values, so that an iterator fits in registers.
-  [[gnu::noinline]] static poly_id next_in_poly_lists(const encoded_neighbour* first, const encoded_neighbour* last, const non_manifold_facets& lists, poly_id self, std::uint32_t from) {
+  static poly_id next_in_poly_lists(const encoded_neighbour* first, const encoded_neighbour* last, const non_manifold_facets& lists, poly_id self, std::uint32_t from) {
     poly_id next;
     const auto look = [&](std::uint32_t poly_list) {
       const id_span<poly_id> all = lists.members(poly_list);
@@ -238,11 +237,11 @@ class adjacent_polys {
       for (; at_ != last_; ++at_) {
         const encoded_neighbour x = *at_;
         now_ = poly_id{x.raw};
-        if (x.is_first_occurrence()) [[likely]] return;
+        if (x.is_first_occurrence()) return;
         if (x.is_non_manifold()) passed_poly_list_ = true;
       }
       now_ = {};
-      if (passed_poly_list_) [[unlikely]] now_ = next_in_poly_lists(first_, last_, *poly_lists_, self_, 0);
+      if (passed_poly_list_) now_ = next_in_poly_lists(first_, last_, *poly_lists_, self_, 0);
     }
 
    public:
@@ -256,7 +255,7 @@ class adjacent_polys {
     }
     poly_id operator*() const { return now_; }
     iterator& operator++() {
-      if (at_ != last_) [[likely]] {
+      if (at_ != last_) {
         ++at_;
         skip_invalid();
       } else {
@@ -272,16 +271,15 @@ class adjacent_polys {
   adjacent_polys() = default;
   adjacent_polys(const encoded_neighbour* first, const encoded_neighbour* last, const non_manifold_facets* lists, poly_id self)
       : first_(first), last_(last), poly_lists_(lists), self_(self) {}
-  const void* row() const { return first_; }
   /// Calls f(q) for all of them in the same order. Without an iterator, short loops are faster.
   template<class F>
   void for_each(F&& f) const {
     bool has_poly_list = false;
     for (const encoded_neighbour* s = first_; s != last_; ++s) {
-      if (s->is_first_occurrence()) [[likely]] f(poly_id{s->raw});
+      if (s->is_first_occurrence()) f(poly_id{s->raw});
       else if (s->is_non_manifold()) has_poly_list = true;
     }
-    if (has_poly_list) [[unlikely]]
+    if (has_poly_list)
       for (poly_id q = next_in_poly_lists(first_, last_, *poly_lists_, self_, 0); !q.is_none(); q = next_in_poly_lists(first_, last_, *poly_lists_, self_, q.raw() + 1)) f(q);
   }
   iterator begin() const { return {first_, last_, poly_lists_, self_}; }

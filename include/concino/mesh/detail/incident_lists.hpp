@@ -2,7 +2,6 @@
 #pragma once
 
 #include <concino/mesh/detail/jagged_array.hpp>
-#include <concino/mesh/detail/loose_lists.hpp>
 
 #include <type_traits>
 
@@ -19,7 +18,6 @@ class incident_lists {
   core::flat_array<edge_id> edges_;
   [[no_unique_address]] std::conditional_t<WithPolys, core::flat_array<poly_id>, no_polys> polys_;
 
-  std::size_t num_readable(vert_id v) const { return verts_.size() - places_.first(v.raw()); }
   void check_index_range(std::size_t more) const {
     if (verts_.size() + more > std::numeric_limits<std::uint32_t>::max()) throw unsupported("incident_lists: the mesh has more than 2^32 adjacencies of one kind");
   }
@@ -42,7 +40,7 @@ class incident_lists {
     for_each_array([n](auto& a) { append(a, n); });
   }
 
-  [[gnu::noinline]] void move_row(std::size_t i, std::uint32_t room) {
+  void move_row(std::size_t i, std::uint32_t room) {
     check_index_range(room);
     const std::uint32_t from = places_.first(i), n = places_.longest(i);
     const std::size_t to = verts_.size();
@@ -53,7 +51,7 @@ class incident_lists {
     });
     places_.move_row(i, to, room);
   }
-  [[gnu::noinline]] void spread_rows() {
+  void spread_rows() {
     incident_lists spread;
     spread.places_ = places_.spread();
     spread.places_.copy_rows(places_, verts_, spread.verts_);
@@ -61,7 +59,7 @@ class incident_lists {
     if constexpr (WithPolys) spread.places_.copy_second_rows(places_, polys_, spread.polys_);
     *this = std::move(spread);
   }
-  [[gnu::noinline]] void enlarge_row(vert_id v, std::uint32_t edges, std::uint32_t polys) {
+  void enlarge_row(vert_id v, std::uint32_t edges, std::uint32_t polys) {
     make_growable();
     std::uint32_t needed = num_edges(v) + edges;
     if constexpr (WithPolys) needed = std::max(needed, num_polys(v) + polys);
@@ -100,45 +98,21 @@ class incident_lists {
   bool is_packed() const { return places_.is_packed(); }
 
   /// The place of an edge of v, which has it.
-  std::uint32_t position(vert_id v, edge_id e) const { return position_in_row(edges_.data() + places_.first(v.raw()), num_readable(v), e); }
+  std::uint32_t position(vert_id v, edge_id e) const { return position_in(edges(v), e); }
   /// The place of a poly of v, which has it.
-  std::uint32_t position(vert_id v, poly_id p) const {
-    const std::uint32_t first = places_.second_first(v.raw());
-    return position_in_row(polys_.data() + first, polys_.size() - first, p);
-  }
+  std::uint32_t position(vert_id v, poly_id p) const { return position_in(polys(v), p); }
   /// The place of the edge from v to `other`, or the number of edges of v if there is none.
-  std::uint32_t find(vert_id v, vert_id other) const { return find_in_short_row(verts_.data() + places_.first(v.raw()), num_edges(v), num_readable(v), other); }
+  std::uint32_t find(vert_id v, vert_id other) const { return position_in(verts(v), other); }
   edge_id edge_between(vert_id v, vert_id other) const {
     const std::uint32_t k = find(v, other);
     return k == num_edges(v) ? edge_id{} : edges_[places_.first(v.raw()) + k];
-  }
-
-  void prefetch_place(vert_id v) const { places_.prefetch(v.raw()); }
-  void prefetch_edges(vert_id v) const { prefetch_edges_at(places_.first(v.raw())); }
-  void prefetch_polys(vert_id v) const { __builtin_prefetch(polys_.data() + places_.second_first(v.raw()), 1); }
-  /// The same as prefetch_edges() and prefetch_polys() for most verts if the rows are loose, without reading the place.
-  void prefetch_slot(vert_id v) const {
-    if (!places_.has_slot(v.raw())) return;
-    const std::size_t first = places_.slot(v.raw());
-    prefetch_edges_at(first);
-    if constexpr (WithPolys) __builtin_prefetch(polys_.data() + first, 1);
   }
 
   // Edits allocate their memory first, which changes no row, and cannot fail afterwards.
 
   /// After this call rows can become shorter, which cannot fail. Most rows get room for more values, so that they need not move soon.
   void make_growable() {
-    if (places_.is_packed()) [[unlikely]] spread_rows();
-  }
-  /// The same, but rows stay where they are until they become too long, if they can; for the case that few do.
-  void make_few_growable() {
-    if (!places_.is_packed()) return;
-    if (!places_.can_stay()) return spread_rows();
-    const std::size_t more = places_.next_begin(verts_.size()) - verts_.size();
-    check_index_range(more);
-    reserve_back(more + 1);
-    places_.make_loose();
-    append(more);
+    if (places_.is_packed()) spread_rows();
   }
   /// After this call, n calls of add_vert() with that room in all cannot fail.
   void reserve_verts(std::size_t n, std::size_t room) {
@@ -155,23 +129,23 @@ class incident_lists {
   }
   /// After this call, n calls of push() for v cannot fail. It uses memory that reserve_verts() reserved, so it must come before that.
   void reserve_at(vert_id v, std::uint32_t n) {
-    if (!places_.has_room(v.raw(), n)) [[unlikely]] enlarge_row(v, n, 0);
+    if (!places_.has_room(v.raw(), n)) enlarge_row(v, n, 0);
   }
   void reserve_at(vert_id v, std::uint32_t edges, std::uint32_t polys) {
-    if (!places_.has_room(v.raw(), edges) || !places_.has_second_room(v.raw(), polys)) [[unlikely]] enlarge_row(v, edges, polys);
-  }
-  loose_lists<WithPolys> loose() {
-    assert(!places_.is_packed());
-    poly_id* polys = nullptr;
-    if constexpr (WithPolys) polys = polys_.data();
-    return {places_.loose_rows(), verts_.data(), edges_.data(), polys, verts_.size()};
+    if (!places_.has_room(v.raw(), edges) || !places_.has_second_room(v.raw(), polys)) enlarge_row(v, edges, polys);
   }
   /// Adds an edge of v, which has room for it.
-  void push(vert_id v, vert_id other, edge_id e) { loose().push(v, other, e); }
-  void push(vert_id v, poly_id p) { loose().push(v, p); }
+  void push(vert_id v, vert_id other, edge_id e) {
+    const std::uint32_t at = places_.extend(v.raw());
+    verts_[at] = other, edges_[at] = e;
+  }
+  void push(vert_id v, poly_id p) { polys_[places_.extend_second(v.raw())] = p; }
   void set_other_end(vert_id v, edge_id e, vert_id other) { verts_begin(v)[position(v, e)] = other; }
   /// Removes an edge of v; the last one takes its place.
-  void replace_by_last(vert_id v, edge_id e) { loose().replace_by_last_at(v, position(v, e)); }
+  void replace_by_last(vert_id v, edge_id e) {
+    const std::uint32_t at = places_.first(v.raw()) + position(v, e), last = places_.shorten(v.raw());
+    verts_[at] = verts_[last], edges_[at] = edges_[last];
+  }
   /// Removes an edge of v; the others keep their order.
   void remove(vert_id v, edge_id e) {
     vert_id* const verts = verts_begin(v);
@@ -181,7 +155,12 @@ class incident_lists {
     places_.shorten(v.raw());
   }
   /// Removes a poly of v; the others keep their order.
-  void remove(vert_id v, poly_id p) { loose().remove_poly_at(v, position(v, p)); }
+  void remove(vert_id v, poly_id p) {
+    poly_id* const polys = polys_.data() + places_.second_first(v.raw());
+    const std::uint32_t k = position(v, p), n = num_polys(v);
+    std::copy(polys + k + 1, polys + n, polys + k);
+    places_.set_second_length(v.raw(), n - 1);
+  }
   void clear(vert_id v) {
     make_growable();
     places_.set_length(v.raw(), 0);
@@ -204,7 +183,8 @@ class incident_lists {
   }
 
  private:
-  void prefetch_edges_at(std::size_t first) const { __builtin_prefetch(verts_.data() + first, 1), __builtin_prefetch(edges_.data() + first, 1); }
+  template<class T>
+  static std::uint32_t position_in(const id_span<T>& row, const T& value) { return static_cast<std::uint32_t>(std::find(row.begin(), row.end(), value) - row.begin()); }
   template<class Self, class F>
   static void visit_row(Self& all, std::size_t i, const F& f) {
     const auto& at = all.places_;

@@ -111,7 +111,7 @@ void check_indices(const Lists& lists, std::size_t bound, const char* caller, co
   for (std::size_t i = 0; i < lists.size(); ++i) {
     const auto numbers = lists.numbers(i);
     for (std::uint32_t k = 0; k < lists.length(i); ++k)
-      if (!is_below(numbers[k], bound)) [[unlikely]]
+      if (!is_below(numbers[k], bound))
         core::throw_joined<invalid_mesh>({caller, ": ", what, " ", i, " names point ", index_piece(numbers[k]), ", but there are ",
                                     bound, " points, numbered from 0"});
   }
@@ -196,7 +196,7 @@ auto view_of_polyhedra(P& input_points, FO& face_offsets, FV& face_verts, PO& po
         flags.push_back(f >= 0);
         if (f < 0) f = static_cast<decltype(f)>(~f);
       }
-      if (!is_below(f, faces.size())) [[unlikely]]
+      if (!is_below(f, faces.size()))
         core::throw_joined<invalid_mesh>({caller, ": poly ", p, " names face ", index_piece(f), ", but there are ", faces.size(),
                                     " faces, numbered from 0"});
       poly_faces.push_back(face_id{f});

@@ -8,7 +8,6 @@
 #include <concino/core/flat_array.hpp>
 #include <concino/mesh/detail/equal_rows.hpp>
 #include <concino/mesh/detail/row_places.hpp>
-#include <concino/mesh/detail/short_rows.hpp>
 
 #include <algorithm>
 #include <cassert>
@@ -31,7 +30,7 @@ class jagged_array<T, 0> {
     if (data_.size() + more > std::numeric_limits<std::uint32_t>::max()) throw unsupported("jagged_array: the mesh has more than 2^32 adjacencies of one kind");
   }
 
-  [[gnu::noinline]] void move_row(std::size_t i, std::uint32_t room) {
+  void move_row(std::size_t i, std::uint32_t room) {
     check_index_range(room);
     const std::size_t from = places_.first(i), to = data_.size();
     data_.reserve_back(room);
@@ -41,14 +40,14 @@ class jagged_array<T, 0> {
     std::fill_n(data_.data() + to + n, room - n, T{});
     places_.move_row(i, to, room);
   }
-  [[gnu::noinline]] void spread_rows() {
+  void spread_rows() {
     row_places<> spread = places_.spread();
     core::flat_array<T> data;
     spread.copy_rows(places_, data_, data);
     places_.swap(spread);
     data_.swap(data);
   }
-  [[gnu::noinline]] void enlarge_row(std::size_t i, std::uint32_t n) {
+  void enlarge_row(std::size_t i, std::uint32_t n) {
     make_editable();
     if (!places_.has_room(i, n)) move_row(i, places_.larger_room(i, length(i) + n));
   }
@@ -75,17 +74,8 @@ class jagged_array<T, 0> {
 
   /// The first place of a value in row i, or the length of the row if it has none.
   std::uint32_t find_in_row(std::size_t i, const T& value) const {
-    if constexpr (is_short_value<T>) return find_in_short_row(begin(i), length(i), data_.size() - places_.first(i), value);
-    else return static_cast<std::uint32_t>(std::find(begin(i), end(i), value) - begin(i));
+    return static_cast<std::uint32_t>(std::find(begin(i), end(i), value) - begin(i));
   }
-
-  /// Requests the memory that tells where row i is, or that of its first values, which will be used soon.
-  void prefetch_place(std::size_t i) const { places_.prefetch(i); }
-  /// The same as prefetch_values() for most rows after make_growable(), without reading the place.
-  void prefetch_slot(std::size_t i) const {
-    if (places_.has_slot(i)) __builtin_prefetch(data_.data() + row_places<>::slot(i), 1);
-  }
-  void prefetch_values(std::size_t i) const { __builtin_prefetch(begin(i), 1); }
 
   /// The offsets, which other tables with rows of the same lengths can share; null after an edit.
   const std::shared_ptr<const offsets>& shared_offsets() const { return places_.shared_offsets(); }
@@ -99,17 +89,7 @@ class jagged_array<T, 0> {
   void make_editable() { places_.make_loose(); }
   /// The same, but most rows get room for more values, so that they need not move soon.
   void make_growable() {
-    if (places_.is_packed()) [[unlikely]] spread_rows();
-  }
-  /// The same as make_editable(), but rows that become too long have memory to move to; for the case that these are few.
-  void make_few_growable() {
-    if (!places_.is_packed()) return;
-    const std::size_t n = data_.size(), begin = row_places<>::next_begin(n);
-    check_index_range(begin - n);
-    data_.reserve_back(begin - n + 1);
-    places_.make_loose();
-    data_.resize(begin);
-    std::fill(data_.data() + n, data_.data() + begin, T{});
+    if (places_.is_packed()) spread_rows();
   }
   /// After this call, n calls of add_row() with that many values in all cannot fail.
   void reserve_rows(std::size_t n, std::size_t values) {
@@ -119,7 +99,7 @@ class jagged_array<T, 0> {
   }
   /// After this call, n calls of push(i) cannot fail. It uses memory that reserve_rows() reserved, so it must come before that.
   void reserve_in_row(std::size_t i, std::uint32_t n) {
-    if (!places_.has_room(i, n)) [[unlikely]] enlarge_row(i, n);
+    if (!places_.has_room(i, n)) enlarge_row(i, n);
   }
   /// Writes a row behind the last one; commit_row(), which cannot fail, adds it. The values may be in these rows; if `first` is null, the caller
   /// writes them.
@@ -158,15 +138,12 @@ class jagged_array<T, 0> {
   /// Removes the value from row i; the others keep their order.
   void remove(std::size_t i, const T& value) {
     make_editable();
-    if (const std::uint32_t k = find_in_row(i, value); k < places_.length_of_loose(i)) close_gap(i, k);
+    if (const std::uint32_t k = find_in_row(i, value); k < length(i)) close_gap(i, k);
   }
   /// Removes the k-th value of row i, after make_editable(); the others keep their order.
-  [[gnu::always_inline]] inline void close_gap(std::size_t i, std::uint32_t k) {
-    const std::uint32_t n = places_.length_of_loose(i), first = places_.first_of_loose(i);
-    T* const row = data_.data() + first;
+  void close_gap(std::size_t i, std::uint32_t k) {
+    std::copy(begin(i) + k + 1, begin(i) + length(i), begin(i) + k);
     places_.shorten(i);
-    if constexpr (is_short_value<T>) close_gap_in_row(row, k, n, data_.size() - first);
-    else std::copy(row + k + 1, row + n, row + k);
   }
   // After reserve_in_row() these are faster than the functions above.
 

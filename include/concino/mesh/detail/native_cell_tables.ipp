@@ -10,7 +10,6 @@
 #include <concino/mesh/detail/cell_tables_edit.ipp>
 #include <concino/mesh/detail/cell_tables_fans.ipp>
 #include <concino/mesh/detail/cell_tables_rewire.ipp>
-#include <concino/mesh/detail/tet_edits.ipp>
 
 namespace concino {
 

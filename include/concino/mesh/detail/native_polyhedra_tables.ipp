@@ -7,7 +7,6 @@
 #ifdef CONCINO_COMPILED
 #include <concino/mesh/detail/polyhedra_compact.ipp>
 #include <concino/mesh/detail/polyhedra_tables.ipp>
-#include <concino/mesh/detail/polyhedra_tables_extend.ipp>
 #include <concino/mesh/detail/polyhedra_tables_rewire.ipp>
 
 namespace concino {

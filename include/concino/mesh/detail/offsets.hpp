@@ -2,7 +2,6 @@
 #pragma once
 
 #include <concino/core/error.hpp>
-#include <concino/core/large_pages.hpp>
 
 #include <cassert>
 #include <cstdint>
@@ -16,14 +15,13 @@ namespace concino::detail {
 using offsets = std::vector<std::uint32_t>;
 
 /// Frees the unused capacity of a vector, unless it is small or there is no memory for a copy. This does not call shrink_to_fit(), which takes
-/// longer to compile and does not request large pages.
+/// longer to compile.
 template<class T>
 void shrink_if_wasteful(std::vector<T>& v) {
   static_assert(std::is_trivially_copyable_v<T>);
   if (v.capacity() <= v.size() + v.size() / 64) return;
   try {
     std::vector<T> exact;
-    core::reserve_exact(exact, v.size());
     exact.assign(v.begin(), v.end());
     v.swap(exact);
   } catch (const std::bad_alloc&) {

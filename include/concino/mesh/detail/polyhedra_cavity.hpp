@@ -73,13 +73,9 @@ class polyhedra_cavity {
   static unsigned begin_of(const Ends& ends, std::size_t k) { return k == 0 ? 0 : ends[k - 1]; }
 
   template<class Tables>
-  polyhedra_cavity(const Tables& t, const native_cavity& cavity) : c(cavity), verts(c.verts), edges(num_verts, count_corners(t, c)) {
+  polyhedra_cavity(const Tables& t, const native_cavity& cavity) : c(cavity), verts(c.verts), edges(count_corners(t, c)) {
     changes.resize(num_verts, {});
     check_cavity_of_polyhedra(c, verts, t.verts(), t.polys());
-    std::size_t uses = c.ends.size(), n = 64;
-    for (const poly_id p : c.polys) uses += t.adj_p2f(p).size();
-    while (n < 2 * uses) n *= 2;
-    slots_.resize(n, 0);
     last_poly_of_vert_.resize(num_verts, ~0u);
     for (const poly_id p : c.polys) find_old(t, p);
     for (std::size_t k = 0; k < num_new(); ++k) find_new(t, k);
@@ -96,7 +92,7 @@ class polyhedra_cavity {
 
  private:
   core::small_array<unsigned, 128> corners_;                    // of faces: existing ones as the mesh stores them
-  core::small_array<std::uint32_t, 128> slots_;                 // a hash table of the numbers of faces plus 1
+  core::index_table numbers_;                                   // of faces
   core::small_array<std::uint32_t, 32> last_poly_of_vert_, last_poly_of_edge_;  // the last new poly that has it
 
   template<class Tables>
@@ -112,22 +108,25 @@ class polyhedra_cavity {
   /// are removed. `is_forward`: whether the face has them in this order.
   face& find_last(std::uint32_t first, face_id id, bool& is_forward) {
     const auto n = static_cast<std::uint32_t>(corners_.size()) - first;
-    std::uint64_t hash = n;
-    for (std::uint32_t i = first; i < corners_.size(); ++i) hash += (corners_[i] + 1) * 0x9e3779b97f4a7c15u;  // the same in any order
-    std::size_t i = static_cast<std::size_t>(hash >> 32 ^ hash) & (slots_.size() - 1);
-    for (; slots_[i] != 0; i = (i + 1) & (slots_.size() - 1)) {
-      face& x = faces[slots_[i] - 1];
-      if (x.size != n || (!id.is_none() && x.id != id)) continue;
-      const int order = compare_cycles(corners_.begin() + x.first, corners_.begin() + first, n);
-      if (order == 0) continue;
+    std::uint32_t hash = n;
+    for (std::uint32_t i = first; i < corners_.size(); ++i) hash += core::index_table::hash(corners_[i]);  // the same in any order
+    int order = 0;
+    const auto is_wanted = [&](std::uint32_t i) {
+      const face& x = faces[i];
+      if (x.size != n || (!id.is_none() && x.id != id)) return false;
+      order = compare_cycles(corners_.begin() + x.first, corners_.begin() + first, n);
+      return order != 0;
+    };
+    const std::uint32_t known = numbers_.find(hash, is_wanted);
+    if (known != core::index_table::none) {
       is_forward = order > 0;
       corners_.resize(first, 0);
-      return x;
+      return faces[known];
     }
     face x{};
     x.first = first, x.size = n, x.id = id;
     faces.push_back(x);
-    slots_[i] = static_cast<std::uint32_t>(faces.size());
+    numbers_.add(hash, static_cast<std::uint32_t>(faces.size() - 1));
     is_forward = true;
     return faces.back();
   }

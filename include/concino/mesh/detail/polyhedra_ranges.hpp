@@ -21,7 +21,7 @@ class polys_of_faces {
     std::uint32_t i_ = 0;
 
     bool met_before(poly_id q) const {
-      if (at_ - first_ > 64) [[unlikely]]
+      if (at_ - first_ > 64)
         if (const auto faces = tables_->adj_p2f(q); 16 * faces.size() < static_cast<std::size_t>(at_ - first_)) return met_before(faces);
       for (const face_id* f = first_; f != at_; ++f)
         for (const poly_id r : tables_->adj_f2p(*f))
@@ -29,7 +29,7 @@ class polys_of_faces {
       return false;
     }
     /// The faces at an edge are in ascending order.
-    [[gnu::noinline]] bool met_before(id_span<face_id> faces) const {
+    bool met_before(id_span<face_id> faces) const {
       return std::any_of(faces.begin(), faces.end(), [this](face_id f) { return std::binary_search(first_, at_, f); });
     }
     void skip_invalid() {

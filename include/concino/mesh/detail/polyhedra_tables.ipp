@@ -1,8 +1,6 @@
 // Construction and editing of tables of polyhedra; see polyhedra_tables.hpp.
 #pragma once
 
-#include <concino/core/large_pages.hpp>
-#include <concino/core/parallel.hpp>
 #include <concino/mesh/polyhedra_tables.hpp>
 
 #include <numeric>
@@ -168,19 +166,16 @@ void basic_polyhedra_tables<Lists>::remove_vert(vert_id v) {
 template<class Lists>
 std::size_t basic_polyhedra_tables<Lists>::check(std::size_t vert_count, const jagged<face_id>& polys) const {
   detail::check_counts("polyhedra_tables", vert_count, polys.size(), f2v_.num_values());
-  std::size_t poly_corners = 0;
-  const auto faces = [&] {
-    std::vector<std::uint32_t> met;
-    for (std::size_t f = 0; f < f2v_.size(); ++f) detail::check_verts(f2v_[f], vert_count, "polyhedra_tables: face", f, met);
-  };
-  core::run_both(is_large(), faces, [&] { poly_corners = check_polys(polys); });
+  std::vector<std::uint32_t> met;
+  for (std::size_t f = 0; f < f2v_.size(); ++f) detail::check_verts(f2v_[f], vert_count, "polyhedra_tables: face", f, met);
+  const std::size_t poly_corners = check_polys(polys);
   check_poly_corners(poly_corners, f2v_.num_values(), polys.num_values(), "polyhedra_tables: ");
   return poly_corners;
 }
 
 template<class Lists>
 std::size_t basic_polyhedra_tables<Lists>::check_polys(const jagged<face_id>& polys) const {
-  std::vector<std::uint32_t> met = core::large_vector(f2v_.size(), ~0u);
+  std::vector<std::uint32_t> met(f2v_.size(), ~0u);
   std::size_t corners = 0;
   for (std::size_t p = 0; p < polys.size(); ++p) {
     if (polys.length(p) == 0) core::throw_joined<invalid_mesh>({"polyhedra_tables: poly ", p, " has no faces; it needs at least 1"});
@@ -199,33 +194,22 @@ template<class Lists>
 void basic_polyhedra_tables<Lists>::build(std::size_t vert_count, const jagged<face_id>& polys, std::size_t poly_corners) {
   face_vert_lookup_ = detail::row_lookup(f2v_);
   core::flat_array<edge_id> f2e(f2v_.num_values());  // parallel to f2v_
-  const auto edges = [&] {
-    build_edges(vert_count, f2e);
-    list_edges_of_polys(f2e, polys, poly_corners);
-    list_faces_of_edges(f2e);
-  };
-  const auto polys_and_verts = [&] {
-    link_polys(polys);
-    list_verts_of_polys(vert_count, polys, poly_corners);
-  };
-  core::run_both(is_large(), edges, polys_and_verts);
-  finish(vert_count, polys.size());
-}
-
-template<class Lists>
-void basic_polyhedra_tables<Lists>::finish(std::size_t vert_count, std::size_t poly_count) {
+  build_edges(vert_count, f2e);
+  list_edges_of_polys(f2e, polys, poly_corners);
+  list_faces_of_edges(f2e);
+  link_polys(polys);
+  list_verts_of_polys(vert_count, polys, poly_corners);
   if (*v2p_.shared_offsets() == *incident_edges_.shared_offsets()) v2p_.share_offsets(incident_edges_);
   verts_ = detail::alive_elements<vert_id>(vert_count);
   edges_ = detail::alive_elements<edge_id>(e2v_.size());
   faces_ = detail::alive_elements<face_id>(f2v_.size());
-  polys_ = detail::alive_elements<poly_id>(poly_count);
-  is_built_ = true;
+  polys_ = detail::alive_elements<poly_id>(polys.size());
 }
 
 template<class Lists>
 void basic_polyhedra_tables<Lists>::list_faces_of_edges(const core::flat_array<edge_id>& f2e) {
   const std::size_t edge_count = e2v_.size();
-  detail::offsets counts = core::exact_vector(edge_count + 1, 0u);
+  detail::offsets counts(edge_count + 1, 0);
   for (const edge_id e : f2e) ++counts[e.raw() + 1];
   e2f_ = detail::make_jagged_array<face_id>(std::move(counts));
   core::flat_array<std::uint32_t> next(edge_count);
@@ -279,7 +263,7 @@ void basic_polyhedra_tables<Lists>::build_edges(std::size_t vert_count, core::fl
   std::fill_n(edge_to.data(), vert_count, ~0u);
   core::flat_array<vert_id> ends;
   ends.reserve(corner_count * 2 / 3);
-  detail::offsets degrees = core::exact_vector(vert_count + 1, 0u);
+  detail::offsets degrees(vert_count + 1, 0);
   std::uint32_t num = 0;
   for (std::uint32_t a = 0; a < vert_count; ++a) {
     const std::uint32_t first_edge = num;
@@ -307,7 +291,7 @@ void basic_polyhedra_tables<Lists>::list_edges_of_polys(const core::flat_array<e
   core::flat_array<edge_id> edges;
   edges.reserve(poly_corners / 2);  // in a closed poly every edge has two faces
   detail::offsets first;
-  core::reserve_exact(first, polys.size() + 1);
+  first.reserve(polys.size() + 1);
   first.push_back(0);
   for (std::uint32_t p = 0; p < polys.size(); ++p) {
     for (const face_id f : polys[p]) {
@@ -332,8 +316,8 @@ void basic_polyhedra_tables<Lists>::list_verts_of_polys(std::size_t vert_count, 
   // In a closed poly every edge has two faces, and verts + faces = edges + 2: this memory is exact for most meshes.
   const std::size_t incidence_count = polys.num_values();
   if (poly_corners / 2 + 2 * polys.size() > incidence_count) verts.reserve(poly_corners / 2 + 2 * polys.size() - incidence_count);
-  detail::offsets first, degrees = core::exact_vector(vert_count + 1, 0u);
-  core::reserve_exact(first, polys.size() + 1);
+  detail::offsets first, degrees(vert_count + 1, 0);
+  first.reserve(polys.size() + 1);
   first.push_back(0);
   for (std::uint32_t p = 0; p < polys.size(); ++p) {
     for (const face_id f : polys[p])

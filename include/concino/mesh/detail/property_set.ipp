@@ -1,7 +1,6 @@
 // Columns of property values, and the set of columns of a mesh; see property_set.hpp.
 #pragma once
 
-#include <concino/core/large_pages.hpp>
 #include <concino/core/message.hpp>
 #include <concino/mesh/element_origins.hpp>
 #include <concino/mesh/property_set.hpp>
@@ -19,7 +18,7 @@ namespace concino {
 namespace detail {
 
 /// The type as it is written in C++, where the compiler can say it; for messages.
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE std::string written_type(const std::type_info& type) {
+CONCINO_INLINE std::string written_type(const std::type_info& type) {
   if (type == typeid(std::string)) return "std::string";
 #if __has_include(<cxxabi.h>)
   const std::unique_ptr<char, void (*)(void*)> text(abi::__cxa_demangle(type.name(), nullptr, nullptr, nullptr), std::free);
@@ -28,10 +27,9 @@ namespace detail {
   return type.name();
 }
 
-[[gnu::noinline]] CONCINO_INLINE void column::make_room(std::size_t n) {
+CONCINO_INLINE void column::make_room(std::size_t n) {
   column fresh(*type_);
   fresh.data_ = static_cast<unsigned char*>(::operator new(n * type_->size, std::align_val_t(type_->alignment)));
-  core::prefer_large_pages(fresh.data_, n * type_->size);
   fresh.room_ = n;
   if (type_->move) {
     for (; fresh.size_ < size_; ++fresh.size_) type_->move(fresh.at(fresh.size_), at(fresh.size_));
@@ -47,7 +45,7 @@ CONCINO_INLINE column::column(const value_type& type, std::size_t n) : column(ty
   resize(n);
 }
 
-[[gnu::noinline]] CONCINO_INLINE column::column(const column& o) : column(*o.type_) {
+CONCINO_INLINE column::column(const column& o) : column(*o.type_) {
   rule_ = o.rule_;
   make_room(o.size_);
   if (type_->copy) {
@@ -166,12 +164,12 @@ CONCINO_INLINE bool column::set_rule(property_rule rule) {
   return is_possible;
 }
 
-[[gnu::noinline]] CONCINO_INLINE column::~column() {
+CONCINO_INLINE column::~column() {
   resize(0);
   ::operator delete(data_, std::align_val_t(type_->alignment));
 }
 
-[[gnu::noinline]] CONCINO_INLINE void column::resize(std::size_t n) {
+CONCINO_INLINE void column::resize(std::size_t n) {
   if (n > room_) make_room(std::max(n, 2 * size_));
   if (type_->destroy) {
     while (size_ > n) type_->destroy(at(--size_));
@@ -225,14 +223,14 @@ CONCINO_INLINE property_set& property_set::operator=(property_set o) noexcept {
   return *this;
 }
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE std::shared_ptr<detail::column> property_set::get(element_kind kind, std::string_view name, const detail::value_type& type, std::size_t n) {
+CONCINO_INLINE std::shared_ptr<detail::column> property_set::get(element_kind kind, std::string_view name, const detail::value_type& type, std::size_t n) {
   if (auto found = find(kind, name, type)) return found;
   std::shared_ptr<detail::column> fresh(new detail::column(type, n));
   entries_.push_back({kind, std::string(name), fresh});
   return fresh;
 }
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE std::shared_ptr<detail::column> property_set::find(element_kind kind, std::string_view name, const detail::value_type& type) const {
+CONCINO_INLINE std::shared_ptr<detail::column> property_set::find(element_kind kind, std::string_view name, const detail::value_type& type) const {
   for (const entry& e : entries_) {
     if (e.kind != kind || e.name != name) continue;
     if (e.values->type() != *type.type)
@@ -264,7 +262,7 @@ CONCINO_INLINE bool property_set::has(element_kind kind) const {
   return false;
 }
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE void property_set::set_rule(element_kind kind, std::string_view name, property_rule rule) {
+CONCINO_INLINE void property_set::set_rule(element_kind kind, std::string_view name, property_rule rule) {
   for (const entry& e : entries_) {
     if (e.kind != kind || e.name != name) continue;
     if (!e.values->set_rule(rule))

@@ -1,7 +1,6 @@
 // row_lookup: finds the position of a value in a row, by linear search in short rows and by bisection in long ones.
 #pragma once
 
-#include <concino/core/sort_numbers.hpp>
 #include <concino/mesh/detail/jagged_array.hpp>
 
 #include <algorithm>
@@ -30,7 +29,7 @@ class row_lookup {
       const auto row = all[i];
       sorted.clear();
       for (std::uint32_t k = 0; k < n; ++k) sorted.push_back(std::uint64_t{row[k].raw()} << 32 | k);
-      core::sort_numbers(sorted.data(), sorted.data() + n);
+      std::sort(sorted.data(), sorted.data() + n);
       rows_.push_back(static_cast<std::uint32_t>(i));
       first_.push_back(static_cast<std::uint32_t>(order_.size()));
       for (const std::uint64_t x : sorted) order_.push_back(static_cast<std::uint32_t>(x));
@@ -41,7 +40,7 @@ class row_lookup {
 
   /// The position of a value in a row of more than `longest_scan` values, in which it occurs at most once; the length of the row if it does not occur.
   template<class Row, class T>
-  [[gnu::noinline]] std::uint32_t find(std::uint32_t i, const Row& row, const T& value) const {
+  std::uint32_t find(std::uint32_t i, const Row& row, const T& value) const {
     const auto n = static_cast<std::uint32_t>(row.size());
     const auto known = std::lower_bound(rows_.begin(), rows_.end(), i);
     if (known != rows_.end() && *known == i) {

@@ -40,7 +40,6 @@ class row_places {
   const std::uint32_t* first_ = nullptr;
   std::uint32_t shift_ = 0;  // the number of row i is at first_[i << shift_]
   std::size_t size_ = 0;
-  std::size_t slots_ = 0;  // spread() has given so many rows a place that their number tells
   [[no_unique_address]] std::conditional_t<WithSecond, second_rows, no_second> second_;
 
   void update_pointers() {
@@ -63,7 +62,7 @@ class row_places {
   row_places(std::shared_ptr<const offsets> packed, std::shared_ptr<const offsets> second)
     requires WithSecond
       : packed_(std::move(packed)), size_(packed_->size() - 1), second_{std::move(second)} { update_pointers(); }
-  row_places(const row_places& o) : packed_(o.packed_), loose_(o.loose_), size_(o.size_), slots_(o.slots_), second_(o.second_) {
+  row_places(const row_places& o) : packed_(o.packed_), loose_(o.loose_), size_(o.size_), second_(o.second_) {
     if (o.first_) update_pointers();
   }
   row_places(row_places&& o) noexcept { swap(o); }
@@ -74,7 +73,7 @@ class row_places {
   void swap(row_places& o) noexcept {
     using std::swap;
     swap(packed_, o.packed_), swap(loose_, o.loose_);
-    swap(first_, o.first_), swap(shift_, o.shift_), swap(size_, o.size_), swap(slots_, o.slots_);
+    swap(first_, o.first_), swap(shift_, o.shift_), swap(size_, o.size_);
     if constexpr (WithSecond) swap(second_, o.second_);
   }
 
@@ -101,46 +100,21 @@ class row_places {
     update_pointers();
   }
 
-  void prefetch(std::size_t i) const { __builtin_prefetch(first_ + (i << shift_), 1); }
-
   // Edits allocate their memory first, which changes no row, and cannot fail afterwards.
 
-  /// Whether make_loose() can leave all rows where they are.
-  bool can_stay() const {
-    if constexpr (WithSecond) return !packed_ || packed_ == second_.packed;
-    else return true;
-  }
-  /// The same rows, with a capacity of their own, where they are. Needs: can_stay().
+  /// The same rows, with a capacity of their own, where they are. Needs: no second rows, or spread() before.
   void make_loose() {
-    assert(can_stay());
+    assert(!WithSecond || !packed_);
     if (packed_) *this = loose([](std::uint32_t n) { return n; });
   }
-  /// The same rows, apart from each other, so that most of them can grow where they are. Without room to grow if the places were more than 32 bits can count. If few
-  /// rows are long, each other row i is at slot(i), so that its values can be requested before its place is read. Long ones are behind all slots then, and their
-  /// slots stay unused.
+  /// The same rows, apart from each other, so that most of them can grow where they are. Without room to grow if the places were more than 32 bits can count.
   row_places spread() const {
-    std::uint64_t values = num_before;
-    std::size_t long_rows = 0;
-    for (std::size_t i = 0; i < size_; ++i) values += room_for(longest(i) + 1), long_rows += is_long(longest(i));
-    const bool has_slots = long_rows <= size_ / 16;
-    if (has_slots) values += long_rows * room_unit;
+    std::uint64_t values = 0;
+    for (std::size_t i = 0; i < size_; ++i) values += room_for(longest(i) + 1);
     if (values > std::numeric_limits<std::uint32_t>::max()) return loose([](std::uint32_t n) { return n; });
-    if (!has_slots) return loose([](std::uint32_t n) { return room_for(n + 1); }, num_before);
-    row_places p;
-    p.loose_.resize(size_);
-    std::size_t end = slot(size_);
-    for (std::size_t i = 0; i < size_; ++i) {
-      const std::uint32_t n = longest(i), room = room_for(n + 1);
-      p.loose_[i] = loose_row_of(i, static_cast<std::uint32_t>(is_long(n) ? std::exchange(end, end + room) : slot(i)), room);
-    }
-    p.size_ = p.slots_ = size_;
-    p.update_pointers();
-    return p;
+    return loose([](std::uint32_t n) { return room_for(n + 1); });
   }
   static std::uint32_t room_for(std::uint32_t n) { return (n + room_unit - 1) / room_unit * room_unit; }
-  /// Whether row i was at slot(i) after spread(), unless it was long.
-  bool has_slot(std::size_t i) const { return i < slots_; }
-  static constexpr std::size_t slot(std::size_t i) { return num_before + room_unit * i; }
 
   /// Copies the values of the same rows at other places to these ones. The room of rows, and what is between them, has values of none. `to` is empty. It gets
   /// capacity for half as much again, so that rows can move to its end: memory that is not used yet costs nothing, and moving all values to other memory much.
@@ -156,9 +130,6 @@ class row_places {
     for (std::size_t i = 0; i < size_; ++i) std::copy_n(from.data() + before.second_first(i), before.second_length(i), to.data() + first(i));
   }
 
-  /// Where a row that moves behind n values begins on a cache line, as those of spread() do.
-  static std::size_t next_begin(std::size_t n) { return (n + room_unit - 1 - num_before % room_unit) / room_unit * room_unit + num_before % room_unit; }
-
   /// After this call, n calls of add() cannot fail.
   void reserve(std::size_t n) {
     make_loose();
@@ -171,12 +142,8 @@ class row_places {
     ++size_;
     update_pointers();
   }
-  bool has_room(std::size_t i, std::uint32_t n) const { return !packed_ && loose_[i].room - length_of_loose(i) >= n; }
-  bool has_second_room(std::size_t i, std::uint32_t n) const { return !packed_ && loose_[i].room - (loose_[i].second_last - loose_[i].first) >= n; }
-  loose_row* loose_rows() { return loose_.data(); }
-  /// The same as first(i) and length(i) of rows that are not packed.
-  std::uint32_t first_of_loose(std::size_t i) const { return loose_[i].first; }
-  std::uint32_t length_of_loose(std::size_t i) const { return loose_[i].last - loose_[i].first; }
+  bool has_room(std::size_t i, std::uint32_t n) const { return !packed_ && loose_[i].room - length(i) >= n; }
+  bool has_second_room(std::size_t i, std::uint32_t n) const { return !packed_ && loose_[i].room - second_length(i) >= n; }
   /// The capacity of a loose row that becomes too long.
   std::uint32_t larger_room(std::size_t i, std::size_t n) const { return room_for(std::max(2 * room(i), static_cast<std::uint32_t>(n))); }
   void move_row(std::size_t i, std::size_t first, std::uint32_t room) { loose_[i] = loose_row_of(i, static_cast<std::uint32_t>(first), room); }
@@ -186,6 +153,11 @@ class row_places {
   std::uint32_t extend(std::size_t i) {
     assert(has_room(i, 1));
     return loose_[i].last++;
+  }
+  /// The same for the second row.
+  std::uint32_t extend_second(std::size_t i) {
+    assert(has_second_room(i, 1));
+    return loose_[i].second_last++;
   }
   /// Where the last value of row i is, which it loses.
   std::uint32_t shorten(std::size_t i) {
@@ -211,17 +183,11 @@ class row_places {
   void restore_size(std::size_t rows) {
     if (packed_) return;
     loose_.resize(rows);
-    size_ = rows, slots_ = std::min(slots_, rows);
+    size_ = rows;
     update_pointers();
   }
 
  private:
-  /// The values before the first row of spread(), so that rows of `room_unit` values begin on cache lines: memory for large arrays begins 16 bytes behind one.
-  static constexpr std::uint32_t num_before = 12;
-
-  /// Whether a slot is too short for a row of n values that may grow.
-  static constexpr bool is_long(std::size_t n) { return n >= room_unit; }
-
   /// Row i of these at another place.
   loose_row loose_row_of(std::size_t i, std::uint32_t first, std::uint32_t room) const {
     if constexpr (WithSecond) return {first, first + length(i), room, first + second_length(i)};
@@ -229,8 +195,9 @@ class row_places {
   }
   /// Consecutive rows with the capacity room(length).
   template<class Room>
-  row_places loose(const Room& room, std::uint32_t at = 0) const {
+  row_places loose(const Room& room) const {
     row_places p;
+    std::uint32_t at = 0;
     p.loose_.resize(size_);
     for (std::size_t i = 0; i < size_; ++i) {
       p.loose_[i] = loose_row_of(i, at, room(longest(i)));
@@ -242,8 +209,7 @@ class row_places {
   }
   template<class T>
   void resize_for_rows(core::flat_array<T>& to) const {
-    std::size_t end = slots_ > 0 ? slot(slots_) : 0;
-    for (std::size_t i = 0; i < size_; ++i) end = std::max(end, std::size_t{loose_[i].first} + loose_[i].room);
+    const std::size_t end = size_ > 0 ? std::size_t{loose_[size_ - 1].first} + loose_[size_ - 1].room : 0;
     to.reserve(end + end / 2);
     to.resize(end);
     std::fill_n(to.data(), end, T{});

@@ -48,7 +48,7 @@ class surface_tables<Arity, Lists>::rewiring {
   }
 
  public:
-  rewiring(surface_tables& t, const detail::native_cavity& c) : t_(t), c_(c), verts_(c.verts), edges_(num_verts_, count_corners(t, c)), changes_(num_verts_, detail::vert_change{}) {
+  rewiring(surface_tables& t, const detail::native_cavity& c) : t_(t), c_(c), verts_(c.verts), edges_(count_corners(t, c)), changes_(num_verts_, detail::vert_change{}) {
     detail::check_cavity(c, verts_, t.verts_, t.polys_, Arity);
     find_old_edges();
     find_new_edges();

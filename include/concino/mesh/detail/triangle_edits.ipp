@@ -14,7 +14,7 @@ template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::reserve_split(const side_of_edge* s, std::uint32_t n)
   requires(Arity == 3)
 {
-  make_growable();
+  incident_.make_growable();
   for (std::uint32_t i = 0; i < n; ++i) incident_.reserve_at(s[i].c, 1, 1);
   incident_.reserve_verts(1, n + 2);
   p2v_.reserve_rows(n), e2v_.reserve_rows(n + 1);
@@ -29,18 +29,17 @@ void surface_tables<Arity, Lists>::split_edges(edge_id e, vert_id x, const side_
 {
   const vert_id a = e2v_[e.raw()][0], b = e2v_[e.raw()][1];
   const bool edge_is_first = s[0].at_edge < s[0].at_b;
-  const auto lists = incident_.loose();
   incident_.set_other_end(a, e, x);
   set_ends(e, a, x);
-  lists.replace_by_last_at(b, lists.position(b, e));
-  if (edge_is_first) lists.push(x, a, e);
+  incident_.replace_by_last(b, e);
+  if (edge_is_first) incident_.push(x, a, e);
   for (std::uint32_t i = 0; i <= n; ++i) {
     const vert_id v = i < n ? s[i].c : b, ends[] = {v, x};
     to[i] = edges_.add();
     e2v_.add_row(ends, ends + 2);
     facet_adjacency_.add_facet();
-    lists.push(v, x, to[i]), lists.push(x, v, to[i]);
-    if (i == 0 && !edge_is_first) lists.push(x, a, e);
+    incident_.push(v, x, to[i]), incident_.push(x, v, to[i]);
+    if (i == 0 && !edge_is_first) incident_.push(x, a, e);
   }
 }
 
@@ -50,18 +49,16 @@ vert_id surface_tables<Arity, Lists>::split_edge(edge_id e)
 {
   const vert_id a = e2v_[e.raw()][0], b = e2v_[e.raw()][1];
   side_of_edge s[2];
-  const std::uint32_t n = find_triangles(e, a, b, {{false, true}, {false, true}}, s);
+  const std::uint32_t n = find_triangles(e, a, s);
   if (n == 0) return {};
-  for (const vert_id v : {a, b, s[0].c, s[n - 1].c}) prefetch_lists(v);
   reserve_split(s, n);
 
   const vert_id x = verts_.add();
   incident_.add_vert(n + 2);
   poly_id q[2];
-  const auto lists = incident_.loose();
-  for (std::uint32_t i = 0; i < n; ++i) q[i] = polys_.add(), lists.remove_poly_at(b, lists.position(b, s[i].p)), lists.push(x, s[i].p);
+  for (std::uint32_t i = 0; i < n; ++i) q[i] = polys_.add(), incident_.remove(b, s[i].p), incident_.push(x, s[i].p);
   for (std::uint32_t i = 0; i < n; ++i)
-    for (const vert_id v : {b, s[i].c, x}) lists.push(v, q[i]);
+    for (const vert_id v : {b, s[i].c, x}) incident_.push(v, q[i]);
   edge_id to[3];
   split_edges(e, x, s, n, to);
   for (std::uint32_t i = 0; i < n; ++i) {
@@ -71,7 +68,7 @@ vert_id surface_tables<Arity, Lists>::split_edge(edge_id e)
     facet_adjacency_.add_poly(3);
     p2v_.begin(p.raw())[s[i].corner_b] = x;
     p2v_.begin(q[i].raw())[s[i].corner_a] = x;
-    facet_adjacency_.put(q[i], s[i].at_b, s[i].bc.e, s[i].bc.outside, p);
+    facet_adjacency_.put(q[i], s[i].at_b, s[i].bc.e, s[i].bc.outside);
     facet_adjacency_.put_between(p, s[i].at_b, q[i], s[i].at_a, to[i]);
   }
   if (n == 2) {
@@ -85,53 +82,31 @@ vert_id surface_tables<Arity, Lists>::split_edge(edge_id e)
 }
 
 template<unsigned Arity, class Lists>
-direct_edit surface_tables<Arity, Lists>::flip_edge(edge_id e)
+bool surface_tables<Arity, Lists>::flip_edge(edge_id e)
   requires(Arity == 3)
 {
   const vert_id a = e2v_[e.raw()][0], b = e2v_[e.raw()][1];
   side_of_edge s[2];
-  if (find_triangles(e, a, b, {{false, true}, {true, false}}, s) != 2) return direct_edit::left_to_rewire;
+  if (find_triangles(e, a, s) != 2) return false;
   const auto runs_to_b = [](const side_of_edge& x) { return x.corner_a == x.at_edge; };
-  if (runs_to_b(s[0]) == runs_to_b(s[1])) return direct_edit::left_to_rewire;
+  if (runs_to_b(s[0]) == runs_to_b(s[1])) return false;
   const poly_id p = s[0].p, q = s[1].p;
   const vert_id c = s[0].c, d = s[1].c;
-  if (incident_.is_packed()) [[unlikely]]
-    if (have_common_edge(incident_, c, d)) return direct_edit::refused;  // without memory for edits
-  make_growable();
-  // The lists of a and b are searched first: those of the opposite verts arrive later, and the less is left to do then, the sooner the next edit begins.
-  auto lists = incident_.loose();
-  const std::uint32_t e_at_a = lists.position(a, e), e_at_b = lists.position(b, e);
-  const std::uint32_t q_at_a = lists.position(a, q), p_at_b = lists.position(b, p);
-  if (have_common_edge(lists, c, d)) return direct_edit::refused;
-  if (!lists.has_room(c) || !lists.has_room(d)) [[unlikely]] {
-    for (const vert_id v : {c, d}) incident_.reserve_at(v, 1, 1);
-    lists = incident_.loose();
-  }
+  if (have_common_edge(c, d)) return false;
+  incident_.make_growable();
+  for (const vert_id v : {c, d}) incident_.reserve_at(v, 1, 1);
 
-  lists.remove_poly_at(a, q_at_a), lists.replace_by_last_at(a, e_at_a);
-  lists.remove_poly_at(b, p_at_b), lists.replace_by_last_at(b, e_at_b);
-  lists.push(c, q), lists.push(c, d, e);
-  lists.push(d, p), lists.push(d, c, e);
+  incident_.remove(a, q), incident_.replace_by_last(a, e);
+  incident_.remove(b, p), incident_.replace_by_last(b, e);
+  incident_.push(c, q), incident_.push(c, d, e);
+  incident_.push(d, p), incident_.push(d, c, e);
   p2v_.begin(p.raw())[s[0].corner_b] = d;
   p2v_.begin(q.raw())[s[1].corner_a] = c;
   set_ends(e, c, d);
   facet_adjacency_.put_between(p, s[0].at_b, q, s[1].at_a, e);
-  facet_adjacency_.put(p, s[0].at_edge, s[1].ca.e, s[1].ca.outside, q);
-  facet_adjacency_.put(q, s[1].at_edge, s[0].bc.e, s[0].bc.outside, p);
-  const auto expect = [of = probable_second_poly_.data(), n = probable_second_poly_.size()](edge_id x, poly_id second) {
-    if (x.raw() < n) of[x.raw()] = second;
-  };
-  expect(e, q), expect(s[1].ca.e, p), expect(s[0].bc.e, q);
-  return direct_edit::done;
-}
-
-/// Requests what a collapse reads and writes of the polys, edges and neighbours of b.
-template<unsigned Arity, class Lists>
-void surface_tables<Arity, Lists>::prefetch_fan(vert_id b) const {
-  for (const poly_id p : incident_.polys(b)) prefetch_poly(p);
-  for (const edge_id e : incident_.edges(b)) __builtin_prefetch(e2v_.begin(e.raw()), 1);
-  for (const vert_id v : incident_.verts(b)) incident_.prefetch_place(v);
-  for (const vert_id v : incident_.verts(b)) incident_.prefetch_edges(v);
+  facet_adjacency_.put(p, s[0].at_edge, s[1].ca.e, s[1].ca.outside);
+  facet_adjacency_.put(q, s[1].at_edge, s[0].bc.e, s[0].bc.outside);
+  return true;
 }
 
 /// Whether the polys at b are one closed fan of at least four regular triangles that contains both sides, so that the link of b is a circle.
@@ -149,26 +124,22 @@ bool surface_tables<Arity, Lists>::is_closed_fan(vert_id b, const side_of_edge* 
     if (facet_adjacency_.is_marked(p.raw())) return false;
     const std::uint32_t j = facet_adjacency_.position_of(p, e), next = side_of_edge::next(j);
     k = p2v_.begin(p.raw())[j] == b ? side_of_edge::next(next) : next;
-    const outer_edge opposite(*this, p, 3 - j - k);
-    facet_adjacency_.prefetch_outside(opposite.e, opposite.outside);
   } while (p != s[0].p);
   return met == n;
 }
 
 template<unsigned Arity, class Lists>
-direct_edit surface_tables<Arity, Lists>::collapse_edge(edge_id e)
+bool surface_tables<Arity, Lists>::collapse_edge(edge_id e)
   requires(Arity == 3)
 {
   const vert_id a = e2v_[e.raw()][0], b = e2v_[e.raw()][1];
   side_of_edge s[2];
-  if (incident_.num_edges(b) > longest_fan || find_triangles(e, a, b, {{true, true}, {true, true}}, s) != 2) return direct_edit::left_to_rewire;
-  for (const vert_id v : {a, s[0].c, s[1].c}) prefetch_lists(v);
-  prefetch_fan(b);
+  if (incident_.num_edges(b) > longest_fan || find_triangles(e, a, s) != 2) return false;
   for (const vert_id x : incident_.verts(b))  // the link condition: both links have no other common verts
-    if (x != a && x != s[0].c && x != s[1].c && have_common_edge(incident_, a, x)) return direct_edit::refused;
-  if (incident_.num_edges(b) != incident_.num_polys(b) || !is_closed_fan(b, s)) return direct_edit::left_to_rewire;
+    if (x != a && x != s[0].c && x != s[1].c && have_common_edge(a, x)) return false;
+  if (incident_.num_edges(b) != incident_.num_polys(b) || !is_closed_fan(b, s)) return false;
   const std::uint32_t more = incident_.num_polys(b) - 4;
-  make_growable();
+  incident_.make_growable();
   incident_.reserve_at(a, more, more);
   verts_.reserve_change(1, 0), edges_.reserve_change(3, 0), polys_.reserve_change(2, 0);
 
@@ -190,14 +161,14 @@ direct_edit surface_tables<Arity, Lists>::collapse_edge(edge_id e)
     for (std::uint32_t k = 0; k < 3; ++k) {
       if (k == side_of_edge::next(at_b)) continue;  // it keeps its polys
       const outer_edge x(*this, p, k);
-      if (x.e == lost[0].e) facet_adjacency_.put(p, k, kept[0].e, kept[0].outside, s[0].p);
-      else if (x.e == lost[1].e) facet_adjacency_.put(p, k, kept[1].e, kept[1].outside, s[1].p);
+      if (x.e == lost[0].e) facet_adjacency_.put(p, k, kept[0].e, kept[0].outside);
+      else if (x.e == lost[1].e) facet_adjacency_.put(p, k, kept[1].e, kept[1].outside);
       else move_end(x.e, b, a, p, k);
     }
   }
   incident_.clear(b);
   verts_.remove(b);
-  return direct_edit::done;
+  return true;
 }
 
 /// Makes an edge of `from`, which is edge k of p and of another poly, one of `to`, once.

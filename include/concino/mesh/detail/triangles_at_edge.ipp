@@ -1,9 +1,8 @@
-// The triangles at an edge, as direct edits find them, and requests for the memory that these edits read and write; see triangle_edits.ipp.
+// The triangles at an edge, as edits of triangles find them; see triangle_edits.ipp.
 #pragma once
 
 #include <concino/mesh/surface_tables.hpp>
 
-#include <new>
 #include <utility>
 
 namespace concino {
@@ -15,15 +14,9 @@ struct surface_tables<Arity, Lists>::outer_edge {
   detail::encoded_neighbour outside;
 
   outer_edge() = default;
-  [[gnu::always_inline]] inline outer_edge(const surface_tables& t, poly_id p, std::uint32_t k) : e(t.facet_adjacency_.facets(p)[k]), outside(t.facet_adjacency_.neighbour(p, k)) {}
+  outer_edge(const surface_tables& t, poly_id p, std::uint32_t k) : e(t.facet_adjacency_.facets(p)[k]), outside(t.facet_adjacency_.neighbour(p, k)) {}
   /// Whether the triangle has one neighbour here, which is not behind another one of its edges, or none.
   bool is_regular() const { return outside.is_none() || outside.is_first_occurrence(); }
-};
-
-/// Which of the other edges of a triangle at the edge ab get another poly. Nothing is read or written for those that keep theirs.
-template<unsigned Arity, class Lists>
-struct surface_tables<Arity, Lists>::changing_edges {
-  bool ca, bc;
 };
 
 /// A triangle at the edge ab, with its third vert c. `at_edge`, `at_a`, `at_b`: the numbers of the edges ab, ca, bc; `corner_a`, `corner_b`: of the corners.
@@ -36,7 +29,7 @@ struct surface_tables<Arity, Lists>::side_of_edge {
 
   static std::uint32_t next(std::uint32_t k) { return k == 2 ? 0 : k + 1; }
   side_of_edge() = default;
-  [[gnu::always_inline]] inline side_of_edge(const surface_tables& t, poly_id poly, std::uint32_t k, vert_id a, changing_edges changing) : p(poly), at_edge(k) {
+  side_of_edge(const surface_tables& t, poly_id poly, std::uint32_t k, vert_id a) : p(poly), at_edge(k) {
     const std::uint32_t second = next(at_edge), third = next(second);
     const vert_id* const v = t.p2v_.begin(p.raw());
     c = v[third];
@@ -44,61 +37,15 @@ struct surface_tables<Arity, Lists>::side_of_edge {
     corner_a = starts_at_a ? at_edge : second, corner_b = starts_at_a ? second : at_edge;
     at_a = starts_at_a ? third : second, at_b = starts_at_a ? second : third;
     ca = outer_edge(t, p, at_a), bc = outer_edge(t, p, at_b);
-    t.prefetch_vert(c);
-    if (changing.ca) t.facet_adjacency_.prefetch_outside(ca.e, ca.outside);
-    if (changing.bc) t.facet_adjacency_.prefetch_outside(bc.e, bc.outside);
   }
   bool is_regular() const { return ca.is_regular() && bc.is_regular(); }
 };
 
-/// The second poly of each edge that has two, and any one for the others.
-template<unsigned Arity, class Lists>
-core::flat_array<poly_id> surface_tables<Arity, Lists>::second_polys() const {
-  core::flat_array<poly_id> all(edges_.bound(), poly_id{0});
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const edge_id e{i};
-    if (!facet_adjacency_.is_owned(e)) continue;
-    const auto [p, k] = facet_adjacency_.owner(e);
-    if (const detail::encoded_neighbour x = facet_adjacency_.neighbour(poly_id{p}, k); x.is_first_occurrence()) all[i] = poly_id{x.poly()};
-  }
-  return all;
-}
-
-template<unsigned Arity, class Lists>
-void surface_tables<Arity, Lists>::expect_second_poly(edge_id e, poly_id p) {
-  if (e.raw() < probable_second_poly_.size()) probable_second_poly_[e.raw()] = p;
-}
-
-/// Makes the lists of verts editable.
-template<unsigned Arity, class Lists>
-void surface_tables<Arity, Lists>::make_growable() {
-  incident_.make_growable();
-  if constexpr (Arity == 3)
-    if (probable_second_poly_.size() == 0) [[unlikely]] probable_second_poly_ = second_polys();
-}
-
-template<unsigned Arity, class Lists>
-void surface_tables<Arity, Lists>::prefetch_vert(vert_id v) const {
-  incident_.prefetch_place(v), incident_.prefetch_slot(v);
-}
-
-template<unsigned Arity, class Lists>
-void surface_tables<Arity, Lists>::prefetch_lists(vert_id v) const {
-  incident_.prefetch_edges(v), incident_.prefetch_polys(v);
-}
-
-template<unsigned Arity, class Lists>
-void surface_tables<Arity, Lists>::prefetch_poly(poly_id p) const {
-  __builtin_prefetch(p2v_.begin(p.raw()), 1);
-  facet_adjacency_.prefetch_poly(p);
-}
-
 /// Whether a and b have an edge. The list of a is searched, unless it is the longer one of two that are not short.
 template<unsigned Arity, class Lists>
-template<class Incident>
-bool surface_tables<Arity, Lists>::have_common_edge(const Incident& at, vert_id a, vert_id b) {
-  if (at.num_edges(a) > longest_fan && at.num_edges(b) < at.num_edges(a)) std::swap(a, b);
-  return at.find(a, b) < at.num_edges(a);
+bool surface_tables<Arity, Lists>::have_common_edge(vert_id a, vert_id b) const {
+  if (incident_.num_edges(a) > longest_fan && incident_.num_edges(b) < incident_.num_edges(a)) std::swap(a, b);
+  return incident_.find(a, b) < incident_.num_edges(a);
 }
 
 template<unsigned Arity, class Lists>
@@ -107,48 +54,19 @@ void surface_tables<Arity, Lists>::set_ends(edge_id e, vert_id a, vert_id b) {
   ends[0] = std::min(a, b), ends[1] = std::max(a, b);
 }
 
-/// The triangles at e, which has the ends a and b; returns 0 if these edits leave it to rewire. Requests what edits of e use, level by level.
+/// The triangles at e, whose first end is a; returns 0 if these edits leave it to rewire.
 template<unsigned Arity, class Lists>
-[[gnu::always_inline]] inline std::uint32_t surface_tables<Arity, Lists>::find_triangles(edge_id e, vert_id a, vert_id b, const changing_edges (&changing)[2],
-                                                                                         side_of_edge* two) const {
+std::uint32_t surface_tables<Arity, Lists>::find_triangles(edge_id e, vert_id a, side_of_edge* two) const {
   if (!facet_adjacency_.is_owned(e)) return 0;
   const auto [first, k] = facet_adjacency_.owner(e);
-  const poly_id p{first};
-  if (e.raw() < probable_second_poly_.size()) prefetch_poly(probable_second_poly_[e.raw()]);
-  prefetch_poly(p);
-  prefetch_vert(a), prefetch_vert(b);
-  const detail::encoded_neighbour behind = facet_adjacency_.neighbour(p, k);
+  const detail::encoded_neighbour behind = facet_adjacency_.neighbour(poly_id{first}, k);
   if (!behind.is_none() && !behind.is_first_occurrence()) return 0;
-  if (!behind.is_none()) prefetch_poly(poly_id{behind.poly()});
-  ::new (static_cast<void*>(two)) side_of_edge(*this, p, k, a, changing[0]);  // in its place: a copy would be read before it has been written, and std::construct_at is not inlined
+  two[0] = side_of_edge(*this, poly_id{first}, k, a);
   if (!two[0].is_regular()) return 0;
   if (behind.is_none()) return 1;
   const poly_id q{behind.poly()};
-  ::new (static_cast<void*>(two + 1)) side_of_edge(*this, q, facet_adjacency_.position_of(q, e), a, changing[1]);
+  two[1] = side_of_edge(*this, q, facet_adjacency_.position_of(q, e), a);
   return two[1].is_regular() ? 2 : 0;
-}
-
-template<unsigned Arity, class Lists>
-void surface_tables<Arity, Lists>::prefetch_edit(edge_id e, unsigned round) const
-  requires(Arity == 3)
-{
-  if (!edges_.contains(e)) return;
-  const bool has_probable = e.raw() < probable_second_poly_.size();
-  if (round == 0) {
-    prefetch(e);
-    if (has_probable) __builtin_prefetch(probable_second_poly_.data() + e.raw());
-    return;
-  }
-  const vert_id a = e2v_[e.raw()][0], b = e2v_[e.raw()][1];
-  if (round == 1) {
-    if (!facet_adjacency_.is_owned(e)) return;
-    prefetch_poly(poly_id{facet_adjacency_.owner(e).poly});
-    if (has_probable) prefetch_poly(probable_second_poly_[e.raw()]);
-    prefetch_vert(a), prefetch_vert(b);
-    return;
-  }
-  side_of_edge two[2];
-  find_triangles(e, a, b, {{true, true}, {true, true}}, two);
 }
 
 }  // namespace concino

@@ -7,9 +7,10 @@
 namespace concino::detail {
 
 /// The neighbours and edges of every vert from the ends of every edge. degrees[v + 1] is the number of edges at v; `next` is scratch memory with one
-/// number per vert, `verts` and `edges` are memory for the lists, with two entries per edge.
-inline incident_edges make_incident_edges(offsets degrees, const jagged_array<vert_id, 2>& ends, core::flat_array<std::uint32_t>& next, core::flat_array<vert_id> verts,
-                                          core::flat_array<edge_id> edges) {
+/// number per vert.
+inline incident_edges make_incident_edges(offsets degrees, const jagged_array<vert_id, 2>& ends, core::flat_array<std::uint32_t>& next) {
+  core::flat_array<vert_id> verts(2 * ends.size());
+  core::flat_array<edge_id> edges(2 * ends.size());
   prefix_sum(degrees);
   const auto where = std::make_shared<const offsets>(std::move(degrees));
   std::copy_n(where->begin(), next.size(), next.data());
@@ -21,12 +22,6 @@ inline incident_edges make_incident_edges(offsets degrees, const jagged_array<ve
     edges[i] = edges[j] = edge_id{e};
   }
   return {where, std::move(verts), std::move(edges)};
-}
-inline incident_edges make_incident_edges(offsets degrees, const jagged_array<vert_id, 2>& ends, core::flat_array<std::uint32_t>& next) {
-  core::flat_array<vert_id> verts(2 * ends.size());
-  core::flat_array<edge_id> edges(2 * ends.size());
-  verts.request_pages(), edges.request_pages();
-  return make_incident_edges(std::move(degrees), ends, next, std::move(verts), std::move(edges));
 }
 
 // Of volumes, whose polys are in lists of their own.

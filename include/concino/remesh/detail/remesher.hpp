@@ -9,7 +9,6 @@
 #include <concino/edit/edge_collapse.hpp>
 #include <concino/edit/edge_flip.hpp>
 #include <concino/edit/edge_split.hpp>
-#include <concino/edit/read_ahead.hpp>
 #include <concino/remesh/detail/flat_triangles.hpp>
 #include <concino/remesh/detail/sized_surface.hpp>
 
@@ -210,7 +209,7 @@ class remesher : sized_surface<M> {
   void flip_edges() {
     std::vector<edge_t<M>> all;
     for (const edge_t<M> e : edges(m_)) all.push_back(e);
-    for (const edge_t<M>& e : read_ahead(m_, all))
+    for (const edge_t<M>& e : all)
       if (contains(m_, e)) num_flips += try_flip(e);
   }
 
