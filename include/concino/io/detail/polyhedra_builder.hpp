@@ -47,7 +47,6 @@ class polyhedra_builder {
   std::size_t num_turned_ = 0;
 
   void push(const Vert* v, std::size_t n, bool is_outward) {
-    merger_.make_room(1, n);
     const auto [face, order] = merger_.add(v, n);
     out_.poly_faces.push_back(face);
     out_.outward.push_back((order > 0) == is_outward);
