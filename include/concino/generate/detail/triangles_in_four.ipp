@@ -104,7 +104,7 @@ class four_triangles {
       edges[num_verts_ + j] = e.corners[1] == none ? 4 : 6;
     }
     if (2 * std::size_t{num_used_} != in_.corners.size()) {  // with two polys at each edge, each vert has as many edges as polys
-      a.first_poly = std::vector(a.first_edge.size(), 0u);
+      a.first_poly = core::large_vector(a.first_edge.size(), 0u);
       std::copy(polys.begin(), polys.end(), a.first_poly.data() + 1);
       for (std::uint32_t j = 0; j < num_edges_; ++j) a.first_poly[num_verts_ + j + 1] = edges_[j].corners[0] == none ? 0 : edges_[j].corners[1] == none ? 3 : 6;
     }
@@ -200,7 +200,7 @@ class four_triangles {
 CONCINO_INLINE surface_tables<3> triangles_in_four(numbered_triangles triangles) {
   four_triangles four(triangles);
   if (four.find_triangles()) return surface_tables<3>(four.tables());
-  std::vector<vert_id> lists = std::vector(4 * triangles.corners.size(), vert_id{});
+  std::vector<vert_id> lists = core::large_vector(4 * triangles.corners.size(), vert_id{});
   four.list_verts(lists.data());
   return surface_tables<3>(triangles.num_verts + triangles.num_edges, std::move(lists));
 }
