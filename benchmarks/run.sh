@@ -25,9 +25,10 @@ cmake -S "$source" -B "$build" -DCMAKE_BUILD_TYPE=$type -DCMAKE_CXX_FLAGS_DEBUG=
 cmake --build "$build" --target benchmarks >> "$build/log" 2>&1 || { cat "$build/log"; exit 1; }
 
 rows=
+# With large pages, so that the first access to memory costs the same for all.
 for program in $(cat "$build/benchmarks/programs"); do
   # shellcheck disable=SC2086  # options are words
-  "$build/benchmarks/$program" --out "$build/$program.tsv" $options
+  GLIBC_TUNABLES=glibc.malloc.hugetlb=1 "$build/benchmarks/$program" --out "$build/$program.tsv" $options
   rows="$rows $build/$program.tsv"
 done
 # shellcheck disable=SC2086

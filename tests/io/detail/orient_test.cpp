@@ -115,31 +115,6 @@ TEST_CASE("orient_polyhedra: an open component gets the orientation of most of i
   }
 }
 
-TEST_CASE("winding_check: returns false if too many edges collide in its table, and works afterwards") {
-  // A third of 6,000 edges are hashed to the same 16 of 32,768 places of the table.
-  polyhedra_arrays m;
-  m.points.resize(4000);
-  m.face_offsets = {0};
-  m.poly_offsets = {0};
-  for (std::uint64_t a = 0; a < 4000 && m.num_faces() < 2000; ++a)
-    for (std::uint64_t b = a + 2; b < 4000 && m.num_faces() < 2000; ++b) {
-      if ((((a << 32 | b) * 0x9e3779b97f4a7c15u >> 32) & 32767) >= 16) continue;
-      for (const std::uint64_t v : {a, b, a + 1}) m.face_verts.push_back(vert_id{v});
-      m.face_offsets.push_back(static_cast<std::uint32_t>(m.face_verts.size()));
-      m.poly_faces.push_back(face_id{m.poly_faces.size()});
-      m.outward.push_back(1);
-    }
-  REQUIRE(m.num_faces() == 2000);
-  m.poly_offsets.push_back(2000);
-  concino::detail::winding_check<vert_id> agree;
-  const auto faces = [&](std::uint32_t first, std::uint32_t size) {
-    return oriented_faces{m.face_offsets.data() + first, m.face_verts.data(), m.outward.data() + first, size};
-  };
-  CHECK(!agree(faces(0, 2000), m.points));
-  CHECK(agree(faces(0, 1), m.points));  // edges of earlier polys do not count
-  CHECK(agree(faces(1999, 1), m.points));
-}
-
 TEST_CASE("orient: an open poly is turned over or not whatever the order of its verts") {
   // five faces of a cube, and a vert far away in another face, from which the volume has another sign
   const std::vector<vec3> points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};

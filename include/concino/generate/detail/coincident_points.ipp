@@ -6,29 +6,34 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
 
 namespace concino::detail {
 
-/// Points in cubic cells, which are found by a hash table.
+/// Points in cubic cells.
 class point_cells {
   std::span<const vec3> points_;
   double tolerance_;
   vec3 low_{}, high_{};
   double size_ = 1;                      // of a cell, a quarter of it, as differences of large coordinates overflow
-  std::vector<std::uint32_t> head_, next_;  // the first point of each entry of the table, and the next one
-
   using cell = std::array<std::int64_t, 3>;
+  struct cell_hash {
+    std::size_t operator()(const cell& c) const {
+      std::uint64_t h = 0;
+      for (const std::int64_t x : c) h = (h ^ static_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15u, h ^= h >> 29;
+      return static_cast<std::size_t>(h);
+    }
+  };
+  std::unordered_map<cell, std::vector<std::uint32_t>, cell_hash> in_cell_;  // the points of each cell, ascending
+
   std::int64_t position(double x, double low) const { return static_cast<std::int64_t>(std::floor((0.25 * x - 0.25 * low) / size_)); }
-  std::size_t entry(const cell& c) const {
-    std::uint64_t h = 0;
-    for (const std::int64_t x : c) h = (h ^ static_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15u, h ^= h >> 29;
-    return static_cast<std::size_t>(h) & (head_.size() - 1);
-  }
 
  public:
-  point_cells(std::span<const vec3> points, double tolerance) : points_(points), tolerance_(tolerance), head_(std::bit_ceil(2 * points.size() + 1), ~0u), next_(points.size()) {
+  point_cells(std::span<const vec3> points, double tolerance) : points_(points), tolerance_(tolerance) {
     bool is_first = true;
     for (const vec3& x : points) {
       if (!is_finite(x)) continue;
@@ -38,12 +43,11 @@ class point_cells {
     const vec3 extent = 0.25 * high_ - 0.25 * low_;
     size_ = std::max(tolerance, 0x1p-40 * std::max({extent.x, extent.y, extent.z}));
     if (!(size_ > 0)) size_ = 1;
-    for (std::size_t i = points.size(); i-- > 0;) {  // backwards, so that the points of an entry are in their order
+    for (std::size_t i = 0; i < points.size(); ++i) {
       if (!is_finite(points[i])) continue;
       cell at;
       for (const std::size_t k : {0u, 1u, 2u}) at[k] = position(points[i][k], low_[k]);
-      const std::size_t e = entry(at);
-      next_[i] = head_[e], head_[e] = static_cast<std::uint32_t>(i);
+      in_cell_[at].push_back(static_cast<std::uint32_t>(i));
     }
   }
 
@@ -59,12 +63,15 @@ class point_cells {
     cell at;
     for (at[0] = first[0]; at[0] <= last[0]; ++at[0])
       for (at[1] = first[1]; at[1] <= last[1]; ++at[1])
-        for (at[2] = first[2]; at[2] <= last[2]; ++at[2])
-          for (std::uint32_t i = head_[entry(at)]; i != ~0u; i = next_[i]) {
+        for (at[2] = first[2]; at[2] <= last[2]; ++at[2]) {
+          const auto here = in_cell_.find(at);
+          if (here == in_cell_.end()) continue;
+          for (const std::uint32_t i : here->second) {
             const double far = distance(points_[i], x);
             if (!(far <= least) || (found != ~0u && far == least && i > found)) continue;
             found = i, least = far;
           }
+        }
     return found;
   }
 };

@@ -46,7 +46,6 @@ CONCINO_INLINE file_text::file_text(const std::string& path, file_access access)
     data_ = static_cast<const char*>(p);
     size_ = static_cast<std::size_t>(info.st_size);
     mapped_ = std::exchange(file.fd, -1);
-    ::madvise(p, size_, MADV_SEQUENTIAL);
   }
 }
 

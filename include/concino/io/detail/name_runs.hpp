@@ -5,6 +5,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,18 +15,18 @@ namespace concino::detail {
 
 /// A set of names, numbered from 0 in the order of insertion.
 class name_table {
-  std::vector<std::string> names_;
-  std::vector<std::uint32_t> slots_;  // hash table with open addressing, at most half full: 0 or number + 1
-
-  std::size_t slot_of(std::string_view name) const;
+  std::map<std::string, std::size_t, std::less<>> numbers_;
+  std::vector<const std::string*> names_;  // keys of the map, by number
 
  public:
   static constexpr std::size_t none = ~std::size_t{0};
 
-  name_table();
+  name_table() = default;
+  name_table(name_table&&) = default;
+  name_table& operator=(name_table&&) = default;
 
   std::size_t size() const { return names_.size(); }
-  const std::string& operator[](std::size_t i) const { return names_[i]; }
+  const std::string& operator[](std::size_t i) const { return *names_[i]; }
   std::size_t find(std::string_view name) const;
 
   /// The number of a name. Inserts the name if it is new.

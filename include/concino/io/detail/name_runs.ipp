@@ -1,7 +1,6 @@
 // Definitions of name_runs.hpp.
 #pragma once
 
-#include <concino/core/hash_bytes.hpp>
 #include <concino/io/detail/name_runs.hpp>
 #include <concino/io/numbers.hpp>
 
@@ -10,28 +9,15 @@
 
 namespace concino::detail {
 
-CONCINO_INLINE name_table::name_table() : slots_(16) {}
-
-CONCINO_INLINE std::size_t name_table::slot_of(std::string_view name) const {
-  const std::uint64_t hash = core::hash_bytes(name);
-  const std::size_t mask = slots_.size() - 1;
-  std::size_t i = (hash ^ (hash >> 32)) & mask;
-  while (slots_[i] != 0 && std::string_view(names_[slots_[i] - 1]) != name) i = (i + 1) & mask;
-  return i;
+CONCINO_INLINE std::size_t name_table::find(std::string_view name) const {
+  const auto at = numbers_.find(name);
+  return at == numbers_.end() ? none : at->second;
 }
 
-CONCINO_INLINE std::size_t name_table::find(std::string_view name) const { return std::size_t{slots_[slot_of(name)]} - 1; }
-
 CONCINO_INLINE std::size_t name_table::add(std::string_view name) {
-  const std::size_t found = find(name);
-  if (found != none) return found;
-  names_.push_back(std::string(name));
-  if (2 * names_.size() > slots_.size()) {
-    slots_ = std::vector<std::uint32_t>(2 * slots_.size());
-    for (std::size_t i = 0; i + 1 < names_.size(); ++i) slots_[slot_of(names_[i])] = static_cast<std::uint32_t>(i + 1);
-  }
-  slots_[slot_of(name)] = static_cast<std::uint32_t>(names_.size());
-  return names_.size() - 1;
+  const auto [at, is_new] = numbers_.try_emplace(std::string(name), names_.size());
+  if (is_new) names_.push_back(&at->first);
+  return at->second;
 }
 
 CONCINO_INLINE void name_runs::change(std::size_t first, std::string name) {

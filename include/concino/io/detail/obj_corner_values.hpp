@@ -5,12 +5,15 @@
 #include <concino/io/file_contents.hpp>
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
+#include <functional>
 #include <limits>
 #include <string_view>
+#include <type_traits>
+#include <unordered_map>
 #include <vector>
 
 namespace concino::detail {
@@ -73,37 +76,18 @@ class corner_value_list {
 /// Numbers the distinct values of corners in the order of their first occurrence, for a writer. Values are equal if their bytes are.
 template<class T>
 class distinct_corner_values {
+  struct byte_hash {
+    std::size_t operator()(const std::array<char, sizeof(T)>& x) const { return std::hash<std::string_view>()({x.data(), x.size()}); }
+  };
   std::vector<T> values_;
-  std::vector<std::uint32_t> slots_;  // hash table with open addressing, at most half full: 0 or number + 1
-
-  static std::uint64_t hash(const T& x) {
-    std::uint64_t words[sizeof(T) / 8], h = 0;
-    std::memcpy(words, &x, sizeof(T));
-    for (std::uint64_t w : words) {
-      h = (h ^ w) * 0x9e3779b97f4a7c15u;
-      h ^= h >> 29;
-    }
-    return h ^ (h >> 32);
-  }
-  std::size_t slot_of(const T& x) const {
-    std::size_t at = hash(x) & (slots_.size() - 1);
-    while (slots_[at] != 0 && std::memcmp(&values_[slots_[at] - 1], &x, sizeof(T)) != 0) at = (at + 1) & (slots_.size() - 1);
-    return at;
-  }
+  std::unordered_map<std::array<char, sizeof(T)>, std::uint32_t, byte_hash> numbers_;  // by the bytes of a value
 
  public:
   const std::vector<T>& values() const { return values_; }
   std::uint32_t add(const T& x) {
-    if (2 * (values_.size() + 1) > slots_.size()) {
-      slots_.assign(slots_.empty() ? 64 : 2 * slots_.size(), 0);
-      for (std::uint32_t i = 0; i < values_.size(); ++i) slots_[slot_of(values_[i])] = i + 1;
-    }
-    std::uint32_t& slot = slots_[slot_of(x)];
-    if (slot == 0) {
-      values_.push_back(x);
-      slot = static_cast<std::uint32_t>(values_.size());
-    }
-    return slot - 1;
+    const auto [at, is_new] = numbers_.try_emplace(std::bit_cast<std::array<char, sizeof(T)>>(x), static_cast<std::uint32_t>(values_.size()));
+    if (is_new) values_.push_back(x);
+    return at->second;
   }
 };
 

@@ -5,7 +5,6 @@
 #include <concino/mesh/cell_recogniser.hpp>
 
 #include <algorithm>
-#include <bit>
 #include <concepts>
 #include <cstdint>
 #include <span>
@@ -24,81 +23,6 @@ inline cell_shape recognise(const polyhedra_arrays& m, std::size_t p, cell_recog
   }
   return known.recognise();
 }
-
-/// Checks whether the faces of a polyhedron are consistently oriented at every edge that two of them share. This is fast, for the majority that
-/// needs no repair. The edges of one polyhedron are in a small hash table with open addressing, at most a quarter full; entries of earlier ones are
-/// recognised by their stamp.
-template<class Vert>  // vert_id, as in face_merger
-class winding_check {
-  enum : std::uint32_t { down, up, agreeing, opposed, many };  // the one face, the two faces or the more faces of an edge
-  struct entry {
-    std::uint64_t edge;
-    std::uint32_t stamp, faces;
-  };
-  static constexpr int max_probes = 1000;
-  double six_times_volume_ = 0;
-  std::uint32_t stamp_ = 0;
-  std::vector<entry> table_;
-
- public:
-  /// Six times the volume of the faces that were checked last; 0 if they are not consistently oriented, if they do not close the poly, so that two of them
-  /// have each edge, or if coordinates are not moderate.
-  double six_times_volume() const { return six_times_volume_; }
-
-  /// True if the faces are consistently oriented; false if they are not or if it is not known. Computes the volume in the same loop, which takes much
-  /// less time than another loop over the verts of each face.
-  bool operator()(const oriented_faces& p, std::span<const vec3> points) {
-    const std::size_t num_corners = p.num_corners();
-    if (++stamp_ == 0 || table_.size() < 2 * num_corners) {
-      table_.assign(std::max(table_.size(), std::bit_ceil(4 * num_corners)), {0, 0, many});
-      stamp_ = 1;
-    }
-    const std::uint64_t mask = table_.size() - 1;
-    std::size_t num_agreeing = 0, num_opposed = 0;  // edges of two faces
-    bool is_known = true;
-    const auto add = [&](std::uint32_t a, std::uint32_t b, bool is_up) {
-      const std::uint64_t edge = std::uint64_t{a} << 32 | b;
-      std::uint64_t at = (edge * 0x9e3779b97f4a7c15u >> 32) & mask;
-      for (int probes = 0; table_[at].stamp == stamp_ && table_[at].edge != edge; at = (at + 1) & mask)
-        if (++probes == max_probes) return is_known = false;  // the edges collide on purpose: face_orienter takes n log n
-      entry& e = table_[at];
-      if (e.stamp != stamp_) {
-        e = {edge, stamp_, is_up ? up : down};
-      } else if (e.faces <= up) {
-        const bool agree = e.faces != (is_up ? up : down);
-        (agree ? num_agreeing : num_opposed) += 1;
-        e.faces = agree ? agreeing : opposed;
-      } else if (e.faces != many) {
-        (e.faces == agreeing ? num_agreeing : num_opposed) -= 1;
-        e.faces = many;
-      }
-      return true;
-    };
-    double sum = 0;
-    bool is_certain = true;
-    const vec3 apex = p.size ? points[p.verts[p.offsets[0]].raw()] : vec3();
-    for (std::uint32_t k = 0; k < p.size && is_known; ++k) {
-      const bool is_outward = p.outward[k] != 0;
-      std::uint32_t from = p.verts[p.offsets[k + 1] - 1].raw();
-      vec3 a = points[from] - apex;
-      volume_under_face volume;
-      for (std::uint32_t i = p.offsets[k]; i < p.offsets[k + 1]; ++i) {
-        const std::uint32_t to = p.verts[i].raw();
-        const vec3 b = points[to] - apex;
-        volume.add_edge(a, b);
-        is_certain = is_certain && has_moderate_coordinates(points[to]);
-        if (!add(std::min(from, to), std::max(from, to), (from < to) == is_outward)) break;
-        from = to;
-        a = b;
-      }
-      const double one = volume.six_times(p.offsets[k + 1] - p.offsets[k]);
-      sum += is_outward ? one : -one;
-    }
-    const bool is_closed = is_known && 2 * num_agreeing == num_corners;
-    six_times_volume_ = is_closed && is_certain ? sum : 0;
-    return is_known && num_opposed == 0;
-  }
-};
 
 /// Orients the faces of one poly at a time consistently, by a search from face to face through the edges that two of them share.
 /// It is not `bfs`, because there is no mesh yet, only the arrays of a file.
@@ -188,11 +112,10 @@ class face_orienter {
 };
 
 /// Orients the faces of polys consistently, and outward, so that the volume is positive. Polys that are already oriented so, or that are
-/// consistent and have no volume, are not changed.      Cost: O(n log n) in the edges of a poly; O(n) if it is oriented consistently.
+/// consistent and have no volume, are not changed.      Cost: O(n log n) in the edges of a poly.
 template<class Vert>  // vert_id, as in face_merger
 class poly_orienter {
   std::span<const vec3> points_;
-  winding_check<Vert> wound_well_;
   face_orienter<Vert> orient_;
 
  public:
@@ -200,8 +123,8 @@ class poly_orienter {
 
   /// Result: whether the poly changed.
   bool operator()(const oriented_faces& p) {
-    const bool changed = !wound_well_(p, points_) && orient_(p);
-    if (!has_negative_volume(p, points_, wound_well_.six_times_volume())) return changed;
+    const bool changed = orient_(p);
+    if (!has_negative_volume(p, points_)) return changed;
     for (std::uint32_t k = 0; k < p.size; ++k) p.outward[k] ^= 1;
     return true;
   }

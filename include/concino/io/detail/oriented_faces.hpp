@@ -73,16 +73,15 @@ double six_times_poly_volume(const oriented_faces& p, std::span<const vec3> poin
   return sum;
 }
 
-/// Whether the volume of a poly is negative, by more than rounding errors. x is six times its volume if this is known, of moderate coordinates, else 0.
-/// The volume is then measured from the centre of its box, so that the result does not depend on the order of the verts if faces do not close the poly.
-inline bool has_negative_volume(const oriented_faces& p, std::span<const vec3> points, double x) {
-  if (x > 1e-100 && x < 1e100) return false;  // nearly all polys
+/// Whether the volume of a poly is negative, by more than rounding errors. It is measured from the centre of its box, so that the result does not depend on
+/// the order of the verts if faces do not close the poly.
+inline bool has_negative_volume(const oriented_faces& p, std::span<const vec3> points) {
   if (p.num_corners() == 0) return false;
   volume_box box;
   for (std::uint32_t i = p.offsets[0]; i < p.offsets[p.size]; ++i) box.add(points[p.verts[i].raw()]);
   const vec3 center = box.center();
-  if (box.is_moderate()) x = six_times_poly_volume(p, points, &center);
-  else x = six_times_poly_volume(p, points, &center, [&](const vec3& q) { return box.scaled(q); });
+  const double x = box.is_moderate() ? six_times_poly_volume(p, points, &center)
+                                     : six_times_poly_volume(p, points, &center, [&](const vec3& q) { return box.scaled(q); });
   return x < -box.error(p.num_corners());
 }
 

@@ -34,16 +34,14 @@ void set_columns(property_set& all, file_contents& contents, element_kind kind, 
 /// Finds listed elements by their verts, in any order.
 class element_finder {
   const listed_elements& listed_;
-  std::vector<std::uint32_t> slots_, next_;  // hash table: first element of each slot, and the next one in the same slot
-  std::vector<std::uint64_t> sorted_;
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> keys_;  // of the listed elements: face_key and number, sorted
+  std::vector<vert_id> sorted_;
 
-  static std::uint64_t hash(std::uint64_t vert);  // the sum of those of an element does not depend on their order
-  std::uint32_t& slot_of(std::uint64_t sum);
   bool is_same(std::uint32_t i);
 
  public:
   std::vector<std::uint32_t> where;   // the index in the mesh of each listed element; ~0u if it was not found
-  std::vector<std::uint64_t> verts;   // of the element to find, filled by the caller
+  std::vector<vert_id> verts;         // of the element to find, filled by the caller
 
   explicit element_finder(const listed_elements& listed);
 
@@ -82,7 +80,7 @@ void set_all_columns(M& m, file_contents& contents, load_report* report) {
     if (has_columns(contents, element_kind::edge)) {
       element_finder finder(contents.edges);
       for (const edge_t<M> e : edges(m)) {
-        for (const vert_t<M> v : adj_e2v(m, e)) finder.verts.push_back(number_of(v));
+        for (const vert_t<M> v : adj_e2v(m, e)) finder.verts.push_back(vert_id{number_of(v)});
         finder.match(index_of(m, e));
       }
       set_columns(all, contents, element_kind::edge, finder.where, edge_index_bound(m), report);
@@ -92,7 +90,7 @@ void set_all_columns(M& m, file_contents& contents, load_report* report) {
     if (has_columns(contents, element_kind::face)) {
       element_finder finder(contents.faces);
       for (const face_t<M> f : faces(m)) {
-        for (const vert_t<M> v : adj_f2v(m, f)) finder.verts.push_back(number_of(v));
+        for (const vert_t<M> v : adj_f2v(m, f)) finder.verts.push_back(vert_id{number_of(v)});
         finder.match(index_of(m, f));
       }
       set_columns(all, contents, element_kind::face, finder.where, face_index_bound(m), report);

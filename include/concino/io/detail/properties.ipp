@@ -1,10 +1,10 @@
 // Definitions of properties.hpp.
 #pragma once
 
+#include <concino/io/detail/face_key.hpp>
 #include <concino/io/detail/properties.hpp>
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 
 namespace concino::detail {
@@ -113,42 +113,25 @@ CONCINO_INLINE void set_columns(property_set& all, file_contents& contents, elem
     report->skipped.push_back(core::joined({"values of ", missing, " elements of kind ", to_string(kind), " that the mesh does not have"}));
 }
 
-CONCINO_INLINE std::uint64_t element_finder::hash(std::uint64_t vert) {
-  std::uint64_t x = (vert + 1) * 0x9e3779b97f4a7c15u;
-  x = (x ^ (x >> 31)) * 0xbf58476d1ce4e5b9u;
-  return x ^ (x >> 29);
-}
-CONCINO_INLINE std::uint32_t& element_finder::slot_of(std::uint64_t sum) { return slots_[(sum ^ (sum >> 32)) & (slots_.size() - 1)]; }
-
 CONCINO_INLINE element_finder::element_finder(const listed_elements& listed) : listed_(listed), where(listed.size(), ~0u) {
-  slots_.assign(std::bit_ceil(2 * listed.size() + 1), ~0u);
-  next_.assign(listed.size(), ~0u);
-  for (std::size_t i = listed.size(); i-- > 0;) {
-    std::uint64_t sum = listed.offsets[i + 1] - listed.offsets[i];
-    for (std::uint32_t k = listed.offsets[i]; k < listed.offsets[i + 1]; ++k) sum += hash(listed.verts[k].raw());
-    std::uint32_t& slot = slot_of(sum);
-    next_[i] = slot;
-    slot = static_cast<std::uint32_t>(i);
-  }
+  keys_.reserve(listed.size());
+  for (std::uint32_t i = 0; i < listed.size(); ++i)
+    keys_.emplace_back(face_key(listed.verts.data() + listed.offsets[i], listed.offsets[i + 1] - listed.offsets[i]), i);
+  std::sort(keys_.begin(), keys_.end());
 }
 
+/// Needs: sorted verts.
 CONCINO_INLINE bool element_finder::is_same(std::uint32_t i) {
-  const std::uint32_t n = listed_.offsets[i + 1] - listed_.offsets[i];
-  if (n != verts.size()) return false;
-  sorted_.clear();
-  for (std::uint32_t k = 0; k < n; ++k) sorted_.push_back(listed_.verts[listed_.offsets[i] + k].raw());
-  std::sort(sorted_.data(), sorted_.data() + n);
-  for (std::uint32_t k = 0; k < n; ++k)
-    if (sorted_[k] != verts[k]) return false;
-  return true;
+  sorted_.assign(listed_.verts.begin() + listed_.offsets[i], listed_.verts.begin() + listed_.offsets[i + 1]);
+  std::sort(sorted_.begin(), sorted_.end());
+  return sorted_ == verts;
 }
 
 CONCINO_INLINE void element_finder::match(std::size_t index) {
-  std::sort(verts.data(), verts.data() + verts.size());
-  std::uint64_t sum = verts.size();
-  for (const std::uint64_t v : verts) sum += hash(v);
-  for (std::uint32_t i = slot_of(sum); i != ~0u; i = next_[i])
-    if (where[i] == ~0u && is_same(i)) where[i] = static_cast<std::uint32_t>(index);
+  std::sort(verts.begin(), verts.end());
+  const std::uint64_t key = face_key(verts.data(), verts.size());
+  for (auto at = std::lower_bound(keys_.begin(), keys_.end(), std::pair{key, 0u}); at != keys_.end() && at->first == key; ++at)
+    if (where[at->second] == ~0u && is_same(at->second)) where[at->second] = static_cast<std::uint32_t>(index);
   verts.clear();
 }
 

@@ -58,7 +58,6 @@ class mtl_names {
   std::vector<std::uint32_t> key_material_;   // the name of the material of each pair
   std::vector<std::uint32_t> poly_material_;  // the name of the material of each poly, in the order of polys(m)
   std::vector<std::string> undefined_;        // names that no library may define
-  std::uint32_t recent_[256] = {};            // a cache of numbers in colored_names_, by a short hash
   std::size_t num_polys_ = 0, last_number_ = 0, num_renamed_ = 0, num_duplicates_ = 0, num_bad_lines_ = 0;
   std::size_t last_poly_ = ~std::size_t{0};
   std::uint32_t last_name_ = 0;
@@ -123,14 +122,9 @@ class mtl_names {
     char key[sizeof name + sizeof(rgba)];
     std::memcpy(key, &name, sizeof name);
     std::memcpy(key + sizeof name, &color_[poly], sizeof(rgba));
-    std::uint64_t words[2];
-    std::memcpy(words, key + sizeof name, sizeof words);
-    std::uint32_t& recent = recent_[(words[0] * 0x9e3779b97f4a7c15u ^ (words[1] + name) * 0xc2b2ae3d27d4eb4fu) >> 56];
-    if (recent >= colored_names_.size() || std::string_view(colored_names_[recent]) != std::string_view(key, sizeof key)) {
-      recent = static_cast<std::uint32_t>(colored_names_.add(std::string_view(key, sizeof key)));
-      if (recent == key_material_.size()) key_material_.push_back(material_for(name, color_[poly]));
-    }
-    poly_material_.push_back(key_material_[recent]);
+    const std::size_t known = colored_names_.add(std::string_view(key, sizeof key));
+    if (known == key_material_.size()) key_material_.push_back(material_for(name, color_[poly]));
+    poly_material_.push_back(key_material_[known]);
   }
 
   /// Writes the lines that name the libraries. Called after all polys have their materials.

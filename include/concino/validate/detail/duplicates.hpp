@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 #include <concino/concepts/mesh.hpp>
@@ -19,14 +20,8 @@ void find_duplicates(const M& m, const R& all, std::size_t count, const Ring& ri
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
     return x ^ (x >> 31);
   };
-  struct entry {
-    std::uint64_t hash = 0;
-    X x{};
-    bool used = false;
-  };
-  std::size_t size = 16;
-  while (size < 2 * count) size *= 2;
-  std::vector<entry> table(size);
+  std::unordered_multimap<std::uint64_t, X> by_hash;
+  by_hash.reserve(count);
   std::vector<std::uint64_t> met(vert_index_bound(m));  // by vert: 2 c and 2 c + 1 mark the verts of the sets of comparison c
   std::uint64_t comparison = 0;
   const auto same_verts = [&](const X& x, const X& y) {
@@ -53,17 +48,10 @@ void find_duplicates(const M& m, const R& all, std::size_t count, const Ring& ri
       ++n;
     }
     hash = mixed(hash ^ n);
-    for (std::size_t i = hash & (size - 1);; i = (i + 1) & (size - 1)) {
-      entry& e = table[i];
-      if (!e.used) {
-        e = {hash, x, true};
-        break;
-      }
-      if (e.hash == hash && same_verts(x, e.x)) {
-        found(x, e.x);
-        break;
-      }
-    }
+    auto [at, end] = by_hash.equal_range(hash);
+    while (at != end && !same_verts(x, at->second)) ++at;
+    if (at != end) found(x, at->second);
+    else by_hash.emplace(hash, x);
   }
 }
 
