@@ -2,10 +2,9 @@
 #pragma once
 
 #include <concino/core/error.hpp>
+#include <concino/core/local_numbers.hpp>
 #include <concino/level_sets/detail/cell_cuts.hpp>
 #include <concino/level_sets/detail/level_states.hpp>
-
-#include <algorithm>
 
 namespace concino::detail {
 
@@ -61,20 +60,20 @@ CONCINO_INLINE bool cell_cuts::find_mates(std::uint32_t cell, cells_are surface)
 
 CONCINO_INLINE void cell_cuts::find_twins() {
   twins_.assign(v_.num_facets(), none);
-  std::vector<std::uint64_t> order;
-  order.reserve(v_.num_facets());
-  for (std::uint32_t s = 0; s < v_.num_facets(); ++s)
-    if (v_.num_polys[s] == 2) order.push_back(std::uint64_t{v_.faces[s]} << 32 | s);
-  std::sort(order.begin(), order.end());
-  for (std::size_t i = 1; i < order.size(); ++i)
-    if (order[i] >> 32 == order[i - 1] >> 32) {
-      const auto a = static_cast<std::uint32_t>(order[i - 1]), b = static_cast<std::uint32_t>(order[i]);
-      twins_[a] = b, twins_[b] = a;
-    }
+  core::local_numbers faces;
+  faces.reserve(v_.num_facets());
+  std::vector<std::uint32_t> first;  // by face: the facet that has it first
+  for (std::uint32_t s = 0; s < v_.num_facets(); ++s) {
+    if (v_.num_polys[s] != 2) continue;
+    const unsigned face = faces.add(v_.faces[s]);
+    if (face == first.size()) first.push_back(s);
+    else twins_[s] = first[face], twins_[first[face]] = s;
+  }
 }
 
 CONCINO_INLINE void cell_cuts::find_chords() {
   chord_at_.assign(v_.num_corners(), none);
+  first_chord_.reserve(v_.num_facets() + std::size_t{1}), chords_.reserve(v_.num_facets());
   for (std::uint32_t s = 0; s < v_.num_facets(); ++s) {
     first_chord_.push_back(static_cast<std::uint32_t>(chords_.size()));
     const std::uint32_t twin = twins_[s];

@@ -6,6 +6,7 @@
 #include <concino/level_sets/detail/remove_flat_parts.hpp>
 
 #include <algorithm>
+#include <numeric>
 
 namespace concino::detail {
 
@@ -13,6 +14,9 @@ CONCINO_INLINE cell_parts::cell_parts(cell_cuts& cuts) : cuts_(cuts), v_(cuts.vo
   moved_verts = remove_flat_parts(cuts_);
   join_regions();
   find_added_edges();
+  // A face of two cells, cut in two, and a cap in each cell: about as many as facets.
+  const std::size_t num_facets = v_.num_facets();
+  faces.reserve(num_facets + num_facets / 2), uses_.reserve(2 * num_facets), face_places.reserve(v_.num_corners() + v_.num_corners() / 2);
   add_facets();
   add_caps();
   merge_equal_faces();
@@ -227,19 +231,19 @@ CONCINO_INLINE int cell_parts::compare_places(const face& a, const face& b) cons
 
 /// Lists the faces of each part. A face that a part uses twice, from both sides, is not one of its faces; a part without faces has no inside.
 CONCINO_INLINE void cell_parts::list_parts() {
-  std::vector<std::uint64_t> order;
-  order.reserve(uses_.size()), part_faces.reserve(uses_.size()), outward.reserve(uses_.size());
-  for (std::uint32_t i = 0; i < uses_.size(); ++i) order.push_back(std::uint64_t{uses_[i].part} << 32 | i);
-  std::sort(order.begin(), order.end());
-  std::vector<use> of_part;
-  std::size_t i = 0;
+  const std::uint32_t num_roots = cuts_.num_cell_verts();
+  std::vector<std::uint32_t> ends(num_roots + std::size_t{1}, 0);  // by part: where its uses begin in `sorted`, then where they end
+  for (const use& u : uses_) ++ends[u.part + std::size_t{1}];
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<use> sorted(uses_.size()), of_part;
+  for (const use& u : uses_) sorted[ends[u.part]++] = u;
+  part_faces.reserve(uses_.size()), outward.reserve(uses_.size());
   std::vector<std::uint32_t> cell_of_vert(cuts_.num_cell_verts(), none);
   for (std::uint32_t k = 0; k < v_.num_corners(); ++k) cell_of_vert[cuts_.number_in_cells(k)] = cuts_.cell_of(cuts_.facet_of(k));
-  while (i < order.size()) {
-    const auto root = static_cast<std::uint32_t>(order[i] >> 32);
+  for (std::uint32_t root = 0, i = 0; root < num_roots; ++root) {
     of_part.clear();
-    for (; i < order.size() && order[i] >> 32 == root; ++i) {
-      const use& u = uses_[static_cast<std::uint32_t>(order[i])];
+    for (; i < ends[root]; ++i) {
+      const use& u = sorted[i];
       const auto twice = std::find_if(of_part.begin(), of_part.end(), [&](const use& x) { return x.face == u.face && x.outward != u.outward; });
       if (twice == of_part.end()) of_part.push_back(u);
       else of_part.erase(twice);

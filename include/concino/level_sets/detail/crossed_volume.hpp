@@ -45,6 +45,8 @@ class crossed_volume {
   std::vector<std::uint32_t> whole_verts, whole_edges;
   std::vector<centre> centres;
 
+  /// Makes room for cells with so many facets and corners, and for three verts a cell; more is made when it is needed.
+  void reserve(std::size_t num_cells, std::size_t num_facets, std::size_t num_corners);
   explicit crossed_volume(double level, std::size_t edge_bound) : level_(level), next_edge_(edge_bound) {}
 
   double level() const { return level_; }

@@ -22,6 +22,15 @@ CONCINO_INLINE level_place crossed_volume::place_between(level_place::kind_type 
   return {kind, element, below, above};
 }
 
+CONCINO_INLINE void crossed_volume::reserve(std::size_t num_cells, std::size_t num_facets, std::size_t num_corners) {
+  first_facet.reserve(num_cells + 1);
+  faces.reserve(num_facets), fan_of.reserve(num_facets), first_corner.reserve(num_facets + 1), outward.reserve(num_facets), num_polys.reserve(num_facets);
+  verts.reserve(num_corners), edges.reserve(num_corners);
+  const std::size_t num_verts = 3 * num_cells;  // a layer of hexes has two verts a cell, and one of tets fewer
+  vert_indices.reserve(num_verts), points.reserve(num_verts), values.reserve(num_verts), states.reserve(num_verts);
+  numbers_.reserve(num_verts);
+}
+
 CONCINO_INLINE void crossed_volume::push_facet(std::uint32_t face, bool is_outward, unsigned char polys, std::uint32_t fan_number) {
   faces.push_back(face);
   outward.push_back(is_outward);

@@ -31,6 +31,7 @@ class crossed_volume_reader {
   template<class U>
   crossed_volume_reader(const M& m, const U& u, double level, std::vector<poly_t<M>> crossed)
       : arrays(level, edge_index_bound(m)), polys(std::move(crossed)) {
+    reserve(m);
     for (const poly_t<M>& p : polys) {
       poly_indices.push_back(static_cast<std::uint32_t>(index_of(m, p)));
       for (const face_t<M> f : adj_p2f(m, p)) add_facet(m, u, p, f);
@@ -86,6 +87,13 @@ class crossed_volume_reader {
     const crossed_volume::fan& f = arrays.fans[arrays.fan_of[centre_at(vert).facet]];
     for (std::uint32_t k = f.first_corner; k < f.last_corner; ++k)
       list.push_back({arrays.vert_indices[arrays.whole_verts[k]], weight / static_cast<double>(f.last_corner - f.first_corner)});
+  }
+  void reserve(const M& m) {
+    std::size_t num_facets = 0, num_corners = 0;
+    for (const poly_t<M>& p : polys)
+      for (const face_t<M> f : adj_p2f(m, p)) ++num_facets, num_corners += num_elements(adj_f2v(m, f));
+    arrays.reserve(polys.size(), num_facets, num_corners);
+    faces.reserve(num_facets), verts.reserve(3 * polys.size()), edges.reserve(3 * polys.size()), edge_numbers_.reserve(3 * polys.size());
   }
   template<class U>
   void add_facet(const M& m, const U& u, const poly_t<M>& p, const face_t<M>& f) {
