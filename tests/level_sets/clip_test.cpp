@@ -16,10 +16,8 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -79,37 +77,6 @@ void check_sides(const C& c, double value) {
     for (const auto v : adj_p2v(c.mesh, p)) wrong += c.above[index_of(c.mesh, p)] ? q[v] < value - 1e-12 : q[v] > value + 1e-12;
   if (c.report.moved_verts.empty()) CHECK(wrong == 0);
 }
-
-/// The faces of all parts, by the corners that they have, and the places in their order, so that lists with other numbers can be compared.
-struct resolved_parts {
-  std::vector<std::vector<std::size_t>> lists;
-
-  template<class Ends>
-  resolved_parts(const detail::part_lists& x, const Ends& ends, const polyhedralmesh& m) {
-    const auto vert = [&](std::uint32_t end) { return std::size_t{ends.vert_indices[end]}; };
-    for (const auto& p : x.parts) {
-      lists.push_back({p.cell, p.is_above, p.is_whole});
-      for (std::uint32_t k = p.first; k < p.last; ++k) {
-        const std::uint32_t f = x.part_faces[k];
-        lists.push_back({x.outward[k]});
-        if (f & detail::part_lists::of_mesh) {
-          lists.back().push_back(f & ~detail::part_lists::of_mesh);
-          for (const vert_id v : adj_f2v(m, face_id{lists.back()[1]})) lists.back().push_back(v.raw());
-          continue;
-        }
-        lists.back().push_back(x.faces[f].origin);
-        for (std::uint32_t i = x.faces[f].first; i < x.faces[f].last; ++i) {
-          const std::uint32_t at = x.face_places[i];
-          if (at & detail::part_lists::of_mesh) lists.back().push_back(at & ~detail::part_lists::of_mesh);
-          else if (const detail::level_place& y = x.places[at]; y.kind == detail::level_place::vert) lists.back().push_back(vert(y.above));
-          else lists.back().insert(lists.back().end(), {y.kind, vert(y.below), vert(y.above)});
-        }
-      }
-    }
-    for (const detail::level_place& y : x.places)
-      if (y.kind != detail::level_place::vert) lists.push_back({y.kind, vert(y.below), vert(y.above)});
-  }
-};
 
 }  // namespace
 
@@ -277,32 +244,4 @@ TEST_CASE("clip: errors, and progress that cancels") {
   CHECK_THROWS_AS((void)clip(m, u, 1.0, {.progress = [](double, const char*) { return false; }}), cancelled);
   u[vert_id(3)] = std::nan("");
   CHECK_THROWS_AS((void)clip(m, u, 1.0), invalid_argument);
-}
-
-TEST_CASE("clip: the fast way finds the same parts as the general one") {
-  std::mt19937 random(11);
-  for (int i = 0; i < 60; ++i) {
-    CAPTURE(i);
-    const auto m = i % 2 ? random_mesh<polyhedralmesh>(random) : mesh_to_cut<polyhedralmesh>(random);
-    const auto u = random_values(m, random, i % 3 != 0);
-    const auto of_verts = detail::level_states(m, u, 1.0, "test");
-    const auto of_polys = detail::poly_states(m, of_verts);
-    std::vector<std::uint32_t> numbers(face_index_bound(m), ~0u);
-    const auto crossed = detail::crossed_by_state(m, of_polys);
-    const auto find = [&] {
-      detail::clip_parts<polyhedralmesh> fast(m, u, 1.0, of_verts.data(), of_polys.data(), numbers.data(), crossed);
-      fast.cut(m, u, true, "test");
-      return resolved_parts(fast.lists, fast.ends, m).lists;
-    };
-    std::optional<detail::cell_cuts> cuts;
-    const detail::crossed_volume_reader<polyhedralmesh> reader(m, u, 1.0, crossed);
-    try {
-      cuts.emplace(reader.arrays, detail::cell_cuts::cells_are::unknown, "test", reader.poly_indices);
-    } catch (const unsupported&) {  // a cell whose surface is not a sphere
-      CHECK_THROWS_AS(find(), unsupported);
-      continue;
-    }
-    CHECK(find() == resolved_parts(detail::cell_parts(*cuts), reader.arrays, m).lists);
-    CHECK(std::count(numbers.begin(), numbers.end(), ~0u) == static_cast<std::ptrdiff_t>(numbers.size()));
-  }
 }

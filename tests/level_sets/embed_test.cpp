@@ -111,34 +111,7 @@ TEST_CASE_TEMPLATE("embed: the level set is a union of edges or faces, and measu
   }
 }
 
-TEST_CASE("embed: tets are cut one by one as cells of any kind are cut") {
-  std::mt19937 random(7);
-  for (int i = 0; i < 10; ++i) {
-    const auto m = mesh_to_cut<tetmesh>(random);
-    const auto u = random_values(m, random, false);
-    const auto states = detail::level_states(m, u, 1, "test");
-    const detail::crossed_tet_reader<tetmesh> tets(m, u, 1, states, detail::crossed_polys(m, states));
-    REQUIRE(tets.can_cut);
-    const detail::crossed_volume_reader<tetmesh> cells(m, u, 1, detail::crossed_polys(m, states));
-    detail::cell_cuts cuts(cells.arrays, detail::cell_cuts::cells_are::spheres, "test", cells.poly_indices);
-    const detail::cell_parts parts(cuts);
-    const auto lists = list_embedding(parts, cells.arrays, true);
-    const auto& found = tets.cutter.lists;
-    CHECK(!lists.origins.empty());
-    CHECK(found.old_polys == lists.old_polys);
-    CHECK(found.verts == lists.verts);
-    CHECK(found.corners == lists.corners);
-    CHECK(found.ends == lists.ends);
-    CHECK(found.origins == lists.origins);
-    CHECK(found.cut_ends == lists.cut_ends);
-    CHECK(tets.arrays.vert_indices == cells.arrays.vert_indices);
-    REQUIRE(found.places.size() == lists.places.size());
-    for (std::size_t k = 0; k < lists.places.size(); ++k) {
-      const auto &a = tets.cutter.places[found.places[k]], &b = parts.places[lists.places[k]];
-      CHECK((a.below == b.below && a.above == b.above));
-    }
-  }
-  // Two tets with the same verts have no room for a level set between a vert and the others.
+TEST_CASE("embed: two tets with the same verts have no room for a level set between a vert and the others") {
   tetmesh doubled({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}, {0, 2, 1, 3}});
   auto u = make_vert_map<double>(doubled);
   for (const auto v : verts(doubled)) u[v] = v.raw() == 0 ? 0 : 2;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
-#include <concino/level_sets/detail/level_values.hpp>
+#include <concino/level_sets/detail/level_states.hpp>
 #include <concino/level_sets/detail/plane_heights.hpp>
 #include <concino/level_sets/detail/surface_clipper.hpp>
 #include <concino/level_sets/detail/volume_clipper.hpp>
@@ -13,7 +13,6 @@ namespace detail {
 
 template<class M, class U>
 auto clip_mesh(const M& m, const U& u, double level, bool both, const clip_options& options, const char* caller) {
-  const core::thread_team threads(has_many_polys(m));
   check_vert_values(m, u, caller);
   sort_levels({level}, caller);
   report_progress(options.progress, 0, "clipping");

@@ -6,7 +6,6 @@
 #include <concino/core/number_text.hpp>
 #include <concino/level_sets/detail/add_edge_between.hpp>
 #include <concino/level_sets/detail/add_face_with.hpp>
-#include <concino/level_sets/detail/crossed_tet_reader.hpp>
 #include <concino/level_sets/detail/level_embedder.hpp>
 #include <concino/level_sets/detail/level_states.hpp>
 #include <concino/mesh/element_map.hpp>
@@ -64,32 +63,26 @@ inline void check_snap(double snap, const char* caller) {
     core::throw_joined<invalid_argument>({caller, ": .snap is ", core::number_text(snap), "; it must be at least 0 and below 0.5"});
 }
 
-/// The edge or the face with these verts. p: a poly that has it, or null if none is known.
+/// The edge or the face with these verts.
 template<class M>
-void add_element(const M& m, const std::vector<vert_t<M>>& corners, const poly_t<M>*, std::vector<edge_t<M>>& to) {
+void add_element(const M& m, const std::vector<vert_t<M>>& corners, std::vector<edge_t<M>>& to) {
   add_edge_between(m, corners[0], corners[1], to);
 }
 template<class M>
-void add_element(const M& m, const std::vector<vert_t<M>>& corners, const poly_t<M>* p, std::vector<face_t<M>>& to) {
-  if constexpr (arity_v<M> == 4)  // only then are there such polys
-    if (p && add_face_of_tet(m, *p, corners, to)) return;
+void add_element(const M& m, const std::vector<vert_t<M>>& corners, std::vector<face_t<M>>& to) {
   add_face_with(m, corners, to);
 }
 
-/// Replaces polys of m as the lists say. u: its values; they become `level` at snapped verts. cut: the edges or faces on the level set.
-template<class M, class U, class Crossed, class Result, class Elements, class OriginsOf>
-void embed_lists(M& m, U& u, double level, const Crossed& crossed, const embedding_lists& lists, const std::vector<level_place>& places, Result& result,
-                 Elements& cut, const OriginsOf& origins_of, const char* caller) {
-  level_embedder<M, Crossed> embedder(m, crossed, level, lists, places, origins_of);
-  cut.reserve(lists.cut_ends.size());
-  embedder.run(m, u, result.snapped, caller);
-  embedder.for_each_cut([&](const std::vector<vert_t<M>>& corners, const poly_t<M>* p) { add_element(m, corners, p, cut); });
-  result.verts = std::move(embedder.new_verts);
-}
+/// Replaces polys of m by their parts. u: its values; they become `level` at snapped verts. cut: the edges or faces on the level set.
 template<class M, class U, class Crossed, class Parts, class Result, class Elements, class OriginsOf>
 void embed_parts(M& m, U& u, double level, const Crossed& crossed, const Parts& parts, Result& result, Elements& cut, const OriginsOf& origins_of, const char* caller) {
   for (const std::uint32_t v : parts.moved_verts) result.moved_verts.push_back(crossed.verts[v]);
-  embed_lists(m, u, level, crossed, list_embedding(parts, crossed.arrays, arity_v<M> != 0), parts.places, result, cut, origins_of, caller);
+  const embedding_lists lists = list_embedding(parts, crossed.arrays, arity_v<M> != 0);
+  level_embedder<M, Crossed> embedder(m, crossed, level, lists, parts.places, origins_of);
+  cut.reserve(lists.cut_ends.size());
+  embedder.run(m, u, result.snapped, caller);
+  embedder.for_each_cut([&](const std::vector<vert_t<M>>& corners) { add_element(m, corners, cut); });
+  result.verts = std::move(embedder.new_verts);
 }
 
 /// The values of u, and `level` at verts that are snapped.
@@ -124,16 +117,7 @@ embedded_surface<M> embed_surface(M& m, U& u, double value, const embed_options&
   embedded_surface<M> result;
   result.snapped = verts_to_snap(m, u, value, options.snap);
   const auto values = snapped_values(m, u, value, result.snapped);
-  const auto states = level_states(m, values, value, caller);
-  std::vector<poly_t<M>> polys = crossed_polys(m, states);
-  if constexpr (arity_v<M> == 4) {  // a few cases, by the signs of the verts
-    const crossed_tet_reader<M> crossed(m, values, value, states, polys);
-    if (crossed.can_cut) {
-      embed_lists(m, u, value, crossed, crossed.cutter.lists, crossed.cutter.places, result, result.faces, [&](const level_place& x) { return crossed.origins_of(x); }, caller);
-      return result;
-    }
-  }
-  const crossed_volume_reader<M> crossed(m, values, value, std::move(polys));
+  const crossed_volume_reader<M> crossed(m, values, value, crossed_polys(m, level_states(m, values, value, caller)));
   constexpr auto surface = arity_v<M> == 0 ? cell_cuts::cells_are::unknown : cell_cuts::cells_are::spheres;
   cell_cuts cuts(crossed.arrays, surface, caller, crossed.poly_indices);
   const cell_parts parts(cuts);

@@ -2,11 +2,8 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
-#include <concino/core/parallel.hpp>
-#include <concino/level_sets/detail/level_surface_maker.hpp>
-#include <concino/level_sets/detail/level_values.hpp>
-#include <concino/level_sets/detail/simple_surface.hpp>
-#include <concino/level_sets/detail/surface_builder.hpp>
+#include <concino/level_sets/detail/level_states.hpp>
+#include <concino/level_sets/detail/level_surface_builder.hpp>
 #include <concino/mesh/correspondence.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 #include <concino/mesh/property.hpp>
@@ -14,7 +11,6 @@
 
 #include <concepts>
 #include <initializer_list>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -41,29 +37,16 @@ template<class To> concept is_level_surface_mesh = std::same_as<To, polygonmesh>
 
 namespace detail {
 
-/// fast: in the fast way where a value allows it; the surface may then not be a manifold.
-template<class To, class M, class U>
-level_surface<M, To> collect_isosurface(const M& m, const U& u, const std::vector<double>& levels, bool fast, const char* caller) {
-  level_surface<M, To> result;
-  surface_builder builder(arity_v<To> == 3);
-  correspondence from;
+template<class To, class M, class U, class V>
+level_surface<M, To> find_isosurface(const M& m, const U& u, const V& values, const char* caller) {
+  check_vert_values(m, u, caller);
   bool has_properties = false;
   if constexpr (ShowsProperties<M>) has_properties = traits<M>::properties(m).size() > 0;
-  for (const double level : levels) {
-    const level_surface_maker<M, U> maker(m, u, level, has_properties, caller);
-    level_surface_parts<M> parts;
-    if (!fast || !maker.make_simple(parts)) parts = maker.make_general();
-    builder.add_part(std::move(parts.points), std::move(parts.verts), std::move(parts.offsets), parts.polys);
-    append(std::move(parts.places), result.places);
-    append(std::move(parts.polys), result.polys);
-    append(std::move(parts.values), result.values);
-    result.values.resize(result.polys.size(), level);
-    for (std::size_t i = 0; i < parts.origins.size(); ++i) {
-      std::vector<origin> list;
-      for (const origin x : parts.origins[i]) list.push_back(x);
-      from.verts.add(std::span<const origin>(list));
-    }
-  }
+  level_surface_builder<M> builder(m, arity_v<To> == 3, has_properties);
+  for (const double level : sorted_levels(values, caller)) builder.add(u, level, caller);
+  level_surface<M, To> result{{}, std::move(builder.places), std::move(builder.polys), std::move(builder.values)};
+  correspondence from;
+  from.verts = std::move(builder.origins);
   result.mesh = To(std::move(builder).arrays());
   if constexpr (ShowsProperties<M>) {
     if (!has_properties) return result;
@@ -71,15 +54,6 @@ level_surface<M, To> collect_isosurface(const M& m, const U& u, const std::vecto
     traits<To>::properties(result.mesh).transfer_verts_and_polys(traits<M>::properties(m), from);
   }
   return result;
-}
-
-template<class To, class M, class U, class V>
-level_surface<M, To> find_isosurface(const M& m, const U& u, const V& values, const char* caller) {
-  const core::thread_team threads(has_many_polys(m));
-  check_vert_values(m, u, caller);
-  const std::vector<double> levels = sorted_levels(values, caller);
-  level_surface<M, To> result = collect_isosurface<To>(m, u, levels, true, caller);
-  return is_simple_surface(result.mesh) ? std::move(result) : collect_isosurface<To>(m, u, levels, false, caller);
 }
 
 }  // namespace detail
@@ -92,7 +66,8 @@ level_surface<M, To> find_isosurface(const M& m, const U& u, const V& values, co
 ///         along closed cycles of chords across its faces, and each cycle is filled by one polygon. Chords are straight in convex faces; other faces are
 ///         crossed triangle by triangle of triangulate_polygon, and faces on the boundary that are not planar triangle by triangle about the mean of their
 ///         points. Named properties of verts are interpolated, those of polys inherited. Points do not depend on the order of adj_e2v. Infinite values are limits of finite ones.
-/// Cost:   O(verts + polys) a value, and O(n log n) for n polys that are cut; in parallel, with the same result for any number of threads.
+/// Cost:   O(verts + polys) a value, and O(n log n) for n polys that are cut. The polys that are cut are found in parallel, with the same result for any
+///         number of threads.
 /// Errors: invalid_argument if a value is NaN, naming the vert, or if u is a map of another mesh. unsupported that names a poly that is to be cut, but
 ///         whose faces do not form a sphere.
 /// Source: marching tetrahedra, Doi and Koide 1991; for other polys the rule above.

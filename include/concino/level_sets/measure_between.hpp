@@ -3,11 +3,10 @@
 
 #include <concino/core/mistakes.hpp>
 #include <concino/core/poly_chunks.hpp>
-#include <concino/core/temporary_array.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/level_sets/detail/crossed_surface_reader.hpp>
 #include <concino/level_sets/detail/crossed_volume_reader.hpp>
-#include <concino/level_sets/detail/level_values.hpp>
+#include <concino/level_sets/detail/level_states.hpp>
 #include <concino/level_sets/detail/measure_parts.hpp>
 
 #include <algorithm>
@@ -56,13 +55,12 @@ double cut_measure_above(const M& m, const U& u, double level, const std::vector
 
 /// By index of a vert: how many of the levels, which ascend, are not above its value.
 template<class M, class U>
-core::temporary_array<std::uint32_t> level_ranks(const M& m, const U& u, const std::vector<double>& levels, const char* caller) {
-  core::temporary_array<std::uint32_t> ranks(vert_index_bound(m));
-  std::uint32_t* const all = ranks.data();
-  parallel_for_each(verts(m), [&m, &u, &levels, all, caller](const vert_t<M>& v) {
+std::vector<std::uint32_t> level_ranks(const M& m, const U& u, const std::vector<double>& levels, const char* caller) {
+  std::vector<std::uint32_t> ranks(vert_index_bound(m));
+  parallel_for_each(verts(m), [&](const vert_t<M>& v) {
     const double x = static_cast<double>(u[v]);
-    if (std::isnan(x)) [[unlikely]] throw_value_is_nan(caller, index_of(m, v));
-    all[index_of(m, v)] = static_cast<std::uint32_t>(std::upper_bound(levels.begin(), levels.end(), x) - levels.begin());
+    if (std::isnan(x)) throw_value_is_nan(caller, index_of(m, v));
+    ranks[index_of(m, v)] = static_cast<std::uint32_t>(std::upper_bound(levels.begin(), levels.end(), x) - levels.begin());
   });
   return ranks;
 }
@@ -70,7 +68,7 @@ core::temporary_array<std::uint32_t> level_ranks(const M& m, const U& u, const s
 /// The levels with these numbers cross a poly.
 struct crossing_levels { std::uint32_t first, last; };
 template<class M>
-crossing_levels crossing_levels_of(const M& m, const std::uint32_t* ranks, const poly_t<M>& p) {
+crossing_levels crossing_levels_of(const M& m, const std::vector<std::uint32_t>& ranks, const poly_t<M>& p) {
   crossing_levels x{~0u, 0};
   for (const vert_t<M> v : adj_p2v(m, p)) {
     const std::uint32_t rank = ranks[index_of(m, v)];
@@ -97,14 +95,13 @@ std::vector<double> measure_between(const M& m, const U& u, const V& values) {
   if (levels.size() < 2) throw invalid_argument("measure_between: there must be two different values or more");
   levels.back() = std::nextafter(levels.back(), std::numeric_limits<double>::infinity());  // the last interval is closed
   std::vector<double> between(levels.size() - 1);
-  const core::thread_team threads(detail::has_many_polys(m));
   const auto ranks = detail::level_ranks(m, u, levels, "measure_between");
   struct part {
     std::vector<std::pair<std::size_t, double>> whole;  // an interval, and what is between it and the last level
     std::vector<poly_t<M>> crossed;
   };
   const auto parts = core::poly_chunks<M>(m).template results<part>([&](part& x, const poly_t<M>& p) {
-    const auto [first, last] = detail::crossing_levels_of(m, ranks.data(), p);
+    const auto [first, last] = detail::crossing_levels_of(m, ranks, p);
     if (first < last) x.crossed.push_back(p);
     if (first == 0 || first > between.size()) return;
     if (x.whole.empty() || x.whole.back().first != first - 1) x.whole.emplace_back(first - 1, 0);
@@ -114,7 +111,7 @@ std::vector<double> measure_between(const M& m, const U& u, const V& values) {
   for (const part& x : parts) {
     for (const auto& [interval, whole] : x.whole) between[interval] += whole;
     for (const poly_t<M>& p : x.crossed) {
-      const auto [first, last] = detail::crossing_levels_of(m, ranks.data(), p);
+      const auto [first, last] = detail::crossing_levels_of(m, ranks, p);
       for (std::uint32_t i = first; i < last; ++i) crossed[i].push_back(p);
     }
   }

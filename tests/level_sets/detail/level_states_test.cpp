@@ -124,21 +124,17 @@ TEST_CASE("level_states: NaN is an error that names the first such vert, but not
   CHECK(error_of(m, u) == "test: the value at vert 1234 is not a number (NaN)");
 }
 
-TEST_CASE("level_states: the joint states of lists of any length, wherever a state is in the list") {
-  constexpr unsigned char below = cn::detail::below_level, on = cn::detail::on_level, above = cn::detail::above_level;
-  for (unsigned n = 3; n < 26; ++n) {
-    std::vector<unsigned> list;
-    for (unsigned k = 0; k < n; ++k) list.push_back(k);
-    const cn::polygonmesh m(std::vector<cn::vec3>(n), std::vector<std::vector<unsigned>>{list});
-    std::vector<unsigned char> states(n, below);
-    const auto joint = [&] { return cn::detail::joint_states(m, states.data(), cn::poly_id{0}); };
-    CHECK(joint() == below);
-    for (unsigned k = 0; k < n; ++k) {
-      states[k] = above;
-      CHECK(joint() == (below | above));
-      states[(k + 1) % n] = on;
-      CHECK(joint() == (below | on | above));
-      states[k] = states[(k + 1) % n] = below;
-    }
+TEST_CASE("crossed_polys: those with verts below and others, whether these are on the level set or above") {
+  const auto m = cn::testing::grid<cn::trimesh>(20);
+  std::vector<unsigned char> states(cn::vert_index_bound(m));
+  constexpr unsigned char all[] = {cn::detail::below_level, cn::detail::on_level, cn::detail::above_level};
+  for (std::size_t i = 0; i < states.size(); ++i) states[i] = all[i * i % 11 % 3];
+  std::vector<cn::poly_id> expected;
+  for (const auto p : cn::polys(m)) {
+    int below = 0;
+    for (const auto v : cn::adj_p2v(m, p)) below += states[v.raw()] == cn::detail::below_level;
+    if (below == 1 || below == 2) expected.push_back(p);
   }
+  CHECK(expected.size() > 100);
+  CHECK(cn::detail::crossed_polys(m, states) == expected);
 }

@@ -73,16 +73,14 @@ class cell_cuts {
   }
 
   /// The place of the crossed edge that begins at a corner, and of a crossed diagonal of a facet.
-  level_place crossing(std::uint32_t corner) const;
-  level_place crossing(std::uint32_t facet, const crossed_diagonal& d) const { return place_between(level_place::inside, v_.faces[facet], d.below, d.above); }
+  level_place crossing(std::uint32_t corner) const { return v_.place_between(level_place::edge, v_.edges[corner], v_.verts[corner], v_.verts[next(corner)]); }
+  level_place crossing(std::uint32_t facet, const crossed_diagonal& d) const { return v_.place_between(level_place::inside, v_.faces[facet], d.below, d.above); }
 
   /// The corner where a chord starts, or ends, seen from outside the cell.
   std::uint32_t start(const chord& c) const { return v_.outward[c.facet] ? c.from : c.to; }
   std::uint32_t end(const chord& c) const { return v_.outward[c.facet] ? c.to : c.from; }
 
  private:
-  level_place place_between(level_place::kind_type kind, std::uint32_t element, std::uint32_t below, std::uint32_t above) const;
-
   const crossed_volume& v_;
   std::vector<std::uint32_t> facet_of_, cell_of_, mates_, twins_;
   std::vector<std::uint32_t> chord_at_, first_chord_, cell_vert_;

@@ -2,8 +2,7 @@
 #pragma once
 
 #include <concino/core/error.hpp>
-#include <concino/core/large_pages.hpp>
-#include <concino/core/sort_numbers.hpp>
+#include <concino/core/local_numbers.hpp>
 #include <concino/level_sets/detail/cell_cuts.hpp>
 #include <concino/level_sets/detail/level_states.hpp>
 
@@ -11,11 +10,10 @@ namespace concino::detail {
 
 CONCINO_INLINE cell_cuts::cell_cuts(const crossed_volume& v, cells_are surface, const char* caller, const std::vector<std::uint32_t>& cell_indices) : v_(v) {
   number_facets();
-  mates_ = core::large_vector(v_.num_corners(), none);
-  cell_vert_ = core::large_vector(v_.num_corners(), none);
-  seen_in_ = core::large_vector(v_.points.size(), none);
-  core::reserve_pages(cell_vert_states_, v_.num_corners() / 3);  // as many verts as there are if three facets meet at each
-  number_in_cell_ = core::large_vector(v_.points.size(), none);
+  mates_.assign(v_.num_corners(), none);
+  cell_vert_.assign(v_.num_corners(), none);
+  seen_in_.assign(v_.points.size(), none);
+  number_in_cell_.assign(v_.points.size(), none);
   for (std::uint32_t c = 0; c < v_.num_cells(); ++c)
     if (!find_mates(c, surface))
       core::throw_joined<unsupported>({caller, ": the faces of poly ", cell_indices[c], " do not form one closed surface without handles that are oriented outward, ",
@@ -27,8 +25,8 @@ CONCINO_INLINE cell_cuts::cell_cuts(const crossed_volume& v, cells_are surface, 
 }
 
 CONCINO_INLINE void cell_cuts::number_facets() {
-  cell_of_ = core::large_vector(v_.num_facets(), none);
-  facet_of_ = core::large_vector(v_.num_corners(), none);
+  cell_of_.assign(v_.num_facets(), none);
+  facet_of_.assign(v_.num_corners(), none);
   for (std::uint32_t c = 0; c < v_.num_cells(); ++c)
     for (std::uint32_t s = v_.first_facet[c]; s < v_.first_facet[c + 1]; ++s) {
       cell_of_[s] = c;
@@ -61,22 +59,21 @@ CONCINO_INLINE bool cell_cuts::find_mates(std::uint32_t cell, cells_are surface)
 }
 
 CONCINO_INLINE void cell_cuts::find_twins() {
-  twins_ = core::large_vector(v_.num_facets(), none);
-  std::vector<std::uint64_t> order;
-  core::reserve_pages(order, v_.num_facets());
-  for (std::uint32_t s = 0; s < v_.num_facets(); ++s)
-    if (v_.num_polys[s] == 2) order.push_back(std::uint64_t{v_.faces[s]} << 32 | s);
-  core::sort_numbers(order.data(), order.data() + order.size());
-  for (std::size_t i = 1; i < order.size(); ++i)
-    if (order[i] >> 32 == order[i - 1] >> 32) {
-      const auto a = static_cast<std::uint32_t>(order[i - 1]), b = static_cast<std::uint32_t>(order[i]);
-      twins_[a] = b, twins_[b] = a;
-    }
+  twins_.assign(v_.num_facets(), none);
+  core::local_numbers faces;
+  faces.reserve(v_.num_facets());
+  std::vector<std::uint32_t> first;  // by face: the facet that has it first
+  for (std::uint32_t s = 0; s < v_.num_facets(); ++s) {
+    if (v_.num_polys[s] != 2) continue;
+    const unsigned face = faces.add(v_.faces[s]);
+    if (face == first.size()) first.push_back(s);
+    else twins_[s] = first[face], twins_[first[face]] = s;
+  }
 }
 
 CONCINO_INLINE void cell_cuts::find_chords() {
-  chord_at_ = core::large_vector(v_.num_corners(), none);
-  core::reserve_pages(first_chord_, v_.num_facets() + std::size_t{1}), core::reserve_pages(chords_, v_.num_facets());
+  chord_at_.assign(v_.num_corners(), none);
+  first_chord_.reserve(v_.num_facets() + std::size_t{1}), chords_.reserve(v_.num_facets());
   for (std::uint32_t s = 0; s < v_.num_facets(); ++s) {
     first_chord_.push_back(static_cast<std::uint32_t>(chords_.size()));
     const std::uint32_t twin = twins_[s];
@@ -130,7 +127,7 @@ CONCINO_INLINE void cell_cuts::find_regions() {
     regions_.unite(cell_vert_[c.from], cell_vert_[next(c.to)]);
     regions_.unite(cell_vert_[next(c.from)], cell_vert_[c.to]);
   }
-  region_states_ = core::large_vector(states.size(), static_cast<unsigned char>(is_below));
+  region_states_.assign(states.size(), is_below);
   for (std::uint32_t i = 0; i < states.size(); ++i)
     if (states[i] != below_level) {
       unsigned char& of_region = region_states_[regions_.root(i)];
@@ -139,7 +136,6 @@ CONCINO_INLINE void cell_cuts::find_regions() {
 }
 
 CONCINO_INLINE void cell_cuts::find_loops() {
-  core::reserve_pages(loops_, v_.num_cells()), core::reserve_pages(loop_chords_, chords_.size());
   for (std::uint32_t i = 0; i < chords_.size(); ++i) {
     if (chords_[i].loop != none) continue;
     const auto number = static_cast<std::uint32_t>(loops_.size()), first = static_cast<std::uint32_t>(loop_chords_.size());
@@ -156,16 +152,6 @@ CONCINO_INLINE void cell_cuts::find_loops() {
 CONCINO_INLINE bool cell_cuts::is_active(std::uint32_t number) const {
   const std::uint32_t facet = chords_[number].facet, twin = twins_[facet];
   return loops_[chords_[number].loop].cuts || (twin != none && loops_[chords_[number - first_chord_[facet] + first_chord_[twin]].loop].cuts);
-}
-
-CONCINO_INLINE level_place cell_cuts::place_between(level_place::kind_type kind, std::uint32_t element, std::uint32_t below, std::uint32_t above) const {
-  if (v_.states[above] == on_level) return {level_place::vert, above, above, above};
-  return {kind, element, below, above};
-}
-
-CONCINO_INLINE level_place cell_cuts::crossing(std::uint32_t corner) const {
-  const std::uint32_t a = v_.verts[corner], b = v_.verts[next(corner)];
-  return v_.states[a] == below_level ? place_between(level_place::edge, v_.edges[corner], a, b) : place_between(level_place::edge, v_.edges[corner], b, a);
 }
 
 }  // namespace concino::detail

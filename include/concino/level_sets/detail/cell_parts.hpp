@@ -4,8 +4,7 @@
 #include <concino/core/compiled.hpp>
 #include <concino/core/local_numbers.hpp>
 #include <concino/level_sets/detail/cell_cuts.hpp>
-#include <concino/level_sets/detail/part_lists.hpp>
-#include <concino/level_sets/detail/place_numbers.hpp>
+#include <concino/level_sets/detail/level_place.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -13,11 +12,30 @@
 
 namespace concino::detail {
 
-/// The parts of all cells of cell_cuts.
-class cell_parts : public part_lists {
+/// The parts of all cells of cell_cuts. Cells that are left whole have one part.
+class cell_parts {
  public:
   static constexpr std::uint32_t none = ~0u;
 
+  struct face {
+    std::uint32_t first, last;  // in face_places
+    std::uint32_t origin;       // the index of the face of the mesh of which it is a part; none for the cap of a loop
+    bool is_whole;              // it is that face
+    bool is_cut;                // it is between a part below and a part above
+  };
+  struct part {
+    std::uint32_t cell;
+    std::uint32_t first, last;  // in part_faces
+    bool is_above;
+    bool is_whole;              // it is the whole cell, whose faces are all whole
+  };
+
+  std::vector<face> faces;
+  std::vector<std::uint32_t> face_places;  // places, by number
+  std::vector<part> parts;                 // by cell
+  std::vector<std::uint32_t> part_faces;   // faces, by number
+  std::vector<unsigned char> outward;      // by entry of part_faces: whether the places are counter-clockwise seen from outside the part
+  std::vector<level_place> places;
   std::vector<std::uint32_t> moved_verts;  // verts that count as on the other side; see remove_flat_parts()
 
   explicit cell_parts(cell_cuts& cuts);

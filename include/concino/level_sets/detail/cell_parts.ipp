@@ -1,13 +1,12 @@
 // The parts into which a level set cuts cells; see cell_parts.hpp.
 #pragma once
 
-#include <concino/core/large_pages.hpp>
-#include <concino/core/sort_numbers.hpp>
 #include <concino/level_sets/detail/cell_parts.hpp>
 #include <concino/level_sets/detail/level_states.hpp>
 #include <concino/level_sets/detail/remove_flat_parts.hpp>
 
 #include <algorithm>
+#include <numeric>
 
 namespace concino::detail {
 
@@ -17,10 +16,7 @@ CONCINO_INLINE cell_parts::cell_parts(cell_cuts& cuts) : cuts_(cuts), v_(cuts.vo
   find_added_edges();
   // A face of two cells, cut in two, and a cap in each cell: about as many as facets.
   const std::size_t num_facets = v_.num_facets();
-  core::reserve_pages(faces, num_facets + num_facets / 2), core::reserve_pages(uses_, 2 * num_facets);
-  core::reserve_pages(face_places, v_.num_corners() + v_.num_corners() / 2);
-  numbers_.reserve(v_.points.size() + v_.num_facets() / 2);
-  core::reserve_pages(first_faces, v_.points.size() + v_.num_facets() / 2);
+  faces.reserve(num_facets + num_facets / 2), uses_.reserve(2 * num_facets), face_places.reserve(v_.num_corners() + v_.num_corners() / 2);
   add_facets();
   add_caps();
   merge_equal_faces();
@@ -35,7 +31,7 @@ CONCINO_INLINE void cell_parts::join_regions() {
     const cell_cuts::chord& c = cuts_.chords()[cuts_.loop_chords()[l.first]];
     if (!l.cuts) part_of_.unite(cuts_.region(c.from), cuts_.region(c.to));
   }
-  is_above_ = core::large_vector(cuts_.num_cell_verts(), static_cast<unsigned char>(0));
+  is_above_.assign(cuts_.num_cell_verts(), 0);
   for (std::uint32_t k = 0; k < v_.num_corners(); ++k) {
     const cell_cuts::region_state s = cuts_.state(k);
     if (s == cell_cuts::is_above || s == cell_cuts::is_raised) is_above_[part_at(k)] = 1;
@@ -71,7 +67,7 @@ CONCINO_INLINE void cell_parts::add_chord(std::uint32_t chord, bool forward) {
 
 /// Adds the parts of each face once, for the cells on both sides of it.
 CONCINO_INLINE void cell_parts::add_facets() {
-  std::vector<unsigned char> is_done = core::large_vector(v_.num_corners(), static_cast<unsigned char>(0));
+  std::vector<unsigned char> is_done(v_.num_corners(), 0);
   for (std::uint32_t s = 0; s < v_.num_facets(); ++s) {
     if (const std::uint32_t fan = v_.fan_of[s]; fan != none) {
       const crossed_volume::fan& f = v_.fans[fan];
@@ -79,12 +75,10 @@ CONCINO_INLINE void cell_parts::add_facets() {
       for (std::uint32_t i = cuts_.first_chord(f.first_facet); i < cuts_.first_chord(f.last_facet); ++i) any = any || cuts_.is_active(i);
       if (!any) {
         if (s == f.first_facet) add_fan(fan);
-        first_faces.resize(numbers_.places.size(), v_.faces[s]);
         continue;
       }
     }
     if (cuts_.twin(s) >= s) add_facet(s, is_done);
-    first_faces.resize(numbers_.places.size(), v_.faces[s]);
   }
 }
 
@@ -174,10 +168,7 @@ CONCINO_INLINE std::uint32_t cell_parts::add_faces(std::uint32_t origin, bool is
     open_.resize(first);
   };
   open_.clear();
-  if (position_.size() < numbers_.places.size()) {
-    core::reserve_pages(position_, numbers_.places.capacity());
-    position_.resize(numbers_.places.size() + polygon_.size(), none);
-  }
+  if (position_.size() < numbers_.places.size()) position_.resize(numbers_.places.size() + polygon_.size(), none);
   for (std::size_t k = 0; k < polygon_.size(); ++k) {
     const std::uint32_t x = polygon_[k];
     if (x == polygon_[k + 1 < polygon_.size() ? k + 1 : 0]) continue;
@@ -192,7 +183,7 @@ CONCINO_INLINE std::uint32_t cell_parts::add_faces(std::uint32_t origin, bool is
 /// Makes one face of those with the same places, which parts without an inside leave behind.
 CONCINO_INLINE void cell_parts::merge_equal_faces() {
   std::vector<std::uint64_t> order;
-  core::reserve_pages(order, faces.size());
+  order.reserve(faces.size());
   for (std::uint32_t i = 0; i < faces.size(); ++i) {
     std::uint64_t sum = 0;
     for (std::uint32_t k = faces[i].first; k < faces[i].last; ++k) {
@@ -201,9 +192,9 @@ CONCINO_INLINE void cell_parts::merge_equal_faces() {
     }
     order.push_back(sum >> 32 << 32 | i);
   }
-  core::sort_numbers(order.data(), order.data() + order.size());
-  std::vector<std::uint32_t> merged = core::large_vector(faces.size(), 0u);
-  std::vector<unsigned char> is_turned = core::large_vector(faces.size(), static_cast<unsigned char>(0));
+  std::sort(order.begin(), order.end());
+  std::vector<std::uint32_t> merged(faces.size());
+  std::vector<unsigned char> is_turned(faces.size(), 0);
   for (std::uint32_t i = 0; i < faces.size(); ++i) merged[i] = i;
   for (std::size_t i = 0; i < order.size(); ++i) {
     const auto a = static_cast<std::uint32_t>(order[i]);
@@ -240,19 +231,19 @@ CONCINO_INLINE int cell_parts::compare_places(const face& a, const face& b) cons
 
 /// Lists the faces of each part. A face that a part uses twice, from both sides, is not one of its faces; a part without faces has no inside.
 CONCINO_INLINE void cell_parts::list_parts() {
-  std::vector<std::uint64_t> order;
-  core::reserve_pages(order, uses_.size()), core::reserve_pages(part_faces, uses_.size()), core::reserve_pages(outward, uses_.size());
-  for (std::uint32_t i = 0; i < uses_.size(); ++i) order.push_back(std::uint64_t{uses_[i].part} << 32 | i);
-  core::sort_numbers(order.data(), order.data() + order.size());
-  std::vector<use> of_part;
-  std::size_t i = 0;
-  std::vector<std::uint32_t> cell_of_vert = core::large_vector(cuts_.num_cell_verts(), none);
+  const std::uint32_t num_roots = cuts_.num_cell_verts();
+  std::vector<std::uint32_t> ends(num_roots + std::size_t{1}, 0);  // by part: where its uses begin in `sorted`, then where they end
+  for (const use& u : uses_) ++ends[u.part + std::size_t{1}];
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<use> sorted(uses_.size()), of_part;
+  for (const use& u : uses_) sorted[ends[u.part]++] = u;
+  part_faces.reserve(uses_.size()), outward.reserve(uses_.size());
+  std::vector<std::uint32_t> cell_of_vert(cuts_.num_cell_verts(), none);
   for (std::uint32_t k = 0; k < v_.num_corners(); ++k) cell_of_vert[cuts_.number_in_cells(k)] = cuts_.cell_of(cuts_.facet_of(k));
-  while (i < order.size()) {
-    const auto root = static_cast<std::uint32_t>(order[i] >> 32);
+  for (std::uint32_t root = 0, i = 0; root < num_roots; ++root) {
     of_part.clear();
-    for (; i < order.size() && order[i] >> 32 == root; ++i) {
-      const use& u = uses_[static_cast<std::uint32_t>(order[i])];
+    for (; i < ends[root]; ++i) {
+      const use& u = sorted[i];
       const auto twice = std::find_if(of_part.begin(), of_part.end(), [&](const use& x) { return x.face == u.face && x.outward != u.outward; });
       if (twice == of_part.end()) of_part.push_back(u);
       else of_part.erase(twice);

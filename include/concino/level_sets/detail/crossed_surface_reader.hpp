@@ -55,8 +55,6 @@ class crossed_surface_reader {
   }
 
  private:
-  // Each function reads one thing of all elements in a short loop, so that the processor waits for the memory of several elements at once.
-
   std::vector<corner> read_corners(const M& m) {
     std::vector<corner> corners;
     arrays.first_corner.reserve(polys.size() + 1);

@@ -4,6 +4,7 @@
 #include <concino/core/compiled.hpp>
 #include <concino/core/local_numbers.hpp>
 #include <concino/core/vec3.hpp>
+#include <concino/level_sets/detail/level_place.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -56,6 +57,8 @@ class crossed_volume {
   /// The vert with an index; a new one if size() is the result, whose point, value and state then follow.
   std::uint32_t number_of_vert(std::size_t index) { return numbers_.add(index); }
   void add_vert(std::uint32_t index, const vec3& x, double value);
+  /// Where the level set crosses an element, or its diagonal, between a vert below and one above.
+  level_place place_between(level_place::kind_type kind, std::uint32_t element, std::uint32_t a, std::uint32_t b) const;
 
   /// Ends a facet whose corners were added to verts and edges.
   void end_facet(std::uint32_t face, bool is_outward, unsigned char polys);
@@ -71,7 +74,6 @@ class crossed_volume {
   void replace_by_fan(std::uint32_t face, bool is_outward, unsigned char polys);
   std::uint32_t centre_of(std::uint32_t face, std::uint32_t first, std::uint32_t last);
 };
-
 
 }  // namespace concino::detail
 

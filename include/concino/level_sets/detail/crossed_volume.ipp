@@ -1,9 +1,7 @@
 // The polys of a volume that a level set crosses; see crossed_volume.hpp.
 #pragma once
 
-#include <concino/core/large_pages.hpp>
 #include <concino/level_sets/detail/crossed_volume.hpp>
-#include <concino/level_sets/detail/level_place.hpp>
 #include <concino/level_sets/detail/level_states.hpp>
 #include <concino/level_sets/detail/polygon_crossings.hpp>
 
@@ -18,14 +16,18 @@ CONCINO_INLINE void crossed_volume::add_vert(std::uint32_t index, const vec3& x,
   states.push_back(level_state(value, level_));
 }
 
+CONCINO_INLINE level_place crossed_volume::place_between(level_place::kind_type kind, std::uint32_t element, std::uint32_t a, std::uint32_t b) const {
+  const std::uint32_t below = states[a] == below_level ? a : b, above = below == a ? b : a;
+  if (states[above] == on_level) return {level_place::vert, above, above, above};
+  return {kind, element, below, above};
+}
+
 CONCINO_INLINE void crossed_volume::reserve(std::size_t num_cells, std::size_t num_facets, std::size_t num_corners) {
-  core::reserve_pages(first_facet, num_cells + 1);
-  for (auto* const of_facets : {&faces, &fan_of, &first_corner}) core::reserve_pages(*of_facets, num_facets + 1);
-  core::reserve_pages(outward, num_facets), core::reserve_pages(num_polys, num_facets);
-  core::reserve_pages(verts, num_corners), core::reserve_pages(edges, num_corners);
+  first_facet.reserve(num_cells + 1);
+  faces.reserve(num_facets), fan_of.reserve(num_facets), first_corner.reserve(num_facets + 1), outward.reserve(num_facets), num_polys.reserve(num_facets);
+  verts.reserve(num_corners), edges.reserve(num_corners);
   const std::size_t num_verts = 3 * num_cells;  // a layer of hexes has two verts a cell, and one of tets fewer
-  core::reserve_pages(vert_indices, num_verts), core::reserve_pages(points, num_verts);
-  core::reserve_pages(values, num_verts), core::reserve_pages(states, num_verts);
+  vert_indices.reserve(num_verts), points.reserve(num_verts), values.reserve(num_verts), states.reserve(num_verts);
   numbers_.reserve(num_verts);
 }
 

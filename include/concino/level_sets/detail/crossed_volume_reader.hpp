@@ -3,7 +3,6 @@
 
 #include <concino/concepts/end_verts.hpp>
 #include <concino/concepts/oriented_edges.hpp>
-#include <concino/core/large_pages.hpp>
 #include <concino/level_sets/detail/crossed_volume.hpp>
 #include <concino/level_sets/detail/level_place.hpp>
 #include <concino/level_sets/detail/level_states.hpp>
@@ -40,8 +39,22 @@ class crossed_volume_reader {
     }
   }
 
-  bool is_edge_of_mesh(std::uint32_t index) const { return edge_numbers_.find(index) != core::local_numbers::none; }
-  const edge_t<M>& edge_of(std::uint32_t index) const { return edges[edge_numbers_.find(index)]; }
+  template<class U>
+  std::uint32_t number_of_vert(const M& m, const U& u, const vert_t<M>& v) {
+    const std::size_t index = index_of(m, v);
+    const std::uint32_t number = arrays.number_of_vert(index);
+    if (number == arrays.points.size()) {
+      arrays.add_vert(static_cast<std::uint32_t>(index), to_vec3(point(m, v)), static_cast<double>(u[v]));
+      verts.push_back(v);
+    }
+    return number;
+  }
+  /// Lists an edge once. Returns its index.
+  std::uint32_t add_crossed_edge(const M& m, const edge_t<M>& e) {
+    const std::size_t index = index_of(m, e);
+    if (edge_numbers_.add(index) == edges.size()) edges.push_back(e);
+    return static_cast<std::uint32_t>(index);
+  }
 
   mesh_point<M> mesh_point_of(const M& m, const level_place& x) const {
     const bool is_vert = x.kind == level_place::vert;
@@ -51,26 +64,20 @@ class crossed_volume_reader {
       if (arrays.vert_indices[end] == arrays.none) return {faces[centre_at(end).facet], position};
     if (is_vert) return {verts[x.above], position};
     if (x.kind == level_place::inside) return {face_of_index(x.element), position};
-    const edge_t<M>& e = edge_of(x.element);
+    const edge_t<M>& e = edges[edge_numbers_.find(x.element)];
     return {edge_point<M>{e, end_verts(m, e).first == verts[x.below] ? t : 1 - t}, position};
   }
 
   /// The verts of the mesh of which a place was made.
   std::vector<origin> origins_of(const level_place& x) const {
     std::vector<origin> list;
-    list_origins(x, list);
+    const double t = x.kind == level_place::vert ? 1 : crossing_parameter(arrays.values[x.below], arrays.values[x.above], arrays.level());
+    if (x.kind != level_place::vert) add_origins(x.below, 1 - t, list);
+    add_origins(x.above, t, list);
     return list;
   }
-  void list_origins(const level_place& x, std::vector<origin>& list) const {
-    list.clear();
-    if (x.kind == level_place::vert) {
-      add_origins(x.above, 1, list);
-      return;
-    }
-    const double t = crossing_parameter(arrays.values[x.below], arrays.values[x.above], arrays.level());
-    add_origins(x.below, 1 - t, list);
-    add_origins(x.above, t, list);
-  }
+
+ private:
   /// Adds the verts of the mesh of which a vert was made: itself, or the corners of a face at its centre.
   void add_origins(std::uint32_t vert, double weight, std::vector<origin>& list) const {
     if (arrays.vert_indices[vert] != arrays.none) {
@@ -81,31 +88,20 @@ class crossed_volume_reader {
     for (std::uint32_t k = f.first_corner; k < f.last_corner; ++k)
       list.push_back({arrays.vert_indices[arrays.whole_verts[k]], weight / static_cast<double>(f.last_corner - f.first_corner)});
   }
-
- private:
   void reserve(const M& m) {
     std::size_t num_facets = 0, num_corners = 0;
     for (const poly_t<M>& p : polys)
       for (const face_t<M> f : adj_p2f(m, p)) ++num_facets, num_corners += num_elements(adj_f2v(m, f));
     arrays.reserve(polys.size(), num_facets, num_corners);
-    core::reserve_pages(poly_indices, polys.size()), core::reserve_pages(faces, num_facets);
-    core::reserve_pages(verts, 3 * polys.size()), core::reserve_pages(edges, 3 * polys.size());
-    edge_numbers_.reserve(3 * polys.size());
+    faces.reserve(num_facets), verts.reserve(3 * polys.size()), edges.reserve(3 * polys.size()), edge_numbers_.reserve(3 * polys.size());
   }
   template<class U>
   void add_facet(const M& m, const U& u, const poly_t<M>& p, const face_t<M>& f) {
     for (const auto& [e, from, to] : oriented_edges(m, f)) {
-      const std::size_t index = index_of(m, from);
-      const std::uint32_t number = arrays.number_of_vert(index);
-      if (number == arrays.points.size()) {
-        arrays.add_vert(static_cast<std::uint32_t>(index), to_vec3(point(m, from)), static_cast<double>(u[from]));
-        verts.push_back(from);
-      }
+      const std::uint32_t number = number_of_vert(m, u, from);
       arrays.verts.push_back(number);
-      const std::size_t edge_index = index_of(m, e);
-      arrays.edges.push_back(static_cast<std::uint32_t>(edge_index));
       const bool is_crossed = (arrays.states[number] == below_level) != (static_cast<double>(u[to]) < arrays.level());
-      if (is_crossed && edge_numbers_.add(edge_index) == edges.size()) edges.push_back(e);
+      arrays.edges.push_back(is_crossed ? add_crossed_edge(m, e) : static_cast<std::uint32_t>(index_of(m, e)));
     }
     unsigned char n = 0;
     for ([[maybe_unused]] const poly_t<M> q : adj_f2p(m, f)) n = n < 3 ? static_cast<unsigned char>(n + 1) : n;

@@ -18,7 +18,6 @@ struct embedding_lists {
   std::vector<unsigned> corners, ends, poly_ends;  // of the new polys, as in cavity; poly_ends of polyhedra only
   std::vector<std::uint32_t> origins;        // by new poly: the position of the old one in old_polys; the first new polys are one of each old one
   std::vector<std::uint32_t> cut_places, cut_ends;  // the edges, or the faces, on the level set, as places
-  std::vector<std::uint32_t> cut_polys;      // by such an element: a new poly that has it, or ~0u; empty if none is known
   std::vector<std::uint32_t> number_of_place;  // by place: its position in `places`
 };
 

@@ -8,7 +8,7 @@
 #include <concino/level_sets/detail/crossed_surface_reader.hpp>
 #include <concino/level_sets/detail/crossed_volume_reader.hpp>
 #include <concino/level_sets/detail/embedding_lists.hpp>
-#include <concino/level_sets/detail/level_values.hpp>
+#include <concino/level_sets/detail/level_states.hpp>
 #include <concino/mesh/property.hpp>
 
 #include <algorithm>
@@ -119,15 +119,14 @@ class level_embedder {
     const std::uint32_t n = lists_.number_of_place[place];
     return n != ~0u ? new_verts[n] : crossed_.verts[places_[place].above];
   }
-  /// Calls f(verts, poly) for each edge or face on the level set. poly: a pointer to a new poly that has it, or null if none is known.
+  /// Calls f(verts) for each edge or face on the level set.
   template<class F>
   void for_each_cut(const F& f) {
     std::size_t k = 0;
     for (std::size_t i = 0; i < lists_.cut_ends.size(); ++i) {
       corners_.clear();
       for (; k < lists_.cut_ends[i]; ++k) corners_.push_back(vert_at(lists_.cut_places[k]));
-      const std::uint32_t poly = lists_.cut_polys.empty() ? ~0u : lists_.cut_polys[i];
-      f(corners_, poly == ~0u ? nullptr : &new_polys[poly]);
+      f(corners_);
     }
   }
 };

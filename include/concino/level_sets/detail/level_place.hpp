@@ -1,10 +1,13 @@
-// A place on a level set in terms of the mesh: at a vert, on an edge, or on a diagonal of a polygon.
+// Places on a level set in terms of the mesh, at a vert, on an edge, or on a diagonal of a polygon, and their numbers.
 #pragma once
 
+#include <concino/core/local_numbers.hpp>
 #include <concino/core/vec3.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace concino::detail {
 
@@ -34,8 +37,28 @@ inline double crossing_parameter(double below, double above, double level) {
 inline vec3 crossing_point(const vec3& a, const vec3& b, double t) {
   if (t == 1) return b;
   const vec3 step = b - a;
-  if (is_finite(step)) [[likely]] return a + t * step;
+  if (is_finite(step)) return a + t * step;
   return (1 - t) * a + t * b;
 }
+
+/// Places that are equal have one number; numbers are given in the order in which places come.
+class place_numbers {
+  core::local_numbers numbers_, ends_;
+
+  std::size_t key(const level_place& x) {
+    if (x.kind == level_place::vert) return x.element;
+    if (x.kind == level_place::edge) return std::size_t{1} << 33 | x.element;
+    return std::size_t{2} << 33 | ends_.add(std::size_t{x.below} << 32 | x.above);  // a diagonal is known by its ends and its face
+  }
+
+ public:
+  std::vector<level_place> places;
+
+  std::uint32_t add(const level_place& x) {
+    const unsigned number = numbers_.add(key(x));
+    if (number == places.size()) places.push_back(x);
+    return number;
+  }
+};
 
 }  // namespace concino::detail

@@ -1,43 +1,31 @@
-// The polygons of a level set in a volume.
+// The polygons of a level set in the cells of a volume.
 #pragma once
 
 #include <concino/core/compiled.hpp>
 #include <concino/level_sets/detail/cell_cuts.hpp>
-#include <concino/level_sets/detail/place_numbers.hpp>
 #include <concino/level_sets/detail/polygon_sheets.hpp>
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace concino::detail {
 
-/// A level set as polygons, counter-clockwise seen from above.
-struct level_surface_arrays {
-  std::vector<level_place> places;    // by vert
-  std::vector<std::uint32_t> verts;   // the corners of all polygons
-  std::vector<std::uint32_t> ends;    // by polygon: where its corners end
-  std::vector<std::uint32_t> cells;   // by polygon: the number of the cell below or around it
-};
-
-/// The facets between a part below and a part above: caps of loops, and parts of faces on the level set.
+/// Adds the facets between a part below and a part above to a list: caps of loops, and parts of faces on the level set.
 class level_polygons {
   static constexpr std::uint32_t none = ~0u;
 
   cell_cuts& cuts_;
   const crossed_volume& v_;
-  place_numbers numbers_;
-  polygon_sheets sheets_;
-  std::vector<std::uint32_t> cells_;            // by polygon of sheets_
+  polygon_sheets& sheets_;
   std::vector<std::uint32_t> first_segment_;    // by chord, common to both sides of a face
   std::vector<std::uint32_t> segment_user_;     // by segment of a chord: the corner of sheets_ that uses it first
   std::vector<std::uint32_t> edge_user_;        // by corner of a facet: the corner of sheets_ that uses the edge from there
   std::vector<unsigned char> has_facet_;        // by corner of a facet: whether the part of the facet at its vert is in the level set
 
  public:
-  explicit level_polygons(cell_cuts& cuts) : cuts_(cuts), v_(cuts.volume()) {}
+  level_polygons(cell_cuts& cuts, polygon_sheets& sheets) : cuts_(cuts), v_(cuts.volume()), sheets_(sheets) {}
 
-  level_surface_arrays make();
+  void add_all();
 
  private:
   void number_segments();

@@ -1,4 +1,4 @@
-// The polygons of a level set in a volume; see level_polygons.hpp.
+// The polygons of a level set in the cells of a volume; see level_polygons.hpp.
 #pragma once
 
 #include <concino/level_sets/detail/level_polygons.hpp>
@@ -32,13 +32,8 @@ CONCINO_INLINE void level_polygons::add_chord(std::uint32_t chord, bool forward)
   const cell_cuts::chord& c = cuts_.chords()[chord];
   const std::uint32_t n = c.inner_end - c.inner_begin, first = first_segment_[chord];
   for (std::uint32_t k = 0; k <= n; ++k) {
-    if (k == 0) {
-      sheets_.add_corner(numbers_.add(cuts_.crossing(forward ? c.from : c.to)));
-    } else {
-      const crossed_diagonal& d = cuts_.inner()[forward ? c.inner_begin + k - 1 : c.inner_end - k];
-      sheets_.add_corner(numbers_.add(cuts_.crossing(c.facet, d)));
-    }
-    use_segment(forward ? first + k : first + n - k, static_cast<std::uint32_t>(sheets_.places.size() - 1));
+    const level_place x = k == 0 ? cuts_.crossing(forward ? c.from : c.to) : cuts_.crossing(c.facet, cuts_.inner()[forward ? c.inner_begin + k - 1 : c.inner_end - k]);
+    use_segment(forward ? first + k : first + n - k, sheets_.add_corner(x));
   }
 }
 
@@ -47,8 +42,7 @@ CONCINO_INLINE void level_polygons::add_cap(const cell_cuts::loop& loop) {
     const std::uint32_t chord = cuts_.loop_chords()[i];
     add_chord(chord, v_.outward[cuts_.chords()[chord].facet] != 0);
   }
-  sheets_.end_polygon();
-  cells_.push_back(loop.cell);
+  sheets_.end_polygon(loop.cell);
 }
 
 /// Finds the parts of facets that are dropped in their own cell, and above in the cell across.
@@ -68,9 +62,9 @@ CONCINO_INLINE void level_polygons::add_facet(std::uint32_t corner, std::vector<
   const bool forward = v_.outward[cuts_.facet_of(corner)] != 0;
   for (std::uint32_t k = corner; !is_done[k];) {
     is_done[k] = 1;
-    const std::uint32_t edge = forward ? k : cuts_.previous(k), chord = cuts_.chord_at(edge), here = static_cast<std::uint32_t>(sheets_.places.size());
+    const std::uint32_t edge = forward ? k : cuts_.previous(k), chord = cuts_.chord_at(edge);
     const std::uint32_t v = v_.verts[k];
-    sheets_.add_corner(numbers_.add({level_place::vert, v, v, v}));
+    const std::uint32_t here = sheets_.add_corner({level_place::vert, v, v, v});
     if (chord == none) {
       edge_user_[edge] = here;
       k = forward ? cuts_.next(k) : cuts_.previous(k);
@@ -81,11 +75,10 @@ CONCINO_INLINE void level_polygons::add_facet(std::uint32_t corner, std::vector<
     add_chord(chord, c.from == edge);
     const std::uint32_t other = c.from == edge ? c.to : c.from;
     const std::uint32_t last = v_.verts[forward ? cuts_.next(other) : other];
-    sheets_.add_corner(numbers_.add({level_place::vert, last, last, last}));
+    sheets_.add_corner({level_place::vert, last, last, last});
     k = forward ? cuts_.next(other) : other;
   }
-  sheets_.end_polygon();
-  cells_.push_back(cuts_.cell_of(cuts_.facet_of(corner)));
+  sheets_.end_polygon(cuts_.cell_of(cuts_.facet_of(corner)));
 }
 
 /// Finds the neighbour of each facet at each edge on the level set: it bounds the same parts below, through which the search turns around the edge.
@@ -102,7 +95,7 @@ CONCINO_INLINE void level_polygons::link_edges() {
   }
 }
 
-CONCINO_INLINE level_surface_arrays level_polygons::make() {
+CONCINO_INLINE void level_polygons::add_all() {
   number_segments();
   find_facets();
   std::vector<unsigned char> is_done(v_.num_corners(), 0);
@@ -114,13 +107,6 @@ CONCINO_INLINE level_surface_arrays level_polygons::make() {
       if (has_facet_[k] && !is_done[k]) add_facet(k, is_done);
   }
   link_edges();
-  sheets_.remove_polygons_without_size();
-  level_surface_arrays result;
-  for (const std::uint32_t place : sheets_.number_fans()) result.places.push_back(numbers_.places[place]);
-  result.verts = std::move(sheets_.numbers);
-  result.ends = std::move(sheets_.polygon_ends);
-  for (const std::uint32_t polygon : sheets_.polygon_origins) result.cells.push_back(cells_[polygon]);
-  return result;
 }
 
 }  // namespace concino::detail

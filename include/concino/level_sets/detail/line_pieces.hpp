@@ -3,7 +3,6 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/level_sets/detail/chord_places.hpp>
-#include <concino/level_sets/detail/level_lines.hpp>
 #include <concino/level_sets/detail/level_place.hpp>
 #include <concino/level_sets/detail/opposite_steps.hpp>
 #include <concino/level_sets/detail/poly_cuts.hpp>
@@ -13,6 +12,42 @@
 #include <vector>
 
 namespace concino::detail {
+
+/// Lines, one after another. Line i has the places from ends[i - 1] to ends[i].
+struct level_lines {
+  std::vector<level_place> places;
+  std::vector<std::size_t> ends;
+  std::vector<unsigned char> closed;
+
+  /// Adds a place to the current line unless it is there already; a line that returns at once to the place before loses both steps.
+  void add_place(const level_place& x) {
+    const std::size_t n = places.size() - begin_of_current();
+    if (n > 0 && places.back() == x) return;
+    if (n > 1 && places[places.size() - 2] == x) places.pop_back();
+    else places.push_back(x);
+  }
+
+  /// Ends the current line. One that has become a point or, if closed, a segment and back, has no size and is removed.
+  void end_line(bool is_closed) {
+    const std::size_t begin = begin_of_current();
+    std::size_t first = begin, last = places.size();
+    if (is_closed) {
+      if (last - first > 1 && places[first] == places[last - 1]) --last;
+      while (last - first > 2 && places[first + 1] == places[last - 1]) ++first, --last;
+    }
+    if (last - first < (is_closed ? 3u : 2u)) {
+      places.resize(begin);
+      return;
+    }
+    places.resize(last);
+    places.erase(places.begin() + static_cast<std::ptrdiff_t>(begin), places.begin() + static_cast<std::ptrdiff_t>(first));
+    ends.push_back(places.size());
+    closed.push_back(is_closed);
+  }
+
+ private:
+  std::size_t begin_of_current() const { return ends.empty() ? 0 : ends.back(); }
+};
 
 /// The level set consists of curves: the chords that cut polys, and edges on the level set between a part below and a part above. Steps of curves that are
 /// taken in both directions have nothing above between them and cancel; what is left of a curve are its pieces.
@@ -41,11 +76,7 @@ class line_pieces {
   explicit line_pieces(const poly_cuts& cuts);
 
   /// Joins the pieces: in the order of their first polys, with larger values to the left of the first piece.
-  level_lines join() const {
-    return join_pieces(
-        pieces_.size(), [this](std::uint32_t end) { return pieces_[end / 2].link[end % 2]; },
-        [this](level_lines& lines, std::uint32_t i, bool forward) { append(lines, i, forward); });
-  }
+  level_lines join() const;
 
  private:
   bool is_chord(std::uint32_t curve) const { return curve < cuts_.chords().size(); }

@@ -121,4 +121,30 @@ CONCINO_INLINE void line_pieces::append(level_lines& lines, std::uint32_t i, boo
   for (std::uint32_t k = x.first; k <= x.last; ++k) lines.add_place(place(x.curve, forward ? k : x.first + x.last - k));
 }
 
+CONCINO_INLINE level_lines line_pieces::join() const {
+  const auto link_of = [this](std::uint32_t end) { return pieces_[end / 2].link[end % 2]; };
+  level_lines lines;
+  std::vector<unsigned char> is_joined(pieces_.size(), 0);
+  for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+    if (is_joined[i]) continue;
+    std::uint32_t start = 2 * i;  // an end of a piece: the line starts there
+    bool closed = false;
+    for (std::uint32_t before = link_of(start); before != none; before = link_of(start)) {
+      start = before ^ 1u;
+      closed = before / 2 == i;
+      if (closed) break;
+    }
+    if (closed) start = 2 * i;
+    for (std::uint32_t at = start;;) {
+      append(lines, at / 2, at % 2 == 0);
+      is_joined[at / 2] = 1;
+      const std::uint32_t after = link_of(at ^ 1u);
+      if (after == none || after == start) break;
+      at = after;
+    }
+    lines.end_line(closed);
+  }
+  return lines;
+}
+
 }  // namespace concino::detail

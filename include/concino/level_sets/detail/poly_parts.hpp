@@ -4,7 +4,7 @@
 #include <concino/core/compiled.hpp>
 #include <concino/core/local_numbers.hpp>
 #include <concino/level_sets/detail/chord_places.hpp>
-#include <concino/level_sets/detail/place_numbers.hpp>
+#include <concino/level_sets/detail/level_place.hpp>
 #include <concino/level_sets/detail/poly_cuts.hpp>
 
 #include <cstddef>

@@ -1,9 +1,7 @@
 // Removes parts of cells that have no inside; see remove_flat_parts.hpp.
 #pragma once
 
-#include <concino/core/large_pages.hpp>
-#include <concino/core/sort_numbers.hpp>
-#include <concino/level_sets/detail/place_numbers.hpp>
+#include <concino/level_sets/detail/level_place.hpp>
 #include <concino/level_sets/detail/remove_flat_parts.hpp>
 
 #include <algorithm>
@@ -25,10 +23,7 @@ class flat_part_finder {
   }
 
   void list_loops() {
-    const std::size_t num_loops = cuts_.loops().size(), num_chords = cuts_.chords().size();
-    numbers_.reserve(num_chords / 2);
-    for (auto* const list : {&loops_, &ends_}) core::reserve_pages(*list, num_loops);
-    core::reserve_pages(places_, num_chords), core::reserve_pages(loops_at_region_, cuts_.num_cell_verts());
+    loops_at_region_.assign(cuts_.num_cell_verts(), 0);
     for (std::uint32_t i = 0; i < cuts_.loops().size(); ++i) {
       const cell_cuts::loop& l = cuts_.loops()[i];
       if (!l.cuts) continue;
@@ -47,11 +42,7 @@ class flat_part_finder {
       while (places_.size() - first > 1 && places_.back() == places_[first]) places_.pop_back();
       loops_.push_back(i);
       ends_.push_back(static_cast<std::uint32_t>(places_.size()));
-      for (const bool above : {false, true}) {
-        const std::uint32_t r = cuts_.region(corner(i, above));
-        if (r >= loops_at_region_.size()) loops_at_region_.resize(r + std::size_t{1});
-        ++loops_at_region_[r];
-      }
+      for (const bool above : {false, true}) ++loops_at_region_[cuts_.region(corner(i, above))];
     }
   }
   bool are_opposite(std::size_t a, std::size_t b) const {
@@ -93,7 +84,7 @@ class flat_part_finder {
 
   std::vector<std::uint32_t> remove() {
     std::vector<std::uint64_t> order;
-    core::reserve_pages(order, loops_.size());
+    order.reserve(loops_.size());
     for (std::uint32_t i = 0; i < loops_.size(); ++i) {
       std::uint64_t sum = 0;  // of a hash of the places: it does not depend on the direction
       for (std::uint32_t k = begin(i); k < ends_[i]; ++k) {
@@ -102,7 +93,7 @@ class flat_part_finder {
       }
       order.push_back(sum >> 32 << 32 | i);
     }
-    core::sort_numbers(order.data(), order.data() + order.size());
+    std::sort(order.begin(), order.end());
     for (std::size_t i = 0; i < order.size(); ++i)
       for (std::size_t j = i + 1; j < order.size() && order[j] >> 32 == order[i] >> 32; ++j) {
         const auto x = static_cast<std::uint32_t>(order[i]), y = static_cast<std::uint32_t>(order[j]);

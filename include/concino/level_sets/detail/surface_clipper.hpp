@@ -19,7 +19,7 @@ class surface_clipper {
   const M& m_;
   double level_;
   bool both_;
-  state_array states_;
+  std::vector<unsigned char> states_;
   crossed_surface_reader<M> crossed_;
   poly_cuts cuts_;
   std::vector<poly_t<M>> whole_;
@@ -39,7 +39,7 @@ class surface_clipper {
     clip_verts<M, crossed_surface> verts_of(m_, crossed_.arrays, parts.places, level_);
     choose_polys(parts, verts_of);
     verts_of.number();
-    verts_of.list([&](const level_place& x, std::vector<origin>& list) { list = crossed_.origins_of(x, level_); });
+    verts_of.list([&](const level_place& x) { return crossed_.origins_of(x, level_); });
     build(parts, verts_of);
     report_progress(options.progress, 0.8, "clipping");
     list_cut_edges(parts, verts_of);
