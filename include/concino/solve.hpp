@@ -4,7 +4,9 @@
 #include <concino/concepts/sparse_solver.hpp>
 #include <concino/solve/auto_solver.hpp>
 #include <concino/solve/bicgstab.hpp>
+#include <concino/solve/checked_solver.hpp>
 #include <concino/solve/conjugate_gradients.hpp>
+#include <concino/solve/direct_solver_options.hpp>
 #include <concino/solve/ldlt.hpp>
 #include <concino/solve/llt.hpp>
 #include <concino/solve/lu.hpp>

@@ -5,6 +5,9 @@
 #include <support/solver_paths.hpp>
 #include <support/systems.hpp>
 
+#include <cstddef>
+#include <vector>
+
 using namespace concino;
 using namespace systems;
 
@@ -50,4 +53,25 @@ TEST_CASE("cholmod: chooses the elimination order, and keeps it for other values
 
 TEST_CASE("cholmod: handles small, singular and indefinite systems, and isolated verts") {
   solver_paths::check_all(solver_paths::any_solver::make<cholmod>(), solver_paths::indefinite::refused);
+}
+
+TEST_CASE("cholmod: takes the order that it is given") {
+  const elimination_ordering backwards = [](const Eigen::SparseMatrix<double>& matrix) {
+    std::vector<int> order(static_cast<std::size_t>(matrix.cols()));
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(order.size() - 1 - i);
+    return order;
+  };
+  cholmod solver({.ordering = backwards}), automatic;
+  check_solver(solver, 40);
+  CHECK((solver.options().ordering == backwards));
+  for (const int n : {3, 30}) {
+    solver.factorize(grid(n));
+    automatic.factorize(grid(n));
+    const Eigen::VectorXd b = random_vector(n * n);
+    CHECK(distance(solver.solve(b), automatic.solve(b)) < 1e-12);
+  }
+  cholmod too_few({.ordering = [](const Eigen::SparseMatrix<double>&) { return std::vector<int>{0}; }}),
+      twice({.ordering = [](const Eigen::SparseMatrix<double>&) { return std::vector<int>{0, 0, 1, 2}; }});
+  CHECK_THROWS_AS(too_few.factorize(grid(2)), invalid_argument);
+  CHECK_THROWS_AS(twice.factorize(grid(2)), solver_error);
 }

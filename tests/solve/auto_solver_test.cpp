@@ -3,8 +3,6 @@
 #include <concino/solve/ldlt.hpp>
 #include <concino/solve/multigrid.hpp>
 
-#include <Eigen/SparseCholesky>
-
 #include <support/systems.hpp>
 
 #include <algorithm>
@@ -34,7 +32,7 @@ sparse strip(int n, int width, double more = 0.01) {
   return from(n * width, n * width, entries);
 }
 
-/// Multigrid solves this once in less time than ldlt factorises.
+/// Multigrid answers one question about it, ldlt many.
 const sparse& large() {
   static const sparse a = strip(210, 125);
   return a;
@@ -100,60 +98,24 @@ TEST_CASE("auto_solver: factorises up to the limit, and reports its choice") {
   CHECK_THROWS_AS(auto_solver({.questions = -1}), invalid_argument);
 }
 
-TEST_CASE("auto_solver: the choice follows the size, the shape and the number of questions") {
+TEST_CASE("auto_solver: the choice follows the size, the length of rows and the number of questions") {
   const auto choice = [](const sparse& a, const auto_solver_options& options = {}) {
     auto_solver solver(options);
     solver.factorize(a);
     return solver.used();
   };
-  CHECK(choice(grid(100)) == solver_used::ldlt);
-  CHECK(choice(large()) == solver_used::multigrid);
-  CHECK(choice(large(), {.questions = 1}) == solver_used::multigrid);
-  CHECK(choice(large(), {.questions = 100}) == solver_used::ldlt);
+  CHECK(choice(strip(99, 101)) == solver_used::ldlt);  // 9,999
+  CHECK(choice(strip(100, 100)) == solver_used::multigrid);
+  CHECK(choice(large(), {.questions = 9}) == solver_used::multigrid);
+  CHECK(choice(large(), {.questions = 10}) == solver_used::ldlt);
   CHECK(choice(large(), {.max_factor_entries = 100'000, .questions = 100}) == solver_used::multigrid);
-  CHECK(choice(strip(60'000, 1)) == solver_used::ldlt);  // a path
-  CHECK(choice(strip(10'000, 5)) == solver_used::ldlt);
-  CHECK(choice(strip(10'000, 5), {.max_factor_entries = 1000}) == solver_used::multigrid);
-}
-
-TEST_CASE("auto_solver: iterates at first, and factorises when the solves have cost as much") {
-  const sparse a = box(16, 1e-4);
-  auto_solver solver;
-  solver.factorize(a);
-  CHECK(solver.used() == solver_used::multigrid);
-  int number = 0;
-  for (; solver.used() == solver_used::multigrid && number < 30; ++number) {
-    const Eigen::VectorXd b = random_vector(a.cols(), static_cast<unsigned>(number)), x = solver.solve(b);
-    CHECK(distance(product(a, x), b) < 1e-9 * x.cwiseAbs().maxCoeff());
-    CHECK((solver.iterations() > 0) == (solver.used() == solver_used::multigrid));
-  }
-  CHECK(number > 2);
-  CHECK(number < 30);
-  const predicted_times factor = solver.predicted(solver_used::ldlt), levels = solver.predicted(solver_used::multigrid);
-  CHECK(factor.factorize > levels.factorize + levels.solve);
-  CHECK(factor.solve < levels.solve);
-  CHECK(number * levels.solve < 4 * factor.factorize);
-  const Eigen::VectorXd x = random_vector(a.cols());
-  CHECK(distance(solver.solve(product(a, x)), x) < 1e-8);
-  CHECK(solver.iterations() == 0);
-  auto_solver once({.questions = 1});
-  once.factorize(a);
-  for (int i = 0; i < number; ++i) once.solve(1e-3 * x);
-  CHECK(once.used() == solver_used::multigrid);  // as it was told
-}
-
-TEST_CASE("auto_solver: predicts times") {
-  auto_solver solver, limited({.max_factor_entries = 100});
-  CHECK(solver.predicted(solver_used::none).factorize == 0);
-  solver.factorize(grid(100));
-  CHECK(solver.predicted(solver_used::ldlt).factorize > 0);
-  CHECK(solver.predicted(solver_used::ldlt).solve > 0);
-  CHECK(solver.predicted(solver_used::multigrid).factorize > 0);
-  CHECK(solver.predicted(solver_used::multigrid).solve > solver.predicted(solver_used::ldlt).solve);
-  solver.factorize(large());
-  CHECK(std::isnan(solver.predicted(solver_used::ldlt).factorize));
-  limited.factorize(grid(100));
-  CHECK(std::isinf(limited.predicted(solver_used::ldlt).solve));
+  CHECK(choice(strip(1999, 100), {.questions = 100}) == solver_used::ldlt);
+  CHECK(choice(strip(2000, 100), {.questions = 100}) == solver_used::multigrid);
+  CHECK(choice(box(9, 0.01)) == solver_used::ldlt);  // 729 unknowns
+  CHECK(choice(box(10, 0.01)) == solver_used::multigrid);
+  CHECK(choice(box(17, 0.01), {.questions = 10}) == solver_used::ldlt);  // 4,913
+  CHECK(choice(box(18, 0.01), {.questions = 10}) == solver_used::multigrid);
+  CHECK_THROWS_WITH_AS(auto_solver({.questions = 0}), "auto_solver: questions must be 1 or more", invalid_argument);
 }
 
 TEST_CASE("auto_solver: where multigrid fails, the factor solves") {
@@ -180,18 +142,21 @@ TEST_CASE("auto_solver: where multigrid fails, the factor solves") {
   }
   CHECK(distance(few.solve(b), x) < 1e-11);
   CHECK(few.used() == solver_used::ldlt);
+  CHECK(few.has_replaced_multigrid());
   few.factorize(a);
   CHECK(few.used() == solver_used::ldlt);  // it remembers
+  CHECK(few.has_replaced_multigrid());
   few.factorize(a * 2);
   CHECK(few.used() == solver_used::ldlt);
   flagged.solve(b);
+  CHECK_FALSE(flagged.has_replaced_multigrid());
   CHECK(flagged.iterations() == 2);
   CHECK_FALSE(flagged.has_converged());
   CHECK(message_of([&] { no_factor.solve(b); }).find("multigrid: not converged after 2 iterations") == 0);
   CHECK(no_factor.used() == solver_used::multigrid);
 }
 
-TEST_CASE("auto_solver: a badly conditioned system is factorised once the iteration has cost as much") {
+TEST_CASE("auto_solver: a badly conditioned system is factorised after 40 iterations, where it may be") {
   const sparse laplacian = grid(122, 1e-7), b = laplacian * laplacian;  // of fourth order
   auto_solver solver;
   ldlt direct;
@@ -201,7 +166,16 @@ TEST_CASE("auto_solver: a badly conditioned system is factorised once the iterat
   const Eigen::VectorXd load = random_vector(b.cols());
   CHECK(solver.solve(load) == direct.solve(load));
   CHECK(solver.used() == solver_used::ldlt);
+  CHECK(solver.has_replaced_multigrid());
   CHECK(solver.iterations() == 0);
+  auto_solver no_factor({.max_factor_entries = 200'000, .iteration = {.tolerance = 1e-6, .accept_missed_tolerance = true}});
+  no_factor.factorize(b);
+  no_factor.solve(load);
+  CHECK(no_factor.used() == solver_used::multigrid);
+  CHECK(no_factor.iterations() > 40);
+  solver.factorize(grid(10));
+  CHECK(solver.used() == solver_used::ldlt);
+  CHECK_FALSE(solver.has_replaced_multigrid());
 }
 
 TEST_CASE("auto_solver: the errors of large singular systems are those of ldlt") {
@@ -254,7 +228,7 @@ TEST_CASE("auto_solver: several threads may solve at once") {
     });
   for (std::thread& t : threads) t.join();
   for (const double w : worst) CHECK(w < 1e-9);
-  CHECK(solver.used() == solver_used::ldlt);
+  CHECK(solver.used() == solver_used::multigrid);
 }
 
 TEST_CASE("auto_solver: make_similar_solver and a new matrix with the same pattern work") {
@@ -270,19 +244,6 @@ TEST_CASE("auto_solver: make_similar_solver and a new matrix with the same patte
       const Eigen::VectorXd x = random_vector(n * n);
       CHECK(distance(solver.solve(grid(n, more) * x), x) < 1e-7);
     }
-}
-
-TEST_CASE("auto_solver: counts the entries of the factor") {
-  for (const int n : {1, 2, 7, 20}) {
-    const Eigen::SimplicialLDLT<sparse> factors(grid(n));
-    detail::elimination_order order;
-    order.find(grid(n));
-    const auto all = factors.matrixL().nestedExpression().nonZeros();
-    detail::sparse_factor counted;
-    CHECK(counted.analyse(order(grid(n)), all));
-    CHECK(counted.lower().nonZeros() == all);
-    if (all > 0) CHECK(!counted.analyse(order(grid(n)), all - 1));
-  }
 }
 
 TEST_CASE("auto_solver: an order copied from another obeys its own limit") {

@@ -2,7 +2,8 @@
 // Needs: CHOLMOD of SuiteSparse (Debian: libsuitesparse-dev); for full speed also a fast BLAS (Debian: libopenblas0-serial).
 #pragma once
 
-#include <concino/core/system_checks.hpp>
+#include <concino/solve/checked_solver.hpp>
+#include <concino/solve/direct_solver_options.hpp>
 
 #include <Eigen/CholmodSupport>
 
@@ -27,8 +28,13 @@ struct supernodal_factors : Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<doub
 
   /// Finds the elimination order, by approximate minimum degree or, if that gives a costly factorisation, by nested dissection. On grids the factors of
   /// the latter take 1/3 to 1/2 as many operations, but finding it takes as long as some 4e5 operations per unknown.
-  void analyse(const Eigen::SparseMatrix<double>& a) {
+  /// Or takes a given one.
+  void analyse(const Eigen::SparseMatrix<double>& a, elimination_ordering ordering) {
     cholmod_common& c = cholmod();
+    if (ordering) {
+      analyse_in_order(a, ordering(a));
+      return check_status("the analysis");
+    }
     c.method[0].ordering = CHOLMOD_AMD;
     c.method[1].ordering = CHOLMOD_METIS;
     c.nmethods = 1;
@@ -38,6 +44,19 @@ struct supernodal_factors : Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<doub
     c.nmethods = 2;
     analyzePattern(a);
     check_status("the analysis");
+  }
+
+  void analyse_in_order(const Eigen::SparseMatrix<double>& a, std::vector<int> order) {
+    if (order.size() != static_cast<std::size_t>(a.cols())) throw invalid_argument("the elimination ordering of a solver returned no permutation of its rows");
+    cholmod_common& c = cholmod();
+    c.method[0].ordering = CHOLMOD_GIVEN;
+    c.nmethods = 1;
+    if (m_cholmodFactor) cholmod_free_factor(&m_cholmodFactor, &c);
+    cholmod_sparse view = Eigen::viewAsCholmod(a.selfadjointView<Eigen::Lower>());
+    m_cholmodFactor = cholmod_analyze_p(&view, order.data(), nullptr, 0, &c);
+    m_isInitialized = m_analysisIsOk = true;
+    m_factorizationIsOk = false;
+    m_info = Eigen::Success;
   }
 
   /// The row of the matrix where elimination found a pivot that is not positive, or -1.
@@ -62,42 +81,40 @@ struct supernodal_factors : Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<doub
 }  // namespace detail
 
 /// A SparseSolver that factorises a symmetric positive definite matrix as L L^T by dense blocks.
-/// Only the lower triangle of the matrix is read. If a matrix has the pattern of the previous one, explicit zeros included, the elimination order
+/// Only the lower triangle of the matrix is read. The order is chosen as it factorises faster, or by options.ordering. If a matrix has the pattern of the previous one, explicit zeros included, the elimination order
 /// is reused. The speed depends on the BLAS: with OpenBLAS (Debian: libopenblas0-serial) some 6 times
 /// Eigen's speed at 200,000 unknowns, with the reference BLAS far less.
 /// Errors: factorize throws solver_error, with the reason, if the matrix is not square, has entries that are not finite or is not positive
-///         definite (the row is named), or if the factor is too large. solve throws it if there is no factorised matrix, the right-hand side has
+///         definite (the row is named), or if the factor is too large. invalid_argument or solver_error if options.ordering returns no permutation. solve throws solver_error if there is no factorised matrix, the right-hand side has
 ///         another size, or an entry of it or of the solution is not finite. After a failed factorize there is no factorised matrix.
 /// Source: Chen, Davis, Hager, Rajamanickam, Algorithm 887, 2008, through Eigen's CholmodSupport; nested dissection: Karypis, Kumar 1998, METIS. The
 ///         supernodal module is under the GPL.
 class cholmod {
+  direct_solver_options options_;
   detail::supernodal_factors factors_;
-  core::sparsity_pattern pattern_;
-  Eigen::Index size_ = -1;
+  checked_solver checks_{"cholmod"};
 
  public:
+  cholmod() = default;
+  explicit cholmod(const direct_solver_options& options) : options_(options) {}
+
   void factorize(const Eigen::SparseMatrix<double>& matrix) {
-    size_ = -1;
     Eigen::SparseMatrix<double> storage;
-    const Eigen::SparseMatrix<double>& a = core::compressed(matrix, storage);
-    core::check_square("cholmod", a);
-    core::check_entries("cholmod", a);
+    const Eigen::SparseMatrix<double>& a = checks_.begin_square(matrix, storage);
     if (a.cols() > 0) {
-      pattern_.update(a, [&](const auto& m) { factors_.analyse(m); });
+      checks_.analyse_once(a, [&](const auto& m) { factors_.analyse(m, options_.ordering); });
       factors_.factorize(a);
       factors_.check_status("the factorisation");
       check_pivots(a);
     }
-    size_ = a.rows();
+    checks_.accept(a.rows());
   }
 
-  Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
-    core::check_right_hand_side("cholmod", b, size_);
-    if (size_ == 0) return Eigen::VectorXd(0);
-    Eigen::VectorXd x = factors_.solve(b);
-    core::check_solution("cholmod", x);
-    return x;
+  Eigen::VectorXd solve(const Eigen::VectorXd& right) const {
+    return checks_.solve(right, [&](const Eigen::VectorXd& b) { return Eigen::VectorXd(factors_.solve(b)); });
   }
+
+  const direct_solver_options& options() const { return options_; }
 
  private:
   void check_pivots(const Eigen::SparseMatrix<double>& a) const {

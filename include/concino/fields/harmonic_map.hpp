@@ -123,7 +123,7 @@ template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = aut
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_harmonic_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_harmonic_map(M&& m, const V& fixed,
                                                                                                 const harmonic_map_options& options = {},
-                                                                                                Solver&& solver = {}) {
+                                                                                                Solver&& solver = auto_solver({.questions = 20})) {
   return {m, fixed, virtual_elements, options, solver};
 }
 template<class M, class V = std::initializer_list<vert_t<M>>, class D, class Solver = auto_solver>
@@ -131,7 +131,7 @@ template<class M, class V = std::initializer_list<vert_t<M>>, class D, class Sol
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_harmonic_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_harmonic_map(M&& m, const V& fixed, const D& discretisation,
                                                                                                 const harmonic_map_options& options = {},
-                                                                                                Solver&& solver = {}) {
+                                                                                                Solver&& solver = auto_solver({.questions = 20})) {
   return {m, fixed, discretisation, options, solver};
 }
 

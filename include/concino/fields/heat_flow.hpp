@@ -136,7 +136,7 @@ template<class M, class Solver = auto_solver>
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_flow(M&& m, double time,
                                                                                           const heat_flow_options<std::remove_cvref_t<M>>& options = {},
-                                                                                          Solver&& solver = {}) {
+                                                                                          Solver&& solver = auto_solver({.questions = 20})) {
   return {m, time, virtual_elements, options, solver};
 }
 template<class M, class D, class Solver = auto_solver>
@@ -144,7 +144,7 @@ template<class M, class D, class Solver = auto_solver>
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_heat_flow<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_heat_flow(M&& m, double time, const D& discretisation,
                                                                                           const heat_flow_options<std::remove_cvref_t<M>>& options = {},
-                                                                                          Solver&& solver = {}) {
+                                                                                          Solver&& solver = auto_solver({.questions = 20})) {
   return {m, time, discretisation, options, solver};
 }
 

@@ -160,14 +160,14 @@ template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = aut
   requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && detail::names_elements<V, vert_t<M>> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_poisson<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_poisson(M&& m, const V& fixed,
-                                                                                      const prepare_poisson_options& options = {}, Solver&& solver = {}) {
+                                                                                      const prepare_poisson_options& options = {}, Solver&& solver = auto_solver({.questions = 20})) {
   return {m, fixed, virtual_elements, options, solver};
 }
 template<class M, class V = std::initializer_list<vert_t<M>>, class D, class Solver = auto_solver>
   requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && Discretisation<D, M> && detail::names_elements<V, vert_t<M>> &&
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_poisson<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_poisson(M&& m, const V& fixed, const D& discretisation,
-                                                                                      const prepare_poisson_options& options = {}, Solver&& solver = {}) {
+                                                                                      const prepare_poisson_options& options = {}, Solver&& solver = auto_solver({.questions = 20})) {
   return {m, fixed, discretisation, options, solver};
 }
 

@@ -98,7 +98,7 @@ template<class M, class Solver = auto_solver>
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_smooth<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_smooth(M&& m, double amount,
                                                                                     const smooth_options<std::remove_cvref_t<M>>& options = {},
-                                                                                    Solver&& solver = {}) {
+                                                                                    Solver&& solver = auto_solver({.questions = 20})) {
   return {m, amount, virtual_elements, options, solver};
 }
 template<class M, class D, class Solver = auto_solver>
@@ -106,7 +106,7 @@ template<class M, class D, class Solver = auto_solver>
            SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 prepared_smooth<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_smooth(M&& m, double amount, const D& discretisation,
                                                                                     const smooth_options<std::remove_cvref_t<M>>& options = {},
-                                                                                    Solver&& solver = {}) {
+                                                                                    Solver&& solver = auto_solver({.questions = 20})) {
   return {m, amount, discretisation, options, solver};
 }
 

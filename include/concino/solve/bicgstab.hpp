@@ -3,7 +3,7 @@
 
 #include <concino/core/equilibrate.hpp>
 #include <concino/core/number_text.hpp>
-#include <concino/core/system_checks.hpp>
+#include <concino/solve/checked_solver.hpp>
 
 #include <Eigen/IterativeLinearSolvers>
 
@@ -48,7 +48,7 @@ class bicgstab {
   mutable std::int64_t iterations_ = 0;
   mutable double residual_ = 0;
   mutable bool has_converged_ = true;
-  Eigen::Index size_ = -1;
+  checked_solver checks_{"bicgstab"};
 
  public:
   static constexpr bool reads_both_triangles = true;
@@ -63,12 +63,9 @@ class bicgstab {
     if (options.fill < 1) throw invalid_argument("bicgstab: fill is not positive");
   }
 
-  void factorize(const Eigen::SparseMatrix<double>& input) {
-    size_ = -1;
-    a_ = input;
-    a_.makeCompressed();
-    core::check_square("bicgstab", a_);
-    core::check_entries("bicgstab", a_);
+  void factorize(const Eigen::SparseMatrix<double>& matrix) {
+    Eigen::SparseMatrix<double> storage;
+    a_ = checks_.begin_square(matrix, storage);
     a_.prune([](Eigen::Index, Eigen::Index, double x) { return x != 0; });
     scale_ = core::equilibrate(a_);
     check_rows_and_columns();
@@ -79,27 +76,14 @@ class bicgstab {
       iteration_.compute(a_);
       if (iteration_.info() != Eigen::Success) throw solver_error("bicgstab: the incomplete LU factorisation failed; the matrix is singular");
     }
-    size_ = a_.rows();
+    checks_.accept(a_.rows());
   }
 
-  Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const {
-    core::check_right_hand_side("bicgstab", rhs, size_);
+  Eigen::VectorXd solve(const Eigen::VectorXd& right) const {
     iterations_ = 0;
     residual_ = 0;
     has_converged_ = true;
-    if (rhs.isZero(0)) return Eigen::VectorXd::Zero(size_);
-    Eigen::VectorXd b = core::scaled(rhs, scale_.rows);
-    const double b_scale = core::power_of_two_to_scale(b.cwiseAbs().maxCoeff());
-    b *= b_scale;
-    Eigen::VectorXd x = iterate(b);
-    if (!has_converged_ && !options_.accept_missed_tolerance)
-      core::throw_joined<solver_error>({"bicgstab: not converged after ", static_cast<std::size_t>(iterations_), " iterations: the residual is ",
-                                          core::number_text(residual_), ", the tolerance ", core::number_text(options_.tolerance),
-                                          "; the matrix is singular or badly conditioned: use lu, allow more iterations, more fill or a larger"
-                                          " tolerance, or set accept_missed_tolerance"});
-    x = core::scaled(std::move(x), scale_.columns) / b_scale;
-    core::check_solution("bicgstab", x);
-    return x;
+    return checks_.solve(right, [&](const Eigen::VectorXd& rhs) { return solve_scaled(rhs); });
   }
 
   const bicgstab_options& options() const { return options_; }
@@ -109,11 +93,25 @@ class bicgstab {
   bool has_converged() const { return has_converged_; }
 
  private:
+  Eigen::VectorXd solve_scaled(const Eigen::VectorXd& rhs) const {
+    if (rhs.isZero(0)) return Eigen::VectorXd::Zero(a_.rows());
+    Eigen::VectorXd b = core::scaled(rhs, scale_.rows);
+    const double b_scale = core::power_of_two_to_scale(b.cwiseAbs().maxCoeff());
+    b *= b_scale;
+    Eigen::VectorXd x = iterate(b);
+    if (!has_converged_ && !options_.accept_missed_tolerance)
+      core::throw_joined<solver_error>({"bicgstab: not converged after ", static_cast<std::size_t>(iterations_), " iterations: the residual is ",
+                                          core::number_text(residual_), ", the tolerance ", core::number_text(options_.tolerance),
+                                          "; the matrix is singular or badly conditioned: use lu, allow more iterations, more fill or a larger"
+                                          " tolerance, or set accept_missed_tolerance"});
+    return core::scaled(std::move(x), scale_.columns) / b_scale;
+  }
+
   /// Solves repeatedly for the remainder while that halves the residual. The iteration only estimates the residual, and may stagnate or break down unnoticed.
   Eigen::VectorXd iterate(const Eigen::VectorXd& b) const {
-    const std::int64_t most = options_.max_iterations > 0 ? options_.max_iterations : 2 * static_cast<std::int64_t>(size_);
-    const auto at_a_time = 500 + 4 * static_cast<std::int64_t>(std::sqrt(static_cast<double>(size_)));
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(size_), r = b;
+    const std::int64_t most = options_.max_iterations > 0 ? options_.max_iterations : 2 * static_cast<std::int64_t>(a_.rows());
+    const auto at_a_time = 500 + 4 * static_cast<std::int64_t>(std::sqrt(static_cast<double>(a_.rows())));
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(a_.rows()), r = b;
     residual_ = 1;
     has_converged_ = false;
     for (bool helps = true; helps && residual_ > options_.tolerance && iterations_ < most;) {
@@ -138,11 +136,11 @@ class bicgstab {
   /// The residual of the scaled system.
   double largest_residual(const Eigen::VectorXd& r, const Eigen::VectorXd& b, const Eigen::VectorXd& x) const {
     double largest = 0, largest_in_units = 0, worst = 0;
-    for (Eigen::Index i = 0; i < size_; ++i) {
+    for (Eigen::Index i = 0; i < a_.rows(); ++i) {
       largest = std::max(largest, std::abs(x[i]));
       largest_in_units = std::max(largest_in_units, std::abs(x[i]) * scale_.columns[static_cast<std::size_t>(i)]);
     }
-    for (Eigen::Index i = 0; i < size_; ++i) {
+    for (Eigen::Index i = 0; i < a_.rows(); ++i) {
       const auto row = static_cast<std::size_t>(i);
       const double allowed = std::abs(b[i]) + std::min(entry_[row] * largest, entry_in_units_[row] * largest_in_units);
       const double e = r[i] == 0 ? 0 : std::abs(r[i]) / allowed;

@@ -2,14 +2,13 @@
 #pragma once
 
 #include <concino/core/equilibrate.hpp>
-#include <concino/core/system_checks.hpp>
+#include <concino/solve/checked_solver.hpp>
 
 #include <Eigen/SparseLU>
 
 #include <algorithm>
 #include <cstdlib>
 #include <string>
-#include <utility>
 
 namespace concino {
 
@@ -24,37 +23,30 @@ namespace concino {
 class lu {
   using factors = Eigen::SparseLU<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>>;
   factors factors_;
-  core::sparsity_pattern pattern_;
+  checked_solver checks_{"lu"};
   core::equilibration scale_;
-  Eigen::Index size_ = -1;
 
  public:
   static constexpr bool reads_both_triangles = true;
 
   void factorize(const Eigen::SparseMatrix<double>& matrix) {
-    size_ = -1;
-    Eigen::SparseMatrix<double> a;
-    a = matrix;  // Eigen's copy constructor leaks if memory runs out
-    a.makeCompressed();
-    core::check_square("lu", a);
-    core::check_entries("lu", a);
+    Eigen::SparseMatrix<double> storage, a;
+    a = checks_.begin_square(matrix, storage);  // Eigen's copy constructor leaks if memory runs out
     scale_ = core::equilibrate(a);
     if (a.cols() > 0) {
       check_columns(a);
-      pattern_.update(a, [&](const auto& m) { factors_.analyzePattern(m); });
+      checks_.analyse_once(a, [&](const auto& m) { factors_.analyzePattern(m); });
       factors_.factorize(a);
       check_factors();
     }
-    size_ = a.rows();
+    checks_.accept(a.rows());
   }
 
-  Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
-    core::check_right_hand_side("lu", b, size_);
-    if (size_ == 0) return Eigen::VectorXd(0);
-    Eigen::VectorXd x = factors_.solve(core::scaled(b, scale_.rows));
-    x = core::scaled(std::move(x), scale_.columns);
-    core::check_solution("lu", x);
-    return x;
+  Eigen::VectorXd solve(const Eigen::VectorXd& right) const {
+    return checks_.solve(right, [&](const Eigen::VectorXd& b) {
+      const Eigen::VectorXd x = factors_.solve(core::scaled(b, scale_.rows));
+      return core::scaled(x, scale_.columns);
+    });
   }
 
  private:

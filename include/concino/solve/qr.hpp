@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/equilibrate.hpp>
-#include <concino/core/system_checks.hpp>
+#include <concino/solve/checked_solver.hpp>
 
 #include <Eigen/SparseQR>
 
@@ -20,45 +20,42 @@ namespace concino {
 /// Source: Eigen's SparseQR, with column approximate minimum degree ordering (Davis et al. 2004).
 class qr {
   Eigen::SparseQR<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>> factors_;
-  core::sparsity_pattern pattern_;
+  checked_solver checks_{"qr"};
   std::vector<double> column_scale_;
   std::vector<int> kept_;  // rows with entries; Eigen accepts no others
-  Eigen::Index rows_ = -1;
 
  public:
   static constexpr bool reads_both_triangles = true;
   static constexpr bool solves_least_squares = true;
 
   void factorize(const Eigen::SparseMatrix<double>& matrix) {
-    rows_ = -1;
+    checks_.accept(-1);
+    if (matrix.rows() < matrix.cols())
+      core::throw_joined<solver_error>({"qr: the matrix has ", static_cast<std::size_t>(matrix.rows()), " rows and ",
+                                          static_cast<std::size_t>(matrix.cols()), " columns; it must have at least as many rows as columns"});
     Eigen::SparseMatrix<double> storage;
-    const Eigen::SparseMatrix<double>& input = core::compressed(matrix, storage);
-    if (input.rows() < input.cols())
-      core::throw_joined<solver_error>({"qr: the matrix has ", static_cast<std::size_t>(input.rows()), " rows and ",
-                                          static_cast<std::size_t>(input.cols()), " columns; it must have at least as many rows as columns"});
-    core::check_entries("qr", input);
+    const Eigen::SparseMatrix<double>& input = checks_.begin(matrix, storage);
     Eigen::SparseMatrix<double> a = without_empty_rows(input);
     column_scale_ = core::scale_columns(a);
     if (a.cols() > 0) {
       if (a.rows() < a.cols()) throw_dependent(first_empty_or_last_column(a));
-      pattern_.update(a, [&](const auto& m) { factors_.analyzePattern(m); });
+      checks_.analyse_once(a, [&](const auto& m) { factors_.analyzePattern(m); });
       factors_.factorize(a);
       if (factors_.info() != Eigen::Success)
         core::throw_joined<solver_error>({"qr: the matrix cannot be factorised: ", factors_.lastErrorMessage()});
       if (factors_.rank() < a.cols()) throw_dependent(factors_.colsPermutation().indices()[factors_.rank()]);
     }
-    rows_ = input.rows();
+    checks_.accept(input.rows());
   }
 
-  Eigen::VectorXd solve(const Eigen::VectorXd& b) const {
-    core::check_right_hand_side("qr", b, rows_);
-    if (column_scale_.empty()) return Eigen::VectorXd(0);
-    Eigen::VectorXd kept(static_cast<Eigen::Index>(kept_.size()));
-    for (Eigen::Index i = 0; i < kept.size(); ++i) kept[i] = b[kept_[static_cast<std::size_t>(i)]];
-    Eigen::VectorXd x = factors_.solve(kept);
-    x = core::scaled(std::move(x), column_scale_);
-    core::check_solution("qr", x);
-    return x;
+  Eigen::VectorXd solve(const Eigen::VectorXd& right) const {
+    return checks_.solve(right, [&](const Eigen::VectorXd& b) {
+      if (column_scale_.empty()) return Eigen::VectorXd(0);
+      Eigen::VectorXd kept(static_cast<Eigen::Index>(kept_.size()));
+      for (Eigen::Index i = 0; i < kept.size(); ++i) kept[i] = b[kept_[static_cast<std::size_t>(i)]];
+      const Eigen::VectorXd x = factors_.solve(kept);
+      return Eigen::VectorXd(core::scaled(x, column_scale_));
+    });
   }
 
  private:

@@ -28,7 +28,6 @@ class multigrid_levels {
   std::vector<level> levels_;
   bottom_solver bottom_;
   bool has_bottom_ = false, has_kernel_ = false, smooths_whole_rows_ = false;
-  double entries_per_cycle_ = 0;
 
  public:
   static constexpr Eigen::Index max_bottom = 256;
@@ -42,8 +41,6 @@ class multigrid_levels {
   std::size_t size() const { return levels_.size(); }
   /// Whether a vector was met whose product with the matrix is only rounding errors, or the matrix is not definite.
   bool has_kernel() const { return has_kernel_; }
-  /// The entries of the matrices of a cycle, once for each visit.
-  double entries_per_cycle() const { return entries_per_cycle_; }
 
   /// a: a lower triangle with a positive diagonal and sorted columns; moved from.
   void build(Eigen::SparseMatrix<double>& a) {
@@ -118,9 +115,9 @@ class multigrid_levels {
     if (groups.size() == 0) return false;
     if (smooths_whole_rows_ && add_level_below(smoothed_by_whole_rows(groups), entries / 4 * 3)) return true;
     smooths_whole_rows_ = false;
-    prolongation p = groups.smoothed(static_cast<std::size_t>(entries));
+    const prolongation p = groups.smoothed(static_cast<std::size_t>(entries));
     groups.forget_strong_entries();
-    if (!add_level_below(std::move(p), entries / 4 * 3)) add_level_below(groups.piecewise_constant(), std::numeric_limits<Eigen::Index>::max());
+    if (!add_level_below(p, entries / 4 * 3)) add_level_below(groups.piecewise_constant(), std::numeric_limits<Eigen::Index>::max());
     return true;
   }
 
@@ -132,14 +129,13 @@ class multigrid_levels {
   }
 
   /// Returns false if the interpolation is empty, or the coarse matrix would have more entries.
-  bool add_level_below(prolongation p, Eigen::Index max_entries) {
+  bool add_level_below(const prolongation& p, Eigen::Index max_entries) {
     if (p.columns == 0) return false;
-    restriction by_column(p);
     bool has_kernel = has_kernel_;
-    Eigen::SparseMatrix<double> coarse = coarse_matrix(levels_.back().a, p, by_column).lower(has_kernel);
+    Eigen::SparseMatrix<double> coarse = coarse_matrix(levels_.back().a, p, has_kernel);
     if (coarse.nonZeros() > max_entries) return false;
     has_kernel_ = has_kernel;
-    levels_.back().to_next = std::move(by_column);
+    levels_.back().to_next = restriction(p);
     levels_.emplace_back().a.swap(coarse);
     return true;
   }
@@ -153,7 +149,6 @@ class multigrid_levels {
       levels_[i].visits_next_twice = i > 0 && i + 2 < levels_.size() && cost <= entries;
       cost = entries + (levels_[i].visits_next_twice ? 2 : 1) * cost;
     }
-    entries_per_cycle_ = cost;
   }
 };
 
