@@ -36,7 +36,7 @@ subdivided<quadmesh> subdivide_in_quads(const char* caller, const M& m, const Cr
   check_subdivided_counts<quadmesh>(caller, new_verts::expected_size(m), static_cast<double>(corners));
   const new_verts refined(m);
   surface_arrays a{{}, {}, {}, 4};
-  a.verts = core::large_vector(4 * corners, vert_id{});
+  a.verts.resize(4 * corners);
   vert_id* next = a.verts.data();
   for (const poly_t<M> p : polys(m)) {
     const vert_id centre = refined[p];
