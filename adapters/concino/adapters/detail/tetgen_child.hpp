@@ -131,9 +131,7 @@ void run_in_child(const char* caller, const char* what, const child_limits& limi
   const pid_t id = fork();
   if (id < 0) core::throw_joined<unsupported>({caller, ": the system allows no further process; .in_process = true needs none"});
   if (id == 0) {
-    if (prepare_child(address_limit)) {
-      work();
-    }
+    if (prepare_child(address_limit)) work();
     _exit(0);
   }
   child_process child(id);
