@@ -37,7 +37,6 @@ io/detail/read_hybrid         io/detail/read_hybrid
 io/detail/polyhedra_reader    io/detail/read_hedra io/detail/read_hybrid io/load
 io/detail/orient              io/detail/orient io/detail/read_hedra io/load
 io/detail/polyhedra_builder   io/detail/polyhedra_builder io/cell_builder io/detail/read_vtu
-io/detail/regular_poly_check  io/detail/polyhedra_builder
 io/detail/read_mtl            io/detail/read_mtl io/detail/material_library_file io/detail/write_mtl
 io/detail/write_mtl           io/detail/write_mtl io/detail/material_library_file
 io/detail/material_library_file        io/detail/material_library_file io/killed_save io/detail/write_mtl

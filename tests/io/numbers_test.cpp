@@ -1,4 +1,4 @@
-#include <concino/io/detail/real_from_stream.hpp>
+#include <concino/io/detail/real_by_strtod.hpp>
 #include <concino/io/numbers.hpp>
 
 #include <doctest/doctest.h>
@@ -189,11 +189,11 @@ TEST_CASE("numbers: integers of any length end correctly before any character") 
     }
 }
 
-TEST_CASE("numbers: where the standard library does not read doubles, a stream gives the same") {
+TEST_CASE("numbers: where the standard library does not read doubles, strtod gives the same") {
   std::mt19937_64 random(19);
   const auto check = [](const std::string& s) {
     double x = -77, y = -77;
-    const auto a = std::from_chars(s.data(), s.data() + s.size(), x), b = real_from_stream(s.data(), s.data() + s.size(), y);
+    const auto a = std::from_chars(s.data(), s.data() + s.size(), x), b = real_by_strtod(s.data(), s.data() + s.size(), y);
     REQUIRE_MESSAGE(a.ec == b.ec, s);
     REQUIRE_MESSAGE(a.ptr == b.ptr, s);
     if (!std::isnan(x)) REQUIRE_MESSAGE(std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y), s);

@@ -15,7 +15,7 @@ inline std::uint64_t hash_bytes(std::string_view bytes) {
 }
 
 /// The hash as 16 digits.
-[[gnu::noinline, gnu::cold]] inline std::string hash_text(std::string_view bytes) {
+inline std::string hash_text(std::string_view bytes) {
   std::string digits(16, '0');
   std::uint64_t rest = hash_bytes(bytes);
   for (std::size_t i = 16; i-- > 0; rest >>= 4) digits[i] = "0123456789abcdef"[rest & 15];

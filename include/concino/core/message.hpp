@@ -34,7 +34,7 @@ class message_piece {
 
 using message = std::initializer_list<message_piece>;
 
-[[gnu::cold]] std::string joined(message pieces);
+std::string joined(message pieces);
 
 template<class Error>
 [[noreturn, gnu::noinline, gnu::cold]] void throw_joined(message pieces) {

@@ -30,7 +30,7 @@ subdivided<tetmesh> subdivide_tets(const M& m, const subdivide_options& o) {
   check_subdivided_counts<tetmesh>("subdivide_1_to_8", new_verts::expected_size(m), 8.0 * static_cast<double>(num_polys(m)));
   const new_verts refined(m);
   const mean_rule<M> rule{m};
-  cell_arrays a{refined_points(refined, rule), std::vector(32 * num_polys(m), vert_id{}), 4};
+  cell_arrays a{refined_points(refined, rule), std::vector<vert_id>(32 * num_polys(m)), 4};
   vert_id* next = a.verts.data();
   const auto add = [&](vert_id v0, vert_id v1, vert_id v2, vert_id v3) {
     next[0] = v0, next[1] = v1, next[2] = v2, next[3] = v3;

@@ -25,7 +25,7 @@ CONCINO_INLINE void message_piece::add_to(std::string& s) const {
   }
 }
 
-[[gnu::noinline, gnu::cold]] CONCINO_INLINE std::string joined(message pieces) {
+CONCINO_INLINE std::string joined(message pieces) {
   std::string s;
   for (const message_piece& p : pieces) p.add_to(s);
   return s;

@@ -25,8 +25,8 @@ class polygon_pieces : public ranked_polys<M> {
     constexpr std::size_t chunk = 1024;
     std::vector<std::size_t> first(this->num_ranks() + 1, 0);
     for (std::size_t r = 0; r < this->num_ranks(); ++r) first[r + 1] = first[r] + std::max<std::size_t>(begins[r + 1] - begins[r], 2) - 2;
-    corners_ = std::vector(first.back(), std::array<corner_index, 3>{});
-    owners_ = std::vector(first.back(), std::uint32_t{0});
+    corners_.resize(first.back());
+    owners_.resize(first.back());
     polygon_edges_.resize(first.back());
     parallel_for((this->num_ranks() + chunk - 1) / chunk, [&](std::size_t c) {
       polygon_triangulator cut;
@@ -56,8 +56,8 @@ class polygon_pieces : public ranked_polys<M> {
 
   explicit polygon_pieces(const M& m) : base(m) {
     if constexpr (TriMesh<M>) {  // a triangle is one item
-      corners_ = std::vector(this->num_ranks(), std::array<corner_index, 3>{});
-      owners_ = std::vector(this->num_ranks(), std::uint32_t{0});
+      corners_.resize(this->num_ranks());
+      owners_.resize(this->num_ranks());
       for (std::size_t r = 0; r < corners_.size(); ++r) {
         owners_[r] = static_cast<std::uint32_t>(r);
         std::size_t k = 0;

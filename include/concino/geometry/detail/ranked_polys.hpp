@@ -20,7 +20,7 @@ using corner_index = std::uint32_t;
 /// Sorts values into the order of the leaves of a tree.
 template<class T>
 void arrange(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
-  auto arranged = std::vector(order.size(), T{});
+  std::vector<T> arranged(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) arranged[i] = values[order[i]];
   values = std::move(arranged);
 }
@@ -32,7 +32,7 @@ class first_come_numbers {
   std::uint32_t num_numbered_ = 0;
 
  public:
-  explicit first_come_numbers(std::size_t n) : number_(std::vector(n, none)) {}
+  explicit first_come_numbers(std::size_t n) : number_(n, none) {}
   bool has(std::size_t i) const { return number_[i] != none; }
   std::uint32_t operator()(std::size_t i) {
     if (number_[i] == none) number_[i] = num_numbered_++;
@@ -40,7 +40,7 @@ class first_come_numbers {
   }
   template<class T>
   void arrange(std::vector<T>& values) const {
-    auto arranged = std::vector(num_numbered_, T{});
+    std::vector<T> arranged(num_numbered_);
     for (std::size_t i = 0; i < number_.size(); ++i)
       if (has(i)) arranged[number_[i]] = values[i];
     values = std::move(arranged);
@@ -62,7 +62,7 @@ class ranked_polys {
   explicit ranked_polys(const M& m) {
     polys_.reserve(num_polys(m));
     for (const poly_t<M> p : polys(m)) polys_.push_back(p);
-    points_ = std::vector(vert_index_bound(m), vec3{});
+    points_.resize(vert_index_bound(m));
     for (const vert_t<M> v : verts(m)) points_[index_of(m, v)] = to_vec3(point(m, v));
   }
 

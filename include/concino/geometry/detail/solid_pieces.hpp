@@ -25,8 +25,8 @@ class tet_pieces : public ranked_polys<M> {
 
   explicit tet_pieces(const M& m)
       : base(m),
-        corners_(std::vector(this->num_ranks(), std::array<corner_index, 4>{})),
-        owners_(std::vector(this->num_ranks(), std::uint32_t{0})) {
+        corners_(this->num_ranks()),
+        owners_(this->num_ranks()) {
     for (std::size_t r = 0; r < corners_.size(); ++r) {
       owners_[r] = static_cast<std::uint32_t>(r);
       std::size_t k = 0;

@@ -80,7 +80,7 @@ CONCINO_INLINE std::uint64_t writable(std::string_view path, std::uint64_t candi
 }
 
 CONCINO_INLINE std::size_t choose_by_text(std::string_view path, std::uint64_t candidates, format_rows known, std::string_view text,
-                                                                       std::string& note) {
+                                          std::string& note) {
   const auto has_signature = [&](std::size_t i) { return known.rows[i].has_signature && known.rows[i].has_signature(text); };
   for (std::size_t i = known.size; i-- > 0;)
     if ((candidates >> i & 1) != 0 && has_signature(i)) return i;

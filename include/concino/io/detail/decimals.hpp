@@ -7,7 +7,7 @@
 #include <version>
 
 #ifndef __cpp_lib_to_chars
-#include <concino/io/detail/real_from_stream.hpp>
+#include <concino/io/detail/real_by_strtod.hpp>
 #endif
 
 namespace concino::detail {
@@ -16,7 +16,7 @@ inline std::from_chars_result real_from_chars(const char* first, const char* las
 #ifdef __cpp_lib_to_chars
   return std::from_chars(first, last, x);
 #else
-  return real_from_stream(first, last, x);
+  return real_by_strtod(first, last, x);
 #endif
 }
 

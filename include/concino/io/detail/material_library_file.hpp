@@ -241,8 +241,8 @@ class material_library_file final : public companion_files {
   /// that is not in `table` must not define the materials in `undefined`.
   /// Result: the names for the mtllib lines.      Errors: io_error.
   std::vector<std::string> choose_or_write(const std::vector<material>& needed,
-                                                                        const std::vector<std::string>& undefined,
-                                                                        const material_table* table, save_report& report) {
+                                           const std::vector<std::string>& undefined,
+                                           const material_table* table, save_report& report) {
     load_report unused_report;
     if (table && defines_all(*table, needed, unused_report)) return table->libraries;
     if (needed.empty()) return {};

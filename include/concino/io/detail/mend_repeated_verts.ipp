@@ -28,7 +28,7 @@ CONCINO_INLINE std::shared_ptr<column> picked(const column& from, const std::vec
 
 /// Gives the polys of the mesh the values of polys of the file: the i-th those of origin[i]. The same for corners.
 CONCINO_INLINE void renumber_polys(file_contents& c, std::size_t num_in_file, const std::vector<std::uint32_t>& origin,
-                                                 const std::vector<std::uint32_t>& corner_origin) {
+                                   const std::vector<std::uint32_t>& corner_origin) {
   if (!c.poly_labels.empty()) {
     std::vector<int> labels;
     for (const std::uint32_t p : origin) labels.push_back(p < c.poly_labels.size() ? c.poly_labels[p] : 0);

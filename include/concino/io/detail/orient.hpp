@@ -48,7 +48,6 @@ class face_orienter {
     incidences_.clear();
     p.for_each_edge([&](std::uint32_t a, std::uint32_t b, bool up, std::uint32_t k) {
       incidences_.push_back({std::uint64_t{a} << 32 | b, k, up});
-      return true;
     });
     std::sort(incidences_.begin(), incidences_.end(), [](const incidence& x, const incidence& y) { return x.edge != y.edge ? x.edge < y.edge : x.face < y.face; });
   }

@@ -26,7 +26,7 @@ struct oriented_faces {
       std::uint32_t a = verts[offsets[k + 1] - 1].raw();
       for (std::uint32_t i = offsets[k]; i < offsets[k + 1]; ++i) {
         const std::uint32_t b = verts[i].raw();
-        if (!use(std::min(a, b), std::max(a, b), (a < b) == (outward[k] != 0), k)) return;
+        use(std::min(a, b), std::max(a, b), (a < b) == (outward[k] != 0), k);
         a = b;
       }
     }

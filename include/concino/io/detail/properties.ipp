@@ -10,7 +10,7 @@
 namespace concino::detail {
 
 CONCINO_INLINE void set_values(property_set& all, element_kind kind, const char* name, const value_type& type, const void* values,
-                        const std::vector<std::uint32_t>& where, std::size_t bound) {
+                               const std::vector<std::uint32_t>& where, std::size_t bound) {
   unsigned char* const to = static_cast<unsigned char*>(all.get(kind, name, type, bound)->data());
   const unsigned char* from = static_cast<const unsigned char*>(values);
   for (const std::uint32_t i : where) {
@@ -78,7 +78,7 @@ CONCINO_INLINE bool has_columns(const file_contents& contents, element_kind kind
 }
 
 CONCINO_INLINE void set_columns(property_set& all, file_contents& contents, element_kind kind, const std::vector<std::uint32_t>& where,
-                                                             std::size_t bound, load_report* report) {
+                                std::size_t bound, load_report* report) {
   const auto is_taken = [&](const std::string& name) {
     for (std::size_t i = 0; i < all.size(); ++i)
       if (const property_info p = all.info(i); p.kind == kind && p.name == name) return true;

@@ -24,7 +24,7 @@ namespace concino::detail {
 
 /// Reports the properties that a format drops: all except those in `stored`.
 CONCINO_INLINE void report_lost_properties(const property_set& all, const std::vector<write_context::stored_property>& stored,
-                                                                 std::string_view format, std::vector<std::string>& lost) {
+                                           std::string_view format, std::vector<std::string>& lost) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const property_info p = all.info(i);
     bool is_kept = false;

@@ -27,7 +27,7 @@ CONCINO_INLINE skeleton::skeleton(std::vector<vec3> points, std::vector<std::arr
     edge_id edge;
     bool operator<(const neighbour& o) const { return vert < o.vert; }
   };
-  std::vector<neighbour> all = std::vector(2 * edges_.size(), neighbour());
+  std::vector<neighbour> all(2 * edges_.size());
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
   for (std::size_t e = 0; e < edges_.size(); ++e)
     for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) all[next[edges_[e][k].raw()]++] = {edges_[e][1 - k], edge_id{e}};

@@ -23,10 +23,9 @@ class vtk_mesh {
   const read_context& in_;
   vtk_places& places_;
   Contents& out_;
-  const vert_id* verts_ = grid_.verts.data();             // valid also after they were moved
+  const vert_id* verts_ = grid_.verts.data();
   std::vector<std::uint32_t> poly_cells_, face_cells_;  // the cell of each poly or listed face
   bool in_range_ = false;  // all verts are, so that each need not be compared
-  bool identity_ = false;  // poly_cells_ would be 0, 1, 2, ...
   element_nodes nodes_;
   std::vector<std::uint64_t> scratch_;
 
@@ -101,15 +100,6 @@ class vtk_mesh {
     if (n < corners) places_.fail_at_cell(c, {"at least ", corners, " points, for a cell of type ", unsigned{grid_.types[c]}}, {n});
     nodes_.add(v + corners, n - corners);
   }
-  /// The number of verts of each cell, if all have the same type and as many verts as that, which are points of the grid; else 0.
-  std::size_t common_size() const {
-    const std::size_t n = grid_.types.empty() ? 0 : size_of_vtk_cell(grid_.types[0]);
-    if (n == 0 || !in_range_ || std::memcmp(grid_.types.data(), grid_.types.data() + 1, grid_.size() - 1) != 0) return 0;
-    bool is_common = true;
-    std::uint32_t end = 0;
-    for (const std::uint32_t e : grid_.cell_ends) is_common &= e == (end += static_cast<std::uint32_t>(n));
-    return is_common ? n : 0;
-  }
   void check_verts(std::size_t c, std::size_t first, std::size_t n) {
     for (std::size_t i = first; !in_range_ && i < first + n; ++i)
       if (verts_[i].raw() >= grid_.points.size()) fail_vert(c, verts_[i]);
@@ -148,25 +138,8 @@ class vtk_mesh {
     return face;
   }
 
-  /// Takes over the verts of all cells, if they are different triangles or quads, as in most files. Returns whether it did.
-  bool take_polygons(surface_arrays& s) {
-    const std::size_t n = common_size();
-    if (n == 0 || (grid_.types[0] != 5 && grid_.types[0] != 9) || (in_.wanted.arity && n != in_.wanted.arity)) return false;
-    bool distinct = true;
-    for (const vert_id *v = verts_, *end = v + grid_.verts.size(); v != end; v += n) {
-      distinct &= v[0] != v[1] && v[0] != v[2] && v[1] != v[2];
-      if (n == 4) distinct &= v[0] != v[3] && v[1] != v[3] && v[2] != v[3];
-    }
-    if (!distinct) return false;
-    s.verts = std::move(grid_.verts);
-    s.points = std::move(grid_.points);
-    s.arity = static_cast<std::uint32_t>(n);
-    return identity_ = true;
-  }
-
   void make_surface() {
     surface_arrays& s = out_.surface;
-    if (take_polygons(s)) return;
     std::uint32_t arity = 0;
     s.verts.reserve(grid_.verts.size());
     for (std::size_t c = 0; c < grid_.size(); ++c) {
@@ -190,7 +163,8 @@ class vtk_mesh {
   void make_volume(bool lists_faces) {
     basic_cell_builder<Contents> cells(in_, grid_.points, 0);
     swap_orders();
-    if (common_size()) cells.reserve(shape_of_vtk_cell(grid_.types[0]), grid_.size());
+    const cell_shape first = grid_.size() > 0 ? shape_of_vtk_cell(grid_.types[0]) : cell_shape::general;
+    if (first != cell_shape::general) cells.reserve(first, grid_.size());
     for (std::size_t c = 0; c < grid_.size(); ++c) {
       const vtk_kind kind = kind_of_vtk_cell(grid_.types[c]);
       if (kind == vtk_kind::polygon) list_faces(c, lists_faces);
@@ -273,7 +247,7 @@ class vtk_mesh {
         if (c.kind != (of_cells ? element_kind::poly : kind)) continue;
         if (kind == element_kind::poly && !face_cells_.empty() && !has_value(c, poly_cells_) && has_value(c, face_cells_)) continue;
         if (kind == element_kind::face && (face_cells_.empty() || !has_value(c, face_cells_))) continue;
-        if (!of_cells || (kind == element_kind::poly && (identity_ || (poly_cells_.size() == grid_.size() && is_identity(poly_cells_))))) {
+        if (!of_cells || (kind == element_kind::poly && (poly_cells_.size() == grid_.size() && is_identity(poly_cells_)))) {
           out_.properties.push_back(std::move(c));
           continue;
         }

@@ -66,7 +66,7 @@ class mtl_names {
   bool changed = false;  // some names had to be changed, as no line can hold them
 
   mtl_names(write_context& c, material_library_file* library, const flat_values<std::string>& material,
-                                                  const flat_values<rgba>& color, const material_table* table)
+                     const flat_values<rgba>& color, const material_table* table)
       : c_(c), library_(library), material_(material), color_(color), table_(table) {
     c.declare_stored<rgba>(element_kind::poly, "color");
     c.declare_stored<material_table>(element_kind::mesh, "materials");

@@ -41,17 +41,14 @@ inline void append_chunk(std::vector<std::uint8_t>& to, std::string_view name, s
   append_number(to, crc ^ 0xffffffffu);
 }
 
-/// The byte that filter 1 to 4 expects, of the ones to the left, above, and above to the left.
-template<int Filter>
-int png_prediction(int left, int above, int corner) {
-  if constexpr (Filter == 0) return 0;
-  if constexpr (Filter == 1) return left;
-  if constexpr (Filter == 2) return above;
-  if constexpr (Filter == 3) return (left + above) / 2;
-  if constexpr (Filter == 4) {
-    const int guess = left + above - corner, l = std::abs(guess - left), a = std::abs(guess - above), c = std::abs(guess - corner);
-    return l <= a && l <= c ? left : a <= c ? above : corner;
-  }
+/// The byte that filter 0 to 4 expects, of the ones to the left, above, and above to the left.
+inline int png_prediction(int filter, int left, int above, int corner) {
+  if (filter == 0) return 0;
+  if (filter == 1) return left;
+  if (filter == 2) return above;
+  if (filter == 3) return (left + above) / 2;
+  const int guess = left + above - corner, l = std::abs(guess - left), a = std::abs(guess - above), c = std::abs(guess - corner);
+  return l <= a && l <= c ? left : a <= c ? above : corner;
 }
 
 /// Filters rows, each by the filter that leaves the smallest numbers.
@@ -59,13 +56,12 @@ class png_rows {
   std::size_t size_, pixel_;  // bytes
   std::vector<std::uint8_t> row_, above_, filtered_, best_;
 
-  template<int Filter>
-  void filter(std::size_t& least) {
+  void filter(int f, std::size_t& least) {
     std::size_t sum = 0;
-    filtered_[0] = Filter;
+    filtered_[0] = static_cast<std::uint8_t>(f);
     for (std::size_t i = 0; i < size_; ++i) {
       const std::size_t at = i + pixel_;  // rows begin with a pixel of zeros
-      const auto x = static_cast<std::uint8_t>(row_[at] - png_prediction<Filter>(row_[i], above_[at], above_[i]));
+      const auto x = static_cast<std::uint8_t>(row_[at] - png_prediction(f, row_[i], above_[at], above_[i]));
       filtered_[i + 1] = x;
       sum += x < 128 ? x : 256u - x;
     }
@@ -86,11 +82,7 @@ class png_rows {
 
   const std::vector<std::uint8_t>& filtered() {
     std::size_t least = static_cast<std::size_t>(-1);
-    filter<0>(least);
-    filter<1>(least);
-    filter<2>(least);
-    filter<3>(least);
-    filter<4>(least);
+    for (int f = 0; f < 5; ++f) filter(f, least);
     return best_;
   }
 };

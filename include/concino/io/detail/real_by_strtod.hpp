@@ -1,22 +1,22 @@
-// Reads real numbers by a stream, for standard libraries without std::from_chars for doubles.
+// Reads real numbers by std::strtod, for standard libraries without std::from_chars for doubles.
 #pragma once
 
 #include <concino/io/detail/digits.hpp>
 
 #include <charconv>
+#include <clocale>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <limits>
-#include <locale>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
 
 namespace concino::detail {
 
-/// As std::from_chars, by a stream: for standard libraries that do not have it for doubles. Slow.
-inline std::from_chars_result real_from_stream(const char* first, const char* last, double& x) {
+/// As std::from_chars. Slow. Needs: no other thread changes the locale.
+inline std::from_chars_result real_by_strtod(const char* first, const char* last, double& x) {
   const char* p = first;
   const bool negative = p != last && *p == '-';
   if (negative) ++p;
@@ -39,12 +39,10 @@ inline std::from_chars_result real_from_stream(const char* first, const char* la
   if (count == 0) return {first, std::errc::invalid_argument};
   const bool is_zero = std::string_view(digits, p).find_first_of("123456789") == std::string_view::npos;
   p = end_of_exponent(p, last, 'e');
-  std::istringstream in(std::string(first, p));
-  in.imbue(std::locale::classic());
-  double read = 0;
-  in >> read;
-  const bool is_large = !(std::abs(read) < std::numeric_limits<double>::max()) && in.fail();
-  if (is_large || std::isinf(read) || (read == 0 && !is_zero)) return {p, std::errc::result_out_of_range};
+  std::string text(first, p);  // which the locale may require to have another point
+  if (const std::size_t point = text.find('.'); point != std::string::npos) text.replace(point, 1, std::localeconv()->decimal_point);
+  const double read = std::strtod(text.c_str(), nullptr);
+  if (std::isinf(read) || (read == 0 && !is_zero)) return {p, std::errc::result_out_of_range};
   x = read;
   return {p, std::errc()};
 }
