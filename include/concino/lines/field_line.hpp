@@ -1,7 +1,6 @@
 // field_line: a line that follows a vector field, with the reason why it stopped.
 #pragma once
 
-#include <concino/core/block_allocator.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/lines/line_end.hpp>
 #include <concino/mesh/mesh_point.hpp>
@@ -12,18 +11,15 @@
 
 namespace concino {
 
-/// A line along a field that is constant in each poly. Lines of one call share memory, of at most 4 MiB or one line, which is released with the last of them;
-/// a copy of a line has its own.
+/// A line along a field that is constant in each poly.
 template<class M>
 struct field_line {
-  template<class T> using array = std::vector<T, core::block_allocator<T>>;
-
-  array<mesh_point<M>> points;  // at a vert, on an edge, on a face of a volume, or inside a poly
-  array<poly_t<M>> polys;       // of the segments, from each point to the next: the poly whose field the segment follows, or one of several
+  std::vector<mesh_point<M>> points;  // at a vert, on an edge, on a face of a volume, or inside a poly
+  std::vector<poly_t<M>> polys;       // of the segments, from each point to the next: the poly whose field the segment follows, or one of several
   double length = 0;
   line_end stopped_by = line_end::zero;
   line_end began_by = line_end::zero;  // of lines both ways: why the part backwards stopped
-  array<mesh_point<M>> cycle;   // the closed line to which this one winds; its last point is joined to the first one
+  std::vector<mesh_point<M>> cycle;   // the closed line to which this one winds; its last point is joined to the first one
 };
 
 /// Options of integral_line.

@@ -2,15 +2,12 @@
 #pragma once
 
 #include <concino/core/error.hpp>
-#include <concino/core/prefetch.hpp>
 #include <concino/core/vec3.hpp>
 #include <concino/concepts/mesh.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <memory>
-#include <type_traits>
 
 namespace concino::detail {
 
@@ -39,10 +36,6 @@ class field_reader {
   explicit field_reader(const G& g) : g_(&g) {}
   /// 1: forward, -1: backward.
   void sense(double s) { factor_ = s * scale_; }
-  /// Requests the memory of a vector that will be read.
-  void request(const poly_t<M>& p) const {
-    if constexpr (std::is_lvalue_reference_v<decltype((*g_)[p])>) core::prefetch(std::addressof((*g_)[p]));
-  }
   vec3 of(const poly_t<M>& p) const { return factor_ * to_vec3((*g_)[p]); }
 };
 

@@ -126,7 +126,7 @@ inline bool flat_cell::may_cross(const R& corners, const P& point_of) {
   for (const auto& c : corners) {
     const vec3 d = point_of(c) - x;
     const place p = {dot(d, a), dot(d, b)};
-    if (n == face_seen_.size()) [[unlikely]] face_seen_.resize(2 * n);
+    if (n == face_seen_.size()) face_seen_.resize(2 * n);
     face_seen_[n++] = p;
     squares += dot(d, d);
     least_u = std::min(least_u, p.u);

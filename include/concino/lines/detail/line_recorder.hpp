@@ -84,7 +84,7 @@ class line_recorder {
     stop(line_end::winds_to_cycle);
   }
 
-  void wind(typename field_line<M>::template array<mesh_point<M>> cycle) {
+  void wind(std::vector<mesh_point<M>> cycle) {
     line_->cycle = std::move(cycle);
     stop(line_end::winds_to_cycle);
   }

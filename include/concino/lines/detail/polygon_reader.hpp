@@ -2,7 +2,6 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
-#include <concino/core/prefetch.hpp>
 #include <concino/geometry/triangulate_polygon.hpp>
 #include <concino/lines/detail/field_reader.hpp>
 #include <concino/lines/detail/line_signs.hpp>
@@ -10,7 +9,6 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <memory>
 #include <span>
 #include <type_traits>
 #include <utility>
@@ -89,17 +87,6 @@ class polygon_reader {
       read_polygon();
     }
     return true;
-  }
-
-  // Before a polygon is read, its memory can be requested: first its lists, then its points.
-  static void request_lists(const M& m, const poly_t<M>& p) {
-    if constexpr (core::is_contiguous<decltype(adj_p2v(m, p))>) core::prefetch(core::row_address(adj_p2v(m, p)));
-    if constexpr (core::is_contiguous<decltype(adj_p2e(m, p))>) core::prefetch(core::row_address(adj_p2e(m, p)));
-    if constexpr (core::is_contiguous<decltype(adj_p2p(m, p))>) core::prefetch(core::row_address(adj_p2p(m, p)));
-  }
-  static void request_points(const M& m, const poly_t<M>& p) {
-    if constexpr (core::is_contiguous<decltype(adj_p2v(m, p))> && std::is_lvalue_reference_v<decltype(point(m, std::declval<vert_t<M>>()))>)
-      for (const vert_t<M> v : adj_p2v(m, p)) core::prefetch(std::addressof(point(m, v)));
   }
 
   /// The field has changed.

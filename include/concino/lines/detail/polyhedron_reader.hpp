@@ -2,7 +2,6 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
-#include <concino/core/prefetch.hpp>
 #include <concino/lines/detail/field_reader.hpp>
 #include <concino/lines/detail/flat_cell.hpp>
 #include <concino/lines/detail/line_signs.hpp>
@@ -42,13 +41,6 @@ class polyhedron_reader {
   std::vector<face_t<M>> faces;
   flat_cell flat;
   vec3 field;  // set by the caller
-
-  /// Requests the memory of the lists of p.
-  static void request(const M& m, const poly_t<M>& p) {
-    if constexpr (core::is_contiguous<decltype(adj_p2v(m, p))>) core::prefetch(core::row_address(adj_p2v(m, p)));
-    if constexpr (core::is_contiguous<decltype(adj_p2f(m, p))>) core::prefetch(core::row_address(adj_p2f(m, p)));
-    if constexpr (core::is_contiguous<decltype(adj_p2p(m, p))>) core::prefetch(core::row_address(adj_p2p(m, p)));
-  }
 
   void forget() { is_read_ = false; }
   const poly_t<M>& poly() const { return poly_; }
@@ -122,7 +114,7 @@ class polyhedron_reader {
     return flat.find_exit(x, field, entry);
   }
 
-  [[gnu::always_inline]] inline std::uint32_t corner_of(const M& m, const vert_t<M>& v) const {  // a call for each corner of a cell would be slow
+  std::uint32_t corner_of(const M& m, const vert_t<M>& v) const {
     if (!has_all_ || verts.size() <= longest_scan) return static_cast<std::uint32_t>(std::find(verts.begin(), verts.end(), v) - verts.begin());
     const std::size_t mask = corner_at_.size() - 1;
     std::size_t i = slot_of(index_of(m, v));
@@ -200,7 +192,6 @@ class polyhedron_reader {
     for (const face_t<M> f : adj_p2f(m, p)) {
       faces.push_back(f);
       flat.add_face();
-      core::prefetch(m, f);
     }
   }
 
@@ -214,7 +205,7 @@ class polyhedron_reader {
     return 0;
   }
 
-  [[gnu::always_inline]] inline void read_corners(std::uint32_t face) {
+  void read_corners(std::uint32_t face) {
     if (flat.has_corners(face)) return;
     for (const vert_t<M> v : adj_f2v(*m_, faces[face])) {
       const std::uint32_t c = corner_of(*m_, v);

@@ -3,7 +3,6 @@
 
 #include <concino/concepts/end_verts.hpp>
 #include <concino/concepts/facets.hpp>
-#include <concino/core/prefetch.hpp>
 #include <concino/geometry/triangulate_polygon.hpp>
 #include <concino/lines/detail/field_reader.hpp>
 #include <concino/lines/detail/line_recorder.hpp>
@@ -39,23 +38,18 @@ class surface_line_walker {
   std::vector<surface_sector> sectors_;
   std::vector<piece> sector_pieces_;
 
-  // The state of a line: in a triangle, inside, at a side or at a corner of it; at a vert; or at an edge by which it leaves a triangle. There it takes up
-  // to three steps, and requests what the next one reads: the poly behind the edge, its lists, its points.
-  enum class where { inside, side, corner, vert, edge, lists, points } where_ = where::inside;
+  // The state of a line: in a triangle, inside, at a side or at a corner of it; at a vert; or at an edge by which it leaves a triangle.
+  enum class where { inside, side, corner, vert, edge } where_ = where::inside;
   triangle_side triangles_[2];
   unsigned now_ = 0;       // of triangles_: the triangle entered, and its side or corner; or the side by which the line leaves it
   double inward_ = 0;      // at a side: the determinant of the field and the side
   vec3 x_;
   vert_t<M> vert_ = vert_t<M>();
   edge_t<M> edge_ = edge_t<M>();
-  poly_t<M> other_ = poly_t<M>();  // the poly behind the edge
-  std::size_t num_others_ = 0;     // so many polys are behind it
   double place_ = 0;               // on the edge
   entry_step entry_;               // what the place depends on
 
  public:
-  static constexpr std::size_t lines_in_turn = 8;  // so many lines are followed in turn: each step requests the memory that the next one reads
-
   surface_line_walker(const M& m, const field_reader<M, G>& field) : m_(&m), field_(field) {}
 
   /// Starts a line along the field times `sense`, 1 or -1, from a point. It is followed by calls of step().
@@ -75,14 +69,6 @@ class surface_line_walker {
     switch (where_) {
       case where::vert: return leave_vert(to);
       case where::edge: return cross_edge(to);
-      case where::lists:
-        polygon_.request_points(*m_, other_);
-        where_ = where::points;
-        return;
-      case where::points:
-        enter_other(to);
-        if (where_ == where::side && !to.done()) leave_triangle(to);
-        return;
       default: return leave_triangle(to);
     }
   }
@@ -160,33 +146,20 @@ class surface_line_walker {
     place_ = s;
     entry_ = step;
     where_ = where::edge;
-    core::prefetch(*m_, edge_);
-  }
-
-  /// Finds the poly behind the edge by which the line leaves.
-  void find_other() {
-    num_others_ = 0;
-    for (const poly_t<M> p : other_polys(*m_, at().in.poly, edge_)) {
-      other_ = p;
-      ++num_others_;
-    }
-    if (num_others_ != 1) return;
-    polygon_.request_lists(*m_, other_);
-    field_.request(other_);
   }
 
   void cross_edge(line_recorder<M>& to) {
     const triangle_side& out = at();
     to.add(on_edge(edge_, out, place_), out.in.poly);
     if (to.done()) return;
-    find_other();
-    if (num_others_ != 1) return to.stop(num_others_ == 0 ? line_end::boundary : line_end::non_manifold);
-    where_ = where::lists;
-  }
-
-  void enter_other(line_recorder<M>& to) {
-    const triangle_side& out = at();
-    read(other_);
+    poly_t<M> other{};
+    std::size_t num_others = 0;
+    for (const poly_t<M> p : other_polys(*m_, out.in.poly, edge_)) {
+      other = p;
+      ++num_others;
+    }
+    if (num_others != 1) return to.stop(num_others == 0 ? line_end::boundary : line_end::non_manifold);
+    read(other);
     const auto [triangle, side] = polygon_.with_edge(edge_);
     enter(triangle, side, polygon_.vert(triangle, side) == out.in.verts[out.side] ? place_ : 1 - place_, entry_, to);
   }

@@ -57,7 +57,6 @@ class vert_field_walker {
   vec3 before_;
 
  public:
-  static constexpr std::size_t lines_in_turn = 1;
 
   vert_field_walker(const M& m, const vert_field_reader<M, H>& field) : m_(&m), field_(field), straight_(m, field_reader<M, one_vector>(direction_)) {}
   vert_field_walker(const vert_field_walker&) = delete;

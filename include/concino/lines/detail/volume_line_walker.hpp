@@ -39,7 +39,7 @@ class volume_line_walker {
   std::optional<line_ridge<M>> ridge_;
   vert_t<M> vert_ = vert_t<M>();
 
-  // From tet to tet, the line is behind one when it has left it, and the memory of the next one was requested.
+  // From tet to tet, the line is behind one when it has left it.
   static constexpr bool all_tets = arity_v<M> == 4;
   tet_crossing<M> tet_;
   typename tet_crossing<M>::exit out_{};
@@ -47,8 +47,6 @@ class volume_line_walker {
   poly_t<M> other_ = poly_t<M>();   // the next one
 
  public:
-  static constexpr std::size_t lines_in_turn = all_tets ? 8 : 1;
-
   volume_line_walker(const M& m, const field_reader<M, G>& field) : m_(&m), field_(field) {}
 
   /// Starts a line along the field times `sense`, 1 or -1, from a point. It is followed by calls of step().
@@ -111,8 +109,6 @@ class volume_line_walker {
       to.stop(n < 1 ? line_end::boundary : line_end::non_manifold);
       return true;
     }
-    cell_.request(*m_, other_);
-    field_.request(other_);
     where_ = where::behind_tet;
     return true;
   }
@@ -210,8 +206,6 @@ class volume_line_walker {
       ++n;
     }
     if (n != 2 || !other) return to.stop(n <= 2 ? line_end::boundary : line_end::non_manifold);
-    cell_.request(*m_, *other);
-    field_.request(*other);
     const std::array<vec3, 3> at = {cell_.flat.points[t.corner[0]], cell_.flat.points[t.corner[1]], cell_.flat.points[t.corner[2]]};
     const vec3 g = cell_.field;
     if constexpr (all_tets) {
