@@ -89,11 +89,12 @@ function(concino_library name)
   concino_make_target(${name} ROOT ${arg_ROOT} FILES ${files} LINK ${arg_LINK} FIND ${arg_FIND})
 endfunction()
 
-# concino_adapter(<name> [SHARES <prefix>...] [FIND "<find_package arguments>"...] [LINK <target>...])
+# concino_adapter(<name> [SHARES <prefix>...] [COMPILES <file>] [FIND "<find_package arguments>"...] [LINK <target>...])
 # A leaf: headers of adapters/concino/adapters that use one foreign library: <name>.hpp, <name>_*.hpp, and of detail/ those that begin with <name>_ or with
-# a prefix that it shares with others. CONCINO_WITH_<NAME> says AUTO (where found), ON or OFF.
+# a prefix that it shares with others. COMPILES: a file of detail/ that has foreign code, which becomes a static library without warnings.
+# CONCINO_WITH_<NAME> says AUTO (where found), ON or OFF.
 function(concino_adapter name)
-  cmake_parse_arguments(arg "" "" "SHARES;FIND;LINK" ${ARGN})
+  cmake_parse_arguments(arg "" "COMPILES" "SHARES;FIND;LINK" ${ARGN})
   string(TOUPPER ${name} upper)
   concino_packages(${name} packages)
   set_property(GLOBAL APPEND PROPERTY concino_adapters ${name})
@@ -127,6 +128,19 @@ function(concino_adapter name)
   endif()
   set_property(GLOBAL PROPERTY concino_state_${name} "on")
   concino_make_target(${name} ROOT adapters FILES ${files} LINK concino::concino ${arg_LINK} FIND ${arg_FIND})
+  if(arg_COMPILES)
+    set(optional EXCLUDE_FROM_ALL)  # but built for those who link it
+    if(CONCINO_INSTALL)
+      set(optional "")
+    endif()
+    add_library(concino_${name}_compiled STATIC ${optional} ${folder}/detail/${arg_COMPILES})
+    target_link_libraries(concino_${name}_compiled PRIVATE concino::concino ${arg_LINK})
+    target_include_directories(concino_${name}_compiled PRIVATE ${PROJECT_SOURCE_DIR}/adapters)
+    target_compile_options(concino_${name}_compiled PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-w>)
+    set_target_properties(concino_${name}_compiled PROPERTIES EXPORT_NAME ${name}_compiled POSITION_INDEPENDENT_CODE ON)
+    target_link_libraries(concino_${name} INTERFACE concino_${name}_compiled)
+    set_property(GLOBAL PROPERTY concino_compiled_target_${name} concino_${name}_compiled)
+  endif()
 endfunction()
 
 # concino::compiled: every .ipp file of include/ in a file of its own, compiled once, for those who link it instead of concino::concino. It is built

@@ -25,7 +25,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 TEST_CASE_TEMPLATE("heat_geodesics: accept several sources, components and isolated verts", M, CONCINO_KINDS) {
   const M m = two_grids<M>(3);
   const vert_id alone{static_cast<unsigned>(num_verts(m) - 1)}, a{0}, b = nearest(m, {1, 1, VolumeMesh<M> ? 1 : 0}), c = nearest(m, {2, 0, 0});
-  const auto heat = prepare_heat_geodesics(m);
+  const auto heat = prepare_heat_geodesics(m, {.clamp = true});
   const auto d = heat.distance_from({a, b});
   CHECK(d[a] == 0);
   CHECK(d[b] == 0);
@@ -70,7 +70,7 @@ TEST_CASE_TEMPLATE("heat_geodesics: one call equals a prepared query, from any s
 
 TEST_CASE_TEMPLATE("heat_geodesics: a source may be a point in a poly", M, CONCINO_KINDS) {
   const M m = grid<M>(VolumeMesh<M> ? 4 : 8);
-  const auto heat = prepare_heat_geodesics(m);
+  const auto heat = prepare_heat_geodesics(m, {.clamp = true});
   const poly_id p{static_cast<unsigned>(num_polys(m) / 2 + 1)};
   vec3 x;
   double n = 0;
@@ -85,7 +85,7 @@ TEST_CASE_TEMPLATE("heat_geodesics: a source may be a point in a poly", M, CONCI
 
 TEST_CASE_TEMPLATE("heat_geodesics: a source at a vert or an edge is the same as a place of each of its polys", M, CONCINO_KINDS) {
   const M m = square_or_cube<M>(3);
-  const auto heat = prepare_heat_geodesics(m);
+  const auto heat = prepare_heat_geodesics(m, {.clamp = true});
   const poly_id p{static_cast<unsigned>(num_polys(m) / 2)};
   const vert_id v = *adj_p2v(m, p).begin();
   const edge_id e = *adj_p2e(m, p).begin();
@@ -105,7 +105,7 @@ TEST_CASE_TEMPLATE("heat_geodesics: are between straight lines and edge paths", 
   M m(jittered(grid_arrays<M>(VolumeMesh<M> ? 3 : 8), 0.03, VolumeMesh<M>));
   for (const auto v : verts(m)) set_point(m, v, vec3{point(m, v).x, 0.1 * point(m, v).y, point(m, v).z + 0.3 * std::sin(3 * point(m, v).x)});
   const std::vector<std::pair<vert_id, double>> sources{{vert_id{0}, 0.1}, {vert_id{7}, -0.2}, {vert_id{20}, 0.3}, {vert_id{11}, 0.0}};
-  const auto d = heat_geodesics(m, sources);
+  const auto d = heat_geodesics(m, sources, {.clamp = true});
   const auto low = [&](const auto v) {
     double least = infinity;
     for (const auto& [s, before] : sources) least = std::min(least, before + distance(point(m, v), point(m, s)));

@@ -32,7 +32,7 @@ TEST_CASE_TEMPLATE("heat_geodesics: converge to straight lines on the square and
     const double e = error_from(before, nearest(coarse, at)), f = error_from(after, nearest(fine, at));
     CHECK(e < (VolumeMesh<M> ? 0.08 : 0.03));
     CHECK(f < 0.9 * e);
-    CHECK(error_from(prepare_heat_geodesics(fine), nearest(fine, at)) < (std::is_same_v<M, polyhedralmesh> ? 0.02 : 0.002));
+    CHECK(error_from(prepare_heat_geodesics(fine, {.clamp = true}), nearest(fine, at)) < (std::is_same_v<M, polyhedralmesh> ? 0.02 : 0.002));
   }
 }
 
@@ -42,7 +42,7 @@ TEST_CASE("heat_geodesics: converge to arcs on the sphere") {
     const trimesh m = icosphere(k);
     const vec3 from = point(m, vert_id{5});
     const auto arc = [&](const vec3& x) { return std::atan2(norm(cross(x, from)), dot(x, from)); };
-    const deviation e = error_of(heat_geodesics(m, vert_id{5}), arc);
+    const deviation e = error_of(heat_geodesics(m, vert_id{5}, {.clamp = true}), arc);
     CHECK(e.mean / e.farthest < 0.75 * before);
     before = e.mean / e.farthest;
   }
@@ -57,21 +57,21 @@ TEST_CASE("heat_geodesics: are right where heat underflows") {
   for (unsigned i = 0; i < length; ++i)
     for (const unsigned v : {0u, 2u, 3u, 0u, 3u, 1u}) a.verts.push_back(vert_id{2 * i + v});
   const trimesh strip(a);
-  CHECK(heat_geodesics(strip, vert_id{0})[vert_id{2 * length}] == doctest::Approx(length).epsilon(1e-3));
-  CHECK(heat_geodesics(strip, vert_id{0}, {.time = 0.01})[vert_id{2 * length}] == doctest::Approx(length).epsilon(1e-3));
-  CHECK(heat_geodesics(strip, vert_id{0}, {.boundary = heat_boundary::dirichlet})[vert_id{2 * length}] > 0.5 * length);
-  const auto sudden = heat_geodesics(strip, vert_id{0}, {.time = 1e-300});  // there is no heat, so distances are those of edge paths
+  CHECK(heat_geodesics(strip, vert_id{0}, {.clamp = true})[vert_id{2 * length}] == doctest::Approx(length).epsilon(1e-3));
+  CHECK(heat_geodesics(strip, vert_id{0}, {.time = 0.01, .clamp = true})[vert_id{2 * length}] == doctest::Approx(length).epsilon(1e-3));
+  CHECK(heat_geodesics(strip, vert_id{0}, {.boundary = heat_boundary::dirichlet, .clamp = true})[vert_id{2 * length}] > 0.5 * length);
+  const auto sudden = heat_geodesics(strip, vert_id{0}, {.time = 1e-300, .clamp = true});  // there is no heat, so distances are those of edge paths
   CHECK(sudden[vert_id{2 * length}] == doctest::Approx(length).epsilon(0.1));
 
   trimesh shorter = strip;  // with gaps in the indices
   remove_part(shorter, [](const vec3& x) { return x.x < 5; });
-  CHECK(heat_geodesics(shorter, vert_id{10})[vert_id{2 * length}] == doctest::Approx(length - 5).epsilon(1e-3));
+  CHECK(heat_geodesics(shorter, vert_id{10}, {.clamp = true})[vert_id{2 * length}] == doctest::Approx(length - 5).epsilon(1e-3));
 
   for (const double power : {2.0, 3.0}) {
     auto arrays = triangle_grid(25);
     for (vec3& x : arrays.points) x = {std::pow(x.x, power), std::pow(x.y, power), 0};
     const trimesh m(arrays);
-    const auto heat = prepare_heat_geodesics(m);
+    const auto heat = prepare_heat_geodesics(m, {.clamp = true});
     const deviation e = error_of(heat.distance_from(vert_id{0}), [](const vec3& x) { return norm(x); });
     CHECK(e.mean <= 0.03 * e.mean_distance);
   }
@@ -82,7 +82,7 @@ TEST_CASE("heat_geodesics: work on very thin hexahedra, whose Laplacian makes he
   for (vec3& x : arrays.points) x = {std::pow(x.x, 3), std::pow(x.y, 3), std::pow(x.z, 3)};
   const hexmesh m(arrays);
   CHECK(error_from(prepare_heat_geodesics(m, {.clamp = false}), vert_id{0}) < 0.1);
-  CHECK(error_from(prepare_heat_geodesics(m), vert_id{0}) < 0.01);
+  CHECK(error_from(prepare_heat_geodesics(m, {.clamp = true}), vert_id{0}) < 0.01);
   const hexmesh wide = grid<hexmesh>(1);
   // a quarter of the area of the face between two verts, divided by the length of the edge
   CHECK(detail::lower_positive_stiffness(wide).coeff(1, 0) == doctest::Approx(-0.25));
@@ -112,7 +112,7 @@ TEST_CASE("heat_geodesics: obey the options") {
   };
   int n = 0;
   const auto ball = icosphere(1);
-  const auto heat = prepare_heat_geodesics(ball, {}, counting(&n));
+  const auto heat = prepare_heat_geodesics(ball, {.clamp = true}, counting(&n));
   CHECK(n == 2);
   heat.distance_from(vert_id{0});
   heat.distance_from(vert_id{7});
@@ -123,7 +123,7 @@ TEST_CASE("heat_geodesics: obey the options") {
 
 TEST_CASE("heat_geodesics: throw if an argument is invalid") {
   const auto m = grid<quadmesh>(2);
-  const auto heat = prepare_heat_geodesics(m);
+  const auto heat = prepare_heat_geodesics(m, {.clamp = true});
   CHECK_THROWS_WITH_AS(heat.distance_from(vert_id{9}), "heat_geodesics: a source is not a vert of the mesh; take it from verts(m)", invalid_mesh);
   CHECK_THROWS_WITH_AS(heat.distance_from(std::vector<vert_id>()), "heat_geodesics: there is no source; give at least one vert", invalid_argument);
   CHECK_THROWS_WITH_AS(heat.distance_from({{vert_id{1}, std::nan("")}}), "heat_geodesics: the initial distance at vert 1 is not finite",
@@ -146,7 +146,7 @@ TEST_CASE("heat_geodesics: throw if an argument is invalid") {
 TEST_CASE("heat_geodesics: are accurate on polygons with many short edges") {
   const polygonmesh m = jigsaw(14, 5, 0.2);  // edges are a sixth as long as polys are wide
   const double edge = detail::mean_edge_length(m);
-  const auto heat = prepare_heat_geodesics(m), alone = prepare_heat_geodesics(m, {.clamp = false});
+  const auto heat = prepare_heat_geodesics(m, {.clamp = true}), alone = prepare_heat_geodesics(m, {.clamp = false});
   CHECK(heat.time() > 4 * edge * 4 * edge);
   for (const vert_id s : {vert_id{0}, vert_id{100}, vert_id{37}}) {
     const vec3 from = point(m, s);

@@ -1,5 +1,5 @@
 // Adapter for reading picture files through stb: PNG, JPEG, BMP and TGA. save_png of <concino/render/png.hpp> writes them.
-// Needs: stb (Debian: libstb-dev).
+// Needs: stb (Debian: libstb-dev), and the library of concino::stb: CMake builds it; others compile adapters/concino/adapters/detail/stb_image.cpp.
 #pragma once
 
 #include <concino/adapters/detail/stb_image_functions.hpp>
@@ -39,8 +39,8 @@ inline bool has_valid_huffman_tables(std::string_view jpeg) {
 }
 
 /// Why stb_image failed last in this thread. It quotes the names of chunks of PNG files, which may be any bytes; these are left out.
-[[maybe_unused]] static inline std::string_view stb_failure() {
-  const char* const reason = stb::stbi_failure_reason();
+inline std::string_view stb_failure() {
+  const char* const reason = stb_failure_reason();
   const std::string_view text = reason ? reason : "";
   return text.size() < 5 || text.ends_with("PNG chunk not known") ? "a PNG chunk that is not known" : text;
 }
@@ -55,8 +55,7 @@ namespace concino {
 /// Cost:   O(pixels) time and memory, in the calling thread.
 /// Errors: io_error if the file cannot be read; parse_error with the reason if it is no such file, or damaged so that it cannot be decoded; unsupported if
 ///         it has more than 2^27 pixels, or 2 GiB.
-// Static because it calls stb's static functions: an inline function must be the same in each translation unit.
-[[maybe_unused]] static inline image read_image(const std::string& path) {
+inline image read_image(const std::string& path) {
   const file_text file(path);
   const std::string_view text = file.text();
   const auto* const bytes = reinterpret_cast<const unsigned char*>(text.data());
@@ -68,12 +67,12 @@ namespace concino {
   const bool is_jpeg = text.starts_with("\xff\xd8");
   if (is_jpeg && !detail::has_valid_huffman_tables(text)) refuse("a Huffman table with more than 256 codes");
   if (size == 0) refuse("no bytes");
-  if (!detail::stb::stbi_info_from_memory(bytes, size, &width, &height, &channels)) refuse(detail::stb_failure());
+  if (!detail::stb_info(bytes, size, width, height, channels)) refuse(detail::stb_failure());
   if (static_cast<long long>(width) * height > 1 << 27)
     core::throw_joined<unsupported>({"read_image: ", path, ": ", width, " x ", height, " pixels are more than 2^27"});
   const bool has_opacity = channels == 2 || channels == 4;
   const int wanted = has_opacity ? 4 : 3;
-  const unsigned char* const pixels = detail::stb::stbi_load_from_memory(bytes, size, &width, &height, &channels, wanted);
+  const unsigned char* const pixels = detail::stb_load(bytes, size, width, height, channels, wanted);
   if (!pixels) refuse(detail::stb_failure());
   image picture(static_cast<std::size_t>(width), static_cast<std::size_t>(height));
   if (has_opacity) picture.add_opacity();

@@ -46,12 +46,13 @@ prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> pre
 /// Result: a map of double, in units of length. A source has distance 0, or its initial distance where no other source is nearer. No vert has
 ///         less than the smallest initial distance in its component. +inf in components of polys without a source, and at verts of no poly that
 ///         are no source.
-///         Distances are approximate. On the meshes of docs/convergence.md the mean error is at most 0.3 edges, mostly below 0.1. The largest error is
-///         below two edges, except for agglomerates round a corner and squeezed polygons.
-///         Distances are clamped. They are at most the shortest path along edges and straight across triangles or tets inside the polys, and at least
-///         the straight line through space. Tets of hexes and polyhedra overlap: they are cones from each of up to 16 verts to the triangles of the faces.
-///         With .clamp = false distances are as smooth as heat, and wrong by some edges on curved surfaces; a query then takes as little as a third of the
-///         time. Distances scale exactly with the mesh by powers of two. By a factorisation they do not depend on the order of storage, but for rounding.
+///         Distances are approximate, and as smooth as heat. On curved surfaces they may be wrong by some edges far from the source, be longer than a path
+///         along edges, or shorter than the straight line through space.
+///         With .clamp = true they are none of these: at most the shortest path along edges and straight across triangles or tets inside the polys, and at
+///         least the straight line. Then on the meshes of docs/convergence.md the mean error is at most 0.3 edges, mostly below 0.1, and the largest error is
+///         below two edges, except for agglomerates round a corner and squeezed polygons. Tets of hexes and polyhedra overlap: they are cones from each of up
+///         to 16 verts to the triangles of the faces. A query takes three to five times as long.
+///         Distances scale exactly with the mesh by powers of two. By a factorisation they do not depend on the order of storage, but for rounding.
 ///         The default time is twice the squared width of polys, averaged by their measure, over their dimension: two squared edges in grids of
 ///         squares and of cubes. Heat resolves directions over a distance of about one poly, and rounds off finer details. The average by measure
 ///         sets that distance by the polys that cover most of the mesh. The many small polys in a corner of a graded mesh do not set it, nor do the
@@ -61,8 +62,8 @@ prepared_heat_geodesics<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> pre
 ///         Where polys are very long and thin, a Laplacian with negative weights may make heat negative. Then heat flows along edges by positive
 ///         weights instead, and where it still is negative, shortest paths along edges replace it.
 /// Cost:   two sparse factorisations with as many unknowns as there are verts, three if there is a boundary (see heat_boundary), one
-///         more if heat flows along edges because it was negative. Then two or three back-substitutions and a search for shortest paths, O(n log n)
-///         for n elements, triangles and tets inside the polys included; a box has 36 tets, with 32 bytes each.
+///         more if heat flows along edges because it was negative. Then two or three back-substitutions, and half of their time for all else. With .clamp
+///         also a search for shortest paths, O(n log n) for n elements, triangles and tets inside the polys included; a box has 36 tets, with 32 bytes each.
 ///         For several queries prepare_heat_geodesics factorises once.
 ///         Iterative solvers, such as multigrid, are only used for the potential of the gradient: one set-up to prepare, and one solve per query. Heat is
 ///         found by conjugate gradients in bands of verts, from the sources outwards, in 10 to 100 short iterations. At 10^6 triangles a query takes the time of

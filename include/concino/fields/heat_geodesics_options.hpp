@@ -13,7 +13,7 @@ enum class heat_boundary { averaged, neumann, dirichlet };
 struct heat_geodesics_options {
   double time = 0;                                        // how long heat flows, in units of length^2, finite; 0: the default, see heat_geodesics
   concino::heat_boundary boundary = concino::heat_boundary::averaged;  // boundary conditions of the heat
-  bool clamp = true;                                      // to the range between straight lines and paths over the mesh, see heat_geodesics
+  bool clamp = false;                                     // to the range between straight lines and paths over the mesh, see heat_geodesics
   concino::progress progress = nullptr;                   // called with "heat geodesics" and "factorising"
 };
 

@@ -144,7 +144,8 @@ class prepared_heat_geodesics {
   /// The distances of all verts from these sources.
   /// Needs:  sources as for heat_geodesics. The mesh has not changed since it was prepared.
   /// Result: that of heat_geodesics.
-  /// Cost:   two back-substitutions, three where there is a boundary, and a search for shortest paths; more if heat underflows and is continued. With
+  /// Cost:   two back-substitutions, three where there is a boundary, and half of their time; more if heat underflows and is continued. With clamp also a
+  ///         search for shortest paths. With
   ///         iterative solvers one solve and iterations in bands, see heat_geodesics.
   /// Errors: invalid_argument if there is no source or a number is not finite; invalid_mesh if a source is not a vert of the mesh; solver_error.
   template<class S>

@@ -149,9 +149,9 @@ class heat_system {
       for (std::size_t k = first + 1; k < end; ++k) {
         const vec3 term = (here - log_u[static_cast<std::size_t>(corners_.vert[k])]) * corners_.flux[k];
         g += term;
-        terms = std::max({terms, std::abs(term.x), std::abs(term.y), std::abs(term.z)});
+        terms = std::max(terms, largest_component(term));
       }
-      const double largest = std::max({std::abs(g.x), std::abs(g.y), std::abs(g.z)});
+      const double largest = largest_component(g);
       if (!(largest > 1e-10 * terms)) continue;
       if (!(largest > 0x1p-400 && largest < 0x1p400)) g = g / largest;
       const vec3 direction = (1 / std::sqrt(dot(g, g))) * g;
@@ -161,6 +161,8 @@ class heat_system {
   }
 
  private:
+  static double largest_component(const vec3& x) { return std::max(std::abs(x.x), std::max(std::abs(x.y), std::abs(x.z))); }
+
   /// The logarithm of the sum of two numbers that are given by theirs.
   static double log_of_sum(double x, double y) {
     const double large = std::max(x, y), small = std::min(x, y);
