@@ -84,7 +84,6 @@ class flat_array {
     if (n > capacity_) reallocate(n);
   }
   /// Has no effect.
-  void request_pages() {}
   /// New entries are uninitialised.
   void resize(std::size_t n) {
     reserve(n);

@@ -46,7 +46,6 @@ class indexed_heap {
 
   bool empty() const { return heap_.empty(); }
   const Node& front() const { return heap_.front().node; }
-  void prefetch_key(std::size_t slot) const { __builtin_prefetch(keys_ + slot); }
   double min_key() const { return heap_.front().key; }
   /// The lowest distance set so far, +inf if there is none.
   double key(std::size_t slot) const { return keys_[slot]; }

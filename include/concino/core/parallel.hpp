@@ -20,14 +20,6 @@ namespace core {
 /// The maximum number of threads of a loop.
 std::size_t num_threads();
 
-/// Has no effect.
-class thread_team {
- public:
-  explicit thread_team(bool) {}
-  ~thread_team() {}
-  void finish() {}
-};
-
 /// Calls run(first, last) for indices 0 to n in chunks, in several threads if it takes long; calls stop(fraction done), if there is one, as
 /// parallel_for does.
 void run_chunks(std::size_t n, std::size_t chunk, function_ref<void(std::size_t, std::size_t)> run, function_ref<bool(double)> stop);

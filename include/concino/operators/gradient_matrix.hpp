@@ -27,7 +27,7 @@ Eigen::SparseMatrix<double> gradient_matrix(const M& m) {
   auto g = detail::empty_columns(caller, 3 * poly_index_bound(m), vert_index_bound(m));
   int* const begin = g.outerIndexPtr();
   std::vector<int> earlier_polys;  // of each corner: the number of earlier polys at its vert
-  if constexpr (arity_v<M> > 0) core::reserve_large(earlier_polys, static_cast<std::size_t>(arity_v<M>) * num_polys(m));  // the number of corners is known
+  if constexpr (arity_v<M> > 0) earlier_polys.reserve(static_cast<std::size_t>(arity_v<M>) * num_polys(m));  // the number of corners is known
   bool ascend = true;
   std::size_t next = 0;
   const core::poly_chunks<M> chunks(m, [&](const poly_t<M>& p) {
