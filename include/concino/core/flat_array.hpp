@@ -83,7 +83,6 @@ class flat_array {
   void reserve(std::size_t n) {
     if (n > capacity_) reallocate(n);
   }
-  /// Has no effect.
   /// New entries are uninitialised.
   void resize(std::size_t n) {
     reserve(n);
