@@ -2,7 +2,8 @@
 
 #include <concino/concepts/views/forward.hpp>
 #include <concino/edit/elements.hpp>
-#include <concino/mesh/polygonmesh.hpp>
+#include <concino/mesh/element_map.hpp>
+#include <concino/mesh/property.hpp>
 #include <concino/mesh/trimesh.hpp>
 
 #include <support/kinds.hpp>

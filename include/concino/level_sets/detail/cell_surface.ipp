@@ -63,17 +63,7 @@ CONCINO_INLINE bool cell_surface::are_connected() {
 /// Edges have two facets each. So the facets form closed surfaces, whose Euler characteristics sum to V - E + F plus one for each additional fan of facets at a
 /// vert. One surface has at most 2, and 2 only if it is a sphere that does not touch itself. Two surfaces have at least 8 facets: a tetrahedron has 4, and a torus 7.
 CONCINO_INLINE bool cell_surface::is_sphere(std::size_t num_verts) {
-  return num_verts + ends_.size() == verts_.size() / 2 + 2 && (ends_.size() <= few_facets::max_size || are_connected());
-}
-
-CONCINO_INLINE bool cell_surface::is_sphere(std::size_t num_verts, std::size_t num_edges) {
-  if (ends_.size() > few_facets::max_size)
-    return verts_.size() == 2 * num_edges && num_verts + ends_.size() == num_edges + 2 && find_mates() && are_connected();
-  few_facets few;
-  std::uint32_t first = 0;
-  for (std::uint32_t facet = 0; facet < ends_.size(); first = ends_[facet++])
-    few.add_facet({verts_.data() + first, ends_[facet] - first}, outward_[facet]);
-  return few.is_sphere(num_verts, num_edges);
+  return num_verts + ends_.size() == verts_.size() / 2 + 2 && (ends_.size() <= few || are_connected());
 }
 
 }  // namespace concino::detail

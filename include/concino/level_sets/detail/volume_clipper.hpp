@@ -1,6 +1,7 @@
 // Cuts a volume along a level set.
 #pragma once
 
+#include <concino/concepts/end_verts.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/level_sets/clip_options.hpp>
 #include <concino/level_sets/detail/cell_parts.hpp>
@@ -52,7 +53,7 @@ class volume_clipper {
     report_progress(options.progress, 0.5, "clipping");
     build(parts, verts_of);
     report_progress(options.progress, 0.8, "clipping");
-    match_edges_and_faces(m_, result_.mesh, result_.from);
+    list_edge_origins();
     if (options.properties) transfer_if_any(m_, result_.mesh, result_.from);
     report_progress(options.progress, 1, "clipping");
     return std::move(result_);
@@ -127,6 +128,7 @@ class volume_clipper {
 
   void build(const cell_parts& parts, clip_verts<M, crossed_volume>& verts_of) {
     polyhedra_arrays a;
+    reserve(parts, a);
     a.face_offsets.push_back(0), a.poly_offsets.push_back(0);
     const auto end_face = [&](std::uint32_t origin) {
       a.face_offsets.push_back(static_cast<std::uint32_t>(a.face_verts.size()));
@@ -169,6 +171,28 @@ class volume_clipper {
       if (!(size > 0)) ++result_.report.inverted_parts;
       result_.from.polys.add({origin{crossed_.poly_indices[parts.parts[cut_[i]].cell], size > 0 ? size : 0}});
     }
+  }
+
+  void reserve(const cell_parts& parts, polyhedra_arrays& a) const {
+    std::size_t num_faces = 0, num_corners = 0, num_poly_faces = parts.part_faces.size();
+    for (const face_t<M> f : faces(m_))
+      if (face_number_[index_of(m_, f)] != none) ++num_faces, num_corners += num_elements(adj_f2v(m_, f));
+    for (const poly_t<M>& p : whole_) num_poly_faces += num_elements(adj_p2f(m_, p));
+    a.face_offsets.reserve(num_faces + parts.faces.size() + 1), a.face_verts.reserve(num_corners + parts.face_places.size());
+    a.poly_offsets.reserve(whole_.size() + cut_.size() + 1), a.poly_faces.reserve(num_poly_faces), a.outward.reserve(num_poly_faces);
+  }
+
+  /// As match_edges_and_faces does it. Most edges have two verts of m, and are found at once.
+  void list_edge_origins() {
+    const elements_by_index<vert_t<M>> by_index(m_, verts(m_), vert_index_bound(m_));
+    single_origins found(edge_index_bound(result_.mesh));
+    for (const edge_id e : edges(result_.mesh)) {
+      const auto ends = end_verts(result_.mesh, e);
+      const std::uint32_t a = result_.from.verts.only(ends.first.raw()), b = result_.from.verts.only(ends.second.raw());
+      if (a != none && b != none && a != b) found.set(e.raw(), find_edge(m_, by_index, a, b));
+      else found.set(e.raw(), match_edge(m_, result_.mesh, result_.from.verts, by_index, e));
+    }
+    result_.from.edges = std::move(found).collect();
   }
 };
 
