@@ -49,7 +49,7 @@ class polyhedra_builder {
   std::size_t num_faces_ = 0;  // of all polys; a face of two polys twice
   std::size_t num_turned_ = 0;
 
-  void begin_poly(std::size_t num_faces, std::size_t num_corners) {
+  void begin_poly(std::size_t num_faces) {
     core::make_room(out_.poly_faces, num_faces_ + num_faces);
     core::make_room(out_.outward, num_faces_ + num_faces);
   }
@@ -89,7 +89,7 @@ class polyhedra_builder {
   /// Adds a cell of positive volume, or of none.
   void add_cell(cell_shape s, const Vert* v) {
     const standard_cell& t = standard_cell_of(s);
-    begin_poly(t.num_faces, 4 * t.num_faces);
+    begin_poly(t.num_faces);
     for (unsigned f = 0; f < t.num_faces; ++f) {
       Vert face[4];
       for (unsigned i = 0; i < t.face_size[f]; ++i) face[i] = v[t.face_vert[f][i]];
@@ -107,7 +107,7 @@ class polyhedra_builder {
     const bool is_regular = is_regular_(list);
     if (!is_regular)
       if (const face_fault fault = check_(list); fault != face_fault::none) return fault;
-    begin_poly(list->raw(), numbers - 1 - list->raw());
+    begin_poly(list->raw());
     if (is_regular)
       for (const auto& f : is_regular_.faces()) push(merger_.add(f.verts, f.size, f.smallest, f.sum), true);
     else add_unoriented(list);
