@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/concepts/editable.hpp>
-#include <concino/edit/detail/replaced_values.hpp>
+#include <concino/edit/detail/replaced_origins.hpp>
 #include <concino/edit/detail/representable.hpp>
 
 #include <span>
@@ -34,7 +34,11 @@ void replace_polys(M& m, const cavity<M>& c, const cavity_result<M>& made, const
   };
   if constexpr (detail::carries_values<M>)
     if (traits<M>::properties(m).size() > 0) {
-      detail::replaced_values<M> values(m, c, from);
+      const auto first_new = static_cast<unsigned>(c.verts.size());
+      const std::size_t num_new = (c.poly_ends.size() > 0 ? c.poly_ends : c.ends).size();
+      detail::edit_values<M> values(m, {c.verts.begin(), c.verts.size()}, first_new, c.points.size());
+      detail::replaced_origins<M>(m, c, from, values).add(traits<M>::properties(m));
+      values.find(traits<M>::properties(m));
       detail::replace_saved(
           m,
           [&](const auto& save) {
@@ -42,7 +46,7 @@ void replace_polys(M& m, const cavity<M>& c, const cavity_result<M>& made, const
             detail::save_verts<M>(m, changed, save);
           },
           rewire_all);
-      values.write(made);
+      values.write(m, made.verts, {made.polys, num_new});
       finish();
       return;
     }

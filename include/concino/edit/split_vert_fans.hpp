@@ -3,7 +3,7 @@
 
 #include <concino/concepts/facets.hpp>
 #include <concino/edit/detail/operator_checks.hpp>
-#include <concino/edit/detail/relabelled_values.hpp>
+#include <concino/edit/detail/relabelled_origins.hpp>
 
 #include <vector>
 

@@ -8,7 +8,7 @@
 #include <concino/core/small_array.hpp>
 #include <concino/core/vec3.hpp>
 #include <concino/edit/detail/open_recorder.hpp>
-#include <concino/edit/detail/value_carrier.hpp>
+#include <concino/edit/detail/simplex_origins.hpp>
 #include <concino/edit/proposed_edit.hpp>
 
 #include <cmath>
@@ -21,8 +21,6 @@ struct vert_origin {
   double t;
 };
 
-/// Models whose named properties follow the edits.
-template<class M> concept carries_values = HasProperties<M> && requires(const M& m, poly_t<M> p) { traits<M>::first_corner(m, p); };
 /// All verts have local numbers, in the order in which they are met.
 template<class M>
 class cavity_builder {
@@ -201,22 +199,26 @@ class cavity_builder {
     e.old_corners = corners_.data(), e.new_corners = corners_of_new.data(), e.origins = origins_.data();
     e.old_measures = old_measures.data(), e.new_measures = new_measures.data();
     describe_verts(e);
-    value_carrier<M> carrier(m, e, verts_.data(), num_old_verts_, polys_.data());
+    const std::span<const vert_t<M>> existing(verts_.data(), num_old_verts_);
+    edit_values<M> values(m, existing, added, e.around.empty() ? 0 : 1);
+    simplex_origins<M>(m, e, existing, {polys_.data(), num_old_}, values).add(traits<M>::properties(m));
+    values.find(traits<M>::properties(m));
+    const auto write = [&] { values.write(m, &new_vert_, {new_polys_.data(), new_polys_.size()}); };
     if constexpr (saves_values<M>) {
       if (auto* const recorder = open_recorder(m)) {
         const std::size_t before = recorder->log.num_steps();
-        recorder->save_values([&](const auto& save) { carrier.for_each_replaced(save); });
+        recorder->save_values([&](const auto& save) { values.for_each_replaced(save); });
         try {
           replace(m);
         } catch (...) {
           recorder->roll_back(before);
           throw;
         }
-        return carrier.write(m, new_vert_, new_polys_.data());
+        return write();
       }
     }
     replace(m);
-    carrier.write(m, new_vert_, new_polys_.data());
+    write();
   }
 
   void describe_verts(edit_outline& e) const {

@@ -1,8 +1,8 @@
-// The origins of elements that an edit makes; see value_carrier.hpp.
+// The origins of elements that an edit makes; see simplex_origins.hpp.
 #pragma once
 
 #include <concino/core/compiled.hpp>
-#include <concino/edit/detail/value_carrier.hpp>
+#include <concino/edit/detail/simplex_origins.hpp>
 
 #include <cmath>
 
