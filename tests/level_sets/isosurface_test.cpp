@@ -270,7 +270,6 @@ template<class M, class U>
 std::size_t compare_threads(const M& m, const U& u, double level) {
   const auto with = [&](int threads) {
     const with_num_threads fixed(threads);
-    const core::thread_team team(true);
     return isosurface(m, u, level);
   };
   const auto one = with(1);

@@ -57,7 +57,6 @@ TEST_CASE_TEMPLATE("measure_between: the same for any number of threads, also wh
   const auto u = random_values(m, random, true);  // nearly all polys are cut, in many parts
   const auto with = [&](int threads) {
     const with_num_threads fixed(threads);
-    const core::thread_team team(true);
     return measure_between(m, u, {0.0, 0.7, 1.0, 2.0});
   };
   const auto one = with(1);
