@@ -31,7 +31,7 @@ class crossed_volume_reader {
   template<class U>
   crossed_volume_reader(const M& m, const U& u, double level, std::vector<poly_t<M>> crossed)
       : arrays(level, edge_index_bound(m)), polys(std::move(crossed)) {
-    reserve(m);
+    count_and_reserve(m);
     for (const poly_t<M>& p : polys) {
       poly_indices.push_back(static_cast<std::uint32_t>(index_of(m, p)));
       for (const face_t<M> f : adj_p2f(m, p)) add_facet(m, u, p, f);
@@ -39,6 +39,11 @@ class crossed_volume_reader {
     }
   }
 
+  /// Makes room for cells with so many facets and corners.
+  void reserve(std::size_t num_cells, std::size_t num_facets, std::size_t num_corners) {
+    arrays.reserve(num_cells, num_facets, num_corners);
+    faces.reserve(num_facets), verts.reserve(3 * num_cells), edges.reserve(3 * num_cells), edge_numbers_.reserve(3 * num_cells);
+  }
   template<class U>
   std::uint32_t number_of_vert(const M& m, const U& u, const vert_t<M>& v) {
     const std::size_t index = index_of(m, v);
@@ -88,12 +93,11 @@ class crossed_volume_reader {
     for (std::uint32_t k = f.first_corner; k < f.last_corner; ++k)
       list.push_back({arrays.vert_indices[arrays.whole_verts[k]], weight / static_cast<double>(f.last_corner - f.first_corner)});
   }
-  void reserve(const M& m) {
+  void count_and_reserve(const M& m) {
     std::size_t num_facets = 0, num_corners = 0;
     for (const poly_t<M>& p : polys)
       for (const face_t<M> f : adj_p2f(m, p)) ++num_facets, num_corners += num_elements(adj_f2v(m, f));
-    arrays.reserve(polys.size(), num_facets, num_corners);
-    faces.reserve(num_facets), verts.reserve(3 * polys.size()), edges.reserve(3 * polys.size()), edge_numbers_.reserve(3 * polys.size());
+    reserve(polys.size(), num_facets, num_corners);
   }
   template<class U>
   void add_facet(const M& m, const U& u, const poly_t<M>& p, const face_t<M>& f) {

@@ -44,7 +44,7 @@ class level_surface_builder {
     polygon_sheets sheets;
     if constexpr (arity_v<M> == 4) {  // their caps follow from the signs of their verts
       crossed_volume_reader<M> crossed(m_, u, level, {});
-      tet_cap_reader<M> tets(m_, crossed, sheets);
+      tet_cap_reader<M> tets(m_, cells.size(), crossed, sheets);
       for (std::size_t i = 0; i < cells.size(); ++i) tets.add(u, cells[i], static_cast<std::uint32_t>(i));
       add_polygons(sheets.make(), crossed, cells, level);
     } else {

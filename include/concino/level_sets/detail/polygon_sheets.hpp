@@ -25,6 +25,9 @@ class polygon_sheets {
  public:
   static constexpr std::uint32_t none = ~0u;
 
+  void reserve(std::size_t num_polygons, std::size_t num_corners) {
+    ends_.reserve(num_polygons), cells_.reserve(num_polygons), places_.reserve(num_corners), neighbours_.reserve(num_corners);
+  }
   /// Adds a corner to the current polygon. Returns its number, which is also that of the edge to the next corner.
   std::uint32_t add_corner(const level_place& x) {
     places_.push_back(numbers_.add(x));

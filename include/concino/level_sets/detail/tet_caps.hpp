@@ -39,7 +39,11 @@ class tet_cap_reader {
   std::vector<step_users> users_;      // by step: the corner that uses it first, and how many do
 
  public:
-  tet_cap_reader(const M& m, crossed_volume_reader<M>& crossed, polygon_sheets& sheets) : m_(m), crossed_(crossed), sheets_(sheets) {}
+  tet_cap_reader(const M& m, std::size_t num_tets, crossed_volume_reader<M>& crossed, polygon_sheets& sheets) : m_(m), crossed_(crossed), sheets_(sheets) {
+    crossed.reserve(num_tets, 0, 0);
+    sheets.reserve(num_tets, 4 * num_tets);
+    steps_.reserve(2 * num_tets), users_.reserve(2 * num_tets);
+  }
 
   template<class U>
   void add(const U& u, const poly_t<M>& p, std::uint32_t cell) {
