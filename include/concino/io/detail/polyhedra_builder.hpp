@@ -103,7 +103,7 @@ class polyhedra_builder {
 
   /// Checks the list of a polyhedron, which has so many numbers, and adds it if it has no fault. Result: its first fault.
   /// Needs: verts that have points.
-  face_fault add(const Vert* list, std::size_t numbers) {
+  face_fault add(const Vert* list, std::size_t) {
     const bool is_regular = is_regular_(list);
     if (!is_regular)
       if (const face_fault fault = check_(list); fault != face_fault::none) return fault;
