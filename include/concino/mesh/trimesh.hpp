@@ -19,9 +19,6 @@ class trimesh : public detail::native_mesh<surface_tables<3>> {
   /// Errors: invalid_mesh that names the poly with a vert out of range or twice, or an array of the wrong size.
   explicit trimesh(surface_arrays a);
 
-  /// From points and tables of as many verts, which are moved.
-  trimesh(std::vector<vec3> points, surface_tables<3> tables) : base(std::move(points), std::move(tables)) {}
-
   /// From points and lists of 3 verts, as braced lists or containers.
   trimesh(point_list points, index_lists poly_verts);
   template<detail::PointRange Points, detail::IndexListRange Polys>
