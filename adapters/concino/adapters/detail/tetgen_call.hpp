@@ -5,7 +5,6 @@
 #include <concino/adapters/detail/tetgen_input.hpp>
 #include <concino/core/error.hpp>
 
-#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <new>
@@ -68,8 +67,7 @@ class tetgen_call {
 #ifdef __linux__
   tetrahedralize_output in_child() const {
     const memory_file file("tetrahedralize");
-    const std::size_t some_memory = std::max(std::size_t{1} << 30, 8192 * input_.points.size());  // TetGen often needs less, for many small tets more
-    run_in_child("tetrahedralize", "TetGen", {options_.max_seconds, options_.max_bytes, some_memory, options_.progress}, [&] {
+    run_in_child("tetrahedralize", "TetGen", {options_.max_seconds, options_.max_bytes, options_.progress}, [&] {
       tetgenio out;
       sizes n;
       try {

@@ -12,13 +12,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <vector>
 
 #include <fcntl.h>
-#include <malloc.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -69,7 +67,6 @@ class memory_file {
 struct child_limits {
   double seconds = 0;
   std::size_t bytes = 0;  // beyond what the caller has; 0: any
-  std::size_t bytes_in_large_pages = 0;  // as much memory as this, if the work needs it
   concino::progress progress = nullptr;
 };
 
@@ -124,24 +121,6 @@ inline bool prepare_child(rlim_t address_limit) {
   return setrlimit(RLIMIT_AS, &now) == 0;
 }
 
-/// Lets malloc() take memory from one range of addresses for which large pages are requested. Only what is used of it takes memory. The first access to each
-/// small page may take a third of the time of the work. This works with glibc if the thread that called fork() is the first one of the program; otherwise it
-/// changes nothing but the time.
-inline void prefer_large_pages_in_child([[maybe_unused]] std::size_t bytes) {
-#ifdef __GLIBC__
-  if (mallopt(M_MMAP_MAX, 0) == 0 || mallopt(M_TRIM_THRESHOLD, -1) == 0) return;  // sanitizers replace malloc() and mallopt()
-  const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
-  for (; bytes >= std::size_t{64} << 20; bytes /= 2) {
-    void* const p = std::malloc(bytes);
-    if (!p) continue;
-    const std::uintptr_t begin = reinterpret_cast<std::uintptr_t>(p) & ~(page - 1);
-    madvise(reinterpret_cast<void*>(begin), bytes & ~(page - 1), MADV_HUGEPAGE);
-    std::free(p);  // it stays a part of the heap: the next calls of malloc() divide it
-    return;
-  }
-#endif
-}
-
 /// Calls work() in a child process, which writes its results to memory files that were made before, and waits for the end. The child ends by _exit: without
 /// destructors of the caller's objects. Its exit code is not used: the files say what was done.
 /// Errors: unsupported that says why the child was ended or crashed. cancelled.
@@ -151,10 +130,7 @@ void run_in_child(const char* caller, const char* what, const child_limits& limi
   const pid_t id = fork();
   if (id < 0) core::throw_joined<unsupported>({caller, ": the system allows no further process; .in_process = true needs none"});
   if (id == 0) {
-    if (prepare_child(address_limit)) {
-      prefer_large_pages_in_child(limits.bytes_in_large_pages);
-      work();
-    }
+    if (prepare_child(address_limit)) work();
     _exit(0);
   }
   child_process child(id);

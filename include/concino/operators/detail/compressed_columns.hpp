@@ -3,7 +3,6 @@
 #pragma once
 
 #include <concino/core/error.hpp>
-#include <concino/core/large_pages.hpp>
 #include <concino/core/message.hpp>
 
 #include <Eigen/SparseCore>
@@ -39,8 +38,6 @@ inline void make_room(const char* caller, Eigen::SparseMatrix<double>& a, int ea
     begin[c + 1] = static_cast<int>(sum);
   }
   a.resizeNonZeros(sum);
-  core::prefer_large_pages(a.innerIndexPtr(), static_cast<std::size_t>(sum) * sizeof(int));
-  core::prefer_large_pages(a.valuePtr(), static_cast<std::size_t>(sum) * sizeof(double));
 }
 
 }  // namespace concino::detail
