@@ -54,7 +54,8 @@ struct supernodal_factors : Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<doub
     if (m_cholmodFactor) cholmod_free_factor(&m_cholmodFactor, &c);
     cholmod_sparse view = Eigen::viewAsCholmod(a.selfadjointView<Eigen::Lower>());
     m_cholmodFactor = cholmod_analyze_p(&view, order.data(), nullptr, 0, &c);
-    m_isInitialized = m_analysisIsOk = true;
+    m_isInitialized = true;
+    m_analysisIsOk = true;
     m_factorizationIsOk = false;
     m_info = Eigen::Success;
   }

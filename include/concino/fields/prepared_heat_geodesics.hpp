@@ -216,7 +216,8 @@ vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const query& q) c
   // distances near the sources; tighter bounds have more weight.
   // Verts are used up to `near` times `decay` from a source, if the path over the mesh is longer than the straight line by at most `max_doubt` of it. The
   // numbers are not round, as those of regular grids are: rounding must not decide which verts are used.
-  constexpr double near = 2 + 1e-6, max_doubt = 0.2 + 1e-6;
+  // Where the distance from the nearest source is only rounding, as at the corners of a square around a source in its centre, verts are not used.
+  constexpr double near = 2 + 1e-6, max_doubt = 0.2 + 1e-6, rounding = 1e-6;
   // Without clamp, longer paths are only needed as a guess.
   const bool needs_all = prepared_->clamp || prepared_->system.is_iterative();
   double first = -infinity;
@@ -231,7 +232,7 @@ vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const query& q) c
     shortest[i] = straight(prepared_->graph.position(i));
     const std::size_t c = component(i);
     const double off = shortest[i] - least[c], doubt = longest[i] - shortest[i];
-    if (!(off > 0 && off <= near * decay && doubt <= max_doubt * off)) continue;
+    if (!(off > rounding * decay && off <= near * decay && doubt <= max_doubt * off)) continue;
     const double trust = off / (doubt + 0.01 * off), w = prepared_->mass[i] * trust * trust;
     sum[c] += w * (shortest[i] + doubt / 2 - potential[static_cast<Eigen::Index>(i)]);
     weight[c] += w;

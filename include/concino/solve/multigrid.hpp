@@ -25,7 +25,7 @@ namespace concino {
 /// The worst case are flat cells other than triangles and tets, if no values are given along their large faces. Hexes graded by x^3, with values on two
 /// sides only, take 86 iterations at 10^4, 194 at 10^5 and 434 at 10^6 unknowns. The stabilisation of virtual elements then dominates, and its kernel is
 /// larger than the constants that the interpolation reproduces. Trilinear elements on the same grids take 18.
-/// Memory held after factorize: 0.8 to 1.5 times that of the whole symmetric matrix; at most 2.6 times while it runs, 0.6 GiB for 10^6 hexes.
+/// Memory held after factorize: 0.8 to 1.5 times that of the whole symmetric matrix; at most 5 times while it runs.
 /// Errors: as conjugate_gradients; messages begin with multigrid.
 /// Source: Vanek, Mandel, Brezina 1996, "Algebraic multigrid by smoothed aggregation for second and fourth order elliptic problems".
 class multigrid {

@@ -5,7 +5,6 @@
 #include <concino/adapters/detail/tetgen_input.hpp>
 #include <concino/core/error.hpp>
 
-#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <new>

@@ -33,8 +33,7 @@ class cotangent_weights {
   static bool are(const vert_t<M>& a, const vert_t<M>& b, const vert_t<M>& c, const vert_t<M>& d) {
     return ((int{a == c} & int{b == d}) | (int{a == d} & int{b == c})) != 0;
   }
-  [[gnu::noinline]] static double searched(std::array<vert_t<M>, corners> corner, simplex_weights<dimension> weight, const vert_t<M>& a,
-                                           const vert_t<M>& b) {
+  static double searched(const std::array<vert_t<M>, corners>& corner, const simplex_weights<dimension>& weight, const vert_t<M>& a, const vert_t<M>& b) {
     std::size_t i = 0, j = 0;
     for (std::size_t k = 0; k < corners; ++k) {
       if (corner[k] == a) i = k;

@@ -52,7 +52,7 @@ struct thin_poly_coordinates {
   bool is_regular = false;  // the extent along every axis is positive
 
   /// normal: the unit normal of a polygon; 0 for a polyhedron.
-  [[gnu::cold]] void find(const std::vector<vec3>& points, const vec3& normal, std::size_t dimension);
+  void find(const std::vector<vec3>& points, const vec3& normal, std::size_t dimension);
 
   /// R^-1 a: the gradient in these coordinates of the function with values Q a.
   vec3 solve(vec3 a, std::size_t dimension) const;
@@ -99,7 +99,7 @@ class stiffness_of_poly {
   std::vector<vec3> image_, gradient_, unseen_;  // the last two for fill_thin
 
   static double stabilisation_factor(double n) { return Dimension == 2 ? n / 12 : std::sqrt(n / 162); }
-  [[gnu::cold]] bool fill_thin(const corner_gradient_arrays& poly, double size, std::vector<double>& entries);
+  bool fill_thin(const corner_gradient_arrays& poly, double size, std::vector<double>& entries);
 
  public:
   /// The lower triangle row by row.

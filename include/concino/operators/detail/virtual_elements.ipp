@@ -130,7 +130,7 @@ void stiffness_of_poly<Dimension>::fill(const corner_gradient_arrays& poly, std:
     for (const vec3& g : poly.gradient) squares += dot(g, g);
     symmetric3 spread;
     for (const vec3& y : poly.points) spread.add(1, y);
-    if (squares * spread.trace() > thin && fill_thin(poly, size, entries)) [[unlikely]] return;
+    if (squares * spread.trace() > thin && fill_thin(poly, size, entries)) return;
     if constexpr (Dimension == 3) {  // in polygons the spread along the normal is 0
       const double least = spread.trace_of_inverse();
       if (least > 0 && least < squares) squares = least;  // in nearly flat polys this difference is only rounding

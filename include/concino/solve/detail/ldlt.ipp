@@ -12,7 +12,7 @@
 namespace concino {
 
 struct ldlt::state : detail::ordered_factors<detail::simplicial_ldlt> {
-  explicit state(const direct_solver_options& options) : ordered_factors("ldlt", options) {}
+  explicit state(const direct_solver_options& given) : ordered_factors("ldlt", given) {}
 
   /// Rejects pivots that are only rounding errors. A pivot is a diagonal entry minus the contributions of elimination, which stops at the first 0.
   void check_pivots(const Eigen::SparseMatrix<double>& a) const {

@@ -12,7 +12,7 @@
 namespace concino {
 
 struct llt::state : detail::ordered_factors<detail::simplicial_llt> {
-  explicit state(const direct_solver_options& options) : ordered_factors("llt", options) {}
+  explicit state(const direct_solver_options& given) : ordered_factors("llt", given) {}
 
   void check_pivots(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& upper) const {
     const std::vector<double> input_diagonal = core::diagonal(a);
