@@ -97,44 +97,6 @@ TEST_CASE("parallel: for_each_chunk runs as many chunks at a time as there are t
   }
 }
 
-TEST_CASE("parallel: run_both calls both functions, on two threads if they are long, and throws what the first one throws") {
-  for (const int n : numbers_of_threads)
-    for (const bool are_long : {false, true}) {
-      const with_num_threads now(n);
-      std::thread::id first, second;
-      concino::core::run_both(are_long, [&] { first = std::this_thread::get_id(); }, [&] { second = std::this_thread::get_id(); });
-      CHECK(first != std::thread::id());
-      CHECK(second != std::thread::id());
-      if (n == 1 || !are_long) CHECK(first == second);
-      CHECK_THROWS_AS(concino::core::run_both(are_long, [] { throw std::length_error("first"); }, [] { throw std::domain_error("second"); }), std::length_error);
-      CHECK_THROWS_AS(concino::core::run_both(are_long, [] {}, [] { throw std::domain_error("second"); }), std::domain_error);
-    }
-}
-
-TEST_CASE("parallel: run_with_chunks calls all functions and all chunks, and throws what the first one throws") {
-  using concino::core::run_with_chunks;
-  for (const int n : numbers_of_threads)
-    for (const bool are_long : {false, true})
-      for (const std::size_t size : {0u, 1u, 10u, 12u}) {
-        const with_num_threads now(n);
-        std::array<int, 2> calls{};
-        std::vector<int> done(size, 0);
-        const auto first = [&] { ++calls[0]; };
-        const auto second = [&] { ++calls[1]; };
-        run_with_chunks(are_long, {first, second}, size, 5, [&](std::size_t begin, std::size_t end) {
-          for (std::size_t i = begin; i < end; ++i) ++done[i];
-        });
-        CHECK(calls == std::array{1, 1});
-        concino::core::run_all(are_long, {first, second, second});
-        CHECK(calls == std::array{2, 3});
-        CHECK(done == std::vector<int>(size, 1));
-        const auto fail = [] { throw std::length_error("function"); };
-        const auto fail_too = [](std::size_t, std::size_t) { throw std::domain_error("chunk"); };
-        CHECK_THROWS_AS(run_with_chunks(are_long, {first, fail}, size, 5, fail_too), std::length_error);
-        if (size > 0) CHECK_THROWS_AS(run_with_chunks(are_long, {first}, size, 5, fail_too), std::domain_error);
-      }
-}
-
 TEST_CASE("parallel: long loops run on several threads, or on one by option") {
   const std::vector<int> range(20000);
   for (const int n : numbers_of_threads) {

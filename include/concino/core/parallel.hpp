@@ -8,7 +8,6 @@
 #include <concino/core/function_ref.hpp>
 
 #include <cstddef>
-#include <initializer_list>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -26,33 +25,6 @@ void run_chunks(std::size_t n, std::size_t chunk, function_ref<void(std::size_t,
 
 /// Calls run(c) for every c in [0, chunks), in several threads from the start: for chunks that each take longer than it takes to start a thread.
 void for_each_chunk(std::size_t chunks, function_ref<void(std::size_t)> run);
-
-/// Calls each of some functions, and run(first, last) for the indices 0 to n in chunks, in several threads from the start if that takes long.
-/// Needs:  no two calls write to the same place; chunk > 0.      Result: as of one after the other.      Errors: of several, that of the first call.
-template<class F>
-void run_with_chunks(bool are_long, std::initializer_list<function_ref<void()>> functions, std::size_t n, std::size_t chunk, F&& run) {
-  if (!are_long) chunk = n;
-  const std::size_t num_functions = functions.size(), chunks = n == 0 ? 0 : n / chunk + (n % chunk != 0);
-  const auto run_one = [&](std::size_t i) {
-    if (i < num_functions) return functions.begin()[i]();
-    const std::size_t first = (i - num_functions) * chunk;
-    run(first, n - first < chunk ? n : first + chunk);
-  };
-  if (are_long) return for_each_chunk(num_functions + chunks, run_one);
-  for (std::size_t i = 0; i < num_functions + chunks; ++i) run_one(i);
-}
-
-/// Calls each of some functions, as run_with_chunks() does.
-inline void run_all(bool are_long, std::initializer_list<function_ref<void()>> functions) {
-  run_with_chunks(are_long, functions, 0, 1, [](std::size_t, std::size_t) {});
-}
-
-/// Calls f() and g(), each on a thread of its own if both take longer than it takes to start one.
-/// Needs:  they do not write to the same place.      Result: as of one after the other.      Errors: what f throws, else what g throws.
-template<class F, class G>
-void run_both(bool are_long, F&& f, G&& g) {
-  run_all(are_long, {f, g});
-}
 
 /// The type of the callable in a loop: a copy of f if that is equivalent, since compilers then keep the members of f in registers.
 template<class F, class Argument>

@@ -5,7 +5,6 @@
 #include <concino/core/compiled.hpp>
 #include <concino/core/error.hpp>
 #include <concino/core/message.hpp>
-#include <concino/core/sort_numbers.hpp>
 #include <concino/geometry/measure.hpp>
 
 #include <algorithm>
@@ -111,7 +110,7 @@ struct corner_gradients : corner_gradient_arrays {
     sorted_.clear();
     if (verts.size() <= 32) return;
     for (std::size_t i = 0; i < verts.size(); ++i) sorted_.push_back(static_cast<std::uint64_t>(index_of(m, verts[i])) << 32 | i);
-    core::sort_numbers(sorted_.data(), sorted_.data() + sorted_.size());
+    std::sort(sorted_.begin(), sorted_.end());
   }
 
   template<class Face>

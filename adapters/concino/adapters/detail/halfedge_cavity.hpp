@@ -5,7 +5,6 @@
 #include <concino/core/error.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/small_array.hpp>
-#include <concino/core/sort_numbers.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -22,7 +21,7 @@ class places_of_numbers {
   void clear() { sorted_.clear(); }
   void add(unsigned number, unsigned place) { sorted_.push_back(std::uint64_t{number} << 32 | place); }
   void sort() {
-    if (sorted_.size() > 1) core::sort_numbers(sorted_.begin(), sorted_.end());
+    if (sorted_.size() > 1) std::sort(sorted_.begin(), sorted_.end());
   }
   /// The place of a number, or `none`.
   unsigned find(unsigned number) const {

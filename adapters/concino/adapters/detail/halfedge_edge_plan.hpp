@@ -94,7 +94,7 @@ class halfedge_edge_plan {
         next_corner_[i] = i + 1 < c_.ends[k] ? i + 1 : first;
         keys_.push_back(key(c_.corners[i], c_.corners[next_corner_[i]]));
       }
-    core::sort_numbers(keys_.begin(), keys_.end());
+    std::sort(keys_.begin(), keys_.end());
     keys_.resize(static_cast<std::size_t>(std::unique(keys_.begin(), keys_.end()) - keys_.begin()), 0);
     for (const std::uint64_t k : keys_) {
       planned_edge e;

@@ -3,7 +3,6 @@
 
 #include <concino/core/error.hpp>
 #include <concino/core/product.hpp>
-#include <concino/core/sort_numbers.hpp>
 #include <concino/operators/detail/element_assembly.hpp>
 
 #include <algorithm>
@@ -35,7 +34,7 @@ CONCINO_INLINE void pattern_builder::add_new(int row) {
 
 CONCINO_INLINE void pattern_builder::end_column() {
   const auto i = static_cast<std::size_t>(column_);
-  core::sort_numbers(rows_.data() + begin_[i], rows_.data() + rows_.size());
+  std::sort(rows_.data() + begin_[i], rows_.data() + rows_.size());
   end_[i] = rows_.size();
 }
 
