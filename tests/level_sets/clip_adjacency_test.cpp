@@ -1,4 +1,4 @@
-// clip and split of native polyhedra copy adjacencies; the result is the same as if all were built.
+// clip and split of native polyhedra: the same for any number of threads, and whatever was done to the mesh before.
 #include <concino/level_sets/clip.hpp>
 
 #include <concino/core/error.hpp>
@@ -35,7 +35,7 @@ std::vector<double> all_of(const clipped_volume<polyhedralmesh>& c) {
   return all;
 }
 
-/// The same mesh, of which the order of lists is not known.
+/// The same mesh after its elements were numbered anew.
 polyhedralmesh compacted(polyhedralmesh m) {
   m.garbage_collect();
   return m;
