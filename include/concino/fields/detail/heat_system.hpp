@@ -64,6 +64,10 @@ class heat_system {
     }
     core::factorize_over_verts(*poisson_solver_, poisson_, "heat_geodesics", [](Eigen::Index row) { return row; });
     is_iterative_ = core::is_iterative(*poisson_solver_);
+    if (is_iterative_) return;
+    Eigen::VectorXd b(n);  // any: a factor is as accurate for all right-hand sides, so queries need not check
+    for (int i = 0; i < n; ++i) b[i] = i % 2 ? 1 : -1;
+    core::solve_and_check(*poisson_solver_, poisson_, b, "heat_geodesics");
   }
 
   /// lower: the masses minus the time times a Laplacian, with the same pattern.
@@ -157,6 +161,7 @@ class heat_system {
       const vec3 direction = (1 / std::sqrt(dot(g, g))) * g;
       for (std::size_t k = first; k < end; ++k) b[corners_.vert[k]] += dot(corners_.flux[k], direction);
     }
+    if (!is_iterative_) return poisson_solver_->solve(b);
     return core::solve_and_check(*poisson_solver_, poisson_, b, "heat_geodesics");
   }
 
