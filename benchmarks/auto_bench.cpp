@@ -1,6 +1,5 @@
-// Measures the choice of auto_solver between ldlt and multigrid, for one and for thirty right-hand sides whose number it does not know, against both. `best`
-// is the better of both for that number. The rows auto.MESH.predicted have the times that its model predicts for one right-hand side, beside those measured in
-// auto.MESH.1; 0: not counted.
+// Measures the choice of auto_solver between ldlt and multigrid, for one and for thirty right-hand sides, against both. `best` is the better of both for that
+// number.
 #include "support/kinds.hpp"
 #include "support/laplace_system.hpp"
 
@@ -9,7 +8,6 @@
 #include <concino/solve/multigrid.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -40,7 +38,6 @@ void compare(const bench::program& p, const std::string& kind, const Make& make)
   const sparse a = bench::laplace_system(make());
   const int rounds = a.nonZeros() > 100'000 ? 1 : std::min(p.rounds, 3);
   std::vector<double> one[3], thirty[3];
-  concino::predicted_times of_factor, of_levels;
   for (int round = 0; round < rounds; ++round) {
     concino::ldlt direct;
     concino::multigrid iteration;
@@ -51,12 +48,9 @@ void compare(const bench::program& p, const std::string& kind, const Make& make)
       one[k].push_back(factorize[k] + solve[k]);
       thirty[k].push_back(factorize[k] + 30 * solve[k]);
     }
-    concino::auto_solver single, many;
+    concino::auto_solver single, many{{.questions = 30}};
     one[2].push_back(seconds(single, a, 1));
     thirty[2].push_back(seconds(many, a, 30));
-    of_levels = single.predicted(concino::solver_used::multigrid);
-    of_factor = single.predicted(concino::solver_used::ldlt);
-    if (std::isnan(of_factor.factorize)) of_factor = many.predicted(concino::solver_used::ldlt);
   }
   const auto print = [&](const std::string& name, const std::vector<double>(&times)[3]) {
     if (!p.wants(name)) return;
@@ -66,9 +60,6 @@ void compare(const bench::program& p, const std::string& kind, const Make& make)
   };
   print(work + ".1", one);
   print(work + ".30", thirty);
-  const double factor = of_factor.factorize + of_factor.solve;
-  p.print({{work + ".predicted", "ldlt", "s", std::isfinite(factor) ? factor : 0, 1},
-           {work + ".predicted", "multigrid", "s", of_levels.factorize + of_levels.solve, 1}});
 }
 
 }  // namespace

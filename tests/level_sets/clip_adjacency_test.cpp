@@ -61,7 +61,7 @@ void add_pyramid(polyhedralmesh& m, face_id base) {
 
 }  // namespace
 
-TEST_CASE("clip: the result is the same if the mesh was edited before") {
+TEST_CASE("clip: the mesh is the same if elements were numbered anew before") {
   std::mt19937 random(12);
   int num_cut = 0;
   for (int i = 0; i < 100; ++i) {
@@ -73,8 +73,8 @@ TEST_CASE("clip: the result is the same if the mesh was edited before") {
     for (const auto v : verts(other)) same[v] = u[v];
     try {
       const auto s = split(m, u, 1.0), c = clip(m, u, 1.0);
-      CHECK(all_of(s) == all_of(split(other, same, 1.0)));
-      CHECK(all_of(c) == all_of(clip(other, same, 1.0)));
+      CHECK(whole(s.mesh) == whole(split(other, same, 1.0).mesh));
+      CHECK(whole(c.mesh) == whole(clip(other, same, 1.0).mesh));
       num_cut += s.report.cut_polys > 0;
     } catch (const unsupported&) {
       CHECK_THROWS_AS((void)split(other, same, 1.0), unsupported);  // a cell whose surface is not a sphere
