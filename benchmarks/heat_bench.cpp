@@ -1,5 +1,5 @@
 // Measures heat geodesics with the library's own factorisation. Their preparation is compared with the necessary factorisations: two, or three with a boundary.
-// A query is compared with as many back-substitutions. `query` includes bounds by shortest paths, `unclamped` does not. On a million triangles both are by
+// A query is compared with as many back-substitutions. `clamped` includes bounds by shortest paths, `query` does not. On a million triangles both are by
 // multigrid, and compared with the set-up and with 30 cycles of the solve that a query contains; their number is printed.
 #include "support/matrix_keeper.hpp"
 #include "support/kinds.hpp"
@@ -67,7 +67,7 @@ void measure(const bench::program& p, const std::string& name, const M& m) {
                             {"concino", [&] { return bench::seconds_of([&] { return asked.distance_from(source); }); }}}));
   };
   compare_with_substitutions(query, heat);
-  compare_with_substitutions("heat.unclamped." + name, concino::prepare_heat_geodesics(m, {.clamp = false}, concino::ldlt{}));
+  compare_with_substitutions("heat.clamped." + name, concino::prepare_heat_geodesics(m, {.clamp = true}, concino::ldlt{}));
 }
 
 /// Multigrid that stores the last matrix and right-hand side, and counts cycles.

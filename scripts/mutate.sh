@@ -94,11 +94,9 @@ operators/detail/virtual_elements  operators/detail/virtual_elements operators/m
 operators/detail/virtual_refinement    operators/virtual_refinement
 solve/auto_solver      solve/auto_solver
 solve/detail/auto_solver solve/auto_solver
-solve/detail/solver_times solve/detail/solver_times solve/auto_solver
 optimize/constrained      optimize/constrained
 solve/ldlt             solve/ldlt solve/auto_solver
 solve/detail/ldlt       solve/ldlt solve/auto_solver
-solve/detail/sparse_factor solve/detail/sparse_factor solve/auto_solver
 solve/llt              solve/llt
 optimize/qp               optimize/qp
 solve/qr               solve/qr optimize/least_squares
