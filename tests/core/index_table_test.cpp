@@ -15,7 +15,7 @@ TEST_CASE("index_table: finds the numbers that were added, and no others") {
     std::vector<unsigned> keys;
     std::map<unsigned, std::uint32_t> oracle;
     for (int i = 0; i < 20000; ++i) {
-      const unsigned key = random() % different;
+      const auto key = static_cast<unsigned>(random() % different);
       const std::uint32_t hash = index_table::hash(key), found = table.find(hash, [&](std::uint32_t k) { return keys[k] == key; });
       REQUIRE(found == (oracle.count(key) ? oracle[key] : index_table::none));
       if (found != index_table::none) continue;

@@ -72,7 +72,10 @@ class skipping_iterator {
 
   constexpr skipping_iterator() = default;
   constexpr skipping_iterator(unsigned i, unsigned bound, const Skips& skips) : i_(i), bound_(bound), skips_(skips) { skip(); }
-  constexpr Id operator*() const { return Id(i_); }
+  constexpr Id operator*() const {
+    if constexpr (std::is_aggregate_v<Id>) return Id{i_};
+    else return Id(i_);
+  }
   constexpr skipping_iterator& operator++() { ++i_; skip(); return *this; }
   constexpr skipping_iterator operator++(int) { skipping_iterator old = *this; ++*this; return old; }
   friend constexpr bool operator==(const skipping_iterator& a, const skipping_iterator& b) { return a.i_ == b.i_; }
