@@ -38,7 +38,7 @@ template<class R>
 class range_chunks {
   const R& range_;
   std::size_t chunk_, size_ = 0;
-  std::vector<decltype(std::declval<const R&>().begin())> begins_;  // of the chunks, unless the range is divisible
+  std::vector<decltype(std::declval<const R&>().begin())> later_begins_;  // of the chunks but the first, unless the range is divisible
 
  public:
   range_chunks(const R& range, std::size_t chunk) : range_(range), chunk_(chunk == 0 ? 1 : chunk) {
@@ -48,8 +48,8 @@ class range_chunks {
       const auto end = range.end();
       std::size_t n = 0;
       for (auto it = range.begin(); it != end; ++it, ++n)
-        if (n % chunk_ == 0) begins_.push_back(it);
-      size_ = begins_.size();
+        if (n > 0 && n % chunk_ == 0) later_begins_.push_back(it);
+      size_ = n == 0 ? 0 : later_begins_.size() + 1;
     }
   }
   /// How many chunks there are.
@@ -64,7 +64,7 @@ class range_chunks {
     } else {
       const auto end = range_.end();
       std::size_t n = 0;
-      for (auto it = begins_[c]; n < chunk_ && it != end; ++it, ++n) f(*it);
+      for (auto it = c == 0 ? range_.begin() : later_begins_[c - 1]; n < chunk_ && it != end; ++it, ++n) f(*it);
     }
   }
 };
