@@ -45,6 +45,11 @@ class range_chunks {
     if constexpr (is_divisible<R>) {
       size_ = range.index_bound() / chunk_ + (range.index_bound() % chunk_ != 0);
     } else {
+      if (num_threads() == 1) {  // no second thread needs to find a chunk
+        chunk_ = static_cast<std::size_t>(-1);
+        size_ = 1;
+        return;
+      }
       const auto end = range.end();
       std::size_t n = 0;
       for (auto it = range.begin(); it != end; ++it, ++n)
