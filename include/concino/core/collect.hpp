@@ -14,7 +14,7 @@ namespace concino::core {
 /// Needs:  several threads can iterate over the range, more than once, and call keep.
 /// Result: a vector; the same for any number of threads.      Cost: a call of keep for each element; memory for the result, twice.
 /// Errors: what keep throws.
-template<bool = false, class R, class Keep>
+template<class R, class Keep>
 auto collect_if(const R& range, const Keep& keep) {
   using element = std::remove_cvref_t<decltype(*range.begin())>;
   const range_chunks<R> chunks(range, 4096);
