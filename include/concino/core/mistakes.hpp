@@ -68,5 +68,12 @@ struct number {
 inline constexpr sentence name_the_element("elements of a mesh have types of their own: vert_id{0}, edge_id{0}, face_id{0} or poly_id{0}, not 0");
 
 inline constexpr sentence give_numbers_at_verts("the map has to give a number at each vert: make_vert_map<double>(m)");
+inline constexpr sentence give_numbers_or_points_at_verts("the map has to give a number or a point at each vert: make_vert_map<double>(m)");
+inline constexpr sentence give_vectors_at_polys("the field has to give a vector at each poly: make_poly_map<vec3>(m)");
+inline constexpr sentence give_writable_numbers_at_verts("the values change: pass the name of a property of verts, or a map of numbers that can be written, such as make_vert_map<double>(m)");
+inline constexpr sentence give_line_start("a line starts at a vert, a poly or a mesh_point, such as mesh_point<M>{edge_point<M>{e, 0.5}, position}");
+inline constexpr sentence use_general_polys("the parts of quads and hexes have other shapes: cut convert<polygonmesh>(m) or convert<polyhedralmesh>(m)");
+inline constexpr sentence use_simplices("this is defined on triangles and tets: pass to_triangles(m) or to_tets(m)");
+inline constexpr sentence give_labels_at_polys("the map has to give an int at each poly: make_poly_map<int>(m)");
 
 }  // namespace concino::mistake

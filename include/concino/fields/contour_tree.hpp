@@ -28,6 +28,12 @@ level_graph<vert_t<M>> contour_tree(const M& m, const U& u) {
   return detail::make_level_graph(sorted, detail::merge_join_and_split_trees(detail::make_level_complex(m, sorted), sorted.size()));
 }
 
+// What to write instead of calls that cannot compile.
+template<class... T> void contour_tree(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class M, class U, class R = mistake::remedy<mistake::give_numbers_at_verts>>
+  requires(AnyMesh<M> && !requirement::gives_numbers<U, vert_t<M>>)
+void contour_tree(const M&, const U&, ...) = delete;  // a number at each vert: make_vert_map<double>(m)
+
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED

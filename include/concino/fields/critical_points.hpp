@@ -54,6 +54,10 @@ critical_points_of<std::remove_cvref_t<M>> critical_points(M&& m, const U& u) {
 }
 
 // What to write instead of calls that cannot compile.
+template<class... T> void critical_points(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void critical_points(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class M, class U, class R = mistake::remedy<mistake::give_numbers_at_verts>>
+  requires(AnyMesh<M> && !requirement::gives_numbers<U, vert_t<M>>)
+void critical_points(M&&, const U&, ...) = delete;  // a number at each vert: make_vert_map<double>(m)
 
 }  // namespace concino

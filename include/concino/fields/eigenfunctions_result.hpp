@@ -50,6 +50,8 @@ eigenfunctions_result<std::remove_cvref_t<M>> eigenfunctions_from(M&& m, const e
 }  // namespace core
 
 // What to write instead of calls that cannot compile.
+template<class... T> void eigenfunctions(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void eigenfunctions(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void eigenfunctions(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: a point at each vert, or with_points(m, map)
 
 }  // namespace concino

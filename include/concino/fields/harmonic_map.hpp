@@ -174,7 +174,10 @@ vert_map<M, T> harmonic_map(M&& m, const V& values, const D& discretisation, con
 }
 
 // What to write instead of calls that cannot compile.
+template<class... T> void prepare_harmonic_map(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void prepare_harmonic_map(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void prepare_harmonic_map(mistake::bare_graph<mistake::name_discretisation>, ...) = delete;  // needs point(m, v) and polys; else write prepare_harmonic_map(m, verts, uniform)
+template<class... T> void prepare_harmonic_map(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
 template<class... T> void harmonic_map(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void harmonic_map(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
 template<class... T> void harmonic_map(mistake::bare_graph<mistake::name_discretisation>, ...) = delete;  // needs point(m, v) and polys; else write harmonic_map(m, values, uniform)

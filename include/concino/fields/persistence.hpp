@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/maps.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/fields/detail/extremum_pairs.hpp>
 
 #include <optional>
@@ -54,5 +55,11 @@ persistence_pairs<vert_t<M>> persistence(const M& m, const U& u) {
   detail::name_pairs(g, sorted.verts, true, result.maxima);
   return result;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void persistence(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class M, class U, class R = mistake::remedy<mistake::give_numbers_at_verts>>
+  requires(PrimalGraph<M> && !requirement::gives_numbers<U, vert_t<M>>)
+void persistence(const M&, const U&, ...) = delete;  // a number at each vert: make_vert_map<double>(m)
 
 }  // namespace concino

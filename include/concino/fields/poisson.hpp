@@ -208,7 +208,15 @@ vert_map<M, T> poisson(M&& m, const F& f, const D& discretisation, const poisson
 }
 
 // What to write instead of calls that cannot compile.
+template<class... T> void prepare_poisson(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void prepare_poisson(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void prepare_poisson(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class... T> void prepare_poisson(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
+template<class... T> void poisson(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void poisson(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void poisson(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class M, class U, class R = mistake::remedy<mistake::give_numbers_or_points_at_verts>>
+  requires(EmbeddedMesh<M> && !requirement::is_given_field<U, M>)
+void poisson(M&&, const U&, ...) = delete;  // a number or a point at each vert: make_vert_map<double>(m)
 
 }  // namespace concino

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/maps.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/fields/detail/level_tracking.hpp>
 
 #include <cstddef>
@@ -59,5 +60,11 @@ level_graph<vert_t<M>> reeb_graph(const M& m, const U& u) {
   const detail::sorted_verts<M> sorted(m, u, "reeb_graph");
   return detail::make_level_graph(sorted, detail::find_level_links(detail::make_level_complex(m, sorted), sorted.size()));
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void reeb_graph(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class M, class U, class R = mistake::remedy<mistake::give_numbers_at_verts>>
+  requires(AnyMesh<M> && !requirement::gives_numbers<U, vert_t<M>>)
+void reeb_graph(const M&, const U&, ...) = delete;  // a number at each vert: make_vert_map<double>(m)
 
 }  // namespace concino

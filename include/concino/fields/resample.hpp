@@ -95,7 +95,9 @@ poly_map<To, double> resample(const From& from, const Q& q, To&& to, poly_resamp
 }
 
 // What to write instead of calls that cannot compile.
+template<class... T> void resample(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class U> void resample(mistake::any_mesh, const U&, mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void resample(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino
 

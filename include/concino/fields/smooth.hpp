@@ -149,7 +149,14 @@ vert_map<M, T> smooth(M&& m, const F& f, double amount, const D& discretisation,
 }
 
 // What to write instead of calls that cannot compile.
+template<class... T> void prepare_smooth(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void prepare_smooth(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void prepare_smooth(mistake::bare_graph<mistake::name_discretisation>, ...) = delete;  // needs point(m, v) and polys; else write prepare_smooth(m, amount, uniform)
+template<class... T> void smooth(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void smooth(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void smooth(mistake::bare_graph<mistake::name_discretisation>, ...) = delete;  // needs point(m, v) and polys; else write smooth(m, f, amount, uniform)
+template<class M, class U, class R = mistake::remedy<mistake::give_numbers_or_points_at_verts>>
+  requires(PrimalGraph<M> && !requirement::is_given_field<U, M>)
+void smooth(M&&, const U&, ...) = delete;  // a number or a point at each vert: make_vert_map<double>(m)
 
 }  // namespace concino

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/maps.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/fields/detail/value_statistics.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/operators/mass_matrix.hpp>
@@ -67,5 +68,9 @@ template<EmbeddedMesh M, class U>
 field_statistics<poly_t<M>> statistics(const M& m, const U& u) {
   return detail::gather_statistics(polys(m), u, [&](const poly_t<M>& p) { return std::abs(measure(m, p)); });
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void statistics(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void statistics(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

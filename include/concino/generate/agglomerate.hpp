@@ -3,6 +3,7 @@
 
 #include <concino/concepts/maps.hpp>
 #include <concino/core/error.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/generate/detail/merged_boundary.hpp>
 #include <concino/geometry/measure.hpp>
@@ -194,5 +195,12 @@ polyhedralmesh agglomerate(const M& m, const L& labels, const agglomerate_option
   origins.finish(result, number, face_number);
   return result;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void agglomerate(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void agglomerate(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class M, class U, class R = mistake::remedy<mistake::give_labels_at_polys>>
+  requires(EmbeddedMesh<M> && !requirement::is_label_map<U, M>)
+void agglomerate(M&&, const U&, ...) = delete;  // an int at each poly: make_poly_map<int>(m)
 
 }  // namespace concino

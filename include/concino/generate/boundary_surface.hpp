@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/convert/convert.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/mesh/boundary.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 #include <concino/mesh/quadmesh.hpp>
@@ -47,6 +48,10 @@ detail::boundary_mesh<M> boundary_surface(const M& m, const boundary_surface_opt
   if (options.correspondence) *options.correspondence = std::move(from);
   return std::move(converted.mesh);
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void boundary_surface(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void boundary_surface(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino
 

@@ -35,4 +35,9 @@ M make_box(const grid_options& options = {}) {
   }
 }
 
+// What to write instead of calls that cannot compile.
+template<class M, class R = mistake::remedy<mistake::include_adapter>>
+  requires(!requirement::is_adapted<M>)
+M make_box(...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+
 }  // namespace concino

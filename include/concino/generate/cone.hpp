@@ -113,4 +113,9 @@ M make_cone(const cone_options& options = {}) {
   }
 }
 
+// What to write instead of calls that cannot compile.
+template<class M, class R = mistake::remedy<mistake::include_adapter>>
+  requires(!requirement::is_adapted<M>)
+M make_cone(...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+
 }  // namespace concino

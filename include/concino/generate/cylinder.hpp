@@ -86,4 +86,9 @@ M make_cylinder(const cylinder_options& options = {}) {
   }
 }
 
+// What to write instead of calls that cannot compile.
+template<class M, class R = mistake::remedy<mistake::include_adapter>>
+  requires(!requirement::is_adapted<M>)
+M make_cylinder(...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+
 }  // namespace concino

@@ -1,6 +1,7 @@
 // The dual mesh: it has a vert for each poly and a poly for each vert.
 #pragma once
 
+#include <concino/core/mistakes.hpp>
 #include <concino/generate/detail/surface_dual.hpp>
 #include <concino/generate/detail/volume_dual.hpp>
 #include <concino/geometry/measure.hpp>
@@ -88,5 +89,9 @@ template<EmbeddedMesh M, class C>
 auto dual_mesh(const M& m, const C& creases, const dual_mesh_options& options = {}) {
   return detail::dual_mesh_of(m, creases, options);
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void dual_mesh(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void dual_mesh(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

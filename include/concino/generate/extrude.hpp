@@ -1,6 +1,7 @@
 // Extrusion: the volume between a surface and its copy moved by a vector.
 #pragma once
 
+#include <concino/core/mistakes.hpp>
 #include <concino/generate/detail/construct_from_arrays.hpp>
 #include <concino/generate/detail/inverted_polys.hpp>
 #include <concino/generate/detail/swept_surface.hpp>
@@ -67,5 +68,9 @@ detail::swept_mesh<M> extrude(const M& m, const vec3& direction, std::size_t lay
   if (options.inverted) *options.inverted = detail::inverted_polys(result);
   return result;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void extrude(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void extrude(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

@@ -1,6 +1,7 @@
 // Grading: moves verts so that cells grow from one end of the mesh to the other.
 #pragma once
 
+#include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/generate/detail/finite.hpp>
 #include <concino/geometry/bounding_box.hpp>
@@ -42,5 +43,9 @@ void grade(M& m, const vec3& powers) {
   std::size_t k = 0;
   for (const vert_t<M> v : verts(m)) set_point(m, v, moved[k++]);
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void grade(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void grade(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

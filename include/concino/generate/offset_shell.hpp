@@ -1,6 +1,7 @@
 // Shells: the volume between a surface and its offset along the normals of its verts.
 #pragma once
 
+#include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/generate/detail/construct_from_arrays.hpp>
 #include <concino/generate/detail/folded_cells.hpp>
@@ -79,5 +80,9 @@ detail::swept_mesh<M> offset_shell(const M& m, double thickness, std::size_t lay
   if (options.inverted) *options.inverted = std::move(inverted);
   return result;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void offset_shell(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void offset_shell(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

@@ -1,6 +1,7 @@
 // Quads from triangles: as many pairs of triangles as possible are joined.
 #pragma once
 
+#include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/generate/detail/finite.hpp>
 #include <concino/generate/detail/subdivision.hpp>
@@ -71,5 +72,9 @@ polygonmesh quads_from_triangles(const M& m, const quads_from_triangles_options&
   if (options.correspondence) *options.correspondence = std::move(result.from);
   return std::move(result.mesh);
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void quads_from_triangles(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void quads_from_triangles(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

@@ -147,6 +147,7 @@ poly_map<M, int> random_labels(M&& m, std::size_t size, std::uint64_t seed = 1) 
 }
 
 // What to write instead of calls that cannot compile.
+template<class... T> void random_labels(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void random_labels(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
 
 }  // namespace concino

@@ -1,6 +1,7 @@
 // Revolution: the volume that a surface passes through when it turns around an axis.
 #pragma once
 
+#include <concino/core/mistakes.hpp>
 #include <concino/generate/detail/rotation.hpp>
 #include <concino/generate/extrude.hpp>
 
@@ -102,5 +103,9 @@ detail::swept_mesh<M> revolve(const M& m, const vec3& centre, const vec3& axis, 
   if (options.inverted) *options.inverted = detail::inverted_polys(result);
   return result;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void revolve(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void revolve(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

@@ -1,6 +1,7 @@
 // Subdivision of triangles into four, without moving verts.
 #pragma once
 
+#include <concino/core/mistakes.hpp>
 #include <concino/generate/detail/subdivided_surface.hpp>
 
 namespace concino {
@@ -19,5 +20,9 @@ trimesh subdivide_1_to_4(const M& m, const subdivide_options& options = {}) {
     return detail::subdivide_in_four("subdivide_1_to_4", mesh, creases, detail::mean_rule<mesh_type>{mesh}, options);
   });
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void subdivide_1_to_4(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void subdivide_1_to_4(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

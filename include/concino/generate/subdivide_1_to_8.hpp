@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/generate/detail/corner_hexes.hpp>
 #include <concino/mesh/tetmesh.hpp>
 
@@ -72,5 +73,9 @@ hexmesh subdivide_1_to_8(const M& m, const subdivide_options& options = {}) {
   return detail::subdivide_repeatedly("subdivide_1_to_8", 8, m, detail::no_creases(), options,
                                       [&](const auto& mesh, const auto&, unsigned) { return detail::subdivide_in_hexes("subdivide_1_to_8", mesh, options); });
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void subdivide_1_to_8(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void subdivide_1_to_8(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

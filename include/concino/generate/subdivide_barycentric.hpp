@@ -1,6 +1,7 @@
 // Barycentric subdivision: triangles from any surface, tets from any volume.
 #pragma once
 
+#include <concino/core/mistakes.hpp>
 #include <concino/generate/detail/subdivided_surface.hpp>
 #include <concino/mesh/tetmesh.hpp>
 
@@ -66,5 +67,9 @@ auto subdivide_barycentric(const M& m, const subdivide_options& options = {}) {
   return detail::subdivide_repeatedly("subdivide_barycentric", dimension_v<M> == 2 ? 6 : 24, m, detail::no_creases(), options,
                                       [&](const auto& mesh, const auto&, unsigned) { return detail::subdivide_at_centres(mesh, options); });
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void subdivide_barycentric(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void subdivide_barycentric(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

@@ -1,6 +1,7 @@
 // Catmull-Clark subdivision: smooth surfaces from polygons.
 #pragma once
 
+#include <concino/core/mistakes.hpp>
 #include <concino/generate/detail/smooth_rules.hpp>
 #include <concino/generate/detail/subdivided_surface.hpp>
 
@@ -29,5 +30,9 @@ template<SurfaceMesh M>
 quadmesh subdivide_catmull_clark(const M& m, const subdivide_options& options = {}) {
   return subdivide_catmull_clark(m, detail::no_creases(), options);
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void subdivide_catmull_clark(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void subdivide_catmull_clark(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

@@ -1,6 +1,7 @@
 // Midpoint subdivision: quads from any surface, hexes from volumes.
 #pragma once
 
+#include <concino/core/mistakes.hpp>
 #include <concino/generate/detail/corner_hexes.hpp>
 #include <concino/generate/detail/inverted_polys.hpp>
 #include <concino/generate/detail/subdivided_surface.hpp>
@@ -43,5 +44,9 @@ hexmesh subdivide_midpoint(const M& m, const midpoint_options& options = {}) {
   if (options.inverted) *options.inverted = detail::inverted_polys(result);
   return result;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void subdivide_midpoint(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void subdivide_midpoint(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

@@ -1,6 +1,7 @@
 // Root-3 subdivision: smooth surfaces from triangles, with three times as many triangles a step.
 #pragma once
 
+#include <concino/core/mistakes.hpp>
 #include <concino/generate/detail/root3_step.hpp>
 
 namespace concino {
@@ -28,5 +29,9 @@ template<SurfaceMesh M>
 trimesh subdivide_root3(const M& m, const subdivide_options& options = {}) {
   return subdivide_root3(m, detail::no_creases(), options);
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void subdivide_root3(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void subdivide_root3(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

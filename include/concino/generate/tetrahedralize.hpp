@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/generate/detail/closed_surface.hpp>
 #include <concino/generate/detail/tet_quality.hpp>
 #include <concino/generate/detail/verified_tets.hpp>
@@ -81,6 +82,8 @@ tetrahedralization<M> tetrahedralize(const M& m, const BackEnd& back_end, const 
 }
 
 // What to write instead of calls that cannot compile.
+template<class... T> void tetrahedralize(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void tetrahedralize(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 template<SurfaceMesh M> requires Embedded<M> void tetrahedralize(const M&, const tetrahedralize_options& = {}) = delete;  // pass a back end: tetrahedralize(m, tetgen), with #include <concino/adapters/tetgen.hpp> (Debian: libtet1.5-dev)
 
 }  // namespace concino

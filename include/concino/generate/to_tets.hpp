@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/convert/convert.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/generate/detail/cell_tets.hpp>
 #include <concino/generate/detail/construct_from_arrays.hpp>
 #include <concino/generate/detail/finite.hpp>
@@ -76,5 +77,9 @@ tetmesh to_tets(const M& m, const to_tets_options& options = {}) {
   if (options.correspondence) *options.correspondence = std::move(result.from);
   return std::move(result.mesh);
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void to_tets(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void to_tets(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

@@ -1,6 +1,7 @@
 // Triangles from any surface.
 #pragma once
 
+#include <concino/core/mistakes.hpp>
 #include <concino/generate/detail/construct_from_arrays.hpp>
 #include <concino/generate/detail/finite.hpp>
 #include <concino/generate/detail/flat_triangles.hpp>
@@ -70,5 +71,9 @@ trimesh to_triangles(const M& m, const to_triangles_options& options = {}) {
   if (options.correspondence) *options.correspondence = std::move(result.from);
   return std::move(result.mesh);
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void to_triangles(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void to_triangles(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

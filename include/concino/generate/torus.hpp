@@ -97,4 +97,9 @@ M make_torus(const torus_options& options = {}) {
   }
 }
 
+// What to write instead of calls that cannot compile.
+template<class M, class R = mistake::remedy<mistake::include_adapter>>
+  requires(!requirement::is_adapted<M>)
+M make_torus(...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
+
 }  // namespace concino

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/generate/planar_graph.hpp>
 
 #include <vector>
@@ -31,6 +32,9 @@ struct triangulate_options {
 /// Source: Garey, Johnson, Preparata, Tarjan 1978 for bridges to holes and for large regions; small ones by polygon_triangulator; Shewchuk 1997 for
 ///         exact tests.
 planar_triangulation triangulate(const planar_graph& g, const triangulate_options& options = {});
+
+// What to write instead of calls that cannot compile.
+template<class... T> void triangulate(mistake::any_mesh, ...) = delete;  // it takes outlines, a planar_graph; the triangles of a surface are to_triangles(m)
 
 }  // namespace concino
 

@@ -1,6 +1,7 @@
 // One mesh of two that have coincident verts.
 #pragma once
 
+#include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/generate/detail/coincident_points.hpp>
 #include <concino/generate/detail/united_arrays.hpp>
@@ -72,5 +73,9 @@ detail::united_mesh<A, B> unite(const A& a, const B& b, const unite_options& opt
   if (options.from_second) *options.from_second = std::move(from_b);
   return united;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void unite(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void unite(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

@@ -1,6 +1,7 @@
 // The Voronoi cells of points in a box, as a polyhedral mesh.
 #pragma once
 
+#include <concino/core/mistakes.hpp>
 #include <concino/generate/detail/convex_walls.hpp>
 #include <concino/generate/voronoi_polygons.hpp>
 #include <concino/geometry/measure.hpp>
@@ -80,5 +81,9 @@ polyhedralmesh voronoi_polyhedra(const Sites& sites, const S& surface, const vor
     return m;
   });
 }
+
+// What to write instead of calls that cannot compile.
+template<class Sites = std::initializer_list<vec3>> void voronoi_polyhedra(const Sites&, mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class Sites = std::initializer_list<vec3>> void voronoi_polyhedra(const Sites&, mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

@@ -1,6 +1,7 @@
 // Hexes from the voxels inside a closed surface.
 #pragma once
 
+#include <concino/core/mistakes.hpp>
 #include <concino/generate/detail/voxel_lattice.hpp>
 #include <concino/geometry/bounding_tree.hpp>
 #include <concino/mesh/hexmesh.hpp>
@@ -75,5 +76,9 @@ hexmesh voxel_hexes(const M& m, std::size_t n, const voxel_options& options = {}
   parallel_for(nx * lattice.num_cells(1), [&](std::size_t column) { detail::flag_column(tree, lattice, column % nx, column / nx, {options.rule}, flags); }, 16);
   return hexmesh(detail::voxels_as_hexes(lattice, flags));
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void voxel_hexes(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void voxel_hexes(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

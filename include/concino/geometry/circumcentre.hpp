@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/error.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/core/small_array.hpp>
 #include <concino/geometry/detail/circumsphere.hpp>
 
@@ -35,5 +36,10 @@ template<VolumeMesh M>
 vec3 circumcentre(const M& m, const face_t<M>& f) {
   return detail::circumcentre_of<3>(m, adj_f2v(m, f), "face ", index_of(m, f));
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void circumcentre(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void circumcentre(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class... T> void circumcentre(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
 
 }  // namespace concino

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/geometry/detail/polygon_pieces.hpp>
 
 #include <cstddef>
@@ -63,6 +64,10 @@ distance_bounds hausdorff_distance(const A& a, const B& b, const hausdorff_optio
   const auto s = detail::all_triangles(a), t = detail::all_triangles(b);
   return detail::larger_of(detail::distance_between(s, t, options, "hausdorff_distance"), detail::distance_between(t, s, options, "hausdorff_distance"));
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void one_sided_distance(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void hausdorff_distance(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 
 }  // namespace concino
 

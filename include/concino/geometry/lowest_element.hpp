@@ -1,6 +1,7 @@
 // lowest_element: the vert, edge, face or poly of the lowest dimension that contains a place of a mesh.
 #pragma once
 
+#include <concino/core/mistakes.hpp>
 #include <concino/geometry/detail/lowest_element_search.hpp>
 #include <concino/mesh/mesh_point.hpp>
 
@@ -20,5 +21,9 @@ template<EmbeddedMesh M>
 mesh_point<M> lowest_element(const M& m, const mesh_point<M>& x) {
   return detail::lowest_element_of(m, x, "lowest_element", "place");
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void lowest_element(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void lowest_element(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

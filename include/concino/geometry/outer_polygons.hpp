@@ -3,6 +3,7 @@
 
 #include <concino/concepts/facets.hpp>
 #include <concino/concepts/maps.hpp>
+#include <concino/core/mistakes.hpp>
 
 #include <cstddef>
 #include <type_traits>
@@ -92,5 +93,9 @@ template<VolumeMesh M, class Map, class Visit>
 void for_each_visible_polygon(const M& m, const Map& is_visible, const Visit& visit) {
   detail::visit_visible_faces(m, faces(m), [&](const poly_t<M>& p) -> bool { return is_visible[p]; }, visit);
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void for_each_outer_polygon(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void for_each_visible_polygon(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 
 }  // namespace concino

@@ -3,6 +3,7 @@
 
 #include <concino/concepts/facets.hpp>
 #include <concino/concepts/oriented_edges.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/geometry/normals.hpp>
 
@@ -33,5 +34,10 @@ vec3 outward_vector(const M& m, const poly_t<M>& p, const face_t<M>& x) {
   const vec3 a = area_vector(m, x);
   return face_is_outward(m, p, x) ? a : -a;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void outward_vector(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void outward_vector(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class... T> void outward_vector(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
 
 }  // namespace concino

@@ -1,6 +1,7 @@
 // Self-intersections of a surface, by exact tests: pairs of polys with more in common than shared verts and edges.
 #pragma once
 
+#include <concino/core/mistakes.hpp>
 #include <concino/geometry/detail/box_pairs.hpp>
 #include <concino/geometry/detail/box_tree_build.hpp>
 #include <concino/geometry/detail/polygon_pieces.hpp>
@@ -124,5 +125,9 @@ std::vector<std::pair<poly_t<M>, poly_t<M>>> self_intersections(const M& m) {
   for (const auto& [first, second] : all) result.emplace_back(pieces.poly(first), pieces.poly(second));
   return result;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void self_intersections(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void self_intersections(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

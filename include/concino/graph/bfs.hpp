@@ -195,6 +195,8 @@ auto bfs_forest(M&& m, const bfs_options<detail::default_node_of<M>, detail::cro
 // What to write instead of calls that cannot compile.
 template<class... T> void bfs(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void bfs(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void bfs_forest(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void bfs_forest(mistake::polys_alone<mistake::name_dual>, ...) = delete;  // of a graph of polys alone write bfs_forest(dual(m))
 template<class... T> void bfs_forest(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
 template<class... T> void bfs(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
 

@@ -3,6 +3,7 @@
 
 #include <concino/concepts/facets.hpp>
 #include <concino/concepts/oriented_edges.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/graph/disjoint_sets.hpp>
 #include <concino/graph/edge_walk.hpp>
 
@@ -153,5 +154,8 @@ boundary_loops_result<M> boundary_loops(const M& m) {
     if (!border.is_taken(i)) go_from(border.from(i));
   return result;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void boundary_loops(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 
 }  // namespace concino

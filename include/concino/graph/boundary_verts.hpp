@@ -24,6 +24,7 @@ vert_map<M, bool> boundary_verts(M&& m) {
 }
 
 // What to write instead of calls that cannot compile.
+template<class... T> void boundary_verts(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void boundary_verts(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
 
 }  // namespace concino

@@ -3,6 +3,7 @@
 
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/error.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/graph/detail/corners.hpp>
 #include <concino/mesh/arrays.hpp>
 #include <concino/mesh/correspondence.hpp>
@@ -88,5 +89,9 @@ cut_along_result<M> cut_along(const M& m, const Cut& cut) {
   }
   return result;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void cut_along(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void cut_along(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

@@ -148,6 +148,8 @@ auto grow_regions(M&& m, std::initializer_list<S> seeds, const C& cost, const gr
 }
 
 // What to write instead of calls that cannot compile.
+template<class... T> void grow_regions(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void grow_regions(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void grow_regions(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
 
 }  // namespace concino

@@ -1,6 +1,7 @@
 // Homology generators: loops on a closed surface around each handle and through it.
 #pragma once
 
+#include <concino/core/mistakes.hpp>
 #include <concino/graph/edge_walk.hpp>
 #include <concino/graph/tree_cotree.hpp>
 
@@ -55,5 +56,8 @@ std::vector<edge_walk<M>> homology_generators(const M& m, const homology_options
   }
   return loops;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void homology_generators(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 
 }  // namespace concino

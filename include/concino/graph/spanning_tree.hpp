@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/message.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/graph/disjoint_sets.hpp>
 #include <concino/graph/detail/lengths.hpp>
 
@@ -192,5 +193,10 @@ auto spanning_tree(const M& m, const L& length,  // may_cross: not of a bare gra
                    const spanning_tree_options<detail::default_node_of<M>, detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {
   return detail::spanning_tree(detail::default_graph_of<M>{m}, detail::input_lengths<L>{length}, options);
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void spanning_tree(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void spanning_tree(mistake::polys_alone<mistake::name_dual>, ...) = delete;  // of a graph of polys alone write spanning_tree(dual(m))
+template<class... T> void spanning_tree(mistake::no_points<"the mesh has no points (Embedded), so its edges have no lengths: pass a callable that returns lengths, spanning_tree(m, length)">, ...) = delete;
 
 }  // namespace concino

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/error.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/graph/detail/bounded_fifo.hpp>
 #include <concino/graph/detail/corners.hpp>
@@ -153,5 +154,8 @@ template<SurfaceMesh M>
 tree_cotree_result<M> tree_cotree(const M& m) {
   return detail::tree_cotree_tables<M>(m, "tree_cotree");
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void tree_cotree(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 
 }  // namespace concino

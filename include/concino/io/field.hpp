@@ -126,7 +126,13 @@ poly_map<M, T> load_poly_field(M&& m, const std::string& path) {
 }
 
 // What to write instead of calls that cannot compile.
+template<class U, class... T> void save_field(const U&, mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void load_vert_field(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void load_vert_field(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void load_poly_field(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void load_poly_field(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class U, class M, class R = mistake::remedy<"the map has to give a number or a vector at each vert, or at each poly, but not at both: make_vert_map<double>(m)">>
+  requires(requirement::is_adapted<M> && requirement::is_field_at_verts<U, M> == requirement::is_field_at_polys<U, M>)
+void save_field(const U&, const M&, ...) = delete;  // values at verts or polys: make_vert_map<double>(m), make_poly_map<vec3>(m)
 
 }  // namespace concino

@@ -63,8 +63,13 @@ auto split(const M& m, const plane& p, const clip_options& options = {}) {
 // What to write instead of calls that cannot compile.
 template<class... T> void clip(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void clip(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class... T> void split(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void split(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 template<class M, class U, class R = mistake::remedy<mistake::give_numbers_at_verts>>
   requires(EmbeddedMesh<M> && !requirement::gives_numbers<U, vert_t<M>>)
 void clip(M&&, const U&, double, ...) = delete;  // a number at each vert: make_vert_map<double>(m)
+template<class M, class U, class R = mistake::remedy<mistake::give_numbers_at_verts>>
+  requires(EmbeddedMesh<M> && !requirement::gives_numbers<U, vert_t<M>>)
+void split(M&&, const U&, double, ...) = delete;  // a number at each vert: make_vert_map<double>(m)
 
 }  // namespace concino

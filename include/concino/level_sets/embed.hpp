@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/maps.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/level_sets/detail/add_edge_between.hpp>
 #include <concino/level_sets/detail/add_face_with.hpp>
@@ -180,5 +181,21 @@ embedded_surface<M> embed_isosurface(M& m, U&& u, double value, const embed_opti
   detail::check_snap(options.snap, "embed_isosurface");
   return detail::embed_surface(m, u, value, options);
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void embed_isolines(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void embed_isosurface(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<EditableSurfaceMesh M, class R = mistake::remedy<mistake::use_general_polys>>
+  requires(!requirement::has_room_for_parts<M>)
+void embed_isolines(M&, ...) = delete;  // convert<polygonmesh>(m) has room for the parts of quads
+template<EditableVolumeMesh M, class R = mistake::remedy<mistake::use_general_polys>>
+  requires(!requirement::has_room_for_parts<M>)
+void embed_isosurface(M&, ...) = delete;  // convert<polyhedralmesh>(m) has room for the parts of hexes
+template<EditableSurfaceMesh M, class U, class R = mistake::remedy<mistake::give_writable_numbers_at_verts>>
+  requires(requirement::has_room_for_parts<M> && requirement::is_no_writable_number_map<U, M>)
+void embed_isolines(M&, U&&, ...) = delete;  // the name of a property, or a map that is not const: make_vert_map<double>(m)
+template<EditableVolumeMesh M, class U, class R = mistake::remedy<mistake::give_writable_numbers_at_verts>>
+  requires(requirement::has_room_for_parts<M> && requirement::is_no_writable_number_map<U, M>)
+void embed_isosurface(M&, U&&, ...) = delete;  // the name of a property, or a map that is not const: make_vert_map<double>(m)
 
 }  // namespace concino

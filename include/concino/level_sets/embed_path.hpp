@@ -1,6 +1,7 @@
 // embed_path: a path on a surface becomes edges of it.
 #pragma once
 
+#include <concino/core/mistakes.hpp>
 #include <concino/level_sets/detail/path_embedder.hpp>
 #include <concino/level_sets/embed.hpp>
 
@@ -47,5 +48,11 @@ embedded_path<M> embed_path(M& m, const std::vector<X>& points, const embed_path
   embedder.run(options.closed, result.edges, result.verts, result.new_verts);
   return result;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void embed_path(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<EditableSurfaceMesh M, class R = mistake::remedy<mistake::use_general_polys>>
+  requires(!requirement::has_room_for_parts<M>)
+void embed_path(M&, ...) = delete;  // convert<polygonmesh>(m) has room for the parts of quads
 
 }  // namespace concino

@@ -1,6 +1,7 @@
 // measure_between: how much of a mesh lies between two values of a function.
 #pragma once
 
+#include <concino/core/mistakes.hpp>
 #include <concino/core/poly_chunks.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/level_sets/detail/crossed_surface_reader.hpp>
@@ -121,5 +122,12 @@ std::vector<double> measure_between(const M& m, const U& u, const V& values) {
   }
   return between;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void measure_between(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void measure_between(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class M, class U, class R = mistake::remedy<mistake::give_numbers_at_verts>>
+  requires(EmbeddedMesh<M> && !requirement::gives_numbers<U, vert_t<M>>)
+void measure_between(M&&, const U&, ...) = delete;  // a number at each vert: make_vert_map<double>(m)
 
 }  // namespace concino

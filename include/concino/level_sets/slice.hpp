@@ -25,4 +25,8 @@ level_surface<M, To> slice(const M& m, const plane& p) {
   return detail::find_isosurface<To>(m, detail::heights_above(m, p, "slice"), 0.0, "slice");
 }
 
+// What to write instead of calls that cannot compile.
+template<class... T> void slice(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void slice(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+
 }  // namespace concino

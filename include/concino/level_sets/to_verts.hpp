@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/maps.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/mesh/element_map.hpp>
 
@@ -35,5 +36,9 @@ vert_map<M, double> to_verts(M&& m, const Q& q) {
   }
   return values;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void to_verts(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void to_verts(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

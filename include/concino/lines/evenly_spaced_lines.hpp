@@ -77,6 +77,8 @@ auto evenly_spaced_lines(M&& m, const G& g, const D& density, const evenly_space
 }
 
 // What to write instead of calls that cannot compile.
+template<class... T> void evenly_spaced_lines(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void evenly_spaced_lines(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void evenly_spaced_lines(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

@@ -56,7 +56,22 @@ auto integral_lines(M&& m, const G& g, const R& starts, const integral_line_opti
 }
 
 // What to write instead of calls that cannot compile.
+template<class... T> void integral_line(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void integral_line(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void integral_line(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class... T> void integral_lines(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void integral_lines(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void integral_lines(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class M, class G, class R = mistake::remedy<mistake::give_vectors_at_polys>>
+  requires(EmbeddedMesh<M> && !requirement::gives_points<G, poly_t<M>>)
+void integral_line(M&&, const G&, ...) = delete;  // a vector at each poly: make_poly_map<vec3>(m), or gradient(m, u)
+template<class M, class G, class R = mistake::remedy<mistake::give_vectors_at_polys>>
+  requires(EmbeddedMesh<M> && !requirement::gives_points<G, poly_t<M>>)
+void integral_lines(M&&, const G&, ...) = delete;  // a vector at each poly: make_poly_map<vec3>(m), or gradient(m, u)
+template<class M, class G, class S, class R = mistake::remedy<mistake::give_line_start>>
+  requires(requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && requirement::gives_points<G, poly_t<M>> && !requirement::is_line_start<M, S> && !std::is_arithmetic_v<S>)
+void integral_line(M&&, const G&, const S&, ...) = delete;  // a vert, a poly or a mesh_point: mesh_point<M>{edge_point<M>{e, 0.5}, position}
+template<class G> void integral_line(mistake::any_mesh, const G&, mistake::number<mistake::name_the_element>, ...) = delete;  // write poly_id{0}, not 0
+template<class G> void integral_lines(mistake::any_mesh, const G&, mistake::number<mistake::name_the_element>, ...) = delete;  // write {poly_id{0}}, not {0}
 
 }  // namespace concino

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/error.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/geometry/centroid.hpp>
 #include <concino/mesh/mesh_point.hpp>
@@ -25,5 +26,10 @@ std::vector<mesh_point<M>> starts_around(const M& m, const poly_t<M>& p, double 
   for (const vert_t<M> v : adj_p2v(m, p)) starts.push_back({p, middle + part * (to_vec3(point(m, v)) - middle)});
   return starts;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void starts_around(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void starts_around(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class... T> void starts_around(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: poly_id{0}, not 0
 
 }  // namespace concino

@@ -166,4 +166,7 @@ template<VolumeMesh M, class R = mistake::remedy<mistake::name_the_mesh>>
   requires(!is_view_v<M>)
 void boundary(const M&& m) = delete;  // give the mesh a name: auto m = ...;
 
+// What to write instead of calls that cannot compile.
+template<class... T> void boundary(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+
 }  // namespace concino

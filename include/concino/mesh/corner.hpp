@@ -79,6 +79,7 @@ corner_map<std::remove_cvref_t<M>, T> make_corner_map(M&& m, const T& init = T()
 }
 
 // What to write instead of calls that cannot compile.
+template<class... T> void make_corner_map(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
 template<class... T> void make_corner_map(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
 
 }  // namespace concino

@@ -18,6 +18,7 @@ facet_map<M, T> make_facet_map(M&& m, const T& init = T()) {
 }
 
 // What to write instead of calls that cannot compile.
+template<class... T> void make_facet_map(mistake::no_mesh_traits<mistake::include_adapter>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter
 template<class... T> void make_facet_map(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
 
 }  // namespace concino

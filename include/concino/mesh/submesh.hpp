@@ -121,4 +121,7 @@ template<AnyMesh M, class Keep, class R = mistake::remedy<mistake::name_the_mesh
   requires(!is_view_v<M>)
 void submesh(const M&& m, const Keep& keep) = delete;  // give the mesh a name: auto m = ...;
 
+// What to write instead of calls that cannot compile.
+template<class... T> void submesh(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+
 }  // namespace concino

@@ -41,6 +41,11 @@ vert_map<M, double> divergence(M&& m, const Field& field) {
 }
 
 // What to write instead of calls that cannot compile.
+template<class... T> void divergence(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void divergence(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void divergence(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class M, class U, class R = mistake::remedy<mistake::give_vectors_at_polys>>
+  requires(EmbeddedMesh<M> && !requirement::gives_points<U, poly_t<M>>)
+void divergence(M&&, const U&, ...) = delete;  // a vector at each poly: make_poly_map<vec3>(m)
 
 }  // namespace concino

@@ -83,9 +83,14 @@ vert_map<M, vec3> vert_gradient(M&& m, const U& u) {
 template<class... T> void gradient(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void gradient(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
 template<class... T> void gradient(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class... T> void vert_gradient(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void vert_gradient(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void vert_gradient(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 template<class M, class U, class R = mistake::remedy<mistake::give_numbers_at_verts>>
   requires(EmbeddedMesh<M> && !requirement::gives_numbers<U, vert_t<M>>)
 void gradient(M&&, const U&, ...) = delete;  // a number at each vert: make_vert_map<double>(m)
+template<class M, class U, class R = mistake::remedy<mistake::give_numbers_at_verts>>
+  requires(EmbeddedMesh<M> && !requirement::gives_numbers<U, vert_t<M>>)
+void vert_gradient(M&&, const U&, ...) = delete;  // a number at each vert: make_vert_map<double>(m)
 
 }  // namespace concino

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/assembly.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/core/poly_chunks.hpp>
 #include <concino/operators/detail/compressed_columns.hpp>
 #include <concino/operators/simplex_gradients.hpp>
@@ -61,5 +62,9 @@ Eigen::SparseMatrix<double> gradient_matrix(const M& m) {
       core::sort_column(rows + begin[c], values + begin[c], static_cast<std::size_t>(begin[c + 1] - begin[c]));
   return g;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void gradient_matrix(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void gradient_matrix(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

@@ -1,6 +1,7 @@
 // The gradient of functions on verts, one vector per vert, as a sparse matrix.
 #pragma once
 
+#include <concino/core/mistakes.hpp>
 #include <concino/core/poly_chunks.hpp>
 #include <concino/operators/detail/compressed_columns.hpp>
 #include <concino/operators/simplex_gradients.hpp>
@@ -121,5 +122,9 @@ Eigen::SparseMatrix<double> vert_gradient_matrix(const M& m) {
       1);
   return g;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void vert_gradient_matrix(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void vert_gradient_matrix(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

@@ -57,6 +57,10 @@ quality_histogram histogram(const M& m, metric what, const histogram_options& op
   return detail::histogram_of(what, values, options);
 }
 
+// What to write instead of calls that cannot compile.
+template<class... T> void histogram(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void histogram(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED

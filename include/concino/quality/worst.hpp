@@ -35,4 +35,8 @@ poly_value<M> worst(const M& m, metric what, const quality_options& options = {}
   return {found, found_value};
 }
 
+// What to write instead of calls that cannot compile.
+template<class... T> void worst(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void worst(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+
 }  // namespace concino

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/convert/convert.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/geometry/hausdorff_distance.hpp>
 #include <concino/mesh/polygonmesh.hpp>
@@ -94,5 +95,8 @@ decimation decimate(M& m, const decimate_options& options) {
   if (options.measure_error) result.error = std::min(hausdorff_distance(input, m).upper, options.max_error);
   return result;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void decimate(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 
 }  // namespace concino

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/maps.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/remesh/detail/tet_improver.hpp>
@@ -169,5 +170,8 @@ template<EditableVolumeMesh M>
 improvement<M> improve(M& m, const improve_options& options = {}) {
   return improve(m, options, [](const poly_t<M>&) { return 0; });
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void improve(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 
 }  // namespace concino

@@ -4,6 +4,7 @@
 #include <concino/concepts/maps.hpp>
 #include <concino/concepts/mesh.hpp>
 #include <concino/convert/convert.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/geometry/hausdorff_distance.hpp>
 #include <concino/mesh/polygonmesh.hpp>
@@ -123,5 +124,8 @@ template<EditableSurfaceMesh M, ReadableMap<vert_t<M>> S>
 remeshing remesh(M& m, const S& sizes, const remesh_options& options = {}) {
   return remesh(m, sizes, options, [](const edge_t<M>&) { return false; });
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void remesh(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 
 }  // namespace concino

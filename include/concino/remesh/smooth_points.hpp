@@ -1,6 +1,7 @@
 // Smoothing of points: polys of better shapes without any change of the connectivity.
 #pragma once
 
+#include <concino/core/mistakes.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/remesh/detail/point_smoother.hpp>
 
@@ -52,5 +53,9 @@ template<EmbeddedMesh M>
 points_smoothing smooth_points(M& m, const smooth_points_options& options = {}) {
   return smooth_points(m, options, [](const vert_t<M>&) { return false; });
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void smooth_points(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void smooth_points(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

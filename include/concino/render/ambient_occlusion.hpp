@@ -122,7 +122,11 @@ vert_map<M, double> ambient_occlusion_at_verts(M&& m, const ambient_occlusion_op
 }
 
 // What to write instead of calls that cannot compile.
+template<class... T> void ambient_occlusion(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void ambient_occlusion(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void ambient_occlusion(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class... T> void ambient_occlusion_at_verts(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void ambient_occlusion_at_verts(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void ambient_occlusion_at_verts(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

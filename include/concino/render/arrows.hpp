@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/geometry/bounding_box.hpp>
 #include <concino/geometry/centroid.hpp>
 #include <concino/render/drawable.hpp>
@@ -96,6 +97,13 @@ drawable make_arrows(const M& m, const G& g, const arrow_options& options = {}) 
   for (const vert_t<M> v : verts(m)) field.add(to_vec3(point(m, v)), to_vec3(g[v]), index_of(m, v));
   return detail::arrows_of(field, options, "make_arrows: vert ");
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void make_arrows(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void make_arrows(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class M, class G, class R = mistake::remedy<mistake::give_vectors_at_polys>>
+  requires(EmbeddedMesh<M> && !requirement::has_vectors_at_polys<M, G> && !requirement::has_vectors_at_verts<M, G>)
+void make_arrows(M&&, const G&, ...) = delete;  // a vector at each poly: make_poly_map<vec3>(m), or gradient(m, u)
 
 }  // namespace concino
 

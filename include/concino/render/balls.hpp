@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/render/detail/flat_lines.hpp>
 #include <concino/render/drawable.hpp>
 
@@ -56,6 +57,10 @@ drawable make_balls(const M& m, const ball_options& options = {}) {
   for (const vert_t<M> v : verts(m)) centers.push_back(to_vec3(point(m, v)));
   return detail::balls_at(centers, options);
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void make_balls(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void make_balls(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino
 

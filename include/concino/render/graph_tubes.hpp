@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/end_verts.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/render/detail/trails.hpp>
 #include <concino/render/tubes.hpp>
 
@@ -92,5 +93,9 @@ drawable make_graph_tubes(const M& m, const S& some, const tube_options& options
   }
   return detail::tubes_of(numbered.graph, options, "make_graph_tubes");
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void make_graph_tubes(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void make_graph_tubes(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/error.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/geometry/outer_polygons.hpp>
 #include <concino/render/detail/drawable_values.hpp>
 #include <concino/render/drawable.hpp>
@@ -110,5 +111,9 @@ drawable make_drawable(const M& m, const mesh_look<M>& look = {}) {
   if (at != element_kind::mesh) detail::take_values(d, at, values, edge_of_corner, look.scale);
   return d;
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void make_drawable(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void make_drawable(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

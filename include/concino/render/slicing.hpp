@@ -14,7 +14,9 @@ namespace concino {
 
 namespace mistake {
 
+inline constexpr sentence give_criterion("needs a criterion for the polys of this mesh: below('x', 0.3) needs points, labeled(map, {1}) whole numbers at polys, at_most(map, 1) numbers at polys, where(f) a bool f(p)");
 
+inline constexpr sentence use_visible_facets("surfaces have no faces: write visible_facets(m, criterion), which are edges of a surface");
 
 }  // namespace mistake
 
@@ -65,6 +67,25 @@ template<AnyMesh M, CriterionOn<M> C>
 std::vector<facet_t<M>> exposed_facets(const M& m, const C& criterion) { return detail::visible_facets(m, criterion, true); }
 
 // What to write instead of calls that cannot compile.
+template<class... T> void visible_polys(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void visible_polys(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void visible_facets(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void visible_faces(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void exposed_facets(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class M, class C, class R = mistake::remedy<mistake::give_criterion>>
+  requires(AnyMesh<M> && requirement::is_lvalue_or_view<M> && !CriterionOn<C, M>)
+void visible_polys(M&&, const C&, ...) = delete;  // a criterion for the polys of this mesh: below() needs points, the map of labeled() whole numbers at polys
+template<class M, class C, class R = mistake::remedy<mistake::give_criterion>>
+  requires(AnyMesh<M> && !CriterionOn<C, M>)
+void visible_facets(const M&, const C&, ...) = delete;  // a criterion for the polys of this mesh: below() needs points, the map of labeled() whole numbers at polys
+template<class M, class C, class R = mistake::remedy<mistake::give_criterion>>
+  requires(AnyMesh<M> && !CriterionOn<C, M>)
+void visible_faces(const M&, const C&, ...) = delete;  // a criterion for the polys of this mesh: below() needs points, the map of labeled() whole numbers at polys
+template<class M, class C, class R = mistake::remedy<mistake::use_visible_facets>>
+  requires(SurfaceMesh<M> && CriterionOn<C, M>)
+void visible_faces(const M&, const C&, ...) = delete;  // surfaces have no faces: visible_facets(m, criterion)
+template<class M, class C, class R = mistake::remedy<mistake::give_criterion>>
+  requires(AnyMesh<M> && !CriterionOn<C, M>)
+void exposed_facets(const M&, const C&, ...) = delete;  // a criterion for the polys of this mesh: below() needs points, the map of labeled() whole numbers at polys
 
 }  // namespace concino

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/render/detail/flat_lines.hpp>
 #include <concino/render/drawable.hpp>
 
@@ -65,6 +66,10 @@ drawable make_tubes(const M& m, const W& walks, const tube_options& options = {}
     for (const auto& walk : walks) flat.add(m, walk, options.closed);
   return detail::tubes_along(flat, options, "make_tubes");
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void make_tubes(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void make_tubes(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/message.hpp>
+#include <concino/core/mistakes.hpp>
 #include <concino/validate/detail/facet_laws.hpp>
 #include <concino/validate/detail/halfedge_laws.hpp>
 #include <concino/validate/detail/hex_orders.hpp>
@@ -81,5 +82,8 @@ std::vector<broken_law> check_laws(const M& m) {
   }
   return log.take();
 }
+
+// What to write instead of calls that cannot compile.
+template<class... T> void check_laws(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 
 }  // namespace concino

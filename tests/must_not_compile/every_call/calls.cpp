@@ -24,31 +24,170 @@ cn::trimesh made();
 // The adapter is not included.
 void no_adapter(const stranger& other) {
   cn::bfs(other);  // refused
+  cn::bfs_forest(other);  // refused
   cn::dijkstra(other);  // refused
   cn::shortest_path(other);  // refused
+  cn::grow_regions(other);  // refused
   cn::connected_components(other);  // refused
+  cn::spanning_tree(other);  // refused
+  cn::tree_cotree(other);  // refused
+  cn::homology_generators(other);  // refused
+  cn::boundary_loops(other);  // refused
+  cn::boundary_verts(other);  // refused
+  cn::cut_along(other);  // refused
+  cn::submesh(other);  // refused
+  cn::boundary(other);  // refused
+  cn::prepare_harmonic_map(other);  // refused
   cn::harmonic_map(other);  // refused
+  cn::prepare_poisson(other);  // refused
+  cn::poisson(other);  // refused
+  cn::prepare_heat_flow(other);  // refused
+  cn::heat_flow(other);  // refused
+  cn::prepare_smooth(other);  // refused
+  cn::smooth(other);  // refused
+  cn::agglomerate(other);  // refused
+  cn::dual_mesh(other);  // refused
+  cn::voronoi_polyhedra({{0, 0, 0}}, other);  // refused
+  cn::catmull_clark_limit(other);  // refused
+  cn::loop_limit(other);  // refused
+  cn::quads_from_triangles(other);  // refused
+  cn::subdivide_1_to_4(other);  // refused
+  cn::subdivide_1_to_8(other);  // refused
+  cn::subdivide_barycentric(other);  // refused
+  cn::subdivide_catmull_clark(other);  // refused
+  cn::subdivide_loop(other);  // refused
+  cn::subdivide_midpoint(other);  // refused
+  cn::subdivide_root3(other);  // refused
+  cn::to_tets(other);  // refused
+  cn::to_triangles(other);  // refused
+  cn::boundary_surface(other);  // refused
+  cn::tetrahedralize(other);  // refused
+  cn::extrude(other);  // refused
+  cn::revolve(other);  // refused
+  cn::unite(other);  // refused
+  cn::voxel_hexes(other);  // refused
+  cn::offset_shell(other);  // refused
+  cn::grade(other);  // refused
+  cn::jitter(other);  // refused
+  cn::random_labels(other);  // refused
   cn::bounding_box(other);  // refused
+  cn::bounding_tree(other);  // refused
+  cn::centroid(other);  // refused
+  cn::circumcentre(other);  // refused
+  cn::centroids(other);  // refused
+  cn::corner_angle(other);  // refused
+  cn::angle_defects(other);  // refused
+  cn::dihedral_angle(other);  // refused
+  cn::dihedral_angles(other);  // refused
+  cn::edge_length(other);  // refused
+  cn::edge_lengths(other);  // refused
+  cn::area(other);  // refused
+  cn::volume(other);  // refused
+  cn::measure(other);  // refused
+  cn::outward_vector(other);  // refused
+  cn::for_each_outer_polygon(other);  // refused
+  cn::for_each_visible_polygon(other);  // refused
+  cn::measures(other);  // refused
   cn::total_measure(other);  // refused
   cn::quality(other);  // refused
+  cn::worst(other);  // refused
   cn::isolines(other);  // refused
   cn::isosurface(other);  // refused
+  cn::slice(other);  // refused
   cn::clip(other);  // refused
+  cn::split(other);  // refused
+  cn::measure_between(other);  // refused
+  cn::to_verts(other);  // refused
+  cn::embed_isolines(other);  // refused
+  cn::embed_isosurface(other);  // refused
+  cn::embed_path(other);  // refused
+  cn::decimate(other, {});  // refused
+  cn::adaptive_size(other, {});  // refused
+  cn::remesh(other, {});  // refused
+  cn::improve(other);  // refused
+  cn::smooth_points(other);  // refused
+  cn::histogram(other);  // refused
+  cn::normal(other);  // refused
+  cn::vert_normal(other);  // refused
+  cn::poly_normals(other);  // refused
+  cn::face_normals(other);  // refused
+  cn::vert_normals(other);  // refused
+  cn::surface_normals(other);  // refused
+  cn::self_intersections(other);  // refused
+  cn::divergence(other);  // refused
+  cn::divergence_matrix(other);  // refused
   cn::gradient(other);  // refused
+  cn::vert_gradient(other);  // refused
+  cn::rotated(other);  // refused
+  cn::gradient_matrix(other);  // refused
   cn::laplacian(other);  // refused
+  cn::vert_masses(other);  // refused
+  cn::mass_matrix(other);  // refused
+  cn::poly_masses(other);  // refused
+  cn::poly_mass_matrix(other);  // refused
+  cn::vert_gradient_matrix(other);  // refused
   cn::save(other);  // refused
   cn::save_text(other);  // refused
+  cn::save_field(0, other);  // refused
+  cn::load_vert_field<double>(other);  // refused
+  cn::load_poly_field<double>(other);  // refused
+  cn::ambient_occlusion(other);  // refused
+  cn::ambient_occlusion_at_verts(other);  // refused
+  cn::make_drawable(other);  // refused
+  cn::make_arrows(other);  // refused
+  cn::make_balls(other);  // refused
+  cn::make_graph_tubes(other);  // refused
   cn::scene().add(other);  // refused
+  cn::make_tubes(other);  // refused
+  cn::visible_polys(other);  // refused
+  cn::visible_facets(other);  // refused
+  cn::visible_faces(other);  // refused
+  cn::exposed_facets(other);  // refused
   cn::validate(other);  // refused
+  cn::check_laws(other);  // refused
   cn::convert<cn::polygonmesh>(other);  // refused
+  cn::prepare_exact_geodesics(other);  // refused
+  cn::exact_geodesics(other);  // refused
+  cn::critical_points(other);  // refused
+  cn::lowest_element(other);  // refused
+  cn::integral_line(other);  // refused
+  cn::integral_lines(other);  // refused
+  cn::starts_around(other);  // refused
+  cn::evenly_spaced_lines(other);  // refused
+  cn::simplified(other);  // refused
+  cn::simplified_on_cells(other);  // refused
+  cn::regions_of_maxima(other);  // refused
+  cn::regions_of_minima(other);  // refused
+  cn::persistence(other);  // refused
+  cn::hodge_decomposition(other);  // refused
+  cn::form_vectors(other);  // refused
+  cn::resample(other);  // refused
+  cn::to_polys(other);  // refused
+  cn::statistics(other);  // refused
+  cn::normalized(other);  // refused
+  cn::contour_tree(other);  // refused
+  cn::reeb_graph(other);  // refused
+  cn::prepare_heat_geodesics(other);  // refused
   cn::heat_geodesics(other);  // refused
+  cn::prepare_log_map(other);  // refused
+  cn::log_map(other);  // refused
+  cn::prepare_parallel_transport(other);  // refused
+  cn::parallel_transport(other);  // refused
+  cn::prepare_trace_geodesic(other);  // refused
+  cn::trace_geodesic(other);  // refused
+  cn::karcher_mean(other);  // refused
+  cn::prepare_straighten(other);  // refused
+  cn::straighten(other);  // refused
   cn::primal(other);  // refused
   cn::dual(other);  // refused
   cn::with_points(other);  // refused
   cn::make_vert_map<int>(other);  // refused
   cn::make_edge_map<int>(other);  // refused
   cn::make_face_map<int>(other);  // refused
+  cn::make_facet_map<int>(other);  // refused
+  cn::make_corner_map<int>(other);  // refused
   cn::make_poly_map<int>(other);  // refused
+  cn::convert_with_correspondence<cn::polygonmesh>(other);  // refused
 }
 
 // A temporary mesh.
@@ -131,18 +270,115 @@ void no_points(const cn::trimesh& m) {
   const auto pure = cn::only_surface_mesh(m);
   cn::dijkstra(pure, pure.vert(cn::vert_id{0}));  // refused
   cn::shortest_path(pure, pure.vert(cn::vert_id{0}), pure.vert(cn::vert_id{1}));  // refused
+  cn::spanning_tree(pure);  // refused
+  cn::cut_along(pure);  // refused
+  cn::prepare_poisson(pure);  // refused
+  cn::poisson(pure);  // refused
+  cn::agglomerate(pure);  // refused
+  cn::dual_mesh(pure);  // refused
+  cn::voronoi_polyhedra({{0, 0, 0}}, pure);  // refused
+  cn::catmull_clark_limit(pure);  // refused
+  cn::loop_limit(pure);  // refused
+  cn::quads_from_triangles(pure);  // refused
+  cn::subdivide_1_to_4(pure);  // refused
+  cn::subdivide_1_to_8(pure);  // refused
+  cn::subdivide_barycentric(pure);  // refused
+  cn::subdivide_catmull_clark(pure);  // refused
+  cn::subdivide_loop(pure);  // refused
+  cn::subdivide_midpoint(pure);  // refused
+  cn::subdivide_root3(pure);  // refused
+  cn::to_tets(pure);  // refused
+  cn::to_triangles(pure);  // refused
+  cn::boundary_surface(pure);  // refused
+  cn::tetrahedralize(pure);  // refused
+  cn::extrude(pure);  // refused
+  cn::revolve(pure);  // refused
+  cn::unite(pure);  // refused
+  cn::voxel_hexes(pure);  // refused
+  cn::offset_shell(pure);  // refused
+  cn::grade(pure);  // refused
+  cn::jitter(pure);  // refused
   cn::bounding_box(pure);  // refused
+  cn::bounding_tree(pure);  // refused
+  cn::centroid(pure);  // refused
+  cn::circumcentre(pure);  // refused
+  cn::centroids(pure);  // refused
+  cn::corner_angle(pure);  // refused
+  cn::angle_defects(pure);  // refused
+  cn::dihedral_angle(pure);  // refused
+  cn::dihedral_angles(pure);  // refused
+  cn::adaptive_size(pure);  // refused
+  cn::edge_length(pure);  // refused
+  cn::edge_lengths(pure);  // refused
+  cn::area(pure);  // refused
+  cn::volume(pure);  // refused
+  cn::measure(pure);  // refused
+  cn::outward_vector(pure);  // refused
+  cn::measures(pure);  // refused
   cn::total_measure(pure);  // refused
   cn::quality(pure, cn::metric::area);  // refused
+  cn::worst(pure, cn::metric::area);  // refused
+  cn::histogram(pure, cn::metric::area);  // refused
+  cn::normal(pure);  // refused
+  cn::vert_normal(pure);  // refused
+  cn::poly_normals(pure);  // refused
+  cn::face_normals(pure);  // refused
+  cn::vert_normals(pure);  // refused
+  cn::surface_normals(pure);  // refused
+  cn::self_intersections(pure);  // refused
+  cn::divergence(pure);  // refused
+  cn::divergence_matrix(pure);  // refused
   cn::gradient(pure);  // refused
+  cn::vert_gradient(pure);  // refused
+  cn::hodge_decomposition(pure);  // refused
+  cn::form_vectors(pure);  // refused
+  cn::resample(pure);  // refused
+  cn::to_polys(pure);  // refused
+  cn::statistics(pure);  // refused
+  cn::rotated(pure);  // refused
+  cn::gradient_matrix(pure);  // refused
+  cn::vert_masses(pure);  // refused
+  cn::mass_matrix(pure);  // refused
+  cn::poly_masses(pure);  // refused
+  cn::poly_mass_matrix(pure);  // refused
+  cn::vert_gradient_matrix(pure);  // refused
   cn::save(pure);  // refused
   cn::save_text(pure);  // refused
+  cn::ambient_occlusion(pure);  // refused
+  cn::ambient_occlusion_at_verts(pure);  // refused
+  cn::make_drawable(pure);  // refused
+  cn::make_arrows(pure);  // refused
+  cn::make_balls(pure);  // refused
+  cn::make_graph_tubes(pure);  // refused
   cn::scene().add(pure);  // refused
+  cn::make_tubes(pure);  // refused
   cn::convert<cn::polygonmesh>(pure);  // refused
+  cn::prepare_exact_geodesics(pure);  // refused
+  cn::exact_geodesics(pure);  // refused
+  cn::prepare_heat_geodesics(pure);  // refused
   cn::heat_geodesics(pure);  // refused
+  cn::prepare_log_map(pure);  // refused
+  cn::log_map(pure);  // refused
+  cn::lowest_element(pure);  // refused
+  cn::integral_line(pure);  // refused
+  cn::integral_lines(pure);  // refused
+  cn::starts_around(pure);  // refused
+  cn::evenly_spaced_lines(pure);  // refused
+  cn::prepare_parallel_transport(pure);  // refused
+  cn::parallel_transport(pure);  // refused
+  cn::prepare_trace_geodesic(pure);  // refused
+  cn::trace_geodesic(pure);  // refused
+  cn::karcher_mean(pure);  // refused
+  cn::prepare_straighten(pure);  // refused
+  cn::straighten(pure);  // refused
+  cn::convert_with_correspondence<cn::polygonmesh>(pure);  // refused
   cn::isolines(pure);  // refused
   cn::isosurface(pure);  // refused
+  cn::slice(pure);  // refused
   cn::clip(pure);  // refused
+  cn::split(pure);  // refused
+  cn::measure_between(pure);  // refused
+  cn::to_verts(pure);  // refused
 }
 
 // Level sets of what is not a number at each vert.
@@ -151,6 +387,8 @@ void no_values(const cn::trimesh& m, const cn::tetmesh& t) {
   cn::isolines(m, colours, 0.5);  // refused
   cn::isosurface(t, colours, 0.5);  // refused
   cn::clip(m, colours, 0.5);  // refused
+  cn::split(m, colours, 0.5);  // refused
+  cn::measure_between(m, colours, {0.0, 1.0});  // refused
 }
 
 // A graph, for which no discretisation is the default.
@@ -161,13 +399,20 @@ void bare_graph(const cn::trimesh& m) {
   cn::laplacian(g);  // refused
   cn::harmonic_map(g, {{a, 0.0}});  // refused
   cn::harmonic_map<cn::vec3>(g, {{a, {0, 0, 0}}});  // refused
+  cn::prepare_harmonic_map(g, {a});  // refused
+  cn::smooth(g, f, 1);  // refused
+  cn::prepare_smooth(g, 1);  // refused
+  cn::heat_flow(g, f, 1);  // refused
+  cn::prepare_heat_flow(g, 1);  // refused
   cn::laplacian(g, cn::cotangent);  // refused
 }
 
 // A graph of polys, without dual(m).
 void polys_alone(const cn::trimesh& m) {
   const auto g = cn::only_dual_graph(m);
+  cn::bfs_forest(g);  // refused
   cn::connected_components(g);  // refused
+  cn::spanning_tree(g);  // refused
 }
 
 // Numbers instead of descriptors.
@@ -175,9 +420,34 @@ void numbers(const cn::trimesh& m) {
   cn::bfs(m, 0);  // refused
   cn::dijkstra(m, 0);  // refused
   cn::shortest_path(m, 0);  // refused
+  cn::grow_regions(m, 0);  // refused
+  cn::prepare_harmonic_map(m, 0);  // refused
   cn::harmonic_map(m, 0);  // refused
+  cn::prepare_poisson(m, 0);  // refused
+  cn::centroid(m, 0);  // refused
+  cn::circumcentre(m, 0);  // refused
+  cn::corner_angle(m, 0);  // refused
+  cn::dihedral_angle(m, 0);  // refused
+  cn::edge_length(m, 0);  // refused
+  cn::area(m, 0);  // refused
   cn::quality(m, 0, cn::metric::area);  // refused
+  cn::volume(m, 0);  // refused
+  cn::measure(m, 0);  // refused
+  cn::outward_vector(m, 0);  // refused
+  cn::normal(m, 0);  // refused
+  cn::vert_normal(m, 0);  // refused
+  cn::prepare_exact_geodesics(m, 0);  // refused
+  cn::exact_geodesics(m, 0);  // refused
+  cn::prepare_heat_geodesics(m, 0);  // refused
   cn::heat_geodesics(m, 0);  // refused
+  cn::log_map(m, 0);  // refused
+  cn::parallel_transport(m, 0);  // refused
+  cn::trace_geodesic(m, 0);  // refused
+  cn::karcher_mean(m, {0, 1});  // refused
+  cn::straighten(m, {0, 1});  // refused
+  cn::integral_line(m, cn::make_poly_map<cn::vec3>(m), 0);  // refused
+  cn::integral_line(m, cn::make_poly_map<cn::vec3>(m), cn::edge_point<cn::trimesh>{cn::edge_id{0}, 0.5});  // refused
+  cn::starts_around(m, 0);  // refused
   cn::prepare_harmonic_map(m, {cn::vert_id{0}}).with_values({{0, 1.0}});  // refused
   cn::prepare_heat_geodesics(m).distance_from(0);  // refused
   cn::prepare_log_map(m).log_map_from(0);  // refused
@@ -190,10 +460,16 @@ void numbers(const cn::trimesh& m) {
 // Criteria for verts instead of polys, and faces of a surface.
 void criteria(const cn::trimesh& m) {
   const auto at_verts = cn::make_vert_map<int>(m);
+  cn::visible_polys(m, cn::labeled(at_verts, {1}));  // refused
+  cn::visible_facets(m, cn::labeled(at_verts, {1}));  // refused
+  cn::visible_faces(m, cn::labeled(at_verts, {1}));  // refused
+  cn::exposed_facets(m, cn::labeled(at_verts, {1}));  // refused
+  cn::visible_faces(m, cn::below('x', 1));  // refused
 }
 
 // A mesh instead of outlines.
 void outlines(const cn::trimesh& m) {
+  cn::triangulate(m);  // refused
 }
 
 // Without a back end.
