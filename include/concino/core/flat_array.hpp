@@ -1,5 +1,5 @@
-// flat_array: the array for all connectivity. It is like std::vector, but memory can be allocated without initialisation, and unused capacity is
-// returned without a copy if the system can free pages. It can take over a vector of the caller's as it is.
+// flat_array: the array for all connectivity. It is like std::vector, but memory can be allocated without initialisation. It can take
+// over a vector of the caller's as it is.
 #pragma once
 
 #include <algorithm>

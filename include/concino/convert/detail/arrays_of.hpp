@@ -1,4 +1,4 @@
-// Converts any mesh to the flat arrays from which native meshes are constructed and files are written. A mesh keeps these arrays, so large ones are on large pages.
+// Converts any mesh to the flat arrays from which native meshes are constructed and files are written.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
