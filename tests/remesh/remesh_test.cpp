@@ -303,8 +303,8 @@ TEST_CASE("remesh: errors leave the mesh as it was") {
 }
 
 TEST_CASE("remesh: real surfaces, to 0.7 to 1 of their mean edge") {
+  if (corpus("tri/bunny.obj").empty()) return skip("no corpus file tri/bunny.obj");  // small files are not so even that a share of edges is known
   const auto rows = corpus_meshes();
-  if (rows.empty()) return skip("no corpus");
   unsigned seen = 0;
   for (const corpus_row& row : rows) {
     if (row.column.at("kind") != "tri") continue;

@@ -219,5 +219,5 @@ TEST_CASE("smooth_points: real meshes") {
         },
         load_any(row.file.string()));
   }
-  CHECK(better >= 10);
+  CHECK(better >= std::min<std::size_t>(10, rows.size() / 6));
 }

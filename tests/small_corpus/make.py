@@ -313,13 +313,16 @@ def surface_figures(points, faces):
     chi = len(used) - len(sides) + len(faces)
     genus = (2 * parts - loops - chi) // 2 if orientable and manifold else ''
     area = sum(math.sqrt(dot(n, n)) for n in (vector_area([points[v] for v in g]) for g in faces))
+    is_closed = orientable and all(len(s) == 2 for s in sides.values())
+    volume = sum(dot(mean([points[v] for v in g]), vector_area([points[v] for v in g])) for g in faces) / 3  # of faces as fans about their means
     facts = f'boundary_edges={len(boundary)}'
     if non_manifold_edges:
         facts += f' nonmanifold_edges={non_manifold_edges}'
     if non_manifold_verts:
         facts += f' nonmanifold_verts={non_manifold_verts}'
     return dict(n_verts=len(points), n_verts_used=len(used), n_edges=len(sides), n_faces=len(faces), n_cells=0, euler_chi=chi, components=parts,
-                boundary_loops=loops, manifold='yes' if manifold else 'no', orientable=orientable, genus=genus, area_vec=f'{area:.12g}', volume_ctr='', facts=facts)
+                boundary_loops=loops, manifold='yes' if manifold else 'no', orientable=orientable, genus=genus, area_vec=f'{area:.12g}',
+                volume_ctr=f'{volume:.12g}' if is_closed else '', facts=facts)
 
 
 def volume_figures(points, faces, cells):
