@@ -228,7 +228,7 @@ elif [ $full -eq 1 ]; then
   benchmarks "$clang" --unoptimised
   bare_machine --demo
 else
-  whole plain dev-clang "$clang" "${batches[@]}" "$quick"
+  whole plain dev-clang "$clang" "${batches[@]}" -D CONCINO_TEST_FEW_KINDS=ON "$quick"
 fi
 say "done"
 finished=1
