@@ -3,7 +3,7 @@
 #include <concino/concepts/views.hpp>
 #include <concino/mesh/element_map.hpp>
 #include <concino/mesh/submesh.hpp>
-#include <concino/render/detail/even_choice.hpp>
+#include <concino/render/detail/shapes/even_choice.hpp>
 
 #include <doctest/doctest.h>
 #include <support/drawables.hpp>

@@ -3,8 +3,8 @@
 
 #include <concino/core/error.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/generate/detail/merged_boundary.hpp>
-#include <concino/generate/detail/random.hpp>
+#include <concino/generate/detail/common/merged_boundary.hpp>
+#include <concino/generate/detail/common/random.hpp>
 #include <concino/graph/disjoint_sets.hpp>
 #include <concino/mesh/element_map.hpp>
 
