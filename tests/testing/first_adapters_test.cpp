@@ -24,11 +24,8 @@ struct linked_mesh {  // half-edge h ends at vert target[h]
 };
 struct linked_mesh_links {
   using M = linked_mesh;
-  using vert = concino::vert_id;
-  using edge = concino::edge_id;
-  using poly = concino::poly_id;
-  using halfedge = unsigned;
-
+  using vert = concino::vert_id; using edge = concino::edge_id;
+  using poly = concino::poly_id; using halfedge = unsigned;
   static unsigned next(const M& m, unsigned h) { return m.next[h]; }
   static unsigned opposite(const M& m, unsigned h) { return m.opposite[h]; }
   static vert target(const M& m, unsigned h) { return vert{m.target[h]}; }
@@ -64,9 +61,9 @@ template<> struct concino::mesh_traits<triangle_list>
 //! [triangles]
 
 //! [volume]
-struct cell_list {  // edges list their ends, faces verts and edges in order, polys faces
+struct cell_list {  // outward: those of its faces that run counter-clockwise seen from outside
   struct face { std::vector<concino::vert_id> verts; std::vector<concino::edge_id> edges; };
-  struct poly { std::vector<concino::face_id> faces; std::vector<bool> outward; };
+  struct poly { std::vector<concino::face_id> faces, outward; };
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<concino::vert_id, 2>> edges;
   std::vector<face> faces;
@@ -74,10 +71,8 @@ struct cell_list {  // edges list their ends, faces verts and edges in order, po
 };
 template<> struct concino::mesh_traits<cell_list> {
   using M = cell_list;
-  using vert = vert_id;
-  using edge = edge_id;
-  using face = face_id;
-  using poly = poly_id;
+  using vert = vert_id; using edge = edge_id;
+  using face = face_id; using poly = poly_id;
   static constexpr int dimension = 3;
   static auto verts(const M& m) { return id_range<vert>(m.points.size()); }
   static auto edges(const M& m) { return id_range<edge>(m.edges.size()); }
@@ -92,20 +87,19 @@ template<> struct concino::mesh_traits<cell_list> {
   static auto face_index_bound(const M& m) { return m.faces.size(); }
   static auto poly_index_bound(const M& m) { return m.polys.size(); }
   static std::size_t index_of(const M&, auto x) { return x.raw(); }
-
   static const auto& adj_e2v(const M& m, edge e) { return m.edges[e.raw()]; }
   static const auto& adj_f2v(const M& m, face f) { return m.faces[f.raw()].verts; }
   static const auto& adj_f2e(const M& m, face f) { return m.faces[f.raw()].edges; }
   static const auto& adj_p2f(const M& m, poly p) { return m.polys[p.raw()].faces; }
 
   // The elements x, but for one, where list(m, x) has an element of r.
-  template<class X, class List, class R>
-  static std::vector<X> sharing(const M& m, id_range<X> all, List list, const R& r, X not_this = {}) {
+  template<class X>
+  static auto sharing(const M& m, id_range<X> all, auto list, const auto& r, X not_this = {}) {
     std::vector<X> found;
     for (X x : all) {
       const auto& of_x = list(m, x);
-      const auto first = std::find_first_of(of_x.begin(), of_x.end(), r.begin(), r.end());
-      if (first != of_x.end() && x != not_this) found.push_back(x);
+      const auto i = std::find_first_of(of_x.begin(), of_x.end(), r.begin(), r.end());
+      if (i != of_x.end() && x != not_this) found.push_back(x);
     }
     return found;
   }
@@ -120,24 +114,23 @@ template<> struct concino::mesh_traits<cell_list> {
   static auto adj_v2v(const M& m, vert v) { return sharing(m, verts(m), adj_v2e, adj_v2e(m, v), v); }
   static auto adj_p2p(const M& m, poly p) { return sharing(m, polys(m), adj_p2f, adj_p2f(m, p), p); }
   static bool face_is_outward(const M& m, poly p, face f) {
-    const auto& all = adj_p2f(m, p);
-    const auto place = std::find(all.begin(), all.end(), f) - all.begin();
-    return m.polys[p.raw()].outward[static_cast<std::size_t>(place)];
+    const auto& some = m.polys[p.raw()].outward;
+    return std::find(some.begin(), some.end(), f) != some.end();
   }
   static const auto& point(const M& m, vert v) { return m.points[v.raw()]; }
 };
 //! [volume]
 
-//! [laws]
+namespace {
+
 template<class M>
 std::string broken_laws_of(const M& m) {
   std::string text;
-  for (const concino::broken_law& b : concino::check_laws(m)) text += b.law + ": " + b.what + "\n";
+  //! [laws]
+  for (const auto& broken : concino::check_laws(m)) text += broken.law + ": " + broken.what + "\n";
+  //! [laws]
   return text;
 }
-//! [laws]
-
-namespace {
 
 /// Two triangles of a square, and an isolated vert. Half-edges 0 1 2 and 3 4 5 run along the triangles, 6 7 8 9 along the border.
 linked_mesh linked_square() {
@@ -177,7 +170,10 @@ cell_list cells_of(std::vector<std::array<double, 3>> points, const std::vector<
   }
   for (const auto& list : polys) {
     cell_list::poly p;
-    for (const auto& [f, outward] : list) p.faces.emplace_back(f), p.outward.push_back(outward);
+    for (const auto& [f, is_outward] : list) {
+      p.faces.emplace_back(f);
+      if (is_outward) p.outward.emplace_back(f);
+    }
     m.polys.push_back(p);
   }
   return m;
@@ -213,6 +209,6 @@ TEST_CASE("first adapters: check_laws names the law that a wrong answer breaks")
   m.opposite[2] = 2;
   CHECK(broken_laws_of(m).find("HE3: ") == 0);
   cell_list cells = cube_and_pyramid();
-  cells.polys[1].outward[0] = true;
+  cells.polys[1].outward.emplace_back(1);
   CHECK(broken_laws_of(cells).find("VM6: ") == 0);
 }
