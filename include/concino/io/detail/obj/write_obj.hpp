@@ -119,6 +119,27 @@ inline bool has_large_component(const flat_values<rgba>& color, std::size_t num_
   return false;
 }
 
+/// Writes the lines of verts. Returns whether the colour of one is not opaque.
+inline bool write_obj_verts(write_context& c, const flat_mesh& m, const flat_values<rgba>& color) {
+  bool transparent = false;
+  const bool has_large = color && has_large_component(color, m.points.size());
+  for (std::size_t v = 0; v < m.points.size(); ++v) {
+    c.out << "v ";
+    write_point(c.out, m.points[v]);
+    if (color) {
+      const rgba& x = color[v];
+      transparent = transparent || x.a != 1;
+      for (const float part : {x.r, x.g, x.b}) {
+        c.out << ' ';
+        write_part(c.out, c.finite(part), has_large);
+      }
+    }
+    c.out << '\n';
+    c.report_progress();
+  }
+  return transparent;
+}
+
 }  // namespace concino::detail
 
 namespace concino {
@@ -145,22 +166,7 @@ inline void obj_format::write(write_context& c, flat_mesh& m) {
   for (std::size_t p = 0; material.any() && p < m.num_polys; ++p) material.register_poly(p);
   for (std::size_t p = 0; material.any() && p < m.num_polys; ++p) material.assign_material(p);
   material.end();
-  bool transparent = false;
-  const bool has_large = vert_color && detail::has_large_component(vert_color, m.points.size());
-  for (std::size_t v = 0; v < m.points.size(); ++v) {
-    c.out << "v ";
-    detail::write_point(c.out, m.points[v]);
-    if (vert_color) {
-      const rgba& x = vert_color[v];
-      transparent = transparent || x.a != 1;
-      for (const float part : {x.r, x.g, x.b}) {
-        c.out << ' ';
-        detail::write_part(c.out, c.finite(part), has_large);
-      }
-    }
-    c.out << '\n';
-    c.report_progress();
-  }
+  const bool transparent = detail::write_obj_verts(c, m, vert_color);
   detail::obj_corners corners(c, m);
   corners.write_values();
   std::size_t corner = 0;

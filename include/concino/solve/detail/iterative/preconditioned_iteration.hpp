@@ -73,10 +73,8 @@ class preconditioned_iteration : public iteration_report {
         const products product = products_of(p, q);
         if (!(product.energy > 1e-16 * product.diagonal && std::isfinite(product.energy))) break;  // the matrix is not definite
         const double step = along / product.energy;
-        for (Eigen::Index i = 0; i < n; ++i) {
-          x[i] += step * p[i];
-          r[i] -= step * q[i];
-        }
+        add(step, p, x);
+        add(-step, q, r);
         ++iterations;
         gained.add(step * along);
         left = gained.left();
@@ -143,6 +141,11 @@ class preconditioned_iteration : public iteration_report {
   /// p = z + turn p; with turn = 0 what was in p does not matter.
   static void follow(double turn, const Eigen::VectorXd& z, Eigen::VectorXd& p) {
     for (Eigen::Index i = 0; i < z.size(); ++i) p[i] = turn == 0 ? z[i] : z[i] + turn * p[i];
+  }
+
+  /// x += step p.
+  static void add(double step, const Eigen::VectorXd& p, Eigen::VectorXd& x) {
+    for (Eigen::Index i = 0; i < x.size(); ++i) x[i] += step * p[i];
   }
 
   products products_of(const Eigen::VectorXd& p, const Eigen::VectorXd& q) const {
