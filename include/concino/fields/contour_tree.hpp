@@ -1,7 +1,7 @@
 // contour_tree: the Reeb graph of a function on a mesh without loops, in less time.
 #pragma once
 
-#include <concino/fields/detail/topology/loop_count.hpp>
+#include <concino/fields/detail/topology/first_betti_number.hpp>
 #include <concino/fields/reeb_graph.hpp>
 
 namespace concino {

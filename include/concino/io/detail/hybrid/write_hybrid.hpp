@@ -1,7 +1,7 @@
 // The writer of .hybrid, the format of hex-dominant meshes.
 #pragma once
 
-#include <concino/io/detail/cells/flat_cells.hpp>
+#include <concino/io/detail/cells/recognised_cells.hpp>
 #include <concino/io/detail/hybrid/hybrid_format.hpp>
 #include <concino/io/detail/text/write_common.hpp>
 

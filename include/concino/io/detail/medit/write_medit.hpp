@@ -1,7 +1,7 @@
 // The writer of MEDIT files, text and binary: surfaces of triangles and quads; volumes of tets, hexes, prisms and pyramids, recognised by their faces.
 #pragma once
 
-#include <concino/io/detail/cells/flat_cells.hpp>
+#include <concino/io/detail/cells/recognised_cells.hpp>
 #include <concino/io/detail/medit/medit_format.hpp>
 #include <concino/io/detail/medit/medit_output.hpp>
 #include <concino/io/detail/text/write_common.hpp>

@@ -1,7 +1,7 @@
 // The writer of .tet: tets in the form that Cinolib and geogram read; meshes that also have other cells in that of geogram.
 #pragma once
 
-#include <concino/io/detail/cells/flat_cells.hpp>
+#include <concino/io/detail/cells/recognised_cells.hpp>
 #include <concino/io/detail/cells/voxel_order.hpp>
 #include <concino/io/detail/tet/tet_format.hpp>
 #include <concino/io/detail/text/write_common.hpp>

@@ -5,7 +5,7 @@
 #include <concino/level_sets/detail/cut/chord_places.hpp>
 #include <concino/level_sets/detail/cut/level_place.hpp>
 #include <concino/level_sets/detail/cut/poly_cuts.hpp>
-#include <concino/level_sets/detail/lines/opposite_steps.hpp>
+#include <concino/level_sets/detail/lines/cancelling_steps.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -69,7 +69,7 @@ class line_pieces {
   std::vector<piece> pieces_;
   std::vector<piece_range> of_chords_;
   std::vector<piece_range> of_edges_;        // by corner; empty if no edge is a curve
-  std::vector<opposite_step> cancelled_;
+  std::vector<cancelling_step> cancelled_;
   std::vector<std::uint32_t> piece_before_;  // by step of cancelled_: the piece that ends there; the next one begins behind it
 
  public:

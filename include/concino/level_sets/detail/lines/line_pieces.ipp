@@ -40,13 +40,13 @@ CONCINO_INLINE void line_pieces::make_pieces(const std::vector<std::uint32_t>& c
       const level_place a = place(curve, k), b = place(curve, k + 1);
       if (a.kind == level_place::vert && b.kind == level_place::vert && a != b) steps.push_back({a.element, b.element, curve, k});
     }
-  cancelled_ = find_opposite_steps(steps);
+  cancelled_ = find_cancelling_steps(steps);
   piece_before_.resize(cancelled_.size());
   pieces_.reserve(curves.size() + cancelled_.size());
   of_chords_.assign(cuts_.chords().size(), {});
   if (std::any_of(curves.begin(), curves.end(), [this](std::uint32_t c) { return !is_chord(c); })) of_edges_.assign(cuts_.num_corners(), {});
   for (const std::uint32_t curve : curves) {
-    const auto is_before = [&](const opposite_step& x) { return x.curve < curve; };
+    const auto is_before = [&](const cancelling_step& x) { return x.curve < curve; };
     auto at = static_cast<std::uint32_t>(std::partition_point(cancelled_.begin(), cancelled_.end(), is_before) - cancelled_.begin());
     piece x{curve};
     piece_range& of_curve = is_chord(curve) ? of_chords_[curve] : of_edges_[curve - curve_of_edge(0)];

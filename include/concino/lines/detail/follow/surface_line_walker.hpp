@@ -8,7 +8,7 @@
 #include <concino/lines/detail/cells/line_signs.hpp>
 #include <concino/lines/detail/cells/polygon_reader.hpp>
 #include <concino/lines/detail/cells/surface_exits.hpp>
-#include <concino/lines/detail/cells/why_no_exit.hpp>
+#include <concino/lines/detail/cells/reason_of_end.hpp>
 #include <concino/lines/detail/follow/line_recorder.hpp>
 #include <concino/lines/detail/follow/line_watch.hpp>
 
@@ -248,7 +248,7 @@ class surface_line_walker {
       diagonals += polygon_.verts.size();
     }
     const surface_exit out = steepest_exit(x_, sectors_);
-    if (out.to == surface_exit::kind::none) return to.stop(why_no_exit(*m_, adj_v2e(*m_, vert_), !sector_pieces_.empty(), all_are_zero(sector_pieces_)));
+    if (out.to == surface_exit::kind::none) return to.stop(reason_of_end(*m_, adj_v2e(*m_, vert_), !sector_pieces_.empty(), all_are_zero(sector_pieces_)));
     triangle_side& from = at();
     from.in = sector_pieces_[out.sector];
     for (unsigned k = 0; k < 3; ++k)

@@ -10,7 +10,7 @@
 #include <concino/lines/detail/cells/polyhedron_reader.hpp>
 #include <concino/lines/detail/cells/tet_crossing.hpp>
 #include <concino/lines/detail/cells/volume_exits.hpp>
-#include <concino/lines/detail/cells/why_no_exit.hpp>
+#include <concino/lines/detail/cells/reason_of_end.hpp>
 #include <concino/lines/detail/follow/line_recorder.hpp>
 #include <concino/lines/detail/follow/line_watch.hpp>
 
@@ -315,7 +315,7 @@ class volume_line_walker {
   }
   template<class Faces>
   void stop_at(const Faces& faces, line_recorder<M>& to) const {
-    to.stop(why_no_exit(*m_, faces, !incident_.all().empty(), incident_.all_are_zero()));
+    to.stop(reason_of_end(*m_, faces, !incident_.all().empty(), incident_.all_are_zero()));
   }
 
   /// The diagonal of a face of the cell that was read last at which x is, but for rounding.

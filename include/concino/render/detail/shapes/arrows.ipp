@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/render/arrows.hpp>
-#include <concino/render/detail/shapes/even_choice.hpp>
+#include <concino/render/detail/shapes/poisson_disk_subset.hpp>
 #include <concino/render/detail/shapes/shape_size.hpp>
 #include <concino/render/detail/shapes/tube_builder.hpp>
 
@@ -43,7 +43,7 @@ CONCINO_INLINE chosen_vectors choose_vectors(const flat_vectors& field, std::siz
     }
   }
   if (count > 0 && c.list.size() > count) {
-    const std::vector<std::uint32_t> some = evenly_chosen(c.points, count);
+    const std::vector<std::uint32_t> some = poisson_disk_subset(c.points, count);
     c.report.thinned = c.list.size() - some.size();
     for (std::size_t k = 0; k < some.size(); ++k) {  // some[k] >= k
       c.list[k] = c.list[some[k]];

@@ -1,7 +1,7 @@
-// Defines even_choice.hpp.
+// Defines poisson_disk_subset.hpp.
 #pragma once
 
-#include <concino/render/detail/shapes/even_choice.hpp>
+#include <concino/render/detail/shapes/poisson_disk_subset.hpp>
 #include <concino/render/detail/trace/sampling.hpp>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ class spaced_points {
   }
 
   std::array<std::int64_t, 3> cell_of(const vec3& p) const {
-    const auto at = [&](double x, double low) { return static_cast<std::int64_t>((x - low) / distance_); };  // at most 1e12: see evenly_chosen
+    const auto at = [&](double x, double low) { return static_cast<std::int64_t>((x - low) / distance_); };  // at most 1e12: see poisson_disk_subset
     return {at(p.x, low_.x), at(p.y, low_.y), at(p.z, low_.z)};
   }
 
@@ -128,7 +128,7 @@ CONCINO_INLINE std::vector<std::uint32_t> spaced_by(std::span<const vec3> points
   return list;
 }
 
-CONCINO_INLINE std::vector<std::uint32_t> evenly_chosen(std::span<const vec3> points, std::size_t count) {
+CONCINO_INLINE std::vector<std::uint32_t> poisson_disk_subset(std::span<const vec3> points, std::size_t count) {
   std::vector<std::uint32_t> candidates(points.size());
   std::iota(candidates.begin(), candidates.end(), std::uint32_t{0});
   if (points.size() <= count || points.empty()) return candidates;

@@ -1,7 +1,7 @@
-// Defines trails.hpp.
+// Defines graph_lines.hpp.
 #pragma once
 
-#include <concino/render/detail/shapes/trails.hpp>
+#include <concino/render/detail/shapes/graph_lines.hpp>
 
 #include <algorithm>
 
@@ -53,13 +53,13 @@ class free_edges {
   std::uint32_t other(std::uint32_t e, std::uint32_t v) const { return g_.edges[e][0] == v ? g_.edges[e][1] : g_.edges[e][0]; }
 };
 
-CONCINO_INLINE void trails::end_line(const flat_graph& g, bool closed) {
+CONCINO_INLINE void graph_lines::end_line(const flat_graph& g, bool closed) {
   for (std::size_t i = lines.points.size(); i < verts.size(); ++i) lines.points.push_back(g.points[verts[i]]);
   lines.end_line(closed);
 }
 
-CONCINO_INLINE trails trails_of(const flat_graph& g) {
-  trails t;
+CONCINO_INLINE graph_lines graph_lines_of(const flat_graph& g) {
+  graph_lines t;
   free_edges free(g);
   const auto n = static_cast<std::uint32_t>(g.points.size());
   const auto follow = [&](std::uint32_t start) {
@@ -94,7 +94,7 @@ CONCINO_INLINE trails trails_of(const flat_graph& g) {
 }
 
 CONCINO_INLINE drawable tubes_of(const flat_graph& g, const tube_options& options, const char* caller) {
-  const trails t = trails_of(g);
+  const graph_lines t = graph_lines_of(g);
   tube_options by_point = options;
   const auto spread = [&](std::span<const double> by_vert, const char* what) {
     std::vector<double> all;

@@ -11,7 +11,7 @@ namespace concino::detail {
 /// Why no direction leads away from a place, by the facets at it.
 /// Needs: whether there are polys at the place, and whether the field is zero in all of them.
 template<class M, class Facets>
-line_end why_no_exit(const M& m, const Facets& facets, bool has_polys, bool all_are_zero) {
+line_end reason_of_end(const M& m, const Facets& facets, bool has_polys, bool all_are_zero) {
   bool open = false, many = false;
   for (const auto& f : facets) {
     const std::size_t n = num_elements(adj_facet2p(m, f));

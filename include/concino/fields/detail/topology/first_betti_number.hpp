@@ -68,5 +68,5 @@ std::ptrdiff_t count_loops(const M& m, const char* caller) {
 }  // namespace concino::detail
 
 #ifndef CONCINO_COMPILED
-#include <concino/fields/detail/topology/loop_count.ipp>
+#include <concino/fields/detail/topology/first_betti_number.ipp>
 #endif

@@ -16,16 +16,16 @@ struct vert_step {
 };
 
 /// A step that cancels with another one: `other` is the position of that in the list.
-struct opposite_step {
+struct cancelling_step {
   std::uint32_t curve, step;
   std::size_t other;
 };
 
 /// Pairs steps between the same verts in opposite directions. Result: by curve and step.
-std::vector<opposite_step> find_opposite_steps(const std::vector<vert_step>& steps);
+std::vector<cancelling_step> find_cancelling_steps(const std::vector<vert_step>& steps);
 
 }  // namespace concino::detail
 
 #ifndef CONCINO_COMPILED
-#include <concino/level_sets/detail/lines/opposite_steps.ipp>
+#include <concino/level_sets/detail/lines/cancelling_steps.ipp>
 #endif

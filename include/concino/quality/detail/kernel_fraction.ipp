@@ -1,8 +1,8 @@
-// Defines visible_part.hpp: a convex polygon or polyhedron, first the bounding box, is cut by the lines or planes of all facets.
+// Defines kernel_fraction.hpp: a convex polygon or polyhedron, first the bounding box, is cut by the lines or planes of all facets.
 #pragma once
 
 #include <concino/quality/detail/metric_row.hpp>
-#include <concino/quality/detail/visible_part.hpp>
+#include <concino/quality/detail/kernel_fraction.hpp>
 
 #include <cmath>
 #include <vector>
@@ -30,7 +30,7 @@ void cut_convex_loop(std::vector<vec3>& loop, std::vector<vec3>& scratch, const 
   loop.swap(scratch);
 }
 
-CONCINO_INLINE double visible_part_of_polygon(std::span<const vec3> points, const vec3& area) {
+CONCINO_INLINE double kernel_fraction_of_polygon(std::span<const vec3> points, const vec3& area) {
   const double size = norm(area);
   if (!(size > 0)) return 0;
   const vec3 n = area / size;
@@ -128,7 +128,7 @@ void for_each_facet_plane(const poly_geometry& g, double eps, const F& f) {
   }
 }
 
-CONCINO_INLINE double visible_part_of_polyhedron(const poly_geometry& g, double volume) {
+CONCINO_INLINE double kernel_fraction_of_polyhedron(const poly_geometry& g, double volume) {
   if (!(volume > 0)) return 0;
   vec3 low = g.points[0], high = low;
   for (const vec3& x : g.points)

@@ -35,5 +35,5 @@ void say_what_is_not_met(std::size_t num_tets, bool is_boundary_kept, tetrahedra
 }  // namespace concino::detail
 
 #ifndef CONCINO_COMPILED
-#include <concino/generate/detail/volumes/tet_quality.ipp>
+#include <concino/generate/detail/volumes/tetrahedralize_steps.ipp>
 #endif

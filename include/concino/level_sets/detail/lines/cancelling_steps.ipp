@@ -1,14 +1,14 @@
-// Steps of curves that cancel; see opposite_steps.hpp.
+// Steps of curves that cancel; see cancelling_steps.hpp.
 #pragma once
 
-#include <concino/level_sets/detail/lines/opposite_steps.hpp>
+#include <concino/level_sets/detail/lines/cancelling_steps.hpp>
 
 #include <algorithm>
 #include <utility>
 
 namespace concino::detail {
 
-CONCINO_INLINE std::vector<opposite_step> find_opposite_steps(const std::vector<vert_step>& steps) {
+CONCINO_INLINE std::vector<cancelling_step> find_cancelling_steps(const std::vector<vert_step>& steps) {
   std::vector<vert_step> all = steps;
   const auto low = [](const vert_step& x) { return std::min(x.from, x.to); };
   const auto high = [](const vert_step& x) { return std::max(x.from, x.to); };
@@ -22,12 +22,12 @@ CONCINO_INLINE std::vector<opposite_step> find_opposite_steps(const std::vector<
     while (turned < last && all[turned].from == low(all[turned])) ++turned;
     for (std::size_t i = first, j = turned; i < turned && j < last; ++i, ++j) pairs.push_back({all[i], all[j]});
   }
-  std::vector<opposite_step> found;
+  std::vector<cancelling_step> found;
   for (const auto& [a, b] : pairs) found.insert(found.end(), {{a.curve, a.step, 0}, {b.curve, b.step, 0}});
-  const auto before = [](const opposite_step& a, const opposite_step& b) { return a.curve != b.curve ? a.curve < b.curve : a.step < b.step; };
+  const auto before = [](const cancelling_step& a, const cancelling_step& b) { return a.curve != b.curve ? a.curve < b.curve : a.step < b.step; };
   std::sort(found.begin(), found.end(), before);
   const auto position = [&](const vert_step& x) {
-    return static_cast<std::size_t>(std::lower_bound(found.begin(), found.end(), opposite_step{x.curve, x.step, 0}, before) - found.begin());
+    return static_cast<std::size_t>(std::lower_bound(found.begin(), found.end(), cancelling_step{x.curve, x.step, 0}, before) - found.begin());
   };
   for (const auto& [a, b] : pairs) {
     found[position(a)].other = position(b);

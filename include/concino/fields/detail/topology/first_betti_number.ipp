@@ -1,8 +1,8 @@
-// Counts loops; see loop_count.hpp.
+// Counts independent loops by Euler's formula.
 #pragma once
 
 #include <concino/core/error.hpp>
-#include <concino/fields/detail/topology/loop_count.hpp>
+#include <concino/fields/detail/topology/first_betti_number.hpp>
 
 namespace concino::detail {
 

@@ -1,10 +1,10 @@
-// Defines tet_quality.hpp.
+// Defines tetrahedralize_steps.hpp.
 #pragma once
 
 #include <concino/core/error.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/number_text.hpp>
-#include <concino/generate/detail/volumes/tet_quality.hpp>
+#include <concino/generate/detail/volumes/tetrahedralize_steps.hpp>
 #include <concino/geometry/circumcentre.hpp>
 
 #include <algorithm>

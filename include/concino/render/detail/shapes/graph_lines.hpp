@@ -19,7 +19,7 @@ struct flat_graph {
 };
 
 /// Lines that have each edge once, and the vert of each of their points.
-struct trails {
+struct graph_lines {
   flat_lines lines;
   std::vector<std::uint32_t> verts;
 
@@ -28,7 +28,7 @@ struct trails {
 
 /// Trails that go straight on where they can. They begin at verts where an odd number of edges meet, and then go round what is left.
 /// Cost:   O(verts + edges): at a vert at most 16 edges are compared.
-trails trails_of(const flat_graph& g);
+graph_lines graph_lines_of(const flat_graph& g);
 
 /// Tubes along all edges; options.values and options.radii are by vert.
 drawable tubes_of(const flat_graph& g, const tube_options& options, const char* caller);
@@ -36,5 +36,5 @@ drawable tubes_of(const flat_graph& g, const tube_options& options, const char* 
 }  // namespace concino::detail
 
 #ifndef CONCINO_COMPILED
-#include <concino/render/detail/shapes/trails.ipp>
+#include <concino/render/detail/shapes/graph_lines.ipp>
 #endif
