@@ -1,4 +1,5 @@
-// Defines affine_heat.hpp.
+// Bodies of affine_heat.hpp: heat flow of tangent vectors, and of positions seen from each vert, over a surface of
+// triangles.
 #pragma once
 
 #include <concino/fields/detail/heat/affine_heat.hpp>

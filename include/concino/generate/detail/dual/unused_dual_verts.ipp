@@ -1,4 +1,4 @@
-// Defines unused_dual_verts.hpp.
+// Bodies of unused_dual_verts.hpp: dual verts that belong to no dual poly, and the descriptors in dual_maps.
 #pragma once
 
 #include <concino/generate/detail/dual/unused_dual_verts.hpp>

@@ -1,4 +1,4 @@
-// Defines flat_triangles.hpp.
+// Bodies of flat_triangles.hpp: triangulations of polygons without flat triangles, where corners may be collinear.
 #pragma once
 
 #include <concino/generate/detail/outlines/flat_triangles.hpp>

@@ -1,4 +1,5 @@
-// Defines triangulate.hpp.
+// Bodies of triangulate.hpp: triangulate: triangles inside outlines, with holes, open lines and isolated points,
+// without new points.
 #pragma once
 
 #include <concino/generate/detail/outlines/monotone_polygon.hpp>

@@ -1,4 +1,5 @@
-// Defines maximum_matching.hpp.
+// Bodies of maximum_matching.hpp: maximum matchings of graphs with at most three edges at each vertex, such as the
+// triangles of a surface.
 #pragma once
 
 #include <concino/generate/detail/quads/maximum_matching.hpp>

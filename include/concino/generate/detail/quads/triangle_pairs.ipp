@@ -1,4 +1,4 @@
-// Defines triangle_pairs.hpp.
+// Bodies of triangle_pairs.hpp: joins triangles in pairs to quads.
 #pragma once
 
 #include <concino/core/parallel.hpp>

@@ -1,4 +1,4 @@
-// Defines boundary_surface.hpp.
+// Bodies of boundary_surface.hpp: the boundary of a volume as a surface mesh of its own.
 #pragma once
 
 #include <concino/core/compiled.hpp>

@@ -1,4 +1,4 @@
-// Defines voxel_lattice.hpp.
+// Bodies of voxel_lattice.hpp: cubic cells of equal size around a box, and the hexes of some of them.
 #pragma once
 
 #include <concino/core/error.hpp>

@@ -1,4 +1,4 @@
-// Defines composed_origins.hpp.
+// Bodies of composed_origins.hpp: the origins of elements of a mesh that was subdivided twice.
 #pragma once
 
 #include <concino/core/local_numbers.hpp>

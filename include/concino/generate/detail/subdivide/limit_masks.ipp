@@ -1,4 +1,5 @@
-// Defines limit_masks.hpp.
+// Bodies of limit_masks.hpp: limits of smooth subdivision: how the ring around a vert, after one step, gives the point
+// and the tangent plane of the smooth surface.
 #pragma once
 
 #include <concino/generate/detail/subdivide/limit_masks.hpp>

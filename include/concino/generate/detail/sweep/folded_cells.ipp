@@ -1,4 +1,4 @@
-// Defines folded_cells.hpp.
+// Bodies of folded_cells.hpp: finds the cells between a surface and its offset that are inverted at a corner.
 #pragma once
 
 #include <concino/generate/detail/sweep/folded_cells.hpp>

@@ -1,4 +1,4 @@
-// Defines plane_offsets.hpp.
+// Bodies of plane_offsets.hpp: the vectors along which verts move so that the planes of polys keep a distance.
 #pragma once
 
 #include <concino/generate/detail/sweep/plane_offsets.hpp>

@@ -1,4 +1,5 @@
-// Defines swept_surface.hpp.
+// Bodies of swept_surface.hpp: the verts and polys of a surface that moves, as flat arrays, and the volume between its
+// layers.
 #pragma once
 
 #include <concino/core/number_text.hpp>

@@ -1,4 +1,4 @@
-// Defines coincident_points.hpp.
+// Bodies of coincident_points.hpp: finds the points of two meshes that coincide.
 #pragma once
 
 #include <concino/core/parallel.hpp>

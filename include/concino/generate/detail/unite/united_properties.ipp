@@ -1,4 +1,4 @@
-// Defines united_properties.hpp.
+// Bodies of united_properties.hpp: the properties of a mesh that was made of two.
 #pragma once
 
 #include <concino/generate/detail/unite/united_properties.hpp>

@@ -1,4 +1,4 @@
-// Defines cell_tets.hpp.
+// Bodies of cell_tets.hpp: cuts the faces of volumes into triangles and their cells into tets.
 #pragma once
 
 #include <concino/generate/detail/volumes/cell_tets.hpp>

@@ -1,4 +1,5 @@
-// Defines closed_surface.hpp.
+// Bodies of closed_surface.hpp: the surface that tetrahedralize() fills: as flat arrays, checked, oriented and cut into
+// triangles.
 #pragma once
 
 #include <concino/core/error.hpp>

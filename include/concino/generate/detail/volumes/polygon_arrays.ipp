@@ -1,4 +1,5 @@
-// Defines polygon_arrays.hpp.
+// Bodies of polygon_arrays.hpp: a surface as flat arrays, with the names that its elements have in messages; and its
+// orientation.
 #pragma once
 
 #include <concino/core/error.hpp>

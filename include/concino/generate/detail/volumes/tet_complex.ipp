@@ -1,4 +1,5 @@
-// Defines tet_complex.hpp.
+// Bodies of tet_complex.hpp: the tets that a back end returned: the parts into which the surface and the facets divide
+// them, and whether they keep what was promised.
 #pragma once
 
 #include <concino/core/error.hpp>

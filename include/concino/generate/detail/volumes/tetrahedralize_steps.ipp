@@ -1,4 +1,5 @@
-// Defines tetrahedralize_steps.hpp.
+// Bodies of tetrahedralize_steps.hpp: the options of tetrahedralize(), checked; its times; and the tets that miss what
+// was asked for.
 #pragma once
 
 #include <concino/core/error.hpp>

@@ -1,4 +1,5 @@
-// Defines verified_tets.hpp.
+// Bodies of verified_tets.hpp: what tetrahedralize() returns is verified here: positive tets, the surface as their
+// boundary, the enclosed volume.
 #pragma once
 
 #include <concino/core/error.hpp>

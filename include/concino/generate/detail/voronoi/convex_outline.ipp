@@ -1,4 +1,4 @@
-// Defines convex_outline.hpp.
+// Bodies of convex_outline.hpp: a convex polygon in the plane, as the domain of a Voronoi diagram.
 #pragma once
 
 #include <concino/core/message.hpp>

@@ -1,4 +1,4 @@
-// Definitions of repeated_verts.hpp.
+// Bodies of repeated_verts.hpp: polys with a vert twice: what load_options::repeated_verts makes of them.
 #pragma once
 
 #include <concino/geometry/triangulate_polygon.hpp>

@@ -1,4 +1,5 @@
-// Definitions of atomic_file.hpp.
+// Bodies of atomic_file.hpp: atomic replacement of a file: it gets its name only when it is complete (POSIX; on Linux,
+// unfinished files leave no trace).
 #pragma once
 
 #include <concino/core/hash_bytes.hpp>

@@ -1,4 +1,4 @@
-// Definitions of file_text.hpp.
+// Bodies of file_text.hpp: the bytes of a file as one string: read into memory, or mapped (POSIX).
 #pragma once
 
 #include <concino/core/message.hpp>

@@ -1,4 +1,4 @@
-// Definitions of paths.hpp.
+// Bodies of paths.hpp: checks paths and resolves symbolic links.
 #pragma once
 
 #include <concino/core/message.hpp>

@@ -1,4 +1,4 @@
-// Definitions of choose_format.hpp.
+// Bodies of choose_format.hpp: chooses the format of a file among those that a call knows.
 #pragma once
 
 #include <concino/core/error.hpp>

@@ -1,4 +1,5 @@
-// Definitions of flat_mesh_of.hpp.
+// Bodies of flat_mesh_of.hpp: converts any mesh to a flat_mesh, without copying arrays that the mesh already stores in
+// this form.
 #pragma once
 
 #include <concino/io/detail/formats/flat_mesh_of.hpp>

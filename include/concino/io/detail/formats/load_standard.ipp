@@ -1,4 +1,4 @@
-// Definitions of load_standard.hpp.
+// Bodies of load_standard.hpp: reads files and texts in any of the library's formats.
 #pragma once
 
 #include <concino/io/detail/formats/load_standard.hpp>

@@ -1,4 +1,5 @@
-// Definitions of mend_repeated_verts.hpp.
+// Bodies of mend_repeated_verts.hpp: what load_options::repeated_verts does to the contents of a file, after any format
+// was read.
 #pragma once
 
 #include <concino/geometry/triangulate_polygon.hpp>

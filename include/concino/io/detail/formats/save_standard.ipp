@@ -1,4 +1,4 @@
-// Definitions of save_standard.hpp.
+// Bodies of save_standard.hpp: writes meshes in any of the library's formats.
 #pragma once
 
 #include <concino/io/detail/formats/save_standard.hpp>

@@ -1,4 +1,4 @@
-// Definitions of save_with.hpp.
+// Bodies of save_with.hpp: the implementation of all functions that save meshes, for any list of formats.
 #pragma once
 
 #include <concino/io/detail/cells/face_key.hpp>

@@ -1,4 +1,4 @@
-// Definitions of skeleton.hpp.
+// Bodies of skeleton.hpp: reads and writes curve skeletons: .skel, .cg, .skc and .csv.
 #pragma once
 
 #include <concino/core/error.hpp>

@@ -1,4 +1,4 @@
-// Definitions of skeleton_graph.hpp.
+// Bodies of skeleton_graph.hpp: curve skeletons: graphs in space with a radius at each vert.
 #pragma once
 
 #include <concino/core/error.hpp>

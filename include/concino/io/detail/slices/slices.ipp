@@ -1,4 +1,5 @@
-// Definitions of slices.hpp.
+// Bodies of slices.hpp: reads and writes slices of a part for layered manufacturing: files of the Common Layer
+// Interface (.cli), as text or binary.
 #pragma once
 
 #include <concino/io/atomic_file.hpp>

@@ -1,4 +1,4 @@
-// Definitions of name_runs.hpp.
+// Bodies of name_runs.hpp: names of polys in files where a name applies to all polys up to the next name.
 #pragma once
 
 #include <concino/io/detail/values/name_runs.hpp>

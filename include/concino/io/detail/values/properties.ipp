@@ -1,4 +1,4 @@
-// Definitions of properties.hpp.
+// Bodies of properties.hpp: stores the values of elements in a file as properties of a mesh.
 #pragma once
 
 #include <concino/io/detail/cells/face_key.hpp>

@@ -1,4 +1,4 @@
-// Definitions of read_field.hpp.
+// Bodies of read_field.hpp: the reader of functions on verts or polys as text.
 #pragma once
 
 #include <concino/io/detail/files/paths.hpp>

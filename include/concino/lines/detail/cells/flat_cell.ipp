@@ -1,4 +1,4 @@
-// Defines flat_cell.hpp.
+// Bodies of flat_cell.hpp: the surface of a polyhedron as triangles in flat arrays, and where a line inside leaves it.
 #pragma once
 
 #include <concino/lines/detail/cells/flat_cell.hpp>

@@ -1,4 +1,4 @@
-// Defines line_signs.hpp.
+// Bodies of line_signs.hpp: on which side of a line along a field points lie, by exact signs.
 #pragma once
 
 #include <concino/core/expansion.hpp>

@@ -1,4 +1,5 @@
-// Defines surface_exits.hpp.
+// Bodies of surface_exits.hpp: where a line along a field leads on from a point of a surface: into a triangle around
+// it, or along an edge.
 #pragma once
 
 #include <concino/core/small_array.hpp>

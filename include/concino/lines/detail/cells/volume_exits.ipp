@@ -1,4 +1,5 @@
-// Defines volume_exits.hpp.
+// Bodies of volume_exits.hpp: where a line along a field leads on from a vert or an edge of a volume: into a cell,
+// along a face, or along an edge.
 #pragma once
 
 #include <concino/core/small_array.hpp>

@@ -1,4 +1,5 @@
-// Defines line_watch.hpp.
+// Bodies of line_watch.hpp: recognises that a line on a surface closes, runs round a cycle, or winds to a cycle or into
+// a vert.
 #pragma once
 
 #include <concino/lines/detail/follow/line_watch.hpp>

@@ -1,4 +1,4 @@
-// Defines flip_out.hpp.
+// Bodies of flip_out.hpp: makes a path along edges straight by flips of intrinsic triangles.
 #pragma once
 
 #include <concino/lines/detail/geodesics/flip_out.hpp>

@@ -1,4 +1,4 @@
-// Defines geodesic_walker.hpp.
+// Bodies of geodesic_walker.hpp: walks straight over triangles that are unfolded one after the other.
 #pragma once
 
 #include <concino/lines/detail/geodesics/geodesic_walker.hpp>

@@ -1,4 +1,5 @@
-// Defines intrinsic_triangles.hpp.
+// Bodies of intrinsic_triangles.hpp: triangles that are known by the lengths of their edges, so that edges can be
+// flipped without changing the surface.
 #pragma once
 
 #include <concino/core/error.hpp>

@@ -1,4 +1,5 @@
-// Defines drawable_values.hpp.
+// Bodies of drawable_values.hpp: values and colours of drawables, read from arrays by the index of elements of their
+// mesh.
 #pragma once
 
 #include <concino/core/error.hpp>

@@ -1,4 +1,4 @@
-// Defines surface_material.hpp.
+// Bodies of surface_material.hpp: materials: how the light that a surface sends to the viewer depends on its normal.
 #pragma once
 
 #include <concino/render/surface_material.hpp>

@@ -1,4 +1,5 @@
-// Defines surface_reader.hpp.
+// Bodies of surface_reader.hpp: points of surfaces that rays hit, with what shading needs: positions, normals, the
+// unlit colour.
 #pragma once
 
 #include <concino/render/detail/colors/surface_reader.hpp>

@@ -1,4 +1,4 @@
-// Defines texture.hpp.
+// Bodies of texture.hpp: textures: colours that depend on two coordinates, such as a checkerboard, lines, or a picture.
 #pragma once
 
 #include <concino/render/detail/colors/band_coverage.hpp>

@@ -1,4 +1,5 @@
-// Defines unlit_color.hpp.
+// Bodies of unlit_color.hpp: the colour of a point of a drawable without light: of its values, labels, iso-bands,
+// iso-lines and edges.
 #pragma once
 
 #include <concino/render/detail/colors/unlit_color.hpp>

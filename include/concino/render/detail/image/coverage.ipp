@@ -1,4 +1,4 @@
-// Defines coverage.hpp.
+// Bodies of coverage.hpp: the part of each pixel that polygons cover, exactly.
 #pragma once
 
 #include <concino/render/detail/image/coverage.hpp>

@@ -1,4 +1,4 @@
-// Defines png.hpp.
+// Bodies of png.hpp: PNG files: a picture as the bytes of one, and written to disk.
 #pragma once
 
 #include <concino/io/atomic_file.hpp>

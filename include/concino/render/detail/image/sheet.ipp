@@ -1,4 +1,4 @@
-// Defines sheet.hpp.
+// Bodies of sheet.hpp: several pictures as one, in rows and columns, with a line of text under each.
 #pragma once
 
 #include <concino/render/sheet.hpp>

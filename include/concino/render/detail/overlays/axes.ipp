@@ -1,4 +1,4 @@
-// Defines axes.hpp.
+// Bodies of axes.hpp: axes in pictures: the directions of x, y and z in a corner, and numbers along the edges of a box.
 #pragma once
 
 #include <concino/render/axes.hpp>

@@ -1,4 +1,4 @@
-// Defines labels.hpp.
+// Bodies of labels.hpp: labels in pictures: texts beside points of the scene.
 #pragma once
 
 #include <concino/render/detail/image/coverage.hpp>

@@ -1,4 +1,4 @@
-// Defines legend.hpp.
+// Bodies of legend.hpp: legends and titles of pictures: which colour means which value.
 #pragma once
 
 #include <concino/render/detail/colors/band_coverage.hpp>

@@ -1,4 +1,5 @@
-// Defines overlays.hpp.
+// Bodies of overlays.hpp: what is drawn over a picture of a scene: its title, legend, axes and labels; and the camera
+// that leaves room for them.
 #pragma once
 
 #include <concino/core/error.hpp>

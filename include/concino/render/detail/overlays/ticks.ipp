@@ -1,4 +1,4 @@
-// Defines ticks.hpp.
+// Bodies of ticks.hpp: round numbers along an axis or a legend, and their texts.
 #pragma once
 
 #include <concino/render/detail/overlays/ticks.hpp>

@@ -1,4 +1,4 @@
-// Defines graph_lines.hpp.
+// Bodies of graph_lines.hpp: divides the edges of a graph into lines, so that few tubes draw them.
 #pragma once
 
 #include <concino/render/detail/shapes/graph_lines.hpp>

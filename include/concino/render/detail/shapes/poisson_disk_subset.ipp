@@ -1,4 +1,4 @@
-// Defines poisson_disk_subset.hpp.
+// Bodies of poisson_disk_subset.hpp: chooses some of many points so that they are evenly distributed.
 #pragma once
 
 #include <concino/render/detail/shapes/poisson_disk_subset.hpp>

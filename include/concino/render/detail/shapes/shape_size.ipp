@@ -1,4 +1,4 @@
-// Defines shape_size.hpp.
+// Bodies of shape_size.hpp: what shapes of all kinds check: their size, and numbers that are given for each point.
 #pragma once
 
 #include <concino/core/error.hpp>

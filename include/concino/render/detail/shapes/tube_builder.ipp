@@ -1,4 +1,4 @@
-// Defines tube_builder.hpp.
+// Bodies of tube_builder.hpp: builds the rings, caps and balls of tubes in a drawable.
 #pragma once
 
 #include <concino/render/detail/shapes/shape_size.hpp>

@@ -1,4 +1,4 @@
-// Defines font.hpp.
+// Bodies of font.hpp: the font of pictures, concino sans: the outlines of Latin, Greek and mathematical characters.
 #pragma once
 
 #include <concino/render/detail/text/font.hpp>

@@ -1,4 +1,4 @@
-// Defines outline_triangles.hpp.
+// Bodies of outline_triangles.hpp: triangles of plane outlines with holes.
 #pragma once
 
 #include <concino/geometry/orientation.hpp>

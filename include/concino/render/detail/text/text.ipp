@@ -1,4 +1,5 @@
-// Defines text.hpp.
+// Bodies of text.hpp: text in pictures, in the font concino sans: Latin, Greek, superscripts and mathematical
+// characters.
 #pragma once
 
 #include <concino/render/detail/image/coverage.hpp>

@@ -1,4 +1,4 @@
-// Defines turntable.hpp.
+// Bodies of turntable.hpp: turntables: pictures of a scene from all around, as the frames of a film.
 #pragma once
 
 #include <concino/render/turntable.hpp>
