@@ -42,7 +42,7 @@ class crossed_volume_reader {
   /// Makes room for cells with so many facets and corners.
   void reserve(std::size_t num_cells, std::size_t num_facets, std::size_t num_corners) {
     arrays.reserve(num_cells, num_facets, num_corners);
-    faces.reserve(num_facets), verts.reserve(3 * num_cells), edges.reserve(3 * num_cells), edge_numbers_.reserve(3 * num_cells);
+    faces.reserve(num_facets), verts.reserve(3 * num_cells), edges.reserve(3 * num_cells);
   }
   template<class U>
   std::uint32_t number_of_vert(const M& m, const U& u, const vert_t<M>& v) {

@@ -42,7 +42,7 @@ class tet_cap_reader {
   tet_cap_reader(const M& m, std::size_t num_tets, crossed_volume_reader<M>& crossed, polygon_sheets& sheets) : m_(m), crossed_(crossed), sheets_(sheets) {
     crossed.reserve(num_tets, 0, 0);
     sheets.reserve(num_tets, 4 * num_tets);
-    steps_.reserve(2 * num_tets), users_.reserve(2 * num_tets);
+    users_.reserve(2 * num_tets);
   }
 
   template<class U>
