@@ -97,7 +97,7 @@ struct cgal_surface_links : std::conditional_t<writable_point<P>, halfedge_editi
   template<class X>
     requires writable_point<P>
   static void set_point(mesh& m, vert v, const X& x) {
-    if (auto* const recorder = recorder_of<kernel>(m)) recorder->save_point(v.idx());
+    if (auto* const recorder = halfedge_recorder_of<kernel>(m)) recorder->save_point(v.idx());
     assign_point(m.point(v), x);
   }
 
@@ -112,7 +112,7 @@ struct cgal_surface_links : std::conditional_t<writable_point<P>, halfedge_editi
         refuse(core::joined({"has vert ", corners[i].idx(), " twice; its verts must differ"}));
     }
     if constexpr (writable_point<P>)
-      if (recorder_of<kernel>(m)) try {
+      if (halfedge_recorder_of<kernel>(m)) try {
           return add_poly_by_rewire(m, corners);
         } catch (const unsupported&) {
           refuse(cannot_be_linked);
@@ -136,7 +136,7 @@ struct cgal_surface_links : std::conditional_t<writable_point<P>, halfedge_editi
   }
 
   static correspondence garbage_collect(mesh& m) {
-    if (recorder_of<kernel>(m)) refuse_garbage_collection();
+    if (halfedge_recorder_of<kernel>(m)) refuse_garbage_collection();
     cgal_compaction<P> compaction(m);
     compaction.make();
     concino::detail::count_edit(kernel::find_edits(m));  // CGAL may have lost the edits

@@ -53,14 +53,14 @@ struct mesh_traits<M> : halfedge_kernel<OpenMesh::PolyConnectivity, detail::open
   template<class X>
     requires(detail::openmesh_coordinates<M> >= 3)
   static void set_point(M& m, vert v, const X& x) {
-    if (auto* const recorder = detail::recorder_of<kernel>(m)) recorder->save_point(static_cast<unsigned>(v.idx()));
+    if (auto* const recorder = detail::halfedge_recorder_of<kernel>(m)) recorder->save_point(static_cast<unsigned>(v.idx()));
     kernel::assign_point(detail::openmesh_property(m.vprops_begin(), m.points_property_handle())[v.idx()], x);  // allocates no memory
   }
 
   static poly add_poly(M& m, std::span<const vert> corners) {
     detail::check_openmesh_poly(m, corners, arity);
     if constexpr (detail::openmesh_coordinates<M> >= 3)
-      if (detail::recorder_of<kernel>(m)) return detail::add_poly_by_rewire(m, corners);
+      if (detail::halfedge_recorder_of<kernel>(m)) return detail::add_poly_by_rewire(m, corners);
     auto* const before = kernel::find_edits(m);
     kernel::reserve(m, 0, static_cast<unsigned>(corners.size()), 1, false);
     const poly p = m.OpenMesh::PolyConnectivity::add_face(corners.data(), corners.size());
@@ -85,7 +85,7 @@ struct mesh_traits<M> : halfedge_kernel<OpenMesh::PolyConnectivity, detail::open
   }
 
   static correspondence garbage_collect(M& m) {
-    if (detail::recorder_of<kernel>(m)) detail::refuse_garbage_collection();
+    if (detail::halfedge_recorder_of<kernel>(m)) detail::refuse_garbage_collection();
     auto* const before = kernel::find_edits(m);
     detail::openmesh_compaction compaction(m);
     compaction.make();

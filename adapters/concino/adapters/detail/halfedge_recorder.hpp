@@ -97,7 +97,7 @@ class uncopied {
 
 /// The record of the open transaction, or null.
 template<class K>
-halfedge_recorder<K>* recorder_of(typename K::mesh& m) {
+halfedge_recorder<K>* halfedge_recorder_of(typename K::mesh& m) {
   const halfedge_edits<K>* const edits = K::find_edits(m);
   return edits ? edits->recorder : nullptr;
 }
