@@ -78,5 +78,5 @@ class atomic_file {
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/io/detail/atomic_file.ipp>
+#include <concino/io/detail/files/atomic_file.ipp>
 #endif

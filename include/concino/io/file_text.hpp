@@ -56,5 +56,5 @@ class file_text {
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/io/detail/file_text.ipp>
+#include <concino/io/detail/files/file_text.ipp>
 #endif

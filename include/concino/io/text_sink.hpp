@@ -1,7 +1,7 @@
 // Buffered output of text, to a file or to a string.
 #pragma once
 
-#include <concino/io/detail/io_errors.hpp>
+#include <concino/io/detail/files/io_errors.hpp>
 
 #include <algorithm>
 #include <array>

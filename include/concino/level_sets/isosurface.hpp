@@ -2,8 +2,8 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
-#include <concino/level_sets/detail/level_states.hpp>
-#include <concino/level_sets/detail/level_surface_builder.hpp>
+#include <concino/level_sets/detail/cut/level_states.hpp>
+#include <concino/level_sets/detail/surfaces/level_surface_builder.hpp>
 #include <concino/mesh/correspondence.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 #include <concino/mesh/property.hpp>
