@@ -11,6 +11,7 @@
 // Needs: Boost.Graph (Debian: libboost-dev).
 #pragma once
 
+#include <concino/adapters/detail/mapped_range.hpp>
 #include <concino/concepts/primal_graph.hpp>
 
 #include <boost/graph/adjacency_list.hpp>
