@@ -55,8 +55,8 @@ class openmesh_is_deleted {
 /// The elements of one kind that are not deleted, in order of index.
 template<class Handle>
 struct openmesh_elements : skipping_range<Handle, openmesh_is_deleted<Handle>> {
-  openmesh_elements(const OpenMesh::PolyConnectivity& m, std::size_t bound)
-      : skipping_range<Handle, openmesh_is_deleted<Handle>>{static_cast<unsigned>(bound), openmesh_is_deleted<Handle>(m)} {}
+  openmesh_elements(const OpenMesh::PolyConnectivity& m, std::size_t index_bound)
+      : skipping_range<Handle, openmesh_is_deleted<Handle>>{static_cast<unsigned>(index_bound), openmesh_is_deleted<Handle>(m)} {}
 
   bool contains(Handle x) const { return x.is_valid() && x.idx() < static_cast<int>(this->bound) && !this->skips(static_cast<unsigned>(x.idx())); }
   std::size_t count() const { return num_elements(*this); }
