@@ -1,6 +1,8 @@
 // A pseudorandom number generator with the same results on every machine and with every compiler.
 #pragma once
 
+#include <concino/core/hash_bytes.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -15,10 +17,9 @@ class random_stream {
   constexpr explicit random_stream(std::uint64_t seed) : state_(seed) {}
 
   constexpr std::uint64_t next() {
-    std::uint64_t x = state_ += 0x9e3779b97f4a7c15u;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
+    const std::uint64_t before = state_;
+    state_ += 0x9e3779b97f4a7c15u;
+    return core::scrambled(before);
   }
   /// The next number in [0, 1), a multiple of 2^-53.
   constexpr double unit() { return static_cast<double>(next() >> 11) * 0x1p-53; }

@@ -61,7 +61,6 @@ CONCINO_INLINE bool cell_cuts::find_mates(std::uint32_t cell, cells_are surface)
 CONCINO_INLINE void cell_cuts::find_twins() {
   twins_.assign(v_.num_facets(), none);
   core::local_numbers faces;
-  faces.reserve(v_.num_facets());
   std::vector<std::uint32_t> first;  // by face: the facet that has it first
   for (std::uint32_t s = 0; s < v_.num_facets(); ++s) {
     if (v_.num_polys[s] != 2) continue;

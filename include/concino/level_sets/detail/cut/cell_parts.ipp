@@ -1,6 +1,7 @@
 // The parts into which a level set cuts cells; see cell_parts.hpp.
 #pragma once
 
+#include <concino/core/hash_bytes.hpp>
 #include <concino/level_sets/detail/cut/cell_parts.hpp>
 #include <concino/level_sets/detail/cut/level_states.hpp>
 #include <concino/level_sets/detail/cut/remove_flat_parts.hpp>
@@ -186,10 +187,7 @@ CONCINO_INLINE void cell_parts::merge_equal_faces() {
   order.reserve(faces.size());
   for (std::uint32_t i = 0; i < faces.size(); ++i) {
     std::uint64_t sum = 0;
-    for (std::uint32_t k = faces[i].first; k < faces[i].last; ++k) {
-      const std::uint64_t x = (face_places[k] + std::uint64_t{1}) * 0x9e3779b97f4a7c15u;
-      sum += x ^ x >> 29;
-    }
+    for (std::uint32_t k = faces[i].first; k < faces[i].last; ++k) sum += core::scrambled(face_places[k]);
     order.push_back(sum >> 32 << 32 | i);
   }
   std::sort(order.begin(), order.end());

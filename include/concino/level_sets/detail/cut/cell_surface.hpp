@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
+#include <concino/core/index_table.hpp>
 #include <concino/graph/disjoint_sets.hpp>
 
 #include <cstddef>
@@ -20,7 +21,8 @@ class cell_surface {
   std::vector<unsigned char> outward_;   // by facet
   std::vector<std::uint64_t> edges_;     // by corner: the two verts of the edge to the next corner, the smaller one first
   std::vector<std::uint32_t> facets_;     // by corner
-  std::vector<std::uint32_t> mates_, slots_;
+  std::vector<std::uint32_t> mates_;
+  core::index_table first_at_;           // of each edge, the first corner
   disjoint_sets pieces_;
 
  public:
@@ -40,8 +42,6 @@ class cell_surface {
 
  private:
   bool are_connected();
-  std::uint32_t& slot_of(std::uint32_t corner);
-  void clear_slots();
   void list_edges();
 };
 

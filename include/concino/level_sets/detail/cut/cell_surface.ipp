@@ -18,35 +18,20 @@ CONCINO_INLINE void cell_surface::list_edges() {
     }
 }
 
-CONCINO_INLINE void cell_surface::clear_slots() {
-  std::size_t size = 64;
-  while (size < 2 * verts_.size()) size *= 2;
-  slots_.assign(size, none);
-}
-
-/// Where a hash table has the first corner with the same edge as this one.
-CONCINO_INLINE std::uint32_t& cell_surface::slot_of(std::uint32_t corner) {
-  const auto mask = static_cast<std::uint32_t>(slots_.size() - 1);
-  const std::uint64_t key = edges_[corner];
-  std::uint32_t i = static_cast<std::uint32_t>(key * 0x9e3779b97f4a7c15u >> 32) & mask;
-  while (slots_[i] != none && edges_[slots_[i]] != key) i = (i + 1) & mask;
-  return slots_[i];
-}
-
 CONCINO_INLINE bool cell_surface::find_mates() {
   const auto n = static_cast<std::uint32_t>(verts_.size());
   list_edges();
   mates_.assign(n, none);
-  clear_slots();
+  first_at_.clear();
   for (std::uint32_t k = 0; k < n; ++k) {
-    std::uint32_t& slot = slot_of(k);
-    if (slot == none) {
-      slot = k;
+    const std::uint32_t hash = core::index_table::hash(edges_[k]), first = first_at_.find(hash, [&](std::uint32_t i) { return edges_[i] == edges_[k]; });
+    if (first == none) {
+      first_at_.add(hash, k);
       continue;
     }
-    const bool same_way = verts_[slot] == verts_[k];
-    if (mates_[slot] != none || same_way == (outward_[facets_[slot]] == outward_[facets_[k]])) return false;
-    mates_[slot] = k, mates_[k] = slot;
+    const bool same_way = verts_[first] == verts_[k];
+    if (mates_[first] != none || same_way == (outward_[facets_[first]] == outward_[facets_[k]])) return false;
+    mates_[first] = k, mates_[k] = first;
   }
   return std::find(mates_.begin(), mates_.end(), none) == mates_.end();
 }

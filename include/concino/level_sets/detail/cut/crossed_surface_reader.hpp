@@ -68,7 +68,6 @@ class crossed_surface_reader {
   /// A line across triangles passes about as many verts as triangles, and twice as many edges.
   void number(const M& m, const std::vector<corner>& corners) {
     core::local_numbers vert_numbers, edge_numbers;
-    vert_numbers.reserve(polys.size()), edge_numbers.reserve(2 * polys.size());
     arrays.verts.reserve(corners.size()), arrays.edges.reserve(corners.size());
     for (const corner& c : corners) {
       arrays.verts.push_back(vert_numbers.add(index_of(m, c.vert)));

@@ -28,7 +28,6 @@ CONCINO_INLINE void crossed_volume::reserve(std::size_t num_cells, std::size_t n
   verts.reserve(num_corners), edges.reserve(num_corners);
   const std::size_t num_verts = 3 * num_cells;  // a layer of hexes has two verts a cell, and one of tets fewer
   vert_indices.reserve(num_verts), points.reserve(num_verts), values.reserve(num_verts), states.reserve(num_verts);
-  numbers_.reserve(num_verts);
 }
 
 CONCINO_INLINE void crossed_volume::push_facet(std::uint32_t face, bool is_outward, unsigned char polys, std::uint32_t fan_number) {

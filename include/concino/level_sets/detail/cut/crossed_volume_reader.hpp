@@ -39,28 +39,6 @@ class crossed_volume_reader {
     }
   }
 
-  /// Makes room for cells with so many facets and corners.
-  void reserve(std::size_t num_cells, std::size_t num_facets, std::size_t num_corners) {
-    arrays.reserve(num_cells, num_facets, num_corners);
-    faces.reserve(num_facets), verts.reserve(3 * num_cells), edges.reserve(3 * num_cells), edge_numbers_.reserve(3 * num_cells);
-  }
-  template<class U>
-  std::uint32_t number_of_vert(const M& m, const U& u, const vert_t<M>& v) {
-    const std::size_t index = index_of(m, v);
-    const std::uint32_t number = arrays.number_of_vert(index);
-    if (number == arrays.points.size()) {
-      arrays.add_vert(static_cast<std::uint32_t>(index), to_vec3(point(m, v)), static_cast<double>(u[v]));
-      verts.push_back(v);
-    }
-    return number;
-  }
-  /// Lists an edge once. Returns its index.
-  std::uint32_t add_crossed_edge(const M& m, const edge_t<M>& e) {
-    const std::size_t index = index_of(m, e);
-    if (edge_numbers_.add(index) == edges.size()) edges.push_back(e);
-    return static_cast<std::uint32_t>(index);
-  }
-
   mesh_point<M> mesh_point_of(const M& m, const level_place& x) const {
     const bool is_vert = x.kind == level_place::vert;
     const double t = is_vert ? 1 : crossing_parameter(arrays.values[x.below], arrays.values[x.above], arrays.level());
@@ -97,7 +75,24 @@ class crossed_volume_reader {
     std::size_t num_facets = 0, num_corners = 0;
     for (const poly_t<M>& p : polys)
       for (const face_t<M> f : adj_p2f(m, p)) ++num_facets, num_corners += num_elements(adj_f2v(m, f));
-    reserve(polys.size(), num_facets, num_corners);
+    arrays.reserve(polys.size(), num_facets, num_corners);
+    faces.reserve(num_facets), verts.reserve(3 * polys.size()), edges.reserve(3 * polys.size());
+  }
+  template<class U>
+  std::uint32_t number_of_vert(const M& m, const U& u, const vert_t<M>& v) {
+    const std::size_t index = index_of(m, v);
+    const std::uint32_t number = arrays.number_of_vert(index);
+    if (number == arrays.points.size()) {
+      arrays.add_vert(static_cast<std::uint32_t>(index), to_vec3(point(m, v)), static_cast<double>(u[v]));
+      verts.push_back(v);
+    }
+    return number;
+  }
+  /// Lists an edge once. Returns its index.
+  std::uint32_t add_crossed_edge(const M& m, const edge_t<M>& e) {
+    const std::size_t index = index_of(m, e);
+    if (edge_numbers_.add(index) == edges.size()) edges.push_back(e);
+    return static_cast<std::uint32_t>(index);
   }
   template<class U>
   void add_facet(const M& m, const U& u, const poly_t<M>& p, const face_t<M>& f) {

@@ -1,6 +1,7 @@
 // Removes parts of cells that have no inside; see remove_flat_parts.hpp.
 #pragma once
 
+#include <concino/core/hash_bytes.hpp>
 #include <concino/level_sets/detail/cut/level_place.hpp>
 #include <concino/level_sets/detail/cut/remove_flat_parts.hpp>
 
@@ -87,10 +88,7 @@ class flat_part_finder {
     order.reserve(loops_.size());
     for (std::uint32_t i = 0; i < loops_.size(); ++i) {
       std::uint64_t sum = 0;  // of a hash of the places: it does not depend on the direction
-      for (std::uint32_t k = begin(i); k < ends_[i]; ++k) {
-        const std::uint64_t x = (places_[k] + std::uint64_t{1}) * 0x9e3779b97f4a7c15u;
-        sum += x ^ x >> 29;
-      }
+      for (std::uint32_t k = begin(i); k < ends_[i]; ++k) sum += core::scrambled(places_[k]);
       order.push_back(sum >> 32 << 32 | i);
     }
     std::sort(order.begin(), order.end());

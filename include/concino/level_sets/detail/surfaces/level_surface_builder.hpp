@@ -5,7 +5,6 @@
 #include <concino/level_sets/detail/cut/crossed_volume_reader.hpp>
 #include <concino/level_sets/detail/surfaces/level_polygons.hpp>
 #include <concino/level_sets/detail/surfaces/polygon_sheets.hpp>
-#include <concino/level_sets/detail/surfaces/tet_caps.hpp>
 #include <concino/mesh/arrays.hpp>
 #include <concino/mesh/element_origins.hpp>
 #include <concino/mesh/mesh_point.hpp>
@@ -41,18 +40,11 @@ class level_surface_builder {
   template<class U>
   void add(const U& u, double level, const char* caller) {
     const std::vector<poly_t<M>> cells = crossed_polys(m_, level_states(m_, u, level, caller));
+    const crossed_volume_reader<M> crossed(m_, u, level, cells);
+    cell_cuts cuts(crossed.arrays, arity_v<M> > 0 ? cell_cuts::cells_are::spheres : cell_cuts::cells_are::unknown, caller, crossed.poly_indices);
     polygon_sheets sheets;
-    if constexpr (arity_v<M> == 4) {  // their caps follow from the signs of their verts
-      crossed_volume_reader<M> crossed(m_, u, level, {});
-      tet_cap_reader<M> tets(m_, cells.size(), crossed, sheets);
-      for (std::size_t i = 0; i < cells.size(); ++i) tets.add(u, cells[i], static_cast<std::uint32_t>(i));
-      add_polygons(sheets.make(), crossed, cells, level);
-    } else {
-      const crossed_volume_reader<M> crossed(m_, u, level, cells);
-      cell_cuts cuts(crossed.arrays, arity_v<M> > 0 ? cell_cuts::cells_are::spheres : cell_cuts::cells_are::unknown, caller, crossed.poly_indices);
-      level_polygons(cuts, sheets).add_all();
-      add_polygons(sheets.make(), crossed, cells, level);
-    }
+    level_polygons(cuts, sheets).add_all();
+    add_polygons(sheets.make(), crossed, cells, level);
   }
 
   surface_arrays arrays() && { return std::move(a_); }

@@ -25,9 +25,6 @@ class polygon_sheets {
  public:
   static constexpr std::uint32_t none = ~0u;
 
-  void reserve(std::size_t num_polygons, std::size_t num_corners) {
-    ends_.reserve(num_polygons), cells_.reserve(num_polygons), places_.reserve(num_corners), neighbours_.reserve(num_corners);
-  }
   /// Adds a corner to the current polygon. Returns its number, which is also that of the edge to the next corner.
   std::uint32_t add_corner(const level_place& x) {
     places_.push_back(numbers_.add(x));
@@ -42,11 +39,6 @@ class polygon_sheets {
   }
   /// Says that two edges, which run in opposite directions, are the same.
   void make_neighbours(std::uint32_t a, std::uint32_t b) { neighbours_[a] = b, neighbours_[b] = a; }
-  /// Makes an edge one without a neighbour.
-  void separate(std::uint32_t a) {
-    if (neighbours_[a] != none) neighbours_[neighbours_[a]] = none;
-    neighbours_[a] = none;
-  }
 
   level_surface_arrays make();
 

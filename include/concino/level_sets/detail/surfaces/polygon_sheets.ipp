@@ -1,6 +1,7 @@
 // Polygons made a manifold; see polygon_sheets.hpp.
 #pragma once
 
+#include <concino/core/hash_bytes.hpp>
 #include <concino/level_sets/detail/surfaces/polygon_sheets.hpp>
 
 #include <algorithm>
@@ -62,11 +63,8 @@ CONCINO_INLINE void polygon_sheets::remove_opposite_polygons() {
   std::vector<std::uint64_t> order;  // polygons by a sum over their places, which does not depend on the first corner and the direction
   for (std::uint32_t i = 0; i < num_polygons; ++i) {
     std::uint64_t sum = 0;
-    for (std::uint32_t k = begin(i); k < polygon_ends_[i]; ++k) {
-      const std::uint64_t x = (places_[polygons_[k]] + std::uint64_t{1}) * 0x9e3779b97f4a7c15u;
-      sum += x ^ x >> 29;
-    }
-    order.push_back((sum * 0xbf58476d1ce4e5b9u >> 32) << 32 | i);
+    for (std::uint32_t k = begin(i); k < polygon_ends_[i]; ++k) sum += core::scrambled(places_[polygons_[k]]);
+    order.push_back(sum >> 32 << 32 | i);
   }
   std::sort(order.begin(), order.end());
   std::vector<unsigned char> is_removed(num_polygons, 0);

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
+#include <concino/core/index_table.hpp>
 #include <concino/lines/detail/cells/field_reader.hpp>
 #include <concino/lines/detail/cells/flat_cell.hpp>
 #include <concino/lines/detail/cells/line_signs.hpp>
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -20,14 +20,12 @@ namespace concino::detail {
 template<class M>
 class polyhedron_reader {
   static constexpr std::size_t longest_scan = 8;
-  static constexpr std::uint32_t none = ~0u;
   static constexpr bool all_tets = arity_v<M> == 4;  // then a face is read when it is needed: a line needs two of them
 
   const M* m_ = nullptr;
-  std::vector<std::uint32_t> corner_at_;  // a hash table of the corners by the indices of their verts, of cells with more of them
+  core::index_table corner_numbers_;  // by the indices of the verts, of cells with more of them
   poly_t<M> poly_ = poly_t<M>();
   bool is_read_ = false, has_all_ = false;
-  int shift_ = 0;
 
   struct cut_face_of_last {  // the face by which the line left a poly, as it was cut there
     std::vector<vert_t<M>> verts;  // in the order of the places of `ring`
@@ -116,10 +114,7 @@ class polyhedron_reader {
 
   std::uint32_t corner_of(const M& m, const vert_t<M>& v) const {
     if (!has_all_ || verts.size() <= longest_scan) return static_cast<std::uint32_t>(std::find(verts.begin(), verts.end(), v) - verts.begin());
-    const std::size_t mask = corner_at_.size() - 1;
-    std::size_t i = slot_of(index_of(m, v));
-    while (corner_at_[i] != none && !(verts[corner_at_[i]] == v)) i = (i + 1) & mask;
-    return corner_at_[i];
+    return corner_numbers_.find(core::index_table::hash(index_of(m, v)), [&](std::uint32_t k) { return verts[k] == v; });
   }
 
   /// The triangle of a face with this number.
@@ -243,15 +238,9 @@ class polyhedron_reader {
   }
 
   /// Indices of a cell are often those of a grid, and differ by powers of two.
-  std::size_t slot_of(std::size_t index) const { return std::uint64_t{index} * 0x9E3779B97F4A7C15 >> shift_; }
   void fill_table(const M& m) {
-    corner_at_.assign(std::bit_ceil(4 * verts.size()), none);
-    shift_ = 64 - std::countr_zero(corner_at_.size());
-    for (std::size_t k = 0; k < verts.size(); ++k) {
-      std::size_t i = slot_of(index_of(m, verts[k]));
-      while (corner_at_[i] != none) i = (i + 1) & (corner_at_.size() - 1);
-      corner_at_[i] = static_cast<std::uint32_t>(k);
-    }
+    corner_numbers_.clear();
+    for (std::uint32_t k = 0; k < verts.size(); ++k) corner_numbers_.add(core::index_table::hash(index_of(m, verts[k])), k);
   }
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
+#include <concino/core/index_table.hpp>
 #include <concino/core/vec3.hpp>
 #include <concino/geometry/closest_point.hpp>
 
@@ -23,29 +24,18 @@ struct line_sample {
 
 template<class M>
 class line_samples {
-  struct listed {
-    line_sample<M> sample;
-    std::int64_t next;
-  };
-
   double cell_;
-  std::vector<std::int64_t> first_ = std::vector<std::int64_t>(1024, -1);  // by hash of the cell
-  std::vector<listed> all_;
+  std::vector<line_sample<M>> all_;
+  core::index_table numbers_;  // of samples, by the cells of their middles
 
   struct grid_cell { std::int64_t x, y, z; };
   grid_cell cell_of(const vec3& p) const {
     return {static_cast<std::int64_t>(std::floor(p.x / cell_)), static_cast<std::int64_t>(std::floor(p.y / cell_)), static_cast<std::int64_t>(std::floor(p.z / cell_))};
   }
-  std::size_t slot(const grid_cell& c) const {
-    const std::uint64_t h = (static_cast<std::uint64_t>(c.x) * 0x9e3779b97f4a7c15u) ^ (static_cast<std::uint64_t>(c.y) * 0xc2b2ae3d27d4eb4fu) ^
-                            (static_cast<std::uint64_t>(c.z) * 0x165667b19e3779f9u);
-    return static_cast<std::size_t>((h ^ h >> 29) & (first_.size() - 1));
-  }
-  void list(std::size_t i) {
-    const line_sample<M>& s = all_[i].sample;
-    std::int64_t& head = first_[slot(cell_of(s.from + 0.5 * (s.to - s.from)))];
-    all_[i].next = head;
-    head = static_cast<std::int64_t>(i);
+  static std::uint32_t hash(const grid_cell& c) {
+    std::uint32_t h = 0;
+    for (const std::int64_t x : {c.x, c.y, c.z}) h = core::index_table::hash(static_cast<std::uint64_t>(x), h);
+    return h;
   }
 
  public:
@@ -53,23 +43,19 @@ class line_samples {
   explicit line_samples(double cell) : cell_(cell) {}
 
   void add(const line_sample<M>& s) {
-    all_.push_back({s, -1});
-    if (all_.size() <= first_.size()) return list(all_.size() - 1);
-    first_.assign(2 * first_.size(), -1);
-    for (std::size_t i = 0; i < all_.size(); ++i) list(i);
+    numbers_.add(hash(cell_of(s.from + 0.5 * (s.to - s.from))), static_cast<std::uint32_t>(all_.size()));
+    all_.push_back(s);
   }
 
   /// Whether is_hit(s) holds for a sample s that is nearer to x than `radius`.
   template<class F>
   bool any_near(const vec3& x, double radius, const F& is_hit) const {
+    const auto is_near = [&](std::uint32_t i) { return distance(closest_point(x, all_[i].from, all_[i].to), x) < radius && is_hit(all_[i]); };
     const grid_cell c = cell_of(x);
     for (std::int64_t dx = -1; dx <= 1; ++dx)
       for (std::int64_t dy = -1; dy <= 1; ++dy)
         for (std::int64_t dz = -1; dz <= 1; ++dz)
-          for (std::int64_t i = first_[slot({c.x + dx, c.y + dy, c.z + dz})]; i >= 0; i = all_[static_cast<std::size_t>(i)].next) {
-            const line_sample<M>& s = all_[static_cast<std::size_t>(i)].sample;
-            if (distance(closest_point(x, s.from, s.to), x) < radius && is_hit(s)) return true;
-          }
+          if (numbers_.find(hash({c.x + dx, c.y + dy, c.z + dz}), is_near) != core::index_table::none) return true;
     return false;
   }
 };

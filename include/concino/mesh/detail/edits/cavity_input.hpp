@@ -3,7 +3,7 @@
 
 #include <concino/concepts/editable.hpp>
 #include <concino/core/error.hpp>
-#include <concino/core/index_table.hpp>
+#include <concino/core/local_numbers.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/small_array.hpp>
 #include <concino/core/vec3.hpp>
@@ -19,46 +19,26 @@ using native_cavity_result = cavity_result_of<vert_id, poly_id>;
 
 /// The verts of a cavity by local numbers.
 class cavity_verts {
-  static constexpr std::size_t longest_scan = 24;
-
   id_span<vert_id> verts_;
-  core::index_table numbers_;  // if there are many
+  core::local_numbers numbers_;
   vert_id repeated_;
 
-  unsigned find(vert_id v) const {
-    return numbers_.find(core::index_table::hash(v.raw()), [&](std::uint32_t i) { return verts_[i] == v; });
-  }
-
  public:
-  static constexpr unsigned none = core::index_table::none;
+  static constexpr unsigned none = core::local_numbers::none;
 
   explicit cavity_verts(id_span<vert_id> verts) : verts_(verts) {
-    if (verts.size() <= longest_scan) return;
-    for (unsigned i = 0; i < size(); ++i) {
-      if (find(verts[i]) == none) numbers_.add(core::index_table::hash(verts[i].raw()), i);
-      else if (repeated_.is_none()) repeated_ = verts[i];
-    }
+    for (const vert_id v : verts)
+      if (const unsigned next = numbers_.size(); numbers_.add(v.raw()) != next && repeated_.is_none()) repeated_ = v;
   }
 
   vert_id operator[](unsigned local) const { return verts_[local]; }
   unsigned size() const { return static_cast<unsigned>(verts_.size()); }
 
   /// The local number of a vert, or `none`.
-  unsigned local(vert_id v) const {
-    if (numbers_.size() > 0) return find(v);
-    for (unsigned i = 0; i < size(); ++i)
-      if (verts_[i] == v) return i;
-    return none;
-  }
+  unsigned local(vert_id v) const { return numbers_.find(v.raw()); }
 
   /// A vert that is listed twice, or a vert id of none.
-  vert_id repeated() const {
-    if (numbers_.size() > 0) return repeated_;
-    for (unsigned i = 1; i < size(); ++i)
-      for (unsigned j = 0; j < i; ++j)
-        if (verts_[i] == verts_[j]) return verts_[i];
-    return {};
-  }
+  vert_id repeated() const { return repeated_; }
 };
 
 /// Checks the lists of a cavity: elements exist and are listed once, the new polys have the right number of different verts.

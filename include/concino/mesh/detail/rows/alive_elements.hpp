@@ -24,12 +24,6 @@ struct index_bounds {
   std::size_t verts = 0, edges = 0, faces = 0, polys = 0, corners = 0;
 };
 
-/// A callback for edits of tables that does nothing. Edits call it with the index bounds after the edit, when all memory is allocated and nothing
-/// has changed, so that other data can grow with the tables. It may throw.
-struct no_other_growth {
-  void operator()(const index_bounds&) const {}
-};
-
 struct compaction;  // compaction.hpp
 
 template<class Id>

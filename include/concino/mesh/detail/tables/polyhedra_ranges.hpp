@@ -115,28 +115,14 @@ class edges_between {
 
  public:
   using value_type = edge_id;
-  class iterator {
-    const Tables* tables_ = nullptr;
-    Verts verts_;
-    std::size_t i_ = 0;
-
-   public:
-    using value_type = edge_id;
-    using reference = edge_id;
-    using difference_type = std::ptrdiff_t;
-    iterator() = default;
-    iterator(const Tables* t, Verts verts, std::size_t i) : tables_(t), verts_(verts), i_(i) {}
-    edge_id operator*() const { return tables_->edge_between(verts_[i_], verts_[i_ + 1 == verts_.size() ? 0 : i_ + 1]); }
-    iterator& operator++() { ++i_; return *this; }
-    iterator operator++(int) { iterator old = *this; ++*this; return old; }
-    friend bool operator==(const iterator& a, const iterator& b) { return a.i_ == b.i_; }
-  };
+  using iterator = index_iterator<edges_between>;
 
   edges_between() = default;
   edges_between(const Tables* t, Verts verts) : tables_(t), verts_(verts) {}
   std::size_t size() const { return verts_.size(); }
-  iterator begin() const { return {tables_, verts_, 0}; }
-  iterator end() const { return {tables_, verts_, verts_.size()}; }
+  edge_id operator[](std::size_t k) const { return tables_->edge_between(verts_[k], verts_[k + 1 == size() ? 0 : k + 1]); }
+  iterator begin() const { return {*this, 0}; }
+  iterator end() const { return {*this, size()}; }
 };
 
 }  // namespace concino::detail

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/descriptors.hpp>
+#include <concino/concepts/ranges.hpp>
 #include <concino/mesh/detail/rows/jagged_array.hpp>
 
 #include <cstddef>
@@ -47,29 +48,15 @@ class input_list {
 
  public:
   using value_type = vert_id;
-  class iterator {
-    Numbers numbers_;
-    std::uint32_t k_ = 0;
-
-   public:
-    using value_type = vert_id;
-    using reference = vert_id;
-    using difference_type = std::ptrdiff_t;
-    iterator() = default;
-    iterator(Numbers numbers, std::uint32_t k) : numbers_(numbers), k_(k) {}
-    vert_id operator*() const { return vert_id{numbers_[k_]}; }
-    iterator& operator++() { ++k_; return *this; }
-    iterator operator++(int) { iterator old = *this; ++*this; return old; }
-    friend bool operator==(const iterator& a, const iterator& b) { return a.k_ == b.k_; }
-  };
+  using iterator = index_iterator<input_list>;
 
   input_list() = default;
   explicit input_list(Numbers numbers, std::uint32_t size = N) : numbers_(numbers), size_(size) {}
   std::size_t size() const { return N ? N : size_; }
   bool empty() const { return size() == 0; }
   vert_id operator[](std::size_t k) const { return vert_id{numbers_[k]}; }
-  iterator begin() const { return {numbers_, 0}; }
-  iterator end() const { return {numbers_, static_cast<std::uint32_t>(size())}; }
+  iterator begin() const { return {*this, 0}; }
+  iterator end() const { return {*this, size()}; }
 };
 
 /// Lists of N entries in the rows of an array: rows.row(i)[k] is a number.

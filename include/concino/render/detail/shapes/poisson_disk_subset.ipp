@@ -1,8 +1,9 @@
 // Bodies of poisson_disk_subset.hpp: chooses some of many points so that they are evenly distributed.
 #pragma once
 
+#include <concino/core/hash_bytes.hpp>
+#include <concino/core/index_table.hpp>
 #include <concino/render/detail/shapes/poisson_disk_subset.hpp>
-#include <concino/render/detail/trace/sampling.hpp>
 
 #include <algorithm>
 #include <array>
@@ -14,53 +15,36 @@ namespace concino::detail {
 
 /// Points of which no two are nearer than a distance, in a grid of cells of this size.
 class spaced_points {
-  static constexpr std::uint32_t none = ~std::uint32_t{0};
-  struct entry {
-    std::array<std::int64_t, 3> cell;
-    std::uint32_t point = none;
-  };
+  using cell = std::array<std::int64_t, 3>;
+
   std::span<const vec3> points_;
   vec3 low_;
   double distance_;
-  std::vector<entry> table_;  // of points by the hash of their cells, with linear probing
+  core::index_table numbers_;  // of points, by their cells
 
-  std::size_t slot(const std::array<std::int64_t, 3>& cell) const {
-    std::uint64_t h = 0;
-    for (const std::int64_t x : cell) h = scrambled(h ^ static_cast<std::uint64_t>(x));
-    return h & (table_.size() - 1);
+  static std::uint32_t hash(const cell& c) {
+    std::uint32_t h = 0;
+    for (const std::int64_t x : c) h = core::index_table::hash(static_cast<std::uint64_t>(x), h);
+    return h;
   }
-
- public:
-  /// Needs:  fewer than `size` points will be added.
-  spaced_points(std::span<const vec3> points, const vec3& low, double distance, std::size_t size) : points_(points), low_(low), distance_(distance) {
-    std::size_t n = 8;
-    while (n < 2 * size) n *= 2;
-    table_.resize(n);
-  }
-
-  std::array<std::int64_t, 3> cell_of(const vec3& p) const {
+  cell cell_of(const vec3& p) const {
     const auto at = [&](double x, double low) { return static_cast<std::int64_t>((x - low) / distance_); };  // at most 1e12: see poisson_disk_subset
     return {at(p.x, low_.x), at(p.y, low_.y), at(p.z, low_.z)};
   }
 
+ public:
+  spaced_points(std::span<const vec3> points, const vec3& low, double distance) : points_(points), low_(low), distance_(distance) {}
+
   bool has_near(const vec3& p) const {
-    const auto middle = cell_of(p);
+    const auto is_near = [&](std::uint32_t i) { return concino::distance(points_[i], p) < distance_; };
+    const cell middle = cell_of(p);
     for (std::int64_t x = -1; x <= 1; ++x)
       for (std::int64_t y = -1; y <= 1; ++y)
-        for (std::int64_t z = -1; z <= 1; ++z) {
-          const std::array<std::int64_t, 3> cell{middle[0] + x, middle[1] + y, middle[2] + z};
-          for (std::size_t i = slot(cell); table_[i].point != none; i = (i + 1) & (table_.size() - 1))
-            if (table_[i].cell == cell && concino::distance(points_[table_[i].point], p) < distance_) return true;
-        }
+        for (std::int64_t z = -1; z <= 1; ++z)
+          if (numbers_.find(hash({middle[0] + x, middle[1] + y, middle[2] + z}), is_near) != core::index_table::none) return true;
     return false;
   }
-
-  void add(std::uint32_t point) {
-    const auto cell = cell_of(points_[point]);
-    std::size_t i = slot(cell);
-    while (table_[i].point != none) i = (i + 1) & (table_.size() - 1);
-    table_[i] = {cell, point};
-  }
+  void add(std::uint32_t point) { numbers_.add(hash(cell_of(points_[point])), point); }
 };
 
 /// The extent of points: their smallest coordinates, and the largest difference.
@@ -109,7 +93,7 @@ CONCINO_INLINE std::vector<std::uint32_t> one_in_each_cell(std::span<const vec3>
     std::uint32_t chosen = order[i].point;
     const std::uint64_t cell = order[i].key >> shift;
     for (; i < order.size() && order[i].key >> shift == cell; ++i)
-      if (scrambled(order[i].point) < scrambled(chosen)) chosen = order[i].point;
+      if (core::scrambled(order[i].point) < core::scrambled(chosen)) chosen = order[i].point;
     some.push_back(chosen);
   }
   return some;
@@ -117,7 +101,7 @@ CONCINO_INLINE std::vector<std::uint32_t> one_in_each_cell(std::span<const vec3>
 
 /// Points of `candidates`, in this order, that are not nearer to those before them than a distance. More than `count` are not looked for.
 CONCINO_INLINE std::vector<std::uint32_t> spaced_by(std::span<const vec3> points, const point_extent& extent, std::span<const std::uint32_t> candidates, double distance, std::size_t count) {
-  spaced_points chosen(points, extent.low, distance, count + 2);
+  spaced_points chosen(points, extent.low, distance);
   std::vector<std::uint32_t> list;
   for (const std::uint32_t i : candidates) {
     if (chosen.has_near(points[i])) continue;
@@ -134,7 +118,7 @@ CONCINO_INLINE std::vector<std::uint32_t> poisson_disk_subset(std::span<const ve
   if (points.size() <= count || points.empty()) return candidates;
   const point_extent extent(points);
   if (points.size() > 8 * count) candidates = one_in_each_cell(points, extent, 8 * std::max<std::size_t>(count, 1));
-  std::sort(candidates.begin(), candidates.end(), [](std::uint32_t a, std::uint32_t b) { return scrambled(a) < scrambled(b); });
+  std::sort(candidates.begin(), candidates.end(), [](std::uint32_t a, std::uint32_t b) { return core::scrambled(a) < core::scrambled(b); });
   std::vector<std::uint32_t> best(candidates.begin(), candidates.begin() + std::min<std::ptrdiff_t>(1, static_cast<std::ptrdiff_t>(count)));
   if (!(extent.size > 0)) return best;
   double low = 0, high = 2 * extent.size, distance = extent.size / std::sqrt(static_cast<double>(count + 1));

@@ -10,7 +10,7 @@
 namespace concino::detail {
 
 /// Heights above the baseline, in em.
-inline constexpr double font_capital_height = 0.729, font_ascent = 0.928, font_descent = 0.236, font_line_height = 1.2;
+inline constexpr double font_capital_height = 0.729, font_descent = 0.236, font_line_height = 1.2;
 
 /// A character as polygons, in em, x to the right and y up from the baseline; the outer ones are counter-clockwise, holes clockwise.
 struct glyph {

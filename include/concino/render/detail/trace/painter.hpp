@@ -169,7 +169,7 @@ class painter {
   }
 
   covering_color pixel(std::size_t x, std::size_t y, surface_reader& read) const {
-    const std::uint64_t seed = scrambled(y * options_.width + x);
+    const std::uint64_t seed = core::scrambled(y * options_.width + x);
     const cosine_directions::turn turn(random_point(seed));
     const unit_point shift = random_point(seed + 1);
     const int n = options_.samples;

@@ -1,6 +1,7 @@
 // Quasi-random points and directions, the same on every machine and for any number of threads.
 #pragma once
 
+#include <concino/core/hash_bytes.hpp>
 #include <concino/core/vec3.hpp>
 
 #include <cmath>
@@ -14,16 +15,8 @@ struct unit_point {
   double x = 0, y = 0;  // in [0, 1)
 };
 
-/// Pseudorandom bits; a bijection, so different inputs give different outputs.      Source: SplitMix64, Steele, Lea and Flood 2014.
-constexpr std::uint64_t scrambled(std::uint64_t x) {
-  x += 0x9e3779b97f4a7c15u;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
-
 constexpr unit_point random_point(std::uint64_t seed) {
-  const std::uint64_t bits = scrambled(seed);
+  const std::uint64_t bits = core::scrambled(seed);
   return {static_cast<double>(bits >> 32) * 0x1p-32, static_cast<double>(bits & 0xffffffffu) * 0x1p-32};
 }
 
