@@ -75,10 +75,10 @@ inline file_status status_from(const std::filesystem::path& path, const std::fil
     const std::uintmax_t size = std::filesystem::file_size(path, ignored);
     s.size = ignored ? 0 : static_cast<std::uint64_t>(size);
   }
-  using namespace std::chrono;
   const auto written = std::filesystem::last_write_time(path, ignored).time_since_epoch();
-  s.seconds = static_cast<std::int64_t>(duration_cast<seconds>(written).count());
-  s.nanoseconds = static_cast<std::int64_t>(duration_cast<nanoseconds>(written % seconds(1)).count());
+  const auto whole = std::chrono::duration_cast<std::chrono::seconds>(written);
+  s.seconds = static_cast<std::int64_t>(whole.count());
+  s.nanoseconds = static_cast<std::int64_t>(std::chrono::duration_cast<std::chrono::nanoseconds>(written - whole).count());
   return s;
 }
 
