@@ -11,7 +11,10 @@
 #endif
 
 #include <fmt/format.h>
+
+#if defined(__unix__) || defined(__APPLE__)
 #include <unistd.h>
+#endif
 
 #include <chrono>
 #include <cstdio>
@@ -45,9 +48,18 @@ class stopwatch {
   }
 };
 
+/// Whether stderr is a terminal; false where the system is not POSIX.
+bool has_terminal() {
+#if defined(__unix__) || defined(__APPLE__)
+  return isatty(STDERR_FILENO) == 1;
+#else
+  return false;
+#endif
+}
+
 /// Shows progress in one line of the terminal; prints nothing if stderr is a file or a pipe.
 class progress_line {
-  bool is_terminal_ = isatty(STDERR_FILENO) == 1;
+  bool is_terminal_ = has_terminal();
   std::string text_;
 
  public:

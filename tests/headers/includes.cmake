@@ -20,6 +20,7 @@ check(include "^<([a-z_0-9]+|([a-z]+/)?[a-z]+\\.h|Eigen/.*|unsupported/Eigen/.*|
 set(kept_out "iostream|istream|ostream|fstream|sstream|iomanip|regex|ranges|functional|filesystem|locale|fmt/.*|concino/adapters/.*")
 file(GLOB_RECURSE core RELATIVE ${source} ${source}/include/*.hpp ${source}/include/*.ipp)
 list(REMOVE_ITEM core include/concino/format.hpp)
+list(FILTER core EXCLUDE REGEX "/standard_files\\.ipp$")  # includes <filesystem> where the system is not POSIX
 foreach(header IN LISTS core)
   file(STRINGS ${source}/${header} lines REGEX "^[ \t]*#[ \t]*include[ \t]*<(${kept_out})>")
   if(lines)

@@ -1,11 +1,13 @@
 // A temporary folder for the files of one test, which its destructor removes.
 #pragma once
 
-#include <cstdlib>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <string>
+#include <system_error>
 
 namespace concino::testing {
 
@@ -14,8 +16,9 @@ class temporary_folder {
 
  public:
   temporary_folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "concino_test_XXXXXX").string();
-    path_ = ::mkdtemp(name.data());
+    std::random_device random;
+    do path_ = std::filesystem::temp_directory_path() / ("concino_test_" + std::to_string(random()));
+    while (!std::filesystem::create_directory(path_));
   }
   temporary_folder(const temporary_folder&) = delete;
   temporary_folder& operator=(const temporary_folder&) = delete;
@@ -23,8 +26,8 @@ class temporary_folder {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
   }
-  std::string path() const { return path_.string(); }
-  std::string operator/(const std::string& file) const { return (path_ / file).string(); }
+  std::string path() const { return path_.generic_string(); }
+  std::string operator/(const std::string& file) const { return path() + "/" + file; }
   std::size_t num_files() const {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_), std::filesystem::directory_iterator()));
   }

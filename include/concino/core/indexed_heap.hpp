@@ -42,7 +42,7 @@ class indexed_heap {
   }
 
  public:
-  explicit indexed_heap(std::span<double> keys) : keys_(keys.data()), positions_(std::make_unique_for_overwrite<std::uint32_t[]>(keys.size())) {}
+  explicit indexed_heap(std::span<double> keys) : keys_(keys.data()), positions_(new std::uint32_t[keys.size()]) {}
 
   bool empty() const { return heap_.empty(); }
   const Node& front() const { return heap_.front().node; }

@@ -26,6 +26,10 @@ void run_chunks(std::size_t n, std::size_t chunk, function_ref<void(std::size_t,
 /// Calls run(c) for every c in [0, chunks), in several threads from the start: for chunks that each take longer than it takes to start a thread.
 void for_each_chunk(std::size_t chunks, function_ref<void(std::size_t)> run);
 
+/// Calls run(0) on this thread and run(1) on another, at the same time, whatever the number of threads of a loop. For tests.
+/// Errors: what run throws; of both, that of run(0). std::system_error if the system permits no further thread.
+void run_twice_at_once(function_ref<void(std::size_t)> run);
+
 /// The type of the callable in a loop: a copy of f if that is equivalent, since compilers then keep the members of f in registers.
 template<class F, class Argument>
 using loop_body = std::conditional_t<std::is_trivially_copyable_v<F> && std::is_invocable_v<const F&, Argument> && sizeof(F) <= 16 * sizeof(void*), const F, F&>;

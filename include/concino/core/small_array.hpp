@@ -21,7 +21,7 @@ class small_array {
 
   void grow(std::size_t n) {
     n = std::max(n, 2 * capacity_);
-    auto more = std::make_unique_for_overwrite<T[]>(n);
+    std::unique_ptr<T[]> more(new T[n]);  // not std::make_unique_for_overwrite, which libc++ has since version 16
     std::copy_n(data_, size_, more.get());
     outside_ = std::move(more);
     data_ = outside_.get();

@@ -1,9 +1,9 @@
-// Atomic replacement of a file: it gets its name only when it is complete (POSIX; on Linux, unfinished files leave no trace).
+// Atomic replacement of a file: it gets its name only when it is complete. On Linux, unfinished files leave no trace.
 #pragma once
 
 #include <concino/core/compiled.hpp>
+#include <concino/io/detail/files/file_handle.hpp>
 
-#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -20,28 +20,24 @@ struct atomic_file_options {
 /// the new file is removed. A symbolic link is kept: the file that it refers to is replaced or created.
 /// If the system has no unnamed files, a process that is killed leaves a file .concino-... . The next process that writes to the same target
 /// removes it.
+/// Where the system is not POSIX, the file has a name from the beginning: what a killed process leaves stays there, `sync` has no effect, and two processes
+/// must not write the same file, or create the same new file, at the same time. Paths are UTF-8 on Windows.
 class atomic_file {
-  std::string path_;       // for messages
-  std::string name_;       // the name of the target in its folder
-  std::string temporary_;  // the name of the unfinished file in this folder; empty: unnamed
-  std::string link_name_;  // the name of an unnamed file after it is linked and before it is renamed
+  std::string path_;         // for messages
+  std::string folder_path_;  // the folder of the target, with a slash, or empty
+  std::string name_;         // the name of the target in this folder
+  std::string temporary_;    // the name of the unfinished file in this folder; empty: unnamed
+  std::string link_name_;    // the name of an unnamed file after it is linked and before it is renamed
   atomic_file_options options_;
-  int folder_ = -1, file_ = -1;
+  int folder_ = -1;  // POSIX: the descriptor of the folder
+  detail::file_handle file_ = detail::no_file;
   bool finished_ = false, committed_ = false;
 
+  struct system;  // what only one kind of system needs
+
   [[noreturn, gnu::cold]] void fail(const char* what = "cannot be written") const;
-
-  static constexpr std::size_t proc_size = 32;
-  static void name_in_proc(int file, char (&name)[proc_size]);
-
-  void close_all();
-
-  bool open_unnamed();
-
-  /// Opens a file with a temporary name, and locks it. An existing file without a lock belongs to a process that was killed, and is removed.
-  void open_named(const std::string& base);
-
-  bool link_unnamed(const std::string& name);
+  void open();
+  void close() noexcept;
 
  public:
   /// The prefix of the names of unfinished files for that target: short, and the same each time.
@@ -53,13 +49,13 @@ class atomic_file {
   atomic_file& operator=(const atomic_file&) = delete;
   ~atomic_file();
 
-  /// The descriptor of the new file, to write to.
-  int descriptor() const { return file_; }
+  /// The new file, to write to: a descriptor (int) on POSIX systems, a std::FILE* on others.
+  detail::file_handle descriptor() const { return file_; }
 
   /// Does everything that must precede the naming of the file, so that little can fail in commit(). Nothing may be written afterwards.
   void finish();
 
-  /// Replaces the target with the new file. Allocates no memory if finish() was called.
+  /// Replaces the target with the new file. On POSIX systems it allocates no memory if finish() was called.
   /// Errors: io_error. The target is then as it was, unless the only failure was to synchronise its folder with the disk.
   void commit();
 
@@ -68,11 +64,6 @@ class atomic_file {
 
   /// Removes the file that commit() has put in place.
   void undo();
-
- private:
-  bool commit_unnamed();
-
-  bool commit_named();
 };
 
 }  // namespace concino

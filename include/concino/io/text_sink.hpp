@@ -2,20 +2,22 @@
 #pragma once
 
 #include <concino/io/detail/files/io_errors.hpp>
+#include <concino/io/detail/files/system_files.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <concepts>
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <string_view>
-
-#include <unistd.h>
+#include <utility>
 
 namespace concino {
 
-/// A buffer for text. It writes to a file descriptor in large pieces; without a descriptor it keeps the text, or discards it.
+/// A buffer for text. It writes to a file in large pieces; without a file it keeps the text, or discards it.
 ///
 ///   atomic_file file(path);
 ///   text_sink out(file.descriptor(), path);
@@ -28,8 +30,9 @@ class text_sink {
   static constexpr std::size_t piece = 1 << 18;
   std::string text_;
   std::size_t used_ = 0;
-  static constexpr int keep = -1, discard = -2;  // instead of a descriptor
-  int file_ = keep;
+  enum class target { memory, file, nowhere };
+  target target_ = target::memory;
+  detail::file_handle file_ = detail::no_file;
   std::string path_;
 
   char* reserve(std::size_t n) {
@@ -37,8 +40,8 @@ class text_sink {
     return text_.data() + used_;
   }
   void grow(std::size_t n) {
-    if (file_ != keep) flush();
-    if (text_.size() - used_ < n) text_.resize(std::max({piece, used_ + n, file_ == keep ? 2 * text_.size() : 0}));
+    if (target_ != target::memory) flush();
+    if (text_.size() - used_ < n) text_.resize(std::max({piece, used_ + n, target_ == target::memory ? 2 * text_.size() : 0}));
   }
   text_sink& put(std::uint64_t i) {
     char* const p = reserve(24);
@@ -48,9 +51,14 @@ class text_sink {
 
  public:
   text_sink() = default;
-  text_sink(int file, std::string path) : file_(file), path_(std::move(path)) {}
+  /// A sink that writes to an open file, the descriptor() of an atomic_file.
+  text_sink(detail::file_handle file, std::string path) : target_(target::file), file_(file), path_(std::move(path)) {}
   /// A sink that discards what is written to it.
-  static text_sink nowhere() { return text_sink(discard, {}); }
+  static text_sink nowhere() {
+    text_sink sink;
+    sink.target_ = target::nowhere;
+    return sink;
+  }
 
   text_sink& operator<<(char c) {  // not inlined: there are many calls, and the numbers between them take longer
     *reserve(1) = c;
@@ -74,18 +82,14 @@ class text_sink {
     return i < 0 ? (*this << '-').put(0 - static_cast<std::uint64_t>(i)) : put(static_cast<std::uint64_t>(i));
   }
 
-  /// Writes the rest of the buffer to the file. Needs: a descriptor, or a sink that discards.
+  /// Writes the rest of the buffer to the file. A text without a file stays as it is.
   void flush() {
-    for (std::size_t done = 0; done < used_ && file_ != discard;) {
-      const ::ssize_t n = ::write(file_, text_.data() + done, used_ - done);
-      if (n < 0 && errno == EINTR) continue;
-      if (n < 0) detail::throw_io_error(path_, "cannot be written", errno);
-      done += static_cast<std::size_t>(n);
-    }
+    if (target_ == target::memory) return;
+    if (target_ == target::file && !detail::write_all(file_, text_.data(), used_)) detail::throw_io_error(path_, "cannot be written", errno);
     used_ = 0;
   }
 
-  /// Moves the text out of the buffer. Needs: no descriptor.
+  /// Moves the text out of the buffer. Needs: no file.
   std::string release() && {
     text_.resize(used_);
     return std::move(text_);

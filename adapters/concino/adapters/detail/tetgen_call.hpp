@@ -64,7 +64,6 @@ class tetgen_call {
     });
   }
 
-#ifdef __linux__
   tetrahedralize_output in_child() const {
     const memory_file file("tetrahedralize");
     run_in_child("tetrahedralize", "TetGen", {options_.max_seconds, options_.max_bytes, options_.progress}, [&] {
@@ -77,10 +76,10 @@ class tetgen_call {
       }
       if (n.error == 0) n = sizes(out);
       const auto write = [&](const void* from, std::size_t bytes) { return file.write(from, bytes); };
-      if (!write(&n, sizeof n) || n.error != 0) _exit(0);
-      if (write(out.pointlist, n.points * sizeof(vec3)) && write(out.tetrahedronlist, n.tets * 4 * sizeof(int)) && write(out.trifacelist, n.facets * 3 * sizeof(int)))
+      if (write(&n, sizeof n) && n.error == 0 && write(out.pointlist, n.points * sizeof(vec3)) && write(out.tetrahedronlist, n.tets * 4 * sizeof(int)) &&
+          write(out.trifacelist, n.facets * 3 * sizeof(int)))
         write(out.trifacemarkerlist, n.facets * sizeof(int));
-      _exit(0);  // TetGen's destructors, which may crash, are not needed
+      end_child();  // TetGen's destructors, which may crash, are not needed
     });
     sizes n;
     std::size_t offset = 0;
@@ -92,9 +91,6 @@ class tetgen_call {
     if (n.error != 0) throw_error(n.error);
     return output_of(n, read);
   }
-#else
-  tetrahedralize_output in_child() const { return here(); }
-#endif
 
  private:
   static constexpr int no_result = -1, callback_failed = 11;

@@ -1,20 +1,19 @@
-// Runs a function in a child process, so that the caller survives whatever it does. Linux only.
+// Runs a function in a child process, so that the caller survives whatever it does. Where the system is not Linux it runs in the caller, without limits.
 #pragma once
-
-#ifdef __linux__
 
 #include <concino/core/error.hpp>
 #include <concino/core/progress.hpp>
 
+#include <cstddef>
+#include <cstring>
+#include <string>
+
+#ifdef __linux__
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstddef>
-#include <cstdint>
 #include <cstdio>
-#include <cstring>
-#include <limits>
-#include <vector>
+#include <cstdlib>
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -23,8 +22,17 @@
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
+#endif
 
 namespace concino::detail {
+
+struct child_limits {
+  double seconds = 0;
+  std::size_t bytes = 0;  // beyond what the caller has; 0: any
+  concino::progress progress = nullptr;
+};
+
+#ifdef __linux__
 
 /// A file in memory, without a name. It grows as it is written, so the size of a result need not be known before.
 class memory_file {
@@ -62,12 +70,6 @@ class memory_file {
     }
     return true;
   }
-};
-
-struct child_limits {
-  double seconds = 0;
-  std::size_t bytes = 0;  // beyond what the caller has; 0: any
-  concino::progress progress = nullptr;
 };
 
 /// The size of the address space of this process, in bytes; with sanitizers it is far larger than the memory in use.
@@ -121,6 +123,9 @@ inline bool prepare_child(rlim_t address_limit) {
   return setrlimit(RLIMIT_AS, &now) == 0;
 }
 
+/// Ends the child at once: without destructors, which may crash.
+[[noreturn]] inline void end_child() { _exit(0); }
+
 /// Calls work() in a child process, which writes its results to memory files that were made before, and waits for the end. The child ends by _exit: without
 /// destructors of the caller's objects. Its exit code is not used: the files say what was done.
 /// Errors: unsupported that says why the child was ended or crashed. cancelled.
@@ -131,7 +136,7 @@ void run_in_child(const char* caller, const char* what, const child_limits& limi
   if (id < 0) core::throw_joined<unsupported>({caller, ": the system allows no further process; .in_process = true needs none"});
   if (id == 0) {
     if (prepare_child(address_limit)) work();
-    _exit(0);
+    end_child();
   }
   child_process child(id);
   const auto start = std::chrono::steady_clock::now();
@@ -145,6 +150,33 @@ void run_in_child(const char* caller, const char* what, const child_limits& limi
   if (child.signal() != 0) core::throw_joined<unsupported>({caller, ": ", what, " crashed, by signal ", child.signal(), " (", strsignal(child.signal()), ")"});
 }
 
-}  // namespace concino::detail
+#else
+
+/// A file in memory.
+class memory_file {
+  mutable std::string bytes_;
+
+ public:
+  explicit memory_file(const char*) {}
+  bool write(const void* data, std::size_t n) const {
+    bytes_.append(static_cast<const char*>(data), n);
+    return true;
+  }
+  bool read(std::size_t offset, void* data, std::size_t n) const {
+    if (offset > bytes_.size() || bytes_.size() - offset < n) return false;
+    if (n > 0) std::memcpy(data, bytes_.data() + offset, n);
+    return true;
+  }
+};
+
+inline void end_child() {}
+
+/// Calls work() in this process.
+template<class Work>
+void run_in_child(const char*, const char*, const child_limits&, const Work& work) {
+  work();
+}
 
 #endif
+
+}  // namespace concino::detail

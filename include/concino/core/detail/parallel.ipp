@@ -1,4 +1,4 @@
-// Parallel loops on std::thread; see parallel.hpp.
+// Parallel loops on std::thread; see parallel.hpp. No other header of concino starts threads.
 #pragma once
 
 #include <concino/core/parallel.hpp>
@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <exception>
+#include <latch>
 #include <mutex>
 #include <system_error>
 #include <thread>
@@ -139,6 +140,24 @@ CONCINO_INLINE void for_each_chunk(std::size_t chunks, function_ref<void(std::si
   if (!is_in_shared_loop) loop.start(std::min(num_threads(), chunks) - 1);
   while (loop.run_next()) {}
   loop.finish();
+}
+
+CONCINO_INLINE void run_twice_at_once(function_ref<void(std::size_t)> run) {
+  std::latch both_ready(2);
+  std::exception_ptr errors[2];
+  const auto run_one = [&](std::size_t i) {
+    both_ready.arrive_and_wait();
+    try {
+      run(i);
+    } catch (...) {
+      errors[i] = std::current_exception();
+    }
+  };
+  std::thread other(run_one, std::size_t{1});
+  run_one(0);
+  other.join();
+  for (const std::exception_ptr& error : errors)
+    if (error) std::rethrow_exception(error);
 }
 
 }  // namespace concino::core

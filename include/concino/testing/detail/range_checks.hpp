@@ -2,13 +2,13 @@
 #pragma once
 
 #include <concino/core/message.hpp>
+#include <concino/core/parallel.hpp>
 #include <concino/testing/detail/adjacencies.hpp>
 #include <concino/validate/broken_law.hpp>
 
-#include <atomic>
-#include <exception>
+#include <cstddef>
+#include <cstdint>
 #include <new>
-#include <thread>
 
 namespace concino::testing::detail {
 
@@ -56,26 +56,19 @@ void check_ranges(const M& m, concino::detail::law_log& log) {
 template<class M>
 void check_threads(const M& m, concino::detail::law_log& log) {
   const std::uint64_t expected = digest(m);
-  std::atomic<int> ready{0}, wrong{0};
-  std::atomic<bool> out_of_memory{false};
-  const auto read = [&] {
-    ++ready;
-    while (ready < 2) std::this_thread::yield();
+  bool wrong[2] = {};
+  concino::core::run_twice_at_once([&](std::size_t thread) {
     for (int round = 0; round < 20; ++round) {
       try {
-        if (digest(m) != expected) ++wrong;
+        if (digest(m) != expected) wrong[thread] = true;
       } catch (const std::bad_alloc&) {
-        out_of_memory = true;
+        throw;
       } catch (...) {
-        ++wrong;
+        wrong[thread] = true;
       }
     }
-  };
-  std::thread other(read);
-  read();
-  other.join();
-  if (out_of_memory) throw std::bad_alloc();
-  if (wrong > 0) log.add("KIT3", "two threads that read the const mesh at the same time get other results than one; reading must not write", "");
+  });
+  if (wrong[0] || wrong[1]) log.add("KIT3", "two threads that read the const mesh at the same time get other results than one; reading must not write", "");
 }
 
 }  // namespace concino::testing::detail

@@ -4,12 +4,9 @@
 #include <concino/core/message.hpp>
 #include <concino/io/detail/files/io_errors.hpp>
 #include <concino/io/detail/files/paths.hpp>
+#include <concino/io/detail/files/system_files.hpp>
 
 #include <cerrno>
-#include <climits>
-#include <cstdlib>
-
-#include <unistd.h>
 
 namespace concino::detail {
 
@@ -21,14 +18,12 @@ CONCINO_INLINE void check_path(std::string_view path) {
 }
 
 CONCINO_INLINE std::string resolve_links(const std::string& path) {
-  std::string at = path;
+  std::string at = with_slashes(path);
   for (int links = 0; links < 40; ++links) {
-    char buffer[PATH_MAX + 1];
-    if (::realpath(at.c_str(), buffer)) return buffer;
-    const ::ssize_t size = ::readlink(at.c_str(), buffer, PATH_MAX);
-    if (size < 0) return at;  // not a link, or it does not exist
-    const std::string_view to(buffer, static_cast<std::size_t>(size));
-    at = core::joined({std::string_view(at).substr(0, to.starts_with('/') ? 0 : at.rfind('/') + 1), to});
+    if (std::string real = real_path(at); !real.empty()) return real;
+    std::string target = link_target(at);
+    if (target.empty()) return at;  // not a link, or it does not exist
+    at.swap(target);
   }
   throw_io_error(path, "cannot be written", ELOOP);
 }

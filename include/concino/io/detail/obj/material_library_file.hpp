@@ -6,6 +6,7 @@
 #include <concino/io/atomic_file.hpp>
 #include <concino/io/detail/files/io_errors.hpp>
 #include <concino/io/detail/files/paths.hpp>
+#include <concino/io/detail/files/system_files.hpp>
 #include <concino/io/detail/obj/read_mtl.hpp>
 #include <concino/io/text_sink.hpp>
 #include <concino/io/write_context.hpp>
@@ -16,10 +17,6 @@
 #include <optional>
 #include <string>
 #include <vector>
-
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace concino::detail {
 
@@ -55,21 +52,14 @@ inline std::string signature_of(std::string_view file, std::string_view text) {
 /// The lines of an .obj file that name libraries, without the keyword; none if the file does not exist. Reads it in pieces, as it may be large.
 /// Errors: io_error.
 inline std::vector<std::string> library_lines(const std::string& path, std::size_t piece = 1 << 18) {
-  struct open_file {
-    int fd;
-    ~open_file() {
-      if (fd >= 0) ::close(fd);
-    }
-  };
   std::vector<std::string> lines;
-  const open_file file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
-  if (file.fd < 0 && errno == ENOENT) return lines;
-  if (file.fd < 0) throw_io_error(path, "cannot be opened", errno);
+  const open_file file(open_to_read(path));
+  if (!file.is_open() && errno == ENOENT) return lines;
+  if (!file.is_open()) throw_io_error(path, "cannot be opened", errno);
   std::string buffer(piece, '\0');
   for (std::size_t kept = 0;;) {
     if (kept == buffer.size()) buffer.resize(2 * kept);
-    const ::ssize_t n = ::read(file.fd, buffer.data() + kept, buffer.size() - kept);
-    if (n < 0 && errno == EINTR) continue;
+    const std::ptrdiff_t n = read_some(file.handle(), buffer.data() + kept, buffer.size() - kept);
     if (n < 0) throw_io_error(path, "cannot be read", errno);
     const std::string_view text(buffer.data(), kept + static_cast<std::size_t>(n));
     const std::size_t complete = n == 0 ? text.size() : text.find_last_of("\r\n") + 1;  // whole lines
@@ -90,7 +80,7 @@ inline std::vector<std::string> library_lines(const std::string& path, std::size
 class material_library_file final : public companion_files {
   struct old_library {
     std::string path;
-    struct ::stat info;
+    file_status status;
   };
   std::string obj_path_;
   std::string path_;    // the same with all links followed
@@ -134,9 +124,9 @@ class material_library_file final : public companion_files {
   /// Whether the library of that name was written by an earlier save of this file and not changed since. If so, adds it to outdated_.
   bool add_if_outdated(std::string_view name) {
     const std::string path = core::joined({folder_, name});
-    struct ::stat info {};
-    if (name.find('/') != name.npos || name.find('\0') != name.npos || ::lstat(path.c_str(), &info) != 0 || !S_ISREG(info.st_mode))
-      return false;
+    if (name.find('/') != name.npos || name.find('\0') != name.npos) return false;
+    const file_status status = status_of_link(path);
+    if (status.kind != file_kind::regular) return false;
     for (const old_library& o : outdated_)
       if (std::string_view(o.path) == path) return true;
     try {
@@ -144,7 +134,7 @@ class material_library_file final : public companion_files {
     } catch (const io_error&) {
       return false;
     }
-    outdated_.push_back({path, info});
+    outdated_.push_back({path, status});
     return true;
   }
 
@@ -188,8 +178,7 @@ class material_library_file final : public companion_files {
         core::throw_joined<io_error>({path_, ": 1000 material libraries of this name exist and hold other materials; remove them or save under another name"});
       const std::string name = name_of(attempt), path = core::joined({folder_, name});
       if (std::string_view(name) == std::string_view(path_).substr(folder_.size())) continue;  // an OBJ file called .mtl
-      struct ::stat info {};
-      if (::stat(path.c_str(), &info) != 0) {
+      if (status_of(path).kind == file_kind::none) {
         if (errno != ENOENT) throw_io_error(path, "cannot be written", errno);
         if (std::any_of(old_lines.begin(), old_lines.end(), [&](const std::string& line) { return names_library(line, name); }))
           continue;  // the old .obj file must not find a library that was not written for it
@@ -273,12 +262,8 @@ class material_library_file final : public companion_files {
       if (file_ && file_->is_committed() && !file.is_committed()) file_->undo();
       throw;
     }
-    for (const old_library& o : outdated_) {
-      struct ::stat now {};
-      if (::lstat(o.path.c_str(), &now) == 0 && now.st_ino == o.info.st_ino && now.st_dev == o.info.st_dev &&
-          now.st_size == o.info.st_size && now.st_mtim.tv_sec == o.info.st_mtim.tv_sec && now.st_mtim.tv_nsec == o.info.st_mtim.tv_nsec)
-        ::unlink(o.path.c_str());
-    }
+    for (const old_library& o : outdated_)
+      if (status_of_link(o.path) == o.status) remove_file(o.path);
   }
 };
 

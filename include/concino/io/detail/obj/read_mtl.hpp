@@ -1,14 +1,12 @@
 // The reader of Wavefront's material libraries, .mtl. A fault in a library is not an error: it becomes a note in the report.
 #pragma once
 
+#include <concino/io/detail/files/system_files.hpp>
 #include <concino/io/detail/formats/contents.hpp>
 #include <concino/io/file_text.hpp>
 #include <concino/io/text_cursor.hpp>
 
-#include <climits>
-#include <cstdlib>
-
-#include <sys/stat.h>
+#include <cstdint>
 
 namespace concino::detail {
 
@@ -131,12 +129,13 @@ inline std::string library_beside(std::string_view of, std::string name) {
   if (name.empty() || name.find('\0') != name.npos) return {};
   const auto beside = [&](std::string_view file) {
     std::string path = core::joined({file.substr(0, file.rfind('/') + 1), name});
-    if (::access(path.c_str(), F_OK) != 0) path.clear();
+    if (status_of(path).kind == file_kind::none) path.clear();
     return path;
   };
-  std::string path = beside(of);
-  char real[PATH_MAX + 1];
-  if (path.empty() && ::realpath(std::string(of).c_str(), real)) path = beside(real);
+  const std::string file = with_slashes(std::string(of));
+  std::string path = beside(file);
+  if (path.empty())
+    if (const std::string real = real_path(file); !real.empty()) path = beside(real);
   return path;
 }
 
@@ -154,9 +153,8 @@ class material_library_reader {
   result operator()(std::string_view name) {
     const std::string path = library_beside(context_.name, std::string(name));
     if (path.empty()) return result::absent;
-    struct ::stat info {};
-    if (::stat(path.c_str(), &info) == 0) {
-      const std::uint64_t file[] = {static_cast<std::uint64_t>(info.st_dev), static_cast<std::uint64_t>(info.st_ino)};
+    if (const file_status status = status_of(path); status.kind != file_kind::none) {
+      const std::uint64_t file[] = {status.device, status.number};
       const std::size_t met = seen_.size();
       if (seen_.add(std::string_view(reinterpret_cast<const char*>(file), sizeof file)) != met) return result::read;
     }
