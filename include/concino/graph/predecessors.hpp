@@ -59,12 +59,8 @@ class crossed_ref<Node, void> {
  public:
   constexpr crossed_ref() = default;
   constexpr crossed_ref(std::nullptr_t) {}
-  template<
-      class P,
-      class R = mistake::remedy<
-          "crossed needs the edges or faces between neighbours: adj_v2e and adj_e2v between verts; adj_p2e and adj_e2p between polys of a surface, adj_p2f and adj_f2p of a volume. This type is only a graph; use predecessors">>
-  crossed_ref(P*) =
-      delete;  // crossed needs the edges or faces between neighbours: adj_v2e and adj_e2v ...; use predecessors
+  template<class P, class R = mistake::remedy<"crossed needs the edges or faces between neighbours: adj_v2e and adj_e2v between verts; adj_p2e and adj_e2p between polys of a surface, adj_p2f and adj_f2p of a volume. This type is only a graph; use predecessors">>
+  crossed_ref(P*) = delete;  // crossed needs the edges or faces between neighbours: adj_v2e and adj_e2v ...; use predecessors
   constexpr explicit operator bool() const { return false; }
 };
 

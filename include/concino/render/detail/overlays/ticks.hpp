@@ -22,8 +22,8 @@ std::vector<tick> round_ticks(double low, double high, int count);
 /// Round numbers at about equal distances of a scale. For a linear scale they are those of round_ticks.
 std::vector<tick> round_ticks(const value_scale& scale, int count);
 
-/// Texts of numbers, with as many digits as tell multiples of `step` apart: all as 0.003, or all as 3·10⁻³ if that is
-/// shorter and the others long.
+/// Texts of numbers, with as many digits as tell multiples of `step` apart: all as 0.003, or all as 3·10⁻³ if
+/// that is shorter and the others long.
 std::vector<tick> with_texts(const std::vector<double>& values, double step);
 
 }  // namespace concino::detail

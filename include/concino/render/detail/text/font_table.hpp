@@ -8,10 +8,10 @@
 
 namespace concino::detail {
 
-/// A character. Its outline is a string of four characters for each point, 64 different ones in all: two numbers from 0
-/// to 4095, of two digits each, the characters after '#' without '?' and the backslash. Half of a number, minus 1024, is
-/// the distance from the last point, in 1/1024 of the em. The last bit of the first number says whether the point is on
-/// the curve, that of the second whether it ends its contour.
+/// A character. Its outline is a string of four characters for each point, 64 different ones in all: two numbers from
+/// 0 to 4095, of two digits each, the characters after '#' without '?' and the backslash. Half of a number, minus
+/// 1024, is the distance from the last point, in 1/1024 of the em. The last bit of the first number says whether the
+/// point is on the curve, that of the second whether it ends its contour.
 struct font_entry {
   std::uint32_t character;
   std::uint16_t advance;
