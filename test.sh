@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds and runs the tests, after installing what they need. The last line says how many passed, failed and were skipped. On two cores:
-#   ./test.sh          the tests, with clang++ and without sanitizers: 15 minutes
+#   ./test.sh          the tests, with clang++ and without sanitizers: 12 minutes
 #   ./test.sh --full   all tests with clang++ and sanitizers, and with each algorithm on each model of mesh; g++; users' projects, every header alone,
 #                      fuzzing, the benchmarks on tiny data, the demo on a bare machine: up to 45 minutes. What continuous integration runs
 #   ./test.sh --long   all tests with both compilers, and libc++, Windows, clang-tidy, the reference, mutations, runs of many steps, all of

@@ -1,5 +1,6 @@
 # Holds the headers to cmake/modules.txt: each module includes only modules that its line names, all of them above it, so that there is no cycle;
-# no module and no adapter includes the detail/ of another; what lies in namespace detail alone lies in a folder detail/.
+# no module and no adapter includes the detail/ of another; support/ of a module is for other modules and adapters, and no convenience header includes it;
+# what lies in namespace detail alone lies in a folder detail/.
 #   cmake -D source=<repository> [-D dot=<file to write the graph to>] -P cmake/CheckModules.cmake
 cmake_minimum_required(VERSION 3.25)
 file(STRINGS ${source}/cmake/modules.txt lines REGEX "^[a-z]")
@@ -56,7 +57,10 @@ foreach(root IN ITEMS concepts include adapters)
       string(REGEX REPLACE "^#[ \t]*include[ \t]*<concino/([^>]*)>.*" "\\1" file ${line})
       string(REGEX MATCH "^[a-z_]+" other ${file})
       if(file MATCHES "/detail/" AND NOT other STREQUAL module)
-        list(APPEND wrong "  ${root}/concino/${header}: ${file} is internal to ${other}. Make what is needed public, or move it to core/")
+        list(APPEND wrong "  ${root}/concino/${header}: ${file} is internal to ${other}. Make what is needed public, or move it to support/ or core/")
+      endif()
+      if(root STREQUAL "include" AND NOT module AND file MATCHES "/(detail|support)/")
+        list(APPEND wrong "  include/concino/${header}: ${file} is not for users")
       endif()
       if(root STREQUAL "include" AND module AND NOT other STREQUAL "concepts" AND NOT other STREQUAL module)
         if(NOT file MATCHES "/")

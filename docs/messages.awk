@@ -1,12 +1,10 @@
-# Makes docs/messages.md of what test programs recorded (tests/support/recorded_messages.cpp), or compares that page with their records.
-# usage: awk -f messages.awk record... > new.md               only what was recorded
-#        awk -v page=messages.md -f messages.awk record... > new.md   also the rows of `page` of test files that recorded nothing, unless -v all=1
-#        awk -v page=messages.md -v compare=1 -f messages.awk record...   prints the messages that `page` lacks; the exit code is 1 if there are some
+# Prints a page of the error messages that test programs recorded (tests/support/recorded_messages.cpp).
+# usage: awk -f messages.awk record... > messages.md
 # A record has four fields with tabs between them: the file of the test below tests/, the test case, the type thrown and the message.
 #
 # One row shows all messages that differ in numbers, quoted texts and names of files only, and all parse errors that differ only in what was found
 # instead of what was expected. Its example is the shortest of them; messages of tests that choose their input at random or share it with other tests
-# come last. A row of `page` stays as it is while its test provokes it, so that compilers and kinds of mesh, which change numbers, do not change the page.
+# come last.
 
 BEGIN {
   FS = "\t"
@@ -14,7 +12,6 @@ BEGIN {
   left_out = "^(core/(error|message|progress|residual|system_checks)|fields/heat_bands|io/text_cursor|testing/|agreement/)"
   damaged = "^(damaged formats|fuzz|zlib: damaged)"  # cases that break files at random: what they quote from them is noise
   last_choice = "^(adapters|archetypes|compiled|laws|out_of_memory)/|fuzz|corpus|random|_long_test"
-  if (page != "") read_page()
 }
 
 # Messages about a file begin with its path, others with the name of a function.
@@ -60,12 +57,6 @@ function section_of(file, message) {
 
 function consider(type, message, section, test,    key, order) {
   key = pattern(type, message)
-  if (test == page_test[key]) {
-    best[key] = ""
-    row_section[key] = section
-    row_text[key] = page_row[key]
-    return
-  }
   order = sprintf("%d %05d %s\t%s", substr(test, 2) ~ last_choice, length(message), message, test)
   if (key in best && best[key] <= order) return
   best[key] = order
@@ -73,34 +64,11 @@ function consider(type, message, section, test,    key, order) {
   row_text[key] = "| `" message "` | " type " | " test " |"
 }
 
-function read_page(    row, section, cell, i, key) {
-  while ((getline row < page) > 0) {
-    if (row ~ /^## /) section = substr(row, 4)
-    if (row !~ /^\| `.*\|$/ || split(row, cell, / \| /) != 3) continue
-    i = ++num_old
-    old_section[i] = section
-    old_message[i] = substr(cell[1], 4, length(cell[1]) - 4)
-    old_type[i] = cell[2]
-    old_test[i] = substr(cell[3], 1, length(cell[3]) - 2)
-    old_file[i] = substr(cell[3], 2, index(cell[3], "`:") - 2)
-    key = pattern(old_type[i], old_message[i])
-    page_row[key] = row
-    page_test[key] = old_test[i]
-  }
-}
-
 NF == 4 && $1 !~ left_out && $2 !~ damaged {
   message = shown($1, $3, $4)
   test = "`" $1 "`: " $2
   gsub(/\|/, "\\|", test)
-  if (!compare) {
-    has_run[$1] = 1
-    consider($3, message, section_of($1, message), test)
-  } else if (!(pattern($3, message) in page_row)) {
-    page_row[pattern($3, message)] = ""
-    print $3 ": " message " (" $1 ": " $2 ")"
-    missing = 1
-  }
+  consider($3, message, section_of($1, message), test)
 }
 
 function sort_rows(    i, key, text) {
@@ -127,11 +95,6 @@ function print_page(    i, row, section) {
 }
 
 END {
-  if (!compare) {
-    for (i = 1; i <= num_old && !all; ++i)
-      if (!(old_file[i] in has_run)) consider(old_type[i], old_message[i], old_section[i], old_test[i])
-    sort_rows()
-    print_page()
-  }
-  exit missing
+  sort_rows()
+  print_page()
 }

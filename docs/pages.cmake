@@ -1,6 +1,6 @@
 # Keeps the pages of docs/ true: what stands between `<!-- snippet FILE NAME -->` and `<!-- end -->` is the part of FILE between its two lines
 # `//! [NAME]`, or all of it where NAME is `whole`; between `<!-- generated WHAT -->` and `<!-- end -->` stands what docs/generate prints for WHAT;
-# between `<!-- laws HEADER -->` and `<!-- end -->` the laws in the comment of that header, between `<!-- members LIST... -->` and `<!-- end -->` the members
+# between `<!-- laws HEADER -->` and `<!-- end -->` the laws in the comment of that header, between `<!-- members LIST... [without LIST...] -->` and the end the members
 # of mesh_traits that these lists of requirements ask for, with their signatures.
 #   cmake -D source=<repository> -D generate=<program> [-D update=ON] -P docs/pages.cmake
 # Without `update` it fails where a page differs; the pictures are drawn anew from the .dot files if Graphviz' dot is there.

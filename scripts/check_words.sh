@@ -14,7 +14,7 @@ case "${1-}" in
 esac
 if [ $# -eq 0 ]; then
   cd "$scripts/.." || exit 1
-  mapfile -t files < <(ls README.md CONTRIBUTING.md CHANGELOG.md docs/*.md; find concepts include adapters -name '*.[hi]pp' | sort)
+  mapfile -t files < <(ls README.md CONTRIBUTING.md CHANGELOG.md docs/*.md tests/README.md; find concepts include adapters -name '*.[hi]pp' | sort)
 else
   files=("$@")
 fi

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Writes include/concino/render/detail/font_table.hpp from a TrueType file: the outlines of the characters that pictures need.
+"""Writes include/concino/render/detail/text/font_table.hpp from a TrueType file: the outlines of the characters that pictures need.
 
-    scripts/font_outlines.py /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf > include/concino/render/detail/font_table.hpp
+    scripts/font_outlines.py /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf > include/concino/render/detail/text/font_table.hpp
     scripts/font_outlines.py /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf --license > LICENSE-font.txt
 
 The table says how outlines are written.
@@ -171,7 +171,7 @@ def encoded(contours, em):
 def main():
     font = Font(open(sys.argv[1], "rb").read())
     if "--license" in sys.argv:
-        print("The outlines of characters in include/concino/render/detail/font_table.hpp are a part of the font DejaVu Sans,")
+        print("The outlines of characters in include/concino/render/detail/text/font_table.hpp are a part of the font DejaVu Sans,")
         print("under the name concino sans. This is the licence of DejaVu Sans.\n")
         print(font.name(13).replace("\r", ""))
         return

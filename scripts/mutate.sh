@@ -16,60 +16,60 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
 
 # header below include/concino, or .ipp file of that name if there is one: tests that answer for it, below tests; those that find most come first.
 table='
-io/detail/read_obj            io/detail/read_obj io/detail/read_mtl io/load io/detail/name_runs
-io/detail/obj_cursor          io/detail/read_obj
-io/detail/obj_names           io/detail/read_obj io/load
-io/detail/obj_corner_values   io/detail/obj_corner_values
-io/detail/read_off            io/detail/read_off io/load
-io/detail/off_cursor          io/detail/read_off
-io/detail/off_binary          io/detail/read_off
-io/detail/read_medit          io/detail/read_medit io/load
-io/detail/medit_text          io/detail/read_medit
-io/detail/medit_binary        io/detail/medit_binary
-io/detail/medit_marks         io/detail/read_medit io/detail/write_medit
-io/detail/medit_output        io/detail/medit_binary io/detail/write_medit
-io/detail/write_medit         io/detail/write_medit io/save
-io/detail/read_hedra          io/detail/read_hedra io/load
-io/detail/read_tet            io/detail/read_tet
-io/detail/read_iv             io/detail/read_iv
-io/detail/iv_cursor           io/detail/read_iv
-io/detail/read_hybrid         io/detail/read_hybrid
-io/detail/polyhedra_reader    io/detail/read_hedra io/detail/read_hybrid io/load
-io/detail/orient              io/detail/orient io/detail/read_hedra io/load
-io/detail/polyhedra_builder   io/detail/polyhedra_builder io/cell_builder io/detail/read_vtu
-io/detail/read_mtl            io/detail/read_mtl io/detail/material_library_file io/detail/write_mtl
-io/detail/write_mtl           io/detail/write_mtl io/detail/material_library_file
-io/detail/material_library_file        io/detail/material_library_file io/killed_save io/detail/write_mtl
+io/detail/obj/read_obj            io/detail/obj/read_obj io/detail/obj/read_mtl io/load io/detail/values/name_runs
+io/detail/obj/obj_cursor          io/detail/obj/read_obj
+io/detail/obj/obj_names           io/detail/obj/read_obj io/load
+io/detail/obj/obj_corner_values   io/detail/obj/obj_corner_values
+io/detail/off/read_off            io/detail/off/read_off io/load
+io/detail/off/off_cursor          io/detail/off/read_off
+io/detail/off/off_binary          io/detail/off/read_off
+io/detail/medit/read_medit          io/detail/medit/read_medit io/load
+io/detail/medit/medit_text          io/detail/medit/read_medit
+io/detail/medit/medit_binary        io/detail/medit/medit_binary
+io/detail/medit/medit_marks         io/detail/medit/read_medit io/detail/medit/write_medit
+io/detail/medit/medit_output        io/detail/medit/medit_binary io/detail/medit/write_medit
+io/detail/medit/write_medit         io/detail/medit/write_medit io/save
+io/detail/hedra/read_hedra          io/detail/hedra/read_hedra io/load
+io/detail/tet/read_tet            io/detail/tet/read_tet
+io/detail/iv/read_iv             io/detail/iv/read_iv
+io/detail/iv/iv_cursor           io/detail/iv/read_iv
+io/detail/hybrid/read_hybrid         io/detail/hybrid/read_hybrid
+io/detail/cells/polyhedra_reader    io/detail/hedra/read_hedra io/detail/hybrid/read_hybrid io/load
+io/detail/cells/orient              io/detail/cells/orient io/detail/hedra/read_hedra io/load
+io/detail/cells/polyhedra_builder   io/detail/cells/polyhedra_builder io/cell_builder io/detail/vtk_xml/read_vtu
+io/detail/obj/read_mtl            io/detail/obj/read_mtl io/detail/obj/material_library_file io/detail/obj/write_mtl
+io/detail/obj/write_mtl           io/detail/obj/write_mtl io/detail/obj/material_library_file
+io/detail/obj/material_library_file        io/detail/obj/material_library_file io/killed_save io/detail/obj/write_mtl
 core/hash_bytes      core/hash_bytes
 mesh/correspondence   mesh/correspondence_edges mesh/correspondence_corners mesh/correspondence
-mesh/detail/correspondence   mesh/correspondence_edges mesh/correspondence_corners mesh/correspondence
+mesh/detail/properties/correspondence   mesh/correspondence_edges mesh/correspondence_corners mesh/correspondence
 mesh/corner_property  mesh/corner_property
-mesh/property_set     mesh/detail/property_set mesh/property mesh/correspondence
-mesh/detail/property_set     mesh/detail/property_set mesh/property mesh/correspondence
-io/detail/choose_format   io/format io/load
-io/detail/name_runs       io/detail/read_obj io/detail/read_mtl io/load
-io/detail/load_with       io/format io/load io/load_any
-io/detail/save_with       io/format io/save
-io/detail/flat_mesh_of    io/flat_mesh io/save
+mesh/property_set     mesh/detail/properties/property_set mesh/property mesh/correspondence
+mesh/detail/properties/property_set     mesh/detail/properties/property_set mesh/property mesh/correspondence
+io/detail/formats/choose_format   io/format io/load
+io/detail/values/name_runs       io/detail/obj/read_obj io/detail/obj/read_mtl io/load
+io/detail/formats/load_with       io/format io/load io/load_any
+io/detail/formats/save_with       io/format io/save
+io/detail/formats/flat_mesh_of    io/flat_mesh io/save
 io/flat_mesh              io/flat_mesh io/save
-io/write_context          io/save io/detail/write_off
+io/write_context          io/save io/detail/off/write_off
 io/file_text           io/file_text
-io/detail/file_text     io/file_text
-io/numbers             io/numbers io/detail/read_obj
-io/detail/decimals     io/numbers io/detail/read_obj
-io/text_cursor         io/text_cursor io/detail/read_obj io/detail/read_medit io/detail/read_hedra
-io/detail/characters   io/text_cursor io/detail/read_obj
-io/detail/corners      io/detail/corners io/detail/read_obj io/detail/read_medit io/detail/read_hedra
+io/detail/files/file_text     io/file_text
+io/numbers             io/numbers io/detail/obj/read_obj
+io/detail/text/decimals     io/numbers io/detail/obj/read_obj
+io/text_cursor         io/text_cursor io/detail/obj/read_obj io/detail/medit/read_medit io/detail/hedra/read_hedra
+io/detail/text/characters   io/text_cursor io/detail/obj/read_obj
+io/detail/cells/corners      io/detail/cells/corners io/detail/obj/read_obj io/detail/medit/read_medit io/detail/hedra/read_hedra
 fields/harmonic_map    fields/harmonic_map fields/harmonic_map_archetypes fields/prepared
 fields/poisson         fields/poisson fields/poisson_fluxes fields/prepared
-fields/detail/dirichlet    fields/harmonic_map fields/poisson fields/prepared fields/laplace_system fields/smooth
-fields/detail/laplace_system   fields/laplace_system fields/smooth fields/poisson fields/harmonic_map fields/harmonic_map_archetypes
-fields/detail/distance_bounds  fields/heat_geodesics fields/heat_geodesics_sources fields/heat_geodesics_scale fields/heat_geodesics_archetypes
-fields/detail/distance_graph   fields/heat_geodesics fields/heat_geodesics_sources fields/heat_geodesics_scale fields/heat_geodesics_archetypes
-fields/detail/scaled_mesh  fields/heat_geodesics_scale fields/heat_geodesics
-fields/detail/euclidean_distance    fields/heat_geodesics_sources fields/heat_geodesics
-fields/detail/masses   fields/poisson fields/poisson_fluxes
-fields/detail/neumann  fields/poisson_fluxes
+fields/detail/problems/dirichlet    fields/harmonic_map fields/poisson fields/prepared fields/laplace_system fields/smooth
+fields/detail/problems/laplace_system   fields/laplace_system fields/smooth fields/poisson fields/harmonic_map fields/harmonic_map_archetypes
+fields/detail/heat/distance_bounds  fields/heat_geodesics fields/heat_geodesics_sources fields/heat_geodesics_scale fields/heat_geodesics_archetypes
+fields/detail/heat/distance_graph   fields/heat_geodesics fields/heat_geodesics_sources fields/heat_geodesics_scale fields/heat_geodesics_archetypes
+fields/detail/problems/scaled_mesh  fields/heat_geodesics_scale fields/heat_geodesics
+fields/detail/heat/euclidean_distance    fields/heat_geodesics_sources fields/heat_geodesics
+fields/detail/problems/masses   fields/poisson fields/poisson_fluxes
+fields/detail/problems/neumann  fields/poisson_fluxes
 operators/detail/cotangent_weights operators/cotangent operators/laplacian
 operators/stiffness    operators/stiffness operators/discretisation operators/laplacian
 operators/laplacian    operators/laplacian
@@ -93,18 +93,18 @@ operators/detail/simplex_weights   operators/laplacian
 operators/detail/virtual_elements  operators/detail/virtual_elements operators/mass_matrix operators/laplacian
 operators/detail/virtual_refinement    operators/virtual_refinement
 solve/auto_solver      solve/auto_solver
-solve/detail/auto_solver solve/auto_solver
+solve/detail/iterative/auto_solver solve/auto_solver
 optimize/constrained      optimize/constrained
 solve/ldlt             solve/ldlt solve/auto_solver
-solve/detail/ldlt       solve/ldlt solve/auto_solver
+solve/detail/direct/ldlt       solve/ldlt solve/auto_solver
 solve/llt              solve/llt
 optimize/qp               optimize/qp
 solve/qr               solve/qr optimize/least_squares
 solve/solve_columns    solve/solve_columns
 optimize/solve_with_values    optimize/solve_with_values
 optimize/detail/known_values    optimize/solve_with_values optimize/least_squares
-solve/detail/energy_gains  solve/detail/energy_gains
-solve/detail/penalty_rows  solve/detail/penalty_rows solve/iterative_accuracy
+solve/detail/iterative/energy_gains  solve/detail/iterative/energy_gains
+solve/detail/iterative/penalty_rows  solve/detail/iterative/penalty_rows solve/iterative_accuracy
 core/equilibrate   core/equilibrate solve/qr
 core/residual  core/residual optimize/solve_with_values fields/laplace_system fields/harmonic_map
 core/detail/residual    core/residual optimize/solve_with_values fields/laplace_system fields/harmonic_map
@@ -115,39 +115,39 @@ validate/detail/facet_laws laws/broken_laws
 validate/detail/halfedge_laws validate/halfedge_links concepts/halfedge_kernel
 mesh/corner_orders     mesh/corner_orders
 mesh/surface_tables    mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws
-mesh/detail/surface_tables mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws
-mesh/cell_tables       mesh/cell_tables mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws validate/dense_meshes
-mesh/detail/cell_tables_build mesh/cell_tables mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws validate/dense_meshes
-mesh/detail/cell_tables_edit mesh/cell_tables mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws validate/dense_meshes
-mesh/detail/cell_tables_fans mesh/cell_tables mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws validate/dense_meshes
-mesh/detail/met_faces mesh/cell_tables mesh/native_mesh edit/elements mesh/standard_cells validate/check_laws validate/dense_meshes
-mesh/detail/cell_tables_rewire mesh/cell_tables_rewire
-mesh/detail/cell_cavity mesh/cell_tables_rewire
-mesh/detail/cavity_faces mesh/cell_tables_rewire
-mesh/detail/cavity_edges mesh/surface_rewire mesh/cell_tables_rewire mesh/polyhedra_tables_rewire
-mesh/detail/cavity_changes mesh/surface_rewire mesh/cell_tables_rewire mesh/polyhedra_tables_rewire
-mesh/detail/cavity_input mesh/surface_rewire mesh/cell_tables_rewire mesh/polyhedra_tables_rewire
-mesh/detail/surface_rewire mesh/surface_rewire
-mesh/detail/polyhedra_cavity mesh/polyhedra_tables_rewire
-mesh/detail/polyhedra_tables_rewire mesh/polyhedra_tables_rewire
+mesh/detail/tables/surface_tables mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws
+mesh/cell_tables       mesh/cell_tables mesh/native_mesh edit/elements mesh/support/standard_cells validate/check_laws validate/dense_meshes
+mesh/detail/tables/cell_tables_build mesh/cell_tables mesh/native_mesh edit/elements mesh/support/standard_cells validate/check_laws validate/dense_meshes
+mesh/detail/tables/cell_tables_edit mesh/cell_tables mesh/native_mesh edit/elements mesh/support/standard_cells validate/check_laws validate/dense_meshes
+mesh/detail/tables/cell_tables_fans mesh/cell_tables mesh/native_mesh edit/elements mesh/support/standard_cells validate/check_laws validate/dense_meshes
+mesh/detail/tables/met_faces mesh/cell_tables mesh/native_mesh edit/elements mesh/support/standard_cells validate/check_laws validate/dense_meshes
+mesh/detail/edits/cell_tables_rewire mesh/cell_tables_rewire
+mesh/detail/edits/cell_cavity mesh/cell_tables_rewire
+mesh/detail/edits/cavity_faces mesh/cell_tables_rewire
+mesh/detail/edits/cavity_edges mesh/surface_rewire mesh/cell_tables_rewire mesh/polyhedra_tables_rewire
+mesh/detail/edits/cavity_changes mesh/surface_rewire mesh/cell_tables_rewire mesh/polyhedra_tables_rewire
+mesh/detail/edits/cavity_input mesh/surface_rewire mesh/cell_tables_rewire mesh/polyhedra_tables_rewire
+mesh/detail/edits/surface_rewire mesh/surface_rewire
+mesh/detail/edits/polyhedra_cavity mesh/polyhedra_tables_rewire
+mesh/detail/edits/polyhedra_tables_rewire mesh/polyhedra_tables_rewire
 mesh/polyhedra_tables  mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws validate/dense_meshes
-mesh/detail/polyhedra_tables mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws validate/dense_meshes
-mesh/detail/facet_adjacency             mesh/detail/facet_adjacency mesh/cell_tables mesh/native_mesh edit/elements validate/check_laws validate/dense_meshes
-mesh/detail/facet_adjacency_ranges       mesh/detail/facet_adjacency validate/dense_meshes
-mesh/detail/row_lookup        mesh/detail/row_lookup mesh/detail/facet_adjacency validate/dense_meshes
-mesh/detail/jagged_array              mesh/detail/jagged_array mesh/native_mesh edit/elements
-mesh/detail/compaction           edit/garbage_collect
-mesh/detail/surface_compact      edit/garbage_collect
-mesh/detail/cell_tables_compact  edit/garbage_collect
-mesh/detail/polyhedra_compact    edit/garbage_collect
+mesh/detail/tables/polyhedra_tables mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws validate/dense_meshes
+mesh/detail/tables/facet_adjacency             mesh/detail/tables/facet_adjacency mesh/cell_tables mesh/native_mesh edit/elements validate/check_laws validate/dense_meshes
+mesh/detail/tables/facet_adjacency_ranges       mesh/detail/tables/facet_adjacency validate/dense_meshes
+mesh/detail/rows/row_lookup        mesh/detail/rows/row_lookup mesh/detail/tables/facet_adjacency validate/dense_meshes
+mesh/detail/rows/jagged_array              mesh/detail/rows/jagged_array mesh/native_mesh edit/elements
+mesh/detail/tables/compaction           edit/garbage_collect
+mesh/detail/tables/surface_compact      edit/garbage_collect
+mesh/detail/tables/cell_tables_compact  edit/garbage_collect
+mesh/detail/tables/polyhedra_compact    edit/garbage_collect
 edit/garbage_collect             edit/garbage_collect
 edit/remove_unreferenced         edit/remove_unreferenced
 edit/flip_winding                edit/flip_winding
-mesh/detail/vertex_incidence             mesh/native_mesh edit/elements
-mesh/detail/checks            mesh/native_mesh edit/elements
-mesh/face_merger       mesh/face_merger mesh/face_soup io/cell_builder
-mesh/face_soup         mesh/face_soup io/load io/detail/read_medit validate/dense_meshes
-mesh/detail/to_polyhedra mesh/face_soup io/load
+mesh/detail/tables/vertex_incidence             mesh/native_mesh edit/elements
+mesh/detail/tables/checks            mesh/native_mesh edit/elements
+mesh/support/face_merger       mesh/support/face_merger mesh/support/face_soup io/cell_builder
+mesh/support/face_soup         mesh/support/face_soup io/load io/detail/medit/read_medit validate/dense_meshes
+mesh/detail/cells/to_polyhedra mesh/support/face_soup io/load
 graph/dijkstra         graph/dijkstra graph/predecessors graph/shortest_path
 graph/bfs              graph/bfs graph/predecessors
 core/indexed_heap    core/indexed_heap graph/dijkstra
@@ -158,21 +158,21 @@ graph/detail/any_iterator     graph/boost
 graph/detail/edge_numbers  graph/boost
 graph/detail/corners   graph/cut_along graph/boundary_loops
 graph/disjoint_sets   graph/disjoint_sets graph/spanning_tree
-lines/detail/flat_cell      lines/detail/flat_cell lines/integral_line
-lines/detail/line_signs     lines/integral_line
-lines/detail/line_watch     lines/integral_line
-lines/detail/line_recorder  lines/integral_line lines/evenly_spaced_lines
-lines/detail/polygon_reader lines/integral_line lines/field_at_verts
-lines/detail/polyhedron_reader lines/detail/flat_cell lines/integral_line lines/field_at_verts
-lines/detail/surface_exits  lines/integral_line
-lines/detail/volume_exits   lines/integral_line
-lines/detail/surface_line_walker lines/integral_line
-lines/detail/volume_line_walker  lines/integral_line
-lines/detail/vert_field_walker   lines/field_at_verts
-lines/detail/geodesic_walker     lines/trace_geodesic lines/straighten
-lines/detail/geodesic_start      lines/trace_geodesic
-lines/detail/flip_out            lines/straighten
-lines/detail/intrinsic_triangles lines/straighten
+lines/detail/cells/flat_cell      lines/detail/cells/flat_cell lines/integral_line
+lines/detail/cells/line_signs     lines/integral_line
+lines/detail/follow/line_watch     lines/integral_line
+lines/detail/follow/line_recorder  lines/integral_line lines/evenly_spaced_lines
+lines/detail/cells/polygon_reader lines/integral_line lines/field_at_verts
+lines/detail/cells/polyhedron_reader lines/detail/cells/flat_cell lines/integral_line lines/field_at_verts
+lines/detail/cells/surface_exits  lines/integral_line
+lines/detail/cells/volume_exits   lines/integral_line
+lines/detail/follow/surface_line_walker lines/integral_line
+lines/detail/follow/volume_line_walker  lines/integral_line
+lines/detail/follow/vert_field_walker   lines/field_at_verts
+lines/detail/geodesics/geodesic_walker     lines/trace_geodesic lines/straighten
+lines/detail/geodesics/geodesic_start      lines/trace_geodesic
+lines/detail/geodesics/flip_out            lines/straighten
+lines/detail/geodesics/intrinsic_triangles lines/straighten
 '
 
 root=$PWD

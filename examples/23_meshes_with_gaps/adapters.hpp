@@ -1,4 +1,4 @@
-// The adapters of the page docs/adapt-your-mesh.md for three meshes: half-edges with deleted elements and holes, a corner table without border half-edges,
+// The adapters of the page docs/adapt-advanced.md for three meshes: half-edges with deleted elements and holes, a corner table without border half-edges,
 // and hexes in lexicographic order.
 #pragma once
 

@@ -1,5 +1,5 @@
 // Adapt meshes with gaps, without border half-edges, and with another order of corners: three adapters, each shorter than a screen, which the page
-// docs/adapt-your-mesh.md explains. The state of the mesh after deletions is tested too.
+// docs/adapt-advanced.md explains. The state of the mesh after deletions is tested too.
 #include "adapters.hpp"
 
 #include <concino/adapters/span.hpp>

@@ -14,6 +14,7 @@
 #include <concino/edit/keep_labels.hpp>
 #include <concino/edit/max_distance.hpp>
 #include <concino/edit/merge_verts.hpp>
+#include <concino/edit/permission.hpp>
 #include <concino/edit/poly_split.hpp>
 #include <concino/edit/proposed_edit.hpp>
 #include <concino/edit/protect.hpp>

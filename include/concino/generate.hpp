@@ -7,6 +7,7 @@
 #include <concino/generate/cone.hpp>
 #include <concino/generate/cylinder.hpp>
 #include <concino/generate/dual_mesh.hpp>
+#include <concino/generate/dual_mesh_options.hpp>
 #include <concino/generate/extrude.hpp>
 #include <concino/generate/grade.hpp>
 #include <concino/generate/grid.hpp>

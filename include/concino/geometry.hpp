@@ -21,3 +21,5 @@
 #include <concino/geometry/outward_vector.hpp>
 #include <concino/geometry/polygon.hpp>
 #include <concino/geometry/self_intersections.hpp>
+#include <concino/geometry/tree_hits.hpp>
+#include <concino/geometry/triangulate_polygon.hpp>

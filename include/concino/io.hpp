@@ -2,9 +2,13 @@
 #pragma once
 
 #include <concino/io/atomic_file.hpp>
+#include <concino/io/cell_builder.hpp>
 #include <concino/io/field.hpp>
+#include <concino/io/file_contents.hpp>
 #include <concino/io/file_text.hpp>
+#include <concino/io/flat_mesh.hpp>
 #include <concino/io/format.hpp>
+#include <concino/io/format_id.hpp>
 #include <concino/io/formats.hpp>
 #include <concino/io/hedra.hpp>
 #include <concino/io/hybrid.hpp>
@@ -16,8 +20,11 @@
 #include <concino/io/numbers.hpp>
 #include <concino/io/obj.hpp>
 #include <concino/io/off.hpp>
+#include <concino/io/options.hpp>
 #include <concino/io/save.hpp>
 #include <concino/io/skeleton.hpp>
+#include <concino/io/skeleton_graph.hpp>
+#include <concino/io/slice_layer.hpp>
 #include <concino/io/slices.hpp>
 #include <concino/io/tet.hpp>
 #include <concino/io/text_cursor.hpp>
@@ -25,3 +32,4 @@
 #include <concino/io/vtk.hpp>
 #include <concino/io/vtp.hpp>
 #include <concino/io/vtu.hpp>
+#include <concino/io/write_context.hpp>

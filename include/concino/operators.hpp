@@ -3,6 +3,7 @@
 #pragma once
 
 #include <concino/core/product.hpp>
+#include <concino/operators/corner_gradients.hpp>
 #include <concino/operators/cotangent.hpp>
 #include <concino/operators/discretisation.hpp>
 #include <concino/operators/divergence.hpp>
@@ -13,6 +14,7 @@
 #include <concino/operators/mass_matrix.hpp>
 #include <concino/operators/poly_mass_matrix.hpp>
 #include <concino/operators/rotated.hpp>
+#include <concino/operators/simplex_gradients.hpp>
 #include <concino/operators/stiffness.hpp>
 #include <concino/operators/uniform.hpp>
 #include <concino/operators/vert_gradient_matrix.hpp>

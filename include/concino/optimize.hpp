@@ -4,4 +4,5 @@
 #include <concino/optimize/constrained.hpp>
 #include <concino/optimize/least_squares.hpp>
 #include <concino/optimize/qp.hpp>
+#include <concino/optimize/qp_result.hpp>
 #include <concino/optimize/solve_with_values.hpp>

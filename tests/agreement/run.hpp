@@ -1,4 +1,4 @@
-// Runs one algorithm on every model of a family and records the models on which it ran and agreed. README's table is generated from these lines.
+// Runs one algorithm on every model of a family and records the models on which it ran and agreed. The table of docs/agreement.md is made of these lines.
 #pragma once
 
 #include <agreement/inputs.hpp>
@@ -22,7 +22,7 @@ template<> inline constexpr const char* polys_of_kind<polyhedralmesh> = "polyhed
 
 /// A list of models, each a class with
 ///   using kind = trimesh ...;                     the native mesh of the same arrays
-///   static constexpr const char* column, *name;   in README's table, and its own name
+///   static constexpr const char* column, *name;   in the table of docs/agreement.md, and its own name
 ///   static constexpr bool any_surface, gaps;      whether it can hold non-manifold surfaces, and removed elements
 ///   static void with(const input<...>&, f);       constructs it from an input and calls f(mesh)
 /// or, if it cannot be constructed from arrays, own_inputs = true and each(f), which calls f(input, native mesh, mesh).

@@ -1,8 +1,8 @@
-# Prints README.md with a new table between <!-- agreement --> and <!-- end of agreement -->, generated from the records of the tests of agreement:
-#   awk -f table.awk rows.txt README.md record...
+# Prints docs/agreement.md with a new table between <!-- agreement --> and <!-- end of agreement -->, generated from the records of the tests of agreement:
+#   awk -f table.awk rows.txt docs/agreement.md record...
 # A cell is + if every model of the column ran the algorithms and agreed. Otherwise it lists the models that did: surfaces, volumes, or names of polys.
 # The last column names the concept if archetypes and users' meshes ran. Columns without a record, such as those of libraries that are not installed,
-# remain as they are in README.
+# remain as they are on the page.
 BEGIN {
   FS = "|"
   columns = split("trimesh|quadmesh|polygonmesh|tetmesh|hexmesh|polyhedralmesh|OpenMesh|CGAL::Surface_mesh|CGAL::Polyhedron_3|CGAL volumes|Eigen, span|Boost.Graph|views|your mesh", column, "|")
@@ -17,7 +17,7 @@ file == 1 {
   next
 }
 file == 2 {
-  readme[++lines] = $0
+  page[++lines] = $0
   if ($0 ~ /^\|/) {
     cells = split($0, cell, "|")
     for (i = 3; i < cells; ++i) { gsub(/^ +| +$/, "", cell[i]); old[trim(cell[2]), i - 2] = cell[i] }
@@ -65,9 +65,9 @@ function row_line(row,   line, i, c) {
 END {
   if (failed) exit 1
   for (i = 1; i <= lines; ++i) {
-    if (readme[i] == "<!-- end of agreement -->") inside = 0
-    if (!inside) print readme[i]
-    if (readme[i] == "<!-- agreement -->") {
+    if (page[i] == "<!-- end of agreement -->") inside = 0
+    if (!inside) print page[i]
+    if (page[i] == "<!-- agreement -->") {
       inside = found = 1
       head = "| |"; rule = "|---|"
       for (c = 1; c <= columns; ++c) {
@@ -78,5 +78,5 @@ END {
       for (row = 1; row <= rows; ++row) print row_line(row)
     }
   }
-  if (!found) { print "README.md has no <!-- agreement -->" > "/dev/stderr"; exit 1 }
+  if (!found) { print "docs/agreement.md has no <!-- agreement -->" > "/dev/stderr"; exit 1 }
 }

@@ -1,19 +1,19 @@
-# Compares README's table with the records of the tests of agreement. With -D write=ON it writes the table to README instead.
+# Compares the table of docs/agreement.md with the records of the tests of agreement. With -D write=ON it writes the table to the page instead.
 file(GLOB records ${records}/*.txt)
 if(NOT records)
   message(FATAL_ERROR "there are no records: run the tests of agreement first (ctest -R agreement/)")
 endif()
-execute_process(COMMAND awk -f ${CMAKE_CURRENT_LIST_DIR}/table.awk ${CMAKE_CURRENT_LIST_DIR}/rows.txt ${source}/README.md ${records}
+execute_process(COMMAND awk -f ${CMAKE_CURRENT_LIST_DIR}/table.awk ${CMAKE_CURRENT_LIST_DIR}/rows.txt ${source}/docs/agreement.md ${records}
   RESULT_VARIABLE code OUTPUT_VARIABLE made ERROR_VARIABLE said)
 if(NOT code EQUAL 0)
   message(FATAL_ERROR "table.awk: ${said}")
 endif()
 if(write)
-  file(WRITE ${source}/README.md "${made}")
+  file(WRITE ${source}/docs/agreement.md "${made}")
   return()
 endif()
-file(READ ${source}/README.md there)
+file(READ ${source}/docs/agreement.md there)
 if(NOT made STREQUAL there)
   string(REGEX MATCH "<!-- agreement -->.*<!-- end of agreement -->" table "${made}")
-  message(FATAL_ERROR "The table in README.md differs from the records. Build the target readme_table to update it. It should be:\n${table}")
+  message(FATAL_ERROR "The table in docs/agreement.md differs from the records. Build the target agreement_table to update it. It should be:\n${table}")
 endif()

@@ -1,4 +1,4 @@
-// A mesh of a user's own that becomes editable by one function: the example of docs/adapt-your-mesh.md.
+// A mesh of a user's own that becomes editable by one function: the example of docs/adapt-advanced.md.
 #include <concino/validate/check_laws.hpp>
 
 #include <support/soups.hpp>

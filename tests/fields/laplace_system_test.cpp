@@ -1,4 +1,4 @@
-#include <concino/fields/detail/laplace_system.hpp>
+#include <concino/fields/detail/problems/laplace_system.hpp>
 
 #include <concino/fields/harmonic_map.hpp>
 

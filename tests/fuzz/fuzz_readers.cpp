@@ -8,8 +8,8 @@
 
 #include <concino/adapters/zlib.hpp>
 
-#include <concino/io/detail/read_field.hpp>
-#include <concino/io/detail/read_mtl.hpp>
+#include <concino/io/detail/obj/read_mtl.hpp>
+#include <concino/io/detail/values/read_field.hpp>
 
 #include <algorithm>
 #include <cstdint>

@@ -28,7 +28,7 @@ foreach(header IN LISTS core)
   endif()
 endforeach()
 # Adapters are leaves: each includes the core and its own library, and of the adapters only its own details and others of the same library, and
-# what half-edge libraries share.
+# what several libraries share.
 set(own_of_openmesh "OpenMesh/")
 set(own_of_cgal "CGAL/|boost/")
 set(own_of_eigen "Eigen/")
@@ -43,6 +43,7 @@ set(own_of_tetgen "sys/")
 set(own_of_zlib "zlib")
 set(own_of_doctest "doctest/")
 set(own_of_halfedge "$^")
+set(own_of_mapped "$^")
 file(GLOB_RECURSE leaves RELATIVE ${source} ${source}/adapters/*.hpp)
 foreach(header IN LISTS leaves)
   cmake_path(GET header FILENAME file)
@@ -54,7 +55,7 @@ foreach(header IN LISTS leaves)
   file(STRINGS ${source}/${header} lines REGEX "^[ \t]*#[ \t]*include")
   foreach(line IN LISTS lines)
     string(REGEX REPLACE "^[ \t]*#[ \t]*include[ \t]*[<\"]([^>\"]*).*" "\\1" what "${line}")
-    if(what MATCHES "/" AND NOT what MATCHES "^(${own_of_${name}})" AND NOT what MATCHES "^concino/adapters/(detail/halfedge_|(detail/)?${name})" AND
+    if(what MATCHES "/" AND NOT what MATCHES "^(${own_of_${name}})" AND NOT what MATCHES "^concino/adapters/(detail/halfedge_|detail/mapped_|(detail/)?${name})" AND
        (NOT what MATCHES "^concino/" OR what MATCHES "^concino/adapters/"))
       list(APPEND wrong "  ${header}: ${what}, which is not of its library")
     endif()

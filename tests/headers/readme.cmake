@@ -1,5 +1,5 @@
-# Every C++ program in README.md and CONTRIBUTING.md compiles as it is.
-foreach(page IN ITEMS README.md CONTRIBUTING.md)
+# Every C++ program in README.md and docs/what-you-can-do.md compiles as it is.
+foreach(page IN ITEMS README.md docs/what-you-can-do.md)
   file(READ ${source}/${page} text)
   string(REPLACE ";" "<semicolon>" text "${text}")
   string(REPLACE "[" "<bracket>" text "${text}")

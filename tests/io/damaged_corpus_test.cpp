@@ -6,8 +6,8 @@
 #include <concino/io/skeleton.hpp>
 #include <concino/io/slices.hpp>
 
-#include <concino/io/detail/read_field.hpp>
-#include <concino/io/detail/read_mtl.hpp>
+#include <concino/io/detail/obj/read_mtl.hpp>
+#include <concino/io/detail/values/read_field.hpp>
 
 #include <support/corpus.hpp>
 #include <support/memory_limit.hpp>

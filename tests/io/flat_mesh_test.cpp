@@ -1,7 +1,7 @@
 #include <concino/io/flat_mesh.hpp>
 
 #include <concino/edit.hpp>
-#include <concino/io/detail/flat_mesh_of.hpp>
+#include <concino/io/detail/formats/flat_mesh_of.hpp>
 #include <concino/mesh.hpp>
 
 #include <support/kinds.hpp>

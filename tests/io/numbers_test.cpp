@@ -1,4 +1,4 @@
-#include <concino/io/detail/real_by_strtod.hpp>
+#include <concino/io/detail/text/real_by_strtod.hpp>
 #include <concino/io/numbers.hpp>
 
 #include <doctest/doctest.h>

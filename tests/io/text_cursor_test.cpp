@@ -1,6 +1,6 @@
 #include <concino/io/text_cursor.hpp>
 
-#include <concino/io/detail/characters.hpp>
+#include <concino/io/detail/text/characters.hpp>
 
 #include <doctest/doctest.h>
 

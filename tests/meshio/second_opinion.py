@@ -3,7 +3,7 @@
     second_opinion.py EXCHANGE FOLDER     EXCHANGE: the program built from exchange.cpp; FOLDER: for the files
 
 Not compared, because meshio cannot: polyhedra (its legacy VTK reader refuses cell type 42, and its VTU reader takes them for other cells), for which
-tests/io/detail/read_vtk_test.cpp has files that follow VTK's documentation; and POLYDATA, which it does not read and we do not write.
+tests/io/detail/vtk/read_vtk_test.cpp has files that follow VTK's documentation; and POLYDATA, which it does not read and we do not write.
 """
 
 import os

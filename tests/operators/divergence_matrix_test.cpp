@@ -3,7 +3,7 @@
 #include <concino/concepts/archetypes.hpp>
 #include <concino/edit.hpp>
 #include <concino/geometry/centroid.hpp>
-#include <concino/mesh/to_polyhedra.hpp>
+#include <concino/mesh/support/to_polyhedra.hpp>
 #include <concino/operators/gradient_matrix.hpp>
 #include <concino/operators/laplacian.hpp>
 #include <concino/operators/mass_matrix.hpp>

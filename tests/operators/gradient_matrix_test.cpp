@@ -2,7 +2,7 @@
 
 #include <concino/concepts/archetypes.hpp>
 #include <concino/edit.hpp>
-#include <concino/mesh/to_polyhedra.hpp>
+#include <concino/mesh/support/to_polyhedra.hpp>
 
 #include <support/fields.hpp>
 #include <support/kinds.hpp>

@@ -3,7 +3,7 @@
 #include <concino/concepts/archetypes.hpp>
 #include <concino/edit/elements.hpp>
 #include <concino/geometry/measure.hpp>
-#include <concino/mesh/to_polyhedra.hpp>
+#include <concino/mesh/support/to_polyhedra.hpp>
 
 #include <support/kinds.hpp>
 #include <support/user_mesh.hpp>

@@ -2,7 +2,7 @@
 #include <concino/quality/poly_quality.hpp>
 
 #include <concino/concepts/archetypes.hpp>
-#include <concino/mesh/to_polyhedra.hpp>
+#include <concino/mesh/support/to_polyhedra.hpp>
 
 #include <support/generators.hpp>
 #include <support/kinds.hpp>

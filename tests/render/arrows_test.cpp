@@ -3,7 +3,7 @@
 #include <concino/concepts/views.hpp>
 #include <concino/mesh/element_map.hpp>
 #include <concino/mesh/submesh.hpp>
-#include <concino/render/detail/even_choice.hpp>
+#include <concino/render/detail/shapes/poisson_disk_subset.hpp>
 
 #include <doctest/doctest.h>
 #include <support/drawables.hpp>
@@ -154,11 +154,11 @@ TEST_CASE("make_arrows: many are thinned evenly, and the same ones in every run"
 TEST_CASE("make_arrows: many vectors at few places are thinned too") {
   std::vector<vec3> points(50, vec3{1, 1, 1});
   points.insert(points.end(), 50, vec3{2, 1, 1});
-  CHECK(detail::evenly_chosen(points, 10).size() == 2);
+  CHECK(detail::poisson_disk_subset(points, 10).size() == 2);
   points.resize(50);
-  CHECK(detail::evenly_chosen(points, 10).size() == 1);
-  CHECK(detail::evenly_chosen(points, 50).size() == 50);
-  CHECK(detail::evenly_chosen({}, 5).empty());
+  CHECK(detail::poisson_disk_subset(points, 10).size() == 1);
+  CHECK(detail::poisson_disk_subset(points, 50).size() == 50);
+  CHECK(detail::poisson_disk_subset({}, 5).empty());
   CHECK(detail::mean_distance(points) == 0);
 }
 

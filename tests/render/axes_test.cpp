@@ -1,6 +1,6 @@
 #include <concino/render/axes.hpp>
 
-#include <concino/render/detail/pixel_of.hpp>
+#include <concino/render/detail/overlays/pixel_of.hpp>
 
 #include <doctest/doctest.h>
 

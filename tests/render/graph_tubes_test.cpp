@@ -20,7 +20,7 @@ namespace {
 
 using edge_set = std::multiset<std::pair<std::uint32_t, std::uint32_t>>;
 
-edge_set edges_of(const detail::trails& t) {
+edge_set edges_of(const detail::graph_lines& t) {
   edge_set all;
   std::size_t first = 0;
   for (std::size_t line = 0; line < t.lines.ends.size(); ++line) {
@@ -31,7 +31,7 @@ edge_set edges_of(const detail::trails& t) {
   return all;
 }
 
-double length_of(const detail::trails& t) {
+double length_of(const detail::graph_lines& t) {
   double sum = 0;
   std::size_t first = 0;
   for (std::size_t line = 0; line < t.lines.ends.size(); first = t.lines.ends[line++])
@@ -41,7 +41,7 @@ double length_of(const detail::trails& t) {
 
 }  // namespace
 
-TEST_CASE("make_graph_tubes: trails have each edge once and go straight on") {
+TEST_CASE("make_graph_tubes: lines of a graph have each edge once and go straight on") {
   const quadmesh m = testing::grid<quadmesh>(4);
   detail::flat_graph g;
   edge_set wanted;
@@ -51,7 +51,7 @@ TEST_CASE("make_graph_tubes: trails have each edge once and go straight on") {
     g.edges.push_back({a.raw(), b.raw()});
     wanted.insert(std::minmax(a.raw(), b.raw()));
   }
-  const detail::trails t = detail::trails_of(g);
+  const detail::graph_lines t = detail::graph_lines_of(g);
   CHECK(edges_of(t) == wanted);
   CHECK(t.lines.ends.size() <= 10);  // about one for each line of the grid
   CHECK(length_of(t) == doctest::Approx(10));
@@ -62,13 +62,13 @@ TEST_CASE("make_graph_tubes: trails have each edge once and go straight on") {
     star.points.push_back({std::cos(i), std::sin(i), 0});
     star.edges.push_back({0, static_cast<std::uint32_t>(i)});
   }
-  CHECK(edges_of(detail::trails_of(star)).size() == 101);
-  CHECK(detail::trails_of(star).lines.ends.size() == 51);
+  CHECK(edges_of(detail::graph_lines_of(star)).size() == 101);
+  CHECK(detail::graph_lines_of(star).lines.ends.size() == 51);
   const detail::flat_graph twice{{{0, 0, 0}, {1, 0, 0}}, {{0, 1}, {0, 1}}};
-  CHECK(edges_of(detail::trails_of(twice)).size() == 2);
+  CHECK(edges_of(detail::graph_lines_of(twice)).size() == 2);
   const detail::flat_graph triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1}, {1, 2}, {2, 0}}};
-  CHECK(detail::trails_of(triangle).lines.closed == std::vector<std::uint8_t>{1});
-  CHECK(edges_of(detail::trails_of(triangle)).size() == 3);
+  CHECK(detail::graph_lines_of(triangle).lines.closed == std::vector<std::uint8_t>{1});
+  CHECK(edges_of(detail::graph_lines_of(triangle)).size() == 3);
 }
 
 TEST_CASE_TEMPLATE("make_graph_tubes: draws the edges of meshes and of bare graphs", M, polygonmesh, hexmesh) {

@@ -1,6 +1,6 @@
 #include <concino/render/legend.hpp>
 
-#include <concino/render/detail/ticks.hpp>
+#include <concino/render/detail/overlays/ticks.hpp>
 #include <concino/render/label_colors.hpp>
 
 #include <doctest/doctest.h>

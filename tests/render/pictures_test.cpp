@@ -4,7 +4,7 @@
 #include <concino/render/slicing.hpp>
 
 #include <concino/mesh/element_map.hpp>
-#include <concino/render/detail/pixel_of.hpp>
+#include <concino/render/detail/overlays/pixel_of.hpp>
 
 #include <support/kinds.hpp>
 #include <support/stored_picture.hpp>

@@ -1,9 +1,9 @@
 #include <concino/render/text.hpp>
 
 #include <concino/geometry/orientation.hpp>
-#include <concino/render/detail/coverage.hpp>
-#include <concino/render/detail/font.hpp>
-#include <concino/render/detail/outline_triangles.hpp>
+#include <concino/render/detail/image/coverage.hpp>
+#include <concino/render/detail/text/font.hpp>
+#include <concino/render/detail/text/outline_triangles.hpp>
 
 #include <doctest/doctest.h>
 

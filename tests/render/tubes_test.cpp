@@ -5,7 +5,7 @@
 #include <concino/graph/shortest_path.hpp>
 #include <concino/level_sets/isolines.hpp>
 #include <concino/mesh/element_map.hpp>
-#include <concino/render/detail/shape_size.hpp>
+#include <concino/render/detail/shapes/shape_size.hpp>
 
 #include <doctest/doctest.h>
 #include <support/drawables.hpp>

@@ -1,7 +1,7 @@
 // Meshes with many elements at one element: many polys at an edge, a face or a vert, polys with very many verts, many equal polys.
 #pragma once
 
-#include <concino/mesh/to_polyhedra.hpp>
+#include <concino/mesh/support/to_polyhedra.hpp>
 
 #include <support/kinds.hpp>
 

@@ -1,7 +1,7 @@
 // The volume of one poly of polyhedra_arrays.
 #pragma once
 
-#include <concino/io/detail/oriented_faces.hpp>
+#include <concino/io/detail/cells/oriented_faces.hpp>
 
 namespace concino::testing {
 

@@ -1,4 +1,4 @@
-// Records the message of every concino::error that a test program throws, for docs/messages.md: the linker hands __cxa_throw to this file
+// Records the message of every concino::error that a test program throws, for the page of the target docs_messages: the linker hands __cxa_throw to this file
 // (-Wl,--wrap=__cxa_throw). Nothing is recorded unless the environment variable CONCINO_TEST_MESSAGES names an existing folder.
 // There each process appends to a file of its own, <process>.tsv, one line per message: the test's file, the test case, the type thrown and the message.
 // Allocates nothing, for tests in which every allocation fails. Messages of one test case that differ in digits only are recorded once.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
-#include <concino/io/detail/vtk_numbers.hpp>
+#include <concino/io/detail/vtk/vtk_numbers.hpp>
 #include <concino/io/material_table.hpp>
 #include <concino/mesh/corner_property.hpp>
 #include <concino/mesh/property.hpp>

@@ -1,7 +1,7 @@
 // One cell of each standard shape.
 #pragma once
 
-#include <concino/mesh/standard_cells.hpp>
+#include <concino/mesh/support/standard_cells.hpp>
 
 #include <vector>
 

@@ -152,7 +152,6 @@ struct mesh_traits<user_mesh::surface> {
   static const std::array<double, 3>& point(const M& m, vert v) { return m.points[static_cast<std::size_t>(v.i)]; }
 };
 
-//! [volume]
 template<>
 struct mesh_traits<user_mesh::volume> {
   using M = user_mesh::volume;
@@ -254,6 +253,5 @@ struct mesh_traits<user_mesh::volume> {
   }
   static const std::array<double, 3>& point(const M& m, vert v) { return m.points[static_cast<std::size_t>(v.i)]; }
 };
-//! [volume]
 
 }  // namespace concino

@@ -1,4 +1,4 @@
-# If the environment says so, test programs record the errors that they throw. docs/messages.awk makes a page of the records, and compares it with others.
+# If the environment says so, test programs record the errors that they throw. docs/messages.awk makes a page of the records.
 #   cmake -D source=<repository> -D program=<tests_core> -D scratch=<folder> -P recorded_messages.cmake
 find_program(awk NAMES mawk gawk awk REQUIRED)
 file(REMOVE_RECURSE ${scratch})
@@ -35,11 +35,11 @@ string(APPEND wanted "core/error_test.cpp\ta parse error names file, line, what 
   "a.obj:7: expected a number, found 'x'\n")
 expect("the record of core/error_test.cpp" "${text}" "${wanted}")
 
-# page(<variable> <records> [option...]): what messages.awk prints of these records, without the introduction.
+# page(<variable> <records>): what messages.awk prints of these records, without the introduction.
 function(page variable records)
   string(REPLACE " -> " "\t" records "${records}")
   file(WRITE ${scratch}/some.tsv "${records}")
-  execute_process(COMMAND ${awk} ${ARGN} -f ${source}/docs/messages.awk ${scratch}/some.tsv OUTPUT_VARIABLE text ERROR_VARIABLE wrong)
+  execute_process(COMMAND ${awk} -f ${source}/docs/messages.awk ${scratch}/some.tsv OUTPUT_VARIABLE text ERROR_VARIABLE wrong)
   string(REGEX REPLACE "^# Error messages[^#]*" "" text "${text}")
   set(${variable} "${wrong}${text}" PARENT_SCOPE)
 endfunction()
@@ -60,16 +60,3 @@ set(files "| `FILE: cannot be read: it is \\x60c\\|d\\x60\\` | io_error | `io/ob
 ")
 page(text "${records}")
 expect("the page" "${text}" "## Files${head}${files}\n## geometry${head}${camera}")
-
-# A page only lacks new patterns. Rows of test files that have run are replaced, others remain.
-file(WRITE ${scratch}/page.md "${text}")
-set(new "geometry/camera_test.cpp -> angles -> invalid_argument -> camera: the angle is 200 degrees\n")
-page(text "${records}${new}" -v page=${scratch}/page.md -v compare=1)
-expect("what the page lacks" "${text}" "invalid_argument: camera: the angle is 200 degrees (geometry/camera_test.cpp: angles)\n")
-page(text "${records}" -v page=${scratch}/page.md -v compare=1)
-expect("what the page lacks of itself" "${text}" "")
-page(text "geometry/camera_test.cpp -> angles -> invalid_argument -> camera: the angle is 4; it must be below 180\n" -v page=${scratch}/page.md -v all=1)
-expect("the page of one test" "${text}" "## geometry${head}${camera}")
-page(text "${new}" -v page=${scratch}/page.md)
-expect("the new page" "${text}"
-  "## Files${head}${files}\n## geometry${head}| `camera: the angle is 200 degrees` | invalid_argument | `geometry/camera_test.cpp`: angles |\n")

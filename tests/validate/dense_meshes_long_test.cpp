@@ -1,7 +1,7 @@
 // Building, validate and check_laws take time about proportional to the mesh, whatever its shape: compared with a mesh of as many disjoint polys.
 // An algorithm that is quadratic in the number of polys at an element takes hundreds of times as long at these sizes.
 #include <concino/mesh.hpp>
-#include <concino/mesh/face_soup.hpp>
+#include <concino/mesh/support/face_soup.hpp>
 #include <concino/validate/check_laws.hpp>
 #include <concino/validate/validate.hpp>
 

@@ -1,7 +1,7 @@
 // Many elements at one element: tables are right in the special cases of building and editing.
 #include <concino/edit/elements.hpp>
 #include <concino/mesh.hpp>
-#include <concino/mesh/face_soup.hpp>
+#include <concino/mesh/support/face_soup.hpp>
 #include <concino/validate/check_laws.hpp>
 
 #include <support/dense_meshes.hpp>

@@ -11,6 +11,7 @@
 // Needs: Boost.Graph (Debian: libboost-dev).
 #pragma once
 
+#include <concino/adapters/detail/mapped_range.hpp>
 #include <concino/concepts/primal_graph.hpp>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -44,49 +45,19 @@ template<class G> concept lists_verts = requires(const G& g) { *vertices(g).firs
 template<class G> concept lists_neighbours = requires(const G& g, boost_vert<G> v) { adjacent_vertices(v, g).first; };
 template<class G> concept lists_arcs = requires(const G& g, boost_vert<G> v) { target(*out_edges(v, g).first, g); };
 
-/// The range of a pair of Boost's iterators; at(*i) is the vert. Boost's iterators are not C++20 forward iterators.
-template<class Vert, class Base, class At>
-class boost_range {
-  Base first_{}, last_{};
-  [[no_unique_address]] At at_{};
-
- public:
-  using value_type = Vert;
-  class iterator {
-    Base base_{};
-    [[no_unique_address]] At at_{};
-
-   public:
-    using value_type = Vert;
-    using reference = Vert;
-    using difference_type = std::ptrdiff_t;
-    iterator() = default;
-    iterator(Base base, At at) : base_(std::move(base)), at_(at) {}
-    Vert operator*() const { return at_(*base_); }
-    iterator& operator++() { ++base_; return *this; }
-    iterator operator++(int) { iterator old = *this; ++*this; return old; }
-    friend bool operator==(const iterator& a, const iterator& b) { return a.base_ == b.base_; }
-  };
-
-  boost_range() = default;
-  boost_range(std::pair<Base, Base> both, At at) : first_(std::move(both.first)), last_(std::move(both.second)), at_(at) {}
-  iterator begin() const { return {first_, at_}; }
-  iterator end() const { return {last_, at_}; }
-};
-
-struct identity {
-  template<class V>
-  V operator()(const V& v) const { return v; }
+struct value_at {
+  template<class Iterator>
+  auto operator()(const Iterator& i) const { return *i; }
 };
 template<class G>
 struct target_in {
   const G* g = nullptr;
-  template<class Arc>
-  boost_vert<G> operator()(const Arc& a) const { return target(a, *g); }
+  template<class Iterator>
+  boost_vert<G> operator()(const Iterator& arc) const { return target(*arc, *g); }
 };
 
-template<class Vert, class Base, class At = identity>
-boost_range<Vert, Base, At> make_boost_range(std::pair<Base, Base> both, At at = {}) { return {std::move(both), at}; }
+template<class Vert, class Base, class At = value_at>
+mapped_range<Vert, Base, At> make_boost_range(std::pair<Base, Base> both, At at = {}) { return {std::move(both.first), std::move(both.second), at}; }
 
 /// The verts of any graph, and the targets of each.
 template<class G>

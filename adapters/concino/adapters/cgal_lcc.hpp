@@ -19,7 +19,7 @@
 #include <concino/mesh/arrays.hpp>
 #include <concino/mesh/indexed_base.hpp>
 #include <concino/mesh/polyhedra_tables.hpp>
-#include <concino/mesh/standard_cells.hpp>
+#include <concino/mesh/support/standard_cells.hpp>
 
 #include <CGAL/Linear_cell_complex_for_combinatorial_map.h>
 #include <CGAL/Unique_hash_map.h>

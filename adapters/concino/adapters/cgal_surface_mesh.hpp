@@ -49,49 +49,15 @@ namespace concino {
 
 namespace detail {
 
-/// The elements of one kind that were not removed.
+/// Whether an element of one kind was removed.
 template<class Mesh, class X>
-class cgal_elements {
-  const Mesh* m_;
-  unsigned bound_;
-
- public:
-  class iterator {
-    const Mesh* m_ = nullptr;  // null if nothing was removed
-    unsigned i_ = 0, bound_ = 0;
-
-    void skip() {
-      if (m_)
-        while (i_ != bound_ && m_->is_removed(X(i_))) ++i_;
-    }
-
-   public:
-    using value_type = X;
-    using difference_type = std::ptrdiff_t;
-
-    iterator() = default;
-    iterator(const Mesh* m, unsigned i, unsigned bound) : m_(m), i_(i), bound_(bound) { skip(); }
-    X operator*() const { return X(i_); }
-    iterator& operator++() {
-      ++i_;
-      skip();
-      return *this;
-    }
-    iterator operator++(int) {
-      iterator old = *this;
-      ++*this;
-      return old;
-    }
-    friend bool operator==(const iterator& a, const iterator& b) { return a.i_ == b.i_; }
-  };
-
-  cgal_elements(const Mesh& m, unsigned bound) : m_(m.has_garbage() ? &m : nullptr), bound_(bound) {}
-  iterator begin() const { return {m_, 0, bound_}; }
-  iterator end() const { return {nullptr, bound_, bound_}; }
+struct cgal_is_removed {
+  const Mesh* m = nullptr;  // null if nothing was removed
+  bool operator()(unsigned i) const { return m && m->is_removed(X(i)); }
 };
 
 template<class P>
-struct cgal_surface_links {
+struct cgal_surface_links : std::conditional_t<writable_point<P>, halfedge_editing<cgal_surface_kernel<P>, 0>, no_halfedge_editing> {
   using mesh = CGAL::Surface_mesh<P>;
   using vert = typename mesh::Vertex_index;
   using edge = typename mesh::Edge_index;
@@ -117,9 +83,9 @@ struct cgal_surface_links {
   static std::size_t vert_index_bound(const mesh& m) { return m.num_vertices(); }
   static std::size_t edge_index_bound(const mesh& m) { return m.num_edges(); }
   static std::size_t poly_index_bound(const mesh& m) { return m.num_faces(); }
-  static auto verts(const mesh& m) { return cgal_elements<mesh, vert>(m, m.num_vertices()); }
-  static auto edges(const mesh& m) { return cgal_elements<mesh, edge>(m, m.num_edges()); }
-  static auto polys(const mesh& m) { return cgal_elements<mesh, poly>(m, m.num_faces()); }
+  static auto verts(const mesh& m) { return existing<vert>(m, m.num_vertices()); }
+  static auto edges(const mesh& m) { return existing<edge>(m, m.num_edges()); }
+  static auto polys(const mesh& m) { return existing<poly>(m, m.num_faces()); }
   static std::size_t index_of(const mesh&, vert v) { return v.idx(); }
   static std::size_t index_of(const mesh&, edge e) { return e.idx(); }
   static std::size_t index_of(const mesh&, poly p) { return p.idx(); }
@@ -131,18 +97,10 @@ struct cgal_surface_links {
   template<class X>
     requires writable_point<P>
   static void set_point(mesh& m, vert v, const X& x) {
-    if (auto* const recorder = recorder_of(m)) recorder->save_point(v.idx());
+    if (auto* const recorder = halfedge_recorder_of<kernel>(m)) recorder->save_point(v.idx());
     assign_point(m.point(v), x);
   }
 
-  static vert add_vert(mesh& m, const vec3& x)
-    requires writable_point<P>
-  {
-    const vec3 copy = x;  // x may be a point of m, which moves
-    vert v;
-    rewire(m, {.points = {&copy, &copy + 1}}, {&v, nullptr});
-    return v;
-  }
   static poly add_poly(mesh& m, std::span<const vert> corners) {
     constexpr auto cannot_be_linked =
         "cannot be linked: in CGAL::Surface_mesh at most two polys share an edge, in opposite directions, each vert of a new poly is on the boundary, and a closed fan is the only one at its vert";
@@ -154,7 +112,7 @@ struct cgal_surface_links {
         refuse(core::joined({"has vert ", corners[i].idx(), " twice; its verts must differ"}));
     }
     if constexpr (writable_point<P>)
-      if (recorder_of(m)) try {
+      if (halfedge_recorder_of<kernel>(m)) try {
           return add_poly_by_rewire(m, corners);
         } catch (const unsupported&) {
           refuse(cannot_be_linked);
@@ -177,23 +135,8 @@ struct cgal_surface_links {
     m.remove_vertex(v);
   }
 
-  // Half-edges are linked here, since CGAL refuses polys that it could hold later. New edges take the places of removed ones, as in CGAL's flip.
-  static void rewire(mesh& m, const cavity_of<vert, poly>& c, const cavity_result_of<vert, poly>& made)
-    requires writable_point<P>
-  {
-    const auto set_new_point = [&](unsigned v, std::size_t k) { assign_point(m.point(vert(v)), c.points[k]); };
-    rewire_recorded<kernel>(m, c, 0, set_new_point, made);
-  }
-  static const char* why_not_rewire(const mesh& m, const cavity_of<vert, poly>& c)
-    requires writable_point<P>
-  {
-    return detail::why_not_rewire<kernel>(m, c, 0);
-  }
-  static auto& edits(mesh& m) requires writable_point<P> { return kernel::edits_of(m); }
-  static auto* edits_if_any(mesh& m) requires writable_point<P> { return kernel::find_edits(m); }
-
   static correspondence garbage_collect(mesh& m) {
-    if (recorder_of(m)) refuse_garbage_collection();
+    if (halfedge_recorder_of<kernel>(m)) refuse_garbage_collection();
     cgal_compaction<P> compaction(m);
     compaction.make();
     concino::detail::count_edit(kernel::find_edits(m));  // CGAL may have lost the edits
@@ -202,6 +145,11 @@ struct cgal_surface_links {
 
  private:
   using kernel = cgal_surface_kernel<P>;
+
+  template<class X>
+  static skipping_range<X, cgal_is_removed<mesh, X>> existing(const mesh& m, unsigned bound) {
+    return {bound, {m.has_garbage() ? &m : nullptr}};
+  }
 
   /// Whether a new poly would close a fan at a vert that has another one too. CGAL's add_face does not see that, and loses the other fan.
   static bool closes_one_of_several_fans(const mesh& m, std::span<const vert> corners) {
@@ -215,11 +163,6 @@ struct cgal_surface_links {
       if (last == in) return true;
     }
     return false;
-  }
-
-  static auto* recorder_of(mesh& m) {
-    const auto* const edits = kernel::find_edits(m);
-    return edits ? edits->recorder : nullptr;
   }
 };
 

@@ -30,11 +30,22 @@
 
 namespace concino {
 
+namespace detail {
+
+template<class M> inline constexpr int openmesh_arity = std::derived_from<M, OpenMesh::TriConnectivity> ? 3 : 0;
+
+/// The editing of meshes with points in space.
+template<class M>
+using openmesh_editing =
+    std::conditional_t<(openmesh_coordinates<M> >= 3), halfedge_editing<openmesh_kernel<typename openmesh_point<M>::type>, openmesh_arity<M>>, no_halfedge_editing>;
+
+}  // namespace detail
+
 template<std::derived_from<OpenMesh::PolyConnectivity> M>
-struct mesh_traits<M> : halfedge_kernel<OpenMesh::PolyConnectivity, detail::openmesh_links> {
+struct mesh_traits<M> : halfedge_kernel<OpenMesh::PolyConnectivity, detail::openmesh_links>, detail::openmesh_editing<M> {
   using vert = OpenMesh::VertexHandle;
   using poly = OpenMesh::FaceHandle;
-  static constexpr int arity = std::derived_from<M, OpenMesh::TriConnectivity> ? 3 : 0;
+  static constexpr int arity = detail::openmesh_arity<M>;
 
   // Points may be of any type with x[0], x[1], x[2]; those of the plane have z = 0.
   static decltype(auto) point(const M& m, vert v) requires(detail::openmesh_coordinates<M> >= 3) { return m.point(v); }
@@ -42,20 +53,14 @@ struct mesh_traits<M> : halfedge_kernel<OpenMesh::PolyConnectivity, detail::open
   template<class X>
     requires(detail::openmesh_coordinates<M> >= 3)
   static void set_point(M& m, vert v, const X& x) {
-    if (auto* const recorder = recorder_of(m)) recorder->save_point(static_cast<unsigned>(v.idx()));
-    assign_point(detail::openmesh_property(m.vprops_begin(), m.points_property_handle())[v.idx()], x);  // allocates no memory
+    if (auto* const recorder = detail::halfedge_recorder_of<kernel>(m)) recorder->save_point(static_cast<unsigned>(v.idx()));
+    kernel::assign_point(detail::openmesh_property(m.vprops_begin(), m.points_property_handle())[v.idx()], x);  // allocates no memory
   }
 
-  static vert add_vert(M& m, const vec3& x) requires(detail::openmesh_coordinates<M> >= 3) {
-    const vec3 copy = x;  // x may be a point of m, which moves
-    vert v;
-    rewire(m, {.points = {&copy, &copy + 1}}, {&v, nullptr});
-    return v;
-  }
   static poly add_poly(M& m, std::span<const vert> corners) {
     detail::check_openmesh_poly(m, corners, arity);
     if constexpr (detail::openmesh_coordinates<M> >= 3)
-      if (recorder_of(m)) return detail::add_poly_by_rewire(m, corners);
+      if (detail::halfedge_recorder_of<kernel>(m)) return detail::add_poly_by_rewire(m, corners);
     auto* const before = kernel::find_edits(m);
     kernel::reserve(m, 0, static_cast<unsigned>(corners.size()), 1, false);
     const poly p = m.OpenMesh::PolyConnectivity::add_face(corners.data(), corners.size());
@@ -79,19 +84,8 @@ struct mesh_traits<M> : halfedge_kernel<OpenMesh::PolyConnectivity, detail::open
     m.status(v).set_deleted(true);  // as delete_vertex does for a vert without polys, which allocates memory for none
   }
 
-  // Half-edges are linked here, since OpenMesh refuses polys that it could hold later. New edges take the places of removed ones, as in OpenMesh's flip.
-  static void rewire(M& m, const cavity_of<vert, poly>& c, const cavity_result_of<vert, poly>& made) requires(detail::openmesh_coordinates<M> >= 3) {
-    const auto set_new_point = [&, points = kernel::find_points(m)](unsigned v, std::size_t k) { assign_point(kernel::point_of(m, points, v), c.points[k]); };
-    detail::rewire_recorded<kernel>(m, c, arity, set_new_point, made);
-  }
-  static const char* why_not_rewire(const M& m, const cavity_of<vert, poly>& c) requires(detail::openmesh_coordinates<M> >= 3) {
-    return detail::why_not_rewire<kernel>(m, c, arity);
-  }
-  static auto& edits(M& m) requires(detail::openmesh_coordinates<M> >= 3) { return kernel::edits_of(m); }
-  static auto* edits_if_any(M& m) requires(detail::openmesh_coordinates<M> >= 3) { return kernel::find_edits(m); }
-
   static correspondence garbage_collect(M& m) {
-    if (recorder_of(m)) detail::refuse_garbage_collection();
+    if (detail::halfedge_recorder_of<kernel>(m)) detail::refuse_garbage_collection();
     auto* const before = kernel::find_edits(m);
     detail::openmesh_compaction compaction(m);
     compaction.make();
@@ -101,18 +95,6 @@ struct mesh_traits<M> : halfedge_kernel<OpenMesh::PolyConnectivity, detail::open
 
  private:
   using kernel = detail::openmesh_kernel<typename detail::openmesh_point<M>::type>;
-
-  template<class Point, class X>
-  static void assign_point(Point& p, const X& x) {
-    using scalar = typename OpenMesh::vector_traits<Point>::value_type;
-    p[0] = static_cast<scalar>(x[0]);
-    p[1] = static_cast<scalar>(x[1]);
-    p[2] = static_cast<scalar>(x[2]);
-  }
-  static auto* recorder_of(M& m) {
-    const auto* const edits = kernel::find_edits(m);
-    return edits ? edits->recorder : nullptr;
-  }
 };
 
 /// A property of an OpenMesh mesh as a map. Copies of it are the same map.

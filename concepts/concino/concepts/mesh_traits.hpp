@@ -16,7 +16,7 @@
 //   face_is_outward                          (m, p, f): whether f's verts run counter-clockwise seen from outside poly p
 //   point                                    (m, v): coordinates
 //
-// Editing (see <concino/concepts/editable.hpp>, <concino/edit.hpp> and docs/adapt-your-mesh.md):
+// Editing (see <concino/concepts/editable.hpp>, <concino/edit.hpp> and docs/adapt-advanced.md):
 //   set_point                                (m, v, x)
 //   rewire                                   (m, c, made): replaces polys by others
 //   why_not_rewire                           (m, c): why the library of m cannot represent what rewire(m, c, made) would make; null if it can

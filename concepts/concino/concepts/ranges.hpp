@@ -73,12 +73,41 @@ class skipping_iterator {
   constexpr skipping_iterator() = default;
   constexpr skipping_iterator(unsigned i, unsigned bound, const Skips& skips) : i_(i), bound_(bound), skips_(skips) { skip(); }
   constexpr Id operator*() const {
-    if constexpr (std::is_aggregate_v<Id>) return Id{i_};
-    else return Id(i_);
+    if constexpr (requires(unsigned i) { Id{i}; }) return Id{i_};
+    else return Id(static_cast<int>(i_));
   }
   constexpr skipping_iterator& operator++() { ++i_; skip(); return *this; }
   constexpr skipping_iterator operator++(int) { skipping_iterator old = *this; ++*this; return old; }
   friend constexpr bool operator==(const skipping_iterator& a, const skipping_iterator& b) { return a.i_ == b.i_; }
+};
+
+/// An iterator of a small range R, which it contains: element i is r[i].
+template<class R>
+class index_iterator {
+  R range_{};
+  std::size_t i_ = 0;
+
+ public:
+  using value_type = typename R::value_type;
+  using reference = value_type;
+  using difference_type = std::ptrdiff_t;
+
+  constexpr index_iterator() = default;
+  constexpr index_iterator(const R& range, std::size_t i) : range_(range), i_(i) {}
+  constexpr value_type operator*() const { return range_[i_]; }
+  constexpr index_iterator& operator++() { ++i_; return *this; }
+  constexpr index_iterator operator++(int) { index_iterator old = *this; ++i_; return old; }
+  friend constexpr bool operator==(const index_iterator& a, const index_iterator& b) { return a.i_ == b.i_; }
+};
+
+/// Elements with indices below `bound` without those for which skips(i) holds.
+template<class Id, class Skips>
+struct skipping_range {
+  unsigned bound = 0;
+  Skips skips{};
+
+  constexpr skipping_iterator<Id, Skips> begin() const { return {0, bound, skips}; }
+  constexpr skipping_iterator<Id, Skips> end() const { return {bound, bound, skips}; }
 };
 
 }  // namespace detail

@@ -1,6 +1,6 @@
-// Selects header-only use or the compiled library, for code that does not depend on the mesh type. x.hpp declares it and detail/x.ipp defines it. By
-// default x.hpp includes detail/x.ipp. The library concino::compiled contains the same files; targets that link it have CONCINO_COMPILED defined, and
-// include none of them.
+// Selects header-only use or the compiled library, for code that does not depend on the mesh type. x.hpp declares it and x.ipp defines it. By default
+// x.hpp includes x.ipp. The library concino::compiled contains the same files; targets that link it have CONCINO_COMPILED defined, and include none
+// of them.
 #pragma once
 
 #ifdef CONCINO_COMPILED

@@ -1,4 +1,4 @@
-// A hash of bytes that is the same on every machine and in every run.
+// Hashes that are the same on every machine and in every run.
 #pragma once
 
 #include <cstdint>
@@ -6,6 +6,14 @@
 #include <string_view>
 
 namespace concino::core {
+
+/// Pseudorandom bits; a bijection, so different inputs give different outputs.      Source: SplitMix64, Steele, Lea and Flood 2014.
+constexpr std::uint64_t scrambled(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15u;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
 
 /// Source: Fowler, Noll, Vo: FNV-1a, 64 bits.
 inline std::uint64_t hash_bytes(std::string_view bytes) {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #ifdef CONCINO_COMPILED
-/// The copy of matrices that are not compressed, which every copy and every return statement instantiates.
+// The copy of matrices that are not compressed, which every copy and every return statement instantiates.
 extern template void Eigen::internal::assign_sparse_to_sparse<Eigen::SparseMatrix<double>, Eigen::SparseMatrix<double>>(Eigen::SparseMatrix<double>&,
                                                                                                                         const Eigen::SparseMatrix<double>&);
 #endif

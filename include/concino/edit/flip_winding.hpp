@@ -4,7 +4,7 @@
 #include <concino/edit/detail/cavity_builder.hpp>
 #include <concino/edit/detail/operator_checks.hpp>
 #include <concino/edit/detail/saved_edit.hpp>
-#include <concino/mesh/standard_cells.hpp>
+#include <concino/mesh/support/standard_cells.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // An invariant that keeps regions of polys with equal labels, such as materials, apart and their common boundaries in place.
 #pragma once
 
-#include <concino/edit/typed_edit.hpp>
+#include <concino/edit/support/typed_edit.hpp>
 
 namespace concino {
 

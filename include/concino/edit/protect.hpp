@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/edit/detail/edge_ring.hpp>
-#include <concino/edit/typed_edit.hpp>
+#include <concino/edit/support/typed_edit.hpp>
 
 namespace concino {
 

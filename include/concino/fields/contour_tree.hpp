@@ -1,7 +1,7 @@
 // contour_tree: the Reeb graph of a function on a mesh without loops, in less time.
 #pragma once
 
-#include <concino/fields/detail/loop_count.hpp>
+#include <concino/fields/detail/topology/first_betti_number.hpp>
 #include <concino/fields/reeb_graph.hpp>
 
 namespace concino {
@@ -37,5 +37,5 @@ void contour_tree(const M&, const U&, ...) = delete;  // a number at each vert: 
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/fields/detail/contour_tree.ipp>
+#include <concino/fields/detail/topology/contour_tree.ipp>
 #endif

@@ -3,7 +3,7 @@
 
 #include <concino/concepts/maps.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/fields/detail/lower_links.hpp>
+#include <concino/fields/detail/topology/lower_links.hpp>
 #include <concino/mesh/element_map.hpp>
 
 #include <array>

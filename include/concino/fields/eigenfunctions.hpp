@@ -3,7 +3,7 @@
 #pragma once
 
 #include <concino/core/progress.hpp>
-#include <concino/fields/detail/laplace_system.hpp>
+#include <concino/fields/detail/problems/laplace_system.hpp>
 #include <concino/fields/eigenfunctions_result.hpp>
 #include <concino/operators/laplacian.hpp>
 #include <concino/operators/mass_matrix.hpp>

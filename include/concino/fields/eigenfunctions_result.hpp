@@ -1,4 +1,4 @@
-// The result of eigenfunctions, whichever method computes them.
+// The result of eigenfunctions, whichever method computes them. Not part of <concino/fields.hpp>, as eigenfunctions.
 #pragma once
 
 #include <concino/core/eigenproblem.hpp>

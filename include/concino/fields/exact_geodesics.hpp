@@ -4,11 +4,11 @@
 #include <concino/concepts/surface_mesh.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/fields/detail/exact_windows.hpp>
-#include <concino/fields/detail/geodesic_sources.hpp>
+#include <concino/fields/detail/exact/exact_windows.hpp>
+#include <concino/fields/detail/heat/geodesic_sources.hpp>
 #include <concino/fields/exact_paths.hpp>
 #include <concino/geometry/lowest_element.hpp>
-#include <concino/geometry/unfolded_surface.hpp>
+#include <concino/geometry/support/unfolded_surface.hpp>
 #include <concino/mesh/element_map.hpp>
 
 #include <algorithm>

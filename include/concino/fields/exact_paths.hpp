@@ -6,8 +6,8 @@
 #include <concino/core/error.hpp>
 #include <concino/core/unfolded_triangles.hpp>
 #include <concino/core/vec3.hpp>
-#include <concino/fields/detail/path_tree.hpp>
-#include <concino/geometry/unfolded_surface.hpp>
+#include <concino/fields/detail/exact/path_tree.hpp>
+#include <concino/geometry/support/unfolded_surface.hpp>
 #include <concino/mesh/element_map.hpp>
 #include <concino/mesh/mesh_point.hpp>
 

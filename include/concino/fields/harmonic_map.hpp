@@ -5,9 +5,9 @@
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/core/progress.hpp>
-#include <concino/fields/detail/dirichlet.hpp>
-#include <concino/fields/detail/laplace_system.hpp>
-#include <concino/fields/detail/make_similar_solver.hpp>
+#include <concino/fields/detail/problems/dirichlet.hpp>
+#include <concino/fields/detail/problems/laplace_system.hpp>
+#include <concino/fields/detail/problems/make_similar_solver.hpp>
 #include <concino/solve/auto_solver.hpp>
 
 #include <cstddef>

@@ -6,9 +6,9 @@
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/core/progress.hpp>
-#include <concino/fields/detail/implicit.hpp>
-#include <concino/fields/detail/make_similar_solver.hpp>
-#include <concino/fields/detail/scaled_mesh.hpp>
+#include <concino/fields/detail/problems/implicit.hpp>
+#include <concino/fields/detail/problems/make_similar_solver.hpp>
+#include <concino/fields/detail/problems/scaled_mesh.hpp>
 #include <concino/solve/auto_solver.hpp>
 
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <concino/concepts/sparse_solver.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/fields/detail/geodesic_sources.hpp>
+#include <concino/fields/detail/heat/geodesic_sources.hpp>
 #include <concino/fields/heat_geodesics_options.hpp>
 #include <concino/fields/prepared_heat_geodesics.hpp>
 #include <concino/operators/virtual_elements.hpp>

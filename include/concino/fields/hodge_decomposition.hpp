@@ -5,7 +5,7 @@
 #include <concino/concepts/sparse_solver.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/core/progress.hpp>
-#include <concino/fields/detail/hodge_problem.hpp>
+#include <concino/fields/detail/problems/hodge_problem.hpp>
 #include <concino/mesh/element_map.hpp>
 #include <concino/solve/auto_solver.hpp>
 

@@ -1,7 +1,7 @@
 // hodge_decomposition of 1-forms: values at the directed edges of a surface of any polygons as a sum of differences, of a part that turns, and a harmonic part.
 #pragma once
 
-#include <concino/fields/detail/form_problem.hpp>
+#include <concino/fields/detail/problems/form_problem.hpp>
 #include <concino/fields/hodge_decomposition.hpp>
 
 #include <cstddef>

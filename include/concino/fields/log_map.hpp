@@ -5,7 +5,7 @@
 #include <concino/core/mistakes.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/core/tangent_vector.hpp>
-#include <concino/fields/detail/vector_heat.hpp>
+#include <concino/fields/detail/heat/vector_heat.hpp>
 #include <concino/mesh/element_map.hpp>
 #include <concino/solve/ldlt.hpp>
 

@@ -91,5 +91,5 @@ template<class... T> void normalized(mistake::temporary_mesh<mistake::name_the_m
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/fields/detail/normalized.ipp>
+#include <concino/fields/detail/values/normalized.ipp>
 #endif

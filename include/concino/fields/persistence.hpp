@@ -3,7 +3,7 @@
 
 #include <concino/concepts/maps.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/fields/detail/extremum_pairs.hpp>
+#include <concino/fields/detail/topology/extremum_pairs.hpp>
 
 #include <optional>
 #include <vector>

@@ -5,12 +5,12 @@
 #include <concino/concepts/sparse_solver.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/core/progress.hpp>
-#include <concino/fields/detail/dirichlet.hpp>
-#include <concino/fields/detail/laplace_system.hpp>
-#include <concino/fields/detail/make_similar_solver.hpp>
-#include <concino/fields/detail/masses.hpp>
-#include <concino/fields/detail/neumann.hpp>
-#include <concino/fields/detail/scaled_mesh.hpp>
+#include <concino/fields/detail/problems/dirichlet.hpp>
+#include <concino/fields/detail/problems/laplace_system.hpp>
+#include <concino/fields/detail/problems/make_similar_solver.hpp>
+#include <concino/fields/detail/problems/masses.hpp>
+#include <concino/fields/detail/problems/neumann.hpp>
+#include <concino/fields/detail/problems/scaled_mesh.hpp>
 #include <concino/solve/auto_solver.hpp>
 
 #include <cmath>

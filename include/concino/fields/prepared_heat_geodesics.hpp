@@ -5,10 +5,10 @@
 #include <concino/core/message.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
-#include <concino/fields/detail/euclidean_distance.hpp>
-#include <concino/fields/detail/geodesic_sources.hpp>
-#include <concino/fields/detail/heat_matrix.hpp>
-#include <concino/fields/detail/heat_preparation.hpp>
+#include <concino/fields/detail/heat/euclidean_distance.hpp>
+#include <concino/fields/detail/heat/geodesic_sources.hpp>
+#include <concino/fields/detail/heat/heat_matrix.hpp>
+#include <concino/fields/detail/heat/heat_preparation.hpp>
 #include <concino/fields/heat_geodesics_options.hpp>
 #include <concino/geometry/lowest_element.hpp>
 #include <concino/operators/virtual_elements.hpp>

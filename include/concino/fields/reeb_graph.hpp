@@ -3,7 +3,7 @@
 
 #include <concino/concepts/maps.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/fields/detail/level_tracking.hpp>
+#include <concino/fields/detail/topology/level_tracking.hpp>
 
 #include <cstddef>
 #include <span>

@@ -3,7 +3,7 @@
 
 #include <concino/concepts/maps.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/fields/detail/sorted_graph.hpp>
+#include <concino/fields/detail/topology/sorted_graph.hpp>
 #include <concino/mesh/element_map.hpp>
 
 #include <cstdint>

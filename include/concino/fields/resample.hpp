@@ -3,8 +3,8 @@
 
 #include <concino/concepts/maps.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/fields/detail/shared_polys.hpp>
-#include <concino/fields/detail/value_in_poly.hpp>
+#include <concino/fields/detail/values/shared_polys.hpp>
+#include <concino/fields/detail/values/value_in_poly.hpp>
 #include <concino/geometry/bounding_tree.hpp>
 #include <concino/geometry/centroid.hpp>
 #include <concino/mesh/element_map.hpp>
@@ -102,5 +102,5 @@ template<class... T> void resample(mistake::no_points<mistake::give_points>, ...
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/fields/detail/resample.ipp>
+#include <concino/fields/detail/values/resample.ipp>
 #endif

@@ -3,7 +3,7 @@
 
 #include <concino/concepts/maps.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/fields/detail/flood.hpp>
+#include <concino/fields/detail/topology/flood.hpp>
 #include <concino/mesh/element_map.hpp>
 
 #include <cstdint>

@@ -4,7 +4,7 @@
 #include <concino/concepts/end_verts.hpp>
 #include <concino/concepts/maps.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/fields/detail/cell_simplification.hpp>
+#include <concino/fields/detail/topology/cell_simplification.hpp>
 #include <concino/mesh/element_map.hpp>
 
 #include <array>

@@ -3,7 +3,7 @@
 
 #include <concino/concepts/maps.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/fields/detail/value_statistics.hpp>
+#include <concino/fields/detail/values/value_statistics.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/operators/mass_matrix.hpp>
 

@@ -4,7 +4,7 @@
 #include <concino/concepts/maps.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/core/poly_chunks.hpp>
-#include <concino/fields/detail/linear_in_poly.hpp>
+#include <concino/fields/detail/values/linear_in_poly.hpp>
 #include <concino/geometry/centroid.hpp>
 #include <concino/mesh/element_map.hpp>
 

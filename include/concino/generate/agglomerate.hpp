@@ -5,7 +5,7 @@
 #include <concino/core/error.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
-#include <concino/generate/detail/merged_boundary.hpp>
+#include <concino/generate/detail/common/merged_boundary.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/mesh/correspondence.hpp>
 #include <concino/mesh/polygonmesh.hpp>

@@ -56,5 +56,5 @@ template<class... T> void boundary_surface(mistake::no_points<mistake::give_poin
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/generate/detail/boundary_surface.ipp>
+#include <concino/generate/detail/shapes/boundary_surface.ipp>
 #endif

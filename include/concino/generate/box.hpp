@@ -1,7 +1,7 @@
 // Meshes of a box: make_box<M>() returns its surface, or the solid box if M is a volume.
 #pragma once
 
-#include <concino/generate/detail/box_surface.hpp>
+#include <concino/generate/detail/shapes/box_surface.hpp>
 #include <concino/generate/grid.hpp>
 
 namespace concino {

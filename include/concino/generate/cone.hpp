@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/generate/cylinder.hpp>
-#include <concino/generate/detail/quad_disk.hpp>
+#include <concino/generate/detail/shapes/quad_disk.hpp>
 #include <concino/generate/sphere.hpp>
 
 #include <cmath>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
-#include <concino/generate/detail/surface_dual.hpp>
-#include <concino/generate/detail/volume_dual.hpp>
+#include <concino/generate/detail/dual/surface_dual.hpp>
+#include <concino/generate/detail/dual/volume_dual.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/geometry/normals.hpp>
 #include <concino/mesh/polygonmesh.hpp>

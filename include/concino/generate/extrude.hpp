@@ -2,9 +2,9 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
-#include <concino/generate/detail/construct_from_arrays.hpp>
-#include <concino/generate/detail/inverted_polys.hpp>
-#include <concino/generate/detail/swept_surface.hpp>
+#include <concino/generate/detail/common/construct_from_arrays.hpp>
+#include <concino/generate/detail/common/inverted_polys.hpp>
+#include <concino/generate/detail/sweep/swept_surface.hpp>
 #include <concino/geometry/normals.hpp>
 
 #include <cmath>

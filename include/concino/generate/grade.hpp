@@ -3,7 +3,7 @@
 
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
-#include <concino/generate/detail/finite.hpp>
+#include <concino/generate/detail/common/finite.hpp>
 #include <concino/geometry/bounding_box.hpp>
 
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/message.hpp>
-#include <concino/generate/detail/construct_from_arrays.hpp>
+#include <concino/generate/detail/common/construct_from_arrays.hpp>
 
 #include <algorithm>
 #include <array>

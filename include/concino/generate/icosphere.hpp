@@ -1,7 +1,7 @@
 // Spheres of triangles of nearly equal size, by subdividing an icosahedron.
 #pragma once
 
-#include <concino/generate/detail/construct_from_arrays.hpp>
+#include <concino/generate/detail/common/construct_from_arrays.hpp>
 #include <concino/generate/subdivide_1_to_4.hpp>
 #include <concino/mesh/trimesh.hpp>
 

@@ -4,8 +4,8 @@
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
-#include <concino/generate/detail/finite.hpp>
-#include <concino/generate/detail/random.hpp>
+#include <concino/generate/detail/common/finite.hpp>
+#include <concino/generate/detail/common/random.hpp>
 #include <concino/geometry/polygon.hpp>
 #include <concino/graph/boundary_verts.hpp>
 

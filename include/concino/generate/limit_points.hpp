@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
-#include <concino/generate/detail/limit_masks.hpp>
+#include <concino/generate/detail/subdivide/limit_masks.hpp>
 
 namespace concino {
 

@@ -3,10 +3,10 @@
 
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
-#include <concino/generate/detail/construct_from_arrays.hpp>
-#include <concino/generate/detail/folded_cells.hpp>
-#include <concino/generate/detail/plane_offsets.hpp>
-#include <concino/generate/detail/swept_surface.hpp>
+#include <concino/generate/detail/common/construct_from_arrays.hpp>
+#include <concino/generate/detail/sweep/folded_cells.hpp>
+#include <concino/generate/detail/sweep/plane_offsets.hpp>
+#include <concino/generate/detail/sweep/swept_surface.hpp>
 #include <concino/geometry/normals.hpp>
 
 #include <cmath>

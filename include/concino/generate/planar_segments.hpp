@@ -71,6 +71,6 @@ std::vector<edge_id> edges_between(const trimesh& m, std::span<const std::array<
 }  // namespace concino::core
 
 #ifndef CONCINO_COMPILED
-#include <concino/generate/detail/planar_segments.ipp>
-#include <concino/generate/detail/segment_sweep.ipp>
+#include <concino/generate/detail/outlines/planar_segments.ipp>
+#include <concino/generate/detail/outlines/segment_sweep.ipp>
 #endif

@@ -3,9 +3,9 @@
 
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
-#include <concino/generate/detail/finite.hpp>
-#include <concino/generate/detail/subdivision.hpp>
-#include <concino/generate/detail/triangle_pairs.hpp>
+#include <concino/generate/detail/common/finite.hpp>
+#include <concino/generate/detail/quads/triangle_pairs.hpp>
+#include <concino/generate/detail/subdivide/subdivision.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 
 #include <numbers>

@@ -3,8 +3,8 @@
 
 #include <concino/core/error.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/generate/detail/merged_boundary.hpp>
-#include <concino/generate/detail/random.hpp>
+#include <concino/generate/detail/common/merged_boundary.hpp>
+#include <concino/generate/detail/common/random.hpp>
 #include <concino/graph/disjoint_sets.hpp>
 #include <concino/mesh/element_map.hpp>
 
@@ -73,6 +73,16 @@ class link_condition {
   }
 };
 
+/// Divides each piece that has no single boundary into its polys. On meshes that are not manifold, the test of one poly after another is not sufficient.
+template<class M> void divide_pieces_that_cannot_merge(const M& m, std::vector<std::vector<poly_t<M>>>& pieces, int* label) {
+  merged_boundary<M> border(m);
+  for (std::size_t l = 0, grown = pieces.size(); l < grown; ++l) {
+    if (!border.read(pieces[l])) continue;
+    for (std::size_t k = 1; k < pieces[l].size(); ++k) label[index_of(m, pieces[l][k])] = static_cast<int>(pieces.size() + k - 1);
+    pieces.resize(pieces.size() + pieces[l].size() - 1);
+  }
+}
+
 }  // namespace detail
 
 /// Partitions m into random pieces of about `size` polys each, ragged and mostly concave. Each piece is a disk (surfaces) or a ball (volumes).
@@ -134,15 +144,7 @@ poly_map<M, int> random_labels(M&& m, std::size_t size, std::uint64_t seed = 1) 
     grow();
   }
 
-  // On meshes that are not manifold, the local test is not sufficient.
-  detail::merged_boundary<mesh> border(m);
-  for (std::size_t l = 0, grown = pieces.size(); l < grown; ++l) {
-    if (!border.read(pieces[l])) continue;
-    for (std::size_t k = 1; k < pieces[l].size(); ++k) {
-      label[index_of(m, pieces[l][k])] = static_cast<int>(pieces.size() + k - 1);
-    }
-    pieces.resize(pieces.size() + pieces[l].size() - 1);
-  }
+  detail::divide_pieces_that_cannot_merge(m, pieces, label);
   return labels;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/error.hpp>
-#include <concino/generate/detail/random.hpp>
+#include <concino/generate/detail/common/random.hpp>
 #include <concino/geometry/bounding_box.hpp>
 
 #include <vector>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
-#include <concino/generate/detail/rotation.hpp>
+#include <concino/generate/detail/shapes/rotation.hpp>
 #include <concino/generate/extrude.hpp>
 
 #include <array>

@@ -1,9 +1,9 @@
 // Spheres (surfaces) and balls (volumes): make_sphere<M>().
 #pragma once
 
-#include <concino/generate/detail/box_surface.hpp>
-#include <concino/generate/detail/construct_from_arrays.hpp>
-#include <concino/generate/detail/round.hpp>
+#include <concino/generate/detail/common/construct_from_arrays.hpp>
+#include <concino/generate/detail/shapes/box_surface.hpp>
+#include <concino/generate/detail/shapes/round.hpp>
 
 namespace concino {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
-#include <concino/generate/detail/subdivided_surface.hpp>
+#include <concino/generate/detail/subdivide/subdivided_surface.hpp>
 
 namespace concino {
 

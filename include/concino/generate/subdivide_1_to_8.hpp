@@ -3,7 +3,7 @@
 
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/generate/detail/corner_hexes.hpp>
+#include <concino/generate/detail/subdivide/corner_hexes.hpp>
 #include <concino/mesh/tetmesh.hpp>
 
 #include <vector>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
-#include <concino/generate/detail/smooth_rules.hpp>
-#include <concino/generate/detail/subdivided_surface.hpp>
+#include <concino/generate/detail/subdivide/smooth_rules.hpp>
+#include <concino/generate/detail/subdivide/subdivided_surface.hpp>
 
 namespace concino {
 

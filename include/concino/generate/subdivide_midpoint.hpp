@@ -2,9 +2,9 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
-#include <concino/generate/detail/corner_hexes.hpp>
-#include <concino/generate/detail/inverted_polys.hpp>
-#include <concino/generate/detail/subdivided_surface.hpp>
+#include <concino/generate/detail/common/inverted_polys.hpp>
+#include <concino/generate/detail/subdivide/corner_hexes.hpp>
+#include <concino/generate/detail/subdivide/subdivided_surface.hpp>
 
 namespace concino {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
-#include <concino/generate/detail/root3_step.hpp>
+#include <concino/generate/detail/subdivide/root3_step.hpp>
 
 namespace concino {
 

@@ -3,9 +3,9 @@
 
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/generate/detail/closed_surface.hpp>
-#include <concino/generate/detail/tet_quality.hpp>
-#include <concino/generate/detail/verified_tets.hpp>
+#include <concino/generate/detail/volumes/closed_surface.hpp>
+#include <concino/generate/detail/volumes/tetrahedralize_steps.hpp>
+#include <concino/generate/detail/volumes/verified_tets.hpp>
 #include <concino/generate/tetrahedralize_options.hpp>
 #include <concino/mesh/element_map.hpp>
 

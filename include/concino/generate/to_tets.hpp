@@ -3,10 +3,10 @@
 
 #include <concino/convert/convert.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/generate/detail/cell_tets.hpp>
-#include <concino/generate/detail/construct_from_arrays.hpp>
-#include <concino/generate/detail/finite.hpp>
-#include <concino/generate/detail/subdivision.hpp>
+#include <concino/generate/detail/common/construct_from_arrays.hpp>
+#include <concino/generate/detail/common/finite.hpp>
+#include <concino/generate/detail/subdivide/subdivision.hpp>
+#include <concino/generate/detail/volumes/cell_tets.hpp>
 #include <concino/geometry/centroid.hpp>
 #include <concino/mesh/tetmesh.hpp>
 

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
-#include <concino/generate/detail/construct_from_arrays.hpp>
-#include <concino/generate/detail/finite.hpp>
-#include <concino/generate/detail/flat_triangles.hpp>
-#include <concino/generate/detail/subdivision.hpp>
+#include <concino/generate/detail/common/construct_from_arrays.hpp>
+#include <concino/generate/detail/common/finite.hpp>
+#include <concino/generate/detail/outlines/flat_triangles.hpp>
+#include <concino/generate/detail/subdivide/subdivision.hpp>
 #include <concino/mesh/trimesh.hpp>
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <concino/core/message.hpp>
-#include <concino/generate/detail/construct_from_arrays.hpp>
-#include <concino/generate/detail/quad_disk.hpp>
+#include <concino/generate/detail/common/construct_from_arrays.hpp>
+#include <concino/generate/detail/shapes/quad_disk.hpp>
 
 namespace concino {
 

@@ -39,5 +39,5 @@ template<class... T> void triangulate(mistake::any_mesh, ...) = delete;  // it t
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/generate/detail/triangulate.ipp>
+#include <concino/generate/detail/outlines/triangulate.ipp>
 #endif

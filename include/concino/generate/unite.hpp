@@ -3,9 +3,9 @@
 
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
-#include <concino/generate/detail/coincident_points.hpp>
-#include <concino/generate/detail/united_arrays.hpp>
-#include <concino/generate/detail/united_properties.hpp>
+#include <concino/generate/detail/unite/coincident_points.hpp>
+#include <concino/generate/detail/unite/united_arrays.hpp>
+#include <concino/generate/detail/unite/united_properties.hpp>
 #include <concino/mesh/property.hpp>
 
 #include <limits>

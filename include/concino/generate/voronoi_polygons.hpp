@@ -1,8 +1,8 @@
 // The Voronoi cells of points in a rectangle or a convex outline, as a polygon mesh.
 #pragma once
 
-#include <concino/generate/detail/convex_outline.hpp>
-#include <concino/generate/detail/relax_sites.hpp>
+#include <concino/generate/detail/voronoi/convex_outline.hpp>
+#include <concino/generate/detail/voronoi/relax_sites.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 
 #include <initializer_list>

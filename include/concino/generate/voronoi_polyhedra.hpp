@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
-#include <concino/generate/detail/convex_walls.hpp>
+#include <concino/generate/detail/voronoi/convex_walls.hpp>
 #include <concino/generate/voronoi_polygons.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/mesh/polyhedralmesh.hpp>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
-#include <concino/generate/detail/voxel_lattice.hpp>
+#include <concino/generate/detail/shapes/voxel_lattice.hpp>
 #include <concino/geometry/bounding_tree.hpp>
 #include <concino/mesh/hexmesh.hpp>
 

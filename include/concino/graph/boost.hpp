@@ -1,4 +1,5 @@
 // Boost.Graph on any mesh: primal(m) and dual(m) model its graph concepts, and boost_map(map) is a Boost property map.
+// Not part of <concino/graph.hpp>: it takes long to compile.
 //
 //   auto label = cn::make_vert_map<int>(m);
 //   int k = boost::connected_components(cn::primal(m), cn::boost_map(label));                       // label[v]

@@ -1,4 +1,5 @@
 // as_map(pm): a Boost property map, from a library built on Boost.Graph, as a concino map. as_map(pm)[x] calls get and put.
+// Not part of <concino/graph.hpp>, which includes nothing of Boost.
 #pragma once
 
 #include <concino/concepts/maps.hpp>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
-#include <concino/io/detail/file_handle.hpp>
+#include <concino/io/detail/files/file_handle.hpp>
 
 #include <string>
 #include <string_view>
@@ -20,8 +20,8 @@ struct atomic_file_options {
 /// the new file is removed. A symbolic link is kept: the file that it refers to is replaced or created.
 /// If the system has no unnamed files, a process that is killed leaves a file .concino-... . The next process that writes to the same target
 /// removes it.
-/// Where the system is not POSIX, the file has a name from the beginning, what a killed process leaves stays there, and `sync` has no effect. Two processes
-/// must not write the same file at the same time there. Paths are UTF-8 on Windows.
+/// Where the system is not POSIX, the file has a name from the beginning: what a killed process leaves stays there. `sync` has no effect. Two processes
+/// must not write the same file, or create the same new file, at the same time. Paths are UTF-8 on Windows.
 class atomic_file {
   std::string path_;         // for messages
   std::string folder_path_;  // the folder of the target, with a slash, or empty
@@ -69,5 +69,5 @@ class atomic_file {
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/io/detail/atomic_file.ipp>
+#include <concino/io/detail/files/atomic_file.ipp>
 #endif

@@ -1,8 +1,8 @@
 // cell_builder: collects the cells of a volume, of any shapes in any order, for the readers of file formats.
 #pragma once
 
-#include <concino/io/detail/cell_record.hpp>
-#include <concino/io/detail/polyhedra_builder.hpp>
+#include <concino/io/detail/cells/cell_record.hpp>
+#include <concino/io/detail/cells/polyhedra_builder.hpp>
 
 #include <concepts>
 #include <optional>

@@ -6,7 +6,7 @@
 #include <concino/concepts/primal_graph.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/io/atomic_file.hpp>
-#include <concino/io/detail/read_field.hpp>
+#include <concino/io/detail/values/read_field.hpp>
 #include <concino/io/options.hpp>
 #include <concino/io/text_sink.hpp>
 #include <concino/mesh/element_map.hpp>

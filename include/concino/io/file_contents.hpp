@@ -2,8 +2,8 @@
 #pragma once
 
 #include <concino/core/rgba.hpp>
-#include <concino/io/detail/name_runs.hpp>
-#include <concino/io/detail/repeated_verts.hpp>
+#include <concino/io/detail/cells/repeated_verts.hpp>
+#include <concino/io/detail/values/name_runs.hpp>
 #include <concino/io/material_table.hpp>
 #include <concino/io/options.hpp>
 #include <concino/io/text_cursor.hpp>

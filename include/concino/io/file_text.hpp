@@ -3,7 +3,7 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/core/error.hpp>
-#include <concino/io/detail/system_files.hpp>
+#include <concino/io/detail/files/system_files.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -59,5 +59,5 @@ class file_text {
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/io/detail/file_text.ipp>
+#include <concino/io/detail/files/file_text.ipp>
 #endif

@@ -1,16 +1,16 @@
 // All formats of the library, in the order in which messages name them.
 #pragma once
 
-#include <concino/io/detail/hedra_format.hpp>
-#include <concino/io/detail/hybrid_format.hpp>
-#include <concino/io/detail/iv_format.hpp>
-#include <concino/io/detail/medit_format.hpp>
-#include <concino/io/detail/obj_format.hpp>
-#include <concino/io/detail/off_format.hpp>
-#include <concino/io/detail/tet_format.hpp>
-#include <concino/io/detail/vtk_format.hpp>
-#include <concino/io/detail/vtp_format.hpp>
-#include <concino/io/detail/vtu_format.hpp>
+#include <concino/io/detail/hedra/hedra_format.hpp>
+#include <concino/io/detail/hybrid/hybrid_format.hpp>
+#include <concino/io/detail/iv/iv_format.hpp>
+#include <concino/io/detail/medit/medit_format.hpp>
+#include <concino/io/detail/obj/obj_format.hpp>
+#include <concino/io/detail/off/off_format.hpp>
+#include <concino/io/detail/tet/tet_format.hpp>
+#include <concino/io/detail/vtk/vtk_format.hpp>
+#include <concino/io/detail/vtk_xml/vtp_format.hpp>
+#include <concino/io/detail/vtk_xml/vtu_format.hpp>
 
 namespace concino {
 

@@ -1,14 +1,14 @@
 // Reads and writes .hedra, Cinolib's format for volumes of any polyhedra.
 #pragma once
 
-#include <concino/io/detail/hedra_format.hpp>
+#include <concino/io/detail/hedra/hedra_format.hpp>
 #include <concino/core/compiled.hpp>
-#include <concino/io/detail/load_with.hpp>
-#include <concino/io/detail/save_with.hpp>
+#include <concino/io/detail/formats/load_with.hpp>
+#include <concino/io/detail/formats/save_with.hpp>
 
 #ifndef CONCINO_COMPILED
-#include <concino/io/detail/read_hedra.hpp>
-#include <concino/io/detail/write_hedra.hpp>
+#include <concino/io/detail/hedra/read_hedra.hpp>
+#include <concino/io/detail/hedra/write_hedra.hpp>
 #endif
 
 namespace concino {

@@ -1,14 +1,14 @@
 // Reads and writes .hybrid, the format of hex-dominant meshes.
 #pragma once
 
-#include <concino/io/detail/hybrid_format.hpp>
+#include <concino/io/detail/hybrid/hybrid_format.hpp>
 #include <concino/core/compiled.hpp>
-#include <concino/io/detail/load_with.hpp>
-#include <concino/io/detail/save_with.hpp>
+#include <concino/io/detail/formats/load_with.hpp>
+#include <concino/io/detail/formats/save_with.hpp>
 
 #ifndef CONCINO_COMPILED
-#include <concino/io/detail/read_hybrid.hpp>
-#include <concino/io/detail/write_hybrid.hpp>
+#include <concino/io/detail/hybrid/read_hybrid.hpp>
+#include <concino/io/detail/hybrid/write_hybrid.hpp>
 #endif
 
 namespace concino {

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
-#include <concino/io/detail/iv_format.hpp>
-#include <concino/io/detail/load_with.hpp>
+#include <concino/io/detail/formats/load_with.hpp>
+#include <concino/io/detail/iv/iv_format.hpp>
 
 #ifndef CONCINO_COMPILED
-#include <concino/io/detail/read_iv.hpp>
+#include <concino/io/detail/iv/read_iv.hpp>
 #endif
 
 namespace concino {

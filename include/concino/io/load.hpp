@@ -3,20 +3,20 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/io/detail/load_standard.hpp>
+#include <concino/io/detail/formats/load_standard.hpp>
 #include <concino/io/formats.hpp>
 
 #ifndef CONCINO_COMPILED
-#include <concino/io/detail/read_hedra.hpp>
-#include <concino/io/detail/read_hybrid.hpp>
-#include <concino/io/detail/read_iv.hpp>
-#include <concino/io/detail/read_medit.hpp>
-#include <concino/io/detail/read_obj.hpp>
-#include <concino/io/detail/read_off.hpp>
-#include <concino/io/detail/read_tet.hpp>
-#include <concino/io/detail/read_vtk.hpp>
-#include <concino/io/detail/read_vtp.hpp>
-#include <concino/io/detail/read_vtu.hpp>
+#include <concino/io/detail/hedra/read_hedra.hpp>
+#include <concino/io/detail/hybrid/read_hybrid.hpp>
+#include <concino/io/detail/iv/read_iv.hpp>
+#include <concino/io/detail/medit/read_medit.hpp>
+#include <concino/io/detail/obj/read_obj.hpp>
+#include <concino/io/detail/off/read_off.hpp>
+#include <concino/io/detail/tet/read_tet.hpp>
+#include <concino/io/detail/vtk/read_vtk.hpp>
+#include <concino/io/detail/vtk_xml/read_vtp.hpp>
+#include <concino/io/detail/vtk_xml/read_vtu.hpp>
 #endif
 
 namespace concino {

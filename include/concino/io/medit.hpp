@@ -2,13 +2,13 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
-#include <concino/io/detail/load_with.hpp>
-#include <concino/io/detail/medit_format.hpp>
-#include <concino/io/detail/save_with.hpp>
+#include <concino/io/detail/formats/load_with.hpp>
+#include <concino/io/detail/formats/save_with.hpp>
+#include <concino/io/detail/medit/medit_format.hpp>
 
 #ifndef CONCINO_COMPILED
-#include <concino/io/detail/read_medit.hpp>
-#include <concino/io/detail/write_medit.hpp>
+#include <concino/io/detail/medit/read_medit.hpp>
+#include <concino/io/detail/medit/write_medit.hpp>
 #endif
 
 namespace concino {

@@ -1,7 +1,7 @@
 // Parses numbers: independent of the locale, and correctly rounded.
 #pragma once
 
-#include <concino/io/detail/decimals.hpp>
+#include <concino/io/detail/text/decimals.hpp>
 
 #include <charconv>
 #include <cstddef>

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
-#include <concino/io/detail/load_with.hpp>
-#include <concino/io/detail/obj_format.hpp>
-#include <concino/io/detail/save_with.hpp>
+#include <concino/io/detail/formats/load_with.hpp>
+#include <concino/io/detail/formats/save_with.hpp>
+#include <concino/io/detail/obj/obj_format.hpp>
 
 #ifndef CONCINO_COMPILED
-#include <concino/io/detail/read_obj.hpp>
-#include <concino/io/detail/write_obj.hpp>
+#include <concino/io/detail/obj/read_obj.hpp>
+#include <concino/io/detail/obj/write_obj.hpp>
 #endif
 
 namespace concino {

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
-#include <concino/io/detail/load_with.hpp>
-#include <concino/io/detail/off_format.hpp>
-#include <concino/io/detail/save_with.hpp>
+#include <concino/io/detail/formats/load_with.hpp>
+#include <concino/io/detail/formats/save_with.hpp>
+#include <concino/io/detail/off/off_format.hpp>
 
 #ifndef CONCINO_COMPILED
-#include <concino/io/detail/read_off.hpp>
-#include <concino/io/detail/write_off.hpp>
+#include <concino/io/detail/off/read_off.hpp>
+#include <concino/io/detail/off/write_off.hpp>
 #endif
 
 namespace concino {

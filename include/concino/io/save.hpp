@@ -3,19 +3,19 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/io/detail/save_standard.hpp>
+#include <concino/io/detail/formats/save_standard.hpp>
 #include <concino/io/formats.hpp>
 
 #ifndef CONCINO_COMPILED
-#include <concino/io/detail/write_hedra.hpp>
-#include <concino/io/detail/write_hybrid.hpp>
-#include <concino/io/detail/write_medit.hpp>
-#include <concino/io/detail/write_obj.hpp>
-#include <concino/io/detail/write_off.hpp>
-#include <concino/io/detail/write_tet.hpp>
-#include <concino/io/detail/write_vtk.hpp>
-#include <concino/io/detail/write_vtp.hpp>
-#include <concino/io/detail/write_vtu.hpp>
+#include <concino/io/detail/hedra/write_hedra.hpp>
+#include <concino/io/detail/hybrid/write_hybrid.hpp>
+#include <concino/io/detail/medit/write_medit.hpp>
+#include <concino/io/detail/obj/write_obj.hpp>
+#include <concino/io/detail/off/write_off.hpp>
+#include <concino/io/detail/tet/write_tet.hpp>
+#include <concino/io/detail/vtk/write_vtk.hpp>
+#include <concino/io/detail/vtk_xml/write_vtp.hpp>
+#include <concino/io/detail/vtk_xml/write_vtu.hpp>
 #endif
 
 namespace concino {

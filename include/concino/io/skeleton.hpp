@@ -83,5 +83,5 @@ std::string save_skeleton_text(const skeleton& k, const save_options& options);
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/io/detail/skeleton.ipp>
+#include <concino/io/detail/skeleton/skeleton.ipp>
 #endif

@@ -89,5 +89,5 @@ struct mesh_traits<skeleton> {
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/io/detail/skeleton_graph.ipp>
+#include <concino/io/detail/skeleton/skeleton_graph.ipp>
 #endif

@@ -61,5 +61,5 @@ std::string save_slices_text(const slices& s, const save_options& options = {});
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/io/detail/slices.ipp>
+#include <concino/io/detail/slices/slices.ipp>
 #endif

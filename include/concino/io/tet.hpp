@@ -1,14 +1,14 @@
 // Reads and writes .tet, volumes of tets, hexes, prisms and pyramids.
 #pragma once
 
-#include <concino/io/detail/tet_format.hpp>
+#include <concino/io/detail/tet/tet_format.hpp>
 #include <concino/core/compiled.hpp>
-#include <concino/io/detail/load_with.hpp>
-#include <concino/io/detail/save_with.hpp>
+#include <concino/io/detail/formats/load_with.hpp>
+#include <concino/io/detail/formats/save_with.hpp>
 
 #ifndef CONCINO_COMPILED
-#include <concino/io/detail/read_tet.hpp>
-#include <concino/io/detail/write_tet.hpp>
+#include <concino/io/detail/tet/read_tet.hpp>
+#include <concino/io/detail/tet/write_tet.hpp>
 #endif
 
 namespace concino {

@@ -4,7 +4,7 @@
 #include <concino/core/error.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/progress.hpp>
-#include <concino/io/detail/characters.hpp>
+#include <concino/io/detail/text/characters.hpp>
 #include <concino/io/numbers.hpp>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // Buffered output of text, to a file or to a string.
 #pragma once
 
-#include <concino/io/detail/io_errors.hpp>
-#include <concino/io/detail/system_files.hpp>
+#include <concino/io/detail/files/io_errors.hpp>
+#include <concino/io/detail/files/system_files.hpp>
 
 #include <algorithm>
 #include <array>

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
-#include <concino/io/detail/load_with.hpp>
-#include <concino/io/detail/save_with.hpp>
-#include <concino/io/detail/vtk_format.hpp>
+#include <concino/io/detail/formats/load_with.hpp>
+#include <concino/io/detail/formats/save_with.hpp>
+#include <concino/io/detail/vtk/vtk_format.hpp>
 
 #ifndef CONCINO_COMPILED
-#include <concino/io/detail/read_vtk.hpp>
-#include <concino/io/detail/write_vtk.hpp>
+#include <concino/io/detail/vtk/read_vtk.hpp>
+#include <concino/io/detail/vtk/write_vtk.hpp>
 #endif
 
 namespace concino {

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
-#include <concino/io/detail/load_with.hpp>
-#include <concino/io/detail/save_with.hpp>
-#include <concino/io/detail/vtp_format.hpp>
+#include <concino/io/detail/formats/load_with.hpp>
+#include <concino/io/detail/formats/save_with.hpp>
+#include <concino/io/detail/vtk_xml/vtp_format.hpp>
 
 #ifndef CONCINO_COMPILED
-#include <concino/io/detail/read_vtp.hpp>
-#include <concino/io/detail/write_vtp.hpp>
+#include <concino/io/detail/vtk_xml/read_vtp.hpp>
+#include <concino/io/detail/vtk_xml/write_vtp.hpp>
 #endif
 
 namespace concino {

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
-#include <concino/io/detail/load_with.hpp>
-#include <concino/io/detail/save_with.hpp>
-#include <concino/io/detail/vtu_format.hpp>
+#include <concino/io/detail/formats/load_with.hpp>
+#include <concino/io/detail/formats/save_with.hpp>
+#include <concino/io/detail/vtk_xml/vtu_format.hpp>
 
 #ifndef CONCINO_COMPILED
-#include <concino/io/detail/read_vtu.hpp>
-#include <concino/io/detail/write_vtu.hpp>
+#include <concino/io/detail/vtk_xml/read_vtu.hpp>
+#include <concino/io/detail/vtk_xml/write_vtu.hpp>
 #endif
 
 namespace concino {

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
-#include <concino/level_sets/detail/level_states.hpp>
-#include <concino/level_sets/detail/plane_heights.hpp>
-#include <concino/level_sets/detail/surface_clipper.hpp>
-#include <concino/level_sets/detail/volume_clipper.hpp>
+#include <concino/level_sets/detail/clip/surface_clipper.hpp>
+#include <concino/level_sets/detail/clip/volume_clipper.hpp>
+#include <concino/level_sets/detail/cut/level_states.hpp>
+#include <concino/level_sets/detail/cut/plane_heights.hpp>
 
 namespace concino {
 

@@ -4,10 +4,10 @@
 #include <concino/concepts/maps.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
-#include <concino/level_sets/detail/add_edge_between.hpp>
-#include <concino/level_sets/detail/add_face_with.hpp>
-#include <concino/level_sets/detail/level_embedder.hpp>
-#include <concino/level_sets/detail/level_states.hpp>
+#include <concino/level_sets/detail/cut/level_states.hpp>
+#include <concino/level_sets/detail/embed/add_edge_between.hpp>
+#include <concino/level_sets/detail/embed/add_face_with.hpp>
+#include <concino/level_sets/detail/embed/level_embedder.hpp>
 #include <concino/mesh/element_map.hpp>
 
 #include <algorithm>

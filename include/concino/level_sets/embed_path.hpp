@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
-#include <concino/level_sets/detail/path_embedder.hpp>
+#include <concino/level_sets/detail/embed/path_embedder.hpp>
 #include <concino/level_sets/embed.hpp>
 
 #include <concepts>

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
-#include <concino/level_sets/detail/crossed_surface_reader.hpp>
-#include <concino/level_sets/detail/level_states.hpp>
-#include <concino/level_sets/detail/line_pieces.hpp>
+#include <concino/level_sets/detail/cut/crossed_surface_reader.hpp>
+#include <concino/level_sets/detail/cut/level_states.hpp>
+#include <concino/level_sets/detail/lines/line_pieces.hpp>
 
 #include <cstddef>
 #include <initializer_list>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
-#include <concino/level_sets/detail/level_states.hpp>
-#include <concino/level_sets/detail/level_surface_builder.hpp>
+#include <concino/level_sets/detail/cut/level_states.hpp>
+#include <concino/level_sets/detail/surfaces/level_surface_builder.hpp>
 #include <concino/mesh/correspondence.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 #include <concino/mesh/property.hpp>
@@ -70,7 +70,7 @@ level_surface<M, To> find_isosurface(const M& m, const U& u, const V& values, co
 ///         number of threads.
 /// Errors: invalid_argument if a value is NaN, naming the vert, or if u is a map of another mesh. unsupported that names a poly that is to be cut, but
 ///         whose faces do not form a sphere.
-/// Source: marching tetrahedra, Doi and Koide 1991; for other polys the rule above.
+/// Source: on tets marching tetrahedra, Doi and Koide 1991, as the rule above is there.
 template<class To = polygonmesh, VolumeMesh M, class U, class V = std::initializer_list<double>>
   requires Embedded<M> && requirement::gives_numbers<U, vert_t<M>> && requirement::is_value_list<V> && requirement::is_level_surface_mesh<To>
 level_surface<M, To> isosurface(const M& m, const U& u, const V& values) {

@@ -4,10 +4,10 @@
 #include <concino/core/mistakes.hpp>
 #include <concino/core/poly_chunks.hpp>
 #include <concino/geometry/measure.hpp>
-#include <concino/level_sets/detail/crossed_surface_reader.hpp>
-#include <concino/level_sets/detail/crossed_volume_reader.hpp>
-#include <concino/level_sets/detail/level_states.hpp>
-#include <concino/level_sets/detail/measure_parts.hpp>
+#include <concino/level_sets/detail/clip/measure_parts.hpp>
+#include <concino/level_sets/detail/cut/crossed_surface_reader.hpp>
+#include <concino/level_sets/detail/cut/crossed_volume_reader.hpp>
+#include <concino/level_sets/detail/cut/level_states.hpp>
 
 #include <algorithm>
 #include <cmath>

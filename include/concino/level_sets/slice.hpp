@@ -1,7 +1,7 @@
 // slice: the intersection of a mesh with a plane.
 #pragma once
 
-#include <concino/level_sets/detail/plane_heights.hpp>
+#include <concino/level_sets/detail/cut/plane_heights.hpp>
 #include <concino/level_sets/isolines.hpp>
 #include <concino/level_sets/isosurface.hpp>
 

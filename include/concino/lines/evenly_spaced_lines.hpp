@@ -3,7 +3,7 @@
 
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
-#include <concino/lines/detail/spaced_lines.hpp>
+#include <concino/lines/detail/follow/spaced_lines.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
-#include <concino/lines/detail/vert_field_walker.hpp>
+#include <concino/lines/detail/follow/vert_field_walker.hpp>
 
 #include <type_traits>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
-#include <concino/lines/detail/follow_field.hpp>
+#include <concino/lines/detail/follow/follow_field.hpp>
 
 #include <type_traits>
 

@@ -5,9 +5,9 @@
 #include <concino/core/iterable.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/fields/exact_paths.hpp>
-#include <concino/lines/detail/flip_out.hpp>
-#include <concino/lines/detail/geodesic_surface.hpp>
-#include <concino/lines/detail/geodesic_walker.hpp>
+#include <concino/lines/detail/geodesics/flip_out.hpp>
+#include <concino/lines/detail/geodesics/geodesic_surface.hpp>
+#include <concino/lines/detail/geodesics/geodesic_walker.hpp>
 #include <concino/mesh/element_map.hpp>
 
 #include <cmath>

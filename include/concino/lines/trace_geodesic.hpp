@@ -7,7 +7,7 @@
 #include <concino/core/number_text.hpp>
 #include <concino/core/tangent_vector.hpp>
 #include <concino/geometry/lowest_element.hpp>
-#include <concino/lines/detail/geodesic_start.hpp>
+#include <concino/lines/detail/geodesics/geodesic_start.hpp>
 #include <concino/mesh/element_map.hpp>
 
 #include <cmath>

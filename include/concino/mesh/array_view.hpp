@@ -1,5 +1,5 @@
 // array_view: the type of the meshes that view_tri, view_quad and so on return. Coordinates and the verts of polys are read from the user's arrays;
-// all other adjacencies are stored in tables.
+// all other adjacencies are stored in tables. Not part of <concino/mesh.hpp>, as view_arrays.hpp.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>

@@ -4,7 +4,7 @@
 #include <concino/concepts/derived.hpp>
 #include <concino/concepts/facets.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/mesh/detail/filtered.hpp>
+#include <concino/mesh/detail/views/filtered.hpp>
 
 #include <cstdint>
 

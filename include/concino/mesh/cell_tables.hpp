@@ -7,11 +7,11 @@
 #include <concino/core/function_ref.hpp>
 #include <concino/core/message.hpp>
 #include <concino/mesh/corner_orders.hpp>
-#include <concino/mesh/detail/cavity_input.hpp>
-#include <concino/mesh/detail/cell_ranges.hpp>
-#include <concino/mesh/detail/checks.hpp>
-#include <concino/mesh/detail/edit_log.hpp>
-#include <concino/mesh/detail/vertex_incidence.hpp>
+#include <concino/mesh/detail/edits/cavity_input.hpp>
+#include <concino/mesh/detail/edits/edit_log.hpp>
+#include <concino/mesh/detail/tables/cell_ranges.hpp>
+#include <concino/mesh/detail/tables/checks.hpp>
+#include <concino/mesh/detail/tables/vertex_incidence.hpp>
 
 namespace concino {
 
@@ -240,9 +240,9 @@ using hex_tables = cell_tables<detail::hex_shape>;
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/mesh/detail/cell_tables_build.ipp>
-#include <concino/mesh/detail/cell_tables_compact.ipp>
-#include <concino/mesh/detail/cell_tables_edit.ipp>
-#include <concino/mesh/detail/cell_tables_fans.ipp>
-#include <concino/mesh/detail/cell_tables_rewire.ipp>
+#include <concino/mesh/detail/edits/cell_tables_rewire.ipp>
+#include <concino/mesh/detail/tables/cell_tables_build.ipp>
+#include <concino/mesh/detail/tables/cell_tables_compact.ipp>
+#include <concino/mesh/detail/tables/cell_tables_edit.ipp>
+#include <concino/mesh/detail/tables/cell_tables_fans.ipp>
 #endif

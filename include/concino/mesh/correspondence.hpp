@@ -260,5 +260,5 @@ void transfer_properties(const From& before, To& m, const correspondence& c) {
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/mesh/detail/correspondence.ipp>
+#include <concino/mesh/detail/properties/correspondence.ipp>
 #endif

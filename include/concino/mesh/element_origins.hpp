@@ -2,6 +2,8 @@
 // it does not depend on the mesh types, and all algorithms that make a mesh of another one return it. correspondence.hpp transfers values and properties.
 #pragma once
 
+#include <concino/concepts/ranges.hpp>
+
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -34,28 +36,17 @@ class element_origins {
 
   /// The origins of one element.
   class range {
-    const origin* list_;
-    std::size_t size_;
-    origin single_;
+    const origin* list_ = nullptr;
+    std::size_t size_ = 0;
+    origin single_{none};
 
    public:
-    class iterator {
-      const range* r_;
-      std::size_t i_;
+    using value_type = origin;
+    using iterator = detail::index_iterator<range>;
 
-     public:
-      using value_type = origin;
-      iterator(const range& r, std::size_t i) : r_(&r), i_(i) {}
-      origin operator*() const { return (*r_)[i_]; }
-      iterator& operator++() {
-        ++i_;
-        return *this;
-      }
-      bool operator==(const iterator& o) const { return i_ == o.i_; }
-    };
-
-    explicit range(std::uint32_t single) : list_(nullptr), size_(single != none), single_{single} {}
-    range(const origin* list, std::size_t size) : list_(list), size_(size), single_{none} {}
+    range() = default;
+    explicit range(std::uint32_t single) : size_(single != none), single_{single} {}
+    range(const origin* list, std::size_t size) : list_(list), size_(size) {}
 
     std::size_t size() const { return size_; }
     bool empty() const { return size_ == 0; }

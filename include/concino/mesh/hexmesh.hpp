@@ -38,5 +38,5 @@ static_assert(HexMesh<hexmesh> && MutablePoints<hexmesh>);
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/mesh/detail/hexmesh.ipp>
+#include <concino/mesh/detail/meshes/hexmesh.ipp>
 #endif

@@ -6,7 +6,7 @@
 #include <concino/core/compiled.hpp>
 #include <concino/core/message.hpp>
 #include <concino/mesh/arrays.hpp>
-#include <concino/mesh/detail/edit_recorder.hpp>
+#include <concino/mesh/detail/edits/edit_recorder.hpp>
 #include <concino/mesh/element_origins.hpp>
 #include <concino/mesh/indexed_base.hpp>
 #include <concino/mesh/property_set.hpp>
@@ -305,5 +305,5 @@ struct native_traits : Base<M> {
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/mesh/detail/native_mesh.ipp>
+#include <concino/mesh/detail/meshes/native_mesh.ipp>
 #endif

@@ -33,5 +33,5 @@ static_assert(SurfaceMesh<polygonmesh> && MutablePoints<polygonmesh> && !TriMesh
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/mesh/detail/polygonmesh.ipp>
+#include <concino/mesh/detail/meshes/polygonmesh.ipp>
 #endif

@@ -5,11 +5,11 @@
 #include <concino/core/compiled.hpp>
 #include <concino/core/function_ref.hpp>
 #include <concino/core/message.hpp>
-#include <concino/mesh/detail/cavity_input.hpp>
-#include <concino/mesh/detail/checks.hpp>
-#include <concino/mesh/detail/edit_log.hpp>
-#include <concino/mesh/detail/polyhedra_ranges.hpp>
-#include <concino/mesh/detail/vertex_incidence.hpp>
+#include <concino/mesh/detail/edits/cavity_input.hpp>
+#include <concino/mesh/detail/edits/edit_log.hpp>
+#include <concino/mesh/detail/tables/checks.hpp>
+#include <concino/mesh/detail/tables/polyhedra_ranges.hpp>
+#include <concino/mesh/detail/tables/vertex_incidence.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -204,7 +204,7 @@ using polyhedra_tables = basic_polyhedra_tables<detail::jagged_array<vert_id, 0>
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/mesh/detail/polyhedra_compact.ipp>
-#include <concino/mesh/detail/polyhedra_tables.ipp>
-#include <concino/mesh/detail/polyhedra_tables_rewire.ipp>
+#include <concino/mesh/detail/edits/polyhedra_tables_rewire.ipp>
+#include <concino/mesh/detail/tables/polyhedra_compact.ipp>
+#include <concino/mesh/detail/tables/polyhedra_tables.ipp>
 #endif

@@ -37,5 +37,5 @@ static_assert(VolumeMesh<polyhedralmesh> && MutablePoints<polyhedralmesh> && !Te
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/mesh/detail/polyhedralmesh.ipp>
+#include <concino/mesh/detail/meshes/polyhedralmesh.ipp>
 #endif

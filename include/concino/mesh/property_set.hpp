@@ -4,7 +4,7 @@
 #include <concino/concepts/descriptors.hpp>
 #include <concino/core/compiled.hpp>
 #include <concino/core/error.hpp>
-#include <concino/mesh/detail/alive_elements.hpp>
+#include <concino/mesh/detail/rows/alive_elements.hpp>
 
 #include <array>
 #include <concepts>
@@ -242,5 +242,5 @@ class property_set {
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/mesh/detail/property_set.ipp>
+#include <concino/mesh/detail/properties/property_set.ipp>
 #endif

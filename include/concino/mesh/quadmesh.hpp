@@ -35,5 +35,5 @@ static_assert(QuadMesh<quadmesh> && MutablePoints<quadmesh>);
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/mesh/detail/quadmesh.ipp>
+#include <concino/mesh/detail/meshes/quadmesh.ipp>
 #endif

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
-#include <concino/mesh/detail/filtered.hpp>
+#include <concino/mesh/detail/views/filtered.hpp>
 
 namespace concino {
 

@@ -5,12 +5,12 @@
 #include <concino/core/compiled.hpp>
 #include <concino/core/function_ref.hpp>
 #include <concino/core/message.hpp>
-#include <concino/mesh/detail/alive_elements.hpp>
-#include <concino/mesh/detail/cavity_input.hpp>
-#include <concino/mesh/detail/checks.hpp>
-#include <concino/mesh/detail/edit_log.hpp>
-#include <concino/mesh/detail/facet_adjacency.hpp>
-#include <concino/mesh/detail/vertex_incidence.hpp>
+#include <concino/mesh/detail/edits/cavity_input.hpp>
+#include <concino/mesh/detail/edits/edit_log.hpp>
+#include <concino/mesh/detail/rows/alive_elements.hpp>
+#include <concino/mesh/detail/tables/checks.hpp>
+#include <concino/mesh/detail/tables/facet_adjacency.hpp>
+#include <concino/mesh/detail/tables/vertex_incidence.hpp>
 
 namespace concino {
 
@@ -189,7 +189,7 @@ CONCINO_TRIANGLE_EDITS(extern);
 
 }  // namespace concino
 
-#include <concino/mesh/detail/surface_tables.ipp>
-#include <concino/mesh/detail/surface_rewire.ipp>
-#include <concino/mesh/detail/surface_compact.ipp>
-#include <concino/mesh/detail/triangle_edits.ipp>
+#include <concino/mesh/detail/tables/surface_tables.ipp>
+#include <concino/mesh/detail/edits/surface_rewire.ipp>
+#include <concino/mesh/detail/tables/surface_compact.ipp>
+#include <concino/mesh/detail/edits/triangle_edits.ipp>

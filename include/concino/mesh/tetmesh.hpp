@@ -38,5 +38,5 @@ static_assert(TetMesh<tetmesh> && MutablePoints<tetmesh>);
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/mesh/detail/tetmesh.ipp>
+#include <concino/mesh/detail/meshes/tetmesh.ipp>
 #endif

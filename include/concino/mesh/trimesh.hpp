@@ -35,5 +35,5 @@ static_assert(TriMesh<trimesh> && MutablePoints<trimesh>);
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/mesh/detail/trimesh.ipp>
+#include <concino/mesh/detail/meshes/trimesh.ipp>
 #endif

@@ -1,5 +1,6 @@
 // view_tri(V, F), view_quad(V, F) and so on: mesh views over arrays that the user owns. Adapters read the arrays: <concino/adapters/eigen.hpp> reads
 // Eigen matrices, <concino/adapters/span.hpp> spans and containers; the points and the polys of one view may come from different adapters.
+// Not part of <concino/mesh.hpp>: the adapters include it.
 //
 // The view owns only the adjacencies that are not in the arrays. point(m, v) reads the user's array, so it returns the latest values; set_point writes
 // it, if it is writable. adj_p2v(m, p), and adj_f2v(m, f) of polyhedra, read the user's array too, but polys must not change: make a new
@@ -7,7 +8,7 @@
 // is used.
 #pragma once
 
-#include <concino/mesh/detail/input_arrays.hpp>
+#include <concino/mesh/detail/views/input_arrays.hpp>
 
 namespace concino {
 

@@ -1,4 +1,4 @@
-// An alternative discretisation, for comparison: the polygon Laplacian of de Goes, Butts and Desbrun.
+// An alternative discretisation, for comparison: the polygon Laplacian of de Goes, Butts and Desbrun. Not part of <concino/operators.hpp>.
 #pragma once
 
 #include <concino/operators/detail/cotangent_weights.hpp>

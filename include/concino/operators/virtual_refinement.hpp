@@ -1,4 +1,4 @@
-// An alternative discretisation, for comparison: virtual refinement.
+// An alternative discretisation, for comparison: virtual refinement. Not part of <concino/operators.hpp>.
 #pragma once
 
 #include <concino/operators/detail/cotangent_weights.hpp>

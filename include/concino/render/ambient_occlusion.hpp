@@ -6,8 +6,8 @@
 #include <concino/core/progress.hpp>
 #include <concino/mesh/element_map.hpp>
 #include <concino/render/box_tree_tracer.hpp>
-#include <concino/render/detail/sampling.hpp>
-#include <concino/render/detail/unit_scene.hpp>
+#include <concino/render/detail/trace/sampling.hpp>
+#include <concino/render/detail/trace/unit_scene.hpp>
 #include <concino/render/make_drawable.hpp>
 
 #include <algorithm>

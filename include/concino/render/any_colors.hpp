@@ -9,7 +9,7 @@
 //         the mesh does not have.
 #pragma once
 
-#include <concino/render/detail/drawn_map.hpp>
+#include <concino/render/detail/colors/drawn_map.hpp>
 
 namespace concino {
 

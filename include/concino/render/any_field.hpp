@@ -3,7 +3,7 @@
 
 #include <concino/concepts/facets.hpp>
 #include <concino/core/parallel.hpp>
-#include <concino/render/detail/kept_map.hpp>
+#include <concino/render/detail/colors/kept_map.hpp>
 
 #include <cassert>
 #include <concepts>

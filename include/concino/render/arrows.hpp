@@ -108,5 +108,5 @@ void make_arrows(M&&, const G&, ...) = delete;  // a vector at each poly: make_p
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/render/detail/arrows.ipp>
+#include <concino/render/detail/shapes/arrows.ipp>
 #endif

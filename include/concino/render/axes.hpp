@@ -33,5 +33,5 @@ void draw_axes(image& picture, const camera& from, const box& around, const axes
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/render/detail/axes.ipp>
+#include <concino/render/detail/overlays/axes.ipp>
 #endif

@@ -3,7 +3,7 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/render/detail/flat_lines.hpp>
+#include <concino/render/detail/shapes/flat_lines.hpp>
 #include <concino/render/drawable.hpp>
 
 #include <initializer_list>
@@ -65,5 +65,5 @@ template<class... T> void make_balls(mistake::no_points<mistake::give_points>, .
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/render/detail/balls.ipp>
+#include <concino/render/detail/shapes/balls.ipp>
 #endif

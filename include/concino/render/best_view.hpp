@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/render/box_tree_tracer.hpp>
-#include <concino/render/detail/unit_scene.hpp>
+#include <concino/render/detail/trace/unit_scene.hpp>
 #include <concino/render/view.hpp>
 
 #include <cmath>

@@ -56,6 +56,6 @@ static_assert(RayCaster<box_tree_caster> && RayTracer<box_tree_tracer>);
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/render/detail/box_tree_builder.ipp>
-#include <concino/render/detail/box_tree_tracer.ipp>
+#include <concino/render/detail/trace/box_tree_builder.ipp>
+#include <concino/render/detail/trace/box_tree_tracer.ipp>
 #endif

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/render/color.hpp>
-#include <concino/render/detail/colormap_tables.hpp>
+#include <concino/render/detail/colors/colormap_tables.hpp>
 
 #include <algorithm>
 #include <array>

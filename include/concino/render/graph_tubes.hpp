@@ -3,7 +3,7 @@
 
 #include <concino/concepts/end_verts.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/render/detail/trails.hpp>
+#include <concino/render/detail/shapes/graph_lines.hpp>
 #include <concino/render/tubes.hpp>
 
 #include <concepts>

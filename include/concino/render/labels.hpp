@@ -38,5 +38,5 @@ std::vector<pixel_box> draw_labels(image& picture, const camera& from, std::span
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/render/detail/labels.ipp>
+#include <concino/render/detail/overlays/labels.ipp>
 #endif

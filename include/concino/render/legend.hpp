@@ -50,5 +50,5 @@ pixel_box draw_title(image& picture, std::string_view title, const rgb& color = 
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/render/detail/legend.ipp>
+#include <concino/render/detail/overlays/legend.ipp>
 #endif

@@ -4,7 +4,7 @@
 #include <concino/core/error.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/geometry/outer_polygons.hpp>
-#include <concino/render/detail/drawable_values.hpp>
+#include <concino/render/detail/colors/drawable_values.hpp>
 #include <concino/render/drawable.hpp>
 #include <concino/render/mesh_look.hpp>
 

@@ -29,5 +29,5 @@ void save_png(const image& picture, const std::string& path, const file_options&
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/render/detail/png.ipp>
+#include <concino/render/detail/image/png.ipp>
 #endif

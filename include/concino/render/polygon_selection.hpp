@@ -3,7 +3,7 @@
 
 #include <concino/core/parallel.hpp>
 #include <concino/geometry/outer_polygons.hpp>
-#include <concino/render/detail/kept_map.hpp>
+#include <concino/render/detail/colors/kept_map.hpp>
 
 #include <cassert>
 #include <concepts>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/render/box_tree_tracer.hpp>
-#include <concino/render/detail/prepared_scene.hpp>
+#include <concino/render/detail/trace/prepared_scene.hpp>
 
 namespace concino {
 

@@ -33,5 +33,5 @@ image make_sheet(std::span<const image> pictures, const sheet_options& options =
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/render/detail/sheet.ipp>
+#include <concino/render/detail/image/sheet.ipp>
 #endif

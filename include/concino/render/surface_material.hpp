@@ -51,5 +51,5 @@ class surface_material {
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/render/detail/surface_material.ipp>
+#include <concino/render/detail/colors/surface_material.ipp>
 #endif

@@ -47,5 +47,5 @@ double text_width(std::string_view text, double size);
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/render/detail/text.ipp>
+#include <concino/render/detail/text/text.ipp>
 #endif

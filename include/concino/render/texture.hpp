@@ -66,5 +66,5 @@ class texture {
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/render/detail/texture.ipp>
+#include <concino/render/detail/colors/texture.ipp>
 #endif

@@ -3,7 +3,7 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/render/detail/flat_lines.hpp>
+#include <concino/render/detail/shapes/flat_lines.hpp>
 #include <concino/render/drawable.hpp>
 
 #include <initializer_list>
@@ -74,5 +74,5 @@ template<class... T> void make_tubes(mistake::no_points<mistake::give_points>, .
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/render/detail/tubes.ipp>
+#include <concino/render/detail/shapes/tubes.ipp>
 #endif

@@ -50,5 +50,5 @@ std::vector<std::string> save_turntable(const scene& s, const std::string& path,
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/render/detail/turntable.ipp>
+#include <concino/render/detail/trace/turntable.ipp>
 #endif

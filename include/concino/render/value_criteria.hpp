@@ -3,7 +3,7 @@
 
 #include <concino/core/error.hpp>
 #include <concino/render/criterion.hpp>
-#include <concino/render/detail/kept_map.hpp>
+#include <concino/render/detail/colors/kept_map.hpp>
 
 #include <algorithm>
 #include <initializer_list>

@@ -66,5 +66,5 @@ class auto_solver {
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/solve/detail/auto_solver.ipp>
+#include <concino/solve/detail/iterative/auto_solver.ipp>
 #endif

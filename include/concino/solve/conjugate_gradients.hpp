@@ -3,8 +3,8 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/solve/conjugate_gradients_options.hpp>
-#include <concino/solve/detail/incomplete_cholesky.hpp>
-#include <concino/solve/detail/iterative_system.hpp>
+#include <concino/solve/detail/iterative/incomplete_cholesky.hpp>
+#include <concino/solve/detail/iterative/iterative_system.hpp>
 
 #include <Eigen/SparseCore>
 
@@ -58,5 +58,5 @@ class conjugate_gradients {
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/solve/detail/conjugate_gradients.ipp>
+#include <concino/solve/detail/iterative/conjugate_gradients.ipp>
 #endif

@@ -50,5 +50,5 @@ eigenpairs_result eigenpairs(const Eigen::SparseMatrix<double>& k, const Eigen::
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/solve/detail/eigenpairs.ipp>
+#include <concino/solve/detail/eigen/eigenpairs.ipp>
 #endif

@@ -51,5 +51,5 @@ class ldlt {
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/solve/detail/ldlt.ipp>
+#include <concino/solve/detail/direct/ldlt.ipp>
 #endif

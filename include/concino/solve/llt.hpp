@@ -44,5 +44,5 @@ class llt {
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/solve/detail/llt.ipp>
+#include <concino/solve/detail/direct/llt.ipp>
 #endif

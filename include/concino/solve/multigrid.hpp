@@ -2,8 +2,8 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
-#include <concino/solve/detail/iterative_system.hpp>
-#include <concino/solve/detail/multigrid_levels.hpp>
+#include <concino/solve/detail/iterative/iterative_system.hpp>
+#include <concino/solve/detail/multigrid/multigrid_levels.hpp>
 #include <concino/solve/multigrid_options.hpp>
 
 #include <Eigen/SparseCore>
@@ -58,5 +58,5 @@ class multigrid {
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/solve/detail/multigrid.ipp>
+#include <concino/solve/detail/multigrid/multigrid.ipp>
 #endif

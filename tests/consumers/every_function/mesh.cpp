@@ -2,11 +2,11 @@
 
 #include <concino/adapters/span.hpp>
 #include <concino/mesh/correspondence.hpp>
-#include <concino/mesh/limits.hpp>
-#include <concino/mesh/standard_cells.hpp>
-#include <concino/mesh/to_polyhedra.hpp>
+#include <concino/mesh/support/limits.hpp>
+#include <concino/mesh/support/standard_cells.hpp>
+#include <concino/mesh/support/to_polyhedra.hpp>
+#include <concino/mesh/support/volume_sign.hpp>
 #include <concino/mesh/view_arrays.hpp>
-#include <concino/mesh/volume_sign.hpp>
 
 #include <array>
 

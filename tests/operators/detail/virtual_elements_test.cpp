@@ -1,7 +1,7 @@
 #include <concino/operators/detail/virtual_elements.hpp>
 
 #include <concino/geometry/centroid.hpp>
-#include <concino/mesh/face_soup.hpp>
+#include <concino/mesh/support/face_soup.hpp>
 
 #include <support/kinds.hpp>
 #include <support/motions.hpp>

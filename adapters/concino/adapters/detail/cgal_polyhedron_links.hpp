@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/adapters/detail/cgal_point.hpp>
+#include <concino/adapters/detail/mapped_range.hpp>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/graph_traits_Polyhedron_3.h>
@@ -10,37 +11,11 @@
 
 namespace concino::detail {
 
-/// The range between two iterators of a polyhedron, as descriptors.
-template<class Iterator, class X>
-class cgal_handles {
-  Iterator first_, last_;
-
- public:
-  class iterator {
-    Iterator at_{};
-
-   public:
-    using value_type = X;
-    using difference_type = std::ptrdiff_t;
-
-    iterator() = default;
-    explicit iterator(const Iterator& at) : at_(at) {}
-    X operator*() const { return X(at_); }
-    iterator& operator++() {
-      ++at_;
-      return *this;
-    }
-    iterator operator++(int) {
-      iterator old = *this;
-      ++*this;
-      return old;
-    }
-    friend bool operator==(const iterator& a, const iterator& b) { return a.at_ == b.at_; }
-  };
-
-  cgal_handles(const Iterator& first, const Iterator& last) : first_(first), last_(last) {}
-  iterator begin() const { return iterator(first_); }
-  iterator end() const { return iterator(last_); }
+/// An iterator of a polyhedron as descriptor.
+template<class X>
+struct cgal_descriptor {
+  template<class Iterator>
+  X operator()(const Iterator& i) const { return X(i); }
 };
 
 /// Links of polyhedron P. M is P itself or a view of it; the handles need no mesh to find their neighbours.
@@ -81,7 +56,7 @@ struct cgal_polyhedron_links {
     else return const_cast<P&>(m.base());
   }
   template<class X, class Iterator>
-  static cgal_handles<Iterator, X> handles(const Iterator& first, const Iterator& last) { return {first, last}; }
+  static mapped_range<X, Iterator, cgal_descriptor<X>> handles(const Iterator& first, const Iterator& last) { return {first, last}; }
 };
 
 }  // namespace concino::detail

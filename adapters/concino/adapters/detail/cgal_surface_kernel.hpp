@@ -1,6 +1,7 @@
 // How `rewire` changes the half-edges of a CGAL::Surface_mesh; see halfedge_edge_plan.hpp.
 #pragma once
 
+#include <concino/adapters/detail/cgal_point.hpp>
 #include <concino/adapters/detail/halfedge_recorder.hpp>
 
 #include <CGAL/Surface_mesh.h>
@@ -60,6 +61,7 @@ struct cgal_surface_kernel {
 
   static points find_points(mesh&) { return {}; }
   static P& point_of(mesh& m, points, unsigned v) { return m.point(vert(v)); }
+  template<class X> static void assign_point(P& p, const X& x) { detail::assign_point(p, x); }
 
   // CGAL::Surface_mesh has no properties of the whole mesh, so this is the property of the edge with index 0.
   static edits* find_edits(mesh& m) {

@@ -3,38 +3,13 @@
 
 #include <concino/concepts/cavity.hpp>
 #include <concino/core/error.hpp>
+#include <concino/core/local_numbers.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/small_array.hpp>
 
-#include <algorithm>
-#include <cstdint>
+#include <cstddef>
 
 namespace concino::detail {
-
-/// The places of different numbers in a list. Built once, then searched.
-class places_of_numbers {
-  core::small_array<std::uint64_t, 32> sorted_;  // each number with its place
-
- public:
-  static constexpr unsigned none = ~0u;
-
-  void clear() { sorted_.clear(); }
-  void add(unsigned number, unsigned place) { sorted_.push_back(std::uint64_t{number} << 32 | place); }
-  void sort() {
-    if (sorted_.size() > 1) std::sort(sorted_.begin(), sorted_.end());
-  }
-  /// The place of a number, or `none`.
-  unsigned find(unsigned number) const {
-    const std::uint64_t* const at = std::lower_bound(sorted_.begin(), sorted_.end(), std::uint64_t{number} << 32);
-    return at != sorted_.end() && *at >> 32 == number ? static_cast<unsigned>(*at) : none;
-  }
-  /// A number that was added twice, or `none`.
-  unsigned repeated() const {
-    for (std::size_t i = 1; i < sorted_.size(); ++i)
-      if (sorted_[i] >> 32 == sorted_[i - 1] >> 32) return static_cast<unsigned>(sorted_[i] >> 32);
-    return none;
-  }
-};
 
 /// An edge of old or new polys.
 struct planned_edge {
@@ -60,8 +35,8 @@ struct halfedge_cavity {
 
   core::small_array<unsigned, 32> verts;  // indices
   core::small_array<unsigned, 32> polys;  // indices of old polys
-  places_of_numbers local;                // of verts
-  places_of_numbers old;                  // of old polys
+  core::local_numbers local;              // of verts
+  core::local_numbers old;                // of old polys
   id_span<unsigned> corners, ends;
   std::size_t num_new_verts, kept, removed;
 
@@ -88,17 +63,14 @@ struct halfedge_cavity {
   void add_elements(const mesh& m, const cavity& c) {
     for (const auto& p : c.polys) {
       if (!K::contains(m, p)) core::throw_joined<invalid_mesh>({"rewire: old poly ", K::index(p), " is not a poly of the mesh"});
-      old.add(K::index(p), static_cast<unsigned>(polys.size()));
       polys.push_back(K::index(p));
+      if (old.add(polys.back()) + 1 < polys.size()) core::throw_joined<invalid_mesh>({"rewire: old poly ", polys.back(), " is listed twice; list it once"});
     }
     for (const auto& v : c.verts) {
       if (!K::contains(m, v)) core::throw_joined<invalid_mesh>({"rewire: vert ", K::index(v), " of the cavity is not a vert of the mesh"});
-      local.add(K::index(v), num_verts());
       verts.push_back(K::index(v));
+      if (local.add(verts.back()) + 1 < verts.size()) core::throw_joined<invalid_mesh>({"rewire: vert ", verts.back(), " of the cavity is listed twice; list it once"});
     }
-    old.sort(), local.sort();
-    if (const unsigned p = old.repeated(); p != none) core::throw_joined<invalid_mesh>({"rewire: old poly ", p, " is listed twice; list it once"});
-    if (const unsigned v = local.repeated(); v != none) core::throw_joined<invalid_mesh>({"rewire: vert ", v, " of the cavity is listed twice; list it once"});
   }
 
   void check_new_poly(std::size_t k, unsigned first, unsigned arity) const {
@@ -108,15 +80,12 @@ struct halfedge_cavity {
     const unsigned n = last - first;
     if (arity > 0 && n != arity) core::throw_joined<invalid_mesh>({"rewire: new poly ", k, " has ", n, " verts; every poly of this mesh has ", arity});
     if (n < 3) core::throw_joined<invalid_mesh>({"rewire: new poly ", k, " has ", n, " verts; it needs at least 3"});
-    places_of_numbers own;
+    core::local_numbers own;
     for (unsigned i = first; i < last; ++i) {
       if (corners[i] >= num_all_verts())
         core::throw_joined<invalid_mesh>({"rewire: new poly ", k, " names vert ", corners[i], " of the cavity, which has ", num_all_verts(), ", numbered from 0"});
-      own.add(corners[i], i);
+      if (own.add(corners[i]) + first < i) core::throw_joined<invalid_mesh>({"rewire: new poly ", k, " has vert ", corners[i], " of the cavity twice; its verts must differ"});
     }
-    own.sort();
-    if (const unsigned v = own.repeated(); v != none)
-      core::throw_joined<invalid_mesh>({"rewire: new poly ", k, " has vert ", v, " of the cavity twice; its verts must differ"});
     for (unsigned i = first; i < last; ++i)
       if (is_removed(corners[i])) refuse_removal(corners[i]);
   }

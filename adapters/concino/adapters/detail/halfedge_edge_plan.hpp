@@ -17,6 +17,7 @@
 #include <concino/adapters/detail/halfedge_cavity.hpp>
 
 #include <algorithm>
+#include <cstdint>
 
 namespace concino::detail {
 
@@ -53,11 +54,17 @@ class halfedge_edge_plan {
   core::small_array<std::uint64_t, 96> keys_;  // of edges, sorted: both verts
   core::small_array<unsigned, 96> next_corner_;
   core::small_array<unsigned, 32> new_edges_;  // places in `edges`
-  places_of_numbers existing_;                 // places in `edges` of edges of the mesh
+  core::local_numbers existing_;               // edges of the mesh
+  core::small_array<unsigned, 32> existing_places_;  // of these, in `edges`
 
   bool refuse(const char* why, unsigned v, unsigned w = none) {
     refused = {why, v, w};
     return false;
+  }
+  /// The place in `edges` of an edge of the mesh, or `none`.
+  unsigned place_of_existing(unsigned e) const {
+    const unsigned k = existing_.find(e);
+    return k == none ? none : existing_places_[k];
   }
   static std::uint64_t key(unsigned a, unsigned b) { return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b); }
   planned_edge& edge_of(unsigned a, unsigned b) { return edges[static_cast<std::size_t>(std::lower_bound(keys_.begin(), keys_.end(), key(a, b)) - keys_.begin())]; }
@@ -143,7 +150,8 @@ class halfedge_edge_plan {
         e.halfedge = 2 * (K::num_edges(m_) + num_new_edges++);
         new_edges_.push_back(i);
       } else {
-        existing_.add(e.halfedge >> 1, i);
+        existing_.add(e.halfedge >> 1);
+        existing_places_.push_back(i);
       }
       for (const unsigned d : {0u, 1u}) {
         const unsigned p = e.is_new ? none : K::poly_of(m_, e.halfedge ^ d);
@@ -153,7 +161,6 @@ class halfedge_edge_plan {
         corner_halfedges[e.corner[d]] = e.halfedge ^ d;
       }
     }
-    existing_.sort();
     return true;
   }
 };

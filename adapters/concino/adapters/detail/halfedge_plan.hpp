@@ -8,7 +8,7 @@ namespace concino::detail {
 template<class K>
 class halfedge_plan : public halfedge_edge_plan<K> {
   using base = halfedge_edge_plan<K>;
-  using base::c_, base::existing_, base::m_, base::new_edges_, base::next_corner_;
+  using base::c_, base::m_, base::new_edges_, base::next_corner_, base::place_of_existing;
 
  public:
   using typename base::mesh;
@@ -52,7 +52,7 @@ class halfedge_plan : public halfedge_edge_plan<K> {
   /// The place in `edges` of a half-edge's edge, or `none`.
   unsigned place_of(unsigned h) const {
     const unsigned bound = K::num_edges(m_), e = h >> 1;
-    return e >= bound ? new_edges_[e - bound] : existing_.find(e);
+    return e >= bound ? new_edges_[e - bound] : place_of_existing(e);
   }
   /// The half-edge that follows h in its poly, or `none` at the border.
   unsigned next_in_poly(unsigned h) const {
@@ -75,7 +75,7 @@ class halfedge_plan : public halfedge_edge_plan<K> {
       if (const unsigned first = K::halfedge_from(m_, c_.verts[v]); first != none) {
         unsigned h = first;
         do {
-          const unsigned i = existing_.find(h >> 1);
+          const unsigned i = place_of_existing(h >> 1);
           if (i == none || edges[i].remains()) ring_.push_back(h);
           h = K::next(m_, h ^ 1);
         } while (h != first);
@@ -120,7 +120,7 @@ class halfedge_plan : public halfedge_edge_plan<K> {
       return true;
     }
     if (v < c_.num_verts() && !c_.is_removed(v) && keeps_ring(v)) {
-      const unsigned h = K::halfedge_from(m_, c_.verts[v]), i = existing_.find(h >> 1);
+      const unsigned h = K::halfedge_from(m_, c_.verts[v]), i = place_of_existing(h >> 1);
       if (i != none && !edges[i].remains()) leaving.push_back({v, remaining_halfedge(v)});
       return true;
     }

@@ -1,6 +1,8 @@
-// Undoing edits of half-edge meshes of other libraries: what traits need for transactions. The struct K of halfedge_log.hpp also has:
+// Editing half-edge meshes of other libraries, and undoing it: what their traits have in common. The struct K of halfedge_log.hpp also has:
 //
 //   static halfedge_edits<K>* find_edits(mesh&);    // null if the mesh has had no transaction
+//   static halfedge_edits<K>& edits_of(mesh&);      // made if there are none
+//   static void assign_point(point&, const X&);
 #pragma once
 
 #include <concino/adapters/detail/halfedge_log.hpp>
@@ -93,23 +95,43 @@ class uncopied {
   }
 };
 
-/// rewire for traits.
-template<class K, class SetPoint>
-void rewire_recorded(typename K::mesh& m, const typename halfedge_cavity<K>::cavity& c, unsigned arity, const SetPoint& set_point,
-                     const cavity_result_of<typename K::vert, typename K::poly>& made) {
-  halfedge_edits<K>* const edits = K::find_edits(m);
-  no_record none;
-  if (edits && edits->recorder) rewire_halfedges<K>(m, c, arity, *edits->recorder, set_point, made);
-  else rewire_halfedges<K>(m, c, arity, none, set_point, made);
-  count_edit(edits);
+/// The record of the open transaction, or null.
+template<class K>
+halfedge_recorder<K>* halfedge_recorder_of(typename K::mesh& m) {
+  const halfedge_edits<K>* const edits = K::find_edits(m);
+  return edits ? edits->recorder : nullptr;
 }
 
-/// Why the library cannot represent the mesh that a cavity leads to, or null.
-template<class K>
-const char* why_not_rewire(const typename K::mesh& m, const typename halfedge_cavity<K>::cavity& lists, unsigned arity) {
-  const halfedge_cavity<K> c(m, lists, arity);
-  return halfedge_plan<K>(m, c).refused.why;
-}
+/// What traits of meshes with points that can be written have for editing. Half-edges are linked here, since libraries refuse polys that they could hold later. New
+/// edges take the places of removed ones, as in their own flips.
+template<class K, unsigned Arity>
+struct halfedge_editing {
+  using mesh = typename K::mesh;
+  using vert = typename K::vert;
+  using poly = typename K::poly;
+
+  static vert add_vert(mesh& m, const vec3& x) {
+    const vec3 copy = x;  // x may be a point of m, which moves
+    vert v;
+    rewire(m, {.points = {&copy, &copy + 1}}, {&v, nullptr});
+    return v;
+  }
+  static void rewire(mesh& m, const cavity_of<vert, poly>& c, const cavity_result_of<vert, poly>& made) {
+    const auto set_point = [&, points = K::find_points(m)](unsigned v, std::size_t k) { K::assign_point(K::point_of(m, points, v), c.points[k]); };
+    halfedge_edits<K>* const edits = K::find_edits(m);
+    no_record none;
+    if (edits && edits->recorder) rewire_halfedges<K>(m, c, Arity, *edits->recorder, set_point, made);
+    else rewire_halfedges<K>(m, c, Arity, none, set_point, made);
+    count_edit(edits);
+  }
+  static const char* why_not_rewire(const mesh& m, const cavity_of<vert, poly>& lists) {
+    const halfedge_cavity<K> c(m, lists, Arity);
+    return halfedge_plan<K>(m, c).refused.why;
+  }
+  static auto& edits(mesh& m) { return K::edits_of(m); }
+  static auto* edits_if_any(mesh& m) { return K::find_edits(m); }
+};
+struct no_halfedge_editing {};
 
 /// Edits of one element as replacements.
 template<class M>

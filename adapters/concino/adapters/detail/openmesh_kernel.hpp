@@ -123,6 +123,13 @@ struct openmesh_kernel : openmesh_elements_kernel {
 
   static points find_points(mesh& m) { return find_property<P>(m.vprops_begin(), m.vprops_end(), "v:points"); }
   static P& point_of(mesh&, points p, unsigned v) { return (*p)[static_cast<int>(v)]; }
+  template<class X>
+  static void assign_point(P& p, const X& x) {
+    using scalar = typename OpenMesh::vector_traits<P>::value_type;
+    p[0] = static_cast<scalar>(x[0]);
+    p[1] = static_cast<scalar>(x[1]);
+    p[2] = static_cast<scalar>(x[2]);
+  }
 
   static edits* find_edits(mesh& m) {
     auto* const found = find_property<uncopied<edits>>(m.mprops_begin(), m.mprops_end(), name_of_edits);

@@ -22,24 +22,13 @@ auto& openmesh_property(Iterator all, const Handle& x) {
   return static_cast<OpenMesh::PropertyT<typename Handle::Value>&>(*all[x.idx()]);
 }
 
-/// The elements of one kind that are not deleted, in order of index.
+/// Whether an element of one kind is deleted.
 template<class Handle>
-class openmesh_elements {
+class openmesh_is_deleted {
   using mesh = OpenMesh::PolyConnectivity;
-  using status_info = OpenMesh::Attributes::StatusInfo;
 
   const mesh* m_ = nullptr;
-  const status_info* status_ = nullptr;  // null: the mesh has no status attribute for this kind
-  int bound_ = 0;
-
-  bool is_deleted(int i) const {
-    if (status_) return status_[i].deleted();
-    // If edges have no status, delete_face deletes an edge by leaving it without faces.
-    if constexpr (std::same_as<Handle, OpenMesh::EdgeHandle>)
-      return m_->has_face_status() && m_->is_boundary(m_->halfedge_handle(Handle(i), 0)) &&
-             m_->is_boundary(m_->halfedge_handle(Handle(i), 1));
-    return false;
-  }
+  const OpenMesh::Attributes::StatusInfo* status_ = nullptr;  // null: the mesh has no status attribute for this kind
 
   static auto all_properties(const mesh& m) {
     if constexpr (std::same_as<Handle, OpenMesh::VertexHandle>) return m.vprops_begin();
@@ -48,35 +37,29 @@ class openmesh_elements {
   }
 
  public:
-  class iterator {
-    openmesh_elements r_;
-    int i_ = 0;
-    void skip() { while (i_ != r_.bound_ && r_.is_deleted(i_)) ++i_; }
-
-   public:
-    using value_type = Handle;
-    using difference_type = std::ptrdiff_t;
-
-    iterator() = default;
-    iterator(const openmesh_elements& r, int i) : r_(r), i_(i) { skip(); }
-    Handle operator*() const { return Handle(i_); }
-    iterator& operator++() { ++i_; skip(); return *this; }
-    iterator operator++(int) { iterator old = *this; ++*this; return old; }
-    friend bool operator==(const iterator& a, const iterator& b) { return a.i_ == b.i_; }
-  };
-
-  openmesh_elements() = default;
-  openmesh_elements(const mesh& m, std::size_t bound) : m_(&m), bound_(static_cast<int>(bound)) {
+  openmesh_is_deleted() = default;
+  explicit openmesh_is_deleted(const mesh& m) : m_(&m) {
     if (const auto property = m.status_pph(Handle()); property.is_valid()) status_ = openmesh_property(all_properties(m), property).data();
   }
-  iterator begin() const { return {*this, 0}; }
-  iterator end() const { return {*this, bound_}; }
-  bool contains(Handle x) const { return x.is_valid() && x.idx() < bound_ && !is_deleted(x.idx()); }
-  std::size_t count() const {
-    std::size_t n = 0;
-    for (int i = 0; i < bound_; ++i) n += !is_deleted(i);
-    return n;
+  bool operator()(unsigned i) const {
+    if (status_) return status_[i].deleted();
+    // If edges have no status, delete_face deletes an edge by leaving it without faces.
+    if constexpr (std::same_as<Handle, OpenMesh::EdgeHandle>) {
+      const Handle e(static_cast<int>(i));
+      return m_->has_face_status() && m_->is_boundary(m_->halfedge_handle(e, 0)) && m_->is_boundary(m_->halfedge_handle(e, 1));
+    }
+    return false;
   }
+};
+
+/// The elements of one kind that are not deleted, in order of index.
+template<class Handle>
+struct openmesh_elements : skipping_range<Handle, openmesh_is_deleted<Handle>> {
+  openmesh_elements(const OpenMesh::PolyConnectivity& m, std::size_t index_bound)
+      : skipping_range<Handle, openmesh_is_deleted<Handle>>{static_cast<unsigned>(index_bound), openmesh_is_deleted<Handle>(m)} {}
+
+  bool contains(Handle x) const { return x.is_valid() && x.idx() < static_cast<int>(this->bound) && !this->skips(static_cast<unsigned>(x.idx())); }
+  std::size_t count() const { return num_elements(*this); }
 };
 
 /// The links between OpenMesh's half-edges.

@@ -4,8 +4,8 @@
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/error.hpp>
 #include <concino/mesh/arrays.hpp>
-#include <concino/mesh/cell_recogniser.hpp>
 #include <concino/mesh/element_map.hpp>
+#include <concino/mesh/support/cell_recogniser.hpp>
 
 #include <concepts>
 #include <string>

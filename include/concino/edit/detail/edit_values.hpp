@@ -4,8 +4,8 @@
 
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/local_numbers.hpp>
-#include <concino/mesh/carried_values.hpp>
 #include <concino/mesh/property.hpp>
+#include <concino/mesh/support/carried_values.hpp>
 
 #include <algorithm>
 #include <map>

@@ -1,4 +1,5 @@
-// Defines invariants.hpp.
+// Bodies of invariants.hpp: invariants that do not depend on the mesh: no inverted or degenerate poly, a minimum
+// quality.
 #pragma once
 
 #include <concino/core/local_points.hpp>

@@ -1,4 +1,4 @@
-// Defines circumsphere.hpp.
+// Bodies of circumsphere.hpp: the centre of the circle through three points or of the sphere through four.
 #pragma once
 
 #include <concino/geometry/detail/any_scale.hpp>

@@ -5,7 +5,7 @@
 #include <concino/core/parallel.hpp>
 #include <concino/core/polygon_part.hpp>
 #include <concino/geometry/hausdorff_distance.hpp>
-#include <concino/geometry/triangle_tree.hpp>
+#include <concino/geometry/support/triangle_tree.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -6,19 +6,16 @@
 #include <concino/geometry/detail/triangle_tests.hpp>
 #include <concino/geometry/triangulate_polygon.hpp>
 
-#include <array>
 #include <vector>
 
 namespace concino::detail {
 
 /// Triangles as items: item i is a triangle of the poly with rank owner(i).
 template<SurfaceMesh M>
-class polygon_pieces : public ranked_polys<M> {
-  using base = ranked_polys<M>;
-  using base::points_;
+class polygon_pieces : public simplex_pieces<M, 3> {
+  using base = simplex_pieces<M, 3>;
+  using base::corners_, base::owners_, base::points_;
 
-  std::vector<std::array<corner_index, 3>> corners_;
-  std::vector<std::uint32_t> owners_;
   std::vector<unsigned char> polygon_edges_;  // bit k: the side from corner k to the next is an edge of the poly; empty if all are
 
   void cut_into_triangles(const std::vector<std::size_t>& begins, const std::vector<corner_index>& rings) {
@@ -56,18 +53,7 @@ class polygon_pieces : public ranked_polys<M> {
 
   explicit polygon_pieces(const M& m) : base(m) {
     if constexpr (TriMesh<M>) {  // a triangle is one item
-      corners_.resize(this->num_ranks());
-      owners_.resize(this->num_ranks());
-      for (std::size_t r = 0; r < corners_.size(); ++r) {
-        owners_[r] = static_cast<std::uint32_t>(r);
-        std::size_t k = 0;
-        for (const vert_t<M> v : adj_p2v(m, this->poly(r))) {
-          const auto i = static_cast<corner_index>(index_of(m, v));
-          this->see(m, this->poly(r), i);
-          if (k < 3) corners_[r][k++] = i;
-        }
-      }
-      this->scale();
+      this->add_polys(m);
     } else {
       std::vector<std::size_t> begins{0};
       std::vector<corner_index> rings;
@@ -83,28 +69,16 @@ class polygon_pieces : public ranked_polys<M> {
     }
   }
 
-  std::size_t size() const { return corners_.size(); }
-  std::uint32_t owner(std::size_t i) const { return owners_[i]; }
-  triangle_points triangle(std::size_t i) const { return {points_[corners_[i][0]], points_[corners_[i][1]], points_[corners_[i][2]]}; }
+  triangle_points triangle(std::size_t i) const { return {this->corner(i, 0), this->corner(i, 1), this->corner(i, 2)}; }
   bool is_polygon_edge(std::size_t i, std::size_t k) const { return polygon_edges_.empty() || (polygon_edges_[i] >> k & 1u); }
 
-  box box_of(std::size_t i) const {
-    box b;
-    for (const corner_index c : corners_[i]) b.add(points_[c]);
-    return b;
-  }
   template<class F>
   void for_each_triangle(std::size_t i, F&& f) const {
-    f(points_[corners_[i][0]], points_[corners_[i][1]], points_[corners_[i][2]]);
+    f(this->corner(i, 0), this->corner(i, 1), this->corner(i, 2));
   }
   void arrange(const std::vector<std::uint32_t>& order) {
-    detail::arrange(corners_, order);
-    detail::arrange(owners_, order);
     if (!polygon_edges_.empty()) detail::arrange(polygon_edges_, order);
-    first_come_numbers number(points_.size());
-    for (auto& triangle : corners_)
-      for (corner_index& c : triangle) c = number(c);
-    number.arrange(points_);
+    base::arrange(order);
   }
 };
 

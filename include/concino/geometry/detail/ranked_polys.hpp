@@ -8,6 +8,7 @@
 #include <concino/geometry/bounding_box.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -107,6 +108,53 @@ class ranked_polys {
   }
   /// A length of 1 in the tree is 2^exponent in the mesh.
   int exponent() const { return exponent_; }
+};
+
+/// Items of N corners, triangles or tets: item i is a part of the poly with rank owner(i).
+template<class M, std::size_t N>
+class simplex_pieces : public ranked_polys<M> {
+ protected:
+  using base = ranked_polys<M>;
+  using base::points_;
+
+  std::vector<std::array<corner_index, N>> corners_;
+  std::vector<std::uint32_t> owners_;
+
+  explicit simplex_pieces(const M& m) : base(m) {}
+
+  /// Each poly is one item.
+  void add_polys(const M& m) {
+    corners_.resize(this->num_ranks());
+    owners_.resize(this->num_ranks());
+    for (std::size_t r = 0; r < corners_.size(); ++r) {
+      owners_[r] = static_cast<std::uint32_t>(r);
+      std::size_t k = 0;
+      for (const vert_t<M> v : adj_p2v(m, this->poly(r))) {
+        const auto i = static_cast<corner_index>(index_of(m, v));
+        this->see(m, this->poly(r), i);
+        if (k < N) corners_[r][k++] = i;
+      }
+    }
+    this->scale();
+  }
+
+ public:
+  std::size_t size() const { return corners_.size(); }
+  std::uint32_t owner(std::size_t i) const { return owners_[i]; }
+  const vec3& corner(std::size_t i, std::size_t k) const { return points_[corners_[i][k]]; }
+  box box_of(std::size_t i) const {
+    box b;
+    for (const corner_index c : corners_[i]) b.add(points_[c]);
+    return b;
+  }
+  void arrange(const std::vector<std::uint32_t>& order) {
+    detail::arrange(corners_, order);
+    detail::arrange(owners_, order);
+    first_come_numbers number(points_.size());
+    for (auto& simplex : corners_)
+      for (corner_index& c : simplex) c = number(c);
+    number.arrange(points_);
+  }
 };
 
 }  // namespace concino::detail

@@ -5,48 +5,22 @@
 #include <concino/geometry/detail/ranked_polys.hpp>
 #include <concino/geometry/detail/triangle_tests.hpp>
 
-#include <array>
 #include <vector>
 
 namespace concino::detail {
 
 /// Tets as items: item i is the tet with rank owner(i).
 template<VolumeMesh M>
-class tet_pieces : public ranked_polys<M> {
-  using base = ranked_polys<M>;
-  using base::points_;
-
-  std::vector<std::array<corner_index, 4>> corners_;
-  std::vector<std::uint32_t> owners_;
+class tet_pieces : public simplex_pieces<M, 4> {
+  using base = simplex_pieces<M, 4>;
+  using base::corner;
 
  public:
   static constexpr std::uint32_t leaf_size = 2;
   static constexpr bool are_solid = true;
 
-  explicit tet_pieces(const M& m)
-      : base(m),
-        corners_(this->num_ranks()),
-        owners_(this->num_ranks()) {
-    for (std::size_t r = 0; r < corners_.size(); ++r) {
-      owners_[r] = static_cast<std::uint32_t>(r);
-      std::size_t k = 0;
-      for (const vert_t<M> v : adj_p2v(m, this->poly(r))) {
-        const auto i = static_cast<corner_index>(index_of(m, v));
-        this->see(m, this->poly(r), i);
-        if (k < 4) corners_[r][k++] = i;
-      }
-    }
-    this->scale();
-  }
+  explicit tet_pieces(const M& m) : base(m) { this->add_polys(m); }
 
-  std::size_t size() const { return corners_.size(); }
-  std::uint32_t owner(std::size_t i) const { return owners_[i]; }
-  const vec3& corner(std::size_t i, std::size_t k) const { return points_[corners_[i][k]]; }
-  box box_of(std::size_t i) const {
-    box b;
-    for (const corner_index c : corners_[i]) b.add(points_[c]);
-    return b;
-  }
   template<class F>
   void for_each_triangle(std::size_t i, F&& f) const {
     const vec3 &a = corner(i, 0), &b = corner(i, 1), &c = corner(i, 2), &d = corner(i, 3);
@@ -57,14 +31,6 @@ class tet_pieces : public ranked_polys<M> {
   }
   /// Whether the perturbed x is inside.
   bool holds(std::size_t i, const vec3& x) const { return perturbed_inside_tet(corner(i, 0), corner(i, 1), corner(i, 2), corner(i, 3), x); }
-  void arrange(const std::vector<std::uint32_t>& order) {
-    detail::arrange(corners_, order);
-    detail::arrange(owners_, order);
-    first_come_numbers number(points_.size());
-    for (auto& tet : corners_)
-      for (corner_index& c : tet) c = number(c);
-    number.arrange(points_);
-  }
 };
 
 /// Polyhedra as items: item i is the polyhedron with rank owner(i).

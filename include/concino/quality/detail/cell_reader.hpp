@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
-#include <concino/mesh/cell_recogniser.hpp>
+#include <concino/mesh/support/cell_recogniser.hpp>
 #include <concino/quality/detail/metric_row.hpp>
 
 #include <vector>

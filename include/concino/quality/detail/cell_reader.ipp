@@ -1,4 +1,5 @@
-// Defines cell_reader.hpp.
+// Bodies of cell_reader.hpp: reads the faces of a volume cell, and recognises the standard shapes among them, whose
+// points it puts in the standard order.
 #pragma once
 
 #include <concino/quality/detail/cell_reader.hpp>

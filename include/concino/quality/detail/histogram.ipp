@@ -1,4 +1,4 @@
-// Defines histogram.hpp.
+// Bodies of histogram.hpp: histograms of quality metrics, and how many polys a solver may not like.
 #pragma once
 
 #include <concino/quality/histogram.hpp>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/error.hpp>
-#include <concino/mesh/standard_cells.hpp>
+#include <concino/mesh/support/standard_cells.hpp>
 #include <concino/quality/detail/metric_row.hpp>
 #include <concino/quality/metric.hpp>
 

@@ -104,5 +104,5 @@ void set_standard_faces(poly_geometry& g);
 #include <concino/quality/detail/quad_metrics.ipp>
 #include <concino/quality/detail/tet_metrics.ipp>
 #include <concino/quality/detail/triangle_metrics.ipp>
-#include <concino/quality/detail/visible_part.ipp>
+#include <concino/quality/detail/kernel_fraction.ipp>
 #endif

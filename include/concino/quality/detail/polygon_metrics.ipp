@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/quality/detail/metric_row.hpp>
-#include <concino/quality/detail/visible_part.hpp>
+#include <concino/quality/detail/kernel_fraction.hpp>
 
 namespace concino::detail {
 
@@ -79,7 +79,7 @@ struct polygon_metrics {
     return std::clamp(q.low, -1.0, 1.0);
   }
   double planarity() const { return planarity_of_loop(size(), [&](std::size_t i) -> const vec3& { return p[i]; }); }
-  double star_shapedness() const { return visible_part_of_polygon(p, area_vector()); }
+  double star_shapedness() const { return kernel_fraction_of_polygon(p, area_vector()); }
 };
 
 CONCINO_INLINE std::span<const metric_row> polygon_rows() {

@@ -3,7 +3,7 @@
 
 #include <concino/core/small_array.hpp>
 #include <concino/quality/detail/metric_row.hpp>
-#include <concino/quality/detail/visible_part.hpp>
+#include <concino/quality/detail/kernel_fraction.hpp>
 
 namespace concino::detail {
 
@@ -130,7 +130,7 @@ struct polyhedron_metrics {
     }
     return q;
   }
-  double star_shapedness() const { return visible_part_of_polyhedron(g, volume()); }
+  double star_shapedness() const { return kernel_fraction_of_polyhedron(g, volume()); }
 };
 
 CONCINO_INLINE std::span<const metric_row> polyhedron_rows() {

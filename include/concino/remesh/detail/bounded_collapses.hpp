@@ -2,8 +2,8 @@
 #pragma once
 
 #include <concino/concepts/end_verts.hpp>
-#include <concino/edit/typed_edit.hpp>
 #include <concino/edit/proposed_edit.hpp>
+#include <concino/edit/support/typed_edit.hpp>
 #include <concino/remesh/detail/two_sided_bound.hpp>
 #include <concino/remesh/detail/unit_points.hpp>
 

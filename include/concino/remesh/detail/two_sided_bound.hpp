@@ -6,7 +6,7 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/core/polygon_part.hpp>
-#include <concino/geometry/triangle_tree.hpp>
+#include <concino/geometry/support/triangle_tree.hpp>
 
 #include <cstdint>
 #include <span>

@@ -1,4 +1,4 @@
-// Defines two_sided_bound.hpp.
+// Bodies of two_sided_bound.hpp: whether edits keep a surface near the one that it was, and that one near it.
 #pragma once
 
 #include <concino/remesh/detail/two_sided_bound.hpp>

@@ -3,7 +3,7 @@
 
 #include <concino/concepts/editable.hpp>
 #include <concino/core/vec3.hpp>
-#include <concino/mesh/standard_cells.hpp>
+#include <concino/mesh/support/standard_cells.hpp>
 #include <concino/testing/detail/described_mesh.hpp>
 
 #include <algorithm>

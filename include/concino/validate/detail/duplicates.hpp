@@ -1,6 +1,8 @@
 // Finds elements with the same verts, in any order and direction.
 #pragma once
 
+#include <concino/core/hash_bytes.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <unordered_map>
@@ -14,12 +16,6 @@ namespace concino::detail {
 /// Cost: expected linear in the verts of all rings: sets are compared only if 64-bit hashes agree.
 template<class X, class M, class R, class Ring, class Found>
 void find_duplicates(const M& m, const R& all, std::size_t count, const Ring& ring, const Found& found) {
-  const auto mixed = [](std::uint64_t x) {  // the finaliser of splitmix64
-    x += 0x9e3779b97f4a7c15u;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
-  };
   std::unordered_multimap<std::uint64_t, X> by_hash;
   by_hash.reserve(count);
   std::vector<std::uint64_t> met(vert_index_bound(m));  // by vert: 2 c and 2 c + 1 mark the verts of the sets of comparison c
@@ -44,10 +40,10 @@ void find_duplicates(const M& m, const R& all, std::size_t count, const Ring& ri
   for (const X x : all) {
     std::uint64_t hash = 0, n = 0;
     for (const vert_t<M> v : ring(x)) {
-      hash += mixed(index_of(m, v));
+      hash += core::scrambled(index_of(m, v));
       ++n;
     }
-    hash = mixed(hash ^ n);
+    hash = core::scrambled(hash ^ n);
     auto [at, end] = by_hash.equal_range(hash);
     while (at != end && !same_verts(x, at->second)) ++at;
     if (at != end) found(x, at->second);

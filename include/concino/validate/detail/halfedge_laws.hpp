@@ -195,6 +195,11 @@ class halfedge_laws {
                 es_.name(static_cast<order_index>(i / 2))))
         break;
     if (!sound("HE1")) return false;
+    return each_is_of_its_edge();
+  }
+
+  /// Whether each half-edge of a poly is one of the two of its edge.
+  bool each_is_of_its_edge() {
     for (const step& s : steps_)
       if (slot(s.h) == none && fault("HE3", {"the half-edge ", describe_direction(s), " of ", poly_name(s.poly), ": its edge_of has other half-edges"}, ps_.name(s.poly))) break;
     return sound("HE3");

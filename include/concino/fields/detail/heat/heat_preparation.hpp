@@ -1,0 +1,248 @@
+// What heat geodesics compute from a mesh in advance: gradients at corners, the boundary and matrices. Also shortest paths along edges, which replace
+// heat where it vanishes.
+#pragma once
+
+#include <concino/core/assembly.hpp>
+#include <concino/core/lexicographic.hpp>
+#include <concino/core/poly_chunks.hpp>
+#include <concino/fields/detail/heat/distance_bounds.hpp>
+#include <concino/fields/detail/heat/heat_system.hpp>
+#include <concino/geometry/edge_length.hpp>
+#include <concino/geometry/triangulate_polygon.hpp>
+#include <concino/graph/boundary_verts.hpp>
+#include <concino/graph/dijkstra.hpp>
+#include <concino/operators/mass_matrix.hpp>
+#include <concino/operators/simplex_gradients.hpp>
+#include <concino/operators/stiffness.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace concino::detail {
+
+/// Errors: invalid_mesh, naming a poly without area or volume or with points that are not finite.
+template<AnyMesh M>
+corner_fluxes fluxes_of(const M& m) {
+  corner_fluxes r;
+  const core::poly_chunks<M> chunks(m, [&](const poly_t<M>& p) {
+    std::size_t n = 0;
+    for ([[maybe_unused]] const vert_t<M> v : adj_p2v(m, p)) ++n;
+    r.begin.push_back(r.begin.back() + n);
+    return n;
+  });
+  r.vert.resize(chunks.num_corners());
+  r.flux.resize(chunks.num_corners());
+  chunks.template for_each<poly_gradients<M>>([&](auto& local, const poly_t<M>& p, std::size_t corner) {
+    local.visit(m, p);
+    if (!local.has_gradients()) throw_no_measure("heat_geodesics", m, p);
+    const double size = std::abs(local.measure);
+    for (std::size_t k = 0; k < local.verts.size(); ++k) {
+      r.vert[corner + k] = static_cast<int>(index_of(m, local.verts[k]));
+      r.flux[corner + k] = size * local.gradient[k];
+    }
+    return local.verts.size();
+  });
+  return r;
+}
+
+/// Weights of edges: the sum over the polys of an edge of measure times dimension over the number of edges, divided by its squared length. They are
+/// positive. On grids of boxes they are the usual finite differences; elsewhere they are only as good as the directions of the edges are even.
+template<AnyMesh M>
+struct positive_weights {
+  const M& m;
+  std::vector<double> weight;
+
+  explicit positive_weights(const M& mesh) : m(mesh), weight(edge_index_bound(mesh)) {
+    for (const poly_t<M> p : polys(m)) {
+      double n = 0;
+      for ([[maybe_unused]] const edge_t<M> e : adj_p2e(m, p)) n += 1;
+      const double part = std::abs(measure(m, p)) * dimension_v<M> / n;
+      for (const edge_t<M> e : adj_p2e(m, p)) {
+        const double length = edge_length(m, e);
+        weight[index_of(m, e)] += part / length / length;
+      }
+    }
+  }
+  template<class F>
+  void for_each_neighbour(const vert_t<M>& v, F&& f) const {
+    for (const edge_t<M> e : adj_v2e(m, v))
+      for (const vert_t<M> w : adj_e2v(m, e))
+        if (!(w == v)) f(w, weight[index_of(m, e)]);
+  }
+};
+
+template<AnyMesh M>
+Eigen::SparseMatrix<double> lower_positive_stiffness(const M& m) {
+  const auto column = [&](const vert_t<M>& v) { return static_cast<int>(index_of(m, v)); };
+  return core::assemble<core::lower_triangle>(m, positive_weights<M>(m), vert_index_bound(m), 1.0, column,
+                                  [](int, const vert_t<M>&, double) {});
+}
+
+/// 0 where there are no edges.
+template<AnyMesh M>
+double mean_edge_length(const M& m) {
+  double sum = 0, n = 0;
+  for (const edge_t<M> e : edges(m)) {
+    sum += edge_length(m, e);
+    n += 1;
+  }
+  return n > 0 ? sum / n : 0;
+}
+
+/// The approximate diameter of a poly: twice the distance from the mean of its verts to the farthest one. 0 for a poly without verts.
+template<AnyMesh M>
+double poly_width(const M& m, const poly_t<M>& p) {
+  vec3 mean;
+  double n = 0, farthest = 0;
+  for (const vert_t<M> v : adj_p2v(m, p)) {
+    mean += to_vec3(point(m, v));
+    n += 1;
+  }
+  if (n > 0) mean = mean / n;
+  for (const vert_t<M> v : adj_p2v(m, p)) farthest = std::max(farthest, distance(mean, to_vec3(point(m, v))));
+  return 2 * farthest;
+}
+
+/// The squared width of polys, averaged by measure. Its root is the length that the mesh can resolve. Many small polys in a corner, or many short edges
+/// around a poly, do not change heat flow between distant places. A long thin poly resolves nothing finer than its length.
+template<AnyMesh M>
+double mean_square_width(const M& m) {
+  double sum = 0, total = 0;
+  for (const poly_t<M> p : polys(m)) {
+    const double size = std::abs(measure(m, p)), width = poly_width(m, p);
+    sum += size * width * width;
+    total += size;
+  }
+  return total > 0 ? sum / total : 0;
+}
+
+/// Collects triangles or tets in poly p as indices of its verts. Polygons are triangulated. Tets of a polyhedron are the cones from verts that see all
+/// triangles of its faces from inside. They overlap: those of one vert alone have too few directions. Up to 16 verts are tried, first in the
+/// lexicographic order of their points.
+template<AnyMesh M>
+class simplex_collector {
+  polygon_triangulator triangulate_;
+  std::vector<vec3> x_;
+  std::vector<int> number_;
+  std::vector<vert_t<M>> tops_;
+  std::vector<std::array<int, 4>> cones_;
+
+  void read(const M& m, const auto& verts) {
+    x_.clear();
+    number_.clear();
+    for (const vert_t<M> v : verts) {
+      x_.push_back(to_vec3(point(m, v)));
+      number_.push_back(static_cast<int>(index_of(m, v)));
+    }
+  }
+
+  /// Adds the tets between vert `top` and the triangles, if it sees them all.
+  void add_cone(const M& m, const poly_t<M>& p, const vert_t<M>& top) {
+    const int apex = static_cast<int>(index_of(m, top));
+    const vec3 from = to_vec3(point(m, top));
+    const std::size_t before = cones_.size();
+    for (const face_t<M> f : adj_p2f(m, p)) {
+      read(m, adj_f2v(m, f));
+      if (std::find(number_.begin(), number_.end(), apex) != number_.end()) continue;
+      const double sign = face_is_outward(m, p, f) ? 1 : -1;
+      for (const auto& [i, j, k] : triangulate_(x_)) {
+        const vec3 a = x_[i] - from, b = x_[j] - from, c = x_[k] - from;
+        const double six = sign * dot(a, cross(b, c)), box = norm(a) * norm(b) * norm(c);
+        if (six < -0.05 * box) return cones_.resize(before);  // a tolerance: faces need not be quite planar
+        if (!(six > 1e-9 * box)) continue;
+        std::array<int, 4>& tet = cones_.emplace_back(std::array<int, 4>{apex, number_[i], number_[j], number_[k]});
+        std::sort(tet.begin(), tet.end());
+      }
+    }
+  }
+
+  void add_cones(const M& m, const poly_t<M>& p, std::vector<int>& simplices) {
+    tops_.clear();
+    cones_.clear();
+    for (const vert_t<M> v : adj_p2v(m, p)) tops_.push_back(v);
+    const auto end = tops_.begin() + std::min(std::ptrdiff_t{16}, std::ssize(tops_));
+    std::partial_sort(tops_.begin(), end, tops_.end(), [&](const vert_t<M>& v, const vert_t<M>& w) {
+      return core::is_lexicographically_less(to_vec3(point(m, v)), to_vec3(point(m, w)));
+    });
+    for (auto v = tops_.begin(); v != end; ++v) add_cone(m, p, *v);
+    std::sort(cones_.begin(), cones_.end());
+    const auto last = std::unique(cones_.begin(), cones_.end());
+    for (auto tet = cones_.begin(); tet != last; ++tet) simplices.insert(simplices.end(), tet->begin(), tet->end());
+  }
+
+ public:
+  void add(const M& m, const poly_t<M>& p, std::vector<int>& simplices) {
+    if constexpr (TriMesh<M> || TetMesh<M>) {  // the poly is a simplex already
+      for (const vert_t<M> v : adj_p2v(m, p)) simplices.push_back(static_cast<int>(index_of(m, v)));
+    } else if constexpr (SurfaceMesh<M>) {  // polygons are split into triangles, polyhedra into tets
+      read(m, adj_p2v(m, p));
+      for (const polygon_triangle& t : triangulate_(x_))
+        for (const std::uint32_t k : t) simplices.push_back(number_[k]);
+    } else {
+      add_cones(m, p, simplices);
+    }
+  }
+};
+
+/// Adds the edges of simplices that are not in `edges` yet, two verts each.
+inline void add_diagonals(const std::vector<int>& simplices, std::size_t corners, std::vector<int>& edges) {
+  using line = std::pair<int, int>;
+  std::vector<line> lines, known;
+  for (std::size_t i = 0; i < simplices.size(); i += corners)
+    for (std::size_t a = i; a < i + corners; ++a)
+      for (std::size_t b = a + 1; b < i + corners; ++b) lines.emplace_back(std::minmax(simplices[a], simplices[b]));
+  for (std::size_t i = 0; i < edges.size(); i += 2) known.emplace_back(std::minmax(edges[i], edges[i + 1]));
+  std::sort(lines.begin(), lines.end());
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  std::sort(known.begin(), known.end());
+  auto next = known.begin();
+  for (const line& l : lines) {
+    while (next != known.end() && *next < l) ++next;
+    if (next == known.end() || l < *next) edges.insert(edges.end(), {l.first, l.second});
+  }
+}
+
+template<AnyMesh M>
+distance_graph distance_graph_of(const M& m) {
+  std::vector<vec3> points(vert_index_bound(m));
+  std::vector<int> edge, simplices;
+  for (const vert_t<M> v : verts(m)) points[index_of(m, v)] = to_vec3(point(m, v));
+  for (const edge_t<M> e : edges(m))
+    for (const vert_t<M> v : adj_e2v(m, e)) edge.push_back(static_cast<int>(index_of(m, v)));
+  simplex_collector<M> collector;
+  for (const poly_t<M> p : polys(m)) collector.add(m, p, simplices);
+  constexpr std::size_t corners = static_cast<std::size_t>(dimension_v<M>) + 1;
+  if constexpr (!(TriMesh<M> || TetMesh<M>)) add_diagonals(simplices, corners, edge);  // simplices have no diagonals
+  return {std::move(points), edge, std::move(simplices), corners};
+}
+
+/// Sets log_u where it is -inf and the vert can be reached along edges from others: to the value at the end of a shortest path minus its length
+/// over `decay`. Heat decays in the same way.
+template<AnyMesh M>
+void fill_along_edges(const M& m, double decay, std::vector<double>& log_u) {
+  constexpr double none = -std::numeric_limits<double>::infinity();
+  const auto at = [&](const vert_t<M>& v) -> double& { return log_u[static_cast<std::size_t>(index_of(m, v))]; };
+  std::vector<vert_t<M>> beside;  // verts with a value and a neighbour without one
+  for (const vert_t<M> v : verts(m)) {
+    if (at(v) == none) continue;
+    for (const vert_t<M> w : adj_v2v(m, v)) {
+      if (at(w) != none) continue;
+      beside.push_back(v);
+      break;
+    }
+  }
+  if (beside.empty()) return;
+  const auto length = [&](const vert_t<M>& v, const vert_t<M>& w) { return distance(to_vec3(point(m, v)), to_vec3(point(m, w))) / decay; };
+  const auto known = concino::dijkstra(m, beside, length,
+                                       {.may_enter = [&](const vert_t<M>& v) { return at(v) == none; },
+                                        .initial_distance = [&](const vert_t<M>& v) { return -at(v); }});
+  for (const vert_t<M> v : verts(m))
+    if (at(v) == none) at(v) = -known[v];
+}
+
+}  // namespace concino::detail

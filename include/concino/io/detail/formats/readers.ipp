@@ -1,0 +1,35 @@
+// Compiles the readers of all formats into the compiled library.
+#pragma once
+
+#include <concino/core/compiled.hpp>
+#include <concino/io/detail/hedra/read_hedra.hpp>
+#include <concino/io/detail/hybrid/read_hybrid.hpp>
+#include <concino/io/detail/iv/read_iv.hpp>
+#include <concino/io/detail/medit/read_medit.hpp>
+#include <concino/io/detail/obj/read_obj.hpp>
+#include <concino/io/detail/off/read_off.hpp>
+#include <concino/io/detail/tet/read_tet.hpp>
+#include <concino/io/detail/vtk/read_vtk.hpp>
+#include <concino/io/detail/vtk_xml/read_vtp.hpp>
+#include <concino/io/detail/vtk_xml/read_vtu.hpp>
+
+#ifdef CONCINO_COMPILED
+namespace concino {
+
+template void hedra_format::read<volume_contents>(const read_context&, volume_contents&);
+template void tet_format::read<volume_contents>(const read_context&, volume_contents&);
+template void hybrid_format::read<volume_contents>(const read_context&, volume_contents&);
+template void medit_format::read<file_contents>(const read_context&, file_contents&);
+template void medit_format::read<volume_contents>(const read_context&, volume_contents&);
+template void vtk_format::read<file_contents>(const read_context&, file_contents&);
+template void vtk_format::read<volume_contents>(const read_context&, volume_contents&);
+template void vtu_format::read<file_contents>(const read_context&, file_contents&);
+template void vtu_format::read<volume_contents>(const read_context&, volume_contents&);
+
+// The readers are inline. Taking their addresses makes the compiler emit them here.
+namespace {
+[[gnu::used]] void (*const readers[])(const read_context&, file_contents&) = {&iv_format::read, &obj_format::read, &off_format::read, &vtp_format::read};
+}  // namespace
+
+}  // namespace concino
+#endif

@@ -1,0 +1,282 @@
+// Bodies of volume_exits.hpp: where a line along a field leads on from a vert or an edge of a volume: into a cell,
+// along a face, or along an edge.
+#pragma once
+
+#include <concino/core/small_array.hpp>
+#include <concino/lines/detail/cells/line_signs.hpp>
+#include <concino/lines/detail/cells/volume_exits.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace concino::detail {
+
+CONCINO_INLINE vec3 sliding_velocity(double push1, const vec3& field1, double push2, const vec3& field2, const vec3& normal) {
+  const double push = push1 + push2, n = dot(normal, normal);
+  const vec3 v = push > 0 ? (push2 * field1 + push1 * field2) / push : (field1 + field2) / 2;
+  return n > 0 ? v - dot(v, normal) / n * normal : v;
+}
+
+CONCINO_INLINE double push_through(const vec3& field, const vec3& p, const vec3& q, const vec3& r) {
+  const double n = norm(cross(q - p, r - p));
+  return n > 0 ? std::max(0.0, side_of_line(field, q, r, p).value / n) : 0;
+}
+
+/// The cells on both sides of a triangle.
+struct incident_facet {
+  incident_key key;
+  std::size_t cell = 0, triangle = 0;
+  int outward = 0;  // the sign of the field's part out of the cell
+};
+
+/// What leads away from a vert or from an edge.
+class volume_exit_search {
+  vec3 from_;
+  std::span<const incident_cell> cells_;
+  core::small_array<incident_facet, 32> facets_;
+  volume_exit best_;
+  double best_speed_ = 0;
+
+ public:
+  volume_exit_search(const vec3& from, std::span<const incident_cell> cells) : from_(from), cells_(cells) {
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      for (std::size_t t = 0; t < cells[c].triangles.size(); ++t) {
+        const incident_triangle& x = cells[c].triangles[t];
+        facets_.push_back({x.face, c, t, side_of_line(cells[c].field, x.a, x.b, from).sign});
+      }
+    std::sort(facets_.begin(), facets_.end(), [&](const incident_facet& x, const incident_facet& y) {
+      return x.key != y.key ? x.key < y.key : lies_before(cells_[x.cell].field, cells_[y.cell].field);
+    });
+  }
+
+  const volume_exit& best() const { return best_; }
+
+  void offer(volume_exit::kind to, std::size_t cell, std::size_t triangle, double speed, const vec3& velocity, bool along_a = false) {
+    if (!(speed > 0)) return;
+    if (best_.to != volume_exit::kind::none && (speed < best_speed_ || (speed == best_speed_ && !lies_before(velocity, best_.velocity)))) return;
+    best_ = {to, cell, triangle, along_a, velocity};
+    best_speed_ = speed;
+  }
+
+  /// Calls f(facet, velocity) for each triangle, with the key of its side, along which the fields lead.
+  template<class F>
+  void for_each_slide(const F& f) const {
+    for (std::size_t i = 0; i < facets_.size();) {
+      std::size_t last = i + 1;
+      while (last < facets_.size() && facets_[last].key == facets_[i].key) ++last;
+      const incident_facet &one = facets_[i], &two = facets_[last - 1];
+      const std::size_t n = last - i;
+      i = last;
+      if (n > 2) continue;
+      const incident_triangle& t = triangle(one);
+      const vec3 normal = cross(t.a - from_, t.b - from_);
+      if (n == 2 && one.outward >= 0 && two.outward >= 0) {
+        f(one, sliding_velocity(push(one), field(one), push(two), field(two), normal));
+        continue;
+      }
+      if (one.outward == 0) f(one, field(one));
+      if (n == 2 && two.outward == 0) f(two, field(two));
+    }
+  }
+
+  const incident_triangle& triangle(const incident_facet& f) const { return cells_[f.cell].triangles[f.triangle]; }
+  const vec3& field(const incident_facet& f) const { return cells_[f.cell].field; }
+  double push(const incident_facet& f) const { return push_through(field(f), from_, triangle(f).a, triangle(f).b); }
+
+  bool leads_along_triangle(const incident_triangle& t, const vec3& velocity) const {
+    const vec3 normal = cross(t.a - from_, t.b - from_);
+    return side_in_plane(velocity, t.a, normal, from_).sign < 0 && side_in_plane(velocity, t.b, normal, from_).sign > 0;
+  }
+
+  /// Whether the field of a cell leads into it from the vert: g lies strictly inside the cone of its triangles.
+  bool leads_into(const incident_cell& c) const {
+    if (c.triangles.empty() || c.field == vec3()) return false;
+    bool below_all = true;
+    for (const incident_triangle& t : c.triangles) below_all = below_all && side_of_line(c.field, t.a, t.b, from_).sign < 0;
+    if (below_all) return true;
+    return !is_convex(c) && is_in_cone(c);
+  }
+
+  bool is_convex(const incident_cell& c) const {
+    for (const incident_triangle& t : c.triangles)
+      for (const incident_triangle& other : c.triangles)
+        if (side_of_line(other.a - from_, t.a, t.b, from_).sign > 0) return false;
+    return true;
+  }
+
+  bool is_on_triangle(const incident_triangle& t, const vec3& g) const {
+    if (side_of_line(g, t.a, t.b, from_).sign != 0) return false;
+    const vec3 normal = cross(t.a - from_, t.b - from_);
+    const int a = side_in_plane(g, t.a, normal, from_).sign, b = side_in_plane(g, t.b, normal, from_).sign;
+    return a <= 0 && b >= 0 && a != b;
+  }
+
+  /// Of a cone, the triangle to whose plane g is the least parallel.
+  const incident_triangle& steepest_triangle(const incident_cell& c) const {
+    const auto slope = [&](const incident_triangle& t) {
+      const double n = norm(cross(t.a - from_, t.b - from_));
+      return n > 0 ? std::abs(side_of_line(c.field, t.a, t.b, from_).value) / n : 0;
+    };
+    return *std::max_element(c.triangles.begin(), c.triangles.end(), [&](const auto& t, const auto& u) { return slope(t) < slope(u); });
+  }
+
+  /// For a cone that is not convex: counts the triangles that the arc from g to the middle of one of them crosses. g may lie in the planes of others.
+  bool is_in_cone(const incident_cell& c) const {
+    const vec3& g = c.field;
+    for (const incident_triangle& t : c.triangles)
+      if (is_on_triangle(t, g)) return false;
+    const incident_triangle& first = steepest_triangle(c);
+    const vec3 middle = (first.a - from_) / norm(first.a - from_) + (first.b - from_) / norm(first.b - from_), normal = cross(g, middle);
+    const auto height = [&](const vec3& p) { return dot(normal, p - from_); };
+    std::size_t crossed = 0;
+    for (const incident_triangle& t : c.triangles) {
+      if (&t == &first) continue;
+      const bool a = height(t.a) >= 0, b = height(t.b) >= 0;
+      if (a == b) continue;
+      const vec3 u = t.a - from_, w = t.b - from_;
+      const int s = side_of_line(g, t.a, t.b, from_).sign;
+      if (!(s * dot(cross(u, w), middle) < 0)) continue;  // its plane does not separate g and the middle
+      const vec3 at = height(t.a) * w - height(t.b) * u, on_arc = height(t.a) - height(t.b) < 0 ? -at : at;
+      if (dot(cross(on_arc, middle), normal) > 0) ++crossed;
+    }
+    return (crossed % 2 == 1) == (side_of_line(g, first.a, first.b, from_).sign > 0);
+  }
+};
+
+CONCINO_INLINE bool is_side(const incident_triangle& t, const incident_key& edge) { return t.side_a == edge || t.side_b == edge; }
+
+/// The cells around an edge, with the two triangles of each at the edge. Reuses its memory from edge to edge.
+class cells_around_edge {
+  struct numbers_among_all {
+    std::size_t cell = 0;
+    std::vector<std::size_t> triangles;
+  };
+
+  std::vector<incident_cell> cells_;
+  std::vector<numbers_among_all> numbers_;
+  std::size_t size_ = 0;  // those in front are of the edge
+
+ public:
+  void find(const incident_key& edge, std::span<const incident_cell> all) {
+    size_ = 0;
+    for (std::size_t c = 0; c < all.size(); ++c) {
+      if (size_ == cells_.size()) {
+        cells_.emplace_back();
+        numbers_.emplace_back();
+      }
+      incident_cell& part = cells_[size_];
+      numbers_among_all& numbers = numbers_[size_];
+      part.field = all[c].field;
+      part.triangles.clear();
+      numbers.cell = c;
+      numbers.triangles.clear();
+      for (std::size_t t = 0; t < all[c].triangles.size(); ++t)
+        if (is_side(all[c].triangles[t], edge)) {
+          part.triangles.push_back(all[c].triangles[t]);
+          numbers.triangles.push_back(t);
+        }
+      if (!part.triangles.empty()) ++size_;
+    }
+  }
+
+  std::span<const incident_cell> cells() const { return std::span(cells_).first(size_); }
+
+  /// The exit with the numbers of cell and triangle among all.
+  volume_exit among_all(volume_exit x) const {
+    const numbers_among_all& numbers = numbers_[x.cell];
+    x.triangle = numbers.triangles[x.triangle];
+    x.cell = numbers.cell;
+    return x;
+  }
+
+  /// Whether each face at the edge has two cells.
+  bool is_closed() const {
+    core::small_array<incident_key, 64> faces;
+    for (const incident_cell& c : cells())
+      for (const incident_triangle& t : c.triangles) faces.push_back(t.face);
+    std::sort(faces.begin(), faces.end());
+    for (std::size_t i = 0; i < faces.size(); i += 2)
+      if (i + 1 == faces.size() || faces[i] != faces[i + 1] || (i + 2 < faces.size() && faces[i] == faces[i + 2])) return false;
+    return true;
+  }
+};
+
+/// Whether the field of a cell leads into it from the edge at which it has two triangles.
+CONCINO_INLINE bool leads_between(const vec3& from, const incident_key& edge, const incident_cell& c) {
+  if (c.triangles.size() != 2) return false;
+  const incident_triangle &one = c.triangles[0], &two = c.triangles[1];
+  const bool below_one = side_of_line(c.field, one.a, one.b, from).sign < 0, below_two = side_of_line(c.field, two.a, two.b, from).sign < 0;
+  const bool is_reflex = side_of_line((one.side_a == edge ? one.b : one.a) - from, two.a, two.b, from).sign > 0;
+  return is_reflex ? below_one || below_two : below_one && below_two;
+}
+
+/// The speed along the edge of what does not lead off it: of a field exactly along the edge, else, inside, the mean of all.
+CONCINO_INLINE double speed_along_edge(const vec3& from, const vec3& to, const cells_around_edge& around) {
+  const double length = distance(from, to);
+  core::small_array<double, 32> speeds;
+  double parallel = 0;
+  for (const incident_cell& c : around.cells()) {
+    bool is_parallel = c.field != vec3();
+    for (const incident_triangle& t : c.triangles) is_parallel = is_parallel && side_of_line(c.field, t.a, t.b, from).sign == 0;
+    const double speed = dot(c.field, to - from) / length;
+    speeds.push_back(speed);
+    if (is_parallel && std::abs(speed) > std::abs(parallel)) parallel = speed;
+  }
+  if (parallel != 0 || !around.is_closed()) return parallel;
+  std::sort(speeds.begin(), speeds.end());  // so that their order does not change the sum
+  double sum = 0;
+  for (const double s : speeds) sum += s;
+  return sum / static_cast<double>(speeds.size());
+}
+
+/// The exit from an edge between incident cells, with both directions along it.
+CONCINO_INLINE volume_exit exit_from_edge(const vec3& from, const vec3& to, const incident_key& edge, std::span<const incident_cell> all, cells_around_edge& around) {
+  around.find(edge, all);
+  const std::span<const incident_cell> cells = around.cells();
+  if (from == to || cells.empty()) return {};
+  volume_exit_search search(from, cells);
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    if (const vec3& g = cells[c].field; leads_between(from, edge, cells[c])) search.offer(volume_exit::kind::cell, c, 0, norm(g), g);
+  search.for_each_slide([&](const incident_facet& f, const vec3& velocity) {
+    const incident_triangle& t = search.triangle(f);
+    const bool edge_is_a = t.side_a == edge;
+    const int s = side_in_plane(velocity, edge_is_a ? t.a : t.b, cross(t.a - from, t.b - from), from).sign;
+    if (edge_is_a ? s < 0 : s > 0) search.offer(volume_exit::kind::triangle, f.cell, f.triangle, norm(velocity), velocity);
+  });
+  volume_exit best = search.best();
+  if (best.to != volume_exit::kind::none) return around.among_all(best);
+  const double speed = speed_along_edge(from, to, around);
+  if (speed == 0) return {};
+  best.to = speed > 0 ? volume_exit::kind::edge : volume_exit::kind::edge_back;
+  best.velocity = speed / distance(from, to) * (to - from);
+  best.along_a = cells[0].triangles[0].side_a == edge;
+  return around.among_all(best);
+}
+
+CONCINO_INLINE volume_exit steepest_exit(const vec3& from, const vec3& to, const incident_key& edge, std::span<const incident_cell> cells) {
+  cells_around_edge around;
+  return exit_from_edge(from, to, edge, cells, around);
+}
+
+CONCINO_INLINE volume_exit steepest_exit(const vec3& from, std::span<const incident_cell> cells) {
+  volume_exit_search search(from, cells);
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    if (search.leads_into(cells[c])) search.offer(volume_exit::kind::cell, c, 0, norm(cells[c].field), cells[c].field);
+  search.for_each_slide([&](const incident_facet& f, const vec3& velocity) {
+    if (search.leads_along_triangle(search.triangle(f), velocity)) search.offer(volume_exit::kind::triangle, f.cell, f.triangle, norm(velocity), velocity);
+  });
+  std::vector<incident_key> asked;
+  cells_around_edge around;
+  for (const incident_cell& c : cells)
+    for (const incident_triangle& t : c.triangles)
+      for (const auto& [edge, to] : {std::pair(t.side_a, t.a), std::pair(t.side_b, t.b)}) {
+        if (std::find(asked.begin(), asked.end(), edge) != asked.end()) continue;
+        asked.push_back(edge);
+        const volume_exit x = exit_from_edge(from, to, edge, cells, around);
+        if (x.to == volume_exit::kind::edge) search.offer(x.to, x.cell, x.triangle, norm(x.velocity), x.velocity, x.along_a);
+      }
+  return search.best();
+}
+
+}  // namespace concino::detail
