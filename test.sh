@@ -3,7 +3,8 @@
 #   ./test.sh          the tests, with clang++ and without sanitizers: 12 minutes
 #   ./test.sh --full   all tests with clang++ and sanitizers, and with each algorithm on each model of mesh; g++; users' projects, every header alone,
 #                      fuzzing, the benchmarks on tiny data, the demo on a bare machine: up to 45 minutes. What continuous integration runs
-#   ./test.sh --long   all tests with both compilers, and clang-tidy, the reference, mutations, runs of many steps, all of scripts/bare_machine.sh: hours
+#   ./test.sh --long   all tests with both compilers, and libc++, Windows, clang-tidy, the reference, mutations, runs of many steps, all of
+#                      scripts/bare_machine.sh: hours
 # Environment: CONCINO_CORPUS (folder of real mesh files; default ../shared/data), CONCINO_TEST_BUILD (default build/test), CONCINO_JOBS (2).
 set -u
 cd "$(dirname "${BASH_SOURCE[0]}")" || exit 1
@@ -91,8 +92,9 @@ if [ $((full + long)) -gt 0 ]; then
   needs+=(sanitizers vtk)
   find_gcc >/dev/null || needs+=(gcc)
 fi
-[ $long -eq 0 ] || needs+=(tidy reference)
+[ $long -eq 0 ] || needs+=(tidy reference libcxx windows)
 install_parts "${needs[@]}" || exit 1
+[ $long -eq 0 ] || install_parts wine || echo "the tests for Windows are compiled, and do not run"
 clang=$(find_clang) || { echo "no clang++ 14 or later"; exit 1; }
 [ $((full + long)) -eq 0 ] || gcc=$(find_gcc) || { echo "no g++ 12 or later"; exit 1; }
 
@@ -207,11 +209,25 @@ bare_machine() {
   fi
 }
 
+# portability <libcxx|windows> <what>: every header alone, and tests, with another standard library or for another system.
+portability() {
+  say "$2"
+  if CONCINO_JOBS=$jobs scripts/portability.sh "$1" "$build/$1" >"$build/$1.log" 2>&1; then
+    passed=$((passed + 1))
+  else
+    cat "$build/$1.log"
+    failed=$((failed + 1))
+  fi
+  sed -n 's/^SKIPPED: //p' "$build/$1.log" >>"$skipped_names"
+}
+
 if [ $long -eq 1 ]; then
   whole gcc dev-gcc "$gcc"
   whole clang dev-clang "$clang"
   headers headers_gcc "$gcc" -D CONCINO_VERIFY_DETAILS=ON
   headers headers_clang "$clang" -D CONCINO_VERIFY_DETAILS=ON
+  portability libcxx "$clang with libc++: every header alone, and a file of tests of each module"
+  portability windows "Windows: every header alone, and tests under Wine"
   whole asan asan "$clang" "${batches[@]}"
   fuzz 300
   say "clang-tidy"

@@ -289,6 +289,31 @@ TEST_CASE("parallel: what stop throws reaches the caller, and the next loop is c
   }
 }
 
+TEST_CASE("parallel: run_twice_at_once runs on two threads at the same time, whatever their maximum number, and throws what the first call throws") {
+  const with_num_threads one(1);
+  std::thread::id ids[2];
+  std::atomic<int> waiting{2};
+  concino::core::run_twice_at_once([&](std::size_t i) {
+    ids[i] = std::this_thread::get_id();
+    for (--waiting; waiting > 0;) std::this_thread::yield();
+  });
+  CHECK(ids[0] == std::this_thread::get_id());
+  CHECK(ids[1] != ids[0]);
+  int calls[2] = {};
+  CHECK_THROWS_WITH_AS(concino::core::run_twice_at_once([&](std::size_t i) {
+    ++calls[i];
+    throw std::runtime_error(i == 0 ? "zero" : "one");
+  }),
+                       "zero", std::runtime_error);
+  CHECK_THROWS_AS(concino::core::run_twice_at_once([&](std::size_t i) {
+    ++calls[i];
+    if (i == 1) throw std::runtime_error("one");
+  }),
+                  std::runtime_error);
+  CHECK(calls[0] == 2);
+  CHECK(calls[1] == 2);
+}
+
 #if defined(__linux__) && !CONCINO_TEST_WITH_SANITIZER
 TEST_CASE("parallel: where the system starts no thread, the calling one does all") {
   const with_num_threads now(3);
