@@ -2,6 +2,7 @@
 // linear function, which is integrated exactly. Triangles above many small ones are divided first, so that few of these are below each part.
 #pragma once
 
+#include <concino/core/small_array.hpp>
 #include <concino/print/detail/supports.hpp>
 
 #include <algorithm>
@@ -15,35 +16,46 @@ namespace concino::detail {
 struct plane_point {
   double x, y;
 };
-using plane_polygon = std::vector<plane_point>;
+using plane_polygon = core::small_array<plane_point, 12>;
 
-/// The parts of a convex polygon where a linear function is at least 0, and where it is below 0. value(p): the function.
+template<class Points>
+void assign(plane_polygon& polygon, const Points& points) {
+  polygon.clear();
+  for (const plane_point& x : points) polygon.push_back(x);
+}
+
+/// Keeps the part of a convex polygon where a linear function is at least 0; `rest` becomes the other one. value(p): the function.
 template<class F>
-std::pair<plane_polygon, plane_polygon> divided(const plane_polygon& polygon, const F& value) {
-  std::pair<plane_polygon, plane_polygon> parts;
+void divide_polygon(plane_polygon& polygon, plane_polygon& rest, const F& value) {
   const std::size_t n = polygon.size();
-  std::vector<double> values(n);
+  core::small_array<double, 12> values;
   bool positive = false, negative = false;
-  for (std::size_t i = 0; i < n; ++i) {
-    values[i] = value(polygon[i]);
-    positive = positive || values[i] > 0;
-    negative = negative || values[i] < 0;
+  for (const plane_point& x : polygon) {
+    values.push_back(value(x));
+    positive = positive || values.back() > 0;
+    negative = negative || values.back() < 0;
   }
-  if (!negative) return {polygon, {}};
-  if (!positive) return {{}, polygon};
+  rest.clear();
+  if (!negative) return;
+  if (!positive) {
+    assign(rest, polygon);
+    polygon.clear();
+    return;
+  }
+  plane_polygon kept;
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t j = i + 1 < n ? i + 1 : 0;
     const plane_point &a = polygon[i], &b = polygon[j];
-    if (values[i] >= 0) parts.first.push_back(a);
-    if (values[i] <= 0) parts.second.push_back(a);
+    if (values[i] >= 0) kept.push_back(a);
+    if (values[i] <= 0) rest.push_back(a);
     if ((values[i] > 0 && values[j] < 0) || (values[i] < 0 && values[j] > 0)) {
       const double t = values[i] / (values[i] - values[j]);
       const plane_point c{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
-      parts.first.push_back(c);
-      parts.second.push_back(c);
+      kept.push_back(c);
+      rest.push_back(c);
     }
   }
-  return parts;
+  assign(polygon, kept);
 }
 
 inline double doubled_area(const plane_polygon& p) {
@@ -66,7 +78,7 @@ class support_pieces {
 
   /// Adds a piece; floor is null for the plate.
   void integrate(const plane_polygon& p, const height_triangle* floor) {
-    std::vector<double> lengths;
+    core::small_array<double, 12> lengths;
     for (const plane_point& x : p) lengths.push_back(std::max(0.0, ceiling_.at(x.x, x.y) - floor_at(floor, x)));
     for (std::size_t i = 2; i < p.size(); ++i) {
       const double doubled = (p[i - 1].x - p[0].x) * (p[i].y - p[0].y) - (p[i - 1].y - p[0].y) * (p[i].x - p[0].x);
@@ -98,14 +110,18 @@ class support_pieces {
   }
 
   /// Whether p and t have an area in common.
-  static bool overlap(plane_polygon p, const height_triangle& t) {
+  static bool overlap(const plane_polygon& p, const height_triangle& t) {
     if (is_beyond_edge(t, p)) return false;
-    for (std::size_t k = 0; k < 3 && p.size() >= 3; ++k) p = divided(p, [&](const plane_point& x) { return edge_value(t, k, x); }).first;
-    return p.size() >= 3 && doubled_area(p) > 0;
+    plane_polygon inside, rest;
+    assign(inside, p);
+    for (std::size_t k = 0; k < 3 && inside.size() >= 3; ++k) divide_polygon(inside, rest, [&](const plane_point& x) { return edge_value(t, k, x); });
+    return inside.size() >= 3 && doubled_area(inside) > 0;
   }
 
   /// Below p there is `floor`, except where one of the candidates, sorted by height from the highest, is above it and below the ceiling.
-  void find_floors(plane_polygon p, floors candidates, const height_triangle* floor) {
+  void find_floors(const plane_polygon& outline, floors candidates, const height_triangle* floor) {
+    plane_polygon p, rest;
+    assign(p, outline);
     for (std::size_t i = 0; i < candidates.size() && p.size() >= 3; ++i) {
       const height_triangle& s = *candidates[i];
       double lowest = std::numeric_limits<double>::infinity(), ceiling = -lowest;
@@ -117,9 +133,8 @@ class support_pieces {
       if (s.low > ceiling + tolerance_ || !overlap(p, s)) continue;  // a cut would only make more pieces
       const floors others = candidates.subspan(i + 1);
       const auto keep = [&](const auto& value) {
-        auto [inside, rest] = divided(p, value);
-        if (rest.size() >= 3) find_floors(std::move(rest), others, floor);
-        p = std::move(inside);
+        divide_polygon(p, rest, value);
+        if (rest.size() >= 3) find_floors(rest, others, floor);
       };
       for (std::size_t k = 0; k < 3 && p.size() >= 3; ++k) keep([&](const plane_point& x) { return edge_value(s, k, x); });
       if (p.size() >= 3) keep([&](const plane_point& x) { return ceiling_.at(x.x, x.y) + tolerance_ - s.at(x.x, x.y); });
@@ -134,7 +149,9 @@ class support_pieces {
     if (candidates.size() <= few || depth == max_depth) return find_floors(p, candidates, nullptr);
     const auto middle = [&](std::size_t a, std::size_t b) { return plane_point{0.5 * p[a].x + 0.5 * p[b].x, 0.5 * p[a].y + 0.5 * p[b].y}; };
     const plane_point ab = middle(0, 1), bc = middle(1, 2), ca = middle(2, 0);
-    const plane_polygon parts[] = {{p[0], ab, ca}, {ab, p[1], bc}, {ca, bc, p[2]}, {ab, bc, ca}};
+    plane_polygon parts[4];
+    const std::array<plane_point, 3> corners[] = {{p[0], ab, ca}, {ab, p[1], bc}, {ca, bc, p[2]}, {ab, bc, ca}};
+    for (std::size_t i = 0; i < 4; ++i) assign(parts[i], corners[i]);
     std::vector<const height_triangle*> below[4];
     std::size_t all = 0;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -149,14 +166,12 @@ class support_pieces {
  public:
   support_pieces(const height_triangle& ceiling, double plate, double tolerance) : ceiling_(ceiling), plate_(plate), tolerance_(tolerance) {}
 
-  supports_size operator()(const std::vector<const height_triangle*>& candidates) {
+  supports_size operator()(std::vector<const height_triangle*> candidates) {
     plane_polygon outline;
     for (const vec3& c : ceiling_.corners) outline.push_back({c.x, c.y});
-    std::vector<const height_triangle*> below;
-    for (const height_triangle* t : candidates)
-      if (t->low <= ceiling_.high + tolerance_ && !is_apart(outline, *t)) below.push_back(t);
-    std::stable_sort(below.begin(), below.end(), [](const height_triangle* a, const height_triangle* b) { return a->high > b->high; });
-    divide(outline, below, 0);
+    candidates.erase(std::remove_if(candidates.begin(), candidates.end(), [&](const height_triangle* t) { return is_apart(outline, *t); }), candidates.end());
+    std::stable_sort(candidates.begin(), candidates.end(), [](const height_triangle* a, const height_triangle* b) { return a->high > b->high; });
+    divide(outline, candidates, 0);
     return sum_;
   }
 };
@@ -235,8 +250,9 @@ CONCINO_INLINE supports_size support_finder::below(const height_triangle& ceilin
     near.erase(std::unique(near.begin(), near.end()), near.end());
   }
   std::vector<const height_triangle*> candidates;
+  candidates.reserve(near.size());
   for (const std::uint32_t t : near) candidates.push_back(&floors_[t]);
-  return support_pieces(ceiling, plate_, tolerance_)(candidates);
+  return support_pieces(ceiling, plate_, tolerance_)(std::move(candidates));
 }
 
 }  // namespace concino::detail
