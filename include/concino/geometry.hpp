@@ -8,6 +8,7 @@
 #include <concino/geometry/centroid.hpp>
 #include <concino/geometry/circumcentre.hpp>
 #include <concino/geometry/closest_point.hpp>
+#include <concino/geometry/convex_hull.hpp>
 #include <concino/geometry/corner_angles.hpp>
 #include <concino/geometry/dihedral_angles.hpp>
 #include <concino/geometry/edge_length.hpp>

@@ -1,0 +1,5 @@
+// 3D printing: overhangs, supports, thin walls, and which way up to print.
+#pragma once
+
+#include <concino/print/best_build_direction.hpp>
+#include <concino/print/overhangs.hpp>

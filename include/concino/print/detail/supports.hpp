@@ -1,0 +1,60 @@
+// The volume of straight supports below triangles, down to the surfaces below them.
+#pragma once
+
+#include <concino/core/compiled.hpp>
+#include <concino/core/vec3.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace concino::detail {
+
+/// A triangle as a function of a point of the plane, and its outline there, counter-clockwise.
+struct height_triangle {
+  std::array<vec3, 3> corners;
+  double slope_x = 0, slope_y = 0;
+  double low = 0, high = 0;
+  double area_factor = 1;  // its area, as a multiple of that of its projection
+
+  double at(double x, double y) const {
+    const double z = corners[0].z + slope_x * (x - corners[0].x) + slope_y * (y - corners[0].y);
+    return z < low ? low : z > high ? high : z;
+  }
+};
+
+struct supports_size {
+  double volume = 0;
+  double contact_area = 0;  // of the triangles above and below with the supports, without the plate
+};
+
+/// Finds the triangles that face up by the place in the plane.
+class support_finder {
+  std::vector<height_triangle> floors_;
+  std::vector<std::uint32_t> cell_offsets_, cells_;
+  std::size_t columns_ = 1, lines_ = 1;
+  double left_ = 0, bottom_ = 0, cell_ = 1;
+  double plate_, tolerance_;
+
+  struct cell_range {
+    std::size_t i0, i1, j0, j1;
+  };
+  cell_range cells_of(const height_triangle& t) const;
+  void build_grid();
+
+ public:
+  /// Coordinates are those of a build_frame, of a size of about 1. All triangles are above the plate.
+  support_finder(std::vector<height_triangle> floors, double plate, double tolerance);
+
+  supports_size below(const height_triangle& ceiling) const;
+};
+
+/// The triangle as a function, if it is not vertical: 1 if it faces up, -1 down, else 0.
+int make_height_triangle(const std::array<vec3, 3>& corners, height_triangle& result);
+
+}  // namespace concino::detail
+
+#ifndef CONCINO_COMPILED
+#include <concino/print/detail/supports.ipp>
+#endif
