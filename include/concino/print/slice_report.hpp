@@ -14,11 +14,22 @@ namespace concino {
 enum class slice_lines_kind : std::uint8_t { outer, inner, open, hatches };
 
 enum class contour_change : std::uint8_t {
-  dropped,  // it has no area, or as a line no radius
-  closed,   // it repeated its first point, or was open
-  turned,   // it ran in the other direction
-  crossing  // it crosses or touches itself; filled is what it winds around
+  dropped,    // it has no area, or as a line no radius
+  closed,     // it repeated its first point
+  turned,     // it ran in the other direction
+  crossing,   // it crosses or touches itself; filled is what it winds around
+  left_open   // it is an open line where the mesh is open
 };
+
+namespace detail {
+
+/// The layer of a call that takes a single layer: messages do not name it.
+inline constexpr std::size_t single_layer = static_cast<std::size_t>(-1);
+
+/// The name of a contour or line in messages and reports.
+std::string contour_name(std::size_t layer, slice_lines_kind kind, std::size_t contour);
+
+}  // namespace detail
 
 /// One changed contour or line: its layer, and its number in a list of that layer.
 struct contour_note {

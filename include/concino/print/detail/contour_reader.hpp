@@ -3,7 +3,6 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/io/slice_layer.hpp>
-#include <concino/print/detail/contour_name.hpp>
 #include <concino/print/detail/lattice.hpp>
 #include <concino/print/polygon_clipper.hpp>
 #include <concino/print/slice_report.hpp>

@@ -3,9 +3,9 @@
 
 #include <concino/core/error.hpp>
 #include <concino/core/number_text.hpp>
-#include <concino/print/detail/contour_name.hpp>
 #include <concino/print/detail/lattice.hpp>
 #include <concino/print/region_offset.hpp>
+#include <concino/print/slice_report.hpp>
 
 #include <algorithm>
 #include <cmath>
