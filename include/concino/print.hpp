@@ -1,5 +1,14 @@
-// 3D printing: overhangs, supports, thin walls, and which way up to print.
+// 3D printing: regions of the plane, slices of meshes, overhangs and supports, and which way up to print.
 #pragma once
 
 #include <concino/print/best_build_direction.hpp>
+#include <concino/print/combine_regions.hpp>
+#include <concino/print/hatch.hpp>
+#include <concino/print/heights.hpp>
+#include <concino/print/layer_regions.hpp>
 #include <concino/print/overhangs.hpp>
+#include <concino/print/planar_regions.hpp>
+#include <concino/print/polygon_clipper.hpp>
+#include <concino/print/region_offset.hpp>
+#include <concino/print/slice_mesh.hpp>
+#include <concino/print/slice_report.hpp>

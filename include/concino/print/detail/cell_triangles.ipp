@@ -1,0 +1,113 @@
+// Defines cell_triangles.hpp.
+#pragma once
+
+#include <concino/concepts/oriented_edges.hpp>
+#include <concino/generate/triangulate.hpp>
+#include <concino/print/detail/cell_triangles.hpp>
+#include <concino/print/detail/segment_tree.hpp>
+
+#include <algorithm>
+
+namespace concino::detail {
+
+/// The triangles of a box around an arrangement, and the values in them.
+class cell_filler {
+  const planar_arrangement& a_;
+  std::vector<std::uint32_t> number_of_, point_of_;  // by point of a: its number in the graph, and by number its point
+  std::vector<std::uint32_t> edge_of_;               // by segment of the graph: the edge of a, behind those of the box
+  std::uint32_t box_[4] = {0, 0, 0, 0};
+  planar_triangulation all_;
+  std::vector<std::uint32_t> point_of_vert_, step_at_;  // by edge of the triangulation: the edge of a, or none
+
+  planar_graph graph() {
+    planar_graph g;
+    lattice_point low = a_.points[a_.edges[0].low], high = low;
+    number_of_.assign(a_.points.size(), cell_triangles::none);
+    const auto number = [&](std::uint32_t p) {
+      if (number_of_[p] == cell_triangles::none) {
+        number_of_[p] = g.add_point(as_vec3(a_.points[p]));
+        point_of_.push_back(p);
+        for (const std::size_t k : {0u, 1u}) low[k] = std::min(low[k], a_.points[p][k]), high[k] = std::max(high[k], a_.points[p][k]);
+      }
+      return number_of_[p];
+    };
+    for (std::uint32_t i = 0; i < a_.edges.size(); ++i) {
+      const auto& e = a_.edges[i];
+      if (e.step[0] == 0 && e.step[1] == 0) continue;
+      g.add_line_through(std::array{number(e.low), number(e.high)});
+      edge_of_.push_back(i);
+    }
+    const std::int64_t margin = 1 + std::max(high[0] - low[0], high[1] - low[1]) / 8;
+    const lattice_point corners[4] = {{low[0] - margin, low[1] - margin}, {high[0] + margin, low[1] - margin}, {high[0] + margin, high[1] + margin}, {low[0] - margin, high[1] + margin}};
+    for (std::size_t k = 0; k < 4; ++k) box_[k] = g.add_point(as_vec3(corners[k]));
+    g.add_line_through(box_, true);
+    return g;
+  }
+
+  /// Walks from the box over all triangles.
+  std::vector<std::array<std::int64_t, 2>> values() const {
+    const trimesh& m = all_.mesh;
+    std::vector<std::array<std::int64_t, 2>> value(num_polys(m), {0, 0});
+    std::vector<std::uint8_t> is_known(num_polys(m), 0);
+    std::vector<poly_id> open;
+    for (const poly_id p : adj_v2p(m, all_.vert_of[box_[0]])) {
+      is_known[p.raw()] = 1;
+      open.push_back(p);
+    }
+    while (!open.empty()) {
+      const poly_id p = open.back();
+      open.pop_back();
+      for (const auto& [e, from, to] : oriented_edges(m, p))
+        for (const poly_id q : other_polys(m, p, e)) {
+          if (std::exchange(is_known[q.raw()], 1)) continue;
+          value[q.raw()] = value[p.raw()];
+          if (const std::uint32_t s = step_at_[e.raw()]; s != cell_triangles::none)  // p is on the left side
+            for (const std::size_t k : {0u, 1u}) value[q.raw()][k] += point_of_vert_[from.raw()] == a_.edges[s].low ? -a_.edges[s].step[k] : a_.edges[s].step[k];
+          open.push_back(q);
+        }
+    }
+    return value;
+  }
+
+ public:
+  explicit cell_filler(const planar_arrangement& a) : a_(a) {
+    all_ = triangulate(graph());
+    point_of_vert_.assign(num_verts(all_.mesh), cell_triangles::none);
+    for (std::uint32_t i = 0; i < point_of_.size(); ++i) point_of_vert_[all_.vert_of[i].raw()] = point_of_[i];
+    step_at_.assign(num_edges(all_.mesh), cell_triangles::none);
+    for (std::size_t i = 0; i < edge_of_.size(); ++i)
+      for (const edge_id e : all_.edges_of(i)) step_at_[e.raw()] = edge_of_[i];
+  }
+
+  cell_triangles result() const {
+    const trimesh& m = all_.mesh;
+    const auto value = values();
+    cell_triangles c;
+    std::vector<std::uint32_t> number(value.size(), cell_triangles::none);
+    for (const poly_id p : polys(m)) {
+      if (value[p.raw()][0] == 0 && value[p.raw()][1] == 0) continue;
+      number[p.raw()] = static_cast<std::uint32_t>(c.triangles.size());
+      c.values.push_back(value[p.raw()]);
+      auto& t = c.triangles.emplace_back();
+      std::size_t k = 0;
+      for (const vert_id v : adj_p2v(m, p)) t[k++] = point_of_vert_[v.raw()];
+    }
+    for (const poly_id p : polys(m)) {
+      if (number[p.raw()] == cell_triangles::none) continue;
+      auto& next = c.neighbours.emplace_back(std::array{c.none, c.none, c.none});
+      std::size_t k = 0;
+      for (const edge_id e : adj_p2e(m, p)) {
+        for (const poly_id q : other_polys(m, p, e)) next[k] = number[q.raw()];
+        ++k;
+      }
+    }
+    return c;
+  }
+};
+
+CONCINO_INLINE cell_triangles triangulate_cells(const planar_arrangement& a) {
+  if (std::all_of(a.edges.begin(), a.edges.end(), [](const auto& e) { return e.step[0] == 0 && e.step[1] == 0; })) return {};
+  return cell_filler(a).result();
+}
+
+}  // namespace concino::detail
