@@ -63,7 +63,9 @@ struct clipper_back_end final : polygon_clipper {
   const char* name() const override { return "Clipper"; }
 
   lattice_regions combine(region_operation what, const lattice_paths& a, const lattice_paths& b) const override {
-    const auto type = what == region_operation::unite ? ClipperLib::ctUnion : what == region_operation::subtract ? ClipperLib::ctDifference : ClipperLib::ctIntersection;
+    const auto type = what == region_operation::unite      ? ClipperLib::ctUnion
+                      : what == region_operation::subtract ? ClipperLib::ctDifference
+                                                           : ClipperLib::ctIntersection;
     return guarded([&](ClipperLib::PolyTree& tree) {
       ClipperLib::Clipper c;
       const bool any = detail::add_clipper_paths(c, a, ClipperLib::ptSubject);

@@ -16,10 +16,13 @@ struct build_direction_options {
   double support_weight = 1;           // 0 or more, of the volume of their supports
   double height_weight = 0.1;          // 0 or more, of the height of the part, which is the number of layers
   double plate_weight = 0.1;           // 0 or more, of the area that does not lie on the plate
-  std::size_t samples = 4;             // 1 to 100; n: 24 n^2 + 2 directions over the sphere are compared, besides those of the hull
+  std::size_t samples = 4;             // 1 to 100; n: 24 n^2 + 2 directions over the sphere are compared, besides those
+                                       // of the hull
   std::size_t max_hull_faces = 100;    // up to this many faces of the convex hull are compared, large ones first
-  double accuracy_deg = 0.1;           // in (0, 45]: the best directions are improved until changes by this angle make them worse
-  double plate_tolerance = 1e-6;       // in [0, 0.1]: polys lie on the plate if they are this close, as a fraction of the diagonal of the part
+  double accuracy_deg = 0.1;           // in (0, 45]: the best directions are improved until changes by this angle make
+                                       // them worse
+  double plate_tolerance = 1e-6;       // in [0, 0.1]: polys lie on the plate if they are this close, as a fraction of
+                                       // the diagonal of the part
   concino::progress progress = {};     // called with the fraction done and "best build direction"
 };
 
@@ -47,25 +50,36 @@ build_direction_found find_build_direction(const part_surface& part, const build
 
 }  // namespace detail
 
-/// The direction in which printing a part is cheapest: auto d = best_build_direction(m); o = overhangs(m, {.direction = d.direction});
+/// The direction in which printing a part is cheapest: auto d = best_build_direction(m); o = overhangs(m, {.direction =
+/// d.direction});
 /// Needs:  as overhangs.
 /// Result: the direction of the lowest cost that was found:
 ///
-///           overhang_weight a / A  +  support_weight v / A^(3/2)  +  height_weight h / A^(1/2)  +  plate_weight (1 - p / A)
+///           overhang_weight a / A  +  support_weight v / A^(3/2)  +  height_weight h / A^(1/2)  +  plate_weight (1 - p
+///           / A)
 ///
-///         with the area A of the part, and a, v, h, p the area, support_volume, height and plate_area of overhangs, the plate at the lowest point. So
-///         the cost does not depend on the unit. Compared are the directions in which a face of the convex hull lies on the plate, and others, which are spread
-///         around the principal axes of the part's area; the best of both are improved locally. Faces of the hull within 0.06 degrees of a larger one are
-///         joined with it. A part that is moved or turned has the same cost, and its direction turns with it if no other is as good; without distinct
-///         principal axes this holds if a face of the hull is best, which is nearly always so, else approximately. The minimum is not proved to be global.
-/// Cost:   O(n) for each direction, and that of overhangs for those that can still be better than the best one; parallel.
+///         with the area A of the part, and a, v, h, p the area, support_volume, height and plate_area of overhangs,
+///         the plate at the lowest point. So the cost does not depend on the unit. Compared are the directions in which
+///         a face of the convex hull lies on the plate, and others, which are spread around the principal axes of the
+///         part's area; the best of both are improved locally. Faces of the hull within 0.06 degrees of a larger one
+///         are joined with it. A part that is moved or turned has the same cost, and its direction turns with it if no
+///         other is as good; without distinct principal axes this holds if a face of the hull is best, which is nearly
+///         always so, else approximately. The minimum is not proved to be global.
+/// Cost:   O(n) for each direction, and that of overhangs for those that can still be better than the best one;
+///         parallel.
 /// Errors: as overhangs; invalid_mesh if no poly has an area; cancelled.
 template<EmbeddedMesh M>
 build_direction_result<M> best_build_direction(const M& m, const build_direction_options& options = {}) {
   const detail::printed_part<M> part = detail::outer_surface(m, "best_build_direction");
   const auto found = detail::find_build_direction(part.surface, options);
   const auto& s = part.surface;
-  return {found.direction, found.cost, s.to_mesh(found.overhang_area, 2), s.to_mesh(found.support_volume, 3), s.to_mesh(found.plate_area, 2), s.to_mesh(found.height, 1), part.ignored};
+  return {found.direction,
+          found.cost,
+          s.to_mesh(found.overhang_area, 2),
+          s.to_mesh(found.support_volume, 3),
+          s.to_mesh(found.plate_area, 2),
+          s.to_mesh(found.height, 1),
+          part.ignored};
 }
 
 // What to write instead of calls that cannot compile.

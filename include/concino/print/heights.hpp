@@ -16,11 +16,14 @@ std::vector<double> heights_between(double bottom, double top, double thickness)
 
 }  // namespace detail
 
-/// The heights of layers for slice_mesh: z of the lowest vert, and from there on in steps of the thickness up to below the highest vert.
+/// The heights of layers for slice_mesh: z of the lowest vert, and from there on in steps of the thickness up to below
+/// the highest vert.
 /// Needs:  Embedded mesh or graph with finite points; a thickness above 0.
-/// Result: ascending heights, one for each begun layer; a rest below 1e-9 of the thickness counts as rounding. None if there are no verts, or all have one height.
+/// Result: ascending heights, one for each begun layer; a rest below 1e-9 of the thickness counts as rounding. None if
+///         there are no verts, or all have one height.
 /// Cost:   O(verts + layers).
-/// Errors: invalid_argument if the thickness is not finite and above 0, or gives more than 10^8 layers. invalid_mesh if the heights of verts are not finite.
+/// Errors: invalid_argument if the thickness is not finite and above 0, or gives more than 10^8 layers. invalid_mesh if
+///         the heights of verts are not finite.
 template<Embedded M>
   requires requirement::has_verts<M>
 std::vector<double> heights(const M& m, double thickness) {

@@ -11,8 +11,9 @@
 
 namespace concino {
 
-/// Regions whose interiors are disjoint. Each has an outer contour, counter-clockwise, and any number of holes, clockwise; an island in a hole is a region of its
-/// own. Contours do not repeat their first point. Flat arrays: contour i has the points before contour_ends[i], region r the contours before region_ends[r].
+/// Regions whose interiors are disjoint. Each has an outer contour, counter-clockwise, and any number of holes,
+/// clockwise; an island in a hole is a region of its own. Contours do not repeat their first point. Flat arrays:
+/// contour i has the points before contour_ends[i], region r the contours before region_ends[r].
 struct planar_regions {
   double unit = 0;  // coordinates are multiples of it, a power of two, in units of length; 0 if there is nothing
   std::vector<slice_point> points;

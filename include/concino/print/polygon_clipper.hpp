@@ -1,4 +1,5 @@
-// The interface to a library that unites, cuts and offsets polygons, such as concino::clipper of <concino/adapters/clipper.hpp>.
+// The interface to a library that unites, cuts and offsets polygons, such as concino::clipper of
+// <concino/adapters/clipper.hpp>.
 #pragma once
 
 #include <array>

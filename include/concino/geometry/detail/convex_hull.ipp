@@ -1,5 +1,6 @@
-// Defines convex_hull.hpp. Points are added in random order to a hull of triangles, some of which may be coplanar. A triangle is visible from a point
-// that is strictly outside of its plane, so no new triangle is degenerate. Coplanar triangles are joined at the end.
+// Defines convex_hull.hpp. Points are added in random order to a hull of triangles, some of which may be coplanar. A
+// triangle is visible from a point that is strictly outside of its plane, so no new triangle is degenerate. Coplanar
+// triangles are joined at the end.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -19,7 +20,8 @@ namespace concino::detail {
 /// Polygons through points, by their numbers.
 using hull_polygons = std::vector<std::vector<std::uint32_t>>;
 
-/// The axes i, j of the first projection in which a, b, c are not collinear; equal axes if there is none: then they are collinear.
+/// The axes i, j of the first projection in which a, b, c are not collinear; equal axes if there is none: then they are
+/// collinear.
 inline std::array<std::size_t, 2> spanning_axes(const vec3& a, const vec3& b, const vec3& c) {
   for (const auto& [i, j] : {std::array<std::size_t, 2>{0, 1}, {1, 2}, {2, 0}})
     if (orient2d({a[i], a[j], 0}, {b[i], b[j], 0}, {c[i], c[j], 0}) != 0) return {i, j};
@@ -83,12 +85,15 @@ class hull_builder {
   void start() {
     std::array<std::uint32_t, 4> t{0, 1, 2, 3};
     if (orient3d(points_[0], points_[1], points_[2], points_[3]) > 0) std::swap(t[1], t[2]);
-    for (const auto& [a, b, c] : {std::array<std::size_t, 3>{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}) add_facet(t[a], t[b], t[c]);
+    for (const auto& [a, b, c] : {std::array<std::size_t, 3>{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}})
+      add_facet(t[a], t[b], t[c]);
     for (std::uint32_t f = 0; f < 4; ++f)
       for (std::size_t k = 0; k < 3; ++k)
         for (std::uint32_t g = 0; g < 4; ++g)
           for (std::size_t l = 0; l < 3; ++l)
-            if (facets_[f].verts[k] == facets_[g].verts[(l + 1) % 3] && facets_[f].verts[(k + 1) % 3] == facets_[g].verts[l]) facets_[f].neighbours[k] = g;
+            if (facets_[f].verts[k] == facets_[g].verts[(l + 1) % 3] &&
+                facets_[f].verts[(k + 1) % 3] == facets_[g].verts[l])
+              facets_[f].neighbours[k] = g;
     for (std::uint32_t p = 4; p < points_.size(); ++p) put_outside_of_one(p, std::array<std::uint32_t, 4>{0, 1, 2, 3});
   }
 
@@ -154,7 +159,8 @@ class hull_builder {
           if (facets_[g].group != none) continue;
           const auto& w = facets_[g].verts;
           const bool flat = std::all_of(w.begin(), w.end(), [&](std::uint32_t x) {
-            return x == f.verts[0] || x == f.verts[1] || x == f.verts[2] || orient3d(points_[f.verts[0]], points_[f.verts[1]], points_[f.verts[2]], points_[x]) == 0;
+            return x == f.verts[0] || x == f.verts[1] || x == f.verts[2] ||
+                   orient3d(points_[f.verts[0]], points_[f.verts[1]], points_[f.verts[2]], points_[x]) == 0;
           });
           if (!flat) continue;
           facets_[g].group = count;
@@ -182,7 +188,9 @@ class hull_builder {
   }
 
  public:
-  explicit hull_builder(std::span<const vec3> points) : points_(points), next_outside_(points.size(), none), facet_of_(points.size(), none), starts_at_(points.size(), none) {}
+  explicit hull_builder(std::span<const vec3> points)
+      : points_(points), next_outside_(points.size(), none), facet_of_(points.size(), none),
+        starts_at_(points.size(), none) {}
 
   hull_polygons operator()() {
     start();
@@ -210,11 +218,13 @@ inline hull_polygons hull_in_plane(std::span<const vec3> points, const std::arra
   const auto flat = [&](std::uint32_t p) { return vec3{points[p][axes[0]], points[p][axes[1]], 0}; };
   std::vector<std::uint32_t> order(points.size()), ring;
   for (std::uint32_t p = 0; p < order.size(); ++p) order[p] = p;
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return core::is_lexicographically_less(flat(a), flat(b)); });
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return core::is_lexicographically_less(flat(a), flat(b)); });
   for (int side = 0; side < 2; ++side) {
     const std::size_t first = ring.size();
     for (const std::uint32_t p : order) {
-      while (ring.size() >= first + 2 && orient2d(flat(ring[ring.size() - 2]), flat(ring.back()), flat(p)) <= 0) ring.pop_back();
+      while (ring.size() >= first + 2 && orient2d(flat(ring[ring.size() - 2]), flat(ring.back()), flat(p)) <= 0)
+        ring.pop_back();
       ring.push_back(p);
     }
     ring.pop_back();
@@ -223,7 +233,8 @@ inline hull_polygons hull_in_plane(std::span<const vec3> points, const std::arra
   return {ring, {ring.rbegin(), ring.rend()}};
 }
 
-/// The distinct points, by the number of the first of equal ones, in a fixed random order. `scaled` are all points, of size 1.
+/// The distinct points, by the number of the first of equal ones, in a fixed random order. `scaled` are all points, of
+/// size 1.
 inline std::vector<std::uint32_t> distinct_in_random_order(std::span<const vec3> scaled) {
   std::vector<std::uint32_t> order(scaled.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -231,7 +242,9 @@ inline std::vector<std::uint32_t> distinct_in_random_order(std::span<const vec3>
     if (core::is_lexicographically_less(scaled[a], scaled[b])) return true;
     return !core::is_lexicographically_less(scaled[b], scaled[a]) && a < b;
   });
-  order.erase(std::unique(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return scaled[a] == scaled[b]; }), order.end());
+  order.erase(
+      std::unique(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return scaled[a] == scaled[b]; }),
+      order.end());
   std::uint64_t state = 1;
   for (std::size_t i = order.size(); i > 1; --i) {
     state = state * 6364136223846793005u + 1442695040888963407u;  // Knuth's linear congruential generator
@@ -248,7 +261,8 @@ inline void fill_hull(convex_hull_result& hull, std::span<const vec3> points, hu
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   for (const std::size_t i : corners) hull.surface.points.push_back(points[i]);
   for (auto& polygon : polygons) {
-    for (std::uint32_t& v : polygon) v = static_cast<std::uint32_t>(std::lower_bound(corners.begin(), corners.end(), v) - corners.begin());
+    for (std::uint32_t& v : polygon)
+      v = static_cast<std::uint32_t>(std::lower_bound(corners.begin(), corners.end(), v) - corners.begin());
     std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
   }
   std::sort(polygons.begin(), polygons.end());
@@ -260,7 +274,8 @@ inline void fill_hull(convex_hull_result& hull, std::span<const vec3> points, hu
   }
 }
 
-/// Brings points that span a segment, a triangle and a tet to the front, as far as there are any. The dimension that they span.
+/// Brings points that span a segment, a triangle and a tet to the front, as far as there are any. The dimension that
+/// they span.
 inline int move_simplex_to_front(std::vector<std::uint32_t>& order, std::span<const vec3> scaled) {
   if (order.size() < 2) return static_cast<int>(order.size()) - 1;
   const auto at = [&](std::size_t i) { return scaled[order[i]]; };
@@ -287,7 +302,8 @@ CONCINO_INLINE convex_hull_result convex_hull(std::span<const vec3> points) {
     core::throw_joined<invalid_argument>({"convex_hull: there are ", points.size(), " points; 2^32 - 2 are the most"});
   double largest = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!is_finite(points[i])) core::throw_joined<invalid_argument>({"convex_hull: point ", i, " is not finite; leave it out"});
+    if (!is_finite(points[i]))
+      core::throw_joined<invalid_argument>({"convex_hull: point ", i, " is not finite; leave it out"});
     largest = std::max({largest, std::abs(points[i].x), std::abs(points[i].y), std::abs(points[i].z)});
   }
   const int exponent = largest > 0 ? -std::ilogb(largest) : 0;
@@ -307,7 +323,8 @@ CONCINO_INLINE convex_hull_result convex_hull(std::span<const vec3> points) {
   } else if (hull.dimension >= 0) {  // the ends of the segment, as a polygon that has no area
     const auto less = [&](const vec3& a, const vec3& b) { return core::is_lexicographically_less(a, b); };
     const auto ends = std::minmax_element(ordered.begin(), ordered.end(), less);
-    polygons = {{static_cast<std::uint32_t>(ends.first - ordered.begin()), static_cast<std::uint32_t>(ends.second - ordered.begin())}};
+    polygons = {{static_cast<std::uint32_t>(ends.first - ordered.begin()),
+                 static_cast<std::uint32_t>(ends.second - ordered.begin())}};
   }
   for (auto& polygon : polygons)
     for (std::uint32_t& v : polygon) v = order[v];

@@ -11,7 +11,8 @@
 
 namespace concino::detail {
 
-/// Directed segments through numbered points, each with the steps of two integer functions: by how much they are larger on the left side than on the right one.
+/// Directed segments through numbered points, each with the steps of two integer functions: by how much they are larger
+/// on the left side than on the right one.
 struct stepped_segments {
   struct segment {
     std::uint32_t from, to;
@@ -51,7 +52,8 @@ struct planar_arrangement {
 
 /// Cuts segments at their crossings, rounded to the lattice, and at points of others that are at most half a unit away.
 /// Needs:  coordinates of at most 2^46.
-/// Result: no two edges cross, and no point lies on an edge; segments move by about half a unit.      Cost: O((n + k) log n) a round for k crossings; few rounds.
+/// Result: no two edges cross, and no point lies on an edge; segments move by about half a unit.      Cost: O((n + k)
+///         log n) a round for k crossings; few rounds.
 /// Errors: unsupported if a hundred rounds were not enough.
 /// Source: iterated snap rounding, Halperin and Packer 2002.
 planar_arrangement arrange(const char* caller, const stepped_segments& s);

@@ -44,14 +44,16 @@ class segment_cutter {
   lattice_point crossing(const pair& e, const pair& f) const {
     const vec3 a = at(e[0]), u = at(e[1]) - a, c = at(f[0]), v = at(f[1]) - c, w = c - a;
     const double t = std::clamp((w.x * v.y - w.y * v.x) / (u.x * v.y - u.y * v.x), 0.0, 1.0);
-    return {static_cast<std::int64_t>(std::nearbyint(a.x + t * u.x)), static_cast<std::int64_t>(std::nearbyint(a.y + t * u.y))};
+    return {static_cast<std::int64_t>(std::nearbyint(a.x + t * u.x)),
+            static_cast<std::int64_t>(std::nearbyint(a.y + t * u.y))};
   }
 
   void list_edges() {
     edges_.clear();
     std::size_t begin = 0;
     for (const std::size_t end : a_.chain_ends) {
-      for (std::size_t k = begin + 1; k < end; ++k) edges_.push_back(sorted(a_.chain_points[k - 1], a_.chain_points[k]));
+      for (std::size_t k = begin + 1; k < end; ++k)
+        edges_.push_back(sorted(a_.chain_points[k - 1], a_.chain_points[k]));
       begin = end;
     }
     std::sort(edges_.begin(), edges_.end());
@@ -82,7 +84,8 @@ class segment_cutter {
   /// The cuts of an edge in the direction from p to q.
   void cut_between(std::uint32_t p, std::uint32_t q, std::vector<std::uint32_t>& to) const {
     const pair e = sorted(p, q);
-    const auto first = std::lower_bound(cuts_.begin(), cuts_.end(), e, [](const cut& c, const pair& x) { return c.edge < x; });
+    const auto first =
+        std::lower_bound(cuts_.begin(), cuts_.end(), e, [](const cut& c, const pair& x) { return c.edge < x; });
     auto last = first;
     while (last != cuts_.end() && last->edge == e) ++last;
     const auto add = [&](std::uint32_t x) {
@@ -124,7 +127,8 @@ class segment_cutter {
     });
     a_.point_of.resize(a_.points.size());
     for (std::size_t k = 0; k < order.size(); ++k)
-      a_.point_of[order[k]] = k > 0 && a_.points[order[k]] == a_.points[order[k - 1]] ? a_.point_of[order[k - 1]] : order[k];
+      a_.point_of[order[k]] =
+          k > 0 && a_.points[order[k]] == a_.points[order[k - 1]] ? a_.point_of[order[k - 1]] : order[k];
   }
 
   void sum_steps(const stepped_segments& s) {
@@ -133,8 +137,10 @@ class segment_cutter {
       const auto chain = a_.chain(i);
       for (std::size_t k = 1; k < chain.size(); ++k) {
         const pair e = sorted(chain[k - 1], chain[k]);
-        auto& step = steps_[static_cast<std::size_t>(std::lower_bound(edges_.begin(), edges_.end(), e) - edges_.begin())];
-        for (const std::size_t c : {0u, 1u}) step[c] += chain[k - 1] == e[0] ? s.segments[i].step[c] : -s.segments[i].step[c];
+        auto& step =
+            steps_[static_cast<std::size_t>(std::lower_bound(edges_.begin(), edges_.end(), e) - edges_.begin())];
+        for (const std::size_t c : {0u, 1u})
+          step[c] += chain[k - 1] == e[0] ? s.segments[i].step[c] : -s.segments[i].step[c];
       }
     }
   }
@@ -154,7 +160,8 @@ class segment_cutter {
       list_edges();
       find_cuts();
       if (cuts_.empty()) break;
-      if (round == 100) core::throw_joined<unsupported>({caller, ": the contours could not be cut where they meet; scale them"});
+      if (round == 100)
+        core::throw_joined<unsupported>({caller, ": the contours could not be cut where they meet; scale them"});
       apply_cuts();
     }
     sum_steps(s);
@@ -175,14 +182,18 @@ CONCINO_INLINE bool meets_itself(std::span<const lattice_point> path) {
   const auto n = static_cast<std::uint32_t>(segments.size());
   bool found = false;
   segment_tree(segments).for_each_pair([&](std::uint32_t i, std::uint32_t j) {
-    const vec3 a = as_vec3(segments[i][0]), b = as_vec3(segments[i][1]), c = as_vec3(segments[j][0]), d = as_vec3(segments[j][1]);
+    const vec3 a = as_vec3(segments[i][0]), b = as_vec3(segments[i][1]), c = as_vec3(segments[j][0]),
+               d = as_vec3(segments[j][1]);
     const int ac = orient2d(a, b, c), ad = orient2d(a, b, d), ca = orient2d(c, d, a), cb = orient2d(c, d, b);
-    const auto doubled_back = [](const vec3& x, const vec3& shared, const vec3& y) { return dot(x - shared, y - shared) > 0; };
+    const auto doubled_back = [](const vec3& x, const vec3& shared, const vec3& y) {
+      return dot(x - shared, y - shared) > 0;
+    };
     if (j == i + 1) found = ad == 0 && doubled_back(a, b, d);
     else if (i == 0 && j + 1 == n) found = ac == 0 && doubled_back(b, a, c);
     else if (ac != 0 || ad != 0) found = ac * ad <= 0 && ca * cb <= 0;
-    else found = std::max(std::min(a.x, b.x), std::min(c.x, d.x)) <= std::min(std::max(a.x, b.x), std::max(c.x, d.x)) &&
-                 std::max(std::min(a.y, b.y), std::min(c.y, d.y)) <= std::min(std::max(a.y, b.y), std::max(c.y, d.y));
+    else
+      found = std::max(std::min(a.x, b.x), std::min(c.x, d.x)) <= std::min(std::max(a.x, b.x), std::max(c.x, d.x)) &&
+              std::max(std::min(a.y, b.y), std::min(c.y, d.y)) <= std::min(std::max(a.y, b.y), std::max(c.y, d.y));
     return !found;
   });
   return found;

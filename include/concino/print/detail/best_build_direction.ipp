@@ -1,5 +1,5 @@
-// Defines best_build_direction.hpp. The cost without supports is a lower bound of the cost, and much faster to compute: supports are only measured
-// where that bound is lower than the best cost so far.
+// Defines best_build_direction.hpp. The cost without supports is a lower bound of the cost, and much faster to compute:
+// supports are only measured where that bound is lower than the best cost so far.
 #pragma once
 
 #include <concino/core/parallel.hpp>
@@ -52,7 +52,9 @@ inline std::vector<vec3> hull_directions(const part_surface& part, std::size_t m
   for (std::size_t p = 0; p < hull.surface.num_polys(); ++p) {
     vec3 doubled;
     const std::uint32_t first = hull.surface.offsets[p];
-    const auto at = [&](std::uint32_t i) { return hull.surface.points[hull.surface.verts[i].raw()] - hull.surface.points[hull.surface.verts[first].raw()]; };
+    const auto at = [&](std::uint32_t i) {
+      return hull.surface.points[hull.surface.verts[i].raw()] - hull.surface.points[hull.surface.verts[first].raw()];
+    };
     for (std::uint32_t i = first + 2; i < hull.surface.offsets[p + 1]; ++i) doubled += cross(at(i - 1), at(i));
     if (norm(doubled) > part.tolerance * part.tolerance) areas.push_back(doubled);
   }
@@ -102,8 +104,10 @@ class build_direction_search {
 
   candidate without_supports(const vec3& direction) const {
     candidate c;
-    c.figures = find_overhangs(part_, direction, {options_.max_angle_deg, {}, options_.plate_tolerance}, "best_build_direction");
-    const double cost = options_.overhang_weight * c.figures.area / area_ + options_.height_weight * c.figures.height / std::sqrt(area_) +
+    c.figures = find_overhangs(part_, direction, {options_.max_angle_deg, {}, options_.plate_tolerance},
+                               "best_build_direction");
+    const double cost = options_.overhang_weight * c.figures.area / area_ +
+                        options_.height_weight * c.figures.height / std::sqrt(area_) +
                         options_.plate_weight * (1 - c.figures.plate_area / area_);
     c.found = {direction, cost, c.figures.area, 0, c.figures.plate_area, c.figures.height};
     return c;
@@ -152,7 +156,8 @@ class build_direction_search {
       all[i].figures = {};  // found again where it is needed: it would be large for all
     }, 4);
     report(done);
-    std::stable_sort(all.begin(), all.end(), [](const candidate& a, const candidate& b) { return a.found.cost < b.found.cost; });
+    std::stable_sort(all.begin(), all.end(),
+                     [](const candidate& a, const candidate& b) { return a.found.cost < b.found.cost; });
     std::vector<candidate> best;
     for (candidate& next : all) {
       if (best.size() == count && next.found.cost > best.back().found.cost + noise) break;
@@ -161,11 +166,14 @@ class build_direction_search {
       c.rank = rank;
       add_supports(c);
       // Mirror images have equal costs; one of them is enough to start from.
-      const auto same = std::find_if(best.begin(), best.end(), [&](const candidate& b) { return std::abs(c.found.cost - b.found.cost) <= noise; });
+      const auto same = std::find_if(
+          best.begin(), best.end(), [&](const candidate& b) { return std::abs(c.found.cost - b.found.cost) <= noise; });
       if (same != best.end()) {
         if (c.rank < same->rank) *same = std::move(c);
       } else {
-        best.insert(std::find_if(best.begin(), best.end(), [&](const candidate& b) { return c.found.cost < b.found.cost; }), std::move(c));
+        best.insert(
+            std::find_if(best.begin(), best.end(), [&](const candidate& b) { return c.found.cost < b.found.cost; }),
+            std::move(c));
         if (best.size() > count) best.pop_back();
       }
       report(done);
@@ -174,7 +182,8 @@ class build_direction_search {
   }
 
  public:
-  build_direction_search(const part_surface& part, const build_direction_options& options) : part_(part), options_(options) {
+  build_direction_search(const part_surface& part, const build_direction_options& options)
+      : part_(part), options_(options) {
     for (const vec3& a : part.areas) area_ += norm(a);
   }
 
@@ -182,7 +191,8 @@ class build_direction_search {
     report(0);
     const auto axes = principal_axes(part_);
     std::vector<candidate> starts = cheapest(hull_directions(part_, options_.max_hull_faces), 2, 0.2);
-    for (candidate& c : cheapest(spread_directions(axes, static_cast<int>(options_.samples)), 6, 0.4)) starts.push_back(std::move(c));
+    for (candidate& c : cheapest(spread_directions(axes, static_cast<int>(options_.samples)), 6, 0.4))
+      starts.push_back(std::move(c));
     build_direction_found best;
     for (std::size_t i = 0; i < starts.size(); ++i) {
       report(0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(starts.size()));
@@ -194,13 +204,18 @@ class build_direction_search {
   }
 };
 
-CONCINO_INLINE build_direction_found find_build_direction(const part_surface& part, const build_direction_options& options) {
+CONCINO_INLINE build_direction_found find_build_direction(const part_surface& part,
+                                                          const build_direction_options& options) {
   const char* caller = "best_build_direction";
   check_limits({options.max_angle_deg, {}, options.plate_tolerance}, caller);
-  for (const double weight : {options.overhang_weight, options.support_weight, options.height_weight, options.plate_weight})
-    if (!(weight >= 0 && std::isfinite(weight))) core::throw_joined<invalid_argument>({caller, ": weights must be 0 or more, and finite"});
-  if (options.samples < 1 || options.samples > 100) core::throw_joined<invalid_argument>({caller, ": options.samples must be in [1, 100]"});
-  if (!(options.accuracy_deg > 0 && options.accuracy_deg <= 45)) core::throw_joined<invalid_argument>({caller, ": options.accuracy_deg must be in (0, 45]"});
+  for (const double weight :
+       {options.overhang_weight, options.support_weight, options.height_weight, options.plate_weight})
+    if (!(weight >= 0 && std::isfinite(weight)))
+      core::throw_joined<invalid_argument>({caller, ": weights must be 0 or more, and finite"});
+  if (options.samples < 1 || options.samples > 100)
+    core::throw_joined<invalid_argument>({caller, ": options.samples must be in [1, 100]"});
+  if (!(options.accuracy_deg > 0 && options.accuracy_deg <= 45))
+    core::throw_joined<invalid_argument>({caller, ": options.accuracy_deg must be in (0, 45]"});
   if (part.areas.empty()) core::throw_joined<invalid_mesh>({caller, ": no poly has an area"});
   return build_direction_search(part, options)();
 }

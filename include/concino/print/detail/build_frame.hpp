@@ -28,7 +28,8 @@ struct build_frame {
 /// The direction, scaled to length 1. `caller` is named in messages.
 inline vec3 checked_direction(const vec3& direction, const char* caller) {
   const double size = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
-  if (!is_finite(direction) || !(size > 0)) core::throw_joined<invalid_argument>({caller, ": options.direction must be finite and not 0"});
+  if (!is_finite(direction) || !(size > 0))
+    core::throw_joined<invalid_argument>({caller, ": options.direction must be finite and not 0"});
   const vec3 d = direction / size;
   return d / norm(d);
 }

@@ -16,7 +16,8 @@ struct cell_triangles {
 
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::array<std::int64_t, 2>> values;
-  std::vector<std::array<std::uint32_t, 3>> neighbours;  // across the side from corner k to k + 1; none where both functions are 0 behind it
+  std::vector<std::array<std::uint32_t, 3>> neighbours;  // across the side from corner k to k + 1; none where both
+                                                         // functions are 0 behind it
 };
 
 /// Triangulates the cells of an arrangement. The functions are 0 far away, and change at edges by their steps.

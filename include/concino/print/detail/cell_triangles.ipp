@@ -27,7 +27,8 @@ class cell_filler {
       if (number_of_[p] == cell_triangles::none) {
         number_of_[p] = g.add_point(as_vec3(a_.points[p]));
         point_of_.push_back(p);
-        for (const std::size_t k : {0u, 1u}) low[k] = std::min(low[k], a_.points[p][k]), high[k] = std::max(high[k], a_.points[p][k]);
+        for (const std::size_t k : {0u, 1u})
+          low[k] = std::min(low[k], a_.points[p][k]), high[k] = std::max(high[k], a_.points[p][k]);
       }
       return number_of_[p];
     };
@@ -38,7 +39,10 @@ class cell_filler {
       edge_of_.push_back(i);
     }
     const std::int64_t margin = 1 + std::max(high[0] - low[0], high[1] - low[1]) / 8;
-    const lattice_point corners[4] = {{low[0] - margin, low[1] - margin}, {high[0] + margin, low[1] - margin}, {high[0] + margin, high[1] + margin}, {low[0] - margin, high[1] + margin}};
+    const lattice_point corners[4] = {{low[0] - margin, low[1] - margin},
+                                      {high[0] + margin, low[1] - margin},
+                                      {high[0] + margin, high[1] + margin},
+                                      {low[0] - margin, high[1] + margin}};
     for (std::size_t k = 0; k < 4; ++k) box_[k] = g.add_point(as_vec3(corners[k]));
     g.add_line_through(box_, true);
     return g;
@@ -62,7 +66,9 @@ class cell_filler {
           if (std::exchange(is_known[q.raw()], 1)) continue;
           value[q.raw()] = value[p.raw()];
           if (const std::uint32_t s = step_at_[e.raw()]; s != cell_triangles::none)  // p is on the left side
-            for (const std::size_t k : {0u, 1u}) value[q.raw()][k] += point_of_vert_[from.raw()] == a_.edges[s].low ? -a_.edges[s].step[k] : a_.edges[s].step[k];
+            for (const std::size_t k : {0u, 1u})
+              value[q.raw()][k] +=
+                  point_of_vert_[from.raw()] == a_.edges[s].low ? -a_.edges[s].step[k] : a_.edges[s].step[k];
           open.push_back(q);
         }
     }
@@ -106,7 +112,8 @@ class cell_filler {
 };
 
 CONCINO_INLINE cell_triangles triangulate_cells(const planar_arrangement& a) {
-  if (std::all_of(a.edges.begin(), a.edges.end(), [](const auto& e) { return e.step[0] == 0 && e.step[1] == 0; })) return {};
+  if (std::all_of(a.edges.begin(), a.edges.end(), [](const auto& e) { return e.step[0] == 0 && e.step[1] == 0; }))
+    return {};
   return cell_filler(a).result();
 }
 

@@ -20,16 +20,19 @@ CONCINO_INLINE const slice_lines& lines_of(const slice_layer& layer, slice_lines
 }
 
 CONCINO_INLINE void add_layer(const char* caller, const slice_layer& layer, std::size_t index, planar_box& to) {
-  for (const auto kind : {slice_lines_kind::outer, slice_lines_kind::inner, slice_lines_kind::open, slice_lines_kind::hatches}) {
+  for (const auto kind :
+       {slice_lines_kind::outer, slice_lines_kind::inner, slice_lines_kind::open, slice_lines_kind::hatches}) {
     const slice_lines& lines = lines_of(layer, kind);
     for (std::size_t i = 0; i < lines.size(); ++i) {
       for (const slice_point& p : lines[i]) {
         if (!std::isfinite(p[0]) || !std::isfinite(p[1]))
-          core::throw_joined<invalid_argument>({caller, ": ", contour_name(index, kind, i), " has a point that is not finite"});
+          core::throw_joined<invalid_argument>(
+              {caller, ": ", contour_name(index, kind, i), " has a point that is not finite"});
         to.add(p);
       }
       if (kind == slice_lines_kind::hatches && lines[i].size() % 2 != 0)
-        core::throw_joined<invalid_argument>({caller, ": ", contour_name(index, kind, i), " has ", lines[i].size(), " points; hatches have two each"});
+        core::throw_joined<invalid_argument>(
+            {caller, ": ", contour_name(index, kind, i), " has ", lines[i].size(), " points; hatches have two each"});
     }
   }
 }
@@ -38,14 +41,16 @@ CONCINO_INLINE void add_layer(const char* caller, const slice_layer& layer, std:
 inline double twice_area(std::span<const lattice_point> path) {
   double sum = 0;
   for (std::size_t i = 2; i < path.size(); ++i) {
-    const double ax = static_cast<double>(path[i - 1][0] - path[0][0]), ay = static_cast<double>(path[i - 1][1] - path[0][1]);
+    const double ax = static_cast<double>(path[i - 1][0] - path[0][0]),
+                 ay = static_cast<double>(path[i - 1][1] - path[0][1]);
     const double bx = static_cast<double>(path[i][0] - path[0][0]), by = static_cast<double>(path[i][1] - path[0][1]);
     sum += ax * by - ay * bx;
   }
   return sum;
 }
 
-CONCINO_INLINE void contour_reader::add_contours(const slice_lines& lines, slice_lines_kind kind, lattice_paths& paths) {
+CONCINO_INLINE void contour_reader::add_contours(const slice_lines& lines, slice_lines_kind kind,
+                                                 lattice_paths& paths) {
   const bool is_outer = kind == slice_lines_kind::outer;
   std::vector<lattice_point> path;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -64,7 +69,8 @@ CONCINO_INLINE void contour_reader::add_contours(const slice_lines& lines, slice
       one.push_back(path);
       std::reverse(path.begin(), path.end());
       turned.push_back(path);
-      const lattice_regions left = back_end_.combine(region_operation::unite, one, {}), right = back_end_.combine(region_operation::unite, turned, {});
+      const lattice_regions left = back_end_.combine(region_operation::unite, one, {}),
+                            right = back_end_.combine(region_operation::unite, turned, {});
       const lattice_regions both = back_end_.combine(region_operation::unite, left.paths, right.paths);
       note(kind, i, both.paths.size() > 0 ? contour_change::crossing : contour_change::dropped);
       for (std::size_t k = 0; k < both.paths.size(); ++k) {
@@ -89,7 +95,8 @@ CONCINO_INLINE lattice_regions contour_reader::regions(const slice_layer& layer)
   return back_end_.combine(region_operation::unite, paths, {});
 }
 
-CONCINO_INLINE lattice_regions contour_reader::thickened(const slice_lines& lines, slice_lines_kind kind, double radius, double chord_error, const lattice_paths& without) {
+CONCINO_INLINE lattice_regions contour_reader::thickened(const slice_lines& lines, slice_lines_kind kind, double radius,
+                                                         double chord_error, const lattice_paths& without) {
   lattice_paths paths;
   std::vector<lattice_point> path;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -106,7 +113,8 @@ CONCINO_INLINE lattice_regions contour_reader::thickened(const slice_lines& line
     }
   }
   if (paths.size() == 0) return {};
-  const lattice_offset how{radius / to_.unit(), true, offset_corners::rounded, (chord_error > 0 ? chord_error : radius / 100) / to_.unit(), 2};
+  const lattice_offset how{radius / to_.unit(), true, offset_corners::rounded,
+                           (chord_error > 0 ? chord_error : radius / 100) / to_.unit(), 2};
   lattice_regions all = back_end_.offset(paths, how);
   return without.size() == 0 ? all : back_end_.combine(region_operation::subtract, all.paths, without);
 }

@@ -38,13 +38,15 @@ class hatcher {
     while (height(line) <= low[1]) ++line;
     for (; height(line) <= high[1]; ++line) {
       const double t = (height(line) - low[1]) / (high[1] - low[1]);
-      crossings_.push_back({line, low[0] + t * (high[0] - low[0]), contour, static_cast<std::int8_t>(a[1] < b[1] ? -1 : 1)});
+      crossings_.push_back(
+          {line, low[0] + t * (high[0] - low[0]), contour, static_cast<std::int8_t>(a[1] < b[1] ? -1 : 1)});
     }
   }
 
  public:
   hatcher(double distance, double angle_deg) : distance_(distance) {
-    const double quarter = std::nearbyint(angle_deg / 90), rest = (angle_deg - 90 * quarter) * std::numbers::pi / 180;  // multiples of 90 are exact
+    // multiples of 90 are exact
+    const double quarter = std::nearbyint(angle_deg / 90), rest = (angle_deg - 90 * quarter) * std::numbers::pi / 180;
     const double c = std::cos(rest), s = std::sin(rest);
     const int k = static_cast<int>(std::fmod(std::fmod(quarter, 4) + 4, 4));
     cos_ = k == 0 ? c : k == 1 ? -s : k == 2 ? -c : s;
@@ -56,7 +58,8 @@ class hatcher {
       const auto contour = static_cast<std::uint32_t>(weight_.size());
       weight_.push_back(weight);
       const auto points = lines[i];
-      for (std::size_t k = 0; k < points.size(); ++k) add_segment(turned(points[k]), turned(points[(k + 1) % points.size()]), contour);
+      for (std::size_t k = 0; k < points.size(); ++k)
+        add_segment(turned(points[k]), turned(points[(k + 1) % points.size()]), contour);
     }
   }
 
@@ -101,15 +104,21 @@ class hatcher {
 namespace concino {
 
 CONCINO_INLINE slice_lines hatch(const slice_layer& layer, double distance, double angle_deg) {
-  if (!(distance > 0) || !std::isfinite(distance)) core::throw_joined<invalid_argument>({"hatch: distance is ", core::number_text(distance), "; it must be finite and above 0"});
-  if (!(std::abs(angle_deg) <= 1e6)) core::throw_joined<invalid_argument>({"hatch: angle_deg is ", core::number_text(angle_deg), "; it must be at most 1e6"});
+  if (!(distance > 0) || !std::isfinite(distance))
+    core::throw_joined<invalid_argument>(
+        {"hatch: distance is ", core::number_text(distance), "; it must be finite and above 0"});
+  if (!(std::abs(angle_deg) <= 1e6))
+    core::throw_joined<invalid_argument>(
+        {"hatch: angle_deg is ", core::number_text(angle_deg), "; it must be at most 1e6"});
   detail::planar_box around;
   detail::add_layer("hatch", layer, detail::single_layer, around);
   if (around.is_empty()) return {};
   double far = 0;
   for (const std::size_t k : {0u, 1u}) far = std::max({far, std::abs(around.min[k]), std::abs(around.max[k])});
-  if (std::hypot(around.max[0] - around.min[0], around.max[1] - around.min[1]) / distance > 1e8 || far / distance > 1e15)
-    core::throw_joined<invalid_argument>({"hatch: distance ", core::number_text(distance), " is too small for the size of the layer"});
+  if (std::hypot(around.max[0] - around.min[0], around.max[1] - around.min[1]) / distance > 1e8 ||
+      far / distance > 1e15)
+    core::throw_joined<invalid_argument>(
+        {"hatch: distance ", core::number_text(distance), " is too small for the size of the layer"});
   detail::hatcher h(distance, angle_deg);
   h.add(layer.outer, 1);
   h.add(layer.inner, -1);

@@ -35,15 +35,16 @@ class lattice {
 
  public:
   lattice() = default;
-  /// The coarsest lattice with 2^bits units or more in the size of the box with a margin of `reach` around it. Where that is finer than the last digits of the
-  /// coordinates, units are those digits.
+  /// The coarsest lattice with 2^bits units or more in the size of the box with a margin of `reach` around it. Where
+  /// that is finer than the last digits of the coordinates, units are those digits.
   /// Needs:  finite points.
   /// Errors: unsupported if the size has no such unit.
   lattice(const char* caller, const planar_box& box, double reach, int bits);
 
   double unit() const { return unit_; }
   lattice_point operator()(const slice_point& p) const {
-    return {static_cast<std::int64_t>(std::nearbyint(p[0] / unit_) - origin_[0]), static_cast<std::int64_t>(std::nearbyint(p[1] / unit_) - origin_[1])};
+    return {static_cast<std::int64_t>(std::nearbyint(p[0] / unit_) - origin_[0]),
+            static_cast<std::int64_t>(std::nearbyint(p[1] / unit_) - origin_[1])};
   }
   slice_point operator()(const lattice_point& p) const {
     return {(static_cast<double>(p[0]) + origin_[0]) * unit_, (static_cast<double>(p[1]) + origin_[1]) * unit_};

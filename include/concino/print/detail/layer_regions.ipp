@@ -6,7 +6,8 @@
 
 namespace concino {
 
-CONCINO_INLINE planar_regions layer_regions(const slice_layer& layer, const polygon_clipper& back_end, const layer_regions_options& options) {
+CONCINO_INLINE planar_regions layer_regions(const slice_layer& layer, const polygon_clipper& back_end,
+                                            const layer_regions_options& options) {
   detail::planar_box around;
   detail::add_layer("layer_regions", layer, detail::single_layer, around);
   const detail::lattice to("layer_regions", around, 0, 40);

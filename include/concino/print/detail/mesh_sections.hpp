@@ -28,7 +28,8 @@ struct heights_above_layer {
   }
 };
 
-/// Errors: invalid_mesh that names an edge without exactly two polys, or with two that run in the same direction; one if the surface is inside out.
+/// Errors: invalid_mesh that names an edge without exactly two polys, or with two that run in the same direction; one
+///         if the surface is inside out.
 template<class M>
 void check_closed_outward(const M& m) {
   std::vector<std::int8_t> count(edge_index_bound(m)), sum(edge_index_bound(m));
@@ -48,11 +49,18 @@ void check_closed_outward(const M& m) {
   for (const edge_t<M> e : edges(m)) {
     const std::size_t i = index_of(m, e);
     if (count[i] == 0) continue;
-    if (count[i] == 1) core::throw_joined<invalid_mesh>({"slice_mesh: the surface is open at edge ", i, "; close it, or slice it with {.accept_open = true}"});
-    if (count[i] > 2) core::throw_joined<invalid_mesh>({"slice_mesh: edge ", i, " has more than two polys; slice it with {.accept_open = true}"});
-    if (sum[i] != 0) core::throw_joined<invalid_mesh>({"slice_mesh: the polys of edge ", i, " are not oriented alike; flip_winding turns one"});
+    if (count[i] == 1)
+      core::throw_joined<invalid_mesh>(
+          {"slice_mesh: the surface is open at edge ", i, "; close it, or slice it with {.accept_open = true}"});
+    if (count[i] > 2)
+      core::throw_joined<invalid_mesh>(
+          {"slice_mesh: edge ", i, " has more than two polys; slice it with {.accept_open = true}"});
+    if (sum[i] != 0)
+      core::throw_joined<invalid_mesh>(
+          {"slice_mesh: the polys of edge ", i, " are not oriented alike; flip_winding turns one"});
   }
-  if (volume < 0) core::throw_joined<invalid_mesh>({"slice_mesh: the surface is inside out; flip_winding turns all polys"});
+  if (volume < 0)
+    core::throw_joined<invalid_mesh>({"slice_mesh: the surface is inside out; flip_winding turns all polys"});
 }
 
 /// Errors: invalid_mesh that names two polys that intersect.
@@ -60,7 +68,8 @@ template<class M>
 void check_no_intersections(const M& m) {
   const auto pairs = self_intersections(m);
   if (pairs.empty()) return;
-  core::throw_joined<invalid_mesh>({"slice_mesh: polys ", index_of(m, pairs[0].first), " and ", index_of(m, pairs[0].second), " intersect, and ", pairs.size() - 1,
+  core::throw_joined<invalid_mesh>({"slice_mesh: polys ", index_of(m, pairs[0].first), " and ",
+                                    index_of(m, pairs[0].second), " intersect, and ", pairs.size() - 1,
                                     " more pairs; slice it with {.accept_intersections = true}"});
 }
 
@@ -96,7 +105,8 @@ class mesh_sections {
 
   explicit mesh_sections(const M& m) : m_(m), number_(poly_index_bound(m)) {}
 
-  /// The lines of a surface. Larger heights are to their left seen from outside, so material is to the left seen from above.
+  /// The lines of a surface. Larger heights are to their left seen from outside, so material is to the left seen from
+  /// above.
   section_layer of_surface(double z) {
     section_layer result;
     result.layer.z = z;

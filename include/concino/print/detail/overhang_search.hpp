@@ -27,7 +27,8 @@ struct overhang_figures {
 /// Throws if a limit is out of its range.
 void check_limits(const overhang_limits& limits, const char* caller);
 
-overhang_figures find_overhangs(const part_surface& part, const vec3& up, const overhang_limits& limits, const char* caller);
+overhang_figures find_overhangs(const part_surface& part, const vec3& up, const overhang_limits& limits,
+                                const char* caller);
 
 /// The supports below the polygons that were found.
 supports_size supports_below(const part_surface& part, const vec3& up, const overhang_figures& found);

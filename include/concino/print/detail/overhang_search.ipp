@@ -13,12 +13,16 @@
 namespace concino::detail {
 
 CONCINO_INLINE void check_limits(const overhang_limits& limits, const char* caller) {
-  if (!(limits.max_angle_deg >= 0 && limits.max_angle_deg <= 90)) core::throw_joined<invalid_argument>({caller, ": options.max_angle_deg must be in [0, 90]"});
-  if (!(limits.plate_tolerance >= 0 && limits.plate_tolerance <= 0.1)) core::throw_joined<invalid_argument>({caller, ": options.plate_tolerance must be in [0, 0.1]"});
-  if (limits.plate && !std::isfinite(*limits.plate)) core::throw_joined<invalid_argument>({caller, ": options.plate is not finite"});
+  if (!(limits.max_angle_deg >= 0 && limits.max_angle_deg <= 90))
+    core::throw_joined<invalid_argument>({caller, ": options.max_angle_deg must be in [0, 90]"});
+  if (!(limits.plate_tolerance >= 0 && limits.plate_tolerance <= 0.1))
+    core::throw_joined<invalid_argument>({caller, ": options.plate_tolerance must be in [0, 0.1]"});
+  if (limits.plate && !std::isfinite(*limits.plate))
+    core::throw_joined<invalid_argument>({caller, ": options.plate is not finite"});
 }
 
-CONCINO_INLINE overhang_figures find_overhangs(const part_surface& part, const vec3& up, const overhang_limits& limits, const char* caller) {
+CONCINO_INLINE overhang_figures find_overhangs(const part_surface& part, const vec3& up, const overhang_limits& limits,
+                                               const char* caller) {
   check_limits(limits, caller);
   overhang_figures found;
   if (part.points.empty()) {
@@ -36,7 +40,8 @@ CONCINO_INLINE overhang_figures find_overhangs(const part_surface& part, const v
   found.plate = *lowest;
   if (limits.plate) {
     found.plate = part.height_from_mesh(*limits.plate, up);
-    if (found.plate > *lowest + near) core::throw_joined<invalid_argument>({caller, ": options.plate is above the lowest point of the part"});
+    if (found.plate > *lowest + near)
+      core::throw_joined<invalid_argument>({caller, ": options.plate is above the lowest point of the part"});
     found.plate = std::min(found.plate, *lowest);
   }
   found.height = *highest - found.plate;

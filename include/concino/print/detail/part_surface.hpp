@@ -14,7 +14,8 @@
 
 namespace concino::detail {
 
-/// Triangles of polygons that have an area. Points are scaled to a size of about 1 around an origin, which is exact except for the subtraction.
+/// Triangles of polygons that have an area. Points are scaled to a size of about 1 around an origin, which is exact
+/// except for the subtraction.
 struct part_surface {
   std::vector<vec3> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -25,13 +26,23 @@ struct part_surface {
   double shrink = 1;
   double tolerance = 0;               // lengths below this are zero, up to the rounding of the coordinates
 
-  std::array<vec3, 3> triangle(std::size_t t) const { return {points[triangles[t][0]], points[triangles[t][1]], points[triangles[t][2]]}; }
+  std::array<vec3, 3> triangle(std::size_t t) const {
+    return {points[triangles[t][0]], points[triangles[t][1]], points[triangles[t][2]]};
+  }
   /// From units of the points to those of the mesh, of a length, an area or a volume.
-  double to_mesh(double size, int dimension) const { return std::ldexp(size, dimension * (exponent + (shrink < 1 ? 4 : 0))); }
-  vec3 to_mesh(const vec3& x) const { return (origin + vec3{std::ldexp(x.x, exponent), std::ldexp(x.y, exponent), std::ldexp(x.z, exponent)}) / shrink; }
+  double to_mesh(double size, int dimension) const {
+    return std::ldexp(size, dimension * (exponent + (shrink < 1 ? 4 : 0)));
+  }
+  vec3 to_mesh(const vec3& x) const {
+    return (origin + vec3{std::ldexp(x.x, exponent), std::ldexp(x.y, exponent), std::ldexp(x.z, exponent)}) / shrink;
+  }
   /// Heights along a unit vector.
-  double height_from_mesh(double height, const vec3& up) const { return std::ldexp(shrink * height - dot(origin, up), -exponent); }
-  double height_to_mesh(double height, const vec3& up) const { return (dot(origin, up) + std::ldexp(height, exponent)) / shrink; }
+  double height_from_mesh(double height, const vec3& up) const {
+    return std::ldexp(shrink * height - dot(origin, up), -exponent);
+  }
+  double height_to_mesh(double height, const vec3& up) const {
+    return (dot(origin, up) + std::ldexp(height, exponent)) / shrink;
+  }
   vec3 from_mesh(const vec3& x) const {
     const vec3 y = shrink * x - origin;
     return {std::ldexp(y.x, -exponent), std::ldexp(y.y, -exponent), std::ldexp(y.z, -exponent)};
@@ -88,21 +99,23 @@ printed_part<M> outer_surface(const M& m, const char* caller) {
   constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
   std::vector<std::uint32_t> numbers(vert_index_bound(m), none);
   std::vector<polygon_t<M>> all;
-  for_each_visible_polygon(m, every_poly<poly_t<M>>{}, [&](const poly_t<M>&, const auto& loop, bool is_outward, bool, const polygon_t<M>& x) {
-    std::vector<std::uint32_t> ring;
-    for (const vert_t<M> v : loop) {
-      std::uint32_t& number = numbers[index_of(m, v)];
-      if (number == none) {
-        const vec3 y = to_vec3(point(m, v));
-        if (!is_finite(y)) core::throw_joined<invalid_mesh>({caller, ": vert ", index_of(m, v), " is not finite"});
-        number = builder.add_point(y);
-      }
-      ring.push_back(number);
-    }
-    for (std::size_t k = 0; k < ring.size(); ++k) builder.add_corner(ring[is_outward ? k : ring.size() - 1 - k]);
-    builder.end_polygon();
-    all.push_back(x);
-  });
+  for_each_visible_polygon(
+      m, every_poly<poly_t<M>>{},
+      [&](const poly_t<M>&, const auto& loop, bool is_outward, bool, const polygon_t<M>& x) {
+        std::vector<std::uint32_t> ring;
+        for (const vert_t<M> v : loop) {
+          std::uint32_t& number = numbers[index_of(m, v)];
+          if (number == none) {
+            const vec3 y = to_vec3(point(m, v));
+            if (!is_finite(y)) core::throw_joined<invalid_mesh>({caller, ": vert ", index_of(m, v), " is not finite"});
+            number = builder.add_point(y);
+          }
+          ring.push_back(number);
+        }
+        for (std::size_t k = 0; k < ring.size(); ++k) builder.add_corner(ring[is_outward ? k : ring.size() - 1 - k]);
+        builder.end_polygon();
+        all.push_back(x);
+      });
   const auto& has_area = builder.finish();
   for (std::size_t i = 0; i < all.size(); ++i) (has_area[i] ? part.polygons : part.ignored).push_back(all[i]);
   builder.require_outward(caller);

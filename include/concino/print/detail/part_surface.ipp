@@ -49,7 +49,8 @@ CONCINO_INLINE const std::vector<bool>& part_builder::finish() {
       surface_.points.push_back(scaled[corners_[first + i]]);
     }
     for (const polygon_triangle& t : cut(polygon)) {
-      surface_.triangles.push_back({numbers[corners_[first + t[0]]], numbers[corners_[first + t[1]]], numbers[corners_[first + t[2]]]});
+      surface_.triangles.push_back(
+          {numbers[corners_[first + t[0]]], numbers[corners_[first + t[1]]], numbers[corners_[first + t[2]]]});
       surface_.owners.push_back(static_cast<std::uint32_t>(surface_.areas.size()));
     }
     surface_.areas.push_back(0.5 * doubled);
@@ -66,7 +67,9 @@ CONCINO_INLINE void part_builder::require_outward(const char* caller) const {
     const auto [a, b, c] = surface_.triangle(t);
     six_volumes += dot(cross(a, b), c);
   }
-  if (six_volumes < -1e-9) core::throw_joined<invalid_mesh>({caller, ": the surface is inside out: its normals point inward; flip_winding(m) turns a surface"});
+  if (six_volumes < -1e-9)
+    core::throw_joined<invalid_mesh>(
+        {caller, ": the surface is inside out: its normals point inward; flip_winding(m) turns a surface"});
 }
 
 }  // namespace concino::detail

@@ -10,7 +10,8 @@
 
 namespace concino::detail {
 
-/// A line, and by segment the number of the poly that it passes: from point i to i + 1, and if it is closed from the last to the first.
+/// A line, and by segment the number of the poly that it passes: from point i to i + 1, and if it is closed from the
+/// last to the first.
 struct section_line {
   std::vector<slice_point> points;
   std::vector<std::uint32_t> polys;
@@ -32,8 +33,8 @@ struct section_layer {
   slice_layer layer;
   section_polys outer, inner, open;
 
-  /// Adds a contour with material to its left: an outer one if it is counter-clockwise. Points that repeat their neighbours and spikes are left out, and
-  /// contours without area.
+  /// Adds a contour with material to its left: an outer one if it is counter-clockwise. Points that repeat their
+  /// neighbours and spikes are left out, and contours without area.
   void add_contour(section_line line, std::int32_t id);
   void add_open(const section_line& line, std::int32_t id);
 };
@@ -44,7 +45,8 @@ struct section_edge {
 };
 
 /// Joins edges that form closed cycles into cycles that pass no vert twice.
-/// Needs:  as many edges leave each vert as enter it.      Result: by cycle, the numbers of edges.      Cost: O(n log n).      Errors: none.
+/// Needs:  as many edges leave each vert as enter it.      Result: by cycle, the numbers of edges.      Cost: O(n log
+///         n).      Errors: none.
 std::vector<std::vector<std::uint32_t>> simple_cycles(const std::vector<section_edge>& edges);
 
 /// The x and y of a point; what interpolation made of 0 is 0 again.

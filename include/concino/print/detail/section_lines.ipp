@@ -75,8 +75,10 @@ CONCINO_INLINE std::vector<std::vector<std::uint32_t>> simple_cycles(const std::
     order[i] = i;
     num_verts = std::max({num_verts, edges[i].from + 1, edges[i].to + 1});
   }
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) { return edges[i].from < edges[j].from; });
-  std::vector<std::uint32_t> next(num_verts + 1, 0), end(num_verts + 1, 0);  // by vert: its edges that are not taken, in order
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t i, std::uint32_t j) { return edges[i].from < edges[j].from; });
+  // by vert: its edges that are not taken, in order
+  std::vector<std::uint32_t> next(num_verts + 1, 0), end(num_verts + 1, 0);
   for (std::uint32_t k = static_cast<std::uint32_t>(order.size()); k-- > 0;) next[edges[order[k]].from] = k;
   for (std::uint32_t k = 0; k < order.size(); ++k) end[edges[order[k]].from] = k + 1;
 

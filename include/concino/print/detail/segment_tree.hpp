@@ -39,7 +39,9 @@ class segment_tree {
     items_.reserve(segments.size());
     for (std::uint32_t i = 0; i < segments.size(); ++i) {
       const auto& [a, b] = segments[i];
-      items_.push_back({{below(std::min(a[0], b[0])), below(std::min(a[1], b[1])), 0}, {above(std::max(a[0], b[0])), above(std::max(a[1], b[1])), 0}, i});
+      items_.push_back({{below(std::min(a[0], b[0])), below(std::min(a[1], b[1])), 0},
+                        {above(std::max(a[0], b[0])), above(std::max(a[1], b[1])), 0},
+                        i});
     }
     nodes_ = core::box_tree_builder<node>(items_, 4)();
     for (std::size_t n = nodes_.size(); n-- > 0;) {
@@ -47,7 +49,8 @@ class segment_tree {
       x.min[0] = x.min[1] = infinite;
       x.max[0] = x.max[1] = -infinite;
       const auto add = [&x](const auto& y) {
-        for (const std::size_t k : {0u, 1u}) x.min[k] = std::min(x.min[k], y.min[k]), x.max[k] = std::max(x.max[k], y.max[k]);
+        for (const std::size_t k : {0u, 1u})
+          x.min[k] = std::min(x.min[k], y.min[k]), x.max[k] = std::max(x.max[k], y.max[k]);
       };
       if (x.count > 0)
         for (std::uint32_t i = x.first; i < x.first + x.count; ++i) add(items_[i]);

@@ -1,5 +1,6 @@
-// Defines supports.hpp. The projection of a triangle is cut into convex pieces, each of which has one surface below it. There the height of the supports is a
-// linear function, which is integrated exactly. Triangles above many small ones are divided first, so that few of these are below each part.
+// Defines supports.hpp. The projection of a triangle is cut into convex pieces, each of which has one surface below it.
+// There the height of the supports is a linear function, which is integrated exactly. Triangles above many small ones
+// are divided first, so that few of these are below each part.
 #pragma once
 
 #include <concino/core/small_array.hpp>
@@ -24,7 +25,8 @@ void assign(plane_polygon& polygon, const Points& points) {
   for (const plane_point& x : points) polygon.push_back(x);
 }
 
-/// Keeps the part of a convex polygon where a linear function is at least 0; `rest` becomes the other one. value(p): the function.
+/// Keeps the part of a convex polygon where a linear function is at least 0; `rest` becomes the other one. value(p):
+/// the function.
 template<class F>
 void divide_polygon(plane_polygon& polygon, plane_polygon& rest, const F& value) {
   const std::size_t n = polygon.size();
@@ -60,7 +62,8 @@ void divide_polygon(plane_polygon& polygon, plane_polygon& rest, const F& value)
 
 inline double doubled_area(const plane_polygon& p) {
   double sum = 0;
-  for (std::size_t i = 2; i < p.size(); ++i) sum += (p[i - 1].x - p[0].x) * (p[i].y - p[0].y) - (p[i - 1].y - p[0].y) * (p[i].x - p[0].x);
+  for (std::size_t i = 2; i < p.size(); ++i)
+    sum += (p[i - 1].x - p[0].x) * (p[i].y - p[0].y) - (p[i - 1].y - p[0].y) * (p[i].x - p[0].x);
   return sum;
 }
 
@@ -74,7 +77,9 @@ class support_pieces {
   double plate_, tolerance_;
   supports_size sum_;
 
-  double floor_at(const height_triangle* floor, const plane_point& p) const { return floor ? floor->at(p.x, p.y) : plate_; }
+  double floor_at(const height_triangle* floor, const plane_point& p) const {
+    return floor ? floor->at(p.x, p.y) : plate_;
+  }
 
   /// Adds a piece; floor is null for the plate.
   void integrate(const plane_polygon& p, const height_triangle* floor) {
@@ -104,7 +109,9 @@ class support_pieces {
   static bool is_apart(const plane_polygon& triangle, const height_triangle& t) {
     for (std::size_t i = 0; i < 3; ++i) {
       const plane_point &a = triangle[i], &b = triangle[i < 2 ? i + 1 : 0];
-      if (std::all_of(t.corners.begin(), t.corners.end(), [&](const vec3& x) { return (b.x - a.x) * (x.y - a.y) - (b.y - a.y) * (x.x - a.x) <= 0; })) return true;
+      if (std::all_of(t.corners.begin(), t.corners.end(),
+                      [&](const vec3& x) { return (b.x - a.x) * (x.y - a.y) - (b.y - a.y) * (x.x - a.x) <= 0; }))
+        return true;
     }
     return is_beyond_edge(t, triangle);
   }
@@ -114,11 +121,13 @@ class support_pieces {
     if (is_beyond_edge(t, p)) return false;
     plane_polygon inside, rest;
     assign(inside, p);
-    for (std::size_t k = 0; k < 3 && inside.size() >= 3; ++k) divide_polygon(inside, rest, [&](const plane_point& x) { return edge_value(t, k, x); });
+    for (std::size_t k = 0; k < 3 && inside.size() >= 3; ++k)
+      divide_polygon(inside, rest, [&](const plane_point& x) { return edge_value(t, k, x); });
     return inside.size() >= 3 && doubled_area(inside) > 0;
   }
 
-  /// Below p there is `floor`, except where one of the candidates, sorted by height from the highest, is above it and below the ceiling.
+  /// Below p there is `floor`, except where one of the candidates, sorted by height from the highest, is above it and
+  /// below the ceiling.
   void find_floors(const plane_polygon& outline, floors candidates, const height_triangle* floor) {
     plane_polygon p, rest;
     assign(p, outline);
@@ -136,8 +145,10 @@ class support_pieces {
         divide_polygon(p, rest, value);
         if (rest.size() >= 3) find_floors(rest, others, floor);
       };
-      for (std::size_t k = 0; k < 3 && p.size() >= 3; ++k) keep([&](const plane_point& x) { return edge_value(s, k, x); });
-      if (p.size() >= 3) keep([&](const plane_point& x) { return ceiling_.at(x.x, x.y) + tolerance_ - s.at(x.x, x.y); });
+      for (std::size_t k = 0; k < 3 && p.size() >= 3; ++k)
+        keep([&](const plane_point& x) { return edge_value(s, k, x); });
+      if (p.size() >= 3)
+        keep([&](const plane_point& x) { return ceiling_.at(x.x, x.y) + tolerance_ - s.at(x.x, x.y); });
       if (p.size() >= 3) keep([&](const plane_point& x) { return s.at(x.x, x.y) - floor_at(floor, x); });
       floor = &s;
     }
@@ -147,7 +158,9 @@ class support_pieces {
   /// Divides a triangle while that makes fewer candidates for each of its parts.
   void divide(const plane_polygon& p, const std::vector<const height_triangle*>& candidates, int depth) {
     if (candidates.size() <= few || depth == max_depth) return find_floors(p, candidates, nullptr);
-    const auto middle = [&](std::size_t a, std::size_t b) { return plane_point{0.5 * p[a].x + 0.5 * p[b].x, 0.5 * p[a].y + 0.5 * p[b].y}; };
+    const auto middle = [&](std::size_t a, std::size_t b) {
+      return plane_point{0.5 * p[a].x + 0.5 * p[b].x, 0.5 * p[a].y + 0.5 * p[b].y};
+    };
     const plane_point ab = middle(0, 1), bc = middle(1, 2), ca = middle(2, 0);
     plane_polygon parts[4];
     const std::array<plane_point, 3> corners[] = {{p[0], ab, ca}, {ab, p[1], bc}, {ca, bc, p[2]}, {ab, bc, ca}};
@@ -164,13 +177,17 @@ class support_pieces {
   }
 
  public:
-  support_pieces(const height_triangle& ceiling, double plate, double tolerance) : ceiling_(ceiling), plate_(plate), tolerance_(tolerance) {}
+  support_pieces(const height_triangle& ceiling, double plate, double tolerance)
+      : ceiling_(ceiling), plate_(plate), tolerance_(tolerance) {}
 
   supports_size operator()(std::vector<const height_triangle*> candidates) {
     plane_polygon outline;
     for (const vec3& c : ceiling_.corners) outline.push_back({c.x, c.y});
-    candidates.erase(std::remove_if(candidates.begin(), candidates.end(), [&](const height_triangle* t) { return is_apart(outline, *t); }), candidates.end());
-    std::stable_sort(candidates.begin(), candidates.end(), [](const height_triangle* a, const height_triangle* b) { return a->high > b->high; });
+    candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
+                                    [&](const height_triangle* t) { return is_apart(outline, *t); }),
+                     candidates.end());
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const height_triangle* a, const height_triangle* b) { return a->high > b->high; });
     divide(outline, candidates, 0);
     return sum_;
   }
@@ -201,8 +218,10 @@ CONCINO_INLINE support_finder::cell_range support_finder::cells_of(const height_
     const double at = (x - low) / cell_;
     return !(at > 0) ? 0 : at >= static_cast<double>(count) ? count - 1 : static_cast<std::size_t>(at);
   };
-  return {cell(std::min({c[0].x, c[1].x, c[2].x}), left_, columns_), cell(std::max({c[0].x, c[1].x, c[2].x}), left_, columns_),
-          cell(std::min({c[0].y, c[1].y, c[2].y}), bottom_, lines_), cell(std::max({c[0].y, c[1].y, c[2].y}), bottom_, lines_)};
+  return {cell(std::min({c[0].x, c[1].x, c[2].x}), left_, columns_),
+          cell(std::max({c[0].x, c[1].x, c[2].x}), left_, columns_),
+          cell(std::min({c[0].y, c[1].y, c[2].y}), bottom_, lines_),
+          cell(std::max({c[0].y, c[1].y, c[2].y}), bottom_, lines_)};
 }
 
 /// Cells are so large that the triangles have at most some eight entries on average.
