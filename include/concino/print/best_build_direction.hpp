@@ -3,7 +3,7 @@
 
 #include <concino/core/mistakes.hpp>
 #include <concino/core/progress.hpp>
-#include <concino/print/detail/part_surface.hpp>
+#include <concino/print/detail/supports/part_surface.hpp>
 
 #include <cstddef>
 #include <vector>
@@ -89,5 +89,5 @@ template<class... T> void best_build_direction(mistake::no_points<mistake::give_
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/print/detail/best_build_direction.ipp>
+#include <concino/print/detail/supports/best_build_direction.ipp>
 #endif

@@ -27,5 +27,5 @@ planar_regions region_intersection(const planar_regions&, const planar_regions&)
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/print/detail/combine_regions.ipp>
+#include <concino/print/detail/regions/combine_regions.ipp>
 #endif

@@ -22,5 +22,5 @@ slice_lines hatch(const slice_layer& layer, double distance, double angle_deg);
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/print/detail/hatch.ipp>
+#include <concino/print/detail/slices/hatch.ipp>
 #endif

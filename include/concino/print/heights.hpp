@@ -38,5 +38,5 @@ template<class... T> void heights(mistake::no_points<mistake::give_points>, ...)
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/print/detail/heights.ipp>
+#include <concino/print/detail/slices/heights.ipp>
 #endif

@@ -31,5 +31,5 @@ planar_regions layer_regions(const slice_layer&) = delete;  // pass a back end: 
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/print/detail/layer_regions.ipp>
+#include <concino/print/detail/regions/layer_regions.ipp>
 #endif

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
-#include <concino/print/detail/overhang_search.hpp>
-#include <concino/print/detail/part_surface.hpp>
+#include <concino/print/detail/supports/overhang_search.hpp>
+#include <concino/print/detail/supports/part_surface.hpp>
 
 #include <optional>
 #include <vector>

@@ -50,5 +50,5 @@ slice_layer to_layer(const planar_regions& regions, double z, std::int32_t id = 
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/print/detail/planar_regions.ipp>
+#include <concino/print/detail/regions/planar_regions.ipp>
 #endif

@@ -50,5 +50,5 @@ planar_regions thicken(const slice_lines&, double) = delete;           // pass a
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/print/detail/region_offset.ipp>
+#include <concino/print/detail/regions/region_offset.ipp>
 #endif

@@ -4,7 +4,7 @@
 #include <concino/core/mistakes.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/io/slice_layer.hpp>
-#include <concino/print/detail/mesh_sections.hpp>
+#include <concino/print/detail/slices/mesh_sections.hpp>
 #include <concino/print/slice_report.hpp>
 
 #include <cstdint>

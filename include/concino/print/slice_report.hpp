@@ -57,5 +57,5 @@ struct slice_report {
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/print/detail/slice_report.ipp>
+#include <concino/print/detail/slices/slice_report.ipp>
 #endif

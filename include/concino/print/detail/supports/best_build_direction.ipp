@@ -5,7 +5,7 @@
 #include <concino/core/parallel.hpp>
 #include <concino/geometry/convex_hull.hpp>
 #include <concino/print/best_build_direction.hpp>
-#include <concino/print/detail/overhang_search.hpp>
+#include <concino/print/detail/supports/overhang_search.hpp>
 
 #include <Eigen/Eigenvalues>
 

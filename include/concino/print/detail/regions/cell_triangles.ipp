@@ -3,8 +3,8 @@
 
 #include <concino/concepts/oriented_edges.hpp>
 #include <concino/generate/triangulate.hpp>
-#include <concino/print/detail/cell_triangles.hpp>
-#include <concino/print/detail/segment_tree.hpp>
+#include <concino/print/detail/regions/cell_triangles.hpp>
+#include <concino/print/detail/regions/segment_tree.hpp>
 
 #include <algorithm>
 

@@ -62,5 +62,5 @@ planar_regions regions_from(const lattice_regions& regions, const lattice& from)
 }  // namespace concino::detail
 
 #ifndef CONCINO_COMPILED
-#include <concino/print/detail/lattice.ipp>
+#include <concino/print/detail/regions/lattice.ipp>
 #endif

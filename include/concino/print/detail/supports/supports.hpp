@@ -56,5 +56,5 @@ int make_height_triangle(const std::array<vec3, 3>& corners, height_triangle& re
 }  // namespace concino::detail
 
 #ifndef CONCINO_COMPILED
-#include <concino/print/detail/supports.ipp>
+#include <concino/print/detail/supports/supports.ipp>
 #endif

@@ -125,5 +125,5 @@ printed_part<M> outer_surface(const M& m, const char* caller) {
 }  // namespace concino::detail
 
 #ifndef CONCINO_COMPILED
-#include <concino/print/detail/part_surface.ipp>
+#include <concino/print/detail/supports/part_surface.ipp>
 #endif

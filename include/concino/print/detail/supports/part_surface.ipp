@@ -3,7 +3,7 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/geometry/bounding_box.hpp>
-#include <concino/print/detail/part_surface.hpp>
+#include <concino/print/detail/supports/part_surface.hpp>
 
 #include <algorithm>
 #include <limits>

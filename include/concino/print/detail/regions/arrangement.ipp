@@ -3,8 +3,8 @@
 
 #include <concino/core/error.hpp>
 #include <concino/geometry/orientation.hpp>
-#include <concino/print/detail/arrangement.hpp>
-#include <concino/print/detail/segment_tree.hpp>
+#include <concino/print/detail/regions/arrangement.hpp>
+#include <concino/print/detail/regions/segment_tree.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -58,5 +58,5 @@ void check_heights(const std::vector<double>& heights);
 }  // namespace concino::detail
 
 #ifndef CONCINO_COMPILED
-#include <concino/print/detail/section_lines.ipp>
+#include <concino/print/detail/slices/section_lines.ipp>
 #endif

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <concino/core/error.hpp>
-#include <concino/print/detail/arrangement.hpp>
-#include <concino/print/detail/contour_reader.hpp>
+#include <concino/print/detail/regions/arrangement.hpp>
+#include <concino/print/detail/regions/contour_reader.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <concino/core/small_array.hpp>
-#include <concino/print/detail/supports.hpp>
+#include <concino/print/detail/supports/supports.hpp>
 
 #include <algorithm>
 #include <cmath>

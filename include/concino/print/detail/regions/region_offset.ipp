@@ -3,7 +3,7 @@
 
 #include <concino/core/error.hpp>
 #include <concino/core/number_text.hpp>
-#include <concino/print/detail/lattice.hpp>
+#include <concino/print/detail/regions/lattice.hpp>
 #include <concino/print/region_offset.hpp>
 #include <concino/print/slice_report.hpp>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
-#include <concino/print/detail/arrangement.hpp>
+#include <concino/print/detail/regions/arrangement.hpp>
 
 #include <array>
 #include <cstdint>
@@ -27,5 +27,5 @@ cell_triangles triangulate_cells(const planar_arrangement& a);
 }  // namespace concino::detail
 
 #ifndef CONCINO_COMPILED
-#include <concino/print/detail/cell_triangles.ipp>
+#include <concino/print/detail/regions/cell_triangles.ipp>
 #endif

@@ -64,5 +64,5 @@ bool meets_itself(std::span<const lattice_point> path);
 }  // namespace concino::detail
 
 #ifndef CONCINO_COMPILED
-#include <concino/print/detail/arrangement.ipp>
+#include <concino/print/detail/regions/arrangement.ipp>
 #endif

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/error.hpp>
-#include <concino/print/detail/section_lines.hpp>
+#include <concino/print/detail/slices/section_lines.hpp>
 #include <concino/print/planar_regions.hpp>
 
 #include <algorithm>

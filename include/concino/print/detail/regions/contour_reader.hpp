@@ -3,7 +3,7 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/io/slice_layer.hpp>
-#include <concino/print/detail/lattice.hpp>
+#include <concino/print/detail/regions/lattice.hpp>
 #include <concino/print/polygon_clipper.hpp>
 #include <concino/print/slice_report.hpp>
 
@@ -46,5 +46,5 @@ const slice_lines& lines_of(const slice_layer& layer, slice_lines_kind kind);
 }  // namespace concino::detail
 
 #ifndef CONCINO_COMPILED
-#include <concino/print/detail/contour_reader.ipp>
+#include <concino/print/detail/regions/contour_reader.ipp>
 #endif

@@ -1,7 +1,7 @@
 // Defines layer_regions.hpp.
 #pragma once
 
-#include <concino/print/detail/contour_reader.hpp>
+#include <concino/print/detail/regions/contour_reader.hpp>
 #include <concino/print/layer_regions.hpp>
 
 namespace concino {

@@ -6,7 +6,7 @@
 #include <concino/geometry/self_intersections.hpp>
 #include <concino/level_sets/isolines.hpp>
 #include <concino/level_sets/isosurface.hpp>
-#include <concino/print/detail/section_lines.hpp>
+#include <concino/print/detail/slices/section_lines.hpp>
 
 #include <cstdint>
 #include <limits>

@@ -3,7 +3,7 @@
 
 #include <concino/core/parallel.hpp>
 #include <concino/geometry/bounding_box.hpp>
-#include <concino/print/detail/overhang_search.hpp>
+#include <concino/print/detail/supports/overhang_search.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <concino/core/error.hpp>
 #include <concino/core/number_text.hpp>
-#include <concino/print/detail/contour_reader.hpp>
+#include <concino/print/detail/regions/contour_reader.hpp>
 #include <concino/print/hatch.hpp>
 
 #include <algorithm>

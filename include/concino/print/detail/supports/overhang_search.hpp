@@ -2,9 +2,9 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
-#include <concino/print/detail/build_frame.hpp>
-#include <concino/print/detail/part_surface.hpp>
-#include <concino/print/detail/supports.hpp>
+#include <concino/print/detail/supports/build_frame.hpp>
+#include <concino/print/detail/supports/part_surface.hpp>
+#include <concino/print/detail/supports/supports.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -36,5 +36,5 @@ supports_size supports_below(const part_surface& part, const vec3& up, const ove
 }  // namespace concino::detail
 
 #ifndef CONCINO_COMPILED
-#include <concino/print/detail/overhang_search.ipp>
+#include <concino/print/detail/supports/overhang_search.ipp>
 #endif

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/print/combine_regions.hpp>
-#include <concino/print/detail/lattice.hpp>
+#include <concino/print/detail/regions/lattice.hpp>
 
 namespace concino::detail {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/error.hpp>
-#include <concino/print/detail/lattice.hpp>
+#include <concino/print/detail/regions/lattice.hpp>
 
 #include <algorithm>
 
