@@ -55,8 +55,8 @@ build_direction_found find_build_direction(const part_surface& part, const build
 /// Needs:  as overhangs.
 /// Result: the direction of the lowest cost that was found:
 ///
-///           overhang_weight a / A  +  support_weight v / A^(3/2)  +  height_weight h / A^(1/2)  +  plate_weight (1 - p
-///           / A)
+///           overhang_weight a / A  +  support_weight v / A^(3/2)  +  height_weight h / A^(1/2)
+///           +  plate_weight (1 - p / A)
 ///
 ///         with the area A of the part, and a, v, h, p the area, support_volume, height and plate_area of overhangs,
 ///         the plate at the lowest point. So the cost does not depend on the unit. Compared are the directions in which

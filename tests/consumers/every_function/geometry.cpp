@@ -61,6 +61,7 @@ void call_places() {
     cn::bounding_box(m, first(cn::edges(m)));
   }, all);
   call("bounding_box", [](auto& m) { cn::bounding_box(m, face(m)); }, volumes);
+  call("convex_hull", [] { cn::convex_hull(std::vector<cn::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}); });
   call("bounding_tree", [](auto& m) { cn::bounding_tree(m).closest({3, 3, 3}); }, all);
   call("vert_mean", [](auto& m) { cn::vert_mean(m, poly(m)); }, all);
   call("centroid", [](auto& m) { cn::centroid(m, poly(m)); }, all);
