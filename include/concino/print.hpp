@@ -2,4 +2,6 @@
 #pragma once
 
 #include <concino/print/best_build_direction.hpp>
+#include <concino/print/height_map.hpp>
 #include <concino/print/overhangs.hpp>
+#include <concino/print/wall_thickness.hpp>
