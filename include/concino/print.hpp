@@ -4,6 +4,7 @@
 #include <concino/print/best_build_direction.hpp>
 #include <concino/print/combine_regions.hpp>
 #include <concino/print/hatch.hpp>
+#include <concino/print/height_map.hpp>
 #include <concino/print/heights.hpp>
 #include <concino/print/layer_regions.hpp>
 #include <concino/print/overhangs.hpp>
@@ -12,3 +13,4 @@
 #include <concino/print/region_offset.hpp>
 #include <concino/print/slice_mesh.hpp>
 #include <concino/print/slice_report.hpp>
+#include <concino/print/wall_thickness.hpp>

@@ -49,8 +49,9 @@ CONCINO_INLINE const std::vector<bool>& part_builder::finish() {
       surface_.points.push_back(scaled[corners_[first + i]]);
     }
     for (const polygon_triangle& t : cut(polygon)) {
-      surface_.triangles.push_back(
-          {numbers[corners_[first + t[0]]], numbers[corners_[first + t[1]]], numbers[corners_[first + t[2]]]});
+      const std::array<std::uint32_t, 3> verts{numbers[corners_[first + t[0]]], numbers[corners_[first + t[1]]], numbers[corners_[first + t[2]]]};
+      if (verts[0] == verts[1] || verts[1] == verts[2] || verts[2] == verts[0]) continue;  // of a polygon that passes a vert twice
+      surface_.triangles.push_back(verts);
       surface_.owners.push_back(static_cast<std::uint32_t>(surface_.areas.size()));
     }
     surface_.areas.push_back(0.5 * doubled);
