@@ -15,8 +15,10 @@ struct build_direction_options {
   double overhang_weight = 1;          // 0 or more, of the area of polys that overhang
   double support_weight = 1;           // 0 or more, of the volume of their supports
   double height_weight = 0.1;          // 0 or more, of the height of the part, which is the number of layers
-  double plate_weight = 0.5;           // 0 or more, of the area that does not lie on the plate: else parts would stand on edges
-  std::size_t samples = 4;             // 1 to 100; n: 24 n^2 + 2 directions over the sphere are compared, besides those of the hull
+  double plate_weight = 0.5;           // 0 or more, of the area that does not lie on the plate: else parts would stand
+                                       // on edges
+  std::size_t samples = 4;             // 1 to 100; n: 24 n^2 + 2 directions over the sphere are compared, besides those
+                                       // of the hull
   std::size_t max_hull_faces = 100;    // up to this many faces of the convex hull are compared, large ones first
   double accuracy_deg = 0.1;           // in (0, 45]: the best directions are improved until changes by this angle make
                                        // them worse

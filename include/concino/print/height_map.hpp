@@ -14,7 +14,8 @@ namespace concino {
 struct height_map_options {
   vec3 direction = {0, 0, 1};        // in which heights are measured; of any length but 0
   std::size_t resolution = 256;      // 1 to 16384: the number of cells along the longer edge of the map
-  std::optional<double> plate = {};  // height of the plate along the direction, in units of the mesh; without it, at the lowest point
+  std::optional<double> plate = {};  // height of the plate along the direction, in units of the mesh; without it, at
+                                     // the lowest point
 };
 
 /// Heights above the plate, row by row: cell (i, j) has its centre at origin + i step_x + j step_y.
@@ -34,9 +35,10 @@ height_map_result fill_height_map(const part_surface& part, const height_map_opt
 
 /// The height of the part above the centres of the cells of a map: auto h = height_map(m, {.resolution = 512}); h(i, j)
 /// Needs:  EmbeddedMesh, of any shape; surfaces may be open. Of a volume it is the boundary.
-/// Result: the height of the highest poly above each centre, exact up to rounding; polygons of more than three verts are the triangles of
-///         triangulate_polygon. Polys seen edge-on are left out. The map covers the projection of the part, whose width is a multiple of the cell in
-///         one direction. For the direction of z, step_x and step_y have the directions of x and y.
+/// Result: the height of the highest poly above each centre, exact up to rounding; polygons of more than three verts
+///         are the triangles of triangulate_polygon. Polys seen edge-on are left out. The map covers the projection of
+///         the part, whose width is a multiple of the cell in one direction. For the direction of z, step_x and step_y
+///         have the directions of x and y.
 /// Cost:   O(n + number of cells that each triangle covers) for n polys.
 /// Errors: invalid_mesh as overhangs; invalid_argument if an option is out of its range.
 template<EmbeddedMesh M>

@@ -11,11 +11,13 @@
 namespace concino {
 
 struct wall_options {
-  std::optional<double> spacing = {};  // above 0, in units of the mesh: of the rays of large polys; without it, a hundredth of the diagonal of the part
+  std::optional<double> spacing = {};  // above 0, in units of the mesh: of the rays of large polys; without it, a
+                                       // hundredth of the diagonal of the part
   double max_tilt_deg = 45;            // in [0, 90]: the two polys of a wall or gap are parallel up to this angle
 };
 
-/// The shortest distance that was measured between a poly and one opposite to it. Polys are polys of a surface, or faces of a volume.
+/// The shortest distance that was measured between a poly and one opposite to it. Polys are polys of a surface, or
+/// faces of a volume.
 template<class M>
 struct poly_thickness {
   polygon_t<M> poly{};
@@ -33,10 +35,12 @@ struct polygon_thickness {
 };
 
 /// Thicknesses below `limit`, in units of the mesh. Rays start inward, or outward for gaps.
-std::vector<polygon_thickness> find_thin_places(const part_surface& part, double limit, bool outward, const wall_options& options, const char* caller);
+std::vector<polygon_thickness> find_thin_places(const part_surface& part, double limit, bool outward,
+                                                const wall_options& options, const char* caller);
 
 template<class M>
-std::vector<poly_thickness<M>> thin_places(const M& m, double limit, bool outward, const wall_options& options, const char* caller) {
+std::vector<poly_thickness<M>> thin_places(const M& m, double limit, bool outward, const wall_options& options,
+                                           const char* caller) {
   const printed_part<M> part = outer_surface(m, caller);
   std::vector<poly_thickness<M>> result;
   for (const polygon_thickness& t : find_thin_places(part.surface, limit, outward, options, caller))
@@ -46,22 +50,26 @@ std::vector<poly_thickness<M>> thin_places(const M& m, double limit, bool outwar
 
 }  // namespace detail
 
-/// The polys behind which the part is thinner than `thickness`: for (const auto& w : thin_walls(m, 0.8)) ... w.poly, w.thickness
-/// Needs:  EmbeddedMesh. A surface is closed, and its polys are counter-clockwise seen from outside; of a volume it is the boundary. An infinite thickness
-///         measures all polys.
-/// Result: one entry for each poly that is thinner, in the order of the mesh, with the smallest thickness that was measured. Rays start at points of the poly
-///         against its normal, and end where they leave the part; so a place that is thin between the rays may be missed. Where a ray ends
-///         at a poly with a tilt above max_tilt_deg, as at the edge of a wedge, there is no wall. Polys without an area are not measured.
+/// The polys behind which the part is thinner than `thickness`: for (const auto& w : thin_walls(m, 0.8)) ... w.poly,
+/// w.thickness
+/// Needs:  EmbeddedMesh. A surface is closed, and its polys are counter-clockwise seen from outside; of a volume it is
+///         the boundary. An infinite thickness measures all polys.
+/// Result: one entry for each poly that is thinner, in the order of the mesh, with the smallest thickness that was
+///         measured. Rays start at points of the poly against its normal, and end where they leave the part; so a place
+///         that is thin between the rays may be missed. Where a ray ends at a poly with a tilt above max_tilt_deg, as
+///         at the edge of a wedge, there is no wall. Polys without an area are not measured.
 /// Cost:   O(log n) for each ray: one at least for each triangle of each of n polys; parallel.
 /// Errors: invalid_mesh as overhangs; invalid_argument if `thickness` is not above 0, or an option is out of its range.
-/// Source: the ray method; Patil and Ravi 2005, "Voxel-based representation, display and thickness analysis of intricate shapes", compare it with others.
+/// Source: the ray method; Patil and Ravi 2005, "Voxel-based representation, display and thickness analysis of
+///         intricate shapes", compare it with others.
 template<EmbeddedMesh M>
 std::vector<poly_thickness<M>> thin_walls(const M& m, double thickness, const wall_options& options = {}) {
   return detail::thin_places(m, thickness, false, options, "thin_walls");
 }
 
 /// The polys in front of which there is a gap narrower than `width`.
-/// Needs:  as thin_walls.      Result: as thin_walls, but rays start along the normal and end where they enter the part.
+/// Needs:  as thin_walls.      Result: as thin_walls, but rays start along the normal and end where they enter the
+///         part.
 /// Cost:   as thin_walls.      Errors: as thin_walls.
 template<EmbeddedMesh M>
 std::vector<poly_thickness<M>> narrow_gaps(const M& m, double width, const wall_options& options = {}) {

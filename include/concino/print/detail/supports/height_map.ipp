@@ -16,7 +16,9 @@ namespace concino::detail {
 inline void raise_heights(height_map_result& map, const height_triangle& t, const vec3& low, double cell) {
   box bounds;
   for (const vec3& c : t.corners) bounds.add(c);
-  const auto first = [&](double x, double from) { return static_cast<std::size_t>(std::max(0.0, std::ceil((x - from) / cell - 0.5 - 1e-6))); };
+  const auto first = [&](double x, double from) {
+    return static_cast<std::size_t>(std::max(0.0, std::ceil((x - from) / cell - 0.5 - 1e-6)));
+  };
   const auto last = [&](double x, double from, std::size_t count) {
     const double i = std::floor((x - from) / cell - 0.5 + 1e-6);
     return i < 0 ? 0 : std::min(count, static_cast<std::size_t>(i) + 1);
@@ -33,8 +35,10 @@ inline void raise_heights(height_map_result& map, const height_triangle& t, cons
 
 CONCINO_INLINE height_map_result fill_height_map(const part_surface& part, const height_map_options& options) {
   const build_frame frame(checked_direction(options.direction, "height_map"));
-  if (options.resolution < 1 || options.resolution > 16384) throw invalid_argument("height_map: options.resolution must be in [1, 16384]");
-  if (options.plate && !std::isfinite(*options.plate)) throw invalid_argument("height_map: options.plate is not finite");
+  if (options.resolution < 1 || options.resolution > 16384)
+    throw invalid_argument("height_map: options.resolution must be in [1, 16384]");
+  if (options.plate && !std::isfinite(*options.plate))
+    throw invalid_argument("height_map: options.plate is not finite");
   height_map_result map;
   if (part.points.empty()) return map;
   std::vector<vec3> points;
@@ -46,7 +50,8 @@ CONCINO_INLINE height_map_result fill_height_map(const part_surface& part, const
   vec3 low = bounds.min;
   if (options.plate) {
     low.z = part.height_from_mesh(*options.plate, frame.up);
-    if (low.z > bounds.min.z + part.tolerance) throw invalid_argument("height_map: options.plate is above the lowest point of the part");
+    if (low.z > bounds.min.z + part.tolerance)
+      throw invalid_argument("height_map: options.plate is above the lowest point of the part");
   }
   const vec3 extent = bounds.max - bounds.min;
   const double longer = std::max(extent.x, extent.y), cell = longer / static_cast<double>(options.resolution);

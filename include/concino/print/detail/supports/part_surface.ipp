@@ -49,8 +49,10 @@ CONCINO_INLINE const std::vector<bool>& part_builder::finish() {
       surface_.points.push_back(scaled[corners_[first + i]]);
     }
     for (const polygon_triangle& t : cut(polygon)) {
-      const std::array<std::uint32_t, 3> verts{numbers[corners_[first + t[0]]], numbers[corners_[first + t[1]]], numbers[corners_[first + t[2]]]};
-      if (verts[0] == verts[1] || verts[1] == verts[2] || verts[2] == verts[0]) continue;  // of a polygon that passes a vert twice
+      const std::array<std::uint32_t, 3> verts{numbers[corners_[first + t[0]]], numbers[corners_[first + t[1]]],
+                                               numbers[corners_[first + t[2]]]};
+      // of a polygon that passes a vert twice
+      if (verts[0] == verts[1] || verts[1] == verts[2] || verts[2] == verts[0]) continue;
       surface_.triangles.push_back(verts);
       surface_.owners.push_back(static_cast<std::uint32_t>(surface_.areas.size()));
     }

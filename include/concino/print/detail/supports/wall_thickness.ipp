@@ -36,7 +36,8 @@ class thin_place_search {
   /// The first place where a ray from x ends, if the triangle there is opposite to one of this normal.
   place measure(const vec3& x, const vec3& normal, std::uint32_t owner) const {
     const vec3 along = orientation_ * normal;
-    const double margin = 16 * part_.tolerance;  // the triangle, and one in the same place, may be in front of x by rounding
+    const double margin = 16 * part_.tolerance;  // the triangle, and one in the same place, may be in front of x by
+                                                 // rounding
     for (const auto& hit : tree_.ray_all(x - margin * along, along, {.max_parameter = limit_ + margin})) {
       const auto t = static_cast<std::uint32_t>(index_of(mesh_, hit.poly));
       if (part_.owners[t] == owner) continue;
@@ -88,16 +89,23 @@ class thin_place_search {
       const double thickness = part_.to_mesh(p.distance, 1);
       const bool is_new = result.empty() || result.back().polygon != part_.owners[t];
       if (is_new) result.emplace_back();
-      if (is_new || thickness < result.back().thickness) result.back() = {part_.owners[t], part_.owners[p.opposite], thickness, part_.to_mesh(p.from), part_.to_mesh(p.to)};
+      if (is_new || thickness < result.back().thickness)
+        result.back() = {part_.owners[t], part_.owners[p.opposite], thickness, part_.to_mesh(p.from),
+                         part_.to_mesh(p.to)};
     }
     return result;
   }
 };
 
-CONCINO_INLINE std::vector<polygon_thickness> find_thin_places(const part_surface& part, double limit, bool outward, const wall_options& options, const char* caller) {
-  if (!(limit > 0)) core::throw_joined<invalid_argument>({caller, outward ? ": width must be positive" : ": thickness must be positive"});
-  if (options.spacing && !(*options.spacing > 0 && std::isfinite(*options.spacing))) core::throw_joined<invalid_argument>({caller, ": options.spacing must be positive and finite"});
-  if (!(options.max_tilt_deg >= 0 && options.max_tilt_deg <= 90)) core::throw_joined<invalid_argument>({caller, ": options.max_tilt_deg must be in [0, 90]"});
+CONCINO_INLINE std::vector<polygon_thickness> find_thin_places(const part_surface& part, double limit, bool outward,
+                                                               const wall_options& options, const char* caller) {
+  if (!(limit > 0))
+    core::throw_joined<invalid_argument>(
+        {caller, outward ? ": width must be positive" : ": thickness must be positive"});
+  if (options.spacing && !(*options.spacing > 0 && std::isfinite(*options.spacing)))
+    core::throw_joined<invalid_argument>({caller, ": options.spacing must be positive and finite"});
+  if (!(options.max_tilt_deg >= 0 && options.max_tilt_deg <= 90))
+    core::throw_joined<invalid_argument>({caller, ": options.max_tilt_deg must be in [0, 90]"});
   if (part.triangles.empty()) return {};
   const auto from_mesh = [&](double length) { return std::ldexp(part.shrink * length, -part.exponent); };
   box bounds;
