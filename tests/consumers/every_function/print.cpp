@@ -38,6 +38,9 @@ void call_print() {
   call("heights", [](auto& m) { cn::heights(m, 0.1); }, all);
   call("slice_mesh", [](auto& m) { cn::slice_mesh(m, {0.25, 0.5}, {.accept_open = true}); }, all);
   call("slice_mesh", [](auto& m) { cn::slice_mesh(m, {0.25, 0.5}, cn::make_poly_map<int>(m, 1)); }, volumes);
+  call("thin_walls", [](auto& m) { cn::thin_walls(m, 0.1); }, all);
+  call("narrow_gaps", [](auto& m) { cn::narrow_gaps(m, 0.1); }, all);
+  call("height_map", [](auto& m) { cn::height_map(m, {.resolution = 8}); }, all);
   call("overhangs", [](auto& m) { cn::overhangs(m); }, all);
   call("best_build_direction", [](auto& m) { cn::best_build_direction(m); }, all);
 }
