@@ -65,21 +65,21 @@ TEST_CASE_TEMPLATE("poly_chunks: have every poly once, with the number of corner
 }
 
 TEST_CASE("compressed_columns: sizes beyond 32-bit indices throw") {
-  CHECK(detail::empty_columns("test", 5, 3).cols() == 3);
-  CHECK_THROWS_WITH_AS(detail::empty_columns("test", std::size_t{1} << 31, 3),
+  CHECK(concino::detail::empty_columns("test", 5, 3).cols() == 3);
+  CHECK_THROWS_WITH_AS(concino::detail::empty_columns("test", std::size_t{1} << 31, 3),
                        "test: the matrix would have more rows than its 32-bit indices can count; split the mesh", unsupported);
-  CHECK_THROWS_WITH_AS(detail::empty_columns("test", 3, std::size_t{1} << 40), doctest::Contains("more columns"), unsupported);
+  CHECK_THROWS_WITH_AS(concino::detail::empty_columns("test", 3, std::size_t{1} << 40), doctest::Contains("more columns"), unsupported);
   const std::size_t largest = std::numeric_limits<int>::max();
-  CHECK(detail::empty_columns("test", largest - 1, 3).rows() == static_cast<Eigen::Index>(largest - 1));
-  CHECK_THROWS_AS(detail::empty_columns("test", largest, 3), unsupported);
-  CHECK_THROWS_AS(detail::empty_columns("test", 3, largest), unsupported);
-  auto a = detail::empty_columns("test", 5, 2);
+  CHECK(concino::detail::empty_columns("test", largest - 1, 3).rows() == static_cast<Eigen::Index>(largest - 1));
+  CHECK_THROWS_AS(concino::detail::empty_columns("test", largest, 3), unsupported);
+  CHECK_THROWS_AS(concino::detail::empty_columns("test", 3, largest), unsupported);
+  auto a = concino::detail::empty_columns("test", 5, 2);
   a.outerIndexPtr()[1] = a.outerIndexPtr()[2] = 1 << 29;
-  CHECK_THROWS_WITH_AS(detail::make_room("test", a, 3), doctest::Contains("test: the matrix would have more entries"), unsupported);
-  auto b = detail::empty_columns("test", 5, 2);
+  CHECK_THROWS_WITH_AS(concino::detail::make_room("test", a, 3), doctest::Contains("test: the matrix would have more entries"), unsupported);
+  auto b = concino::detail::empty_columns("test", 5, 2);
   b.outerIndexPtr()[1] = 1;
   b.outerIndexPtr()[2] = 2;
-  detail::make_room("test", b, 2);
+  concino::detail::make_room("test", b, 2);
   CHECK(b.outerIndexPtr()[1] == 2);
   CHECK(b.nonZeros() == 6);
 }

@@ -176,8 +176,8 @@ TEST_CASE("heat_bands: heat has correct digits where it underflows, whatever the
     }
     a.makeCompressed();
     load[0] = 1;
-    const auto order = detail::heat_bands::order_by(guess);
-    detail::heat_bands bands(a, load, guess, order);
+    const auto order = concino::detail::heat_bands::order_by(guess);
+    concino::detail::heat_bands bands(a, load, guess, order);
     REQUIRE(bands.run(1e-6, nullptr));
     const auto log_u = bands.log_heat();
     CHECK(bands.num_iterations() < 60);

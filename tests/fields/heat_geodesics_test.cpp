@@ -85,7 +85,7 @@ TEST_CASE("heat_geodesics: work on very thin hexahedra, whose Laplacian makes he
   CHECK(error_from(prepare_heat_geodesics(m, {.clamp = true}), vert_id{0}) < 0.01);
   const hexmesh wide = grid<hexmesh>(1);
   // a quarter of the area of the face between two verts, divided by the length of the edge
-  CHECK(detail::lower_positive_stiffness(wide).coeff(1, 0) == doctest::Approx(-0.25));
+  CHECK(concino::detail::lower_positive_stiffness(wide).coeff(1, 0) == doctest::Approx(-0.25));
 }
 
 TEST_CASE("heat_geodesics: obey the options") {
@@ -145,7 +145,7 @@ TEST_CASE("heat_geodesics: throw if an argument is invalid") {
 
 TEST_CASE("heat_geodesics: are accurate on polygons with many short edges") {
   const polygonmesh m = jigsaw(14, 5, 0.2);  // edges are a sixth as long as polys are wide
-  const double edge = detail::mean_edge_length(m);
+  const double edge = concino::detail::mean_edge_length(m);
   const auto heat = prepare_heat_geodesics(m, {.clamp = true}), alone = prepare_heat_geodesics(m, {.clamp = false});
   CHECK(heat.time() > 4 * edge * 4 * edge);
   for (const vert_id s : {vert_id{0}, vert_id{100}, vert_id{37}}) {

@@ -123,7 +123,7 @@ TEST_CASE("poisson: has_mass finds the verts with a non-zero mass") {
   mass.insert(1, 3) = 0;
   mass.insert(3, 3) = 0.25;
   mass.makeCompressed();
-  for (std::size_t i = 0; i < 4; ++i) CHECK(detail::has_mass(mass, i) == (i % 2 == 1));
+  for (std::size_t i = 0; i < 4; ++i) CHECK(concino::detail::has_mass(mass, i) == (i % 2 == 1));
 }
 
 TEST_CASE("poisson: reports progress") {

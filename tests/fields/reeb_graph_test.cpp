@@ -29,9 +29,9 @@ using namespace concino::testing;
 namespace {
 
 /// The links by the components of the level set between each pair of successive verts, each found anew.
-std::vector<detail::level_link> links_by_search(const detail::level_complex& c, std::uint32_t n) {
-  std::vector<detail::level_link> links;
-  std::vector<std::uint32_t> last(c.edges.size(), detail::no_rank), label(c.edges.size());
+std::vector<concino::detail::level_link> links_by_search(const concino::detail::level_complex& c, std::uint32_t n) {
+  std::vector<concino::detail::level_link> links;
+  std::vector<std::uint32_t> last(c.edges.size(), concino::detail::no_rank), label(c.edges.size());
   for (std::uint32_t v = 0; v < n; ++v) {
     std::iota(label.begin(), label.end(), 0u);  // of edges by their component just below v
     const auto find = [&](std::uint32_t e) {
@@ -44,9 +44,9 @@ std::vector<detail::level_link> links_by_search(const detail::level_complex& c, 
       if (crosses(ac) && crosses(ab)) unite(ac, ab);
       if (crosses(ac) && crosses(bc)) unite(ac, bc);
     }
-    std::vector<std::uint32_t> last_of(c.edges.size(), detail::no_rank);  // the highest vert below that a component met
+    std::vector<std::uint32_t> last_of(c.edges.size(), concino::detail::no_rank);  // the highest vert below that a component met
     for (std::uint32_t e = 0; e < c.edges.size(); ++e)
-      if (crosses(e) && (last_of[find(e)] == detail::no_rank || last_of[find(e)] < last[e])) last_of[find(e)] = last[e];
+      if (crosses(e) && (last_of[find(e)] == concino::detail::no_rank || last_of[find(e)] < last[e])) last_of[find(e)] = last[e];
     std::vector<std::uint32_t> below;
     for (std::uint32_t e = 0; e < c.edges.size(); ++e)
       if (c.edges[e][1] == v) below.push_back(find(e));
@@ -63,9 +63,9 @@ template<class M>
 void check_links(const M& m, std::mt19937& random, unsigned different) {
   auto u = make_vert_map<double>(m);
   for (const auto v : verts(m)) u[v] = static_cast<double>(random() % different);
-  const detail::sorted_verts<M> sorted(m, u, "test");
-  const auto complex = detail::make_level_complex(m, sorted);
-  auto ours = detail::find_level_links(complex, sorted.size()), expected = links_by_search(complex, sorted.size());
+  const concino::detail::sorted_verts<M> sorted(m, u, "test");
+  const auto complex = concino::detail::make_level_complex(m, sorted);
+  auto ours = concino::detail::find_level_links(complex, sorted.size()), expected = links_by_search(complex, sorted.size());
   std::sort(ours.begin(), ours.end());
   std::sort(expected.begin(), expected.end());
   CHECK(ours == expected);

@@ -68,7 +68,7 @@ TEST_CASE_TEMPLATE("jitter: depends only on the seed, at any scale", M, CONCINO_
 TEST_CASE("jitter: the random numbers are the same on every machine") {
   auto m = make_grid<quadmesh>({.cells = {2, 2}, .max = {2, 2, 0}});
   jitter(m, 0.25);
-  detail::random_stream random(1);
+  concino::detail::random_stream random(1);
   for (int i = 0; i < 4 * 3; ++i) random.next();  // each vert uses three numbers, and the fifth vert is interior
   const double dx = 2 * random.unit() - 1, dy = 2 * random.unit() - 1;
   CHECK(point(m, vert_id{4}).x == doctest::Approx(1 + 0.25 * dx).epsilon(1e-15));

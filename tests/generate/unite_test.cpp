@@ -101,7 +101,7 @@ TEST_CASE("unite: the nearest vert within the tolerance, found as by trying all"
   for (std::size_t i = 0; i < 20; ++i) p.push_back(p[i]), q.push_back(p[2 * i]);
   q.push_back({std::nan(""), 0, 0}), p.push_back({0, std::nan(""), 0}), q.push_back({-0.0, 1e308, -1e308});
   for (const double tolerance : {0.0, 0.01, 0.1, 3.0}) {
-    const auto found = detail::coincident_points(p, q, tolerance);
+    const auto found = concino::detail::coincident_points(p, q, tolerance);
     for (std::size_t i = 0; i < q.size(); ++i) {
       std::uint32_t best = ~0u;
       for (std::uint32_t k = 0; k < p.size(); ++k)
@@ -109,7 +109,7 @@ TEST_CASE("unite: the nearest vert within the tolerance, found as by trying all"
       CHECK(found[i] == best);
     }
   }
-  CHECK(detail::coincident_points({}, q, 1) == std::vector<std::uint32_t>(q.size(), ~0u));
+  CHECK(concino::detail::coincident_points({}, q, 1) == std::vector<std::uint32_t>(q.size(), ~0u));
 }
 
 TEST_CASE_TEMPLATE("unite: correspondence and properties", M, CONCINO_KINDS) {

@@ -256,7 +256,7 @@ TEST_CASE("dijkstra: comparing squared lengths is exact at any scale") {
     for (int i = 0; i < 500; ++i) {
       const vec3 step{std::ldexp(any(), scale), std::ldexp(any(), scale), std::ldexp(any(), scale)};
       const double length = norm(step), gap = std::nextafter(length, std::numeric_limits<double>::infinity());
-      REQUIRE(detail::distance_below(vec3{}, step, gap) == length);
+      REQUIRE(concino::detail::distance_below(vec3{}, step, gap) == length);
     }
 }
 

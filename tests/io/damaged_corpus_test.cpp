@@ -50,12 +50,12 @@ void read_any_mesh(std::string_view text, format_id format) {
 void read_any_skeleton(std::string_view text, format_id format) { load_skeleton_text(text, {.format = format}); }
 void read_any_slices(std::string_view text, format_id) { load_slices_text(text); }
 void read_any_field(std::string_view text, format_id) {
-  detail::read_field(text, "text", {.count = 8447}, [](const detail::file_field_value&) {});  // as tri/sphere.obj has verts
+  concino::detail::read_field(text, "text", {.count = 8447}, [](const concino::detail::file_field_value&) {});  // as tri/sphere.obj has verts
 }
 void read_any_library(std::string_view text, format_id) {
-  detail::material_library library;
+  concino::detail::material_library library;
   load_report report;
-  detail::read_mtl(text, "text", library, report);
+  concino::detail::read_mtl(text, "text", library, report);
 }
 
 /// The files of the corpus in all formats of the library, meshes and others, up to a size.

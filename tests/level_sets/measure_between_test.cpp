@@ -73,11 +73,11 @@ TEST_CASE_TEMPLATE("measure_between: polys can be cut one by one, also where cap
   for (int i = 0; i < 60; ++i) {
     const M m = mesh_to_cut<M>(random);
     const auto u = random_values(m, random, i % 2 == 0);
-    const auto crossed = detail::crossed_polys(m, detail::level_states(m, u, 1, "test"));
+    const auto crossed = concino::detail::crossed_polys(m, concino::detail::level_states(m, u, 1, "test"));
     if (crossed.empty()) continue;
     double sum = 0;
-    for (const auto p : crossed) sum += detail::cut_measure_of(m, u, 1.0, std::vector{p});
-    CHECK(std::abs(sum - detail::cut_measure_of(m, u, 1.0, crossed)) <= 1e-12 * total_measure(m));
+    for (const auto p : crossed) sum += concino::detail::cut_measure_of(m, u, 1.0, std::vector{p});
+    CHECK(std::abs(sum - concino::detail::cut_measure_of(m, u, 1.0, crossed)) <= 1e-12 * total_measure(m));
   }
 }
 

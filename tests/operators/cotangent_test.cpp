@@ -52,7 +52,7 @@ TEST_CASE("cotangent weights: do not depend on the first edge of a poly") {
 
 TEST_CASE("cotangent weights: of a triangle equal products of gradients of the hat functions") {
   const std::array<vec3, 3> x = {vec3{0.1, 0.3, -1}, vec3{2, 0.5, 0.4}, vec3{0.7, 1.9, 0.2}};
-  const detail::simplex_weights<2> w(x);
+  const concino::detail::simplex_weights<2> w(x);
   const vec3 normal = cross(x[1] - x[0], x[2] - x[0]);
   vec3 gradient[3];  // of the hat function at vert i: orthogonal to the opposite edge in the plane, with length 1 / height
   for (std::size_t i = 0; i < 3; ++i) {
@@ -66,7 +66,7 @@ TEST_CASE("cotangent weights: of a triangle equal products of gradients of the h
 
 TEST_CASE("cotangent weights: of a tet are right") {
   const std::array<vec3, 4> x = {vec3{0.1, 0.3, -1}, vec3{2, 0.5, 0.4}, vec3{0.7, 1.9, 0.2}, vec3{0.3, 0.2, 2}};
-  const detail::simplex_weights<3> w(x);
+  const concino::detail::simplex_weights<3> w(x);
   const double volume = std::abs(dot(cross(x[1] - x[0], x[2] - x[0]), x[3] - x[0])) / 6;
   vec3 gradient[4];
   for (std::size_t i = 0; i < 4; ++i) {

@@ -108,10 +108,10 @@ TEST_CASE("explain_discretisation compiles for discretisations") {
 TEST_CASE_TEMPLATE("discretisations: de_goes and virtual_refinement equal minus the sum of local stiffness matrices", M, polygonmesh, polyhedralmesh) {
   const M m(jittered(grid_arrays<M>(2), 0.03, VolumeMesh<M>));
   const Eigen::MatrixXd refined = laplacian(m, virtual_refinement);
-  CHECK((refined + stiffness<detail::virtual_refinement_element<M>>(m)).cwiseAbs().maxCoeff() < 1e-13);
+  CHECK((refined + stiffness<concino::detail::virtual_refinement_element<M>>(m)).cwiseAbs().maxCoeff() < 1e-13);
   if constexpr (SurfaceMesh<M>) {
     const Eigen::MatrixXd found = laplacian(m, de_goes);
-    CHECK((found + stiffness<detail::de_goes_element<M>>(m)).cwiseAbs().maxCoeff() < 1e-13);
+    CHECK((found + stiffness<concino::detail::de_goes_element<M>>(m)).cwiseAbs().maxCoeff() < 1e-13);
   }
 }
 

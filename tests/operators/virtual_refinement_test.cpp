@@ -73,7 +73,7 @@ Eigen::MatrixXd by_definition(std::vector<vec3> x, bool has_square, const std::v
     values(last, i) = 1.0 / n + slope.dot(column(x[i]) - mean);
   }
   for (const auto& [a, b, c] : triangles) {
-    const detail::simplex_weights<3> weight({vec3{within[0], within[1], within[2]}, x[a], x[b], x[c]});
+    const concino::detail::simplex_weights<3> weight({vec3{within[0], within[1], within[2]}, x[a], x[b], x[c]});
     const unsigned corner[] = {last, a, b, c};
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = 0; j < 4; ++j) cotangents(corner[i], corner[j]) -= weight(i, j);
@@ -94,11 +94,11 @@ template<class M> std::string message_for(const M& m) {
 
 TEST_CASE("virtual refinement: a sum of squares has its minimum where expected") {
   const auto turned = [](const vec3& a, std::size_t by) { return vec3{a[by], a[(by + 1) % 3], a[(by + 2) % 3]}; };
-  CHECK(detail::sum_of_squares{}.minimum() == vec3{});
+  CHECK(concino::detail::sum_of_squares{}.minimum() == vec3{});
   for (const double scale : {1.0, 0x1p-60, 0x1p60})
     for (std::size_t by = 0; by < 3; ++by) {
       const vec3 c = turned({0.3, -0.7, 1.1}, by);
-      detail::sum_of_squares all = {}, one = {}, two = {};
+      concino::detail::sum_of_squares all = {}, one = {}, two = {};
       for (const vec3& d : {vec3{1, 0.5, 0.2}, vec3{-0.3, 2, 0.7}, vec3{0.4, -0.1, 3}, vec3{1, 1, 1}}) all.add(scale * turned(d, by), c);
       CHECK(distance(all.minimum(), c) < 1e-14);
       const vec3 axis = turned({1, 0, 0}, by), other = turned({0, 1, 0}, by);
@@ -110,7 +110,7 @@ TEST_CASE("virtual refinement: a sum of squares has its minimum where expected")
     }
   for (int i = 1; i < 40; ++i) {  // rounding errors do not grow
     const vec3 d{0.01 * i, 0.3 / i, 1 + 0.1 * i}, c{1.5, -0.5, 0.75};
-    detail::sum_of_squares s = {};
+    concino::detail::sum_of_squares s = {};
     for (const double factor : {0.7, 1.1, 1.3, 0.9}) s.add(factor * d, c);
     CHECK(distance(s.minimum(), {0, 0, dot(d, c) / d.z}) < 1e-13);
   }

@@ -86,8 +86,8 @@ TEST_CASE("volume_sign: cells of coordinates of all magnitudes have one sign, wh
       }
       std::vector<std::uint8_t> outward(t.num_faces, 1), inward(t.num_faces, 0);
       const auto is_negative = [&](std::vector<std::uint8_t>& flags) {  // as readers find out
-        const detail::oriented_faces p{offsets.data(), face_verts.data(), flags.data(), t.num_faces};
-        return detail::has_negative_volume(p, points);
+        const concino::detail::oriented_faces p{offsets.data(), face_verts.data(), flags.data(), t.num_faces};
+        return concino::detail::has_negative_volume(p, points);
       };
       const bool by_faces = is_negative(outward), mirrored = is_negative(inward);
       CHECK(by_faces == one);

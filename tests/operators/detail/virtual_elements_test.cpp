@@ -45,7 +45,7 @@ TEST_CASE_TEMPLATE("stiffness: the energy of linear functions is exact, and 0 on
   const M m(jittered(grid_arrays<M>(2), 0.05, VolumeMesh<M>));
   const vec3 a = VolumeMesh<M> ? slope : vec3{2, -3, 0};
   for (const auto p : polys(m)) {
-    const Eigen::MatrixXd k = matrix_of(m, detail::virtual_stiffness<M>(m), p);
+    const Eigen::MatrixXd k = matrix_of(m, concino::detail::virtual_stiffness<M>(m), p);
     const auto u = at_corners(m, p, [&](const vec3& x) { return dot(a, x) + 7; });
     CHECK(u.dot(k * u) == doctest::Approx(dot(a, a) * measure(m, p)).epsilon(1e-12));
     const Eigen::VectorXd energies = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k, Eigen::EigenvaluesOnly).eigenvalues();
@@ -63,13 +63,13 @@ TEST_CASE("stiffness: of a rectangle equals that of the bilinear element, at any
     along << 2, -2, -1, 1, -2, 2, 1, -1, -1, 1, 2, -2, 1, -1, -2, 2;
     across << 2, 1, -1, -2, 1, 2, -2, -1, -1, -2, 2, 1, -2, -1, 1, 2;
     const Eigen::Matrix4d expected = b / 6 * along + 1 / (6 * b) * across;
-    CHECK((matrix_of(m, detail::virtual_stiffness<quadmesh>(m), poly_id{0}) - expected).norm() < 1e-14 * expected.norm());
+    CHECK((matrix_of(m, concino::detail::virtual_stiffness<quadmesh>(m), poly_id{0}) - expected).norm() < 1e-14 * expected.norm());
   }
 }
 
 TEST_CASE("stiffness: in a cube products of two coordinates have the energy of the trilinear element") {
   const auto m = grid<hexmesh>(1);
-  const Eigen::MatrixXd k = matrix_of(m, detail::virtual_stiffness<hexmesh>(m), poly_id{0});
+  const Eigen::MatrixXd k = matrix_of(m, concino::detail::virtual_stiffness<hexmesh>(m), poly_id{0});
   const auto u = at_corners(m, poly_id{0}, [](const vec3& x) { return (2 * x.x - 1) * (2 * x.y - 1); });
   CHECK(u.dot(k * u) == doctest::Approx(8.0 / 3).epsilon(1e-13));
 }
@@ -98,7 +98,7 @@ TEST_CASE_TEMPLATE("stiffness of a polyhedron: the stabilisation has the scale o
     const Eigen::Vector4d linear = products.inverse() * (seen * u);
     u -= seen.transpose() * linear;
     const double least = spread.inverse().trace(), factor = std::abs(measure(m, p)) * least * std::sqrt(static_cast<double>(n) / 162);
-    CHECK(u.dot(matrix_of(m, detail::virtual_stiffness<M>(m), p) * u) == doctest::Approx(factor * u.squaredNorm()).epsilon(1e-10));
+    CHECK(u.dot(matrix_of(m, concino::detail::virtual_stiffness<M>(m), p) * u) == doctest::Approx(factor * u.squaredNorm()).epsilon(1e-10));
     most = std::max(most, squares / least);
   }
   CHECK(most > 1.05);  // some polys are irregular
@@ -114,7 +114,7 @@ TEST_CASE("stiffness: energies are positive and accurate in nearly flat boxes") 
       b /= norm(b);
       const vec3 c = height * cross(a, b);
       const hexmesh box({{}, a, a + b, b, c, a + c, a + b + c, b + c}, {{0, 1, 2, 3, 4, 5, 6, 7}});
-      const Eigen::MatrixXd k = matrix_of(box, detail::virtual_stiffness<hexmesh>(box), poly_id{0});
+      const Eigen::MatrixXd k = matrix_of(box, concino::detail::virtual_stiffness<hexmesh>(box), poly_id{0});
       const double energy = alternating.dot(k * alternating), squares = 1 + 0.5 / (height * height);
       CHECK(energy > 0);
       if (height > 6e-9) CHECK(energy < 1.05 * 8 * height * squares * std::sqrt(8.0 / 162));
@@ -128,15 +128,15 @@ TEST_CASE_TEMPLATE("stiffness and mass: are the same for an inverted poly", M, C
   const M mirrored(arrays);
   for (const auto p : polys(m)) {
     CHECK(measure(mirrored, p) == doctest::Approx(-measure(m, p)));
-    CHECK((matrix_of(m, detail::virtual_stiffness<M>(m), p) - matrix_of(mirrored, detail::virtual_stiffness<M>(mirrored), p)).norm() < 1e-14);
-    CHECK((matrix_of(m, detail::virtual_mass<M>(m), p) - matrix_of(mirrored, detail::virtual_mass<M>(mirrored), p)).norm() < 1e-15);
+    CHECK((matrix_of(m, concino::detail::virtual_stiffness<M>(m), p) - matrix_of(mirrored, concino::detail::virtual_stiffness<M>(mirrored), p)).norm() < 1e-14);
+    CHECK((matrix_of(m, concino::detail::virtual_mass<M>(m), p) - matrix_of(mirrored, concino::detail::virtual_mass<M>(mirrored), p)).norm() < 1e-15);
   }
 }
 
 TEST_CASE_TEMPLATE("mass: is positive definite, with first moments given by the centroid", M, CONCINO_KINDS) {
   const M m(jittered(grid_arrays<M>(2), 0.05, VolumeMesh<M>));
   for (const auto p : polys(m)) {
-    const Eigen::MatrixXd mass = matrix_of(m, detail::virtual_mass<M>(m), p);
+    const Eigen::MatrixXd mass = matrix_of(m, concino::detail::virtual_mass<M>(m), p);
     const auto one = at_corners(m, p, [](const vec3&) { return 1.0; });
     const auto x = at_corners(m, p, [](const vec3& q) { return dot(slope, q); });
     CHECK(one.dot(mass * one) == doctest::Approx(measure(m, p)).epsilon(1e-12));
@@ -169,7 +169,7 @@ TEST_CASE_TEMPLATE("stiffness: energies are not negative up to rounding, however
         for (vec3& x : arrays.points) x[along] *= thin;
         for (const bool turned : {false, true}) {
           const M m(turned ? rotated(arrays) : arrays);
-          detail::virtual_stiffness<M> stiffness(m);
+          concino::detail::virtual_stiffness<M> stiffness(m);
           for (const auto p : polys(m)) {
             const rounding r = rounding_of(matrix_of(m, stiffness, p));
             worst.least = std::min(worst.least, r.least);

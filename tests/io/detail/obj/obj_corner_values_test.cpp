@@ -53,7 +53,7 @@ TEST_CASE("obj_corner_values: corners without a value have not-a-number") {
   REQUIRE(n.size() == 10);
   for (std::size_t k = 0; k < 10; ++k) {
     CHECK(is_none(t[k]) == (k != 4));
-    CHECK(detail::is_no_corner_value(n[k]) == (k != 6));
+    CHECK(concino::detail::is_no_corner_value(n[k]) == (k != 6));
   }
   CHECK(t[4] == uv{0, 1});
   CHECK(n[6] == vec3{0, 0, 1});
@@ -82,9 +82,9 @@ TEST_CASE("obj_corner_values: each distinct value is written once, in the order 
   auto t = corner_property<uv>(m, "texture");
   auto n = corner_property<vec3>(m, "normal");
   const poly_id p{0}, q{1};
-  for (unsigned k = 0; k < 4; ++k) t[{p, k}] = {0.5 * (k % 2), 0}, n[{p, k}] = detail::no_corner_value<vec3>();
+  for (unsigned k = 0; k < 4; ++k) t[{p, k}] = {0.5 * (k % 2), 0}, n[{p, k}] = concino::detail::no_corner_value<vec3>();
   for (unsigned k = 0; k < 3; ++k) t[{q, k}] = {0.5, 0}, n[{q, k}] = {0, 0, 1};
-  t[{q, 1}] = detail::no_corner_value<uv>();
+  t[{q, 1}] = concino::detail::no_corner_value<uv>();
   t[{q, 2}] = {-0.0, 0};
   n[{p, 1}] = {0.1, 0, 0};
   n[{q, 1}] = {0.1, 0, 0};
@@ -103,7 +103,7 @@ TEST_CASE("obj_corner_values: each distinct value is written once, in the order 
 }
 
 TEST_CASE("obj_corner_values: distinct values are found among many") {
-  detail::distinct_corner_values<uv> all;
+  concino::detail::distinct_corner_values<uv> all;
   std::set<uv> expected;
   for (int i = 0; i < 5000; ++i) {
     const uv x{(i * 7919 % 701) / 16.0, i % 3 - 1.0};

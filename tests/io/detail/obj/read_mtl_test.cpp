@@ -17,10 +17,10 @@ const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 const std::string face = "f 1 2 3\n";
 using list = std::vector<std::string>;
 
-detail::material_library library(const std::string& text, load_report& r) {
+concino::detail::material_library library(const std::string& text, load_report& r) {
   r = {};
-  detail::material_library l;
-  detail::read_mtl(text, "t.mtl", l, r);
+  concino::detail::material_library l;
+  concino::detail::read_mtl(text, "t.mtl", l, r);
   return l;
 }
 

@@ -45,7 +45,7 @@ std::string base64(const std::string& bytes) {
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     std::uint32_t bits = 0;
     for (std::size_t k = i; k < i + 3; ++k) bits = bits << 8 | (k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0u);
-    for (unsigned k = 0; k < 4; ++k) s += i + k <= bytes.size() ? detail::base64_digits[bits >> (18 - 6 * k) & 63] : '=';
+    for (unsigned k = 0; k < 4; ++k) s += i + k <= bytes.size() ? concino::detail::base64_digits[bits >> (18 - 6 * k) & 63] : '=';
   }
   return s;
 }
