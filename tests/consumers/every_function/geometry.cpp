@@ -26,6 +26,7 @@ void call_points() {
   call("closest_parameter", [&] { cn::closest_parameter(cn::segment{o, x}, y); });
   call("orient2d", [&] { cn::orient2d(o, x, y); });
   call("orient3d", [&] { cn::orient3d(o, x, y, z); });
+  call("convex_hull", [&] { cn::convex_hull(std::vector{o, x, y, z}); });
   call("triangulate_polygon", [&] { cn::triangulate_polygon(std::vector{o, x, x + y, y}); });
 }
 
