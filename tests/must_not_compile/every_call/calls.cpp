@@ -11,6 +11,7 @@
 #include <concino/lines.hpp>
 #include <concino/mesh.hpp>
 #include <concino/operators.hpp>
+#include <concino/print.hpp>
 #include <concino/quality.hpp>
 #include <concino/remesh.hpp>
 #include <concino/render.hpp>
@@ -143,6 +144,11 @@ void no_adapter(const stranger& other) {
   cn::visible_facets(other);  // refused
   cn::visible_faces(other);  // refused
   cn::exposed_facets(other);  // refused
+  cn::overhangs(other);  // refused
+  cn::best_build_direction(other);  // refused
+  cn::height_map(other);  // refused
+  cn::thin_walls(other, 1);  // refused
+  cn::narrow_gaps(other, 1);  // refused
   cn::validate(other);  // refused
   cn::check_laws(other);  // refused
   cn::convert<cn::polygonmesh>(other);  // refused
@@ -325,6 +331,11 @@ void no_points(const cn::trimesh& m) {
   cn::face_normals(pure);  // refused
   cn::vert_normals(pure);  // refused
   cn::surface_normals(pure);  // refused
+  cn::overhangs(pure);  // refused
+  cn::best_build_direction(pure);  // refused
+  cn::height_map(pure);  // refused
+  cn::thin_walls(pure, 1);  // refused
+  cn::narrow_gaps(pure, 1);  // refused
   cn::self_intersections(pure);  // refused
   cn::divergence(pure);  // refused
   cn::divergence_matrix(pure);  // refused
