@@ -2,8 +2,13 @@
 #pragma once
 
 #include <concino/print/combine_regions.hpp>
+#include <concino/print/hatch.hpp>
+#include <concino/print/heights.hpp>
+#include <concino/print/layer_options.hpp>
 #include <concino/print/layer_regions.hpp>
 #include <concino/print/planar_regions.hpp>
 #include <concino/print/polygon_clipper.hpp>
 #include <concino/print/region_offset.hpp>
+#include <concino/print/slice_mesh.hpp>
 #include <concino/print/slice_report.hpp>
+#include <concino/print/slices_to_mesh.hpp>

@@ -1,12 +1,14 @@
 // Defines cell_triangles.hpp.
 #pragma once
 
+#include <concino/concepts/facets.hpp>
 #include <concino/concepts/oriented_edges.hpp>
 #include <concino/generate/triangulate.hpp>
 #include <concino/print/detail/cell_triangles.hpp>
 #include <concino/print/detail/segment_tree.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace concino::detail {
 
