@@ -1,4 +1,4 @@
-// 3D printing: regions of the plane, slices of meshes, overhangs and supports, and which way up to print.
+// 3D printing: regions of the plane, slices of meshes, meshes and volumes of slices, supports, and which way up to print.
 #pragma once
 
 #include <concino/print/best_build_direction.hpp>
@@ -6,6 +6,7 @@
 #include <concino/print/hatch.hpp>
 #include <concino/print/height_map.hpp>
 #include <concino/print/heights.hpp>
+#include <concino/print/layer_options.hpp>
 #include <concino/print/layer_regions.hpp>
 #include <concino/print/overhangs.hpp>
 #include <concino/print/planar_regions.hpp>
@@ -13,4 +14,5 @@
 #include <concino/print/region_offset.hpp>
 #include <concino/print/slice_mesh.hpp>
 #include <concino/print/slice_report.hpp>
+#include <concino/print/slices_to_mesh.hpp>
 #include <concino/print/wall_thickness.hpp>

@@ -58,8 +58,8 @@ struct planar_arrangement {
 /// Source: iterated snap rounding, Halperin and Packer 2002.
 planar_arrangement arrange(const char* caller, const stepped_segments& s);
 
-/// Whether a closed path meets itself other than at common ends of neighbours.
-bool meets_itself(std::span<const lattice_point> path);
+/// Whether closed paths meet themselves or each other, other than at common ends of neighbours.
+bool meet(const lattice_paths& paths);
 
 }  // namespace concino::detail
 

@@ -176,24 +176,32 @@ CONCINO_INLINE planar_arrangement arrange(const char* caller, const stepped_segm
   return result;
 }
 
-CONCINO_INLINE bool meets_itself(std::span<const lattice_point> path) {
+/// Whether segments a b and c d have a common point.
+inline bool segments_meet(const vec3& a, const vec3& b, const vec3& c, const vec3& d) {
+  const int ac = orient2d(a, b, c), ad = orient2d(a, b, d);
+  if (ac != 0 || ad != 0) return ac * ad <= 0 && orient2d(c, d, a) * orient2d(c, d, b) <= 0;
+  return std::max(std::min(a.x, b.x), std::min(c.x, d.x)) <= std::min(std::max(a.x, b.x), std::max(c.x, d.x)) &&
+         std::max(std::min(a.y, b.y), std::min(c.y, d.y)) <= std::min(std::max(a.y, b.y), std::max(c.y, d.y));
+}
+
+CONCINO_INLINE bool meet(const lattice_paths& paths) {
   std::vector<lattice_segment> segments;
-  for (std::size_t i = 0; i < path.size(); ++i) segments.push_back({path[i], path[(i + 1) % path.size()]});
-  const auto n = static_cast<std::uint32_t>(segments.size());
+  std::vector<std::uint32_t> next;  // by segment: the next one of its path
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const auto path = paths[i];
+    const auto first = static_cast<std::uint32_t>(segments.size());
+    for (std::size_t k = 0; k < path.size(); ++k) {
+      segments.push_back({path[k], path[(k + 1) % path.size()]});
+      next.push_back(k + 1 < path.size() ? static_cast<std::uint32_t>(segments.size()) : first);
+    }
+  }
   bool found = false;
   segment_tree(segments).for_each_pair([&](std::uint32_t i, std::uint32_t j) {
     const vec3 a = as_vec3(segments[i][0]), b = as_vec3(segments[i][1]), c = as_vec3(segments[j][0]),
                d = as_vec3(segments[j][1]);
-    const int ac = orient2d(a, b, c), ad = orient2d(a, b, d), ca = orient2d(c, d, a), cb = orient2d(c, d, b);
-    const auto doubled_back = [](const vec3& x, const vec3& shared, const vec3& y) {
-      return dot(x - shared, y - shared) > 0;
-    };
-    if (j == i + 1) found = ad == 0 && doubled_back(a, b, d);
-    else if (i == 0 && j + 1 == n) found = ac == 0 && doubled_back(b, a, c);
-    else if (ac != 0 || ad != 0) found = ac * ad <= 0 && ca * cb <= 0;
-    else
-      found = std::max(std::min(a.x, b.x), std::min(c.x, d.x)) <= std::min(std::max(a.x, b.x), std::max(c.x, d.x)) &&
-              std::max(std::min(a.y, b.y), std::min(c.y, d.y)) <= std::min(std::max(a.y, b.y), std::max(c.y, d.y));
+    if (next[i] == j) found = orient2d(a, b, d) == 0 && dot(a - b, d - b) > 0;  // doubled back
+    else if (next[j] == i) found = orient2d(a, b, c) == 0 && dot(b - a, c - a) > 0;
+    else found = segments_meet(a, b, c, d);
     return !found;
   });
   return found;

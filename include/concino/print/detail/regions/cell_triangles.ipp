@@ -1,12 +1,15 @@
 // Defines cell_triangles.hpp.
 #pragma once
 
+#include <concino/concepts/facets.hpp>
 #include <concino/concepts/oriented_edges.hpp>
 #include <concino/generate/triangulate.hpp>
+#include <concino/geometry/orientation.hpp>
 #include <concino/print/detail/regions/cell_triangles.hpp>
 #include <concino/print/detail/regions/segment_tree.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace concino::detail {
 
@@ -111,10 +114,73 @@ class cell_filler {
   }
 };
 
+/// Flips sides of triangles with the same values until the triangles are Delaunay within each cell.
+class cell_flipper {
+  cell_triangles& c_;
+  const std::vector<lattice_point>& points_;
+  std::vector<std::array<std::uint32_t, 2>> open_;  // triangle and side
+
+  vec3 at(std::uint32_t p) const { return as_vec3(points_[p]); }
+
+  /// The number of the side of a triangle that begins at a point.
+  std::uint32_t side_from(std::uint32_t t, std::uint32_t p) const {
+    const auto& corners = c_.triangles[t];
+    return corners[0] == p ? 0 : corners[1] == p ? 1 : 2;
+  }
+
+  /// Whether the angles at c and d, across the side from a to b, are more than two right ones, and the side may be
+  /// flipped.
+  bool is_bad(const vec3& a, const vec3& b, const vec3& c, const vec3& d) const {
+    const vec3 ac = a - c, bc = b - c, ad = a - d, bd = b - d;
+    const double sine_c = ac.x * bc.y - ac.y * bc.x, cosine_c = dot(ac, bc), sine_d = bd.x * ad.y - bd.y * ad.x,
+                 cosine_d = dot(bd, ad);
+    const double lengths = norm(ac) * norm(bc) * norm(ad) * norm(bd);
+    return sine_c * cosine_d + cosine_c * sine_d < -1e-12 * lengths && orient2d(c, a, d) > 0 && orient2d(d, b, c) > 0;
+  }
+
+  void set_neighbour(std::uint32_t t, std::uint32_t from, std::uint32_t to) {
+    if (t != c_.none) c_.neighbours[t][side_from(t, from)] = to;
+  }
+
+  void test(std::uint32_t t, std::uint32_t k) {
+    const std::uint32_t u = c_.neighbours[t][k];
+    if (u == c_.none || c_.values[u] != c_.values[t]) return;
+    const std::uint32_t a = c_.triangles[t][k], b = c_.triangles[t][(k + 1) % 3], c = c_.triangles[t][(k + 2) % 3],
+                        j = side_from(u, b), d = c_.triangles[u][(j + 2) % 3];
+    if (!is_bad(at(a), at(b), at(c), at(d))) return;
+    const std::uint32_t ca = c_.neighbours[t][(k + 2) % 3], bc = c_.neighbours[t][(k + 1) % 3],
+                        ad = c_.neighbours[u][(j + 1) % 3], db = c_.neighbours[u][(j + 2) % 3];
+    c_.triangles[t] = {c, a, d};
+    c_.neighbours[t] = {ca, ad, u};
+    c_.triangles[u] = {d, b, c};
+    c_.neighbours[u] = {db, bc, t};
+    set_neighbour(ad, d, t);
+    set_neighbour(bc, c, u);
+    open_.insert(open_.end(), {{t, 0}, {t, 1}, {u, 0}, {u, 1}});
+  }
+
+ public:
+  cell_flipper(cell_triangles& c, const std::vector<lattice_point>& points) : c_(c), points_(points) {}
+
+  void run() {
+    for (std::uint32_t t = 0; t < c_.triangles.size(); ++t)
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        open_.push_back({t, k});
+        while (!open_.empty()) {
+          const auto [triangle, side] = open_.back();
+          open_.pop_back();
+          test(triangle, side);
+        }
+      }
+  }
+};
+
 CONCINO_INLINE cell_triangles triangulate_cells(const planar_arrangement& a) {
   if (std::all_of(a.edges.begin(), a.edges.end(), [](const auto& e) { return e.step[0] == 0 && e.step[1] == 0; }))
     return {};
-  return cell_filler(a).result();
+  cell_triangles result = cell_filler(a).result();
+  cell_flipper(result, a.points).run();
+  return result;
 }
 
 }  // namespace concino::detail

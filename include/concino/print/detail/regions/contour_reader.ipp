@@ -4,6 +4,7 @@
 #include <concino/core/error.hpp>
 #include <concino/print/detail/regions/arrangement.hpp>
 #include <concino/print/detail/regions/contour_reader.hpp>
+#include <concino/print/detail/regions/disjoint_regions.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -60,13 +61,15 @@ CONCINO_INLINE void contour_reader::add_contours(const slice_lines& lines, slice
     if (const auto all = lines[i]; all.size() > 1 && all.front() == all.back()) note(kind, i, contour_change::closed);
     while (path.size() > 1 && path.back() == path.front()) path.pop_back();
     const double area = twice_area(path);
-    if (path.size() < 3 || (area == 0 && !meets_itself(path))) {
+    lattice_paths one;
+    one.push_back(path);
+    const bool is_simple = path.size() > 2 && !meet(one);
+    if (path.size() < 3 || (area == 0 && is_simple)) {
       note(kind, i, contour_change::dropped);
       continue;
     }
-    if (meets_itself(path)) {
-      lattice_paths one, turned;  // what they wind around with a positive number, and with a negative one
-      one.push_back(path);
+    if (!is_simple) {
+      lattice_paths turned;  // `one` winds around parts with a positive number, this around those with a negative one
       std::reverse(path.begin(), path.end());
       turned.push_back(path);
       const lattice_regions left = back_end_.combine(region_operation::unite, one, {}),
@@ -92,6 +95,7 @@ CONCINO_INLINE lattice_regions contour_reader::regions(const slice_layer& layer)
   lattice_paths paths;
   add_contours(layer.outer, slice_lines_kind::outer, paths);
   add_contours(layer.inner, slice_lines_kind::inner, paths);
+  if (auto done = disjoint_regions(paths)) return std::move(*done);
   return back_end_.combine(region_operation::unite, paths, {});
 }
 

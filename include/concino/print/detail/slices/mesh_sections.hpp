@@ -1,6 +1,7 @@
 // Sections of any mesh at a height, for slice_mesh.
 #pragma once
 
+#include <concino/concepts/facets.hpp>
 #include <concino/concepts/oriented_edges.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/geometry/self_intersections.hpp>
