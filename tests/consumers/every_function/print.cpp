@@ -35,6 +35,9 @@ void call_print() {
   call("contour_area", [&] { cn::contour_area(square.contour(0)); });
   call("to_layer", [&] { cn::to_layer(square, 0); });
   call("hatch", [&] { cn::hatch(layer, 0.1, 45); });
+  const cn::slices both{{}, {layer, cn::to_layer(square, 1)}};
+  call("slices_to_mesh", [&] { cn::slices_to_mesh(both, back_end); });
+  call("slices_to_volume", [&] { cn::slices_to_volume(both, back_end); });
   call("heights", [](auto& m) { cn::heights(m, 0.1); }, all);
   call("slice_mesh", [](auto& m) { cn::slice_mesh(m, {0.25, 0.5}, {.accept_open = true}); }, all);
   call("slice_mesh", [](auto& m) { cn::slice_mesh(m, {0.25, 0.5}, cn::make_poly_map<int>(m, 1)); }, volumes);
