@@ -1,4 +1,4 @@
-// 3D printing: regions of the plane, slices of meshes, meshes and volumes of slices, supports, and which way up to print.
+// 3D printing: regions of the plane, slices of meshes, meshes and volumes of slices, supports, build directions.
 #pragma once
 
 #include <concino/print/best_build_direction.hpp>
@@ -15,4 +15,5 @@
 #include <concino/print/slice_mesh.hpp>
 #include <concino/print/slice_report.hpp>
 #include <concino/print/slices_to_mesh.hpp>
+#include <concino/print/slices_to_volume.hpp>
 #include <concino/print/wall_thickness.hpp>

@@ -38,7 +38,7 @@ struct layer_volume {
 /// Result: tets that share verts, edges and faces, within a layer and with the layers below and above it. Each layer is
 ///         cut into triangles, and each triangle gives a column, whose bottom and top are cut by the triangles of the
 ///         layers that it touches; to_tets cuts the columns. Points of contours are snapped to a unit, a power of two,
-///         with 2^20 units or more in the size of the slices, so that no tet is thinner than rounding can tell; for a
+///         with 2^20 units or more in the size of the slices, so that no tet is thinner than rounding can tell. For a
 ///         part of 200 mm that is 0.2 micrometres. Points where layers cross are snapped to 2^-14 of it, so that the
 ///         volume is the sum of snapped areas times heights to 1e-9. The report names contours as that of
 ///         slices_to_mesh.

@@ -35,7 +35,8 @@ void call_print() {
   call("contour_area", [&] { cn::contour_area(square.contour(0)); });
   call("to_layer", [&] { cn::to_layer(square, 0); });
   call("hatch", [&] { cn::hatch(layer, 0.1, 45); });
-  const cn::slices both{{}, {layer, cn::to_layer(square, 1)}};
+  cn::slices both;
+  both.layers = {layer, cn::to_layer(square, 1)};
   call("slices_to_mesh", [&] { cn::slices_to_mesh(both, back_end); });
   call("slices_to_volume", [&] { cn::slices_to_volume(both, back_end); });
   call("heights", [](auto& m) { cn::heights(m, 0.1); }, all);

@@ -87,7 +87,7 @@ class polygon_grower {
   const layer_cells& layer_;
   std::vector<std::uint8_t> is_taken_;
   std::vector<std::uint32_t> polygon_of_;  // by point: the last polygon that passes it, plus 1
-  std::vector<side> sides_;
+  std::vector<side> segments_;
   std::vector<std::uint32_t> open_;
 
  public:
@@ -99,35 +99,35 @@ class polygon_grower {
   void grow_from(std::uint32_t first) {
     if (is_taken_[first]) return;
     const auto name = static_cast<std::uint32_t>(result.ends.size() + 1);
-    sides_.clear();
+    segments_.clear();
     open_.clear();
     is_taken_[first] = 1;
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t p = layer_.cells.triangles[first][k];
       polygon_of_[p] = name;
-      sides_.push_back({p, first, k, (k + 1) % 3});
+      segments_.push_back({p, first, k, (k + 1) % 3});
       open_.push_back(k);
     }
     for (std::size_t i = 0; i < open_.size(); ++i) {  // breadth first, so that polygons are compact
-      const std::uint32_t s = open_[i], t = layer_.cells.neighbours[sides_[s].triangle][sides_[s].k];
+      const std::uint32_t s = open_[i], t = layer_.cells.neighbours[segments_[s].triangle][segments_[s].k];
       if (t == cell_triangles::none || is_taken_[t] || layer_.kinds[t] != layer_.kinds[first]) continue;
       const auto& corners = layer_.cells.triangles[t];
       std::uint32_t k = 0;  // of the corner that is not on this side; the side after `from` leads to it
-      while (layer_.cells.neighbours[t][k] != sides_[s].triangle || corners[(k + 1) % 3] != sides_[s].from) ++k;
+      while (layer_.cells.neighbours[t][k] != segments_[s].triangle || corners[(k + 1) % 3] != segments_[s].from) ++k;
       const std::uint32_t apex = corners[(k + 2) % 3];
       if (polygon_of_[apex] == name) continue;
       polygon_of_[apex] = name;
       is_taken_[t] = 1;
-      const auto added = static_cast<std::uint32_t>(sides_.size());
-      sides_.push_back({apex, t, (k + 2) % 3, sides_[s].next});
-      sides_[s] = {sides_[s].from, t, (k + 1) % 3, added};
+      const auto added = static_cast<std::uint32_t>(segments_.size());
+      segments_.push_back({apex, t, (k + 2) % 3, segments_[s].next});
+      segments_[s] = {segments_[s].from, t, (k + 1) % 3, added};
       open_.push_back(s);
       open_.push_back(added);
     }
     std::uint32_t s = 0;
     do {
-      result.points.push_back(sides_[s].from);
-      s = sides_[s].next;
+      result.points.push_back(segments_[s].from);
+      s = segments_[s].next;
     } while (s != 0);
     result.ends.push_back(result.points.size());
     result.kinds.push_back(layer_.kinds[first]);
