@@ -30,9 +30,10 @@ HEAD = r"""#pragma once
 
 namespace concino::detail {
 
-/// A character. Its outline is a string of four characters for each point, 64 different ones in all: two numbers from 0 to 4095, of two digits each,
-/// the characters after '#' without '?' and the backslash. Half of a number, minus 1024, is the distance from the last point, in 1/1024 of the em.
-/// The last bit of the first number says whether the point is on the curve, that of the second whether it ends its contour.
+/// A character. Its outline is a string of four characters for each point, 64 different ones in all: two numbers from
+/// 0 to 4095, of two digits each, the characters after '#' without '?' and the backslash. Half of a number, minus
+/// 1024, is the distance from the last point, in 1/1024 of the em. The last bit of the first number says whether the
+/// point is on the curve, that of the second whether it ends its contour.
 struct font_entry {
   std::uint32_t character;
   std::uint16_t advance;
@@ -175,7 +176,7 @@ def main():
         print("under the name concino sans. This is the licence of DejaVu Sans.\n")
         print(font.name(13).replace("\r", ""))
         return
-    print("// The outlines of the font concino sans; see font.hpp. Made by scripts/font_outlines.py from DejaVu Sans, whose licence is LICENSE-font.txt:")
+    print("// The outlines of the font concino sans; see font.hpp. Made by scripts/font_outlines.py from DejaVu Sans, whose\n// licence is LICENSE-font.txt:")
     print("// Copyright (c) 2003 by Bitstream, Inc. All Rights Reserved. Bitstream Vera is a trademark of Bitstream, Inc.")
     print("// Copyright (c) 2006 by Tavmjong Bah. All Rights Reserved. DejaVu changes are in public domain.")
     print(HEAD)

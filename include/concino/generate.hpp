@@ -1,4 +1,5 @@
-// Mesh generation: grids, boxes, spheres, tori, Voronoi meshes; dual meshes, agglomeration and subdivision of a mesh, quads from triangles, triangles and tets from all.
+// Mesh generation: grids, boxes, spheres, tori, Voronoi meshes; dual meshes, agglomeration and subdivision of a mesh,
+// quads from triangles, triangles and tets from all.
 #pragma once
 
 #include <concino/generate/agglomerate.hpp>

@@ -1,5 +1,5 @@
-// Algorithms on the primal graph (verts and edges) and on the dual graph (polys), with one implementation for both. Algorithms of Boost.Graph are not
-// included, because they take long to compile: see <concino/graph/boost.hpp>.
+// Algorithms on the primal graph (verts and edges) and on the dual graph (polys), with one implementation for both.
+// Algorithms of Boost.Graph are not included, because they take long to compile: see <concino/graph/boost.hpp>.
 #pragma once
 
 #include <concino/graph/bfs.hpp>

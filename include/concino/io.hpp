@@ -1,4 +1,5 @@
-// Reads and writes mesh files in all formats of <concino/io/formats.hpp>, slices (CLI), curve skeletons, and functions on verts or polys as text.
+// Reads and writes mesh files in all formats of <concino/io/formats.hpp>, slices (CLI), curve skeletons, and functions
+// on verts or polys as text.
 #pragma once
 
 #include <concino/io/atomic_file.hpp>

@@ -1,4 +1,5 @@
-// Level sets: iso-lines of surfaces, iso-surfaces of volumes, slices, clipped meshes, measures between values, embedding.
+// Level sets: iso-lines of surfaces, iso-surfaces of volumes, slices, clipped meshes, measures between values,
+// embedding.
 #pragma once
 
 #include <concino/level_sets/clip.hpp>

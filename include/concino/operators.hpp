@@ -1,5 +1,5 @@
-// Differential operators on meshes, as sparse matrices or applied without one. Two alternative discretisations have headers of their own:
-// virtual_refinement.hpp and de_goes.hpp.
+// Differential operators on meshes, as sparse matrices or applied without one. Two alternative discretisations have
+// headers of their own: virtual_refinement.hpp and de_goes.hpp.
 #pragma once
 
 #include <concino/core/product.hpp>

@@ -1,4 +1,5 @@
-// Pictures of meshes and of what was computed on them. Another ray tracer may be passed, such as the adapter <concino/adapters/embree.hpp>.
+// Pictures of meshes and of what was computed on them. Another ray tracer may be passed, such as the adapter
+// <concino/adapters/embree.hpp>.
 #pragma once
 
 #include <concino/render/ambient_occlusion.hpp>

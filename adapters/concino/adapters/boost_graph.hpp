@@ -2,12 +2,13 @@
 // any other graph of Boost does so through graph_view(g).
 //
 //   auto hops = cn::bfs(my_adjacency_list, 0);                                // verts are Boost's vertex_descriptors
-//   auto d = cn::dijkstra(cn::graph_view(my_graph), s, [&](auto u, auto v) { return get(boost::edge_weight, g, edge(u, v, g).first); });
+//   auto d = cn::dijkstra(cn::graph_view(my_graph), s, [&](auto u, auto v) { return get(boost::edge_weight, g, edge(u,
+//   v, g).first); });
 //
-// Arcs have the direction of out_edges. In a directed graph (every compressed_sparse_row_graph is one) searches and shortest paths follow the
-// arcs in that direction only, as Boost's do. Algorithms on undirected edges (components, spanning trees, Laplacians) need the opposite of each arc in
-// the graph, law PG3; parallel edges or loops violate PG4. check_laws(g) checks this. For the opposite direction, Boost's algorithms on meshes, see
-// <concino/graph/boost.hpp>.
+// Arcs have the direction of out_edges. In a directed graph (every compressed_sparse_row_graph is one) searches and
+// shortest paths follow the arcs in that direction only, as Boost's do. Algorithms on undirected edges (components,
+// spanning trees, Laplacians) need the opposite of each arc in the graph, law PG3; parallel edges or loops violate PG4.
+// check_laws(g) checks this. For the opposite direction, Boost's algorithms on meshes, see <concino/graph/boost.hpp>.
 // Needs: Boost.Graph (Debian: libboost-dev).
 #pragma once
 
@@ -57,7 +58,9 @@ struct target_in {
 };
 
 template<class Vert, class Base, class At = value_at>
-mapped_range<Vert, Base, At> make_boost_range(std::pair<Base, Base> both, At at = {}) { return {std::move(both.first), std::move(both.second), at}; }
+mapped_range<Vert, Base, At> make_boost_range(std::pair<Base, Base> both, At at = {}) {
+  return {std::move(both.first), std::move(both.second), at};
+}
 
 /// The verts of any graph, and the targets of each.
 template<class G>
@@ -82,7 +85,8 @@ template<class G> concept is_boost_graph =
 template<class P, class G> concept is_vertex_index = requires(const P& index, const concino::detail::boost_vert<G>& v) {
   { get(index, v) } -> std::convertible_to<std::size_t>;
 };
-template<class G> concept has_vertex_index = is_boost_graph<G> && !concino::detail::unnumbered_graph<G> && requires(const G& g) {
+template<class G>
+concept has_vertex_index = is_boost_graph<G> && !concino::detail::unnumbered_graph<G> && requires(const G& g) {
   { get(boost::vertex_index, g) } -> is_vertex_index<G>;
 };
 
@@ -136,9 +140,11 @@ struct mesh_traits<views::foreign_graph<G, Index>> {
 };
 
 /// A graph of Boost as a PrimalGraph whose verts are Boost's vertex_descriptors.
-/// Needs:  VertexListGraph, and AdjacencyGraph or IncidenceGraph; vertex_index, or `index`: numbers, different for different verts. g must
-///         outlive the view, so a temporary one is refused; after verts were added or removed, a new view is needed.
-/// Result: a view. It satisfies law PG3 if g is undirected or has the opposite of each arc, PG4 if it has no loops and no parallel edges.
+/// Needs:  VertexListGraph, and AdjacencyGraph or IncidenceGraph; vertex_index, or `index`: numbers, different for
+///         different verts. g must outlive the view, so a temporary one is refused; after verts were added or removed,
+///         a new view is needed.
+/// Result: a view. It satisfies law PG3 if g is undirected or has the opposite of each arc, PG4 if it has no loops and
+///         no parallel edges.
 /// Cost:   O(V) to count the verts: a filtered_graph has fewer than the numbers it uses. Nothing is copied.
 /// Errors: none of its own.
 template<class G>
@@ -155,7 +161,9 @@ auto graph_view(const G& g, Index index) {
 template<class G> requires requirement::is_boost_graph<G> void graph_view(const G&& g) = delete;  // give the graph a name: auto g = ...;
 template<class G, class Index> requires requirement::is_boost_graph<G> void graph_view(const G&& g, Index index) = delete;  // give the graph a name: auto g = ...;
 
-static_assert(PrimalGraph<boost::compressed_sparse_row_graph<>> && PrimalGraph<boost::compressed_sparse_row_graph<boost::bidirectionalS>>);
-static_assert(PrimalGraph<boost::adjacency_list<>> && PrimalGraph<boost::adjacency_list<boost::setS, boost::vecS, boost::undirectedS>>);
+static_assert(PrimalGraph<boost::compressed_sparse_row_graph<>> &&
+              PrimalGraph<boost::compressed_sparse_row_graph<boost::bidirectionalS>>);
+static_assert(PrimalGraph<boost::adjacency_list<>> &&
+              PrimalGraph<boost::adjacency_list<boost::setS, boost::vecS, boost::undirectedS>>);
 
 }  // namespace concino

@@ -5,11 +5,12 @@
 //   const auto d = cn::dijkstra(m, m.vert(dart));
 //   d[m.vert(other)];  lcc.info<3>(m.handle(p));
 //
-// A combinatorial map has only darts: a vertex, edge, facet or volume is an orbit of darts, and each of these can stand for it. So the view numbers the
-// elements: its descriptors are vert_id, edge_id, face_id and poly_id. vert(d), edge(d), face(d), poly(d) are those at a dart, handle(x) is a dart of x.
-// Stored in the view: the connectivity of a polyhedralmesh, one dart per element, and two hash tables of darts; no points. Cost: as for a
-// polyhedralmesh; conversion of darts is one table look-up, to an edge also a search through the edges at its vert.
-// All sewing, adding and removing invalidates the view; points may move, as long as volumes are not turned inside out.
+// A combinatorial map has only darts: a vertex, edge, facet or volume is an orbit of darts, and each of these can stand
+// for it. So the view numbers the elements: its descriptors are vert_id, edge_id, face_id and poly_id. vert(d),
+// edge(d), face(d), poly(d) are those at a dart, handle(x) is a dart of x. Stored in the view: the connectivity of a
+// polyhedralmesh, one dart per element, and two hash tables of darts; no points. Cost: as for a polyhedralmesh;
+// conversion of darts is one table look-up, to an edge also a search through the edges at its vert. All sewing, adding
+// and removing invalidates the view; points may move, as long as volumes are not turned inside out.
 // Needs: CGAL 5.5 (Debian: libcgal-dev).
 #pragma once
 
@@ -69,7 +70,8 @@ class indexed_cell_complex {
         do {
           if (lcc.is_free(d, 1))
             core::throw_joined<invalid_mesh>(
-                {"CGAL::Linear_cell_complex: poly ", p.raw(), " has a facet that is not closed: one of its darts has no next dart (beta 1)"});
+                {"CGAL::Linear_cell_complex: poly ", p.raw(),
+                 " has a facet that is not closed: one of its darts has no next dart (beta 1)"});
           n->polys[d] = p;
           n->faces[d] = f;
           vert_id& v = n->verts[lcc.vertex_attribute(d)];
@@ -91,11 +93,13 @@ class indexed_cell_complex {
       a.poly_offsets.push_back(static_cast<std::uint32_t>(a.poly_faces.size()));
     }
     turn_outward(*n, a);
-    n->connectivity = polyhedra_tables(n->vert_darts.size(), std::move(a.face_offsets), std::move(a.face_verts), std::move(a.poly_offsets), std::move(a.poly_faces),
-                                       std::move(a.outward));
+    n->connectivity = polyhedra_tables(n->vert_darts.size(), std::move(a.face_offsets), std::move(a.face_verts),
+                                       std::move(a.poly_offsets), std::move(a.poly_faces), std::move(a.outward));
     n->edge_darts.resize(n->connectivity.edges().bound());
     for (dart d = lcc.darts().begin(), last = lcc.darts().end(); d != last; ++d)
-      n->edge_darts[n->connectivity.edge_between(n->verts[lcc.vertex_attribute(d)], n->verts[lcc.vertex_attribute(lcc.beta(d, 1))]).raw()] = d;
+      n->edge_darts[n->connectivity
+                        .edge_between(n->verts[lcc.vertex_attribute(d)], n->verts[lcc.vertex_attribute(lcc.beta(d, 1))])
+                        .raw()] = d;
     numbers_ = n;
   }
 
@@ -116,7 +120,8 @@ class indexed_cell_complex {
   dart handle(poly_id p) const { return numbers_->poly_darts[p.raw()]; }
 
  private:
-  /// The facets of a volume have the same orientation. If points say that it is inward, `outward` is inverted for all of them.
+  /// The facets of a volume have the same orientation. If points say that it is inward, `outward` is inverted for all
+  /// of them.
   void turn_outward(const numbers& n, polyhedra_arrays& a) const {
     const auto point = [&](vert_id v) { return detail::read_point(lcc_->point(n.vert_darts[v.raw()])); };
     for (std::size_t p = 0; p + 1 < a.poly_offsets.size(); ++p) {
@@ -124,7 +129,8 @@ class indexed_cell_complex {
       double volume = 0;
       for (std::uint32_t i = a.poly_offsets[p]; i < a.poly_offsets[p + 1]; ++i) {
         const std::uint32_t f = a.poly_faces[i].raw(), first = a.face_offsets[f];
-        const double one = six_times_volume_under(a.face_offsets[f + 1] - first, [&](std::size_t k) { return point(a.face_verts[first + k]); }, apex);
+        const double one = six_times_volume_under(
+            a.face_offsets[f + 1] - first, [&](std::size_t k) { return point(a.face_verts[first + k]); }, apex);
         volume += a.outward[i] ? one : -one;
       }
       if (volume < 0)
@@ -139,12 +145,16 @@ template<class L>
 struct mesh_traits<views::indexed_cell_complex<L>> : indexed_volume<views::indexed_cell_complex<L>> {
   static constexpr bool is_view = true;
   static const polyhedra_tables& tables(const views::indexed_cell_complex<L>& m) { return m.tables(); }
-  static vec3 point(const views::indexed_cell_complex<L>& m, vert_id v) { return detail::read_point(m.complex().point(m.handle(v))); }
+  static vec3 point(const views::indexed_cell_complex<L>& m, vert_id v) {
+    return detail::read_point(m.complex().point(m.handle(v)));
+  }
 };
 
 namespace requirement {
 
-template<class L> concept is_cgal_cell_complex = L::dimension == 3 && L::ambient_dimension == 3 && requires(const L& lcc, typename L::Dart_const_handle d) {
+template<class L>
+concept is_cgal_cell_complex = L::dimension == 3 && L::ambient_dimension == 3 &&
+                               requires(const L& lcc, typename L::Dart_const_handle d) {
   typename L::Vertex_attribute_const_handle;
   lcc.beta(d, 1);
   lcc.point(d);
@@ -153,10 +163,12 @@ template<class L> concept is_cgal_cell_complex = L::dimension == 3 && L::ambient
 }  // namespace requirement
 
 /// A linear cell complex as a polyhedral mesh.
-/// Needs:  it outlives the view, so a temporary one is refused, and does not change while the view is used, except for its points.
-/// Result: a VolumeMesh. Verts, faces and polys are numbered by their first dart in the order of iteration. Facets that are not sewn to another volume are
-///         the boundary.
-/// Cost:   O(darts) time, times the edges at a vert. Memory: that of a polyhedralmesh without its points, a handle per element, two hash tables of darts.
+/// Needs:  it outlives the view, so a temporary one is refused, and does not change while the view is used, except for
+///         its points.
+/// Result: a VolumeMesh. Verts, faces and polys are numbered by their first dart in the order of iteration. Facets that
+///         are not sewn to another volume are the boundary.
+/// Cost:   O(darts) time, times the edges at a vert. Memory: that of a polyhedralmesh without its points, a handle per
+///         element, two hash tables of darts.
 /// Errors: invalid_mesh if a facet is not closed, or meets a vert twice.
 template<requirement::is_cgal_cell_complex L>
 auto indexed(const L& lcc) {

@@ -1,30 +1,34 @@
-// Adapter for CGAL::Surface_mesh, over any type of point, and classes derived from it, as a SurfaceMesh. The descriptors are CGAL's own Vertex_index,
-// Edge_index and Face_index.
+// Adapter for CGAL::Surface_mesh, over any type of point, and classes derived from it, as a SurfaceMesh. The
+// descriptors are CGAL's own Vertex_index, Edge_index and Face_index.
 //
 //   CGAL::Surface_mesh<Kernel::Point_3> m = ...;
 //   const auto d = cn::dijkstra(m, CGAL::SM_Vertex_index(0));
 //
-// Stored: nothing. Cost: every ring takes time proportional to its length, as in CGAL; neighbours, ends and indices take constant time.
-// Removed elements that wait for collect_garbage() are not part of the mesh: they are skipped, but index bounds include them.
-// Property maps of the mesh are maps: map[v] reads and writes. Meshes with points in space that can be written are editable: all operators of
-// <concino/edit.hpp> work on them. What CGAL cannot represent is refused with the reason. Properties stay at elements that keep their descriptors; new ones have
-// default values, but a new edge that takes the descriptor of a removed one also takes its values. No value is interpolated, as property_rule says for properties of
-// native meshes: write those of new elements after an edit, which returns them.
-// Transactions undo what functions of this library change; removed elements come back with their descriptors and values. Values that are written in a transaction
-// are not undone, and redo() gives new elements default values. The first transaction adds a property map of edges, "e:concino".
-// garbage_collect(m) changes nothing if memory runs out. If copies of a property's values can fail, as of strings, it makes a copy of the mesh before; the mesh becomes
-// that copy if they do fail, and property maps obtained before are invalid then.
-// point(m, v) returns the coordinates of CGAL's points as doubles. Those of inexact kernels are copied, those of exact kernels are converted by
-// CGAL::to_double. That is exact for numbers that are doubles; for others a lazy kernel's relative precision holds, 1e-5 by default.
-// CGAL::to_double may evaluate lazy numbers, which is as thread-safe as the kernel. Points in the plane have z = 0.
-// Other types of points are returned by reference if they have p[0], p[1], p[2]; a mesh over any other type has no points.
+// Stored: nothing. Cost: every ring takes time proportional to its length, as in CGAL; neighbours, ends and indices
+// take constant time. Removed elements that wait for collect_garbage() are not part of the mesh: they are skipped, but
+// index bounds include them. Property maps of the mesh are maps: map[v] reads and writes. Meshes with points in space
+// that can be written are editable: all operators of <concino/edit.hpp> work on them. What CGAL cannot represent is
+// refused with the reason. Properties stay at elements that keep their descriptors; new ones have default values, but a
+// new edge that takes the descriptor of a removed one also takes its values. No value is interpolated, as property_rule
+// says for properties of native meshes: write those of new elements after an edit, which returns them. Transactions
+// undo what functions of this library change; removed elements come back with their descriptors and values. Values that
+// are written in a transaction are not undone, and redo() gives new elements default values. The first transaction adds
+// a property map of edges, "e:concino". garbage_collect(m) changes nothing if memory runs out. If copies of a
+// property's values can fail, as of strings, it makes a copy of the mesh before; the mesh becomes that copy if they do
+// fail, and property maps obtained before are invalid then. point(m, v) returns the coordinates of CGAL's points as
+// doubles. Those of inexact kernels are copied, those of exact kernels are converted by CGAL::to_double. That is exact
+// for numbers that are doubles; for others a lazy kernel's relative precision holds, 1e-5 by default. CGAL::to_double
+// may evaluate lazy numbers, which is as thread-safe as the kernel. Points in the plane have z = 0. Other types of
+// points are returned by reference if they have p[0], p[1], p[2]; a mesh over any other type has no points.
 // Needs: CGAL 5.5 (Debian: libcgal-dev).
-//        Connectivity that CGAL calls valid, in which no two edges join the same two verts. Euler operations can create such edges; check_laws finds them.
+//        Connectivity that CGAL calls valid, in which no two edges join the same two verts. Euler operations can create
+//        such edges; check_laws finds them.
 //
 // If all polys are known to be triangles, declare this, and algorithms for a TriMesh accept the mesh:
 //
 //   struct my_mesh : CGAL::Surface_mesh<Point> { ... };
-//   template<> struct concino::mesh_traits<my_mesh> : concino::mesh_traits<CGAL::Surface_mesh<Point>> { static constexpr int arity = 3; };
+//   template<> struct concino::mesh_traits<my_mesh> : concino::mesh_traits<CGAL::Surface_mesh<Point>> { static
+//   constexpr int arity = 3; };
 #pragma once
 
 #include <concino/adapters/detail/cgal_compaction.hpp>
@@ -57,7 +61,8 @@ struct cgal_is_removed {
 };
 
 template<class P>
-struct cgal_surface_links : std::conditional_t<writable_point<P>, halfedge_editing<cgal_surface_kernel<P>, 0>, no_halfedge_editing> {
+struct cgal_surface_links
+    : std::conditional_t<writable_point<P>, halfedge_editing<cgal_surface_kernel<P>, 0>, no_halfedge_editing> {
   using mesh = CGAL::Surface_mesh<P>;
   using vert = typename mesh::Vertex_index;
   using edge = typename mesh::Edge_index;
@@ -104,11 +109,15 @@ struct cgal_surface_links : std::conditional_t<writable_point<P>, halfedge_editi
   static poly add_poly(mesh& m, std::span<const vert> corners) {
     constexpr auto cannot_be_linked =
         "cannot be linked: in CGAL::Surface_mesh at most two polys share an edge, in opposite directions, each vert of a new poly is on the boundary, and a closed fan is the only one at its vert";
-    const auto refuse = [&](const std::string& why) { core::throw_joined<invalid_mesh>({"add_poly: poly ", m.num_faces(), " ", why}); };
+    const auto refuse = [&](const std::string& why) {
+      core::throw_joined<invalid_mesh>({"add_poly: poly ", m.num_faces(), " ", why});
+    };
     if (corners.size() < 3) refuse(core::joined({"has ", corners.size(), " verts; it needs at least 3"}));
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      if (!contains(m, corners[i])) refuse(core::joined({"names vert ", corners[i].idx(), ", which is not in the mesh"}));
-      if (std::find(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(i), corners[i]) != corners.begin() + static_cast<std::ptrdiff_t>(i))
+      if (!contains(m, corners[i]))
+        refuse(core::joined({"names vert ", corners[i].idx(), ", which is not in the mesh"}));
+      if (std::find(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(i), corners[i]) !=
+          corners.begin() + static_cast<std::ptrdiff_t>(i))
         refuse(core::joined({"has vert ", corners[i].idx(), " twice; its verts must differ"}));
     }
     if constexpr (writable_point<P>)
@@ -151,12 +160,16 @@ struct cgal_surface_links : std::conditional_t<writable_point<P>, halfedge_editi
     return {bound, {m.has_garbage() ? &m : nullptr}};
   }
 
-  /// Whether a new poly would close a fan at a vert that has another one too. CGAL's add_face does not see that, and loses the other fan.
+  /// Whether a new poly would close a fan at a vert that has another one too. CGAL's add_face does not see that, and
+  /// loses the other fan.
   static bool closes_one_of_several_fans(const mesh& m, std::span<const vert> corners) {
     for (std::size_t i = 0, n = corners.size(); i < n; ++i) {
       if (m.is_isolated(corners[i])) continue;
-      const halfedge in = m.halfedge(corners[(i + n - 1) % n], corners[i]), out = m.halfedge(corners[i], corners[(i + 1) % n]);
-      if (in == mesh::null_halfedge() || out == mesh::null_halfedge() || !m.is_border(in) || !m.is_border(out) || m.next(in) == out) continue;
+      const halfedge in = m.halfedge(corners[(i + n - 1) % n], corners[i]),
+                     out = m.halfedge(corners[i], corners[(i + 1) % n]);
+      if (in == mesh::null_halfedge() || out == mesh::null_halfedge() || !m.is_border(in) || !m.is_border(out) ||
+          m.next(in) == out)
+        continue;
       halfedge last = m.opposite(out);
       do last = m.opposite(m.next(last));
       while (!m.is_border(last));
@@ -174,7 +187,10 @@ template<class M> concept is_cgal_surface_mesh = requires(const M* m) { detail::
 /// For all classes that are, or derive from, a CGAL::Surface_mesh<P>.
 template<class M>
   requires detail::is_cgal_surface_mesh<M>
-struct mesh_traits<M> : mesh_traits<CGAL::Surface_mesh<typename decltype(detail::point_of_cgal_surface_mesh(std::declval<const M*>()))::type>> {};
+struct mesh_traits<M>
+    : mesh_traits<
+          CGAL::Surface_mesh<typename decltype(detail::point_of_cgal_surface_mesh(std::declval<const M*>()))::type>> {
+};
 
 template<class P>
 struct mesh_traits<CGAL::Surface_mesh<P>> : halfedge_kernel<CGAL::Surface_mesh<P>, detail::cgal_surface_links<P>> {};

@@ -1,4 +1,5 @@
-// triangulate(outlines, cgal): constrained Delaunay triangulations, and meshes without small angles or large triangles, by CGAL's 2D mesher.
+// triangulate(outlines, cgal): constrained Delaunay triangulations, and meshes without small angles or large triangles,
+// by CGAL's 2D mesher.
 // Needs: CGAL 5.5, its packages 2D Triangulations and 2D Meshes, under the GPL (Debian: libcgal-dev), GMP and MPFR.
 #pragma once
 
@@ -14,15 +15,19 @@
 namespace concino {
 
 struct cgal_triangulate_options {
-  std::vector<vec3> holes = {};  // a point inside each hole; if there are any, nothing else is a hole: all else that outlines and lines enclose is filled
+  std::vector<vec3> holes = {};  // a point inside each hole; if there are any, nothing else is a hole: all else that
+                                 // outlines and lines enclose is filled
   bool convex_hull = false;      // whether all within the convex hull is filled, but the holes
   double min_angle_deg = 0;      // the least angle of triangles, in degrees, 0 to 33; 0: no bound
   double max_area = std::numeric_limits<double>::infinity();    // of a triangle, projected along seen_from; above 0
   double max_length = std::numeric_limits<double>::infinity();  // of edges, projected along seen_from; above 0
-  function_ref<double(const vec3&)> size = {};                  // the longest edge of triangles at a point, projected along seen_from; above 0. Empty: no bound
-  vec3 seen_from = {0, 0, 1};          // the direction from which triangles are counter-clockwise; not 0. Points are projected along it
+  function_ref<double(const vec3&)> size = {};                  // the longest edge of triangles at a point, projected
+                                                                // along seen_from; above 0. Empty: no bound
+  vec3 seen_from = {0, 0, 1};          // the direction from which triangles are counter-clockwise; not 0. Points are
+                                       // projected along it
   bool merge_points = false;           // whether points at the same place are one vert; otherwise they are an error
-  bool divide_segments = false;        // whether segments that cross, overlap or run through points are divided there; otherwise they are an error
+  bool divide_segments = false;        // whether segments that cross, overlap or run through points are divided there;
+                                       // otherwise they are an error
   std::size_t max_verts = 10'000'000;  // of the result; more are an error, so that refinement ends
   concino::progress progress = {};     // may stop the refinement; the fraction is always 0
 };
@@ -31,9 +36,11 @@ namespace detail::cgal_planar {
 
 inline void check(const cgal_triangulate_options& o) {
   const auto require = [](bool good, const char* what, double value) {
-    if (!good) core::throw_joined<invalid_argument>({"triangulate: options.", what, ", but is ", core::number_text(value)});
+    if (!good)
+      core::throw_joined<invalid_argument>({"triangulate: options.", what, ", but is ", core::number_text(value)});
   };
-  require(o.min_angle_deg >= 0 && o.min_angle_deg <= 33, "min_angle_deg must be from 0 to 33, because larger angles are rarely reached", o.min_angle_deg);
+  require(o.min_angle_deg >= 0 && o.min_angle_deg <= 33,
+          "min_angle_deg must be from 0 to 33, because larger angles are rarely reached", o.min_angle_deg);
   require(o.max_area > 0, "max_area must be above 0", o.max_area);
   require(o.max_length > 0, "max_length must be above 0", o.max_length);
 }
@@ -47,8 +54,10 @@ class triangulator {
   vec3 normal_;
   planar_mesh mesh_;
   planar_triangulation result_;
-  std::vector<std::array<vert_id, 2>> chain_;                    // the verts of edges along segments, segment after segment in any order
-  std::vector<std::array<std::size_t, 2>> chain_of_;             // by segment: its first and last entry, exclusive, in chain_
+  std::vector<std::array<vert_id, 2>> chain_;                    // the verts of edges along segments, segment after
+                                                                 // segment in any order
+  std::vector<std::array<std::size_t, 2>> chain_of_;             // by segment: its first and last entry, exclusive, in
+                                                                 // chain_
   CGAL::Unique_hash_map<vertex, vert_id> vert_of_;
 
   static core::planar_segments checked(const planar_graph& g, const cgal_triangulate_options& o) {
@@ -58,17 +67,23 @@ class triangulator {
     return segments;
   }
 
-  vec3 in_space(double x, double y, double height) const { return (scale_ * x) * g_.axes[0] + (scale_ * y) * g_.axes[1] + height * normal_; }
+  vec3 in_space(double x, double y, double height) const {
+    return (scale_ * x) * g_.axes[0] + (scale_ * y) * g_.axes[1] + height * normal_;
+  }
   double height(std::uint32_t p) const { return dot(input_.points[p], normal_); }
 
   void refine() {
     const double infinity = std::numeric_limits<double>::infinity();
-    if (options_.min_angle_deg == 0 && options_.max_area == infinity && options_.max_length == infinity && !options_.size) return;
+    if (options_.min_angle_deg == 0 && options_.max_area == infinity && options_.max_length == infinity &&
+        !options_.size)
+      return;
     const auto size = [&](double x, double y) {
       const vec3 at = in_space(x, y, 0);
       const double s = options_.size(at);
-      if (!(s > 0)) core::throw_joined<invalid_argument>({"triangulate: options.size is ", core::number_text(s), " at (", core::number_text(at.x), ", ", core::number_text(at.y),
-                                                            ", ", core::number_text(at.z), "); it must be above 0"});
+      if (!(s > 0))
+        core::throw_joined<invalid_argument>({"triangulate: options.size is ", core::number_text(s), " at (",
+                                              core::number_text(at.x), ", ", core::number_text(at.y), ", ",
+                                              core::number_text(at.z), "); it must be above 0"});
       return s / scale_;
     };
     const double sine = std::sin(options_.min_angle_deg * (std::numbers::pi / 180));
@@ -100,7 +115,11 @@ class triangulator {
       const auto &p = chain.front()->point(), &q = chain.back()->point();
       for (std::size_t i = 1; i + 1 < chain.size(); ++i) {
         const auto& x = chain[i]->point();
-        if (!vert_of_[chain[i]].is_none()) add_vert(chain[i], a, in_space(x.x(), x.y(), first + std::sqrt(CGAL::squared_distance(p, x) / CGAL::squared_distance(p, q)) * (last - first)));
+        if (!vert_of_[chain[i]].is_none())
+          add_vert(chain[i], a,
+                   in_space(x.x(), x.y(),
+                            first + std::sqrt(CGAL::squared_distance(p, x) / CGAL::squared_distance(p, q)) *
+                                        (last - first)));
         is_placed_[chain[i]] = 1;
       }
       chain_of_[s][0] = chain_.size();
@@ -155,13 +174,15 @@ class triangulator {
     if (t.is_infinite(f)) f = f->neighbor(f->index(t.infinite_vertex()));
     const auto &p = f->vertex(0)->point(), &q = f->vertex(1)->point(), &r = f->vertex(2)->point();
     const double at_p = height(f->vertex(0)->info().point), whole = CGAL::area(p, q, r);
-    return at_p + CGAL::area(p, x, r) / whole * (height(f->vertex(1)->info().point) - at_p) + CGAL::area(p, q, x) / whole * (height(f->vertex(2)->info().point) - at_p);
+    return at_p + CGAL::area(p, x, r) / whole * (height(f->vertex(1)->info().point) - at_p) +
+           CGAL::area(p, q, x) / whole * (height(f->vertex(2)->info().point) - at_p);
   }
 
   void add_triangles(surface_arrays& a) {
     for (auto f = mesh_.cgal().finite_faces_begin(); f != mesh_.cgal().finite_faces_end(); ++f) {
       if (!f->is_in_domain()) continue;
-      if (small_sine_ > 0 && measured(f, {}).squared_sine < small_sine_) result_.small_angles.push_back(poly_id{a.verts.size() / 3});
+      if (small_sine_ > 0 && measured(f, {}).squared_sine < small_sine_)
+        result_.small_angles.push_back(poly_id{a.verts.size() / 3});
       for (int k = 0; k < 3; ++k) a.verts.push_back(vert_of_[f->vertex(k)]);
     }
   }
@@ -174,17 +195,20 @@ class triangulator {
       const auto [first, last] = chain_of_[s];
       const bool forward = g_.same_as[ends[i][0]] == g_.segments[s][0];
       for (std::size_t k = first; k < last; ++k)
-        if (const edge_id e = edges[forward ? k : first + last - 1 - k]; !e.is_none()) result_.segment_edges.push_back(e);
+        if (const edge_id e = edges[forward ? k : first + last - 1 - k]; !e.is_none())
+          result_.segment_edges.push_back(e);
       result_.segment_ends.push_back(result_.segment_edges.size());
     }
     result_.constraints = result_.segment_edges;
     std::sort(result_.constraints.begin(), result_.constraints.end());
-    result_.constraints.erase(std::unique(result_.constraints.begin(), result_.constraints.end()), result_.constraints.end());
+    result_.constraints.erase(std::unique(result_.constraints.begin(), result_.constraints.end()),
+                              result_.constraints.end());
   }
 
  public:
   triangulator(const planar_graph& g, const cgal_triangulate_options& o)
-      : input_(g), options_(o), g_(checked(g, o)), scale_(std::ldexp(1.0, -g_.exponent)), normal_(cross(g_.axes[0], g_.axes[1])), mesh_(g_, o.convex_hull) {}
+      : input_(g), options_(o), g_(checked(g, o)), scale_(std::ldexp(1.0, -g_.exponent)),
+        normal_(cross(g_.axes[0], g_.axes[1])), mesh_(g_, o.convex_hull) {}
 
   planar_triangulation operator()() {
     mesh_.fill(options_.holes.empty() && !options_.convex_hull);
@@ -218,20 +242,26 @@ inline planar_triangulation triangulate_divided(const planar_graph& g, cgal_tria
 
 }  // namespace detail::cgal_planar
 
-/// Triangulates what is inside of outlines, or the convex hull: the constrained Delaunay triangulation of the points, or with bounds on angles or sizes a
-/// refinement of it, with new points, also on segments.
-/// Needs:  a graph as for triangulate(g). Segments must not meet except at common points, unless options.divide_segments is set.
-/// Result: as of triangulate(g), with the same verts first, then the new ones; without bounds there are none. Only edges along segments are not Delaunay
-///         edges. With bounds, each angle is min_angle_deg or more and each triangle has the sizes asked for. The exceptions are triangles near angles
-///         between segments that are smaller; small_angles lists them. A new vert on a segment has the height of the segment, along seen_from; another one has that of the
-///         triangulation without new points. With divide_segments, a vert at each place where segments meet follows those of the points. Its coordinates are rounded, and
-///         it has the height of the first of these segments.
+/// Triangulates what is inside of outlines, or the convex hull: the constrained Delaunay triangulation of the points,
+/// or with bounds on angles or sizes a refinement of it, with new points, also on segments.
+/// Needs:  a graph as for triangulate(g). Segments must not meet except at common points, unless
+///         options.divide_segments is set.
+/// Result: as of triangulate(g), with the same verts first, then the new ones; without bounds there are none. Only
+///         edges along segments are not Delaunay edges. With bounds, each angle is min_angle_deg or more and each
+///         triangle has the sizes asked for. The exceptions are triangles near angles between segments that are
+///         smaller; small_angles lists them. A new vert on a segment has the height of the segment, along seen_from;
+///         another one has that of the triangulation without new points. With divide_segments, a vert at each place
+///         where segments meet follows those of the points. Its coordinates are rounded, and it has the height of the
+///         first of these segments.
 /// Cost:   O(n log n) for most graphs, for n verts of the result.
-/// Errors: invalid_argument as triangulate(g); also for an option out of its range, for a size that is not above 0, with the place, and if there would be
-///         more than max_verts verts. Refinement is proven to end for angles up to 20.7 degrees, and nearly always ends up to 30. cancelled.
-/// Source: Chew 1989; Ruppert 1995; Shewchuk 2002, "Delaunay refinement algorithms for triangular mesh generation", through CGAL's 2D mesher.
+/// Errors: invalid_argument as triangulate(g); also for an option out of its range, for a size that is not above 0,
+///         with the place, and if there would be more than max_verts verts. Refinement is proven to end for angles up
+///         to 20.7 degrees, and nearly always ends up to 30. cancelled.
+/// Source: Chew 1989; Ruppert 1995; Shewchuk 2002, "Delaunay refinement algorithms for triangular mesh generation",
+///         through CGAL's 2D mesher.
 inline planar_triangulation triangulate(const planar_graph& g, cgal_t, const cgal_triangulate_options& options = {}) {
-  return options.divide_segments ? detail::cgal_planar::triangulate_divided(g, options) : detail::cgal_planar::triangulator(g, options)();
+  return options.divide_segments ? detail::cgal_planar::triangulate_divided(g, options)
+                                 : detail::cgal_planar::triangulator(g, options)();
 }
 
 }  // namespace concino

@@ -1,16 +1,18 @@
-// Adapter for CGAL's 3D triangulations as tet meshes, by indexed(t): Triangulation_3, Delaunay_triangulation_3, Regular_triangulation_3 (without the
-// infinite vertex and its cells) and Mesh_complex_3_in_triangulation_3 (the cells of the complex, with their verts).
+// Adapter for CGAL's 3D triangulations as tet meshes, by indexed(t): Triangulation_3, Delaunay_triangulation_3,
+// Regular_triangulation_3 (without the infinite vertex and its cells) and Mesh_complex_3_in_triangulation_3 (the cells
+// of the complex, with their verts).
 //
 //   CGAL::Delaunay_triangulation_3<Kernel> t = ...;
 //   const auto m = cn::indexed(t);
 //   const auto d = cn::dijkstra(m, m.vert(vertex_handle));
 //   d[m.vert(other)];  m.handle(v)->point();
 //
-// A triangulation has no numbers, and one of its edges or facets has as many descriptions as cells around it. So the view numbers the elements: its
-// descriptors are vert_id, edge_id, face_id and poly_id; vert(), edge(), face(), poly() and handle() convert from CGAL's types and back.
-// Stored in the view: the connectivity of a tetmesh, handles, and hash tables of handles; no points. Cost: as for a tetmesh; conversion of CGAL's
-// vertices and cells is one table look-up, that of edges and facets a search around the vert or in the cell.
-// All changes of the triangulation or the complex invalidate the view; points may move.
+// A triangulation has no numbers, and one of its edges or facets has as many descriptions as cells around it. So the
+// view numbers the elements: its descriptors are vert_id, edge_id, face_id and poly_id; vert(), edge(), face(), poly()
+// and handle() convert from CGAL's types and back. Stored in the view: the connectivity of a tetmesh, handles, and hash
+// tables of handles; no points. Cost: as for a tetmesh; conversion of CGAL's vertices and cells is one table look-up,
+// that of edges and facets a search around the vert or in the cell. All changes of the triangulation or the complex
+// invalidate the view; points may move.
 // Needs: CGAL 5.5 (Debian: libcgal-dev).
 #pragma once
 
@@ -74,9 +76,12 @@ class indexed_triangulation {
   std::shared_ptr<const numbers> numbers_;
 
  public:
-  /// The cells from `first` to before `last`. Verts have the order of `vertices`, followed by others in the order in which cells use them.
+  /// The cells from `first` to before `last`. Verts have the order of `vertices`, followed by others in the order in
+  /// which cells use them.
   template<class Vertices, class Iterator>
-  indexed_triangulation(const T& t, const Vertices& vertices, Iterator first, const Iterator& last, std::size_t cell_count) : t_(&t) {
+  indexed_triangulation(const T& t, const Vertices& vertices, Iterator first, const Iterator& last,
+                        std::size_t cell_count)
+      : t_(&t) {
     const auto n = std::make_shared<numbers>();
     n->verts.reserve(t.number_of_vertices());
     n->polys.reserve(cell_count);
@@ -117,7 +122,8 @@ class indexed_triangulation {
     return of_cell(mirror.first, mirror.second);
   }
 
-  /// Converts a descriptor to an element of the triangulation; for edges and facets it is one of several equivalent ones.
+  /// Converts a descriptor to an element of the triangulation; for edges and facets it is one of several equivalent
+  /// ones.
   vertex_handle handle(vert_id v) const { return numbers_->verts[v]; }
   cell_handle handle(poly_id p) const { return numbers_->polys[p]; }
   typename T::Edge handle(edge_id e) const {
@@ -151,7 +157,9 @@ struct mesh_traits<views::indexed_triangulation<T>> : indexed_volume<views::inde
   static constexpr bool is_view = true;
   static constexpr int arity = 4;
   static const tet_tables& tables(const views::indexed_triangulation<T>& m) { return m.tables(); }
-  static vec3 point(const views::indexed_triangulation<T>& m, vert_id v) { return detail::read_point(m.handle(v)->point()); }
+  static vec3 point(const views::indexed_triangulation<T>& m, vert_id v) {
+    return detail::read_point(m.handle(v)->point());
+  }
 };
 
 namespace requirement {
@@ -167,22 +175,25 @@ template<class C> concept is_cgal_complex = requires(const C& c) {
 }  // namespace requirement
 
 /// A triangulation, or the complex in one, as a tet mesh.
-/// Needs:  it outlives the view, so a temporary one is refused, and does not change while the view is used, except for its points.
-/// Result: a TetMesh of the finite cells, or those in the complex. Verts and polys are numbered in CGAL's order. A triangulation of points in
-///         one plane has verts and no polys; a complex has the verts of its cells only.
-/// Cost:   O(vertices + cells) time. Memory: that of a tetmesh without its points, a handle per vert and poly, and hash tables of 36 to 72
-///         bytes per vertex of the triangulation and per poly, which copies share.
+/// Needs:  it outlives the view, so a temporary one is refused, and does not change while the view is used, except for
+///         its points.
+/// Result: a TetMesh of the finite cells, or those in the complex. Verts and polys are numbered in CGAL's order. A
+///         triangulation of points in one plane has verts and no polys; a complex has the verts of its cells only.
+/// Cost:   O(vertices + cells) time. Memory: that of a tetmesh without its points, a handle per vert and poly, and hash
+///         tables of 36 to 72 bytes per vertex of the triangulation and per poly, which copies share.
 /// Errors: none of its own.
 template<class G, class D, class L>
 auto indexed(const CGAL::Triangulation_3<G, D, L>& t) {
-  return views::indexed_triangulation<CGAL::Triangulation_3<G, D, L>>(t, t.finite_vertex_handles(), t.finite_cells_begin(), t.finite_cells_end(),
-                                                                      t.dimension() < 3 ? 0 : t.number_of_finite_cells());
+  return views::indexed_triangulation<CGAL::Triangulation_3<G, D, L>>(
+      t, t.finite_vertex_handles(), t.finite_cells_begin(), t.finite_cells_end(),
+      t.dimension() < 3 ? 0 : t.number_of_finite_cells());
 }
 template<requirement::is_cgal_complex C>
 auto indexed(const C& c) {
   using triangulation = typename C::Triangulation;
-  return views::indexed_triangulation<triangulation>(c.triangulation(), std::vector<typename triangulation::Vertex_handle>(),
-                                                     c.cells_in_complex_begin(), c.cells_in_complex_end(), c.number_of_cells_in_complex());
+  return views::indexed_triangulation<triangulation>(
+      c.triangulation(), std::vector<typename triangulation::Vertex_handle>(), c.cells_in_complex_begin(),
+      c.cells_in_complex_end(), c.number_of_cells_in_complex());
 }
 template<class G, class D, class L> void indexed(const CGAL::Triangulation_3<G, D, L>&& t) = delete;  // give the mesh a name: auto m = ...;
 template<requirement::is_cgal_complex C> void indexed(const C&& c) = delete;  // give the mesh a name: auto m = ...;

@@ -1,5 +1,7 @@
-// A SparseSolver for symmetric positive definite systems: CHOLMOD's supernodal factorisation, with dense blocks on BLAS. It is the fastest for large systems.
-// Needs: CHOLMOD of SuiteSparse (Debian: libsuitesparse-dev); for full speed also a fast BLAS (Debian: libopenblas0-serial).
+// A SparseSolver for symmetric positive definite systems: CHOLMOD's supernodal factorisation, with dense blocks on
+// BLAS. It is the fastest for large systems.
+// Needs: CHOLMOD of SuiteSparse (Debian: libsuitesparse-dev); for full speed also a fast BLAS (Debian:
+//        libopenblas0-serial).
 #pragma once
 
 #include <concino/solve/checked_solver.hpp>
@@ -22,13 +24,15 @@ struct supernodal_factors : Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<doub
   void check_status(const char* during) {
     const int status = cholmod().status;
     if (!m_cholmodFactor || status < 0)
-      core::throw_joined<solver_error>({"cholmod: ", during, status == CHOLMOD_OUT_OF_MEMORY ? " ran out of memory" :
-                                  status == CHOLMOD_TOO_LARGE ? " needs more entries than 32-bit indices count" : " failed"});
+      core::throw_joined<solver_error>({"cholmod: ", during,
+                                        status == CHOLMOD_OUT_OF_MEMORY ? " ran out of memory"
+                                        : status == CHOLMOD_TOO_LARGE ? " needs more entries than 32-bit indices count"
+                                                                      : " failed"});
   }
 
-  /// Finds the elimination order, by approximate minimum degree or, if that gives a costly factorisation, by nested dissection. On grids the factors of
-  /// the latter take 1/3 to 1/2 as many operations, but finding it takes as long as some 4e5 operations per unknown.
-  /// Or takes a given one.
+  /// Finds the elimination order, by approximate minimum degree or, if that gives a costly factorisation, by nested
+  /// dissection. On grids the factors of the latter take 1/3 to 1/2 as many operations, but finding it takes as long as
+  /// some 4e5 operations per unknown. Or takes a given one.
   void analyse(const Eigen::SparseMatrix<double>& a, elimination_ordering ordering) {
     cholmod_common& c = cholmod();
     if (ordering) {
@@ -47,7 +51,8 @@ struct supernodal_factors : Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<doub
   }
 
   void analyse_in_order(const Eigen::SparseMatrix<double>& a, std::vector<int> order) {
-    if (order.size() != static_cast<std::size_t>(a.cols())) throw invalid_argument("the elimination ordering of a solver returned no permutation of its rows");
+    if (order.size() != static_cast<std::size_t>(a.cols()))
+      throw invalid_argument("the elimination ordering of a solver returned no permutation of its rows");
     cholmod_common& c = cholmod();
     c.method[0].ordering = CHOLMOD_GIVEN;
     c.nmethods = 1;
@@ -69,8 +74,10 @@ struct supernodal_factors : Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<doub
   /// Calls f(row of the matrix, its pivot) for all rows.
   template<class F>
   void for_each_pivot(F f) const {
-    const auto *const first = static_cast<const int*>(m_cholmodFactor->super), *const rows = static_cast<const int*>(m_cholmodFactor->pi),
-               *const values = static_cast<const int*>(m_cholmodFactor->px), *const row = static_cast<const int*>(m_cholmodFactor->Perm);
+    const auto *const first = static_cast<const int*>(m_cholmodFactor->super),
+                      *const rows = static_cast<const int*>(m_cholmodFactor->pi),
+                      *const values = static_cast<const int*>(m_cholmodFactor->px),
+                      *const row = static_cast<const int*>(m_cholmodFactor->Perm);
     for (std::size_t s = 0; s < m_cholmodFactor->nsuper; ++s) {
       const std::ptrdiff_t height = rows[s + 1] - rows[s];
       const double* x = static_cast<const double*>(m_cholmodFactor->x) + values[s];
@@ -82,14 +89,17 @@ struct supernodal_factors : Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<doub
 }  // namespace detail
 
 /// A SparseSolver that factorises a symmetric positive definite matrix as L L^T by dense blocks.
-/// Only the lower triangle of the matrix is read. The order is chosen as it factorises faster, or by options.ordering. If a matrix has the pattern of the previous one, explicit zeros included, the elimination order
-/// is reused. The speed depends on the BLAS: with OpenBLAS (Debian: libopenblas0-serial) some 6 times
-/// Eigen's speed at 200,000 unknowns, with the reference BLAS far less.
-/// Errors: factorize throws solver_error, with the reason, if the matrix is not square, has entries that are not finite or is not positive
-///         definite (the row is named), or if the factor is too large. invalid_argument or solver_error if options.ordering returns no permutation. solve throws solver_error if there is no factorised matrix, the right-hand side has
-///         another size, or an entry of it or of the solution is not finite. After a failed factorize there is no factorised matrix.
-/// Source: Chen, Davis, Hager, Rajamanickam, Algorithm 887, 2008, through Eigen's CholmodSupport; nested dissection: Karypis, Kumar 1998, METIS. The
-///         supernodal module is under the GPL.
+/// Only the lower triangle of the matrix is read. The order is chosen as it factorises faster, or by options.ordering.
+/// If a matrix has the pattern of the previous one, explicit zeros included, the elimination order is reused. The speed
+/// depends on the BLAS: with OpenBLAS (Debian: libopenblas0-serial) some 6 times Eigen's speed at 200,000 unknowns,
+/// with the reference BLAS far less.
+/// Errors: factorize throws solver_error, with the reason, if the matrix is not square, has entries that are not finite
+///         or is not positive definite (the row is named), or if the factor is too large. invalid_argument or
+///         solver_error if options.ordering returns no permutation. solve throws solver_error if there is no factorised
+///         matrix, the right-hand side has another size, or an entry of it or of the solution is not finite. After a
+///         failed factorize there is no factorised matrix.
+/// Source: Chen, Davis, Hager, Rajamanickam, Algorithm 887, 2008, through Eigen's CholmodSupport; nested dissection:
+///         Karypis, Kumar 1998, METIS. The supernodal module is under the GPL.
 class cholmod {
   direct_solver_options options_;
   detail::supernodal_factors factors_;
@@ -121,9 +131,10 @@ class cholmod {
   void check_pivots(const Eigen::SparseMatrix<double>& a) const {
     const std::vector<double> input_diagonal = core::diagonal(a);
     if (const Eigen::Index row = factors_.failed_row(); row >= 0)
-      core::throw_joined<solver_error>({"cholmod: the matrix is not positive definite in row ", static_cast<std::size_t>(row),
-                                          ": elimination turns the diagonal entry ",
-                                          core::number_text(input_diagonal[static_cast<std::size_t>(row)]), " into one that is not positive"});
+      core::throw_joined<solver_error>({"cholmod: the matrix is not positive definite in row ",
+                                        static_cast<std::size_t>(row), ": elimination turns the diagonal entry ",
+                                        core::number_text(input_diagonal[static_cast<std::size_t>(row)]),
+                                        " into one that is not positive"});
     factors_.for_each_pivot([&](Eigen::Index row, double pivot) {
       const double diagonal = input_diagonal[static_cast<std::size_t>(row)];
       if (!(pivot > 1e-15 * diagonal && pivot < std::numeric_limits<double>::infinity()))

@@ -10,7 +10,8 @@ namespace concino {
 
 /// Checks a mesh type with one of its meshes, in a test case of doctest.
 /// Needs:  as conformance.
-/// Result: none; the test case fails, with the report as its message, unless conformance(make, options) finds no violation.
+/// Result: none; the test case fails, with the report as its message, unless conformance(make, options) finds no
+///         violation.
 /// Cost:   as conformance.
 /// Errors: as conformance.
 template<class Make, class M = std::remove_cvref_t<std::invoke_result_t<const Make&>>>

@@ -1,4 +1,5 @@
-// Adapter for meshes in Eigen matrices, as in libigl: V has a row of coordinates per vert; F has a row of indices per poly.
+// Adapter for meshes in Eigen matrices, as in libigl: V has a row of coordinates per vert; F has a row of indices per
+// poly.
 //
 //   Eigen::MatrixXd V;  Eigen::MatrixXi F;
 //   auto tri = cn::view_tri(V, F);                                 // also view_quad, view_tet, view_hex
@@ -6,12 +7,13 @@
 //   V.col(2) *= 2;                                                 // tri has the new coordinates
 //   auto poly = cn::view_polygons(V, offsets, indices);            // and view_polyhedra: vectors of integers
 //
-// Supported: Matrix and Array, row-major or column-major, of fixed or dynamic size, of floats or doubles and of any integers; Map and
-// Ref; and, as named variables, Block, Transpose and other expressions that refer to storage:
+// Supported: Matrix and Array, row-major or column-major, of fixed or dynamic size, of floats or doubles and of any
+// integers; Map and Ref; and, as named variables, Block, Transpose and other expressions that refer to storage:
 //
 //   auto points = V3xN.transpose();  auto tris = F3xN.transpose();  auto tri = cn::view_tri(points, tris);
 //
-// A Matrix is stored by address, so its memory may be reallocated (V = smoothed(V)); of the others the memory address is stored.
+// A Matrix is stored by address, so its memory may be reallocated (V = smoothed(V)); of the others the memory address
+// is stored.
 // Needs: Eigen 3.4 (Debian: libeigen3-dev).
 #pragma once
 
@@ -30,21 +32,26 @@ namespace concino::detail {
 template<class X> X eigen_type(const Eigen::DenseBase<X>&);
 /// The Eigen type of A, which may be a class that the user derived from it.
 template<class A> using eigen_in = decltype(detail::eigen_type(std::declval<const A&>()));
-template<class A> concept eigen_array = requires { typename eigen_in<A>; } && (eigen_in<A>::Flags & Eigen::DirectAccessBit) != 0;
+template<class A> concept eigen_array = requires { typename eigen_in<A>; }
+&&(eigen_in<A>::Flags& Eigen::DirectAccessBit) != 0;
 
 template<class X> inline constexpr bool is_eigen_pointer = false;
 template<class X, int A, class S> inline constexpr bool is_eigen_pointer<Eigen::Map<X, A, S>> = true;
 // A Ref to const may own a copy of its argument, so it must be a named variable.
 template<class X, int A, class S> inline constexpr bool is_eigen_pointer<Eigen::Ref<X, A, S>> = !std::is_const_v<X>;
 
-constexpr std::ptrdiff_t eigen_step(int at_compile_time) { return at_compile_time == Eigen::Dynamic ? 0 : at_compile_time; }
+constexpr std::ptrdiff_t eigen_step(int at_compile_time) {
+  return at_compile_time == Eigen::Dynamic ? 0 : at_compile_time;
+}
 
-/// The storage of the numbers of an array. X is its Eigen type, T the type of its numbers, const if they are read-only. Flat: a
-/// row or column vector, used as a list of consecutive numbers.
+/// The storage of the numbers of an array. X is its Eigen type, T the type of its numbers, const if they are read-only.
+/// Flat: a row or column vector, used as a list of consecutive numbers.
 template<class X, class T, bool Flat>
 class eigen_layout {
-  static constexpr std::ptrdiff_t inner = eigen_step(X::InnerStrideAtCompileTime), outer = eigen_step(X::OuterStrideAtCompileTime);
-  static constexpr std::ptrdiff_t inner_row_stride = X::IsRowMajor ? outer : inner, inner_column_stride = X::IsRowMajor ? inner : outer;
+  static constexpr std::ptrdiff_t inner = eigen_step(X::InnerStrideAtCompileTime),
+                                  outer = eigen_step(X::OuterStrideAtCompileTime);
+  static constexpr std::ptrdiff_t inner_row_stride = X::IsRowMajor ? outer : inner,
+                                  inner_column_stride = X::IsRowMajor ? inner : outer;
   using matrix = std::conditional_t<std::is_const_v<T>, const X, X>;
   struct storage {
     T* start;

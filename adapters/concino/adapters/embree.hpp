@@ -44,7 +44,8 @@ class embree_caster {
   }
 
   template<class T>
-  static void fill(RTCDevice device, RTCGeometry geometry, RTCBufferType type, RTCFormat format, const std::vector<T>& data) {
+  static void fill(RTCDevice device, RTCGeometry geometry, RTCBufferType type, RTCFormat format,
+                   const std::vector<T>& data) {
     if (data.empty()) return;
     void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), data.size());
     check(device, "creating a buffer");
@@ -54,11 +55,12 @@ class embree_caster {
 
  public:
   /// Needs:  finite points; indices below the number of points.
-  /// Result: the same hits on every run, unless the build is parallel: Embree then groups the triangles in another order each time, and a ray
-  ///         through a shared edge may hit either triangle.
+  /// Result: the same hits on every run, unless the build is parallel: Embree then groups the triangles in another
+  ///         order each time, and a ray through a shared edge may hit either triangle.
   /// Cost:   O(n log n), on one core, or with all cores if the build is parallel.
   /// Errors: unsupported if Embree cannot run here, std::bad_alloc.
-  explicit embree_caster(const triangle_soup& soup, bool parallel_build = false) : device_(rtcNewDevice(parallel_build ? nullptr : "threads=1")) {
+  explicit embree_caster(const triangle_soup& soup, bool parallel_build = false)
+      : device_(rtcNewDevice(parallel_build ? nullptr : "threads=1")) {
     check(device_.get(), "starting");
     if (!device_) throw unsupported("embree: Embree cannot be started: rtcNewDevice returns no device");
     scene_.reset(rtcNewScene(device_.get()));
@@ -86,7 +88,8 @@ class embree_caster {
     query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(scene_.get(), &context, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-    return {query.hit.primID, static_cast<double>(query.hit.u), static_cast<double>(query.hit.v), static_cast<double>(query.ray.tfar)};
+    return {query.hit.primID, static_cast<double>(query.hit.u), static_cast<double>(query.hit.v),
+            static_cast<double>(query.ray.tfar)};
   }
 
   bool occluded(const vec3& origin, const vec3& direction, double t_near, double t_far) const {
@@ -115,7 +118,8 @@ class embree_caster {
 
 /// The ray tracer to pass to render, best_view and ambient_occlusion.
 struct embree {
-  bool parallel_build = false;  // uses all cores to prepare for rays; pictures may then differ at single pixels from run to run
+  bool parallel_build = false;  // uses all cores to prepare for rays; pictures may then differ at single pixels from
+                                // run to run
 
   embree_caster build(const triangle_soup& soup) const { return embree_caster(soup, parallel_build); }
 };

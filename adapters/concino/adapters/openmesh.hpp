@@ -1,14 +1,17 @@
-// Adapter for OpenMesh: every polygon and triangle mesh of OpenMesh, whatever its traits, and every class derived from one,
-// is a SurfaceMesh. The descriptors are OpenMesh's own handles, and nothing is copied. as_map(mesh, handle) makes a map of a property.
+// Adapter for OpenMesh: every polygon and triangle mesh of OpenMesh, whatever its traits, and every class derived from
+// one, is a SurfaceMesh. The descriptors are OpenMesh's own handles, and nothing is copied. as_map(mesh, handle) makes
+// a map of a property.
 //
-// Elements that are deleted but not yet collected as garbage are skipped; hidden ones are not, since hiding concerns only display. num_verts and
-// its siblings count what is left, in time proportional to all. Polys that touch only at a vert are all in the rings of that vert, since
-// OpenMesh links their borders. OpenMesh cannot represent edges of more than two polys.
-// Meshes with points in space are editable: all operators of <concino/edit.hpp> work on them. What OpenMesh cannot represent is refused with the reason. Properties
-// stay at elements that keep their handles; new ones have default values, but a new edge that takes the handle of a removed one also takes its values. No value is
-// interpolated, as property_rule says for properties of native meshes: write those of new elements after an edit, which returns them.
-// Transactions undo what functions of this library change. Removed elements come back with their handles and values. Values that are written in a transaction are
-// not undone, and redo() gives new elements default values. A copy of a mesh has no edits that can be undone.
+// Elements that are deleted but not yet collected as garbage are skipped; hidden ones are not, since hiding concerns
+// only display. num_verts and its siblings count what is left, in time proportional to all. Polys that touch only at a
+// vert are all in the rings of that vert, since OpenMesh links their borders. OpenMesh cannot represent edges of more
+// than two polys. Meshes with points in space are editable: all operators of <concino/edit.hpp> work on them. What
+// OpenMesh cannot represent is refused with the reason. Properties stay at elements that keep their handles; new ones
+// have default values, but a new edge that takes the handle of a removed one also takes its values. No value is
+// interpolated, as property_rule says for properties of native meshes: write those of new elements after an edit, which
+// returns them. Transactions undo what functions of this library change. Removed elements come back with their handles
+// and values. Values that are written in a transaction are not undone, and redo() gives new elements default values. A
+// copy of a mesh has no edits that can be undone.
 // Needs: OpenMesh (Debian: libopenmesh-dev).
 #pragma once
 
@@ -37,24 +40,31 @@ template<class M> inline constexpr int openmesh_arity = std::derived_from<M, Ope
 /// The editing of meshes with points in space.
 template<class M>
 using openmesh_editing =
-    std::conditional_t<(openmesh_coordinates<M> >= 3), halfedge_editing<openmesh_kernel<typename openmesh_point<M>::type>, openmesh_arity<M>>, no_halfedge_editing>;
+    std::conditional_t<(openmesh_coordinates<M> >= 3),
+                       halfedge_editing<openmesh_kernel<typename openmesh_point<M>::type>, openmesh_arity<M>>,
+                       no_halfedge_editing>;
 
 }  // namespace detail
 
 template<std::derived_from<OpenMesh::PolyConnectivity> M>
-struct mesh_traits<M> : halfedge_kernel<OpenMesh::PolyConnectivity, detail::openmesh_links>, detail::openmesh_editing<M> {
+struct mesh_traits<M> : halfedge_kernel<OpenMesh::PolyConnectivity, detail::openmesh_links>,
+                        detail::openmesh_editing<M> {
   using vert = OpenMesh::VertexHandle;
   using poly = OpenMesh::FaceHandle;
   static constexpr int arity = detail::openmesh_arity<M>;
 
   // Points may be of any type with x[0], x[1], x[2]; those of the plane have z = 0.
   static decltype(auto) point(const M& m, vert v) requires(detail::openmesh_coordinates<M> >= 3) { return m.point(v); }
-  static vec3 point(const M& m, vert v) requires(detail::openmesh_coordinates<M> == 2) { return {m.point(v)[0], m.point(v)[1], 0}; }
+  static vec3 point(const M& m, vert v) requires(detail::openmesh_coordinates<M> == 2) {
+    return {m.point(v)[0], m.point(v)[1], 0};
+  }
   template<class X>
     requires(detail::openmesh_coordinates<M> >= 3)
   static void set_point(M& m, vert v, const X& x) {
-    if (auto* const recorder = detail::halfedge_recorder_of<kernel>(m)) recorder->save_point(static_cast<unsigned>(v.idx()));
-    kernel::assign_point(detail::openmesh_property(m.vprops_begin(), m.points_property_handle())[v.idx()], x);  // allocates no memory
+    if (auto* const recorder = detail::halfedge_recorder_of<kernel>(m))
+      recorder->save_point(static_cast<unsigned>(v.idx()));
+    // allocates no memory
+    kernel::assign_point(detail::openmesh_property(m.vprops_begin(), m.points_property_handle())[v.idx()], x);
   }
 
   static poly add_poly(M& m, std::span<const vert> corners) {
@@ -68,13 +78,15 @@ struct mesh_traits<M> : halfedge_kernel<OpenMesh::PolyConnectivity, detail::open
     detail::count_edit(before);
     return p;
   }
-  // OpenMesh deletes by status attributes. If the mesh has none, they are requested, as users of OpenMesh do themselves.
+  // OpenMesh deletes by status attributes. If the mesh has none, they are requested, as users of OpenMesh do
+  // themselves.
   static void reserve_removal(M& m, std::span<const poly>) {
     detail::openmesh_status::request_of_verts(m);
     detail::openmesh_status::request_of_edges_and_polys(m);
   }
   static void remove_poly(M& m, poly p) {
-    if constexpr (detail::openmesh_coordinates<M> >= 3) return detail::remove_poly_by_rewire(m, p);  // OpenMesh allocates memory while it removes
+    // OpenMesh allocates memory while it removes
+    if constexpr (detail::openmesh_coordinates<M> >= 3) return detail::remove_poly_by_rewire(m, p);
     detail::openmesh_status::request_of_edges_and_polys(m);
     m.OpenMesh::PolyConnectivity::delete_face(p, false);
   }
@@ -112,20 +124,23 @@ class openmesh_map {
 
 namespace requirement {
 
-template<class P> concept is_openmesh_property = std::same_as<P, OpenMesh::VPropHandleT<typename P::Value>> ||
-    std::same_as<P, OpenMesh::EPropHandleT<typename P::Value>> || std::same_as<P, OpenMesh::FPropHandleT<typename P::Value>>;
+template<class P>
+concept is_openmesh_property = std::same_as<P, OpenMesh::VPropHandleT<typename P::Value>> ||
+    std::same_as<P, OpenMesh::EPropHandleT<typename P::Value>> ||
+    std::same_as<P, OpenMesh::FPropHandleT<typename P::Value>>;
 
 }  // namespace requirement
 
-/// A property of verts, edges or faces as a map, u = as_map(m, handle): u[v] is the mesh's own value, writable unless m is
-/// const. An OpenMesh::PropertyManager is already such a map.
+/// A property of verts, edges or faces as a map, u = as_map(m, handle): u[v] is the mesh's own value, writable unless m
+/// is const. An OpenMesh::PropertyManager is already such a map.
 /// Needs:  the property stays in the mesh while the map is used.
 /// Result: a map by the handles of verts, edges or faces. Copies of it are the same map.
 /// Cost:   none; nothing is copied.
 /// Errors: invalid_argument if the handle belongs to no property.
 template<std::derived_from<OpenMesh::BaseKernel> M, requirement::is_openmesh_property P>
 auto as_map(M& m, const P& handle) {
-  if (!handle.is_valid()) throw invalid_argument("as_map: the property handle is not valid; add the property to the mesh first");
+  if (!handle.is_valid())
+    throw invalid_argument("as_map: the property handle is not valid; add the property to the mesh first");
   auto& property = m.property(handle);
   return openmesh_map<typename P::Handle, std::remove_reference_t<decltype(property)>>(property);
 }

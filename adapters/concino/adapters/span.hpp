@@ -1,14 +1,15 @@
-// Adapter for meshes in plain arrays: std::span, and, as named variables, std::vector, std::array and all else from which a span can be made.
+// Adapter for meshes in plain arrays: std::span, and, as named variables, std::vector, std::array and all else from
+// which a span can be made.
 //
-//   std::vector<double> xyz;  std::vector<int> corners;                    // three numbers per point; three, four or eight per poly
-//   auto tri = cn::view_tri(xyz, corners);                                 // also view_quad, view_tet, view_hex
-//   std::span<const std::array<float, 3>> p;  std::span<const std::array<unsigned, 4>> t;
+//   std::vector<double> xyz;  std::vector<int> corners;                    // three numbers per point; three, four or
+//   eight per poly auto tri = cn::view_tri(xyz, corners);                                 // also view_quad, view_tet,
+//   view_hex std::span<const std::array<float, 3>> p;  std::span<const std::array<unsigned, 4>> t;
 //   auto tet = cn::view_tet(p, t);                                         // or arrays of points and of lists
 //   auto poly = cn::view_polygons(points, offsets, indices);               // and view_polyhedra
 //
-// Points are floats or doubles in groups of three, std::array of two (z is 0) or three, or any type with p[0], p[1], p[2]. Lists of verts are
-// integers of any type, in groups of three, four or eight, or std::array of as many. A container is stored by address, so its memory may be
-// reallocated (xyz = smoothed(xyz)); a span is stored by value.
+// Points are floats or doubles in groups of three, std::array of two (z is 0) or three, or any type with p[0], p[1],
+// p[2]. Lists of verts are integers of any type, in groups of three, four or eight, or std::array of as many. A
+// container is stored by address, so its memory may be reallocated (xyz = smoothed(xyz)); a span is stored by value.
 // Needs: the standard library only.
 #pragma once
 
@@ -38,7 +39,11 @@ class span_storage {
   std::conditional_t<is_span<std::remove_const_t<A>>, std::remove_const_t<A>, A*> kept_;
 
  public:
-  explicit span_storage(A& a) : kept_([&] { if constexpr (is_span<std::remove_const_t<A>>) return a; else return &a; }()) {}
+  explicit span_storage(A& a)
+      : kept_([&] {
+          if constexpr (is_span<std::remove_const_t<A>>) return a;
+          else return &a;
+        }()) {}
   auto get() const {
     if constexpr (is_span<std::remove_const_t<A>>) return kept_;
     else return std::span(*kept_);

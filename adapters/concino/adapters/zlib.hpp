@@ -15,7 +15,8 @@ namespace concino {
 
 /// Decompresses zlib data.
 /// Needs:  n bytes at `from`, room for `size` bytes at `to`.
-/// Result: whether the data are valid and have exactly this size; else what is at `to` is unspecified.      Cost: O(n + size).
+/// Result: whether the data are valid and have exactly this size; else what is at `to` is unspecified.      Cost: O(n +
+///         size).
 /// Errors: none.
 inline bool zlib_inflate(const unsigned char* from, std::size_t n, unsigned char* to, std::size_t size) {
   uLong used = static_cast<uLong>(n);

@@ -1,4 +1,5 @@
-// The result of convert_with_correspondence(): a mesh, and the correspondence between its elements and those of the original.
+// The result of convert_with_correspondence(): a mesh, and the correspondence between its elements and those of the
+// original.
 #pragma once
 
 #include <concino/concepts/end_verts.hpp>
@@ -28,8 +29,8 @@ struct face_if_any<M> { using type = face_t<M>; };
 
 }  // namespace detail
 
-/// A converted mesh with its correspondence to the original, which is valid as long as neither mesh is changed. The original must stay in place;
-/// if it is a view, a copy of the view is stored.
+/// A converted mesh with its correspondence to the original, which is valid as long as neither mesh is changed. The
+/// original must stay in place; if it is a view, a copy of the view is stored.
 template<class To, class From>
 class conversion {
   using source_face = typename detail::face_if_any<From>::type;
@@ -37,7 +38,8 @@ class conversion {
 
   vert_map<From, vert_t<To>> verts_;
   poly_map<From, poly_t<To>> polys_;
-  std::vector<std::uint32_t> faces_;  // by index of a face: its number in the new mesh, if the new mesh numbers faces as they were passed
+  std::vector<std::uint32_t> faces_;  // by index of a face: its number in the new mesh, if the new mesh numbers faces
+                                      // as they were passed
 
   /// By index of an element of the new mesh: the index of the corresponding element of the original.
   template<class R, class Of>
@@ -50,14 +52,17 @@ class conversion {
  public:
   To mesh;
 
-  conversion(To result, vert_map<From, vert_t<To>> vert_names, poly_map<From, poly_t<To>> poly_names, std::vector<std::uint32_t> face_numbers = {})
-      : verts_(std::move(vert_names)), polys_(std::move(poly_names)), faces_(std::move(face_numbers)), mesh(std::move(result)) {}
+  conversion(To result, vert_map<From, vert_t<To>> vert_names, poly_map<From, poly_t<To>> poly_names,
+             std::vector<std::uint32_t> face_numbers = {})
+      : verts_(std::move(vert_names)), polys_(std::move(poly_names)), faces_(std::move(face_numbers)),
+        mesh(std::move(result)) {}
 
   const From& from() const { return verts_.mesh(); }
   const vert_t<To>& vert_of(const vert_t<From>& v) const { return verts_[v]; }
   const poly_t<To>& poly_of(const poly_t<From>& p) const { return polys_[p]; }
 
-  /// The edge of the new mesh that corresponds to e. Searches the edges at one of its verts.      Cost: O(number of edges there).
+  /// The edge of the new mesh that corresponds to e. Searches the edges at one of its verts.      Cost: O(number of
+  /// edges there).
   edge_t<To> edge_of(const edge_t<From>& e) const {
     const auto ends = end_verts(from(), e);
     const vert_t<To> a = vert_of(ends.first), b = vert_of(ends.second);
@@ -69,8 +74,8 @@ class conversion {
     return edge_t<To>();
   }
 
-  /// The face of the new mesh that corresponds to f. Unless the numbers of faces are known, searches the faces at one of its verts for one with
-  /// the same verts.      Cost: O(number of faces there).
+  /// The face of the new mesh that corresponds to f. Unless the numbers of faces are known, searches the faces at one
+  /// of its verts for one with the same verts.      Cost: O(number of faces there).
   face face_of(const source_face& f) const
     requires(dimension_v<From> == 3)
   {
@@ -99,16 +104,19 @@ class conversion {
   }
   element_origins face_origins() const {
     // Surfaces have no faces.
-    if constexpr (dimension_v<From> == 3) return origins(faces(from()), face_index_bound(mesh), [&](const auto& x) { return face_of(x); });
+    if constexpr (dimension_v<From> == 3)
+      return origins(faces(from()), face_index_bound(mesh), [&](const auto& x) { return face_of(x); });
     else return {};
   }
   element_origins poly_origins() const {
     return origins(polys(from()), poly_index_bound(mesh), [&](const auto& x) { return poly_of(x); });
   }
-  concino::correspondence correspondence() const { return {vert_origins(), edge_origins(), face_origins(), poly_origins()}; }
+  concino::correspondence correspondence() const {
+    return {vert_origins(), edge_origins(), face_origins(), poly_origins()};
+  }
 
-  /// Copies values to a map on the new mesh: to[vert_of(v)] = from_map[v] for all verts, or the same for edges, faces or polys if `from_map` is a
-  /// map on these.
+  /// Copies values to a map on the new mesh: to[vert_of(v)] = from_map[v] for all verts, or the same for edges, faces
+  /// or polys if `from_map` is a map on these.
   template<class A, class B>
     requires(ReadableMap<A, vert_t<From>>)
   void transfer(const A& from_map, B&& to) const {

@@ -29,11 +29,14 @@ struct convert_options {
 namespace requirement {
 
 /// A mesh that convert() can construct: from flat arrays, or by adding verts and polys one by one.
-template<class To> concept is_constructible_from_arrays = concino::detail::from_surface<To> || concino::detail::from_cells<To> || concino::detail::from_polyhedra<To>;
-template<class To> concept is_built_by_adding = std::default_initializable<To> && has_add_vert<To> && has_add_poly<To> &&
+template<class To>
+concept is_constructible_from_arrays =
+    concino::detail::from_surface<To> || concino::detail::from_cells<To> || concino::detail::from_polyhedra<To>;
+template<class To>
+concept is_built_by_adding = std::default_initializable<To> && has_add_vert<To> && has_add_poly<To> &&
     (dimension_v<To> == 2 || arity_v<To> == 4 || arity_v<To> == 8);
-template<class To, class From>
-concept can_be_converted_from = AnyMesh<To> && EmbeddedMesh<From> && dimension_v<To> == dimension_v<From> && (is_constructible_from_arrays<To> || is_built_by_adding<To>);
+template<class To, class From> concept can_be_converted_from = AnyMesh<To> && EmbeddedMesh<From> && dimension_v<To>
+== dimension_v<From> && (is_constructible_from_arrays<To> || is_built_by_adding<To>);
 
 }  // namespace requirement
 
@@ -62,13 +65,15 @@ conversion<To, From> convert_by_arrays(const From& m) {
       a.arity = static_cast<std::uint32_t>(arity_v<To>);
       a.points = copy_points(m);
       a.verts.reserve(a.arity * num_polys(m));
-      for_each_cell(m, vert_number, a.arity, [&](const poly_t<From>&, const vert_id* corners) { a.verts.insert(a.verts.end(), corners, corners + a.arity); });
+      for_each_cell(m, vert_number, a.arity, [&](const poly_t<From>&, const vert_id* corners) {
+        a.verts.insert(a.verts.end(), corners, corners + a.arity);
+      });
       return To(std::move(a));
     }
   };
   To mesh = construct();
-  return {std::move(mesh), numbered_as_walked(make_vert_map<vert_t<To>>(m), verts(m)), numbered_as_walked(make_poly_map<poly_t<To>>(m), polys(m)),
-          std::move(face_number)};
+  return {std::move(mesh), numbered_as_walked(make_vert_map<vert_t<To>>(m), verts(m)),
+          numbered_as_walked(make_poly_map<poly_t<To>>(m), polys(m)), std::move(face_number)};
 }
 
 template<class To, class From>
@@ -82,7 +87,8 @@ conversion<To, From> convert_by_adding(const From& m) {
     try {
       poly_names[p] = add_poly(mesh, std::span<const vert_t<To>>(corners));
     } catch (const invalid_mesh& refused) {
-      core::throw_joined<unsupported>({"convert: the wanted mesh cannot hold poly ", index_of(m, p), ": ", refused.what()});
+      core::throw_joined<unsupported>(
+          {"convert: the wanted mesh cannot hold poly ", index_of(m, p), ": ", refused.what()});
     }
   };
   constexpr auto arity = static_cast<std::uint32_t>(arity_v<To>);
@@ -90,15 +96,17 @@ conversion<To, From> convert_by_adding(const From& m) {
     for (const poly_t<From> p : polys(m)) {
       corners.clear();
       for (const vert_t<From> v : adj_p2v(m, p)) corners.push_back(vert_names[v]);
-      if (arity != 0 && corners.size() != arity) throw_wrong_arity(false, index_of(m, p), core::joined({"has ", corners.size(), " verts"}), arity);
+      if (arity != 0 && corners.size() != arity)
+        throw_wrong_arity(false, index_of(m, p), core::joined({"has ", corners.size(), " verts"}), arity);
       add(p);
     }
   } else {
-    for_each_cell(m, numbered(m, verts(m), vert_index_bound(m)), arity, [&](const poly_t<From>& p, const vert_id* known) {
-      corners.clear();
-      for (std::uint32_t i = 0; i < arity; ++i) corners.push_back(by_number[known[i].raw()]);
-      add(p);
-    });
+    for_each_cell(m, numbered(m, verts(m), vert_index_bound(m)), arity,
+                  [&](const poly_t<From>& p, const vert_id* known) {
+                    corners.clear();
+                    for (std::uint32_t i = 0; i < arity; ++i) corners.push_back(by_number[known[i].raw()]);
+                    add(p);
+                  });
   }
   return {std::move(mesh), std::move(vert_names), std::move(poly_names)};
 }
@@ -114,12 +122,14 @@ void convert_properties(conversion<To, From>& c, convert_report& report) {
       if (source.has(element_kind::face)) of.faces = c.face_origins();
       if (source.has(element_kind::poly)) of.polys = c.poly_origins();
       if constexpr (NumbersCorners<From> && NumbersCorners<To>)
-        if (source.has(element_kind::corner)) of.corners = match_corners(c.from(), c.mesh, c.vert_origins(), c.poly_origins());
+        if (source.has(element_kind::corner))
+          of.corners = match_corners(c.from(), c.mesh, c.vert_origins(), c.poly_origins());
       traits<To>::properties(c.mesh).transfer(source, of);
     } else {
       for (const property_info& p : property_list(c.from()))
-        report.lost.push_back(core::joined({to_string(p.kind), " property \"", p.name,
-                                              "\": the wanted mesh holds no named properties; transfer() takes values to a map"}));
+        report.lost.push_back(
+            core::joined({to_string(p.kind), " property \"", p.name,
+                          "\": the wanted mesh holds no named properties; transfer() takes values to a map"}));
     }
   }
 }
@@ -128,8 +138,9 @@ void convert_properties(conversion<To, From>& c, convert_report& report) {
 
 /// Converts m to a mesh of type To, and returns the correspondence between the elements too.
 /// Needs:  as convert; m is not a temporary, and stays in place as long as elements of the result are looked up.
-/// Result: c.mesh is the new mesh. c.vert_of(v), c.edge_of(e), c.face_of(f) and c.poly_of(p) are its elements that correspond to elements of m.
-///         c.transfer(map, map_of_the_new_mesh) copies the values of maps. c.correspondence() is the correspondence by indices.
+/// Result: c.mesh is the new mesh. c.vert_of(v), c.edge_of(e), c.face_of(f) and c.poly_of(p) are its elements that
+///         correspond to elements of m. c.transfer(map, map_of_the_new_mesh) copies the values of maps.
+///         c.correspondence() is the correspondence by indices.
 /// Cost:   as convert.
 /// Errors: as convert.
 template<class To, class M>
@@ -149,13 +160,15 @@ conversion<To, std::remove_cvref_t<M>> convert_with_correspondence(M&& m, const 
 }
 
 /// Converts m to a mesh of type To: auto polygons = convert<polygonmesh>(m).
-/// Needs:  EmbeddedMesh M and a To of the same dimension. To is one of the six native meshes, which are constructed from flat arrays, or can add
-///         verts and polys (in volumes tets or hexes): OpenMesh, CGAL::Surface_mesh, a mesh of yours with add_vert and add_poly.
-/// Result: a To. Verts, polys and, in a polyhedralmesh, faces are numbered in the order of m, without gaps for deleted elements. Named properties
-///         of native meshes, and of submesh() and with_points() of them, are transferred under their names.
+/// Needs:  EmbeddedMesh M and a To of the same dimension. To is one of the six native meshes, which are constructed
+///         from flat arrays, or can add verts and polys (in volumes tets or hexes): OpenMesh, CGAL::Surface_mesh, a
+///         mesh of yours with add_vert and add_poly.
+/// Result: a To. Verts, polys and, in a polyhedralmesh, faces are numbered in the order of m, without gaps for deleted
+///         elements. Named properties of native meshes, and of submesh() and with_points() of them, are transferred
+///         under their names.
 /// Cost:   O(elements) time and memory; for properties of edges or faces, times the edges or faces at a vert.
-/// Errors: unsupported that names the poly which a To cannot hold: of another size, not a tet or hex, or refused by the library of To. m is not
-///         changed. cancelled.
+/// Errors: unsupported that names the poly which a To cannot hold: of another size, not a tet or hex, or refused by the
+///         library of To. m is not changed. cancelled.
 template<class To, class M>
   requires requirement::can_be_converted_from<To, M>
 To convert(const M& m, const convert_options& options = {}) {

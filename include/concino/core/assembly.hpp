@@ -1,4 +1,5 @@
-// Assembly of a sparse matrix from edge weights, directly into compressed columns: no list of triplets, each weight is read when it is needed.
+// Assembly of a sparse matrix from edge weights, directly into compressed columns: no list of triplets, each weight is
+// read when it is needed.
 #pragma once
 
 #include <concino/concepts/primal_graph.hpp>
@@ -14,7 +15,8 @@ namespace concino::core {
 /// Sorts a column by row. Most columns are short, but those of verts with many neighbours are long; both are fast.
 void sort_column(int* rows, double* values, std::size_t n);
 
-/// Allocates a matrix whose array `a.outerIndexPtr()` has the number of entries of each column, from the second place on.
+/// Allocates a matrix whose array `a.outerIndexPtr()` has the number of entries of each column, from the second place
+/// on.
 /// Errors: unsupported if 32-bit indices cannot count the entries.
 void make_room_for_counted(Eigen::SparseMatrix<double>& a);
 
@@ -31,11 +33,13 @@ struct lower_triangle {
   static constexpr bool wants(int row, int column) { return row >= column; }
 };
 
-/// The matrix with `sign` times the sum of the weights at a vert on the diagonal, and minus `sign` times the weights off the diagonal.
-/// column(v) is the row and column of vert v, negative if it has none: such a neighbour adds to the diagonal and is reported to
-/// outside(column of v, neighbour, weight), by several threads for different v. Part selects the triangle. Verts may come in any order.
+/// The matrix with `sign` times the sum of the weights at a vert on the diagonal, and minus `sign` times the weights
+/// off the diagonal. column(v) is the row and column of vert v, negative if it has none: such a neighbour adds to the
+/// diagonal and is reported to outside(column of v, neighbour, weight), by several threads for different v. Part
+/// selects the triangle. Verts may come in any order.
 template<class Part, class M, class W, class Column, class Outside>
-Eigen::SparseMatrix<double> assemble(const M& m, const W& weights, std::size_t size, double sign, const Column& column, const Outside& outside) {
+Eigen::SparseMatrix<double> assemble(const M& m, const W& weights, std::size_t size, double sign, const Column& column,
+                                     const Outside& outside) {
   check_rows(size);
   Eigen::SparseMatrix<double> a(static_cast<Eigen::Index>(size), static_cast<Eigen::Index>(size));
   int* const begin = a.outerIndexPtr();

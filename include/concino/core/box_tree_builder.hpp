@@ -1,6 +1,8 @@
-// Groups boxes into a binary tree from the top: each node is split to minimise the expected cost of queries (surface area), in time O(n log n) for any
-// input. The trees of <concino/geometry/bounding_tree.hpp> and of <concino/render/box_tree_tracer.hpp> are built by it.
-// Source: MacDonald and Booth 1990 for the measure (surface area heuristic); Wald 2007, "On fast construction of SAH-based bounding volume
+// Groups boxes into a binary tree from the top: each node is split to minimise the expected cost of queries (surface
+// area), in time O(n log n) for any input. The trees of <concino/geometry/bounding_tree.hpp> and of
+// <concino/render/box_tree_tracer.hpp> are built by it.
+// Source: MacDonald and Booth 1990 for the measure (surface area heuristic); Wald 2007, "On fast construction of
+//         SAH-based bounding volume
 // hierarchies", for the restriction to a few split positions.
 #pragma once
 
@@ -108,7 +110,8 @@ class box_tree_builder {
     }
     if (best == 0 || !(least > 0)) return halve(r, axis);
     const auto begin = items_.begin();
-    const auto middle = std::partition(begin + r.first, begin + r.last, [&](const box_item& item) { return bin_of(item) < best; });
+    const auto middle =
+        std::partition(begin + r.first, begin + r.last, [&](const box_item& item) { return bin_of(item) < best; });
     return static_cast<std::uint32_t>(middle - begin);
   }
 
@@ -134,12 +137,13 @@ class box_tree_builder {
   }
 
  public:
-  box_tree_builder(std::vector<box_item>& items, std::uint32_t leaf_size) : items_(items), leaf_size_(leaf_size), free_levels_(16) {
+  box_tree_builder(std::vector<box_item>& items, std::uint32_t leaf_size)
+      : items_(items), leaf_size_(leaf_size), free_levels_(16) {
     for (std::size_t n = items.size(); n > 1; n /= 2) free_levels_ += 2;
   }
 
-  /// The nodes, children after their parents; sorts the items by leaf. `count` of a leaf is the number of its items, and `first` the first one. `count` of an
-  /// inner node is 0, and `first` its left child, which the right one follows.
+  /// The nodes, children after their parents; sorts the items by leaf. `count` of a leaf is the number of its items,
+  /// and `first` the first one. `count` of an inner node is 0, and `first` its left child, which the right one follows.
   std::vector<Node> operator()() const {
     const auto n = static_cast<std::uint32_t>(items_.size());
     std::vector<Node> nodes;

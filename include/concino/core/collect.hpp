@@ -12,7 +12,8 @@ namespace concino::core {
 
 /// The elements x of a range with keep(x), in the order of the range.
 /// Needs:  several threads can iterate over the range, more than once, and call keep.
-/// Result: a vector; the same for any number of threads.      Cost: a call of keep for each element; memory for the result, twice.
+/// Result: a vector; the same for any number of threads.      Cost: a call of keep for each element; memory for the
+///         result, twice.
 /// Errors: what keep throws.
 template<class R, class Keep>
 auto collect_if(const R& range, const Keep& keep) {

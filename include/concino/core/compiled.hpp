@@ -1,6 +1,6 @@
-// Selects header-only use or the compiled library, for code that does not depend on the mesh type. x.hpp declares it and x.ipp defines it. By default
-// x.hpp includes x.ipp. The library concino::compiled contains the same files; targets that link it have CONCINO_COMPILED defined, and include none
-// of them.
+// Selects header-only use or the compiled library, for code that does not depend on the mesh type. x.hpp declares it
+// and x.ipp defines it. By default x.hpp includes x.ipp. The library concino::compiled contains the same files; targets
+// that link it have CONCINO_COMPILED defined, and include none of them.
 #pragma once
 
 #ifdef CONCINO_COMPILED
@@ -18,8 +18,9 @@
 
 #include <Eigen/src/Core/util/ConfigureVectorization.h>
 
-/// The symbol that the linker reports if a file and the library were compiled with flags for which Eigen's memory layout or alignment differs, such
-/// as -mavx2: such programs would corrupt memory. The library defines the symbol for the flags with which it was built.
+/// The symbol that the linker reports if a file and the library were compiled with flags for which Eigen's memory
+/// layout or alignment differs, such as -mavx2: such programs would corrupt memory. The library defines the symbol for
+/// the flags with which it was built.
 namespace concino::compile_this_file_and_concino_compiled_with_the_same_flags_such_as_mavx2 {
 
 template<int World, int Major, int Minor>
@@ -33,8 +34,8 @@ struct eigen_version {
   };
 };
 
-using of_this_file =
-    eigen_version<EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION>::max_align_bytes<EIGEN_MAX_ALIGN_BYTES>::index_bytes<sizeof(EIGEN_DEFAULT_DENSE_INDEX_TYPE)>;
+using of_this_file = eigen_version<EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION>::max_align_bytes<
+    EIGEN_MAX_ALIGN_BYTES>::index_bytes<sizeof(EIGEN_DEFAULT_DENSE_INDEX_TYPE)>;
 
 // One in each file: of an inline variable the linker would keep the first one and see no mismatch.
 [[gnu::used]] static const char* const guard = &of_this_file::reference;

@@ -1,4 +1,5 @@
-// Equilibration: scales rows and columns by powers of two, so that small entries are not hidden by large ones, whatever the units of rows and columns.
+// Equilibration: scales rows and columns by powers of two, so that small entries are not hidden by large ones, whatever
+// the units of rows and columns.
 #pragma once
 
 #include <concino/core/system_checks.hpp>
@@ -12,7 +13,8 @@
 
 namespace concino::core {
 
-/// Divides each column of a compressed matrix by the power of two below its largest entry. Result: the factors, one per column.
+/// Divides each column of a compressed matrix by the power of two below its largest entry. Result: the factors, one per
+/// column.
 inline std::vector<double> scale_columns(Eigen::SparseMatrix<double>& a) {
   std::vector<double> scale(static_cast<std::size_t>(a.cols()));
   for (int c = 0; c < a.cols(); ++c) {
@@ -30,8 +32,9 @@ struct equilibration {
   std::vector<double> rows, columns;
 };
 
-/// Scales rows and columns of a compressed matrix until the largest entry of each is near 1: within a factor of 4, unless the iteration alternates.
-/// Symmetric matrices stay symmetric, and d_i m_ij d_j has the same result as m_ij. Result: the factors.
+/// Scales rows and columns of a compressed matrix until the largest entry of each is near 1: within a factor of 4,
+/// unless the iteration alternates. Symmetric matrices stay symmetric, and d_i m_ij d_j has the same result as m_ij.
+/// Result: the factors.
 /// Source: Ruiz 2001.
 inline equilibration equilibrate(Eigen::SparseMatrix<double>& a) {
   const auto rows = static_cast<std::size_t>(a.rows()), columns = static_cast<std::size_t>(a.cols());
@@ -65,7 +68,8 @@ inline equilibration equilibrate(Eigen::SparseMatrix<double>& a) {
     if (done) break;
     for (std::size_t c = 0; c < columns; ++c)
       for (int k = a.outerIndexPtr()[c]; k < a.outerIndexPtr()[c + 1]; ++k) {
-        a.valuePtr()[k] *= row[static_cast<std::size_t>(a.innerIndexPtr()[k])];  // one after the other: their product may be too large
+        // one after the other: their product may be too large
+        a.valuePtr()[k] *= row[static_cast<std::size_t>(a.innerIndexPtr()[k])];
         a.valuePtr()[k] *= column[c];
       }
   }

@@ -22,7 +22,8 @@ inline void two_product(double a, double b, double& product, double& rest) {
   rest = std::fma(a, b, -product);
 }
 
-/// An exact sum of at most N doubles. Zero components are dropped if that is easily seen: this keeps coordinates of few digits cheap.
+/// An exact sum of at most N doubles. Zero components are dropped if that is easily seen: this keeps coordinates of few
+/// digits cheap.
 template<std::size_t N>
 struct expansion {
   double part[N] = {};

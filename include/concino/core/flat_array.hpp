@@ -1,5 +1,5 @@
-// flat_array: the array for all connectivity. It is like std::vector, but memory can be allocated without initialisation. It can take
-// over a vector of the caller's as it is.
+// flat_array: the array for all connectivity. It is like std::vector, but memory can be allocated without
+// initialisation. It can take over a vector of the caller's as it is.
 #pragma once
 
 #include <algorithm>
@@ -98,8 +98,8 @@ class flat_array {
     if (size_ + n > capacity_) grow(size_ + n);
     return data_ + size_;
   }
-  /// Writes n values behind the last, or none if `first` is null, after reserving memory for `room` >= n more. The values may be in this array;
-  /// resize() makes them part of it.
+  /// Writes n values behind the last, or none if `first` is null, after reserving memory for `room` >= n more. The
+  /// values may be in this array; resize() makes them part of it.
   T* stage(const T* first, std::size_t n, std::size_t room) {
     if (size_ + room > capacity_) {
       const std::size_t at = reinterpret_cast<std::uintptr_t>(first) - reinterpret_cast<std::uintptr_t>(data_);

@@ -7,7 +7,8 @@
 
 namespace concino::core {
 
-/// Pseudorandom bits; a bijection, so different inputs give different outputs.      Source: SplitMix64, Steele, Lea and Flood 2014.
+/// Pseudorandom bits; a bijection, so different inputs give different outputs.      Source: SplitMix64, Steele, Lea and
+/// Flood 2014.
 constexpr std::uint64_t scrambled(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15u;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;

@@ -1,4 +1,5 @@
-// index_table: a hash table of numbers. They stand for values that are stored elsewhere, so that it can be used for values of any kind.
+// index_table: a hash table of numbers. They stand for values that are stored elsewhere, so that it can be used for
+// values of any kind.
 #pragma once
 
 #include <concino/core/small_array.hpp>

@@ -1,5 +1,5 @@
-// indexed_heap: the priority queue of shortest paths. Nodes are ordered by distance, each occurs at most once, and the distance of a waiting node may
-// decrease.
+// indexed_heap: the priority queue of shortest paths. Nodes are ordered by distance, each occurs at most once, and the
+// distance of a waiting node may decrease.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,9 @@
 
 namespace concino::core {
 
-/// A heap of four children per entry that stores the position of each node. The caller owns the keys, by slot (+inf: not reached yet), so
-/// that the final keys are the result. Removing the minimum moves the hole down to a leaf before the last entry fills it, which
-/// takes fewer comparisons than moving that entry down from the top.
+/// A heap of four children per entry that stores the position of each node. The caller owns the keys, by slot (+inf:
+/// not reached yet), so that the final keys are the result. Removing the minimum moves the hole down to a leaf before
+/// the last entry fills it, which takes fewer comparisons than moving that entry down from the top.
 template<class Node>
 class indexed_heap {
   struct entry {

@@ -1,4 +1,5 @@
-// The lexicographic order of points: a choice among the verts of a poly that does not depend on the order in which these are stored.
+// The lexicographic order of points: a choice among the verts of a poly that does not depend on the order in which
+// these are stored.
 #pragma once
 
 #include <concino/core/vec3.hpp>

@@ -24,7 +24,8 @@ class local_numbers {
 
   /// The number of a key, or `none`.
   unsigned find(std::size_t key) const {
-    if (size() > longest_scan) return table_.find(index_table::hash(key), [&](unsigned number) { return keys_[number] == key; });
+    if (size() > longest_scan)
+      return table_.find(index_table::hash(key), [&](unsigned number) { return keys_[number] == key; });
     for (unsigned i = 0; i < size(); ++i)
       if (keys_[i] == key) return i;
     return none;

@@ -1,4 +1,5 @@
-// The points of one element, translated and scaled so that nothing overflows or underflows, and their accuracy. Which triangles and tets are degenerate.
+// The points of one element, translated and scaled so that nothing overflows or underflows, and their accuracy. Which
+// triangles and tets are degenerate.
 #pragma once
 
 #include <concino/core/vec3.hpp>
@@ -12,8 +13,8 @@
 
 namespace concino::core {
 
-/// After fit(points), these are relative to the first of them, in units of `unit`, with the largest coordinate in [0.5, 1).
-/// Scaling is by powers of two, so sizes are equally accurate for any size of the mesh.
+/// After fit(points), these are relative to the first of them, in units of `unit`, with the largest coordinate in [0.5,
+/// 1). Scaling is by powers of two, so sizes are equally accurate for any size of the mesh.
 struct local_accuracy {
   vec3 box;         // extent of their bounding box, in units
   vec3 error;       // maximal effect of the rounding of coordinates on a point, in each direction, in units
@@ -55,7 +56,8 @@ struct local_accuracy {
   /// Whether an area vector of n corners is zero within the accuracy of their coordinates.
   bool is_zero_area(const vec3& a, std::size_t n) const {
     const double k = 2 * static_cast<double>(n);
-    return std::abs(a.x) <= k * (box.y * error.z + box.z * error.y) && std::abs(a.y) <= k * (box.x * error.z + box.z * error.x) &&
+    return std::abs(a.x) <= k * (box.y * error.z + box.z * error.y) &&
+           std::abs(a.y) <= k * (box.x * error.z + box.z * error.x) &&
            std::abs(a.z) <= k * (box.x * error.y + box.y * error.x);
   }
   /// The largest volume of n corners that is zero within the accuracy of their coordinates.
@@ -81,23 +83,27 @@ struct local_points : local_accuracy {
 /// Half the sum of cross products along the polygon points[first] .. points[last - 1], relative to the first of them.
 inline vec3 vector_area(std::span<const vec3> points, std::size_t first, std::size_t last) {
   vec3 doubled;
-  for (std::size_t i = first + 2; i < last; ++i) doubled += cross(points[i - 1] - points[first], points[i] - points[first]);
+  for (std::size_t i = first + 2; i < last; ++i)
+    doubled += cross(points[i - 1] - points[first], points[i] - points[first]);
   return 0.5 * doubled;
 }
 
-/// Whether three corners make a triangle without area, or four a tet without volume, within the accuracy of their coordinates. The order of the corners has no
-/// effect.
+/// Whether three corners make a triangle without area, or four a tet without volume, within the accuracy of their
+/// coordinates. The order of the corners has no effect.
 inline bool is_degenerate_simplex(std::span<const vec3> corners) {
   vec3 points[4];
   const std::size_t n = corners.size();
   std::copy_n(corners.begin(), n, points);
-  const auto is_less = [](const vec3& a, const vec3& b) { return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z; };
+  const auto is_less = [](const vec3& a, const vec3& b) {
+    return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+  };
   for (std::size_t i = 1; i < n; ++i)
     for (std::size_t k = i; k > 0 && is_less(points[k], points[k - 1]); --k) std::swap(points[k], points[k - 1]);
   local_accuracy local;
   if (!local.fit({points, n})) return true;
   if (n == 3) return local.is_zero_area(vector_area({points, n}, 0, n), n);
-  return std::abs(dot(points[1], cross(points[2], points[3]))) <= 6 * local.zero_volume(12);  // as many as the corners of its faces
+  // as many as the corners of its faces
+  return std::abs(dot(points[1], cross(points[2], points[3]))) <= 6 * local.zero_volume(12);
 }
 
 }  // namespace concino::core

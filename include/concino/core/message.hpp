@@ -1,4 +1,5 @@
-// Joins texts and numbers into a message, by functions that are not inline: string concatenation at each message would triple the compile time of readers.
+// Joins texts and numbers into a message, by functions that are not inline: string concatenation at each message would
+// triple the compile time of readers.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -26,7 +27,8 @@ class message_piece {
   message_piece(bool) = delete;
   template<std::integral I>
   message_piece(I number)
-      : number_(number < 0 ? std::uint64_t{0} - static_cast<std::uint64_t>(number) : static_cast<std::uint64_t>(number)),
+      : number_(number < 0 ? std::uint64_t{0} - static_cast<std::uint64_t>(number)
+                           : static_cast<std::uint64_t>(number)),
         kind_(number < 0 ? kind::negative : kind::number) {}
 
   void add_to(std::string& s) const;

@@ -1,5 +1,5 @@
-// Parallel loops over the polys of any mesh. The range of polys need only be iterable: one pass before the loop stores where each chunk begins,
-// and how many corners precede it.
+// Parallel loops over the polys of any mesh. The range of polys need only be iterable: one pass before the loop stores
+// where each chunk begins, and how many corners precede it.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -11,7 +11,8 @@
 
 namespace concino::core {
 
-/// The polys of a mesh in chunks that are consecutive in the order of iteration. The mesh must not change while this is used.
+/// The polys of a mesh in chunks that are consecutive in the order of iteration. The mesh must not change while this is
+/// used.
 template<AnyMesh M>
 class poly_chunks {
   static constexpr std::size_t chunk = 1024;
@@ -51,8 +52,8 @@ class poly_chunks {
 
   std::size_t num_corners() const { return corners_; }
 
-  /// Calls f(scratch, p, corner) for every poly. `corner` is the number of corners of the polys before it; f returns the number of its
-  /// own (any number if that is not used). Chunks run in parallel, each with its own Scratch.
+  /// Calls f(scratch, p, corner) for every poly. `corner` is the number of corners of the polys before it; f returns
+  /// the number of its own (any number if that is not used). Chunks run in parallel, each with its own Scratch.
   template<class Scratch, class F>
   void for_each(F&& f) const {
     parallel_for(
@@ -65,8 +66,8 @@ class poly_chunks {
         1);
   }
 
-  /// Calls f(result, p) for every poly, with a Result for each chunk, in parallel. Returns these in the order of the chunks, which do not depend on the number
-  /// of threads.
+  /// Calls f(result, p) for every poly, with a Result for each chunk, in parallel. Returns these in the order of the
+  /// chunks, which do not depend on the number of threads.
   template<class Result, class F>
   std::vector<Result> results(F&& f) const {
     std::vector<Result> all(starts_.size());

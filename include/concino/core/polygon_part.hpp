@@ -1,5 +1,6 @@
-// A convex part of a triangle, and how far it is from a set of triangles. The distance from a triangle is a convex function, so on a convex polygon it is
-// largest at a corner. That gives an upper bound for each part from any of the triangles near it.
+// A convex part of a triangle, and how far it is from a set of triangles. The distance from a triangle is a convex
+// function, so on a convex polygon it is largest at a corner. That gives an upper bound for each part from any of the
+// triangles near it.
 #pragma once
 
 #include <concino/core/vec3.hpp>
@@ -32,7 +33,8 @@ struct polygon_part {
 
   /// Finds the candidate and the bounds that follow from it. Returns the squared distance of the mean.
   ///
-  /// to: nearest(x, guess) is a triangle and its squared distance, triangle(i) the points of one, squared_distance(x, i) that of x from one.
+  /// to: nearest(x, guess) is a triangle and its squared distance, triangle(i) the points of one, squared_distance(x,
+  /// i) that of x from one.
   template<class Triangles>
   double bound(const Triangles& to, std::size_t guess) {
     const vec3 x = mean();
@@ -48,13 +50,15 @@ struct polygon_part {
     return found.squared;
   }
 
-  /// Splits at the plane through `at` with normal m: what is behind it and what is before it. Both are empty if up to rounding all corners are on one side.
+  /// Splits at the plane through `at` with normal m: what is behind it and what is before it. Both are empty if up to
+  /// rounding all corners are on one side.
   std::array<polygon_part, 2> split(const vec3& at, const vec3& m) const {
     std::array<polygon_part, 2> sides;
     for (polygon_part& p : sides) p.upper = upper, p.candidate = candidate;
     const auto height = [&](const vec3& x) { return dot(x - at, m); };
     double least = 0, most = 0;
-    for (unsigned k = 0; k < n; ++k) least = std::min(least, height(corners[k])), most = std::max(most, height(corners[k]));
+    for (unsigned k = 0; k < n; ++k)
+      least = std::min(least, height(corners[k])), most = std::max(most, height(corners[k]));
     if (!(std::min(-least, most) > unit * norm(m))) return sides;
     for (unsigned k = 0; k < n; ++k) {
       const vec3 &x = corners[k], &y = corners[k + 1 < n ? k + 1 : 0];
@@ -68,8 +72,9 @@ struct polygon_part {
     }
     return sides;
   }
-  /// Splits at the edges of its candidate t, seen along the normal of that, and calls take(part) for each part outside. The part above the candidate remains;
-  /// it has no other bound than its distance from it. Returns false if that splits nothing.
+  /// Splits at the edges of its candidate t, seen along the normal of that, and calls take(part) for each part outside.
+  /// The part above the candidate remains; it has no other bound than its distance from it. Returns false if that
+  /// splits nothing.
   template<class F>
   bool split_at(const std::array<vec3, 3>& t, const F& take) {
     const vec3 normal = cross(t[1] - t[0], t[2] - t[0]);

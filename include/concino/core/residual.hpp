@@ -1,4 +1,5 @@
-// Residuals of linear systems: checks whether a computed solution is accurate, compared to rounding errors, and improves it.
+// Residuals of linear systems: checks whether a computed solution is accurate, compared to rounding errors, and
+// improves it.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -14,28 +15,30 @@
 
 namespace concino::core {
 
-/// r = b - a x, for a compressed matrix, or for a symmetric one given by its lower triangle. Plain loops, because Eigen's expressions take long to compile.
-/// Result: the largest |r_i| / (|a| |x| + |b|)_i: the relative change of matrix and right-hand side that would make x exact. It does not
-///         depend on the scale of rows.
-double residual(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& x, const Eigen::VectorXd& b, Eigen::VectorXd& r,
-                       bool is_lower_triangle);
+/// r = b - a x, for a compressed matrix, or for a symmetric one given by its lower triangle. Plain loops, because
+/// Eigen's expressions take long to compile.
+/// Result: the largest |r_i| / (|a| |x| + |b|)_i: the relative change of matrix and right-hand side that would make x
+///         exact. It does not depend on the scale of rows.
+double residual(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& x, const Eigen::VectorXd& b,
+                Eigen::VectorXd& r, bool is_lower_triangle);
 
-/// The largest |r_i| / (|b_i| + the largest |a_ij| of the row times max|x|). Rows with large entries do not hide the others, and small
-/// parts of x are not measured separately. a: as above.
-double residual_beside_largest(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& x, const Eigen::VectorXd& b, const Eigen::VectorXd& r,
-                                      bool is_lower_triangle);
+/// The largest |r_i| / (|b_i| + the largest |a_ij| of the row times max|x|). Rows with large entries do not hide the
+/// others, and small parts of x are not measured separately. a: as above.
+double residual_beside_largest(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& x, const Eigen::VectorXd& b,
+                               const Eigen::VectorXd& r, bool is_lower_triangle);
 
 [[noreturn, gnu::cold]] void throw_not_solved(const char* caller, double error);
 
-/// Whether the last factorised matrix is solved by iteration, to a residual that the solver measures itself, relative to the largest values of the solution:
-/// parts that are far smaller than others have no correct digits.
+/// Whether the last factorised matrix is solved by iteration, to a residual that the solver measures itself, relative
+/// to the largest values of the solution: parts that are far smaller than others have no correct digits.
 template<class Solver>
 bool is_iterative([[maybe_unused]] const Solver& solver) {
   if constexpr (requires { { solver.is_iterative() } -> std::convertible_to<bool>; }) return solver.is_iterative();
   else return false;
 }
 
-/// A reference to a SparseSolver of any type, so that the functions below are compiled once. The solver must outlive it.
+/// A reference to a SparseSolver of any type, so that the functions below are compiled once. The solver must outlive
+/// it.
 class solver_ref {
   struct functions {
     Eigen::VectorXd (*solve)(const void*, const Eigen::VectorXd&);
@@ -44,10 +47,15 @@ class solver_ref {
   };
   template<class Solver>
   static constexpr functions functions_of = {
-      [](const void* s, const Eigen::VectorXd& b) -> Eigen::VectorXd { return static_cast<const Solver*>(s)->solve(b); },
+      [](const void* s, const Eigen::VectorXd& b) -> Eigen::VectorXd {
+        return static_cast<const Solver*>(s)->solve(b);
+      },
       [](const void* s) { return core::is_iterative(*static_cast<const Solver*>(s)); },
       []([[maybe_unused]] const void* s) -> double {
-        if constexpr (requires(const Solver& solver) { { solver.residual() } -> std::convertible_to<double>; }) return static_cast<const Solver*>(s)->residual();
+        if constexpr (requires(const Solver& solver) {
+                        { solver.residual() } -> std::convertible_to<double>;
+                      })
+          return static_cast<const Solver*>(s)->residual();
         else return 0;
       }};
 
@@ -83,7 +91,8 @@ void factorize_symmetric(Solver& solver, const Eigen::SparseMatrix<double>& lowe
 /// The same for a system over verts. vert_of(row): the index of a vert.
 /// Errors: solver_error that names the problem, the vert at which the matrix is singular, and what helps.
 template<class Solver, class VertOf>
-void factorize_over_verts(Solver& solver, const Eigen::SparseMatrix<double>& lower, const char* caller, const VertOf& vert_of) {
+void factorize_over_verts(Solver& solver, const Eigen::SparseMatrix<double>& lower, const char* caller,
+                          const VertOf& vert_of) {
   try {
     factorize_symmetric(solver, lower);
   } catch (const singular_row& e) {
@@ -91,11 +100,13 @@ void factorize_over_verts(Solver& solver, const Eigen::SparseMatrix<double>& low
   }
 }
 
-/// Solves with a factorised matrix and applies iterative refinement while that helps. a: that matrix, compressed, or its lower triangle.
-/// Errors: solver_error if the residual is more than 1e-8. For iterative solvers: if, relative to the largest values, it is more than 1e-5 and more than
-///         ten times what the solver reports, which happens if the matrix is not what the solver assumes.
-Eigen::VectorXd solve_and_check(solver_ref solver, const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& b, const char* caller,
-                                bool is_lower_triangle = true);
+/// Solves with a factorised matrix and applies iterative refinement while that helps. a: that matrix, compressed, or
+/// its lower triangle.
+/// Errors: solver_error if the residual is more than 1e-8. For iterative solvers: if, relative to the largest values,
+///         it is more than 1e-5 and more than ten times what the solver reports, which happens if the matrix is not
+///         what the solver assumes.
+Eigen::VectorXd solve_and_check(solver_ref solver, const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& b,
+                                const char* caller, bool is_lower_triangle = true);
 
 }  // namespace concino::core
 

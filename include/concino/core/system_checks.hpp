@@ -1,4 +1,5 @@
-// Checks of matrices, right-hand sides and solutions, shared by all solvers. One compares the sparsity pattern of a matrix with the previous one.
+// Checks of matrices, right-hand sides and solutions, shared by all solvers. One compares the sparsity pattern of a
+// matrix with the previous one.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -13,7 +14,8 @@
 namespace concino::core {
 
 /// The matrix itself if it is compressed, or a compressed copy in `storage`.
-const Eigen::SparseMatrix<double>& compressed(const Eigen::SparseMatrix<double>& a, Eigen::SparseMatrix<double>& storage);
+const Eigen::SparseMatrix<double>& compressed(const Eigen::SparseMatrix<double>& a,
+                                              Eigen::SparseMatrix<double>& storage);
 
 void check_square(const char* caller, const Eigen::SparseMatrix<double>& a);
 
@@ -32,12 +34,14 @@ struct singular_row : solver_error {
 };
 
 /// `diagonal`: the diagonal entry, or another number with which the pivot is compared.
-[[noreturn, gnu::cold]] void throw_bad_pivot(const char* caller, const char* what, Eigen::Index row, double diagonal, double pivot);
+[[noreturn, gnu::cold]] void throw_bad_pivot(const char* caller, const char* what, Eigen::Index row, double diagonal,
+                                             double pivot);
 
 /// The diagonal of a compressed matrix; 0 where it has no entry.
 std::vector<double> diagonal(const Eigen::SparseMatrix<double>& a);
 
-/// The positions of the entries of a matrix. They alone determine the elimination order and whether it can be reused. Comparing costs far less than ordering.
+/// The positions of the entries of a matrix. They alone determine the elimination order and whether it can be reused.
+/// Comparing costs far less than ordering.
 class sparsity_pattern {
   std::vector<int> starts_, rows_;
   Eigen::Index height_ = -1;

@@ -1,4 +1,5 @@
-// A triangle mesh as flat arrays, with each triangle laid into the plane along each of its sides. Paths are unfolded with it.
+// A triangle mesh as flat arrays, with each triangle laid into the plane along each of its sides. Paths are unfolded
+// with it.
 #pragma once
 
 #include <concino/core/vec3.hpp>
@@ -14,14 +15,17 @@
 
 namespace concino::core {
 
-/// Side s = 3 t + k of triangle t runs from corner k to the next corner; corner k is numbered s as well. Lengths are in units of 2^exponent.
+/// Side s = 3 t + k of triangle t runs from corner k to the next corner; corner k is numbered s as well. Lengths are in
+/// units of 2^exponent.
 struct unfolded_triangles {
   struct plane_point {
     double x, y;
   };
-  /// fan: one closed ring of triangles; open_fan: from boundary to boundary; other: any other arrangement, paths may pass in any direction.
+  /// fan: one closed ring of triangles; open_fan: from boundary to boundary; other: any other arrangement, paths may
+  /// pass in any direction.
   enum class vert_fan : unsigned char { fan, open_fan, other };
-  /// Widens the turns of paths at a vert beyond the geometric ones, so that rounding leaves no gap between paths on its two sides.
+  /// Widens the turns of paths at a vert beyond the geometric ones, so that rounding leaves no gap between paths on its
+  /// two sides.
   static constexpr double turn_tolerance = 1e-8;
 
   std::vector<int> vert;       // by corner
@@ -31,7 +35,8 @@ struct unfolded_triangles {
   std::vector<plane_point> apex;     // by side: the third corner, along the side from its start and perpendicular to it
   std::vector<double> angle;   // by corner
   std::vector<double> turn;    // by corner: the angle from the start of the fan about its vert
-  std::vector<unsigned char> is_backward;   // by corner: the fan goes from the side that ends there to the side that starts there
+  std::vector<unsigned char> is_backward;   // by corner: the fan goes from the side that ends there to the side that
+                                            // starts there
   std::vector<double> whole_turn;           // by vert: the angle of the whole fan
   std::vector<vert_fan> around;          // by vert
   std::vector<int> first_corner, corner;    // the corners at each vert

@@ -30,7 +30,8 @@ bool are_joined(const M& m, const vert_t<M>& a, const vert_t<M>& b) {
 }
 
 /// Whether a triangle joins verts a, b and c.
-/// Needs:  VolumeMesh, three verts of m.      Result: whether a face has these verts and no others.      Cost: the faces at a.      Errors: none.
+/// Needs:  VolumeMesh, three verts of m.      Result: whether a face has these verts and no others.      Cost: the
+///         faces at a.      Errors: none.
 template<VolumeMesh M>
 bool are_joined(const M& m, const vert_t<M>& a, const vert_t<M>& b, const vert_t<M>& c) {
   face_t<M> found;

@@ -14,18 +14,23 @@ namespace concino {
 
 struct edge_collapse_options {
   std::vector<invariant> keep = {};  // see edit_options
-  double at = 0.5;  // in [0, 1]: the remaining vert lies at (1 - at) a + at b, where a and b are the ends as end_verts lists them
-  std::optional<vec3> point = {};  // if given, the remaining vert lies here; values of properties are interpolated by `at`
+  double at = 0.5;  // in [0, 1]: the remaining vert lies at (1 - at) a + at b, where a and b are the ends as end_verts
+                    // lists them
+  std::optional<vec3> point = {};  // if given, the remaining vert lies here; values of properties are interpolated by
+                                   // `at`
   bool keeps_second = false;       // b remains instead of a
 };
 
 namespace detail {
 
-inline constexpr permission breaks_link_condition{refusal::link_condition, "the link condition does not hold: parts of the mesh would touch or vanish"};
+inline constexpr permission breaks_link_condition{
+    refusal::link_condition, "the link condition does not hold: parts of the mesh would touch or vanish"};
 
-/// Old polys are those at the end that is removed, first the ones that the other end lacks; neighbours the other ones at the end that remains.
+/// Old polys are those at the end that is removed, first the ones that the other end lacks; neighbours the other ones
+/// at the end that remains.
 template<class M>
-permission edge_collapse_cavity(const M& m, const edge_t<M>& e, const edge_collapse_options& options, cavity_builder<M>& c) {
+permission edge_collapse_cavity(const M& m, const edge_t<M>& e, const edge_collapse_options& options,
+                                cavity_builder<M>& c) {
   constexpr unsigned n = cavity_builder<M>::size - 1;
   auto ends = end_verts(m, e);
   if (options.keeps_second) std::swap(ends.first, ends.second);
@@ -67,16 +72,20 @@ permission edge_collapse_cavity(const M& m, const edge_t<M>& e, const edge_colla
 }
 
 inline void check_collapse(const edge_collapse_options& options, const char* edit) {
-  if (!(options.at >= 0 && options.at <= 1)) core::throw_joined<invalid_argument>({edit, ": options.at is ", core::number_text(options.at), "; it must be in [0, 1]"});
-  if (options.point && !is_finite(*options.point)) core::throw_joined<invalid_argument>({edit, ": options.point is not finite"});
+  if (!(options.at >= 0 && options.at <= 1))
+    core::throw_joined<invalid_argument>(
+        {edit, ": options.at is ", core::number_text(options.at), "; it must be in [0, 1]"});
+  if (options.point && !is_finite(*options.point))
+    core::throw_joined<invalid_argument>({edit, ": options.point is not finite"});
 }
 
 }  // namespace detail
 
-/// Whether e can be collapsed without a change of the topology: the link condition holds. Boundaries, non-manifold edges and non-manifold verts are kept.
+/// Whether e can be collapsed without a change of the topology: the link condition holds. Boundaries, non-manifold
+/// edges and non-manifold verts are kept.
 /// Needs:  EditableMesh M, an edge of m.
-/// Result: true, or the reason: a poly at an end is no simplex, the link condition does not hold, as for the last triangle or tet of a part, or an invariant
-///         does not hold.
+/// Result: true, or the reason: a poly at an end is no simplex, the link condition does not hold, as for the last
+///         triangle or tet of a part, or an invariant does not hold.
 /// Cost:   the polys at the ends, and sorting these.
 /// Errors: as edge_collapse.
 /// Source: Dey, Edelsbrunner, Guha and Nekhayev 1999, "Topology preserving edge contraction".
@@ -89,13 +98,17 @@ permission can_edge_collapse(const M& m, edge_t<M> e, const edge_collapse_option
   return detail::ask(options.keep, m, c);
 }
 
-/// Collapses e: its first end remains, or its second one if the options say so; the other end and the polys at e are removed.
+/// Collapses e: its first end remains, or its second one if the options say so; the other end and the polys at e are
+/// removed.
 /// Needs:  EditableMesh M.
-/// Result: the remaining vert, or the reason why not. The other polys at the removed end keep their descriptors, and their corners there are now at the
-///         remaining end; they are those that vert_split needs to undo the collapse. Other descriptors remain valid, apart from those of the removed end, of
-///         e, of the polys at e, and of one of each two edges or faces that become one, which is that of the removed end.
-/// Cost:   that of can_edge_collapse, and the elements at the verts of the polys at the removed end, but O(mesh) the first time.
-/// Errors: invalid_mesh if e is not an edge of m; invalid_argument if options.at is not in [0, 1] or options.point is not finite. The mesh is unchanged then, also if memory runs out.
+/// Result: the remaining vert, or the reason why not. The other polys at the removed end keep their descriptors, and
+///         their corners there are now at the remaining end; they are those that vert_split needs to undo the collapse.
+///         Other descriptors remain valid, apart from those of the removed end, of e, of the polys at e, and of one of
+///         each two edges or faces that become one, which is that of the removed end.
+/// Cost:   that of can_edge_collapse, and the elements at the verts of the polys at the removed end, but O(mesh) the
+///         first time.
+/// Errors: invalid_mesh if e is not an edge of m; invalid_argument if options.at is not in [0, 1] or options.point is
+///         not finite. The mesh is unchanged then, also if memory runs out.
 template<EditableMesh M>
 vert_result<M> edge_collapse(M& m, edge_t<M> e, const edge_collapse_options& options = {}) {
   detail::check_element(m, e, "edge_collapse", "edge");
@@ -111,7 +124,9 @@ vert_result<M> edge_collapse(M& m, edge_t<M> e, const edge_collapse_options& opt
     if (const permission p = propose(); !p) return {p};
   if constexpr (detail::collapses_edges<M>) {
     if (!options.keeps_second) {
-      const vec3 at = options.point ? *options.point : detail::point_between(to_vec3(point(m, ends.first)), to_vec3(point(m, ends.second)), options.at);
+      const vec3 at = options.point ? *options.point
+                                    : detail::point_between(to_vec3(point(m, ends.first)),
+                                                            to_vec3(point(m, ends.second)), options.at);
       if (traits<M>::collapse_edge(m, e, at)) return {{}, kept};
     }
   }

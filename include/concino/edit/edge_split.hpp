@@ -26,14 +26,17 @@ permission edge_split_cavity(const M& m, const edge_t<M>& e, double t, cavity_bu
 }
 
 inline void check_parameter(double t, const char* edit) {
-  if (!(t > 0 && t < 1)) core::throw_joined<invalid_argument>({edit, ": the parameter is ", core::number_text(t), "; it must be between 0 and 1"});
+  if (!(t > 0 && t < 1))
+    core::throw_joined<invalid_argument>(
+        {edit, ": the parameter is ", core::number_text(t), "; it must be between 0 and 1"});
 }
 
 }  // namespace detail
 
-/// Whether e can be split: all polys at it are triangles in a surface, tets in a volume, no two have the same verts, and the invariants hold. Any
-/// number of polys is allowed.
-/// Needs:  EditableMesh M, an edge of m.      Result: true, or the reason.      Cost: O(polys at e).      Errors: as edge_split.
+/// Whether e can be split: all polys at it are triangles in a surface, tets in a volume, no two have the same verts,
+/// and the invariants hold. Any number of polys is allowed.
+/// Needs:  EditableMesh M, an edge of m.      Result: true, or the reason.      Cost: O(polys at e).      Errors: as
+///         edge_split.
 template<EditableMesh M>
 permission can_edge_split(const M& m, edge_t<M> e, double t = 0.5, const edit_options& options = {}) {
   detail::check_element(m, e, "can_edge_split", "edge");
@@ -45,9 +48,11 @@ permission can_edge_split(const M& m, edge_t<M> e, double t = 0.5, const edit_op
 
 /// Splits e at (1 - t) a + t b, where a and b are its ends as end_verts lists them, and each poly at it into two.
 /// Needs:  EditableMesh M; 0 < t < 1.
-/// Result: the new vert, or the reason why not. Of each poly the half at a keeps the descriptor. Other descriptors remain valid, apart from e.
+/// Result: the new vert, or the reason why not. Of each poly the half at a keeps the descriptor. Other descriptors
+///         remain valid, apart from e.
 /// Cost:   the elements at the verts of the polys at e, but O(mesh) the first time.
-/// Errors: invalid_mesh if e is not an edge of m; invalid_argument if t is not between 0 and 1. The mesh is unchanged then, also if memory runs out.
+/// Errors: invalid_mesh if e is not an edge of m; invalid_argument if t is not between 0 and 1. The mesh is unchanged
+///         then, also if memory runs out.
 template<EditableMesh M>
 vert_result<M> edge_split(M& m, edge_t<M> e, double t = 0.5, const edit_options& options = {}) {
   detail::check_element(m, e, "edge_split", "edge");
@@ -55,7 +60,8 @@ vert_result<M> edge_split(M& m, edge_t<M> e, double t = 0.5, const edit_options&
   if constexpr (detail::splits_edges<M>)
     if (options.keep.empty()) {
       const auto ends = end_verts(m, e);
-      const auto made = traits<M>::split_edge(m, e, detail::point_between(to_vec3(point(m, ends.first)), to_vec3(point(m, ends.second)), t));
+      const auto made = traits<M>::split_edge(
+          m, e, detail::point_between(to_vec3(point(m, ends.first)), to_vec3(point(m, ends.second)), t));
       if (made) return {{}, *made};
     }
   detail::cavity_builder<M> c(m);

@@ -26,7 +26,8 @@ permission face_split_cavity(const M& m, const face_t<M>& f, const vec3& x, cavi
 }  // namespace detail
 
 /// Whether f can be split at x: all polys at it are tets, no two have the same verts, and the invariants hold.
-/// Needs:  EditableVolumeMesh M, a face of m.      Result: true, or the reason.      Cost: O(polys at f).      Errors: as face_split.
+/// Needs:  EditableVolumeMesh M, a face of m.      Result: true, or the reason.      Cost: O(polys at f).      Errors:
+///         as face_split.
 template<EditableVolumeMesh M>
 permission can_face_split(const M& m, face_t<M> f, const vec3& x, const edit_options& options = {}) {
   detail::check_element(m, f, "can_face_split", "face");
@@ -38,10 +39,11 @@ permission can_face_split(const M& m, face_t<M> f, const vec3& x, const edit_opt
 
 /// Splits f at x, and each tet at it into three.
 /// Needs:  EditableVolumeMesh M; a finite x. If it is not inside f, some of the new tets are degenerate or overlap.
-/// Result: the new vert, or the reason why not. Of each tet the part that lacks the first vert of adj_f2v keeps the descriptor. Other descriptors remain
-///         valid, apart from f.
+/// Result: the new vert, or the reason why not. Of each tet the part that lacks the first vert of adj_f2v keeps the
+///         descriptor. Other descriptors remain valid, apart from f.
 /// Cost:   the elements at the verts of the tets, but O(mesh) the first time.
-/// Errors: invalid_mesh if f is not a face of m; invalid_argument if x is not finite. The mesh is unchanged then, also if memory runs out.
+/// Errors: invalid_mesh if f is not a face of m; invalid_argument if x is not finite. The mesh is unchanged then, also
+///         if memory runs out.
 template<EditableVolumeMesh M>
 vert_result<M> face_split(M& m, face_t<M> f, const vec3& x, const edit_options& options = {}) {
   detail::check_element(m, f, "face_split", "face");

@@ -50,7 +50,8 @@ class winding_cavity {
     for (const face_t<M> f : adj_p2f(m_, p)) {
       const std::size_t first = corners_.size();
       for (const vert_t<M> v : adj_f2v(m_, f)) add_corner(numbers_.find(index_of(m_, v)));
-      if (face_is_outward(m_, p, f)) std::reverse(corners_.begin() + static_cast<std::ptrdiff_t>(first), corners_.end());
+      if (face_is_outward(m_, p, f))
+        std::reverse(corners_.begin() + static_cast<std::ptrdiff_t>(first), corners_.end());
       end_list();
     }
     poly_ends_.push_back(static_cast<unsigned>(ends_.size()));
@@ -61,7 +62,9 @@ class winding_cavity {
 
   void replace(M& m) {
     std::vector<poly_t<M>> made(polys_.size());
-    rewire(m, cavity<M>{span(polys_), span(verts_), {}, span(corners_), span(ends_), span(poly_ends_), polys_.size(), 0}, cavity_result<M>{nullptr, made.data()});
+    rewire(m,
+           cavity<M>{span(polys_), span(verts_), {}, span(corners_), span(ends_), span(poly_ends_), polys_.size(), 0},
+           cavity_result<M>{nullptr, made.data()});
   }
 
   /// The value at a corner stays at its vert.
@@ -83,7 +86,8 @@ class winding_cavity {
     for (std::size_t p = 0, i = 0; p < polys_.size(); ++p) {
       for (; i < old_ends_[p]; ++i) corner_at[old_corners_[i]] = static_cast<unsigned>(i);
       std::size_t corner = traits<M>::first_corner(m, polys_[p]);
-      for (const vert_t<M> v : adj_p2v(m, polys_[p])) values.write(element_kind::corner, corner_at[numbers_.find(index_of(m, v))], corner++);
+      for (const vert_t<M> v : adj_p2v(m, polys_[p]))
+        values.write(element_kind::corner, corner_at[numbers_.find(index_of(m, v))], corner++);
     }
   }
 
@@ -111,13 +115,15 @@ class winding_cavity {
 
 }  // namespace detail
 
-/// Reverses the winding of p. A polygon lists its verts the other way round, from the same first one. A tet or hex becomes its mirror image, in the
-/// standard order and with the opposite volume. The outward faces of a general polyhedron become inward, the inward ones outward.
+/// Reverses the winding of p. A polygon lists its verts the other way round, from the same first one. A tet or hex
+/// becomes its mirror image, in the standard order and with the opposite volume. The outward faces of a general
+/// polyhedron become inward, the inward ones outward.
 /// Needs:  EditableMesh M, a poly of m.
-/// Result: none. All elements keep their descriptors. Named properties stay at their elements, those of corners at the same verts.
+/// Result: none. All elements keep their descriptors. Named properties stay at their elements, those of corners at the
+///         same verts.
 /// Cost:   the elements at the verts of p, but O(mesh) the first time.
-/// Errors: invalid_mesh if p is not a poly of m; unsupported if the library of m cannot link neighbours of different winding. The mesh is unchanged then, also
-///         if memory runs out.
+/// Errors: invalid_mesh if p is not a poly of m; unsupported if the library of m cannot link neighbours of different
+///         winding. The mesh is unchanged then, also if memory runs out.
 template<EditableMesh M>
 void flip_winding(M& m, poly_t<M> p) {
   detail::check_element(m, p, "flip_winding", "poly");
@@ -128,7 +134,8 @@ void flip_winding(M& m, poly_t<M> p) {
 
 /// Reverses the winding of all polys, as above.
 /// Needs:  EditableMesh M.
-/// Result: none. All elements keep their descriptors. Named properties stay at their elements, those of corners at the same verts.
+/// Result: none. All elements keep their descriptors. Named properties stay at their elements, those of corners at the
+///         same verts.
 /// Cost:   O(elements) time and memory.
 /// Errors: none of its own. If memory runs out, the mesh is unchanged.
 template<EditableMesh M>

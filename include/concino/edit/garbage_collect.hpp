@@ -16,7 +16,9 @@ namespace concino {
 
 namespace requirement {
 
-template<class M> concept has_garbage_collect = requires(std::remove_cvref_t<M>& m) { { traits<M>::garbage_collect(m) } -> std::same_as<correspondence>; };
+template<class M> concept has_garbage_collect = requires(std::remove_cvref_t<M>& m) {
+  { traits<M>::garbage_collect(m) } -> std::same_as<correspondence>;
+};
 
 }  // namespace requirement
 
@@ -33,7 +35,8 @@ class new_descriptors {
   template<class M, class Range>
   void assign(const M& m, const Range& elements, const element_origins& origins) {
     for (const X& x : elements)
-      if (const std::uint32_t before = origins.only(index_of(m, x)); before != element_origins::none) by_index_[before] = x;
+      if (const std::uint32_t before = origins.only(index_of(m, x)); before != element_origins::none)
+        by_index_[before] = x;
   }
   std::optional<X> operator[](std::size_t i) const { return i < by_index_.size() ? by_index_[i] : std::nullopt; }
 };
@@ -44,8 +47,8 @@ template<VolumeMesh M> struct face_or_none<M> { using type = face_t<M>; };
 
 }  // namespace detail
 
-/// What garbage_collect returns: map[x] is the new descriptor of an element x, or empty if x was removed. The mesh must not be moved or destroyed while
-/// the map is used.
+/// What garbage_collect returns: map[x] is the new descriptor of an element x, or empty if x was removed. The mesh must
+/// not be moved or destroyed while the map is used.
 template<class M>
 class renumbering {
   using face = typename detail::face_or_none<M>::type;
@@ -65,7 +68,8 @@ class renumbering {
  public:
   /// Allocates the memory for the elements of m before the change.
   explicit renumbering(const M& before)
-      : mesh_(before), verts_(vert_index_bound(before)), edges_(edge_index_bound(before)), faces_(num_face_indices(before)), polys_(poly_index_bound(before)) {}
+      : mesh_(before), verts_(vert_index_bound(before)), edges_(edge_index_bound(before)),
+        faces_(num_face_indices(before)), polys_(poly_index_bound(before)) {}
 
   /// Stores the descriptors after the change, without allocating memory.
   void assign(correspondence origins) {
@@ -82,17 +86,22 @@ class renumbering {
   std::optional<face> operator[](const face& before) const { return faces_[index_of(mesh_.get(), before)]; }
   std::optional<poly_t<M>> operator[](const poly_t<M>& before) const { return polys_[index_of(mesh_.get(), before)]; }
 
-  /// The old index of each element by its new one, for transfer_values: it takes values of maps that were made before to the new numbers.
+  /// The old index of each element by its new one, for transfer_values: it takes values of maps that were made before
+  /// to the new numbers.
   const correspondence& origins() const { return origins_; }
 };
 
-/// Numbers the elements of m without the gaps that removed ones have left, and frees the memory of these gaps. Reading a mesh of this library is
-/// afterwards as fast, and takes as little memory, as if it had just been constructed. Named properties follow their elements.
-/// Needs:  AnyMesh M whose traits have garbage_collect. The index of a descriptor does not depend on what is in the mesh.
-/// Result: map[x], the new descriptor of x or none if x was removed. All old descriptors, and values in maps outside the mesh, are meaningless in m.
-///         In meshes of this library the elements of each kind keep their order; OpenMesh and CGAL move the last ones into the gaps.
+/// Numbers the elements of m without the gaps that removed ones have left, and frees the memory of these gaps. Reading
+/// a mesh of this library is afterwards as fast, and takes as little memory, as if it had just been constructed. Named
+/// properties follow their elements.
+/// Needs:  AnyMesh M whose traits have garbage_collect. The index of a descriptor does not depend on what is in the
+///         mesh.
+/// Result: map[x], the new descriptor of x or none if x was removed. All old descriptors, and values in maps outside
+///         the mesh, are meaningless in m. In meshes of this library the elements of each kind keep their order;
+///         OpenMesh and CGAL move the last ones into the gaps.
 /// Cost:   O(elements) time; memory for a second mesh while it runs.
-/// Errors: unsupported while a transaction of m is open. The mesh is unchanged then, also if memory runs out. Transactions committed before cannot be undone.
+/// Errors: unsupported while a transaction of m is open. The mesh is unchanged then, also if memory runs out.
+///         Transactions committed before cannot be undone.
 template<requirement::has_garbage_collect M>
   requires AnyMesh<M>
 renumbering<M> garbage_collect(M& m) {

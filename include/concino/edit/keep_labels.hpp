@@ -1,4 +1,5 @@
-// An invariant that keeps regions of polys with equal labels, such as materials, apart and their common boundaries in place.
+// An invariant that keeps regions of polys with equal labels, such as materials, apart and their common boundaries in
+// place.
 #pragma once
 
 #include <concino/edit/support/typed_edit.hpp>
@@ -32,7 +33,8 @@ class label_checker {
     const unsigned a = c_.kept_vert(), b = c_.removed_vert();
     for (unsigned k = 0; k < c_.num_polys(); ++k)
       if (c_.has(k, a) && has_label_of(k, b, b) && !has_label_of(k, a, b)) return false;
-    const vec3 x = to_vec3(point(m_, c_.vert_at(a))), y = to_vec3(point(m_, c_.vert_at(b))), now = c_.moved_vert() == a ? c_.moved_to() : x;
+    const vec3 x = to_vec3(point(m_, c_.vert_at(a))), y = to_vec3(point(m_, c_.vert_at(b))),
+               now = c_.moved_vert() == a ? c_.moved_to() : x;
     return (now == x || labels_are_among(a, b)) && (now == y || labels_are_among(b, a));
   }
   bool new_polys_have_one_label() const {
@@ -45,10 +47,12 @@ class label_checker {
 
 }  // namespace detail
 
-/// Refuses edits of m that change the regions of polys with equal labels. Those are flips of polys with different labels, collapses that join two places of the
-/// boundary of a region, and collapses that move a vert of the boundary between regions, except along it.
-/// Needs:  EditableMesh M; a map of polys, or a function of polys, to anything with ==. One that is large or owns memory must be an lvalue that outlives
-///         the invariant. New polys take the labels of those that they come from if the property is carried so.
+/// Refuses edits of m that change the regions of polys with equal labels. Those are flips of polys with different
+/// labels, collapses that join two places of the boundary of a region, and collapses that move a vert of the boundary
+/// between regions, except along it.
+/// Needs:  EditableMesh M; a map of polys, or a function of polys, to anything with ==. One that is large or owns
+///         memory must be an lvalue that outlives the invariant. New polys take the labels of those that they come from
+///         if the property is carried so.
 /// Result: an invariant for `keep`.
 /// Cost:   at each edit, at most the square of the number of its polys.
 /// Errors: an edit throws invalid_argument if its mesh is not m; the mesh is unchanged then.
@@ -58,8 +62,10 @@ invariant keep_labels(const M& m, F&& labels) {
   return [&m, map = core::caller_map<std::remove_cvref_t<F>>(labels)](const proposed_edit& e) -> permission {
     const auto& c = core::cavity_of_edit(e, m, "keep_labels");
     const detail::label_checker<M, decltype(map)> checker(m, c, map);
-    if (!checker.new_polys_have_one_label()) return {refusal::invariant, "keep_labels: polys of different labels would be mixed"};
-    if (c.removed_vert() != c.none && !checker.collapse_keeps_labels()) return {refusal::invariant, "keep_labels: the boundary between labels would change"};
+    if (!checker.new_polys_have_one_label())
+      return {refusal::invariant, "keep_labels: polys of different labels would be mixed"};
+    if (c.removed_vert() != c.none && !checker.collapse_keeps_labels())
+      return {refusal::invariant, "keep_labels: the boundary between labels would change"};
     return {};
   };
 }

@@ -22,7 +22,8 @@ enum class refusal : unsigned char {
   unsupported,     // the library of the mesh cannot represent the result
 };
 
-/// The answer of can_edge_flip(m, e) and its siblings: true, or a reason. An edit that is refused changes nothing, and returns the same answer.
+/// The answer of can_edge_flip(m, e) and its siblings: true, or a reason. An edit that is refused changes nothing, and
+/// returns the same answer.
 struct permission {
   refusal reason = refusal::none;
   std::string_view why = {};  // a sentence; its text has static lifetime, or belongs to the caller's condition
@@ -30,7 +31,8 @@ struct permission {
   explicit constexpr operator bool() const { return reason == refusal::none; }
 };
 
-/// What an edit returns: a permission, and the vert, edge or face that it made, which is valid only if the edit was allowed.
+/// What an edit returns: a permission, and the vert, edge or face that it made, which is valid only if the edit was
+/// allowed.
 template<class M> struct vert_result : permission { vert_t<M> vert{}; };
 template<class M> struct edge_result : permission { edge_t<M> edge{}; };
 template<class M> struct face_result : permission { face_t<M> face{}; };

@@ -44,9 +44,11 @@ permission can_poly_split(const M& m, poly_t<M> p) {
 
 /// Splits p at x into one poly for each of its facets.
 /// Needs:  EditableMesh M; a finite x. If it is not inside p, some of the new polys overlap.
-/// Result: the new vert, or the reason why not. The poly that lacks the first vert of adj_p2v has the descriptor of p. All other descriptors remain valid.
+/// Result: the new vert, or the reason why not. The poly that lacks the first vert of adj_p2v has the descriptor of p.
+///         All other descriptors remain valid.
 /// Cost:   the elements at the verts of p, but O(mesh) the first time.
-/// Errors: invalid_mesh if p is not a poly of m; invalid_argument if x is not finite. The mesh is unchanged then, also if memory runs out.
+/// Errors: invalid_mesh if p is not a poly of m; invalid_argument if x is not finite. The mesh is unchanged then, also
+///         if memory runs out.
 template<EditableMesh M>
 vert_result<M> poly_split(M& m, poly_t<M> p, const vec3& x, const edit_options& options = {}) {
   detail::check_element(m, p, "poly_split", "poly");
@@ -59,7 +61,8 @@ vert_result<M> poly_split(M& m, poly_t<M> p, const vec3& x, const edit_options& 
 }
 
 /// Splits p at the mean of its verts.
-/// Needs:  EditableMesh M.      Result: as above.      Cost: as above.      Errors: invalid_mesh if p is not a poly of m.
+/// Needs:  EditableMesh M.      Result: as above.      Cost: as above.      Errors: invalid_mesh if p is not a poly of
+///         m.
 template<EditableMesh M>
 vert_result<M> poly_split(M& m, poly_t<M> p) {
   detail::check_element(m, p, "poly_split", "poly");

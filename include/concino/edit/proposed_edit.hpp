@@ -1,4 +1,5 @@
-// proposed_edit: an edit of triangles or tets that is about to be made, for invariants, which decide whether it is allowed. `invariant` holds any of them.
+// proposed_edit: an edit of triangles or tets that is about to be made, for invariants, which decide whether it is
+// allowed. `invariant` holds any of them.
 //
 //   auto small = [](const cn::proposed_edit& e) {
 //     return e.num_new_polys() < 40 ? cn::permission{} : cn::permission{cn::refusal::invariant, "too many polys"};
@@ -23,7 +24,8 @@ struct poly_origin {
   unsigned first, count;
 };
 
-/// Verts have local numbers: the existing ones, then the new one if there is one. Polys are lists of `corners_per_poly` of these, in the order of adj_p2v.
+/// Verts have local numbers: the existing ones, then the new one if there is one. Polys are lists of `corners_per_poly`
+/// of these, in the order of adj_p2v.
 struct proposed_edit {
   static constexpr unsigned none = ~0u;
 
@@ -31,7 +33,8 @@ struct proposed_edit {
   std::span<const std::size_t> verts;          // index_of the existing verts
   std::span<const vec3> points_before;         // of existing verts
   std::span<const vec3> points_after;          // of all verts
-  std::span<const std::size_t> old_polys;      // index_of the polys that change: first those that are replaced, then those that only have a vert that moves
+  std::span<const std::size_t> old_polys;      // index_of the polys that change: first those that are replaced, then
+                                               // those that only have a vert that moves
   std::span<const unsigned> old_corners;       // of these
   std::span<const unsigned> new_corners;       // of the new polys, and of those that only have a vert that moves
   std::span<const poly_origin> origins;        // of these, in old_polys
@@ -43,12 +46,16 @@ struct proposed_edit {
 
   std::size_t num_old_polys() const { return old_polys.size(); }
   std::size_t num_new_polys() const { return origins.size(); }
-  std::span<const unsigned> old_poly(std::size_t k) const { return old_corners.subspan(k * corners_per_poly, corners_per_poly); }
-  std::span<const unsigned> new_poly(std::size_t k) const { return new_corners.subspan(k * corners_per_poly, corners_per_poly); }
+  std::span<const unsigned> old_poly(std::size_t k) const {
+    return old_corners.subspan(k * corners_per_poly, corners_per_poly);
+  }
+  std::span<const unsigned> new_poly(std::size_t k) const {
+    return new_corners.subspan(k * corners_per_poly, corners_per_poly);
+  }
 };
 
-/// Any callable that takes a const proposed_edit& and returns a permission, and can be copied byte by byte, such as a lambda that captures references, up to
-/// six pointers.
+/// Any callable that takes a const proposed_edit& and returns a permission, and can be copied byte by byte, such as a
+/// lambda that captures references, up to six pointers.
 class invariant {
   static constexpr std::size_t max_size = 6 * sizeof(void*);
 
@@ -57,9 +64,12 @@ class invariant {
 
  public:
   template<class F>
-    requires(!std::same_as<F, invariant> && std::is_invocable_r_v<permission, const F&, const proposed_edit&> && std::is_trivially_copyable_v<F> && sizeof(F) <= max_size &&
-             alignof(F) <= alignof(void*))
-  invariant(const F& f) : call_([](const void* callable, const proposed_edit& e) { return permission((*static_cast<const F*>(callable))(e)); }) {
+    requires(!std::same_as<F, invariant> && std::is_invocable_r_v<permission, const F&, const proposed_edit&> &&
+             std::is_trivially_copyable_v<F> && sizeof(F) <= max_size && alignof(F) <= alignof(void*))
+  invariant(const F& f)
+      : call_([](const void* callable, const proposed_edit& e) {
+          return permission((*static_cast<const F*>(callable))(e));
+        }) {
     ::new (static_cast<void*>(callable_)) F(f);
   }
 
@@ -68,7 +78,8 @@ class invariant {
 
 /// Options of an edit. A list that is used often is made once, as making it allocates memory.
 struct edit_options {
-  std::vector<invariant> keep = {};  // the edit is refused if one of these refuses it; they are asked in this order, before anything changes
+  std::vector<invariant> keep = {};  // the edit is refused if one of these refuses it; they are asked in this order,
+                                     // before anything changes
 };
 
 }  // namespace concino

@@ -7,7 +7,8 @@
 namespace concino {
 
 /// Refuses edits of m that remove an edge for which `is_protected` is true: by a split, a collapse or a flip.
-/// Needs:  EditableMesh M; a map of edges, or a predicate, bool(edge_t<M>). One that is large or owns memory must be an lvalue that outlives the invariant.
+/// Needs:  EditableMesh M; a map of edges, or a predicate, bool(edge_t<M>). One that is large or owns memory must be an
+///         lvalue that outlives the invariant.
 /// Result: an invariant for `keep`.
 /// Cost:   at each edit, the edges of its old polys.
 /// Errors: an edit throws invalid_argument if its mesh is not m; the mesh is unchanged then.

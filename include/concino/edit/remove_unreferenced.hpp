@@ -27,7 +27,8 @@ bool is_empty_range(const Range& range) {
 template<class M>
 bool is_unreferenced(const M& m, const vert_t<M>& v) {
   if (!is_empty_range(adj_v2p(m, v))) return false;
-  return requirement::has_remove_face<M> || is_empty_range(adj_v2e(m, v));  // with remove_face, its edges are removed with their last faces
+  // with remove_face, its edges are removed with their last faces
+  return requirement::has_remove_face<M> || is_empty_range(adj_v2e(m, v));
 }
 
 struct no_faces {
@@ -50,8 +51,10 @@ auto faces_without_polys(const M& m) {
 }  // namespace detail
 
 /// Removes all verts without polys and, in a mesh of general polyhedra, all faces and edges without polys.
-/// Needs:  AnyMesh M whose traits have remove_vert, and remove_face if faces without polys can exist. In surfaces, verts with edges stay.
-/// Result: how many elements were removed. Other elements keep their descriptors; garbage_collect(m) closes the gaps in their numbers.
+/// Needs:  AnyMesh M whose traits have remove_vert, and remove_face if faces without polys can exist. In surfaces,
+///         verts with edges stay.
+/// Result: how many elements were removed. Other elements keep their descriptors; garbage_collect(m) closes the gaps in
+///         their numbers.
 /// Cost:   O(verts and faces), and the elements at those that are removed.
 /// Errors: none of its own. If memory runs out, nothing is removed.
 template<requirement::has_remove_vert M>
@@ -64,7 +67,9 @@ removed_counts remove_unreferenced(M& m) {
   const auto unused_faces = detail::faces_without_polys(m);
   if constexpr (EditableMesh<M>)
     if (unused_faces.empty()) {  // all at once
-      if (!unused.empty()) rewire(m, cavity<M>{.verts = {unused.data(), unused.data() + unused.size()}, .removed = unused.size()}, cavity_result<M>{});
+      if (!unused.empty())
+        rewire(m, cavity<M>{.verts = {unused.data(), unused.data() + unused.size()}, .removed = unused.size()},
+               cavity_result<M>{});
       return removed;
     }
   const std::size_t num_edges_before = num_edges(m);

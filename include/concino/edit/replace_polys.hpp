@@ -1,4 +1,5 @@
-// replace_polys: many polys replaced by others at once, with the values of named properties. Larger edits are made of it, such as cutting along a curve.
+// replace_polys: many polys replaced by others at once, with the values of named properties. Larger edits are made of
+// it, such as cutting along a curve.
 #pragma once
 
 #include <concino/concepts/editable.hpp>
@@ -20,10 +21,12 @@ void save_verts(const M& m, std::span<const vert_t<M>> changed, const auto& save
 }  // namespace detail
 
 /// Replaces polys as rewire does, and carries the values of named properties over.
-/// Needs:  EditableMesh M; a cavity with the laws of rewire; from.verts: the verts of which each new vert was made, in the order of c.points; from.polys:
-///         the old poly of which each new one was made. finish() changes values of properties at the verts `changed` and at new ones; it cannot fail.
-/// Result: none; `made` has the new elements. A new edge or face has the values of an old one that has all verts of which its own were made, else default
-///         ones; corners have those of the old poly. In an open transaction all of it can be undone.
+/// Needs:  EditableMesh M; a cavity with the laws of rewire; from.verts: the verts of which each new vert was made, in
+///         the order of c.points; from.polys: the old poly of which each new one was made. finish() changes values of
+///         properties at the verts `changed` and at new ones; it cannot fail.
+/// Result: none; `made` has the new elements. A new edge or face has the values of an old one that has all verts of
+///         which its own were made, else default ones; corners have those of the old poly. In an open transaction all
+///         of it can be undone.
 /// Cost:   the elements at the verts of the cavity, but O(mesh) the first time, and sorting these.
 /// Errors: those of rewire. The mesh is unchanged then, also if memory runs out.
 template<EditableMesh M, class Finish>
@@ -55,7 +58,8 @@ void replace_polys(M& m, const cavity<M>& c, const cavity_result<M>& made, const
 }
 
 /// Why the library of m cannot represent what a replacement leads to.
-/// Needs:  EditableMesh M, a cavity.      Result: a permission with the reason, or without one.      Cost: the cavity.      Errors: none.
+/// Needs:  EditableMesh M, a cavity.      Result: a permission with the reason, or without one.      Cost: the cavity. 
+///             Errors: none.
 template<EditableMesh M>
 permission can_replace_polys(const M& m, const cavity<M>& c) {
   return detail::is_representable(m, c);

@@ -60,7 +60,8 @@ class vert_fans {
 
 /// The first fan at v keeps it, the others get new verts.
 template<class M>
-void split_fans_at(const M& m, const vert_t<M>& v, relabelled_cavity<M>& c, std::vector<relabelled_vert>& changed, std::vector<vert_of_fan<M>>& made) {
+void split_fans_at(const M& m, const vert_t<M>& v, relabelled_cavity<M>& c, std::vector<relabelled_vert>& changed,
+                   std::vector<vert_of_fan<M>>& made) {
   const vert_fans<M> fans(m, v);
   if (fans.num_fans < 2) return;
   const auto index = static_cast<std::uint32_t>(index_of(m, v));
@@ -93,10 +94,12 @@ std::vector<vert_of_fan<M>> split_fans(M& m, const Verts& all) {
 
 }  // namespace detail
 
-/// Splits v if it is not manifold: each fan of polys at v that edges of a surface, or faces of a volume, at v connect gets a vert of its own, at the same point.
+/// Splits v if it is not manifold: each fan of polys at v that edges of a surface, or faces of a volume, at v connect
+/// gets a vert of its own, at the same point.
 /// Needs:  EditableMesh M, a vert of m.
-/// Result: the new verts with v; empty if there is one fan at most. v belongs to the fan of its first poly. Polys keep their descriptors, and edges and faces those
-///         that the remaining fan has. The values of properties follow: sums at v are divided by the numbers of polys, others copied.
+/// Result: the new verts with v; empty if there is one fan at most. v belongs to the fan of its first poly. Polys keep
+///         their descriptors, and edges and faces those that the remaining fan has. The values of properties follow:
+///         sums at v are divided by the numbers of polys, others copied.
 /// Cost:   the polys at v, and the elements at the verts of the polys of other fans, but O(mesh) the first time.
 /// Errors: invalid_mesh if v is not a vert of m. The mesh is unchanged then, also if memory runs out.
 template<EditableMesh M>
@@ -108,7 +111,8 @@ std::vector<vert_of_fan<M>> split_vert_fans(M& m, vert_t<M> v) {
 
 /// Splits all verts that are not manifold, as above, at once.
 /// Needs:  EditableMesh M.
-/// Result: the new verts, each with the vert that was split. Edges and faces that several fans shared keep their descriptors in one of these.
+/// Result: the new verts, each with the vert that was split. Edges and faces that several fans shared keep their
+///         descriptors in one of these.
 /// Cost:   O(elements) time; memory for the polys that change.
 /// Errors: none of its own. If memory runs out, the mesh is unchanged.
 template<EditableMesh M>

@@ -3,8 +3,9 @@
 //   { transaction t(m); edge_split(m, e); }                                        // not committed: m is as it was
 //   transaction t(m); edge_split(m, e); auto edits = t.commit();  edits.undo();  edits.redo();
 //
-// What is undone are edits by the functions of this library: elements, adjacencies and their order, points set by set_point, and the properties that these
-// edits change. Values that are written through maps and property handles, and points written in m.points(), are not.
+// What is undone are edits by the functions of this library: elements, adjacencies and their order, points set by
+// set_point, and the properties that these edits change. Values that are written through maps and property handles, and
+// points written in m.points(), are not.
 #pragma once
 
 #include <concino/concepts/editable.hpp>
@@ -18,7 +19,10 @@ namespace concino {
 
 namespace requirement {
 
-template<class M> concept has_edits = requires(std::remove_cvref_t<M>& m) { traits<M>::edits(m).recorder; traits<M>::edits(m).version; };
+template<class M> concept has_edits = requires(std::remove_cvref_t<M>& m) {
+  traits<M>::edits(m).recorder;
+  traits<M>::edits(m).version;
+};
 
 }  // namespace requirement
 
@@ -29,7 +33,8 @@ template<class M> using recorder_of = std::remove_pointer_t<decltype(edits_of<M>
 
 }  // namespace detail
 
-/// The edits of a committed transaction, which can be undone and done again as long as nothing else has changed the mesh in between. Refers to the mesh.
+/// The edits of a committed transaction, which can be undone and done again as long as nothing else has changed the
+/// mesh in between. Refers to the mesh.
 template<class M>
   requires requirement::has_edits<M>
 class committed_edits {
@@ -41,23 +46,29 @@ class committed_edits {
   /// The edits of the mesh. Finding them may need memory in meshes of other libraries, so this comes first.
   detail::edits_of<M>* check(std::uint64_t version, const char* caller) const {
     detail::edits_of<M>* const edits = m_ ? &traits<M>::edits(*m_) : nullptr;
-    if (edits && edits->recorder) core::throw_joined<invalid_argument>({caller, ": a transaction is open; commit it or let it end first"});
+    if (edits && edits->recorder)
+      core::throw_joined<invalid_argument>({caller, ": a transaction is open; commit it or let it end first"});
     if (!edits || edits->version != version)
-      core::throw_joined<invalid_argument>({caller, ": the mesh is not in the state that these edits ", version == version_after_ ? "made" : "began with", "; undo later edits first"});
+      core::throw_joined<invalid_argument>({caller, ": the mesh is not in the state that these edits ",
+                                            version == version_after_ ? "made" : "began with",
+                                            "; undo later edits first"});
     return edits;
   }
 
  public:
   committed_edits() = default;
-  committed_edits(M& m, std::unique_ptr<detail::recorder_of<M>> log, std::uint64_t version_before, std::uint64_t version_after)
+  committed_edits(M& m, std::unique_ptr<detail::recorder_of<M>> log, std::uint64_t version_before,
+                  std::uint64_t version_after)
       : m_(&m), before_(std::move(log)), version_before_(version_before), version_after_(version_after) {}
 
   /// Whether these are the edits of a whole transaction; those of an inner one belong to the outer one.
   explicit operator bool() const { return m_ != nullptr; }
 
   /// Undoes the edits.
-  /// Needs:  the mesh exists, at the same address.      Result: none; the mesh is as before the edits.      Cost: linear in what the edits changed.
-  /// Errors: invalid_argument if the mesh has been edited since, these edits are undone already, or a transaction is open. std::bad_alloc; nothing changes then.
+  /// Needs:  the mesh exists, at the same address.      Result: none; the mesh is as before the edits.      Cost:
+  ///         linear in what the edits changed.
+  /// Errors: invalid_argument if the mesh has been edited since, these edits are undone already, or a transaction is
+  ///         open. std::bad_alloc; nothing changes then.
   void undo() {
     detail::edits_of<M>* const edits = check(version_after_, "undo");
     if (!after_) after_ = std::make_unique<decltype(detail::recorder_of<M>::log)>(before_->changes());
@@ -66,7 +77,8 @@ class committed_edits {
   }
 
   /// Does the edits again after undo().
-  /// Needs:  the mesh exists, at the same address.      Result: none; the mesh is as after the edits.      Cost: linear in what the edits changed.
+  /// Needs:  the mesh exists, at the same address.      Result: none; the mesh is as after the edits.      Cost: linear
+  ///         in what the edits changed.
   /// Errors: invalid_argument if the mesh has been edited since undo(), or a transaction is open.
   void redo() {
     detail::edits_of<M>* const edits = check(version_before_, "redo");
@@ -76,8 +88,9 @@ class committed_edits {
   }
 };
 
-/// Undoes all edits of m since its construction, unless commit() was called: also if an exception leaves its scope. Transactions can be nested; an inner
-/// one that is committed is undone with the outer one. The mesh must not be moved or assigned to while one is open.
+/// Undoes all edits of m since its construction, unless commit() was called: also if an exception leaves its scope.
+/// Transactions can be nested; an inner one that is committed is undone with the outer one. The mesh must not be moved
+/// or assigned to while one is open.
 template<class M>
   requires requirement::has_edits<M>
 class transaction {
@@ -104,7 +117,8 @@ class transaction {
   }
 
   /// Keeps the edits.
-  /// Needs:  the transaction is open.      Result: the edits, to undo them; empty in an inner transaction.      Cost: O(1).
+  /// Needs:  the transaction is open.      Result: the edits, to undo them; empty in an inner transaction.      Cost:
+  ///         O(1).
   /// Errors: invalid_argument if the transaction has ended.
   committed_edits<M> commit() {
     end("commit");

@@ -17,7 +17,8 @@ namespace concino {
 template<class M>
 struct eigenfunctions_result {
   std::vector<double> values;                  // smallest first, in units of 1 / length^2
-  std::vector<vert_map<M, double>> functions;  // the integral of the square of each is 1, of a product of two 0, with respect to the mass
+  std::vector<vert_map<M, double>> functions;  // the integral of the square of each is 1, of a product of two 0, with
+                                               // respect to the mass
   std::vector<double> residuals;               // as those of eigenpairs
   std::size_t isolated = 0;                    // verts without polys, where functions are 0
   std::size_t iterations = 0;                  // as those of eigenpairs

@@ -44,7 +44,8 @@ core::unfolded_surface prepare_exact(const M& m) {
 
 }  // namespace detail
 
-/// A surface prepared by prepare_exact_geodesics for distance and path queries. Several threads may query it. Copies share the prepared data.
+/// A surface prepared by prepare_exact_geodesics for distance and path queries. Several threads may query it. Copies
+/// share the prepared data.
 template<class M>
 class prepared_exact_geodesics {
   detail::mesh_ref<M> mesh_;
@@ -58,10 +59,12 @@ class prepared_exact_geodesics {
   };
 
   void add_start(std::vector<start>& starts, const vert_t<M>& v, double distance) const {
-    if (!contains(mesh_.get(), v)) throw invalid_mesh("exact_geodesics: a source is not a vert of the mesh; take it from verts(m)");
+    if (!contains(mesh_.get(), v))
+      throw invalid_mesh("exact_geodesics: a source is not a vert of the mesh; take it from verts(m)");
     const int i = static_cast<int>(index_of(mesh_.get(), v));
     if (!std::isfinite(distance))
-      core::throw_joined<invalid_argument>({"exact_geodesics: the initial distance at vert ", static_cast<std::size_t>(i), " is not finite"});
+      core::throw_joined<invalid_argument>(
+          {"exact_geodesics: the initial distance at vert ", static_cast<std::size_t>(i), " is not finite"});
     starts.push_back({i, distance});
   }
 
@@ -84,10 +87,12 @@ class prepared_exact_geodesics {
     return solve(windows, least, target);
   }
   /// source_point: set to the source, at the lowest element of p that contains x.
-  vert_map<M, double> solve_from(const poly_t<M>& p, const vec3& x, mesh_point<M>& source_point, detail::path_tree* paths = nullptr) const;
+  vert_map<M, double> solve_from(const poly_t<M>& p, const vec3& x, mesh_point<M>& source_point,
+                                 detail::path_tree* paths = nullptr) const;
 
   detail::path_tree empty_tree() const { return detail::path_tree(triangles().around.size()); }
-  exact_paths<M> with_paths(vert_map<M, double> distances, detail::path_tree tree, std::optional<mesh_point<M>> source_point = {}) const {
+  exact_paths<M> with_paths(vert_map<M, double> distances, detail::path_tree tree,
+                            std::optional<mesh_point<M>> source_point = {}) const {
     return {std::move(distances), prepared_, std::move(tree), std::move(source_point)};
   }
 
@@ -97,12 +102,15 @@ class prepared_exact_geodesics {
 
   const M& mesh() const { return mesh_.get(); }
 
-  /// The distances of all verts from one vert or from the nearest of several. Sources may be pairs of a vert and an initial distance: then the distance
-  /// is the minimum over all sources of the initial distance plus the distance from there.
-  /// Needs:  a vert, a container of verts or of pairs, or braces of either: {v, w}, {{v, 0.5}, {w, 0.0}}. The mesh has not changed since it was prepared.
+  /// The distances of all verts from one vert or from the nearest of several. Sources may be pairs of a vert and an
+  /// initial distance: then the distance is the minimum over all sources of the initial distance plus the distance from
+  /// there.
+  /// Needs:  a vert, a container of verts or of pairs, or braces of either: {v, w}, {{v, 0.5}, {w, 0.0}}. The mesh has
+  ///         not changed since it was prepared.
   /// Result: a map of double, in units of length; +inf at verts that no path over polys reaches.
   /// Cost:   see exact_geodesics.
-  /// Errors: invalid_argument if there is no source or a number is not finite; invalid_mesh if a source is not a vert of the mesh.
+  /// Errors: invalid_argument if there is no source or a number is not finite; invalid_mesh if a source is not a vert
+  ///         of the mesh.
   template<class S>
     requires(detail::gives_verts<M, S> || detail::gives_distances<M, S>)
   vert_map<M, double> distance_from(const S& sources) const {
@@ -133,7 +141,9 @@ class prepared_exact_geodesics {
     auto distances = solve_from(sources, &tree);
     return with_paths(std::move(distances), std::move(tree));
   }
-  exact_paths<M> paths_from(std::initializer_list<vert_t<M>> sources) const { return paths_from<std::initializer_list<vert_t<M>>>(sources); }
+  exact_paths<M> paths_from(std::initializer_list<vert_t<M>> sources) const {
+    return paths_from<std::initializer_list<vert_t<M>>>(sources);
+  }
   exact_paths<M> paths_from(std::initializer_list<std::pair<vert_t<M>, double>> sources) const {
     return paths_from<std::initializer_list<std::pair<vert_t<M>, double>>>(sources);
   }
@@ -148,7 +158,8 @@ class prepared_exact_geodesics {
   /// Result: see geodesic_path.      Cost: as distance_from, but the search ends at the target.
   /// Errors: invalid_mesh if source or target is not a vert of the mesh.
   geodesic_path<M> path_between(const vert_t<M>& source, const vert_t<M>& target) const {
-    if (!contains(mesh_.get(), target)) throw invalid_mesh("exact_geodesics: the target is not a vert of the mesh; take it from verts(m)");
+    if (!contains(mesh_.get(), target))
+      throw invalid_mesh("exact_geodesics: the target is not a vert of the mesh; take it from verts(m)");
     detail::path_tree tree = empty_tree();
     auto distances = solve_from(source, &tree, static_cast<int>(index_of(mesh_.get(), target)));
     return with_paths(std::move(distances), std::move(tree)).path_to(target);
@@ -156,7 +167,9 @@ class prepared_exact_geodesics {
 };
 
 template<class M>
-vert_map<M, double> prepared_exact_geodesics<M>::solve_from(const poly_t<M>& p, const vec3& x, mesh_point<M>& source_point, detail::path_tree* paths) const {
+vert_map<M, double> prepared_exact_geodesics<M>::solve_from(const poly_t<M>& p, const vec3& x,
+                                                            mesh_point<M>& source_point,
+                                                            detail::path_tree* paths) const {
   const M& m = mesh_.get();
   source_point = detail::lowest_element_of(m, mesh_point<M>{p, x}, "exact_geodesics", "source");
   detail::exact_windows windows(triangles(), paths);
@@ -174,26 +187,30 @@ vert_map<M, double> prepared_exact_geodesics<M>::solve_from(const poly_t<M>& p, 
   return solve(windows, 0);
 }
 
-/// Prepares exact distances and shortest paths over a triangle mesh, for many queries: auto exact = prepare_exact_geodesics(m);
-/// auto d = exact.distance_from(v). Then d[w] is the length of a shortest path over the surface, to rounding; exact.path_between(v, w) is the path.
-/// Needs:  Embedded SurfaceMesh of triangles, by type or in fact; not a temporary, and not changed later. It may have a boundary; paths may run along
-///         it. It may be non-oriented or non-manifold: at an edge of more than two triangles, paths pass from each triangle to every other. A vert
-///         may have several fans.
-/// Result: an object with distance_from(...), paths_from(...) and path_between(...). It only uses the lengths of edges, which rounding changes by
-///         parts in 10^16. A triangle with an angle of a radians makes a length uncertain by about 10^-16 / a of it.
-/// Cost:   O(n) to prepare, for n triangles. A query takes O(n^2 log n) at worst if no edge has more than two triangles, on common surfaces
-///         about n^1.7: 0.1 s for 2 10^4 triangles, 1.4 s for 8 10^4, twice that on flat surfaces. The heat method is faster and takes any polys, but
-///         it is not exact: see prepare_heat_geodesics.
+/// Prepares exact distances and shortest paths over a triangle mesh, for many queries: auto exact =
+/// prepare_exact_geodesics(m); auto d = exact.distance_from(v). Then d[w] is the length of a shortest path over the
+/// surface, to rounding; exact.path_between(v, w) is the path.
+/// Needs:  Embedded SurfaceMesh of triangles, by type or in fact; not a temporary, and not changed later. It may have a
+///         boundary; paths may run along it. It may be non-oriented or non-manifold: at an edge of more than two
+///         triangles, paths pass from each triangle to every other. A vert may have several fans.
+/// Result: an object with distance_from(...), paths_from(...) and path_between(...). It only uses the lengths of edges,
+///         which rounding changes by parts in 10^16. A triangle with an angle of a radians makes a length uncertain by
+///         about 10^-16 / a of it.
+/// Cost:   O(n) to prepare, for n triangles. A query takes O(n^2 log n) at worst if no edge has more than two
+///         triangles, on common surfaces about n^1.7: 0.1 s for 2 10^4 triangles, 1.4 s for 8 10^4, twice that on flat
+///         surfaces. The heat method is faster and takes any polys, but it is not exact: see prepare_heat_geodesics.
 /// Errors: unsupported if a poly is no triangle; invalid_mesh if one has no area or points that are not finite.
-/// Source: Mitchell, Mount, Papadimitriou 1987; windows and their order: Surazhsky, Surazhsky, Kirsanov, Gortler, Hoppe 2005, "Fast exact and
-///         approximate geodesics on meshes"; which windows are dropped: Chen and Han 1990, Xin and Wang 2009.
+/// Source: Mitchell, Mount, Papadimitriou 1987; windows and their order: Surazhsky, Surazhsky, Kirsanov, Gortler, Hoppe
+///         2005, "Fast exact and approximate geodesics on meshes"; which windows are dropped: Chen and Han 1990, Xin
+///         and Wang 2009.
 template<class M>
   requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M>
 prepared_exact_geodesics<std::remove_cvref_t<M>> prepare_exact_geodesics(M&& m) {
   return prepared_exact_geodesics<std::remove_cvref_t<M>>(m);
 }
 
-/// Exact distances over a triangle mesh, for a single query: from one vert, from the nearest of several, or from a point of a poly.
+/// Exact distances over a triangle mesh, for a single query: from one vert, from the nearest of several, or from a
+/// point of a poly.
 /// Needs:  as prepare_exact_geodesics; sources as for its distance_from.
 /// Result: a map of double, in units of length; +inf at verts that no path over polys reaches.
 /// Cost:   as prepare_exact_geodesics and its distance_from.
@@ -206,8 +223,8 @@ vert_map<std::remove_cvref_t<M>, double> exact_geodesics(M&& m, const S& sources
   return prepare_exact_geodesics(m).distance_from(sources);
 }
 template<class M>
-  requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M>
-vert_map<std::remove_cvref_t<M>, double> exact_geodesics(M&& m, std::initializer_list<std::pair<vert_t<M>, double>> sources) {
+  requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M> vert_map < std::remove_cvref_t<M>,
+double > exact_geodesics(M&& m, std::initializer_list<std::pair<vert_t<M>, double>> sources) {
   return prepare_exact_geodesics(m).distance_from(sources);
 }
 template<class M>

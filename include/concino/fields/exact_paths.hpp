@@ -22,8 +22,8 @@
 
 namespace concino {
 
-/// A shortest path over a surface. It is straight between consecutive points; each piece lies in one triangle or along an edge.
-/// points: from the source to the target, both included; one if they are the same, none if no path exists.
+/// A shortest path over a surface. It is straight between consecutive points; each piece lies in one triangle or along
+/// an edge. points: from the source to the target, both included; one if they are the same, none if no path exists.
 /// length: the sum of the lengths of the pieces, in units of length; +inf if no path exists.
 template<class M>
 struct geodesic_path {
@@ -47,8 +47,8 @@ class exact_paths {
 
  public:
   /// Called by prepared_exact_geodesics::paths_from.
-  exact_paths(vert_map<M, double> distances, std::shared_ptr<const core::unfolded_surface> prepared, detail::path_tree tree,
-              std::optional<mesh_point<M>> source_point)
+  exact_paths(vert_map<M, double> distances, std::shared_ptr<const core::unfolded_surface> prepared,
+              detail::path_tree tree, std::optional<mesh_point<M>> source_point)
       : distances_(std::move(distances)) {
     const M& m = distances_.mesh();
     contents c{std::move(prepared), std::move(tree), std::move(source_point), {}, {}};
@@ -64,8 +64,8 @@ class exact_paths {
 
   /// The shortest path from the nearest source to vert v.
   /// Needs:  the mesh has not changed since it was prepared.
-  /// Result: see geodesic_path. Its length is the distance at v minus the initial distance of its source, to a relative error of 1e-12. If there are
-  ///         several shortest paths, it is one of them, the same in every run.
+  /// Result: see geodesic_path. Its length is the distance at v minus the initial distance of its source, to a relative
+  ///         error of 1e-12. If there are several shortest paths, it is one of them, the same in every run.
   /// Cost:   O(number of points).
   /// Errors: invalid_mesh if v is not a vert of the mesh.
   geodesic_path<M> path_to(const vert_t<M>& v) const {
@@ -74,10 +74,12 @@ class exact_paths {
     geodesic_path<M> path;
     if (distances_[v] == std::numeric_limits<double>::infinity()) return path;
     const core::unfolded_triangles& t = contents_->prepared->triangles;
-    for (const detail::path_tree::stop& s : contents_->tree.path_to(t, static_cast<int>(index_of(m, v)))) path.points.push_back(point_at(m, t, s));
+    for (const detail::path_tree::stop& s : contents_->tree.path_to(t, static_cast<int>(index_of(m, v))))
+      path.points.push_back(point_at(m, t, s));
     const double unit = std::ldexp(1.0, -t.exponent);  // so that no square overflows
     double length = 0;
-    for (std::size_t i = 1; i < path.points.size(); ++i) length += distance(unit * path.points[i - 1].position, unit * path.points[i].position);
+    for (std::size_t i = 1; i < path.points.size(); ++i)
+      length += distance(unit * path.points[i - 1].position, unit * path.points[i].position);
     path.length = std::ldexp(length, t.exponent);
     return path;
   }

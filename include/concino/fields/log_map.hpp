@@ -20,14 +20,17 @@
 namespace concino {
 
 struct log_map_options {
-  double time = 0;                       // how long heat flows, in units of length^2, finite; 0: the square of the length of edges, averaged by area
+  double time = 0;                       // how long heat flows, in units of length^2, finite; 0: the square of the
+                                         // length of edges, averaged by area
   concino::progress progress = nullptr;  // called with "log map" and "factorising"
 };
 
-/// distance: of the vert from the source, in units of length, in the plane into which the surface unfolds; 0 at the source, +inf where no path leads there. Where
-///           a straight path over the surface joins both, it is the length of this path. Across a notch or a hole it is shorter than every path;
-///           heat_geodesics and exact_geodesics measure round it.
-/// direction: the direction in which the straight path leaves the source, of length 1, in the source's frame (see tangent_vector); 0 at the source and where the
+/// distance: of the vert from the source, in units of length, in the plane into which the surface unfolds; 0 at the
+/// source, +inf where no path leads there. Where
+///           a straight path over the surface joins both, it is the length of this path. Across a notch or a hole it is
+///           shorter than every path; heat_geodesics and exact_geodesics measure round it.
+/// direction: the direction in which the straight path leaves the source, of length 1, in the source's frame (see
+/// tangent_vector); 0 at the source and where the
 ///            distance is infinite.
 template<class M>
 struct log_map_result {
@@ -35,7 +38,8 @@ struct log_map_result {
   vert_map<M, tangent_vector> direction;
 };
 
-/// A surface prepared by prepare_log_map. Several threads may query it if the solver allows it. Copies share the prepared data.
+/// A surface prepared by prepare_log_map. Several threads may query it if the solver allows it. Copies share the
+/// prepared data.
 template<class M, class Solver>
 class prepared_log_map {
   static constexpr const char* caller = "log_map";
@@ -60,7 +64,8 @@ class prepared_log_map {
     const int from = heat_->index_of_source(m, source, caller);
     const detail::affine_heat& equations = heat_->equations;
     const detail::diffused d = heat_->run({{from, {1, 0}}}, {.second = equations.reflects, .offset = true}, caller);
-    log_map_result<M> r{make_vert_map<double>(m, std::numeric_limits<double>::infinity()), make_vert_map<tangent_vector>(m)};
+    log_map_result<M> r{make_vert_map<double>(m, std::numeric_limits<double>::infinity()),
+                        make_vert_map<tangent_vector>(m)};
     for (std::size_t v = 0; v < equations.size(); ++v) {
       if (!d.is_reached(v)) continue;
       const auto i = static_cast<Eigen::Index>(v);
@@ -84,31 +89,45 @@ class prepared_log_map {
 };
 
 /// Prepares logarithmic maps about many verts: auto log = prepare_log_map(m); auto l = log.log_map_from(v).
-/// Needs:  as log_map; the mesh must not change afterwards. solver: two of its type are constructed, from its options() if it has them.
-/// Result: an object with log_map_from(v).      Cost: as log_map without the query.      Errors: as log_map, except that about the source.
+/// Needs:  as log_map; the mesh must not change afterwards. solver: two of its type are constructed, from its options()
+///         if it has them.
+/// Result: an object with log_map_from(v).      Cost: as log_map without the query.      Errors: as log_map, except
+///         that about the source.
 template<class M, class Solver = ldlt>
-  requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-prepared_log_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_log_map(M&& m, const log_map_options& options = {}, Solver&& solver = {}) {
-  return {m, options, solver};
-}
+  requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M> &&
+      SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+          prepared_log_map<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_log_map(
+              M&& m, const log_map_options& options = {}, Solver&& solver = {}) {
+    return {m, options, solver};
+  }
 
-/// The logarithmic map of a surface about one vert, by the affine heat method: auto l = log_map(m, v). Then l.distance[w] and l.direction[w] are the
-/// polar coordinates of w in the plane into which the surface unfolds about v: length and direction of the straight path from v to w, where there is one.
-/// Needs:  Embedded SurfaceMesh, not a temporary, with or without boundary. The polys at each vert are one fan. solver: a SparseSolver that factorises.
-/// Result: see log_map_result. Where the surface is flat, polar coordinates to rounding, whatever the polygons are; across holes too, if heat reaches them
-///         along a way without turns about curved parts. Elsewhere approximate: on spheres the errors halve if edges do. On scanned and designed surfaces
-///         distances are wrong by 1 to 3 % of the largest in the mean, and by up to 12 % where several paths are nearly the shortest, at the cut locus. There
-///         directions are between theirs. Distances are root mean squares over paths along which heat flows. Unlike heat_geodesics, they are not clamped.
-///         Polygons other than triangles are triangulated. Frames where the surface is not orientable are those carried along the path.
-/// Cost:   two sparse factorisations, of as many unknowns as there are verts and of twice as many. Then two back-substitutions with each, one more with the second if polys at an edge have opposite orientations; as many again for each 550 root(time) of distance.
-/// Errors: invalid_mesh if source is not a vert of the mesh, or if a poly has no area or points that are not finite. unsupported if the polys at a vert are not
-///         one fan, or the solver is iterative. invalid_argument if time is out of its range, or so short that heat vanishes. solver_error. cancelled.
-/// Source: Soliman, Sharp 2025, "The affine heat method", with squared distances carried along, which do not cancel at the cut locus as vectors do; the transport of vectors: Sharp, Soliman, Crane 2019, "The vector heat method".
+/// The logarithmic map of a surface about one vert, by the affine heat method: auto l = log_map(m, v). Then
+/// l.distance[w] and l.direction[w] are the polar coordinates of w in the plane into which the surface unfolds about v:
+/// length and direction of the straight path from v to w, where there is one.
+/// Needs:  Embedded SurfaceMesh, not a temporary, with or without boundary. The polys at each vert are one fan. solver:
+///         a SparseSolver that factorises.
+/// Result: see log_map_result. Where the surface is flat, polar coordinates to rounding, whatever the polygons are;
+///         across holes too, if heat reaches them along a way without turns about curved parts. Elsewhere approximate:
+///         on spheres the errors halve if edges do. On scanned and designed surfaces distances are wrong by 1 to 3 % of
+///         the largest in the mean, and by up to 12 % where several paths are nearly the shortest, at the cut locus.
+///         There directions are between theirs. Distances are root mean squares over paths along which heat flows.
+///         Unlike heat_geodesics, they are not clamped. Polygons other than triangles are triangulated. Frames where
+///         the surface is not orientable are those carried along the path.
+/// Cost:   two sparse factorisations, of as many unknowns as there are verts and of twice as many. Then two
+///         back-substitutions with each, one more with the second if polys at an edge have opposite orientations; as
+///         many again for each 550 root(time) of distance.
+/// Errors: invalid_mesh if source is not a vert of the mesh, or if a poly has no area or points that are not finite.
+///         unsupported if the polys at a vert are not one fan, or the solver is iterative. invalid_argument if time is
+///         out of its range, or so short that heat vanishes. solver_error. cancelled.
+/// Source: Soliman, Sharp 2025, "The affine heat method", with squared distances carried along, which do not cancel at
+///         the cut locus as vectors do; the transport of vectors: Sharp, Soliman, Crane 2019, "The vector heat method".
 template<class M, class Solver = ldlt>
-  requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-log_map_result<std::remove_cvref_t<M>> log_map(M&& m, const vert_t<M>& source, const log_map_options& options = {}, Solver&& solver = {}) {
-  return prepare_log_map(m, options, solver).log_map_from(source);
-}
+  requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M> &&
+      SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+          log_map_result<std::remove_cvref_t<M>> log_map(M&& m, const vert_t<M>& source,
+                                                         const log_map_options& options = {}, Solver&& solver = {}) {
+    return prepare_log_map(m, options, solver).log_map_from(source);
+  }
 
 // What to write instead of calls that cannot compile.
 template<class... T> void prepare_log_map(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()

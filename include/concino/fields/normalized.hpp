@@ -49,11 +49,13 @@ void normalize_values(const Elements& elements, const U& u, const normalize_opti
 
 }  // namespace detail
 
-/// The values of verts, or of polys, moved and scaled such that the least one becomes options.low and the greatest one options.high; and the vectors of polys divided by
-/// their lengths.
-/// Needs:  AnyMesh, or for values at verts PrimalGraph, not a temporary; u[v] is a number for each vert, or u[p] a number or a vector for each poly.
-/// Result: a map of double or vec3. If all values are equal, they become options.low. The range is that of finite values; other values stay infinite or not numbers. The zero
-///         vector stays, and vectors that are not finite become NaN.
+/// The values of verts, or of polys, moved and scaled such that the least one becomes options.low and the greatest one
+/// options.high; and the vectors of polys divided by their lengths.
+/// Needs:  AnyMesh, or for values at verts PrimalGraph, not a temporary; u[v] is a number for each vert, or u[p] a
+///         number or a vector for each poly.
+/// Result: a map of double or vec3. If all values are equal, they become options.low. The range is that of finite
+///         values; other values stay infinite or not numbers. The zero vector stays, and vectors that are not finite
+///         become NaN.
 /// Cost:   O(elements).
 /// Errors: invalid_argument if an end of the range is not finite.
 template<class M, class U>
@@ -64,7 +66,8 @@ vert_map<M, double> normalized(M&& m, const U& u, const normalize_options& optio
   return result;
 }
 template<class M, class U>
-  requires(requirement::is_lvalue_or_view<M> && AnyMesh<M> && requirement::gives_numbers<U, poly_t<M>> && !requirement::gives_numbers<U, vert_t<M>>)
+  requires(requirement::is_lvalue_or_view<M>&& AnyMesh<M>&& requirement::gives_numbers<U, poly_t<M>> &&
+           !requirement::gives_numbers<U, vert_t<M>>)
 poly_map<M, double> normalized(M&& m, const U& u, const normalize_options& options = {}) {
   auto result = make_poly_map<double>(m);
   detail::normalize_values(polys(m), u, options, result);
@@ -78,7 +81,8 @@ poly_map<M, vec3> normalized(M&& m, const Field& field) {
     const vec3 x = to_vec3(field[p]);
     const double largest = std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)});
     if (x == vec3()) return;
-    const vec3 scaled = largest < 1 ? x * 0x1p500 : x * 0x1p-500;  // so that the length neither overflows nor loses digits
+    const vec3 scaled = largest < 1 ? x * 0x1p500 : x * 0x1p-500;  // so that the length neither overflows nor loses
+                                                                   // digits
     result[p] = scaled / norm(scaled);
   });
   return result;

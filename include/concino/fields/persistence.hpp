@@ -1,4 +1,5 @@
-// persistence: pairs of extrema and saddles of a function on the verts of a graph, by which large hills are told from small ones.
+// persistence: pairs of extrema and saddles of a function on the verts of a graph, by which large hills are told from
+// small ones.
 #pragma once
 
 #include <concino/concepts/maps.hpp>
@@ -27,21 +28,26 @@ struct persistence_pairs {
 namespace detail {
 
 template<class V>
-void name_pairs(const ranked_graph& g, const std::vector<V>& verts, bool of_maxima, std::vector<persistence_pair<V>>& to) {
+void name_pairs(const ranked_graph& g, const std::vector<V>& verts, bool of_maxima,
+                std::vector<persistence_pair<V>>& to) {
   const std::vector<extremum_pair> pairs = find_extremum_pairs(g, of_maxima);
   to.reserve(pairs.size());
   for (const extremum_pair& p : pairs)
-    to.push_back({verts[p.extremum], p.saddle == no_rank ? std::nullopt : std::optional<V>(verts[p.saddle]), p.persistence});
+    to.push_back(
+        {verts[p.extremum], p.saddle == no_rank ? std::nullopt : std::optional<V>(verts[p.saddle]), p.persistence});
 }
 
 }  // namespace detail
 
-/// The persistent homology of dimension 0 of u and of -u. As t grows, components of {u <= t} begin at minima, and join at saddles. Where two join, the one whose
-/// minimum is higher ends: this minimum is paired with the saddle. Maxima are paired in the same way, from above.
+/// The persistent homology of dimension 0 of u and of -u. As t grows, components of {u <= t} begin at minima, and join
+/// at saddles. Where two join, the one whose minimum is higher ends: this minimum is paired with the saddle. Maxima are
+/// paired in the same way, from above.
 /// Needs:  PrimalGraph; u[v] is a finite number for each vert, readable from several threads.
-/// Result: each minimum and each maximum in one pair. The lowest minimum and the highest maximum of each component have no saddle and infinite persistence. Of
-///         verts with equal values, the one with the smaller index counts as the lower one, so some pairs have persistence 0. Pairs come by falling persistence,
-///         of equal ones those of lower minima and of higher maxima first. A vert is the saddle of several pairs where more than two components join.
+/// Result: each minimum and each maximum in one pair. The lowest minimum and the highest maximum of each component have
+///         no saddle and infinite persistence. Of verts with equal values, the one with the smaller index counts as the
+///         lower one, so some pairs have persistence 0. Pairs come by falling persistence, of equal ones those of lower
+///         minima and of higher maxima first. A vert is the saddle of several pairs where more than two components
+///         join.
 /// Cost:   O(V log V + E) time, up to an inverse Ackermann factor, and O(V + E) memory.
 /// Errors: invalid_argument that names a vert whose value is not finite.
 /// Source: Edelsbrunner, Letscher, Zomorodian 2002, "Topological persistence and simplification".

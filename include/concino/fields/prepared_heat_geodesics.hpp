@@ -24,7 +24,8 @@
 
 namespace concino {
 
-/// A mesh prepared by prepare_heat_geodesics for distance queries. Several threads may query it if the solver allows it. Copies share the prepared data.
+/// A mesh prepared by prepare_heat_geodesics for distance queries. Several threads may query it if the solver allows
+/// it. Copies share the prepared data.
 template<class M, class Solver>
 class prepared_heat_geodesics {
   using scaled_mesh = views::scaled<M>;
@@ -38,7 +39,8 @@ class prepared_heat_geodesics {
 
     bool is_heat_negative() const {
       const auto position = [&](int v) { return graph.position(static_cast<std::size_t>(v)); };
-      const auto sources = system.one_source_per_component([&](int v, int w) { return core::is_lexicographically_less(position(v), position(w)); });
+      const auto sources = system.one_source_per_component(
+          [&](int v, int w) { return core::is_lexicographically_less(position(v), position(w)); });
       std::vector<double> guess;
       if (system.is_iterative()) {
         std::vector<detail::distance_graph::start> starts;
@@ -58,14 +60,17 @@ class prepared_heat_geodesics {
   std::shared_ptr<const preparation> prepared_;
 
   template<class D>
-  static preparation prepare(const M& mesh_in, const D& discretisation, const heat_geodesics_options& options, const Solver& solver) {
+  static preparation prepare(const M& mesh_in, const D& discretisation, const heat_geodesics_options& options,
+                             const Solver& solver) {
     if (!(options.time >= 0 && options.time <= std::numeric_limits<double>::max()))
-      core::throw_joined<invalid_argument>({"heat_geodesics: time is ", core::number_text(options.time), "; it must be finite and 0 or more"});
+      core::throw_joined<invalid_argument>(
+          {"heat_geodesics: time is ", core::number_text(options.time), "; it must be finite and 0 or more"});
     detail::report_progress(options.progress, 0, "heat geodesics");
     const scaled_mesh m = detail::scaled_to_unit(mesh_in);
     detail::corner_fluxes corners = detail::fluxes_of(m);
     const double edge = detail::mean_edge_length(m);
-    const double time = options.time > 0 ? std::ldexp(options.time, -2 * m.exponent()) : 2 * detail::mean_square_width(m) / dimension_v<M>;
+    const double time = options.time > 0 ? std::ldexp(options.time, -2 * m.exponent())
+                                         : 2 * detail::mean_square_width(m) / dimension_v<M>;
     constexpr bool along_edges = requirement::has_masses<D, M>;  // lengths are still those of the mesh
     Eigen::SparseMatrix<double> stiffness;
     if constexpr (along_edges) stiffness = detail::with_diagonal(lower_stiffness(m, virtual_elements));
@@ -84,7 +89,8 @@ class prepared_heat_geodesics {
         return along_edges && here > 0 ? mean * own[static_cast<std::size_t>(c)] : here;
       });
     };
-    Eigen::SparseMatrix<double> heat = along_edges ? heat_by(lower_stiffness(mesh_in, discretisation)) : heat_by(stiffness);
+    Eigen::SparseMatrix<double> heat =
+        along_edges ? heat_by(lower_stiffness(mesh_in, discretisation)) : heat_by(stiffness);
     detail::report_progress(options.progress, 0.1, "factorising");
     preparation r{{std::move(stiffness), std::move(corners), mean, solver},
                   detail::distance_graph_of(m),
@@ -93,7 +99,8 @@ class prepared_heat_geodesics {
                   m.exponent(),
                   options.clamp};
     detail::report_progress(options.progress, 0.4, "factorising");
-    const auto is_dirichlet_vert = options.boundary == heat_boundary::neumann ? make_vert_map<bool>(m, false) : boundary_verts(m);
+    const auto is_dirichlet_vert =
+        options.boundary == heat_boundary::neumann ? make_vert_map<bool>(m, false) : boundary_verts(m);
     const std::span<const unsigned char> is_dirichlet = is_dirichlet_vert.values();
     const bool has_boundary = std::find(is_dirichlet.begin(), is_dirichlet.end(), 1) != is_dirichlet.end();
     if (!has_boundary || options.boundary != heat_boundary::dirichlet) {
@@ -127,14 +134,18 @@ class prepared_heat_geodesics {
 
   static double path_length_at_source(const detail::distance_graph::start& s) { return s.before + s.distance; }
   static std::size_t index(const detail::distance_graph::start& s) { return static_cast<std::size_t>(s.vert); }
-  std::size_t component(std::size_t i) const { return static_cast<std::size_t>(prepared_->system.component(static_cast<int>(i))); }
+  std::size_t component(std::size_t i) const {
+    return static_cast<std::size_t>(prepared_->system.component(static_cast<int>(i)));
+  }
 
-  std::vector<double> log_heat(const query& q, const std::vector<double>& least, const std::vector<double>& longest) const;
+  std::vector<double> log_heat(const query& q, const std::vector<double>& least,
+                               const std::vector<double>& longest) const;
   vert_map<M, double> answer(const query& q) const;
 
  public:
   template<class D>
-  prepared_heat_geodesics(const M& m, const D& discretisation, const heat_geodesics_options& options, const Solver& solver)
+  prepared_heat_geodesics(const M& m, const D& discretisation, const heat_geodesics_options& options,
+                          const Solver& solver)
       : mesh_(m), prepared_(std::make_shared<const preparation>(prepare(m, discretisation, options, solver))) {}
 
   const M& mesh() const { return mesh_.get(); }
@@ -144,10 +155,11 @@ class prepared_heat_geodesics {
   /// The distances of all verts from these sources.
   /// Needs:  sources as for heat_geodesics. The mesh has not changed since it was prepared.
   /// Result: that of heat_geodesics.
-  /// Cost:   two back-substitutions, three where there is a boundary, and half of their time; more if heat underflows and is continued. With clamp also a
-  ///         search for shortest paths. With
+  /// Cost:   two back-substitutions, three where there is a boundary, and half of their time; more if heat underflows
+  ///         and is continued. With clamp also a search for shortest paths. With
   ///         iterative solvers one solve and iterations in bands, see heat_geodesics.
-  /// Errors: invalid_argument if there is no source or a number is not finite; invalid_mesh if a source is not a vert of the mesh; solver_error.
+  /// Errors: invalid_argument if there is no source or a number is not finite; invalid_mesh if a source is not a vert
+  ///         of the mesh; solver_error.
   template<class S>
     requires(detail::gives_verts<M, S> || detail::gives_distances<M, S>)
   vert_map<M, double> distance_from(const S& sources) const {
@@ -164,7 +176,8 @@ class prepared_heat_geodesics {
   void distance_from(mistake::number<mistake::name_the_element>, ...) const = delete;  // elements have types: vert_id{0}, not 0
 
   /// The distances of all verts from a point of poly p, as a place of its lowest element.
-  /// Needs:  x lies on or in p. The polys that contain it should be convex: the distances of their verts are those of straight lines.
+  /// Needs:  x lies on or in p. The polys that contain it should be convex: the distances of their verts are those of
+  ///         straight lines.
   /// Result, cost: as above.
   /// Errors: those of lowest_element.
   vert_map<M, double> distance_from(const poly_t<M>& p, const vec3& x) const {
@@ -172,33 +185,38 @@ class prepared_heat_geodesics {
     const mesh_point<M> source = detail::lowest_element_of(m, mesh_point<M>{p, x}, "heat_geodesics", "source");
     if (const auto* v = std::get_if<vert_t<M>>(&source.element)) return distance_from(*v);
     query q;
-    q.sources.push_back({vec3{scale_down(source.position.x), scale_down(source.position.y), scale_down(source.position.z)}, 0});
+    q.sources.push_back(
+        {vec3{scale_down(source.position.x), scale_down(source.position.y), scale_down(source.position.z)}, 0});
     detail::for_each_poly_at(m, source, [&](const poly_t<M>& at) {
       for (const vert_t<M> v : adj_p2v(m, at)) {
         const int i = number(v);
         if (std::any_of(q.starts.begin(), q.starts.end(), [&](const auto& s) { return s.vert == i; })) continue;
-        q.starts.push_back({i, 0, distance(q.sources[0].position, prepared_->graph.position(static_cast<std::size_t>(i))), 0});
+        q.starts.push_back(
+            {i, 0, distance(q.sources[0].position, prepared_->graph.position(static_cast<std::size_t>(i))), 0});
       }
     });
     return answer(q);
   }
 };
 
-/// The logarithm of heat. A source is the weaker the more its initial distance exceeds `least`, the smallest one in its component.
-/// longest: lengths of paths to each vert.
+/// The logarithm of heat. A source is the weaker the more its initial distance exceeds `least`, the smallest one in its
+/// component. longest: lengths of paths to each vert.
 template<class M, class Solver>
-std::vector<double> prepared_heat_geodesics<M, Solver>::log_heat(const query& q, const std::vector<double>& least, const std::vector<double>& longest) const {
+std::vector<double> prepared_heat_geodesics<M, Solver>::log_heat(const query& q, const std::vector<double>& least,
+                                                                 const std::vector<double>& longest) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double decay = std::sqrt(prepared_->time);
   std::vector<detail::heat_source> sources;
   for (const auto& s : q.starts)
-    if (const double strength = std::exp((least[component(index(s))] - path_length_at_source(s)) / decay); strength > 0) sources.push_back({s.vert, strength});
+    if (const double strength = std::exp((least[component(index(s))] - path_length_at_source(s)) / decay); strength > 0)
+      sources.push_back({s.vert, strength});
   std::vector<double> guess(least.size(), -infinity);
   for (std::size_t i = 0; i < guess.size(); ++i)
     if (longest[i] < infinity) guess[i] = (least[component(i)] - longest[i]) / decay;
   std::vector<double> heat = prepared_->system.log_heat(sources, guess);
   bool complete = true;
-  for (std::size_t i = 0; i < least.size(); ++i) complete = complete && (heat[i] > -infinity || least[component(i)] == infinity);
+  for (std::size_t i = 0; i < least.size(); ++i)
+    complete = complete && (heat[i] > -infinity || least[component(i)] == infinity);
   if (!complete) detail::fill_along_edges(scaled_mesh(mesh_.get(), prepared_->exponent), decay, heat);
   return heat;
 }
@@ -211,19 +229,22 @@ vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const query& q) c
   auto distance_at = make_vert_map<double>(mesh_.get(), infinity);
   const auto size = distance_at.values().size();
   std::vector<double> least(size, infinity);  // of the initial distances in each component
-  for (const auto& s : q.starts) least[component(index(s))] = std::min(least[component(index(s))], path_length_at_source(s));
-  // The integral of the gradient is known up to a constant in each component, and it is too round at a source. The constant is fitted to bounds of the
-  // distances near the sources; tighter bounds have more weight.
-  // Verts are used up to `near` times `decay` from a source, if the path over the mesh is longer than the straight line by at most `max_doubt` of it. The
-  // numbers are not round, as those of regular grids are: rounding must not decide which verts are used.
-  // Where the distance from the nearest source is only rounding, as at the corners of a square around a source in its centre, verts are not used.
+  for (const auto& s : q.starts)
+    least[component(index(s))] = std::min(least[component(index(s))], path_length_at_source(s));
+  // The integral of the gradient is known up to a constant in each component, and it is too round at a source. The
+  // constant is fitted to bounds of the distances near the sources; tighter bounds have more weight.
+  // Verts are used up to `near` times `decay` from a source, if the path over the mesh is longer than the straight line
+  // by at most `max_doubt` of it. The numbers are not round, as those of regular grids are: rounding must not decide
+  // which verts are used. Where the distance from the nearest source is only rounding, as at the corners of a square
+  // around a source in its centre, verts are not used.
   constexpr double near = 2 + 1e-6, max_doubt = 0.2 + 1e-6, rounding = 1e-6;
   // Without clamp, longer paths are only needed as a guess.
   const bool needs_all = prepared_->clamp || prepared_->system.is_iterative();
   double first = -infinity;
   for (const double x : least)
     if (x < infinity) first = std::max(first, x);
-  const std::vector<double> longest = prepared_->graph.path_lengths_from(q.starts, needs_all ? infinity : first + (1 + max_doubt) * near * decay);
+  const std::vector<double> longest =
+      prepared_->graph.path_lengths_from(q.starts, needs_all ? infinity : first + (1 + max_doubt) * near * decay);
   const Eigen::VectorXd potential = prepared_->system.integrate_gradient(log_heat(q, least, longest));
   const detail::euclidean_distance straight(q.sources);
   std::vector<double> shortest(size), sum(size), weight(size);

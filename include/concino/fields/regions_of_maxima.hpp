@@ -11,7 +11,8 @@
 
 namespace concino {
 
-/// regions[v] is the number of the region of v: regions.extrema[regions[v]] is the maximum, or minimum, to which the steepest path from v leads.
+/// regions[v] is the number of the region of v: regions.extrema[regions[v]] is the maximum, or minimum, to which the
+/// steepest path from v leads.
 template<class M>
 struct extremum_regions {
   std::vector<vert_t<M>> extrema;  // the highest maximum first, or the lowest minimum
@@ -47,12 +48,13 @@ extremum_regions<M> find_regions(const M& m, const U& u, bool of_maxima, const c
 
 }  // namespace detail
 
-/// The regions of the verts from which the steepest ascent leads to the same maximum: from each vert on to its highest neighbour, as long as that is higher.
-/// regions_of_minima is the same for descents.
+/// The regions of the verts from which the steepest ascent leads to the same maximum: from each vert on to its highest
+/// neighbour, as long as that is higher. regions_of_minima is the same for descents.
 /// Needs:  PrimalGraph, not a temporary; u[v] is a finite number for each vert, readable from several threads.
-/// Result: regions.extrema, the highest first, and a number for each vert. Of neighbours with equal values, the one with the larger index counts as higher. Each
-///         region is connected. The steepest neighbour is that with the greatest difference of u, whatever the lengths of edges are. To have few and large
-///         regions, use simplified(m, u, {.maxima_below = ...}) first.
+/// Result: regions.extrema, the highest first, and a number for each vert. Of neighbours with equal values, the one
+///         with the larger index counts as higher. Each region is connected. The steepest neighbour is that with the
+///         greatest difference of u, whatever the lengths of edges are. To have few and large regions, use
+///         simplified(m, u, {.maxima_below = ...}) first.
 /// Cost:   O(V log V + E) time, O(V + E) memory.
 /// Errors: invalid_argument that names a vert whose value is not finite.
 /// Source: Maxwell 1870, "On hills and dales"; Meyer 1994, "Topographic distance and watershed lines".

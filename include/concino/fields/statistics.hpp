@@ -20,7 +20,8 @@ struct field_statistics {
   double min = 0, max = 0;          // 0 if no value is finite
   std::optional<X> min_at, max_at;  // where these are, the first of several; none if no value is finite
   double mean = 0;                  // weighted by areas or volumes
-  double deviation = 0;             // the root of the mean of the squares of differences to the mean (standard deviation)
+  double deviation = 0;             // the root of the mean of the squares of differences to the mean (standard
+                                    // deviation)
   double integral = 0;              // in units of u times area or volume
   std::size_t count = 0;            // of finite values
   std::size_t not_finite = 0;       // how many are infinite or not a number; they are left out
@@ -51,10 +52,11 @@ auto gather_statistics(const Elements& elements, const U& u, const WeightOf& wei
 
 }  // namespace detail
 
-/// The extremes, mean, standard deviation and integral of a function of verts, or of polys if it is none of verts. A poly counts by its measure, a vert by its mass:
-/// the share of it in the measures around, as vert_masses.
+/// The extremes, mean, standard deviation and integral of a function of verts, or of polys if it is none of verts. A
+/// poly counts by its measure, a vert by its mass: the share of it in the measures around, as vert_masses.
 /// Needs:  EmbeddedMesh; u[v] is a number for each vert, or u[p] for each poly.
-/// Result: see field_statistics. If all weights are 0, each value counts alike, and the integral is 0. Large constants lose no digits.
+/// Result: see field_statistics. If all weights are 0, each value counts alike, and the integral is 0. Large constants
+///         lose no digits.
 /// Cost:   O(size of the polys) time, O(V) or O(P) memory.
 /// Errors: of values at verts those of vert_masses; values that are not finite are counted, not refused.
 template<EmbeddedMesh M, class U>

@@ -12,8 +12,9 @@ namespace concino {
 
 /// Values at the polys of a mesh from values at its verts: the means of u over the polys. to_verts goes the other way.
 /// Needs:  EmbeddedMesh, not a temporary; u[v] is a number for each vert, readable from several threads.
-/// Result: a map of double: the mean of the values at the verts and the mean gradient, evaluated at the centroid. So it is exact for linear functions on polys of
-///         every shape, and constants stay what they are; on triangles and tets it is the mean of the values. On polys without area or volume, it is this mean, too.
+/// Result: a map of double: the mean of the values at the verts and the mean gradient, evaluated at the centroid. So it
+///         is exact for linear functions on polys of every shape, and constants stay what they are; on triangles and
+///         tets it is the mean of the values. On polys without area or volume, it is this mean, too.
 /// Cost:   O(size of the polys) time, in parallel, O(P) memory.
 /// Errors: none; values that are not finite make those of their polys not finite.
 template<class M, class U>
@@ -21,12 +22,13 @@ template<class M, class U>
 poly_map<M, double> to_polys(M&& m, const U& u) {
   using mesh = std::remove_cvref_t<M>;
   auto result = make_poly_map<double>(m);
-  core::poly_chunks<mesh>(m).template for_each<poly_gradients<mesh>>([&](auto& local, const poly_t<mesh>& p, std::size_t) {
-    const detail::linear_function f = detail::linear_in_poly(local, m, p, u);
-    if constexpr (TriMesh<mesh> || TetMesh<mesh>) result[p] = f.value;  // the mean of the verts is the centroid
-    else result[p] = f.gradient == vec3() ? f.value : f(centroid(m, p));
-    return 0;
-  });
+  core::poly_chunks<mesh>(m).template for_each<poly_gradients<mesh>>(
+      [&](auto& local, const poly_t<mesh>& p, std::size_t) {
+        const detail::linear_function f = detail::linear_in_poly(local, m, p, u);
+        if constexpr (TriMesh<mesh> || TetMesh<mesh>) result[p] = f.value;  // the mean of the verts is the centroid
+        else result[p] = f.gradient == vec3() ? f.value : f(centroid(m, p));
+        return 0;
+      });
   return result;
 }
 

@@ -23,12 +23,14 @@ namespace concino {
 
 struct agglomerate_options {
   bool properties = true;                            // whether named properties are transferred, if m has any
-  concino::correspondence* correspondence = nullptr;  // unless null, filled with the elements of m of which those of the result were made
+  concino::correspondence* correspondence = nullptr;  // unless null, filled with the elements of m of which those of
+                                                      // the result were made
 };
 
 namespace requirement {
 
-template<class L, class M> concept is_label_map = ReadableMap<L, poly_t<M>> && requires(const L& labels, const poly_t<M>& p) {
+template<class L, class M>
+concept is_label_map = ReadableMap<L, poly_t<M>> && requires(const L& labels, const poly_t<M>& p) {
   { labels[p] } -> std::convertible_to<long long>;
   requires std::integral<std::remove_cvref_t<decltype(labels[p])>>;
 };
@@ -65,7 +67,8 @@ std::vector<std::uint32_t> numbered_marked(const M& m, const R& elements, std::v
   return mark;
 }
 
-/// The origins of the elements of merged polys: verts and faces are copies; the polys of a union are weighted by their measures.
+/// The origins of the elements of merged polys: verts and faces are copies; the polys of a union are weighted by their
+/// measures.
 template<EmbeddedMesh M>
 class merge_origins {
   const M& m_;
@@ -101,7 +104,8 @@ class merge_origins {
   }
   /// Sets the correspondence and transfers the properties of m. The new numbers of verts and faces are by index of m.
   template<class To>
-  void finish(To& result, const std::vector<std::uint32_t>& vert_number, const std::vector<std::uint32_t>& face_number) {
+  void finish(To& result, const std::vector<std::uint32_t>& vert_number,
+              const std::vector<std::uint32_t>& face_number) {
     if (!is_wanted_) return;
     c_.verts = inverse(vert_number);
     c_.faces = inverse(face_number);
@@ -115,22 +119,26 @@ class merge_origins {
 template<AnyMesh M, class V>
 [[noreturn]] void throw_not_mergeable(const M& m, V label, const poly_t<M>& p, const merge_fault& fault) {
   const std::string which = ~fault.index != 0 ? core::joined({" ", fault.index}) : std::string();
-  core::throw_joined<invalid_mesh>({"agglomerate: the polys with label ", core::number_text(static_cast<long long>(label)), ", poly ", index_of(m, p),
-                              " among them, do not form a ", std::string(SurfaceMesh<M> ? "disk: " : "ball: "), fault.text, which,
-                              "; random_labels() gives labels that can be merged"});
+  core::throw_joined<invalid_mesh>({"agglomerate: the polys with label ",
+                                    core::number_text(static_cast<long long>(label)), ", poly ", index_of(m, p),
+                                    " among them, do not form a ", std::string(SurfaceMesh<M> ? "disk: " : "ball: "),
+                                    fault.text, which, "; random_labels() gives labels that can be merged"});
 }
 
 }  // namespace detail
 
 /// Merges all polys of one label into one poly, convex or not.
-/// Needs:  EmbeddedMesh; labels[p] is an integer. The polys of one label are oriented consistently and form a disk (surfaces) or a ball (volumes).
-///         They are connected through edges or faces. Their boundary is one cycle of verts, or one sphere of faces, that does not touch itself.
-/// Result: a polygonmesh or polyhedralmesh with a poly for each label, numbered by ascending label. Faces and verts inside a union, or of no poly,
-///         are left out; the others keep the order of m. All verts and all faces on the boundary of a union stay: a polygon may have flat corners
-///         where only two polys meet, and two polyhedra may share several faces in one plane. Named properties are transferred by their rules,
-///         and polys that become one are weighted by their measures.
+/// Needs:  EmbeddedMesh; labels[p] is an integer. The polys of one label are oriented consistently and form a disk
+///         (surfaces) or a ball (volumes). They are connected through edges or faces. Their boundary is one cycle of
+///         verts, or one sphere of faces, that does not touch itself.
+/// Result: a polygonmesh or polyhedralmesh with a poly for each label, numbered by ascending label. Faces and verts
+///         inside a union, or of no poly, are left out; the others keep the order of m. All verts and all faces on the
+///         boundary of a union stay: a polygon may have flat corners where only two polys meet, and two polyhedra may
+///         share several faces in one plane. Named properties are transferred by their rules, and polys that become one
+///         are weighted by their measures.
 /// Cost:   O(elements + P log P) time, O(elements) memory.
-/// Errors: invalid_mesh that names the label, one of its polys and where it is not a disk or ball. A union of one poly is not checked.
+/// Errors: invalid_mesh that names the label, one of its polys and where it is not a disk or ball. A union of one poly
+///         is not checked.
 /// Source: agglomerated meshes as in Bassi, Botti, Colombo, Di Pietro, Tesini 2012.
 template<SurfaceMesh M, class L>
   requires Embedded<M> && requirement::is_label_map<L, M>

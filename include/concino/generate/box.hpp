@@ -8,8 +8,8 @@ namespace concino {
 
 /// The closed surface of a box, oriented outward. If M is a volume: the solid box, as make_grid.
 /// Needs:  as make_grid.
-/// Result: a grid of quads on each of the six rectangles, cells[0] x cells[1] on those perpendicular to z, and so on. If M has triangles, each
-///         quad is split into two.
+/// Result: a grid of quads on each of the six rectangles, cells[0] x cells[1] on those perpendicular to z, and so on.
+///         If M has triangles, each quad is split into two.
 /// Cost:   O(cells) time and memory.
 /// Errors: as make_grid.
 template<requirement::can_be_generated M>
@@ -19,15 +19,18 @@ M make_box(const grid_options& options = {}) {
   } else {
     detail::check_grid("make_box", options, 3);
     const auto [nx, ny, nz] = options.cells;
-    const double i = static_cast<double>(nx), j = static_cast<double>(ny), k = static_cast<double>(nz), quads = 2 * (i * j + j * k + k * i);
+    const double i = static_cast<double>(nx), j = static_cast<double>(ny), k = static_cast<double>(nz),
+                 quads = 2 * (i * j + j * k + k * i);
     detail::check_element_counts<M>("make_box", "cells", quads + 2, quads);
-    const detail::spaced x("make_box", "x", options.min.x, options.max.x, nx), y("make_box", "y", options.min.y, options.max.y, ny),
-        z("make_box", "z", options.min.z, options.max.z, nz);
+    const detail::spaced x("make_box", "x", options.min.x, options.max.x, nx),
+        y("make_box", "y", options.min.y, options.max.y, ny), z("make_box", "z", options.min.z, options.max.z, nz);
     const detail::box_surface quad_surface(options.cells);
     surface_arrays a{{}, {}, {}, 4};
     a.points.reserve(quad_surface.num_verts());
     a.verts.reserve(4 * quad_surface.num_quads());
-    quad_surface.for_each_vert([&](const detail::lattice_point& at) { a.points.push_back({x[at[0]], y[at[1]], z[at[2]]}); });
+    quad_surface.for_each_vert([&](const detail::lattice_point& at) {
+      a.points.push_back({x[at[0]], y[at[1]], z[at[2]]});
+    });
     quad_surface.for_each_quad([&](const std::array<detail::lattice_point, 4>& quad) {
       for (const detail::lattice_point& at : quad) a.verts.push_back(vert_id{quad_surface.number(at)});
     });

@@ -47,7 +47,8 @@ inline surface_arrays closed_half_sphere(std::size_t n) {
   const std::size_t inside = disk.points.size() - 4 * n, first = a.points.size();
   std::vector<std::uint32_t> number(disk.points.size());
   for (std::size_t v = 0; v < inside; ++v) number[v] = static_cast<std::uint32_t>(first + v);
-  // The first verts of the half sphere are those at z = 0, around the square from its first corner like those of the disk.
+  // The first verts of the half sphere are those at z = 0, around the square from its first corner like those of the
+  // disk.
   for (std::size_t k = 0; k < 4 * n; ++k) number[inside + k] = static_cast<std::uint32_t>(k);
   a.points.insert(a.points.end(), disk.points.begin(), disk.points.begin() + static_cast<std::ptrdiff_t>(inside));
   for (std::size_t q = 0; q < disk.verts.size(); q += 4)
@@ -82,20 +83,24 @@ inline void check_cone(const cone_options& o) {
   check_positive("make_cone", "height", o.height);
   check_finite("make_cone", "centre", o.centre);
   if (!(o.top_radius >= 0 && std::isfinite(o.top_radius)))
-    core::throw_joined<invalid_argument>({"make_cone: top_radius is ", core::number_text(o.top_radius), "; it must be finite and not below 0"});
+    core::throw_joined<invalid_argument>(
+        {"make_cone: top_radius is ", core::number_text(o.top_radius), "; it must be finite and not below 0"});
 }
 
 }  // namespace detail
 
-/// A cone along z, closed by a disk, or by two if options.top_radius is above 0, and oriented outward. If M is a volume: a solid cone.
+/// A cone along z, closed by a disk, or by two if options.top_radius is above 0, and oriented outward. If M is a
+/// volume: a solid cone.
 /// Needs:  M is one of the six native meshes, or a mesh that can add verts and polys.
-/// Result: the upper half of make_sphere, with the base, moved along rays from the centre of the base. So the apex is a vert of four quads, or of one hex at each quad. Quads: 3 cells^2 and those of the base; triangles: two per quad;
-///         polygons of any size: the quads. Volumes: hexes; tets, six per hex; or the hexes as polyhedra. All verts of the boundary lie on the cone.
-///         A truncated cone is as make_cylinder with `cells` cells along a quarter of the circle, and as many along the axis.
+/// Result: the upper half of make_sphere, with the base, moved along rays from the centre of the base. So the apex is a
+///         vert of four quads, or of one hex at each quad. Quads: 3 cells^2 and those of the base; triangles: two per
+///         quad; polygons of any size: the quads. Volumes: hexes; tets, six per hex; or the hexes as polyhedra. All
+///         verts of the boundary lie on the cone. A truncated cone is as make_cylinder with `cells` cells along a
+///         quarter of the circle, and as many along the axis.
 /// Cost:   O(verts) time and memory.
-/// Errors: invalid_argument that names the field: no cells or more than 32-bit descriptors, a radius or height that is not finite and above 0, a centre that is not finite,
-///         a top radius that is not finite or below 0. unsupported if a mesh of
-///         another library refuses a poly.
+/// Errors: invalid_argument that names the field: no cells or more than 32-bit descriptors, a radius or height that is
+///         not finite and above 0, a centre that is not finite, a top radius that is not finite or below 0. unsupported
+///         if a mesh of another library refuses a poly.
 /// Source: as make_sphere.
 template<requirement::can_be_generated M>
 M make_cone(const cone_options& options = {}) {
@@ -103,12 +108,18 @@ M make_cone(const cone_options& options = {}) {
   const double n = static_cast<double>(options.cells) + 1, boundary_quads = (options.top_radius > 0 ? 11 : 6) * n * n;
   const std::size_t even = options.cells + options.cells % 2;
   if constexpr (dimension_v<M> == 3) {  // a volume is a solid cone, a surface its boundary
-    detail::check_element_counts<M>("make_cone", "cells", (n + 1) * (n + 1) * (n + 1) + (n + 1) / 2 * (boundary_quads + 2), n * n * n + (n + 1) / 2 * boundary_quads);
-    if (options.top_radius > 0) return detail::construct_from_hexes<M>(detail::as_truncated_cone(detail::hex_cylinder({.cells = {4 * even, even}}), options));
+    detail::check_element_counts<M>("make_cone", "cells",
+                                    (n + 1) * (n + 1) * (n + 1) + (n + 1) / 2 * (boundary_quads + 2),
+                                    n * n * n + (n + 1) / 2 * boundary_quads);
+    if (options.top_radius > 0)
+      return detail::construct_from_hexes<M>(
+          detail::as_truncated_cone(detail::hex_cylinder({.cells = {4 * even, even}}), options));
     return detail::construct_from_hexes<M>(detail::as_cone(detail::upper_half(detail::hex_ball(even)), options));
   } else {
     detail::check_element_counts<M>("make_cone", "cells", 2 * boundary_quads, boundary_quads);
-    if (options.top_radius > 0) return detail::construct_from_quads<M>(detail::as_truncated_cone(detail::quad_cylinder({.cells = {4 * even, even}}), options));
+    if (options.top_radius > 0)
+      return detail::construct_from_quads<M>(
+          detail::as_truncated_cone(detail::quad_cylinder({.cells = {4 * even, even}}), options));
     return detail::construct_from_quads<M>(detail::as_cone(detail::closed_half_sphere(even), options));
   }
 }

@@ -14,22 +14,28 @@
 
 namespace concino {
 
-/// Moves every vert along each axis from x to min + (max - min) ((x - min) / (max - min))^power, within the bounding box of m.
+/// Moves every vert along each axis from x to min + (max - min) ((x - min) / (max - min))^power, within the bounding
+/// box of m.
 /// Needs:  MutablePoints M with verts; powers above 0: above 1 cells are small at min, below 1 at max.
-/// Result: m, with the same bounding box. Coordinates along an axis do not change if m has no extent there or the power is 1.
+/// Result: m, with the same bounding box. Coordinates along an axis do not change if m has no extent there or the power
+///         is 1.
 /// Cost:   O(V) time, O(V) memory.
-/// Errors: invalid_argument if a power is not finite or not above 0; invalid_mesh that names a vert without a finite point, or says that m is wider
-///         than the largest double. m is then unchanged.
+/// Errors: invalid_argument if a power is not finite or not above 0; invalid_mesh that names a vert without a finite
+///         point, or says that m is wider than the largest double. m is then unchanged.
 template<MutablePoints M>
   requires requirement::has_verts<M> && (!std::is_const_v<M>)
 void grade(M& m, const vec3& powers) {
   for (const std::size_t k : {0u, 1u, 2u})
     if (!(powers[k] > 0 && powers[k] <= std::numeric_limits<double>::max()))
-      core::throw_joined<invalid_argument>({"grade: the power along ", std::string(k == 0 ? "x" : k == 1 ? "y" : "z"), " is ",
-                                              core::number_text(powers[k]), "; it must be finite and above 0"});
+      core::throw_joined<invalid_argument>({"grade: the power along ",
+                                            std::string(k == 0   ? "x"
+                                                        : k == 1 ? "y"
+                                                                 : "z"),
+                                            " is ", core::number_text(powers[k]), "; it must be finite and above 0"});
   detail::check_points_finite("grade", m);
   const box b = bounding_box(m);
-  if (!b.is_empty() && !is_finite(b.max - b.min)) throw invalid_mesh("grade: the size of the mesh exceeds the largest double; nothing was moved");
+  if (!b.is_empty() && !is_finite(b.max - b.min))
+    throw invalid_mesh("grade: the size of the mesh exceeds the largest double; nothing was moved");
   std::vector<vec3> moved;
   for (const vert_t<M> v : verts(m)) {
     vec3 x = to_vec3(point(m, v));

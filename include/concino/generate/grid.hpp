@@ -27,8 +27,9 @@ class spaced {
   spaced(const char* what, const char* axis, double min, double max, std::size_t n)
       : min_(min), max_(max), extent_(max - min), n_(static_cast<double>(n)), last_(n) {
     if (!std::isfinite(min) || !std::isfinite(max) || !(min < max) || !std::isfinite(extent_))
-      core::throw_joined<invalid_argument>({what, ": min.", axis, " is ", core::number_text(min), " and max.", axis, " is ", core::number_text(max),
-                                      "; both must be finite, min below max, and their difference finite"});
+      core::throw_joined<invalid_argument>({what, ": min.", axis, " is ", core::number_text(min), " and max.", axis,
+                                            " is ", core::number_text(max),
+                                            "; both must be finite, min below max, and their difference finite"});
     const double far = std::max(std::abs(min), std::abs(max));
     const double spacing = std::max(far - std::nextafter(far, 0), std::numeric_limits<double>::min());
     if (!(extent_ / n_ > 8 * spacing))
@@ -53,12 +54,14 @@ inline surface_arrays quad_grid(const grid_options& o) {
     for (std::size_t i = 0; i <= nx; ++i) a.points.push_back({x[i], y[j], o.min.z});
   for (std::size_t j = 0; j < ny; ++j)
     for (std::size_t i = 0; i < nx; ++i)
-      for (const std::size_t step : {std::size_t{0}, std::size_t{1}, nx + 2, nx + 1}) a.verts.push_back(vert_id{j * (nx + 1) + i + step});
+      for (const std::size_t step : {std::size_t{0}, std::size_t{1}, nx + 2, nx + 1})
+        a.verts.push_back(vert_id{j * (nx + 1) + i + step});
   return a;
 }
 
-/// Rows of hexagons, every other row shifted by half a cell. Zigzag lines separate the rows, and vertical edges connect the lines.
-/// The verts of a line are at half cells i = 0 .. 2 nx; row j has its vertical edges at the i with the same parity as j.
+/// Rows of hexagons, every other row shifted by half a cell. Zigzag lines separate the rows, and vertical edges connect
+/// the lines. The verts of a line are at half cells i = 0 .. 2 nx; row j has its vertical edges at the i with the same
+/// parity as j.
 inline surface_arrays honeycomb(const grid_options& o) {
   const auto [nx, ny, unused] = o.cells;
   const std::size_t ends = 2 * nx, top = (ny - 1) % 2;  // parity of the vertical edges at the uppermost line
@@ -97,7 +100,8 @@ inline surface_arrays honeycomb(const grid_options& o) {
 
 inline cell_arrays hex_grid(const grid_options& o) {
   const auto [nx, ny, nz] = o.cells;
-  const spaced x("make_grid", "x", o.min.x, o.max.x, nx), y("make_grid", "y", o.min.y, o.max.y, ny), z("make_grid", "z", o.min.z, o.max.z, nz);
+  const spaced x("make_grid", "x", o.min.x, o.max.x, nx), y("make_grid", "y", o.min.y, o.max.y, ny),
+      z("make_grid", "z", o.min.z, o.max.z, nz);
   cell_arrays a{{}, {}, 8};
   a.points.reserve((nx + 1) * (ny + 1) * (nz + 1));
   a.verts.reserve(8 * nx * ny * nz);
@@ -109,7 +113,8 @@ inline cell_arrays hex_grid(const grid_options& o) {
     for (std::size_t j = 0; j < ny; ++j)
       for (std::size_t i = 0; i < nx; ++i)
         for (const std::size_t v : {k * layer + j * row + i, (k + 1) * layer + j * row + i})
-          for (const std::size_t step : {std::size_t{0}, std::size_t{1}, row + 1, row}) a.verts.push_back(vert_id{v + step});
+          for (const std::size_t step : {std::size_t{0}, std::size_t{1}, row + 1, row})
+            a.verts.push_back(vert_id{v + step});
   return a;
 }
 
@@ -117,17 +122,20 @@ inline cell_arrays hex_grid(const grid_options& o) {
 
 /// A rectangle in the plane z = min.z, or a box, divided into cells of the kind of M.
 /// Needs:  M is one of the six native meshes, or a mesh that can add verts and polys.
-/// Result: surfaces are oriented upward. Quads: cells[0] x cells[1]; triangles: two per quad; polygons of any size: cells[1] rows of hexagons, every
-///         other row shifted by half a cell and ending in halves, cut straight at the border (quads, pentagons, hexagons).
-///         Volumes: hexes; six tets per cube around its diagonal (Kuhn); or the hexes as polyhedra. Verts are numbered row by row, x fastest.
+/// Result: surfaces are oriented upward. Quads: cells[0] x cells[1]; triangles: two per quad; polygons of any size:
+///         cells[1] rows of hexagons, every other row shifted by half a cell and ending in halves, cut straight at the
+///         border (quads, pentagons, hexagons). Volumes: hexes; six tets per cube around its diagonal (Kuhn); or the
+///         hexes as polyhedra. Verts are numbered row by row, x fastest.
 /// Cost:   O(cells) time and memory.
-/// Errors: invalid_argument that names the field: no cells, more cells than 32-bit descriptors, a box that is not finite, is empty or is so thin
-///         that rounding makes verts coincide. unsupported if a mesh of another library refuses a poly.
+/// Errors: invalid_argument that names the field: no cells, more cells than 32-bit descriptors, a box that is not
+///         finite, is empty or is so thin that rounding makes verts coincide. unsupported if a mesh of another library
+///         refuses a poly.
 /// Source: Kuhn 1960 (six tets).
 template<requirement::can_be_generated M>
 M make_grid(const grid_options& options = {}) {
   detail::check_grid("make_grid", options, dimension_v<M>);
-  const double x = static_cast<double>(options.cells[0]), y = static_cast<double>(options.cells[1]), z = static_cast<double>(options.cells[2]);
+  const double x = static_cast<double>(options.cells[0]), y = static_cast<double>(options.cells[1]),
+               z = static_cast<double>(options.cells[2]);
   if constexpr (dimension_v<M> == 3) {  // volumes are built of cubes, surfaces of squares
     detail::check_element_counts<M>("make_grid", "cells", (x + 1) * (y + 1) * (z + 1), x * y * z);
     return detail::construct_from_hexes<M>(detail::hex_grid(options));

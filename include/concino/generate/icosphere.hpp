@@ -21,7 +21,8 @@ inline surface_arrays icosahedron() {
         x[(axis + 1) % 3] = t / length;
         a.points.push_back(x);
       }
-  const auto joined_by_edge = [&](std::size_t i, std::size_t j) { return dot(a.points[i], a.points[j]) > 0.4; };  // 1 / sqrt(5) if joined, else below 0
+  // 1 / sqrt(5) if joined, else below 0
+  const auto joined_by_edge = [&](std::size_t i, std::size_t j) { return dot(a.points[i], a.points[j]) > 0.4; };
   for (std::size_t i = 0; i < 12; ++i)
     for (std::size_t j = i + 1; j < 12; ++j)
       for (std::size_t k = j + 1; k < 12; ++k) {
@@ -34,15 +35,17 @@ inline surface_arrays icosahedron() {
 
 }  // namespace detail
 
-/// A sphere of triangles of nearly the same size: an icosahedron whose triangles are split into four repeatedly on the sphere.
+/// A sphere of triangles of nearly the same size: an icosahedron whose triangles are split into four repeatedly on the
+/// sphere.
 /// Needs:  nothing.
 /// Result: 20 * 4^subdivisions triangles, 10 * 4^subdivisions + 2 verts, all on the sphere, oriented outward.
 /// Cost:   linear in these numbers.
-/// Errors: invalid_argument if subdivisions is above 12 (there would be more polys than 32-bit descriptors), if radius is not finite and above 0,
-///         or if centre is not finite.
+/// Errors: invalid_argument if subdivisions is above 12 (there would be more polys than 32-bit descriptors), if radius
+///         is not finite and above 0, or if centre is not finite.
 /// Source: Baumgardner, Frederickson 1985, "Icosahedral discretization of the two-sphere".
 inline trimesh icosphere(unsigned subdivisions, double radius = 1, const vec3& centre = {}) {
-  if (subdivisions > 12) core::throw_joined<invalid_argument>({"icosphere: subdivisions is ", subdivisions, "; it must be at most 12"});
+  if (subdivisions > 12)
+    core::throw_joined<invalid_argument>({"icosphere: subdivisions is ", subdivisions, "; it must be at most 12"});
   detail::check_positive("icosphere", "radius", radius);
   detail::check_finite("icosphere", "centre", centre);
   trimesh m(detail::icosahedron());

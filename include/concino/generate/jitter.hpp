@@ -20,22 +20,25 @@ namespace concino {
 struct jitter_options {
   std::uint64_t seed = 1;     // of the random numbers; any value
   bool keep_boundary = true;  // verts on the boundary do not move
-  bool in_plane = true;       // surfaces: verts move in the plane perpendicular to the sum of the vector areas around the vert
+  bool in_plane = true;       // surfaces: verts move in the plane perpendicular to the sum of the vector areas around
+                              // the vert
 };
 
 /// Moves the interior verts of m at random, each by at most `amount` times its shortest edge along every axis.
 /// Needs:  MutablePoints AnyMesh. Cells of good shape stay valid up to an amount of about 0.2.
-/// Result: m; the edges are measured before any vert moves. A flat surface stays in its plane (options.in_plane). Verts without edges do not move;
-///         with in_plane, neither do verts around which the vector areas cancel out. The random numbers depend only on the seed and the order
-///         of verts(m), and are the same on every machine.
+/// Result: m; the edges are measured before any vert moves. A flat surface stays in its plane (options.in_plane). Verts
+///         without edges do not move; with in_plane, neither do verts around which the vector areas cancel out. The
+///         random numbers depend only on the seed and the order of verts(m), and are the same on every machine.
 /// Cost:   O(V + E) time, O(V) memory.
-/// Errors: invalid_argument if amount is not finite or below 0; invalid_mesh that names a vert without a finite point. m is then unchanged.
+/// Errors: invalid_argument if amount is not finite or below 0; invalid_mesh that names a vert without a finite point.
+///         m is then unchanged.
 /// Source: random_stream: Steele, Lea, Flood 2014 (SplitMix64).
 template<AnyMesh M>
   requires MutablePoints<M> && (!std::is_const_v<M>)
 void jitter(M& m, double amount, const jitter_options& options = {}) {
   if (!(amount >= 0 && amount <= std::numeric_limits<double>::max()))
-    core::throw_joined<invalid_argument>({"jitter: amount is ", core::number_text(amount), "; it must be finite and 0 or more"});
+    core::throw_joined<invalid_argument>(
+        {"jitter: amount is ", core::number_text(amount), "; it must be finite and 0 or more"});
   detail::check_points_finite("jitter", m);
   const auto stays = options.keep_boundary ? boundary_verts(m) : make_vert_map<bool>(m, false);
 
@@ -54,7 +57,8 @@ void jitter(M& m, double amount, const jitter_options& options = {}) {
   detail::random_stream random(options.seed);
   for (const vert_t<M> v : verts(m)) {
     const vec3 x = to_vec3(point(m, v));
-    const double dx = random.between(-1, 1), dy = random.between(-1, 1), dz = random.between(-1, 1);  // even if unused: each vert has its own
+    // even if unused: each vert has its own
+    const double dx = random.between(-1, 1), dy = random.between(-1, 1), dz = random.between(-1, 1);
     const std::size_t i = index_of(m, v);
     double shortest = std::numeric_limits<double>::infinity();
     if (!stays[v])

@@ -1,4 +1,5 @@
-// planar_graph: outlines, open lines and isolated points that are to be triangulated; and planar_triangulation, what becomes of them.
+// planar_graph: outlines, open lines and isolated points that are to be triangulated; and planar_triangulation, what
+// becomes of them.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -38,13 +39,13 @@ vec3 planar_point(const P& p) {
 
 }  // namespace detail
 
-/// A planar straight-line graph: lines through numbered points. The last point of a closed line, an outline, is joined to the first one, unless it repeats
-/// it: then both are one vert. Flat arrays: line i has the points line_points[line_ends[i - 1]] to line_points[line_ends[i] - 1]. Lines may share points
-/// and segments.
+/// A planar straight-line graph: lines through numbered points. The last point of a closed line, an outline, is joined
+/// to the first one, unless it repeats it: then both are one vert. Flat arrays: line i has the points
+/// line_points[line_ends[i - 1]] to line_points[line_ends[i] - 1]. Lines may share points and segments.
 ///
 ///   planar_graph g;
-///   for (std::size_t i = 0; i < layer.outer.size(); ++i) g.add_outline(layer.outer[i], layer.z);  // of load_slices(path)
-///   for (const auto& line : isolines(m, u, {0.5})) g.add_line(line.points, line.closed);
+///   for (std::size_t i = 0; i < layer.outer.size(); ++i) g.add_outline(layer.outer[i], layer.z);  // of
+///   load_slices(path) for (const auto& line : isolines(m, u, {0.5})) g.add_line(line.points, line.closed);
 struct planar_graph {
   std::vector<vec3> points;
   std::vector<std::uint32_t> line_points;  // numbers of points
@@ -81,7 +82,8 @@ struct planar_graph {
     return isolated.back();
   }
 
-  /// Adds points, and the line through them. Returns the number of the line. With z, only two coordinates of the points are used.
+  /// Adds points, and the line through them. Returns the number of the line. With z, only two coordinates of the points
+  /// are used.
   template<detail::planar_points Line = std::initializer_list<vec3>>
   std::size_t add_line(const Line& line, bool closed = false) {
     for (const auto& p : line) line_points.push_back(add_point(detail::planar_point(p)));
@@ -91,7 +93,8 @@ struct planar_graph {
   std::size_t add_outline(const Outline& outline) { return add_line(outline, true); }
   template<detail::planar_points Outline>
   std::size_t add_outline(const Outline& outline, double z) {
-    for (const auto& p : outline) line_points.push_back(add_point({static_cast<double>(p[0]), static_cast<double>(p[1]), z}));
+    for (const auto& p : outline)
+      line_points.push_back(add_point({static_cast<double>(p[0]), static_cast<double>(p[1]), z}));
     return end_line(true);
   }
 
@@ -108,7 +111,8 @@ struct planar_graph {
     for (std::size_t i = 0; i < num_lines(); ++i) {
       const auto numbers = line(i);
       for (std::size_t k = 1; k < numbers.size(); ++k) list.push_back({numbers[k - 1], numbers[k]});
-      if (line_closed[i] && !numbers.empty() && !repeats_first_point(i)) list.push_back({numbers.back(), numbers.front()});
+      if (line_closed[i] && !numbers.empty() && !repeats_first_point(i))
+        list.push_back({numbers.back(), numbers.front()});
     }
     return list;
   }
@@ -126,9 +130,11 @@ struct planar_triangulation {
   trimesh mesh;
   std::vector<vert_id> vert_of;            // by the number of a point; invalid if it is not in the mesh
   std::vector<edge_id> constraints;        // the edges of all segments, ascending, each once
-  std::vector<std::size_t> segment_ends;   // segment i of planar_graph::segments() has the edges before segment_edges[segment_ends[i]], in order
+  std::vector<std::size_t> segment_ends;   // segment i of planar_graph::segments() has the edges before
+                                           // segment_edges[segment_ends[i]], in order
   std::vector<edge_id> segment_edges;
-  std::vector<poly_id> small_angles = {};  // triangles with an angle below the one asked for, at small angles between segments
+  std::vector<poly_id> small_angles = {};  // triangles with an angle below the one asked for, at small angles between
+                                           // segments
 
   /// The edges of a segment, in order from its first point to its second one; none if it is not in the mesh.
   std::span<const edge_id> edges_of(std::size_t segment) const {

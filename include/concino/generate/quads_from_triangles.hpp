@@ -15,8 +15,10 @@ namespace concino {
 struct quads_from_triangles_options {
   double max_angle_deg = 180;  // in degrees, above 90 and at most 180: each corner of a quad is smaller
   bool properties = true;      // whether named properties are transferred, if m has any
-  concino::correspondence* correspondence = nullptr;  // unless null, filled with the elements of m of which those of the result were made
-  std::vector<poly_id>* triangles = nullptr;          // unless null, filled with the polys of the result that are still triangles
+  concino::correspondence* correspondence = nullptr;  // unless null, filled with the elements of m of which those of
+                                                      // the result were made
+  std::vector<poly_id>* triangles = nullptr;          // unless null, filled with the polys of the result that are still
+                                                      // triangles
 };
 
 namespace detail {
@@ -47,21 +49,26 @@ triangle_list triangles_of(const char* caller, const M& m) {
 
 /// Joins pairs of triangles to quads, the best pairs first, then along paths of pairs until no more quads are possible.
 /// Needs:  Embedded SurfaceMesh whose polys all have three verts.
-/// Result: a polygonmesh with the verts of verts(m). A quad is at the place of its first triangle in polys(m), and has its orientation. Pairs are compared by
-///         the corner that differs most from 90 degrees, with the two triangles unfolded into a plane, where all quads are convex. Not joined are triangles without
-///         area, pairs that share two edges, and pairs at edges with other than two polys or where the orientations differ. What is left are triangles,
-///         the fewest possible. On closed manifold surfaces there are none, unless pairs were excluded. Named properties are transferred by their rules;
-///         the two triangles count by their areas.
+/// Result: a polygonmesh with the verts of verts(m). A quad is at the place of its first triangle in polys(m), and has
+///         its orientation. Pairs are compared by the corner that differs most from 90 degrees, with the two triangles
+///         unfolded into a plane, where all quads are convex. Not joined are triangles without area, pairs that share
+///         two edges, and pairs at edges with other than two polys or where the orientations differ. What is left are
+///         triangles, the fewest possible. On closed manifold surfaces there are none, unless pairs were excluded.
+///         Named properties are transferred by their rules; the two triangles count by their areas.
 /// Cost:   O(n log n) for n triangles in practice; at worst O(n^2).
-/// Errors: unsupported that names a poly that is no triangle. invalid_mesh that names a vert whose point is not finite. invalid_argument if max_angle_deg is
-///         out of its range.
-/// Source: Edmonds 1965, "Paths, trees, and flowers"; that closed surfaces have perfect matchings: Petersen 1891, "Die Theorie der regulaeren graphs".
+/// Errors: unsupported that names a poly that is no triangle. invalid_mesh that names a vert whose point is not finite.
+///         invalid_argument if max_angle_deg is out of its range.
+/// Source: Edmonds 1965, "Paths, trees, and flowers"; that closed surfaces have perfect matchings: Petersen 1891, "Die
+///         Theorie der regulaeren graphs".
 template<SurfaceMesh M>
   requires Embedded<M>
 polygonmesh quads_from_triangles(const M& m, const quads_from_triangles_options& options = {}) {
   if (!(options.max_angle_deg > 90 && options.max_angle_deg <= 180))
-    core::throw_joined<invalid_argument>({"quads_from_triangles: max_angle_deg is ", core::number_text(options.max_angle_deg), "; it must be above 90 and at most 180"});
-  detail::joined_triangles joined = detail::join_triangles(detail::triangles_of("quads_from_triangles", m), options.max_angle_deg * (std::numbers::pi / 180));
+    core::throw_joined<invalid_argument>({"quads_from_triangles: max_angle_deg is ",
+                                          core::number_text(options.max_angle_deg),
+                                          "; it must be above 90 and at most 180"});
+  detail::joined_triangles joined = detail::join_triangles(detail::triangles_of("quads_from_triangles", m),
+                                                           options.max_angle_deg * (std::numbers::pi / 180));
   detail::subdivided<polygonmesh> result{polygonmesh(std::move(joined.polygons))};
   const subdivide_options shared{1, options.properties, options.correspondence};
   if (detail::wants_origins(m, shared)) {

@@ -35,13 +35,15 @@ class link_condition {
 
  public:
   link_condition(const M& m, const int* label)
-      : m_(m), label_(label), face_at_edge_(dimension_v<M> == 3 ? edge_index_bound(m) : 0), shared_vert_(vert_index_bound(m)) {}
+      : m_(m), label_(label), face_at_edge_(dimension_v<M> == 3 ? edge_index_bound(m) : 0),
+        shared_vert_(vert_index_bound(m)) {}
 
   bool operator()(const poly_t<M>& p, int label) {
     shared_vert_.clear();
     std::ptrdiff_t chi = 0;  // Euler characteristic of the shared elements
     std::size_t pieces = 0;
-    if constexpr (SurfaceMesh<M>) {  // the shared elements have one dimension less: edges of a surface, faces of a volume
+    if constexpr (SurfaceMesh<M>) {  // the shared elements have one dimension less: edges of a surface, faces of a
+                                     // volume
       for (const edge_t<M> e : adj_p2e(m_, p)) {
         if (!holds(adj_e2p(m_, e), label)) continue;
         --chi, ++pieces;
@@ -73,23 +75,28 @@ class link_condition {
   }
 };
 
-/// Divides each piece that has no single boundary into its polys. On meshes that are not manifold, the test of one poly after another is not sufficient.
-template<class M> void divide_pieces_that_cannot_merge(const M& m, std::vector<std::vector<poly_t<M>>>& pieces, int* label) {
+/// Divides each piece that has no single boundary into its polys. On meshes that are not manifold, the test of one poly
+/// after another is not sufficient.
+template<class M>
+void divide_pieces_that_cannot_merge(const M& m, std::vector<std::vector<poly_t<M>>>& pieces, int* label) {
   merged_boundary<M> border(m);
   for (std::size_t l = 0, grown = pieces.size(); l < grown; ++l) {
     if (!border.read(pieces[l])) continue;
-    for (std::size_t k = 1; k < pieces[l].size(); ++k) label[index_of(m, pieces[l][k])] = static_cast<int>(pieces.size() + k - 1);
+    for (std::size_t k = 1; k < pieces[l].size(); ++k)
+      label[index_of(m, pieces[l][k])] = static_cast<int>(pieces.size() + k - 1);
     pieces.resize(pieces.size() + pieces[l].size() - 1);
   }
 }
 
 }  // namespace detail
 
-/// Partitions m into random pieces of about `size` polys each, ragged and mostly concave. Each piece is a disk (surfaces) or a ball (volumes).
+/// Partitions m into random pieces of about `size` polys each, ragged and mostly concave. Each piece is a disk
+/// (surfaces) or a ball (volumes).
 /// Needs:  AnyMesh, not a temporary; size of 1 or more.
-/// Result: a map of int, from 0 to the number of pieces minus one, for agglomerate(m, labels). Pieces grow from random polys by steps of random
-///         length. A poly that would close a ring, or make a piece touch itself, is not added; the remaining polys form smaller pieces. Where polys
-///         are not manifold or not oriented consistently, pieces are single polys. The same seed gives the same labels on every machine.
+/// Result: a map of int, from 0 to the number of pieces minus one, for agglomerate(m, labels). Pieces grow from random
+///         polys by steps of random length. A poly that would close a ring, or make a piece touch itself, is not added;
+///         the remaining polys form smaller pieces. Where polys are not manifold or not oriented consistently, pieces
+///         are single polys. The same seed gives the same labels on every machine.
 /// Cost:   O(E log E) time, times the polys at a vert; O(elements) memory.
 /// Errors: invalid_argument if size is 0.
 /// Source: first-passage percolation: Eden 1961; Hammersley, Welsh 1965.
@@ -104,7 +111,8 @@ poly_map<M, int> random_labels(M&& m, std::size_t size, std::uint64_t seed = 1) 
   std::vector<poly> order;
   for (const poly p : polys(m)) order.push_back(p);
   detail::random_stream random(seed);
-  for (std::size_t n = order.size(); n > 1; --n) std::swap(order[n - 1], order[static_cast<std::size_t>(random.unit() * static_cast<double>(n))]);
+  for (std::size_t n = order.size(); n > 1; --n)
+    std::swap(order[n - 1], order[static_cast<std::size_t>(random.unit() * static_cast<double>(n))]);
 
   struct claim {
     double time;
@@ -112,8 +120,11 @@ poly_map<M, int> random_labels(M&& m, std::size_t size, std::uint64_t seed = 1) 
     int label;
     poly on;
   };
-  // Not grow_regions: a claim that is refused because the piece would touch itself may be allowed later, so all claims on a poly are queued.
-  const auto later = [](const claim& a, const claim& b) { return a.time != b.time ? a.time > b.time : a.number > b.number; };
+  // Not grow_regions: a claim that is refused because the piece would touch itself may be allowed later, so all claims
+  // on a poly are queued.
+  const auto later = [](const claim& a, const claim& b) {
+    return a.time != b.time ? a.time > b.time : a.number > b.number;
+  };
   std::priority_queue<claim, std::vector<claim>, decltype(later)> queue(later);
   std::vector<std::vector<poly>> pieces;
   std::size_t number = 0;

@@ -11,7 +11,8 @@ namespace concino {
 
 /// n points in a box, independent and uniformly distributed.
 /// Needs:  a finite box that is not empty; it may be flat.
-/// Result: the same points for the same seed, to the last bit, on every machine. The first n of a longer list are the list of n.
+/// Result: the same points for the same seed, to the last bit, on every machine. The first n of a longer list are the
+///         list of n.
 /// Cost:   O(n).      Errors: invalid_argument if the box is empty or not finite.
 /// Source: SplitMix64, Steele, Lea and Flood 2014.
 inline std::vector<vec3> random_points(std::size_t n, const box& domain, std::uint64_t seed = 1) {

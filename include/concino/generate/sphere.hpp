@@ -15,7 +15,9 @@ struct sphere_options {
 
 namespace detail {
 
-inline vec3 in_even_cube(const lattice_point& at, std::size_t n) { return {even_angle(at[0], n), even_angle(at[1], n), even_angle(at[2], n)}; }
+inline vec3 in_even_cube(const lattice_point& at, std::size_t n) {
+  return {even_angle(at[0], n), even_angle(at[1], n), even_angle(at[2], n)};
+}
 
 /// The surface of a cube, projected from its centre to the unit sphere.
 inline surface_arrays cube_sphere(std::size_t n) {
@@ -23,7 +25,8 @@ inline surface_arrays cube_sphere(std::size_t n) {
   surface_arrays a{{}, {}, {}, 4};
   a.points.reserve(quad_surface.num_verts());
   a.verts.reserve(4 * quad_surface.num_quads());
-  quad_surface.for_each_vert([&](const lattice_point& at) { a.points.push_back(on_round_boundary(in_even_cube(at, n))); });
+  quad_surface.for_each_vert(
+      [&](const lattice_point& at) { a.points.push_back(on_round_boundary(in_even_cube(at, n))); });
   quad_surface.for_each_quad([&](const std::array<lattice_point, 4>& quad) {
     for (const lattice_point& at : quad) a.verts.push_back(vert_id{quad_surface.number(at)});
   });
@@ -44,7 +47,8 @@ inline cell_arrays hex_ball(std::size_t n) {
   for (std::size_t l = 1; l <= layers; ++l)
     quad_surface.for_each_vert([&](const lattice_point& at) {
       const vec3 u = in_even_cube(at, n), inner = in_round_core(u), outer = on_round_boundary(u);
-      a.points.push_back(l == layers ? outer : inner + (static_cast<double>(l) / static_cast<double>(layers)) * (outer - inner));
+      a.points.push_back(
+          l == layers ? outer : inner + (static_cast<double>(l) / static_cast<double>(layers)) * (outer - inner));
     });
   for (std::size_t k = 0; k < n; ++k)
     for (std::size_t j = 0; j < n; ++j)
@@ -56,7 +60,8 @@ inline cell_arrays hex_ball(std::size_t n) {
     quad_surface.for_each_quad([&](const std::array<lattice_point, 4>& quad) {
       for (const std::size_t level : {l, l + 1})
         for (const lattice_point& at : quad)
-          a.verts.push_back(vert_id{level == 0 ? core_number(at) : core + (level - 1) * quad_surface.num_verts() + quad_surface.number(at)});
+          a.verts.push_back(vert_id{
+              level == 0 ? core_number(at) : core + (level - 1) * quad_surface.num_verts() + quad_surface.number(at)});
     });
   return a;
 }
@@ -71,13 +76,14 @@ Arrays placed(Arrays a, double radius, const vec3& centre) {
 
 /// A sphere, oriented outward. If M is a volume: a solid ball.
 /// Needs:  M is one of the six native meshes, or a mesh that can add verts and polys.
-/// Result: a cube with `cells` quads along each edge, whose surface is projected to the sphere, evenly by angle. Quads: 6 cells^2; triangles: two
-///         per quad; polygons of any size: the dual of these triangles, mostly hexagons that are not quite planar. Volumes: a core of cells^3
-///         hexes and (cells + 1) / 2 layers of 6 cells^2 hexes around it; tets, six per hex; or the hexes as polyhedra. All verts of the
-///         boundary lie on the sphere. The triangles of icosphere() are more uniform.
+/// Result: a cube with `cells` quads along each edge, whose surface is projected to the sphere, evenly by angle. Quads:
+///         6 cells^2; triangles: two per quad; polygons of any size: the dual of these triangles, mostly hexagons that
+///         are not quite planar. Volumes: a core of cells^3 hexes and (cells + 1) / 2 layers of 6 cells^2 hexes around
+///         it; tets, six per hex; or the hexes as polyhedra. All verts of the boundary lie on the sphere. The triangles
+///         of icosphere() are more uniform.
 /// Cost:   O(verts) time and memory.
-/// Errors: invalid_argument that names the field: no cells or more than 32-bit descriptors, a radius that is not finite and above 0, a centre that
-///         is not finite. unsupported if a mesh of another library refuses a poly.
+/// Errors: invalid_argument that names the field: no cells or more than 32-bit descriptors, a radius that is not finite
+///         and above 0, a centre that is not finite. unsupported if a mesh of another library refuses a poly.
 /// Source: the equiangular cubed sphere of Ronchi, Iacono, Paolucci 1996; tets by Dompierre et al. 1999.
 template<requirement::can_be_generated M>
 M make_sphere(const sphere_options& options = {}) {
@@ -86,8 +92,11 @@ M make_sphere(const sphere_options& options = {}) {
   detail::check_finite("make_sphere", "centre", options.centre);
   const double n = static_cast<double>(options.cells), boundary_quads = 6 * n * n;
   if constexpr (dimension_v<M> == 3) {  // a volume is a ball, a surface its boundary
-    detail::check_element_counts<M>("make_sphere", "cells", (n + 1) * (n + 1) * (n + 1) + (n + 1) / 2 * (boundary_quads + 2), n * n * n + (n + 1) / 2 * boundary_quads);
-    return detail::construct_from_hexes<M>(detail::placed(detail::hex_ball(options.cells), options.radius, options.centre));
+    detail::check_element_counts<M>("make_sphere", "cells",
+                                    (n + 1) * (n + 1) * (n + 1) + (n + 1) / 2 * (boundary_quads + 2),
+                                    n * n * n + (n + 1) / 2 * boundary_quads);
+    return detail::construct_from_hexes<M>(
+        detail::placed(detail::hex_ball(options.cells), options.radius, options.centre));
   } else {
     detail::check_element_counts<M>("make_sphere", "cells", 2 * boundary_quads, boundary_quads);
     surface_arrays quads = detail::cube_sphere(options.cells);

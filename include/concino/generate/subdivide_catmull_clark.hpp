@@ -7,23 +7,27 @@
 
 namespace concino {
 
-/// Subdivides a surface of any polygons by the scheme of Catmull and Clark: each polygon is split into a quad at each of its verts, and all verts move, so
-/// that repeated subdivision comes near to a smooth surface. Boundaries and creases become smooth curves that depend on their own verts alone.
-/// Needs:  Embedded SurfaceMesh. creases[e], if passed, converts to bool: whether edge e is a crease. Edges with one poly, or with more than two, are
-///         creases in any case.
-/// Result: a quadmesh, its elements numbered as those of subdivide_midpoint. A vert at which more than two creases meet stays where it is, and at the end
-///         of a single crease the surface is smooth. Named properties of verts are interpolated with the weights of the points, others as without smoothing.
+/// Subdivides a surface of any polygons by the scheme of Catmull and Clark: each polygon is split into a quad at each
+/// of its verts, and all verts move, so that repeated subdivision comes near to a smooth surface. Boundaries and
+/// creases become smooth curves that depend on their own verts alone.
+/// Needs:  Embedded SurfaceMesh. creases[e], if passed, converts to bool: whether edge e is a crease. Edges with one
+///         poly, or with more than two, are creases in any case.
+/// Result: a quadmesh, its elements numbered as those of subdivide_midpoint. A vert at which more than two creases meet
+///         stays where it is, and at the end of a single crease the surface is smooth. Named properties of verts are
+///         interpolated with the weights of the points, others as without smoothing.
 /// Cost:   O(size of the result), plus the verts of the polys at each vert; the points in parallel.
 /// Errors: invalid_argument if times is 0, or if the result would have too many elements.
-/// Source: Catmull, Clark 1978, "Recursively generated B-spline surfaces on arbitrary topological meshes"; boundaries and creases by DeRose, Kass, Truong
-///         1998, "Subdivision surfaces in character animation".
+/// Source: Catmull, Clark 1978, "Recursively generated B-spline surfaces on arbitrary topological meshes"; boundaries
+///         and creases by DeRose, Kass, Truong 1998, "Subdivision surfaces in character animation".
 template<SurfaceMesh M, class C>
   requires Embedded<M> && requirement::is_crease_map<C, M>
 quadmesh subdivide_catmull_clark(const M& m, const C& creases, const subdivide_options& options = {}) {
-  return detail::subdivide_repeatedly("subdivide_catmull_clark", 4, m, creases, options, [&](const auto& mesh, const auto& sharp, unsigned) {
-    using rule = detail::catmull_clark_rule<std::remove_cvref_t<decltype(mesh)>, std::remove_cvref_t<decltype(sharp)>>;
-    return detail::subdivide_in_quads("subdivide_catmull_clark", mesh, sharp, rule{mesh, sharp}, options);
-  });
+    return detail::subdivide_repeatedly(
+        "subdivide_catmull_clark", 4, m, creases, options, [&](const auto& mesh, const auto& sharp, unsigned) {
+          using rule =
+              detail::catmull_clark_rule<std::remove_cvref_t<decltype(mesh)>, std::remove_cvref_t<decltype(sharp)>>;
+          return detail::subdivide_in_quads("subdivide_catmull_clark", mesh, sharp, rule{mesh, sharp}, options);
+        });
 }
 template<SurfaceMesh M>
   requires Embedded<M>

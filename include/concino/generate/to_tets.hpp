@@ -14,16 +14,20 @@ namespace concino {
 
 struct to_tets_options {
   bool properties = true;                             // whether named properties are transferred, if m has any
-  concino::correspondence* correspondence = nullptr;  // unless null, filled with the elements of m of which those of the result were made
-  std::vector<poly_id>* inverted = nullptr;           // unless null, filled with the polys of the result without positive volume
-  std::vector<std::size_t>* inverted_cells = nullptr; // unless null, filled with the indices of the polys of m of which those were made
+  concino::correspondence* correspondence = nullptr;  // unless null, filled with the elements of m of which those of
+                                                      // the result were made
+  std::vector<poly_id>* inverted = nullptr;           // unless null, filled with the polys of the result without
+                                                      // positive volume
+  std::vector<std::size_t>* inverted_cells = nullptr; // unless null, filled with the indices of the polys of m of which
+                                                      // those were made
 };
 
 namespace detail {
 
 /// Cuts all faces of m into triangles.
 template<class M>
-face_triangles triangles_of_faces(const M& m, const std::vector<std::uint32_t>& vert_number, const std::vector<vec3>& points) {
+face_triangles triangles_of_faces(const M& m, const std::vector<std::uint32_t>& vert_number,
+                                  const std::vector<vec3>& points) {
   face_triangles triangles(face_index_bound(m));
   std::vector<vert_id> loop;
   for (const face_t<M> f : faces(m)) {
@@ -36,16 +40,20 @@ face_triangles triangles_of_faces(const M& m, const std::vector<std::uint32_t>& 
 
 }  // namespace detail
 
-/// Cuts each polyhedron into tets. Every face is cut in the same way for both of its polys, so that the tets fit together.
+/// Cuts each polyhedron into tets. Every face is cut in the same way for both of its polys, so that the tets fit
+/// together.
 /// Needs:  Embedded VolumeMesh.
-/// Result: a tetmesh. Its verts are those of verts(m), then a new one for each poly that needs it; its polys follow those of m. A face is cut at its vert that is
-///         first in verts(m), if all triangles there have its orientation; otherwise as to_triangles does. Tets, pyramids, prisms and hexes become 1, 2, 3
-///         and 5 or 6 tets, without new verts. Other polys, and those of which a tet would not have positive volume, are cut from the mean of their verts,
-///         which is a new vert. This works if the mean sees the whole boundary of the poly. Polys where neither way works are cut all the same, the
-///         standard shapes without new verts, and are listed: options.inverted, options.inverted_cells. Signed volumes do not change where faces are planar.
-///         Named properties are transferred by their rules; tets count by their volumes.
+/// Result: a tetmesh. Its verts are those of verts(m), then a new one for each poly that needs it; its polys follow
+///         those of m. A face is cut at its vert that is first in verts(m), if all triangles there have its
+///         orientation; otherwise as to_triangles does. Tets, pyramids, prisms and hexes become 1, 2, 3 and 5 or 6
+///         tets, without new verts. Other polys, and those of which a tet would not have positive volume, are cut from
+///         the mean of their verts, which is a new vert. This works if the mean sees the whole boundary of the poly.
+///         Polys where neither way works are cut all the same, the standard shapes without new verts, and are listed:
+///         options.inverted, options.inverted_cells. Signed volumes do not change where faces are planar. Named
+///         properties are transferred by their rules; tets count by their volumes.
 /// Cost:   O(size of the result).
-/// Errors: invalid_mesh that names a vert whose point is not finite. invalid_argument if the result would have too many elements.
+/// Errors: invalid_mesh that names a vert whose point is not finite. invalid_argument if the result would have too many
+///         elements.
 /// Source: Dompierre, Labbe, Vallet, Camarero 1999, "How to subdivide pyramids, prisms and hexahedra into tetrahedra".
 template<VolumeMesh M>
   requires Embedded<M>
@@ -65,7 +73,8 @@ tetmesh to_tets(const M& m, const to_tets_options& options = {}) {
     for (const vert_t<M> v : adj_p2v(m, p)) of_mean.push_back({static_cast<std::uint32_t>(index_of(m, v))});
     of_verts.add(of_mean);
   }
-  detail::check_element_counts<tetmesh>("to_tets", "the mesh", static_cast<double>(cutter.tets.points.size()), static_cast<double>(cutter.tets.verts.size()) / 24);
+  detail::check_element_counts<tetmesh>("to_tets", "the mesh", static_cast<double>(cutter.tets.points.size()),
+                                        static_cast<double>(cutter.tets.verts.size()) / 24);
   detail::subdivided<tetmesh> result{tetmesh(std::move(cutter.tets))};
   const subdivide_options shared{1, options.properties, options.correspondence};
   if (detail::wants_origins(m, shared)) {

@@ -16,17 +16,21 @@ namespace concino {
 
 struct to_triangles_options {
   bool properties = true;                             // whether named properties are transferred, if m has any
-  concino::correspondence* correspondence = nullptr;  // unless null, filled with the elements of m of which those of the result were made
+  concino::correspondence* correspondence = nullptr;  // unless null, filled with the elements of m of which those of
+                                                      // the result were made
 };
 
 namespace detail {
 
 /// Adds the origins of the triangles of a polygon: the poly, weighted by area.
-inline void add_parts_of_polygon(std::span<const vec3> corners, std::span<const polygon_triangle> triangles, std::uint32_t poly, element_origins& origins) {
+inline void add_parts_of_polygon(std::span<const vec3> corners, std::span<const polygon_triangle> triangles,
+                                 std::uint32_t poly, element_origins& origins) {
   if (triangles.size() == 1) return origins.add(poly);
   double size = 0;
   for (const vec3& x : corners) size = std::max(size, distance(x, corners[0]));
-  const auto step = [&](std::uint32_t from, std::uint32_t to) { return size > 0 ? (corners[to] - corners[from]) / size : vec3{}; };
+  const auto step = [&](std::uint32_t from, std::uint32_t to) {
+    return size > 0 ? (corners[to] - corners[from]) / size : vec3{};
+  };
   for (const auto& [i, j, k] : triangles) origins.add({{poly, norm(cross(step(i, j), step(i, k)))}});
 }
 
@@ -34,16 +38,20 @@ inline void add_parts_of_polygon(std::span<const vec3> corners, std::span<const 
 
 /// Cuts each polygon into triangles by diagonals, without new verts.
 /// Needs:  Embedded SurfaceMesh. Its polygons may be concave, and need not be planar.
-/// Result: a trimesh. Its verts are those of verts(m); its polys follow those of m and have their orientation, n - 2 for a polygon of n verts, cut as
-///         triangulate_polygon does, with flips where a triangle of collinear verts would have no area. Areas do not change where polygons are planar. Named properties are transferred by their rules; triangles count by
-///         their areas. Polygons that share two verts, but not the edge between them, may get the same diagonal, an edge of more than two triangles.
+/// Result: a trimesh. Its verts are those of verts(m); its polys follow those of m and have their orientation, n - 2
+///         for a polygon of n verts, cut as triangulate_polygon does, with flips where a triangle of collinear verts
+///         would have no area. Areas do not change where polygons are planar. Named properties are transferred by their
+///         rules; triangles count by their areas. Polygons that share two verts, but not the edge between them, may get
+///         the same diagonal, an edge of more than two triangles.
 /// Cost:   that of triangulate_polygon for all polygons.
-/// Errors: invalid_mesh that names a vert whose point is not finite. invalid_argument if the result would have too many elements.
+/// Errors: invalid_mesh that names a vert whose point is not finite. invalid_argument if the result would have too many
+///         elements.
 template<SurfaceMesh M>
   requires Embedded<M>
 trimesh to_triangles(const M& m, const to_triangles_options& options = {}) {
   detail::check_points_finite("to_triangles", m, "validate() lists all such verts");
-  detail::check_element_counts<trimesh>("to_triangles", "the mesh", static_cast<double>(num_verts(m)), static_cast<double>(detail::num_poly_corners(m)) / 2);
+  detail::check_element_counts<trimesh>("to_triangles", "the mesh", static_cast<double>(num_verts(m)),
+                                        static_cast<double>(detail::num_poly_corners(m)) / 2);
   const std::vector<std::uint32_t> vert_number = detail::numbered(m, verts(m), vert_index_bound(m));
   const subdivide_options shared{1, options.properties, options.correspondence};
   const bool wanted = detail::wants_origins(m, shared);

@@ -16,7 +16,8 @@ struct torus_options {
 
 namespace detail {
 
-/// A point of the solid torus: at the fraction `turn` of a whole turn around the axis, with coordinates `out` and `up` in the disk of the tube.
+/// A point of the solid torus: at the fraction `turn` of a whole turn around the axis, with coordinates `out` and `up`
+/// in the disk of the tube.
 inline vec3 in_torus(const torus_options& o, double turn, double out, double up) {
   const double angle = 6.28318530717958647692 * turn, far = o.radius + o.tube_radius * out;
   return o.centre + vec3{far * std::cos(angle), far * std::sin(angle), o.tube_radius * up};
@@ -48,7 +49,8 @@ inline cell_arrays hex_torus(const torus_options& o) {
   a.verts.reserve(n * 2 * disk.verts.size());
   for (std::size_t i = 0; i < n; ++i) {
     const double turn = static_cast<double>(i) / static_cast<double>(n);
-    for (const vec3& x : disk.points) a.points.push_back(in_torus(o, turn, x.y, x.x));  // swapped, so that the disk is oriented towards the next slice
+    // swapped, so that the disk is oriented towards the next slice
+    for (const vec3& x : disk.points) a.points.push_back(in_torus(o, turn, x.y, x.x));
     for (std::size_t q = 0; q < disk.verts.size(); q += 4)
       for (const std::size_t at : {i, (i + 1) % n})
         for (std::size_t k = 0; k < 4; ++k) a.verts.push_back(vert_id{at * layer + disk.verts[q + k].raw()});
@@ -60,17 +62,19 @@ inline cell_arrays hex_torus(const torus_options& o) {
 
 /// A torus about an axis parallel to z, oriented outward. If M is a volume: a solid torus.
 /// Needs:  M is one of the six native meshes, or a mesh that can add verts and polys.
-/// Result: cells[0] x cells[1] quads; triangles: two per quad; polygons of any size: the dual of these triangles, hexagons that are not quite
-///         planar. Volumes: cells[0] slices, each of a disk with a core of n x n hexes, n = cells[1] / 4 rounded up, and (n + 1) / 2 layers of
-///         4 n hexes around it; tets, six per hex; or the hexes as polyhedra. All verts of the boundary lie on the torus.
+/// Result: cells[0] x cells[1] quads; triangles: two per quad; polygons of any size: the dual of these triangles,
+///         hexagons that are not quite planar. Volumes: cells[0] slices, each of a disk with a core of n x n hexes, n =
+///         cells[1] / 4 rounded up, and (n + 1) / 2 layers of 4 n hexes around it; tets, six per hex; or the hexes as
+///         polyhedra. All verts of the boundary lie on the torus.
 /// Cost:   O(verts) time and memory.
-/// Errors: invalid_argument, which names the field, if there are fewer than 3 cells or more cells than 32-bit descriptors. The same if a radius is
-///         not finite and above 0, if tube_radius is not below radius, or if the centre is not finite. unsupported if a mesh of another library
-///         refuses a poly.
+/// Errors: invalid_argument, which names the field, if there are fewer than 3 cells or more cells than 32-bit
+///         descriptors. The same if a radius is not finite and above 0, if tube_radius is not below radius, or if the
+///         centre is not finite. unsupported if a mesh of another library refuses a poly.
 /// Source: tets by Dompierre et al. 1999.
 template<requirement::can_be_generated M>
 M make_torus(const torus_options& options = {}) {
-  for (const std::size_t k : {0u, 1u}) detail::check_at_least("make_torus", core::joined({"cells[", k, "]"}), options.cells[k], 3);
+  for (const std::size_t k : {0u, 1u})
+    detail::check_at_least("make_torus", core::joined({"cells[", k, "]"}), options.cells[k], 3);
   detail::check_positive("make_torus", "radius", options.radius);
   detail::check_positive("make_torus", "tube_radius", options.tube_radius);
   if (options.tube_radius >= options.radius)
@@ -86,9 +90,11 @@ M make_torus(const torus_options& options = {}) {
     detail::check_element_counts<M>("make_torus", "cells", 2 * n * k, n * k);
     surface_arrays quads = detail::quad_torus(options);
     if constexpr (arity_v<M> == 0) {  // general polygons are the dual of triangles
-      const auto point_of = [&](std::size_t t) {  // the middle of the triangle, by angles: first the lower right triangle of the quad, then the upper left one
+      const auto point_of = [&](std::size_t t) {  // the middle of the triangle, by angles: first the lower right
+                                                  // triangle of the quad, then the upper left one
         const double right = t % 2 ? 1 / 3.0 : 2 / 3.0, up = 1 - right;
-        return detail::on_torus(options, static_cast<double>(t / 2 % options.cells[0]) + right, static_cast<double>(t / 2 / options.cells[0]) + up);
+        return detail::on_torus(options, static_cast<double>(t / 2 % options.cells[0]) + right,
+                                static_cast<double>(t / 2 / options.cells[0]) + up);
       };
       return detail::construct_from_arrays<M>(detail::dual_of_triangles(detail::cut_quads(std::move(quads)), point_of));
     } else {

@@ -32,9 +32,11 @@ std::pair<vec3, vec3> box_of_polys(const M& m) {
   return {low, high};
 }
 
-/// Sets the flags of the cubes of column (i, j) whose centres are inside. Between two hits of the column with the surface, one centre is tested for all.
+/// Sets the flags of the cubes of column (i, j) whose centres are inside. Between two hits of the column with the
+/// surface, one centre is tested for all.
 template<class M>
-void flag_column(const poly_tree<M>& tree, const voxel_lattice& lattice, std::size_t i, std::size_t j, const inside_options& rule, std::vector<std::uint8_t>& flags) {
+void flag_column(const poly_tree<M>& tree, const voxel_lattice& lattice, std::size_t i, std::size_t j,
+                 const inside_options& rule, std::vector<std::uint8_t>& flags) {
   const std::size_t nx = lattice.num_cells(0), ny = lattice.num_cells(1), nz = lattice.num_cells(2);
   const vec3 bottom = lattice.centre(i, j, 0), up{0, 0, lattice.cell_size()};
   const auto hits = tree.ray_all(bottom - up, up);
@@ -54,26 +56,34 @@ void flag_column(const poly_tree<M>& tree, const voxel_lattice& lattice, std::si
 
 }  // namespace detail
 
-/// Hexes that fill a closed surface roughly: the cubes of a lattice around its box whose centres are inside or on it. voxel_hexes(surface, 64).
+/// Hexes that fill a closed surface roughly: the cubes of a lattice around its box whose centres are inside or on it.
+/// voxel_hexes(surface, 64).
 /// Needs:  Embedded SurfaceMesh, closed. For the winding rule, consistently oriented; self-intersections are allowed.
-/// Result: a hexmesh of cubes, of which n fit along the longest side of the box of the polys; the box is in the middle of the lattice along the other two. Verts and polys are in the order of the lattice, x fastest.
-///         The surface of the hexes has steps, and may not be manifold where cubes meet in an edge or a vert only. Parts thinner than a cube may be missing. Exact, and the same for any number of threads.
-/// Cost:   O(t log t) for t triangles, then for each of the columns along z the time of a ray and of a test for each of its hits, in parallel; a byte for each cube of the lattice.
-/// Errors: invalid_argument if n is 0 or asks for 2^30 cubes or more. invalid_mesh that names an edge at which the surface is open, or a poly with a vert that is not finite; the same if
-///         all verts are at one point.
+/// Result: a hexmesh of cubes, of which n fit along the longest side of the box of the polys; the box is in the middle
+///         of the lattice along the other two. Verts and polys are in the order of the lattice, x fastest. The surface
+///         of the hexes has steps, and may not be manifold where cubes meet in an edge or a vert only. Parts thinner
+///         than a cube may be missing. Exact, and the same for any number of threads.
+/// Cost:   O(t log t) for t triangles, then for each of the columns along z the time of a ray and of a test for each of
+///         its hits, in parallel; a byte for each cube of the lattice.
+/// Errors: invalid_argument if n is 0 or asks for 2^30 cubes or more. invalid_mesh that names an edge at which the
+///         surface is open, or a poly with a vert that is not finite; the same if all verts are at one point.
 template<SurfaceMesh M>
   requires Embedded<M>
 hexmesh voxel_hexes(const M& m, std::size_t n, const voxel_options& options = {}) {
   for (const edge_t<M> e : edges(m))
     if (num_elements(adj_e2p(m, e)) % 2 != 0)
-      core::throw_joined<invalid_mesh>({"voxel_hexes: the surface is open at edge ", index_of(m, e), "; only closed surfaces have an inside"});
+      core::throw_joined<invalid_mesh>(
+          {"voxel_hexes: the surface is open at edge ", index_of(m, e), "; only closed surfaces have an inside"});
   if (n > 0 && num_polys(m) == 0) return {};
   const auto tree = bounding_tree(m);
   const auto [low, high] = detail::box_of_polys(m);
   const detail::voxel_lattice lattice("voxel_hexes", low, high, n);
   std::vector<std::uint8_t> flags(lattice.size());
   const std::size_t nx = lattice.num_cells(0);
-  parallel_for(nx * lattice.num_cells(1), [&](std::size_t column) { detail::flag_column(tree, lattice, column % nx, column / nx, {options.rule}, flags); }, 16);
+  parallel_for(
+      nx * lattice.num_cells(1),
+      [&](std::size_t column) { detail::flag_column(tree, lattice, column % nx, column / nx, {options.rule}, flags); },
+      16);
   return hexmesh(detail::voxels_as_hexes(lattice, flags));
 }
 

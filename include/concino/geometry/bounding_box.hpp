@@ -12,7 +12,8 @@ namespace concino {
 
 /// All points x with min <= x <= max in each coordinate; empty if min > max, as by default.
 struct box {
-  vec3 min{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  vec3 min{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+           std::numeric_limits<double>::infinity()};
   vec3 max = -min;
 
   bool is_empty() const { return !(min.x <= max.x && min.y <= max.y && min.z <= max.z); }
@@ -38,8 +39,10 @@ box bounding_box(const M& m) {
   return b;
 }
 
-/// The bounding box of the verts of poly p, face f or edge e. It contains every point of its edges, and of non-planar faces spanned by its verts.
-/// Needs:  Embedded M with adj_p2v, adj_f2v or adj_e2v.      Result: a box.      Cost: O(number of its verts).      Errors: none.
+/// The bounding box of the verts of poly p, face f or edge e. It contains every point of its edges, and of non-planar
+/// faces spanned by its verts.
+/// Needs:  Embedded M with adj_p2v, adj_f2v or adj_e2v.      Result: a box.      Cost: O(number of its verts).     
+///         Errors: none.
 template<Embedded M>
   requires requires(const M& m, poly_t<M> p) { adj_p2v(m, p); }
 box bounding_box(const M& m, const poly_t<M>& p) {

@@ -27,7 +27,8 @@ template<class M, class Loop>
 vec3 large_mean_of(const M& m, const Loop& loop) {
   const local_frame frame = frame_of_loop(m, loop);
   const vec3 mean = mean_of<vert_t<M>>(loop, points_by_vert(m));
-  return frame.is_finite() && !is_finite(mean) ? frame.from_local(mean_of<vert_t<M>>(loop, points_by_vert_in(m, frame))) : mean;
+  return frame.is_finite() && !is_finite(mean) ? frame.from_local(mean_of<vert_t<M>>(loop, points_by_vert_in(m, frame)))
+                                               : mean;
 }
 template<class M>
 vec3 large_mean(const M& m, const poly_t<M>& p) {
@@ -37,7 +38,8 @@ vec3 large_mean(const M& m, const poly_t<M>& p) {
 }  // namespace detail
 
 /// The mean of the verts of poly p: cheap, and defined for every poly, including degenerate and non-planar ones.
-/// Needs:  Embedded M with adj_p2v.      Result: a point, in units of the mesh.      Cost: O(verts of p).      Errors: none.
+/// Needs:  Embedded M with adj_p2v.      Result: a point, in units of the mesh.      Cost: O(verts of p).      Errors:
+///         none.
 template<Embedded M>
   requires requires(const M& m, poly_t<M> p) { adj_p2v(m, p); }
 vec3 vert_mean(const M& m, const poly_t<M>& p) {
@@ -48,7 +50,8 @@ vec3 vert_mean(const M& m, const poly_t<M>& p) {
 
 namespace detail {
 
-/// First moments of the signed triangles of a polygon's fan about its mean (or of the tets from an origin to these triangles).
+/// First moments of the signed triangles of a polygon's fan about its mean (or of the tets from an origin to these
+/// triangles).
 struct moments {
   vec3 first;        // sum of measure times centre of the parts
   double total = 0;  // sum of the signed measures of the parts
@@ -84,7 +87,8 @@ template<class V, class Loop, class At>
 moments polygon_moments(const Loop& loop, const At& at, const vec3& origin) {
   const vec3 normal = area_vector_through<V>(loop, at);
   moments sum;
-  const auto add = [&](const vec3& a, const vec3& b) __attribute__((always_inline)) {  // g++ would not inline it, which takes a fifth more time
+  // g++ would not inline it, which takes a fifth more time
+  const auto add = [&](const vec3& a, const vec3& b) __attribute__((always_inline)) {
     sum.add(dot(cross(a - origin, b - origin), normal), ((a - origin) + (b - origin)) / 3);
   };
   for_each_fan_side_through<V>(loop, at, add);
@@ -107,7 +111,8 @@ moments polyhedron_moments(const M& m, const poly_t<M>& p, const At& at, const v
 /// The moments of a polygon or of a polyhedron.
 template<class M, class At>
 moments moments_of(const M& m, const poly_t<M>& p, const At& at, const vec3& origin) {
-  if constexpr (SurfaceMesh<M>) return polygon_moments<vert_t<M>>(adj_p2v(m, p), at, origin);  // moments of an area or of a volume
+  // moments of an area or of a volume
+  if constexpr (SurfaceMesh<M>) return polygon_moments<vert_t<M>>(adj_p2v(m, p), at, origin);
   else return polyhedron_moments(m, p, at, origin);
 }
 template<class M, class At>
@@ -145,8 +150,8 @@ vec3 face_centroid_at_any_scale(const M& m, const face_t<M>& f) {
 
 }  // namespace detail
 
-/// The centre of mass of poly p with constant density. Non-planar polygons are projected along their vector area; polyhedra
-/// have each face as a fan about its mean point, as in `volume`.
+/// The centre of mass of poly p with constant density. Non-planar polygons are projected along their vector area;
+/// polyhedra have each face as a fan about its mean point, as in `volume`.
 /// Needs:  EmbeddedMesh.
 /// Result: a point, in units of the mesh; the mean of the verts if the area or volume of p is only rounding errors.
 /// Cost:   O(verts of the polygon or of the faces).      Errors: none.
@@ -171,7 +176,8 @@ vec3 centroid(const M& m, const face_t<M>& f) {
 }
 
 /// The centres of mass of all polys.
-/// Needs:  EmbeddedMesh, no temporary.      Result: a map of vec3.      Cost: that of centroid for every poly; parallel.      Errors: none.
+/// Needs:  EmbeddedMesh, no temporary.      Result: a map of vec3.      Cost: that of centroid for every poly;
+///         parallel.      Errors: none.
 template<class M>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M>
 poly_map<M, vec3> centroids(M&& m) {

@@ -15,16 +15,18 @@ vec3 circumcentre_of(const M& m, const Verts& verts, const char* name, std::size
   core::small_array<vec3, 8> points(0, vec3());
   for (const vert_t<M> v : verts) points.push_back(to_vec3(point(m, v)));
   if (points.size() != corners)
-    core::throw_joined<invalid_argument>({"circumcentre: ", name, i, " has ", points.size(), " verts; only triangles and tets have one"});
+    core::throw_joined<invalid_argument>(
+        {"circumcentre: ", name, i, " has ", points.size(), " verts; only triangles and tets have one"});
   return centre_of_circumsphere({points.data(), points.size()});
 }
 
 }  // namespace detail
 
-/// The circumcentre of poly p of a surface or volume, or of face f of a volume: the point in its plane, or in space, that is equally far from its verts.
+/// The circumcentre of poly p of a surface or volume, or of face f of a volume: the point in its plane, or in space,
+/// that is equally far from its verts.
 /// Needs:  EmbeddedMesh. The poly or face is a triangle or a tet, in a mesh of any kind.
-/// Result: a point that may lie outside the poly; not finite if the verts lie on one line or in one plane, up to rounding, or if one is not finite. Scales
-///         exactly with powers of 2.
+/// Result: a point that may lie outside the poly; not finite if the verts lie on one line or in one plane, up to
+///         rounding, or if one is not finite. Scales exactly with powers of 2.
 /// Cost:   O(1), plus that of adj_p2v.      Errors: invalid_argument if the poly or face has another number of verts.
 /// Source: the intersection of the perpendicular bisectors, solved by Cramer's rule.
 template<EmbeddedMesh M>

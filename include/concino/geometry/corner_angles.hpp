@@ -15,8 +15,8 @@ namespace concino {
 
 namespace detail {
 
-/// The angle from the vector at -> after to the vector at -> before, in [0, pi]; more than pi if it turns against `normal`. A triangle has no
-/// such corner, so a normal of 0 skips this check.
+/// The angle from the vector at -> after to the vector at -> before, in [0, pi]; more than pi if it turns against
+/// `normal`. A triangle has no such corner, so a normal of 0 skips this check.
 inline double angle_at_corner(const vec3& before, const vec3& at, const vec3& after, const vec3& normal) {
   vec3 out = after - at, back = before - at, turn = cross(out, back);
   double cosine = dot(out, back);
@@ -76,7 +76,8 @@ double angle_in_loop(const M& m, const Loop& loop, const vert_t<M>& v, const cha
     ++n;
   }
   if (!found)
-    core::throw_joined<invalid_argument>({"corner_angle: vert ", index_of(m, v), " is not a vert of ", what, " ", which, "; take one of its own verts"});
+    core::throw_joined<invalid_argument>(
+        {"corner_angle: vert ", index_of(m, v), " is not a vert of ", what, " ", which, "; take one of its own verts"});
   const vec3 normal = normal_for_angles(m, loop, n);
   double angle = 0;
   for_each_corner(m, loop, [&](std::size_t k, const vec3& before, const vec3& at, const vec3& after) {
@@ -89,9 +90,9 @@ double angle_in_loop(const M& m, const Loop& loop, const vert_t<M>& v, const cha
 
 /// The angle inside poly p of a surface, or inside face f of a volume, at its corner v.
 /// Needs:  Embedded SurfaceMesh (poly) or Embedded VolumeMesh (face) with index_of.
-/// Result: in radians, in [0, 2 pi): the angle in space between the two edges at v, more than pi if the corner is concave in the projection along the
-///         vector area. The angles of a planar polygon of n verts sum to (n - 2) pi. Independent of scale; 0 if an edge at v has no length;
-///         not a number only if points are not finite.
+/// Result: in radians, in [0, 2 pi): the angle in space between the two edges at v, more than pi if the corner is
+///         concave in the projection along the vector area. The angles of a planar polygon of n verts sum to (n - 2)
+///         pi. Independent of scale; 0 if an edge at v has no length; not a number only if points are not finite.
 /// Cost:   O(verts of the polygon).      Errors: invalid_argument if v is no vert of the polygon.
 template<SurfaceMesh M>
   requires Embedded<M>
@@ -104,13 +105,17 @@ double corner_angle(const M& m, const face_t<M>& f, const vert_t<M>& v) {
   return detail::angle_in_loop(m, adj_f2v(m, f), v, "face", index_of(m, f));
 }
 
-/// The angle defect at each vert, a discrete Gaussian curvature: 2 pi (or pi at the border) minus the sum of the corner angles there.
+/// The angle defect at each vert, a discrete Gaussian curvature: 2 pi (or pi at the border) minus the sum of the corner
+/// angles there.
 /// Needs:  Embedded SurfaceMesh, no temporary.
-/// Result: a map of double, in radians: 2 pi minus the sum of angles in the interior, pi minus the sum at the border. In general each edge at v with k
-///         polys adds (k - 2) pi / 2 to the first. So if polys are planar, the sum over all verts is 2 pi times the Euler characteristic, on
-///         non-manifold surfaces too. Verts of no poly have 0 and do not count in it.
-/// Cost:   O(corners + edges of verts), parallel but for the sums; the same for any number of threads.      Errors: none.
-/// Source: Descartes' theorem; Gauss-Bonnet for polyhedral surfaces, Banchoff 1967, "Critical points and curvature for embedded polyhedra".
+/// Result: a map of double, in radians: 2 pi minus the sum of angles in the interior, pi minus the sum at the border.
+///         In general each edge at v with k polys adds (k - 2) pi / 2 to the first. So if polys are planar, the sum
+///         over all verts is 2 pi times the Euler characteristic, on non-manifold surfaces too. Verts of no poly have 0
+///         and do not count in it.
+/// Cost:   O(corners + edges of verts), parallel but for the sums; the same for any number of threads.      Errors:
+///         none.
+/// Source: Descartes' theorem; Gauss-Bonnet for polyhedral surfaces, Banchoff 1967, "Critical points and curvature for
+///         embedded polyhedra".
 template<class M>
   requires requirement::is_lvalue_or_view<M> && SurfaceMesh<M> && Embedded<M>
 vert_map<M, double> angle_defects(M&& m) {

@@ -60,7 +60,8 @@ struct polygon_at_edge {
 
 /// The angle from a to b, on the side opposite to a's normal.
 inline double interior_angle(const polygon_at_edge& a, const polygon_at_edge& b, const vec3& direction) {
-  const double cosine = dot(a.inward, b.inward), sine = -static_cast<double>(a.sign) * dot(cross(a.inward, b.inward), direction);
+  const double cosine = dot(a.inward, b.inward),
+               sine = -static_cast<double>(a.sign) * dot(cross(a.inward, b.inward), direction);
   if (cosine == 0 && sine == 0) return std::numbers::pi;
   const double angle = std::atan2(sine, cosine);
   if (!(angle < 0)) return angle + 0.0;  // turns -0 into 0
@@ -85,10 +86,11 @@ double dihedral_angle_with(const M& m, const edge_t<M>& e, const Normal& normal_
 
 /// The interior angle of a surface at edge e: the angle between its two polys on the side opposite to their normals.
 /// Needs:  Embedded SurfaceMesh.
-/// Result: in radians, in [0, 2 pi): pi where the surface is flat, less where it is convex, such as pi / 2 on a cube, more where it is
-///         concave. The planes of polygons are those of their vector areas. pi, as on a flat surface, where there is no angle: at edges without
-///         exactly two polys, or without length, and at polys without area. If the two polys are wound against each other, the
-///         side is that of the first of adj_e2p. Independent of scale; not a number only if points are not finite.
+/// Result: in radians, in [0, 2 pi): pi where the surface is flat, less where it is convex, such as pi / 2 on a cube,
+///         more where it is concave. The planes of polygons are those of their vector areas. pi, as on a flat surface,
+///         where there is no angle: at edges without exactly two polys, or without length, and at polys without area.
+///         If the two polys are wound against each other, the side is that of the first of adj_e2p. Independent of
+///         scale; not a number only if points are not finite.
 /// Cost:   O(verts of the two polys).      Errors: none.
 template<SurfaceMesh M>
   requires Embedded<M>
@@ -98,9 +100,10 @@ double dihedral_angle(const M& m, const edge_t<M>& e) {
 
 /// The interior angle of polyhedron p at its edge e, between its two faces there.
 /// Needs:  Embedded VolumeMesh.
-/// Result: in radians, in [0, 2 pi), more than pi where p is concave. The planes of faces are those of their vector areas, so the angles of the polys
-///         all around an edge sum to 2 pi, with planar faces or not. pi if e has no length or a face there no area, or if p does not have exactly
-///         two faces at e. Independent of scale; not a number only if points are not finite.
+/// Result: in radians, in [0, 2 pi), more than pi where p is concave. The planes of faces are those of their vector
+///         areas, so the angles of the polys all around an edge sum to 2 pi, with planar faces or not. pi if e has no
+///         length or a face there no area, or if p does not have exactly two faces at e. Independent of scale; not a
+///         number only if points are not finite.
 /// Cost:   O(verts of the faces of p).      Errors: invalid_argument if e is no edge of p.
 template<VolumeMesh M>
   requires Embedded<M>
@@ -115,14 +118,15 @@ double dihedral_angle(const M& m, const poly_t<M>& p, const edge_t<M>& e) {
     ++n;
   }
   if (n == 0)
-    core::throw_joined<invalid_argument>(
-        {"dihedral_angle: edge ", index_of(m, e), " is not an edge of poly ", index_of(m, p), "; take one from adj_p2e(m, p)"});
+    core::throw_joined<invalid_argument>({"dihedral_angle: edge ", index_of(m, e), " is not an edge of poly ",
+                                          index_of(m, p), "; take one from adj_p2e(m, p)"});
   return n == 2 ? detail::interior_angle(two[0], two[1], edge.direction) : std::numbers::pi;
 }
 
 /// The interior angles of a surface at all edges.
 /// Needs:  Embedded SurfaceMesh, no temporary.      Result: a map of double, as dihedral_angle.
-/// Cost:   O(corners) for polys with few verts: every normal is computed once; otherwise times the verts of polys. Parallel.      Errors: none.
+/// Cost:   O(corners) for polys with few verts: every normal is computed once; otherwise times the verts of polys.
+///         Parallel.      Errors: none.
 template<class M>
   requires requirement::is_lvalue_or_view<M> && SurfaceMesh<M> && Embedded<M>
 edge_map<M, double> dihedral_angles(M&& m) {

@@ -11,7 +11,8 @@
 namespace concino {
 
 /// The distance between the ends of edge e.
-/// Needs:  Embedded M with adj_e2v.      Result: 0 or more, in units of the mesh; scales exactly.      Cost: O(1).      Errors: none.
+/// Needs:  Embedded M with adj_e2v.      Result: 0 or more, in units of the mesh; scales exactly.      Cost: O(1).     
+///         Errors: none.
 template<Embedded M>
   requires requires(const M& m, edge_t<M> e) { adj_e2v(m, e); }
 double edge_length(const M& m, const edge_t<M>& e) {

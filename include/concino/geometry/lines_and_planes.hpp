@@ -23,11 +23,13 @@ struct segment {
 };
 
 /// The plane through a point with this normal.
-/// Needs:  a normal of any length but 0.      Result: a plane with the normal unchanged.      Cost: O(1).      Errors: none.
+/// Needs:  a normal of any length but 0.      Result: a plane with the normal unchanged.      Cost: O(1).      Errors:
+///         none.
 inline plane plane_through(const vec3& x, const vec3& normal) { return {normal, dot(normal, x)}; }
 
 /// The distance of x above a plane, negative below it.
-/// Needs:  a normal that is not 0.      Result: in units of length; scales exactly by powers of two.      Cost: O(1).      Errors: none.
+/// Needs:  a normal that is not 0.      Result: in units of length; scales exactly by powers of two.      Cost: O(1).  
+///            Errors: none.
 inline double signed_distance(const plane& p, const vec3& x) { return (dot(p.normal, x) - p.offset) / norm(p.normal); }
 
 /// The point at a parameter: origin + t direction for a ray; for a segment from `from` at 0 to `to` at 1.

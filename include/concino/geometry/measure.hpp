@@ -66,7 +66,8 @@ inline double volume_through(const M& m, const poly_t<M>& p, const At& at) {
 /// The area or volume of p with the points at(v).
 template<class M, class At>
 inline double measure_through(const M& m, const poly_t<M>& p, const At& at) {
-  if constexpr (SurfaceMesh<M>) return norm(area_vector_through<vert_t<M>>(adj_p2v(m, p), at));  // an area needs the cycle of verts, a volume the faces
+  // an area needs the cycle of verts, a volume the faces
+  if constexpr (SurfaceMesh<M>) return norm(area_vector_through<vert_t<M>>(adj_p2v(m, p), at));
   else return volume_through(m, p, at);
 }
 
@@ -90,8 +91,9 @@ double large_total_measure(const M& m, double otherwise) {
 
 /// The vector area of poly p of a surface, or of face f of a volume: normal to it, with its area as length.
 /// Needs:  Embedded SurfaceMesh (poly) or Embedded VolumeMesh (face, in the order of adj_f2v).
-/// Result: half the sum of the cross products along the boundary; for a non-planar polygon it is shorter than the area of any surface
-///         that it bounds. Units of length^2, scales exactly; 0 for a degenerate polygon. Components too large for a double are infinite.
+/// Result: half the sum of the cross products along the boundary; for a non-planar polygon it is shorter than the area
+///         of any surface that it bounds. Units of length^2, scales exactly; 0 for a degenerate polygon. Components too
+///         large for a double are infinite.
 /// Cost:   O(verts of the polygon).      Errors: none.
 /// Source: Sunday 2002, "Fast polygon area and Newell normal computation"; paper section 2.2.
 template<SurfaceMesh M>
@@ -106,7 +108,8 @@ vec3 area_vector(const M& m, const face_t<M>& f) {
 }
 
 /// The area of poly p of a surface, or of face f of a volume: the length of its vector area.
-/// Needs:  as area_vector.      Result: 0 or more, in units of length^2; +inf if too large.      Cost: O(verts of the polygon).      Errors: none.
+/// Needs:  as area_vector.      Result: 0 or more, in units of length^2; +inf if too large.      Cost: O(verts of the
+///         polygon).      Errors: none.
 template<SurfaceMesh M>
   requires Embedded<M>
 double area(const M& m, const poly_t<M>& p) {
@@ -118,13 +121,14 @@ double area(const M& m, const face_t<M>& f) {
   return detail::safe_area(m, adj_f2v(m, f));
 }
 
-/// The volume of poly p: enclosed by its faces. Each face, planar or not, is a fan about its mean point, so that neighbours tile space
-/// without gap or overlap.
+/// The volume of poly p: enclosed by its faces. Each face, planar or not, is a fan about its mean point, so that
+/// neighbours tile space without gap or overlap.
 /// Needs:  Embedded VolumeMesh; the faces of p are closed.
 /// Result: positive if face_is_outward is right, negative for an inverted poly; in units of length^3, scales exactly;
 ///         0 for a degenerate poly; infinite if it is too large for a double, but never NaN for finite points.
 /// Cost:   O(verts of the faces of p).      Errors: none.
-/// Source: the divergence theorem: a fan of triangles about c, from the origin o, encloses (c - o) . A / 3 with A its vector area.
+/// Source: the divergence theorem: a fan of triangles about c, from the origin o, encloses (c - o) . A / 3 with A its
+///         vector area.
 template<VolumeMesh M>
   requires Embedded<M>
 double volume(const M& m, const poly_t<M>& p) {
@@ -133,7 +137,8 @@ double volume(const M& m, const poly_t<M>& p) {
   return detail::large_volume(m, p, size);
 }
 
-/// The measure of a poly: the area of a polygon or the volume of a polyhedron. For algorithms on both surfaces and volumes.
+/// The measure of a poly: the area of a polygon or the volume of a polyhedron. For algorithms on both surfaces and
+/// volumes.
 /// Needs:  EmbeddedMesh.      Result: as area and volume.      Cost: as those.      Errors: none.
 template<EmbeddedMesh M>
 double measure(const M& m, const poly_t<M>& p) {
@@ -151,7 +156,8 @@ template<VolumeMesh M>
 double measure(const M& m, const face_t<M>& f) { return area(m, f); }
 
 /// The measures of all polys.
-/// Needs:  EmbeddedMesh, no temporary.      Result: a map of double.      Cost: that of measure for every poly; parallel.      Errors: none.
+/// Needs:  EmbeddedMesh, no temporary.      Result: a map of double.      Cost: that of measure for every poly;
+///         parallel.      Errors: none.
 template<class M>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M>
 poly_map<M, double> measures(M&& m) {
@@ -162,7 +168,8 @@ poly_map<M, double> measures(M&& m) {
 
 /// The sum of the measures of all polys: the area of a surface, the volume of a volume.
 /// Needs:  EmbeddedMesh.
-/// Result: inverted polys count negative; infinite if the sum is too large.      Cost: O(size of the mesh).      Errors: none.
+/// Result: inverted polys count negative; infinite if the sum is too large.      Cost: O(size of the mesh).     
+///         Errors: none.
 template<EmbeddedMesh M>
 double total_measure(const M& m) {
   double sum = 0;

@@ -1,8 +1,8 @@
-// Unit normals of polygons and verts: the directions of vector areas. They do not depend on a triangulation, and non-planar polygons
-// have them too.
+// Unit normals of polygons and verts: the directions of vector areas. They do not depend on a triangulation, and
+// non-planar polygons have them too.
 //
-// A normal is the zero vector if there is no area. It does not depend on scale: areas too small or too large for a double are
-// handled. Only coordinates that are not finite give NaN.
+// A normal is the zero vector if there is no area. It does not depend on scale: areas too small or too large for a
+// double are handled. Only coordinates that are not finite give NaN.
 #pragma once
 
 #include <concino/core/mistakes.hpp>
@@ -30,7 +30,8 @@ double outward_sign(const M& m, const face_t<M>& f) {
 
 /// The unit direction of the vector area of poly p of a surface, or of face f of a volume in the order of adj_f2v.
 /// Needs:  Embedded SurfaceMesh (poly) or Embedded VolumeMesh (face).
-/// Result: length 1, on the side from which the verts are counter-clockwise; 0 without area.      Cost: O(verts of the polygon).
+/// Result: length 1, on the side from which the verts are counter-clockwise; 0 without area.      Cost: O(verts of the
+///         polygon).
 /// Errors: none.
 /// Source: Sunday 2002, "Fast polygon area and Newell normal computation".
 template<SurfaceMesh M>
@@ -44,20 +45,24 @@ vec3 normal(const M& m, const face_t<M>& f) {
   return detail::direction_of_areas(m, [&](const auto& visit) { visit(adj_f2v(m, f), 1.0); });
 }
 
-/// The unit direction of the sum of the vector areas around vert v: of the polys at v on a surface; in a volume, of the boundary faces at v, turned
-/// outward.
+/// The unit direction of the sum of the vector areas around vert v: of the polys at v on a surface; in a volume, of the
+/// boundary faces at v, turned outward.
 /// Needs:  EmbeddedMesh.
-/// Result: length 1; 0 if areas cancel or there are none, as inside a volume.      Cost: O(size of the polygons at v).      Errors: none.
-/// Source: weights by area, Taubin 1995, "Estimating the tensor of curvature of a surface from a polyhedral approximation".
+/// Result: length 1; 0 if areas cancel or there are none, as inside a volume.      Cost: O(size of the polygons at v). 
+///             Errors: none.
+/// Source: weights by area, Taubin 1995, "Estimating the tensor of curvature of a surface from a polyhedral
+///         approximation".
 template<EmbeddedMesh M>
 vec3 vert_normal(const M& m, const vert_t<M>& v) {
   return detail::direction_of_areas(m, [&](const auto& visit) {
-    for_each_outer_polygon(m, v, [&](const poly_t<M>&, const auto& loop, bool is_outward) { visit(loop, is_outward ? 1.0 : -1.0); });
+    for_each_outer_polygon(
+        m, v, [&](const poly_t<M>&, const auto& loop, bool is_outward) { visit(loop, is_outward ? 1.0 : -1.0); });
   });
 }
 
 /// The normals of all polys of a surface.
-/// Needs:  Embedded SurfaceMesh, no temporary.      Result: a map of vec3, as normal.      Cost: O(corners), parallel.      Errors: none.
+/// Needs:  Embedded SurfaceMesh, no temporary.      Result: a map of vec3, as normal.      Cost: O(corners), parallel. 
+///             Errors: none.
 template<class M>
   requires requirement::is_lvalue_or_view<M> && SurfaceMesh<M> && Embedded<M>
 poly_map<M, vec3> poly_normals(M&& m) {
@@ -67,7 +72,8 @@ poly_map<M, vec3> poly_normals(M&& m) {
 }
 
 /// The normals of all faces of a volume, each in the order of adj_f2v.
-/// Needs:  Embedded VolumeMesh, no temporary.      Result: a map of vec3, as normal.      Cost: O(corners), parallel.      Errors: none.
+/// Needs:  Embedded VolumeMesh, no temporary.      Result: a map of vec3, as normal.      Cost: O(corners), parallel.  
+///            Errors: none.
 template<class M>
   requires requirement::is_lvalue_or_view<M> && VolumeMesh<M> && Embedded<M>
 face_map<M, vec3> face_normals(M&& m) {
@@ -78,8 +84,8 @@ face_map<M, vec3> face_normals(M&& m) {
 
 namespace detail {
 
-/// Sums vector areas at verts, then normalises the sums and the areas. One thread computes the sums in the order of polys, so that they do not
-/// depend on the number of threads; everything else is parallel.
+/// Sums vector areas at verts, then normalises the sums and the areas. One thread computes the sums in the order of
+/// polys, so that they do not depend on the number of threads; everything else is parallel.
 template<class M, class Areas, class Normals>
 void sum_areas_of_polys(const M& m, Areas& area, Normals& sum) {
   parallel_for_each(polys(m), [&](const poly_t<M>& p) { area[p] = area_vector_of(m, adj_p2v(m, p)); });
@@ -95,7 +101,8 @@ void sum_areas_of_polys(const M& m, Areas& area, Normals& sum) {
 template<class M, class Normals>
 void sum_areas_of_boundary(const M& m, Normals& sum) {
   std::vector<signed char> sign(face_index_bound(m));
-  parallel_for_each(faces(m), [&](const face_t<M>& f) { sign[index_of(m, f)] = static_cast<signed char>(outward_sign(m, f)); });
+  parallel_for_each(faces(m),
+                    [&](const face_t<M>& f) { sign[index_of(m, f)] = static_cast<signed char>(outward_sign(m, f)); });
   std::vector<unsigned char> met(vert_index_bound(m));
   for (const face_t<M> f : faces(m)) {
     if (sign[index_of(m, f)] == 0) continue;
@@ -114,8 +121,10 @@ void sum_areas_of_boundary(const M& m, Normals& sum) {
 
 /// The unit normals of all verts.
 /// Needs:  EmbeddedMesh, no temporary.
-/// Result: a map of vec3, as vert_normal except for the order in which areas are summed; the same for any number of threads.
-/// Cost:   O(corners) time; every vector area is computed once, and a surface stores one per poly. Parallel except for the sums.
+/// Result: a map of vec3, as vert_normal except for the order in which areas are summed; the same for any number of
+///         threads.
+/// Cost:   O(corners) time; every vector area is computed once, and a surface stores one per poly. Parallel except for
+///         the sums.
 /// Errors: none.
 template<class M>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M>
@@ -137,7 +146,8 @@ struct surface_normals_of {
   vert_map<M, vec3> verts;
 };
 
-/// The normals of all polys and verts of a surface, in about the time of one of the two: no vector area is computed twice.
+/// The normals of all polys and verts of a surface, in about the time of one of the two: no vector area is computed
+/// twice.
 /// Needs:  Embedded SurfaceMesh, no temporary.      Result: the maps that poly_normals and vert_normals return.
 /// Cost:   O(corners); parallel except for the sums at verts.      Errors: none.
 template<class M>

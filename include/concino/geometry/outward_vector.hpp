@@ -1,4 +1,5 @@
-// Outward normals of the facets of a poly, scaled by their measure: the vectors of the divergence theorem in either dimension.
+// Outward normals of the facets of a poly, scaled by their measure: the vectors of the divergence theorem in either
+// dimension.
 #pragma once
 
 #include <concino/concepts/facets.hpp>
@@ -11,10 +12,10 @@ namespace concino {
 
 /// The outward normal of poly p at its facet x, with the measure of x as length.
 /// Needs:  EmbeddedMesh; x is a facet of p.
-/// Result: for a face of a volume its area_vector, with the sign of face_is_outward. For an edge of a surface the edge, rotated by a right angle in the plane
-///         of p; if p is not flat, in the plane normal to its area_vector. The vectors over all facets of p sum to 0 if p is closed. Units
-///         of measure(m, x), scales exactly; 0 for a degenerate edge or face and at edges of a poly without area; components too large for a double
-///         are infinite.
+/// Result: for a face of a volume its area_vector, with the sign of face_is_outward. For an edge of a surface the edge,
+///         rotated by a right angle in the plane of p; if p is not flat, in the plane normal to its area_vector. The
+///         vectors over all facets of p sum to 0 if p is closed. Units of measure(m, x), scales exactly; 0 for a
+///         degenerate edge or face and at edges of a poly without area; components too large for a double are infinite.
 /// Cost:   O(verts of p) of a surface, O(verts of x) in a volume.      Errors: none.
 template<SurfaceMesh M>
   requires Embedded<M>

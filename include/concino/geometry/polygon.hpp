@@ -6,8 +6,8 @@
 
 namespace concino {
 
-/// The mean of the verts of a polygon and its vector area: the integral of the normal over any surface that it bounds. Its length is the area
-/// if the polygon is planar. It points to the side from which the verts are counter-clockwise.
+/// The mean of the verts of a polygon and its vector area: the integral of the normal over any surface that it bounds.
+/// Its length is the area if the polygon is planar. It points to the side from which the verts are counter-clockwise.
 struct polygon_shape {
   vec3 mean;
   vec3 area;
@@ -67,8 +67,9 @@ auto points_by_vert(const M& m) {
 
 /// The shape of the polygon through `loop`, a range of verts in cyclic order.
 /// Needs:  Embedded M.
-/// Result: see polygon_shape. Differences to the first vert are summed, so that a polygon far from the origin loses no digits; the same
-///         polygon gives the same bits wherever it is used. No area if there are fewer than three verts, or if all are collinear.
+/// Result: see polygon_shape. Differences to the first vert are summed, so that a polygon far from the origin loses no
+///         digits; the same polygon gives the same bits wherever it is used. No area if there are fewer than three
+///         verts, or if all are collinear.
 /// Cost:   O(verts).      Errors: none.
 template<Embedded M, class Loop>
 polygon_shape shape_of(const M& m, const Loop& loop) {
@@ -76,7 +77,8 @@ polygon_shape shape_of(const M& m, const Loop& loop) {
 }
 
 /// The vector area only.
-/// Needs:  Embedded M.      Result: the area of shape_of, with the same bits.      Cost: O(verts), half of that of shape_of.      Errors: none.
+/// Needs:  Embedded M.      Result: the area of shape_of, with the same bits.      Cost: O(verts), half of that of
+///         shape_of.      Errors: none.
 template<Embedded M, class Loop>  // g++ would not inline it into face_normals, which takes a fifth more time
 inline vec3 area_vector_of(const M& m, const Loop& loop) {
   return detail::area_vector_through<vert_t<M>>(loop, detail::points_by_vert(m));

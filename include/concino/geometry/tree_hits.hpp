@@ -19,7 +19,8 @@ struct closest_hit {
   explicit operator bool() const { return found; }
 };
 
-/// A hit of a ray with a poly at `point`, which is origin + parameter * direction up to rounding. Converts to false if there is no hit.
+/// A hit of a ray with a poly at `point`, which is origin + parameter * direction up to rounding. Converts to false if
+/// there is no hit.
 template<class M>
 struct crossing_hit {
   poly_t<M> poly{};
@@ -31,14 +32,17 @@ struct crossing_hit {
 };
 
 struct ray_options {
-  /// Where the ray ends, in lengths of its direction; 0 or more. A segment from a to b has the origin a, the direction b - a and the end 1.
+  /// Where the ray ends, in lengths of its direction; 0 or more. A segment from a to b has the origin a, the direction
+  /// b - a and the end 1.
   double max_parameter = std::numeric_limits<double>::infinity();
 };
 
 /// The rule by which a point is inside a closed surface.
 enum class inside_rule {
-  winding,  // signed winding number not 0: needs consistently oriented polygons; if closed parts overlap, all of them is inside
-  parity    // odd number of crossings on a path to the outside: any orientation is allowed; of two nested closed parts, the inner one is hollow
+  winding,  // signed winding number not 0: needs consistently oriented polygons; if closed parts overlap, all of them
+            // is inside
+  parity    // odd number of crossings on a path to the outside: any orientation is allowed; of two nested closed parts,
+            // the inner one is hollow
 };
 
 struct inside_options {

@@ -25,9 +25,10 @@ class polygon_triangulator {
  public:
   /// Triangulates a polygon by diagonals.
   /// Needs:  the corners in cyclic order; concave, non-planar, collinear or repeated corners are allowed.
-  /// Result: max(n, 2) - 2 triangles with the orientation of the polygon, valid until the next call. If the projection of the polygon along its vector
-  ///         area is simple, none is inverted there and they cover it. If it is not simple or has no area, they still join all
-  ///         corners. The triangles depend on the cycle of points alone: neither on the corner that comes first nor on the direction.
+  /// Result: max(n, 2) - 2 triangles with the orientation of the polygon, valid until the next call. If the projection
+  ///         of the polygon along its vector area is simple, none is inverted there and they cover it. If it is not
+  ///         simple or has no area, they still join all corners. The triangles depend on the cycle of points alone:
+  ///         neither on the corner that comes first nor on the direction.
   ///         Cost: O(n) for most; ears are looked up in a grid if n is large.
   /// Source: ear clipping, Meisters 1975; the plane is that of the vector area.
   std::span<const polygon_triangle> operator()(std::span<const vec3> corners) {
@@ -50,9 +51,11 @@ class polygon_triangulator {
   }
 
   /// Triangulates the projection of a polygon along z, by exact tests.
-  /// Needs:  the corners in counter-clockwise order seen from above. Corners may be collinear, and edges may touch one another, as at bridges to
-  ///         holes, which are passed twice; no two edges cross. Coordinates x and y as orient2d needs them.
-  /// Result: as operator(). All triangles are counter-clockwise seen from above, none is degenerate.      Cost: as operator().
+  /// Needs:  the corners in counter-clockwise order seen from above. Corners may be collinear, and edges may touch one
+  ///         another, as at bridges to holes, which are passed twice; no two edges cross. Coordinates x and y as
+  ///         orient2d needs them.
+  /// Result: as operator(). All triangles are counter-clockwise seen from above, none is degenerate.      Cost: as
+  ///         operator().
   /// Errors: none.
   /// Source: as operator(); Shewchuk 1997 for the tests.
   std::span<const polygon_triangle> from_above(std::span<const vec3> corners) {
@@ -72,9 +75,12 @@ class polygon_triangulator {
   struct cycle {
     index first, size;
     bool backward;
-    index corner(index k) const { return backward ? (first >= k ? first - k : first + size - k) : first + k < size ? first + k : first + k - size; }
+    index corner(index k) const {
+      return backward ? (first >= k ? first - k : first + size - k) : first + k < size ? first + k : first + k - size;
+    }
   };
-  // The condition for an ear. The later ones are for polygons that touch or intersect themselves, if no better ear is left.
+  // The condition for an ear. The later ones are for polygons that touch or intersect themselves, if no better ear is
+  // left.
   enum class ear { clear, touched, flat, any };
 
   std::vector<polygon_triangle> triangles_;
@@ -92,7 +98,8 @@ class polygon_triangulator {
     return core::is_lexicographically_less(a, b) ? -1 : core::is_lexicographically_less(b, a) ? 1 : 0;
   }
 
-  // The first of the lexicographically smallest rotations. Source: Shiloach 1981, "Fast canonization of circular strings".
+  // The first of the lexicographically smallest rotations. Source: Shiloach 1981, "Fast canonization of circular
+  // strings".
   static cycle smallest_rotation(std::span<const vec3> corners, bool backward) {
     const auto n = static_cast<index>(corners.size());
     index i = 0, j = 1, k = 0;
@@ -122,8 +129,8 @@ class polygon_triangulator {
     return smaller;
   }
 
-  // Up to this many corners, the fan whose smallest triangle is largest is taken, so that corners on a common line make no flat triangle if another fan has
-  // none.
+  // Up to this many corners, the fan whose smallest triangle is largest is taken, so that corners on a common line make
+  // no flat triangle if another fan has none.
   static constexpr std::size_t max_compared = 16;
 
   void cut(std::size_t n) {
@@ -146,11 +153,13 @@ class polygon_triangulator {
     return sign == 0 ? 0 : std::copysign(std::max(std::abs(doubled_area), std::numeric_limits<double>::min()), sign);
   }
 
-  // Projects to the plane of the vector area, scaled to about 1 to avoid overflow and underflow. False if there is no such plane.
+  // Projects to the plane of the vector area, scaled to about 1 to avoid overflow and underflow. False if there is no
+  // such plane.
   bool flatten(std::span<const vec3> corners) {
     const vec3 o = corners[0];
     double size = 0;
-    for (const vec3& p : corners) size = std::max({size, std::abs(p.x - o.x), std::abs(p.y - o.y), std::abs(p.z - o.z)});
+    for (const vec3& p : corners)
+      size = std::max({size, std::abs(p.x - o.x), std::abs(p.y - o.y), std::abs(p.z - o.z)});
     if (!(size > 0) || !std::isfinite(size)) return false;
     vec3 n;
     for (std::size_t i = 2; i < corners.size(); ++i) n += cross((corners[i - 1] - o) / size, (corners[i] - o) / size);
@@ -173,7 +182,8 @@ class polygon_triangulator {
   void fan(std::size_t n, index apex = 0) {
     for (std::size_t i = 2; i < n; ++i) triangles_.push_back({apex, after(apex, i - 1, n), after(apex, i, n)});
   }
-  // Twice the area of the smallest triangle of the fan from a corner; 0 or less if that is not more than `bound`, which is at least 0.
+  // Twice the area of the smallest triangle of the fan from a corner; 0 or less if that is not more than `bound`, which
+  // is at least 0.
   double smallest_of_fan(index apex, double bound) const {
     double smallest = std::numeric_limits<double>::infinity();
     for (index i = 2; i < size(); ++i) {
@@ -216,12 +226,15 @@ class polygon_triangulator {
     cell_ = {(high.x - low_.x) / cells_, (high.y - low_.y) / cells_};
     if (!(cell_.x > 0)) cell_.x = 1;
     if (!(cell_.y > 0)) cell_.y = 1;
-    const auto cell = [&](index v) { return cell_of(q_[v].y, low_.y, cell_.y) * cells_ + cell_of(q_[v].x, low_.x, cell_.x); };
+    const auto cell = [&](index v) {
+      return cell_of(q_[v].y, low_.y, cell_.y) * cells_ + cell_of(q_[v].x, low_.x, cell_.x);
+    };
     grid_offsets_.assign(std::size_t{cells_} * cells_ + 1, 0);
     for (index v = 0; v < n; ++v) ++grid_offsets_[cell(v) + 1];
     for (std::size_t c = 1; c < grid_offsets_.size(); ++c) grid_offsets_[c] += grid_offsets_[c - 1];
     grid_.resize(n);
-    for (index v = n; v-- > 0;) grid_[--grid_offsets_[cell(v) + 1]] = v;  // fills each cell from its end, so offsets move one position down
+    // fills each cell from its end, so offsets move one position down
+    for (index v = n; v-- > 0;) grid_[--grid_offsets_[cell(v) + 1]] = v;
     for (std::size_t c = 0; c + 1 < grid_offsets_.size(); ++c) grid_offsets_[c] = grid_offsets_[c + 1];
     grid_offsets_.back() = n;
   }
@@ -237,8 +250,10 @@ class polygon_triangulator {
       return true;
     }
     const point2 &p = q_[a], &q = q_[b], &r = q_[c];
-    const index x0 = cell_of(std::min({p.x, q.x, r.x}), low_.x, cell_.x), x1 = cell_of(std::max({p.x, q.x, r.x}), low_.x, cell_.x);
-    const index y0 = cell_of(std::min({p.y, q.y, r.y}), low_.y, cell_.y), y1 = cell_of(std::max({p.y, q.y, r.y}), low_.y, cell_.y);
+    const index x0 = cell_of(std::min({p.x, q.x, r.x}), low_.x, cell_.x),
+                x1 = cell_of(std::max({p.x, q.x, r.x}), low_.x, cell_.x);
+    const index y0 = cell_of(std::min({p.y, q.y, r.y}), low_.y, cell_.y),
+                y1 = cell_of(std::max({p.y, q.y, r.y}), low_.y, cell_.y);
     for (index y = y0; y <= y1; ++y)
       for (index i = grid_offsets_[y * cells_ + x0]; i < grid_offsets_[y * cells_ + x1 + 1]; ++i)
         if (blocks(grid_[i], a, b, c, kind)) return false;
@@ -292,7 +307,8 @@ class polygon_triangulator {
         if (removed_[v] || wait_[v] || !is_ear(v, kind)) continue;
         clip(v);
         if (kind == ear::clear) continue;
-        if (++retreats <= 16) kind = ear::clear;  // one bad corner should not spoil the rest; the number of retries is bounded for speed
+        if (++retreats <= 16) kind = ear::clear;  // one bad corner should not spoil the rest; the number of retries is
+                                                  // bounded for speed
       }
       for (const index v : later_) wait_[v] = 0;
       now_.swap(later_);

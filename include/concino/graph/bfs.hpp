@@ -17,17 +17,22 @@
 
 namespace concino {
 
-/// Node is a vert (primal graph) or a poly (dual graph). Crossed is what lies between two of them: an edge, or a face between polys of a volume;
-/// void if the mesh has no access to it.
+/// Node is a vert (primal graph) or a poly (dual graph). Crossed is what lies between two of them: an edge, or a face
+/// between polys of a volume; void if the mesh has no access to it.
 template<class Node, class Crossed = void>
 struct bfs_options {
   std::vector<Node> targets = {};                // stop when all of them are reached; none: search everything
   bool nearest_target = false;                   // stop when one of them is reached
-  function_ref<bool(Node)> may_enter = nullptr;  // false: the search does not enter this node (empty: it may enter all). Sources are exempt.
-  detail::may_cross_t<Crossed> may_cross = nullptr;  // false: the search does not cross this edge or face (empty: it may cross all)
-  predecessors_ref<Node> predecessors = nullptr;     // pointer to a map of nodes by nodes, filled with the predecessor of each
-  crossed_ref<Node, Crossed> crossed = nullptr;      // pointer to a map of nodes by edges or faces, filled with the one crossed to reach each
-  function_ref<bool(Node, int)> visit = nullptr;     // called with each node and its hops when it is reached; false: stop the search (empty: never)
+  function_ref<bool(Node)> may_enter = nullptr;  // false: the search does not enter this node (empty: it may enter
+                                                 // all). Sources are exempt.
+  detail::may_cross_t<Crossed> may_cross = nullptr;  // false: the search does not cross this edge or face (empty: it
+                                                     // may cross all)
+  predecessors_ref<Node> predecessors = nullptr;     // pointer to a map of nodes by nodes, filled with the predecessor
+                                                     // of each
+  crossed_ref<Node, Crossed> crossed = nullptr;      // pointer to a map of nodes by edges or faces, filled with the one
+                                                     // crossed to reach each
+  function_ref<bool(Node, int)> visit = nullptr;     // called with each node and its hops when it is reached; false:
+                                                     // stop the search (empty: never)
   int max_hops = std::numeric_limits<int>::max();    // >= 0; nodes farther than this are not reached
 };
 
@@ -110,28 +115,36 @@ auto full_bfs(const G& g, const S& sources, const bfs_options<typename G::node, 
 
   if (options.predecessors)
     for (const node x : g.nodes()) options.predecessors.put(x, x);
-  if constexpr (!std::same_as<S, all_nodes>) for_each_source(g, sources, "bfs", [&](const node& s) { mark_reached(s, s, 0, [] {}); });
+  if constexpr (!std::same_as<S, all_nodes>)
+    for_each_source(g, sources, "bfs", [&](const node& s) { mark_reached(s, s, 0, [] {}); });
   while (!queue.empty() || reach_next_root()) {
     const node v = queue.pop();
     const int h = value[g.index(v)];
     if (h >= limit) continue;
-    if constexpr (Reports) for_each_recorded_neighbour(g, v, options, [&](const node& w, const auto& put_crossed) { mark_reached(w, v, h + 1, put_crossed); });
-    else for_each_open_neighbour(g, v, options.may_enter, options.may_cross, [&](const node& w) { mark_reached(w, v, h + 1, [] {}); });
+    if constexpr (Reports)
+      for_each_recorded_neighbour(
+          g, v, options, [&](const node& w, const auto& put_crossed) { mark_reached(w, v, h + 1, put_crossed); });
+    else
+      for_each_open_neighbour(g, v, options.may_enter, options.may_cross,
+                              [&](const node& w) { mark_reached(w, v, h + 1, [] {}); });
   }
   return hops;
 }
 
 template<class Node, class Crossed>
 void check_bfs(const bfs_options<Node, Crossed>& options, const char* caller) {
-  if (options.max_hops < 0) core::throw_joined<invalid_argument>({caller, ": max_hops is ", core::number_text(options.max_hops), "; it must be 0 or more"});
+  if (options.max_hops < 0)
+    core::throw_joined<invalid_argument>(
+        {caller, ": max_hops is ", core::number_text(options.max_hops), "; it must be 0 or more"});
 }
 
 template<class G, class S>
 auto bfs(const G& g, const S& sources, const bfs_options<typename G::node, crossed_t<G>>& options) {
   check_bfs(options, "bfs");
-  const bool plain = options.targets.empty() && !options.may_cross && !options.predecessors && !options.crossed && !options.visit &&
-                     options.max_hops == std::numeric_limits<int>::max();
-  if (plain) return options.may_enter ? plain_bfs<true>(g, sources, options.may_enter) : plain_bfs<false>(g, sources, nullptr);
+  const bool plain = options.targets.empty() && !options.may_cross && !options.predecessors && !options.crossed &&
+                     !options.visit && options.max_hops == std::numeric_limits<int>::max();
+  if (plain)
+    return options.may_enter ? plain_bfs<true>(g, sources, options.may_enter) : plain_bfs<false>(g, sources, nullptr);
   return options.crossed || options.visit ? full_bfs<true>(g, sources, options) : full_bfs<false>(g, sources, options);
 }
 
@@ -143,16 +156,18 @@ auto bfs_forest(const G& g, const bfs_options<typename G::node, crossed_t<G>>& o
 
 }  // namespace detail
 
-/// Fewest steps from `source` along edges (source a vert) or from poly to poly (source a poly). With several sources, in a container or braces, the
-/// steps from the nearest one.
+/// Fewest steps from `source` along edges (source a vert) or from poly to poly (source a poly). With several sources,
+/// in a container or braces, the steps from the nearest one.
 /// Needs:  PrimalGraph M for verts, DualGraph M for polys; may_cross and crossed need the edges or faces of an AnyMesh.
-/// Result: a map of int: hops[x], 0 at the sources, -1 where unreached. With targets, it is complete up to the farthest target, or with
-///         nearest_target up to the nearest, and -1 beyond. The predecessor of a node is the one that was reached first among the neighbours
-///         one step nearer. Sources are reached in their order. The neighbours of a node are reached in the order of the mesh, or in that of the edges
-///         or faces around it if `crossed` or may_cross is set. When visit(x, hops) returns false, only the nodes for which it was called count
-///         as reached.
+/// Result: a map of int: hops[x], 0 at the sources, -1 where unreached. With targets, it is complete up to the farthest
+///         target, or with nearest_target up to the nearest, and -1 beyond. The predecessor of a node is the one that
+///         was reached first among the neighbours one step nearer. Sources are reached in their order. The neighbours
+///         of a node are reached in the order of the mesh, or in that of the edges or faces around it if `crossed` or
+///         may_cross is set. When visit(x, hops) returns false, only the nodes for which it was called count as
+///         reached.
 /// Cost:   O(V + E) time, O(V) memory.
-/// Errors: invalid_mesh if a source or target is not an element of m; invalid_argument if there is no source or max_hops < 0.
+/// Errors: invalid_mesh if a source or target is not an element of m; invalid_argument if there is no source or
+///         max_hops < 0.
 /// Source: Moore 1959; paper section 2.1, "Architecture".
 template<class M, class S>
   requires requirement::is_lvalue_or_view<M> && requirement::is_source<M, S>
@@ -167,28 +182,35 @@ auto bfs(M&& m, std::initializer_list<S> sources) {
 
 template<class M, class S>
   requires requirement::is_lvalue_or_view<M> && requirement::is_source<M, S>
-auto bfs(M&& m, const S& source, const bfs_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options) {  // may_cross, crossed: not of a bare graph, which has no edges or faces to cross
+// may_cross, crossed: not of a bare graph, which has no edges or faces to cross
+auto bfs(M&& m, const S& source, const bfs_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options) {
   return detail::bfs(detail::graph_of<M, S>{m}, source, options);
 }
 
 template<class M, class S>
   requires requirement::is_lvalue_or_view<M> && requirement::is_source<M, S>
-auto bfs(M&& m, std::initializer_list<S> sources, const bfs_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options) {  // may_cross, crossed: not of a bare graph, which has no edges or faces to cross
+// may_cross, crossed: not of a bare graph, which has no edges or faces to cross
+auto bfs(M&& m, std::initializer_list<S> sources,
+         const bfs_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options) {
   return detail::bfs(detail::graph_of<M, S>{m}, sources, options);
 }
 
-/// Breadth-first forest of a whole graph: a search from the first node, then from the first that is not reached yet, and so on. Nodes are
-/// the verts of a mesh, or its polys if the argument is dual(m).
+/// Breadth-first forest of a whole graph: a search from the first node, then from the first that is not reached yet,
+/// and so on. Nodes are the verts of a mesh, or its polys if the argument is dual(m).
 /// Needs:  PrimalGraph M, or dual(m) of a DualGraph m; may_cross and crossed need the edges or faces of an AnyMesh.
-/// Result: a map of int: hops[x] from the root of the tree of x, 0 at the roots, -1 where may_enter is false. The nodes of a tree are reached one
-///         after another, in the order of bfs, so visit(x, 0) is the start of the next tree. With max_hops no tree is higher than that: nodes
-///         farther away start trees of their own. When targets are reached or visit returns false, no further tree starts.
+/// Result: a map of int: hops[x] from the root of the tree of x, 0 at the roots, -1 where may_enter is false. The nodes
+///         of a tree are reached one after another, in the order of bfs, so visit(x, 0) is the start of the next tree.
+///         With max_hops no tree is higher than that: nodes farther away start trees of their own. When targets are
+///         reached or visit returns false, no further tree starts.
 /// Cost:   O(V + E) time, O(V) memory.
 /// Errors: invalid_mesh if a target is not an element of m; invalid_argument if max_hops < 0.
 /// Source: Moore 1959.
 template<class M>
   requires requirement::is_lvalue_or_view<M> && requirement::is_graph<M>
-auto bfs_forest(M&& m, const bfs_options<detail::default_node_of<M>, detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {  // may_cross, crossed: not of a bare graph, which has no edges or faces to cross
+// may_cross, crossed: not of a bare graph, which has no edges or faces to cross
+auto bfs_forest(
+    M&& m,
+    const bfs_options<detail::default_node_of<M>, detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {
   return detail::bfs_forest(detail::default_graph_of<M>{m}, options);
 }
 

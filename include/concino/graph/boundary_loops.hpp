@@ -32,7 +32,8 @@ class border_edges {
   };
   const M& m_;
   std::vector<boundary_edge> edges_;
-  std::vector<std::uint32_t> out_, in_;  // by vert: the first edge that leaves or enters it; the lists continue in next_out, next_in
+  std::vector<std::uint32_t> out_, in_;  // by vert: the first edge that leaves or enters it; the lists continue in
+                                         // next_out, next_in
   std::vector<std::uint32_t> degree_;    // by vert: the number of edges there that are not taken
 
   void pass_taken(std::uint32_t& i, std::uint32_t boundary_edge::*next) {
@@ -107,10 +108,11 @@ class border_edges {
 
 /// The boundary of a surface: its edges with exactly one poly, as loops.
 /// Needs:  SurfaceMesh M.
-/// Result: loops, together every boundary edge once. A loop is a simple cycle, in the direction that its edges have in their polys; if these are
-///         oriented consistently, the surface is on its left. Where borders touch at a vert, each loop passes it once. They are several loops but one
-///         border, so `count` may be less than their number. Only if an odd number of boundary edges meet at a vert (an edge with three polys may
-///         end there) do open walks remain after the cycles, one for two such verts. The same mesh always gives the same loops.
+/// Result: loops, together every boundary edge once. A loop is a simple cycle, in the direction that its edges have in
+///         their polys; if these are oriented consistently, the surface is on its left. Where borders touch at a vert,
+///         each loop passes it once. They are several loops but one border, so `count` may be less than their number.
+///         Only if an odd number of boundary edges meet at a vert (an edge with three polys may end there) do open
+///         walks remain after the cycles, one for two such verts. The same mesh always gives the same loops.
 /// Cost:   O(elements) time and memory.      Errors: none.
 template<SurfaceMesh M>
 boundary_loops_result<M> boundary_loops(const M& m) {
@@ -146,7 +148,8 @@ boundary_loops_result<M> boundary_loops(const M& m) {
     for (const vert_t<M>& w : walk.verts) position[index_of(m, w)] = nowhere;
     if (!walk.edges.empty()) result.loops.push_back(walk);
   };
-  // A walk from a vert with an odd number of edges left ends at another such vert. After these, all walks return to their start.
+  // A walk from a vert with an odd number of edges left ends at another such vert. After these, all walks return to
+  // their start.
   for (std::size_t i = 0; i < border.size(); ++i)
     for (const vert_t<M>& v : {border.from(i), border.to(i)})
       if (!border.is_taken(i) && border.is_odd(v)) go_from(v);

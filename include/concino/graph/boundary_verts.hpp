@@ -7,10 +7,11 @@
 
 namespace concino {
 
-/// Whether each vert is on the boundary: it belongs to a facet with exactly one poly. This is one pass over all facets; is_boundary(m, v) tests the
-/// facets of one vert.
+/// Whether each vert is on the boundary: it belongs to a facet with exactly one poly. This is one pass over all facets;
+/// is_boundary(m, v) tests the facets of one vert.
 /// Needs:  AnyMesh, no temporary.
-/// Result: a map of bool.                                                          Cost: O(verts of all facets) time, a byte per vert.
+/// Result: a map of bool.                                                          Cost: O(verts of all facets) time, a
+///         byte per vert.
 /// Errors: none.
 template<class M>
   requires requirement::is_lvalue_or_view<M> && AnyMesh<M>

@@ -13,15 +13,17 @@
 
 namespace concino {
 
-/// Node is a vert (primal graph) or a poly (dual graph). Crossed is what lies between two of them, void if the mesh has no access to it.
+/// Node is a vert (primal graph) or a poly (dual graph). Crossed is what lies between two of them, void if the mesh has
+/// no access to it.
 template<class Node, class Crossed = void>
 struct connected_components_options {
   function_ref<bool(Node)> may_enter = nullptr;      // false: the node belongs to no component (empty: all do)
-  detail::may_cross_t<Crossed> may_cross = nullptr;  // false: this edge or face does not connect its two nodes (empty: all do)
+  detail::may_cross_t<Crossed> may_cross = nullptr;  // false: this edge or face does not connect its two nodes (empty:
+                                                     // all do)
 };
 
-/// cc[x] is the number of the component of x, -1 if may_enter(x) is false. Components are numbered from 0 in the order in which an iteration over
-/// all nodes meets them.
+/// cc[x] is the number of the component of x, -1 if may_enter(x) is false. Components are numbered from 0 in the order
+/// in which an iteration over all nodes meets them.
 template<class Map>
 struct component_labels {
   int count = 0;
@@ -34,8 +36,9 @@ struct component_labels {
 
 namespace detail {
 
-/// Unites each node with its neighbours of smaller index. Nodes with similar indices are close in memory, so the mesh and the labels are read
-/// almost in order, while a search would jump. A separate function, so that its loop can use all registers.
+/// Unites each node with its neighbours of smaller index. Nodes with similar indices are close in memory, so the mesh
+/// and the labels are read almost in order, while a search would jump. A separate function, so that its loop can use
+/// all registers.
 template<class G>
 void unite_neighbours(G g, disjoint_sets& sets) {
   for (const auto v : g.nodes()) {
@@ -86,16 +89,20 @@ auto connected_components(const G& g, const connected_components_options<typenam
 
 }  // namespace detail
 
-/// The connected components of the verts of a mesh, or of its polys if the argument is dual(m). may_enter excludes nodes and may_cross excludes arcs,
-/// which can divide components further.
+/// The connected components of the verts of a mesh, or of its polys if the argument is dual(m). may_enter excludes
+/// nodes and may_cross excludes arcs, which can divide components further.
 /// Needs:  PrimalGraph M, or dual(m) of a DualGraph m; may_cross needs the edges or faces of an AnyMesh.
-/// Result: cc.count; cc[x] is 0 .. cc.count - 1, numbered by the first element in the order of iteration; -1 for excluded nodes.
+/// Result: cc.count; cc[x] is 0 .. cc.count - 1, numbered by the first element in the order of iteration; -1 for
+///         excluded nodes.
 /// Cost:   O(V + E) up to an inverse Ackermann factor in time, O(V) memory.
 /// Errors: none of its own.
 /// Source: Galler, Fisher 1964; paper section 2.1, "Architecture".
 template<class M>
   requires requirement::is_lvalue_or_view<M> && requirement::is_graph<M>
-auto connected_components(M&& m, const connected_components_options<detail::default_node_of<M>, detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {  // may_cross: not of a bare graph, which has no edges or faces to cross
+// may_cross: not of a bare graph, which has no edges or faces to cross
+auto connected_components(
+    M&& m, const connected_components_options<detail::default_node_of<M>,
+                                              detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {
   return detail::connected_components(detail::default_graph_of<M>{m}, options);
 }
 

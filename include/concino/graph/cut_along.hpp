@@ -18,17 +18,21 @@ struct cut_along_result {
   std::vector<vert_t<M>> verts;  // verts[i]: the vert of m that vert i of the surface is, or of which it is a copy
   std::vector<poly_t<M>> polys;  // polys[i]: the poly of m that poly i of the surface is
 
-  /// The same by indices, for transfer_properties(m, mesh_of_surface, cut.correspondence(m)); edges follow from their verts.
-  concino::correspondence correspondence(const M& m) const { return {origins_of(m, verts), {}, {}, origins_of(m, polys)}; }
+  /// The same by indices, for transfer_properties(m, mesh_of_surface, cut.correspondence(m)); edges follow from their
+  /// verts.
+  concino::correspondence correspondence(const M& m) const {
+    return {origins_of(m, verts), {}, {}, origins_of(m, polys)};
+  }
 };
 
-/// The surface m with duplicated verts, so that the two polys at a cut edge do not share it any more. A vert is duplicated
-/// if the cut, together with the boundary of m, separates its polys. So a cut that ends in the interior of the surface keeps its last vert, and a single
-/// edge with both ends in the interior opens nothing.
-/// Needs:  Embedded SurfaceMesh M, with or without boundary, manifold or not; cut: edges of m in braces or in a container, or a container of walks,
-///         such as the result of homology_generators. An edge may occur several times.
-/// Result: arrays with the polys of m in their order and orientation, with their number of verts in `arity` if the type fixes it. The
-///         first num_verts(m) verts are those of m in their order; copies follow, at the same points.
+/// The surface m with duplicated verts, so that the two polys at a cut edge do not share it any more. A vert is
+/// duplicated if the cut, together with the boundary of m, separates its polys. So a cut that ends in the interior of
+/// the surface keeps its last vert, and a single edge with both ends in the interior opens nothing.
+/// Needs:  Embedded SurfaceMesh M, with or without boundary, manifold or not; cut: edges of m in braces or in a
+///         container, or a container of walks, such as the result of homology_generators. An edge may occur several
+///         times.
+/// Result: arrays with the polys of m in their order and orientation, with their number of verts in `arity` if the type
+///         fixes it. The first num_verts(m) verts are those of m in their order; copies follow, at the same points.
 /// Cost:   O(elements of m + length of cut) time, but for the union of corners, and memory.
 /// Errors: invalid_mesh if an edge is not one of m.
 template<SurfaceMesh M, class Cut = std::initializer_list<edge_t<M>>>

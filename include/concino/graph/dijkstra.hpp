@@ -17,28 +17,37 @@
 
 namespace concino {
 
-/// Node is a vert (primal graph) or a poly (dual graph). Crossed is what lies between two of them: an edge, or a face between polys of a volume;
-/// void if the mesh has no access to it.
+/// Node is a vert (primal graph) or a poly (dual graph). Crossed is what lies between two of them: an edge, or a face
+/// between polys of a volume; void if the mesh has no access to it.
 template<class Node, class Crossed = void>
 struct dijkstra_options {
   std::vector<Node> targets = {};                // stop when all of them are reached; none: search everything
   bool nearest_target = false;                   // stop when one of them is reached
-  function_ref<bool(Node)> may_enter = nullptr;  // false: no path may enter this node (empty: all may be entered). Sources are exempt.
-  detail::may_cross_t<Crossed> may_cross = nullptr;                   // false: no path may cross this edge or face (empty: all may be crossed)
-  predecessors_ref<Node> predecessors = nullptr;                      // pointer to a map of nodes by nodes, filled with the last node but one of each path
-  crossed_ref<Node, Crossed> crossed = nullptr;                       // pointer to a map of nodes by edges or faces, filled with the last one on each path
-  function_ref<bool(Node, double)> visit = nullptr;                   // called with each node and its distance, nearest first; false: stop (empty: never)
-  function_ref<double(Node)> initial_distance = nullptr;              // of each source, in units of length, any sign; +inf: none (empty: 0 for all)
-  double max_distance = std::numeric_limits<double>::infinity();      // >= 0, in units of length; nodes farther than this are not reached
+  function_ref<bool(Node)> may_enter = nullptr;  // false: no path may enter this node (empty: all may be entered).
+                                                 // Sources are exempt.
+  detail::may_cross_t<Crossed> may_cross = nullptr;                   // false: no path may cross this edge or face
+                                                                      // (empty: all may be crossed)
+  predecessors_ref<Node> predecessors = nullptr;                      // pointer to a map of nodes by nodes, filled with
+                                                                      // the last node but one of each path
+  crossed_ref<Node, Crossed> crossed = nullptr;                       // pointer to a map of nodes by edges or faces,
+                                                                      // filled with the last one on each path
+  function_ref<bool(Node, double)> visit = nullptr;                   // called with each node and its distance, nearest
+                                                                      // first; false: stop (empty: never)
+  function_ref<double(Node)> initial_distance = nullptr;              // of each source, in units of length, any sign;
+                                                                      // +inf: none (empty: 0 for all)
+  double max_distance = std::numeric_limits<double>::infinity();      // >= 0, in units of length; nodes farther than
+                                                                      // this are not reached
 };
 
 namespace detail {
 
 template<class G>
-[[noreturn, gnu::noinline, gnu::cold]] void throw_bad_length(const G& g, const typename G::node& from, const typename G::node& to, double length,
+[[noreturn, gnu::noinline, gnu::cold]] void throw_bad_length(const G& g, const typename G::node& from,
+                                                             const typename G::node& to, double length,
                                                              const char* caller) {
   core::throw_joined<invalid_mesh>({caller, ": the length from ", name_of(g, from), " to ", name_of(g, to), " is ",
-                                      length < 0 ? core::number_text(length) : std::string("not a number"), "; lengths must be 0 or more"});
+                                    length < 0 ? core::number_text(length) : std::string("not a number"),
+                                    "; lengths must be 0 or more"});
 }
 
 /// The initial distance of a source.
@@ -48,13 +57,14 @@ double initial_distance_of(const Options& options, const G& g, const typename G:
   if (!options.initial_distance) return 0;
   const double d = options.initial_distance(source);
   if (d > -std::numeric_limits<double>::infinity()) return d;
-  core::throw_joined<invalid_argument>({caller, ": the initial distance of ", name_of(g, source), " is ", d < 0 ? "-inf" : "not a number",
-                                        "; give a number, or +inf for no source"});
+  core::throw_joined<invalid_argument>({caller, ": the initial distance of ", name_of(g, source), " is ",
+                                        d < 0 ? "-inf" : "not a number", "; give a number, or +inf for no source"});
 }
 
 /// Full: with may_enter, may_cross, predecessors, crossed and visit, which are otherwise not even tested.
 template<bool Full, class G, class S, class L>
-auto search_by_length(const G& g, const S& sources, const L& lengths, const dijkstra_options<typename G::node, crossed_t<G>>& options, const char* caller) {
+auto search_by_length(const G& g, const S& sources, const L& lengths,
+                      const dijkstra_options<typename G::node, crossed_t<G>>& options, const char* caller) {
   using node = typename G::node;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   [[maybe_unused]] const auto predecessors = options.predecessors;
@@ -103,52 +113,65 @@ auto search_by_length(const G& g, const S& sources, const L& lengths, const dijk
 }
 
 template<class G, class S, class L>
-auto dijkstra(const G& g, const S& sources, const L& lengths, const dijkstra_options<typename G::node, crossed_t<G>>& options,
-              const char* caller = "dijkstra") {
+auto dijkstra(const G& g, const S& sources, const L& lengths,
+              const dijkstra_options<typename G::node, crossed_t<G>>& options, const char* caller = "dijkstra") {
   if (!(options.max_distance >= 0)) core::throw_joined<invalid_argument>({caller, ": max_distance must be 0 or more"});
   const bool full = options.may_enter || options.may_cross || options.predecessors || options.crossed || options.visit;
-  return full ? search_by_length<true>(g, sources, lengths, options, caller) : search_by_length<false>(g, sources, lengths, options, caller);
+  return full ? search_by_length<true>(g, sources, lengths, options, caller)
+              : search_by_length<false>(g, sources, lengths, options, caller);
 }
 
 }  // namespace detail
 
-/// Shortest distances from `source` along edges (source a vert) or from poly to poly (source a poly). With several sources, in a container or
-/// braces, the distance from the nearest one. Without a length function, an arc has the Euclidean length between the verts,
-/// or between the means of the verts of the polys.
-/// Needs:  PrimalGraph M for verts, DualGraph M for polys; length(from, to) >= 0. Without a length: Embedded, and AnyMesh for polys.
-///         may_cross and crossed need the edges or faces of an AnyMesh.
-/// Result: a map of double: distance[x] in units of length, +inf where unreached. With targets, it is exact for all nodes that are not
-///         farther than the farthest target, or with nearest_target than the nearest, and +inf for the others. It does not depend on the
-///         order of elements of equal distance. If several predecessors give equally short paths, the one settled first is stored; it
-///         is the same in every run. With initial distances, a source with a shorter path from another source no longer counts as a source.
-///         When visit(x, distance) returns false, only the nodes for which it was called are reached.
+/// Shortest distances from `source` along edges (source a vert) or from poly to poly (source a poly). With several
+/// sources, in a container or braces, the distance from the nearest one. Without a length function, an arc has the
+/// Euclidean length between the verts, or between the means of the verts of the polys.
+/// Needs:  PrimalGraph M for verts, DualGraph M for polys; length(from, to) >= 0. Without a length: Embedded, and
+///         AnyMesh for polys. may_cross and crossed need the edges or faces of an AnyMesh.
+/// Result: a map of double: distance[x] in units of length, +inf where unreached. With targets, it is exact for all
+///         nodes that are not farther than the farthest target, or with nearest_target than the nearest, and +inf for
+///         the others. It does not depend on the order of elements of equal distance. If several predecessors give
+///         equally short paths, the one settled first is stored; it is the same in every run. With initial distances, a
+///         source with a shorter path from another source no longer counts as a source. When visit(x, distance) returns
+///         false, only the nodes for which it was called are reached.
 /// Cost:   O(E log V) time, O(V) memory.
-/// Errors: invalid_mesh if a source or target is not an element of m, or if a length that the search reads is negative or not a number.
-///         invalid_argument if there is no source, max_distance is negative or not a number, or an initial distance is not a number or -inf.
+/// Errors: invalid_mesh if a source or target is not an element of m, or if a length that the search reads is negative
+///         or not a number. invalid_argument if there is no source, max_distance is negative or not a number, or an
+///         initial distance is not a number or -inf.
 /// Source: Dijkstra 1959; paper section 2.2, "Distances and paths".
 template<class M, class S>
   requires requirement::is_lvalue_or_view<M> && requirement::has_lengths<M, S>
-auto dijkstra(M&& m, const S& source, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross, crossed: not of a bare graph, which has no edges or faces to cross
+// may_cross, crossed: not of a bare graph, which has no edges or faces to cross
+auto dijkstra(M&& m, const S& source,
+              const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
   const detail::graph_of<M, S> g{m};
   return detail::dijkstra(g, source, detail::default_lengths(g), options);
 }
 
 template<class M, class S, class L>
-  requires requirement::is_lvalue_or_view<M> && requirement::is_source<M, S> && requirement::is_length<L, detail::node_of<M, S>>
-auto dijkstra(M&& m, const S& source, const L& length, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross, crossed: not of a bare graph, which has no edges or faces to cross
+  requires requirement::is_lvalue_or_view<M> && requirement::is_source<M, S> &&
+      requirement::is_length<L, detail::node_of<M, S>>
+// may_cross, crossed: not of a bare graph, which has no edges or faces to cross
+auto dijkstra(M&& m, const S& source, const L& length,
+              const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
   return detail::dijkstra(detail::graph_of<M, S>{m}, source, detail::input_lengths<L>{length}, options);
 }
 
 template<class M, class S>
   requires requirement::is_lvalue_or_view<M> && requirement::has_lengths<M, S>
-auto dijkstra(M&& m, std::initializer_list<S> sources, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross, crossed: not of a bare graph, which has no edges or faces to cross
+// may_cross, crossed: not of a bare graph, which has no edges or faces to cross
+auto dijkstra(M&& m, std::initializer_list<S> sources,
+              const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
   const detail::graph_of<M, S> g{m};
   return detail::dijkstra(g, sources, detail::default_lengths(g), options);
 }
 
 template<class M, class S, class L>
-  requires requirement::is_lvalue_or_view<M> && requirement::is_source<M, S> && requirement::is_length<L, detail::node_of<M, S>>
-auto dijkstra(M&& m, std::initializer_list<S> sources, const L& length, const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross, crossed: not of a bare graph, which has no edges or faces to cross
+  requires requirement::is_lvalue_or_view<M> && requirement::is_source<M, S> &&
+      requirement::is_length<L, detail::node_of<M, S>>
+// may_cross, crossed: not of a bare graph, which has no edges or faces to cross
+auto dijkstra(M&& m, std::initializer_list<S> sources, const L& length,
+              const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
   return detail::dijkstra(detail::graph_of<M, S>{m}, sources, detail::input_lengths<L>{length}, options);
 }
 

@@ -9,8 +9,8 @@
 
 namespace concino {
 
-/// A partition of 0 .. size() - 1 into sets, for components of a graph while edges are added, fans of corners, Kruskal's trees. The root of a
-/// set is its smallest index, whatever the order in which sets were united.
+/// A partition of 0 .. size() - 1 into sets, for components of a graph while edges are added, fans of corners,
+/// Kruskal's trees. The root of a set is its smallest index, whatever the order in which sets were united.
 /// Needs:  indices below size().
 /// Cost:   O(inverse Ackermann function of size()) amortised a call; 4 bytes an index.
 /// Errors: invalid_argument for 2^32 indices or more.
@@ -19,7 +19,8 @@ class disjoint_sets {
   std::vector<std::uint32_t> parent_;
 
   static std::size_t expect_32_bits(std::size_t n) {
-    if (n > 0xffffffffu) throw invalid_argument("disjoint_sets: there are 2^32 indices or more; 32 bits cannot number them");
+    if (n > 0xffffffffu)
+      throw invalid_argument("disjoint_sets: there are 2^32 indices or more; 32 bits cannot number them");
     return n;
   }
 

@@ -7,8 +7,8 @@
 
 namespace concino {
 
-/// The verts of a walk in order, and the edges between them: edges[i] joins verts[i] and verts[i + 1]. If the walk is closed,
-/// the last edge joins the last vert and the first, which is not repeated.
+/// The verts of a walk in order, and the edges between them: edges[i] joins verts[i] and verts[i + 1]. If the walk is
+/// closed, the last edge joins the last vert and the first, which is not repeated.
 template<class M>
 struct edge_walk {
   std::vector<vert_t<M>> verts;

@@ -15,17 +15,22 @@
 namespace concino {
 
 enum class growth {
-  accumulated,  // the smallest total cost from the seed comes next: each node goes to the seed from which it is cheapest
+  accumulated,  // the smallest total cost from the seed comes next: each node goes to the seed from which it is
+                // cheapest
   step          // the smallest cost of the last step comes next, however far the region has grown already
 };
 
-/// Node is a vert (primal graph) or a poly (dual graph). Crossed is what lies between two of them, void if the mesh has no access to it.
+/// Node is a vert (primal graph) or a poly (dual graph). Crossed is what lies between two of them, void if the mesh has
+/// no access to it.
 template<class Node, class Crossed = void>
 struct grow_regions_options {
   growth priority = growth::accumulated;             // which element is added next
-  function_ref<bool(Node)> may_enter = nullptr;      // false: the node belongs to no region (empty: any may). Seeds are exempt.
-  detail::may_cross_t<Crossed> may_cross = nullptr;  // false: no region grows across this edge or face (empty: across all)
-  double max_cost = std::numeric_limits<double>::infinity();  // >= 0; elements with a larger cost, total or of one step as priority says, are left out
+  function_ref<bool(Node)> may_enter = nullptr;      // false: the node belongs to no region (empty: any may). Seeds are
+                                                     // exempt.
+  detail::may_cross_t<Crossed> may_cross = nullptr;  // false: no region grows across this edge or face (empty: across
+                                                     // all)
+  double max_cost = std::numeric_limits<double>::infinity();  // >= 0; elements with a larger cost, total or of one step
+                                                              // as priority says, are left out
 };
 
 namespace detail {
@@ -39,7 +44,8 @@ double cost_of_step(const G& g, const C& cost, const typename G::node& v, const 
     const auto step = static_cast<double>(cost(v, w));
     if (!(step >= 0))
       core::throw_joined<invalid_mesh>({"grow_regions: the cost from ", name_of(g, v), " to ", name_of(g, w), " is ",
-                                          step < 0 ? core::number_text(step) : std::string("not a number"), "; costs must be 0 or more; +inf keeps regions out"});
+                                        step < 0 ? core::number_text(step) : std::string("not a number"),
+                                        "; costs must be 0 or more; +inf keeps regions out"});
     return step;
   }
 }
@@ -61,7 +67,8 @@ struct region_claim {
 };
 
 template<class G, class S, class C>
-auto grow_regions(const G& g, const S& seeds, const C& cost, const grow_regions_options<typename G::node, crossed_t<G>>& options) {
+auto grow_regions(const G& g, const S& seeds, const C& cost,
+                  const grow_regions_options<typename G::node, crossed_t<G>>& options) {
   using node = typename G::node;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (!(options.max_cost >= 0)) throw invalid_argument("grow_regions: max_cost must be 0 or more");
@@ -125,25 +132,34 @@ template<class C, class N> concept is_cost = is_length<C, N>;
 
 }  // namespace requirement
 
-/// Regions around seeds (verts, or polys). In each step one region takes an adjacent element: the one that costs least among all regions. If
-/// cost is a predicate (returns bool), only steps for which it is true are allowed, and all steps cost 1: the regions grow ring by ring.
-/// Needs:  PrimalGraph M for verts, DualGraph M for polys; cost(from, to) >= 0, +inf for never, `from` in the region and `to` in none.
-///         may_cross needs the edges or faces of an AnyMesh.
-/// Result: a map of int: rg[x] is the position of the region's seed among the seeds, -1 for elements in no region. The first of equal seeds
-///         counts. If several regions reach an element at equal cost, that of the earlier seed takes it.
+/// Regions around seeds (verts, or polys). In each step one region takes an adjacent element: the one that costs least
+/// among all regions. If cost is a predicate (returns bool), only steps for which it is true are allowed, and all steps
+/// cost 1: the regions grow ring by ring.
+/// Needs:  PrimalGraph M for verts, DualGraph M for polys; cost(from, to) >= 0, +inf for never, `from` in the region
+///         and `to` in none. may_cross needs the edges or faces of an AnyMesh.
+/// Result: a map of int: rg[x] is the position of the region's seed among the seeds, -1 for elements in no region. The
+///         first of equal seeds counts. If several regions reach an element at equal cost, that of the earlier seed
+///         takes it.
 /// Cost:   O(E log E) time, O(V + E) memory.
-/// Errors: invalid_mesh if a seed is not an element of m, or if a cost that is read is negative or not a number; invalid_argument if
-///         there is no seed, or max_cost is negative or not a number.
-/// Source: Adams, Bischof 1994 (growth::step); Erwig 2000, graph Voronoi diagrams (growth::accumulated); paper section 2.1, "Architecture".
+/// Errors: invalid_mesh if a seed is not an element of m, or if a cost that is read is negative or not a number;
+///         invalid_argument if there is no seed, or max_cost is negative or not a number.
+/// Source: Adams, Bischof 1994 (growth::step); Erwig 2000, graph Voronoi diagrams (growth::accumulated); paper section
+///         2.1, "Architecture".
 template<class M, class S, class C>
-  requires requirement::is_lvalue_or_view<M> && requirement::is_source<M, S> && requirement::is_cost<C, detail::node_of<M, S>>
-auto grow_regions(M&& m, const S& seeds, const C& cost, const grow_regions_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross: not of a bare graph, which has no edges or faces to cross
+  requires requirement::is_lvalue_or_view<M> && requirement::is_source<M, S> &&
+      requirement::is_cost<C, detail::node_of<M, S>>
+// may_cross: not of a bare graph, which has no edges or faces to cross
+auto grow_regions(M&& m, const S& seeds, const C& cost,
+                  const grow_regions_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
   return detail::grow_regions(detail::graph_of<M, S>{m}, seeds, cost, options);
 }
 
 template<class M, class S, class C>
-  requires requirement::is_lvalue_or_view<M> && requirement::is_source<M, S> && requirement::is_cost<C, detail::node_of<M, S>>
-auto grow_regions(M&& m, std::initializer_list<S> seeds, const C& cost, const grow_regions_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {  // may_cross: not of a bare graph, which has no edges or faces to cross
+  requires requirement::is_lvalue_or_view<M> && requirement::is_source<M, S> &&
+      requirement::is_cost<C, detail::node_of<M, S>>
+// may_cross: not of a bare graph, which has no edges or faces to cross
+auto grow_regions(M&& m, std::initializer_list<S> seeds, const C& cost,
+                  const grow_regions_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
   return detail::grow_regions(detail::graph_of<M, S>{m}, seeds, cost, options);
 }
 

@@ -34,8 +34,9 @@ class written_map {
 
 }  // namespace detail
 
-/// A reference to a map that a search writes: p[x] becomes the node before x on the path to it, or x itself for sources and unreached nodes.
-/// Any map of nodes by nodes can be used, such as that of make_vert_map<vert_t<M>>(m) or of make_poly_map<poly_t<M>>(m):
+/// A reference to a map that a search writes: p[x] becomes the node before x on the path to it, or x itself for sources
+/// and unreached nodes. Any map of nodes by nodes can be used, such as that of make_vert_map<vert_t<M>>(m) or of
+/// make_poly_map<poly_t<M>>(m):
 ///   auto from = make_vert_map<vert_id>(m);
 ///   bfs(m, a, {.predecessors = &from});
 template<class Node>
@@ -43,8 +44,8 @@ class predecessors_ref : public detail::written_map<Node, Node> {
   using detail::written_map<Node, Node>::written_map;
 };
 
-/// A reference to a map that a search writes: c[x] becomes the edge or face between x and its predecessor. It is not written for sources and
-/// unreached nodes.
+/// A reference to a map that a search writes: c[x] becomes the edge or face between x and its predecessor. It is not
+/// written for sources and unreached nodes.
 ///   auto along = make_vert_map<edge_id>(m);
 ///   bfs(m, a, {.crossed = &along});
 template<class Node, class Crossed>
@@ -63,8 +64,8 @@ class crossed_ref<Node, void> {
   constexpr explicit operator bool() const { return false; }
 };
 
-/// The nodes on the path to `end` in the tree that a search wrote to `predecessors`, from the source on; `end` alone if the search did not
-/// reach it.
+/// The nodes on the path to `end` in the tree that a search wrote to `predecessors`, from the source on; `end` alone if
+/// the search did not reach it.
 /// Needs:  predecessors[x] as bfs and dijkstra write it: following it ends at a node that is its own predecessor.
 /// Result: at least one node, `end` last.      Cost: O(nodes on the path).      Errors: none of its own.
 template<class P, class Node>

@@ -1,5 +1,5 @@
-// as_map(pm): a Boost property map, from a library built on Boost.Graph, as a concino map. as_map(pm)[x] calls get and put.
-// Not part of <concino/graph.hpp>, which includes nothing of Boost.
+// as_map(pm): a Boost property map, from a library built on Boost.Graph, as a concino map. as_map(pm)[x] calls get and
+// put. Not part of <concino/graph.hpp>, which includes nothing of Boost.
 #pragma once
 
 #include <concino/concepts/maps.hpp>
@@ -26,7 +26,8 @@ class property_map_value {
 
  public:
   property_map_value(const P& map, const typename traits::key_type& x) : map_(map), x_(x) {}
-  operator typename traits::value_type() const requires std::derived_from<typename traits::category, boost::readable_property_map_tag> {
+  operator typename traits::value_type()
+      const requires std::derived_from<typename traits::category, boost::readable_property_map_tag> {
     using boost::get;
     return get(map_, x_);
   }
@@ -52,14 +53,16 @@ class property_map_as_map {
     using boost::get;
     constexpr bool gives_references = std::derived_from<category, boost::lvalue_property_map_tag>;
     if constexpr (gives_references && requires { map_[x]; }) return map_[x];
-    else if constexpr (gives_references || !std::derived_from<category, boost::writable_property_map_tag>) return get(map_, x);
+    else if constexpr (gives_references || !std::derived_from<category, boost::writable_property_map_tag>)
+      return get(map_, x);
     else return property_map_value<P>(map_, x);
   }
 };
 
 /// Needs:  a property map of Boost, which is cheap to copy. Maps that have pm[x], such as those of CGAL::Surface_mesh,
 ///         are maps already.
-/// Result: a ReadableMap if pm is readable, a WritableMap if pm is writable or an lvalue map.      Cost: none; nothing is copied but pm.
+/// Result: a ReadableMap if pm is readable, a WritableMap if pm is writable or an lvalue map.      Cost: none; nothing
+///         is copied but pm.
 /// Errors: none of its own.
 template<requirement::is_property_map P>
 auto as_map(const P& pm) { return property_map_as_map<P>(pm); }

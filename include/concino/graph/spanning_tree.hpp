@@ -21,17 +21,22 @@ enum class tree_method {
   prim      // grows one tree per component, one after the other, each from its first node
 };
 
-/// Node is a vert (primal graph) or a poly (dual graph). Crossed is what lies between two of them, void if the mesh has no access to it.
+/// Node is a vert (primal graph) or a poly (dual graph). Crossed is what lies between two of them, void if the mesh has
+/// no access to it.
 template<class Node, class Crossed = void>
 struct spanning_tree_options {
   using arc = std::pair<Node, Node>;
   tree_method method = tree_method::kruskal;         // both give the same tree
-  function_ref<bool(arc, arc)> before = nullptr;     // a strict weak order of preference of arcs (empty: shorter ones first); ends by index_of
-  function_ref<bool(Node)> may_enter = nullptr;      // false: the tree does not contain this node (empty: it contains all)
-  detail::may_cross_t<Crossed> may_cross = nullptr;  // false: the tree does not cross this edge or face (empty: it may cross all)
+  function_ref<bool(arc, arc)> before = nullptr;     // a strict weak order of preference of arcs (empty: shorter ones
+                                                     // first); ends by index_of
+  function_ref<bool(Node)> may_enter = nullptr;      // false: the tree does not contain this node (empty: it contains
+                                                     // all)
+  detail::may_cross_t<Crossed> may_cross = nullptr;  // false: the tree does not cross this edge or face (empty: it may
+                                                     // cross all)
 };
 
-/// The result of spanning_tree. `edges`, the mesh edge of each arc, exists for the primal graph of a mesh that has edges.
+/// The result of spanning_tree. `edges`, the mesh edge of each arc, exists for the primal graph of a mesh that has
+/// edges.
 template<class Node, class Edge = void>
 struct spanning_tree_result {
   std::vector<std::pair<Node, Node>> arcs;
@@ -93,16 +98,19 @@ class tree_builder {
       const auto& to = upward ? w : v;
       const double length = lengths.from(from)(to, std::numeric_limits<double>::infinity());
       if (!(length > -std::numeric_limits<double>::infinity()))
-        core::throw_joined<invalid_mesh>({"spanning_tree: the length from ", name_of(g_, from), " to ", name_of(g_, to), " is ",
-                                            length < 0 ? "-inf" : "not a number", "; lengths must be numbers, +inf for no arc"});
-      if (length < std::numeric_limits<double>::infinity()) visit(candidate{length, std::min(i, j), std::max(i, j), {from, to}, upward, via});
+        core::throw_joined<invalid_mesh>({"spanning_tree: the length from ", name_of(g_, from), " to ", name_of(g_, to),
+                                          " is ", length < 0 ? "-inf" : "not a number",
+                                          "; lengths must be numbers, +inf for no arc"});
+      if (length < std::numeric_limits<double>::infinity())
+        visit(candidate{length, std::min(i, j), std::max(i, j), {from, to}, upward, via});
     };
     if constexpr (has_edges) {
       for_each_crossing(g_, v, [&](const node& w, const edge& e) {
         if ((!options_.may_cross || options_.may_cross(e)) && may_enter(w)) consider(w, e);
       });
     } else {
-      for_each_open_neighbour(g_, v, options_.may_enter, options_.may_cross, [&](const node& w) { consider(w, no_edge{}); });
+      for_each_open_neighbour(g_, v, options_.may_enter, options_.may_cross,
+                              [&](const node& w) { consider(w, no_edge{}); });
     }
   }
 
@@ -120,7 +128,8 @@ class tree_builder {
     std::vector<candidate> candidates;
     for (const node v : g_.nodes())
       if (may_enter(v)) for_each_candidate(lengths, v, true, [&](const candidate& c) { candidates.push_back(c); });
-    std::sort(candidates.begin(), candidates.end(), [this](const candidate& a, const candidate& b) { return less(a, b); });
+    std::sort(candidates.begin(), candidates.end(),
+              [this](const candidate& a, const candidate& b) { return less(a, b); });
     disjoint_sets sets(g_.bound());
     for (const candidate& c : candidates)
       if (sets.unite(c.low, c.high)) take(c, false);
@@ -169,20 +178,25 @@ concept has_default_lengths = Embedded<concino::detail::base_mesh_t<std::remove_
 
 }  // namespace requirement
 
-/// The minimum spanning tree of each component of the verts of a mesh, or of its polys if the argument is dual(m); or the
-/// tree that prefers arcs by another order. Without a length function, an arc has the Euclidean length between the verts, or between the
-/// means of the verts of the polys.
-/// Needs:  PrimalGraph M, or dual(m) of a DualGraph m; length(v, w) is called from smaller to larger index_of, may be negative, and is +inf for no arc.
-///         Without a length: Embedded, and AnyMesh for polys. may_cross needs the edges or faces of an AnyMesh.
-/// Result: st.arcs: pairs of nodes, as many as nodes minus components; st.edges: their edges, for verts of a mesh with edges; st.weight.
-///         By Kruskal in the order taken, smaller index first; by Prim as the trees grow, outward. Both take the same arcs: of equivalent
-///         arcs first those whose smaller index, then whose larger index is smaller.
+/// The minimum spanning tree of each component of the verts of a mesh, or of its polys if the argument is dual(m); or
+/// the tree that prefers arcs by another order. Without a length function, an arc has the Euclidean length between the
+/// verts, or between the means of the verts of the polys.
+/// Needs:  PrimalGraph M, or dual(m) of a DualGraph m; length(v, w) is called from smaller to larger index_of, may be
+///         negative, and is +inf for no arc. Without a length: Embedded, and AnyMesh for polys. may_cross needs the
+///         edges or faces of an AnyMesh.
+/// Result: st.arcs: pairs of nodes, as many as nodes minus components; st.edges: their edges, for verts of a mesh with
+///         edges; st.weight. By Kruskal in the order taken, smaller index first; by Prim as the trees grow, outward.
+///         Both take the same arcs: of equivalent arcs first those whose smaller index, then whose larger index is
+///         smaller.
 /// Cost:   O(E log E) time, O(V + E) memory.
 /// Errors: invalid_mesh if a length is not a number or -inf.
 /// Source: Kruskal 1956; Prim 1957; paper section 2.1, "Architecture".
 template<class M>
   requires requirement::is_graph<M> && requirement::has_default_lengths<M>
-auto spanning_tree(const M& m, const spanning_tree_options<detail::default_node_of<M>, detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {  // may_cross: not of a bare graph, which has no edges or faces to cross
+// may_cross: not of a bare graph, which has no edges or faces to cross
+auto spanning_tree(const M& m,
+                   const spanning_tree_options<detail::default_node_of<M>,
+                                               detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {
   const detail::default_graph_of<M> g{m};
   return detail::spanning_tree(g, detail::default_lengths(g), options);
 }
@@ -190,7 +204,8 @@ auto spanning_tree(const M& m, const spanning_tree_options<detail::default_node_
 template<class M, class L>
   requires requirement::is_graph<M> && requirement::is_length<L, detail::default_node_of<M>>
 auto spanning_tree(const M& m, const L& length,  // may_cross: not of a bare graph, which has no edges or faces to cross
-                   const spanning_tree_options<detail::default_node_of<M>, detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {
+                   const spanning_tree_options<detail::default_node_of<M>,
+                                               detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {
   return detail::spanning_tree(detail::default_graph_of<M>{m}, detail::input_lengths<L>{length}, options);
 }
 

@@ -1,4 +1,5 @@
-// Tree-cotree decomposition: a tree of verts and a tree of polys that share no edge, and the few edges of a closed surface that are in neither.
+// Tree-cotree decomposition: a tree of verts and a tree of polys that share no edge, and the few edges of a closed
+// surface that are in neither.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -73,7 +74,8 @@ struct tree_cotree_tables : tree_cotree_result<M> {
  private:
   std::vector<unsigned char> in_tree_;
 
-  /// A separate search: with bfs_forest, whose visitor and maps are type-erased, tree_cotree takes a tenth to a fifth longer in all.
+  /// A separate search: with bfs_forest, whose visitor and maps are type-erased, tree_cotree takes a tenth to a fifth
+  /// longer in all.
   void grow_tree(const M& m) {
     const auto bound = vert_index_bound(m);
     hops.assign(bound, unreached);
@@ -108,9 +110,11 @@ struct tree_cotree_tables : tree_cotree_result<M> {
     }
   }
 
-  /// Builds the tree of polys whose edges close the longest loops, so that the loops of the remaining edges are as short as possible.
+  /// Builds the tree of polys whose edges close the longest loops, so that the loops of the remaining edges are as
+  /// short as possible.
   void grow_cotree(const M& m) {
-    std::vector<std::size_t> begins_at;  // loops by number of steps: where their edges begin in a list from long to short
+    std::vector<std::size_t> begins_at;  // loops by number of steps: where their edges begin in a list from long to
+                                         // short
     const auto steps = [&](const edge_t<M>& e) {
       const auto [a, b] = ends(m, e);
       return std::size_t{hops[index_of(m, a)]} + hops[index_of(m, b)];
@@ -141,15 +145,18 @@ struct tree_cotree_tables : tree_cotree_result<M> {
 
 }  // namespace detail
 
-/// Partitions the edges of a closed surface: those in a spanning tree of the verts, those crossed by a spanning tree of the polys, and the rest. The rest
-/// are 2 - chi per component: 2g if it is orientable and of genus g. Without the edges of tree and rest the surface is a disk.
-/// Needs:  SurfaceMesh M that is closed and manifold: two polys at every edge, one fan of polys at every vert (or none). It need not be
-///         orientable, and may have several components.
-/// Result: edges. The tree is breadth-first, from the first vert of each component; rest is sorted by the number of steps of the loops that its
-///         edges close through the tree, shortest first. The same mesh always gives the same trees.
+/// Partitions the edges of a closed surface: those in a spanning tree of the verts, those crossed by a spanning tree of
+/// the polys, and the rest. The rest are 2 - chi per component: 2g if it is orientable and of genus g. Without the
+/// edges of tree and rest the surface is a disk.
+/// Needs:  SurfaceMesh M that is closed and manifold: two polys at every edge, one fan of polys at every vert (or
+///         none). It need not be orientable, and may have several components.
+/// Result: edges. The tree is breadth-first, from the first vert of each component; rest is sorted by the number of
+///         steps of the loops that its edges close through the tree, shortest first. The same mesh always gives the
+///         same trees.
 /// Cost:   O(elements) time, but for the union of polys, and memory.
 /// Errors: invalid_mesh that names the first edge or vert where the surface is not closed or not manifold.
-/// Source: Eppstein 2003, "Dynamic generators of topologically embedded graphs"; the choice of trees: Erickson, Whittlesey 2005.
+/// Source: Eppstein 2003, "Dynamic generators of topologically embedded graphs"; the choice of trees: Erickson,
+///         Whittlesey 2005.
 template<SurfaceMesh M>
 tree_cotree_result<M> tree_cotree(const M& m) {
   return detail::tree_cotree_tables<M>(m, "tree_cotree");

@@ -12,8 +12,9 @@
 
 namespace concino {
 
-/// Collects cells in the order of the file: standard cells by their verts, polyhedra by their faces. Cells of negative volume are put into the
-/// standard order, polyhedra are turned outward, and equal faces become one; the report has the numbers of cells that were changed.
+/// Collects cells in the order of the file: standard cells by their verts, polyhedra by their faces. Cells of negative
+/// volume are put into the standard order, polyhedra are turned outward, and equal faces become one; the report has the
+/// numbers of cells that were changed.
 ///
 ///   cell_builder cells(in, points, 1);                                      // verts of the file are numbered from 1
 ///   if (!cells.add_cell(cell_shape::hex, verts)) cursor.fail(position, {cells.expected}, {cells.found});
@@ -21,14 +22,17 @@ namespace concino {
 ///   cells.finish(out);
 ///
 /// Needs:  the points of all verts, before the first cell; verts below their number.
-/// Result: finish() fills the contents: tets or hexes alone become cells, if the wanted mesh can hold cells; all others become polyhedra.
+/// Result: finish() fills the contents: tets or hexes alone become cells, if the wanted mesh can hold cells; all others
+///         become polyhedra.
 /// Cost:   O(corners of the cells), of the polyhedra O(n log n) in the worst case.
-/// Errors: unsupported for more corners than there are ids. What else is wrong with a cell is returned, so that the reader can say where it stands.
+/// Errors: unsupported for more corners than there are ids. What else is wrong with a cell is returned, so that the
+///         reader can say where it stands.
 /// A template only so that programs without volumes need not compile it: cell_builder.
 template<std::same_as<volume_contents> Contents>
 class basic_cell_builder : public detail::cell_record {
   std::vector<vec3>& points_;
-  std::vector<vert_id> verts_;         // of the cells before the first polyhedron, and the list of the polyhedron that is being added
+  std::vector<vert_id> verts_;         // of the cells before the first polyhedron, and the list of the polyhedron that
+                                       // is being added
   std::size_t num_general_ = 0;
   std::size_t first_ = 0, faces_ = 0;  // of the polyhedron that is being added
   std::vector<std::uint64_t> scratch_;
@@ -47,10 +51,12 @@ class basic_cell_builder : public detail::cell_record {
     if (!polyhedra_) verts_.reserve(verts_.size() + n * standard_cell_of(s).num_verts);
   }
 
-  /// Adds a cell with its verts in the standard order, that of MEDIT. Returns false if a vert is there twice, or if the wanted mesh cannot hold the cell.
+  /// Adds a cell with its verts in the standard order, that of MEDIT. Returns false if a vert is there twice, or if the
+  /// wanted mesh cannot hold the cell.
   bool add_cell(cell_shape s, const vert_id* v) {
     const std::size_t first = verts_.size(), n = standard_cell_of(s).num_verts;
-    if (takes_repeated() && detail::first_repeated(v, n, scratch_) != n) return add_mended(detail::faces_of_cell(s, v).data());
+    if (takes_repeated() && detail::first_repeated(v, n, scratch_) != n)
+      return add_mended(detail::faces_of_cell(s, v).data());
     verts_.insert(verts_.end(), v, v + n);
     const bool is_valid = check_cell(s, verts_.data() + first);
     if (!is_valid || polyhedra_) verts_.resize(first);
@@ -67,8 +73,8 @@ class basic_cell_builder : public detail::cell_record {
     verts_.insert(verts_.end(), v, v + n);
   }
 
-  /// Ends a polyhedron. Returns false if it has no face, a face of fewer than three verts, a face or a vert of a face twice, or if the wanted mesh
-  /// cannot hold it.
+  /// Ends a polyhedron. Returns false if it has no face, a face of fewer than three verts, a face or a vert of a face
+  /// twice, or if the wanted mesh cannot hold it.
   bool end_polyhedron() {
     if (faces_ == 0) return reject_with({"a polyhedron of at least one face"}, {"one without faces"});
     verts_[first_] = vert_id{std::exchange(faces_, 0)};
@@ -88,7 +94,11 @@ class basic_cell_builder : public detail::cell_record {
     const std::size_t arity = cells_ && only_ != cell_shape::general ? standard_cell_of(only_).num_verts : 0;
     const bool fits = in_.wanted.cells && shapes_.empty() && (cells_ == 0 || arity == 4 || arity == 8);
     out.filled = fits ? arrays_kind::cells : arrays_kind::polyhedra;
-    if (fits) out.cells = cell_arrays{std::move(points_), std::move(verts_), arity ? static_cast<std::uint32_t>(arity) : in_.wanted.arity ? in_.wanted.arity : 4};
+    if (fits)
+      out.cells = cell_arrays{std::move(points_), std::move(verts_),
+                              arity              ? static_cast<std::uint32_t>(arity)
+                              : in_.wanted.arity ? in_.wanted.arity
+                                                 : 4};
     else out.polyhedra = polyhedra();
     report_reoriented();
     repeated_.policy = in_.repeated_verts;
@@ -128,7 +138,8 @@ class basic_cell_builder : public detail::cell_record {
   /// Ends a cell whose verts are in the list, if it is valid.
   bool check_cell(cell_shape s, vert_id* v) {
     const standard_cell& cell = standard_cell_of(s);
-    if (const std::size_t k = detail::first_repeated(v, cell.num_verts, scratch_); k != cell.num_verts) return reject_repeated(v[k], "a cell");
+    if (const std::size_t k = detail::first_repeated(v, cell.num_verts, scratch_); k != cell.num_verts)
+      return reject_repeated(v[k], "a cell");
     if (!can_hold(s)) return reject_shape(cell.name, cell.num_faces);
     num_negative_ += make_volume_positive(s, v, points_);
     std::uint64_t corners = 0;
@@ -166,7 +177,8 @@ class basic_cell_builder : public detail::cell_record {
     detail::faces_check<vert_id> check;
     detail::face_list_decoder<vert_id> decode;
     const vert_id* const list = verts_.data() + first_;
-    if (const detail::face_fault fault = check(list); fault != detail::face_fault::none) return reject_faces(fault, check.number);
+    if (const detail::face_fault fault = check(list); fault != detail::face_fault::none)
+      return reject_faces(fault, check.number);
     const detail::oriented_faces listed = decode(list);
     const bool turned = detail::poly_orienter<vert_id>(points_)(listed);
     cell_recogniser known;
@@ -176,7 +188,8 @@ class basic_cell_builder : public detail::cell_record {
       if (!listed.outward[f]) known.reverse_face();
     }
     const cell_shape s = known.recognise();
-    if (s == cell_shape::general || !can_hold(s)) return reject_shape(s == cell_shape::general ? "polyhedron" : standard_cell_of(s).name, listed.size);
+    if (s == cell_shape::general || !can_hold(s))
+      return reject_shape(s == cell_shape::general ? "polyhedron" : standard_cell_of(s).name, listed.size);
     const std::uint32_t n = standard_cell_of(s).num_verts;
     num_turned_ += turned;
     verts_.resize(first_);

@@ -1,4 +1,5 @@
-// Input and output of the readers of file formats: the text of a file, and the flat arrays from which the mesh is constructed.
+// Input and output of the readers of file formats: the text of a file, and the flat arrays from which the mesh is
+// constructed.
 #pragma once
 
 #include <concino/core/rgba.hpp>
@@ -45,7 +46,8 @@ class element_values {
   const detail::column& values() const { return values_; }
 };
 
-/// The values of one property, one for each element of its kind in the order of the file; one value for the mesh as a whole.
+/// The values of one property, one for each element of its kind in the order of the file; one value for the mesh as a
+/// whole.
 struct property_column {
   element_kind kind;
   std::string name;
@@ -55,12 +57,14 @@ struct property_column {
 namespace detail {
 
 /// n default values.
-inline std::shared_ptr<column> make_column(const value_type& type, std::size_t n) { return std::make_shared<column>(type, n); }
+inline std::shared_ptr<column> make_column(const value_type& type, std::size_t n) {
+  return std::make_shared<column>(type, n);
+}
 
 }  // namespace detail
 
-/// Edges, or faces of a volume, that a file lists by their verts to give them values: element i has verts[offsets[i]] .. verts[offsets[i+1]-1].
-/// The elements of the mesh are found by their verts, in any order.
+/// Edges, or faces of a volume, that a file lists by their verts to give them values: element i has verts[offsets[i]]
+/// .. verts[offsets[i+1]-1]. The elements of the mesh are found by their verts, in any order.
 struct listed_elements {
   std::vector<std::uint32_t> offsets{0};
   std::vector<vert_id> verts;
@@ -73,8 +77,8 @@ struct listed_elements {
 /// Which of the arrays a reader has filled.
 enum class arrays_kind : std::uint8_t { surface, cells, polyhedra };
 
-/// The contents of a file that holds a surface: its arrays, and the values of its elements. Readers fill it in the order of the file.
-/// Unused arrays stay empty.
+/// The contents of a file that holds a surface: its arrays, and the values of its elements. Readers fill it in the
+/// order of the file. Unused arrays stay empty.
 struct file_contents {
   arrays_kind filled = arrays_kind::surface;
   surface_arrays surface;
@@ -87,12 +91,13 @@ struct file_contents {
   detail::name_runs objects, groups, materials;  // of polys
   material_table table;                          // of the materials
 
-  /// Properties with any names and types. The values of a kind are in the order of the file: those of corners follow surface.verts, those of edges
-  /// and faces belong to the elements listed below. A second one with the same kind and name, or with the name of a member above, becomes a
-  /// property with another name, such as "heat_2".
+  /// Properties with any names and types. The values of a kind are in the order of the file: those of corners follow
+  /// surface.verts, those of edges and faces belong to the elements listed below. A second one with the same kind and
+  /// name, or with the name of a member above, becomes a property with another name, such as "heat_2".
   std::vector<property_column> properties;
   listed_elements edges, faces;
-  detail::polys_with_repeats repeated;  // with the policy of load_options::repeated_verts, which cell_builder and load follow
+  detail::polys_with_repeats repeated;  // with the policy of load_options::repeated_verts, which cell_builder and load
+                                        // follow
 
   /// Adds a property with n default values.
   /// Result: where to store the n values; valid as long as the contents.

@@ -19,11 +19,11 @@ struct file_access {
   bool pipes = false;  // accept pipes, and read them to their end
 };
 
-/// All bytes of a file: file_text(path).text(). The destructor frees them. The text of an empty file is empty, and so is that of a pipe
-/// without a writer: reading does not wait for one.
-/// Errors: io_error if the path cannot be opened or read, is not a file (a directory, a device), or has another size when it is read than
-///         when it was opened. If a file shrinks while it is mapped, reading the text beyond its end terminates the program by SIGBUS.
-///         Where the system is not POSIX, opening a pipe waits for a writer.
+/// All bytes of a file: file_text(path).text(). The destructor frees them. The text of an empty file is empty, and so
+/// is that of a pipe without a writer: reading does not wait for one.
+/// Errors: io_error if the path cannot be opened or read, is not a file (a directory, a device), or has another size
+///         when it is read than when it was opened. If a file shrinks while it is mapped, reading the text beyond its
+///         end terminates the program by SIGBUS. Where the system is not POSIX, opening a pipe waits for a writer.
 class file_text {
   const char* data_ = nullptr;
   std::size_t size_ = 0;
@@ -32,12 +32,13 @@ class file_text {
  public:
   file_text() = default;
   explicit file_text(const std::string& path, file_access access = {});
-  /// Reads an open file, a descriptor (int) on POSIX systems and a std::FILE* on others, from its current position. `size` is the size that the system
-  /// reported, 0 if unknown.
+  /// Reads an open file, a descriptor (int) on POSIX systems and a std::FILE* on others, from its current position.
+  /// `size` is the size that the system reported, 0 if unknown.
   file_text(detail::file_handle file, const std::string& path, std::uint64_t size);
 
   file_text(file_text&& o) noexcept
-      : data_(std::exchange(o.data_, nullptr)), size_(std::exchange(o.size_, 0)), mapped_(std::exchange(o.mapped_, detail::no_file)) {}
+      : data_(std::exchange(o.data_, nullptr)), size_(std::exchange(o.size_, 0)),
+        mapped_(std::exchange(o.mapped_, detail::no_file)) {}
   file_text& operator=(file_text&& o) noexcept {
     std::swap(data_, o.data_);
     std::swap(size_, o.size_);

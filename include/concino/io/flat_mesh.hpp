@@ -15,8 +15,8 @@
 
 namespace concino {
 
-/// Lists stored one after another. List i is values[offsets[i]] .. values[offsets[i+1]-1]. If all lists have `arity` > 0 values, it is
-/// values[i*arity] .. values[(i+1)*arity-1].
+/// Lists stored one after another. List i is values[offsets[i]] .. values[offsets[i+1]-1]. If all lists have `arity` >
+/// 0 values, it is values[i*arity] .. values[(i+1)*arity-1].
 template<class T>
 struct flat_lists {
   std::span<const T> values;
@@ -29,7 +29,8 @@ struct flat_lists {
   }
 };
 
-/// The values of a property of verts or polys, by the number of the element. Converts to false if the mesh has no such property.
+/// The values of a property of verts or polys, by the number of the element. Converts to false if the mesh has no such
+/// property.
 template<class T>
 struct flat_values {
   const T* values = nullptr;
@@ -52,23 +53,25 @@ struct flat_property {
   flat_values<T> as() const { return {*type == typeid(T) ? static_cast<const T*>(values) : nullptr, indices}; }
 };
 
-/// Polyhedra as arrays: faces are lists of verts, polys are lists of faces. outward[k] says whether the verts of face poly_faces.values[k],
-/// in the order listed, are counter-clockwise as seen from outside the poly.
+/// Polyhedra as arrays: faces are lists of verts, polys are lists of faces. outward[k] says whether the verts of face
+/// poly_faces.values[k], in the order listed, are counter-clockwise as seen from outside the poly.
 struct flat_polyhedra {
   flat_lists<vert_id> face_verts;
   flat_lists<face_id> poly_faces;
   std::span<const std::uint8_t> outward;
 };
 
-/// The input of a writer: a mesh as flat arrays. If the mesh stores an array in this form, the span refers to it; otherwise to a copy.
-/// Native meshes do so as long as nothing has been removed from them.
+/// The input of a writer: a mesh as flat arrays. If the mesh stores an array in this form, the span refers to it;
+/// otherwise to a copy. Native meshes do so as long as nothing has been removed from them.
 class flat_mesh {
  public:
   int dimension = 2;                                 // 2: a surface; 3: a volume
-  std::uint32_t arity = 0;                           // number of verts of every poly if the type of the mesh fixes it, else 0
+  std::uint32_t arity = 0;                           // number of verts of every poly if the type of the mesh fixes it,
+                                                     // else 0
   std::size_t num_polys = 0;
   std::span<const vec3> points;                      // of the verts; all finite
-  flat_lists<vert_id> poly_verts;                    // surfaces: in cyclic order; tets and hexes: in the standard order; else empty
+  flat_lists<vert_id> poly_verts;                    // surfaces: in cyclic order; tets and hexes: in the standard
+                                                     // order; else empty
   const property_set* properties = nullptr;          // null if the type of the mesh has none
   std::span<const std::uint32_t> vert_indices = {};  // the index in the mesh of each number; empty if they are equal
   std::span<const std::uint32_t> poly_indices = {};
@@ -88,7 +91,8 @@ class flat_mesh {
     return edge_verts_;
   }
 
-  /// The number of edges of a surface without polys, and of a volume without faces, which no file holds.      Cost: O(edges); native meshes have none.
+  /// The number of edges of a surface without polys, and of a volume without faces, which no file holds.      Cost:
+  /// O(edges); native meshes have none.
   virtual std::size_t num_loose_edges() const { return 0; }
 
   /// The index of a vert or poly in the mesh, for messages.
@@ -104,7 +108,8 @@ class flat_mesh {
   flat_values<T> poly_values(std::string_view name) const {
     return {values<T>(element_kind::poly, name), poly_indices.empty() ? nullptr : poly_indices.data()};
   }
-  /// The same for edges, by their numbers in edge_verts(), and for faces, by their numbers in polyhedra().      Cost: O(edges), O(faces).
+  /// The same for edges, by their numbers in edge_verts(), and for faces, by their numbers in polyhedra().      Cost:
+  /// O(edges), O(faces).
   template<class T>
   flat_values<T> edge_values(std::string_view name) {
     const T* const found = values<T>(element_kind::edge, name);
@@ -125,8 +130,9 @@ class flat_mesh {
     has_corners_ = has_corners_ || found;
     return {found, corner_indices_.empty() ? nullptr : corner_indices_.data()};
   }
-  /// All properties of verts, faces, polys and the mesh as a whole, in the order in which they were created. A writer passes those that it stores to
-  /// write_context::declare_stored.      Cost: calls polyhedra() if there is a property of faces.
+  /// All properties of verts, faces, polys and the mesh as a whole, in the order in which they were created. A writer
+  /// passes those that it stores to write_context::declare_stored.      Cost: calls polyhedra() if there is a property
+  /// of faces.
   std::vector<flat_property> property_list();
   /// The value of a property of the mesh as a whole; null if there is none.
   template<class T>
@@ -140,7 +146,8 @@ class flat_mesh {
 
   flat_polyhedra polyhedra_;
   std::vector<std::array<vert_id, 2>> edge_verts_;
-  std::vector<std::uint32_t> edge_indices_, corner_indices_;  // the index in the mesh of each number; empty if they are equal
+  std::vector<std::uint32_t> edge_indices_, corner_indices_;  // the index in the mesh of each number; empty if they are
+                                                              // equal
 
  private:
   virtual void make_polyhedra() = 0;
@@ -158,13 +165,16 @@ inline std::vector<flat_property> flat_mesh::property_list() {
   std::vector<flat_property> list;
   for (std::size_t i = 0; properties && i < properties->size(); ++i) {
     const property_info p = properties->info(i);
-    if (p.kind == element_kind::edge || p.kind == element_kind::corner || (p.kind == element_kind::face && dimension != 3)) continue;
+    if (p.kind == element_kind::edge || p.kind == element_kind::corner ||
+        (p.kind == element_kind::face && dimension != 3))
+      continue;
     if (p.kind == element_kind::face) polyhedra();
     std::span<const std::uint32_t> indices;
     if (p.kind == element_kind::vert) indices = vert_indices;
     if (p.kind == element_kind::face) indices = face_indices;
     if (p.kind == element_kind::poly) indices = poly_indices;
-    list.push_back({p.kind, p.name, p.type, properties->values_if_any(p.kind, p.name, *p.type), indices.empty() ? nullptr : indices.data()});
+    list.push_back({p.kind, p.name, p.type, properties->values_if_any(p.kind, p.name, *p.type),
+                    indices.empty() ? nullptr : indices.data()});
   }
   return list;
 }

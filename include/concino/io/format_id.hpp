@@ -6,8 +6,8 @@
 
 namespace concino {
 
-/// The format of a file; by default the extension determines it. Any format converts to it: format_id f = file_format::obj. Two are equal if
-/// their names are.
+/// The format of a file; by default the extension determines it. Any format converts to it: format_id f =
+/// file_format::obj. Two are equal if their names are.
 class format_id {
   std::string_view name_;
 

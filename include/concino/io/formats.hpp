@@ -14,7 +14,10 @@
 
 namespace concino {
 
-/// The formats that load, load_any and save know by default; save leaves out those that are only read. Add your own: standard_formats + my_format{}.
-inline constexpr format_list<obj_format, off_format, medit_format, hedra_format, hybrid_format, tet_format, iv_format, vtk_format, vtu_format, vtp_format> standard_formats{};
+/// The formats that load, load_any and save know by default; save leaves out those that are only read. Add your own:
+/// standard_formats + my_format{}.
+inline constexpr format_list<obj_format, off_format, medit_format, hedra_format, hybrid_format, tet_format, iv_format,
+                             vtk_format, vtu_format, vtp_format>
+    standard_formats{};
 
 }  // namespace concino

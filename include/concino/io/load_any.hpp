@@ -37,8 +37,9 @@ Variant any_mesh_of(volume_contents& contents, const std::string& path, load_rep
 
 /// Reads a mesh as a variant of the six native types; std::visit calls a function with the actual mesh.
 /// Needs:  a file in one of the formats of load.
-/// Result: a mesh of the most special kind that can hold the file: triangles only, quads only, any polygons; tets only, hexes only, any
-///         polyhedra. A .hedra or .hybrid file is always a polyhedralmesh. A file without polys is a polygonmesh unless it says that it is a volume.
+/// Result: a mesh of the most special kind that can hold the file: triangles only, quads only, any polygons; tets only,
+///         hexes only, any polyhedra. A .hedra or .hybrid file is always a polyhedralmesh. A file without polys is a
+///         polygonmesh unless it says that it is a volume.
 /// Cost:   as load.
 /// Errors: as load, except for polys that do not fit the mesh: every kind of poly is accepted.
 template<class Variant = any_mesh>  // a template only so that programs that do not call it need not compile six meshes

@@ -22,7 +22,8 @@ struct material {
 struct material_table {
   std::vector<material> materials = {};     // if two have the same name, the first is used
   std::vector<std::string> libraries = {};  // the names of libraries in the mesh's file, in order
-  std::vector<std::string> unread = {};     // those of them that were missing or could not be read; save names them again
+  std::vector<std::string> unread = {};     // those of them that were missing or could not be read; save names them
+                                            // again
   std::vector<std::string> head = {};       // lines of the libraries before their first material
 
   bool empty() const { return materials.empty() && libraries.empty() && unread.empty() && head.empty(); }

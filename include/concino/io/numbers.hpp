@@ -13,10 +13,11 @@
 
 namespace concino {
 
-/// Reads a real number at the beginning of a text, in decimal digits with an optional sign, point and exponent; as in Fortran, the exponent may begin with D.
+/// Reads a real number at the beginning of a text, in decimal digits with an optional sign, point and exponent; as in
+/// Fortran, the exponent may begin with D.
 /// Needs:  a text [first, last); nothing beyond `last` is read.
-/// Result: the end of the number, or null if there is none. x is the nearest double, infinite if the number is too large. "nan" and "inf"
-///         are read too; the caller decides whether to accept them.
+/// Result: the end of the number, or null if there is none. x is the nearest double, infinite if the number is too
+///         large. "nan" and "inf" are read too; the caller decides whether to accept them.
 /// Cost:   linear in the number of digits.
 /// Errors: none; x is unspecified if there is no number.
 inline const char* parse_real(const char* first, const char* last, double& x) {
@@ -24,7 +25,8 @@ inline const char* parse_real(const char* first, const char* last, double& x) {
   if (!from) return nullptr;
   const auto [end, problem] = detail::real_from_chars(from, last, x);
   if (problem == std::errc::invalid_argument) return nullptr;
-  if (end != last && (*end | 0x20) == 'd' && std::string_view(from, end).find_first_of("eEnN") == std::string_view::npos)
+  if (end != last && (*end | 0x20) == 'd' &&
+      std::string_view(from, end).find_first_of("eEnN") == std::string_view::npos)
     if (const char* const past = detail::end_of_exponent(end, last, 'd'); past != end) {
       std::string with_e(from, past);
       with_e[static_cast<std::size_t>(end - from)] = 'e';
@@ -38,7 +40,8 @@ inline const char* parse_real(const char* first, const char* last, double& x) {
   return end;
 }
 
-/// Reads an integer at the beginning of a text, in at most 18 decimal digits (leading zeros do not count) with an optional sign.
+/// Reads an integer at the beginning of a text, in at most 18 decimal digits (leading zeros do not count) with an
+/// optional sign.
 /// Needs:  a text [first, last); nothing beyond `last` is read.
 /// Result: the end of the number, or null if there is none or it has more digits.
 /// Cost:   linear in the number of digits.

@@ -1,4 +1,5 @@
-// Curve skeletons: graphs in space with a radius at each vert. They model PrimalGraph and Embedded, so graph algorithms run on them.
+// Curve skeletons: graphs in space with a radius at each vert. They model PrimalGraph and Embedded, so graph algorithms
+// run on them.
 #pragma once
 
 #include <concino/concepts/descriptors.hpp>
@@ -30,10 +31,13 @@ class skeleton {
  public:
   /// No verts.
   skeleton() = default;
-  /// Verts 0, 1, ... with these points, and edges between them. Verts without edges are allowed. Without `radii`, all radii are 0.
-  /// Errors: invalid_mesh if an edge has a vert that does not exist, joins a vert with itself, or is there twice. invalid_argument if there are
-  ///         radii, but not one for each point. unsupported for more elements than ids can number.
-  explicit skeleton(std::vector<vec3> points, std::vector<std::array<vert_id, 2>> all_edges = {}, std::vector<double> radii = {});
+  /// Verts 0, 1, ... with these points, and edges between them. Verts without edges are allowed. Without `radii`, all
+  /// radii are 0.
+  /// Errors: invalid_mesh if an edge has a vert that does not exist, joins a vert with itself, or is there twice.
+  ///         invalid_argument if there are radii, but not one for each point. unsupported for more elements than ids
+  ///         can number.
+  explicit skeleton(std::vector<vec3> points, std::vector<std::array<vert_id, 2>> all_edges = {},
+                    std::vector<double> radii = {});
 
   std::size_t num_verts() const { return points_.size(); }
   std::size_t num_edges() const { return edges_.size(); }
@@ -51,14 +55,20 @@ class skeleton {
 
   const std::array<vert_id, 2>& end_verts(edge_id e) const { return edges_[e.raw()]; }
   /// The neighbours of a vert, in the order of their indices, and the edges to them.
-  id_span<vert_id> neighbours(vert_id v) const { return {neighbours_.data() + first_[v.raw()], neighbours_.data() + first_[v.raw() + 1]}; }
-  id_span<edge_id> incident_edges(vert_id v) const { return {incident_.data() + first_[v.raw()], incident_.data() + first_[v.raw() + 1]}; }
+  id_span<vert_id> neighbours(vert_id v) const {
+    return {neighbours_.data() + first_[v.raw()], neighbours_.data() + first_[v.raw() + 1]};
+  }
+  id_span<edge_id> incident_edges(vert_id v) const {
+    return {incident_.data() + first_[v.raw()], incident_.data() + first_[v.raw() + 1]};
+  }
 
   const std::vector<vec3>& points() const { return points_; }
   const std::vector<double>& radii() const { return radii_; }
   const std::vector<std::array<vert_id, 2>>& edges() const { return edges_; }
 
-  friend bool operator==(const skeleton& a, const skeleton& b) { return a.points_ == b.points_ && a.radii_ == b.radii_ && a.edges_ == b.edges_; }
+  friend bool operator==(const skeleton& a, const skeleton& b) {
+    return a.points_ == b.points_ && a.radii_ == b.radii_ && a.edges_ == b.edges_;
+  }
 };
 
 template<>

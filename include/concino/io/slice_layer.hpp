@@ -1,4 +1,5 @@
-// Slices of a part for layered manufacturing: layers of contours, open lines and hatches. <concino/io/slices.hpp> reads and writes them.
+// Slices of a part for layered manufacturing: layers of contours, open lines and hatches. <concino/io/slices.hpp> reads
+// and writes them.
 #pragma once
 
 #include <array>
@@ -15,7 +16,8 @@ namespace concino {
 /// A point in the plane of a layer, in mm.
 using slice_point = std::array<double, 2>;
 
-/// Lines of one kind in a layer. All their points are in one array: line i begins where line i - 1 ends, and ends before ends[i].
+/// Lines of one kind in a layer. All their points are in one array: line i begins where line i - 1 ends, and ends
+/// before ends[i].
 ///
 ///   for (std::size_t i = 0; i < layer.outer.size(); ++i)
 ///     for (const slice_point& p : layer.outer[i]) ...
@@ -63,7 +65,8 @@ struct slices {
   double units = 1;                                // mm for 1 in the file; > 0
   std::optional<std::int64_t> version;             // of the format, times 100
   std::string date;                                // as in the file, usually ddmmyy
-  std::optional<std::array<double, 6>> dimension;  // as in the file: the corners x, y, z, x, y, z of a box around the parts
+  std::optional<std::array<double, 6>> dimension;  // as in the file: the corners x, y, z, x, y, z of a box around the
+                                                   // parts
   std::vector<slice_label> labels;
   std::vector<slice_layer> layers;
 

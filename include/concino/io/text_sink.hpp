@@ -41,7 +41,8 @@ class text_sink {
   }
   void grow(std::size_t n) {
     if (target_ != target::memory) flush();
-    if (text_.size() - used_ < n) text_.resize(std::max({piece, used_ + n, target_ == target::memory ? 2 * text_.size() : 0}));
+    if (text_.size() - used_ < n)
+      text_.resize(std::max({piece, used_ + n, target_ == target::memory ? 2 * text_.size() : 0}));
   }
   text_sink& put(std::uint64_t i) {
     char* const p = reserve(24);
@@ -85,7 +86,8 @@ class text_sink {
   /// Writes the rest of the buffer to the file. A text without a file stays as it is.
   void flush() {
     if (target_ == target::memory) return;
-    if (target_ == target::file && !detail::write_all(file_, text_.data(), used_)) detail::throw_io_error(path_, "cannot be written", errno);
+    if (target_ == target::file && !detail::write_all(file_, text_.data(), used_))
+      detail::throw_io_error(path_, "cannot be written", errno);
     used_ = 0;
   }
 

@@ -1,4 +1,5 @@
-// Reads and writes .vtp files of VTK, as text or binary: any surface, with properties. Compressed files need <concino/adapters/zlib.hpp>.
+// Reads and writes .vtp files of VTK, as text or binary: any surface, with properties. Compressed files need
+// <concino/adapters/zlib.hpp>.
 #pragma once
 
 #include <concino/core/compiled.hpp>

@@ -48,15 +48,20 @@ struct write_context {
   /// Called once for every vert and poly; calls options.progress from time to time. Errors: cancelled.
   void report_progress() {
     if (num_written++ % 4096 == 0)
-      detail::report_progress(options.progress, std::min(1.0, static_cast<double>(num_written) / static_cast<double>(num_elements + 1)), "writing");
+      detail::report_progress(options.progress,
+                              std::min(1.0, static_cast<double>(num_written) / static_cast<double>(num_elements + 1)),
+                              "writing");
   }
 
   /// Declares that the file stores the property of that name with values of type T. All others are reported as lost.
   template<class T>
   void declare_stored(element_kind kind, std::string_view property) { declare_stored(kind, property, typeid(T)); }
-  void declare_stored(element_kind kind, std::string_view property, const std::type_info& type) { stored.push_back({kind, std::string(property), &type}); }
+  void declare_stored(element_kind kind, std::string_view property, const std::type_info& type) {
+    stored.push_back({kind, std::string(property), &type});
+  }
 
-  /// A number other than a coordinate, for output: files cannot hold a number that is not finite, so it becomes 0, which is reported.
+  /// A number other than a coordinate, for output: files cannot hold a number that is not finite, so it becomes 0,
+  /// which is reported.
   double finite(double x) {
     if (std::isfinite(x)) return x;
     ++num_not_finite;
@@ -65,8 +70,10 @@ struct write_context {
   float finite(float x) { return static_cast<float>(finite(static_cast<double>(x))); }
 
   /// Errors: unsupported, "<name>: <format> cannot hold <what>; save it as <instead>".
-  [[noreturn, gnu::noinline, gnu::cold]] void throw_cannot_hold(std::string_view format, core::message what, std::string_view instead) const {
-    core::throw_joined<unsupported>({name, ": ", format, " cannot hold ", core::joined(what), "; save it as ", instead});
+  [[noreturn, gnu::noinline, gnu::cold]] void throw_cannot_hold(std::string_view format, core::message what,
+                                                                std::string_view instead) const {
+    core::throw_joined<unsupported>(
+        {name, ": ", format, " cannot hold ", core::joined(what), "; save it as ", instead});
   }
 };
 

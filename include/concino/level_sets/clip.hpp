@@ -16,7 +16,8 @@ auto clip_mesh(const M& m, const U& u, double level, bool both, const clip_optio
   check_vert_values(m, u, caller);
   sort_levels({level}, caller);
   report_progress(options.progress, 0, "clipping");
-  if constexpr (dimension_v<M> == 2) return surface_clipper<M, U>(m, u, level, both, caller).run(options, caller);  // polygons are cut by chords, polyhedra by caps
+  // polygons are cut by chords, polyhedra by caps
+  if constexpr (dimension_v<M> == 2) return surface_clipper<M, U>(m, u, level, both, caller).run(options, caller);
   else return volume_clipper<M, U>(m, u, level, both, caller).run(options, caller);
 }
 
@@ -24,15 +25,17 @@ auto clip_mesh(const M& m, const U& u, double level, bool both, const clip_optio
 
 /// The part of a mesh where a function, linear on edges, is at least a value.
 /// Needs:  EmbeddedMesh; in volumes, the faces of the polys that are cut form spheres. u[v] is a number for each vert.
-/// Result: a polygonmesh or a polyhedralmesh. Polys that are not cut keep their verts, and their order; parts of polys follow, in the order of their
-///         polys. Likewise verts and faces. The cut is that of isolines and isosurface: cut_edges or cut_faces. A poly with k lines or cycles across it has
-///         k + 1 parts; parts that only touch are separate. Faces on the boundary that are cut but not planar become triangles about the mean of their
-///         points, so that the volumes of the parts of a poly sum to its volume. `from` has the elements of m of which those of the result were made.
-///         Named properties of verts are interpolated, those of other elements inherited. Parts are closed, and have positive measures where polys are
-///         about convex; elsewhere they may overlap or turn over: the report counts this.
+/// Result: a polygonmesh or a polyhedralmesh. Polys that are not cut keep their verts, and their order; parts of polys
+///         follow, in the order of their polys. Likewise verts and faces. The cut is that of isolines and isosurface:
+///         cut_edges or cut_faces. A poly with k lines or cycles across it has k + 1 parts; parts that only touch are
+///         separate. Faces on the boundary that are cut but not planar become triangles about the mean of their points,
+///         so that the volumes of the parts of a poly sum to its volume. `from` has the elements of m of which those of
+///         the result were made. Named properties of verts are interpolated, those of other elements inherited. Parts
+///         are closed, and have positive measures where polys are about convex; elsewhere they may overlap or turn
+///         over: the report counts this.
 /// Cost:   O(elements of m), and O(n log n) for n polys that are cut.
-/// Errors: invalid_argument if a value is NaN, naming the vert, or if u is a map of another mesh. unsupported as isosurface, and, if options.convex_only,
-///         that names a poly that would be cut but is not convex. cancelled.
+/// Errors: invalid_argument if a value is NaN, naming the vert, or if u is a map of another mesh. unsupported as
+///         isosurface, and, if options.convex_only, that names a poly that would be cut but is not convex. cancelled.
 template<EmbeddedMesh M, class U>
   requires requirement::gives_numbers<U, vert_t<M>>
 auto clip(const M& m, const U& u, double value, const clip_options& options = {}) {
@@ -49,7 +52,8 @@ auto clip(const M& m, const plane& p, const clip_options& options = {}) {
 }
 
 /// A mesh, cut along a level set or a plane, with the parts on both sides.
-/// Needs:  as clip.      Result: as clip; above[i] says whether poly i is above.      Cost: as clip.      Errors: as clip.
+/// Needs:  as clip.      Result: as clip; above[i] says whether poly i is above.      Cost: as clip.      Errors: as
+///         clip.
 template<EmbeddedMesh M, class U>
   requires requirement::gives_numbers<U, vert_t<M>>
 auto split(const M& m, const U& u, double value, const clip_options& options = {}) {

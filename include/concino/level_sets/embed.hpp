@@ -21,7 +21,8 @@
 namespace concino {
 
 struct embed_options {
-  double snap = 0;  // where the level set crosses an edge nearer to a vert than this fraction, the value there is changed; below 0.5
+  double snap = 0;  // where the level set crosses an edge nearer to a vert than this fraction, the value there is
+                    // changed; below 0.5
 };
 
 /// Level sets of a surface of type M, as edges of it.
@@ -49,10 +50,12 @@ template<class M> concept has_room_for_parts = arity_v<M> == 0 || arity_v<M> == 
 
 /// Maps of numbers at the verts of M that can be written.
 template<class U, class M>
-concept is_writable_number_map = !std::convertible_to<U, std::string_view> && gives_numbers<U, vert_t<M>> && WritableMap<U, vert_t<M>, double>;
+concept is_writable_number_map =
+    !std::convertible_to<U, std::string_view> && gives_numbers<U, vert_t<M>> && WritableMap<U, vert_t<M>, double>;
 
 /// Neither such a map nor the name of a property.
-template<class U, class M> concept is_no_writable_number_map = !std::convertible_to<U, std::string_view> && !is_writable_number_map<U, M>;
+template<class U, class M>
+concept is_no_writable_number_map = !std::convertible_to<U, std::string_view> && !is_writable_number_map<U, M>;
 
 }  // namespace requirement
 
@@ -60,7 +63,8 @@ namespace detail {
 
 inline void check_snap(double snap, const char* caller) {
   if (!(snap >= 0 && snap < 0.5))
-    core::throw_joined<invalid_argument>({caller, ": .snap is ", core::number_text(snap), "; it must be at least 0 and below 0.5"});
+    core::throw_joined<invalid_argument>(
+        {caller, ": .snap is ", core::number_text(snap), "; it must be at least 0 and below 0.5"});
 }
 
 /// The edge or the face with these verts.
@@ -73,9 +77,11 @@ void add_element(const M& m, const std::vector<vert_t<M>>& corners, std::vector<
   add_face_with(m, corners, to);
 }
 
-/// Replaces polys of m by their parts. u: its values; they become `level` at snapped verts. cut: the edges or faces on the level set.
+/// Replaces polys of m by their parts. u: its values; they become `level` at snapped verts. cut: the edges or faces on
+/// the level set.
 template<class M, class U, class Crossed, class Parts, class Result, class Elements, class OriginsOf>
-void embed_parts(M& m, U& u, double level, const Crossed& crossed, const Parts& parts, Result& result, Elements& cut, const OriginsOf& origins_of, const char* caller) {
+void embed_parts(M& m, U& u, double level, const Crossed& crossed, const Parts& parts, Result& result, Elements& cut,
+                 const OriginsOf& origins_of, const char* caller) {
   for (const std::uint32_t v : parts.moved_verts) result.moved_verts.push_back(crossed.verts[v]);
   const embedding_lists lists = list_embedding(parts, crossed.arrays, arity_v<M> != 0);
   level_embedder<M, Crossed> embedder(m, crossed, level, lists, parts.places, origins_of);
@@ -106,7 +112,9 @@ embedded_lines<M> embed_lines(M& m, U& u, double value, const embed_options& opt
   const crossed_surface_reader<M> crossed(m, values, value, crossed_polys(m, level_states(m, values, value, caller)));
   poly_cuts cuts(crossed.arrays, value);
   const poly_parts parts(cuts);
-  embed_parts(m, u, value, crossed, parts, result, result.edges, [&](const level_place& x) { return crossed.origins_of(x, value); }, caller);
+  embed_parts(
+      m, u, value, crossed, parts, result, result.edges,
+      [&](const level_place& x) { return crossed.origins_of(x, value); }, caller);
   return result;
 }
 template<class M, class U>
@@ -121,20 +129,25 @@ embedded_surface<M> embed_surface(M& m, U& u, double value, const embed_options&
   constexpr auto surface = arity_v<M> == 0 ? cell_cuts::cells_are::unknown : cell_cuts::cells_are::spheres;
   cell_cuts cuts(crossed.arrays, surface, caller, crossed.poly_indices);
   const cell_parts parts(cuts);
-  embed_parts(m, u, value, crossed, parts, result, result.faces, [&](const level_place& x) { return crossed.origins_of(x); }, caller);
+  embed_parts(
+      m, u, value, crossed, parts, result, result.faces, [&](const level_place& x) { return crossed.origins_of(x); },
+      caller);
   return result;
 }
 
 }  // namespace detail
 
 /// Makes the level set {u = value} of a property of verts edges of the surface.
-/// Needs:  EditableSurfaceMesh M of general polygons or of triangles, with named properties; the property `name` of verts, of type double.
-/// Result: the edges of the level set, as isolines finds it. Polygons are cut to polygons, triangles to triangles. One part of each poly keeps its
-///         descriptor, and elements that are not cut keep theirs. Named properties follow as in replace_polys; u is `value` at all new verts. With
-///         {.snap = f} no edge is cut nearer to a vert than the fraction f of it: u is set to the value there.
+/// Needs:  EditableSurfaceMesh M of general polygons or of triangles, with named properties; the property `name` of
+///         verts, of type double.
+/// Result: the edges of the level set, as isolines finds it. Polygons are cut to polygons, triangles to triangles. One
+///         part of each poly keeps its descriptor, and elements that are not cut keep theirs. Named properties follow
+///         as in replace_polys; u is `value` at all new verts. With {.snap = f} no edge is cut nearer to a vert than
+///         the fraction f of it: u is set to the value there.
 /// Cost:   O(elements of m), and O(n log n) for n polys that are cut.
-/// Errors: invalid_argument if there is no such property, a value is NaN, naming the vert, or options.snap is not in [0, 0.5); unsupported if the library
-///         of m cannot represent the result. The mesh is unchanged then, also if memory runs out. In an open transaction it can be undone.
+/// Errors: invalid_argument if there is no such property, a value is NaN, naming the vert, or options.snap is not in
+///         [0, 0.5); unsupported if the library of m cannot represent the result. The mesh is unchanged then, also if
+///         memory runs out. In an open transaction it can be undone.
 /// Source: paper section 2.2, "Fields".
 template<EditableSurfaceMesh M>
   requires HasProperties<M> && requirement::has_room_for_parts<M>
@@ -145,10 +158,12 @@ embedded_lines<M> embed_isolines(M& m, std::string_view name, double value, cons
 }
 
 /// Makes the level set {u = value} of a map at verts edges of the surface.
-/// Needs:  EditableSurfaceMesh M of general polygons or of triangles; u a map of numbers at verts that can be written and follows the verts: vert_map, or a
-///         property of OpenMesh or CGAL. If u has a member resize(n), it is called before the edit, with the index bound of the verts afterwards.
+/// Needs:  EditableSurfaceMesh M of general polygons or of triangles; u a map of numbers at verts that can be written
+///         and follows the verts: vert_map, or a property of OpenMesh or CGAL. If u has a member resize(n), it is
+///         called before the edit, with the index bound of the verts afterwards.
 /// Result: as above; u is `value` at all new verts, and at those that are snapped.      Cost: as above.
-/// Errors: as above, and invalid_argument if u is a map of another mesh. An undone transaction does not restore u at verts that were snapped.
+/// Errors: as above, and invalid_argument if u is a map of another mesh. An undone transaction does not restore u at
+///         verts that were snapped.
 template<EditableSurfaceMesh M, class U>
   requires requirement::has_room_for_parts<M> && requirement::is_writable_number_map<U, M>
 embedded_lines<M> embed_isolines(M& m, U&& u, double value, const embed_options& options = {}) {
@@ -157,11 +172,14 @@ embedded_lines<M> embed_isolines(M& m, U&& u, double value, const embed_options&
 }
 
 /// Makes the level set {u = value} of a property of verts faces of the volume.
-/// Needs:  EditableVolumeMesh M of general polyhedra or of tets, with named properties; the property `name` of verts, of type double.
-/// Result: as embed_isolines: the faces of the level set, as isosurface finds it. Polyhedra are cut to polyhedra. Tets are cut to tets that agree at
-///         common faces. Faces of polyhedra on the boundary that are cut but not planar become triangles, as in clip; u is its mean at their middles.
+/// Needs:  EditableVolumeMesh M of general polyhedra or of tets, with named properties; the property `name` of verts,
+///         of type double.
+/// Result: as embed_isolines: the faces of the level set, as isosurface finds it. Polyhedra are cut to polyhedra. Tets
+///         are cut to tets that agree at common faces. Faces of polyhedra on the boundary that are cut but not planar
+///         become triangles, as in clip; u is its mean at their middles.
 /// Cost:   as embed_isolines.
-/// Errors: as embed_isolines, and unsupported that names a poly that is to be cut, but whose faces do not form a sphere.
+/// Errors: as embed_isolines, and unsupported that names a poly that is to be cut, but whose faces do not form a
+///         sphere.
 /// Source: paper section 2.2, "Fields"; tets of parts by their smallest verts: Dompierre, Labbe, Vallet, Camarero 1999.
 template<EditableVolumeMesh M>
   requires HasProperties<M> && requirement::has_room_for_parts<M>
@@ -174,7 +192,8 @@ embedded_surface<M> embed_isosurface(M& m, std::string_view name, double value, 
 /// Makes the level set {u = value} of a map at verts faces of the volume.
 /// Needs:  EditableVolumeMesh M of general polyhedra or of tets; u as in embed_isolines.
 /// Result: as above; u is `value` at new verts on edges, and at those that are snapped.      Cost: as above.
-/// Errors: as above, and invalid_argument if u is a map of another mesh. An undone transaction does not restore u at verts that were snapped.
+/// Errors: as above, and invalid_argument if u is a map of another mesh. An undone transaction does not restore u at
+///         verts that were snapped.
 template<EditableVolumeMesh M, class U>
   requires requirement::has_room_for_parts<M> && requirement::is_writable_number_map<U, M>
 embedded_surface<M> embed_isosurface(M& m, U&& u, double value, const embed_options& options = {}) {

@@ -25,20 +25,24 @@ struct embedded_path {
 namespace requirement {
 
 /// What can be a point of a path along edges.
-template<class X, class M> concept is_path_point = std::same_as<X, vert_t<M>> || std::same_as<X, edge_point<M>> || std::same_as<X, mesh_point<M>>;
+template<class X, class M>
+concept is_path_point = std::same_as<X, vert_t<M>> || std::same_as<X, edge_point<M>> || std::same_as<X, mesh_point<M>>;
 
 }  // namespace requirement
 
 /// Makes a path across a surface edges of it, such as an iso-line, a geodesic or a seam.
-/// Needs:  EditableSurfaceMesh M of general polygons or of triangles; points at verts or on edges, as vert_t<M>, edge_point<M> or mesh_point<M>, each of which is
-///         on one poly with the next one.
-/// Result: the edges of the path. Two points on one edge are joined along it, others across the poly that has both; of several polys it is the one with the
-///         lowest index. Polygons are cut to polygons, triangles to triangles. One part of each poly keeps its descriptor; elements that are not cut keep
-///         theirs. Points that are equal become one vert. A line between two points of a concave polygon may leave it; then its parts overlap. Named properties follow as in replace_polys; those of verts are interpolated along the edge.
+/// Needs:  EditableSurfaceMesh M of general polygons or of triangles; points at verts or on edges, as vert_t<M>,
+///         edge_point<M> or mesh_point<M>, each of which is on one poly with the next one.
+/// Result: the edges of the path. Two points on one edge are joined along it, others across the poly that has both; of
+///         several polys it is the one with the lowest index. Polygons are cut to polygons, triangles to triangles. One
+///         part of each poly keeps its descriptor; elements that are not cut keep theirs. Points that are equal become
+///         one vert. A line between two points of a concave polygon may leave it; then its parts overlap. Named
+///         properties follow as in replace_polys; those of verts are interpolated along the edge.
 /// Cost:   the elements at the verts of the polys that are cut, but O(mesh) the first time, and sorting these.
-/// Errors: invalid_argument that names a point inside a poly, a point whose parameter is not in [0, 1], or two points that are not on one poly. Likewise if the
-///         path crosses itself inside a poly. unsupported if the library of m cannot represent the result. The mesh is unchanged then, also if memory
-///         runs out. In an open transaction it can be undone.
+/// Errors: invalid_argument that names a point inside a poly, a point whose parameter is not in [0, 1], or two points
+///         that are not on one poly. Likewise if the path crosses itself inside a poly. unsupported if the library of m
+///         cannot represent the result. The mesh is unchanged then, also if memory runs out. In an open transaction it
+///         can be undone.
 template<EditableSurfaceMesh M, class X>
   requires requirement::has_room_for_parts<M> && requirement::is_path_point<X, M>
 embedded_path<M> embed_path(M& m, const std::vector<X>& points, const embed_path_options& options = {}) {

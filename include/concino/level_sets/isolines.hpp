@@ -17,8 +17,10 @@ namespace concino {
 template<class M>
 struct level_line {
   std::vector<vec3> points;
-  std::vector<mesh_point<M>> places;       // of the points: at a vert, on an edge, or inside a poly, on a diagonal of a poly that is not convex
-  std::vector<edge_point<M>> edge_points;  // of the points at verts and on edges, in order; a vert is the end of one of its edges
+  std::vector<mesh_point<M>> places;       // of the points: at a vert, on an edge, or inside a poly, on a diagonal of a
+                                           // poly that is not convex
+  std::vector<edge_point<M>> edge_points;  // of the points at verts and on edges, in order; a vert is the end of one of
+                                           // its edges
   bool closed = false;
   double value = 0;                        // of the level set
 };
@@ -65,12 +67,15 @@ std::vector<level_line<M>> find_isolines(const M& m, const U& u, const V& values
 
 /// The level sets {u = value} of a function that is linear on edges: lines across the polys of a surface.
 /// Needs:  Embedded SurfaceMesh; u[v] is a number for each vert, readable from several threads; one value or several.
-/// Result: polylines, value after value, ascending, and by their first polys. A line is closed, or ends at the boundary or at an edge with three polys or
-///         more; lines through one vert are separate. Larger values are to the left of a line, seen from the side from which its first poly is
-///         counter-clockwise. Verts with u = value count as above it. The lines bound {u < value}; where this only touches the boundary of m, or parts of
-///         polys without larger values, there is none. They are straight in convex polys; other polys are crossed triangle by triangle of
-///         triangulate_polygon. Points and parameters do not depend on the order of adj_e2v. Infinite values are limits of finite ones.
-/// Cost:   O(verts + polys) a value, and O(n log n) for lines of n points. The polys that are crossed are found in parallel.
+/// Result: polylines, value after value, ascending, and by their first polys. A line is closed, or ends at the boundary
+///         or at an edge with three polys or more; lines through one vert are separate. Larger values are to the left
+///         of a line, seen from the side from which its first poly is counter-clockwise. Verts with u = value count as
+///         above it. The lines bound {u < value}; where this only touches the boundary of m, or parts of polys without
+///         larger values, there is none. They are straight in convex polys; other polys are crossed triangle by
+///         triangle of triangulate_polygon. Points and parameters do not depend on the order of adj_e2v. Infinite
+///         values are limits of finite ones.
+/// Cost:   O(verts + polys) a value, and O(n log n) for lines of n points. The polys that are crossed are found in
+///         parallel.
 /// Errors: invalid_argument if a value is NaN, naming the vert, or if u is a map of another mesh.
 /// Source: paper section 2.2, "Fields".
 template<SurfaceMesh M, class U, class V = std::initializer_list<double>>

@@ -59,23 +59,28 @@ level_surface<M, To> find_isosurface(const M& m, const U& u, const V& values, co
 }  // namespace detail
 
 /// The level sets {u = value} of a function that is linear on edges: surfaces through the polys of a volume.
-/// Needs:  Embedded VolumeMesh with polys whose faces form spheres; u[v] is a number for each vert, readable from several threads; one value or several.
-/// Result: a polygonmesh, or as isosurface<trimesh> its triangulation, value after value, ascending, and by the polys of m. Its polys are counter-clockwise
-///         seen from larger values. It is a manifold: each edge has two polys or lies on the boundary of m. Verts with u = value count as above it. The
-///         surface bounds {u < value}; where this only touches the boundary of m, or parts of polys without larger values, there is none. Each poly is cut
-///         along closed cycles of chords across its faces, and each cycle is filled by one polygon. Chords are straight in convex faces; other faces are
-///         crossed triangle by triangle of triangulate_polygon, and faces on the boundary that are not planar triangle by triangle about the mean of their
-///         points. Named properties of verts are interpolated, those of polys inherited. Points do not depend on the order of adj_e2v. Infinite values are limits of finite ones.
-/// Cost:   O(verts + polys) a value, and O(n log n) for n polys that are cut. The polys that are cut are found in parallel, with the same result for any
-///         number of threads.
-/// Errors: invalid_argument if a value is NaN, naming the vert, or if u is a map of another mesh. unsupported that names a poly that is to be cut, but
-///         whose faces do not form a sphere.
+/// Needs:  Embedded VolumeMesh with polys whose faces form spheres; u[v] is a number for each vert, readable from
+///         several threads; one value or several.
+/// Result: a polygonmesh, or as isosurface<trimesh> its triangulation, value after value, ascending, and by the polys
+///         of m. Its polys are counter-clockwise seen from larger values. It is a manifold: each edge has two polys or
+///         lies on the boundary of m. Verts with u = value count as above it. The surface bounds {u < value}; where
+///         this only touches the boundary of m, or parts of polys without larger values, there is none. Each poly is
+///         cut along closed cycles of chords across its faces, and each cycle is filled by one polygon. Chords are
+///         straight in convex faces; other faces are crossed triangle by triangle of triangulate_polygon, and faces on
+///         the boundary that are not planar triangle by triangle about the mean of their points. Named properties of
+///         verts are interpolated, those of polys inherited. Points do not depend on the order of adj_e2v. Infinite
+///         values are limits of finite ones.
+/// Cost:   O(verts + polys) a value, and O(n log n) for n polys that are cut. The polys that are cut are found in
+///         parallel, with the same result for any number of threads.
+/// Errors: invalid_argument if a value is NaN, naming the vert, or if u is a map of another mesh. unsupported that
+///         names a poly that is to be cut, but whose faces do not form a sphere.
 /// Source: on tets marching tetrahedra, Doi and Koide 1991, as the rule above is there.
 template<class To = polygonmesh, VolumeMesh M, class U, class V = std::initializer_list<double>>
-  requires Embedded<M> && requirement::gives_numbers<U, vert_t<M>> && requirement::is_value_list<V> && requirement::is_level_surface_mesh<To>
-level_surface<M, To> isosurface(const M& m, const U& u, const V& values) {
-  return detail::find_isosurface<To>(m, u, values, "isosurface");
-}
+  requires Embedded<M> && requirement::gives_numbers<U, vert_t<M>> && requirement::is_value_list<V> &&
+      requirement::is_level_surface_mesh<To>
+          level_surface<M, To> isosurface(const M& m, const U& u, const V& values) {
+    return detail::find_isosurface<To>(m, u, values, "isosurface");
+  }
 
 // What to write instead of calls that cannot compile.
 template<class... T> void isosurface(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()

@@ -37,8 +37,8 @@ double cut_measure_of(const M& m, const U& u, double level, std::vector<poly_t<M
     return volume_above(cell_parts(cuts), reader.arrays);
   }
 }
-/// The same, in parallel: where polys are cut does not depend on others, and caps of neighbours that coincide have opposite signs. A few polys at a time need
-/// little memory.
+/// The same, in parallel: where polys are cut does not depend on others, and caps of neighbours that coincide have
+/// opposite signs. A few polys at a time need little memory.
 template<class M, class U>
 double cut_measure_above(const M& m, const U& u, double level, const std::vector<poly_t<M>>& crossed) {
   constexpr std::size_t chunk = 256;
@@ -60,7 +60,8 @@ std::vector<std::uint32_t> level_ranks(const M& m, const U& u, const std::vector
   parallel_for_each(verts(m), [&](const vert_t<M>& v) {
     const double x = static_cast<double>(u[v]);
     if (std::isnan(x)) throw_value_is_nan(caller, index_of(m, v));
-    ranks[index_of(m, v)] = static_cast<std::uint32_t>(std::upper_bound(levels.begin(), levels.end(), x) - levels.begin());
+    ranks[index_of(m, v)] =
+        static_cast<std::uint32_t>(std::upper_bound(levels.begin(), levels.end(), x) - levels.begin());
   });
   return ranks;
 }
@@ -81,19 +82,21 @@ crossing_levels crossing_levels_of(const M& m, const std::vector<std::uint32_t>&
 
 /// The area of a surface, or the volume of a volume, between consecutive values of a function of its verts.
 /// Needs:  EmbeddedMesh; u[v] is a number for each vert; two values or more, which are sorted.
-/// Result: of the values a, b, c: the measures of {a <= u < b} and {b <= u <= c}; equal values count once. They are differences of the measures of
-///         clip(m, u, a), clip(m, u, b) ... On triangles and tets they are continuous in the values; on other polys they may jump where a value passes
-///         that of a vert, or the mean of the values at a face. Units of measure(m, p).
+/// Result: of the values a, b, c: the measures of {a <= u < b} and {b <= u <= c}; equal values count once. They are
+///         differences of the measures of clip(m, u, a), clip(m, u, b) ... On triangles and tets they are continuous in
+///         the values; on other polys they may jump where a value passes that of a vert, or the mean of the values at a
+///         face. Units of measure(m, p).
 /// Cost:   O(verts + polys), and O(n) for n polys that are cut, at each value by which they are cut; in parallel.
-/// Errors: invalid_argument if a value is NaN, naming the vert, if u is a map of another mesh, or if there are fewer than two values. unsupported as
-///         isosurface.
+/// Errors: invalid_argument if a value is NaN, naming the vert, if u is a map of another mesh, or if there are fewer
+///         than two values. unsupported as isosurface.
 template<EmbeddedMesh M, class U, class V = std::initializer_list<double>>
   requires requirement::gives_numbers<U, vert_t<M>> && requirement::is_value_list<V>
 std::vector<double> measure_between(const M& m, const U& u, const V& values) {
   detail::check_vert_values(m, u, "measure_between");
   std::vector<double> levels = detail::sorted_levels(values, "measure_between");
   if (levels.size() < 2) throw invalid_argument("measure_between: there must be two different values or more");
-  levels.back() = std::nextafter(levels.back(), std::numeric_limits<double>::infinity());  // the last interval is closed
+  // the last interval is closed
+  levels.back() = std::nextafter(levels.back(), std::numeric_limits<double>::infinity());
   std::vector<double> between(levels.size() - 1);
   const auto ranks = detail::level_ranks(m, u, levels, "measure_between");
   struct part {

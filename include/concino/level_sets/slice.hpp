@@ -9,10 +9,12 @@ namespace concino {
 
 /// The intersection of a mesh with a plane: the level set of the height above it.
 /// Needs:  EmbeddedMesh; a plane with a normal of any length but 0.
-/// Result: of a surface, lines as of isolines, in the plane up to rounding. Of a volume, filled polygons as of isosurface, seen counter-clockwise from above
-///         the plane; slice<trimesh> gives triangles. Where the mesh only touches the plane, there is nothing.
+/// Result: of a surface, lines as of isolines, in the plane up to rounding. Of a volume, filled polygons as of
+///         isosurface, seen counter-clockwise from above the plane; slice<trimesh> gives triangles. Where the mesh only
+///         touches the plane, there is nothing.
 /// Cost:   that of isolines or isosurface.
-/// Errors: invalid_argument if the plane has no normal or is not finite; invalid_argument that names a vert whose height is not a number. Others as isosurface.
+/// Errors: invalid_argument if the plane has no normal or is not finite; invalid_argument that names a vert whose
+///         height is not a number. Others as isosurface.
 /// Source: paper section 2.2, the slicing tool.
 template<SurfaceMesh M>
   requires Embedded<M>

@@ -11,12 +11,14 @@
 
 namespace concino {
 
-/// Values at the verts of a mesh from values at its polys: the mean over the polys at each vert, weighted by their measures.
+/// Values at the verts of a mesh from values at its polys: the mean over the polys at each vert, weighted by their
+/// measures.
 /// Needs:  EmbeddedMesh, not a temporary; q[p] is a number for each poly.
-/// Result: a map of double. Constants stay what they are. Where the measures of all polys at a vert are 0, the mean is not weighted; a vert without polys
-///         has the value 0.
+/// Result: a map of double. Constants stay what they are. Where the measures of all polys at a vert are 0, the mean is
+///         not weighted; a vert without polys has the value 0.
 /// Cost:   O(elements).
-/// Errors: none; a value or a point that is not a number makes those of the verts around it not a number, which level sets refuse.
+/// Errors: none; a value or a point that is not a number makes those of the verts around it not a number, which level
+///         sets refuse.
 template<class M, class Q>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && requirement::gives_numbers<Q, poly_t<M>>
 vert_map<M, double> to_verts(M&& m, const Q& q) {

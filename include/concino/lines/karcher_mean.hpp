@@ -27,8 +27,9 @@ concept gives_weighted_verts = core::iterable<S> && requires(const S& s) {
   { (*s.begin()).first } -> std::convertible_to<vert_t<M>>;
   { (*s.begin()).second } -> std::convertible_to<double>;
 };
-template<class M, class S>
-concept gives_several_verts = core::iterable<S> && requires(const S& s) { { *s.begin() } -> std::convertible_to<vert_t<M>>; };
+template<class M, class S> concept gives_several_verts = core::iterable<S> && requires(const S& s) {
+  { *s.begin() } -> std::convertible_to<vert_t<M>>;
+};
 
 template<class M>
 using weighted_verts = std::vector<std::pair<vert_t<M>, double>>;
@@ -42,12 +43,16 @@ weighted_verts<M> read_weighted_verts(const M& m, const S& sites, const char* ca
     if constexpr (gives_weighted_verts<M, S>) r.emplace_back(site.first, static_cast<double>(site.second));
     else r.emplace_back(site, 1.0);
     const auto& [v, weight] = r.back();
-    if (!contains(m, v)) core::throw_joined<invalid_mesh>({caller, ": a vert is not one of the mesh; take it from verts(m)"});
+    if (!contains(m, v))
+      core::throw_joined<invalid_mesh>({caller, ": a vert is not one of the mesh; take it from verts(m)"});
     if (!(weight >= 0 && std::isfinite(weight)))
-      core::throw_joined<invalid_argument>({caller, ": the weight of vert ", index_of(m, v), " is ", core::number_text(weight), "; it has to be finite and not negative"});
+      core::throw_joined<invalid_argument>({caller, ": the weight of vert ", index_of(m, v), " is ",
+                                            core::number_text(weight), "; it has to be finite and not negative"});
     sum += weight;
   }
-  if (!(sum > 0 && std::isfinite(sum))) core::throw_joined<invalid_argument>({caller, ": there is no vert with a weight above 0, or the weights are too large; give at least one"});
+  if (!(sum > 0 && std::isfinite(sum)))
+    core::throw_joined<invalid_argument>(
+        {caller, ": there is no vert with a weight above 0, or the weights are too large; give at least one"});
   for (auto& site : r) site.second /= sum;
   return r;
 }
@@ -73,7 +78,8 @@ class mean_search {
       if (!(weight > 0)) continue;
       const double d = seen.distance[w];
       if (d == std::numeric_limits<double>::infinity())
-        core::throw_joined<invalid_argument>({caller, ": no path leads from vert ", index_of(log_.mesh(), v), " to vert ", index_of(log_.mesh(), w), "; take verts of one component"});
+        core::throw_joined<invalid_argument>({caller, ": no path leads from vert ", index_of(log_.mesh(), v),
+                                              " to vert ", index_of(log_.mesh(), w), "; take verts of one component"});
       c.step = c.step + (weight * d) * seen.direction[w];
       c.energy += weight * d * d;
     }
@@ -104,7 +110,8 @@ class mean_search {
   }
 
  public:
-  mean_search(const prepared_log_map<M, Solver>& log, const weighted_verts<M>& sites) : log_(log), sites_(sites), trace_(log.mesh()) {}
+  mean_search(const prepared_log_map<M, Solver>& log, const weighted_verts<M>& sites)
+      : log_(log), sites_(sites), trace_(log.mesh()) {}
 
   mesh_point<M> run() const {
     std::size_t first = 0;
@@ -124,35 +131,46 @@ class mean_search {
 
 }  // namespace detail
 
-/// The point of a surface with the smallest mean of squared distances to some verts, near the one with the largest weight: auto x = karcher_mean(m,
-/// {v, w}), or with weights karcher_mean(m, {{v, 0.5}, {w, 2.0}}). It is where logarithmic maps have the mean 0; on the plane it is the mean of the
-/// points.
-/// Needs:  as log_map. sites: a container of verts or of pairs of a vert and a weight, or braces of either. With a prepared_log_map in place of the
-///         mesh, its factorisation is used again.
-/// Result: a point of the mesh. On flat parts exact to rounding. Elsewhere it is one step, of less than about an edge, from the best vert, with the
-///         errors of log_map. On large parts of round surfaces there may be several such points; this is one of them.
+/// The point of a surface with the smallest mean of squared distances to some verts, near the one with the largest
+/// weight: auto x = karcher_mean(m, {v, w}), or with weights karcher_mean(m, {{v, 0.5}, {w, 2.0}}). It is where
+/// logarithmic maps have the mean 0; on the plane it is the mean of the points.
+/// Needs:  as log_map. sites: a container of verts or of pairs of a vert and a weight, or braces of either. With a
+///         prepared_log_map in place of the mesh, its factorisation is used again.
+/// Result: a point of the mesh. On flat parts exact to rounding. Elsewhere it is one step, of less than about an edge,
+///         from the best vert, with the errors of log_map. On large parts of round surfaces there may be several such
+///         points; this is one of them.
 /// Cost:   as log_map; each step is a query, and commonly there are two to five.
-/// Errors: as log_map and trace_geodesic. invalid_argument if no weight is above 0, one is negative or not finite, or no path leads between two
-///         verts. invalid_mesh if a vert is not one of the mesh.
-/// Source: Karcher 1977, "Riemannian center of mass and mollifier smoothing"; Sharp, Soliman, Crane 2019, "The vector heat method", section 8.3.
+/// Errors: as log_map and trace_geodesic. invalid_argument if no weight is above 0, one is negative or not finite, or
+///         no path leads between two verts. invalid_mesh if a vert is not one of the mesh.
+/// Source: Karcher 1977, "Riemannian center of mass and mollifier smoothing"; Sharp, Soliman, Crane 2019, "The vector
+///         heat method", section 8.3.
 template<class M, class S, class Solver = ldlt>
-  requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M> && (detail::gives_weighted_verts<M, S> || detail::gives_several_verts<M, S>) &&
-           SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-mesh_point<std::remove_cvref_t<M>> karcher_mean(M&& m, const S& sites, const log_map_options& options = {}, Solver&& solver = {}) {
-  const auto weighted = detail::read_weighted_verts<std::remove_cvref_t<M>>(m, sites, "karcher_mean");
-  const auto log = prepare_log_map(m, options, solver);
-  return detail::mean_search(log, weighted).run();
-}
+  requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M> &&
+      (detail::gives_weighted_verts<M, S> || detail::gives_several_verts<M, S>)&&SparseSolver<
+          Solver, Eigen::SparseMatrix<double>,
+          Eigen::VectorXd> mesh_point<std::remove_cvref_t<M>> karcher_mean(M&& m, const S& sites,
+                                                                           const log_map_options& options = {},
+                                                                           Solver&& solver = {}) {
+    const auto weighted = detail::read_weighted_verts<std::remove_cvref_t<M>>(m, sites, "karcher_mean");
+    const auto log = prepare_log_map(m, options, solver);
+    return detail::mean_search(log, weighted).run();
+  }
 template<class M, class Solver = ldlt>
-  requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-mesh_point<std::remove_cvref_t<M>> karcher_mean(M&& m, std::initializer_list<vert_t<M>> sites, const log_map_options& options = {}, Solver&& solver = {}) {
-  return karcher_mean<M, std::initializer_list<vert_t<M>>, Solver>(m, sites, options, std::forward<Solver>(solver));
-}
+  requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M> &&
+      SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+          mesh_point<std::remove_cvref_t<M>> karcher_mean(M&& m, std::initializer_list<vert_t<M>> sites,
+                                                          const log_map_options& options = {}, Solver&& solver = {}) {
+    return karcher_mean<M, std::initializer_list<vert_t<M>>, Solver>(m, sites, options, std::forward<Solver>(solver));
+  }
 template<class M, class Solver = ldlt>
-  requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-mesh_point<std::remove_cvref_t<M>> karcher_mean(M&& m, std::initializer_list<std::pair<vert_t<M>, double>> sites, const log_map_options& options = {}, Solver&& solver = {}) {
-  return karcher_mean<M, std::initializer_list<std::pair<vert_t<M>, double>>, Solver>(m, sites, options, std::forward<Solver>(solver));
-}
+  requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M> &&
+      SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
+          mesh_point<std::remove_cvref_t<M>> karcher_mean(M&& m,
+                                                          std::initializer_list<std::pair<vert_t<M>, double>> sites,
+                                                          const log_map_options& options = {}, Solver&& solver = {}) {
+    return karcher_mean<M, std::initializer_list<std::pair<vert_t<M>, double>>, Solver>(m, sites, options,
+                                                                                        std::forward<Solver>(solver));
+  }
 template<class M, class Solver, class S>
   requires(detail::gives_weighted_verts<M, S> || detail::gives_several_verts<M, S>)
 mesh_point<M> karcher_mean(const prepared_log_map<M, Solver>& log, const S& sites) {

@@ -52,9 +52,12 @@ class path_on_surface {
       const int c = t.corner[static_cast<std::size_t>(k)];
       for (const int side : {c, core::unfolded_triangles::previous(c)})
         for (const int h : {side, intrinsic_.twin[static_cast<std::size_t>(side)]})
-          if (intrinsic_.start[static_cast<std::size_t>(h)] == from && intrinsic_.end(h) == to && !surface_.unfolded.is_diagonal(side)) return h;
+          if (intrinsic_.start[static_cast<std::size_t>(h)] == from && intrinsic_.end(h) == to &&
+              !surface_.unfolded.is_diagonal(side))
+            return h;
     }
-    core::throw_joined<invalid_argument>({caller, ": no edge with polys joins vert ", static_cast<std::size_t>(from), " to vert ", static_cast<std::size_t>(to),
+    core::throw_joined<invalid_argument>({caller, ": no edge with polys joins vert ", static_cast<std::size_t>(from),
+                                          " to vert ", static_cast<std::size_t>(to),
                                           "; give the verts of a path along edges, such as that of shortest_path"});
   }
 
@@ -62,7 +65,8 @@ class path_on_surface {
   walk_result walk_along(int h) const {
     const core::unfolded_triangles& t = triangles();
     const auto i = static_cast<std::size_t>(h), v = static_cast<std::size_t>(intrinsic_.start[i]);
-    const double whole = t.whole_turn[v], turn = t.around[v] == core::unfolded_triangles::vert_fan::fan ? whole : whole + 1;
+    const double whole = t.whole_turn[v],
+                 turn = t.around[v] == core::unfolded_triangles::vert_fan::fan ? whole : whole + 1;
     const walk_state from = leave_vert(t, intrinsic_.start[i], intrinsic_.fan_angle[i], turn);
     return walk_straight(surface_.triangles(), from, intrinsic_.length[i], t.vert.size());
   }
@@ -72,7 +76,8 @@ class path_on_surface {
     constexpr double tolerance = 1e-7;
     if (s.vert >= 0) return s.vert == v;
     if (s.is_inside) return true;
-    return (triangles().start(s.side) == v && s.along < tolerance) || (triangles().end(s.side) == v && s.along > 1 - tolerance);
+    return (triangles().start(s.side) == v && s.along < tolerance) ||
+           (triangles().end(s.side) == v && s.along > 1 - tolerance);
   }
 
   void add_points(int h, std::vector<mesh_point<M>>& points) const {
@@ -86,13 +91,16 @@ class path_on_surface {
   }
 
  public:
-  path_on_surface(const M& m, const surface_with_lengths<M>& prepared) : m_(m), surface_(prepared.surface), intrinsic_(prepared.intrinsic) {}
+  path_on_surface(const M& m, const surface_with_lengths<M>& prepared)
+      : m_(m), surface_(prepared.surface), intrinsic_(prepared.intrinsic) {}
 
   template<class P>
   geodesic_path<M> straightened(const P& path, bool is_closed) {
     std::vector<int> number, half_edges;
     for (const vert_t<M>& v : path) {
-      if (!contains(m_, v)) core::throw_joined<invalid_mesh>({caller, ": the path has a vert that is not one of the mesh; take it from verts(m)"});
+      if (!contains(m_, v))
+        core::throw_joined<invalid_mesh>(
+            {caller, ": the path has a vert that is not one of the mesh; take it from verts(m)"});
       const int i = static_cast<int>(index_of(m_, v));
       if (number.empty() || number.back() != i) number.push_back(i);
     }
@@ -104,7 +112,8 @@ class path_on_surface {
     if (number.empty()) return r;
     r.length = 0;
     if (straight.empty() && is_closed) return r;
-    r.points.push_back(surface_.at_vert(straight.empty() ? number.front() : intrinsic_.start[static_cast<std::size_t>(straight.front())]));
+    r.points.push_back(surface_.at_vert(
+        straight.empty() ? number.front() : intrinsic_.start[static_cast<std::size_t>(straight.front())]));
     for (const int h : straight) {
       r.length += intrinsic_.length[static_cast<std::size_t>(h)];
       add_points(h, r.points);
@@ -115,8 +124,9 @@ class path_on_surface {
   }
 };
 
-template<class M, class P>
-concept gives_path = core::iterable<P> && requires(const P& path) { { *path.begin() } -> std::convertible_to<vert_t<M>>; };
+template<class M, class P> concept gives_path = core::iterable<P> && requires(const P& path) {
+  { *path.begin() } -> std::convertible_to<vert_t<M>>;
+};
 
 }  // namespace detail
 
@@ -128,7 +138,8 @@ class prepared_straighten {
   std::shared_ptr<const detail::surface_with_lengths<M>> prepared_;
 
  public:
-  explicit prepared_straighten(const M& m) : mesh_(m), prepared_(std::make_shared<const detail::surface_with_lengths<M>>(m, "straighten")) {}
+  explicit prepared_straighten(const M& m)
+      : mesh_(m), prepared_(std::make_shared<const detail::surface_with_lengths<M>>(m, "straighten")) {}
 
   const M& mesh() const { return mesh_.get(); }
 
@@ -149,26 +160,31 @@ class prepared_straighten {
 
 /// Prepares a surface for many paths: auto s = prepare_straighten(m); auto g = s.straighten(path).
 /// Needs:  as straighten; the mesh must not change afterwards.
-/// Result: an object with straighten(path).      Cost: O(size of the mesh).      Errors: as straighten, except those about the path.
+/// Result: an object with straighten(path).      Cost: O(size of the mesh).      Errors: as straighten, except those
+///         about the path.
 template<class M>
   requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M>
 prepared_straighten<std::remove_cvref_t<M>> prepare_straighten(M&& m) {
   return prepared_straighten<std::remove_cvref_t<M>>(m);
 }
 
-/// A path along edges of a surface, shortened over the surface until it is straight: auto g = straighten(m, shortest_path(m, v, w)). It passes to
-/// either side of the verts on its way, but never over one that is a bump or a hole.
-/// Needs:  Embedded SurfaceMesh, not a temporary, orientable, with or without boundary. The polys at each vert are one fan. path: a container of
-///         verts, or braces; consecutive verts are joined by edges. With .closed the last one is joined to the first one, too.
-/// Result: a path between the same verts, or a closed one, whose last point is joined to the first one. It is a geodesic that can be reached from
-///         the path by shortening, and never longer than the path. If the shortest path can be reached, and there are no others, it is that. See
-///         geodesic_path; where it crosses a diagonal of a polygon that is not a triangle, the point is in the poly. Polygons are triangulated. A
-///         closed path that shrinks to a vert has no points. One that ends as a single loop at a vert may have a corner there. Where the path
-///         crosses itself at a vert, it may keep a corner.
-/// Cost:   O(size of the mesh) to prepare, see prepare_straighten, and a number of flips that depends on the path: in practice proportional to the
-///         edges between both paths.
-/// Errors: invalid_argument if consecutive verts are not joined by an edge of a poly. invalid_mesh if a vert is not one of the mesh, or a poly has
-///         no area or points that are not finite. unsupported if the surface is not orientable, or the polys at a vert are not one fan.
+/// A path along edges of a surface, shortened over the surface until it is straight: auto g = straighten(m,
+/// shortest_path(m, v, w)). It passes to either side of the verts on its way, but never over one that is a bump or a
+/// hole.
+/// Needs:  Embedded SurfaceMesh, not a temporary, orientable, with or without boundary. The polys at each vert are one
+///         fan. path: a container of verts, or braces; consecutive verts are joined by edges. With .closed the last one
+///         is joined to the first one, too.
+/// Result: a path between the same verts, or a closed one, whose last point is joined to the first one. It is a
+///         geodesic that can be reached from the path by shortening, and never longer than the path. If the shortest
+///         path can be reached, and there are no others, it is that. See geodesic_path; where it crosses a diagonal of
+///         a polygon that is not a triangle, the point is in the poly. Polygons are triangulated. A closed path that
+///         shrinks to a vert has no points. One that ends as a single loop at a vert may have a corner there. Where the
+///         path crosses itself at a vert, it may keep a corner.
+/// Cost:   O(size of the mesh) to prepare, see prepare_straighten, and a number of flips that depends on the path: in
+///         practice proportional to the edges between both paths.
+/// Errors: invalid_argument if consecutive verts are not joined by an edge of a poly. invalid_mesh if a vert is not one
+///         of the mesh, or a poly has no area or points that are not finite. unsupported if the surface is not
+///         orientable, or the polys at a vert are not one fan.
 /// Source: Sharp, Crane 2020, "You can find geodesic paths in triangle meshes by just flipping edges".
 template<class M, class P>
   requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M> && detail::gives_path<M, P>
@@ -176,10 +192,10 @@ geodesic_path<std::remove_cvref_t<M>> straighten(M&& m, const P& path, const str
   return prepare_straighten(m).straighten(path, options);
 }
 template<class M>
-  requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M>
-geodesic_path<std::remove_cvref_t<M>> straighten(M&& m, std::initializer_list<vert_t<M>> path, const straighten_options& options = {}) {
-  return prepare_straighten(m).straighten(path, options);
-}
+  requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M> geodesic_path<std::remove_cvref_t<M>>
+  straighten(M&& m, std::initializer_list<vert_t<M>> path, const straighten_options& options = {}) {
+    return prepare_straighten(m).straighten(path, options);
+  }
 
 // What to write instead of calls that cannot compile.
 template<class... T> void prepare_straighten(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()

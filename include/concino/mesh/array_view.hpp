@@ -1,5 +1,6 @@
-// array_view: the type of the meshes that view_tri, view_quad and so on return. Coordinates and the verts of polys are read from the user's arrays;
-// all other adjacencies are stored in tables. Not part of <concino/mesh.hpp>, as view_arrays.hpp.
+// array_view: the type of the meshes that view_tri, view_quad and so on return. Coordinates and the verts of polys are
+// read from the user's arrays; all other adjacencies are stored in tables. Not part of <concino/mesh.hpp>, as
+// view_arrays.hpp.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -15,14 +16,16 @@ namespace concino {
 
 namespace views {
 
-/// A mesh over arrays. Points: points[i] is a vec3, points.size(). Copies share the tables. Dimension and Arity as in mesh_traits; Arity 0: not fixed.
+/// A mesh over arrays. Points: points[i] is a vec3, points.size(). Copies share the tables. Dimension and Arity as in
+/// mesh_traits; Arity 0: not fixed.
 template<int Dimension, int Arity, class Points, class Tables>
 class array_view {
   Points points_;
   std::shared_ptr<const Tables> tables_;
 
  public:
-  array_view(Points points, Tables tables) : points_(std::move(points)), tables_(std::make_shared<const Tables>(std::move(tables))) {}
+  array_view(Points points, Tables tables)
+      : points_(std::move(points)), tables_(std::make_shared<const Tables>(std::move(tables))) {}
   const Points& points() const { return points_; }
   const Tables& tables() const { return *tables_; }
 };

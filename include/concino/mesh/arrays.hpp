@@ -1,4 +1,5 @@
-// Flat arrays that describe a whole mesh: file readers return them, meshes are built from them and can be converted back to them.
+// Flat arrays that describe a whole mesh: file readers return them, meshes are built from them and can be converted
+// back to them.
 #pragma once
 
 #include <concino/concepts/descriptors.hpp>
@@ -10,8 +11,9 @@
 
 namespace concino {
 
-/// A surface. The verts of all polys are stored one after another: poly p has verts[offsets[p]] .. verts[offsets[p+1]-1]. offsets has one entry
-/// more than there are polys and begins with 0. If every poly has `arity` verts (> 0), offsets stays empty.
+/// A surface. The verts of all polys are stored one after another: poly p has verts[offsets[p]] ..
+/// verts[offsets[p+1]-1]. offsets has one entry more than there are polys and begins with 0. If every poly has `arity`
+/// verts (> 0), offsets stays empty.
 struct surface_arrays {
   std::vector<vec3> points;
   std::vector<std::uint32_t> offsets;
@@ -30,8 +32,8 @@ struct cell_arrays {
   std::size_t num_polys() const { return verts.size() / arity; }
 };
 
-/// A volume of general polyhedra: faces are lists of verts, polys are lists of faces. outward[i] says whether the verts of face poly_faces[i], in
-/// the order listed, run counter-clockwise seen from outside the poly.
+/// A volume of general polyhedra: faces are lists of verts, polys are lists of faces. outward[i] says whether the verts
+/// of face poly_faces[i], in the order listed, run counter-clockwise seen from outside the poly.
 struct polyhedra_arrays {
   std::vector<vec3> points;
   std::vector<std::uint32_t> face_offsets;

@@ -12,7 +12,8 @@ namespace concino {
 
 namespace views {
 
-/// A surface whose polys are faces of M. A face whose verts run clockwise seen from outside in M has its verts and edges stored here in reversed order.
+/// A surface whose polys are faces of M. A face whose verts run clockwise seen from outside in M has its verts and
+/// edges stored here in reversed order.
 template<VolumeMesh M>
 class boundary_view : public partial_view<M> {
  public:
@@ -22,7 +23,8 @@ class boundary_view : public partial_view<M> {
     std::vector<std::size_t> first;  // by face index, one more than the bound; empty if no face is reversed
   };
 
-  boundary_view(const M& m, std::shared_ptr<const detail::visible_elements> elements, std::shared_ptr<const turned_faces> turned)
+  boundary_view(const M& m, std::shared_ptr<const detail::visible_elements> elements,
+                std::shared_ptr<const turned_faces> turned)
       : partial_view<M>(m, std::move(elements)), turned_(std::move(turned)) {}
   const turned_faces& turned() const { return *turned_; }
 
@@ -62,7 +64,8 @@ class outward_ring {
     bool operator!=(sentinel) const { return turned_ ? turned_ != r_->last_ : listed_ != r_->listed_.end(); }
   };
 
-  outward_ring(const views::boundary_view<M>& b, const face_t<M>& f, const Verb& verb, const std::vector<X>& turned) : listed_(verb(b.base(), f)) {
+  outward_ring(const views::boundary_view<M>& b, const face_t<M>& f, const Verb& verb, const std::vector<X>& turned)
+      : listed_(verb(b.base(), f)) {
     const auto& t = b.turned();
     if (t.first.empty()) return;
     const std::size_t i = index_of(b.base(), f);
@@ -99,32 +102,43 @@ struct mesh_traits<views::boundary_view<M>> : detail::partial_view_traits<views:
   static bool contains(const V& m, const poly& x) { return base::is_visible(m, m.elements().faces, x); }
 
   static auto polys(const V& m) {
-    return detail::filtered([&]() -> decltype(auto) { return traits<M>::faces(m.base()); }, base::visible_in(m, m.elements().faces));
+    return detail::filtered([&]() -> decltype(auto) { return traits<M>::faces(m.base()); },
+                            base::visible_in(m, m.elements().faces));
   }
   static auto adj_v2p(const V& m, const vert& v) {
-    return detail::filtered([&]() -> decltype(auto) { return traits<M>::adj_v2f(m.base(), v); }, base::visible_in(m, m.elements().faces));
+    return detail::filtered([&]() -> decltype(auto) { return traits<M>::adj_v2f(m.base(), v); },
+                            base::visible_in(m, m.elements().faces));
   }
   static auto adj_e2p(const V& m, const edge& e) {
-    return detail::filtered([&]() -> decltype(auto) { return traits<M>::adj_e2f(m.base(), e); }, base::visible_in(m, m.elements().faces));
+    return detail::filtered([&]() -> decltype(auto) { return traits<M>::adj_e2f(m.base(), e); },
+                            base::visible_in(m, m.elements().faces));
   }
   static auto adj_p2p(const V& m, const poly& p) {
-    return detail::filtered([&]() -> decltype(auto) { return adj_f2f(m.base(), p); }, base::visible_in(m, m.elements().faces));
+    return detail::filtered([&]() -> decltype(auto) { return adj_f2f(m.base(), p); },
+                            base::visible_in(m, m.elements().faces));
   }
-  static auto adj_p2v(const V& m, const poly& p) { return detail::outward_ring<M, vert, adj_f2v_verb>(m, p, adj_f2v, m.turned().verts); }
-  static auto adj_p2e(const V& m, const poly& p) { return detail::outward_ring<M, edge, adj_f2e_verb>(m, p, adj_f2e, m.turned().edges); }
+  static auto adj_p2v(const V& m, const poly& p) {
+    return detail::outward_ring<M, vert, adj_f2v_verb>(m, p, adj_f2v, m.turned().verts);
+  }
+  static auto adj_p2e(const V& m, const poly& p) {
+    return detail::outward_ring<M, edge, adj_f2e_verb>(m, p, adj_f2e, m.turned().edges);
+  }
 };
 
-/// Needs:  VolumeMesh M. A mesh that owns its elements must outlive the view, so a temporary one is refused; of a view it keeps a copy.
-/// Result: a SurfaceMesh (a TriMesh of tets, a QuadMesh of hexes) whose polys are the faces with exactly one poly, wound counter-clockwise
-///         seen from outside that poly, and whose verts and edges are those of these faces. Descriptors and indices are those of m, so a
-///         poly of the surface is a face_t<M>. The view does not follow later changes of m.
-/// Cost:   O(elements of m) time; four bits per vert, edge and face and the verts and edges of the reversed faces, which copies share.
+/// Needs:  VolumeMesh M. A mesh that owns its elements must outlive the view, so a temporary one is refused; of a view
+///         it keeps a copy.
+/// Result: a SurfaceMesh (a TriMesh of tets, a QuadMesh of hexes) whose polys are the faces with exactly one poly,
+///         wound counter-clockwise seen from outside that poly, and whose verts and edges are those of these faces.
+///         Descriptors and indices are those of m, so a poly of the surface is a face_t<M>. The view does not follow
+///         later changes of m.
+/// Cost:   O(elements of m) time; four bits per vert, edge and face and the verts and edges of the reversed faces,
+///         which copies share.
 /// Errors: none of its own.
 template<VolumeMesh M>
 auto boundary(const M& m) {
   auto s = std::make_shared<detail::visible_elements>(detail::visible_elements{
-      detail::element_mask(vert_index_bound(m)), detail::element_mask(edge_index_bound(m)), detail::element_mask(face_index_bound(m)),
-      detail::element_mask(0), detail::element_mask(vert_index_bound(m))});
+      detail::element_mask(vert_index_bound(m)), detail::element_mask(edge_index_bound(m)),
+      detail::element_mask(face_index_bound(m)), detail::element_mask(0), detail::element_mask(vert_index_bound(m))});
   auto turned = std::make_shared<typename views::boundary_view<M>::turned_faces>();
   std::vector<std::uint32_t> sizes;  // of the reversed faces, by face index
   for (const auto f : faces(m)) {

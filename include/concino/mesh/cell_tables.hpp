@@ -1,6 +1,7 @@
-// All adjacencies of a mesh of tetrahedra or of hexahedra in flat arrays, built in linear time from the verts of each cell. The tables store what
-// graph algorithms traverse and what cannot be derived. They derive on the fly: verts, edges and polys of a face (from the poly that owns it),
-// polys and faces around an edge (by steps from poly to poly), faces at a vert.
+// All adjacencies of a mesh of tetrahedra or of hexahedra in flat arrays, built in linear time from the verts of each
+// cell. The tables store what graph algorithms traverse and what cannot be derived. They derive on the fly: verts,
+// edges and polys of a face (from the poly that owns it), polys and faces around an edge (by steps from poly to poly),
+// faces at a vert.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -19,7 +20,8 @@ namespace detail {
 template<class Shape> class cell_cavity;
 }
 
-/// Lists: where the verts of polys are stored, either in rows of these tables, which can be edited, or in an array of the user.
+/// Lists: where the verts of polys are stored, either in rows of these tables, which can be edited, or in an array of
+/// the user.
 template<class Shape, class Lists = detail::jagged_array<vert_id, Shape::verts>>
 class cell_tables {
   template<class, class> friend class cell_tables;
@@ -51,7 +53,8 @@ class cell_tables {
 
   /// From the verts of every poly in the standard order. Linear time and memory.
   /// Errors: invalid_mesh that names the poly with a bad or a repeated vert.
-  cell_tables(std::size_t vert_count, std::vector<vert_id> polys) : p2v_(detail::checked_lists<Shape::verts>(std::move(polys), "cell_tables: poly")) {
+  cell_tables(std::size_t vert_count, std::vector<vert_id> polys)
+      : p2v_(detail::checked_lists<Shape::verts>(std::move(polys), "cell_tables: poly")) {
     detail::check_counts("cell_tables", vert_count, p2v_.size(), p2v_.num_values());
     build(vert_count);
   }
@@ -61,11 +64,12 @@ class cell_tables {
   cell_tables(std::size_t vert_count, std::vector<vert_id> polys, Order order)
       : cell_tables(vert_count, detail::to_standard_order(std::move(polys), order)) {}
   /// From lists stored elsewhere, and from tables that were built from a copy of these lists.
-  cell_tables(cell_tables<Shape>&& built, Lists elsewhere)
-    requires(!std::same_as<Lists, detail::jagged_array<vert_id, Shape::verts>>)
-      : verts_(std::move(built.verts_)), edges_(std::move(built.edges_)), faces_(std::move(built.faces_)), polys_(std::move(built.polys_)),
-        p2v_(std::move(elsewhere)), p2e_(std::move(built.p2e_)), facet_adjacency_(std::move(built.facet_adjacency_)), e2v_(std::move(built.e2v_)),
-        e2p_(std::move(built.e2p_)), poly_lists_(std::move(built.poly_lists_)), incident_edges_(std::move(built.incident_edges_)),
+  cell_tables(cell_tables<Shape>&& built,
+              Lists elsewhere) requires(!std::same_as<Lists, detail::jagged_array<vert_id, Shape::verts>>)
+      : verts_(std::move(built.verts_)), edges_(std::move(built.edges_)), faces_(std::move(built.faces_)),
+        polys_(std::move(built.polys_)), p2v_(std::move(elsewhere)), p2e_(std::move(built.p2e_)),
+        facet_adjacency_(std::move(built.facet_adjacency_)), e2v_(std::move(built.e2v_)), e2p_(std::move(built.e2p_)),
+        poly_lists_(std::move(built.poly_lists_)), incident_edges_(std::move(built.incident_edges_)),
         v2p_(std::move(built.v2p_)) {}
 
   const detail::alive_elements<vert_id>& verts() const { return verts_; }
@@ -75,10 +79,16 @@ class cell_tables {
 
   id_span<vert_id> adj_v2v(vert_id v) const { return incident_edges_.verts(v); }
   id_span<edge_id> adj_v2e(vert_id v) const { return incident_edges_.edges(v); }
-  auto adj_v2f(vert_id v) const { return detail::owned_faces<cell_tables, id_span<poly_id>, detail::faces_at_vert, detail::shape_tables<Shape>::valence>(this, adj_v2p(v), {v}); }
+  auto adj_v2f(vert_id v) const {
+    return detail::owned_faces<cell_tables, id_span<poly_id>, detail::faces_at_vert,
+                               detail::shape_tables<Shape>::valence>(this, adj_v2p(v), {v});
+  }
   id_span<poly_id> adj_v2p(vert_id v) const { return v2p_[v.raw()]; }
   id_span<vert_id> adj_e2v(edge_id e) const { return e2v_[e.raw()]; }
-  auto adj_e2f(edge_id e) const { return detail::owned_faces<cell_tables, detail::polys_around_edge<cell_tables>, detail::faces_at_edge, 2>(this, adj_e2p(e), {e}); }
+  auto adj_e2f(edge_id e) const {
+    return detail::owned_faces<cell_tables, detail::polys_around_edge<cell_tables>, detail::faces_at_edge, 2>(
+        this, adj_e2p(e), {e});
+  }
   detail::polys_around_edge<cell_tables> adj_e2p(edge_id e) const { return {this, e}; }
   detail::inline_array<vert_id, Shape::face_verts> adj_f2v(face_id f) const {
     const auto [p, k] = facet_adjacency_.owner(f);
@@ -100,11 +110,13 @@ class cell_tables {
   id_span<face_id> adj_p2f(poly_id p) const { return facet_adjacency_.facets(p); }
   detail::adjacent_polys adj_p2p(poly_id p) const { return facet_adjacency_.polys(p); }
 
-  /// The number of the first corner of p; the other corners of p follow. All corner numbers are below corner_bound(). Edits do not change them.
+  /// The number of the first corner of p; the other corners of p follow. All corner numbers are below corner_bound().
+  /// Edits do not change them.
   std::size_t first_corner(poly_id p) const { return p2v_.first(p.raw()); }
   std::size_t corner_bound() const { return p2v_.num_values(); }
 
-  /// Whether the verts of f run counter-clockwise seen from outside p. This holds for the owner of f; for another poly the orders are compared.
+  /// Whether the verts of f run counter-clockwise seen from outside p. This holds for the owner of f; for another poly
+  /// the orders are compared.
   bool face_is_outward(poly_id p, face_id f) const {
     if (facet_adjacency_.owner(f).poly == p.raw()) return true;
     const auto verts = adj_f2v(f);
@@ -113,13 +125,14 @@ class cell_tables {
       if (faces[k] != f) continue;
       const auto v = p2v_[p.raw()];
       for (unsigned i = 0; i < Shape::face_verts; ++i)
-        if (v[Shape::face_vert[k][i]] == verts[0]) return v[Shape::face_vert[k][(i + 1) % Shape::face_verts]] == verts[1];
+        if (v[Shape::face_vert[k][i]] == verts[0])
+          return v[Shape::face_vert[k][(i + 1) % Shape::face_verts]] == verts[1];
     }
     return false;
   }
 
-  // Edits have the strong exception guarantee: they allocate all memory first, which changes no element, and cannot fail afterwards. Before the
-  // change they call `grow` with the index bounds after the edit; `grow` may throw too.
+  // Edits have the strong exception guarantee: they allocate all memory first, which changes no element, and cannot
+  // fail afterwards. Before the change they call `grow` with the index bounds after the edit; `grow` may throw too.
 
   /// Adds a vert without edges.
   vert_id add_vert(function_ref<void(const detail::index_bounds&)> grow = {});
@@ -128,21 +141,25 @@ class cell_tables {
   /// Errors: invalid_mesh as in the constructor; the tables are unchanged then.
   poly_id add_poly(std::span<const vert_id> corners, function_ref<void(const detail::index_bounds&)> grow = {});
 
-  /// Replaces a few polys by others, as concepts/editable.hpp says. Cost: the old and new polys, and the edges and polys at their verts.
-  /// Errors: invalid_mesh if the cavity lists elements that do not exist, lists some twice or lacks a vert of an old poly; if the constructor would
-  ///         refuse a new poly; if it removes a vert that keeps a poly. The tables are unchanged then.
-  void rewire(const detail::native_cavity& c, const detail::native_cavity_result& made, function_ref<void(const detail::index_bounds&)> grow = {},
-              detail::edit_log* log = nullptr);
+  /// Replaces a few polys by others, as concepts/editable.hpp says. Cost: the old and new polys, and the edges and
+  /// polys at their verts.
+  /// Errors: invalid_mesh if the cavity lists elements that do not exist, lists some twice or lacks a vert of an old
+  ///         poly; if the constructor would refuse a new poly; if it removes a vert that keeps a poly. The tables are
+  ///         unchanged then.
+  void rewire(const detail::native_cavity& c, const detail::native_cavity_result& made,
+              function_ref<void(const detail::index_bounds&)> grow = {}, detail::edit_log* log = nullptr);
 
   /// Calls f for every array of the tables, for undoing edits.
   template<class F>
   void for_each_array(const F& f) {
-    f(verts_), f(edges_), f(faces_), f(polys_), f(p2v_), f(p2e_), f(e2v_), f(e2p_), f(poly_lists_), f(incident_edges_), f(v2p_);
+    f(verts_), f(edges_), f(faces_), f(polys_), f(p2v_), f(p2e_), f(e2v_), f(e2p_), f(poly_lists_), f(incident_edges_),
+        f(v2p_);
     facet_adjacency_.for_each_array(f);
   }
   static constexpr std::uint32_t num_arrays = 11 + detail::facet_adjacency<face_id, Shape::faces>::num_arrays;
 
-  /// Allocates the memory for the removal of these polys and of verts without polys. These removals cannot fail afterwards.
+  /// Allocates the memory for the removal of these polys and of verts without polys. These removals cannot fail
+  /// afterwards.
   void reserve_removal(std::span<const poly_id> polys);
 
   /// Removes p and the faces and edges that no other poly has; verts stay. The ids of other elements do not change.
@@ -213,8 +230,8 @@ class cell_tables {
   }
   std::uint32_t count_polys(edge_id e) const;
 
-  /// Updates e after polys at it were added or removed, so that n polys remain: sets the start of the walk around e, or its poly list, or removes e.
-  /// Needs memory in the poly list of e, or for a new list if n > 1.
+  /// Updates e after polys at it were added or removed, so that n polys remain: sets the start of the walk around e, or
+  /// its poly list, or removes e. Needs memory in the poly list of e, or for a new list if n > 1.
   void update_fan(edge_id e, std::uint32_t n);
 
   static constexpr unsigned valence = detail::shape_tables<Shape>::valence;
@@ -223,8 +240,9 @@ class cell_tables {
   class builder;
   void build(std::size_t vert_count);
 
-  /// Whether the walk around e returns to the first poly before it has met all n polys. Two polys are assumed to share at most one face at e: then no
-  /// closed walk has fewer than 3 steps, and the last steps are not needed. The answer is no if the walk ends at the boundary.
+  /// Whether the walk around e returns to the first poly before it has met all n polys. Two polys are assumed to share
+  /// at most one face at e: then no closed walk has fewer than 3 steps, and the last steps are not needed. The answer
+  /// is no if the walk ends at the boundary.
   bool closes_early(edge_id e, std::uint32_t n) const;
 
   /// Marks e for a poly list unless the walk around it meets `uses` polys.

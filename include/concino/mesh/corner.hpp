@@ -31,8 +31,8 @@ vert_t<M> vert_at(const M& m, const corner<M>& c) {
   return *it;
 }
 
-/// A value of type T for every corner of the polys that a mesh had when the map was made, in one array. Use it for values that differ between
-/// polys at the same vert, such as texture coordinates and normals at creases.
+/// A value of type T for every corner of the polys that a mesh had when the map was made, in one array. Use it for
+/// values that differ between polys at the same vert, such as texture coordinates and normals at creases.
 /// Needs:  an AnyMesh that is not moved or destroyed while the map is used; of a view the map keeps a copy.
 /// Result: map[c] is a reference, map.of(p) the values of all corners of p in the order of adj_p2v.
 /// Cost:   one array of values, one number per poly.
@@ -70,7 +70,8 @@ class corner_map {
 };
 
 /// A map with the same value `init` at every corner of m.
-/// Needs:  AnyMesh, no temporary (views may be); T other than bool (take unsigned char).      Result: a map[corner] of T.
+/// Needs:  AnyMesh, no temporary (views may be); T other than bool (take unsigned char).      Result: a map[corner] of
+///         T.
 /// Cost:   O(corners) time and memory.                                   Errors: none.
 template<class T, class M>
   requires requirement::is_lvalue_or_view<M> && AnyMesh<M> && (!std::is_same_v<T, bool>)

@@ -1,11 +1,12 @@
 // The orders in which a list gives the corners of a hex or tet: the standard one and those of other libraries.
 //
-//   auto hexes = cn::view_hex(points, cells, cn::hex_order::lexicographic);      // also hexmesh(points, cells, order), hex_tables(n, cells, order)
+//   auto hexes = cn::view_hex(points, cells, cn::hex_order::lexicographic);      // also hexmesh(points, cells, order),
+//   hex_tables(n, cells, order)
 //
 // If a hex is the unit cube with corner 0 at the origin, the corners are at (x, y, z):
 //
-//   standard        000 100 110 010 001 101 111 011    the bottom face, then the top face, both counter-clockwise seen from above
-//   lexicographic   000 100 010 110 001 101 011 111    x fastest, as in deal.II and the voxels of VTK
+//   standard        000 100 110 010 001 101 111 011    the bottom face, then the top face, both counter-clockwise seen
+//   from above lexicographic   000 100 010 110 001 101 011 111    x fastest, as in deal.II and the voxels of VTK
 //   mirrored ...    the same for a mirrored hex: read as standard, its volume is negative
 //
 // Corners 0, 1, 2 of a standard tet are counter-clockwise seen from corner 3.
@@ -20,15 +21,34 @@
 
 namespace concino {
 
-/// The order of the eight corners of a hex. `standard` is the order of this library, of the paper, of VTK, Abaqus, Gmsh and MEDIT.
-enum class hex_order : std::uint8_t { standard, vtk = standard, abaqus = standard, gmsh = standard, medit = standard, lexicographic, mirrored, mirrored_lexicographic };
+/// The order of the eight corners of a hex. `standard` is the order of this library, of the paper, of VTK, Abaqus, Gmsh
+/// and MEDIT.
+enum class hex_order : std::uint8_t {
+  standard,
+  vtk = standard,
+  abaqus = standard,
+  gmsh = standard,
+  medit = standard,
+  lexicographic,
+  mirrored,
+  mirrored_lexicographic
+};
 
-/// The order of the four corners of a tet. `standard` is the order of this library, of VTK, Abaqus, Gmsh and MEDIT: volumes are positive.
-enum class tet_order : std::uint8_t { standard, vtk = standard, abaqus = standard, gmsh = standard, medit = standard, mirrored };
+/// The order of the four corners of a tet. `standard` is the order of this library, of VTK, Abaqus, Gmsh and MEDIT:
+/// volumes are positive.
+enum class tet_order : std::uint8_t {
+  standard,
+  vtk = standard,
+  abaqus = standard,
+  gmsh = standard,
+  medit = standard,
+  mirrored
+};
 
 namespace detail {
 
-inline constexpr std::uint8_t hex_permutations[4][8] = {{0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 3, 2, 4, 5, 7, 6}, {0, 3, 2, 1, 4, 7, 6, 5}, {0, 2, 3, 1, 4, 6, 7, 5}};
+inline constexpr std::uint8_t hex_permutations[4][8] = {
+    {0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 3, 2, 4, 5, 7, 6}, {0, 3, 2, 1, 4, 7, 6, 5}, {0, 2, 3, 1, 4, 6, 7, 5}};
 inline constexpr std::uint8_t tet_permutations[2][4] = {{0, 1, 2, 3}, {0, 1, 3, 2}};
 
 /// A table: entry k is the position, in a list of the other order, of the k-th corner of the standard order.

@@ -1,4 +1,5 @@
-// Named, typed properties of corners, such as texture coordinates and normals at creases. The mesh owns them, as it owns those of its elements.
+// Named, typed properties of corners, such as texture coordinates and normals at creases. The mesh owns them, as it
+// owns those of its elements.
 #pragma once
 
 #include <concino/mesh/corner.hpp>
@@ -10,7 +11,8 @@
 
 namespace concino {
 
-/// A mesh with corner numbers. The corners of poly p are numbered from first_corner(m, p) on; all numbers are below corner_index_bound(m).
+/// A mesh with corner numbers. The corners of poly p are numbered from first_corner(m, p) on; all numbers are below
+/// corner_index_bound(m).
 template<class M>
 concept NumbersCorners = requires(const std::remove_cvref_t<M>& m, const poly_t<M>& p) {
   { traits<M>::first_corner(m, p) } -> std::convertible_to<std::size_t>;
@@ -25,8 +27,9 @@ std::size_t corner_index(const M& m, const corner<M>& c) {
   return traits<M>::first_corner(m, c.poly) + c.k;
 }
 
-/// A handle to one property of corners: u[c] is the value at a corner, u.of(p) the values of all corners of p in the order of adj_p2v. The mesh must
-/// not be moved or destroyed while the handle is used; of a view the handle keeps a copy. Const T: read-only.
+/// A handle to one property of corners: u[c] is the value at a corner, u.of(p) the values of all corners of p in the
+/// order of adj_p2v. The mesh must not be moved or destroyed while the handle is used; of a view the handle keeps a
+/// copy. Const T: read-only.
 template<class M, class T>
 class corner_property_map {
   detail::mesh_ref<M> mesh_;
@@ -59,7 +62,8 @@ class corner_property_map {
 template<class T, HasProperties M>
   requires NumbersCorners<M>
 corner_property_map<M, T> corner_property(M& m, std::string_view name) {
-  return {m, traits<M>::properties(m).get(element_kind::corner, name, detail::values_of<T>, traits<M>::corner_index_bound(m))};
+    return {m, traits<M>::properties(m).get(element_kind::corner, name, detail::values_of<T>,
+                                            traits<M>::corner_index_bound(m))};
 }
 
 /// Read-only access to the property `name` of m's corners.

@@ -16,8 +16,10 @@
 
 namespace concino {
 
-/// The origins of copied elements: the n-th element of the new mesh is a copy of the n-th of `sources`, which are elements of the mesh before.
-/// Needs:  index_of(before, x) for each source.      Result: one origin for each.      Cost: O(sources).      Errors: none.
+/// The origins of copied elements: the n-th element of the new mesh is a copy of the n-th of `sources`, which are
+/// elements of the mesh before.
+/// Needs:  index_of(before, x) for each source.      Result: one origin for each.      Cost: O(sources).      Errors:
+///         none.
 template<class M, class X>
 element_origins origins_of(const M& before, const std::vector<X>& sources) {
   std::vector<std::uint32_t> single;
@@ -69,14 +71,16 @@ std::uint32_t find_edge(const M& m, const elements_by_index<vert_t<M>>& by_index
   if (!by_index.exists[a]) return element_origins::none;
   for (const edge_t<M> e : adj_v2e(m, by_index.elements[a])) {
     const auto ends = end_verts(m, e);
-    if (index_of(m, ends.first) == b || index_of(m, ends.second) == b) return static_cast<std::uint32_t>(index_of(m, e));
+    if (index_of(m, ends.first) == b || index_of(m, ends.second) == b)
+      return static_cast<std::uint32_t>(index_of(m, e));
   }
   return element_origins::none;
 }
 
 /// A face of m that has all of these verts, at least three; if possible, one that has no others.
 template<class M>
-std::uint32_t face_around(const M& m, const elements_by_index<vert_t<M>>& by_index, const std::vector<std::uint32_t>& wanted) {
+std::uint32_t face_around(const M& m, const elements_by_index<vert_t<M>>& by_index,
+                          const std::vector<std::uint32_t>& wanted) {
   std::uint32_t found = element_origins::none;
   if (!by_index.exists[wanted[0]]) return found;
   for (const face_t<M> f : adj_v2f(m, by_index.elements[wanted[0]])) {
@@ -94,7 +98,8 @@ std::uint32_t face_around(const M& m, const elements_by_index<vert_t<M>>& by_ind
 
 /// The origin of an edge of m between the origins of its ends; `none` if there is no such edge.
 template<class From, class To>
-origin match_edge(const From& before, const To& m, const element_origins& of_verts, const elements_by_index<vert_t<From>>& by_index, const edge_t<To>& e) {
+origin match_edge(const From& before, const To& m, const element_origins& of_verts,
+                  const elements_by_index<vert_t<From>>& by_index, const edge_t<To>& e) {
   const auto ends = end_verts(m, e);
   const auto first = of_verts[index_of(m, ends.first)], second = of_verts[index_of(m, ends.second)];
   joint_origins joint;
@@ -128,14 +133,16 @@ class single_origins {
 };
 
 template<class From, class To>
-element_origins match_edges(const From& before, const To& m, const element_origins& of_verts, const elements_by_index<vert_t<From>>& by_index) {
+element_origins match_edges(const From& before, const To& m, const element_origins& of_verts,
+                            const elements_by_index<vert_t<From>>& by_index) {
   single_origins found(edge_index_bound(m));
   for (const edge_t<To> e : edges(m)) found.set(index_of(m, e), match_edge(before, m, of_verts, by_index, e));
   return std::move(found).collect();
 }
 
 template<class From, class To>
-element_origins match_faces(const From& before, const To& m, const element_origins& of_verts, const elements_by_index<vert_t<From>>& by_index) {
+element_origins match_faces(const From& before, const To& m, const element_origins& of_verts,
+                            const elements_by_index<vert_t<From>>& by_index) {
   std::vector<std::uint32_t> found(face_index_bound(m), element_origins::none);
   for (const face_t<To> f : faces(m)) {
     joint_origins joint;
@@ -152,7 +159,8 @@ element_origins match_faces(const From& before, const To& m, const element_origi
 
 /// Finds the origins of a corner. They are corners of the origins of its poly, at the origins of its vert.
 template<NumbersCorners From, NumbersCorners To>
-element_origins match_corners(const From& before, const To& m, const element_origins& of_verts, const element_origins& of_polys) {
+element_origins match_corners(const From& before, const To& m, const element_origins& of_verts,
+                              const element_origins& of_polys) {
   const elements_by_index<poly_t<From>> by_index(before, polys(before), poly_index_bound(before));
   std::vector<std::size_t> first, last;  // of the origins of each corner, by corner number, in `found`
   first.resize(traits<To>::corner_index_bound(m)), last.resize(first.size());
@@ -166,7 +174,8 @@ element_origins match_corners(const From& before, const To& m, const element_ori
         std::size_t number = traits<From>::first_corner(before, by_index.elements[of_poly.index]);
         for (const vert_t<From> w : adj_p2v(before, by_index.elements[of_poly.index])) {
           for (const origin of_vert : of_verts[index_of(m, v)])
-            if (of_vert.index == index_of(before, w)) found.push_back({static_cast<std::uint32_t>(number), of_poly.weight * of_vert.weight});
+            if (of_vert.index == index_of(before, w))
+              found.push_back({static_cast<std::uint32_t>(number), of_poly.weight * of_vert.weight});
           ++number;
         }
       }
@@ -176,24 +185,30 @@ element_origins match_corners(const From& before, const To& m, const element_ori
   element_origins origins;
   for (std::size_t i = 0; i < first.size(); ++i) {
     const std::span<const origin> of(found.data() + first[i], found.data() + last[i]);
-    if (of.empty() || (of.size() == 1 && of[0].weight == 1)) origins.add(of.empty() ? element_origins::none : of[0].index);
+    if (of.empty() || (of.size() == 1 && of[0].weight == 1))
+      origins.add(of.empty() ? element_origins::none : of[0].index);
     else origins.add(of);
   }
   return origins;
 }
 
-void check_origins(element_kind kind, const element_origins& origins, std::size_t bound_before, std::size_t bound_after);
-void check_origins(const correspondence& c, const property_set& properties, const index_bounds& before, const index_bounds& after);
+void check_origins(element_kind kind, const element_origins& origins, std::size_t bound_before,
+                   std::size_t bound_after);
+void check_origins(const correspondence& c, const property_set& properties, const index_bounds& before,
+                   const index_bounds& after);
 
 }  // namespace detail
 
-/// Finds the origins of edges and faces from those of their verts, if c does not have them. The origin of an edge is the edge between the origins of
-/// its ends; the origin of a face is the face around the origins of its verts. Half of an edge has half of it as weight; parts of a face have equal weights.
+/// Finds the origins of edges and faces from those of their verts, if c does not have them. The origin of an edge is
+/// the edge between the origins of its ends; the origin of a face is the face around the origins of its verts. Half of
+/// an edge has half of it as weight; parts of a face have equal weights.
 /// Needs:  AnyMesh both, of the same dimension; c.verts for each vert of m.
-/// Result: c.edges, and in volumes c.faces, if they were empty. New edges and faces in the interior of old polys have no origin. Nor have
-///         edges whose verts do not have exactly two origins, and faces whose verts have fewer than three. Removed verts are no origins.
+/// Result: c.edges, and in volumes c.faces, if they were empty. New edges and faces in the interior of old polys have
+///         no origin. Nor have edges whose verts do not have exactly two origins, and faces whose verts have fewer than
+///         three. Removed verts are no origins.
 /// Cost:   O(elements), times the edges or faces at a vert.
-/// Errors: invalid_argument if c.verts is for another number of verts, or has an origin that is out of range in the mesh before.
+/// Errors: invalid_argument if c.verts is for another number of verts, or has an origin that is out of range in the
+///         mesh before.
 template<AnyMesh From, AnyMesh To>
   requires(dimension_v<From> == dimension_v<To>)
 void match_edges_and_faces(const From& before, const To& m, correspondence& c) {
@@ -204,39 +219,49 @@ void match_edges_and_faces(const From& before, const To& m, correspondence& c) {
     if (c.faces.size() == 0) c.faces = detail::match_faces(before, m, c.verts, by_index);
 }
 
-/// Transfers values at the elements of the mesh before to those of the new mesh: heat_of_new = transfer_values(c.verts, heat.values(),
-/// property_rule::interpolate).
+/// Transfers values at the elements of the mesh before to those of the new mesh: heat_of_new = transfer_values(c.verts,
+/// heat.values(), property_rule::interpolate).
 /// Needs:  from[i] of every origin i; T with a mean (interpolate) or with a sum (sum), as for properties.
 /// Result: a value for each element of the new mesh by index; T() for those without origin.
 /// Cost:   O(elements and origins).
 /// Errors: invalid_argument if an origin has no value, or T does not allow the rule.
 template<class T>
-std::vector<std::remove_const_t<T>> transfer_values(const element_origins& origins, std::span<T> from, property_rule rule) {
+std::vector<std::remove_const_t<T>> transfer_values(const element_origins& origins, std::span<T> from,
+                                                    property_rule rule) {
   using value = std::remove_const_t<T>;
   detail::column source(detail::values_of<value>, from.size());
   std::copy(from.begin(), from.end(), static_cast<value*>(source.data()));
-  if (!source.set_rule(rule)) core::throw_joined<invalid_argument>({"transfer_values: values of this type do not allow the rule \"", to_string(rule), "\""});
+  if (!source.set_rule(rule))
+    core::throw_joined<invalid_argument>(
+        {"transfer_values: values of this type do not allow the rule \"", to_string(rule), "\""});
   for (std::size_t i = 0; i < origins.size(); ++i)
     for (const origin x : origins[i])
-      if (x.index >= from.size()) core::throw_joined<invalid_argument>({"transfer_values: element ", i, " was made of element ", x.index, ", but there are ", from.size(), " values"});
+      if (x.index >= from.size())
+        core::throw_joined<invalid_argument>({"transfer_values: element ", i, " was made of element ", x.index,
+                                              ", but there are ", from.size(), " values"});
   const detail::column taken(source, origins);
   const value* const first = static_cast<const value*>(taken.data());
   return {first, first + taken.size()};
 }
 
-/// Transfers all named properties of one mesh to another that was made of it, each by its rule (set_property_rule), and those of the mesh as a whole.
-/// Needs:  a mesh of this library, or a view of one that has its properties; m, of the same dimension, of this library; c, the origins of m.
-///         c may omit edges and faces: they follow from the verts. It may omit corners too: the origins of a corner are corners of the origins of its
-///         poly, at the origins of its vert.
-/// Result: m has these properties; one of the same kind and name is replaced. Elements without origin have a default value.
-/// Cost:   O(elements and origins) for each property; that of match_edges_and_faces if there are properties of edges or faces.
+/// Transfers all named properties of one mesh to another that was made of it, each by its rule (set_property_rule), and
+/// those of the mesh as a whole.
+/// Needs:  a mesh of this library, or a view of one that has its properties; m, of the same dimension, of this library;
+///         c, the origins of m. c may omit edges and faces: they follow from the verts. It may omit corners too: the
+///         origins of a corner are corners of the origins of its poly, at the origins of its vert.
+/// Result: m has these properties; one of the same kind and name is replaced. Elements without origin have a default
+///         value.
+/// Cost:   O(elements and origins) for each property; that of match_edges_and_faces if there are properties of edges or
+///         faces.
 /// Errors: invalid_argument if c does not fit the meshes; m is unchanged then.
 template<ShowsProperties From, HasProperties To>
   requires AnyMesh<From> && AnyMesh<To> && (dimension_v<From> == dimension_v<To>)
 void transfer_properties(const From& before, To& m, const correspondence& c) {
   const property_set& source = traits<From>::properties(before);
   correspondence complete;
-  const auto lacks = [&](element_kind kind, const element_origins& origins) { return source.has(kind) && origins.size() == 0; };
+  const auto lacks = [&](element_kind kind, const element_origins& origins) {
+    return source.has(kind) && origins.size() == 0;
+  };
   const bool lacks_corners = lacks(element_kind::corner, c.corners);
   const bool has_all = !lacks_corners && !lacks(element_kind::edge, c.edges) && !lacks(element_kind::face, c.faces);
   if (!has_all) {
@@ -251,8 +276,10 @@ void transfer_properties(const From& before, To& m, const correspondence& c) {
   const correspondence& used = has_all ? c : complete;
   detail::index_bounds from{vert_index_bound(before), edge_index_bound(before), 0, poly_index_bound(before)};
   detail::index_bounds to{vert_index_bound(m), edge_index_bound(m), 0, poly_index_bound(m)};
-  if constexpr (NumbersCorners<From> && NumbersCorners<To>) from.corners = traits<From>::corner_index_bound(before), to.corners = traits<To>::corner_index_bound(m);
-  if constexpr (dimension_v<To> == 3) from.faces = face_index_bound(before), to.faces = face_index_bound(m);  // surfaces have no faces
+  if constexpr (NumbersCorners<From> && NumbersCorners<To>)
+    from.corners = traits<From>::corner_index_bound(before), to.corners = traits<To>::corner_index_bound(m);
+  // surfaces have no faces
+  if constexpr (dimension_v<To> == 3) from.faces = face_index_bound(before), to.faces = face_index_bound(m);
   detail::check_origins(used, source, from, to);
   traits<To>::properties(m).transfer(source, used);
 }

@@ -1,4 +1,5 @@
-// Values at the elements of a mesh, stored outside the mesh: make_vert_map<double>(m, 0.0), and the same for edges, faces and polys.
+// Values at the elements of a mesh, stored outside the mesh: make_vert_map<double>(m, 0.0), and the same for edges,
+// faces and polys.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -33,7 +34,8 @@ class mesh_ref<V, true> {
   const V& get() const { return view_; }
 };
 
-/// Tag for maps without initial values: the caller will write every value. Filling a large map first takes as long as many a computation.
+/// Tag for maps without initial values: the caller will write every value. Filling a large map first takes as long as
+/// many a computation.
 struct unwritten {};
 
 template<class T>
@@ -55,7 +57,8 @@ struct map_storage<T> {
 /// A value of type T for every X (a descriptor type) of a mesh of type M, in one array.
 /// Needs:  index_of(m, x). The mesh is not moved or destroyed while the map is used; of a view the map keeps a copy.
 /// Result: map[x] is a reference; bools are stored as unsigned char, so it is one for them too.
-///         Elements added to the mesh after the map was made have no value in it until resize(): asking for one is a programming error (assert).
+///         Elements added to the mesh after the map was made have no value in it until resize(): asking for one is a
+///         programming error (assert).
 /// Cost:   one array of index_bound values.
 template<class M, class X, class T>
   requires(!std::is_reference_v<M> && !std::is_const_v<M>)
@@ -79,7 +82,8 @@ class element_map {
   element_map(const M& m, std::size_t bound, const T& init)
       : mesh_(m), values_(detail::map_storage<stored>::filled(bound, static_cast<stored>(init))) {}
   /// Without initial values: every element's value must be written before it is read.
-  element_map(const M& m, std::size_t bound, detail::unwritten) : mesh_(m), values_(detail::map_storage<stored>::unfilled(bound)) {}
+  element_map(const M& m, std::size_t bound, detail::unwritten)
+      : mesh_(m), values_(detail::map_storage<stored>::unfilled(bound)) {}
 
   element_map(const element_map&) = default;
   element_map(element_map&&) noexcept = default;
@@ -93,7 +97,8 @@ class element_map {
     else return value;
   }
 
-  /// Changes the number of values, so that elements added to the mesh have one, too; it has no initial value. `bound` is an index bound of the mesh.
+  /// Changes the number of values, so that elements added to the mesh have one, too; it has no initial value. `bound`
+  /// is an index bound of the mesh.
   void resize(std::size_t bound) { values_.resize(bound); }
 
   const M& mesh() const { return mesh_.get(); }

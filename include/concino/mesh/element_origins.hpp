@@ -1,5 +1,6 @@
-// Correspondence between meshes: for each element of a new mesh, the elements of the old mesh of which it was made. Elements are stored by index, so
-// it does not depend on the mesh types, and all algorithms that make a mesh of another one return it. correspondence.hpp transfers values and properties.
+// Correspondence between meshes: for each element of a new mesh, the elements of the old mesh of which it was made.
+// Elements are stored by index, so it does not depend on the mesh types, and all algorithms that make a mesh of another
+// one return it. correspondence.hpp transfers values and properties.
 #pragma once
 
 #include <concino/concepts/ranges.hpp>
@@ -16,16 +17,19 @@ namespace concino {
 /// An element of the mesh before, with its weight in the element of the new mesh.
 struct origin {
   std::uint32_t index;  // index_of in the mesh before
-  double weight = 1;    // >= 0, finite: the size of the common part, such as an area, or an interpolation weight; only ratios count
+  double weight = 1;    // >= 0, finite: the size of the common part, such as an area, or an interpolation weight; only
+                        // ratios count
 
   friend bool operator==(const origin&, const origin&) = default;
 };
 
-/// The origins of the elements of one kind in a new mesh, by index: the elements of that kind in the mesh before of which each was made; none, one
-/// or several. Copies and parts of a split element have that element as origin. A merged element has several origins, and so has an interpolated one.
+/// The origins of the elements of one kind in a new mesh, by index: the elements of that kind in the mesh before of
+/// which each was made; none, one or several. Copies and parts of a split element have that element as origin. A merged
+/// element has several origins, and so has an interpolated one.
 class element_origins {
   std::vector<std::uint32_t> single_;   // by element: its origin; of those with a list, its number
-  std::vector<std::uint64_t> has_list_;  // a bit for each element up to the last one that has several origins, or a weight other than 1
+  std::vector<std::uint64_t> has_list_;  // a bit for each element up to the last one that has several origins, or a
+                                         // weight other than 1
   std::vector<std::size_t> first_;      // by list: where it begins, and where the last ends
   std::vector<origin> list_;
 
@@ -98,8 +102,9 @@ class element_origins {
   }
 };
 
-/// The origins of all verts, edges, faces and polys of a new mesh, by index. A kind of elements with unknown origins is empty. The origins of edges
-/// and faces can then be found from their verts (match_edges_and_faces), those of corners from their polys and verts.
+/// The origins of all verts, edges, faces and polys of a new mesh, by index. A kind of elements with unknown origins is
+/// empty. The origins of edges and faces can then be found from their verts (match_edges_and_faces), those of corners
+/// from their polys and verts.
 struct correspondence {
   element_origins verts, edges, faces, polys, corners = {};
 };

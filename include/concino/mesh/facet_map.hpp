@@ -1,4 +1,5 @@
-// Maps with a value for every facet of a mesh, an edge of a surface or a face of a volume: make_facet_map<double>(m, 0.0).
+// Maps with a value for every facet of a mesh, an edge of a surface or a face of a volume: make_facet_map<double>(m,
+// 0.0).
 #pragma once
 
 #include <concino/concepts/facets.hpp>
@@ -10,7 +11,8 @@ template<class M, class T> using facet_map = element_map<std::remove_cvref_t<M>,
 
 /// A map with the same value `init` at every facet of m.
 /// Needs:  an AnyMesh, no temporary (views may be).
-/// Result: a map[x] of T: an edge_map or a face_map.      Cost: O(index bound) time and memory.      Errors: those of the index bound.
+/// Result: a map[x] of T: an edge_map or a face_map.      Cost: O(index bound) time and memory.      Errors: those of
+///         the index bound.
 template<class T, class M>
   requires requirement::is_lvalue_or_view<M> && requires(const M& m) { facet_index_bound(m); }
 facet_map<M, T> make_facet_map(M&& m, const T& init = T()) {

@@ -7,16 +7,18 @@
 
 namespace concino {
 
-/// A volume of hexahedra. Any list of hexahedra is allowed: several components, verts without polys, more than two polys at a face.
-/// The verts of each are in the standard order (law VM7). Descriptors are vert_id, edge_id, face_id, poly_id; verts and polys keep the numbers
-/// of the input. All access is through the verbs: verts(m), adj_p2f(m, p), point(m, v) ...
+/// A volume of hexahedra. Any list of hexahedra is allowed: several components, verts without polys, more than two
+/// polys at a face. The verts of each are in the standard order (law VM7). Descriptors are vert_id, edge_id, face_id,
+/// poly_id; verts and polys keep the numbers of the input. All access is through the verbs: verts(m), adj_p2f(m, p),
+/// point(m, v) ...
 class hexmesh : public detail::native_mesh<hex_tables> {
   using base = detail::native_mesh<hex_tables>;
 
  public:
   hexmesh() = default;
 
-  /// From flat arrays with arity 8, which are moved, not copied. `order`: the order of the corners of a hex in the lists.
+  /// From flat arrays with arity 8, which are moved, not copied. `order`: the order of the corners of a hex in the
+  /// lists.
   /// Cost:   linear in time and memory.
   /// Errors: invalid_mesh that names the poly with a vert out of range or twice, or an array of the wrong size.
   explicit hexmesh(cell_arrays a, hex_order order = hex_order::standard);

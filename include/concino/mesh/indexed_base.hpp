@@ -1,13 +1,15 @@
-// Base classes of mesh_traits for meshes that store little more than the verts of each polygon or cell. Build tables from those lists once, store them
-// beside the mesh, inherit from `indexed_surface` or `indexed_volume`, and say where the tables are:
+// Base classes of mesh_traits for meshes that store little more than the verts of each polygon or cell. Build tables
+// from those lists once, store them beside the mesh, inherit from `indexed_surface` or `indexed_volume`, and say where
+// the tables are:
 //
 //   template<> struct concino::mesh_traits<mine> : concino::indexed_surface<mine> {
 //     static const concino::surface_tables<3>& tables(const mine& m) { return m.tables; }
 //     static concino::vec3 point(const mine& m, concino::vert_id v) { ... }
 //   };
 //
-// The author of the mesh owns the tables and must build them again after the lists change. The native meshes are adapted by these same base
-// classes. `arity` may be declared if the type of the tables fixes it: surface_tables<3>, tet_tables, hex_tables.
+// The author of the mesh owns the tables and must build them again after the lists change. The native meshes are
+// adapted by these same base classes. `arity` may be declared if the type of the tables fixes it: surface_tables<3>,
+// tet_tables, hex_tables.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -21,7 +23,9 @@ struct tables_requirement {
   template<class M> static constexpr bool holds = has_tables<M>;
   template<class M> static consteval void explain() {
     static_assert(detail::explain_result<requires { &mesh_traits<M>::tables; }, has_tables<M>, M>());
-    static_assert(detail::missing<M>, "concino: mesh_traits<M> needs tables: static const auto& tables(const M&); the surface_tables, tet_tables, hex_tables or polyhedra_tables of the mesh");
+    static_assert(
+        detail::missing<M>,
+        "concino: mesh_traits<M> needs tables: static const auto& tables(const M&); the surface_tables, tet_tables, hex_tables or polyhedra_tables of the mesh");
   }
 };
 
@@ -48,7 +52,8 @@ consteval void check_tables() {
     static_assert(missing<M>, "concino: mesh_traits<M>::tables must return a reference, static const auto& tables(const M&): without the & adjacencies would be read from a copy of the mesh that no longer exists");
   else if constexpr (takes_a_copy<M, R>)
     static_assert(missing<M>, "concino: mesh_traits<M>::tables must take the mesh by reference, static const auto& tables(const M&): without the & it returns a reference into a copy that no longer exists");
-  else if constexpr (arity_v<M> != 0 && arity_v<M> != arity_of_tables<std::remove_cvref_t<R>> && dimension_v<M> == 2)  // the messages differ
+  // the messages differ
+  else if constexpr (arity_v<M> != 0 && arity_v<M> != arity_of_tables<std::remove_cvref_t<R>> && dimension_v<M> == 2)
     static_assert(missing<M>, "concino: mesh_traits<M>::arity needs tables(m) to be surface_tables<arity>: leave arity out, or use that type");
   else if constexpr (arity_v<M> != 0 && arity_v<M> != arity_of_tables<std::remove_cvref_t<R>>)  // the messages differ
     static_assert(missing<M>, "concino: mesh_traits<M>::arity = 4 needs tables(m) to be tet_tables, 8 hex_tables, whose lists keep the standard order of corners; polyhedra_tables do not: leave arity out, or use tet_tables or hex_tables");
@@ -68,11 +73,17 @@ struct indexed_elements {
   using poly = poly_id;
   using base_requirements = requirement::bound<requirement::indexed_base_requirements, M>;
 
-  // Concepts check verts first. It is missing if there are no tables, so that the other requirements are not checked. X defers the check until
-  // mesh_traits<M> is complete.
-  template<class X = M> requires requirement::has_tables<X> static auto verts(const M& m) { return detail::tables_of<M>(m).verts().all(); }
-  template<class X = M> requires requirement::has_tables<X> static auto edges(const M& m) { return detail::tables_of<M>(m).edges().all(); }
-  template<class X = M> requires requirement::has_tables<X> static auto polys(const M& m) { return detail::tables_of<M>(m).polys().all(); }
+  // Concepts check verts first. It is missing if there are no tables, so that the other requirements are not checked. X
+  // defers the check until mesh_traits<M> is complete.
+  template<class X = M>
+    requires requirement::has_tables<X>
+  static auto verts(const M& m) { return detail::tables_of<M>(m).verts().all(); }
+  template<class X = M>
+    requires requirement::has_tables<X>
+  static auto edges(const M& m) { return detail::tables_of<M>(m).edges().all(); }
+  template<class X = M>
+    requires requirement::has_tables<X>
+  static auto polys(const M& m) { return detail::tables_of<M>(m).polys().all(); }
   static std::size_t num_verts(const M& m) { return detail::tables_of<M>(m).verts().size(); }
   static std::size_t num_edges(const M& m) { return detail::tables_of<M>(m).edges().size(); }
   static std::size_t num_polys(const M& m) { return detail::tables_of<M>(m).polys().size(); }
@@ -114,7 +125,9 @@ struct indexed_volume : detail::indexed_elements<M> {
 
   using base::contains;
   using base::index_of;
-  template<class X = M> requires requirement::has_tables<X> static auto faces(const M& m) { return detail::tables_of<M>(m).faces().all(); }
+  template<class X = M>
+    requires requirement::has_tables<X>
+  static auto faces(const M& m) { return detail::tables_of<M>(m).faces().all(); }
   static std::size_t num_faces(const M& m) { return detail::tables_of<M>(m).faces().size(); }
   static std::size_t face_index_bound(const M& m) { return detail::tables_of<M>(m).faces().bound(); }
   static std::size_t index_of(const M&, face_id f) { return f.raw(); }
@@ -126,7 +139,9 @@ struct indexed_volume : detail::indexed_elements<M> {
   static auto adj_f2e(const M& m, face_id f) { return detail::tables_of<M>(m).adj_f2e(f); }
   static auto adj_f2p(const M& m, face_id f) { return detail::tables_of<M>(m).adj_f2p(f); }
   static auto adj_p2f(const M& m, poly_id p) { return detail::tables_of<M>(m).adj_p2f(p); }
-  static bool face_is_outward(const M& m, poly_id p, face_id f) { return detail::tables_of<M>(m).face_is_outward(p, f); }
+  static bool face_is_outward(const M& m, poly_id p, face_id f) {
+    return detail::tables_of<M>(m).face_is_outward(p, f);
+  }
 };
 
 }  // namespace concino

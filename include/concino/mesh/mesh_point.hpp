@@ -29,7 +29,8 @@ struct point_elements<M> {
 
 }  // namespace detail
 
-/// A point on a surface or in a volume: at a vert, on an edge, inside a face of a volume, or inside a poly, with its coordinates.
+/// A point on a surface or in a volume: at a vert, on an edge, inside a face of a volume, or inside a poly, with its
+/// coordinates.
 template<class M>
 struct mesh_point {
   typename detail::point_elements<M>::type element;

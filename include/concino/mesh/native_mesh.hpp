@@ -1,5 +1,5 @@
-// native_mesh: the common base class of the six native meshes, with points, adjacency tables and properties. Also the conversion of lists of points
-// and of verts, as braced lists or containers, into flat arrays.
+// native_mesh: the common base class of the six native meshes, with points, adjacency tables and properties. Also the
+// conversion of lists of points and of verts, as braced lists or containers, into flat arrays.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -24,7 +24,8 @@ class list_index {
 
  public:
   template<std::integral I>
-  constexpr list_index(I i) : raw_(i < 0 || static_cast<std::uint64_t>(i) >= ~0u ? ~0u : static_cast<std::uint32_t>(i)) {}
+  constexpr list_index(I i)
+      : raw_(i < 0 || static_cast<std::uint64_t>(i) >= ~0u ? ~0u : static_cast<std::uint32_t>(i)) {}
   template<class Tag>
   constexpr list_index(id<Tag> x) : raw_(x.raw()) {}
   constexpr std::uint32_t raw() const { return raw_; }
@@ -44,7 +45,9 @@ namespace detail {
 
 template<class R> concept PointRange = requires(const R& r) { (*std::begin(r))[0]; (*std::begin(r))[2]; };
 template<class R> concept IndexRange = requires(const R& r) { list_index(*std::begin(r)); };
-template<class R> concept IndexListRange = requires(const R& r) { requires IndexRange<std::remove_cvref_t<decltype(*std::begin(r))>>; };
+template<class R> concept IndexListRange = requires(const R& r) {
+  requires IndexRange<std::remove_cvref_t<decltype(*std::begin(r))>>;
+};
 
 template<class R>
 std::vector<vec3> to_points(const R& r) {
@@ -53,7 +56,8 @@ std::vector<vec3> to_points(const R& r) {
   return points;
 }
 
-/// Lists stored one after another; offsets are where each begins. If `arity` is given, every list must have that many entries. Errors name `mesh`.
+/// Lists stored one after another; offsets are where each begins. If `arity` is given, every list must have that many
+/// entries. Errors name `mesh`.
 template<class R>
 surface_arrays to_surface(std::vector<vec3> points, const R& lists, std::uint32_t arity, const char* mesh) {
   surface_arrays a;
@@ -132,7 +136,9 @@ class native_mesh {
 
 /// Whether the tables of M can record edits, so that these can be undone.
 template<class M>
-inline constexpr bool can_be_undone = requires(M& m, const native_cavity& c, const native_cavity_result& made) { m.tables().rewire(c, made, {}, nullptr); };
+inline constexpr bool can_be_undone = requires(M& m, const native_cavity& c, const native_cavity_result& made) {
+  m.tables().rewire(c, made, {}, nullptr);
+};
 
 /// The part of mesh_traits that the six native meshes share, besides adjacencies.
 template<class M, template<class> class Base>
@@ -173,11 +179,15 @@ struct native_traits : Base<M> {
     requires requires { m.tables().add_poly(corners); }
   {
     if (is_recorded(m)) {
-      check_new_verts({corners.data(), corners.data() + corners.size()}, m.tables().verts(), "add_poly: poly", m.tables().polys().bound());
+      check_new_verts({corners.data(), corners.data() + corners.size()}, m.tables().verts(), "add_poly: poly",
+                      m.tables().polys().bound());
       std::vector<unsigned> all(corners.size());
       for (unsigned k = 0; k < all.size(); ++k) all[k] = k;
       const auto n = static_cast<unsigned>(all.size());
-      return edit_by_rewire(m, {.verts = {corners.data(), corners.data() + n}, .corners = {all.data(), all.data() + n}, .ends = {&n, &n + 1}}).poly;
+      return edit_by_rewire(m, {.verts = {corners.data(), corners.data() + n},
+                                .corners = {all.data(), all.data() + n},
+                                .ends = {&n, &n + 1}})
+          .poly;
     }
     const poly_id p = m.tables().add_poly(corners, growing(m));
     count_edit(m);
@@ -213,8 +223,8 @@ struct native_traits : Base<M> {
     m.points().insert(m.points().end(), c.points.begin(), c.points.end());
   }
 
-  // See concepts/editable.hpp. An edit that is recorded, or whose properties must follow, is left to rewire. Meshes whose traits are derived from these do not
-  // have them: there another `rewire` may have been written.
+  // See concepts/editable.hpp. An edit that is recorded, or whose properties must follow, is left to rewire. Meshes
+  // whose traits are derived from these do not have them: there another `rewire` may have been written.
 
   template<std::same_as<M> X>
   static std::optional<vert_id> split_edge(X& m, edge_id e, const vec3& x)
@@ -249,7 +259,9 @@ struct native_traits : Base<M> {
   }
   static edit_state<typename M::native>& edits(M& m) { return m.edits(); }
   static correspondence garbage_collect(M& m) {
-    if (is_recorded(m)) throw unsupported("garbage_collect: elements cannot be renumbered while a transaction is open; call it before or after");
+    if (is_recorded(m))
+      throw unsupported(
+          "garbage_collect: elements cannot be renumbered while a transaction is open; call it before or after");
     correspondence c = m.garbage_collect();
     count_edit(m);
     return c;

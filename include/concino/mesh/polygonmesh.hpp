@@ -5,9 +5,10 @@
 
 namespace concino {
 
-/// A surface of general polygons. Any list of polygons is allowed: with boundary, several components, verts without polygons, more than two
-/// polygons at an edge, concave or not planar polygons. Descriptors are vert_id, edge_id, poly_id; verts and polys keep the numbers of the input.
-/// All access is through the verbs: verts(m), adj_p2v(m, p), point(m, v) ...
+/// A surface of general polygons. Any list of polygons is allowed: with boundary, several components, verts without
+/// polygons, more than two polygons at an edge, concave or not planar polygons. Descriptors are vert_id, edge_id,
+/// poly_id; verts and polys keep the numbers of the input. All access is through the verbs: verts(m), adj_p2v(m, p),
+/// point(m, v) ...
 class polygonmesh : public detail::native_mesh<surface_tables<0>> {
   using base = detail::native_mesh<surface_tables<0>>;
 
@@ -16,13 +17,15 @@ class polygonmesh : public detail::native_mesh<surface_tables<0>> {
 
   /// From flat arrays, which are moved, not copied.
   /// Cost:   linear in time and memory.
-  /// Errors: invalid_mesh that names the poly with fewer than 3 verts, or with a vert out of range or twice, or says what is wrong with the offsets.
+  /// Errors: invalid_mesh that names the poly with fewer than 3 verts, or with a vert out of range or twice, or says
+  ///         what is wrong with the offsets.
   explicit polygonmesh(surface_arrays a);
 
   /// From points and lists of verts, as braced lists or containers.
   polygonmesh(point_list points, index_lists poly_verts);
   template<detail::PointRange Points, detail::IndexListRange Polys>
-  polygonmesh(const Points& points, const Polys& poly_ranges) : polygonmesh(detail::to_surface(detail::to_points(points), poly_ranges, 0, "polygonmesh")) {}
+  polygonmesh(const Points& points, const Polys& poly_ranges)
+      : polygonmesh(detail::to_surface(detail::to_points(points), poly_ranges, 0, "polygonmesh")) {}
 };
 
 template<>

@@ -1,5 +1,6 @@
-// All adjacencies of a mesh of general polyhedra in flat arrays, built in linear time from faces (lists of verts) and polys (lists of faces).
-// Some are derived on the fly: edges of a face (from its verts), polys around an edge and faces at a vert (from the faces at edges).
+// All adjacencies of a mesh of general polyhedra in flat arrays, built in linear time from faces (lists of verts) and
+// polys (lists of faces). Some are derived on the fly: edges of a face (from its verts), polys around an edge and faces
+// at a vert (from the faces at edges).
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -22,7 +23,8 @@ namespace detail {
 class polyhedra_cavity;
 }
 
-/// Lists: where the verts of faces are stored, either in rows of these tables, which can be edited, or in an array of the user.
+/// Lists: where the verts of faces are stored, either in rows of these tables, which can be edited, or in an array of
+/// the user.
 template<class Lists>
 class basic_polyhedra_tables {
   template<class> friend class basic_polyhedra_tables;
@@ -47,21 +49,26 @@ class basic_polyhedra_tables {
   basic_polyhedra_tables() = default;
   basic_polyhedra_tables(const basic_polyhedra_tables&) = default;
   basic_polyhedra_tables(basic_polyhedra_tables&&) noexcept = default;
-  basic_polyhedra_tables& operator=(const basic_polyhedra_tables& o) { return *this = basic_polyhedra_tables(o); }  // strong exception guarantee
+  // strong exception guarantee
+  basic_polyhedra_tables& operator=(const basic_polyhedra_tables& o) { return *this = basic_polyhedra_tables(o); }
   basic_polyhedra_tables& operator=(basic_polyhedra_tables&&) noexcept = default;
 
-  /// From the verts of every face in cyclic order, the faces of every poly, and whether each face is oriented outward there.
-  /// Errors: invalid_mesh that names the face or poly with a bad or repeated vert or face; unsupported if faces of many verts belong to so
-  ///         many polys that the adjacencies would be far longer than these lists.
-  basic_polyhedra_tables(std::size_t vert_count, std::vector<std::uint32_t> face_offsets, std::vector<vert_id> face_verts,
-                         std::vector<std::uint32_t> poly_offsets, std::vector<face_id> poly_faces, std::vector<std::uint8_t> outward);
+  /// From the verts of every face in cyclic order, the faces of every poly, and whether each face is oriented outward
+  /// there.
+  /// Errors: invalid_mesh that names the face or poly with a bad or repeated vert or face; unsupported if faces of many
+  ///         verts belong to so many polys that the adjacencies would be far longer than these lists.
+  basic_polyhedra_tables(std::size_t vert_count, std::vector<std::uint32_t> face_offsets,
+                         std::vector<vert_id> face_verts, std::vector<std::uint32_t> poly_offsets,
+                         std::vector<face_id> poly_faces, std::vector<std::uint8_t> outward);
   /// From lists stored elsewhere, and from tables that were built from a copy of these lists.
-  basic_polyhedra_tables(basic_polyhedra_tables<jagged<vert_id>>&& built, Lists elsewhere)
-    requires(!std::same_as<Lists, jagged<vert_id>>)
-      : verts_(std::move(built.verts_)), edges_(std::move(built.edges_)), faces_(std::move(built.faces_)), polys_(std::move(built.polys_)),
-        f2v_(std::move(elsewhere)), p2v_(std::move(built.p2v_)), incident_edges_(std::move(built.incident_edges_)),
-        p2e_(std::move(built.p2e_)), e2f_(std::move(built.e2f_)), v2p_(std::move(built.v2p_)), facet_adjacency_(std::move(built.facet_adjacency_)),
-        face_vert_lookup_(std::move(built.face_vert_lookup_)), outward_(std::move(built.outward_)), e2v_(std::move(built.e2v_)) {}
+  basic_polyhedra_tables(basic_polyhedra_tables<jagged<vert_id>>&& built,
+                         Lists elsewhere) requires(!std::same_as<Lists, jagged<vert_id>>)
+      : verts_(std::move(built.verts_)), edges_(std::move(built.edges_)), faces_(std::move(built.faces_)),
+        polys_(std::move(built.polys_)), f2v_(std::move(elsewhere)), p2v_(std::move(built.p2v_)),
+        incident_edges_(std::move(built.incident_edges_)), p2e_(std::move(built.p2e_)), e2f_(std::move(built.e2f_)),
+        v2p_(std::move(built.v2p_)), facet_adjacency_(std::move(built.facet_adjacency_)),
+        face_vert_lookup_(std::move(built.face_vert_lookup_)), outward_(std::move(built.outward_)),
+        e2v_(std::move(built.e2v_)) {}
 
   const detail::alive_elements<vert_id>& verts() const { return verts_; }
   const detail::alive_elements<edge_id>& edges() const { return edges_; }
@@ -83,7 +90,8 @@ class basic_polyhedra_tables {
   id_span<face_id> adj_p2f(poly_id p) const { return facet_adjacency_.facets(p); }
   detail::adjacent_polys adj_p2p(poly_id p) const { return facet_adjacency_.polys(p); }
 
-  /// The number of the first corner of p; the other corners of p follow. All corner numbers are below corner_bound(). Edits do not change them.
+  /// The number of the first corner of p; the other corners of p follow. All corner numbers are below corner_bound().
+  /// Edits do not change them.
   std::size_t first_corner(poly_id p) const { return p2v_.first(p.raw()); }
   std::size_t corner_bound() const { return p2v_.num_values(); }
 
@@ -95,40 +103,47 @@ class basic_polyhedra_tables {
     return k < outward_.length(p.raw()) && outward_.begin(p.raw())[k] != 0;
   }
 
-  // Edits have the strong exception guarantee: they allocate all memory first, which changes no element, and cannot fail afterwards. Before the
-  // change they call `grow` with the index bounds after the edit; `grow` may throw too.
+  // Edits have the strong exception guarantee: they allocate all memory first, which changes no element, and cannot
+  // fail afterwards. Before the change they call `grow` with the index bounds after the edit; `grow` may throw too.
 
   /// Adds a vert without edges.
   vert_id add_vert(function_ref<void(const detail::index_bounds&)> grow = {});
 
   /// Adds a face on existing verts, without polys. A second face on the same verts is a different face.
   /// Errors: invalid_mesh as in the constructor; the tables are unchanged then.
-  face_id add_face(std::span<const vert_id> corners, function_ref<void(const detail::index_bounds&)> grow = {}, detail::edit_log* log = nullptr);
-
-  /// Adds a poly of existing faces; outward[k] as in the constructor. Cost: at most the square of the corners of its faces.
-  /// Errors: invalid_mesh as in the constructor; the tables are unchanged then.
-  poly_id add_poly(std::span<const face_id> list, std::span<const std::uint8_t> outward, function_ref<void(const detail::index_bounds&)> grow = {},
+  face_id add_face(std::span<const vert_id> corners, function_ref<void(const detail::index_bounds&)> grow = {},
                    detail::edit_log* log = nullptr);
 
-  /// Replaces a few polys by others, as concepts/editable.hpp says. A new face is the existing one, or the other new one, that has the same verts in the same
-  /// or the reversed cyclic order. Cost: the old and new polys, and the edges, faces and polys at their verts.
-  /// Errors: invalid_mesh if the cavity lists elements that do not exist, lists some twice or lacks a vert of an old poly, or if the constructor would
-  ///         refuse a new poly. invalid_mesh if a vert that is to be removed keeps a poly or a face without polys. The tables are unchanged then.
-  void rewire(const detail::native_cavity& c, const detail::native_cavity_result& made, function_ref<void(const detail::index_bounds&)> grow = {},
-              detail::edit_log* log = nullptr);
+  /// Adds a poly of existing faces; outward[k] as in the constructor. Cost: at most the square of the corners of its
+  /// faces.
+  /// Errors: invalid_mesh as in the constructor; the tables are unchanged then.
+  poly_id add_poly(std::span<const face_id> list, std::span<const std::uint8_t> outward,
+                   function_ref<void(const detail::index_bounds&)> grow = {}, detail::edit_log* log = nullptr);
+
+  /// Replaces a few polys by others, as concepts/editable.hpp says. A new face is the existing one, or the other new
+  /// one, that has the same verts in the same or the reversed cyclic order. Cost: the old and new polys, and the edges,
+  /// faces and polys at their verts.
+  /// Errors: invalid_mesh if the cavity lists elements that do not exist, lists some twice or lacks a vert of an old
+  ///         poly, or if the constructor would refuse a new poly. invalid_mesh if a vert that is to be removed keeps a
+  ///         poly or a face without polys. The tables are unchanged then.
+  void rewire(const detail::native_cavity& c, const detail::native_cavity_result& made,
+              function_ref<void(const detail::index_bounds&)> grow = {}, detail::edit_log* log = nullptr);
 
   /// Calls f for every array of the tables, for undoing edits.
   template<class F>
   void for_each_array(const F& f) {
-    f(verts_), f(edges_), f(faces_), f(polys_), f(f2v_), f(p2v_), f(p2e_), f(outward_), f(e2v_), f(e2f_), f(incident_edges_), f(v2p_);
+    f(verts_), f(edges_), f(faces_), f(polys_), f(f2v_), f(p2v_), f(p2e_), f(outward_), f(e2v_), f(e2f_),
+        f(incident_edges_), f(v2p_);
     facet_adjacency_.for_each_array(f);
   }
   static constexpr std::uint32_t num_arrays = 12 + detail::facet_adjacency<face_id, 0>::num_arrays;
 
-  /// Allocates the memory for the removal of these polys, and of faces and verts without polys. These removals cannot fail afterwards.
+  /// Allocates the memory for the removal of these polys, and of faces and verts without polys. These removals cannot
+  /// fail afterwards.
   void reserve_removal(std::span<const poly_id>);
 
-  /// Removes p, the faces that no other poly has and the edges that no other face has; verts stay. The ids of other elements do not change.
+  /// Removes p, the faces that no other poly has and the edges that no other face has; verts stay. The ids of other
+  /// elements do not change.
   void remove_poly(poly_id p);
 
   /// Removes a face that has no polys.
@@ -137,8 +152,8 @@ class basic_polyhedra_tables {
   /// Removes a vert that has no polys, and the faces at it, which have none either.
   void remove_vert(vert_id v);
 
-  /// These tables without gaps, as packed as new ones. Elements and the entries of all lists keep their order, apart from
-  /// the neighbours of verts with many.
+  /// These tables without gaps, as packed as new ones. Elements and the entries of all lists keep their order, apart
+  /// from the neighbours of verts with many.
   basic_polyhedra_tables compacted(const detail::compaction& kept) const;
 
   // Used by the ranges above.
@@ -165,7 +180,21 @@ class basic_polyhedra_tables {
   static constexpr std::size_t faces_of_new_edge = 4;  // for which memory is reserved
 
   /// The arrays as for_each_array() numbers them.
-  enum array_number : std::uint32_t { of_verts, of_edges, of_faces, of_polys, of_f2v, of_p2v, of_p2e, of_outward, of_e2v, of_e2f, of_incident_edges, of_v2p, of_facets };
+  enum array_number : std::uint32_t {
+    of_verts,
+    of_edges,
+    of_faces,
+    of_polys,
+    of_f2v,
+    of_p2v,
+    of_p2e,
+    of_outward,
+    of_e2v,
+    of_e2f,
+    of_incident_edges,
+    of_v2p,
+    of_facets
+  };
 
   /// Saves what changes when a face with these verts is added or removed.
   void save_around_face(detail::edit_log& log, id_span<vert_id> corners) const;
@@ -174,7 +203,8 @@ class basic_polyhedra_tables {
   std::size_t check(std::size_t vert_count, const jagged<face_id>& polys) const;
   std::size_t check_polys(const jagged<face_id>& polys) const;
 
-  /// The smaller neighbours of a vert come before the larger ones, in ascending order, until edges are added or removed there.
+  /// The smaller neighbours of a vert come before the larger ones, in ascending order, until edges are added or removed
+  /// there.
   edge_id edge_to_smaller(vert_id v, vert_id smaller) const;
 
   void build(std::size_t vert_count, const jagged<face_id>& polys, std::size_t poly_corners);
@@ -187,7 +217,8 @@ class basic_polyhedra_tables {
   void link_polys(const jagged<face_id>& polys);
 
   // The edges and verts of every poly are listed in the order in which they occur in its faces.
-  void list_edges_of_polys(const core::flat_array<edge_id>& f2e, const jagged<face_id>& polys, std::size_t poly_corners);
+  void list_edges_of_polys(const core::flat_array<edge_id>& f2e, const jagged<face_id>& polys,
+                           std::size_t poly_corners);
   /// Lists the verts of every poly, and the polys of every vert.
   void list_verts_of_polys(std::size_t vert_count, const jagged<face_id>& polys, std::size_t poly_corners);
 };
@@ -196,7 +227,8 @@ template<class Lists>
 edge_id basic_polyhedra_tables<Lists>::edge_to_smaller(vert_id v, vert_id smaller) const {
   const id_span<vert_id> near = incident_edges_.verts(v);
   const vert_id* const at = std::lower_bound(near.begin(), near.end(), smaller);
-  return at != near.end() && *at == smaller ? incident_edges_.edges(v)[static_cast<std::size_t>(at - near.begin())] : edge_id{};
+  return at != near.end() && *at == smaller ? incident_edges_.edges(v)[static_cast<std::size_t>(at - near.begin())]
+                                            : edge_id{};
 }
 
 using polyhedra_tables = basic_polyhedra_tables<detail::jagged_array<vert_id, 0>>;

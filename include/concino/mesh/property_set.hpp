@@ -21,7 +21,8 @@
 
 namespace concino {
 
-/// What a property gives values to: the elements of a kind; `mesh`: the mesh as a whole, one value; `corner`: each vert of each poly.
+/// What a property gives values to: the elements of a kind; `mesh`: the mesh as a whole, one value; `corner`: each vert
+/// of each poly.
 enum class element_kind { vert, edge, face, poly, mesh, corner };
 
 /// The name of a kind of elements: "vert", "edge", "face", "poly", "mesh" or "corner".
@@ -31,8 +32,8 @@ inline std::string_view to_string(element_kind k) {
   return names[static_cast<unsigned>(k)];
 }
 
-/// How the value of a property at an element follows from the values at its origins, when elements are copied, split, merged or interpolated.
-/// A pure copy has the value of its origin by the first two rules.
+/// How the value of a property at an element follows from the values at its origins, when elements are copied, split,
+/// merged or interpolated. A pure copy has the value of its origin by the first two rules.
 enum class property_rule {
   interpolate,  // the mean, weighted by the size of the common part: of numbers, vectors, arrays of numbers, colours
   copy,         // the value of the origin with the largest weight: of anything, such as names and labels
@@ -78,8 +79,8 @@ void add_scaled(std::array<T, N>& to, const std::array<T, N>& x, double factor) 
   for (std::size_t i = 0; i < N; ++i) add_scaled(to[i], x[i], factor);
 }
 
-/// The operations of a column on its values (type erasure). Columns are not templates: each would take longer to compile than most of what is done
-/// with them.
+/// The operations of a column on its values (type erasure). Columns are not templates: each would take longer to
+/// compile than most of what is done with them.
 struct value_type {
   std::size_t size, alignment;
   const std::type_info* type;
@@ -88,10 +89,13 @@ struct value_type {
   void (*move)(void* at, void* from);        // or copy, if moving may throw
   void (*destroy)(void* at);
   property_rule rule;                                           // unless the user sets another one
-  void (*scale)(void* at, const void* from, double factor);     // constructs factor * from; null: the values cannot be split
-  void (*add)(void* at, const void* from, double factor);       // adds factor * from, with the factor 1 if values cannot be split; null: there is no sum
+  void (*scale)(void* at, const void* from, double factor);     // constructs factor * from; null: the values cannot be
+                                                                // split
+  void (*add)(void* at, const void* from, double factor);       // adds factor * from, with the factor 1 if values
+                                                                // cannot be split; null: there is no sum
   bool moves_without_throwing;
-  std::size_t num_parts = 1;                                    // the functions scale and add apply to each of so many parts of equal size
+  std::size_t num_parts = 1;                                    // the functions scale and add apply to each of so many
+                                                                // parts of equal size
 };
 
 /// Numbers and arrays of numbers need few functions, as files have them in many types.
@@ -105,11 +109,25 @@ struct value_functions {
   static void move(void* at, void* from) { ::new (at) T(std::move_if_noexcept(*static_cast<T*>(from))); }
   static void destroy(void* at) { static_cast<T*>(at)->~T(); }
 
-  static void scale(void* at, const void* from, double factor) { ::new (at) T(detail::scaled_value(*static_cast<const T*>(from), factor)); }
-  static void add(void* at, const void* from, double factor) { detail::add_scaled(*static_cast<T*>(at), *static_cast<const T*>(from), factor); }
+  static void scale(void* at, const void* from, double factor) {
+    ::new (at) T(detail::scaled_value(*static_cast<const T*>(from), factor));
+  }
+  static void add(void* at, const void* from, double factor) {
+    detail::add_scaled(*static_cast<T*>(at), *static_cast<const T*>(from), factor);
+  }
 
   static constexpr value_type type() {
-    value_type t{sizeof(T), alignof(T), &typeid(T), nullptr, nullptr, nullptr, nullptr, property_rule::copy, nullptr, nullptr, std::is_nothrow_move_constructible_v<T>};
+    value_type t{sizeof(T),
+                 alignof(T),
+                 &typeid(T),
+                 nullptr,
+                 nullptr,
+                 nullptr,
+                 nullptr,
+                 property_rule::copy,
+                 nullptr,
+                 nullptr,
+                 std::is_nothrow_move_constructible_v<T>};
     if constexpr (!is_zero_by_default<T>) t.make = make;
     if constexpr (!std::is_trivially_copyable_v<T>) t.copy = copy, t.move = move, t.destroy = destroy;
     if constexpr (requires(T& x) { detail::add_scaled(x, x, 1.0); }) {
@@ -145,7 +163,8 @@ class column {
   void make_room(std::size_t n);
   void make_default();
   void copy_value(const column& o, std::size_t from);
-  void apply_to_parts(void (*f)(void*, const void*, double), std::size_t i, const column& o, std::size_t from, double factor);
+  void apply_to_parts(void (*f)(void*, const void*, double), std::size_t i, const column& o, std::size_t from,
+                      double factor);
   void interpolate(const column& o, const element_origins& from);
   void copy_largest(const column& o, const element_origins& from);
   void sum(const column& o, const element_origins& from);
@@ -170,7 +189,8 @@ class column {
   /// New values are default values.
   void resize(std::size_t n);
   bool is_bytes() const { return !type_->copy; }
-  /// Moves value k of `from`, which has values of the same type, to position i, whose value is replaced. Only if moving does not throw.
+  /// Moves value k of `from`, which has values of the same type, to position i, whose value is replaced. Only if moving
+  /// does not throw.
   void take(std::size_t i, column& from, std::size_t k) noexcept;
 
   void swap_values(column& o) noexcept;
@@ -204,7 +224,8 @@ class property_set {
   property_set& operator=(property_set o) noexcept;
 
   /// The column of that name, created with n default values if there is none.
-  std::shared_ptr<detail::column> get(element_kind kind, std::string_view name, const detail::value_type& type, std::size_t n);
+  std::shared_ptr<detail::column> get(element_kind kind, std::string_view name, const detail::value_type& type,
+                                      std::size_t n);
 
   /// Null if there is none of that name; invalid_argument if it has values of another type.
   std::shared_ptr<detail::column> find(element_kind kind, std::string_view name, const detail::value_type& type) const;
@@ -217,13 +238,14 @@ class property_set {
   bool has(element_kind kind) const;
   void set_rule(element_kind kind, std::string_view name, property_rule rule);
 
-  /// Transfers the properties of another mesh, of whose elements the elements of this one were made, and those of that mesh as a whole. Properties of
-  /// the same kind and name are replaced. Strong exception guarantee.
+  /// Transfers the properties of another mesh, of whose elements the elements of this one were made, and those of that
+  /// mesh as a whole. Properties of the same kind and name are replaced. Strong exception guarantee.
   void transfer(const property_set& source, const correspondence& c);
   /// The same for properties of verts, of polys and of the mesh only, for a mesh of another dimension.
   void transfer_verts_and_polys(const property_set& source, const correspondence& c);
 
-  /// Moves values to where their elements are now; c says where they were, each in at most one place. Handles remain valid. Strong exception guarantee.
+  /// Moves values to where their elements are now; c says where they were, each in at most one place. Handles remain
+  /// valid. Strong exception guarantee.
   void renumber(const correspondence& c);
 
   /// Adds default values for elements that will be added. If one of them cannot be constructed, nothing changes.

@@ -5,9 +5,9 @@
 
 namespace concino {
 
-/// A surface of quadrilaterals. Any list of quadrilaterals is allowed: with boundary, several components, verts without quadrilaterals, more than two
-/// quadrilaterals at an edge. Descriptors are vert_id, edge_id, poly_id; verts and polys keep the numbers of the input.
-/// All access is through the verbs: verts(m), adj_p2v(m, p), point(m, v) ...
+/// A surface of quadrilaterals. Any list of quadrilaterals is allowed: with boundary, several components, verts without
+/// quadrilaterals, more than two quadrilaterals at an edge. Descriptors are vert_id, edge_id, poly_id; verts and polys
+/// keep the numbers of the input. All access is through the verbs: verts(m), adj_p2v(m, p), point(m, v) ...
 class quadmesh : public detail::native_mesh<surface_tables<4>> {
   using base = detail::native_mesh<surface_tables<4>>;
 
@@ -22,7 +22,8 @@ class quadmesh : public detail::native_mesh<surface_tables<4>> {
   /// From points and lists of 4 verts, as braced lists or containers.
   quadmesh(point_list points, index_lists poly_verts);
   template<detail::PointRange Points, detail::IndexListRange Polys>
-  quadmesh(const Points& points, const Polys& poly_ranges) : quadmesh(detail::to_surface(detail::to_points(points), poly_ranges, 4, "quadmesh")) {}
+  quadmesh(const Points& points, const Polys& poly_ranges)
+      : quadmesh(detail::to_surface(detail::to_points(points), poly_ranges, 4, "quadmesh")) {}
 };
 
 template<>

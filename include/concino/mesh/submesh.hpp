@@ -19,7 +19,9 @@ class submesh_view : public partial_view<M> {
 namespace detail {
 
 template<class M>
-struct submesh_traits : partial_view_traits<views::submesh_view<M>, M>, forward_properties<views::submesh_view<M>, M>, fixed_arity<arity_v<M>> {
+struct submesh_traits : partial_view_traits<views::submesh_view<M>, M>,
+                        forward_properties<views::submesh_view<M>, M>,
+                        fixed_arity<arity_v<M>> {
   using V = views::submesh_view<M>;
   using base = partial_view_traits<V, M>;
   using vert = vert_t<M>;
@@ -37,16 +39,20 @@ struct submesh_traits : partial_view_traits<views::submesh_view<M>, M>, forward_
   static bool contains(const V& m, const poly& x) { return base::is_visible(m, m.elements().polys, x); }
 
   static auto polys(const V& m) {
-    return filtered([&]() -> decltype(auto) { return traits<M>::polys(m.base()); }, base::visible_in(m, m.elements().polys));
+    return filtered([&]() -> decltype(auto) { return traits<M>::polys(m.base()); },
+                    base::visible_in(m, m.elements().polys));
   }
   static auto adj_v2p(const V& m, const vert& v) {
-    return filtered([&]() -> decltype(auto) { return traits<M>::adj_v2p(m.base(), v); }, base::visible_in(m, m.elements().polys));
+    return filtered([&]() -> decltype(auto) { return traits<M>::adj_v2p(m.base(), v); },
+                    base::visible_in(m, m.elements().polys));
   }
   static auto adj_e2p(const V& m, const edge& e) {
-    return filtered([&]() -> decltype(auto) { return traits<M>::adj_e2p(m.base(), e); }, base::visible_in(m, m.elements().polys));
+    return filtered([&]() -> decltype(auto) { return traits<M>::adj_e2p(m.base(), e); },
+                    base::visible_in(m, m.elements().polys));
   }
   static auto adj_p2p(const V& m, const poly& p) {
-    return filtered([&]() -> decltype(auto) { return traits<M>::adj_p2p(m.base(), p); }, base::visible_in(m, m.elements().polys));
+    return filtered([&]() -> decltype(auto) { return traits<M>::adj_p2p(m.base(), p); },
+                    base::visible_in(m, m.elements().polys));
   }
   static decltype(auto) adj_p2v(const V& m, const poly& p) { return traits<M>::adj_p2v(m.base(), p); }
   static decltype(auto) adj_p2e(const V& m, const poly& p) { return concino::adj_p2e(m.base(), p); }
@@ -70,21 +76,27 @@ struct submesh_volume_traits : submesh_traits<M> {
   static bool contains(const V& m, const face& x) { return base::is_visible(m, m.elements().faces, x); }
 
   static auto faces(const V& m) {
-    return filtered([&]() -> decltype(auto) { return traits<M>::faces(m.base()); }, base::visible_in(m, m.elements().faces));
+    return filtered([&]() -> decltype(auto) { return traits<M>::faces(m.base()); },
+                    base::visible_in(m, m.elements().faces));
   }
   static auto adj_v2f(const V& m, const vert& v) {
-    return filtered([&]() -> decltype(auto) { return traits<M>::adj_v2f(m.base(), v); }, base::visible_in(m, m.elements().faces));
+    return filtered([&]() -> decltype(auto) { return traits<M>::adj_v2f(m.base(), v); },
+                    base::visible_in(m, m.elements().faces));
   }
   static auto adj_e2f(const V& m, const edge& e) {
-    return filtered([&]() -> decltype(auto) { return traits<M>::adj_e2f(m.base(), e); }, base::visible_in(m, m.elements().faces));
+    return filtered([&]() -> decltype(auto) { return traits<M>::adj_e2f(m.base(), e); },
+                    base::visible_in(m, m.elements().faces));
   }
   static auto adj_f2p(const V& m, const face& f) {
-    return filtered([&]() -> decltype(auto) { return traits<M>::adj_f2p(m.base(), f); }, base::visible_in(m, m.elements().polys));
+    return filtered([&]() -> decltype(auto) { return traits<M>::adj_f2p(m.base(), f); },
+                    base::visible_in(m, m.elements().polys));
   }
   static decltype(auto) adj_f2v(const V& m, const face& f) { return traits<M>::adj_f2v(m.base(), f); }
   static decltype(auto) adj_f2e(const V& m, const face& f) { return concino::adj_f2e(m.base(), f); }
   static decltype(auto) adj_p2f(const V& m, const poly& p) { return traits<M>::adj_p2f(m.base(), p); }
-  static bool face_is_outward(const V& m, const poly& p, const face& f) { return concino::face_is_outward(m.base(), p, f); }
+  static bool face_is_outward(const V& m, const poly& p, const face& f) {
+    return concino::face_is_outward(m.base(), p, f);
+  }
 };
 
 }  // namespace detail
@@ -93,18 +105,19 @@ template<class M>
 struct mesh_traits<views::submesh_view<M>>
     : std::conditional_t<VolumeMesh<M>, detail::submesh_volume_traits<M>, detail::submesh_traits<M>> {};
 
-/// Needs:  AnyMesh M; keep(p) says whether poly p is in the view; it is called once for each. A mesh that owns its elements must outlive the view, so a
-///         temporary one is refused; of a view it keeps a copy.
-/// Result: a mesh of the same kind with the kept polys and their verts, edges and faces. Its descriptors and indices are
-///         those of m, and it has the named properties of m, if there are any. It does not follow later changes of m.
+/// Needs:  AnyMesh M; keep(p) says whether poly p is in the view; it is called once for each. A mesh that owns its
+///         elements must outlive the view, so a temporary one is refused; of a view it keeps a copy.
+/// Result: a mesh of the same kind with the kept polys and their verts, edges and faces. Its descriptors and indices
+///         are those of m, and it has the named properties of m, if there are any. It does not follow later changes of
+///         m.
 /// Cost:   O(elements of m) time; five bits per vert, edge, face and poly, which copies of the view share.
 /// Errors: those of keep.
 template<AnyMesh M, class Keep>
   requires requires(const Keep& keep, const poly_t<M>& p) { { keep(p) } -> std::convertible_to<bool>; }
 auto submesh(const M& m, const Keep& keep) {
-  auto s = std::make_shared<detail::visible_elements>(
-      detail::visible_elements{detail::element_mask(vert_index_bound(m)), detail::element_mask(edge_index_bound(m)), detail::element_mask(0),
-                             detail::element_mask(poly_index_bound(m)), detail::element_mask(vert_index_bound(m))});
+  auto s = std::make_shared<detail::visible_elements>(detail::visible_elements{
+      detail::element_mask(vert_index_bound(m)), detail::element_mask(edge_index_bound(m)), detail::element_mask(0),
+      detail::element_mask(poly_index_bound(m)), detail::element_mask(vert_index_bound(m))});
   if constexpr (VolumeMesh<M>) s->faces = detail::element_mask(face_index_bound(m));  // surfaces have no faces
   for (const auto p : polys(m)) {
     if (!keep(p)) continue;

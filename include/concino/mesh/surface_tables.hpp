@@ -1,5 +1,5 @@
-// All adjacencies of a surface in flat arrays, built from lists of verts in linear time. The native surfaces consist of these tables, and
-// any mesh with only face-vertex lists can store them beside it (see indexed_base.hpp).
+// All adjacencies of a surface in flat arrays, built from lists of verts in linear time. The native surfaces consist of
+// these tables, and any mesh with only face-vertex lists can store them beside it (see indexed_base.hpp).
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -14,8 +14,8 @@
 
 namespace concino {
 
-/// Arity: the number of verts of every polygon, or 0 if polygons differ. Lists: where the verts of polygons are stored, either in rows of these
-/// tables, which can be edited, or in an array of the user.
+/// Arity: the number of verts of every polygon, or 0 if polygons differ. Lists: where the verts of polygons are stored,
+/// either in rows of these tables, which can be edited, or in an array of the user.
 template<unsigned Arity, class Lists = detail::jagged_array<vert_id, Arity>>
 class surface_tables {
   template<unsigned, class> friend class surface_tables;
@@ -36,7 +36,8 @@ class surface_tables {
   surface_tables() = default;
   surface_tables(const surface_tables&) = default;
   surface_tables(surface_tables&&) noexcept = default;
-  surface_tables& operator=(const surface_tables& o) { return *this = surface_tables(o); }  // strong exception guarantee
+  // strong exception guarantee
+  surface_tables& operator=(const surface_tables& o) { return *this = surface_tables(o); }
   surface_tables& operator=(surface_tables&&) noexcept = default;
 
   /// From the verts of every polygon, in cyclic order. Linear time and memory.
@@ -55,10 +56,10 @@ class surface_tables {
     build(vert_count);
   }
   /// From lists stored elsewhere, and from tables that were built from a copy of these lists.
-  surface_tables(surface_tables<Arity>&& built, Lists elsewhere)
-    requires(!std::same_as<Lists, per_poly<vert_id>>)
-      : verts_(std::move(built.verts_)), edges_(std::move(built.edges_)), polys_(std::move(built.polys_)), p2v_(std::move(elsewhere)),
-        facet_adjacency_(std::move(built.facet_adjacency_)), e2v_(std::move(built.e2v_)), incident_(std::move(built.incident_)) {
+  surface_tables(surface_tables<Arity>&& built, Lists elsewhere) requires(!std::same_as<Lists, per_poly<vert_id>>)
+      : verts_(std::move(built.verts_)), edges_(std::move(built.edges_)), polys_(std::move(built.polys_)),
+        p2v_(std::move(elsewhere)), facet_adjacency_(std::move(built.facet_adjacency_)), e2v_(std::move(built.e2v_)),
+        incident_(std::move(built.incident_)) {
     if constexpr (Arity == 0) p2v_.share_offsets(built.p2v_);
   }
 
@@ -75,12 +76,13 @@ class surface_tables {
   id_span<edge_id> adj_p2e(poly_id p) const { return facet_adjacency_.facets(p); }
   detail::adjacent_polys adj_p2p(poly_id p) const { return facet_adjacency_.polys(p); }
 
-  /// The number of the first corner of p; the other corners of p follow. All corner numbers are below corner_bound(). Edits do not change them.
+  /// The number of the first corner of p; the other corners of p follow. All corner numbers are below corner_bound().
+  /// Edits do not change them.
   std::size_t first_corner(poly_id p) const { return p2v_.first(p.raw()); }
   std::size_t corner_bound() const { return p2v_.num_values(); }
 
-  // Edits have the strong exception guarantee: they allocate all memory first, which changes no element, and cannot fail afterwards. Before the
-  // change they call `grow` with the index bounds after the edit; `grow` may throw too.
+  // Edits have the strong exception guarantee: they allocate all memory first, which changes no element, and cannot
+  // fail afterwards. Before the change they call `grow` with the index bounds after the edit; `grow` may throw too.
 
   /// Adds a vert without edges.
   vert_id add_vert(function_ref<void(const detail::index_bounds&)> grow = {});
@@ -89,16 +91,19 @@ class surface_tables {
   /// Errors: invalid_mesh as in the constructor; the tables are unchanged then.
   poly_id add_poly(std::span<const vert_id> corners, function_ref<void(const detail::index_bounds&)> grow = {});
 
-  /// Replaces a few polys by others, as concepts/editable.hpp says. Cost: the corners of old and new polys, and the edges and polys at their verts.
-  /// Errors: invalid_mesh if the cavity lists elements that do not exist, lists some twice or lacks a vert of an old poly; if the constructor would
-  ///         refuse a new poly; if it removes a vert that keeps a poly. The tables are unchanged then.
-  void rewire(const detail::native_cavity& c, const detail::native_cavity_result& made, function_ref<void(const detail::index_bounds&)> grow = {},
-              detail::edit_log* log = nullptr);
+  /// Replaces a few polys by others, as concepts/editable.hpp says. Cost: the corners of old and new polys, and the
+  /// edges and polys at their verts.
+  /// Errors: invalid_mesh if the cavity lists elements that do not exist, lists some twice or lacks a vert of an old
+  ///         poly; if the constructor would refuse a new poly; if it removes a vert that keeps a poly. The tables are
+  ///         unchanged then.
+  void rewire(const detail::native_cavity& c, const detail::native_cavity_result& made,
+              function_ref<void(const detail::index_bounds&)> grow = {}, detail::edit_log* log = nullptr);
 
-  // The first poly of an edge with two polys stays the first, in each edit after which it has the edge still and the edge has two polys again.
+  // The first poly of an edge with two polys stays the first, in each edit after which it has the edge still and the
+  // edge has two polys again.
 
-  // Edits of an edge of triangles, faster than by rewire and with the same result. They do nothing if the edit is impossible, or if a triangle at the edge has
-  // a non-manifold edge or a neighbour behind two of its edges.
+  // Edits of an edge of triangles, faster than by rewire and with the same result. They do nothing if the edit is
+  // impossible, or if a triangle at the edge has a non-manifold edge or a neighbour behind two of its edges.
 
   /// Splits e, and each poly at it into two. Returns the new vert, or none if nothing is done.
   vert_id split_edge(edge_id e)
@@ -106,7 +111,8 @@ class surface_tables {
   /// Replaces e by the edge between the verts opposite to it. Returns whether it was done.
   bool flip_edge(edge_id e)
     requires(Arity == 3);
-  /// Collapses e: its first end remains. Returns whether it was done. Nothing is done if the removed end is not inside a manifold or has many polys.
+  /// Collapses e: its first end remains. Returns whether it was done. Nothing is done if the removed end is not inside
+  /// a manifold or has many polys.
   bool collapse_edge(edge_id e)
     requires(Arity == 3);
 
@@ -118,7 +124,8 @@ class surface_tables {
   }
   static constexpr std::uint32_t num_arrays = 6 + detail::facet_adjacency<edge_id, Arity>::num_arrays;
 
-  /// Allocates the memory for the removal of these polys and of verts without polys. These removals cannot fail afterwards.
+  /// Allocates the memory for the removal of these polys and of verts without polys. These removals cannot fail
+  /// afterwards.
   void reserve_removal(std::span<const poly_id>);
 
   /// Removes p and the edges that no other poly has; verts stay. The ids of other elements do not change.
@@ -153,8 +160,9 @@ class surface_tables {
   void build(std::size_t vert_count);
   void find_edges(found_edges& found, jagged<poly_id>& v2p, const detail::offsets& poly_of);
 
-  /// Lists, for each vert, what build() needs to find its polys: polys or corners. It lists corners if all polygons have the same size, and also if some
-  /// polygon is long, since searching it for the vert would take too long. Returns the poly of each corner, if polygons differ and corners are listed.
+  /// Lists, for each vert, what build() needs to find its polys: polys or corners. It lists corners if all polygons
+  /// have the same size, and also if some polygon is long, since searching it for the vert would take too long. Returns
+  /// the poly of each corner, if polygons differ and corners are listed.
   detail::offsets list_at_verts(jagged<poly_id>& v2p, core::flat_array<std::uint32_t>& scratch) const;
 
   /// Vert k of `poly`, which has `size` verts.
@@ -165,16 +173,18 @@ class surface_tables {
 };
 
 // The members that are compiled into the library for the arities of its meshes.
-#define CONCINO_SURFACE_TABLES(EXTERN, ARITY)                                                                                         \
-  EXTERN template vert_id surface_tables<ARITY>::add_vert(function_ref<void(const detail::index_bounds&)>);                           \
-  EXTERN template poly_id surface_tables<ARITY>::add_poly(std::span<const vert_id>, function_ref<void(const detail::index_bounds&)>); \
-  EXTERN template void surface_tables<ARITY>::rewire(const detail::native_cavity&, const detail::native_cavity_result&,                \
-                                                     function_ref<void(const detail::index_bounds&)>, detail::edit_log*);             \
-  EXTERN template void surface_tables<ARITY>::reserve_removal(std::span<const poly_id>);                                              \
-  EXTERN template void surface_tables<ARITY>::remove_poly(poly_id);                                                                   \
-  EXTERN template void surface_tables<ARITY>::remove_vert(vert_id);                                                                   \
-  EXTERN template surface_tables<ARITY> surface_tables<ARITY>::compacted(const detail::compaction&) const;                            \
-  EXTERN template void surface_tables<ARITY>::check(std::size_t) const;                                                               \
+#define CONCINO_SURFACE_TABLES(EXTERN, ARITY)                                                               \
+  EXTERN template vert_id surface_tables<ARITY>::add_vert(function_ref<void(const detail::index_bounds&)>); \
+  EXTERN template poly_id surface_tables<ARITY>::add_poly(std::span<const vert_id>,                         \
+                                                          function_ref<void(const detail::index_bounds&)>); \
+  EXTERN template void surface_tables<ARITY>::rewire(                                                       \
+      const detail::native_cavity&, const detail::native_cavity_result&,                                    \
+      function_ref<void(const detail::index_bounds&)>, detail::edit_log*);                                  \
+  EXTERN template void surface_tables<ARITY>::reserve_removal(std::span<const poly_id>);                    \
+  EXTERN template void surface_tables<ARITY>::remove_poly(poly_id);                                         \
+  EXTERN template void surface_tables<ARITY>::remove_vert(vert_id);                                         \
+  EXTERN template surface_tables<ARITY> surface_tables<ARITY>::compacted(const detail::compaction&) const;  \
+  EXTERN template void surface_tables<ARITY>::check(std::size_t) const;                                     \
   EXTERN template void surface_tables<ARITY>::build(std::size_t)
 #define CONCINO_TRIANGLE_EDITS(EXTERN)                                   \
   EXTERN template vert_id surface_tables<3>::split_edge(edge_id);        \

@@ -5,9 +5,9 @@
 
 namespace concino {
 
-/// A surface of triangles. Any list of triangles is allowed: with boundary, several components, verts without triangles, more than two
-/// triangles at an edge. Descriptors are vert_id, edge_id, poly_id; verts and polys keep the numbers of the input.
-/// All access is through the verbs: verts(m), adj_p2v(m, p), point(m, v) ...
+/// A surface of triangles. Any list of triangles is allowed: with boundary, several components, verts without
+/// triangles, more than two triangles at an edge. Descriptors are vert_id, edge_id, poly_id; verts and polys keep the
+/// numbers of the input. All access is through the verbs: verts(m), adj_p2v(m, p), point(m, v) ...
 class trimesh : public detail::native_mesh<surface_tables<3>> {
   using base = detail::native_mesh<surface_tables<3>>;
 
@@ -22,7 +22,8 @@ class trimesh : public detail::native_mesh<surface_tables<3>> {
   /// From points and lists of 3 verts, as braced lists or containers.
   trimesh(point_list points, index_lists poly_verts);
   template<detail::PointRange Points, detail::IndexListRange Polys>
-  trimesh(const Points& points, const Polys& poly_ranges) : trimesh(detail::to_surface(detail::to_points(points), poly_ranges, 3, "trimesh")) {}
+  trimesh(const Points& points, const Polys& poly_ranges)
+      : trimesh(detail::to_surface(detail::to_points(points), poly_ranges, 3, "trimesh")) {}
 };
 
 template<>

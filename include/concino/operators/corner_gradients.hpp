@@ -1,5 +1,5 @@
-// The gradient of a function with values at the verts of one polygon or polyhedron: one vector for each vert. The gradient matrix, the Laplacian and
-// the masses are assembled from these vectors.
+// The gradient of a function with values at the verts of one polygon or polyhedron: one vector for each vert. The
+// gradient matrix, the Laplacian and the masses are assembled from these vectors.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -19,12 +19,14 @@ namespace detail {
 
 template<class M>
 [[noreturn, gnu::noinline, gnu::cold]] void throw_no_measure(const char* caller, const M& m, const poly_t<M>& p) {
-  core::throw_joined<invalid_mesh>({caller, ": poly ", index_of(m, p), dimension_v<M> == 2 ? " has no area" : " has no volume",
-                              ", or points that are not finite, so functions on it have no gradient; remove it or move its verts"});
+  core::throw_joined<invalid_mesh>(
+      {caller, ": poly ", index_of(m, p), dimension_v<M> == 2 ? " has no area" : " has no volume",
+       ", or points that are not finite, so functions on it have no gradient; remove it or move its verts"});
 }
 
-/// Integrates the hat functions times `sign` times the normal over a face, and calls share(i, integral) for each vert i. The face is a fan of triangles
-/// about the mean point of its verts. Functions are linear on each triangle, with the mean value at the mean point. around: the verts minus that point.
+/// Integrates the hat functions times `sign` times the normal over a face, and calls share(i, integral) for each vert
+/// i. The face is a fan of triangles about the mean point of its verts. Functions are linear on each triangle, with the
+/// mean value at the mean point. around: the verts minus that point.
 /// Result: the sum of the integrals, `sign` times the vector area. Linear functions are integrated exactly.
 template<class F>
 vec3 integrate_fan(const std::vector<vec3>& around, double sign, F&& share) {
@@ -50,7 +52,8 @@ struct corner_gradient_arrays {
   vec3 normal;                 // of a polygon: its vector area
   double measure = 0;          // area, or volume: negative for an inverted poly
 
-  /// Whether the poly visited last has a measure and finite points. There is no tolerance: the thinnest poly has gradients.
+  /// Whether the poly visited last has a measure and finite points. There is no tolerance: the thinnest poly has
+  /// gradients.
   bool has_gradients() const;
 
  protected:
@@ -59,12 +62,13 @@ struct corner_gradient_arrays {
   void visit_polygon();
 };
 
-/// The verts of a poly and, for each, the vector g_i such that the mean gradient of u over the poly is the sum of u_i g_i. One object serves
-/// for many polys, so that nothing is allocated for each.
+/// The verts of a poly and, for each, the vector g_i such that the mean gradient of u over the poly is the sum of u_i
+/// g_i. One object serves for many polys, so that nothing is allocated for each.
 ///
-/// Polygons: the integral of u times the outward normal along the edges, divided by the area. u is linear on each edge; g_i is normal to the vector area.
-/// Polyhedra: the integral of u n over the faces, divided by the volume. Each face is a fan of linear triangles about its mean point, with the mean value.
-/// These are the faces that `volume` uses, so linear functions have their exact gradient whether faces are planar or not.
+/// Polygons: the integral of u times the outward normal along the edges, divided by the area. u is linear on each edge;
+/// g_i is normal to the vector area. Polyhedra: the integral of u n over the faces, divided by the volume. Each face is
+/// a fan of linear triangles about its mean point, with the mean value. These are the faces that `volume` uses, so
+/// linear functions have their exact gradient whether faces are planar or not.
 template<EmbeddedMesh M>
 struct corner_gradients : corner_gradient_arrays {
   std::vector<vert_t<M>> verts;
@@ -92,7 +96,8 @@ struct corner_gradients : corner_gradient_arrays {
  private:
   std::vector<std::size_t> corner_;  // of one face: the positions of its verts in `verts`
   std::vector<vec3> around_;         // of one face: its verts relative to its mean point
-  std::vector<std::uint64_t> sorted_;  // of polys of many verts: index in the mesh, then the position in 32 bits, sorted
+  std::vector<std::uint64_t> sorted_;  // of polys of many verts: index in the mesh, then the position in 32 bits,
+                                       // sorted
 
   /// The position of v in `verts`: by linear search, or by its index in polys of many verts.
   std::size_t corner_of(const M& m, const vert_t<M>& v) const {
@@ -101,7 +106,8 @@ struct corner_gradients : corner_gradient_arrays {
       while (i < verts.size() && !(verts[i] == v)) ++i;
     } else {
       const std::uint64_t* const first = sorted_.data();
-      i = static_cast<std::uint32_t>(*std::lower_bound(first, first + sorted_.size(), static_cast<std::uint64_t>(index_of(m, v)) << 32));
+      i = static_cast<std::uint32_t>(
+          *std::lower_bound(first, first + sorted_.size(), static_cast<std::uint64_t>(index_of(m, v)) << 32));
     }
     assert(i < verts.size() && "the verts of a poly are those of its faces");
     return i;
@@ -109,7 +115,8 @@ struct corner_gradients : corner_gradient_arrays {
   void sort_many(const M& m) {
     sorted_.clear();
     if (verts.size() <= 32) return;
-    for (std::size_t i = 0; i < verts.size(); ++i) sorted_.push_back(static_cast<std::uint64_t>(index_of(m, verts[i])) << 32 | i);
+    for (std::size_t i = 0; i < verts.size(); ++i)
+      sorted_.push_back(static_cast<std::uint64_t>(index_of(m, verts[i])) << 32 | i);
     std::sort(sorted_.begin(), sorted_.end());
   }
 
@@ -128,7 +135,8 @@ struct corner_gradients : corner_gradient_arrays {
     if (n == 0) return;
     const vec3 c = sum / static_cast<double>(n);
     for (vec3& x : around_) x -= c;
-    measure += dot(c, detail::integrate_fan(around_, sign, [&](std::size_t i, const vec3& share) { gradient[corner_[i]] += share; }));
+    measure += dot(c, detail::integrate_fan(around_, sign,
+                                            [&](std::size_t i, const vec3& share) { gradient[corner_[i]] += share; }));
   }
 };
 

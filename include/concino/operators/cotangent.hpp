@@ -8,14 +8,15 @@ namespace concino {
 
 namespace requirement {
 
-template<class M> concept may_have_simplices = AnyMesh<M> && (arity_v<M> == 0 || arity_v<M> == dimension_v<M> + 1);  // cotangents need triangles or tets: use virtual_elements, or split the polys
+// cotangents need triangles or tets: use virtual_elements, or split the polys
+template<class M> concept may_have_simplices = AnyMesh<M> && (arity_v<M> == 0 || arity_v<M> == dimension_v<M> + 1);
 
 }  // namespace requirement
 
-/// Linear finite elements on triangles and tets. The weight of an edge is the sum over its polys of minus the measure times the scalar product of the
-/// gradients of the hat functions of its ends. On surfaces this is half the sum of the cotangents of the angles opposite the edge. In volumes it is a
-/// sixth of the sum of the lengths of the opposite edges times the cotangents of the dihedral angles there. Negative weights are kept: this makes linear
-/// functions harmonic.
+/// Linear finite elements on triangles and tets. The weight of an edge is the sum over its polys of minus the measure
+/// times the scalar product of the gradients of the hat functions of its ends. On surfaces this is half the sum of the
+/// cotangents of the angles opposite the edge. In volumes it is a sixth of the sum of the lengths of the opposite edges
+/// times the cotangents of the dihedral angles there. Negative weights are kept: this makes linear functions harmonic.
 /// Needs:  EmbeddedMesh of triangles or tets: by type or, if the type allows any number of verts, in fact.
 /// Errors: of functions that use it: unsupported if some poly is no triangle or tet, invalid_mesh if one is degenerate.
 /// Source: Pinkall, Polthier 1993 (triangles); Crane 2019, "The n-dimensional cotangent formula" (tets).

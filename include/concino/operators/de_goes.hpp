@@ -1,4 +1,5 @@
-// An alternative discretisation, for comparison: the polygon Laplacian of de Goes, Butts and Desbrun. Not part of <concino/operators.hpp>.
+// An alternative discretisation, for comparison: the polygon Laplacian of de Goes, Butts and Desbrun.
+// Not part of <concino/operators.hpp>.
 #pragma once
 
 #include <concino/operators/detail/cotangent_weights.hpp>
@@ -7,7 +8,8 @@
 
 namespace concino {
 
-/// The mean gradient of each polygon, plus a penalty for differences along its edges that deviate from it. For comparison with the default.
+/// The mean gradient of each polygon, plus a penalty for differences along its edges that deviate from it. For
+/// comparison with the default.
 /// Needs:  Embedded SurfaceMesh.
 /// Errors: of functions that use it: invalid_mesh if a polygon has no area or points that are not finite.
 /// Source: de Goes, Butts, Desbrun 2020, "Discrete differential operators on polygonal meshes".

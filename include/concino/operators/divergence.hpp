@@ -10,9 +10,10 @@
 namespace concino {
 
 /// The divergence of a field, integrated with the hat function of each vert: divergence_matrix(m) times the field.
-/// Needs:  EmbeddedMesh, no temporary; field[p] of every poly, a vec3 or anything with [0], [1], [2], readable from several threads.
-/// Result: a map of double, see divergence_matrix; 0 at verts of no poly. If a vector is not finite, neither are the results at the
-///         verts of their polys.
+/// Needs:  EmbeddedMesh, no temporary; field[p] of every poly, a vec3 or anything with [0], [1], [2], readable from
+///         several threads.
+/// Result: a map of double, see divergence_matrix; 0 at verts of no poly. If a vector is not finite, neither are the
+///         results at the verts of their polys.
 /// Cost:   O(size of the polys) time and memory, in parallel; the same for any number of threads.
 /// Errors: invalid_mesh that names a poly without area or volume or with points that are not finite.
 /// Source: as divergence_matrix.

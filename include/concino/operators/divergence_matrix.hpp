@@ -9,15 +9,16 @@
 
 namespace concino {
 
-/// The matrix D = -G^T M_p, with G the gradient_matrix and M_p the poly_mass_matrix. Row v of D times a vector field on polys is its divergence,
-/// integrated with the hat function of v. Columns 3p, 3p + 1, 3p + 2 take x, y and z of the vector of poly p. Divide by vert_masses for the
-/// divergence at a point.
+/// The matrix D = -G^T M_p, with G the gradient_matrix and M_p the poly_mass_matrix. Row v of D times a vector field on
+/// polys is its divergence, integrated with the hat function of v. Columns 3p, 3p + 1, 3p + 2 take x, y and z of the
+/// vector of poly p. Divide by vert_masses for the divergence at a point.
 /// Needs:  as gradient_matrix.
-/// Result: vert_index_bound(m) rows, 3 poly_index_bound(m) columns, by index_of; an entry for every vert of every poly, rows sorted in each
-///         column; those of deleted elements and of verts of no poly are empty. It is the adjoint of the gradient. Flow out through the
-///         boundary counts as a sink at its verts, so each column sums to 0. Constant fields have divergence 0 at the interior verts of planar
-///         surfaces and of volumes without inverted polys, for every kind of poly. D G is the cotangent Laplacian on triangles and
-///         tets. In units of length (surfaces) or length^2, scales exactly.
+/// Result: vert_index_bound(m) rows, 3 poly_index_bound(m) columns, by index_of; an entry for every vert of every poly,
+///         rows sorted in each column; those of deleted elements and of verts of no poly are empty. It is the adjoint
+///         of the gradient. Flow out through the boundary counts as a sink at its verts, so each column sums to 0.
+///         Constant fields have divergence 0 at the interior verts of planar surfaces and of volumes without inverted
+///         polys, for every kind of poly. D G is the cotangent Laplacian on triangles and tets. In units of length
+///         (surfaces) or length^2, scales exactly.
 /// Cost:   O(size of the polys) time and memory, in parallel; the same for any number of threads.
 /// Errors: as gradient_matrix.
 /// Source: the weak form of the finite element method; paper section 2.2, "transposing the gradient matrix".

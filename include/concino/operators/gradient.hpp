@@ -11,13 +11,15 @@ namespace concino {
 
 namespace detail {
 
-/// The sum of u_i g_i. It uses differences of u, so constants have gradient exactly 0 and large constants lose no digits.
+/// The sum of u_i g_i. It uses differences of u, so constants have gradient exactly 0 and large constants lose no
+/// digits.
 template<class Local, class U>
 vec3 gradient_of(const Local& local, const U& u) {
   vec3 sum;
   if (local.verts.size() == 0) return sum;
   const double first = static_cast<double>(u[local.verts[0]]);
-  for (std::size_t i = 1; i < local.verts.size(); ++i) sum += (static_cast<double>(u[local.verts[i]]) - first) * local.gradient[i];
+  for (std::size_t i = 1; i < local.verts.size(); ++i)
+    sum += (static_cast<double>(u[local.verts[i]]) - first) * local.gradient[i];
   return sum;
 }
 
@@ -25,7 +27,8 @@ vec3 gradient_of(const Local& local, const U& u) {
 
 /// The mean gradient of u over each poly: gradient_matrix(m) times u.
 /// Needs:  EmbeddedMesh, no temporary; u[v] of every vert of a poly, a number, readable from several threads.
-/// Result: a map of vec3, in units of u over length; see gradient_matrix. If values are not finite, neither are the gradients of their polys.
+/// Result: a map of vec3, in units of u over length; see gradient_matrix. If values are not finite, neither are the
+///         gradients of their polys.
 /// Cost:   O(size of the polys) time, in parallel, O(P) memory; the same for any number of threads.
 /// Errors: invalid_mesh, naming a poly without area or volume or with points that are not finite.
 /// Source: as gradient_matrix.
@@ -34,21 +37,24 @@ template<class M, class U>
 poly_map<M, vec3> gradient(M&& m, const U& u) {
   using mesh = std::remove_cvref_t<M>;
   auto result = make_poly_map<vec3>(m);
-  core::poly_chunks<mesh>(m).template for_each<poly_gradients<mesh>>([&](auto& local, const poly_t<mesh>& p, std::size_t) {
-    local.visit(m, p);
-    if (!local.has_gradients()) detail::throw_no_measure("gradient", m, p);
-    result[p] = detail::gradient_of(local, u);
-    return 0;
-  });
+  core::poly_chunks<mesh>(m).template for_each<poly_gradients<mesh>>(
+      [&](auto& local, const poly_t<mesh>& p, std::size_t) {
+        local.visit(m, p);
+        if (!local.has_gradients()) detail::throw_no_measure("gradient", m, p);
+        result[p] = detail::gradient_of(local, u);
+        return 0;
+      });
   return result;
 }
 
-/// The gradient of u at each vert: the mean over the polys around it, weighted by their areas or volumes; vert_gradient_matrix(m) times u.
+/// The gradient of u at each vert: the mean over the polys around it, weighted by their areas or volumes;
+/// vert_gradient_matrix(m) times u.
 /// Needs:  as gradient.
-/// Result: a map of vec3, in units of u over length; exact on linear functions on planar surfaces and in volumes, at the boundary too; 0 at
-///         verts of no poly.
+/// Result: a map of vec3, in units of u over length; exact on linear functions on planar surfaces and in volumes, at
+///         the boundary too; 0 at verts of no poly.
 /// Cost:   as gradient, and O(V) memory.      Errors: as gradient.
-/// Source: Mancinelli, Livesu, Puppo 2019, "A comparison of methods for gradient field estimation on simplicial meshes" (AGS).
+/// Source: Mancinelli, Livesu, Puppo 2019, "A comparison of methods for gradient field estimation on simplicial meshes"
+///         (AGS).
 template<class M, class U>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && requirement::gives_numbers<U, vert_t<M>>
 vert_map<M, vec3> vert_gradient(M&& m, const U& u) {
@@ -58,13 +64,14 @@ vert_map<M, vec3> vert_gradient(M&& m, const U& u) {
     double size = 0;
   };
   std::vector<weighted> of_poly(poly_index_bound(m)), of_vert(vert_index_bound(m));
-  core::poly_chunks<mesh>(m).template for_each<poly_gradients<mesh>>([&](auto& local, const poly_t<mesh>& p, std::size_t) {
-    local.visit(m, p);
-    if (!local.has_gradients()) detail::throw_no_measure("vert_gradient", m, p);
-    const double size = std::abs(local.measure);
-    of_poly[index_of(m, p)] = {size * detail::gradient_of(local, u), size};
-    return 0;
-  });
+  core::poly_chunks<mesh>(m).template for_each<poly_gradients<mesh>>(
+      [&](auto& local, const poly_t<mesh>& p, std::size_t) {
+        local.visit(m, p);
+        if (!local.has_gradients()) detail::throw_no_measure("vert_gradient", m, p);
+        const double size = std::abs(local.measure);
+        of_poly[index_of(m, p)] = {size * detail::gradient_of(local, u), size};
+        return 0;
+      });
   for (const poly_t<mesh> p : polys(m)) {
     const weighted& w = of_poly[index_of(m, p)];
     for (const vert_t<mesh> v : adj_p2v(m, p)) {

@@ -9,17 +9,19 @@
 
 namespace concino {
 
-/// The gradient matrix G. Rows 3p, 3p + 1, 3p + 2 of G u are x, y and z of the mean gradient over poly p of the function with values u at the
-/// verts. That is the integral of u times the outward normal over the boundary of p, divided by its area or volume. Along edges u is linear;
-/// faces of volumes are fans of triangles about their mean point, where u has the mean value.
+/// The gradient matrix G. Rows 3p, 3p + 1, 3p + 2 of G u are x, y and z of the mean gradient over poly p of the
+/// function with values u at the verts. That is the integral of u times the outward normal over the boundary of p,
+/// divided by its area or volume. Along edges u is linear; faces of volumes are fans of triangles about their mean
+/// point, where u has the mean value.
 /// Needs:  EmbeddedMesh; the faces of each polyhedron are closed.
-/// Result: 3 poly_index_bound(m) rows, vert_index_bound(m) columns, by index_of; an entry for every vert of every poly, rows sorted in each
-///         column; those of deleted elements and of verts of no poly are empty. For linear functions a . x the rows of a poly give exactly a. On
-///         surfaces a loses its component along the vector area of the poly. Polys need not be planar or convex. Constants have gradient 0 up to
-///         rounding errors. In units of 1 / length, scales exactly. Inverted polyhedra have the same gradients.
+/// Result: 3 poly_index_bound(m) rows, vert_index_bound(m) columns, by index_of; an entry for every vert of every poly,
+///         rows sorted in each column; those of deleted elements and of verts of no poly are empty. For linear
+///         functions a . x the rows of a poly give exactly a. On surfaces a loses its component along the vector area
+///         of the poly. Polys need not be planar or convex. Constants have gradient 0 up to rounding errors. In units
+///         of 1 / length, scales exactly. Inverted polyhedra have the same gradients.
 /// Cost:   O(size of the polys) time and memory, in parallel; the same for any number of threads.
-/// Errors: invalid_mesh, naming a poly without area or volume or with points that are not finite; unsupported if the matrix would be too
-///         large for 32-bit indices.
+/// Errors: invalid_mesh, naming a poly without area or volume or with points that are not finite; unsupported if the
+///         matrix would be too large for 32-bit indices.
 /// Source: Green-Gauss; on triangles and tets the gradient of piecewise linear functions; paper section 2.2.
 template<EmbeddedMesh M>
 Eigen::SparseMatrix<double> gradient_matrix(const M& m) {
@@ -27,7 +29,8 @@ Eigen::SparseMatrix<double> gradient_matrix(const M& m) {
   auto g = detail::empty_columns(caller, 3 * poly_index_bound(m), vert_index_bound(m));
   int* const begin = g.outerIndexPtr();
   std::vector<int> earlier_polys;  // of each corner: the number of earlier polys at its vert
-  if constexpr (arity_v<M> > 0) earlier_polys.reserve(static_cast<std::size_t>(arity_v<M>) * num_polys(m));  // the number of corners is known
+  // the number of corners is known
+  if constexpr (arity_v<M> > 0) earlier_polys.reserve(static_cast<std::size_t>(arity_v<M>) * num_polys(m));
   bool ascend = true;
   std::size_t next = 0;
   const core::poly_chunks<M> chunks(m, [&](const poly_t<M>& p) {

@@ -10,18 +10,23 @@
 
 namespace concino {
 
-/// The integrated Laplacian as a matrix L: u . L u is minus the integral of the squared gradient of u; with `uniform`, minus the sum of the
-/// squared differences along edges. Off-diagonal entries are the weights of the differences between u at two verts. The default
-/// discretisation is virtual_elements, which gives the cotangent weights on triangles and tets.
-/// Needs:  EmbeddedMesh M, or a discretisation: laplacian(m, uniform) of any PrimalGraph, laplacian(m, cotangent) of triangles or tets, those of
-///         <concino/operators/virtual_refinement.hpp> and <concino/operators/de_goes.hpp>, or your own, see Discretisation.
-/// Result: vert_index_bound(m) rows and columns, by index_of; symmetric to the last bit and negative semidefinite. The constants of each component
-///         (of polys joined at verts) are in the kernel, and nothing else if all polys form one component. Entries join the ends of edges and,
-///         with matrices of polys, other verts of one poly. A vert without edges has only a 0 on the diagonal, a deleted one an empty column. In
-///         units of length to the dimension minus 2, scaling exactly with powers of two.
-/// Cost:   O(V + E + size of the polys) time and memory. With matrices of polys it is the sum of the squares of their numbers of verts:
-///         virtual_elements have them unless polys are triangles or tets by type. Polys are computed in parallel; any number of threads gives the same bits.
-/// Errors: those of the discretisation, see virtual_elements and cotangent; unsupported if the matrix would be too large for 32-bit indices.
+/// The integrated Laplacian as a matrix L: u . L u is minus the integral of the squared gradient of u; with `uniform`,
+/// minus the sum of the squared differences along edges. Off-diagonal entries are the weights of the differences
+/// between u at two verts. The default discretisation is virtual_elements, which gives the cotangent weights on
+/// triangles and tets.
+/// Needs:  EmbeddedMesh M, or a discretisation: laplacian(m, uniform) of any PrimalGraph, laplacian(m, cotangent) of
+///         triangles or tets, those of <concino/operators/virtual_refinement.hpp> and <concino/operators/de_goes.hpp>,
+///         or your own, see Discretisation.
+/// Result: vert_index_bound(m) rows and columns, by index_of; symmetric to the last bit and negative semidefinite. The
+///         constants of each component (of polys joined at verts) are in the kernel, and nothing else if all polys form
+///         one component. Entries join the ends of edges and, with matrices of polys, other verts of one poly. A vert
+///         without edges has only a 0 on the diagonal, a deleted one an empty column. In units of length to the
+///         dimension minus 2, scaling exactly with powers of two.
+/// Cost:   O(V + E + size of the polys) time and memory. With matrices of polys it is the sum of the squares of their
+///         numbers of verts: virtual_elements have them unless polys are triangles or tets by type. Polys are computed
+///         in parallel; any number of threads gives the same bits.
+/// Errors: those of the discretisation, see virtual_elements and cotangent; unsupported if the matrix would be too
+///         large for 32-bit indices.
 /// Source: that of the discretisation; paper section 2.2.
 template<PrimalGraph M, Discretisation<M> D>
 Eigen::SparseMatrix<double> laplacian(const M& m, const D& discretisation) {

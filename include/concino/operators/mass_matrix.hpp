@@ -25,7 +25,8 @@ template<class M>
 [[noreturn, gnu::noinline, gnu::cold]] void throw_infinite_mass(const M& m) {
   for (const poly_t<M> p : polys(m))
     if (!std::isfinite(measure(m, p)))
-      core::throw_joined<invalid_mesh>({"vert_masses: poly ", index_of(m, p), " has points that are not finite, so it has no mass; move its verts"});
+      core::throw_joined<invalid_mesh>(
+          {"vert_masses: poly ", index_of(m, p), " has points that are not finite, so it has no mass; move its verts"});
   core::throw_joined<invalid_mesh>({"vert_masses: the sum of the measures of the polys is infinite; scale the mesh"});
 }
 
@@ -33,8 +34,8 @@ template<class M>
 
 /// The share of each vert in the areas or volumes around it: each poly is divided equally among its verts.
 /// Needs:  EmbeddedMesh, no temporary.
-/// Result: a map of double; positive on verts of some poly with a measure, 0 on others; sums to the measure of the mesh. An inverted poly
-///         counts by the absolute value of its volume, since a mass is positive.
+/// Result: a map of double; positive on verts of some poly with a measure, 0 on others; sums to the measure of the
+///         mesh. An inverted poly counts by the absolute value of its volume, since a mass is positive.
 /// Cost:   O(size of the polys) time, O(V) memory.
 /// Errors: invalid_mesh if points of a poly are not finite, or so far apart that the measures sum to infinity.
 /// Source: the barycentric lumped mass of the finite element method; paper section 2.2.
@@ -81,24 +82,29 @@ inline Eigen::SparseMatrix<double> diagonal_matrix(const double* x, std::size_t 
 }  // namespace detail
 
 struct mass_matrix_options {
-  bool lumped = true;  // a diagonal matrix, of vert_masses; otherwise the Galerkin matrix, which does not lose the order of a load
+  bool lumped = true;  // a diagonal matrix, of vert_masses; otherwise the Galerkin matrix, which does not lose the
+                       // order of a load
 };
 
 /// The mass matrix of functions on verts: u . M u is the integral of the square of u.
 /// Needs:  EmbeddedMesh.
-/// Result: vert_index_bound(m) rows and columns, by index_of, every diagonal entry present (0 for verts of no poly; with lumped masses for
-///         deleted ones too); sums to the measure of the mesh. Lumped: vert_masses as a diagonal. Otherwise the hat functions of the verts are projected to
-///         linear functions on each poly, and the squares of the remainders at the verts are added with a weight. The matrix is then positive definite on the
-///         verts of polys that do not intersect themselves. On triangles and tets it is the mass matrix of linear elements.
+/// Result: vert_index_bound(m) rows and columns, by index_of, every diagonal entry present (0 for verts of no poly;
+///         with lumped masses for deleted ones too); sums to the measure of the mesh. Lumped: vert_masses as a
+///         diagonal. Otherwise the hat functions of the verts are projected to linear functions on each poly, and the
+///         squares of the remainders at the verts are added with a weight. The matrix is then positive definite on the
+///         verts of polys that do not intersect themselves. On triangles and tets it is the mass matrix of linear
+///         elements.
 /// Cost:   lumped as vert_masses, otherwise as laplacian.
-/// Errors: invalid_mesh as vert_masses, or, unless lumped, if a poly has points that are not finite, or no area or volume; unsupported then if the
-///         matrix would be too large for 32-bit indices.
+/// Errors: invalid_mesh as vert_masses, or, unless lumped, if a poly has points that are not finite, or no area or
+///         volume; unsupported then if the matrix would be too large for 32-bit indices.
 /// Source: Ahmad et al. 2013, "Equivalent projectors for virtual element methods".
 template<EmbeddedMesh M>
 Eigen::SparseMatrix<double> mass_matrix(const M& m, const mass_matrix_options& options = {}) {
   if (!options.lumped) {
     if constexpr (TriMesh<M> || TetMesh<M>) return detail::simplex_mass(m);  // faster: a closed formula
-    else return with_both_triangles(detail::assemble_elements<M>(m, [&] { return detail::poly_operator_of<M>([&] { return detail::virtual_mass<M>(m); }); }));
+    else
+      return with_both_triangles(detail::assemble_elements<M>(
+          m, [&] { return detail::poly_operator_of<M>([&] { return detail::virtual_mass<M>(m); }); }));
   }
   const auto mass = vert_masses(m);
   return detail::diagonal_matrix(mass.data(), vert_index_bound(m));

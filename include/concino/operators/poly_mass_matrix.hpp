@@ -16,16 +16,18 @@ template<class M>
 double poly_mass(const char* caller, const M& m, const poly_t<M>& p) {
   const double mass = std::abs(measure(m, p));
   if (!std::isfinite(mass))
-    core::throw_joined<invalid_mesh>({caller, ": the ", dimension_v<M> == 2 ? "area" : "volume", " of poly ", index_of(m, p),
-                                " is not a finite number; look at the points of its verts"});
+    core::throw_joined<invalid_mesh>({caller, ": the ", dimension_v<M> == 2 ? "area" : "volume", " of poly ",
+                                      index_of(m, p), " is not a finite number; look at the points of its verts"});
   return mass;
 }
 
 }  // namespace detail
 
-/// The area or volume of each poly. An inverted poly counts by the absolute value of its volume, since a mass is positive.
+/// The area or volume of each poly. An inverted poly counts by the absolute value of its volume, since a mass is
+/// positive.
 /// Needs:  EmbeddedMesh, no temporary.
-/// Result: a map of double, 0 or more; sums to the measure of the mesh.      Cost: O(size of the polys) time, O(P) memory.
+/// Result: a map of double, 0 or more; sums to the measure of the mesh.      Cost: O(size of the polys) time, O(P)
+///         memory.
 /// Errors: invalid_mesh, naming a poly whose points, or whose area or volume, are not finite.
 /// Source: the mass matrix of piecewise constant functions; paper section 2.2.
 template<class M>
@@ -37,10 +39,13 @@ poly_map<M, double> poly_masses(M&& m) {
   return mass;
 }
 
-/// The poly masses as a diagonal matrix for vectors on polys, each mass three times: x^T M y is the integral of the scalar product of x and y.
+/// The poly masses as a diagonal matrix for vectors on polys, each mass three times: x^T M y is the integral of the
+/// scalar product of x and y.
 /// Needs:  EmbeddedMesh.
-/// Result: 3 poly_index_bound(m) rows and columns, the mass of poly p at 3p, 3p + 1 and 3p + 2; those of deleted polys are empty.
-/// Cost:   as poly_masses.      Errors: as poly_masses; unsupported if the matrix would be too large for 32-bit indices.
+/// Result: 3 poly_index_bound(m) rows and columns, the mass of poly p at 3p, 3p + 1 and 3p + 2; those of deleted polys
+///         are empty.
+/// Cost:   as poly_masses.      Errors: as poly_masses; unsupported if the matrix would be too large for 32-bit
+///         indices.
 template<EmbeddedMesh M>
 Eigen::SparseMatrix<double> poly_mass_matrix(const M& m) {
   constexpr const char* caller = "poly_mass_matrix";

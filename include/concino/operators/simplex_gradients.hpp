@@ -1,5 +1,5 @@
-// The gradients at the corners of triangles and tets, for mesh types with only such polys. Same values as corner_gradients, up to rounding, without
-// arrays of variable size.
+// The gradients at the corners of triangles and tets, for mesh types with only such polys. Same values as
+// corner_gradients, up to rounding, without arrays of variable size.
 #pragma once
 
 #include <concino/operators/corner_gradients.hpp>
@@ -10,8 +10,9 @@ namespace concino {
 
 /// The gradients at the corners of one triangle or tet. One object serves for many polys, like corner_gradients.
 ///
-/// The gradient of corner i is normal to the opposite facet, and its length is one over the height above it. In a triangle it is the opposite edge, rotated
-/// by 90 degrees about the normal and divided by twice the area. In a tet it is the cross product of two edges of that facet over six times the volume.
+/// The gradient of corner i is normal to the opposite facet, and its length is one over the height above it. In a
+/// triangle it is the opposite edge, rotated by 90 degrees about the normal and divided by twice the area. In a tet it
+/// is the cross product of two edges of that facet over six times the volume.
 template<EmbeddedMesh M>
   requires(TriMesh<M> || TetMesh<M>)
 struct simplex_gradients {
@@ -33,7 +34,8 @@ struct simplex_gradients {
     if constexpr (corners == 3) {
       const vec3 normal = cross(a, b);
       const double doubled = norm(normal), factor = 1 / doubled;
-      const vec3 scaled_normal = factor * (factor * normal);  // in this order: the square of an area may overflow or underflow
+      const vec3 scaled_normal = factor * (factor * normal);  // in this order: the square of an area may overflow or
+                                                              // underflow
       gradient[0] = cross(x[1] - x[2], scaled_normal);
       gradient[1] = cross(b, scaled_normal);
       gradient[2] = cross(scaled_normal, a);

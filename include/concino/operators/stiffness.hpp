@@ -55,17 +55,21 @@ struct weights_of_edges {
 }  // namespace detail
 
 /// Passes the weights or the matrices of a discretisation, whichever it has, to the function that assembles them.
-/// Needs:  PrimalGraph M, Discretisation D. on_weights(w): w.num_neighbours(v) and w.for_each_neighbour(v, f) with f(neighbour, weight), as
-///         core::assemble uses them. on_polys(make): make() creates a separate element for each thread, as detail::assemble_elements requires.
+/// Needs:  PrimalGraph M, Discretisation D. on_weights(w): w.num_neighbours(v) and w.for_each_neighbour(v, f) with
+///         f(neighbour, weight), as core::assemble uses them. on_polys(make): make() creates a separate element for
+///         each thread, as detail::assemble_elements requires.
 /// Result: the return value of on_weights or on_polys.
 /// Cost:   that of the discretisation's members, and of the called function.
 /// Errors: those of the discretisation, and of the called function.
 template<PrimalGraph M, Discretisation<M> D, class OnWeights, class OnPolys>
-Eigen::SparseMatrix<double> with_stiffness(const M& m, const D& discretisation, const OnWeights& on_weights, const OnPolys& on_polys) {
+Eigen::SparseMatrix<double> with_stiffness(const M& m, const D& discretisation, const OnWeights& on_weights,
+                                           const OnPolys& on_polys) {
   if constexpr (requirement::has_neighbour_weights<D, M>) {
-    return on_weights(detail::weights_of_neighbours<M, decltype(discretisation.neighbour_weights(m))>{m, discretisation.neighbour_weights(m)});
+    return on_weights(detail::weights_of_neighbours<M, decltype(discretisation.neighbour_weights(m))>{
+        m, discretisation.neighbour_weights(m)});
   } else if constexpr (requirement::has_edge_weights<D, M>) {
-    return on_weights(detail::weights_of_edges<M, decltype(discretisation.edge_weights(m))>{m, discretisation.edge_weights(m)});
+    return on_weights(
+        detail::weights_of_edges<M, decltype(discretisation.edge_weights(m))>{m, discretisation.edge_weights(m)});
   } else {
     const auto make = [&] { return discretisation.poly_matrices(m); };
     const auto make_operator = [&] { return detail::poly_operator_of<M>(make); };

@@ -15,7 +15,8 @@ struct all_ones {
 
 }  // namespace detail
 
-/// The graph Laplacian: the weight 1 on every edge, the mass 1 at every vert, whatever the points. Needs a PrimalGraph. Without unit.
+/// The graph Laplacian: the weight 1 on every edge, the mass 1 at every vert, whatever the points. Needs a PrimalGraph.
+/// Without unit.
 struct uniform_t {
   template<PrimalGraph M>
   constexpr auto neighbour_weights(const M&) const {

@@ -61,15 +61,17 @@ struct corner_lists {
 
 }  // namespace detail
 
-/// The matrix whose rows 3v, 3v + 1, 3v + 2 give x, y and z of the gradient of u at vert v. That is the mean of the gradients of the polys around it (see
-/// gradient_matrix), weighted by their areas or volumes.
+/// The matrix whose rows 3v, 3v + 1, 3v + 2 give x, y and z of the gradient of u at vert v. That is the mean of the
+/// gradients of the polys around it (see gradient_matrix), weighted by their areas or volumes.
 /// Needs:  as gradient_matrix.
-/// Result: 3 vert_index_bound(m) rows, vert_index_bound(m) columns, by index_of; an entry for every two verts of a poly, rows sorted in each
-///         column; those of deleted verts and of verts of no poly are empty. Exact on linear functions on planar surfaces and in volumes, at
-///         the boundary too. In units of 1 / length, scales exactly.
-/// Cost:   O(sum of the squared numbers of verts of the polys) time and memory, in parallel; the same for any number of threads.
+/// Result: 3 vert_index_bound(m) rows, vert_index_bound(m) columns, by index_of; an entry for every two verts of a
+///         poly, rows sorted in each column; those of deleted verts and of verts of no poly are empty. Exact on linear
+///         functions on planar surfaces and in volumes, at the boundary too. In units of 1 / length, scales exactly.
+/// Cost:   O(sum of the squared numbers of verts of the polys) time and memory, in parallel; the same for any number of
+///         threads.
 /// Errors: as gradient_matrix.
-/// Source: Mancinelli, Livesu, Puppo 2019, "A comparison of methods for gradient field estimation on simplicial meshes" (AGS).
+/// Source: Mancinelli, Livesu, Puppo 2019, "A comparison of methods for gradient field estimation on simplicial meshes"
+///         (AGS).
 template<EmbeddedMesh M>
 Eigen::SparseMatrix<double> vert_gradient_matrix(const M& m) {
   constexpr const char* caller = "vert_gradient_matrix";
@@ -92,7 +94,8 @@ Eigen::SparseMatrix<double> vert_gradient_matrix(const M& m) {
     });
   detail::make_room(caller, g, 3);
 
-  // Column v: the contribution of v to the gradient of each poly around it is added to the rows of all verts of that poly.
+  // Column v: the contribution of v to the gradient of each poly around it is added to the rows of all verts of that
+  // poly.
   struct part {
     std::size_t vert, corner;  // corners ascend with the polys, so the order of summation is fixed
     bool operator<(const part& o) const { return vert != o.vert ? vert < o.vert : corner < o.corner; }

@@ -7,9 +7,9 @@
 
 namespace concino {
 
-/// Virtual elements of order 1: consistent on every polygon and polyhedron, even concave and non-planar ones; on triangles and tets equal to cotangent.
-/// Linear functions are in the kernel at interior verts of planar surfaces and of volumes, whatever the polys. Inverted polys count as if
-/// they were not inverted.
+/// Virtual elements of order 1: consistent on every polygon and polyhedron, even concave and non-planar ones; on
+/// triangles and tets equal to cotangent. Linear functions are in the kernel at interior verts of planar surfaces and
+/// of volumes, whatever the polys. Inverted polys count as if they were not inverted.
 /// Needs:  EmbeddedMesh.
 /// Errors: of functions that use it: invalid_mesh if a poly has no area or volume or points that are not finite.
 /// Source: Beirao da Veiga et al. 2013, "Basic principles of virtual element methods".
@@ -18,7 +18,8 @@ struct virtual_elements_t {
 
   template<EmbeddedMesh M>
     requires (TriMesh<M> || TetMesh<M>)
-  detail::cotangent_weights<M> edge_weights(const M& m) const { return {m, "virtual elements"}; }  // the same values, several times faster
+  detail::cotangent_weights<M> edge_weights(const M& m)
+  const { return {m, "virtual elements"}; }  // the same values, several times faster
 
   template<EmbeddedMesh M>
   detail::virtual_stiffness<M> poly_matrices(const M& m) const { return detail::virtual_stiffness<M>(m); }

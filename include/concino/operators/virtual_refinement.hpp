@@ -7,11 +7,11 @@
 
 namespace concino {
 
-/// The cotangent Laplacian of the triangles or tets about one virtual point for each poly (and face), which is then eliminated. For comparison with the
-/// default.
+/// The cotangent Laplacian of the triangles or tets about one virtual point for each poly (and face), which is then
+/// eliminated. For comparison with the default.
 /// Needs:  EmbeddedMesh whose polys are star-shaped about that point.
-/// Errors: of functions that use it: invalid_mesh if a poly has no area or volume or points that are not finite; unsupported if one is not star-shaped
-///         about its virtual point.
+/// Errors: of functions that use it: invalid_mesh if a poly has no area or volume or points that are not finite;
+///         unsupported if one is not star-shaped about its virtual point.
 /// Source: Bunge, Herholz, Kazhdan, Botsch 2020, "Polygon Laplacian made simple".
 struct virtual_refinement_t {
   static constexpr bool scales_with_mesh = true;

@@ -37,12 +37,15 @@ namespace detail {
 /// The maximum number of unknowns for qr; for more its factor may be too large.
 inline constexpr Eigen::Index max_unknowns_of_qr = 10'000;
 
-/// Solves the normal equations of j y = b, then for the remainder as long as that helps. With a condition number K of j, each correction multiplies
-/// the error by K^2 times the rounding unit e, down to about K e + K^2 e |r| / |y|, as in orthogonal factorisation.
-/// Result: whether corrections decreased, and enough. If the first is not small, K^2 e is not small, and digits are lost that corrections cannot recover.
+/// Solves the normal equations of j y = b, then for the remainder as long as that helps. With a condition number K of
+/// j, each correction multiplies the error by K^2 times the rounding unit e, down to about K e + K^2 e |r| / |y|, as in
+/// orthogonal factorisation.
+/// Result: whether corrections decreased, and enough. If the first is not small, K^2 e is not small, and digits are
+///         lost that corrections cannot recover.
 /// Errors: those of the solver.
 template<class Solver>
-bool solve_normal_equations(const Eigen::SparseMatrix<double>& j, const Eigen::VectorXd& b, Solver& solver, Eigen::VectorXd& y) {
+bool solve_normal_equations(const Eigen::SparseMatrix<double>& j, const Eigen::VectorXd& b, Solver& solver,
+                            Eigen::VectorXd& y) {
   const double unit = std::numeric_limits<double>::epsilon();
   const Eigen::SparseMatrix<double> transposed = j.transpose();
   const Eigen::SparseMatrix<double> normal = transposed * j;
@@ -64,7 +67,8 @@ bool solve_normal_equations(const Eigen::SparseMatrix<double>& j, const Eigen::V
 }
 
 template<class D, class Solver>
-least_squares_result least_squares(const char* caller, Eigen::SparseMatrix<double> a, Eigen::VectorXd b, const D& known, Solver& solver) {
+least_squares_result least_squares(const char* caller, Eigen::SparseMatrix<double> a, Eigen::VectorXd b, const D& known,
+                                   Solver& solver) {
   a.makeCompressed();
   core::check_entries(caller, a);
   core::check_right_hand_side(caller, b, a.rows());
@@ -88,8 +92,11 @@ least_squares_result least_squares(const char* caller, Eigen::SparseMatrix<doubl
         used_qr = true;
       }
       if (used_qr && !may_use_qr)
-        core::throw_joined<solver_error>({caller, ": the columns of the matrix are nearly dependent, so the normal equations lose too many digits, and ",
-                                    static_cast<std::size_t>(j.cols()), " unknowns are too many for the automatic use of qr; pass qr as the solver, or add conditions"});
+        core::throw_joined<solver_error>(
+            {caller,
+             ": the columns of the matrix are nearly dependent, so the normal equations lose too many digits, and ",
+             static_cast<std::size_t>(j.cols()),
+             " unknowns are too many for the automatic use of qr; pass qr as the solver, or add conditions"});
       if (used_qr) {
         qr orthogonal;
         orthogonal.factorize(j);
@@ -104,39 +111,43 @@ least_squares_result least_squares(const char* caller, Eigen::SparseMatrix<doubl
 }  // namespace detail
 
 /// Minimises |A x - b| over all x with x_i = v for the pairs (i, v) of `known`, in braces or any container.
-/// Needs:  A: any shape, but the columns of its unknowns are independent. solver: a SparseSolver for positive definite matrices,
-///         which gets the normal equations. Columns are scaled, and the result is corrected until only rounding errors are left (Bjorck 1987). Or qr, which
-///         gets A. If columns are nearly dependent, so that corrections do not decrease, qr is used automatically, up to 10,000 unknowns.
-/// Result: x, with known values exact, the residual |A x - b|, and whether qr was used.      Cost: one factorisation of A^T A, or of A, or both.
-/// Errors: solver_error if A has entries that are not finite, or columns that depend on others (beyond 10,000 unknowns: or nearly so). solver_error if
-///         b has another size or entries that are not finite. invalid_argument if an index is out of range, or a value is not finite or is given
-///         twice with different values.
+/// Needs:  A: any shape, but the columns of its unknowns are independent. solver: a SparseSolver for positive definite
+///         matrices, which gets the normal equations. Columns are scaled, and the result is corrected until only
+///         rounding errors are left (Bjorck 1987). Or qr, which gets A. If columns are nearly dependent, so that
+///         corrections do not decrease, qr is used automatically, up to 10,000 unknowns.
+/// Result: x, with known values exact, the residual |A x - b|, and whether qr was used.      Cost: one factorisation of
+///         A^T A, or of A, or both.
+/// Errors: solver_error if A has entries that are not finite, or columns that depend on others (beyond 10,000 unknowns:
+///         or nearly so). solver_error if b has another size or entries that are not finite. invalid_argument if an
+///         index is out of range, or a value is not finite or is given twice with different values.
 /// Source: Bjorck 1987 (corrected semi-normal equations).
 template<class D = std::initializer_list<std::pair<Eigen::Index, double>>, class Solver = auto_solver>
-  requires SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-least_squares_result least_squares(const Eigen::SparseMatrix<double>& A, const Eigen::VectorXd& b, const D& known = {}, Solver&& solver = {}) {
-  return detail::least_squares("least_squares", A, b, known, solver);
-}
+  requires SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd> least_squares_result least_squares(
+      const Eigen::SparseMatrix<double>& A, const Eigen::VectorXd& b, const D& known = {}, Solver&& solver = {}) {
+    return detail::least_squares("least_squares", A, b, known, solver);
+  }
 
 /// Weighted least squares, with a weight w_i per row: minimises sum w_i (A x - b)_i^2. Rows of weight 0 are ignored.
-/// Needs:  as least_squares, of A with each row multiplied by the square root of its weight; w: one number per row, finite, 0 or more.
+/// Needs:  as least_squares, of A with each row multiplied by the square root of its weight; w: one number per row,
+///         finite, 0 or more.
 /// Result: as least_squares; the residual is the square root of the sum.      Cost: as least_squares.
-/// Errors: as least_squares; invalid_argument if w has another size than A has rows, or a weight is negative or not finite.
+/// Errors: as least_squares; invalid_argument if w has another size than A has rows, or a weight is negative or not
+///         finite.
 template<class D = std::initializer_list<std::pair<Eigen::Index, double>>, class Solver = auto_solver>
-  requires SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
-least_squares_result weighted_least_squares(const Eigen::SparseMatrix<double>& A, const Eigen::VectorXd& w, const Eigen::VectorXd& b,
-                                            const D& known = {}, Solver&& solver = {}) {
-  const char* const caller = "weighted_least_squares";
-  if (w.size() != A.rows())
-    core::throw_joined<invalid_argument>({caller, ": there are ", static_cast<std::size_t>(w.size()), " weights, but ",
-                                            static_cast<std::size_t>(A.rows()), " rows"});
-  for (Eigen::Index i = 0; i < w.size(); ++i)
-    if (!(w[i] >= 0 && std::isfinite(w[i])))
-      core::throw_joined<invalid_argument>({caller, ": the weight of row ", static_cast<std::size_t>(i), " is ", core::number_text(w[i]),
-                                              "; weights must be finite and not negative"});
-  core::check_right_hand_side(caller, b, A.rows());
-  const Eigen::VectorXd root = w.cwiseSqrt();
-  return detail::least_squares(caller, root.asDiagonal() * A, root.cwiseProduct(b), known, solver);
-}
+  requires SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd> least_squares_result
+  weighted_least_squares(const Eigen::SparseMatrix<double>& A, const Eigen::VectorXd& w, const Eigen::VectorXd& b,
+                         const D& known = {}, Solver&& solver = {}) {
+    const char* const caller = "weighted_least_squares";
+    if (w.size() != A.rows())
+      core::throw_joined<invalid_argument>({caller, ": there are ", static_cast<std::size_t>(w.size()),
+                                            " weights, but ", static_cast<std::size_t>(A.rows()), " rows"});
+    for (Eigen::Index i = 0; i < w.size(); ++i)
+      if (!(w[i] >= 0 && std::isfinite(w[i])))
+        core::throw_joined<invalid_argument>({caller, ": the weight of row ", static_cast<std::size_t>(i), " is ",
+                                              core::number_text(w[i]), "; weights must be finite and not negative"});
+    core::check_right_hand_side(caller, b, A.rows());
+    const Eigen::VectorXd root = w.cwiseSqrt();
+    return detail::least_squares(caller, root.asDiagonal() * A, root.cwiseProduct(b), known, solver);
+  }
 
 }  // namespace concino

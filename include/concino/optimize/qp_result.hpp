@@ -10,7 +10,8 @@ namespace concino {
 struct qp_options {
   double tolerance = 1e-6;                // of the residual, relative to its terms; 1e-12 to 1
   int max_iterations = 20000;             // of the splitting, 1 or more
-  bool polish = true;                     // solve once more for the active bounds, which reduces the residual to rounding errors
+  bool polish = true;                     // solve once more for the active bounds, which reduces the residual to
+                                          // rounding errors
   Eigen::VectorXd x = {}, multipliers = {};  // the start, such as the solution of a similar program; empty: 0
   concino::progress progress = nullptr;   // called occasionally
 };
@@ -24,7 +25,8 @@ struct qp_result {
   double residual = 0;          // the largest of |Hx + g + A^T multipliers| and of the violations of the bounds by Ax
   int iterations = 0;
   bool polished = false;
-  Eigen::VectorXd certificate;  // infeasible: y with A^T y = 0 and contradicting bounds; unbounded: a direction in which the objective decreases
+  Eigen::VectorXd certificate;  // infeasible: y with A^T y = 0 and contradicting bounds; unbounded: a direction in
+                                // which the objective decreases
 };
 
 }  // namespace concino

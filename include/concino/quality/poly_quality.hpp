@@ -13,12 +13,14 @@
 namespace concino {
 
 struct quality_options {
-  double mean_size = 0;  // the area or volume that relative sizes compare with, in units of the mesh; 0: the mean of the polys of the mesh. >= 0
+  double mean_size = 0;  // the area or volume that relative sizes compare with, in units of the mesh; 0: the mean of
+                         // the polys of the mesh. >= 0
 };
 
 /// The shape of poly p: by its number of verts on surfaces, by its faces in volumes.
 /// Needs:  AnyMesh.
-/// Result: as poly_shape says. A volume cell whose faces are those of a tet, hex, prism or pyramid has that shape, whatever the type of the mesh.
+/// Result: as poly_shape says. A volume cell whose faces are those of a tet, hex, prism or pyramid has that shape,
+///         whatever the type of the mesh.
 /// Cost:   O(verts of the faces).      Errors: none.
 template<EmbeddedMesh M>
 poly_shape shape_of_poly(const M& m, const poly_t<M>& p) {
@@ -50,9 +52,11 @@ double chosen_mean_size(const M& m, const metric_rows& rows, const quality_optio
 
 /// A quality metric of poly p, by the metric of its shape.
 /// Needs:  EmbeddedMesh; verts of volume cells and their faces oriented as face_is_outward says.
-/// Result: as quality(shape, points, metric) of <concino/quality/metric.hpp>, which says what degenerate, inverted and non-finite polys give.
+/// Result: as quality(shape, points, metric) of <concino/quality/metric.hpp>, which says what degenerate, inverted and
+///         non-finite polys give.
 /// Cost:   O(verts of p and its faces); for relative sizes without a mean size, O(size of the mesh).
-/// Errors: unsupported if the metric is not defined for the shape of p (is_defined); invalid_argument if the mean size is negative or not finite.
+/// Errors: unsupported if the metric is not defined for the shape of p (is_defined); invalid_argument if the mean size
+///         is negative or not finite.
 template<EmbeddedMesh M>
 double quality(const M& m, const poly_t<M>& p, metric what, const quality_options& options = {}) {
   const detail::metric_rows rows(what);
@@ -65,7 +69,8 @@ double quality(const M& m, const poly_t<M>& p, metric what, const quality_option
 /// A quality metric of all polys.
 /// Needs:  EmbeddedMesh, no temporary.
 /// Result: a map of double, with quality(m, p, what) for each p.      Cost: that of quality for every poly; parallel.
-/// Errors: as quality of a poly, for the first poly that has one. For other metrics, polys of different shapes have different limits (limits_of).
+/// Errors: as quality of a poly, for the first poly that has one. For other metrics, polys of different shapes have
+///         different limits (limits_of).
 template<class M>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M>
 poly_map<M, double> quality(M&& m, metric what, const quality_options& options = {}) {
@@ -77,11 +82,18 @@ poly_map<M, double> quality(M&& m, metric what, const quality_options& options =
 }
 
 /// The metrics that are defined for polys of all shapes, by their names.
-/// Needs:  EmbeddedMesh.      Result: quality(m, p, metric::scaled_jacobian) and so on.      Cost: as quality.      Errors: none.
-template<EmbeddedMesh M> double scaled_jacobian(const M& m, const poly_t<M>& p) { return quality(m, p, metric::scaled_jacobian); }
+/// Needs:  EmbeddedMesh.      Result: quality(m, p, metric::scaled_jacobian) and so on.      Cost: as quality.     
+///         Errors: none.
+template<EmbeddedMesh M>
+double scaled_jacobian(const M& m, const poly_t<M>& p) {
+  return quality(m, p, metric::scaled_jacobian);
+}
 template<EmbeddedMesh M> double mean_ratio(const M& m, const poly_t<M>& p) { return quality(m, p, metric::mean_ratio); }
 template<EmbeddedMesh M> double planarity(const M& m, const poly_t<M>& p) { return quality(m, p, metric::planarity); }
-template<EmbeddedMesh M> double star_shapedness(const M& m, const poly_t<M>& p) { return quality(m, p, metric::star_shapedness); }
+template<EmbeddedMesh M>
+double star_shapedness(const M& m, const poly_t<M>& p) {
+  return quality(m, p, metric::star_shapedness);
+}
 
 // What to write instead of calls that cannot compile.
 template<class... T> void quality(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()

@@ -14,7 +14,8 @@ struct poly_value {
 
 /// The worst poly of m by a metric: auto w = worst(m, metric::aspect_ratio); w.poly; w.value.
 /// Needs:  EmbeddedMesh.
-/// Result: the first poly than which no other one is worse (is_worse): one with a point that is not finite, if there is one, where the value is NaN.
+/// Result: the first poly than which no other one is worse (is_worse): one with a point that is not finite, if there is
+///         one, where the value is NaN.
 /// Cost:   that of quality for every poly; parallel.
 /// Errors: invalid_mesh if m has no polys; else as quality.
 template<EmbeddedMesh M>

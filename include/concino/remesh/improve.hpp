@@ -12,7 +12,8 @@
 namespace concino {
 
 struct improve_options {
-  double min_dihedral_deg = 15;  // tets with a smaller dihedral angle shall become better; below 70.53, that of the regular tet
+  double min_dihedral_deg = 15;  // tets with a smaller dihedral angle shall become better; below 70.53, that of the
+                                 // regular tet
   unsigned max_rounds = 30;      // it ends sooner where a round changes nothing
   bool adds_verts = true;        // whether there may be new verts
   concino::progress progress = {};  // called with "improving"
@@ -21,14 +22,16 @@ struct improve_options {
 /// Why an improvement has ended.
 enum class improvement_end : unsigned char {
   target,      // no dihedral angle is smaller than the target
-  boundary,    // the tets at `edge` have equal shares of the dihedral angle between faces that are kept, or there is only one
+  boundary,    // the tets at `edge` have equal shares of the dihedral angle between faces that are kept, or there is
+               // only one
   no_edit,     // no flip, move, collapse or new vert makes the worst tets better
   max_rounds,  // there may be more to gain
 };
 
 template<class M>
 struct improvement {
-  double least_before = std::numeric_limits<double>::quiet_NaN();  // dihedral angle of the tets, in degrees; negative if one is inverted
+  double least_before = std::numeric_limits<double>::quiet_NaN();  // dihedral angle of the tets, in degrees; negative
+                                                                   // if one is inverted
   double least_after = std::numeric_limits<double>::quiet_NaN();
   poly_t<M> poly{};  // that has the least dihedral angle afterwards
   edge_t<M> edge{};  // at which it has this angle
@@ -41,7 +44,9 @@ namespace detail {
 
 inline void check_improvement(const improve_options& options) {
   if (!(options.min_dihedral_deg > 0 && options.min_dihedral_deg < 70.53))
-    core::throw_joined<invalid_argument>({"improve: options.min_dihedral_deg is ", core::number_text(options.min_dihedral_deg), "; it must be between 0 and 70.53, the dihedral angle of the regular tet"});
+    core::throw_joined<invalid_argument>({"improve: options.min_dihedral_deg is ",
+                                          core::number_text(options.min_dihedral_deg),
+                                          "; it must be between 0 and 70.53, the dihedral angle of the regular tet"});
 }
 
 /// The dihedral angle of p at e, as tet_quality.
@@ -57,7 +62,8 @@ double quality_at_edge(const improvable_tets<M>& tets, const poly_t<M>& p, const
   return of.of_angle(of.between(other[0], other[1]));
 }
 
-/// Whether the tets that lie around e between two fixed faces, p among them, all have the same angle there: then none can have a larger one.
+/// Whether the tets that lie around e between two fixed faces, p among them, all have the same angle there: then none
+/// can have a larger one.
 template<class M>
 bool shares_angle_evenly(const improvable_tets<M>& tets, const poly_t<M>& p, const edge_t<M>& e) {
   const M& m = tets.mesh;
@@ -123,10 +129,13 @@ improvement<M> improve(M& m, const improve_options& options, const F& label) {
   bool has_ended = result.least_before >= options.min_dihedral_deg;
   while (!has_ended && result.num_rounds < options.max_rounds) {
     const std::size_t edits = improver.num_edits();
-    const auto report = [&](double begin, double done) { report_progress(options.progress, (result.num_rounds + begin + 0.5 * done) / options.max_rounds, "improving"); };
+    const auto report = [&](double begin, double done) {
+      report_progress(options.progress, (result.num_rounds + begin + 0.5 * done) / options.max_rounds, "improving");
+    };
     improver.flip_and_move([&](double done) { report(0, done); });
     const bool is_slow = improver.num_edits() - edits <= num_polys(m) / 1000;
-    if (is_slow || result.num_rounds % 3 == 2) improver.collapse_and_insert(options.adds_verts, [&](double done) { report(0.5, done); });
+    if (is_slow || result.num_rounds % 3 == 2)
+      improver.collapse_and_insert(options.adds_verts, [&](double done) { report(0.5, done); });
     ++result.num_rounds;
     ++tets.round;
     has_ended = improver.num_edits() == edits;
@@ -137,25 +146,31 @@ improvement<M> improve(M& m, const improve_options& options, const F& label) {
                       : is_boundary                                   ? improvement_end::boundary
                       : has_ended                                     ? improvement_end::no_edit
                                                                       : improvement_end::max_rounds;
-  result.num_flips = improver.num_flips, result.num_moves = improver.num_moves, result.num_collapses = improver.num_collapses, result.num_new_verts = improver.num_new_verts;
+  result.num_flips = improver.num_flips, result.num_moves = improver.num_moves,
+  result.num_collapses = improver.num_collapses, result.num_new_verts = improver.num_new_verts;
   return result;
 }
 
 }  // namespace detail
 
-/// Makes the least dihedral angles of tets larger, those of the worst tets first: by flips of faces and of edges with any number of tets, by moves of verts,
-/// by collapses and by new verts.
-/// Needs:  EditableVolumeMesh of tets. labels: a map of polys, or a function of polys, to anything with ==, such as materials. It is asked again for new polys,
-///         so let it be a named property that is copied.
-/// Result: the least angle before and after, where it is, and why it did not become larger. Each change makes the worst of the tets that it concerns better, so the
-///         least angle never becomes smaller, and no tet is inverted that was not. Faces of the boundary and between labels are kept, with their verts and descriptors; so are
-///         the regions of labels. Inverted tets are turned back where a way is found. Named properties follow by their rules; values at verts do not
-///         change when verts move. Removed elements leave gaps in the indices, which garbage_collect closes.
-/// Cost:   in each round O(polys), and some hundred microseconds for each tet with a small angle near which something has changed.
-/// Errors: invalid_argument if min_dihedral_deg is not between 0 and 70.53; invalid_mesh if a point is not finite; m is unchanged then. cancelled, and if memory
-///         runs out: m is valid and improved in part; open a transaction to have the input back.
-/// Source: Freitag and Ollivier-Gooch 1997, "Tetrahedral mesh improvement using swapping and smoothing"; Klingner and Shewchuk 2008, "Aggressive tetrahedral
-///         mesh improvement"; the triangulations of rings: Klincsek 1980, "Minimal triangulations of polygonal domains".
+/// Makes the least dihedral angles of tets larger, those of the worst tets first: by flips of faces and of edges with
+/// any number of tets, by moves of verts, by collapses and by new verts.
+/// Needs:  EditableVolumeMesh of tets. labels: a map of polys, or a function of polys, to anything with ==, such as
+///         materials. It is asked again for new polys, so let it be a named property that is copied.
+/// Result: the least angle before and after, where it is, and why it did not become larger. Each change makes the worst
+///         of the tets that it concerns better, so the least angle never becomes smaller, and no tet is inverted that
+///         was not. Faces of the boundary and between labels are kept, with their verts and descriptors; so are the
+///         regions of labels. Inverted tets are turned back where a way is found. Named properties follow by their
+///         rules; values at verts do not change when verts move. Removed elements leave gaps in the indices, which
+///         garbage_collect closes.
+/// Cost:   in each round O(polys), and some hundred microseconds for each tet with a small angle near which something
+///         has changed.
+/// Errors: invalid_argument if min_dihedral_deg is not between 0 and 70.53; invalid_mesh if a point is not finite; m is
+///         unchanged then. cancelled, and if memory runs out: m is valid and improved in part; open a transaction to
+///         have the input back.
+/// Source: Freitag and Ollivier-Gooch 1997, "Tetrahedral mesh improvement using swapping and smoothing"; Klingner and
+///         Shewchuk 2008, "Aggressive tetrahedral mesh improvement"; the triangulations of rings: Klincsek 1980,
+///         "Minimal triangulations of polygonal domains".
 template<EditableVolumeMesh M, class F>
   requires(arity_v<M> == 4)
 improvement<M> improve(M& m, const improve_options& options, const F& labels) {

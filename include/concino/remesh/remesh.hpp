@@ -20,7 +20,8 @@ namespace concino {
 
 struct remesh_options {
   double edge_length = 0;         // the length that edges shall have; unless sizes are given
-  double feature_angle_deg = 40;  // edges at which the surface turns by more than this are kept, as are boundaries and non-manifold edges
+  double feature_angle_deg = 40;  // edges at which the surface turns by more than this are kept, as are boundaries and
+                                  // non-manifold edges
   unsigned max_rounds = 10;       // it ends sooner where a round changes hardly anything
   bool measure_error = true;      // computes the error of the result
   concino::progress progress = {};  // called with "remeshing"
@@ -29,8 +30,10 @@ struct remesh_options {
 struct remeshing {
   unsigned num_rounds = 0;
   std::size_t num_splits = 0, num_collapses = 0, num_flips = 0;
-  double share_of_lengths = 1;  // of the edges off feature lines, the part whose lengths are within a factor of 4/3 of what they shall be
-  double error = std::numeric_limits<double>::quiet_NaN();  // how far the result and the input are apart: an upper bound of hausdorff_distance
+  double share_of_lengths = 1;  // of the edges off feature lines, the part whose lengths are within a factor of 4/3 of
+                                // what they shall be
+  double error = std::numeric_limits<double>::quiet_NaN();  // how far the result and the input are apart: an upper
+                                                            // bound of hausdorff_distance
 };
 
 namespace detail {
@@ -38,8 +41,10 @@ namespace detail {
 inline void check_remeshing(const remesh_options& options, bool has_sizes) {
   const auto fail = [](const char* what) { core::throw_joined<invalid_argument>({"remesh: ", what}); };
   if (has_sizes && options.edge_length != 0) fail("both sizes and options.edge_length are given");
-  if (!has_sizes && !(options.edge_length > 0 && std::isfinite(options.edge_length))) fail("options.edge_length must be finite and above 0");
-  if (!(options.feature_angle_deg >= 0)) fail("options.feature_angle_deg is negative or not a number; it must be at least 0");
+  if (!has_sizes && !(options.edge_length > 0 && std::isfinite(options.edge_length)))
+    fail("options.edge_length must be finite and above 0");
+  if (!(options.feature_angle_deg >= 0))
+    fail("options.feature_angle_deg is negative or not a number; it must be at least 0");
 }
 
 /// The sizes of the verts of m, in their order.
@@ -49,7 +54,8 @@ std::vector<double> checked_sizes(const M& m, const S& sizes) {
   all.reserve(num_verts(m));
   for (const vert_t<M> v : verts(m)) {
     const double x = sizes[v];
-    if (!(x > 0 && std::isfinite(x))) core::throw_joined<invalid_argument>({"remesh: the size of vert ", index_of(m, v), " is not finite and above 0"});
+    if (!(x > 0 && std::isfinite(x)))
+      core::throw_joined<invalid_argument>({"remesh: the size of vert ", index_of(m, v), " is not finite and above 0"});
     all.push_back(x);
   }
   return all;
@@ -64,9 +70,13 @@ remeshing remesh(M& m, std::vector<double> sizes, const remesh_options& options,
   const polygonmesh before = options.measure_error ? convert<polygonmesh>(m) : polygonmesh();
   const surface_sizes input(m, unit, std::move(sizes), options.edge_length);
   remesher<M> r(m, unit, input, is_feature);
-  if (!(r.num_wanted() < 2e9)) core::throw_joined<invalid_argument>({"remesh: these lengths ask for more than 2,000,000,000 triangles; meshes cannot have so many"});
+  if (!(r.num_wanted() < 2e9))
+    core::throw_joined<invalid_argument>(
+        {"remesh: these lengths ask for more than 2,000,000,000 triangles; meshes cannot have so many"});
   r.begin(unit, options.feature_angle_deg);
-  const auto report = [&](unsigned part) { report_progress(options.progress, (result.num_rounds + 0.25 * part) / options.max_rounds, "remeshing"); };
+  const auto report = [&](unsigned part) {
+    report_progress(options.progress, (result.num_rounds + 0.25 * part) / options.max_rounds, "remeshing");
+  };
   while (result.num_rounds < options.max_rounds) {
     const std::size_t edits = r.num_splits + r.num_collapses + r.num_flips;
     report(0), r.split_long_edges();
@@ -90,20 +100,25 @@ remeshing remesh(M& m, std::vector<double> sizes, const remesh_options& options,
 
 }  // namespace detail
 
-/// Replaces the triangles of m by others whose edges have about the wanted lengths: options.edge_length, or near each vert v of m sizes[v].
-/// Needs:  EditableSurfaceMesh; of any topology. Polys that are no triangles stay as they are. sizes: a map of lengths, such as that of adaptive_size; it is
-///         read before m changes. is_feature(e) names edges to keep besides boundaries, non-manifold edges and those sharper than the angle.
-/// Result: the numbers of edits and how good the lengths are. The topology remains. Feature lines are kept: their verts lie on those of the input, their sharp
-///         bends and ends stay. Other verts lie on the input. No change turns a triangle by more than 60 degrees, or moves it away from the input by more than
-///         0.3 times its size, as measured at its centre and the middles of its edges. Triangles that are flatter than a thousandth of their size vanish first,
-///         unless this would change the topology or move a line. Named properties follow by their rules. Removed elements leave gaps in
-///         the indices, which garbage_collect closes.
-/// Cost:   in each round, a few edits for each edge that is too long or too short, and a closest point of the input for each vert, in parallel. Splits make
-///         as many triangles as the lengths ask for: about 2.3 times the area divided by the square of the length.
-/// Errors: invalid_argument if an option or a size is out of its range, both are given, or the lengths ask for more than 2e9 triangles; invalid_mesh if a point is not
-///         finite; m is unchanged then. cancelled, and if memory runs out: m is valid and remeshed in part; open a transaction to have the input back.
-/// Source: Botsch and Kobbelt 2004, "A remeshing approach to multiresolution modeling"; sizes: Dunyach, Vanderhaeghe, Barthe, Botsch 2013, "Adaptive
-///         remeshing for real-time mesh deformation".
+/// Replaces the triangles of m by others whose edges have about the wanted lengths: options.edge_length, or near each
+/// vert v of m sizes[v].
+/// Needs:  EditableSurfaceMesh; of any topology. Polys that are no triangles stay as they are. sizes: a map of lengths,
+///         such as that of adaptive_size; it is read before m changes. is_feature(e) names edges to keep besides
+///         boundaries, non-manifold edges and those sharper than the angle.
+/// Result: the numbers of edits and how good the lengths are. The topology remains. Feature lines are kept: their verts
+///         lie on those of the input, their sharp bends and ends stay. Other verts lie on the input. No change turns a
+///         triangle by more than 60 degrees, or moves it away from the input by more than 0.3 times its size, as
+///         measured at its centre and the middles of its edges. Triangles that are flatter than a thousandth of their
+///         size vanish first, unless this would change the topology or move a line. Named properties follow by their
+///         rules. Removed elements leave gaps in the indices, which garbage_collect closes.
+/// Cost:   in each round, a few edits for each edge that is too long or too short, and a closest point of the input for
+///         each vert, in parallel. Splits make as many triangles as the lengths ask for: about 2.3 times the area
+///         divided by the square of the length.
+/// Errors: invalid_argument if an option or a size is out of its range, both are given, or the lengths ask for more
+///         than 2e9 triangles; invalid_mesh if a point is not finite; m is unchanged then. cancelled, and if memory
+///         runs out: m is valid and remeshed in part; open a transaction to have the input back.
+/// Source: Botsch and Kobbelt 2004, "A remeshing approach to multiresolution modeling"; sizes: Dunyach, Vanderhaeghe,
+///         Barthe, Botsch 2013, "Adaptive remeshing for real-time mesh deformation".
 template<EditableSurfaceMesh M, class F>
   requires std::is_invocable_r_v<bool, const F&, edge_t<M>>
 remeshing remesh(M& m, const remesh_options& options, const F& is_feature) {

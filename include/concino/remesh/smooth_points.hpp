@@ -25,22 +25,28 @@ struct points_smoothing {
 };
 
 /// Moves verts so that the corners of polys come near to those of regular polys. The connectivity remains.
-/// Needs:  AnyMesh with points that can be set; polys of any shape. is_fixed(v) names verts that stay, besides those of the boundary and, in surfaces, of
-///         edges that are sharper than the angle, not manifold or at which the polys run in contradictory directions.
-/// Result: what has become better. Verts of a surface move over the surface of the input. The least shape of all corners never becomes smaller, and no corner is
-///         turned inside out, in surfaces as seen along the normal of the vert that moves. Inverted ones are turned back where a way is found; a fold of a
-///         flat surface is an edge of 180 degrees, so let the angle be 180 there. In polys with more verts than a quad or a hex, reflex corners are taken
-///         as intended: their verts stay. Corners of cells with more than three faces, such as the top of a pyramid, are not measured.
+/// Needs:  AnyMesh with points that can be set; polys of any shape. is_fixed(v) names verts that stay, besides those of
+///         the boundary and, in surfaces, of edges that are sharper than the angle, not manifold or at which the polys
+///         run in contradictory directions.
+/// Result: what has become better. Verts of a surface move over the surface of the input. The least shape of all
+///         corners never becomes smaller, and no corner is turned inside out, in surfaces as seen along the normal of
+///         the vert that moves. Inverted ones are turned back where a way is found; a fold of a flat surface is an edge
+///         of 180 degrees, so let the angle be 180 there. In polys with more verts than a quad or a hex, reflex corners
+///         are taken as intended: their verts stay. Corners of cells with more than three faces, such as the top of a
+///         pyramid, are not measured.
 /// Cost:   in each round O(corners), in surfaces also a few closest points for each vert.
-/// Errors: invalid_argument if the angle is negative or not a number; invalid_mesh if a point is not finite; cancelled. m is unchanged then.
-/// Source: the energy: Knupp 2001, "Algebraic mesh quality metrics". One vert after the other by Newton's method: Munson 2007, "Mesh shape-quality
-///         optimization using the inverse mean-ratio metric". Inverted corners: Escobar, Rodriguez, Montenegro, Montero and Gonzalez-Yuste 2003,
-///         "Simultaneous untangling and smoothing of tetrahedral meshes".
+/// Errors: invalid_argument if the angle is negative or not a number; invalid_mesh if a point is not finite; cancelled.
+///         m is unchanged then.
+/// Source: the energy: Knupp 2001, "Algebraic mesh quality metrics". One vert after the other by Newton's method:
+///         Munson 2007, "Mesh shape-quality optimization using the inverse mean-ratio metric". Inverted corners:
+///         Escobar, Rodriguez, Montenegro, Montero and Gonzalez-Yuste 2003, "Simultaneous untangling and smoothing of
+///         tetrahedral meshes".
 template<EmbeddedMesh M, class F>
   requires(MutablePoints<M> && std::is_invocable_r_v<bool, const F&, vert_t<M>>)
 points_smoothing smooth_points(M& m, const smooth_points_options& options, const F& is_fixed) {
   if (!(options.feature_angle_deg >= 0))
-    core::throw_joined<invalid_argument>({"smooth_points: options.feature_angle_deg is negative or not a number; it must be at least 0"});
+    core::throw_joined<invalid_argument>(
+        {"smooth_points: options.feature_angle_deg is negative or not a number; it must be at least 0"});
   const detail::unit_points unit(m, "smooth_points");
   detail::point_smoother<M> smoother(m, unit, options.feature_angle_deg, is_fixed);
   points_smoothing result;

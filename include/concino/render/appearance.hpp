@@ -16,10 +16,12 @@ struct appearance {
   rgb no_value = srgb(0.55f, 0.55f, 0.55f);       // of points whose value is infinite or not a number
   colormap map = colormap::blue_to_yellow;
   value_scale scale;          // maps values to positions in the colour map
-  bool labels = false;        // values are labels, whole numbers from 0: each polygon or point has the label_color of its value instead of that of the map
+  bool labels = false;        // values are labels, whole numbers from 0: each polygon or point has the label_color of
+                              // its value instead of that of the map
   int isobands = 0;           // number of white iso-bands, at equal distances of the scale; 0: none
   double band_width = 0.12;   // as a fraction of the distance between two bands, in [0, 1]
-  double band_limit = 0.008;  // the maximal width of bands in the picture, as a fraction of its height, so that bands stay lines where the field is flat
+  double band_limit = 0.008;  // the maximal width of bands in the picture, as a fraction of its height, so that bands
+                              // stay lines where the field is flat
   int isolines = 0;           // number of lines at equal distances of the scale, in the middles of equal parts; 0: none
   double isoline_width = 1.5;  // in pixels
   rgb isoline_color = srgb(0.1f, 0.1f, 0.12f);

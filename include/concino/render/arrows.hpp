@@ -20,16 +20,21 @@ struct arrow_report {
 };
 
 struct arrow_options {
-  double scale = 0.5;                     // above 0: lengths. With 0.5, an arrow of the mean norm is 3/4 as long as the mean distance from an arrow to the nearest one
-  bool equal_lengths = false;             // all arrows are as long as one of the mean norm; otherwise lengths are in proportion to norms, up to 4 times the mean
-  std::size_t count = 1000;               // the most arrows that are drawn, distributed evenly, or somewhat fewer; 0: all
-  double radius = 0;                      // of the shafts, in units of the mesh, 0 or more; 0: 7 % of the length for the mean norm. A tenth of the length at most
+  double scale = 0.5;                     // above 0: lengths. With 0.5, an arrow of the mean norm is 3/4 as long as the
+                                          // mean distance from an arrow to the nearest one
+  bool equal_lengths = false;             // all arrows are as long as one of the mean norm; otherwise lengths are in
+                                          // proportion to norms, up to 4 times the mean
+  std::size_t count = 1000;               // the most arrows that are drawn, distributed evenly, or somewhat fewer; 0:
+                                          // all
+  double radius = 0;                      // of the shafts, in units of the mesh, 0 or more; 0: 7 % of the length for
+                                          // the mean norm. A tenth of the length at most
   rgb color = srgb(0.13f, 0.13f, 0.15f);  // if they are not coloured by norm
   bool color_by_norm = false;             // instead: look.scale of the result is linear over the norms
   colormap map = colormap::blue_to_yellow;  // of the norms
   double opacity = 1;                     // in [0, 1]
   bool centered = false;                  // arrows have their middles, not their tails, at the points of the vectors
-  int corners = 0;                        // of the cross-section, 3 to 256; 0: 16 for up to 500 arrows, 10 for up to 5,000, 6 for more
+  int corners = 0;                        // of the cross-section, 3 to 256; 0: 16 for up to 500 arrows, 10 for up to
+                                          // 5,000, 6 for more
   arrow_report* report = nullptr;         // unless null, filled with the numbers of arrows and of vectors left out
 };
 
@@ -61,24 +66,33 @@ drawable arrows_of(const flat_vectors& field, const arrow_options& options, cons
 template<class M, class G>
 void check_vector_map(const M& m, const G& g, std::size_t bound, const char* caller) {
   if constexpr (!is_view_v<M> && requires { { g.mesh() } -> std::same_as<const M&>; })
-    if (&g.mesh() != &m) core::throw_joined<invalid_argument>({caller, ": the vectors belong to another mesh; make the map with this one"});
+    if (&g.mesh() != &m)
+      core::throw_joined<invalid_argument>(
+          {caller, ": the vectors belong to another mesh; make the map with this one"});
   if constexpr (requires { g.values().size(); })
     if (const std::size_t size = g.values().size(); size < bound)
-      core::throw_joined<invalid_argument>({caller, ": there are ", size, " vectors, but elements up to index ", bound - 1, "; the map was made for another mesh, or before elements were added"});
+      core::throw_joined<invalid_argument>({caller, ": there are ", size, " vectors, but elements up to index ",
+                                            bound - 1,
+                                            "; the map was made for another mesh, or before elements were added"});
 }
 
 }  // namespace detail
 
-/// Arrows for a vector field with a vector at each poly, from its centroid, or at each vert: cn::make_arrows(m, cn::gradient(m, u)).
-/// Needs:  EmbeddedMesh for vectors at polys, Embedded M with verts for vectors at verts; g: any readable map of vectors. Arrows of some polys alone are those
-///         of submesh(m, keep).
-/// Result: a drawable of closed surfaces: shafts with a cone at the end. `polys` has the indices of the polys or verts. Vectors that are 0 or not finite are
-///         left out, and counted in options.report. If there are more than options.count, those drawn are about equally far from each other. Where the
-///         distance between arrows is not known, as of one arrow alone, a quarter of the diagonal of the mesh's box takes its place. The same in every run.
-/// Cost:   O(n log n) to choose among n vectors, about 20,000 more for each arrow if there are many; 25 corners of 130 bytes for each corner of a cross-section.
-/// Errors: invalid_argument if an option is out of its range, or if g is a map of another mesh; invalid_mesh if a point is not finite, naming the element.
-///         unsupported if there are too many arrows for 32-bit numbers.
-/// Source: paper section 3, Fig. 4. Even choice: random sequential addition, Cook 1986, "Stochastic sampling in computer graphics".
+/// Arrows for a vector field with a vector at each poly, from its centroid, or at each vert: cn::make_arrows(m,
+/// cn::gradient(m, u)).
+/// Needs:  EmbeddedMesh for vectors at polys, Embedded M with verts for vectors at verts; g: any readable map of
+///         vectors. Arrows of some polys alone are those of submesh(m, keep).
+/// Result: a drawable of closed surfaces: shafts with a cone at the end. `polys` has the indices of the polys or verts.
+///         Vectors that are 0 or not finite are left out, and counted in options.report. If there are more than
+///         options.count, those drawn are about equally far from each other. Where the distance between arrows is not
+///         known, as of one arrow alone, a quarter of the diagonal of the mesh's box takes its place. The same in every
+///         run.
+/// Cost:   O(n log n) to choose among n vectors, about 20,000 more for each arrow if there are many; 25 corners of 130
+///         bytes for each corner of a cross-section.
+/// Errors: invalid_argument if an option is out of its range, or if g is a map of another mesh; invalid_mesh if a point
+///         is not finite, naming the element. unsupported if there are too many arrows for 32-bit numbers.
+/// Source: paper section 3, Fig. 4. Even choice: random sequential addition, Cook 1986, "Stochastic sampling in
+///         computer graphics".
 template<class M, class G>
   requires requirement::has_vectors_at_polys<M, G>
 drawable make_arrows(const M& m, const G& g, const arrow_options& options = {}) {

@@ -10,13 +10,15 @@
 
 namespace concino {
 
-/// The view, among 36 around the scene, that shows the most of every drawable. Small drawables count as much as large ones.
+/// The view, among 36 around the scene, that shows the most of every drawable. Small drawables count as much as large
+/// ones.
 /// Needs:  options.towards is preferred unless another direction is clearly better.
 /// Result: a camera that frames the scene. It is the same for the same scene.
 /// Cost:   about 30,000 rays for each drawable, and a pass over the points for each of 36 directions.
 /// Errors: as frame.
 template<RayTracer T = box_tree_tracer>
-camera best_view(std::span<const drawable> drawables, double aspect, const view_options& options = {}, const T& tracer = {}) {
+camera best_view(std::span<const drawable> drawables, double aspect, const view_options& options = {},
+                 const T& tracer = {}) {
   const camera first = frame(drawables, aspect, options);
   const detail::unit_scene scene(drawables);
   const auto caster = tracer.build(scene.soup);
@@ -26,7 +28,8 @@ camera best_view(std::span<const drawable> drawables, double aspect, const view_
   const vec3 up = options.up / norm(options.up), right = first.right, front = cross(right, up);
   const double elevation = std::atan2(dot(first.back, up), dot(first.back, front));
 
-  // The visible projected area of a drawable, and its area. The ratio is a quarter for a ball, and small for a sheet seen from its edge.
+  // The visible projected area of a drawable, and its area. The ratio is a quarter for a ball, and small for a sheet
+  // seen from its edge.
   struct part {
     double seen, area;
   };

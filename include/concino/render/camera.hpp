@@ -24,11 +24,21 @@ struct view_ray {
 /// A perspective or orthographic camera, constructed by perspective_camera, orthographic_camera, framing or view.
 struct camera {
   /// Directions from which the whole scene is looked at, see view.
-  enum named_view : unsigned char { three_quarter, isometric, from_front, from_back, from_left, from_right, from_above, from_below };
+  enum named_view : unsigned char {
+    three_quarter,
+    isometric,
+    from_front,
+    from_back,
+    from_left,
+    from_right,
+    from_above,
+    from_below
+  };
 
   vec3 eye;
   vec3 right = {1, 0, 0}, up = {0, 1, 0}, back = {0, 0, 1};  // orthonormal; it looks along -back
-  double half_height = 1;                                    // of the film: at distance 1 from the eye, or in units of the mesh if parallel
+  double half_height = 1;                                    // of the film: at distance 1 from the eye, or in units of
+                                                             // the mesh if parallel
   bool parallel = false;
 
   view_ray ray_through(const image_point& f) const {
@@ -65,17 +75,19 @@ inline camera looking(const vec3& eye, const vec3& back, const vec3& up) {
 }
 
 inline double half_height_of_angle(double degrees) {
-  if (!(degrees > 0 && degrees < 180)) throw invalid_argument("camera: the angle of view must be between 0 and 180 degrees");
+  if (!(degrees > 0 && degrees < 180))
+    throw invalid_argument("camera: the angle of view must be between 0 and 180 degrees");
   return std::tan(degrees * 3.14159265358979323846 / 360);
 }
 
 }  // namespace detail
 
 /// A perspective camera at `eye` that looks at `target`. `angle` is the vertical angle of view in degrees.
-/// Needs:  eye and target that are different; up: a direction of any length, not parallel to the line of sight; angle in (0, 180).
-/// Result: a camera for which `up` points up in the picture.      Cost: O(1).
-/// Errors: invalid_argument if eye or target is not finite or they coincide, up is 0, not finite or parallel to the line of sight, or angle is not
+/// Needs:  eye and target that are different; up: a direction of any length, not parallel to the line of sight; angle
 ///         in (0, 180).
+/// Result: a camera for which `up` points up in the picture.      Cost: O(1).
+/// Errors: invalid_argument if eye or target is not finite or they coincide, up is 0, not finite or parallel to the
+///         line of sight, or angle is not in (0, 180).
 inline camera perspective_camera(const vec3& eye, const vec3& target, const vec3& up = {0, 1, 0}, double angle = 30) {
   camera c = detail::looking(eye, eye - target, up);
   c.half_height = detail::half_height_of_angle(angle);
@@ -87,7 +99,8 @@ inline camera perspective_camera(const vec3& eye, const vec3& target, const vec3
 /// Result: as perspective_camera.      Cost: O(1).
 /// Errors: as perspective_camera; invalid_argument if height is not positive and finite.
 inline camera orthographic_camera(const vec3& eye, const vec3& target, const vec3& up, double height) {
-  if (!(height > 0) || !std::isfinite(height)) throw invalid_argument("camera: the height of the picture must be positive");
+  if (!(height > 0) || !std::isfinite(height))
+    throw invalid_argument("camera: the height of the picture must be positive");
   camera c = detail::looking(eye, eye - target, up);
   c.half_height = height / 2;
   c.parallel = true;
@@ -95,7 +108,8 @@ inline camera orthographic_camera(const vec3& eye, const vec3& target, const vec
 }
 
 struct view_options {
-  vec3 towards = {0.5, 0.35, 1};  // from the scene to the viewer, of any length; the default is a three-quarter view from the front and above
+  vec3 towards = {0.5, 0.35, 1};  // from the scene to the viewer, of any length; the default is a three-quarter view
+                                  // from the front and above
   vec3 up = {0, 1, 0};            // up in the picture
   double angle = 25;              // the vertical angle of view, in degrees, in (0, 180); 0: orthographic
   double margin = 0.06;           // free space at each edge of the picture, as a fraction of half its size, in [0, 1)
@@ -106,8 +120,10 @@ class framing {
  public:
   /// Needs:  aspect = width / height of the picture.
   /// Errors: invalid_argument if an option is out of its range.
-  explicit framing(double aspect, const view_options& options = {}) : camera_(detail::looking({}, options.towards, options.up)) {
-    if (!(aspect > 0) || !std::isfinite(aspect)) throw invalid_argument("framing: the aspect of the picture must be positive");
+  explicit framing(double aspect, const view_options& options = {})
+      : camera_(detail::looking({}, options.towards, options.up)) {
+    if (!(aspect > 0) || !std::isfinite(aspect))
+      throw invalid_argument("framing: the aspect of the picture must be positive");
     if (!(options.margin >= 0 && options.margin < 1)) throw invalid_argument("framing: margin must be in [0, 1)");
     camera_.parallel = options.angle == 0;
     if (!camera_.parallel) camera_.half_height = detail::half_height_of_angle(options.angle);
@@ -131,7 +147,8 @@ class framing {
     if (!(near_ > -std::numeric_limits<double>::infinity())) return c;
     const double radius = std::max(x_.distance(), y_.distance());
     const double spread = std::max(x_.high - x_.low, y_.high - y_.low);
-    const double unit = spread > 0 ? spread : std::max(1.0, std::abs(near_)) * 1e-3;  // for a single point any distance is right
+    // for a single point any distance is right
+    const double unit = spread > 0 ? spread : std::max(1.0, std::abs(near_)) * 1e-3;
     double distance = radius;
     if (c.parallel) {
       c.half_height = radius > 0 ? radius : unit;
@@ -143,8 +160,8 @@ class framing {
   }
 
  private:
-  // A point at (x, z) lies on the film of a camera at (c, d) if |x - c| <= (d - z) slope. These are two half-planes for each point, and only the
-  // extreme ones matter.
+  // A point at (x, z) lies on the film of a camera at (c, d) if |x - c| <= (d - z) slope. These are two half-planes for
+  // each point, and only the extreme ones matter.
   struct axis {
     double slope = 1;
     double high = -std::numeric_limits<double>::infinity(), low = std::numeric_limits<double>::infinity();

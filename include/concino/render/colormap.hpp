@@ -1,4 +1,5 @@
-// Colour maps from [0, 1] to colours. In perceptually uniform maps lightness increases evenly, so that equal steps look equal, in print too.
+// Colour maps from [0, 1] to colours. In perceptually uniform maps lightness increases evenly, so that equal steps look
+// equal, in print too.
 #pragma once
 
 #include <concino/render/color.hpp>
@@ -19,21 +20,27 @@ class colormap {
  public:
   template<std::size_t N>
     requires(N >= 2)
-  constexpr explicit colormap(const std::array<std::array<float, 3>, N>& colors) : colors_(colors.data()), steps_(N - 1) {}
+  constexpr explicit colormap(const std::array<std::array<float, 3>, N>& colors)
+      : colors_(colors.data()), steps_(N - 1) {}
   template<std::size_t N>
   colormap(const std::array<std::array<float, 3>, N>&&) = delete;  // the address of the table is stored
 
   /// Dark violet over green to yellow; perceptually uniform.      Source: van der Walt and Smith 2015.
   static const colormap viridis;
-  /// Dark blue over grey to yellow; perceptually uniform, and the same to colour-blind viewers.      Source: Nunez, Anderton and Renslow 2018.
+  /// Dark blue over grey to yellow; perceptually uniform, and the same to colour-blind viewers.      Source: Nunez,
+  /// Anderton and Renslow 2018.
   static const colormap cividis;
-  /// Blue over teal to yellow, similar to Parula; perceptually uniform, and brighter than viridis, so that shading is visible.
+  /// Blue over teal to yellow, similar to Parula; perceptually uniform, and brighter than viridis, so that shading is
+  /// visible.
   static const colormap blue_to_yellow;
-  /// All hues from dark blue over green to dark red. It tells many values apart, but lightness is largest in the middle.      Source: Mikhailov 2019.
+  /// All hues from dark blue over green to dark red. It tells many values apart, but lightness is largest in the
+  /// middle.      Source: Mikhailov 2019.
   static const colormap turbo;
-  /// Blue over white to red, for values on two sides of a middle. Lightness increases to the middle and decreases behind it.      Source: Moreland 2009.
+  /// Blue over white to red, for values on two sides of a middle. Lightness increases to the middle and decreases
+  /// behind it.      Source: Moreland 2009.
   static const colormap cool_warm;
-  /// The hues of full saturation, red over green and blue back to red: for angles and other periodic values. Lightness varies.
+  /// The hues of full saturation, red over green and blue back to red: for angles and other periodic values. Lightness
+  /// varies.
   static const colormap hsv;
 
   /// The sRGB components for t. Values below 0, above 1 and NaN become 0, 1 and 0.

@@ -11,17 +11,19 @@
 
 namespace concino {
 
-/// The base class of all criteria for polys. A criterion c has c.prepare(m): a function object that says whether a poly of m meets it. It is called in several
-/// threads, while m and c exist.
+/// The base class of all criteria for polys. A criterion c has c.prepare(m): a function object that says whether a poly
+/// of m meets it. It is called in several threads, while m and c exist.
 struct criterion_base {};
 
 /// A criterion for polys, such as below('x', 0.3).
 template<class C>
 concept Criterion = std::derived_from<std::remove_cvref_t<C>, criterion_base>;
 
-/// A criterion for the polys of a mesh of type M: below() needs points, labeled(map, ...) a map that gives labels at its polys.
+/// A criterion for the polys of a mesh of type M: below() needs points, labeled(map, ...) a map that gives labels at
+/// its polys.
 template<class C, class M>
-concept CriterionOn = Criterion<C> && AnyMesh<M> && requires(const std::remove_cvref_t<C>& c, const std::remove_cvref_t<M>& m, const poly_t<M>& p) {
+concept CriterionOn = Criterion<C> && AnyMesh<M> &&
+    requires(const std::remove_cvref_t<C>& c, const std::remove_cvref_t<M>& m, const poly_t<M>& p) {
   { c.prepare(m)(p) } -> std::convertible_to<bool>;
 };
 
@@ -65,7 +67,8 @@ struct negated_criterion : criterion_base {
 
 /// Combine criteria: below('x', 0.3) && !labeled(material, {2}).
 /// Needs:  criteria; those with && and || are for the same mesh type.
-/// Result: a criterion that holds copies of them.      Cost: that of the criteria; the second one is not asked if the first one decides.
+/// Result: a criterion that holds copies of them.      Cost: that of the criteria; the second one is not asked if the
+///         first one decides.
 /// Errors: none.
 template<Criterion A, Criterion B>
 both_criteria<A, B> operator&&(A a, B b) { return {std::move(a), std::move(b)}; }

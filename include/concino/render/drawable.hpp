@@ -23,14 +23,16 @@ struct drawable {
   value_place values_at = value_place::points;
   std::vector<rgb> colors;                              // by the elements `colors_at`, instead of values; empty: none
   value_place colors_at = value_place::polygons;
-  std::vector<double> edge_values;                      // by corner: of the edge to the next corner; empty: edges have one colour
+  std::vector<double> edge_values;                      // by corner: of the edge to the next corner; empty: edges have
+                                                        // one colour
   std::vector<std::array<float, 2>> texture_coordinates;  // by corner; empty: no texture
   std::vector<std::uint8_t> exposed;                    // by polygon: 1 if a cut laid it bare; empty: none is
   std::vector<std::uint32_t> offsets = {0};             // polygon p has the corners offsets[p] .. offsets[p+1]-1
   std::vector<std::uint32_t> corners;                   // the point of each corner
   std::vector<std::array<float, 3>> normals;            // by corner, unit vectors
   std::vector<std::uint32_t> polys;                     // by polygon: index_of its poly in the mesh
-  std::vector<std::uint32_t> mesh_polygons;             // by polygon: index_of it in the mesh, that is of a poly of a surface or a face of a volume
+  std::vector<std::uint32_t> mesh_polygons;             // by polygon: index_of it in the mesh, that is of a poly of a
+                                                        // surface or a face of a volume
   std::vector<std::uint32_t> verts;                     // by point: index_of its vert in the mesh
   std::vector<std::array<std::uint32_t, 3>> triangles;  // the three corners of each
   std::vector<std::uint32_t> polygon_of;                // by triangle

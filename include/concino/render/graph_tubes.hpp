@@ -16,7 +16,8 @@ namespace concino {
 namespace requirement {
 
 /// A predicate of edges, or a range of them.
-template<class S, class M> concept selects_edges = has_adj_e2v<M> && (std::predicate<const S&, edge_t<M>> || is_range_of<S, edge_t<M>>);
+template<class S, class M>
+concept selects_edges = has_adj_e2v<M> &&(std::predicate<const S&, edge_t<M>> || is_range_of<S, edge_t<M>>);
 
 }  // namespace requirement
 
@@ -33,7 +34,8 @@ class numbered_verts {
 
   explicit numbered_verts(const M& m) : m_(m), number_(vert_index_bound(m)) {
     for (const vert_t<M> v : verts(m)) {
-      if (graph.points.size() >= std::numeric_limits<std::uint32_t>::max()) throw unsupported("make_graph_tubes: the graph has more than 4,294,967,294 verts");
+      if (graph.points.size() >= std::numeric_limits<std::uint32_t>::max())
+        throw unsupported("make_graph_tubes: the graph has more than 4,294,967,294 verts");
       number_[index_of(m, v)] = static_cast<std::uint32_t>(graph.points.size());
       graph.points.push_back(to_vec3(point(m, v)));
     }
@@ -44,7 +46,8 @@ class numbered_verts {
   void add_edge(const vert_t<M>& a, const vert_t<M>& b) {
     for (const vert_t<M>& v : {a, b})
       if (!is_finite(graph.points[(*this)[v]]))
-        core::throw_joined<invalid_mesh>({"make_graph_tubes: vert ", index_of(m_, v), " has a coordinate that is not a finite number"});
+        core::throw_joined<invalid_mesh>(
+            {"make_graph_tubes: vert ", index_of(m_, v), " has a coordinate that is not a finite number"});
     graph.edges.push_back({(*this)[a], (*this)[b]});
   }
 };
@@ -52,9 +55,10 @@ class numbered_verts {
 }  // namespace detail
 
 /// All edges of a graph or a mesh as tubes, each once: cn::make_graph_tubes(skeleton, {.radii = skeleton.radii()}).
-/// Needs:  EmbeddedGraph M. options.values and options.radii have one number for each vert, in the order of verts(g); options.closed is ignored.
-/// Result: a drawable as that of make_tubes: tubes are round where edges meet. Edges are drawn as lines that go straight on where they can; `polys` has the
-///         numbers of these lines. A vert without edges is a ball.
+/// Needs:  EmbeddedGraph M. options.values and options.radii have one number for each vert, in the order of verts(g);
+///         options.closed is ignored.
+/// Result: a drawable as that of make_tubes: tubes are round where edges meet. Edges are drawn as lines that go
+///         straight on where they can; `polys` has the numbers of these lines. A vert without edges is a ball.
 /// Cost:   O(verts + edges); memory as make_tubes: about 130 bytes for each corner of a cross-section at each edge.
 /// Errors: invalid_mesh if a vert has a coordinate that is not finite; else as make_tubes.
 template<EmbeddedGraph M>
@@ -67,7 +71,8 @@ drawable make_graph_tubes(const M& g, const tube_options& options = {}) {
       if (numbered[v] < numbered[w]) numbered.add_edge(v, w);
     }
     if (alone && !is_finite(to_vec3(point(g, v))))
-      core::throw_joined<invalid_mesh>({"make_graph_tubes: vert ", index_of(g, v), " has a coordinate that is not a finite number"});
+      core::throw_joined<invalid_mesh>(
+          {"make_graph_tubes: vert ", index_of(g, v), " has a coordinate that is not a finite number"});
   }
   numbered.graph.lone_verts = true;
   return detail::tubes_of(numbered.graph, options, "make_graph_tubes");

@@ -10,7 +10,8 @@
 
 namespace concino {
 
-/// A position in a picture, in pixels from its upper left corner, x to the right and y down. Pixel (i, j) extends from (i, j) to (i + 1, j + 1).
+/// A position in a picture, in pixels from its upper left corner, x to the right and y down. Pixel (i, j) extends from
+/// (i, j) to (i + 1, j + 1).
 struct pixel_position {
   double x = 0, y = 0;
 };
@@ -23,7 +24,8 @@ struct pixel_box {
   double height() const { return bottom - top; }
 };
 
-/// width x height colours in linear light, row by row from the top left; and opacities, from 0 to 1, if add_opacity() was called.
+/// width x height colours in linear light, row by row from the top left; and opacities, from 0 to 1, if add_opacity()
+/// was called.
 class image {
   std::size_t width_ = 0, height_ = 0;
   std::vector<rgb> pixels_;
@@ -34,7 +36,8 @@ class image {
   /// Errors: invalid_argument if width or height is 0 or above 65,535.
   image(std::size_t width, std::size_t height, const rgb& color = {}) : width_(width), height_(height) {
     if (width == 0 || height == 0 || width > 65535 || height > 65535)
-      core::throw_joined<invalid_argument>({"image: ", width, " x ", height, " pixels; width and height must be 1 to 65535"});
+      core::throw_joined<invalid_argument>(
+          {"image: ", width, " x ", height, " pixels; width and height must be 1 to 65535"});
     pixels_.assign(width * height, color);
   }
 
@@ -43,8 +46,8 @@ class image {
   rgb& operator()(std::size_t x, std::size_t y) { return pixels_[y * width_ + x]; }
   const rgb& operator()(std::size_t x, std::size_t y) const { return pixels_[y * width_ + x]; }
 
-  /// Gives each pixel an opacity. Colours are not multiplied by it: a pixel with opacity 0.25 and colour {1, 0, 0} is red glass, not dark
-  /// red.
+  /// Gives each pixel an opacity. Colours are not multiplied by it: a pixel with opacity 0.25 and colour {1, 0, 0} is
+  /// red glass, not dark red.
   void add_opacity(float value = 1) { opacities_.assign(pixels_.size(), value); }
   bool has_opacity() const { return !opacities_.empty(); }
   /// Needs: has_opacity().
@@ -55,8 +58,10 @@ class image {
   friend bool operator==(const image&, const image&) = default;
 };
 
-/// The pixels as image files store them: three sRGB bytes each, row by row from the top left; with opacities four, the last one from 0 to
-/// 255. Needs:  any picture.      Result: as srgb_bytes of each colour; empty for a picture without pixels.      Cost: O(pixels). Errors:
+/// The pixels as image files store them: three sRGB bytes each, row by row from the top left; with opacities four, the
+/// last one from 0 to
+/// 255. Needs:  any picture.      Result: as srgb_bytes of each colour; empty for a picture without pixels.      Cost:
+///      O(pixels). Errors:
 /// none.
 inline std::vector<std::uint8_t> srgb_bytes(const image& picture) {
   std::vector<std::uint8_t> bytes;

@@ -16,8 +16,8 @@ inline constexpr std::size_t num_label_colors = 20;
 
 namespace detail {
 
-/// sRGB colours, the first ones the most different. They maximise the smallest distance in OKLab (Ottosson 2020) between two of them, and to white, grey and
-/// black, among colours of medium chroma and lightness.
+/// sRGB colours, the first ones the most different. They maximise the smallest distance in OKLab (Ottosson 2020)
+/// between two of them, and to white, grey and black, among colours of medium chroma and lightness.
 inline constexpr std::array<std::array<std::uint8_t, 3>, num_label_colors> label_color_table = {{
     {1, 113, 159},  {136, 0, 107},  {255, 138, 5},   {37, 143, 0},   {133, 244, 129}, {79, 45, 169},  {0, 184, 252},
     {208, 64, 107}, {255, 211, 0},  {172, 82, 194},  {149, 0, 0},    {104, 121, 245}, {0, 93, 53},    {171, 162, 5},
@@ -28,7 +28,8 @@ inline constexpr std::array<std::array<std::uint8_t, 3>, num_label_colors> label
 
 /// The colour of a label. Colours repeat: labels that differ by a multiple of 20 have the same colour.
 /// Needs:  any number.
-/// Result: colours of two labels below 20 differ by at least 0.14 in OKLab, and as much from white and from the grey of points without a value.
+/// Result: colours of two labels below 20 differ by at least 0.14 in OKLab, and as much from white and from the grey of
+///         points without a value.
 /// Cost:   O(1).
 /// Errors: none.
 inline rgb label_color(std::size_t label) {

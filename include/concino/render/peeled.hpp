@@ -28,9 +28,11 @@ struct peeled_criterion : criterion_base {
   }
 };
 
-/// Polys that remain after n layers have been peeled off the boundary. The first layer are the polys with a facet on the boundary, the next one the polys
-/// that share a facet with it, and so on. Parts without boundary, such as closed surfaces, have no layers.
-/// Needs:  n >= 0.      Result: a criterion for any AnyMesh.      Cost: O(1); to evaluate it, O(polys and their facets).
+/// Polys that remain after n layers have been peeled off the boundary. The first layer are the polys with a facet on
+/// the boundary, the next one the polys that share a facet with it, and so on. Parts without boundary, such as closed
+/// surfaces, have no layers.
+/// Needs:  n >= 0.      Result: a criterion for any AnyMesh.      Cost: O(1); to evaluate it, O(polys and their
+///         facets).
 /// Errors: invalid_argument if n < 0.
 inline peeled_criterion peeled(int n) {
   if (n < 0) throw invalid_argument("peeled: the number of layers must not be negative");

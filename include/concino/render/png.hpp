@@ -16,7 +16,8 @@ namespace concino {
 /// Result: the same bytes on every run.
 /// Cost:   O(pixels) time and memory, in the calling thread.
 /// Errors: invalid_argument if the picture has no pixels.
-/// Source: PNG 1.2 (ISO 15948), each row with the filter of least absolute sum; deflate of RFC 1951 with Huffman codes of its own.
+/// Source: PNG 1.2 (ISO 15948), each row with the filter of least absolute sum; deflate of RFC 1951 with Huffman codes
+///         of its own.
 std::vector<std::uint8_t> png_bytes(const image& picture);
 
 /// Writes a picture as a PNG file, as png_bytes.

@@ -14,7 +14,8 @@ namespace requirement {
 
 /// P says at each poly of M whether it is chosen: a poly_map<M, bool>, such as visible_polys returns.
 template<class P, class M>
-concept is_choice_of_polys = !Criterion<P> && AnyMesh<M> && ReadableMap<P, poly_t<M>> && requires(const std::remove_cvref_t<P>& chosen, const poly_t<M>& p) {
+concept is_choice_of_polys = !Criterion<P> && AnyMesh<M> && ReadableMap<P, poly_t<M>> &&
+                             requires(const std::remove_cvref_t<P>& chosen, const poly_t<M>& p) {
   requires std::same_as<std::remove_cvref_t<decltype(chosen[p])>, bool>;
 };
 
@@ -22,7 +23,8 @@ concept is_choice_of_polys = !Criterion<P> && AnyMesh<M> && ReadableMap<P, poly_
 
 /// A criterion for polys of a mesh of type M, whatever its type. Options such as those of scenes hold one.
 /// Needs:  AnyMesh M; a criterion for it, or a map of bool at its polys. Maps that are lvalues must outlive it.
-/// Result: an implicit conversion from such a criterion, of which it holds a copy; copies share it. A map means selected(map). By default all polys meet it.
+/// Result: an implicit conversion from such a criterion, of which it holds a copy; copies share it. A map means
+///         selected(map). By default all polys meet it.
 /// Cost:   one allocation; to evaluate it, one array of a byte per poly.
 /// Errors: those of the criterion.
 template<AnyMesh M>
@@ -37,7 +39,9 @@ class poly_criterion : public criterion_base {
     requires(!std::same_as<C, poly_criterion> && CriterionOn<C, M>)
   poly_criterion(C c)
       : criterion_(std::make_shared<const C>(std::move(c))),
-        evaluate_([](const void* x, const M& m, unsigned char* mask) { detail::evaluate_criterion(m, *static_cast<const C*>(x), mask); }) {}
+        evaluate_([](const void* x, const M& m, unsigned char* mask) {
+          detail::evaluate_criterion(m, *static_cast<const C*>(x), mask);
+        }) {}
 
   template<class P>
     requires requirement::is_choice_of_polys<P, M>

@@ -38,14 +38,18 @@ void read_selection(const void* selected, const M& m, std::vector<unsigned char>
   const S& some = *static_cast<const S*>(selected);
   by_index.assign(polygon_index_bound(m), 0);
   if constexpr (marks_polygons<S, M>) {
-    check_map(m, some, by_index.size(), dimension_v<M> == 2 ? element_kind::poly : element_kind::face, "polygon_selection");
+    check_map(m, some, by_index.size(), dimension_v<M> == 2 ? element_kind::poly : element_kind::face,
+              "polygon_selection");
     unsigned char* const all = by_index.data();
-    parallel_for_each(all_polygons(m), [&m, &some, all](const polygon_t<M>& x) { all[index_of(m, x)] = static_cast<bool>(some[x]); }, 8192);
+    parallel_for_each(
+        all_polygons(m), [&m, &some, all](const polygon_t<M>& x) { all[index_of(m, x)] = static_cast<bool>(some[x]); },
+        8192);
   } else {
     for (const polygon_t<M> x : some) {
       const std::size_t i = index_of(m, x);
       if (i >= by_index.size())
-        core::throw_joined<invalid_argument>({"polygon_selection: there is no polygon with index ", i, "; the selection was made for another mesh"});
+        core::throw_joined<invalid_argument>(
+            {"polygon_selection: there is no polygon with index ", i, "; the selection was made for another mesh"});
       by_index[i] = 1;
     }
   }
@@ -53,10 +57,11 @@ void read_selection(const void* selected, const M& m, std::vector<unsigned char>
 
 }  // namespace detail
 
-/// A selection of polygons of a mesh of type M, polys of a surface or faces of a volume: any container of them, or any map that is true at them. The faces that
-/// a cut made are c.cut_faces, if c is the result of clip.
+/// A selection of polygons of a mesh of type M, polys of a surface or faces of a volume: any container of them, or any
+/// map that is true at them. The faces that a cut made are c.cut_faces, if c is the result of clip.
 /// Needs:  AnyMesh M. An lvalue must outlive the selection; a temporary is stored in it.
-/// Result: an implicit conversion from such a container or map. Copies share what is stored. By default there is no selection.
+/// Result: an implicit conversion from such a container or map. Copies share what is stored. By default there is no
+///         selection.
 /// Cost:   one allocation for a temporary; fill takes O(index bound + selected polygons).
 /// Errors: fill throws invalid_argument if a polygon is not in the mesh, or the map belongs to another mesh.
 template<AnyMesh M>
@@ -68,9 +73,11 @@ class polygon_selection {
   polygon_selection() = default;
 
   template<class S>
-    requires(!std::same_as<std::remove_cvref_t<S>, polygon_selection> && (detail::lists_polygons<S, M> || detail::marks_polygons<S, M>))
+    requires(!std::same_as<std::remove_cvref_t<S>, polygon_selection> &&
+             (detail::lists_polygons<S, M> || detail::marks_polygons<S, M>))
   polygon_selection(S&& some) : read_(&detail::read_selection<M, std::remove_cvref_t<S>>) {
-    if constexpr (std::is_lvalue_reference_v<S>) selected_ = std::shared_ptr<const void>(std::shared_ptr<const void>(), std::addressof(some));
+    if constexpr (std::is_lvalue_reference_v<S>)
+      selected_ = std::shared_ptr<const void>(std::shared_ptr<const void>(), std::addressof(some));
     else selected_ = std::make_shared<const std::remove_cvref_t<S>>(std::forward<S>(some));
   }
 

@@ -1,5 +1,5 @@
-// Mean value coordinates: the weights of the corners of a polygon at a point in it. They interpolate a field over a polygon smoothly,
-// independent of its triangulation.
+// Mean value coordinates: the weights of the corners of a polygon at a point in it. They interpolate a field over a
+// polygon smoothly, independent of its triangulation.
 #pragma once
 
 #include <concino/core/vec3.hpp>
@@ -13,18 +13,21 @@ namespace concino {
 
 /// The weights of the corners of a polygon at point x.
 /// Needs:  `normal`, the unit normal of the polygon; x and the corners are projected along it.
-/// Result: weights[i] of corner i, with sum 1, exact for linear functions on planar polygons. At a corner, or on an edge, only the corner itself,
-///         or the two ends of the edge, have a weight. Equal weights if the polygon has no area.
+/// Result: weights[i] of corner i, with sum 1, exact for linear functions on planar polygons. At a corner, or on an
+///         edge, only the corner itself, or the two ends of the edge, have a weight. Equal weights if the polygon has
+///         no area.
 /// Cost:   O(corners).      Errors: none.
 /// Source: Hormann and Floater 2006, which also covers concave polygons.
-inline void polygon_weights(std::span<const vec3> corners, const vec3& normal, const vec3& x, std::vector<double>& weights) {
+inline void polygon_weights(std::span<const vec3> corners, const vec3& normal, const vec3& x,
+                            std::vector<double>& weights) {
   const std::size_t n = corners.size();
   weights.assign(n, 0);
   const auto flat = [&](const vec3& p) {
     const vec3 d = p - x;
     return d - normal * dot(d, normal);
   };
-  const auto half_tangent = [&](const vec3& a, const vec3& b, double ra, double rb) {  // tangent of half the angle from a to b at x
+  // tangent of half the angle from a to b at x
+  const auto half_tangent = [&](const vec3& a, const vec3& b, double ra, double rb) {
     const double area = dot(normal, cross(a, b)), along = dot(a, b);
     return area != 0 ? (ra * rb - along) / area : 0;
   };

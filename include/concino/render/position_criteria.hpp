@@ -1,7 +1,8 @@
 // Criteria for the positions of polys: below and above an axis-aligned plane or any plane.
 //
-// They compare the centroid of a poly: centroid(m, p). It is computed only for polys that the plane crosses: those whose verts all lie on one side are on
-// this side, even if they are turned over, so that their centroid is elsewhere. A poly with a coordinate that is not a number meets none of them.
+// They compare the centroid of a poly: centroid(m, p). It is computed only for polys that the plane crosses: those
+// whose verts all lie on one side are on this side, even if they are turned over, so that their centroid is elsewhere.
+// A poly with a coordinate that is not a number meets none of them.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -51,7 +52,10 @@ struct coordinate_criterion : criterion_base {
       const auto at = [&](double t) { return std::isinf(t) ? t : (1 - t) * b.min[axis] + t * b.max[axis]; };
       from = at(low), to = at(high);
     }
-    return [&m, k = axis, from, to](const poly_t<M>& p) -> bool { return detail::is_centroid_between(m, p, [k](const vec3& x) { return x[k]; }, from, to); };
+    return [&m, k = axis, from, to](const poly_t<M>& p) -> bool {
+      return detail::is_centroid_between(
+          m, p, [k](const vec3& x) { return x[k]; }, from, to);
+    };
   }
 };
 
@@ -62,7 +66,8 @@ struct plane_criterion : criterion_base {
 
   template<EmbeddedMesh M>
   auto prepare(const M& m) const {
-    const double low = is_above ? divider.offset : -detail::unlimited, high = is_above ? detail::unlimited : divider.offset;
+    const double low = is_above ? divider.offset : -detail::unlimited,
+                 high = is_above ? detail::unlimited : divider.offset;
     return [&m, n = divider.normal, low, high](const poly_t<M>& p) -> bool {
       return detail::is_centroid_between(m, p, [n](const vec3& x) { return dot(n, x); }, low, high);
     };
@@ -71,39 +76,58 @@ struct plane_criterion : criterion_base {
 
 namespace detail {
 
-inline coordinate_criterion coordinate_between(const char* caller, char axis, double low, double high, bool are_fractions) {
-  if (axis != 'x' && axis != 'y' && axis != 'z') core::throw_joined<invalid_argument>({caller, ": the axis must be 'x', 'y' or 'z'"});
-  if (std::isnan(low) || std::isnan(high)) core::throw_joined<invalid_argument>({caller, are_fractions ? ": the fraction" : ": a coordinate", " is not a number (NaN)"});
+inline coordinate_criterion coordinate_between(const char* caller, char axis, double low, double high,
+                                               bool are_fractions) {
+  if (axis != 'x' && axis != 'y' && axis != 'z')
+    core::throw_joined<invalid_argument>({caller, ": the axis must be 'x', 'y' or 'z'"});
+  if (std::isnan(low) || std::isnan(high))
+    core::throw_joined<invalid_argument>(
+        {caller, are_fractions ? ": the fraction" : ": a coordinate", " is not a number (NaN)"});
   if (low > high) core::throw_joined<invalid_argument>({caller, ": the lower coordinate is above the upper one"});
   return {{}, static_cast<std::size_t>(axis - 'x'), low, high, are_fractions};
 }
 
 inline plane_criterion side_of(const char* caller, const plane& p, bool is_above) {
   if (!(norm(p.normal) > 0) || !is_finite(p.normal) || !std::isfinite(p.offset))
-    core::throw_joined<invalid_argument>({caller, ": the plane must have a finite offset and a finite normal other than 0"});
+    core::throw_joined<invalid_argument>(
+        {caller, ": the plane must have a finite offset and a finite normal other than 0"});
   return {{}, p, is_above};
 }
 
 }  // namespace detail
 
-/// Polys whose centroid is below a coordinate or a plane, in [low, high) between two coordinates, or at a coordinate or a plane or above it. So each poly is
-/// either below or above, and intervals that follow each other have no poly in common.
-/// Needs:  axis: 'x', 'y' or 'z'; coordinates in units of the mesh, which may be infinite; a plane with a normal of any length but 0.
+/// Polys whose centroid is below a coordinate or a plane, in [low, high) between two coordinates, or at a coordinate or
+/// a plane or above it. So each poly is either below or above, and intervals that follow each other have no poly in
+/// common.
+/// Needs:  axis: 'x', 'y' or 'z'; coordinates in units of the mesh, which may be infinite; a plane with a normal of any
+///         length but 0.
 /// Result: a criterion for any EmbeddedMesh.
 /// Cost:   O(1); to evaluate it, the verts of each poly, and the centroid of those on both sides.
-/// Errors: invalid_argument if the axis is none of these, a coordinate is NaN, low > high, or the plane has no normal or is not finite.
-inline coordinate_criterion below(char axis, double coordinate) { return detail::coordinate_between("below", axis, -detail::unlimited, coordinate, false); }
-inline coordinate_criterion above(char axis, double coordinate) { return detail::coordinate_between("above", axis, coordinate, detail::unlimited, false); }
-inline coordinate_criterion between(char axis, double low, double high) { return detail::coordinate_between("between", axis, low, high, false); }
+/// Errors: invalid_argument if the axis is none of these, a coordinate is NaN, low > high, or the plane has no normal
+///         or is not finite.
+inline coordinate_criterion below(char axis, double coordinate) {
+  return detail::coordinate_between("below", axis, -detail::unlimited, coordinate, false);
+}
+inline coordinate_criterion above(char axis, double coordinate) {
+  return detail::coordinate_between("above", axis, coordinate, detail::unlimited, false);
+}
+inline coordinate_criterion between(char axis, double low, double high) {
+  return detail::coordinate_between("between", axis, low, high, false);
+}
 inline plane_criterion below(const plane& p) { return detail::side_of("below", p, false); }
 inline plane_criterion above(const plane& p) { return detail::side_of("above", p, true); }
 
-/// The same with a coordinate that is a fraction of the bounding box of the mesh: below_fraction('x', 0.5) is one half of it.
+/// The same with a coordinate that is a fraction of the bounding box of the mesh: below_fraction('x', 0.5) is one half
+/// of it.
 /// Needs:  axis: 'x', 'y' or 'z'; a fraction, 0 to 1 inside the box.
 /// Result: a criterion for any EmbeddedMesh.
 /// Cost:   as above, and that of the bounding box.
 /// Errors: invalid_argument if the axis is none of these, or the fraction is NaN.
-inline coordinate_criterion below_fraction(char axis, double fraction) { return detail::coordinate_between("below_fraction", axis, -detail::unlimited, fraction, true); }
-inline coordinate_criterion above_fraction(char axis, double fraction) { return detail::coordinate_between("above_fraction", axis, fraction, detail::unlimited, true); }
+inline coordinate_criterion below_fraction(char axis, double fraction) {
+  return detail::coordinate_between("below_fraction", axis, -detail::unlimited, fraction, true);
+}
+inline coordinate_criterion above_fraction(char axis, double fraction) {
+  return detail::coordinate_between("above_fraction", axis, fraction, detail::unlimited, true);
+}
 
 }  // namespace concino

@@ -1,5 +1,5 @@
-// The concepts of ray casters and ray tracers that render() needs. Models: <concino/render/box_tree_tracer.hpp>, the default, and the adapter
-// <concino/adapters/embree.hpp>.
+// The concepts of ray casters and ray tracers that render() needs. Models: <concino/render/box_tree_tracer.hpp>, the
+// default, and the adapter <concino/adapters/embree.hpp>.
 #pragma once
 
 #include <concino/core/vec3.hpp>
@@ -26,8 +26,10 @@ struct ray_hit {
   explicit operator bool() const { return triangle != none; }
 };
 
-/// A ray caster: intersects rays with triangles, from several threads at once. It reports hits with t within [t_near, t_far].
-template<class C> concept RayCaster = requires(const C& c, const vec3& origin, const vec3& direction, double t_near, double t_far) {
+/// A ray caster: intersects rays with triangles, from several threads at once. It reports hits with t within [t_near,
+/// t_far].
+template<class C>
+concept RayCaster = requires(const C& c, const vec3& origin, const vec3& direction, double t_near, double t_far) {
   { c.intersect(origin, direction, t_near, t_far) } -> std::convertible_to<ray_hit>;
   { c.occluded(origin, direction, t_near, t_far) } -> std::convertible_to<bool>;
 };

@@ -12,7 +12,8 @@
 
 namespace concino {
 
-/// Several things to draw together. Each is prepared when it is added: later changes of a mesh or of its fields are not seen.
+/// Several things to draw together. Each is prepared when it is added: later changes of a mesh or of its fields are not
+/// seen.
 class scene {
   std::vector<drawable> drawables_;
   std::vector<point_label> labels_;
@@ -20,7 +21,8 @@ class scene {
 
  public:
   /// Adds a mesh of any type: s.add(m, {.field = u, .edges = true, .visible = below('x', 0.3)}).
-  /// Needs, Cost, Errors: as make_drawable.      Result: the scene, which holds no copy of the mesh and no reference to it.
+  /// Needs, Cost, Errors: as make_drawable.      Result: the scene, which holds no copy of the mesh and no reference to
+  /// it.
   template<EmbeddedMesh M>
   scene& add(const M& m, const mesh_look<M>& look = {}) { return add(make_drawable(m, look)); }
 
@@ -32,12 +34,13 @@ class scene {
     return *this;
   }
 
-  /// Adds a text beside a point. It is left out of pictures in which something hides the point, unless that is near to it, such as a ball that marks
-  /// the point: within 1.5 % of the diagonal of the scene.
+  /// Adds a text beside a point. It is left out of pictures in which something hides the point, unless that is near to
+  /// it, such as a ball that marks the point: within 1.5 % of the diagonal of the scene.
   /// Needs:  text in UTF-8.      Result: the scene.      Cost: O(length of the text).
   /// Errors: invalid_argument if the point is not finite.
   scene& add_label(const vec3& at, std::string text) {
-    if (!is_finite(at)) core::throw_joined<invalid_argument>({"scene: the point of the label \"", text, "\" is not finite"});
+    if (!is_finite(at))
+      core::throw_joined<invalid_argument>({"scene: the point of the label \"", text, "\" is not finite"});
     labels_.push_back({at, std::move(text)});
     return *this;
   }
@@ -61,8 +64,9 @@ class scene {
     return b;
   }
 
-  /// Adds lines as tubes: s.add_lines(lines, {.radius = 0.004, .color = {1, 0, 0}}); those of m are walks along it, such as paths and boundary loops.
-  /// Needs, Errors: as make_tubes.      Result: the scene. A radius of 0 means 0.4 % of the diagonal of bounds(), if something was added before.
+  /// Adds lines as tubes: s.add_lines(lines, {.radius = 0.004, .color = {1, 0, 0}}); those of m are walks along it,
+  /// such as paths and boundary loops. Needs, Errors: as make_tubes.      Result: the scene. A radius of 0 means 0.4 %
+  /// of the diagonal of bounds(), if something was added before.
   /// Cost:   as make_tubes.
   template<class L = std::initializer_list<vec3>>
     requires requirement::is_lines<L>
@@ -75,8 +79,9 @@ class scene {
     return add(make_tubes(m, walks, fitted(options, 0.004)));
   }
 
-  /// Adds the edges of a graph or a mesh, or some of them, as tubes: s.add_graph(skeleton, {.radii = skeleton.radii()}).
-  /// Needs, Errors: as make_graph_tubes.      Result: as add_lines.      Cost: as make_graph_tubes and add_lines.
+  /// Adds the edges of a graph or a mesh, or some of them, as tubes: s.add_graph(skeleton, {.radii =
+  /// skeleton.radii()}). Needs, Errors: as make_graph_tubes.      Result: as add_lines.      Cost: as make_graph_tubes
+  /// and add_lines.
   template<EmbeddedGraph M>
   scene& add_graph(const M& g, const tube_options& options = {}) {
     return add(make_graph_tubes(g, fitted(options, 0.004)));
@@ -88,7 +93,8 @@ class scene {
   }
 
   /// Adds points, or the verts of a mesh or a graph, as balls: s.add_points(points, {.radius = 0.01}).
-  /// Needs, Errors: as make_balls.      Result: the scene. A radius of 0 means 0.8 % of the diagonal of bounds(), if something was added before.
+  /// Needs, Errors: as make_balls.      Result: the scene. A radius of 0 means 0.8 % of the diagonal of bounds(), if
+  /// something was added before.
   /// Cost:   as make_balls.
   template<class P = std::initializer_list<vec3>>
     requires(requirement::is_point_range<P> || (Embedded<P> && requirement::has_verts<P>))

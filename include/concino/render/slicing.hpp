@@ -14,9 +14,11 @@ namespace concino {
 
 namespace mistake {
 
-inline constexpr sentence give_criterion("needs a criterion for the polys of this mesh: below('x', 0.3) needs points, labeled(map, {1}) whole numbers at polys, at_most(map, 1) numbers at polys, where(f) a bool f(p)");
+inline constexpr sentence give_criterion(
+    "needs a criterion for the polys of this mesh: below('x', 0.3) needs points, labeled(map, {1}) whole numbers at polys, at_most(map, 1) numbers at polys, where(f) a bool f(p)");
 
-inline constexpr sentence use_visible_facets("surfaces have no faces: write visible_facets(m, criterion), which are edges of a surface");
+inline constexpr sentence use_visible_facets(
+    "surfaces have no faces: write visible_facets(m, criterion), which are edges of a surface");
 
 }  // namespace mistake
 
@@ -41,7 +43,8 @@ std::vector<facet_t<M>> visible_facets(const M& m, const C& criterion, bool only
   std::vector<unsigned char> mask(poly_index_bound(m));
   evaluate_criterion(m, criterion, mask.data());
   return core::collect_if(facets(m), [&m, &mask, only_exposed](const facet_t<M>& x) {
-    const single_visible_poly<M> found(adj_facet2p(m, x), [&](const poly_t<M>& p) { return mask[index_of(m, p)] != 0; });
+    const single_visible_poly<M> found(adj_facet2p(m, x),
+                                       [&](const poly_t<M>& p) { return mask[index_of(m, p)] != 0; });
     return found.is_single && (found.has_hidden || !only_exposed);
   });
 }
@@ -54,17 +57,24 @@ std::vector<facet_t<M>> visible_facets(const M& m, const C& criterion, bool only
 /// Cost:   O(polys and facets), and that of the criterion; in parallel.
 /// Errors: those of the criterion.
 template<AnyMesh M, CriterionOn<M> C>
-std::vector<facet_t<M>> visible_facets(const M& m, const C& criterion) { return detail::visible_facets(m, criterion, false); }
+std::vector<facet_t<M>> visible_facets(const M& m, const C& criterion) {
+  return detail::visible_facets(m, criterion, false);
+}
 template<VolumeMesh M, CriterionOn<M> C>
-std::vector<face_t<M>> visible_faces(const M& m, const C& criterion) { return detail::visible_facets(m, criterion, false); }
+std::vector<face_t<M>> visible_faces(const M& m, const C& criterion) {
+  return detail::visible_facets(m, criterion, false);
+}
 
-/// The visible facets that are laid bare: they have a poly that does not meet the criterion, and so are inside the mesh.
+/// The visible facets that are laid bare: they have a poly that does not meet the criterion, and so are inside the
+/// mesh.
 /// Needs:  AnyMesh; a criterion for it.
 /// Result: a part of visible_facets, in the order of the mesh; the others are on the boundary.
 /// Cost:   as above.
 /// Errors: those of the criterion.
 template<AnyMesh M, CriterionOn<M> C>
-std::vector<facet_t<M>> exposed_facets(const M& m, const C& criterion) { return detail::visible_facets(m, criterion, true); }
+std::vector<facet_t<M>> exposed_facets(const M& m, const C& criterion) {
+  return detail::visible_facets(m, criterion, true);
+}
 
 // What to write instead of calls that cannot compile.
 template<class... T> void visible_polys(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()

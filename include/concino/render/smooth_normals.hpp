@@ -1,4 +1,5 @@
-// Normals at the corners of polygons: smooth where the surface is smooth, and different on the two polygons at a crease.
+// Normals at the corners of polygons: smooth where the surface is smooth, and different on the two polygons at a
+// crease.
 #pragma once
 
 #include <concino/core/parallel.hpp>
@@ -13,7 +14,8 @@
 
 namespace concino {
 
-/// Polygons as flat arrays: polygon p has the corners offsets[p] .. offsets[p+1]-1, and corners[i] is the index of a point.
+/// Polygons as flat arrays: polygon p has the corners offsets[p] .. offsets[p+1]-1, and corners[i] is the index of a
+/// point.
 struct polygon_list {
   std::span<const vec3> points;
   std::span<const std::uint32_t> offsets;
@@ -26,7 +28,9 @@ namespace detail {
 
 using normal3 = std::array<float, 3>;
 
-inline normal3 to_normal3(const vec3& n) { return {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)}; }
+inline normal3 to_normal3(const vec3& n) {
+  return {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
+}
 
 inline double angle_at(const vec3& before, const vec3& at, const vec3& after) {
   const vec3 a = before - at, b = after - at;
@@ -51,13 +55,16 @@ inline std::vector<normal3> polygon_normals(const polygon_list& list) {
 
 }  // namespace detail
 
-/// The normal at every corner: the mean of the normals of polygons around its point that are similar to that of its own polygon.
-/// Needs:  crease_angle in degrees: polygons whose normals differ by more do not share a normal. Corners below the number of points, offsets that
-///         do not decrease and end with the number of corners.
-/// Result: one unit vector per corner. It is the normal of the polygon if there are no similar ones, and 0 if the polygon has no area.
+/// The normal at every corner: the mean of the normals of polygons around its point that are similar to that of its own
+/// polygon.
+/// Needs:  crease_angle in degrees: polygons whose normals differ by more do not share a normal. Corners below the
+///         number of points, offsets that do not decrease and end with the number of corners.
+/// Result: one unit vector per corner. It is the normal of the polygon if there are no similar ones, and 0 if the
+///         polygon has no area.
 /// Cost:   O(sum of squared valences), less where more than 64 corners meet; parallel.
 /// Errors: none.
-/// Source: weights are the corners' angles, Thuerrner and Wuethrich 1998, so that the result does not depend on how flat parts are divided.
+/// Source: weights are the corners' angles, Thuerrner and Wuethrich 1998, so that the result does not depend on how
+///         flat parts are divided.
 inline std::vector<std::array<float, 3>> smooth_normals(const polygon_list& list, double crease_angle) {
   using detail::normal3;
   const auto polygon = detail::polygon_normals(list);

@@ -16,13 +16,15 @@ struct texture_steps {
   double samples_per_pixel = 1;  // along each axis
 };
 
-/// A colour and how much of what is below it is covered, in [0, 1]. The colour is that of the covering part, times the part covered.
+/// A colour and how much of what is below it is covered, in [0, 1]. The colour is that of the covering part, times the
+/// part covered.
 struct texture_color {
   rgb color;
   float cover = 0;
 };
 
-/// A colour for each pair (u, v) of texture coordinates. Copies share the picture. A default-constructed texture is empty and covers nothing.
+/// A colour for each pair (u, v) of texture coordinates. Copies share the picture. A default-constructed texture is
+/// empty and covers nothing.
 class texture {
  public:
   enum class outside : std::uint8_t { repeat, clamp };
@@ -32,15 +34,18 @@ class texture {
   /// Squares of two colours: `squares` of them in a unit of u, and as many in one of v. The first one begins at (0, 0).
   /// Needs:  squares above 0.      Result: a checkerboard.      Cost: O(1).
   /// Errors: invalid_argument if squares is not positive and finite.
-  static texture checkerboard(double squares = 10, const rgb& first = {1, 1, 1}, const rgb& second = srgb(0.30f, 0.36f, 0.46f));
+  static texture checkerboard(double squares = 10, const rgb& first = {1, 1, 1},
+                              const rgb& second = srgb(0.30f, 0.36f, 0.46f));
 
   /// Lines of constant width where u or v is a multiple of 1 / lines. Between them what is below can be seen.
   /// Needs:  lines above 0; width in pixels, above 0.      Result: lines at equal steps of u and of v.      Cost: O(1).
   /// Errors: invalid_argument if lines or width is not positive and finite.
   static texture isolines(double lines = 10, const rgb& color = srgb(0.1f, 0.1f, 0.12f), double width = 1.5);
 
-  /// A picture over [0, 1] x [0, 1]: u goes to the right, v up, as in OBJ files. Outside it is repeated, or its border is continued. Opacities are kept.
-  /// Needs:  a picture of at least one pixel.      Result: a texture that is filtered where it is small or seen at an angle.      Cost: O(pixels).
+  /// A picture over [0, 1] x [0, 1]: u goes to the right, v up, as in OBJ files. Outside it is repeated, or its border
+  /// is continued. Opacities are kept.
+  /// Needs:  a picture of at least one pixel.      Result: a texture that is filtered where it is small or seen at an
+  ///         angle.      Cost: O(pixels).
   /// Errors: invalid_argument if the picture has no pixels.
   /// Source: smaller pictures as Williams 1983, "Pyramidal Parametrics", averaged along the longer axis of a sample.
   static texture from(const image& picture, outside border = outside::repeat);
@@ -60,7 +65,8 @@ class texture {
   outside border_ = outside::repeat;
   double count_ = 1, width_ = 1;
   rgb first_, second_;
-  std::shared_ptr<const std::vector<image>> levels_;  // colours times opacities; each has half the size of the one before
+  std::shared_ptr<const std::vector<image>> levels_;  // colours times opacities; each has half the size of the one
+                                                      // before
 };
 
 }  // namespace concino

@@ -27,13 +27,18 @@ template<class P>
 struct label_criterion : criterion_base {
   detail::kept_map<P> map;
   std::vector<long long> labels;  // in ascending order
-  label_criterion(detail::kept_map<P> from, std::vector<long long> some) : map(std::move(from)), labels(std::move(some)) { std::sort(labels.begin(), labels.end()); }
+  label_criterion(detail::kept_map<P> from, std::vector<long long> some)
+      : map(std::move(from)), labels(std::move(some)) {
+    std::sort(labels.begin(), labels.end());
+  }
 
   template<AnyMesh M>
     requires requirement::gives_labels<P, poly_t<M>>
   auto prepare(const M& m) const {
     detail::check_map(m, map.get(), poly_index_bound(m), element_kind::poly, "labeled");
-    return [&u = map.get(), &some = labels](const poly_t<M>& p) -> bool { return std::binary_search(some.begin(), some.end(), static_cast<long long>(u[p])); };
+    return [&u = map.get(), &some = labels](const poly_t<M>& p) -> bool {
+      return std::binary_search(some.begin(), some.end(), static_cast<long long>(u[p]));
+    };
   }
 };
 
@@ -43,7 +48,8 @@ struct value_criterion : criterion_base {
   detail::kept_map<P> map;
   double low, high;
   const char* caller;
-  value_criterion(detail::kept_map<P> from, double least, double largest, const char* name) : map(std::move(from)), low(least), high(largest), caller(name) {
+  value_criterion(detail::kept_map<P> from, double least, double largest, const char* name)
+      : map(std::move(from)), low(least), high(largest), caller(name) {
     if (!(low <= high)) core::throw_joined<invalid_argument>({caller, ": the limit is not a number (NaN)"});
   }
 
@@ -74,9 +80,11 @@ struct function_criterion : criterion_base {
 };
 
 /// Polys p whose label map[p] is one of those given: labeled(material, {1, 3}).
-/// Needs:  map[p] is a whole number for each poly. A map that is an lvalue must outlive the criterion; a temporary map is stored in it.
+/// Needs:  map[p] is a whole number for each poly. A map that is an lvalue must outlive the criterion; a temporary map
+///         is stored in it.
 /// Result: a criterion.      Cost: O(n log n) for n labels; to evaluate it, O(log n) for each poly.
-/// Errors: none here; to evaluate it, invalid_argument if map is a map of another mesh, or was made before polys were added.
+/// Errors: none here; to evaluate it, invalid_argument if map is a map of another mesh, or was made before polys were
+///         added.
 template<class P>
 label_criterion<P> labeled(P&& map, std::initializer_list<long long> labels) {
   return {detail::kept_map<P>(std::forward<P>(map)), std::vector<long long>(labels)};
@@ -89,9 +97,11 @@ label_criterion<P> labeled(P&& map, const R& labels) {
   return {detail::kept_map<P>(std::forward<P>(map)), std::move(some)};
 }
 
-/// Polys p with map[p] <= limit, with map[p] >= limit, or with map[p] true: at_most(quality(m, metric::scaled_jacobian), 0.2).
+/// Polys p with map[p] <= limit, with map[p] >= limit, or with map[p] true: at_most(quality(m,
+/// metric::scaled_jacobian), 0.2).
 /// Needs:  map[p] is a number for each poly; maps as above.
-/// Result: a criterion, which polys with the value NaN do not meet.      Cost: O(1); to evaluate it, one read for each poly.
+/// Result: a criterion, which polys with the value NaN do not meet.      Cost: O(1); to evaluate it, one read for each
+///         poly.
 /// Errors: invalid_argument if the limit is NaN; as above to evaluate it.
 template<class P>
 value_criterion<P> at_most(P&& map, double limit) {
@@ -108,7 +118,8 @@ value_criterion<P> selected(P&& map) {
 
 /// Polys p for which f(p) is true.
 /// Needs:  f(p) is true or false for each poly. The criterion holds a copy of f.
-/// Result: a criterion.      Cost: O(1); to evaluate it, one call for each poly, in the order of the mesh and in one thread.
+/// Result: a criterion.      Cost: O(1); to evaluate it, one call for each poly, in the order of the mesh and in one
+///         thread.
 /// Errors: none; to evaluate it, those of f.
 template<class F>
 function_criterion<F> where(F f) { return function_criterion<F>(std::move(f)); }

@@ -13,7 +13,8 @@ namespace concino {
 
 /// A non-decreasing, piecewise linear function from values to [0, 1]. Values beyond its ends map to 0 and 1.
 class value_scale {
-  std::vector<double> values_ = {0, 1}, positions_ = {0, 1};  // of the knots; values do not decrease, places go from 0 to 1
+  std::vector<double> values_ = {0, 1}, positions_ = {0, 1};  // of the knots; values do not decrease, places go from 0
+                                                              // to 1
 
   std::size_t step_of(double value) const {
     const auto i = static_cast<std::size_t>(std::upper_bound(values_.begin(), values_.end(), value) - values_.begin());
@@ -35,8 +36,9 @@ class value_scale {
   /// A linear scale from the smallest to the largest finite value; from 0 to 1 if there is none.
   static value_scale linear(std::span<const double> values) { return equalized(values, 0); }
 
-  /// A blend of the linear scale (share 0) and the scale by rank, in which equal parts of the map have equally many values (share 1). It shows
-  /// the variation everywhere in a field that is steep in a few places and flat elsewhere, such as a potential of points.
+  /// A blend of the linear scale (share 0) and the scale by rank, in which equal parts of the map have equally many
+  /// values (share 1). It shows the variation everywhere in a field that is steep in a few places and flat elsewhere,
+  /// such as a potential of points.
   /// Errors: invalid_argument if share is not in [0, 1].      Cost: O(n log n).
   static value_scale equalized(std::span<const double> values, double share = 0.6) {
     if (!(share >= 0 && share <= 1)) throw invalid_argument("value_scale: share must be in [0, 1]");
@@ -58,7 +60,8 @@ class value_scale {
       const double x = sorted[(sorted.size() - 1) * k / steps];
       const std::size_t first = k;
       while (k <= steps && sorted[(sorted.size() - 1) * k / steps] == x) ++k;
-      const std::size_t last = k - 1;  // equal values are one knot, at the middle of their ranks, or at an end of the scale
+      const std::size_t last = k - 1;  // equal values are one knot, at the middle of their ranks, or at an end of the
+                                       // scale
       const double rank = first == 0 ? 0 : last == steps ? 1 : static_cast<double>(first + last) / (2.0 * steps);
       s.values_.push_back(x);
       s.positions_.push_back(position_of(x, rank));

@@ -20,10 +20,12 @@ inline camera frame(std::span<const drawable> drawables, double aspect, const vi
   return f.best();
 }
 
-/// The options of a named view: three_quarter is in perspective, from the front, the right and above; the others are orthographic. isometric shows three
-/// sides of a box alike.
-/// Needs:  up: of any length but 0. The front of a scene is the side of the largest z; if up is along z, it is the side of the smallest y.
-/// Result: options whose `up` is the given one, or a horizontal direction if the camera looks along it: the back for from_above, the front for from_below.
+/// The options of a named view: three_quarter is in perspective, from the front, the right and above; the others are
+/// orthographic. isometric shows three sides of a box alike.
+/// Needs:  up: of any length but 0. The front of a scene is the side of the largest z; if up is along z, it is the side
+///         of the smallest y.
+/// Result: options whose `up` is the given one, or a horizontal direction if the camera looks along it: the back for
+///         from_above, the front for from_below.
 /// Cost:   O(1).
 /// Errors: invalid_argument if up is 0 or not finite.
 inline view_options options_of(camera::named_view which, const vec3& up = {0, 1, 0}) {
@@ -50,7 +52,8 @@ inline view_options options_of(camera::named_view which, const vec3& up = {0, 1,
   return o;
 }
 
-/// The camera of a picture: a camera, or the whole scene seen as view_options say, or by a named view such as camera::isometric.
+/// The camera of a picture: a camera, or the whole scene seen as view_options say, or by a named view such as
+/// camera::isometric.
 class view {
   std::variant<camera::named_view, view_options, camera> choice_;
 

@@ -20,24 +20,30 @@ namespace concino {
 struct bicgstab_options {
   double tolerance = 1e-12;    // of the residual, see bicgstab; in (0, 1)
   int max_iterations = 0;      // 0: twice the number of unknowns
-  double drop = 1e-4;          // smaller entries of the incomplete factors, relative to their row, are dropped; in [0, 1)
-  int fill = 10;               // maximal entries of the incomplete factors, as a multiple of those of the matrix; positive
-  bool accept_missed_tolerance = false;  // true: solve returns the best result so far; has_converged() says whether it meets the tolerance
+  double drop = 1e-4;          // smaller entries of the incomplete factors, relative to their row, are dropped; in [0,
+                               // 1)
+  int fill = 10;               // maximal entries of the incomplete factors, as a multiple of those of the matrix;
+                               // positive
+  bool accept_missed_tolerance = false;  // true: solve returns the best result so far; has_converged() says whether it
+                                         // meets the tolerance
 };
 
-/// Solves square systems, symmetric or not, by stabilised bi-conjugate gradients, with an incomplete LU factorisation as preconditioner. A
-/// SparseSolver with memory proportional to the entries of the matrix. Reads the whole matrix, also both triangles of a symmetric one. Rows and
-/// columns are scaled by powers of two first. `factorize` stores a scaled copy of the matrix and the preconditioner; no analysis is reused.
-/// residual() is the largest of three numbers: |b - A x| / |b| of the scaled system, and the largest |b - A x|_i / (|b|_i + max_j |a_ij| max|x|) of
-/// all rows i, of the original and of the scaled system. Large entries of some rows, such as penalties, do not hide the others. A small residual of a badly
-/// conditioned system does not mean a small error. If rounding errors allow no better, residuals of single rows of at most 1e-14 are accepted
-/// if |b - A x| / |b| is at most 1e-6. Solutions so large that b is within the rounding errors of A x are never accepted.
-/// iterations(), residual() and has_converged() describe the last solve. So one object must not solve in several threads at once.
-/// Errors: invalid_argument if an option is out of its range. factorize throws solver_error, with the reason, if the matrix is not square, or has
-///         entries that are not finite, or a row or column of zeros. solve throws it if nothing was factorised, or the right-hand side has
-///         another size or is not finite. solve also throws it if the tolerance is missed, after max_iterations or because the iteration stagnates or
-///         breaks down; the message contains iterations, residual and tolerance. Singular matrices fail in this way, unless the iteration finds a
-///         solution for that right-hand side.
+/// Solves square systems, symmetric or not, by stabilised bi-conjugate gradients, with an incomplete LU factorisation
+/// as preconditioner. A SparseSolver with memory proportional to the entries of the matrix. Reads the whole matrix,
+/// also both triangles of a symmetric one. Rows and columns are scaled by powers of two first. `factorize` stores a
+/// scaled copy of the matrix and the preconditioner; no analysis is reused. residual() is the largest of three numbers:
+/// |b - A x| / |b| of the scaled system, and the largest |b - A x|_i / (|b|_i + max_j |a_ij| max|x|) of all rows i, of
+/// the original and of the scaled system. Large entries of some rows, such as penalties, do not hide the others. A
+/// small residual of a badly conditioned system does not mean a small error. If rounding errors allow no better,
+/// residuals of single rows of at most 1e-14 are accepted if |b - A x| / |b| is at most 1e-6. Solutions so large that b
+/// is within the rounding errors of A x are never accepted. iterations(), residual() and has_converged() describe the
+/// last solve. So one object must not solve in several threads at once.
+/// Errors: invalid_argument if an option is out of its range. factorize throws solver_error, with the reason, if the
+///         matrix is not square, or has entries that are not finite, or a row or column of zeros. solve throws it if
+///         nothing was factorised, or the right-hand side has another size or is not finite. solve also throws it if
+///         the tolerance is missed, after max_iterations or because the iteration stagnates or breaks down; the message
+///         contains iterations, residual and tolerance. Singular matrices fail in this way, unless the iteration finds
+///         a solution for that right-hand side.
 /// Source: van der Vorst 1992; Saad 1994; Eigen's BiCGSTAB and IncompleteLUT.
 class bicgstab {
   bicgstab_options options_;
@@ -56,9 +62,11 @@ class bicgstab {
   bicgstab() = default;
   explicit bicgstab(const bicgstab_options& options) : options_(options) {
     if (!(options.tolerance > 0 && options.tolerance < 1))
-      core::throw_joined<invalid_argument>({"bicgstab: tolerance is ", core::number_text(options.tolerance), "; it must be in (0, 1)"});
+      core::throw_joined<invalid_argument>(
+          {"bicgstab: tolerance is ", core::number_text(options.tolerance), "; it must be in (0, 1)"});
     if (!(options.drop >= 0 && options.drop < 1))
-      core::throw_joined<invalid_argument>({"bicgstab: drop is ", core::number_text(options.drop), "; it must be in [0, 1)"});
+      core::throw_joined<invalid_argument>(
+          {"bicgstab: drop is ", core::number_text(options.drop), "; it must be in [0, 1)"});
     if (options.max_iterations < 0) throw invalid_argument("bicgstab: max_iterations is negative");
     if (options.fill < 1) throw invalid_argument("bicgstab: fill is not positive");
   }
@@ -74,7 +82,8 @@ class bicgstab {
       iteration_.preconditioner().setDroptol(options_.drop);
       iteration_.preconditioner().setFillfactor(options_.fill);
       iteration_.compute(a_);
-      if (iteration_.info() != Eigen::Success) throw solver_error("bicgstab: the incomplete LU factorisation failed; the matrix is singular");
+      if (iteration_.info() != Eigen::Success)
+        throw solver_error("bicgstab: the incomplete LU factorisation failed; the matrix is singular");
     }
     checks_.accept(a_.rows());
   }
@@ -100,16 +109,19 @@ class bicgstab {
     b *= b_scale;
     Eigen::VectorXd x = iterate(b);
     if (!has_converged_ && !options_.accept_missed_tolerance)
-      core::throw_joined<solver_error>({"bicgstab: not converged after ", static_cast<std::size_t>(iterations_), " iterations: the residual is ",
-                                          core::number_text(residual_), ", the tolerance ", core::number_text(options_.tolerance),
-                                          "; the matrix is singular or badly conditioned: use lu, allow more iterations, more fill or a larger"
-                                          " tolerance, or set accept_missed_tolerance"});
+      core::throw_joined<solver_error>(
+          {"bicgstab: not converged after ", static_cast<std::size_t>(iterations_), " iterations: the residual is ",
+           core::number_text(residual_), ", the tolerance ", core::number_text(options_.tolerance),
+           "; the matrix is singular or badly conditioned: use lu, allow more iterations, more fill or a larger"
+           " tolerance, or set accept_missed_tolerance"});
     return core::scaled(std::move(x), scale_.columns) / b_scale;
   }
 
-  /// Solves repeatedly for the remainder while that halves the residual. The iteration only estimates the residual, and may stagnate or break down unnoticed.
+  /// Solves repeatedly for the remainder while that halves the residual. The iteration only estimates the residual, and
+  /// may stagnate or break down unnoticed.
   Eigen::VectorXd iterate(const Eigen::VectorXd& b) const {
-    const std::int64_t most = options_.max_iterations > 0 ? options_.max_iterations : 2 * static_cast<std::int64_t>(a_.rows());
+    const std::int64_t most =
+        options_.max_iterations > 0 ? options_.max_iterations : 2 * static_cast<std::int64_t>(a_.rows());
     const auto at_a_time = 500 + 4 * static_cast<std::int64_t>(std::sqrt(static_cast<double>(a_.rows())));
     Eigen::VectorXd x = Eigen::VectorXd::Zero(a_.rows()), r = b;
     residual_ = 1;
@@ -127,7 +139,8 @@ class bicgstab {
       x = better;
       r = rest;
       residual_ = reached;
-      const double rounding = std::numeric_limits<double>::epsilon() * better.cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
+      const double rounding =
+          std::numeric_limits<double>::epsilon() * better.cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
       has_converged_ = (reached <= options_.tolerance || (of_rows <= 1e-14 && reached <= 1e-6)) && rounding <= 1e-6;
     }
     return x;

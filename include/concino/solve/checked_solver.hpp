@@ -7,15 +7,17 @@
 
 namespace concino {
 
-/// What a direct solver does beside its numerical work. A solver holds one, and calls begin, analyse_once and accept in `factorize`:
+/// What a direct solver does beside its numerical work. A solver holds one, and calls begin, analyse_once and accept in
+/// `factorize`:
 ///   Eigen::SparseMatrix<double> storage;
 ///   const Eigen::SparseMatrix<double>& a = checks_.begin_square(matrix, storage);
 ///   checks_.analyse_once(a, [&](const auto& m) { factors_.analyzePattern(m); });
 ///   factors_.factorize(a);
 ///   checks_.accept(a.rows());
 /// Until accept is called nothing is factorised, whatever was thrown in between.
-/// Errors: solver_error if a matrix has entries that are not finite or is not square; in solve, if nothing was factorised, the right-hand side has another size,
-///         or an entry of it or of the solution is not finite. Messages begin with the name of the solver.
+/// Errors: solver_error if a matrix has entries that are not finite or is not square; in solve, if nothing was
+///         factorised, the right-hand side has another size, or an entry of it or of the solution is not finite.
+///         Messages begin with the name of the solver.
 class checked_solver {
   const char* name_;
   core::sparsity_pattern pattern_;
@@ -28,13 +30,15 @@ class checked_solver {
   const char* name() const { return name_; }
 
   /// Checks the entries of a matrix, and returns it, or a compressed copy in `storage`.
-  const Eigen::SparseMatrix<double>& begin(const Eigen::SparseMatrix<double>& matrix, Eigen::SparseMatrix<double>& storage) {
+  const Eigen::SparseMatrix<double>& begin(const Eigen::SparseMatrix<double>& matrix,
+                                           Eigen::SparseMatrix<double>& storage) {
     rows_ = -1;
     const Eigen::SparseMatrix<double>& a = core::compressed(matrix, storage);
     core::check_entries(name_, a);
     return a;
   }
-  const Eigen::SparseMatrix<double>& begin_square(const Eigen::SparseMatrix<double>& matrix, Eigen::SparseMatrix<double>& storage) {
+  const Eigen::SparseMatrix<double>& begin_square(const Eigen::SparseMatrix<double>& matrix,
+                                                  Eigen::SparseMatrix<double>& storage) {
     rows_ = -1;
     core::check_square(name_, matrix);
     return begin(matrix, storage);

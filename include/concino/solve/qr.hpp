@@ -10,13 +10,15 @@
 
 namespace concino {
 
-/// Factorises a matrix of at least as many rows as columns as Q R with column exchanges, and computes the x that minimises |a x - b|: the
-/// solution if there is one. A SparseSolver. It loses no digits to normal equations, but R fills in: for some thousand unknowns at most.
-/// Reads the whole matrix, also both triangles of a symmetric one. Columns are scaled by powers of two first, so that units of unknowns do
-/// not matter. A matrix with the pattern of the previously factorised one reuses its order.
-/// Errors: factorize throws solver_error, with the reason, if the matrix has fewer rows than columns, entries that are not finite, or columns that
-///         depend on others to working precision (the message names one). solve throws it if nothing was factorised, the right-hand side has another
-///         size, or an entry of it or of the solution is not finite. After a failed factorize, nothing is factorised.
+/// Factorises a matrix of at least as many rows as columns as Q R with column exchanges, and computes the x that
+/// minimises |a x - b|: the solution if there is one. A SparseSolver. It loses no digits to normal equations, but R
+/// fills in: for some thousand unknowns at most. Reads the whole matrix, also both triangles of a symmetric one.
+/// Columns are scaled by powers of two first, so that units of unknowns do not matter. A matrix with the pattern of the
+/// previously factorised one reuses its order.
+/// Errors: factorize throws solver_error, with the reason, if the matrix has fewer rows than columns, entries that are
+///         not finite, or columns that depend on others to working precision (the message names one). solve throws it
+///         if nothing was factorised, the right-hand side has another size, or an entry of it or of the solution is not
+///         finite. After a failed factorize, nothing is factorised.
 /// Source: Eigen's SparseQR, with column approximate minimum degree ordering (Davis et al. 2004).
 class qr {
   Eigen::SparseQR<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>> factors_;
@@ -32,7 +34,8 @@ class qr {
     checks_.accept(-1);
     if (matrix.rows() < matrix.cols())
       core::throw_joined<solver_error>({"qr: the matrix has ", static_cast<std::size_t>(matrix.rows()), " rows and ",
-                                          static_cast<std::size_t>(matrix.cols()), " columns; it must have at least as many rows as columns"});
+                                        static_cast<std::size_t>(matrix.cols()),
+                                        " columns; it must have at least as many rows as columns"});
     Eigen::SparseMatrix<double> storage;
     const Eigen::SparseMatrix<double>& input = checks_.begin(matrix, storage);
     Eigen::SparseMatrix<double> a = without_empty_rows(input);
@@ -60,8 +63,9 @@ class qr {
 
  private:
   [[noreturn]] static void throw_dependent(Eigen::Index column) {
-    core::throw_joined<solver_error>({"qr: column ", static_cast<std::size_t>(column),
-                                        " of the matrix is a combination of others to working precision, so that this unknown is not determined"});
+    core::throw_joined<solver_error>(
+        {"qr: column ", static_cast<std::size_t>(column),
+         " of the matrix is a combination of others to working precision, so that this unknown is not determined"});
   }
 
   static Eigen::Index first_empty_or_last_column(const Eigen::SparseMatrix<double>& a) {

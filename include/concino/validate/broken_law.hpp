@@ -8,7 +8,8 @@
 
 namespace concino {
 
-/// One violation of a law of a concept. The laws are listed in the concept headers (<concino/concepts/primal_graph.hpp> ...).
+/// One violation of a law of a concept. The laws are listed in the concept headers (<concino/concepts/primal_graph.hpp>
+/// ...).
 struct broken_law {
   std::string law;      ///< "PG3"
   std::string what;     ///< a sentence: what was found

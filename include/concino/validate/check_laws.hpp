@@ -1,4 +1,5 @@
-// check_laws: checks the semantic requirements of concepts, which the compiler cannot check. For tests of meshes and adapters.
+// check_laws: checks the semantic requirements of concepts, which the compiler cannot check. For tests of meshes and
+// adapters.
 #pragma once
 
 #include <concino/core/message.hpp>
@@ -32,7 +33,8 @@ void check_point_laws(const M& m, const element_table<vert_t<M>>& vs, law_log& l
   }
 }
 
-/// Checks the corner order of hexes. A few hexes may have any shape, but if all of them look like lexicographic order, their lists are in that order.
+/// Checks the corner order of hexes. A few hexes may have any shape, but if all of them look like lexicographic order,
+/// their lists are in that order.
 template<HexMesh M>
 void check_corner_order(const M& m, law_log& log) {
   hex_order_checks order_of;
@@ -41,19 +43,21 @@ void check_corner_order(const M& m, law_log& log) {
     order = order_of(m, p);
     if (!is_lexicographic(order)) return;
   }
-  if (is_lexicographic(order)) log.add("EM2", core::joined({"the corners of all hexes look like ", hex_order_remedy(order)}), "");
+  if (is_lexicographic(order))
+    log.add("EM2", core::joined({"the corners of all hexes look like ", hex_order_remedy(order)}), "");
 }
 
 }  // namespace detail
 
 /// Checks the laws of every concept that M models, and returns those that m breaks; empty if it satisfies all.
 /// Needs:  PrimalGraph or DualGraph M; AnyMesh and Embedded are checked if M models them.
-/// Result: at most four witnesses per law, in the order of the concepts. Inconsistent meshes (indices out of bounds, asymmetric adjacency,
-///         endless ranges, exceptions) are reported, never dereferenced: only elements produced by the element ranges are queried.
-///         If the indices of a kind of elements (PG1, DG1, SM1, VM1) or the links of half-edges (HE1 .. HE4) are wrong, repair these
-///         first: their consequences are not reported. The laws of facets FC1 .. FC4 follow from the laws of the mesh, and are not reported
-///         if one of those is broken.
-/// Cost:   O(elements + adjacencies) time and memory, counting adjacencies as the mesh lists them: n equal triangles have n^2 neighbours.
+/// Result: at most four witnesses per law, in the order of the concepts. Inconsistent meshes (indices out of bounds,
+///         asymmetric adjacency, endless ranges, exceptions) are reported, never dereferenced: only elements produced
+///         by the element ranges are queried. If the indices of a kind of elements (PG1, DG1, SM1, VM1) or the links of
+///         half-edges (HE1 .. HE4) are wrong, repair these first: their consequences are not reported. The laws of
+///         facets FC1 .. FC4 follow from the laws of the mesh, and are not reported if one of those is broken.
+/// Cost:   O(elements + adjacencies) time and memory, counting adjacencies as the mesh lists them: n equal triangles
+///         have n^2 neighbours.
 /// Errors: std::bad_alloc is passed on. Any other exception of the mesh is reported as a broken law.
 template<class M>
   requires PrimalGraph<M> || DualGraph<M>

@@ -1,4 +1,5 @@
-// The results of validate: kinds of defects, one record per defect, facts about the whole mesh, and the report that contains them.
+// The results of validate: kinds of defects, one record per defect, facts about the whole mesh, and the report that
+// contains them.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -21,15 +22,20 @@ enum class defect_kind : std::uint8_t {
   corner_order,          ///< a hex of a HexMesh whose corners look like a non-standard order, see hex_order
   isolated_vert,         ///< a vert of no poly
   unreferenced_face,     ///< volumes: a face of no poly
-  degenerate_element,    ///< an edge from a vert to itself; a polygon with a vert twice or fewer than three verts; a polyhedron of fewer than four faces
+  degenerate_element,    ///< an edge from a vert to itself; a polygon with a vert twice or fewer than three verts; a
+                         ///< polyhedron of fewer than four faces
   duplicated_element,    ///< two polys, or two faces of a volume, with the same verts
   non_manifold_face,     ///< volumes: a face of more than two polys
-  non_manifold_edge,     ///< an edge of more than two polygons: of a surface, of the boundary of a volume, or of one polyhedron
+  non_manifold_edge,     ///< an edge of more than two polygons: of a surface, of the boundary of a volume, or of one
+                         ///< polyhedron
   non_manifold_vert,     ///< a vert where several fans of polygons meet: of a surface, or of the boundary of a volume
-  inconsistent_winding,  ///< two polygons traverse their edge in the same direction, or a face turns the same side to both its polyhedra
-  not_orientable,        ///< connected polys that cannot be wound consistently (their windings are then not reported one by one)
+  inconsistent_winding,  ///< two polygons traverse their edge in the same direction, or a face turns the same side to
+                         ///< both its polyhedra
+  not_orientable,        ///< connected polys that cannot be wound consistently (their windings are then not reported
+                         ///< one by one)
   open_cell,             ///< volumes: a poly with an edge that lies in only one of its faces
-  inverted_cell,         ///< volumes: a poly of negative volume; if all are, read the mesh with tet_order::mirrored or hex_order::mirrored
+  inverted_cell,         ///< volumes: a poly of negative volume; if all are, read the mesh with tet_order::mirrored or
+                         ///< hex_order::mirrored
   zero_size,             ///< an edge without length, a polygon without area, a polyhedron without volume
   self_touching,         ///< a polygon whose boundary intersects or touches itself
   non_planar             ///< a polygon whose verts lie far off its plane
@@ -40,9 +46,10 @@ inline constexpr std::size_t num_defect_kinds = 16;
 /// Needs:  one of the kinds above.      Result: a text, never empty.      Cost: O(1).      Errors: none.
 constexpr const char* defect_name(defect_kind kind) {
   constexpr std::array<const char*, num_defect_kinds> names = {
-      "non-finite point",  "corner order",      "isolated vert",        "unreferenced face", "degenerate element", "duplicated element",
-      "non-manifold face", "non-manifold edge",    "non-manifold vert", "inconsistent winding", "not orientable",
-      "open cell",         "inverted cell",        "zero size",         "self-touching polygon", "non-planar polygon"};
+      "non-finite point",   "corner order",      "isolated vert",     "unreferenced face", "degenerate element",
+      "duplicated element", "non-manifold face", "non-manifold edge", "non-manifold vert", "inconsistent winding",
+      "not orientable",     "open cell",         "inverted cell",     "zero size",         "self-touching polygon",
+      "non-planar polygon"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -89,14 +96,18 @@ struct defect {
 
 /// Properties of the mesh as a whole. Verts, edges and faces of no poly do not count.
 struct mesh_facts {
-  bool manifold = true;    ///< surfaces: every edge has at most two polys and every vert one fan. Volumes: every poly is closed and wound
+  bool manifold = true;    ///< surfaces: every edge has at most two polys and every vert one fan. Volumes: every poly
+                           ///< is closed and wound
                            ///< consistently, every face has at most two polys, and the boundary is a manifold surface.
   bool orientable = true;  ///< the polys can be wound consistently
   bool closed = true;      ///< surfaces: no edge has only one poly. Volumes: no poly is open.
-  std::size_t components = 0;           ///< surfaces: connected through shared verts. Volumes: polys connected through shared faces.
-  std::size_t boundary_loops = 0;       ///< borders of a surface, or connected components of the boundary of a volume (0 if polys are closed)
+  std::size_t components = 0;           ///< surfaces: connected through shared verts. Volumes: polys connected through
+                                        ///< shared faces.
+  std::size_t boundary_loops = 0;       ///< borders of a surface, or connected components of the boundary of a volume
+                                        ///< (0 if polys are closed)
   std::ptrdiff_t euler_characteristic = 0;  ///< verts - edges + faces (surfaces: polys), - polys in volumes
-  std::optional<std::size_t> genus;     ///< sum over the components; for volumes, of the boundary. None if not manifold and orientable.
+  std::optional<std::size_t> genus;     ///< sum over the components; for volumes, of the boundary. None if not manifold
+                                        ///< and orientable.
 };
 
 /// The defects of a mesh, sorted by kind: `for (auto& defect : report)`. As text: report.text().
@@ -138,7 +149,8 @@ class validation_report {
     return s;
   }
 
-  /// Counts a defect, and adds a record if there are fewer than `most` of this kind.   Result: the record to fill in, or null.
+  /// Counts a defect, and adds a record if there are fewer than `most` of this kind.   Result: the record to fill in,
+  /// or null.
   defect<M>* add(defect_kind kind, const mesh_element<M>& element, std::size_t most) {
     if (counts_[static_cast<std::size_t>(kind)]++ >= most) return nullptr;
     defects.push_back({kind, element, {}, {}});

@@ -15,11 +15,13 @@ struct divided_graph {
   std::vector<std::size_t> ends;  // segment i of the other graph was divided into those before ends[i]
 };
 
-/// Divides the segments of a graph once. Points where segments meet are rounded, and segments with them. In the plane of the projection no segments cross
-/// afterwards; points in space are rounded again.
+/// Divides the segments of a graph once. Points where segments meet are rounded, and segments with them. In the plane
+/// of the projection no segments cross afterwards; points in space are rounded again.
 class segment_divider {
   using faces = CGAL::Constrained_triangulation_face_base_2<kernel>;
-  using base = CGAL::Constrained_Delaunay_triangulation_2<kernel, CGAL::Triangulation_data_structure_2<vertex_base, faces>, CGAL::Exact_predicates_tag>;
+  using base =
+      CGAL::Constrained_Delaunay_triangulation_2<kernel, CGAL::Triangulation_data_structure_2<vertex_base, faces>,
+                                                 CGAL::Exact_predicates_tag>;
   using division = CGAL::Constrained_triangulation_plus_2<base>;
 
   const planar_graph& input_;
@@ -36,7 +38,8 @@ class segment_divider {
     if (p != none) return p;
     const auto& [a, b] = g_.segments[s];
     const vec3 x{v->point().x(), v->point().y(), 0}, normal = cross(g_.axes[0], g_.axes[1]);
-    const double scale = std::ldexp(1.0, -g_.exponent), first = dot(input_.points[a], normal), last = dot(input_.points[b], normal);
+    const double scale = std::ldexp(1.0, -g_.exponent), first = dot(input_.points[a], normal),
+                 last = dot(input_.points[b], normal);
     const double height = first + norm(x - g_.points[a]) / norm(g_.points[b] - g_.points[a]) * (last - first);
     p = result_.add_point((scale * x.x) * g_.axes[0] + (scale * x.y) * g_.axes[1] + height * normal);
     return p;
@@ -45,7 +48,9 @@ class segment_divider {
   /// Adds the points between the ends of a segment of the input, which begins at point `from`, to a line.
   void add_pieces(std::uint32_t s, std::uint32_t from, std::vector<std::uint32_t>& line) {
     std::vector<std::uint32_t> between;
-    for (auto v = t_.vertices_in_constraint_begin(constraint_of_[s]); v != t_.vertices_in_constraint_end(constraint_of_[s]); ++v) between.push_back(number(*v, s));
+    for (auto v = t_.vertices_in_constraint_begin(constraint_of_[s]);
+         v != t_.vertices_in_constraint_end(constraint_of_[s]); ++v)
+      between.push_back(number(*v, s));
     if (between.front() != g_.same_as[from]) std::reverse(between.begin(), between.end());
     line.insert(line.end(), between.begin() + 1, between.end() - 1);
     ends_.push_back(count_ += between.size() - 1);
@@ -74,7 +79,8 @@ class segment_divider {
         add_pieces(g_.segment_of[segment++], old[k - 1], line);
         line.push_back(old[k]);
       }
-      if (input_.line_closed[i] && !input_.repeats_first_point(i)) add_pieces(g_.segment_of[segment++], old.back(), line);
+      if (input_.line_closed[i] && !input_.repeats_first_point(i))
+        add_pieces(g_.segment_of[segment++], old.back(), line);
       result_.add_line_through(line, input_.line_closed[i] != 0);
     }
     return {std::move(result_), std::move(ends_)};
@@ -83,7 +89,8 @@ class segment_divider {
 
 /// The same graph with divided segments.
 /// Errors: those of planar_segments_of.
-inline divided_graph divided(std::string_view caller, const planar_graph& g, std::span<const vec3> holes, const vec3& seen_from, bool merge) {
+inline divided_graph divided(std::string_view caller, const planar_graph& g, std::span<const vec3> holes,
+                             const vec3& seen_from, bool merge) {
   divided_graph d{g, {}};
   for (int round = 0; round < 8; ++round) {  // usually the second one finds nothing to do
     const core::planar_segments s = core::planar_segments_of(caller, d.graph, holes, seen_from, merge);

@@ -33,7 +33,8 @@ struct vertex_info {
 using kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using vertex_base = CGAL::Triangulation_vertex_base_with_info_2<vertex_info, kernel>;
 using face_base = CGAL::Delaunay_mesh_face_base_2<kernel>;
-using triangulation = CGAL::Constrained_Delaunay_triangulation_2<kernel, CGAL::Triangulation_data_structure_2<vertex_base, face_base>>;
+using triangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<kernel, CGAL::Triangulation_data_structure_2<vertex_base, face_base>>;
 using vertex = triangulation::Vertex_handle;
 using face = triangulation::Face_handle;
 
@@ -58,13 +59,15 @@ struct measures {
 
 inline measures measured(const face& f, const bounds& b) {
   const auto &p = f->vertex(0)->point(), &q = f->vertex(1)->point(), &r = f->vertex(2)->point();
-  std::array<double, 3> squared = {CGAL::squared_distance(q, r), CGAL::squared_distance(r, p), CGAL::squared_distance(p, q)};
+  std::array<double, 3> squared = {CGAL::squared_distance(q, r), CGAL::squared_distance(r, p),
+                                   CGAL::squared_distance(p, q)};
   std::sort(squared.begin(), squared.end());
   const double doubled_area = 2 * CGAL::area(p, q, r);
   measures m;
   m.squared_sine = doubled_area * doubled_area / (squared[1] * squared[2]);
   m.size = std::max(std::sqrt(squared[2]) / b.max_length, doubled_area / 2 / b.max_area);
-  if (b.size) m.size = std::max(m.size, std::sqrt(squared[2]) / b.size((p.x() + q.x() + r.x()) / 3, (p.y() + q.y() + r.y()) / 3));
+  if (b.size)
+    m.size = std::max(m.size, std::sqrt(squared[2]) / b.size((p.x() + q.x() + r.x()) / 3, (p.y() + q.y() + r.y()) / 3));
   return m;
 }
 
@@ -83,7 +86,9 @@ class criteria {
       if (q.size > 1) return CGAL::Mesh_2::IMPERATIVELY_BAD;
       return q.squared_sine < bounds_->squared_sine ? CGAL::Mesh_2::BAD : CGAL::Mesh_2::NOT_BAD;
     }
-    CGAL::Mesh_2::Face_badness operator()(const face& f, Quality& q) const { return (*this)(q = measured(f, *bounds_)); }
+    CGAL::Mesh_2::Face_badness operator()(const face& f, Quality& q) const {
+      return (*this)(q = measured(f, *bounds_));
+    }
   };
 
   explicit criteria(const bounds* b) : bounds_(b) {}
@@ -101,7 +106,8 @@ class planar_mesh {
   planar_mesh(const core::planar_segments& g, bool with_hull) : g_(g), vertex_of_(g.points.size()) {
     std::vector<std::pair<triangulation::Point, vertex_info>> points;
     points.reserve(g.used.size());
-    for (const std::uint32_t p : g.used) points.emplace_back(triangulation::Point(g.points[p].x, g.points[p].y), vertex_info{p});
+    for (const std::uint32_t p : g.used)
+      points.emplace_back(triangulation::Point(g.points[p].x, g.points[p].y), vertex_info{p});
     t_.insert(points.begin(), points.end());
     for (auto v = t_.finite_vertices_begin(); v != t_.finite_vertices_end(); ++v) vertex_of_[v->info().point] = v;
     for (const auto& [a, b] : g.segments) t_.insert_constraint(vertex_of_[a], vertex_of_[b]);
@@ -119,7 +125,8 @@ class planar_mesh {
     return at != g_.segments.end() && *at == ends ? static_cast<std::uint32_t>(at - g_.segments.begin()) : none;
   }
 
-  /// Sets in_domain of all faces: those inside an odd number of outlines, or of all bounded regions; but not those with a hole point.
+  /// Sets in_domain of all faces: those inside an odd number of outlines, or of all bounded regions; but not those with
+  /// a hole point.
   void fill(bool by_nesting) {
     for (auto f = t_.all_faces_begin(); f != t_.all_faces_end(); ++f) f->set_in_domain(false);
     if (t_.dimension() < 2) return check_holes(nullptr);
@@ -140,8 +147,10 @@ class planar_mesh {
           const face next = f->neighbor(k);
           if (region[next] != none) continue;
           if (f->is_constrained(k)) {
-            const std::uint32_t s = segment_between(f->vertex(t_.cw(k))->info().point, f->vertex(t_.ccw(k))->info().point);
-            starts.emplace_back(next, static_cast<std::uint8_t>((starts[i].second != 0) != (s != none && g_.is_outline[s])));
+            const std::uint32_t s =
+                segment_between(f->vertex(t_.cw(k))->info().point, f->vertex(t_.ccw(k))->info().point);
+            starts.emplace_back(next,
+                                static_cast<std::uint8_t>((starts[i].second != 0) != (s != none && g_.is_outline[s])));
           } else {
             region[next] = number;
             faces.push_back(next);
@@ -163,8 +172,9 @@ class planar_mesh {
       if (step % 4096 == 0) report_progress(report, 0, g_.caller.data());
       mesher.try_one_step_refine_mesh();
       if (t_.number_of_vertices() > max_verts)
-        core::throw_joined<invalid_argument>({g_.caller, ": refinement needs more than options.max_verts = ", max_verts,
-                                              " verts; allow more, larger triangles, or smaller angles (it is known to end up to 20.7 degrees)"});
+        core::throw_joined<invalid_argument>(
+            {g_.caller, ": refinement needs more than options.max_verts = ", max_verts,
+             " verts; allow more, larger triangles, or smaller angles (it is known to end up to 20.7 degrees)"});
     }
   }
 
@@ -176,7 +186,8 @@ class planar_mesh {
       const vertex v = vertex_of_[p];
       for_each_constrained(v, [&](const vertex& next) {
         chain.assign({v, next});
-        while (chain.back()->info().point == none) chain.push_back(other_constrained(chain.back(), chain[chain.size() - 2]));
+        while (chain.back()->info().point == none)
+          chain.push_back(other_constrained(chain.back(), chain[chain.size() - 2]));
         const std::uint32_t end = chain.back()->info().point, s = segment_between(p, end);
         if (s != none && g_.segments[s][0] == p) visit(s, chain);
       });
@@ -204,7 +215,9 @@ class planar_mesh {
   void check_holes(std::nullptr_t) const {
     if (!g_.holes.empty()) fail_hole(0);
   }
-  void fail_hole(std::size_t h) const { core::throw_joined<invalid_argument>({g_.caller, ": hole point ", h, " lies in no bounded region"}); }
+  void fail_hole(std::size_t h) const {
+    core::throw_joined<invalid_argument>({g_.caller, ": hole point ", h, " lies in no bounded region"});
+  }
 
   /// Calls visit(w) for each constrained edge from v to w.
   template<class Visit>
@@ -219,7 +232,8 @@ class planar_mesh {
     } while (++e != first);
   }
 
-  /// The other end of the constrained edge that continues one from `from` at v, a vertex that refinement put on a segment.
+  /// The other end of the constrained edge that continues one from `from` at v, a vertex that refinement put on a
+  /// segment.
   vertex other_constrained(const vertex& v, const vertex& from) const {
     vertex next = from;
     for_each_constrained(v, [&](const vertex& w) {

@@ -19,7 +19,8 @@ template<class P> concept plain_point = !requires { typename P::Ambient_dimensio
 
 template<class P> concept readable_point = cgal_point<P, 3> || cgal_point<P, 2> || plain_point<P>;
 
-/// The coordinates of p: of a CGAL point as a vec3 (in the plane with z = 0), otherwise p itself, as stored in the mesh.
+/// The coordinates of p: of a CGAL point as a vec3 (in the plane with z = 0), otherwise p itself, as stored in the
+/// mesh.
 template<readable_point P>
 decltype(auto) read_point(const P& p) {
   if constexpr (cgal_point<P, 3>) return vec3{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
@@ -28,7 +29,8 @@ decltype(auto) read_point(const P& p) {
 }
 
 /// Exactly the 3D point of a kernel: others, such as weighted points, have more than coordinates.
-template<class P> concept kernel_point = cgal_point<P, 3> && std::same_as<P, typename CGAL::Kernel_traits<P>::Kernel::Point_3>;
+template<class P>
+concept kernel_point = cgal_point<P, 3> && std::same_as<P, typename CGAL::Kernel_traits<P>::Kernel::Point_3>;
 template<class P> concept writable_point = kernel_point<P> || (plain_point<P> && requires(P& p) {
   p[0] = 0;
   p[1] = 0;

@@ -56,7 +56,9 @@ struct cgal_polyhedron_links {
     else return const_cast<P&>(m.base());
   }
   template<class X, class Iterator>
-  static mapped_range<X, Iterator, cgal_descriptor<X>> handles(const Iterator& first, const Iterator& last) { return {first, last}; }
+  static mapped_range<X, Iterator, cgal_descriptor<X>> handles(const Iterator& first, const Iterator& last) {
+    return {first, last};
+  }
 };
 
 }  // namespace concino::detail

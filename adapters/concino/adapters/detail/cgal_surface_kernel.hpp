@@ -45,7 +45,8 @@ struct cgal_surface_kernel {
   static void set_halfedge_of(mesh& m, unsigned p, unsigned h) { m.set_halfedge(poly(p), halfedge(h)); }
 
   static void reserve(mesh& m, unsigned verts, unsigned edges, unsigned polys, bool) {
-    if (verts + edges + polys > 0) m.reserve(grown(m.num_vertices(), verts), grown(m.num_edges(), edges), grown(m.num_faces(), polys));
+    if (verts + edges + polys > 0)
+      m.reserve(grown(m.num_vertices(), verts), grown(m.num_edges(), edges), grown(m.num_faces(), polys));
   }
   static unsigned add_vert(mesh& m) { return m.add_vertex().idx(); }
   static unsigned add_edge(mesh& m) { return m.add_edge().idx() >> 1; }
@@ -101,7 +102,8 @@ struct cgal_surface_kernel {
   }
 
  private:
-  // CGAL links removed elements of a kind to a list, whose first one is private. The link of an element is stored in its connectivity.
+  // CGAL links removed elements of a kind to a list, whose first one is private. The link of an element is stored in
+  // its connectivity.
   struct vert_list {
     using key = vert;
     static constexpr char name[] = "v:removed";
@@ -129,8 +131,8 @@ struct cgal_surface_kernel {
     static unsigned add(mesh& m) { return add_poly(m); }
     static void remove(mesh& m, unsigned p) { remove_poly(m, p); }
   };
-  // To add an element, CGAL takes the first one of the list, and sets its properties to default values. The values of revived elements must stay, so a new
-  // element, which refers to itself, is taken from the list once for each of them.
+  // To add an element, CGAL takes the first one of the list, and sets its properties to default values. The values of
+  // revived elements must stay, so a new element, which refers to itself, is taken from the list once for each of them.
   template<class List>
   static void revive_kind(mesh& m, removed_elements removed) {
     if (removed.empty()) return;
@@ -145,7 +147,8 @@ struct cgal_surface_kernel {
     const auto flags = m.template property_map<typename List::key, bool>(List::name).first;
     for (const unsigned i : removed) flags[typename List::key(i)] = false;
   }
-  // Adds the last element as often as elements were removed. It is removed once more before, which makes it the first one of the list.
+  // Adds the last element as often as elements were removed. It is removed once more before, which makes it the first
+  // one of the list.
   template<class List>
   static void forget_removed_of_kind(mesh& m, unsigned removed, unsigned bound) noexcept {
     if (removed == 0) return;

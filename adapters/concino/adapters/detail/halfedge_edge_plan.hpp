@@ -1,15 +1,17 @@
-// The edges that `rewire` changes in a half-edge mesh of another library, found before anything changes. A library is described by a struct K of static functions, whose
-// half-edges are numbers: those of edge e are 2 e and 2 e + 1.
+// The edges that `rewire` changes in a half-edge mesh of another library, found before anything changes. A library is
+// described by a struct K of static functions, whose half-edges are numbers: those of edge e are 2 e and 2 e + 1.
 //
 //   struct K {
 //     using mesh = ..., vert = ..., poly = ...;
-//     static constexpr char two_polys[] = "in ... at most two polys share an edge, ...", one_closed_fan[] = "...", one_edge[] = "...";
-//     static unsigned index(vert), index(poly);                     static bool contains(const mesh&, vert), contains(const mesh&, poly);
-//     static unsigned next(const mesh&, unsigned h);                static void set_next(mesh&, unsigned h, unsigned next);       // and the previous of `next`
-//     static unsigned target(const mesh&, unsigned h);              static void set_target(mesh&, unsigned h, unsigned v);
-//     static unsigned poly_of(const mesh&, unsigned h);             static void set_poly(mesh&, unsigned h, unsigned p);          // `none`: at the border
-//     static unsigned halfedge_from(const mesh&, unsigned v);       static void set_halfedge_from(mesh&, unsigned v, unsigned h); // `none`: no edges
-//     static unsigned halfedge_of(const mesh&, unsigned p);         static void set_halfedge_of(mesh&, unsigned p, unsigned h);   // it ends at the first vert
+//     static constexpr char two_polys[] = "in ... at most two polys share an edge, ...", one_closed_fan[] = "...",
+//     one_edge[] = "..."; static unsigned index(vert), index(poly);                     static bool contains(const
+//     mesh&, vert), contains(const mesh&, poly); static unsigned next(const mesh&, unsigned h);                static
+//     void set_next(mesh&, unsigned h, unsigned next);       // and the previous of `next` static unsigned target(const
+//     mesh&, unsigned h);              static void set_target(mesh&, unsigned h, unsigned v); static unsigned
+//     poly_of(const mesh&, unsigned h);             static void set_poly(mesh&, unsigned h, unsigned p);          //
+//     `none`: at the border static unsigned halfedge_from(const mesh&, unsigned v);       static void
+//     set_halfedge_from(mesh&, unsigned v, unsigned h); // `none`: no edges static unsigned halfedge_of(const mesh&,
+//     unsigned p);         static void set_halfedge_of(mesh&, unsigned p, unsigned h);   // it ends at the first vert
 //     static unsigned num_edges(const mesh&);                       // the index bound
 //   };
 #pragma once
@@ -67,11 +69,15 @@ class halfedge_edge_plan {
     return k == none ? none : existing_places_[k];
   }
   static std::uint64_t key(unsigned a, unsigned b) { return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b); }
-  planned_edge& edge_of(unsigned a, unsigned b) { return edges[static_cast<std::size_t>(std::lower_bound(keys_.begin(), keys_.end(), key(a, b)) - keys_.begin())]; }
+  planned_edge& edge_of(unsigned a, unsigned b) {
+    return edges[static_cast<std::size_t>(std::lower_bound(keys_.begin(), keys_.end(), key(a, b)) - keys_.begin())];
+  }
 
   unsigned local_target(unsigned h, unsigned p) const {
     const unsigned v = K::target(m_, h), i = c_.local.find(v);
-    if (i == none) core::throw_joined<invalid_mesh>({"rewire: vert ", v, " of old poly ", p, " is not among the verts of the cavity; list all verts of old and new polys"});
+    if (i == none)
+      core::throw_joined<invalid_mesh>({"rewire: vert ", v, " of old poly ", p,
+                                        " is not among the verts of the cavity; list all verts of old and new polys"});
     return i;
   }
   /// Calls f(half-edge, local number of its start, that of its end) for all half-edges of old polys.

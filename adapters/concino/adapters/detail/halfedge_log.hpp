@@ -6,9 +6,10 @@
 //   static unsigned num_verts(const mesh&), num_polys(const mesh&);   // index bounds, as num_edges
 //   static void resize(mesh&, unsigned verts, unsigned edges, unsigned polys);
 //   static bool is_removed_vert(const mesh&, unsigned), is_removed_edge(...), is_removed_poly(...);
-//   // Removed ones, in the order of their removal, are elements again. May add an element of each kind, which resize() removes.
-//   static void revive(mesh&, removed_elements verts, removed_elements edges, removed_elements polys);
-//   static bool set_recycling(mesh&, bool);                           // whether indices of removed elements are used again; returns what was set before
+//   // Removed ones, in the order of their removal, are elements again. May add an element of each kind, which resize()
+//   removes. static void revive(mesh&, removed_elements verts, removed_elements edges, removed_elements polys);
+//   static bool set_recycling(mesh&, bool);                           // whether indices of removed elements are used
+//   again; returns what was set before
 #pragma once
 
 #include <concino/adapters/detail/halfedge_rewire.hpp>
@@ -52,7 +53,9 @@ class halfedge_log {
   static void make_room(std::vector<T>& v, std::size_t n) {
     if (v.capacity() - v.size() < n) v.reserve(std::max(v.size() + n, 2 * v.size()));
   }
-  static removed_elements from(const std::vector<unsigned>& v, std::size_t first) { return {v.data() + first, v.data() + v.size()}; }
+  static removed_elements from(const std::vector<unsigned>& v, std::size_t first) {
+    return {v.data() + first, v.data() + v.size()};
+  }
   static halfedge_bounds bounds_of(const mesh& m) { return {K::num_verts(m), K::num_edges(m), K::num_polys(m)}; }
 
   static void write(mesh& m, const row& r) {
@@ -64,10 +67,13 @@ class halfedge_log {
     K::revive(m, from(removed_verts_, s.verts), from(removed_edges_, s.edges), from(removed_polys_, s.polys));
     for (std::size_t i = rows_.size(); i > s.rows; --i) write(m, rows_[i - 1]);
     for (std::size_t i = points_.size(); i > s.points; --i) K::point_of(m, p, points_[i - 1].vert) = points_[i - 1].at;
-    K::resize(m, s.bounds.verts, s.bounds.edges, s.bounds.polys);  // rows of later steps may refer to elements that are added by earlier ones
+    K::resize(m, s.bounds.verts, s.bounds.edges, s.bounds.polys);  // rows of later steps may refer to elements that are
+                                                                   // added by earlier ones
   }
   static bool is_removed(const mesh& m, kind k, unsigned i) {
-    return k == kind::vert ? K::is_removed_vert(m, i) : k == kind::poly ? K::is_removed_poly(m, i) : K::is_removed_edge(m, i >> 1);
+    return k == kind::vert   ? K::is_removed_vert(m, i)
+           : k == kind::poly ? K::is_removed_poly(m, i)
+                             : K::is_removed_edge(m, i >> 1);
   }
   void save(const mesh& m, kind k, unsigned i) {
     if (k == kind::vert) rows_.push_back({k, i, K::halfedge_from(m, i), 0, 0});
@@ -79,11 +85,13 @@ class halfedge_log {
   std::size_t num_steps() const { return steps_.size(); }
 
   /// Begins a step that saves and removes at most so many elements.
-  void begin_step(const mesh& m, std::size_t num_rows, std::size_t num_points, std::size_t verts, std::size_t edges, std::size_t polys) {
+  void begin_step(const mesh& m, std::size_t num_rows, std::size_t num_points, std::size_t verts, std::size_t edges,
+                  std::size_t polys) {
     make_room(rows_, num_rows), make_room(points_, num_points);
     make_room(removed_verts_, verts), make_room(removed_edges_, edges), make_room(removed_polys_, polys);
     make_room(steps_, 1);
-    steps_.push_back({rows_.size(), points_.size(), removed_verts_.size(), removed_edges_.size(), removed_polys_.size(), bounds_of(m)});
+    steps_.push_back({rows_.size(), points_.size(), removed_verts_.size(), removed_edges_.size(), removed_polys_.size(),
+                      bounds_of(m)});
   }
   void save_vert(const mesh& m, unsigned v) { save(m, kind::vert, v); }
   void save_halfedge(const mesh& m, unsigned h) { save(m, kind::halfedge, h); }
@@ -97,7 +105,8 @@ class halfedge_log {
     if (to_step == steps_.size()) return;
     const step s = steps_[to_step];
     restore(m, p, s);
-    rows_.resize(s.rows), removed_verts_.resize(s.verts), removed_edges_.resize(s.edges), removed_polys_.resize(s.polys), steps_.resize(to_step);
+    rows_.resize(s.rows), removed_verts_.resize(s.verts), removed_edges_.resize(s.edges),
+        removed_polys_.resize(s.polys), steps_.resize(to_step);
     points_.erase(points_.begin() + static_cast<std::ptrdiff_t>(s.points), points_.end());
   }
   /// Restores the state before the first step, and keeps the log.

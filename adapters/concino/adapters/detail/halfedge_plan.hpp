@@ -1,4 +1,5 @@
-// What `rewire` changes in a half-edge mesh of another library, found before anything changes: the edges, then the fans of polys round each vert.
+// What `rewire` changes in a half-edge mesh of another library, found before anything changes: the edges, then the fans
+// of polys round each vert.
 #pragma once
 
 #include <concino/adapters/detail/halfedge_edge_plan.hpp>
@@ -83,13 +84,15 @@ class halfedge_plan : public halfedge_edge_plan<K> {
     for (unsigned k = first_edge_at_[v]; k < first_edge_at_[v + 1]; ++k)
       if (const planned_edge& e = edges[edges_at_[k]]; e.is_new) ring_.push_back(e.halfedge ^ (e.verts[0] != v));
   }
-  /// Whether new polys fill, between the same edges, the same parts of the ring round v as old ones. Then the ring is otherwise as before.
+  /// Whether new polys fill, between the same edges, the same parts of the ring round v as old ones. Then the ring is
+  /// otherwise as before.
   bool keeps_ring(unsigned v) const {
     unsigned sectors = 0, met = 0;  // of old and of new polys, and those that a walk from one edge to another meets
     for (unsigned k = first_edge_at_[v]; k < first_edge_at_[v + 1]; ++k) {
       const planned_edge& e = edges[edges_at_[k]];
       const unsigned in = e.verts[0] == v;  // the direction towards v
-      const bool old_in = e.has_old_poly[in], old_out = e.has_old_poly[1 - in], new_in = e.corner[in] != none, new_out = e.corner[1 - in] != none;
+      const bool old_in = e.has_old_poly[in], old_out = e.has_old_poly[1 - in], new_in = e.corner[in] != none,
+                 new_out = e.corner[1 - in] != none;
       sectors += old_in + new_in;
       if ((old_in && !old_out) != (new_in && !new_out) || (!old_in && old_out) != (!new_in && new_out)) return false;
       if (!old_in || old_out) continue;
@@ -109,7 +112,9 @@ class halfedge_plan : public halfedge_edge_plan<K> {
         const planned_edge& x = edges[place_of(h)];
         return x.corner[h != x.halfedge] != none;
       };
-      if (end([&](unsigned g) { return K::next(m_, g); }, is_old) != end([&](unsigned g) { return next_in_poly(g); }, is_new)) return false;
+      if (end([&](unsigned g) { return K::next(m_, g); }, is_old) !=
+          end([&](unsigned g) { return next_in_poly(g); }, is_new))
+        return false;
     }
     return met == sectors;
   }

@@ -1,4 +1,5 @@
-// Editing half-edge meshes of other libraries, and undoing it: what their traits have in common. The struct K of halfedge_log.hpp also has:
+// Editing half-edge meshes of other libraries, and undoing it: what their traits have in common. The struct K of
+// halfedge_log.hpp also has:
 //
 //   static halfedge_edits<K>* find_edits(mesh&);    // null if the mesh has had no transaction
 //   static halfedge_edits<K>& edits_of(mesh&);      // made if there are none
@@ -36,7 +37,8 @@ class halfedge_recorder {
   }
   /// Begins the step of a plan.
   void save(const halfedge_plan<K>& plan, const halfedge_cavity<K>& c) {
-    log.begin_step(m_, 2 * plan.edges.size() + plan.border_links.size() + c.verts.size() + c.polys.size(), 0, c.removed, plan.edges.size(), c.polys.size());
+    log.begin_step(m_, 2 * plan.edges.size() + plan.border_links.size() + c.verts.size() + c.polys.size(), 0, c.removed,
+                   plan.edges.size(), c.polys.size());
     const unsigned bound = 2 * K::num_edges(m_);
     for (const planned_edge& e : plan.edges)
       if (!e.is_new) log.save_halfedge(m_, e.halfedge), log.save_halfedge(m_, e.halfedge ^ 1);
@@ -66,7 +68,9 @@ struct halfedge_edits {
   halfedge_recorder<K>* recorder = nullptr;
   std::uint64_t version, last_version;
 
-  halfedge_edits() : version(static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count()) << 20), last_version(version) {}
+  halfedge_edits()
+      : version(static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count()) << 20),
+        last_version(version) {}
 };
 
 /// Called after an edit. `edits` may be null.
@@ -84,7 +88,8 @@ class uncopied {
   uncopied() = default;
   uncopied(const uncopied&) noexcept {}
   uncopied(uncopied&&) noexcept = default;
-  uncopied& operator=(const uncopied&) noexcept { return *this; }  // a default value that is assigned to the property changes nothing
+  uncopied& operator=(const uncopied&) noexcept { return *this; }  // a default value that is assigned to the property
+                                                                   // changes nothing
   uncopied& operator=(uncopied&&) noexcept = default;
   ~uncopied() = default;
 
@@ -102,8 +107,8 @@ halfedge_recorder<K>* halfedge_recorder_of(typename K::mesh& m) {
   return edits ? edits->recorder : nullptr;
 }
 
-/// What traits of meshes with points that can be written have for editing. Half-edges are linked here, since libraries refuse polys that they could hold later. New
-/// edges take the places of removed ones, as in their own flips.
+/// What traits of meshes with points that can be written have for editing. Half-edges are linked here, since libraries
+/// refuse polys that they could hold later. New edges take the places of removed ones, as in their own flips.
 template<class K, unsigned Arity>
 struct halfedge_editing {
   using mesh = typename K::mesh;
@@ -117,7 +122,9 @@ struct halfedge_editing {
     return v;
   }
   static void rewire(mesh& m, const cavity_of<vert, poly>& c, const cavity_result_of<vert, poly>& made) {
-    const auto set_point = [&, points = K::find_points(m)](unsigned v, std::size_t k) { K::assign_point(K::point_of(m, points, v), c.points[k]); };
+    const auto set_point = [&, points = K::find_points(m)](unsigned v, std::size_t k) {
+      K::assign_point(K::point_of(m, points, v), c.points[k]);
+    };
     halfedge_edits<K>* const edits = K::find_edits(m);
     no_record none;
     if (edits && edits->recorder) rewire_halfedges<K>(m, c, Arity, *edits->recorder, set_point, made);
@@ -140,7 +147,9 @@ poly_t<M> add_poly_by_rewire(M& m, std::span<const vert_t<M>> corners) {
   for (unsigned k = 0; k < all.size(); ++k) all[k] = k;
   const auto n = static_cast<unsigned>(all.size());
   poly_t<M> p;
-  traits<M>::rewire(m, {.verts = {corners.data(), corners.data() + n}, .corners = {all.data(), all.data() + n}, .ends = {&n, &n + 1}}, {nullptr, &p});
+  traits<M>::rewire(
+      m, {.verts = {corners.data(), corners.data() + n}, .corners = {all.data(), all.data() + n}, .ends = {&n, &n + 1}},
+      {nullptr, &p});
   return p;
 }
 template<class M>
@@ -155,7 +164,8 @@ void remove_vert_by_rewire(M& m, const vert_t<M>& v) {
 }
 
 [[noreturn]] inline void refuse_garbage_collection() {
-  throw unsupported("garbage_collect: elements cannot be renumbered while a transaction is open; call it before or after");
+  throw unsupported(
+      "garbage_collect: elements cannot be renumbered while a transaction is open; call it before or after");
 }
 
 }  // namespace concino::detail

@@ -1,5 +1,5 @@
-// Garbage collection of an OpenMesh mesh that allocates all memory before anything changes. OpenMesh's own function accesses its properties by functions whose
-// assertions allocate memory, also in libraries as Debian builds them.
+// Garbage collection of an OpenMesh mesh that allocates all memory before anything changes. OpenMesh's own function
+// accesses its properties by functions whose assertions allocate memory, also in libraries as Debian builds them.
 #pragma once
 
 #include <concino/adapters/detail/openmesh_links.hpp>
@@ -30,7 +30,8 @@ struct openmesh_renumbering {
         moved.push_back(i);
       }
       const int old = stays ? i : last;
-      origins[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(old), numbers[static_cast<std::size_t>(old)] = i;
+      origins[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(old),
+      numbers[static_cast<std::size_t>(old)] = i;
     }
   }
   int origin(int i) const { return static_cast<int>(origins[static_cast<std::size_t>(i)]); }
@@ -47,7 +48,9 @@ class openmesh_compaction {
   openmesh_renumbering<OpenMesh::FaceHandle> polys_;
 
   OpenMesh::HalfedgeHandle moved(OpenMesh::HalfedgeHandle h) const {
-    return h.is_valid() ? OpenMesh::HalfedgeHandle(2 * edges_.numbers[static_cast<std::size_t>(h.idx() >> 1)] + (h.idx() & 1)) : h;
+    return h.is_valid()
+               ? OpenMesh::HalfedgeHandle(2 * edges_.numbers[static_cast<std::size_t>(h.idx() >> 1)] + (h.idx() & 1))
+               : h;
   }
   template<class Iterator>
   static void swap_values(Iterator first, Iterator last, int i, int j) {
@@ -88,7 +91,8 @@ class openmesh_compaction {
 
  public:
   explicit openmesh_compaction(mesh& m)
-      : m_(m), verts_(openmesh_links::verts(m), openmesh_links::vert_index_bound(m)), edges_(openmesh_links::edges(m), openmesh_links::edge_index_bound(m)),
+      : m_(m), verts_(openmesh_links::verts(m), openmesh_links::vert_index_bound(m)),
+        edges_(openmesh_links::edges(m), openmesh_links::edge_index_bound(m)),
         polys_(openmesh_links::polys(m), openmesh_links::poly_index_bound(m)) {}
 
   void make() noexcept {
@@ -97,7 +101,12 @@ class openmesh_compaction {
     m_.resize(verts_.origins.size(), edges_.origins.size(), polys_.origins.size());
   }
   /// After make().
-  correspondence origins() noexcept { return {element_origins(std::move(verts_.origins)), element_origins(std::move(edges_.origins)), {}, element_origins(std::move(polys_.origins))}; }
+  correspondence origins() noexcept {
+    return {element_origins(std::move(verts_.origins)),
+            element_origins(std::move(edges_.origins)),
+            {},
+            element_origins(std::move(polys_.origins))};
+  }
 };
 
 }  // namespace concino::detail

@@ -11,8 +11,9 @@
 
 namespace concino::detail {
 
-/// Requests the status attributes of OpenMesh, by which it deletes. OpenMesh counts a failed request as successful and leaves the attribute incomplete. So it is
-/// released then, and the next request starts again. Each attribute is requested separately, since there may be memory for one and not for the other.
+/// Requests the status attributes of OpenMesh, by which it deletes. OpenMesh counts a failed request as successful and
+/// leaves the attribute incomplete. So it is released then, and the next request starts again. Each attribute is
+/// requested separately, since there may be memory for one and not for the other.
 struct openmesh_status {
   using mesh = OpenMesh::PolyConnectivity;
 
@@ -31,10 +32,12 @@ struct openmesh_status {
     request_or_release(m.has_vertex_status(), [&] { m.request_vertex_status(); }, [&] { m.release_vertex_status(); });
   }
   static void request_of_edges_and_polys(mesh& m) {
-    const bool is_first = request_or_release(m.has_edge_status(), [&] { m.request_edge_status(); }, [&] { m.release_edge_status(); });
+    const bool is_first = request_or_release(
+        m.has_edge_status(), [&] { m.request_edge_status(); }, [&] { m.release_edge_status(); });
     if (is_first && m.has_face_status())  // until now, an edge without faces was a deleted one
       for (const auto e : openmesh_elements<OpenMesh::EdgeHandle>(m, m.OpenMesh::ArrayKernel::n_edges()))
-        if (m.is_boundary(m.halfedge_handle(e, 0)) && m.is_boundary(m.halfedge_handle(e, 1))) m.status(e).set_deleted(true);
+        if (m.is_boundary(m.halfedge_handle(e, 0)) && m.is_boundary(m.halfedge_handle(e, 1)))
+          m.status(e).set_deleted(true);
     request_or_release(m.has_face_status(), [&] { m.request_face_status(); }, [&] { m.release_face_status(); });
   }
 };
@@ -52,7 +55,8 @@ struct openmesh_elements_kernel {
   static constexpr char one_edge[] = "two edges of the mesh join the same verts";
 
  private:
-  static unsigned number(OpenMesh::BaseHandle x) { return static_cast<unsigned>(x.idx()); }  // the invalid handle is `none`
+  // the invalid handle is `none`
+  static unsigned number(OpenMesh::BaseHandle x) { return static_cast<unsigned>(x.idx()); }
   template<class Handle>
   static Handle handle(unsigned i) { return Handle(static_cast<int>(i)); }
   // In powers of two, so that the arrays grow rarely.
@@ -75,35 +79,53 @@ struct openmesh_elements_kernel {
   static unsigned num_edges(const mesh& m) { return static_cast<unsigned>(m.OpenMesh::ArrayKernel::n_edges()); }
   static unsigned num_polys(const mesh& m) { return static_cast<unsigned>(m.OpenMesh::ArrayKernel::n_faces()); }
 
-  static void set_next(mesh& m, unsigned h, unsigned g) { m.set_next_halfedge_handle(handle<halfedge>(h), handle<halfedge>(g)); }
+  static void set_next(mesh& m, unsigned h, unsigned g) {
+    m.set_next_halfedge_handle(handle<halfedge>(h), handle<halfedge>(g));
+  }
   static void set_target(mesh& m, unsigned h, unsigned v) { m.set_vertex_handle(handle<halfedge>(h), handle<vert>(v)); }
   static void set_poly(mesh& m, unsigned h, unsigned p) { m.set_face_handle(handle<halfedge>(h), handle<poly>(p)); }
-  static void set_halfedge_from(mesh& m, unsigned v, unsigned h) { m.set_halfedge_handle(handle<vert>(v), handle<halfedge>(h)); }
-  static void set_halfedge_of(mesh& m, unsigned p, unsigned h) { m.set_halfedge_handle(handle<poly>(p), handle<halfedge>(h)); }
+  static void set_halfedge_from(mesh& m, unsigned v, unsigned h) {
+    m.set_halfedge_handle(handle<vert>(v), handle<halfedge>(h));
+  }
+  static void set_halfedge_of(mesh& m, unsigned p, unsigned h) {
+    m.set_halfedge_handle(handle<poly>(p), handle<halfedge>(h));
+  }
 
   static void reserve(mesh& m, unsigned verts, unsigned edges, unsigned polys, bool removes) {
     if (removes) openmesh_status::request_of_verts(m), openmesh_status::request_of_edges_and_polys(m);
-    if (verts + edges + polys > 0) m.reserve(grown(num_verts(m), verts), grown(num_edges(m), edges), grown(num_polys(m), polys));
+    if (verts + edges + polys > 0)
+      m.reserve(grown(num_verts(m), verts), grown(num_edges(m), edges), grown(num_polys(m), polys));
   }
   static unsigned add_vert(mesh& m) { return number(m.new_vertex()); }
   static unsigned add_edge(mesh& m) { return number(m.edge_handle(m.new_edge(vert(), vert()))); }
   static unsigned add_poly(mesh& m) { return number(m.new_face()); }
 
-  static void set_removed_vert(mesh& m, unsigned v, bool is_removed) { openmesh_property(m.vprops_begin(), m.vertex_status_pph())[static_cast<int>(v)].set_deleted(is_removed); }
+  static void set_removed_vert(mesh& m, unsigned v, bool is_removed) {
+    openmesh_property(m.vprops_begin(), m.vertex_status_pph())[static_cast<int>(v)].set_deleted(is_removed);
+  }
   static void set_removed_edge(mesh& m, unsigned e, bool is_removed) {
     openmesh_property(m.eprops_begin(), m.edge_status_pph())[static_cast<int>(e)].set_deleted(is_removed);
     if (m.has_halfedge_status())
-      for (const unsigned h : {2 * e, 2 * e + 1}) openmesh_property(m.hprops_begin(), m.halfedge_status_pph())[static_cast<int>(h)].set_deleted(is_removed);
+      for (const unsigned h : {2 * e, 2 * e + 1})
+        openmesh_property(m.hprops_begin(), m.halfedge_status_pph())[static_cast<int>(h)].set_deleted(is_removed);
   }
-  static void set_removed_poly(mesh& m, unsigned p, bool is_removed) { openmesh_property(m.fprops_begin(), m.face_status_pph())[static_cast<int>(p)].set_deleted(is_removed); }
+  static void set_removed_poly(mesh& m, unsigned p, bool is_removed) {
+    openmesh_property(m.fprops_begin(), m.face_status_pph())[static_cast<int>(p)].set_deleted(is_removed);
+  }
   static void remove_vert(mesh& m, unsigned v) { set_removed_vert(m, v, true); }
   static void remove_edge(mesh& m, unsigned e) { set_removed_edge(m, e, true); }
   static void remove_poly(mesh& m, unsigned p) { set_removed_poly(m, p, true); }
 
   static void resize(mesh& m, unsigned verts, unsigned edges, unsigned polys) { m.resize(verts, edges, polys); }
-  static bool is_removed_vert(const mesh& m, unsigned v) { return m.has_vertex_status() && m.status(handle<vert>(v)).deleted(); }
-  static bool is_removed_edge(const mesh& m, unsigned e) { return m.has_edge_status() && m.status(handle<edge>(e)).deleted(); }
-  static bool is_removed_poly(const mesh& m, unsigned p) { return m.has_face_status() && m.status(handle<poly>(p)).deleted(); }
+  static bool is_removed_vert(const mesh& m, unsigned v) {
+    return m.has_vertex_status() && m.status(handle<vert>(v)).deleted();
+  }
+  static bool is_removed_edge(const mesh& m, unsigned e) {
+    return m.has_edge_status() && m.status(handle<edge>(e)).deleted();
+  }
+  static bool is_removed_poly(const mesh& m, unsigned p) {
+    return m.has_face_status() && m.status(handle<poly>(p)).deleted();
+  }
   static void revive(mesh& m, removed_elements verts, removed_elements edges, removed_elements polys) {
     for (const unsigned v : verts) set_removed_vert(m, v, false);
     for (const unsigned e : edges) set_removed_edge(m, e, false);

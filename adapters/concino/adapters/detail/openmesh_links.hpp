@@ -39,14 +39,16 @@ class openmesh_is_deleted {
  public:
   openmesh_is_deleted() = default;
   explicit openmesh_is_deleted(const mesh& m) : m_(&m) {
-    if (const auto property = m.status_pph(Handle()); property.is_valid()) status_ = openmesh_property(all_properties(m), property).data();
+    if (const auto property = m.status_pph(Handle()); property.is_valid())
+      status_ = openmesh_property(all_properties(m), property).data();
   }
   bool operator()(unsigned i) const {
     if (status_) return status_[i].deleted();
     // If edges have no status, delete_face deletes an edge by leaving it without faces.
     if constexpr (std::same_as<Handle, OpenMesh::EdgeHandle>) {
       const Handle e(static_cast<int>(i));
-      return m_->has_face_status() && m_->is_boundary(m_->halfedge_handle(e, 0)) && m_->is_boundary(m_->halfedge_handle(e, 1));
+      return m_->has_face_status() && m_->is_boundary(m_->halfedge_handle(e, 0)) &&
+             m_->is_boundary(m_->halfedge_handle(e, 1));
     }
     return false;
   }
@@ -56,9 +58,12 @@ class openmesh_is_deleted {
 template<class Handle>
 struct openmesh_elements : skipping_range<Handle, openmesh_is_deleted<Handle>> {
   openmesh_elements(const OpenMesh::PolyConnectivity& m, std::size_t index_bound)
-      : skipping_range<Handle, openmesh_is_deleted<Handle>>{static_cast<unsigned>(index_bound), openmesh_is_deleted<Handle>(m)} {}
+      : skipping_range<Handle, openmesh_is_deleted<Handle>>{static_cast<unsigned>(index_bound),
+                                                            openmesh_is_deleted<Handle>(m)} {}
 
-  bool contains(Handle x) const { return x.is_valid() && x.idx() < static_cast<int>(this->bound) && !this->skips(static_cast<unsigned>(x.idx())); }
+  bool contains(Handle x) const {
+    return x.is_valid() && x.idx() < static_cast<int>(this->bound) && !this->skips(static_cast<unsigned>(x.idx()));
+  }
   std::size_t count() const { return num_elements(*this); }
 };
 
@@ -81,7 +86,8 @@ struct openmesh_links {
   static halfedge halfedge_of(const mesh& m, edge e) { return m.halfedge_handle(e, 0); }
   static halfedge halfedge_of(const mesh& m, poly p) { return m.halfedge_handle(p); }
 
-  // n_vertices and its siblings count deleted elements too. They are virtual; the qualified name avoids the virtual call.
+  // n_vertices and its siblings count deleted elements too. They are virtual; the qualified name avoids the virtual
+  // call.
   static std::size_t vert_index_bound(const mesh& m) { return m.OpenMesh::ArrayKernel::n_vertices(); }
   static std::size_t edge_index_bound(const mesh& m) { return m.OpenMesh::ArrayKernel::n_edges(); }
   static std::size_t poly_index_bound(const mesh& m) { return m.OpenMesh::ArrayKernel::n_faces(); }
@@ -110,11 +116,14 @@ template<class M>
   requires requires { typename M::Point; }
 struct openmesh_point<M> { using type = typename M::Point; };
 
-/// Throws for polys that OpenMesh cannot represent, with the reason, before anything changes. OpenMesh's add_face makes the last three tests
-/// too, but prints its messages to the standard error stream.
-inline void check_openmesh_poly(const OpenMesh::PolyConnectivity& m, std::span<const OpenMesh::VertexHandle> corners, int arity) {
+/// Throws for polys that OpenMesh cannot represent, with the reason, before anything changes. OpenMesh's add_face makes
+/// the last three tests too, but prints its messages to the standard error stream.
+inline void check_openmesh_poly(const OpenMesh::PolyConnectivity& m, std::span<const OpenMesh::VertexHandle> corners,
+                                int arity) {
   using OpenMesh::HalfedgeHandle, OpenMesh::VertexHandle;
-  const auto refuse = [&](const std::string& why) { core::throw_joined<invalid_mesh>({"add_poly: poly ", m.n_faces(), " ", why}); };
+  const auto refuse = [&](const std::string& why) {
+    core::throw_joined<invalid_mesh>({"add_poly: poly ", m.n_faces(), " ", why});
+  };
   const auto name = [](VertexHandle v) { return core::joined({"vert ", v.idx()}); };
   const std::size_t n = corners.size();
   if (n < 3 || (arity != 0 && n != static_cast<std::size_t>(arity)))
@@ -129,7 +138,8 @@ inline void check_openmesh_poly(const OpenMesh::PolyConnectivity& m, std::span<c
   std::vector<HalfedgeHandle> halfedges;  // those that exist already
   for (std::size_t i = 0; i < n; ++i) {
     const VertexHandle a = corners[i], b = corners[(i + 1) % n];
-    if (!m.is_boundary(a)) refuse(core::joined({"names ", name(a), ", which is not on the boundary; OpenMesh cannot add a poly there"}));
+    if (!m.is_boundary(a))
+      refuse(core::joined({"names ", name(a), ", which is not on the boundary; OpenMesh cannot add a poly there"}));
     halfedges.push_back(m.find_halfedge(a, b));
     if (halfedges.back().is_valid() && !m.is_boundary(halfedges.back()))
       refuse(core::joined({"goes from ", name(a), " to ", name(b),

@@ -28,7 +28,8 @@ using core::eigenbasis;
 using core::eigenpairs_within;
 using core::symmetric_product;
 
-/// The operator shift (K + shift M)^-1 M on the space orthogonal to `found`. Its largest eigenvalues shift / (lambda + shift) have the smallest lambda.
+/// The operator shift (K + shift M)^-1 M on the space orthogonal to `found`. Its largest eigenvalues shift / (lambda +
+/// shift) have the smallest lambda.
 struct shifted_inverse {
   using Scalar = double;
 
@@ -59,7 +60,8 @@ struct mass_product {
   Eigen::Index rows() const { return mass.cols(); }
   Eigen::Index cols() const { return mass.cols(); }
   void perform_op(const double* in, double* out) const {
-    Eigen::Map<Eigen::VectorXd>(out, rows()) = symmetric_product(mass, Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(in, rows())));
+    Eigen::Map<Eigen::VectorXd>(out, rows()) =
+        symmetric_product(mass, Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(in, rows())));
   }
 };
 
@@ -68,7 +70,8 @@ class restarted_lanczos : public Spectra::SymEigsBase<shifted_inverse, mass_prod
   using base = Spectra::SymEigsBase<shifted_inverse, mass_product>;
 
  public:
-  restarted_lanczos(shifted_inverse& op, const mass_product& mass, Eigen::Index count, Eigen::Index basis) : base(op, mass, count, basis) {}
+  restarted_lanczos(shifted_inverse& op, const mass_product& mass, Eigen::Index count, Eigen::Index basis)
+      : base(op, mass, count, basis) {}
 
   /// The largest residual of the wanted pairs, relative to their eigenvalues.
   double residual() const {
@@ -76,13 +79,15 @@ class restarted_lanczos : public Spectra::SymEigsBase<shifted_inverse, mass_prod
     const Eigen::Index n = ritz.eigenvalues().size();
     double worst = 0;
     for (Eigen::Index i = std::max<Eigen::Index>(0, n - this->m_nev); i < n; ++i)
-      worst = std::max(worst, std::abs(ritz.eigenvectors()(n - 1, i)) * this->m_fac.f_norm() / std::abs(ritz.eigenvalues()[i]));
+      worst = std::max(
+          worst, std::abs(ritz.eigenvectors()(n - 1, i)) * this->m_fac.f_norm() / std::abs(ritz.eigenvalues()[i]));
     return worst;
   }
 };
 
 /// The `count` largest eigenpairs of op. Errors: solver_error.
-inline eigenbasis largest_of(shifted_inverse op, Eigen::Index count, double tolerance, int max_restarts, unsigned seed) {
+inline eigenbasis largest_of(shifted_inverse op, Eigen::Index count, double tolerance, int max_restarts,
+                             unsigned seed) {
   const Eigen::Index n = op.rows() - op.found.cols();
   const mass_product mass{op.mass};
   eigenbasis r;
@@ -91,13 +96,15 @@ inline eigenbasis largest_of(shifted_inverse op, Eigen::Index count, double tole
     Eigen::VectorXd start = Spectra::SimpleRandom<double>(seed).random_vec(op.rows());
     op.project(start);
     lanczos.init(start.data());
-    const Eigen::Index converged = lanczos.compute(Spectra::SortRule::LargestAlge, max_restarts, tolerance, Spectra::SortRule::LargestAlge);
+    const Eigen::Index converged =
+        lanczos.compute(Spectra::SortRule::LargestAlge, max_restarts, tolerance, Spectra::SortRule::LargestAlge);
     if (converged < count)
-      core::throw_joined<solver_error>({"eigenpairs: ", static_cast<std::size_t>(converged), " of ", static_cast<std::size_t>(count),
-                                  " have converged after ",
-                                  static_cast<std::size_t>(max_restarts), " restarts and ", static_cast<std::size_t>(lanczos.num_operations()),
-                                  " solves; the largest relative residual is ", core::number_text(lanczos.residual()), ", the tolerance ",
-                                  core::number_text(tolerance), ": allow more restarts or a larger tolerance"});
+      core::throw_joined<solver_error>(
+          {"eigenpairs: ", static_cast<std::size_t>(converged), " of ", static_cast<std::size_t>(count),
+           " have converged after ", static_cast<std::size_t>(max_restarts), " restarts and ",
+           static_cast<std::size_t>(lanczos.num_operations()), " solves; the largest relative residual is ",
+           core::number_text(lanczos.residual()), ", the tolerance ", core::number_text(tolerance),
+           ": allow more restarts or a larger tolerance"});
     r.values = lanczos.eigenvalues();
     r.vectors = lanczos.eigenvectors();
     r.solves = static_cast<std::size_t>(lanczos.num_operations());
@@ -106,17 +113,20 @@ inline eigenbasis largest_of(shifted_inverse op, Eigen::Index count, double tole
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& e) {  // from Spectra, if numbers are not finite
-    core::throw_joined<solver_error>({"eigenpairs: the iteration broke down; is the mass matrix positive definite? (", e.what(), ")"});
+    core::throw_joined<solver_error>(
+        {"eigenpairs: the iteration broke down; is the mass matrix positive definite? (", e.what(), ")"});
   }
   return r;
 }
 
-/// The eigenpairs within the span of the columns of `found`, improved until the residuals of the first `count` are small enough. Spectra measures residuals
-/// of the inverse, in which high frequencies have little weight: one more solve per pair removes them.
-/// Errors: solver_error if a residual is more than the tolerance times its eigenvalue plus the shift, and more than rounding errors.
+/// The eigenpairs within the span of the columns of `found`, improved until the residuals of the first `count` are
+/// small enough. Spectra measures residuals of the inverse, in which high frequencies have little weight: one more
+/// solve per pair removes them.
+/// Errors: solver_error if a residual is more than the tolerance times its eigenvalue plus the shift, and more than
+///         rounding errors.
 inline eigenbasis refine(const Eigen::SparseMatrix<double>& stiffness, const Eigen::SparseMatrix<double>& mass,
-                         function_ref<Eigen::VectorXd(const Eigen::VectorXd&)> solve, double shift, Eigen::Index count, double tolerance,
-                         Eigen::MatrixXd found) {
+                         function_ref<Eigen::VectorXd(const Eigen::VectorXd&)> solve, double shift, Eigen::Index count,
+                         double tolerance, Eigen::MatrixXd found) {
   std::size_t solves = 0;
   for (double before = std::numeric_limits<double>::infinity();;) {
     eigenbasis r = eigenpairs_within(stiffness, mass, std::move(found));
@@ -131,9 +141,10 @@ inline eigenbasis refine(const Eigen::SparseMatrix<double>& stiffness, const Eig
     }
     if (above.empty()) return r;
     if (!(worst < before / 2))
-      core::throw_joined<solver_error>({"eigenpairs: not converged: ", above.size(), " of ", static_cast<std::size_t>(count), " residuals are up to ",
-                                  core::number_text(worst), " of the eigenvalue plus the shift, the tolerance is ", core::number_text(tolerance),
-                                  ": allow a larger one, or use another solver"});
+      core::throw_joined<solver_error>(
+          {"eigenpairs: not converged: ", above.size(), " of ", static_cast<std::size_t>(count),
+           " residuals are up to ", core::number_text(worst), " of the eigenvalue plus the shift, the tolerance is ",
+           core::number_text(tolerance), ": allow a larger one, or use another solver"});
     before = worst;
     found = std::move(r.vectors);
     for (const Eigen::Index i : above) {
@@ -143,11 +154,12 @@ inline eigenbasis refine(const Eigen::SparseMatrix<double>& stiffness, const Eig
   }
 }
 
-/// The smallest eigenpairs. One start vector spans only one direction of each eigenspace, and finds others by chance. So the space orthogonal to
-/// the vectors found is searched again, until it has no smaller eigenvalue.
-inline eigenbasis smallest_eigenpairs(const Eigen::SparseMatrix<double>& stiffness, const Eigen::SparseMatrix<double>& mass,
-                                      function_ref<Eigen::VectorXd(const Eigen::VectorXd&)> solve, double shift, Eigen::Index count, double tolerance,
-                                      int max_restarts) {
+/// The smallest eigenpairs. One start vector spans only one direction of each eigenspace, and finds others by chance.
+/// So the space orthogonal to the vectors found is searched again, until it has no smaller eigenvalue.
+inline eigenbasis smallest_eigenpairs(const Eigen::SparseMatrix<double>& stiffness,
+                                      const Eigen::SparseMatrix<double>& mass,
+                                      function_ref<Eigen::VectorXd(const Eigen::VectorXd&)> solve, double shift,
+                                      Eigen::Index count, double tolerance, int max_restarts) {
   const Eigen::Index n = mass.cols();
   Eigen::MatrixXd found(n, 0);
   eigenbasis first = largest_of({mass, solve, shift, found}, count, tolerance, max_restarts, 0);

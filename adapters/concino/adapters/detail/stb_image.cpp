@@ -1,5 +1,6 @@
-// The functions of stb_image.h that read PNG, JPEG, BMP and TGA files, compiled once into the library of concino::stb, without warnings. They are static, so
-// a program may have its own copy of stb. The other formats of stb_image.h are left out: its authors do not claim that reading them is safe.
+// The functions of stb_image.h that read PNG, JPEG, BMP and TGA files, compiled once into the library of concino::stb,
+// without warnings. They are static, so a program may have its own copy of stb. The other formats of stb_image.h are
+// left out: its authors do not claim that reading them is safe.
 #include <concino/adapters/detail/stb_image_functions.hpp>
 #include <concino/adapters/detail/stb_memory.hpp>
 #include <concino/core/error.hpp>
@@ -34,7 +35,9 @@
 #endif
 namespace concino::detail::stb {
 // stb copies no bytes from or to null, which the standard library does not allow.
-[[maybe_unused]] static inline void* memcpy(void* to, const void* from, std::size_t size) { return size > 0 ? std::memcpy(to, from, size) : to; }
+[[maybe_unused]] static inline void* memcpy(void* to, const void* from, std::size_t size) {
+  return size > 0 ? std::memcpy(to, from, size) : to;
+}
 #include <stb/stb_image.h>
 }
 #if defined(__clang__)
@@ -47,7 +50,8 @@ bool stb_info(const unsigned char* bytes, int size, int& width, int& height, int
   return stb::stbi_info_from_memory(bytes, size, &width, &height, &channels) != 0;
 }
 
-const unsigned char* stb_load(const unsigned char* bytes, int size, int& width, int& height, int& channels, int wanted) {
+const unsigned char* stb_load(const unsigned char* bytes, int size, int& width, int& height, int& channels,
+                              int wanted) {
   return stb::stbi_load_from_memory(bytes, size, &width, &height, &channels, wanted);
 }
 

@@ -11,8 +11,8 @@
 
 namespace concino::detail {
 
-/// Owns the memory that stb allocates in this thread during the lifetime of this object. Without memory, stb would leak or write to null; here
-/// std::bad_alloc is thrown out of stb, and the destructor frees what stb holds then.
+/// Owns the memory that stb allocates in this thread during the lifetime of this object. Without memory, stb would leak
+/// or write to null; here std::bad_alloc is thrown out of stb, and the destructor frees what stb holds then.
 class stb_memory {
   struct alignas(std::max_align_t) block {
     block *before, *after;
@@ -36,10 +36,13 @@ class stb_memory {
     current() = outer_;
   }
 
-  /// Resizes p, or allocates memory with zeros if p is null: stb does not set the pixels that a file which ends early lacks.
+  /// Resizes p, or allocates memory with zeros if p is null: stb does not set the pixels that a file which ends early
+  /// lacks.
   static void* resized(void* p, std::size_t size) {
     block* const old = p ? static_cast<block*>(p) - 1 : nullptr;
-    void* const memory = size > SIZE_MAX / 2 ? nullptr : old ? std::realloc(old, sizeof(block) + size) : std::calloc(1, sizeof(block) + size);
+    void* const memory = size > SIZE_MAX / 2 ? nullptr
+                         : old               ? std::realloc(old, sizeof(block) + size)
+                                             : std::calloc(1, sizeof(block) + size);
     auto* const b = static_cast<block*>(memory);
     if (!b) throw std::bad_alloc();
     if (!old) *b = {current()->ring_.before, &current()->ring_};

@@ -47,11 +47,13 @@ class tetgen_call {
                              "refused its input",
                              "was ended by an exception of options.edge_length"};
     const bool known = code > 0 && code <= callback_failed && reasons[code][0] != '\0';
-    core::throw_joined<unsupported>({"tetrahedralize: TetGen ", known ? reasons[code] : "ended without a result", "; keep_boundary = false or another back end may help"});
+    core::throw_joined<unsupported>({"tetrahedralize: TetGen ", known ? reasons[code] : "ended without a result",
+                                     "; keep_boundary = false or another back end may help"});
   }
 
  public:
-  tetgen_call(const tetrahedralize_input& input, const tetrahedralize_options& options) : input_(input), options_(options) {}
+  tetgen_call(const tetrahedralize_input& input, const tetrahedralize_options& options)
+      : input_(input), options_(options) {}
 
   tetrahedralize_output here() const {
     tetgenio out;
@@ -76,8 +78,8 @@ class tetgen_call {
       }
       if (n.error == 0) n = sizes(out);
       const auto write = [&](const void* from, std::size_t bytes) { return file.write(from, bytes); };
-      if (write(&n, sizeof n) && n.error == 0 && write(out.pointlist, n.points * sizeof(vec3)) && write(out.tetrahedronlist, n.tets * 4 * sizeof(int)) &&
-          write(out.trifacelist, n.facets * 3 * sizeof(int)))
+      if (write(&n, sizeof n) && n.error == 0 && write(out.pointlist, n.points * sizeof(vec3)) &&
+          write(out.tetrahedronlist, n.tets * 4 * sizeof(int)) && write(out.trifacelist, n.facets * 3 * sizeof(int)))
         write(out.trifacemarkerlist, n.facets * sizeof(int));
       end_child();  // TetGen's destructors, which may crash, are not needed
     });
@@ -100,7 +102,8 @@ class tetgen_call {
     std::size_t points = 0, tets = 0, facets = 0;
     sizes() = default;
     explicit sizes(const tetgenio& out)
-        : points(static_cast<std::size_t>(out.numberofpoints)), tets(static_cast<std::size_t>(out.numberoftetrahedra)), facets(static_cast<std::size_t>(out.numberoftrifaces)) {}
+        : points(static_cast<std::size_t>(out.numberofpoints)), tets(static_cast<std::size_t>(out.numberoftetrahedra)),
+          facets(static_cast<std::size_t>(out.numberoftrifaces)) {}
   };
 
   /// copy(to, bytes) gives the next array: points, tets, facets, markers.
@@ -118,7 +121,8 @@ class tetgen_call {
     copy(markers.data(), n.facets * sizeof(int));
     std::size_t kept = 0;
     for (std::size_t i = 0; i < n.facets; ++i) {
-      if (markers[i] < 1 || static_cast<std::size_t>(markers[i]) > input_.triangles.size()) continue;  // TetGen gives other faces of the hull -1 or 0
+      // TetGen gives other faces of the hull -1 or 0
+      if (markers[i] < 1 || static_cast<std::size_t>(markers[i]) > input_.triangles.size()) continue;
       r.facets[kept++] = r.facets[i];
       r.triangle_of_facet.push_back(static_cast<std::uint32_t>(markers[i] - 1));
     }

@@ -1,4 +1,5 @@
-// Runs a function in a child process, so that the caller survives whatever it does. Where the system is not Linux it runs in the caller, without limits.
+// Runs a function in a child process, so that the caller survives whatever it does. Where the system is not Linux it
+// runs in the caller, without limits.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -41,7 +42,9 @@ class memory_file {
  public:
   /// Errors: unsupported if the system has no room for it.
   explicit memory_file(const char* caller) : descriptor_(memfd_create("concino", MFD_CLOEXEC)) {
-    if (descriptor_ < 0) core::throw_joined<unsupported>({caller, ": the system allows no further file in memory; .in_process = true needs none"});
+    if (descriptor_ < 0)
+      core::throw_joined<unsupported>(
+          {caller, ": the system allows no further file in memory; .in_process = true needs none"});
   }
   memory_file(const memory_file&) = delete;
   memory_file& operator=(const memory_file&) = delete;
@@ -106,7 +109,8 @@ class child_process {
   int signal() const { return WIFSIGNALED(status_) ? WTERMSIG(status_) : 0; }
 };
 
-/// What the child does first: it ends with the caller, within its limits, without messages of its own and without handlers of the caller's signals.
+/// What the child does first: it ends with the caller, within its limits, without messages of its own and without
+/// handlers of the caller's signals.
 inline bool prepare_child(rlim_t address_limit) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (const int s : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTERM, SIGINT}) std::signal(s, SIG_DFL);
@@ -126,14 +130,16 @@ inline bool prepare_child(rlim_t address_limit) {
 /// Ends the child at once: without destructors, which may crash.
 [[noreturn]] inline void end_child() { _exit(0); }
 
-/// Calls work() in a child process, which writes its results to memory files that were made before, and waits for the end. The child ends by _exit: without
-/// destructors of the caller's objects. Its exit code is not used: the files say what was done.
+/// Calls work() in a child process, which writes its results to memory files that were made before, and waits for the
+/// end. The child ends by _exit: without destructors of the caller's objects. Its exit code is not used: the files say
+/// what was done.
 /// Errors: unsupported that says why the child was ended or crashed. cancelled.
 template<class Work>
 void run_in_child(const char* caller, const char* what, const child_limits& limits, const Work& work) {
   const rlim_t address_limit = limits.bytes == 0 ? RLIM_INFINITY : static_cast<rlim_t>(address_space() + limits.bytes);
   const pid_t id = fork();
-  if (id < 0) core::throw_joined<unsupported>({caller, ": the system allows no further process; .in_process = true needs none"});
+  if (id < 0)
+    core::throw_joined<unsupported>({caller, ": the system allows no further process; .in_process = true needs none"});
   if (id == 0) {
     if (prepare_child(address_limit)) work();
     end_child();
@@ -142,12 +148,16 @@ void run_in_child(const char* caller, const char* what, const child_limits& limi
   const auto start = std::chrono::steady_clock::now();
   for (long pause = 50'000; !child.has_ended(); pause = pause < 2'000'000 ? pause + pause / 4 : pause) {
     const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (elapsed > limits.seconds) core::throw_joined<unsupported>({caller, ": ", what, " was ended since it took longer than max_seconds"});
-    report_progress(limits.progress, elapsed / (elapsed + 10), "tetrahedralizing");  // how long it will take is not known
+    if (elapsed > limits.seconds)
+      core::throw_joined<unsupported>({caller, ": ", what, " was ended since it took longer than max_seconds"});
+    // how long it will take is not known
+    report_progress(limits.progress, elapsed / (elapsed + 10), "tetrahedralizing");
     const timespec t{0, pause};
     nanosleep(&t, nullptr);
   }
-  if (child.signal() != 0) core::throw_joined<unsupported>({caller, ": ", what, " crashed, by signal ", child.signal(), " (", strsignal(child.signal()), ")"});
+  if (child.signal() != 0)
+    core::throw_joined<unsupported>(
+        {caller, ": ", what, " crashed, by signal ", child.signal(), " (", strsignal(child.signal()), ")"});
 }
 
 #else

@@ -29,9 +29,12 @@ struct tetgen_input {
     std::string s = "pQJ";
     if (options.keep_boundary) s += 'Y';
     if (options.radius_edge > 0 || options.min_dihedral_deg > 0 || options.edge_length)
-      s += core::joined({"q", core::number_text(options.radius_edge > 0 ? options.radius_edge : 2.0), "/", core::number_text(options.min_dihedral_deg)});
+      s += core::joined({"q", core::number_text(options.radius_edge > 0 ? options.radius_edge : 2.0), "/",
+                         core::number_text(options.min_dihedral_deg)});
     if (options.max_volume > 0) s += core::joined({"a", core::number_text(options.max_volume)});
-    if (std::any_of(options.regions.begin(), options.regions.end(), [](const tet_region& r) { return r.max_volume > 0; })) s += "aA";
+    if (std::any_of(options.regions.begin(), options.regions.end(),
+                    [](const tet_region& r) { return r.max_volume > 0; }))
+      s += "aA";
     return s;
   }
 
@@ -44,7 +47,8 @@ struct tetgen_input {
     const auto& triangles = input.triangles;
     in.facetlist = new tetgenio::facet[triangles.size()];
     for (std::size_t i = 0; i < triangles.size(); ++i) tetgenio::init(in.facetlist + i);
-    in.numberoffacets = count(triangles.size());  // after init(): the destructor of tetgenio reads the lists if memory runs out below
+    in.numberoffacets = count(triangles.size());  // after init(): the destructor of tetgenio reads the lists if memory
+                                                  // runs out below
     in.facetmarkerlist = new int[triangles.size()];
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       tetgenio::facet& f = in.facetlist[i];
@@ -68,7 +72,10 @@ struct tetgen_input {
       in.regionlist = new double[5 * options.regions.size()];
       for (std::size_t i = 0; i < options.regions.size(); ++i) {
         const tet_region& r = options.regions[i];
-        const double values[5] = {r.inside.x, r.inside.y, r.inside.z, static_cast<double>(i), r.max_volume > 0 ? r.max_volume : options.max_volume > 0 ? options.max_volume : -1};
+        const double values[5] = {r.inside.x, r.inside.y, r.inside.z, static_cast<double>(i),
+                                  r.max_volume > 0         ? r.max_volume
+                                  : options.max_volume > 0 ? options.max_volume
+                                                           : -1};
         std::copy(values, values + 5, in.regionlist + 5 * i);
       }
     }
@@ -79,7 +86,8 @@ struct tetgen_input {
   }
 
  private:
-  // TetGen calls a function without an argument of the caller's, so the function that gives edge lengths is kept for the time of the call, by thread.
+  // TetGen calls a function without an argument of the caller's, so the function that gives edge lengths is kept for
+  // the time of the call, by thread.
   static const function_ref<double(const vec3&)>*& edge_length() {
     thread_local const function_ref<double(const vec3&)>* current = nullptr;
     return current;
@@ -93,7 +101,8 @@ struct tetgen_input {
   }
 
   static int count(std::size_t n) {
-    if (n > static_cast<std::size_t>(std::numeric_limits<int>::max()) / 4) throw unsupported("tetrahedralize: the surface has more elements than TetGen can number");
+    if (n > static_cast<std::size_t>(std::numeric_limits<int>::max()) / 4)
+      throw unsupported("tetrahedralize: the surface has more elements than TetGen can number");
     return static_cast<int>(n);
   }
 };

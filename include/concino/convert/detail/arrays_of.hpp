@@ -29,15 +29,17 @@ std::vector<vec3> copy_points(const M& m) {
   return points;
 }
 
-[[noreturn, gnu::cold]] inline void throw_wrong_arity(bool volume, std::size_t p, const std::string& has, std::uint32_t arity) {
+[[noreturn, gnu::cold]] inline void throw_wrong_arity(bool volume, std::size_t p, const std::string& has,
+                                                      std::uint32_t arity) {
   if (volume)
-    core::throw_joined<unsupported>({"convert: poly ", p, " ", has, "; the wanted mesh holds ", arity == 4 ? "tets" : "hexes",
-                               " only (a polyhedralmesh takes any cell)"});
+    core::throw_joined<unsupported>({"convert: poly ", p, " ", has, "; the wanted mesh holds ",
+                                     arity == 4 ? "tets" : "hexes", " only (a polyhedralmesh takes any cell)"});
   core::throw_joined<unsupported>({"convert: poly ", p, " ", has, "; every poly of the wanted mesh has ", arity,
                              " verts (a polygonmesh takes any polygon)"});
 }
 
-/// The arrays of a surface. `vert_number` is by index of the vert. With arity 0 polys have any size, otherwise all have `arity` verts.
+/// The arrays of a surface. `vert_number` is by index of the vert. With arity 0 polys have any size, otherwise all have
+/// `arity` verts.
 template<SurfaceMesh M>
 surface_arrays arrays_of(const M& m, const std::vector<std::uint32_t>& vert_number, std::uint32_t arity) {
   surface_arrays a;
@@ -61,7 +63,8 @@ surface_arrays arrays_of(const M& m, const std::vector<std::uint32_t>& vert_numb
 }
 
 template<VolumeMesh M>
-polyhedra_arrays polyhedra_of(const M& m, const std::vector<std::uint32_t>& vert_number, const std::vector<std::uint32_t>& face_number) {
+polyhedra_arrays polyhedra_of(const M& m, const std::vector<std::uint32_t>& vert_number,
+                              const std::vector<std::uint32_t>& face_number) {
   polyhedra_arrays a;
   a.points = copy_points(m);
   std::size_t num_corners = 0, num_uses = 0;
@@ -85,8 +88,8 @@ polyhedra_arrays polyhedra_of(const M& m, const std::vector<std::uint32_t>& vert
   return a;
 }
 
-/// Calls take(p, corners) for every poly, with its `arity` verts in the standard order. They come from adj_p2v if the mesh type lists them in this
-/// order, otherwise from the faces.
+/// Calls take(p, corners) for every poly, with its `arity` verts in the standard order. They come from adj_p2v if the
+/// mesh type lists them in this order, otherwise from the faces.
 /// Errors: unsupported that names a poly which is not such a cell.
 template<VolumeMesh M, class Take>
 void for_each_cell(const M& m, const std::vector<std::uint32_t>& vert_number, std::uint32_t arity, const Take& take) {
@@ -112,7 +115,9 @@ void for_each_cell(const M& m, const std::vector<std::uint32_t>& vert_number, st
     const cell_shape s = known.recognise();
     if (s != (arity == 4 ? cell_shape::tet : cell_shape::hex))
       throw_wrong_arity(true, index_of(m, p),
-                        core::joined({"is a ", s == cell_shape::general ? "polyhedron" : standard_cell_of(s).name, " of ", count, " faces"}), arity);
+                        core::joined({"is a ", s == cell_shape::general ? "polyhedron" : standard_cell_of(s).name,
+                                      " of ", count, " faces"}),
+                        arity);
     take(p, known.cell);
   }
 }

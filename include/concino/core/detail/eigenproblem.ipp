@@ -25,7 +25,8 @@ CONCINO_INLINE Eigen::VectorXd symmetric_product(const Eigen::SparseMatrix<doubl
   return y;
 }
 
-CONCINO_INLINE eigenbasis eigenpairs_within(const Eigen::SparseMatrix<double>& stiffness, const Eigen::SparseMatrix<double>& mass, Eigen::MatrixXd v) {
+CONCINO_INLINE eigenbasis eigenpairs_within(const Eigen::SparseMatrix<double>& stiffness,
+                                            const Eigen::SparseMatrix<double>& mass, Eigen::MatrixXd v) {
   const Eigen::Index n = v.cols();
   for (Eigen::Index j = 0; j < n; ++j) {  // Gram-Schmidt, twice for accuracy
     Eigen::VectorXd u = v.col(j), mu = symmetric_product(mass, u);
@@ -35,7 +36,8 @@ CONCINO_INLINE eigenbasis eigenpairs_within(const Eigen::SparseMatrix<double>& s
       mu = symmetric_product(mass, u);
     }
     const double left = u.dot(mu);
-    if (!(mass_before > 0 && left > 1e-15 * mass_before)) throw solver_error("eigenpairs: the mass matrix is not positive definite");
+    if (!(mass_before > 0 && left > 1e-15 * mass_before))
+      throw solver_error("eigenpairs: the mass matrix is not positive definite");
     v.col(j) = u / std::sqrt(left);
   }
   Eigen::MatrixXd k(n, n);
@@ -47,7 +49,8 @@ CONCINO_INLINE eigenbasis eigenpairs_within(const Eigen::SparseMatrix<double>& s
   return {all.eigenvalues(), v * all.eigenvectors()};
 }
 
-CONCINO_INLINE eigen_residual::eigen_residual(const Eigen::SparseMatrix<double>& stiffness, const Eigen::SparseMatrix<double>& mass, double value,
+CONCINO_INLINE eigen_residual::eigen_residual(const Eigen::SparseMatrix<double>& stiffness,
+                                              const Eigen::SparseMatrix<double>& mass, double value,
                                               const Eigen::VectorXd& u) {
   Eigen::VectorXd r = Eigen::VectorXd::Zero(u.size()), mu = r, terms = r;
   const auto add = [&](const Eigen::SparseMatrix<double>& lower, double factor, Eigen::VectorXd* product) {
@@ -72,13 +75,15 @@ CONCINO_INLINE eigen_residual::eigen_residual(const Eigen::SparseMatrix<double>&
 }
 
 CONCINO_INLINE void throw_bad_eigenpair_count(std::size_t count, std::size_t rows) {
-  throw_joined<invalid_argument>({"eigenpairs: ", count, " eigenpairs are requested; the problem has ", rows, " rows with entries, so request 1 to ", rows});
+  throw_joined<invalid_argument>({"eigenpairs: ", count, " eigenpairs are requested; the problem has ", rows,
+                                  " rows with entries, so request 1 to ", rows});
 }
 
 CONCINO_INLINE eigenproblem::eigenproblem(const Eigen::SparseMatrix<double>& k, const Eigen::SparseMatrix<double>& m) {
   if (k.rows() != m.rows() || k.cols() != m.cols())
-    throw_joined<invalid_argument>({"eigenpairs: the mass has ", static_cast<std::size_t>(m.rows()), " rows, the other matrix ",
-                                    static_cast<std::size_t>(k.rows()), "; they must be of the same size"});
+    throw_joined<invalid_argument>({"eigenpairs: the mass has ", static_cast<std::size_t>(m.rows()),
+                                    " rows, the other matrix ", static_cast<std::size_t>(k.rows()),
+                                    "; they must be of the same size"});
   check_square("eigenpairs", k);
   Eigen::SparseMatrix<double> k_storage, m_storage;
   const auto &whole_k = compressed(k, k_storage), &whole_m = compressed(m, m_storage);
@@ -91,12 +96,14 @@ CONCINO_INLINE eigenproblem::eigenproblem(const Eigen::SparseMatrix<double>& k, 
 }
 
 /// Lists the rows that have entries.   Result: the position of each row in that list, or -1.
-CONCINO_INLINE std::vector<int> eigenproblem::number_rows(const Eigen::SparseMatrix<double>& k, const Eigen::SparseMatrix<double>& m) {
+CONCINO_INLINE std::vector<int> eigenproblem::number_rows(const Eigen::SparseMatrix<double>& k,
+                                                          const Eigen::SparseMatrix<double>& m) {
   std::vector<int> new_row(static_cast<std::size_t>(k.cols()), -1);
   for (const auto* a : {&k, &m})
     for (int c = 0; c < a->cols(); ++c)
       for (int e = a->outerIndexPtr()[c]; e < a->outerIndexPtr()[c + 1]; ++e)
-        if (a->valuePtr()[e] != 0) new_row[static_cast<std::size_t>(c)] = new_row[static_cast<std::size_t>(a->innerIndexPtr()[e])] = 0;
+        if (a->valuePtr()[e] != 0)
+          new_row[static_cast<std::size_t>(c)] = new_row[static_cast<std::size_t>(a->innerIndexPtr()[e])] = 0;
   for (int c = 0; c < k.cols(); ++c)
     if (new_row[static_cast<std::size_t>(c)] == 0) {
       new_row[static_cast<std::size_t>(c)] = static_cast<int>(row.size());
@@ -107,12 +114,14 @@ CONCINO_INLINE std::vector<int> eigenproblem::number_rows(const Eigen::SparseMat
 
 /// Chooses the powers of 2 by which both matrices are divided, from the means of their diagonals.
 /// Errors: solver_error if a row has no mass.
-CONCINO_INLINE void eigenproblem::choose_scales(const std::vector<double>& k_diagonal, const std::vector<double>& m_diagonal) {
+CONCINO_INLINE void eigenproblem::choose_scales(const std::vector<double>& k_diagonal,
+                                                const std::vector<double>& m_diagonal) {
   double k_mean = 0, m_mean = 0;
   const double n = static_cast<double>(row.size());
   for (const int c : row) {
     if (!(m_diagonal[static_cast<std::size_t>(c)] > 0))
-      throw_joined<solver_error>({"eigenpairs: row ", static_cast<std::size_t>(c), " has no positive mass, so it has no finite eigenvalue; leave it out"});
+      throw_joined<solver_error>({"eigenpairs: row ", static_cast<std::size_t>(c),
+                                  " has no positive mass, so it has no finite eigenvalue; leave it out"});
     k_mean += std::abs(k_diagonal[static_cast<std::size_t>(c)]) / n;
     m_mean += m_diagonal[static_cast<std::size_t>(c)] / n;
   }
@@ -122,7 +131,8 @@ CONCINO_INLINE void eigenproblem::choose_scales(const std::vector<double>& k_dia
   mean_mass = std::ldexp(m_mean, -mass_exponent);
 }
 
-CONCINO_INLINE Eigen::SparseMatrix<double> eigenproblem::part(const Eigen::SparseMatrix<double>& a, const std::vector<int>& new_row, int exponent) const {
+CONCINO_INLINE Eigen::SparseMatrix<double> eigenproblem::part(const Eigen::SparseMatrix<double>& a,
+                                                              const std::vector<int>& new_row, int exponent) const {
   const auto n = static_cast<Eigen::Index>(row.size());
   Eigen::SparseMatrix<double> r(n, n);
   const auto for_each_entry = [&](auto visit) {
@@ -145,10 +155,12 @@ CONCINO_INLINE Eigen::SparseMatrix<double> eigenproblem::part(const Eigen::Spars
   return r;
 }
 
-CONCINO_INLINE double eigenproblem::scaled(double value) const { return std::ldexp(value, mass_exponent - stiffness_exponent); }
+CONCINO_INLINE double eigenproblem::scaled(double value) const {
+  return std::ldexp(value, mass_exponent - stiffness_exponent);
+}
 
-CONCINO_INLINE eigenpairs_result eigenproblem::result(const eigenbasis& found, const Eigen::VectorXd& residuals, Eigen::Index rows,
-                                                      const std::vector<int>& of_row) const {
+CONCINO_INLINE eigenpairs_result eigenproblem::result(const eigenbasis& found, const Eigen::VectorXd& residuals,
+                                                      Eigen::Index rows, const std::vector<int>& of_row) const {
   eigenpairs_result r;
   const Eigen::Index count = found.values.size();
   r.values.resize(count);
@@ -156,7 +168,9 @@ CONCINO_INLINE eigenpairs_result eigenproblem::result(const eigenbasis& found, c
   r.vectors = Eigen::MatrixXd::Zero(rows, count);
   r.solves = found.solves;
   r.isolated = static_cast<std::size_t>(rows) - row.size();
-  const auto place = [&](std::size_t i) { return of_row.empty() ? static_cast<Eigen::Index>(i) : static_cast<Eigen::Index>(of_row[i]); };
+  const auto place = [&](std::size_t i) {
+    return of_row.empty() ? static_cast<Eigen::Index>(i) : static_cast<Eigen::Index>(of_row[i]);
+  };
   const int unit = stiffness_exponent - mass_exponent, halved = mass_exponent >> 1;
   for (Eigen::Index i = 0; i < count; ++i) {
     double largest = 0;
@@ -166,7 +180,8 @@ CONCINO_INLINE eigenpairs_result eigenproblem::result(const eigenbasis& found, c
     }
     r.values[i] = std::ldexp(found.values[i], unit);
     r.residuals[i] = std::ldexp(residuals[i], unit);
-    const double factor = std::ldexp(largest < 0 ? -1.0 : 1.0, -halved) * (mass_exponent == 2 * halved ? 1 : std::sqrt(0.5));
+    const double factor =
+        std::ldexp(largest < 0 ? -1.0 : 1.0, -halved) * (mass_exponent == 2 * halved ? 1 : std::sqrt(0.5));
     for (std::size_t k = 0; k < row.size(); ++k) r.vectors(row[k], i) = factor * found.vectors(place(k), i);
   }
   return r;
@@ -174,7 +189,8 @@ CONCINO_INLINE eigenpairs_result eigenproblem::result(const eigenbasis& found, c
 
 CONCINO_INLINE Eigen::VectorXd eigen_residuals(const eigenproblem& problem, const eigenbasis& found) {
   Eigen::VectorXd r(found.values.size());
-  for (Eigen::Index i = 0; i < r.size(); ++i) r[i] = eigen_residual(problem.stiffness, problem.mass, found.values[i], found.vectors.col(i)).size;
+  for (Eigen::Index i = 0; i < r.size(); ++i)
+    r[i] = eigen_residual(problem.stiffness, problem.mass, found.values[i], found.vectors.col(i)).size;
   return r;
 }
 

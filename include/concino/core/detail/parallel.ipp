@@ -26,7 +26,8 @@ CONCINO_INLINE std::size_t num_threads() {
     if (const long n = std::strtol(text, nullptr, 10); n > 0) return static_cast<std::size_t>(std::min(n, most));
 #ifdef __linux__
   ::cpu_set_t allowed;  // hardware_concurrency() counts cores that the process may not run on
-  if (::sched_getaffinity(0, sizeof allowed, &allowed) == 0) return static_cast<std::size_t>(std::max(1, CPU_COUNT(&allowed)));
+  if (::sched_getaffinity(0, sizeof allowed, &allowed) == 0)
+    return static_cast<std::size_t>(std::max(1, CPU_COUNT(&allowed)));
 #endif
   return std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, most);
 }
@@ -34,7 +35,8 @@ CONCINO_INLINE std::size_t num_threads() {
 /// Whether this thread runs chunks of a loop that several threads share.
 inline constinit thread_local bool is_in_shared_loop = false;
 
-/// The chunks of a loop, which threads take in order. The destructor leaves out those that were not taken, and waits for the others.
+/// The chunks of a loop, which threads take in order. The destructor leaves out those that were not taken, and waits
+/// for the others.
 class chunk_loop {
   const std::size_t n_, chunk_, chunks_;
   const function_ref<void(std::size_t, std::size_t)> run_;
@@ -120,7 +122,8 @@ class chunk_loop {
   }
 };
 
-CONCINO_INLINE void run_chunks(std::size_t n, std::size_t chunk, function_ref<void(std::size_t, std::size_t)> run, function_ref<bool(double)> stop) {
+CONCINO_INLINE void run_chunks(std::size_t n, std::size_t chunk, function_ref<void(std::size_t, std::size_t)> run,
+                               function_ref<bool(double)> stop) {
   constexpr std::chrono::microseconds time_to_start(200);
   chunk_loop loop(n, std::max<std::size_t>(chunk, 1), run);
   const auto begin = std::chrono::steady_clock::now();

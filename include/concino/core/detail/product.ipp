@@ -10,8 +10,8 @@
 #include <vector>
 
 #ifdef CONCINO_COMPILED
-template void Eigen::internal::assign_sparse_to_sparse<Eigen::SparseMatrix<double>, Eigen::SparseMatrix<double>>(Eigen::SparseMatrix<double>&,
-                                                                                                                 const Eigen::SparseMatrix<double>&);
+template void Eigen::internal::assign_sparse_to_sparse<Eigen::SparseMatrix<double>, Eigen::SparseMatrix<double>>(
+    Eigen::SparseMatrix<double>&, const Eigen::SparseMatrix<double>&);
 #endif
 
 namespace concino {
@@ -19,7 +19,8 @@ namespace concino {
 namespace detail {
 
 inline void expect_compressed(const char* caller, const Eigen::SparseMatrix<double>& a) {
-  if (!a.isCompressed()) core::throw_joined<invalid_argument>({caller, ": a matrix is not compressed; call makeCompressed()"});
+  if (!a.isCompressed())
+    core::throw_joined<invalid_argument>({caller, ": a matrix is not compressed; call makeCompressed()"});
 }
 
 }  // namespace detail
@@ -40,7 +41,8 @@ CONCINO_INLINE Eigen::SparseMatrix<double> with_both_triangles(const Eigen::Spar
   std::int64_t sum = 0;
   for (int c = 0; c < n; ++c) {
     sum += begin[c + 1];
-    if (sum > std::numeric_limits<int>::max()) throw unsupported("symmetric sparse matrix: more entries than 32-bit indices can count");
+    if (sum > std::numeric_limits<int>::max())
+      throw unsupported("symmetric sparse matrix: more entries than 32-bit indices can count");
     begin[c + 1] = static_cast<int>(sum);
   }
   r.resizeNonZeros(begin[n]);
@@ -58,9 +60,12 @@ CONCINO_INLINE Eigen::SparseMatrix<double> with_both_triangles(const Eigen::Spar
   return r;
 }
 
-CONCINO_INLINE Eigen::SparseMatrix<double> scaled_product(const Eigen::SparseMatrix<double>& a, const std::vector<double>& d, const Eigen::SparseMatrix<double>& b) {
+CONCINO_INLINE Eigen::SparseMatrix<double> scaled_product(const Eigen::SparseMatrix<double>& a,
+                                                          const std::vector<double>& d,
+                                                          const Eigen::SparseMatrix<double>& b) {
   if (static_cast<std::size_t>(a.cols()) != d.size() || static_cast<std::size_t>(b.rows()) != d.size())
-    core::throw_joined<invalid_argument>({"scaled_product: there are ", static_cast<std::size_t>(a.cols()), " columns of a, ", d.size(), " factors and ",
+    core::throw_joined<invalid_argument>({"scaled_product: there are ", static_cast<std::size_t>(a.cols()),
+                                          " columns of a, ", d.size(), " factors and ",
                                           static_cast<std::size_t>(b.rows()), " rows of b; the numbers must be equal"});
   detail::expect_compressed("scaled_product", a);
   detail::expect_compressed("scaled_product", b);
@@ -86,7 +91,8 @@ CONCINO_INLINE Eigen::SparseMatrix<double> scaled_product(const Eigen::SparseMat
       }
     }
     if (rows.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-      throw unsupported("product of sparse matrices: more entries than 32-bit indices can count; use a smaller exponent");
+      throw unsupported(
+          "product of sparse matrices: more entries than 32-bit indices can count; use a smaller exponent");
     std::sort(rows.data() + begin, rows.data() + rows.size());
     for (std::size_t k = begin; k < rows.size(); ++k) values.push_back(sum[static_cast<std::size_t>(rows[k])]);
     first.push_back(static_cast<int>(rows.size()));

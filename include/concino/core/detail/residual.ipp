@@ -11,8 +11,8 @@
 
 namespace concino::core {
 
-CONCINO_INLINE double residual(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& x, const Eigen::VectorXd& b, Eigen::VectorXd& r,
-                       bool is_lower_triangle) {
+CONCINO_INLINE double residual(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& x, const Eigen::VectorXd& b,
+                               Eigen::VectorXd& r, bool is_lower_triangle) {
   const auto n = static_cast<int>(a.cols());
   std::vector<double> scale(static_cast<std::size_t>(n));
   double* const s = scale.data();
@@ -41,8 +41,9 @@ CONCINO_INLINE double residual(const Eigen::SparseMatrix<double>& a, const Eigen
   return worst;
 }
 
-CONCINO_INLINE double residual_beside_largest(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& x, const Eigen::VectorXd& b, const Eigen::VectorXd& r,
-                                      bool is_lower_triangle) {
+CONCINO_INLINE double residual_beside_largest(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& x,
+                                              const Eigen::VectorXd& b, const Eigen::VectorXd& r,
+                                              bool is_lower_triangle) {
   std::vector<double> entry(static_cast<std::size_t>(a.cols()));
   double of_x = 0, worst = 0;
   for (int c = 0; c < a.cols(); ++c) {
@@ -62,18 +63,24 @@ CONCINO_INLINE double residual_beside_largest(const Eigen::SparseMatrix<double>&
 }
 
 [[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_not_solved(const char* caller, double error) {
-  core::throw_joined<solver_error>({caller, ": the system is too badly conditioned for double precision, or the solver is not made for such a system:"
-                              " the relative residual is ", core::number_text(error)});
+  core::throw_joined<solver_error>(
+      {caller,
+       ": the system is too badly conditioned for double precision, or the solver is not made for such a system:"
+       " the relative residual is ",
+       core::number_text(error)});
 }
 
-[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_singular_at_vert(const char* caller, std::size_t vert, const char* why) {
-  core::throw_joined<solver_error>({caller, ": the system is singular to working precision at vert ", vert,
-                              ": polys near it are too flat or too thin for double precision; remesh them, scale the mesh to more even lengths, or"
-                              " remove them (", why, ")"});
+[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_singular_at_vert(const char* caller, std::size_t vert,
+                                                                                  const char* why) {
+  core::throw_joined<solver_error>(
+      {caller, ": the system is singular to working precision at vert ", vert,
+       ": polys near it are too flat or too thin for double precision; remesh them, scale the mesh to more even lengths, or"
+       " remove them (",
+       why, ")"});
 }
 
-CONCINO_INLINE Eigen::VectorXd solve_and_check(solver_ref solver, const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& b, const char* caller,
-                                               bool is_lower_triangle) {
+CONCINO_INLINE Eigen::VectorXd solve_and_check(solver_ref solver, const Eigen::SparseMatrix<double>& a,
+                                               const Eigen::VectorXd& b, const char* caller, bool is_lower_triangle) {
   Eigen::VectorXd x = solver.solve(b), r;
   double error = residual(a, x, b, r, is_lower_triangle);
   if (solver.is_iterative()) {

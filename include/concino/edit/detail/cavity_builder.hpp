@@ -92,7 +92,8 @@ class cavity_builder {
   const poly_t<M>& poly(unsigned k) const { return polys_[k]; }
   const vert_t<M>& vert_at(unsigned i) const { return verts_[i]; }
   bool has(unsigned k, unsigned v) const { return std::find(corners(k), corners(k) + size, v) != corners(k) + size; }
-  /// Whether polys k and j, which share all corners but x of k and y of j, run along their common facet in opposite directions.
+  /// Whether polys k and j, which share all corners but x of k and y of j, run along their common facet in opposite
+  /// directions.
   bool is_consistent(unsigned k, unsigned x, unsigned j, unsigned y) const {
     unsigned other[size];
     for (unsigned i = 0; i < size; ++i) other[i] = corners(j)[i] == y ? x : corners(j)[i];
@@ -161,8 +162,14 @@ class cavity_builder {
     }
     for (unsigned& i : new_corners_)
       if (i == added) i = num_old_verts_;
-    const cavity<M> c{span(polys_.data(), num_old_), span(verts_.data(), num_old_verts_), span(&point_, has_point_ ? 1 : 0), span(new_corners_.data(), new_corners_.size()),
-                      span(ends_.data(), ends_.size()), {}, kept_, removed_ == none ? 0u : 1u};
+    const cavity<M> c{span(polys_.data(), num_old_),
+                      span(verts_.data(), num_old_verts_),
+                      span(&point_, has_point_ ? 1 : 0),
+                      span(new_corners_.data(), new_corners_.size()),
+                      span(ends_.data(), ends_.size()),
+                      {},
+                      kept_,
+                      removed_ == none ? 0u : 1u};
     const vert_t<M> moving = moved_ == none ? vert_t<M>{} : verts_[moved_ == last ? removed_ : moved_];
     if constexpr (saves_values<M>)
       if (auto* const recorder = open_recorder(m)) return replace_recorded(m, c, moving, *recorder);

@@ -5,14 +5,17 @@
 
 namespace concino::detail {
 
-inline constexpr permission not_three_or_four{refusal::wrong_number, "the edge is not surrounded by three or four tets"};
-inline constexpr permission face_exists{refusal::same_verts, "the three verts that the new face would have are those of a face already"};
+inline constexpr permission not_three_or_four{refusal::wrong_number,
+                                              "the edge is not surrounded by three or four tets"};
+inline constexpr permission face_exists{refusal::same_verts,
+                                        "the three verts that the new face would have are those of a face already"};
 
 template<class M>
 struct edge_ring {
   cavity_builder<M> cavity;
   unsigned a = 0, b = 0;  // the ends of the edge
-  unsigned ring[4] = {};  // the other verts of the tets around it, in cyclic order, beginning with those of the first tet of adj_e2p
+  unsigned ring[4] = {};  // the other verts of the tets around it, in cyclic order, beginning with those of the first
+                          // tet of adj_e2p
   unsigned tet[4] = {};   // tet[i] has ring[i] and ring[i + 1]
 
   explicit edge_ring(const M& m) : cavity(m) {}
@@ -54,7 +57,8 @@ permission find_ring(const M& m, const edge_t<M>& e, edge_ring<M>& r) {
   return {};
 }
 
-/// The tets around e are replaced: three by two, four by four around the new edge between ring[diagonal] and ring[diagonal + 2].
+/// The tets around e are replaced: three by two, four by four around the new edge between ring[diagonal] and
+/// ring[diagonal + 2].
 template<class M>
 permission edge_ring_cavity(const M& m, const edge_t<M>& e, unsigned diagonal, edge_ring<M>& r) {
   if (const permission p = find_ring(m, e, r); !p) return p;

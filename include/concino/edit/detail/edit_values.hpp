@@ -1,5 +1,6 @@
-// edit_values: the values of named properties follow an edit. Before it, the operator says from which elements the new and changed ones come; the values are
-// found then, by the rule of each property. After it they are written, which needs no memory.
+// edit_values: the values of named properties follow an edit. Before it, the operator says from which elements the new
+// and changed ones come; the values are found then, by the rule of each property. After it they are written, which
+// needs no memory.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -17,15 +18,17 @@
 namespace concino::detail {
 
 /// Models whose named properties follow the edits.
-template<class M> concept carries_values = HasProperties<M> && requires(const M& m, poly_t<M> p) { traits<M>::first_corner(m, p); };
+template<class M> concept carries_values = HasProperties<M> && requires(const M& m, poly_t<M> p) {
+  traits<M>::first_corner(m, p);
+};
 
 inline void copy_origins(const auto& from, std::vector<origin>& to) {
   to.clear();
   for (const origin x : from) to.push_back(x);
 }
 
-/// Verts have numbers: existing ones 0, 1, 2, ... in the order that the operator gives, new ones consecutive numbers from `first_new` on. Edges and faces are
-/// known by the numbers of their verts.
+/// Verts have numbers: existing ones 0, 1, 2, ... in the order that the operator gives, new ones consecutive numbers
+/// from `first_new` on. Edges and faces are known by the numbers of their verts.
 template<class M>
 class edit_values {
  public:
@@ -76,11 +79,15 @@ class edit_values {
     const auto last = corner_verts_.begin() + static_cast<std::ptrdiff_t>(corner_ends_[k]);
     std::size_t corner = traits<M>::first_corner(m, p);
     for (const vert_t<M> v : adj_p2v(m, p))
-      values_->write(element_kind::corner, static_cast<std::size_t>(std::find(first, last, number_after(index_of(m, v))) - corner_verts_.begin()), corner++);
+      values_->write(
+          element_kind::corner,
+          static_cast<std::size_t>(std::find(first, last, number_after(index_of(m, v))) - corner_verts_.begin()),
+          corner++);
   }
 
  public:
-  edit_values(const M& m, std::span<const vert_t<M>> existing, unsigned first_new, std::size_t num_new) : first_new_(first_new), new_index_(num_new), new_verts_(num_new) {
+  edit_values(const M& m, std::span<const vert_t<M>> existing, unsigned first_new, std::size_t num_new)
+      : first_new_(first_new), new_index_(num_new), new_verts_(num_new) {
     for (const vert_t<M>& v : existing) numbers_.add(index_of(m, v));
   }
   edit_values(const edit_values&) = delete;
@@ -102,7 +109,8 @@ class edit_values {
   }
   void end_corners() { corner_ends_.push_back(corner_verts_.size()); }
   /// A new edge or face. stays_at: its index, if it remains where it is.
-  void add_part(element_kind kind, const key& verts, origin_list from, origin_list of_sums, std::size_t stays_at = nowhere) {
+  void add_part(element_kind kind, const key& verts, origin_list from, origin_list of_sums,
+                std::size_t stays_at = nowhere) {
     const bool is_edge = kind == element_kind::edge;
     element_origins& all = is_edge ? origins_.edges : origins_.faces;
     (is_edge ? edges_ : faces_).emplace(verts, part{all.size(), stays_at});
@@ -125,7 +133,8 @@ class edit_values {
 
   /// After the edit.
   void write(const M& m, const vert_t<M>* new_verts, std::span<const poly_t<M>> new_polys) noexcept {
-    for (unsigned j = 0; j < new_verts_.size(); ++j) new_index_[j] = index_of(m, new_verts[j]), new_verts_[j] = {new_index_[j], first_new_ + j};
+    for (unsigned j = 0; j < new_verts_.size(); ++j)
+      new_index_[j] = index_of(m, new_verts[j]), new_verts_[j] = {new_index_[j], first_new_ + j};
     std::sort(new_verts_.begin(), new_verts_.end());
     for (std::size_t i = 0; i < changed_verts_.size(); ++i) {
       const unsigned v = changed_verts_[i];
@@ -140,10 +149,12 @@ class edit_values {
       if (origins_.polys.size() > 0) values_->write(element_kind::poly, k, index_of(m, p));
       if (!corner_ends_.empty()) write_corners(m, k, p);
       if (!edges_.empty())
-        for (const edge_t<M> e : adj_p2e(m, p)) write_part(m, element_kind::edge, edges_, index_of(m, e), adj_e2v(m, e));
+        for (const edge_t<M> e : adj_p2e(m, p))
+          write_part(m, element_kind::edge, edges_, index_of(m, e), adj_e2v(m, e));
       if constexpr (VolumeMesh<M>)  // surfaces have no faces
         if (!faces_.empty())
-          for (const face_t<M> f : adj_p2f(m, p)) write_part(m, element_kind::face, faces_, index_of(m, f), adj_f2v(m, f));
+          for (const face_t<M> f : adj_p2f(m, p))
+            write_part(m, element_kind::face, faces_, index_of(m, f), adj_f2v(m, f));
     }
   }
 };

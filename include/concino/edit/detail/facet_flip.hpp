@@ -9,9 +9,12 @@
 
 namespace concino::detail {
 
-inline constexpr permission not_two_polys{refusal::wrong_number, "the edge does not have two triangles, or the face does not have two tets"};
-inline constexpr permission opposite_verts_joined{refusal::same_verts, "the two verts that the new edge would join are the same, or are joined already"};
-inline constexpr permission contradictory_winding{refusal::winding, "the polys at the element run in contradictory directions"};
+inline constexpr permission not_two_polys{refusal::wrong_number,
+                                          "the edge does not have two triangles, or the face does not have two tets"};
+inline constexpr permission opposite_verts_joined{
+    refusal::same_verts, "the two verts that the new edge would join are the same, or are joined already"};
+inline constexpr permission contradictory_winding{refusal::winding,
+                                                  "the polys at the element run in contradictory directions"};
 
 /// The edge between two verts, which are joined.
 template<class M>
@@ -31,7 +34,8 @@ struct facet_flip {
   explicit facet_flip(const M& m) : cavity(m) {}
 };
 
-/// The two polys at the facet are replaced by one for each vert of the facet, which lacks this vert and has both opposite ones.
+/// The two polys at the facet are replaced by one for each vert of the facet, which lacks this vert and has both
+/// opposite ones.
 template<class M>
 permission facet_flip_cavity(const M& m, const facet_t<M>& x, facet_flip<M>& f) {
   cavity_builder<M>& c = f.cavity;

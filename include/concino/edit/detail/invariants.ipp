@@ -17,8 +17,10 @@ namespace detail {
 
 inline double largest_coordinate(const vec3& u) { return std::max({std::abs(u.x), std::abs(u.y), std::abs(u.z)}); }
 
-/// The corners of a poly. If their products would overflow or underflow, they are scaled by a power of two, on which neither signs nor qualities depend.
-inline std::array<vec3, 4> points_of(const proposed_edit& e, std::span<const unsigned> poly, std::span<const vec3> points) {
+/// The corners of a poly. If their products would overflow or underflow, they are scaled by a power of two, on which
+/// neither signs nor qualities depend.
+inline std::array<vec3, 4> points_of(const proposed_edit& e, std::span<const unsigned> poly,
+                                     std::span<const vec3> points) {
   std::array<vec3, 4> p{};
   double largest = 0;
   for (unsigned i = 0; i < e.corners_per_poly; ++i) {
@@ -55,7 +57,8 @@ CONCINO_INLINE permission no_inversion_invariant::operator()(const proposed_edit
     const vec3 normal = detail::scaled_normal(p);
     for (unsigned i = e.origins[k].first; i < e.origins[k].first + e.origins[k].count; ++i) {
       const auto old = detail::points_of(e, e.old_poly(i), e.points_before);
-      if (!core::is_degenerate_simplex(std::span(old).first(3)) && dot(normal, detail::scaled_normal(old)) <= 0) return degenerate;
+      if (!core::is_degenerate_simplex(std::span(old).first(3)) && dot(normal, detail::scaled_normal(old)) <= 0)
+        return degenerate;
     }
   }
   return {};
@@ -65,8 +68,10 @@ CONCINO_INLINE permission min_quality::operator()(const proposed_edit& e) const 
   for (std::size_t k = 0; k < e.num_new_polys(); ++k) {
     const auto p = detail::points_of(e, e.new_poly(k), e.points_after);
     const bool is_tet = e.corners_per_poly == 4;
-    const double value = quality(is_tet ? poly_shape::tet : poly_shape::triangle, std::span(p).first(e.corners_per_poly), what);
-    if (std::isnan(value) || is_worse(what, value, limit)) return {refusal::invariant, "min_quality: a new poly would have less than the minimum quality"};
+    const double value =
+        quality(is_tet ? poly_shape::tet : poly_shape::triangle, std::span(p).first(e.corners_per_poly), what);
+    if (std::isnan(value) || is_worse(what, value, limit))
+      return {refusal::invariant, "min_quality: a new poly would have less than the minimum quality"};
   }
   return {};
 }

@@ -1,7 +1,8 @@
 // The order of a vert or an edge of triangles or tets: how far the complex is from a manifold there, by its link.
 //
-// A simplex has order 0 if the complex is a manifold at it, order i if a neighbourhood of it is the product of a space and of one that has i dimensions, and
-// no smaller i will do. So points of order 1 are at boundaries and where sheets meet in a curve (of triangles) or in a surface (of tets).
+// A simplex has order 0 if the complex is a manifold at it, order i if a neighbourhood of it is the product of a space
+// and of one that has i dimensions, and no smaller i will do. So points of order 1 are at boundaries and where sheets
+// meet in a curve (of triangles) or in a surface (of tets).
 // Source: Dey, Edelsbrunner, Guha and Nekhayev 1999, "Topology preserving edge contraction".
 #pragma once
 
@@ -62,8 +63,8 @@ std::size_t num_verts_of(const simplex_list<N>& all, unsigned num_verts) {
   return n;
 }
 
-/// Whether the link of a vert is a circle (N = 2) or a sphere (N = 3): each facet has two simplices, these are connected, and the Euler characteristic is that
-/// of a sphere.
+/// Whether the link of a vert is a circle (N = 2) or a sphere (N = 3): each facet has two simplices, these are
+/// connected, and the Euler characteristic is that of a sphere.
 template<std::size_t N>
 bool is_sphere(const simplex_list<N>& link, unsigned num_verts) {
   struct entry {
@@ -110,14 +111,17 @@ inline void describe(const simplex_list<2>& graph, unsigned num_verts, graph_lin
   std::sort(g.degrees.begin(), g.degrees.end());
   if (num_components<2>(graph, num_verts) != 1) return;
   if (g.degrees.empty()) g.order = 0;
-  else if (g.degrees.size() == 2 && g.degrees[0] == g.degrees[1] && num_components<2>(graph, num_verts, odd) == 1) g.order = 1;  // all arcs join the two
+  // all arcs join the two
+  else if (g.degrees.size() == 2 && g.degrees[0] == g.degrees[1] && num_components<2>(graph, num_verts, odd) == 1)
+    g.order = 1;
 }
 
 /// The link of a vert of tets.
 struct complex_link {
   unsigned order = 3;                                  // of the vert
   core::small_array<unsigned char, 64> order_of_edge;  // to each vert of the link
-  weighted_simplices<2> odd;                           // edges of the link that do not have two triangles, with the numbers of these
+  weighted_simplices<2> odd;                           // edges of the link that do not have two triangles, with the
+                                                       // numbers of these
 };
 
 inline void describe(const simplex_list<3>& link, unsigned num_verts, complex_link& c) {
@@ -147,16 +151,20 @@ inline void describe(const simplex_list<3>& link, unsigned num_verts, complex_li
   if (num_singular == 0 && c.odd.simplices.empty()) {
     if (chi == 2) c.order = 0;
   } else if (num_singular == 0) {  // discs that are glued together at one circle have the largest Euler characteristic
-    if (chi == static_cast<std::ptrdiff_t>(c.odd.weights[0]) && num_components<2>(c.odd.simplices, num_verts) == 1) c.order = 1;
+    if (chi == static_cast<std::ptrdiff_t>(c.odd.weights[0]) && num_components<2>(c.odd.simplices, num_verts) == 1)
+      c.order = 1;
   } else if (num_singular == 2) {
     const graph_link &g = singular[0], &h = singular[1];
-    const bool are_alike = g.euler_characteristic == h.euler_characteristic && std::equal(g.degrees.begin(), g.degrees.end(), h.degrees.begin(), h.degrees.end());
+    const bool are_alike = g.euler_characteristic == h.euler_characteristic &&
+                           std::equal(g.degrees.begin(), g.degrees.end(), h.degrees.begin(), h.degrees.end());
     if (are_alike && chi == 2 - g.euler_characteristic) c.order = 2;
   }
 }
 
-/// Whether no simplex of the verts a and b has a higher order without than with the edge ab, for triangles. The links of a and b meet in that of ab.
-inline bool orders_allow_collapse(const simplex_list<2>& a, const simplex_list<2>& b, const simplex_list<1>& ab, unsigned num_verts) {
+/// Whether no simplex of the verts a and b has a higher order without than with the edge ab, for triangles. The links
+/// of a and b meet in that of ab.
+inline bool orders_allow_collapse(const simplex_list<2>& a, const simplex_list<2>& b, const simplex_list<1>& ab,
+                                  unsigned num_verts) {
   graph_link at_a, at_b;
   describe(a, num_verts, at_a), describe(b, num_verts, at_b);
   if (std::min(at_a.order, at_b.order) > (ab.size() == 2 ? 0u : 1u)) return false;
@@ -170,7 +178,8 @@ inline bool orders_allow_collapse(const simplex_list<2>& a, const simplex_list<2
 }
 
 /// The same for tets.
-inline bool orders_allow_collapse(const simplex_list<3>& a, const simplex_list<3>& b, const simplex_list<2>& ab, unsigned num_verts) {
+inline bool orders_allow_collapse(const simplex_list<3>& a, const simplex_list<3>& b, const simplex_list<2>& ab,
+                                  unsigned num_verts) {
   complex_link at_a, at_b;
   graph_link at_edge;
   describe(a, num_verts, at_a), describe(b, num_verts, at_b), describe(ab, num_verts, at_edge);

@@ -34,8 +34,8 @@ void add_link_simplex(simplex_list<N>& all, const unsigned* corners, unsigned si
   all.push_back(s);
 }
 
-/// The simplices of one vert less, apart from those that have exactly two simplices of `all`, which have the same weight. Their weights are the sums of those
-/// of their simplices.
+/// The simplices of one vert less, apart from those that have exactly two simplices of `all`, which have the same
+/// weight. Their weights are the sums of those of their simplices.
 template<std::size_t N>
 void find_odd_facets(const simplex_list<N>& all, const unsigned* weights, weighted_simplices<N - 1>& odd) {
   static_assert(N <= 3);

@@ -9,7 +9,8 @@
 
 namespace concino::detail {
 
-/// Replaces each old poly of c by one for each of the `n` verts `split`, in which the new vert takes the place of that vert.
+/// Replaces each old poly of c by one for each of the `n` verts `split`, in which the new vert takes the place of that
+/// vert.
 template<class M>
 void split_old_polys(cavity_builder<M>& c, const unsigned* split, unsigned n) {
   for (unsigned i = 0; i < n; ++i)
@@ -43,7 +44,9 @@ bool has_repeated_polys(const cavity_builder<M>& c) {
 /// Errors: invalid_mesh if x is not an element of m.
 template<class M, class X>
 void check_element(const M& m, const X& x, const char* edit, const char* kind) {
-  if (!contains(m, x)) core::throw_joined<invalid_mesh>({edit, ": ", kind, " ", index_of(m, x), " is not ", *kind == 'e' ? "an " : "a ", kind, " of the mesh"});
+  if (!contains(m, x))
+    core::throw_joined<invalid_mesh>(
+        {edit, ": ", kind, " ", index_of(m, x), " is not ", *kind == 'e' ? "an " : "a ", kind, " of the mesh"});
 }
 
 /// Errors: invalid_argument if x is not finite.

@@ -11,7 +11,8 @@ namespace concino::detail {
 /// Its address stands for the type of a mesh.
 template<class M> inline constexpr char type_tag = 0;
 
-/// Whether m can represent the result of the edit. Needed only if the edit may change the topology of a mesh that m can represent.
+/// Whether m can represent the result of the edit. Needed only if the edit may change the topology of a mesh that m can
+/// represent.
 template<class M>
 permission is_representable(const M& m, const cavity_builder<M>& c) {
   core::small_array<vert_t<M>, 32> verts;
@@ -25,7 +26,14 @@ permission is_representable(const M& m, const cavity_builder<M>& c) {
   }
   const auto all = [](const auto& list) { return id_span(list.begin(), list.end()); };
   const vec3& x = c.point_of_new();
-  return is_representable(m, cavity<M>{{&c.poly(0), &c.poly(0) + c.num_old()}, all(verts), {&x, &x + c.has_point()}, all(corners), all(ends), {}, 0, removed != c.none});
+  return is_representable(m, cavity<M>{{&c.poly(0), &c.poly(0) + c.num_old()},
+                                       all(verts),
+                                       {&x, &x + c.has_point()},
+                                       all(corners),
+                                       all(ends),
+                                       {},
+                                       0,
+                                       removed != c.none});
 }
 
 /// The first refusal. Nothing is computed if there are no invariants.

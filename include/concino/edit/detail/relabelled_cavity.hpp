@@ -1,4 +1,5 @@
-// Replaces polys by themselves with other verts at some corners, in meshes of all kinds: merging and splitting of verts.
+// Replaces polys by themselves with other verts at some corners, in meshes of all kinds: merging and splitting of
+// verts.
 #pragma once
 
 #include <concino/concepts/editable.hpp>
@@ -11,8 +12,8 @@
 
 namespace concino::detail {
 
-/// Verts have local numbers: first those that are removed, then others in the order in which they are met. Corners have labels, the numbers of their verts
-/// afterwards. Polys that become degenerate are removed.
+/// Verts have local numbers: first those that are removed, then others in the order in which they are met. Corners have
+/// labels, the numbers of their verts afterwards. Polys that become degenerate are removed.
 template<class M>
 class relabelled_cavity {
   const M& m_;
@@ -25,7 +26,8 @@ class relabelled_cavity {
   std::vector<unsigned> corners_, ends_, poly_ends_;              // of the survivors, for `rewire`
   std::vector<vert_t<M>> verts_of_cavity_;
   std::vector<vec3> points_;
-  std::vector<unsigned> label_of_, last_poly_;  // by number of a vert: its label in the selected poly, and the last list of corners that has it
+  std::vector<unsigned> label_of_, last_poly_;  // by number of a vert: its label in the selected poly, and the last
+                                                // list of corners that has it
   unsigned num_removed_ = 0, num_lists_ = 0;
 
   template<class T>
@@ -65,7 +67,8 @@ class relabelled_cavity {
     end_list();
     return true;
   }
-  /// Faces that keep fewer than three verts vanish. The others must be different, and make a polyhedron of the same Euler characteristic.
+  /// Faces that keep fewer than three verts vanish. The others must be different, and make a polyhedron of the same
+  /// Euler characteristic.
   bool add_new(unsigned k)
     requires(VolumeMesh<M> && arity_v<M> == 0)
   {
@@ -88,7 +91,8 @@ class relabelled_cavity {
     poly_ends_.push_back(static_cast<unsigned>(ends_.size()));
     return true;
   }
-  /// Whether poly k, with the faces in the lists from `first_list` on, has few or repeated ones, or another Euler characteristic than before.
+  /// Whether poly k, with the faces in the lists from `first_list` on, has few or repeated ones, or another Euler
+  /// characteristic than before.
   bool is_degenerate_polyhedron(unsigned k, std::size_t first, std::size_t first_list) const {
     if (num_removed_ == 0) return false;
     std::vector<unsigned> verts(corners_.begin() + static_cast<std::ptrdiff_t>(first), corners_.end());
@@ -96,8 +100,10 @@ class relabelled_cavity {
     std::vector<std::vector<unsigned>> faces;
     for (std::size_t list = first_list, i = first; list < ends_.size(); ++list) {
       const std::size_t begin = i;
-      for (; i < ends_[list]; ++i) edges.push_back(std::minmax(corners_[i], corners_[i + 1 == ends_[list] ? begin : i + 1]));
-      faces.emplace_back(corners_.begin() + static_cast<std::ptrdiff_t>(begin), corners_.begin() + static_cast<std::ptrdiff_t>(i));
+      for (; i < ends_[list]; ++i)
+        edges.push_back(std::minmax(corners_[i], corners_[i + 1 == ends_[list] ? begin : i + 1]));
+      faces.emplace_back(corners_.begin() + static_cast<std::ptrdiff_t>(begin),
+                         corners_.begin() + static_cast<std::ptrdiff_t>(i));
       std::sort(faces.back().begin(), faces.back().end());
     }
     const auto num_different = [](auto& all) {
@@ -108,7 +114,8 @@ class relabelled_cavity {
     const auto n = static_cast<std::ptrdiff_t>(faces.size());
     const std::ptrdiff_t faces_before = count(adj_p2f(m_, polys_[k]));
     if (n < std::min<std::ptrdiff_t>(4, faces_before) || num_different(faces) < n) return true;
-    return num_different(verts) - num_different(edges) + n != count(adj_p2v(m_, polys_[k])) - count(adj_p2e(m_, polys_[k])) + faces_before;
+    return num_different(verts) - num_different(edges) + n !=
+           count(adj_p2v(m_, polys_[k])) - count(adj_p2e(m_, polys_[k])) + faces_before;
   }
 
  public:
@@ -162,7 +169,9 @@ class relabelled_cavity {
   const std::vector<unsigned>& survivors() const { return survivors_; }
   const std::vector<unsigned>& degenerate() const { return degenerate_; }
   /// The labels of the corners of poly k, in the order that adj_p2v has before.
-  id_span<unsigned> labels(unsigned k) const { return {labels_.data() + first_corner_[k], labels_.data() + first_corner_[k + 1]}; }
+  id_span<unsigned> labels(unsigned k) const {
+    return {labels_.data() + first_corner_[k], labels_.data() + first_corner_[k + 1]};
+  }
   /// label_of(v) is about poly k from now on.
   void select(unsigned k) {
     for (unsigned i = first_corner_[k]; i < first_corner_[k + 1]; ++i) label_of_[old_corners_[i]] = labels_[i];
@@ -181,7 +190,8 @@ class relabelled_cavity {
     new_polys.resize(survivors_.size());
   }
   cavity<M> lists() const {
-    return {span(replaced_), span(verts_of_cavity_), span(points_), span(corners_), span(ends_), span(poly_ends_), survivors_.size(), num_removed_};
+    return {span(replaced_), span(verts_of_cavity_), span(points_),     span(corners_),
+            span(ends_),     span(poly_ends_),       survivors_.size(), num_removed_};
   }
   void apply(M& m) { rewire(m, lists(), cavity_result<M>{new_verts.data(), new_polys.data()}); }
 

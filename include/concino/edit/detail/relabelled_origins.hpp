@@ -1,4 +1,5 @@
-// relabelled_origins: from which elements those come that merging and splitting of verts makes or changes, for the values of named properties (edit_values.hpp).
+// relabelled_origins: from which elements those come that merging and splitting of verts makes or changes, for the
+// values of named properties (edit_values.hpp).
 #pragma once
 
 #include <concino/edit/detail/edit_values.hpp>
@@ -54,7 +55,8 @@ class relabelled_origins {
     for (const vert_t<M> v : its_verts) key_.push_back(c_.find_number(index_of(c_.mesh(), v)));
     part& x = *add_origin(all, index);
     x.stays_at = index;
-    std::iter_swap(x.from.begin(), std::find(x.from.begin(), x.from.end(), origin{static_cast<std::uint32_t>(index)}));  // a copy takes the first value
+    // a copy takes the first value
+    std::iter_swap(x.from.begin(), std::find(x.from.begin(), x.from.end(), origin{static_cast<std::uint32_t>(index)}));
   }
   /// Edge or face x of the selected poly becomes the one with the labels of its verts.
   template<class X, class Verts, class Polys>
@@ -118,7 +120,8 @@ class relabelled_origins {
       to_.end_corners();
     }
     for (const poly_t<M>& p : c_.polys())
-      for (std::size_t n = num_elements(adj_p2v(m, p)), i = traits<M>::first_corner(m, p); n > 0; --n) to_.replaces(element_kind::corner, i++);
+      for (std::size_t n = num_elements(adj_p2v(m, p)), i = traits<M>::first_corner(m, p); n > 0; --n)
+        to_.replaces(element_kind::corner, i++);
   }
   /// Polys that vanish add their sums to the survivor with which they share most verts.
   void add_polys() {
@@ -131,7 +134,8 @@ class relabelled_origins {
       for (std::size_t i = 0; i < lists.size(); ++i) {
         std::size_t common = 0;
         const id_span<unsigned> its_labels = c_.labels(c_.survivors()[i]);
-        for (const unsigned x : c_.labels(k)) common += std::find(its_labels.begin(), its_labels.end(), x) != its_labels.end();
+        for (const unsigned x : c_.labels(k))
+          common += std::find(its_labels.begin(), its_labels.end(), x) != its_labels.end();
         if (common > most) most = common, to = i;
       }
       if (!lists.empty()) lists[to].push_back({index(k)});
@@ -140,7 +144,8 @@ class relabelled_origins {
   }
 
  public:
-  relabelled_origins(relabelled_cavity<M>& c, const std::vector<relabelled_vert>& verts, edit_values<M>& to) : c_(c), verts_(verts), to_(to) {}
+  relabelled_origins(relabelled_cavity<M>& c, const std::vector<relabelled_vert>& verts, edit_values<M>& to)
+      : c_(c), verts_(verts), to_(to) {}
 
   void add(const property_set& all) {
     for (const relabelled_vert& x : verts_) to_.add_vert(x.label, x.from, x.of_sums);
@@ -151,9 +156,11 @@ class relabelled_origins {
   }
 };
 
-/// Calls replace(), which calls c.apply(m). Named properties follow; `verts` are those that have other values afterwards.
+/// Calls replace(), which calls c.apply(m). Named properties follow; `verts` are those that have other values
+/// afterwards.
 template<class M, class Replace>
-void apply_relabelling(M& m, relabelled_cavity<M>& c, const std::vector<relabelled_vert>& verts, const Replace& replace) {
+void apply_relabelling(M& m, relabelled_cavity<M>& c, const std::vector<relabelled_vert>& verts,
+                       const Replace& replace) {
   if constexpr (carries_values<M>)
     if (traits<M>::properties(m).size() > 0) {
       std::vector<vert_t<M>> existing;

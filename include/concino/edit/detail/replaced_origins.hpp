@@ -1,4 +1,5 @@
-// replaced_origins: from which elements those that a replacement of polys makes come, for the values of named properties (edit_values.hpp).
+// replaced_origins: from which elements those that a replacement of polys makes come, for the values of named
+// properties (edit_values.hpp).
 #pragma once
 
 #include <concino/concepts/cavity.hpp>
@@ -13,8 +14,8 @@
 
 namespace concino::detail {
 
-/// Verts have local numbers, those of the cavity. Edges and faces that old polys have keep their values; others come from the one old edge or face that has
-/// all verts of which theirs were made, or have none.
+/// Verts have local numbers, those of the cavity. Edges and faces that old polys have keep their values; others come
+/// from the one old edge or face that has all verts of which theirs were made, or have none.
 template<class M>
 class replaced_origins {
   using key = std::vector<unsigned>;  // sorted numbers of verts
@@ -30,14 +31,16 @@ class replaced_origins {
   void for_each_list(std::size_t k, const F& f) const {
     const auto start = [](const id_span<unsigned>& ends, std::size_t i) { return i == 0 ? 0u : ends[i - 1]; };
     if (c_.poly_ends.size() == 0) return f(c_.corners.begin() + start(c_.ends, k), c_.corners.begin() + c_.ends[k]);
-    for (unsigned i = start(c_.poly_ends, k); i < c_.poly_ends[k]; ++i) f(c_.corners.begin() + start(c_.ends, i), c_.corners.begin() + c_.ends[i]);
+    for (unsigned i = start(c_.poly_ends, k); i < c_.poly_ends[k]; ++i)
+      f(c_.corners.begin() + start(c_.ends, i), c_.corners.begin() + c_.ends[i]);
   }
   /// Calls f for the edges (n = 2) or the faces (n = 3) of new poly k, as lists of verts.
   template<class F>
   void for_each_part(std::size_t k, unsigned n, const F& f) const {
     for_each_list(k, [&](const unsigned* first, const unsigned* last) {
       const auto size = static_cast<std::size_t>(last - first);
-      if constexpr (dimension_v<M> == 3 && arity_v<M> == 4) {  // one list is a tet, whose parts are all of its pairs and triples
+      if constexpr (dimension_v<M> == 3 && arity_v<M> == 4) {  // one list is a tet, whose parts are all of its pairs
+                                                               // and triples
         for (unsigned i = 0; i < 4; ++i)
           for (unsigned j = i + 1; j < 4; ++j) {
             if (n == 2) f(key{first[i], first[j]});
@@ -90,18 +93,21 @@ class replaced_origins {
     for (const key& x : keys) {
       const auto wanted = origin_verts(x);
       const auto by_verts = [](const auto& a, const auto& b) { return a.first < b.first; };
-      const bool is_old = x.back() < c_.verts.size() && std::binary_search(old.begin(), old.end(), std::pair{wanted, std::size_t{0}}, by_verts);
+      const bool is_old = x.back() < c_.verts.size() &&
+                          std::binary_search(old.begin(), old.end(), std::pair{wanted, std::size_t{0}}, by_verts);
       if (is_old) continue;
       std::vector<origin> found;
       const auto at = std::equal_range(old_at.begin(), old_at.end(), std::pair{wanted[0], std::size_t{0}}, by_verts);
       for (auto i = at.first; i != at.second && found.empty(); ++i)
-        if (const auto& list = old[i->second]; std::includes(list.first.begin(), list.first.end(), wanted.begin(), wanted.end()))
+        if (const auto& list = old[i->second];
+            std::includes(list.first.begin(), list.first.end(), wanted.begin(), wanted.end()))
           found.push_back({static_cast<std::uint32_t>(list.second)});
       to_.add_part(kind, x, found, found);
     }
   }
 
-  /// A corner at a vert that was there comes from the corner of the same poly there, one at a new vert from those at the verts of which that was made.
+  /// A corner at a vert that was there comes from the corner of the same poly there, one at a new vert from those at
+  /// the verts of which that was made.
   void add_corners() {
     core::local_numbers old_polys;
     for (const poly_t<M>& p : c_.polys) old_polys.add(index_of(m_, p));
@@ -130,17 +136,21 @@ class replaced_origins {
       to_.end_corners();
     }
     for (const poly_t<M>& p : c_.polys)
-      for (std::size_t i = 0, first = traits<M>::first_corner(m_, p), size = num_elements(adj_p2v(m_, p)); i < size; ++i) to_.replaces(element_kind::corner, first + i);
+      for (std::size_t i = 0, first = traits<M>::first_corner(m_, p), size = num_elements(adj_p2v(m_, p)); i < size;
+           ++i)
+        to_.replaces(element_kind::corner, first + i);
   }
   void add_verts_and_polys() {
     std::vector<origin> list;
-    for (std::size_t i = 0; i < c_.points.size(); ++i) copy_origins(from_.verts[i], list), to_.add_vert(static_cast<unsigned>(c_.verts.size() + i), list, list);
+    for (std::size_t i = 0; i < c_.points.size(); ++i)
+      copy_origins(from_.verts[i], list), to_.add_vert(static_cast<unsigned>(c_.verts.size() + i), list, list);
     for (std::size_t k = 0; k < num_polys(); ++k) copy_origins(from_.polys[k], list), to_.add_poly(list, list);
     for (const poly_t<M>& p : c_.polys) to_.replaces(element_kind::poly, index_of(m_, p));
   }
 
  public:
-  replaced_origins(const M& m, const cavity<M>& c, const correspondence& from, edit_values<M>& to) : m_(m), c_(c), from_(from), to_(to) {}
+  replaced_origins(const M& m, const cavity<M>& c, const correspondence& from, edit_values<M>& to)
+      : m_(m), c_(c), from_(from), to_(to) {}
 
   void add(const property_set& all) {
     add_verts_and_polys();

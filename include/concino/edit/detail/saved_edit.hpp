@@ -12,8 +12,8 @@ bool has_open_transaction(M& m) {
   else return false;
 }
 
-/// Calls replace(). While a transaction is open, first saves the values that it may replace: for_each_replaced(save) calls save(kind, index) for each of
-/// their elements. If something fails, what was done is undone.
+/// Calls replace(). While a transaction is open, first saves the values that it may replace: for_each_replaced(save)
+/// calls save(kind, index) for each of their elements. If something fails, what was done is undone.
 template<class M, class Visit, class Replace>
 void replace_saved(M& m, const Visit& for_each_replaced, const Replace& replace) {
   if constexpr (saves_values<M>)

@@ -1,8 +1,10 @@
-// simplex_origins: from which elements those that an edit of simplices makes or changes come, for the values of named properties (edit_values.hpp).
+// simplex_origins: from which elements those that an edit of simplices makes or changes come, for the values of named
+// properties (edit_values.hpp).
 //
-// A new poly comes from the old polys that the operator names, a new vert from the verts of the simplex in which it lies. An edge or face that
-// has the new vert comes from the old one of which it is a part; one whose verts were merged from those that became it. Others have no origin, and get
-// default values. Under the rule `sum`, what has no successor goes to the first element without an origin, and polys that vanish to a poly that stays.
+// A new poly comes from the old polys that the operator names, a new vert from the verts of the simplex in which it
+// lies. An edge or face that has the new vert comes from the old one of which it is a part; one whose verts were merged
+// from those that became it. Others have no origin, and get default values. Under the rule `sum`, what has no successor
+// goes to the first element without an origin, and polys that vanish to a poly that stays.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -30,7 +32,9 @@ struct simplex_key {
     for (unsigned i = std::min(n, 3u); i > 0 && v[i] < v[i - 1]; --i) std::swap(v[i], v[i - 1]);
     ++n;
   }
-  bool has(unsigned x) const { return std::find(v.begin(), v.begin() + std::min(n, 4u), x) != v.begin() + std::min(n, 4u); }
+  bool has(unsigned x) const {
+    return std::find(v.begin(), v.begin() + std::min(n, 4u), x) != v.begin() + std::min(n, 4u);
+  }
   friend bool operator==(const simplex_key&, const simplex_key&) = default;
 };
 
@@ -65,9 +69,11 @@ void for_each_part(const unsigned* corners, unsigned size, unsigned n, const F& 
 }
 
 /// The old edges or faces of which a new one is a part, or which became it, with the size of the common part.
-void find_origins(const edit_outline& e, const simplex_key& key, const std::vector<simplex_key>& old, core::small_array<origin, 4>& found);
+void find_origins(const edit_outline& e, const simplex_key& key, const std::vector<simplex_key>& old,
+                  core::small_array<origin, 4>& found);
 
-/// The origins of the new polys. With `sums`, polys that vanish are origins of the first new poly with which they share a facet.
+/// The origins of the new polys. With `sums`, polys that vanish are origins of the first new poly with which they share
+/// a facet.
 element_origins poly_origins(const edit_outline& e, const std::size_t* old_index, bool sums);
 
 /// The origins of the corners of the new polys. first_corner: those of the old polys.
@@ -91,7 +97,8 @@ class simplex_origins {
   edit_values<M>& to_;
   std::vector<std::size_t> vert_index_, poly_index_, first_corner_;  // in the mesh
 
-  std::span<const origin> with_indices(std::span<const origin> from, const std::vector<std::size_t>& index, std::vector<origin>& list) const {
+  std::span<const origin> with_indices(std::span<const origin> from, const std::vector<std::size_t>& index,
+                                       std::vector<origin>& list) const {
     list.clear();
     for (const origin& x : from) list.push_back({static_cast<std::uint32_t>(index[x.index]), x.weight});
     return list;
@@ -115,7 +122,8 @@ class simplex_origins {
     }
   }
   void add_polys() {
-    const element_origins from = poly_origins(e_, poly_index_.data(), false), sums = poly_origins(e_, poly_index_.data(), true);
+    const element_origins from = poly_origins(e_, poly_index_.data(), false),
+                          sums = poly_origins(e_, poly_index_.data(), true);
     std::vector<origin> a, b;
     for (unsigned k = 0; k < e_.num_new; ++k) {
       copy_origins(from[k], a), copy_origins(sums[k], b);
@@ -137,7 +145,8 @@ class simplex_origins {
   template<class X, class Verts>
   void add_old(parts& p, const X& x, const Verts& its_verts) {
     simplex_key key;
-    for (const vert_t<M> v : its_verts) key.add(static_cast<unsigned>(std::find(verts_.begin(), verts_.end(), v) - verts_.begin()));
+    for (const vert_t<M> v : its_verts)
+      key.add(static_cast<unsigned>(std::find(verts_.begin(), verts_.end(), v) - verts_.begin()));
     if (std::find(p.old.begin(), p.old.end(), key) != p.old.end()) return;
     p.old.push_back(key);
     p.old_index.push_back(index_of(m_, x));
@@ -161,7 +170,8 @@ class simplex_origins {
     std::vector<simplex_key> changed;  // those with values to write
     for (unsigned k = 0; k < e_.num_new; ++k)
       for_each_part(e_.new_corners + k * e_.size, e_.size, p.n, [&](const simplex_key& key) {
-        if (std::find(changed.begin(), changed.end(), key) == changed.end() && !exists_outside(p, key)) changed.push_back(key);
+        if (std::find(changed.begin(), changed.end(), key) == changed.end() && !exists_outside(p, key))
+          changed.push_back(key);
       });
     std::vector<unsigned char> has_successor(p.old.size(), 0);
     std::vector<std::vector<origin>> lists;
@@ -183,7 +193,8 @@ class simplex_origins {
   }
 
  public:
-  simplex_origins(const M& m, const edit_outline& e, std::span<const vert_t<M>> verts, std::span<const poly_t<M>> polys, edit_values<M>& to)
+  simplex_origins(const M& m, const edit_outline& e, std::span<const vert_t<M>> verts, std::span<const poly_t<M>> polys,
+                  edit_values<M>& to)
       : m_(m), e_(e), verts_(verts), polys_(polys), to_(to) {
     for (const vert_t<M>& v : verts) vert_index_.push_back(index_of(m, v));
     for (const poly_t<M>& p : polys) {

@@ -16,7 +16,8 @@ CONCINO_INLINE double simplex_measure(const vec3* corners, unsigned size) {
   return std::abs(normal.x * c.x + normal.y * c.y + normal.z * c.z) / 6;
 }
 
-CONCINO_INLINE void find_origins(const edit_outline& e, const simplex_key& key, const std::vector<simplex_key>& old, core::small_array<origin, 4>& found) {
+CONCINO_INLINE void find_origins(const edit_outline& e, const simplex_key& key, const std::vector<simplex_key>& old,
+                                 core::small_array<origin, 4>& found) {
   simplex_key wanted = key;
   double weight = 1;
   if (key.has(edit_outline::added)) {  // the old one whose verts are those of the key and those around the new vert
@@ -67,7 +68,8 @@ CONCINO_INLINE element_origins corner_origins(const edit_outline& e, const std::
   const auto find = [&](unsigned first, unsigned last, unsigned vert, double weight) {
     for (unsigned o = first; o < last; ++o)
       for (unsigned j = 0; j < e.size; ++j)
-        if (e.old_corners[o * e.size + j] == vert) found.push_back({static_cast<std::uint32_t>(first_corner[o] + j), weight});
+        if (e.old_corners[o * e.size + j] == vert)
+          found.push_back({static_cast<std::uint32_t>(first_corner[o] + j), weight});
   };
   for (unsigned k = 0; k < e.num_new; ++k) {
     const unsigned first = e.origins[k].first, last = first + e.origins[k].count;

@@ -11,7 +11,9 @@ namespace concino::core {
 /// Errors: invalid_argument if e is an edit of another mesh.
 template<class M>
 const detail::cavity_builder<M>& cavity_of_edit(const proposed_edit& e, const M& m, const char* name) {
-  if (e.mesh_type != &detail::type_tag<M> || e.mesh != &m) throw_joined<invalid_argument>({name, ": the invariant was made for another mesh; make it with the mesh that is edited"});
+  if (e.mesh_type != &detail::type_tag<M> || e.mesh != &m)
+    throw_joined<invalid_argument>(
+        {name, ": the invariant was made for another mesh; make it with the mesh that is edited"});
   return *static_cast<const detail::cavity_builder<M>*>(e.cavity);
 }
 
@@ -40,7 +42,8 @@ class caller_map {
   }
 };
 
-/// Calls f with the local verts of each edge (N = 2) or face (N = 3) of old polys that the edit removes, until f returns false.
+/// Calls f with the local verts of each edge (N = 2) or face (N = 3) of old polys that the edit removes, until f
+/// returns false.
 template<std::size_t N, class M, class F>
 bool for_each_removed(const detail::cavity_builder<M>& c, const F& f) {
   constexpr unsigned size = detail::cavity_builder<M>::size;

@@ -1,5 +1,5 @@
-// Directions at any scale: if squares or products of coordinates overflow or underflow, the computation is repeated with points
-// multiplied by a power of two, which is exact.
+// Directions at any scale: if squares or products of coordinates overflow or underflow, the computation is repeated
+// with points multiplied by a power of two, which is exact.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -48,7 +48,8 @@ inline vec3 unit_vector(const vec3& a) {
   });
 }
 
-/// Translates points and multiplies them by a power of two. One of them becomes the origin, and the farthest one is at a distance of about 1.
+/// Translates points and multiplies them by a power of two. One of them becomes the origin, and the farthest one is at
+/// a distance of about 1.
 class local_frame {
   vec3 base_;
   double shrink_ = 1;  // differences of the largest doubles overflow
@@ -76,7 +77,9 @@ class local_frame {
   vec3 operator()(const vec3& x) const { return times_power_of_two(shrink_ * x - shrink_ * base_, exponent_); }
   vec3 from_local(const vec3& x) const { return (shrink_ * base_ + times_power_of_two(x, -exponent_)) / shrink_; }
   /// The original value of a length, area or volume, by its dimension; infinite if it is too large.
-  double from_local(double size, int dimension) const { return std::ldexp(size, dimension * ((shrink_ < 1 ? 4 : 0) - exponent_)); }
+  double from_local(double size, int dimension) const {
+    return std::ldexp(size, dimension * ((shrink_ < 1 ? 4 : 0) - exponent_));
+  }
 };
 
 /// The frame of a polygon of m, or of all faces of a poly.
@@ -106,8 +109,8 @@ auto points_by_vert_in(const M& m, const local_frame& frame) {
   return [&](const vert_t<M>& v) { return frame(to_vec3(point(m, v))); };
 }
 
-/// The direction of a signed sum of vector areas, for polygons so small or large that the sum is not accurate. for_each(visit) calls
-/// visit(loop, sign) for every polygon.
+/// The direction of a signed sum of vector areas, for polygons so small or large that the sum is not accurate.
+/// for_each(visit) calls visit(loop, sign) for every polygon.
 template<class M, class ForEach>
 vec3 direction_of_areas_at_any_scale(const M& m, const ForEach& for_each) {
   double farthest = 0, size = 0;  // the largest distance from the origin; the size of the polygons
@@ -125,7 +128,9 @@ vec3 direction_of_areas_at_any_scale(const M& m, const ForEach& for_each) {
       corner(x - first);
     }
   };
-  for_each([&](const auto& loop, double) { for_each_corner(loop, [&](const vec3& x) { size = std::max(size, largest_component(x)); }); });
+  for_each([&](const auto& loop, double) {
+    for_each_corner(loop, [&](const vec3& x) { size = std::max(size, largest_component(x)); });
+  });
   const int exponent = size > 0 && std::isfinite(size) ? -std::ilogb(size) : 0;
   vec3 sum;
   for_each([&](const auto& loop, double sign) {

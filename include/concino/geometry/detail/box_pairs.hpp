@@ -43,8 +43,8 @@ class box_pairs {
  public:
   explicit box_pairs(const box_tree& tree) : nodes_(tree.nodes()) {}
 
-  /// Calls visit(part, i, j) once for each pair i, j of different items, in parallel for different parts, which are 0 to parts - 1.
-  /// Calls prepare(parts) first.
+  /// Calls visit(part, i, j) once for each pair i, j of different items, in parallel for different parts, which are 0
+  /// to parts - 1. Calls prepare(parts) first.
   template<class Prepare, class Visit>
   void for_each(Prepare&& prepare, Visit&& visit) const {
     std::vector<node_pair> start, next;

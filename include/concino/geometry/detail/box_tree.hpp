@@ -1,5 +1,5 @@
-// A binary tree of boxes around numbered items, in one flat array, and its two kinds of traversal. box_tree_build.hpp decides how items are
-// grouped.
+// A binary tree of boxes around numbered items, in one flat array, and its two kinds of traversal. box_tree_build.hpp
+// decides how items are grouped.
 #pragma once
 
 #include <concino/geometry/bounding_box.hpp>
@@ -26,9 +26,12 @@ struct box_node {
     }
   }
   bool meets(const box& b) const {
-    return min.x <= b.max.x && b.min.x <= max.x && min.y <= b.max.y && b.min.y <= max.y && min.z <= b.max.z && b.min.z <= max.z;
+    return min.x <= b.max.x && b.min.x <= max.x && min.y <= b.max.y && b.min.y <= max.y && min.z <= b.max.z &&
+           b.min.z <= max.z;
   }
-  bool holds(const vec3& x) const { return min.x <= x.x && x.x <= max.x && min.y <= x.y && x.y <= max.y && min.z <= x.z && x.z <= max.z; }
+  bool holds(const vec3& x) const {
+    return min.x <= x.x && x.x <= max.x && min.y <= x.y && x.y <= max.y && min.z <= x.z && x.z <= max.z;
+  }
   bool projection_contains(const vec3& x, std::size_t k) const {
     const std::size_t i = k == 2 ? 0 : k + 1, j = k == 0 ? 2 : k - 1;
     return min[i] <= x[i] && x[i] <= max[i] && min[j] <= x[j] && x[j] <= max[j];
@@ -57,8 +60,8 @@ class box_tree {
 
   const std::vector<box_node>& nodes() const { return nodes_; }
 
-  /// Visits, in order, the items of all leaves for which keep(node) is true on the path from the root. Ends when a visit returns true, and returns whether
-  /// one did.
+  /// Visits, in order, the items of all leaves for which keep(node) is true on the path from the root. Ends when a
+  /// visit returns true, and returns whether one did.
   template<class Keep, class Visit>
   bool walk(Keep&& keep, Visit&& visit) const {
     if (nodes_.empty() || !keep(nodes_[0])) return false;
@@ -86,8 +89,8 @@ class box_tree {
     }
   }
 
-  /// Visits items, near ones first, while the lower bound of their nodes is at most `limit`, which visits may lower. Infinite bounds are
-  /// skipped.
+  /// Visits items, near ones first, while the lower bound of their nodes is at most `limit`, which visits may lower.
+  /// Infinite bounds are skipped.
   template<class LowerBound, class Visit>
   void search(LowerBound&& lower_bound, const double& limit, Visit&& visit) const {
     constexpr double none = std::numeric_limits<double>::infinity();

@@ -1,4 +1,5 @@
-// Builds a box_tree: groups the items in single precision, which affects only the speed of the tree, and adds the boxes.
+// Builds a box_tree: groups the items in single precision, which affects only the speed of the tree, and adds the
+// boxes.
 #pragma once
 
 #include <concino/core/box_tree_builder.hpp>
@@ -7,7 +8,8 @@
 
 namespace concino::detail {
 
-/// The tree of n items, at most leaf_size per leaf. box_of(i): the box of item i. order: the original index of each item, by leaf.
+/// The tree of n items, at most leaf_size per leaf. box_of(i): the box of item i. order: the original index of each
+/// item, by leaf.
 template<class BoxOf>
 box_tree build_box_tree(std::size_t n, std::uint32_t leaf_size, BoxOf&& box_of, std::vector<std::uint32_t>& order) {
   std::vector<core::box_item> items;
@@ -33,7 +35,8 @@ box_tree build_box_tree(std::size_t n, std::uint32_t leaf_size, BoxOf&& box_of, 
   });
   for (std::size_t i = nodes.size(); i-- > 0;)
     if (nodes[i].count == 0)
-      for (const std::uint32_t child : {nodes[i].first, nodes[i].first + 1}) nodes[i].add({nodes[child].min, nodes[child].max});
+      for (const std::uint32_t child : {nodes[i].first, nodes[i].first + 1})
+        nodes[i].add({nodes[child].min, nodes[child].max});
   return box_tree(std::move(nodes));
 }
 

@@ -16,7 +16,8 @@ CONCINO_INLINE vec3 centre_of_circumsphere(std::span<const vec3> points) {
     return frame.from_local((dot(c, c) * cross(n, b) + dot(b, b) * cross(c, n)) / (2 * dot(n, n)));
   }
   const vec3 d = frame(points[3]);
-  return frame.from_local((dot(b, b) * cross(c, d) + dot(c, c) * cross(d, b) + dot(d, d) * cross(b, c)) / (2 * dot(b, cross(c, d))));
+  return frame.from_local((dot(b, b) * cross(c, d) + dot(c, c) * cross(d, b) + dot(d, d) * cross(b, c)) /
+                          (2 * dot(b, cross(c, d))));
 }
 
 }  // namespace concino::detail

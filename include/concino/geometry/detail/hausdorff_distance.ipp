@@ -1,5 +1,5 @@
-// Defines hausdorff_distance.hpp. Each part of a triangle has an upper bound, see polygon_part. Only parts whose bound exceeds the largest distance met so far
-// are cut into smaller ones.
+// Defines hausdorff_distance.hpp. Each part of a triangle has an upper bound, see polygon_part. Only parts whose bound
+// exceeds the largest distance met so far are cut into smaller ones.
 #pragma once
 
 #include <concino/core/parallel.hpp>
@@ -20,7 +20,9 @@ class distance_search {
   double done_ = 0;  // the upper bound of the parts that were left out because they hardly exceed the lower one
   double enough_;    // bounds may differ by this factor
 
-  bool matters(double upper) const { return upper > enough_ * lower_ && upper > core::polygon_part::unit * core::polygon_part::unit; }
+  bool matters(double upper) const {
+    return upper > enough_ * lower_ && upper > core::polygon_part::unit * core::polygon_part::unit;
+  }
 
   void add(const core::polygon_part& p) {
     if (!matters(p.upper)) {
@@ -36,7 +38,8 @@ class distance_search {
   }
   /// Splits a part at the edges of its candidate. If that splits nothing, the part is halved.
   void cut(core::polygon_part p) {
-    const bool any = p.split_at(to_.triangle(p.candidate), [&](core::polygon_part& outside) { bound_and_add(outside); });
+    const bool any =
+        p.split_at(to_.triangle(p.candidate), [&](core::polygon_part& outside) { bound_and_add(outside); });
     if (any) return bound_and_add(p);
     auto halves = p.halves();
     if (halves[0].n < 3 || halves[1].n < 3) done_ = std::max(done_, p.upper);  // it is a point, up to rounding
@@ -44,7 +47,8 @@ class distance_search {
   }
 
  public:
-  distance_search(const core::triangle_tree& to, double tolerance) : to_(to), enough_(1 / ((1 - tolerance) * (1 - tolerance))) {}
+  distance_search(const core::triangle_tree& to, double tolerance)
+      : to_(to), enough_(1 / ((1 - tolerance) * (1 - tolerance))) {}
 
   void start(const std::vector<triangle_points>& from) {
     std::vector<core::polygon_part> all(from.size());
@@ -70,9 +74,13 @@ class distance_search {
   }
 };
 
-CONCINO_INLINE distance_bounds distance_between(std::vector<triangle_points> from, std::vector<triangle_points> to, const hausdorff_options& options, const char* caller) {
-  if (!(options.tolerance >= 0 && options.tolerance < 1)) core::throw_joined<invalid_argument>({caller, ": options.tolerance must be at least 0 and less than 1"});
-  if (!(options.max_cuts >= 0)) core::throw_joined<invalid_argument>({caller, ": options.max_cuts is negative or not a number; it must be at least 0"});
+CONCINO_INLINE distance_bounds distance_between(std::vector<triangle_points> from, std::vector<triangle_points> to,
+                                                const hausdorff_options& options, const char* caller) {
+  if (!(options.tolerance >= 0 && options.tolerance < 1))
+    core::throw_joined<invalid_argument>({caller, ": options.tolerance must be at least 0 and less than 1"});
+  if (!(options.max_cuts >= 0))
+    core::throw_joined<invalid_argument>(
+        {caller, ": options.max_cuts is negative or not a number; it must be at least 0"});
   constexpr double infinite = std::numeric_limits<double>::infinity();
   if (from.empty()) return {};
   if (to.empty()) return {infinite, infinite};

@@ -36,7 +36,9 @@ class lowest_element_search {
   polygon_triangulator cut_;
   std::vector<vec3> corners_;
 
-  static vec3 scaled(const vec3& x, int exponent) { return {std::ldexp(x.x, exponent), std::ldexp(x.y, exponent), std::ldexp(x.z, exponent)}; }
+  static vec3 scaled(const vec3& x, int exponent) {
+    return {std::ldexp(x.x, exponent), std::ldexp(x.y, exponent), std::ldexp(x.z, exponent)};
+  }
   vec3 at(const vert_t<M>& v) const { return scaled(to_vec3(point(m_, v)), -exponent_); }
 
   template<class Verts>
@@ -45,14 +47,16 @@ class lowest_element_search {
     vec3 low(infinity, infinity, infinity), high = -low;
     for (const vert_t<M> v : verts) {
       const vec3 p = to_vec3(point(m_, v));
-      if (!is_finite(p)) core::throw_joined<invalid_mesh>({caller_, ": ", kind, ' ', number, " has points that are not finite"});
+      if (!is_finite(p))
+        core::throw_joined<invalid_mesh>({caller_, ": ", kind, ' ', number, " has points that are not finite"});
       for (const std::size_t k : {0u, 1u, 2u}) {
         low[k] = std::min(low[k], p[k]);
         high[k] = std::max(high[k], p[k]);
       }
     }
     double largest = 0;
-    for (const std::size_t k : {0u, 1u, 2u}) largest = std::max({largest, std::abs(low[k]), std::abs(high[k]), std::abs(x[k])});
+    for (const std::size_t k : {0u, 1u, 2u})
+      largest = std::max({largest, std::abs(low[k]), std::abs(high[k]), std::abs(x[k])});
     exponent_ = largest > 0 ? std::ilogb(largest) + 1 : 0;
     diameter_ = norm(scaled(high, -exponent_) - scaled(low, -exponent_));
     rounding_ = 1e-12 * diameter_ + 8 * std::numeric_limits<double>::epsilon();
@@ -86,7 +90,8 @@ class lowest_element_search {
   template<class F>
   void for_each_triangle(const F& f) {
     vec3 area;
-    for (std::size_t i = 2; i < corners_.size(); ++i) area += cross(corners_[i - 1] - corners_[0], corners_[i] - corners_[0]);
+    for (std::size_t i = 2; i < corners_.size(); ++i)
+      area += cross(corners_[i - 1] - corners_[0], corners_[i] - corners_[0]);
     double low = 0, high = 0;
     for (const vec3& c : corners_) {
       const double height = dot(c - corners_[0], area);
@@ -114,7 +119,8 @@ class lowest_element_search {
 
   nearest nearest_in_polygon(const vec3& x) {
     nearest r;
-    for_each_triangle([&](const vec3& a, const vec3& b, const vec3& c) { r.take_nearer(closest_point(x, a, b, c), x); });
+    for_each_triangle(
+        [&](const vec3& a, const vec3& b, const vec3& c) { r.take_nearer(closest_point(x, a, b, c), x); });
     if (corners_.size() < 3)
       for (const vec3& c : corners_) r.take_nearer(c, x);
     return r;
@@ -148,7 +154,8 @@ class lowest_element_search {
     }
   }
 
-  /// A place and its distance from the position, as a part of the diameter; what is due to a polygon that is not planar does not count.
+  /// A place and its distance from the position, as a part of the diameter; what is due to a polygon that is not planar
+  /// does not count.
   struct result {
     mesh_point<M> place;
     double away = 0;
@@ -160,7 +167,8 @@ class lowest_element_search {
     if (const auto e = lowest_of(verts, edges, x)) return {{*e, position_on(*e, position)}};
     const auto [element_of_last, y] = last(x);
     if (y.distance <= rounding_) return {{element_of_last, position}};
-    const double away = diameter_ > 0 ? std::max(0.0, y.distance - thickness_) / diameter_ : std::numeric_limits<double>::infinity();
+    const double away =
+        diameter_ > 0 ? std::max(0.0, y.distance - thickness_) / diameter_ : std::numeric_limits<double>::infinity();
     if (const auto e = lowest_of(verts, edges, y.point)) return {{*e, position_on(*e, position)}, away};
     return {{element_of_last, scaled(y.point, exponent_)}, away};
   }
@@ -220,14 +228,17 @@ template<EmbeddedMesh M>
 mesh_point<M> lowest_element_of(const M& m, const mesh_point<M>& x, const char* caller, const char* role) {
   const auto check = [&](const auto& y, const char* kind, const char* all) {
     if (!contains(m, y))
-      core::throw_joined<invalid_mesh>({caller, ": the ", role, ", ", kind, ' ', index_of(m, y), ", is no ", kind, " of the mesh; take it from ", all, "(m)"});
+      core::throw_joined<invalid_mesh>({caller, ": the ", role, ", ", kind, ' ', index_of(m, y), ", is no ", kind,
+                                        " of the mesh; take it from ", all, "(m)"});
   };
   const auto place = [&](const auto& y, [[maybe_unused]] const char* kind) {
     const auto found = lowest_element_search<M>(m, caller)(y, x.position);
     if constexpr (!requires { y.edge; })
       if (!(found.away <= 1e-6))
-        core::throw_joined<invalid_argument>({caller, ": the position of the ", role, " is not in ", kind, ' ', index_of(m, y), ", but ",
-                                              core::number_text(found.away), " of its diameter away; take the nearest point, as bounding_tree(m).closest(x)"});
+        core::throw_joined<invalid_argument>(
+            {caller, ": the position of the ", role, " is not in ", kind, ' ', index_of(m, y), ", but ",
+             core::number_text(found.away),
+             " of its diameter away; take the nearest point, as bounding_tree(m).closest(x)"});
     return found.place;
   };
   if (const auto* v = std::get_if<vert_t<M>>(&x.element)) {
@@ -237,13 +248,15 @@ mesh_point<M> lowest_element_of(const M& m, const mesh_point<M>& x, const char* 
   if (const auto* e = std::get_if<edge_point<M>>(&x.element)) {
     check(e->edge, "edge", "edges");
     if (!(e->parameter >= 0 && e->parameter <= 1))
-      core::throw_joined<invalid_argument>({caller, ": the ", role, " is on an edge, but its parameter is not in [0, 1]"});
+      core::throw_joined<invalid_argument>(
+          {caller, ": the ", role, " is on an edge, but its parameter is not in [0, 1]"});
     return place(*e, "edge");
   }
   if (const auto* p = std::get_if<poly_t<M>>(&x.element)) check(*p, "poly", "polys");
   if constexpr (VolumeMesh<M>)  // surfaces have no faces
     if (const auto* f = std::get_if<face_t<M>>(&x.element)) check(*f, "face", "faces");
-  if (!is_finite(x.position)) core::throw_joined<invalid_argument>({caller, ": the position of the ", role, " is not finite"});
+  if (!is_finite(x.position))
+    core::throw_joined<invalid_argument>({caller, ": the position of the ", role, " is not finite"});
   if constexpr (VolumeMesh<M>)  // surfaces have no faces
     if (const auto* f = std::get_if<face_t<M>>(&x.element)) return place(*f, "face");
   return place(std::get<poly_t<M>>(x.element), "poly");

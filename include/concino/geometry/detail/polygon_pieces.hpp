@@ -16,12 +16,14 @@ class polygon_pieces : public simplex_pieces<M, 3> {
   using base = simplex_pieces<M, 3>;
   using base::corners_, base::owners_, base::points_;
 
-  std::vector<unsigned char> polygon_edges_;  // bit k: the side from corner k to the next is an edge of the poly; empty if all are
+  std::vector<unsigned char> polygon_edges_;  // bit k: the side from corner k to the next is an edge of the poly; empty
+                                              // if all are
 
   void cut_into_triangles(const std::vector<std::size_t>& begins, const std::vector<corner_index>& rings) {
     constexpr std::size_t chunk = 1024;
     std::vector<std::size_t> first(this->num_ranks() + 1, 0);
-    for (std::size_t r = 0; r < this->num_ranks(); ++r) first[r + 1] = first[r] + std::max<std::size_t>(begins[r + 1] - begins[r], 2) - 2;
+    for (std::size_t r = 0; r < this->num_ranks(); ++r)
+      first[r + 1] = first[r] + std::max<std::size_t>(begins[r + 1] - begins[r], 2) - 2;
     corners_.resize(first.back());
     owners_.resize(first.back());
     polygon_edges_.resize(first.back());
@@ -70,7 +72,9 @@ class polygon_pieces : public simplex_pieces<M, 3> {
   }
 
   triangle_points triangle(std::size_t i) const { return {this->corner(i, 0), this->corner(i, 1), this->corner(i, 2)}; }
-  bool is_polygon_edge(std::size_t i, std::size_t k) const { return polygon_edges_.empty() || (polygon_edges_[i] >> k & 1u); }
+  bool is_polygon_edge(std::size_t i, std::size_t k) const {
+    return polygon_edges_.empty() || (polygon_edges_[i] >> k & 1u);
+  }
 
   template<class F>
   void for_each_triangle(std::size_t i, F&& f) const {

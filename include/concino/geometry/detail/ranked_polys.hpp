@@ -1,5 +1,6 @@
-// The points of a mesh and its polys by rank, which is their position in polys(m). Points are scaled by a power of two that makes the
-// largest coordinate about 1. This is exact, and avoids overflow and underflow of products in predicates and distances.
+// The points of a mesh and its polys by rank, which is their position in polys(m). Points are scaled by a power of two
+// that makes the largest coordinate about 1. This is exact, and avoids overflow and underflow of products in predicates
+// and distances.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -71,7 +72,8 @@ class ranked_polys {
   void see(const M& m, const poly_t<M>& p, corner_index v) {
     const vec3& x = points_[v];
     if (!is_finite(x))
-      core::throw_joined<invalid_mesh>({"bounding_tree: poly ", index_of(m, p), " has a vert whose point is not finite; validate(m) lists all of them"});
+      core::throw_joined<invalid_mesh>({"bounding_tree: poly ", index_of(m, p),
+                                        " has a vert whose point is not finite; validate(m) lists all of them"});
     largest_ = std::max(largest_, magnitude(x));
   }
   /// Call it after all corners.
@@ -89,8 +91,8 @@ class ranked_polys {
 
   vec3 to_mesh(const vec3& x) const { return to_mesh_ * x; }
   vec3 to_tree(const vec3& x) const { return to_tree_ * x; }
-  /// x in the units of the tree, limited so that its squared distance does not overflow. A point that is too far is moved along the line to the origin;
-  /// seen from there, too, all of the mesh is equally far up to rounding.
+  /// x in the units of the tree, limited so that its squared distance does not overflow. A point that is too far is
+  /// moved along the line to the origin; seen from there, too, all of the mesh is equally far up to rounding.
   vec3 to_tree_within_reach(const vec3& x) const {
     const double far = magnitude(x);
     return far * to_tree_ <= 0x1p200 ? to_tree_ * x : x / far * 0x1p200;

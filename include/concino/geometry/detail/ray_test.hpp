@@ -11,9 +11,10 @@
 
 namespace concino::detail {
 
-/// A ray transformed to run along the third axis, from 0. Triangles are sheared accordingly and tested in projection, where the sign of each edge is
-/// exact. Points are in units of a tree: of magnitude 1 at most.
-/// Source: Woop, Benthin, Wald 2013, "Watertight ray/triangle intersection"; Ize 2013, "Robust BVH ray traversal", for the boxes.
+/// A ray transformed to run along the third axis, from 0. Triangles are sheared accordingly and tested in projection,
+/// where the sign of each edge is exact. Points are in units of a tree: of magnitude 1 at most.
+/// Source: Woop, Benthin, Wald 2013, "Watertight ray/triangle intersection"; Ize 2013, "Robust BVH ray traversal", for
+///         the boxes.
 class ray_test {
   vec3 origin_, step_, slope_;  // slope: 1 / step where step is not 0
   std::size_t x_ = 0, y_ = 1, z_ = 2;
@@ -37,11 +38,13 @@ class ray_test {
     y_ = (z_ + 2) % 3;
     shear_x_ = step[x_] / step[z_];
     shear_y_ = step[y_] / step[z_];
-    // a bound of shearing errors; boxes are widened by more than that, so that no triangle is missed that the test below would hit
+    // a bound of shearing errors; boxes are widened by more than that, so that no triangle is missed that the test
+    // below would hit
     pad_ = 0x1p-48 * (2 + std::max({std::abs(origin.x), std::abs(origin.y), std::abs(origin.z)}));
   }
 
-  /// The parameter at which the ray enters the box, 0 if it starts inside, or infinity. A lower bound of the parameters of all items in the box.
+  /// The parameter at which the ray enters the box, 0 if it starts inside, or infinity. A lower bound of the parameters
+  /// of all items in the box.
   double enters(const vec3& low, const vec3& high) const {
     double first = 0, last = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < 3; ++k) {
@@ -54,7 +57,8 @@ class ray_test {
       first = std::max(first, std::min(p, q));
       last = std::min(last, std::max(p, q));
     }
-    return first * (1 - 0x1p-50) <= last * (1 + 0x1p-50) ? first * (1 - 0x1p-50) : std::numeric_limits<double>::infinity();
+    return first * (1 - 0x1p-50) <= last * (1 + 0x1p-50) ? first * (1 - 0x1p-50)
+                                                         : std::numeric_limits<double>::infinity();
   }
 
   /// Where the ray crosses the triangle, boundary included; a triangle seen edge-on is not crossed.
@@ -84,7 +88,9 @@ class ray_test {
     const vec3 d = a - origin_;
     return {d[x_] - shear_x_ * d[z_], d[y_] - shear_y_ * d[z_], d[z_]};
   }
-  static bool clear(double det, const vec3& p, const vec3& q) { return std::abs(det) > 0x1p-50 * (std::abs(p.x * q.y) + std::abs(p.y * q.x)); }
+  static bool clear(double det, const vec3& p, const vec3& q) {
+    return std::abs(det) > 0x1p-50 * (std::abs(p.x * q.y) + std::abs(p.y * q.x));
+  }
   static double sign(const vec3& p, const vec3& q) { return orient2d(p, q, vec3{}); }
 };
 

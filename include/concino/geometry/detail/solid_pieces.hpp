@@ -1,5 +1,6 @@
-// The polys of a volume as solids: tets by their corners, others by their faces. Each face of more than three verts is a fan about its mean point, as in
-// `volume`. Both polys at a face have the same triangles, so solids tile space if their polys do.
+// The polys of a volume as solids: tets by their corners, others by their faces. Each face of more than three verts is
+// a fan about its mean point, as in `volume`. Both polys at a face have the same triangles, so solids tile space if
+// their polys do.
 #pragma once
 
 #include <concino/geometry/detail/ranked_polys.hpp>
@@ -30,7 +31,9 @@ class tet_pieces : public simplex_pieces<M, 4> {
     f(a, d, c);
   }
   /// Whether the perturbed x is inside.
-  bool holds(std::size_t i, const vec3& x) const { return perturbed_inside_tet(corner(i, 0), corner(i, 1), corner(i, 2), corner(i, 3), x); }
+  bool holds(std::size_t i, const vec3& x) const {
+    return perturbed_inside_tet(corner(i, 0), corner(i, 1), corner(i, 2), corner(i, 3), x);
+  }
 };
 
 /// Polyhedra as items: item i is the polyhedron with rank owner(i).
@@ -45,7 +48,8 @@ class polyhedron_pieces : public ranked_polys<M> {
   };
   std::vector<ring> rings_;  // one per face
   std::vector<corner_index> corners_;
-  std::vector<std::uint32_t> oriented_rings_;      // twice a ring, plus 1 if it is outward; those of an item are consecutive
+  std::vector<std::uint32_t> oriented_rings_;      // twice a ring, plus 1 if it is outward; those of an item are
+                                                   // consecutive
   std::vector<std::size_t> first_ring_;  // by item
   std::vector<std::uint32_t> owners_;
 
@@ -61,7 +65,8 @@ class polyhedron_pieces : public ranked_polys<M> {
   static constexpr std::uint32_t leaf_size = 1;
   static constexpr bool are_solid = true;
 
-  explicit polyhedron_pieces(const M& m) : base(m), rings_(face_index_bound(m)), first_ring_{0}, owners_(this->num_ranks()) {
+  explicit polyhedron_pieces(const M& m)
+      : base(m), rings_(face_index_bound(m)), first_ring_{0}, owners_(this->num_ranks()) {
     oriented_rings_.reserve(2 * rings_.size());  // an estimate, exact if all faces are shared
     corners_.reserve(4 * rings_.size());
     first_ring_.reserve(this->num_ranks() + 1);
@@ -108,7 +113,8 @@ class polyhedron_pieces : public ranked_polys<M> {
       const auto triangle = [&](const vec3& p, const vec3& q, const vec3& o) { outward ? f(p, q, o) : f(q, p, o); };
       if (r.size == 3) triangle(points_[c[0]], points_[c[1]], points_[c[2]]);
       else
-        for (std::uint32_t k = 0; k < r.size; ++k) triangle(points_[c[k]], points_[c[k + 1 < r.size ? k + 1 : 0]], points_[r.mean]);
+        for (std::uint32_t k = 0; k < r.size; ++k)
+          triangle(points_[c[k]], points_[c[k + 1 < r.size ? k + 1 : 0]], points_[r.mean]);
     }
   }
   /// Whether the winding number of the poly around the perturbed x is not 0.

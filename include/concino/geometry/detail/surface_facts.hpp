@@ -1,4 +1,5 @@
-// Whether a surface is closed, and the axis along which its projected area is largest, for queries of its bounding tree.
+// Whether a surface is closed, and the axis along which its projected area is largest, for queries of its bounding
+// tree.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -14,7 +15,8 @@ struct surface_facts {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   std::size_t open_edge = none;  // the index of the first edge with an odd number of polys, if any has
-  std::size_t axis = 2;          // the axis along which the projected signed area is largest; z for closed surfaces, whose signed area is 0
+  std::size_t axis = 2;          // the axis along which the projected signed area is largest; z for closed surfaces,
+                                 // whose signed area is 0
 };
 
 /// pieces: the triangles of m.
@@ -40,7 +42,9 @@ surface_facts facts_of(const M& m, const Pieces& pieces) {
 /// The distance of triangle a, b, c from x along axis k, if the projection of the triangle along this axis contains x.
 inline double height_difference(const vec3& a, const vec3& b, const vec3& c, const vec3& x, std::size_t k) {
   const std::size_t i = k == 2 ? 0 : k + 1, j = k == 0 ? 2 : k - 1;
-  const auto part = [&](const vec3& p, const vec3& q) { return (p[i] - x[i]) * (q[j] - x[j]) - (p[j] - x[j]) * (q[i] - x[i]); };
+  const auto part = [&](const vec3& p, const vec3& q) {
+    return (p[i] - x[i]) * (q[j] - x[j]) - (p[j] - x[j]) * (q[i] - x[i]);
+  };
   const double u = part(b, c), v = part(c, a), w = part(a, b), whole = u + v + w;
   if (!(std::abs(whole) > 0)) return std::abs(a[k] - x[k]);
   return std::abs((u * a[k] + v * b[k] + w * c[k]) / whole - x[k]);

@@ -30,7 +30,8 @@ std::optional<std::pair<std::size_t, vec3>> nearest_piece(const Pieces& pieces, 
   double least = std::numeric_limits<double>::infinity();
   std::size_t best = 0;
   vec3 nearest;
-  // slightly less than the distance of the box: then rounding skips none of several equally near polys, and the first can be found
+  // slightly less than the distance of the box: then rounding skips none of several equally near polys, and the first
+  // can be found
   boxes.search([&](const box_node& n) { return n.squared_distance(x) * (1 - 0x1p-50); }, least, [&](std::size_t i) {
     const std::size_t rank = pieces.owner(i);
     pieces.for_each_triangle(i, [&](const vec3& a, const vec3& b, const vec3& c) {
@@ -52,13 +53,16 @@ enum class point_location { perturbed, unperturbed };
 
 /// The rank of the solid poly that contains x, or of the polygon that contains x in the projection along `axis`.
 template<class Pieces>
-std::optional<std::size_t> containing_piece(const Pieces& pieces, const box_tree& boxes, [[maybe_unused]] std::size_t axis, const vec3& x, point_location how) {
+std::optional<std::size_t> containing_piece(const Pieces& pieces, const box_tree& boxes,
+                                            [[maybe_unused]] std::size_t axis, const vec3& x, point_location how) {
   std::optional<std::size_t> found;
   if constexpr (Pieces::are_solid) {
     boxes.walk([&](const box_node& n) { return n.holds(x); }, [&](std::size_t i) {
       bool holds = false;
       if (how == point_location::perturbed) holds = pieces.holds(i, x);
-      else pieces.for_each_triangle(i, [&](const vec3& a, const vec3& b, const vec3& c) { holds = holds || is_on_triangle(a, b, c, x); });
+      else
+        pieces.for_each_triangle(
+            i, [&](const vec3& a, const vec3& b, const vec3& c) { holds = holds || is_on_triangle(a, b, c, x); });
       if (holds && (!found || pieces.owner(i) < *found)) found = pieces.owner(i);
       return holds && how == point_location::perturbed;  // if polys tile, no other one contains the perturbed point
     });
@@ -96,16 +100,17 @@ struct surroundings {
 template<class Pieces>
 surroundings surface_around(const Pieces& pieces, const box_tree& boxes, const vec3& x) {
   surroundings s;
-  s.touches = boxes.walk([&](const box_node& n) { return n.max.z >= x.z && n.projection_contains(x, 2); }, [&](std::size_t i) {
-    bool touches = false;
-    pieces.for_each_triangle(i, [&](const vec3& a, const vec3& b, const vec3& c) {
-      const int crossing = crossing_above(a, b, c, x);
-      s.winding += crossing;
-      s.crossings += crossing != 0;
-      touches = touches || is_on_triangle(a, b, c, x);
-    });
-    return touches;
-  });
+  s.touches = boxes.walk([&](const box_node& n) { return n.max.z >= x.z && n.projection_contains(x, 2); },
+                         [&](std::size_t i) {
+                           bool touches = false;
+                           pieces.for_each_triangle(i, [&](const vec3& a, const vec3& b, const vec3& c) {
+                             const int crossing = crossing_above(a, b, c, x);
+                             s.winding += crossing;
+                             s.crossings += crossing != 0;
+                             touches = touches || is_on_triangle(a, b, c, x);
+                           });
+                           return touches;
+                         });
   return s;
 }
 
@@ -120,7 +125,9 @@ std::vector<std::size_t> pieces_in_box(const Pieces& pieces, const box_tree& box
   }
   boxes.walk([&](const box_node& n) { return n.meets(b); }, [&](std::size_t i) {
     bool meets = false;
-    pieces.for_each_triangle(i, [&](const vec3& p, const vec3& q, const vec3& r) { meets = meets || triangle_meets_box({p, q, r}, b); });
+    pieces.for_each_triangle(i, [&](const vec3& p, const vec3& q, const vec3& r) {
+      meets = meets || triangle_meets_box({p, q, r}, b);
+    });
     if constexpr (Pieces::are_solid) meets = meets || pieces.holds(i, b.min);
     if (meets) ranks.push_back(pieces.owner(i));
     return false;

@@ -32,8 +32,10 @@ class tree_ray {
   }
   static const vec3& checked(const vec3& origin, const vec3& direction, const ray_options& options) {
     if (!is_finite(origin)) core::throw_joined<invalid_argument>({"ray: the origin is not finite"});
-    if (!is_finite(direction) || direction == vec3{}) core::throw_joined<invalid_argument>({"ray: the direction is 0 or not finite"});
-    if (!(options.max_parameter >= 0)) core::throw_joined<invalid_argument>({"ray: max_parameter is negative or not a number"});
+    if (!is_finite(direction) || direction == vec3{})
+      core::throw_joined<invalid_argument>({"ray: the direction is 0 or not finite"});
+    if (!(options.max_parameter >= 0))
+      core::throw_joined<invalid_argument>({"ray: max_parameter is negative or not a number"});
     return direction;
   }
   static vec3 near_one(const vec3& direction) {
@@ -56,8 +58,10 @@ class tree_ray {
   }
 
  public:
-  tree_ray(const Pieces& pieces, const box_tree& boxes, const vec3& origin, const vec3& direction, const ray_options& options)
-      : pieces_(pieces), boxes_(boxes), origin_(pieces.to_tree(origin)), shift_(pieces.exponent() - exponent_of(checked(origin, direction, options))),
+  tree_ray(const Pieces& pieces, const box_tree& boxes, const vec3& origin, const vec3& direction,
+           const ray_options& options)
+      : pieces_(pieces), boxes_(boxes), origin_(pieces.to_tree(origin)),
+        shift_(pieces.exponent() - exponent_of(checked(origin, direction, options))),
         end_(std::ldexp(options.max_parameter, -shift_)), test_(origin_, near_one(direction)) {}
 
   /// The first poly that the ray hits, or no crossing.
@@ -79,8 +83,10 @@ class tree_ray {
     std::sort(met.begin(), met.end(), [](const auto& a, const auto& b) {
       return a.first < b.first || (a.first == b.first && a.second.parameter < b.second.parameter);
     });
-    met.erase(std::unique(met.begin(), met.end(), [](const auto& a, const auto& b) { return a.first == b.first; }), met.end());
-    std::stable_sort(met.begin(), met.end(), [](const auto& a, const auto& b) { return a.second.parameter < b.second.parameter; });
+    met.erase(std::unique(met.begin(), met.end(), [](const auto& a, const auto& b) { return a.first == b.first; }),
+              met.end());
+    std::stable_sort(met.begin(), met.end(),
+                     [](const auto& a, const auto& b) { return a.second.parameter < b.second.parameter; });
     return met;
   }
 

@@ -19,24 +19,29 @@ struct tangent_frame {
   double fan_angle_of(double angle) const { return zero + (is_reversed ? -angle : angle) / scale; }
 
   /// Whether the frame of the vert at corner c is oriented as the triangle is.
-  bool is_oriented_as_triangle(const unfolded_triangles& t, int c) const { return (t.is_backward[static_cast<std::size_t>(c)] != 0) == is_reversed; }
+  bool is_oriented_as_triangle(const unfolded_triangles& t, int c) const {
+    return (t.is_backward[static_cast<std::size_t>(c)] != 0) == is_reversed;
+  }
 };
 
 /// first_edge: the index of the first edge of vert v, or -1.
 /// Errors: unsupported that names the vert if the polys about it are not one fan.
-inline tangent_frame make_tangent_frame(const unfolded_triangles& t, std::size_t v, int first_edge, const char* caller) {
+inline tangent_frame make_tangent_frame(const unfolded_triangles& t, std::size_t v, int first_edge,
+                                        const char* caller) {
   tangent_frame r;
   const int first = t.first_corner[v], end = t.first_corner[v + 1];
   if (first == end) return r;
   if (t.around[v] == unfolded_triangles::vert_fan::other)
-    throw_joined<unsupported>({caller, ": the polys at vert ", v, " are not one fan, so it has no tangent plane; give each fan a vert of its own by "
+    throw_joined<unsupported>({caller, ": the polys at vert ", v,
+                               " are not one fan, so it has no tangent plane; give each fan a vert of its own by "
                                "split_vert_fans(m), and remove polys at edges with more than two"});
   r.is_reversed = t.is_backward[static_cast<std::size_t>(t.corner[static_cast<std::size_t>(first)])] != 0;
   if (t.around[v] == unfolded_triangles::vert_fan::fan) r.scale = 2 * std::numbers::pi / t.whole_turn[v];
   for (int k = first; k < end; ++k) {
     const int c = t.corner[static_cast<std::size_t>(k)];
     if (t.edge[static_cast<std::size_t>(c)] == first_edge) r.zero = t.fan_angle(c, 0);
-    else if (t.edge[static_cast<std::size_t>(unfolded_triangles::previous(c))] == first_edge) r.zero = t.fan_angle(c, t.angle[static_cast<std::size_t>(c)]);
+    else if (t.edge[static_cast<std::size_t>(unfolded_triangles::previous(c))] == first_edge)
+      r.zero = t.fan_angle(c, t.angle[static_cast<std::size_t>(c)]);
   }
   return r;
 }

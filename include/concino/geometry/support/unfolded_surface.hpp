@@ -1,4 +1,5 @@
-// A surface as triangles that are laid into the plane one beside the other, for walks and paths over it. Other polygons are triangulated.
+// A surface as triangles that are laid into the plane one beside the other, for walks and paths over it. Other polygons
+// are triangulated.
 #pragma once
 
 #include <concino/concepts/surface_mesh.hpp>
@@ -16,7 +17,8 @@
 
 namespace concino::core {
 
-/// The triangles of a surface. Edges have their index in the mesh; the diagonals of triangulated polygons are numbered from num_mesh_edges on.
+/// The triangles of a surface. Edges have their index in the mesh; the diagonals of triangulated polygons are numbered
+/// from num_mesh_edges on.
 struct unfolded_surface {
   unfolded_triangles triangles;
   std::vector<int> triangle_of;  // the first triangle of a poly, by index; -1 if it has none
@@ -52,7 +54,8 @@ class surface_unfolder {
   std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, int>> diagonals_;
 
   [[noreturn, gnu::noinline, gnu::cold]] void throw_no_area(const poly_t<M>& p) const {
-    throw_joined<invalid_mesh>({caller_, ": poly ", index_of(m_, p), " has no area, or points that are not finite; remove it or move its verts"});
+    throw_joined<invalid_mesh>({caller_, ": poly ", index_of(m_, p),
+                                " has no area, or points that are not finite; remove it or move its verts"});
   }
 
   void read(const poly_t<M>& p) {

@@ -16,7 +16,8 @@ namespace concino::detail {
 
 /// Whether iterators of the range R that a verb returns remain valid after R is destroyed.
 template<class R>
-inline constexpr bool is_borrowed_range = std::is_lvalue_reference_v<R> || std::ranges::enable_borrowed_range<std::remove_cvref_t<R>>;
+inline constexpr bool is_borrowed_range =
+    std::is_lvalue_reference_v<R> || std::ranges::enable_borrowed_range<std::remove_cvref_t<R>>;
 template<class T> inline constexpr bool is_borrowed_range<id_span<T>> = true;
 template<class Id> inline constexpr bool is_borrowed_range<id_range<Id>> = true;
 template<class M, class K, ring_kind Ring> inline constexpr bool is_borrowed_range<halfedge_ring<M, K, Ring>> = true;
@@ -28,8 +29,9 @@ template<class R> using end_of = decltype(std::declval<const std::remove_referen
 template<class R>
 concept has_plain_iterators = is_borrowed_range<R> && std::same_as<begin_of<R>, end_of<R>> && std::regular<begin_of<R>>;
 
-/// A position in a range of type R. The weakest range is enough: one that can be neither copied nor moved, whose iterators must not outlive it
-/// and can be compared only with an end of another type. Such a range is stored once and shared by all copies of the iterator.
+/// A position in a range of type R. The weakest range is enough: one that can be neither copied nor moved, whose
+/// iterators must not outlive it and can be compared only with an end of another type. Such a range is stored once and
+/// shared by all copies of the iterator.
 template<class R>
 class any_iterator {
   struct range {
@@ -60,7 +62,9 @@ class any_iterator {
     ++taken_;
     detect_end();
   }
-  friend bool operator==(const any_iterator& a, const any_iterator& b) { return a.range_ && b.range_ ? a.taken_ == b.taken_ : a.range_ == b.range_; }
+  friend bool operator==(const any_iterator& a, const any_iterator& b) {
+    return a.range_ && b.range_ ? a.taken_ == b.taken_ : a.range_ == b.range_;
+  }
 };
 
 /// The same for ranges whose iterators are sufficient themselves.

@@ -22,7 +22,8 @@ class directed_view : public view_base<G> {
   const auto& numbers() const { return numbers_; }
 };
 
-// Boost's algorithms call these unqualified, and find them by argument-dependent lookup, because the views are in this namespace.
+// Boost's algorithms call these unqualified, and find them by argument-dependent lookup, because the views are in this
+// namespace.
 template<detail::boost_view G>
 auto vertices(const G& g) {
   using iterator = detail::node_iterator<detail::node_in<G>, detail::nodes_in<G>>;
@@ -61,7 +62,9 @@ std::size_t out_degree(const detail::node_in<G>& v, const G& g) {
 template<detail::boost_view G>
 std::size_t in_degree(const detail::node_in<G>& v, const G& g) { return out_degree(v, g); }
 template<detail::boost_view G>
-std::size_t degree(const detail::node_in<G>& v, const G& g) { return out_degree(v, g) * (detail::is_directed<G> ? 2 : 1); }
+std::size_t degree(const detail::node_in<G>& v, const G& g) {
+  return out_degree(v, g) * (detail::is_directed<G> ? 2 : 1);
+}
 template<detail::boost_view G>
 std::size_t num_edges(const G& g) {
   if constexpr (detail::is_directed<G>) return g.numbers()->size();
@@ -87,7 +90,9 @@ auto get(boost::vertex_index_t, const G& g) {
   else return detail::node_index_map<G>(g);
 }
 template<detail::boost_view G>
-std::size_t get(boost::vertex_index_t, const G& g, const detail::node_in<G>& v) { return detail::base_graph(g).index(v); }
+std::size_t get(boost::vertex_index_t, const G& g, const detail::node_in<G>& v) {
+  return detail::base_graph(g).index(v);
+}
 template<detail::boost_view G>
 auto get(boost::edge_index_t, const G& g) {
   if constexpr (detail::is_directed<G>) return detail::edge_index_map<G>(g.base(), g.numbers());
@@ -97,7 +102,9 @@ template<detail::boost_view G>
   requires detail::measured<G>
 auto get(boost::edge_weight_t, const G& g) { return detail::distance_map<G>(detail::distances(g)); }
 template<class G>
-auto get(boost::edge_reverse_t, const directed_view<G>&) { return detail::opposite_map<detail::edge_in<directed_view<G>>>(); }
+auto get(boost::edge_reverse_t, const directed_view<G>&) {
+  return detail::opposite_map<detail::edge_in<directed_view<G>>>();
+}
 /// The value at one key; for many values, get the map once.
 template<detail::boost_view G, class Tag>
   requires(!std::is_same_v<Tag, boost::vertex_index_t>) && requires(Tag tag, const G& g) { get(tag, g); }

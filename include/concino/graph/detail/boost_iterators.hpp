@@ -1,4 +1,5 @@
-// Iterators for Boost.Graph: over the neighbours of a node, the edges at it, all edges. Edges are computed during iteration, nothing is copied.
+// Iterators for Boost.Graph: over the neighbours of a node, the edges at it, all edges. Edges are computed during
+// iteration, nothing is copied.
 #pragma once
 
 #include <concino/concepts/views/dual.hpp>
@@ -39,7 +40,8 @@ template<class G> using base_graph_t = decltype(base_graph(std::declval<const G&
 template<class G> using node_in = typename base_graph_t<G>::node;
 template<class G> using edge_in = node_pair<node_in<G>, is_directed<G>>;
 template<class G> using nodes_in = decltype(std::declval<const base_graph_t<G>&>().nodes());
-template<class G> using ring_in = decltype(std::declval<const base_graph_t<G>&>().neighbours(std::declval<const node_in<G>&>()));
+template<class G>
+using ring_in = decltype(std::declval<const base_graph_t<G>&>().neighbours(std::declval<const node_in<G>&>()));
 
 /// A graph stored in iterators and maps: by value if copies cost nothing, else as one copy that all of them share.
 template<class G, bool = std::is_trivially_copyable_v<G>>
@@ -128,7 +130,8 @@ class edge_iterator : public forward_iterator<edge_iterator<G>, edge_in<G>> {
   }
   void enter() {
     const node_in<G> v = *node_;
-    std::tie(edge_, last_edge_) = ring::begin_and_end(v, [&]() -> decltype(auto) { return base_graph(g_.get()).neighbours(v); });
+    std::tie(edge_, last_edge_) =
+        ring::begin_and_end(v, [&]() -> decltype(auto) { return base_graph(g_.get()).neighbours(v); });
   }
   void skip_invalid() {
     for (;;) {

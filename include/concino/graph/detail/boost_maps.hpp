@@ -25,28 +25,31 @@ template<class P, class Key>
   requires requires { typename P::value_type; } && (!std::is_lvalue_reference_v<result_of<P, Key>>)
 struct value_in<P, Key> { using type = typename P::value_type; };
 
-template<class P, class Key, class T>
-using map_category = std::conditional_t<
-    !WritableMap<P&, Key, T>, boost::readable_property_map_tag,
-    std::conditional_t<std::is_same_v<result_of<P, Key>, T&>, boost::lvalue_property_map_tag, boost::read_write_property_map_tag>>;
+  template<class P, class Key, class T>
+  using map_category =
+      std::conditional_t<!WritableMap<P&, Key, T>, boost::readable_property_map_tag,
+                         std::conditional_t<std::is_same_v<result_of<P, Key>, T&>, boost::lvalue_property_map_tag,
+                                            boost::read_write_property_map_tag>>;
 
-template<class P, class Key, class Kept>
-class map_of_map : public boost::put_get_helper<result_of<P, Key>, map_of_map<P, Key, Kept>> {
-  Kept map_{};
+  template<class P, class Key, class Kept>
+  class map_of_map : public boost::put_get_helper<result_of<P, Key>, map_of_map<P, Key, Kept>> {
+    Kept map_{};
 
- public:
-  using key_type = Key;
-  using value_type = typename value_in<P, Key>::type;
-  using reference = result_of<P, Key>;
-  using category = map_category<P, Key, value_type>;
+   public:
+    using key_type = Key;
+    using value_type = typename value_in<P, Key>::type;
+    using reference = result_of<P, Key>;
+    using category = map_category<P, Key, value_type>;
 
-  map_of_map() = default;
-  explicit map_of_map(Kept map) : map_(std::move(map)) {}
-  reference operator[](const Key& x) const { return (*base_map(map_))[x]; }
+    map_of_map() = default;
+    explicit map_of_map(Kept map) : map_(std::move(map)) {}
+    reference operator[](const Key& x) const { return (*base_map(map_))[x]; }
 };
 
-/// f(source, target) of an edge. f is shared by all copies, so that the map is assignable although callables with captures are not.
-template<class Edge, class F> using called_with_ends = std::invoke_result_t<const F&, decltype(Edge::source), decltype(Edge::source)>;
+/// f(source, target) of an edge. f is shared by all copies, so that the map is assignable although callables with
+/// captures are not.
+template<class Edge, class F>
+using called_with_ends = std::invoke_result_t<const F&, decltype(Edge::source), decltype(Edge::source)>;
 template<class Edge, class F>
 class map_of_ends : public boost::put_get_helper<called_with_ends<Edge, F>, map_of_ends<Edge, F>> {
   std::shared_ptr<const F> f_;
@@ -120,7 +123,8 @@ class edge_value_map : public boost::put_get_helper<T&, edge_value_map<G, T>> {
   using category = boost::lvalue_property_map_tag;
 
   edge_value_map() = default;
-  edge_value_map(edge_index_map<G> index, const T& init) : index_(std::move(index)), values_(std::make_shared<T[]>(index_.size(), init)) {}
+  edge_value_map(edge_index_map<G> index, const T& init)
+      : index_(std::move(index)), values_(std::make_shared<T[]>(index_.size(), init)) {}
   T& operator[](const key_type& e) const { return values_.get()[index_[e]]; }
 };
 
@@ -128,7 +132,9 @@ class edge_value_map : public boost::put_get_helper<T&, edge_value_map<G, T>> {
 template<class M>
 struct vert_distance {
   graph_storage<M> m;
-  double operator()(const vert_t<M>& a, const vert_t<M>& b) const { return norm(to_vec3(point(m.get(), a)) - to_vec3(point(m.get(), b))); }
+  double operator()(const vert_t<M>& a, const vert_t<M>& b) const {
+    return norm(to_vec3(point(m.get(), a)) - to_vec3(point(m.get(), b)));
+  }
 };
 template<class M>
 class poly_distance {
@@ -149,7 +155,9 @@ class poly_distance {
 
 template<class M>
   requires Embedded<M>
-auto distances(const views::primal_view<M>& g) { return vert_distance<views::primal_view<M>>{graph_storage<views::primal_view<M>>(g)}; }
+auto distances(const views::primal_view<M>& g) {
+  return vert_distance<views::primal_view<M>>{graph_storage<views::primal_view<M>>(g)};
+}
 template<EmbeddedMesh M>
 auto distances(const views::dual_view<M>& g) { return poly_distance<views::dual_view<M>>(g); }
 template<class G>

@@ -6,7 +6,8 @@
 
 namespace concino::detail {
 
-/// A first-in, first-out queue with at most `room` push operations in all. Memory is not touched before it is needed; push does no checks.
+/// A first-in, first-out queue with at most `room` push operations in all. Memory is not touched before it is needed;
+/// push does no checks.
 template<class Node>
 class bounded_fifo {
   std::allocator<Node> memory_;

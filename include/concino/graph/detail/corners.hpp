@@ -1,4 +1,5 @@
-// Equivalence classes of the corners at each vert of a surface: corners connected through edges that are not cut. Cutting makes one vert of each class.
+// Equivalence classes of the corners at each vert of a surface: corners connected through edges that are not cut.
+// Cutting makes one vert of each class.
 #pragma once
 
 #include <concino/concepts/oriented_edges.hpp>
@@ -8,8 +9,9 @@
 
 namespace concino::detail {
 
-/// Corner i of a poly, in the order of adj_p2v, has the number first[index of the poly] + i. Two corners of a vert are in one class if they are
-/// connected around the vert through edges e for which is_cut(index of e) is false. Nearly linear time.
+/// Corner i of a poly, in the order of adj_p2v, has the number first[index of the poly] + i. Two corners of a vert are
+/// in one class if they are connected around the vert through edges e for which is_cut(index of e) is false. Nearly
+/// linear time.
 template<SurfaceMesh M>
 struct corner_classes {
   std::vector<std::size_t> first;

@@ -1,5 +1,5 @@
-// The element that a step of a search crosses: the edge between two verts, or the edge (surface) or face (volume) between two polys.
-// It is known if the mesh has these adjacencies; for primal(m) and dual(m), the mesh m is used.
+// The element that a step of a search crosses: the edge between two verts, or the edge (surface) or face (volume)
+// between two polys. It is known if the mesh has these adjacencies; for primal(m) and dual(m), the mesh m is used.
 #pragma once
 
 #include <concino/concepts/facets.hpp>
@@ -20,7 +20,9 @@ template<class M> decltype(auto) base_mesh(const views::dual_view<M>& m) { retur
 template<class M> using base_mesh_t = std::remove_cvref_t<decltype(base_mesh(std::declval<const M&>()))>;
 
 template<class M> concept crosses_edges_between_verts = requirement::has_adj_v2e<M> && requirement::has_adj_e2v<M>;
-template<class M> concept crosses_facets_between_polys = requires(const M& m, poly_t<M> p, facet_t<M> x) { adj_p2facet(m, p), adj_facet2p(m, x); };
+template<class M> concept crosses_facets_between_polys = requires(const M& m, poly_t<M> p, facet_t<M> x) {
+  adj_p2facet(m, p), adj_facet2p(m, x);
+};
 
 /// `type`: what is crossed between two nodes, void if the mesh has no access to it.
 template<class G> struct crossing { using type = void; };
@@ -46,7 +48,8 @@ template<class C> struct crossing_test { using type = function_ref<bool(C)>; };
 template<> struct crossing_test<void> { using type = nothing_to_cross; };
 template<class C> using may_cross_t = typename crossing_test<C>::type;
 
-/// Calls visit(w, x) for each neighbour w of v and each edge or face x between them, so several times if they share several.
+/// Calls visit(w, x) for each neighbour w of v and each edge or face x between them, so several times if they share
+/// several.
 template<class M, class F>
   requires(!std::is_void_v<crossed_t<primal_graph<M>>>)
 void for_each_crossing(const primal_graph<M>& g, const vert_t<M>& v, const F& visit) {
@@ -73,13 +76,15 @@ void for_each_open_crossing(const G& g, const typename G::node& v, function_ref<
   });
 }
 
-/// Calls visit(w) for the neighbours of v for which may_cross and may_enter (either may be empty) are true; with may_cross, possibly more than once.
+/// Calls visit(w) for the neighbours of v for which may_cross and may_enter (either may be empty) are true; with
+/// may_cross, possibly more than once.
 template<class G, class F>
 void for_each_open_neighbour(const G& g, const typename G::node& v, function_ref<bool(typename G::node)> may_enter,
                    [[maybe_unused]] const may_cross_t<crossed_t<G>>& may_cross, const F& visit) {
   if constexpr (!std::is_void_v<crossed_t<G>>) {
     if (may_cross) {
-      for_each_crossing(g, v, [&](const typename G::node& w, const auto& x) {  // without for_each_open_crossing, which would slow down the loop below
+      // without for_each_open_crossing, which would slow down the loop below
+      for_each_crossing(g, v, [&](const typename G::node& w, const auto& x) {
         if (may_cross(x) && (!may_enter || may_enter(w))) visit(w);
       });
       return;
@@ -89,19 +94,20 @@ void for_each_open_neighbour(const G& g, const typename G::node& v, function_ref
     if (!may_enter || may_enter(w)) visit(w);
 }
 
-/// The same with may_enter and may_cross of a search's options: calls visit(w, put_crossed). put_crossed() stores what lies between v and w in the map
-/// options.crossed, if there is one.
+/// The same with may_enter and may_cross of a search's options: calls visit(w, put_crossed). put_crossed() stores what
+/// lies between v and w in the map options.crossed, if there is one.
 template<class G, class Options, class F>
 void for_each_recorded_neighbour(const G& g, const typename G::node& v, const Options& options, const F& visit) {
   if constexpr (!std::is_void_v<crossed_t<G>>) {
     if (options.crossed) {
-      for_each_open_crossing(g, v, options.may_enter, options.may_cross, [&](const typename G::node& w, const crossed_t<G>& x) {
-        visit(w, [&] { options.crossed.put(w, x); });
-      });
+      for_each_open_crossing(
+          g, v, options.may_enter, options.may_cross,
+          [&](const typename G::node& w, const crossed_t<G>& x) { visit(w, [&] { options.crossed.put(w, x); }); });
       return;
     }
   }
-  for_each_open_neighbour(g, v, options.may_enter, options.may_cross, [&](const typename G::node& w) { visit(w, [] {}); });
+  for_each_open_neighbour(g, v, options.may_enter, options.may_cross,
+                          [&](const typename G::node& w) { visit(w, [] {}); });
 }
 
 }  // namespace concino::detail

@@ -11,8 +11,8 @@ void for_each(const R& r, F&& f) {
     for (const auto x : r) f(x);
 }
 
-/// The same for the neighbours of a node, except that some may be repeated and the node itself may occur. For loops in which
-/// that does no harm: they avoid the cost of finding repetitions.
+/// The same for the neighbours of a node, except that some may be repeated and the node itself may occur. For loops in
+/// which that does no harm: they avoid the cost of finding repetitions.
 template<class R, class F>
 void for_each_with_repeats(const R& r, F&& f) {
   if constexpr (requires { r.for_each_with_repeats(f); }) r.for_each_with_repeats(f);

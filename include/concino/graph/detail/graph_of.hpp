@@ -1,4 +1,5 @@
-// One graph interface for algorithms on verts and on polys: nodes, neighbours and index. The type of the node selects the graph.
+// One graph interface for algorithms on verts and on polys: nodes, neighbours and index. The type of the node selects
+// the graph.
 #pragma once
 
 #include <concino/concepts/dual_graph.hpp>
@@ -47,14 +48,15 @@ struct dual_graph {
   decltype(auto) neighbours(const node& p) const { return adj_p2p(m, p); }
 };
 
-// Selects the graph for a type X: the one whose nodes have exactly that type, else the only one to whose nodes X converts (handles of a
-// library often have a plain and a smart variant).
+// Selects the graph for a type X: the one whose nodes have exactly that type, else the only one to whose nodes X
+// converts (handles of a library often have a plain and a smart variant).
 template<class M, class X> concept is_vert_type = PrimalGraph<M> && std::same_as<X, vert_t<M>>;
 template<class M, class X> concept names_poly = DualGraph<M> && std::same_as<X, poly_t<M>>;
 template<class M, class X> concept converts_to_vert = PrimalGraph<M> && std::convertible_to<X, vert_t<M>>;
 template<class M, class X> concept converts_to_poly = DualGraph<M> && std::convertible_to<X, poly_t<M>>;
 
-/// No graph: used in the options of a function if the graph is unknown, so that the constraints of the function are checked and explain the error.
+/// No graph: used in the options of a function if the graph is unknown, so that the constraints of the function are
+/// checked and explain the error.
 struct no_graph {
   using mesh = void;
   struct node {};
@@ -67,7 +69,8 @@ template<class M, class X>
   requires names_poly<M, X> || (converts_to_poly<M, X> && !is_vert_type<M, X> && !converts_to_vert<M, X>)
 struct graph_for<M, X> { using type = dual_graph<std::remove_cvref_t<M>>; };
 
-/// The type of node in a source: the source itself if it is a node (which may be an array of coordinates), its value type if it is a container of nodes.
+/// The type of node in a source: the source itself if it is a node (which may be an array of coordinates), its value
+/// type if it is a container of nodes.
 template<class M, class S> struct element_of_source { using type = S; };
 template<class M, core::iterable S>
   requires(!is_vert_type<M, S> && !names_poly<M, S>)
@@ -90,7 +93,8 @@ std::string name_of(const G& g, const typename G::node& x) {
 template<class G>
 void expect_node(const G& g, const typename G::node& x, const char* caller, const char* role) {
   if (contains(g.m, x)) return;
-  core::throw_joined<invalid_mesh>({caller, ": the ", role, " is not a ", G::element_name, " of the mesh; take one from ", G::element_name, "s(m)"});
+  core::throw_joined<invalid_mesh>(
+      {caller, ": the ", role, " is not a ", G::element_name, " of the mesh; take one from ", G::element_name, "s(m)"});
 }
 
 /// The graph of algorithms without a source: that of the verts, or of the polys if the argument is dual(m).
@@ -100,7 +104,8 @@ template<DualGraph M> struct graph_by_default<views::dual_view<M>> { using type 
 template<class M> using default_graph_of = typename graph_by_default<std::remove_cvref_t<M>>::type;
 template<class M> using default_node_of = typename default_graph_of<M>::node;
 
-[[noreturn, gnu::noinline, gnu::cold]] inline void throw_empty_list(const char* caller, const char* role, const char* word) {
+[[noreturn, gnu::noinline, gnu::cold]] inline void throw_empty_list(const char* caller, const char* role,
+                                                                    const char* word) {
   core::throw_joined<invalid_argument>({caller, ": there is no ", role, "; give at least one ", word});
 }
 
@@ -131,17 +136,21 @@ namespace concino::requirement {
 template<class M> inline constexpr bool is_dual_view_v = false;
 template<class M> inline constexpr bool is_dual_view_v<views::dual_view<M>> = true;
 template<class M> concept is_dual_view = is_dual_view_v<std::remove_cvref_t<M>>;
-template<class M> concept is_graph = PrimalGraph<M> || is_dual_view<M>;  // of the polys of m write connected_components(dual(m)), spanning_tree(dual(m))
+// of the polys of m write connected_components(dual(m)), spanning_tree(dual(m))
+template<class M> concept is_graph = PrimalGraph<M> || is_dual_view<M>;
 
 /// X is a type for polys rather than verts of M, whether or not M has them.
 template<class M, class X> concept converts_to_vert_type = std::convertible_to<X, vert_t<M>>;
-template<class M, class X> concept is_poly_type = std::same_as<X, poly_t<M>> || (std::convertible_to<X, poly_t<M>> && !converts_to_vert_type<M, X>);
+template<class M, class X>
+concept is_poly_type = std::same_as<X, poly_t<M>> ||(std::convertible_to<X, poly_t<M>> && !converts_to_vert_type<M, X>);
 template<class M, class X> concept is_no_poly_type = !is_poly_type<M, X>;
-template<class M, class S> concept is_vert_or_poly = !std::same_as<concino::detail::graph_of<M, S>, concino::detail::no_graph>;
-
-/// S is a vert or a poly of M, or a container of either, and M has that graph. Written so that compilers report what that graph lacks.
 template<class M, class S>
-concept is_source = (PrimalGraph<M> || is_poly_type<M, concino::detail::source_element<M, S>>) &&
-                    (DualGraph<M> || is_no_poly_type<M, concino::detail::source_element<M, S>>) && is_vert_or_poly<M, S>;
+concept is_vert_or_poly = !std::same_as<concino::detail::graph_of<M, S>, concino::detail::no_graph>;
+
+/// S is a vert or a poly of M, or a container of either, and M has that graph. Written so that compilers report what
+/// that graph lacks.
+template<class M, class S>
+concept is_source = (PrimalGraph<M> || is_poly_type<M, concino::detail::source_element<M, S>>)&&(
+    DualGraph<M> || is_no_poly_type<M, concino::detail::source_element<M, S>>)&&is_vert_or_poly<M, S>;
 
 }  // namespace concino::requirement

@@ -1,4 +1,5 @@
-// Lengths of arcs for shortest paths: from the caller's function, or Euclidean distances between verts or between polys' centres.
+// Lengths of arcs for shortest paths: from the caller's function, or Euclidean distances between verts or between
+// polys' centres.
 #pragma once
 
 #include <concino/core/flat_array.hpp>
@@ -11,8 +12,8 @@
 
 namespace concino::detail {
 
-/// from(v)(w, gap) is the length of the arc v -> w. If the length is known to be at least gap, it may be +inf instead: a longer step
-/// would not improve anything.
+/// from(v)(w, gap) is the length of the arc v -> w. If the length is known to be at least gap, it may be +inf instead:
+/// a longer step would not improve anything.
 template<class L>
 struct input_lengths {
   const L& length;
@@ -23,16 +24,16 @@ struct input_lengths {
   }
 };
 
-/// The distance of a and b, or +inf if it is certainly at least gap. Comparing squares first avoids most square roots; the margin
-/// makes the result identical to the last bit to that without the comparison.
+/// The distance of a and b, or +inf if it is certainly at least gap. Comparing squares first avoids most square roots;
+/// the margin makes the result identical to the last bit to that without the comparison.
 inline double distance_below(const vec3& a, const vec3& b, double gap) {
   const vec3 step = a - b;
   if (dot(step, step) > gap * gap * (1 + 4e-15) + 1e-290) return std::numeric_limits<double>::infinity();
   return norm(step);
 }
 
-/// Distances between verts. A neighbour that is as near as v itself cannot improve, so its coordinates are not read. If they are not numbers,
-/// the step from that neighbour to v has reported it before.
+/// Distances between verts. A neighbour that is as near as v itself cannot improve, so its coordinates are not read. If
+/// they are not numbers, the step from that neighbour to v has reported it before.
 template<Embedded M>
 struct euclidean_vert_lengths {
   const M& m;
@@ -79,9 +80,12 @@ namespace concino::requirement {
 /// The graph selected by S has coordinates for lengths: of verts, or of the verts of polys.
 template<class M, class S>
 concept has_lengths = is_source<M, S> && Embedded<concino::detail::base_mesh_t<std::remove_cvref_t<M>>> &&
-                      (AnyMesh<concino::detail::base_mesh_t<std::remove_cvref_t<M>>> || is_no_poly_type<M, concino::detail::source_element<M, S>>);
+    (AnyMesh<concino::detail::base_mesh_t<std::remove_cvref_t<M>>> ||
+     is_no_poly_type<M, concino::detail::source_element<M, S>>);
 
 /// A function that returns the length of the arc from one node to another.
-template<class L, class N> concept is_length = requires(const L& length, const N& v) { static_cast<double>(length(v, v)); };
+template<class L, class N> concept is_length = requires(const L& length, const N& v) {
+  static_cast<double>(length(v, v));
+};
 
 }  // namespace concino::requirement

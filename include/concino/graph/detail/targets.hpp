@@ -9,7 +9,8 @@
 
 namespace concino::detail {
 
-/// A set of nodes, the targets. meet(slot) returns whether the search has now reached all of them, or the first if one is enough.
+/// A set of nodes, the targets. meet(slot) returns whether the search has now reached all of them, or the first if one
+/// is enough.
 class target_set {
   std::vector<unsigned char> is_target_;
   std::size_t left_ = 0;
@@ -17,7 +18,8 @@ class target_set {
 
  public:
   template<class G>
-  target_set(const G& g, const std::vector<typename G::node>& targets, bool one_is_enough, const char* caller) : one_is_enough_(one_is_enough) {
+  target_set(const G& g, const std::vector<typename G::node>& targets, bool one_is_enough, const char* caller)
+      : one_is_enough_(one_is_enough) {
     if (targets.empty()) return;
     is_target_.resize(g.bound());
     for (const auto& t : targets) {

@@ -1,5 +1,5 @@
-// carried_values: the values of properties at elements that an edit changes or makes. They are found before the edit, by the rule of each property, and
-// written after it, which needs no memory and cannot fail.
+// carried_values: the values of properties at elements that an edit changes or makes. They are found before the edit,
+// by the rule of each property, and written after it, which needs no memory and cannot fail.
 #pragma once
 
 #include <concino/mesh/element_origins.hpp>
@@ -20,12 +20,13 @@ class carried_values {
   std::vector<values> all_;
 
  public:
-  /// `origins` are those of the elements that the edit changes or makes, which are numbered from 0 in each kind; corners are numbered too. Their indices
-  /// are those of the mesh before. `of_sums` are the same for properties with the rule `sum`. Properties whose values may throw when they are moved are
-  /// left out.
+  /// `origins` are those of the elements that the edit changes or makes, which are numbered from 0 in each kind;
+  /// corners are numbered too. Their indices are those of the mesh before. `of_sums` are the same for properties with
+  /// the rule `sum`. Properties whose values may throw when they are moved are left out.
   carried_values(const property_set& properties, const correspondence& origins, const correspondence& of_sums);
 
-  /// Writes the values of one of these elements to the element with this index, or the corner with this number, of the mesh after.
+  /// Writes the values of one of these elements to the element with this index, or the corner with this number, of the
+  /// mesh after.
   void write(element_kind kind, std::size_t number, std::size_t index) noexcept;
 };
 

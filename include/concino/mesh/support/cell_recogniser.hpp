@@ -5,8 +5,9 @@
 
 namespace concino {
 
-/// Recognises a standard cell by its faces alone and lists its verts in the standard order, so that the input faces have the same orientation as
-/// in the table. face(k) is the verts of the k-th of n faces, oriented outward. The result is `general` if the poly is no standard cell.
+/// Recognises a standard cell by its faces alone and lists its verts in the standard order, so that the input faces
+/// have the same orientation as in the table. face(k) is the verts of the k-th of n faces, oriented outward. The result
+/// is `general` if the poly is no standard cell.
 class cell_recogniser {
   struct span_of_face {
     std::uint32_t begin, size;
@@ -45,8 +46,8 @@ class cell_recogniser {
     if (triangles == 4 && quads == 1) s = cell_shape::pyramid;
     if (s == cell_shape::general) return s;
 
-    // The base is the first face with as many verts as the first face of the table. That one is listed outward, so reading the base
-    // backwards gives the verts from 0 on. The other verts are above those of the base.
+    // The base is the first face with as many verts as the first face of the table. That one is listed outward, so
+    // reading the base backwards gives the verts from 0 on. The other verts are above those of the base.
     const standard_cell& t = standard_cell_of(s);
     std::size_t first = 0;
     while (faces_[first].size != t.face_size[0]) ++first;

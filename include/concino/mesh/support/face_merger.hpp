@@ -13,20 +13,22 @@
 
 namespace concino {
 
-/// Collects faces, which are cycles of verts. Equal faces become one, whatever their first vert and direction. Faces are numbered in the order of their
-/// first occurrence. Linear time, except for sorting the faces of verts that are the smallest one of many faces.
-/// A template only so that programs without volumes need not compile it: face_merger.
+/// Collects faces, which are cycles of verts. Equal faces become one, whatever their first vert and direction. Faces
+/// are numbered in the order of their first occurrence. Linear time, except for sorting the faces of verts that are the
+/// smallest one of many faces. A template only so that programs without volumes need not compile it: face_merger.
 template<class Vert>
 class basic_face_merger {
   static constexpr std::uint32_t none = ~0u, too_many = ~0u - 1;  // no id is as large
-  static constexpr unsigned max_compared = 64;                    // faces with the same smallest vert, before they are sorted
+  static constexpr unsigned max_compared = 64;                    // faces with the same smallest vert, before they are
+                                                                  // sorted
 
   struct entry {
     std::uint32_t sum;   // of the verts and their number modulo 2^32, which equal faces have in common
     std::uint32_t next;  // an earlier face with the same smallest vert
   };
 
-  /// A key for sorting faces. Equal cycles are adjacent in the order, by face number, whatever their first vert and direction.
+  /// A key for sorting faces. Equal cycles are adjacent in the order, by face number, whatever their first vert and
+  /// direction.
   class cycle {
     const Vert* verts_;
     std::uint32_t size_, start_, face_;
@@ -39,7 +41,8 @@ class basic_face_merger {
 
    public:
     cycle(const Vert* first, std::uint32_t size, std::uint32_t face)
-        : verts_(first), size_(size), start_(static_cast<std::uint32_t>(std::min_element(first, first + size) - first)), face_(face), back_(false) {
+        : verts_(first), size_(size), start_(static_cast<std::uint32_t>(std::min_element(first, first + size) - first)),
+          face_(face), back_(false) {
       back_ = vert(size - 1) < vert(1);
     }
     std::uint32_t face() const { return face_; }
@@ -71,7 +74,8 @@ class basic_face_merger {
   std::vector<cycle> sorted_cycles() const {
     std::vector<cycle> cycles;
     for (std::uint32_t f = 0; f < num_faces(); ++f)
-      if (last_[std::min_element(first(f), first(f) + size(f))->raw()] == too_many) cycles.push_back(cycle(first(f), size(f), f));
+      if (last_[std::min_element(first(f), first(f) + size(f))->raw()] == too_many)
+        cycles.push_back(cycle(first(f), size(f), f));
     std::sort(cycles.begin(), cycles.end());
     return cycles;
   }
@@ -83,13 +87,15 @@ class basic_face_merger {
     std::uint32_t original = none;
     for (const cycle& c : sorted_cycles()) {
       const std::uint32_t f = c.face();
-      const int order = original != none && size(original) == size(f) ? compare_cycles(first(original), first(f), size(f)) : 0;
+      const int order =
+          original != none && size(original) == size(f) ? compare_cycles(first(original), first(f), size(f)) : 0;
       if (order == 0) original = f;
       number[f] = original;
       is_reversed[f] = order < 0;
     }
     std::uint32_t kept = 0, end = 0;
-    for (std::uint32_t f = 0, from = 0, to; f < number.size(); ++f, from = to) {  // in place: a face that is kept moves over faces already read
+    // in place: a face that is kept moves over faces already read
+    for (std::uint32_t f = 0, from = 0, to; f < number.size(); ++f, from = to) {
       to = offsets_[f + 1];
       if (number[f] != f) {
         number[f] = number[number[f]];
@@ -127,7 +133,8 @@ class basic_face_merger {
     entries_.reserve(face_count);
   }
   /// Adds a face, unless an equal one is there already.
-  /// Needs: at least three different verts; the smallest one, and the sum of their number and of all of them modulo 2^32.
+  /// Needs: at least three different verts; the smallest one, and the sum of their number and of all of them modulo
+  ///        2^32.
   place add(const Vert* v, std::size_t n, std::uint32_t smallest, std::uint32_t sum) {
     const std::uint32_t before = last_[smallest];
     unsigned compared = 0;
@@ -150,8 +157,9 @@ class basic_face_merger {
     return add(v, n, smallest, sum);
   }
 
-  /// Moves the faces into the arrays of a mesh, which list the faces of its polys: those that add() returned. outward[i] is 1 if face poly_faces[i], in the
-  /// direction of the face of the merger, is outward for its poly, else 0.
+  /// Moves the faces into the arrays of a mesh, which list the faces of its polys: those that add() returned.
+  /// outward[i] is 1 if face poly_faces[i], in the direction of the face of the merger, is outward for its poly, else
+  /// 0.
   void finish(polyhedra_arrays& m) {
     if (has_many_) merge_many(m.poly_faces, m.outward);
     std::vector<entry>().swap(entries_);

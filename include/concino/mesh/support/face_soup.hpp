@@ -11,13 +11,14 @@
 
 namespace concino {
 
-/// Builds polyhedra from lists of verts, one list per face of each poly. Two equal faces become one face with two polys.
-/// Faces are numbered in the order of their first occurrence, and are outward for the poly in which they occur first. Linear time, except for
-/// sorting the faces of verts that are the smallest one of many faces.
+/// Builds polyhedra from lists of verts, one list per face of each poly. Two equal faces become one face with two
+/// polys. Faces are numbered in the order of their first occurrence, and are outward for the poly in which they occur
+/// first. Linear time, except for sorting the faces of verts that are the smallest one of many faces.
 /// A template only so that programs without volumes need not compile it: face_soup.
 template<class Vert>
 struct basic_face_soup {
-  std::vector<std::uint32_t> face_offsets{0};  // of the faces of all polys, one after another; a common face is listed twice
+  std::vector<std::uint32_t> face_offsets{0};  // of the faces of all polys, one after another; a common face is listed
+                                               // twice
   std::vector<Vert> face_verts;
   std::vector<std::uint32_t> poly_offsets{0};
 

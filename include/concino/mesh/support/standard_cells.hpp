@@ -1,4 +1,5 @@
-// The standard cells (tet, hex, prism, pyramid): the verts of their faces, their volume, and the reordering of inverted cells.
+// The standard cells (tet, hex, prism, pyramid): the verts of their faces, their volume, and the reordering of inverted
+// cells.
 #pragma once
 
 #include <concino/concepts/descriptors.hpp>
@@ -15,14 +16,15 @@ namespace concino {
 /// The shapes of the standard cells, and `general` for all others.
 enum class cell_shape : std::uint8_t { tet, hex, prism, pyramid, general };
 
-/// A table for one standard cell. Verts are in the order of MEDIT, which is that of VTK but for its wedges, whose base is reversed. Faces run
-/// counter-clockwise seen from outside if the cell's volume is positive.
+/// A table for one standard cell. Verts are in the order of MEDIT, which is that of VTK but for its wedges, whose base
+/// is reversed. Faces run counter-clockwise seen from outside if the cell's volume is positive.
 struct standard_cell {
   const char* name;
   unsigned num_verts, num_faces;
   std::uint8_t face_size[6];
   std::uint8_t face_vert[6][4];
-  std::uint8_t mirrored[8];  // the verts of the mirror image: a cell of negative volume has a positive one if read in this order
+  std::uint8_t mirrored[8];  // the verts of the mirror image: a cell of negative volume has a positive one if read in
+                             // this order
 };
 
 inline constexpr standard_cell standard_cells[] = {
@@ -33,17 +35,24 @@ inline constexpr standard_cell standard_cells[] = {
      {4, 4, 4, 4, 4, 4},
      {{0, 3, 2, 1}, {1, 2, 6, 5}, {4, 5, 6, 7}, {3, 0, 4, 7}, {0, 1, 5, 4}, {2, 3, 7, 6}},
      {0, 3, 2, 1, 4, 7, 6, 5}},
-    {"prism", 6, 5, {3, 3, 4, 4, 4}, {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}, {0, 2, 1, 3, 5, 4}},
+    {"prism",
+     6,
+     5,
+     {3, 3, 4, 4, 4},
+     {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}},
+     {0, 2, 1, 3, 5, 4}},
     {"pyramid", 5, 5, {4, 3, 3, 3, 3}, {{0, 3, 2, 1}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}, {0, 3, 2, 1, 4}},
 };
 /// The table of a shape.
 /// Needs:  a shape that is not general.
 /// Result: a reference with static lifetime.                                       Cost: O(1).
 /// Errors: none.
-inline constexpr const standard_cell& standard_cell_of(cell_shape s) { return standard_cells[static_cast<unsigned>(s)]; }
+inline constexpr const standard_cell& standard_cell_of(cell_shape s) {
+  return standard_cells[static_cast<unsigned>(s)];
+}
 
-/// Six times the signed volume between a face and `apex`. The face is split into triangles from its mean point to its edges; the volume is positive
-/// if they face away from the apex.
+/// Six times the signed volume between a face and `apex`. The face is split into triangles from its mean point to its
+/// edges; the volume is positive if they face away from the apex.
 /// Needs:  point_of(i), the i-th of the n > 0 verts of the face.
 /// Result: volume units, six times.                                                Cost: O(n).
 /// Errors: none.
@@ -119,7 +128,8 @@ inline bool make_volume_positive(cell_shape s, vert_id* v, std::span<const vec3>
 
 /// Whether a and b are the same cycle of n verts.
 /// Needs:  no vert twice in a, nor in b.
-/// Result: 1 if both have the same direction, -1 if opposite directions, 0 if they are not the same cycle.      Cost: O(n).
+/// Result: 1 if both have the same direction, -1 if opposite directions, 0 if they are not the same cycle.      Cost:
+///         O(n).
 /// Errors: none.
 inline int compare_cycles(const vert_id* a, const vert_id* b, std::size_t n) {
   std::size_t k = 0;

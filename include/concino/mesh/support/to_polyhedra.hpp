@@ -10,7 +10,8 @@ namespace concino {
 
 /// The same volume as general polyhedra; polys keep their order.
 /// Needs:  cells in the standard order; their arrays are moved from.
-/// Result: polyhedra; faces are numbered in the order of their first occurrence.   Cost: O(n), but for sorting faces of equal smallest vert.
+/// Result: polyhedra; faces are numbered in the order of their first occurrence.   Cost: O(n), but for sorting faces of
+///         equal smallest vert.
 /// Errors: none but std::bad_alloc.
 template<std::same_as<cell_arrays> Cells>  // a template only so that programs without volumes need not compile it
 polyhedra_arrays to_polyhedra(Cells&& cells);

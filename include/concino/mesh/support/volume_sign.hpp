@@ -1,4 +1,5 @@
-// Decides whether the volume of a cell is negative, beyond rounding errors and whatever the magnitude of its coordinates.
+// Decides whether the volume of a cell is negative, beyond rounding errors and whatever the magnitude of its
+// coordinates.
 #pragma once
 
 #include <concino/core/vec3.hpp>
@@ -18,7 +19,8 @@ class volume_under_face {
     middle_ += b;
     doubled_area_ += cross(a, b);
   }
-  /// Six times the signed volume after n edges. The sum over the triangles is the dot product of the mean point and the vector area of the face.
+  /// Six times the signed volume after n edges. The sum over the triangles is the dot product of the mean point and the
+  /// vector area of the face.
   double six_times(std::size_t n) const { return dot(middle_, doubled_area_) / static_cast<double>(n); }
 };
 
@@ -31,8 +33,8 @@ namespace concino {
 /// Cost:   O(1).                             Errors: none.
 inline bool has_moderate_coordinates(const vec3& p) { return std::abs(p.x) + std::abs(p.y) + std::abs(p.z) < 1e100; }
 
-/// The box of the points of a cell, which bounds the rounding errors of its volume. Volumes that are zero but for rounding have no sign, so that
-/// a cell without volume is not turned over again each time it is read.
+/// The box of the points of a cell, which bounds the rounding errors of its volume. Volumes that are zero but for
+/// rounding have no sign, so that a cell without volume is not turned over again each time it is read.
 class volume_box {
   vec3 low_, high_;
   bool empty_ = true;
@@ -53,17 +55,22 @@ class volume_box {
     }
   }
 
-  /// Whether products of three lengths neither overflow nor underflow. If they do, the volume of the scaled points has the same sign.
-  bool is_moderate() const { return is_moderate(high_.x - low_.x) && is_moderate(high_.y - low_.y) && is_moderate(high_.z - low_.z); }
+  /// Whether products of three lengths neither overflow nor underflow. If they do, the volume of the scaled points has
+  /// the same sign.
+  bool is_moderate() const {
+    return is_moderate(high_.x - low_.x) && is_moderate(high_.y - low_.y) && is_moderate(high_.z - low_.z);
+  }
 
   vec3 center() const { return {low_.x / 2 + high_.x / 2, low_.y / 2 + high_.y / 2, low_.z / 2 + high_.z / 2}; }
 
   /// A point with each coordinate divided by a power of two that is as large as the largest one of the box.
   vec3 scaled(const vec3& p) const {
-    return {std::ldexp(p.x, -exponent_of(low_.x, high_.x)), std::ldexp(p.y, -exponent_of(low_.y, high_.y)), std::ldexp(p.z, -exponent_of(low_.z, high_.z))};
+    return {std::ldexp(p.x, -exponent_of(low_.x, high_.x)), std::ldexp(p.y, -exponent_of(low_.y, high_.y)),
+            std::ldexp(p.z, -exponent_of(low_.z, high_.z))};
   }
 
-  /// A bound of the rounding error of six times the volume of a cell whose faces have so many corners; of the scaled points if not is_moderate().
+  /// A bound of the rounding error of six times the volume of a cell whose faces have so many corners; of the scaled
+  /// points if not is_moderate().
   double error(std::size_t num_corners) const {
     const vec3 size = is_moderate() ? high_ - low_ : scaled(high_) - scaled(low_);
     return 5e-16 * static_cast<double>(num_corners + 4) * size.x * size.y * size.z;

@@ -1,5 +1,5 @@
-// Sparse matrices filled directly in compressed columns: entries are counted, the counts are summed to offsets, then each entry is written to its
-// position.
+// Sparse matrices filled directly in compressed columns: entries are counted, the counts are summed to offsets, then
+// each entry is written to its position.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -16,7 +16,8 @@ namespace concino::detail {
 inline constexpr std::size_t largest_sparse_index = static_cast<std::size_t>(std::numeric_limits<int>::max());
 
 [[noreturn, gnu::noinline, gnu::cold]] inline void throw_too_large(const char* caller, const char* what) {
-  core::throw_joined<unsupported>({caller, ": the matrix would have more ", what, " than its 32-bit indices can count; split the mesh"});
+  core::throw_joined<unsupported>(
+      {caller, ": the matrix would have more ", what, " than its 32-bit indices can count; split the mesh"});
 }
 
 /// A matrix with empty columns. The caller then counts the entries of column c in outerIndexPtr()[c + 1].

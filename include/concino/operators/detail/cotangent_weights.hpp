@@ -23,7 +23,8 @@ class cotangent_weights {
   static constexpr std::size_t corners = static_cast<std::size_t>(dimension) + 1;
   static constexpr std::size_t edges_per_poly = dimension == 2 ? 3 : 6;
   // The usual order of edges in a poly. Polyhedra may have any order; this one is tried first.
-  static constexpr std::size_t likely_ends[2][6][2] = {{{0, 1}, {1, 2}, {2, 0}}, {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+  static constexpr std::size_t likely_ends[2][6][2] = {{{0, 1}, {1, 2}, {2, 0}},
+                                                       {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
   const M& m_;
   const char* caller_;
@@ -33,7 +34,8 @@ class cotangent_weights {
   static bool are(const vert_t<M>& a, const vert_t<M>& b, const vert_t<M>& c, const vert_t<M>& d) {
     return ((int{a == c} & int{b == d}) | (int{a == d} & int{b == c})) != 0;
   }
-  static double searched(const std::array<vert_t<M>, corners>& corner, const simplex_weights<dimension>& weight, const vert_t<M>& a, const vert_t<M>& b) {
+  static double searched(const std::array<vert_t<M>, corners>& corner, const simplex_weights<dimension>& weight,
+                         const vert_t<M>& a, const vert_t<M>& b) {
     std::size_t i = 0, j = 0;
     for (std::size_t k = 0; k < corners; ++k) {
       if (corner[k] == a) i = k;
@@ -44,12 +46,14 @@ class cotangent_weights {
 
   [[noreturn, gnu::noinline, gnu::cold]] void throw_no_simplex(const poly_t<M>& p, std::size_t n) const {
     core::throw_joined<unsupported>({caller_, ": poly ", index_of(m_, p), " has ", n, " verts and is not a ",
-                               dimension == 2 ? "triangle" : "tet", "; use virtual_elements or uniform, or split the polys"});
+                                     dimension == 2 ? "triangle" : "tet",
+                                     "; use virtual_elements or uniform, or split the polys"});
   }
   [[noreturn, gnu::noinline, gnu::cold]] void throw_degenerate(const poly_t<M>& p) const {
-    core::throw_joined<invalid_mesh>({caller_, ": poly ", index_of(m_, p),
-                                " is degenerate: it has no area or volume, or points that are not finite, so its angles have no cotangents; remove it, move "
-                                "its verts or use uniform"});
+    core::throw_joined<invalid_mesh>(
+        {caller_, ": poly ", index_of(m_, p),
+         " is degenerate: it has no area or volume, or points that are not finite, so its angles have no cotangents; remove it, move "
+         "its verts or use uniform"});
   }
 
   void add(const poly_t<M>& p) {
@@ -83,7 +87,8 @@ class cotangent_weights {
   }
 
  public:
-  /// Errors: unsupported if some poly is no triangle or tet, invalid_mesh if it is degenerate; messages begin with `caller`.
+  /// Errors: unsupported if some poly is no triangle or tet, invalid_mesh if it is degenerate; messages begin with
+  ///         `caller`.
   cotangent_weights(const M& m, const char* caller) : m_(m), caller_(caller), weight_(edge_index_bound(m)) {
     for (const poly_t<M> p : polys(m)) add(p);
   }

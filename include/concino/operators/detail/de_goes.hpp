@@ -9,8 +9,9 @@
 
 namespace concino::detail {
 
-/// Fills in the positive semidefinite matrix K of one polygon: |p| G^T G + R^T R. G is the mean gradient. R u is the difference of u along
-/// each edge minus the difference predicted by the mean gradient (their stabilisation with lambda = 1). On triangles R is 0.
+/// Fills in the positive semidefinite matrix K of one polygon: |p| G^T G + R^T R. G is the mean gradient. R u is the
+/// difference of u along each edge minus the difference predicted by the mean gradient (their stabilisation with lambda
+/// = 1). On triangles R is 0.
 /// Needs:  Embedded SurfaceMesh.      Cost: O(n^2) for n verts; allocates only for the largest poly.
 /// Errors: invalid_mesh if the polygon has no area or a point is not finite.
 /// Source: de Goes, Butts, Desbrun 2020, "Discrete differential operators on polygonal meshes".
@@ -32,9 +33,9 @@ class de_goes_element {
     const std::vector<vec3>& g = corners_.gradient;
     const std::size_t n = g.size();
     out.entries.resize(n * (n + 1) / 2);
-    // R = D - E G, with D the differences along edges and the rows of E the edges projected to the plane of the polygon. So R^T R is
-    // D^T D - H^T G - G^T H + G^T E^T E G, where the columns h of H = E^T D are the bends. With |p| G^T G the total is D^T D - H^T G + G^T Q,
-    // where the columns of Q are |p| g + E^T E g - h.
+    // R = D - E G, with D the differences along edges and the rows of E the edges projected to the plane of the
+    // polygon. So R^T R is D^T D - H^T G - G^T H + G^T E^T E G, where the columns h of H = E^T D are the bends. With
+    // |p| G^T G the total is D^T D - H^T G + G^T Q, where the columns of Q are |p| g + E^T E g - h.
     other_.assign(n, vec3{});
     bend_.assign(n, vec3{});
     if (n > 3) {
@@ -48,7 +49,8 @@ class de_goes_element {
         bend_[next] += edge;
         for (std::size_t k = 0; k < 3; ++k) square[k] += edge[k] * edge;
       }
-      for (std::size_t i = 0; i < n; ++i) other_[i] = vec3{dot(square[0], g[i]), dot(square[1], g[i]), dot(square[2], g[i])} - bend_[i];
+      for (std::size_t i = 0; i < n; ++i)
+        other_[i] = vec3{dot(square[0], g[i]), dot(square[1], g[i]), dot(square[2], g[i])} - bend_[i];
     }
     for (std::size_t i = 0; i < n; ++i) other_[i] += corners_.measure * g[i];
     for (std::size_t i = 0; i < n; ++i)

@@ -1,4 +1,5 @@
-// Assembly of matrices over verts, poly by poly, directly in compressed columns: without triplets, and with each poly computed once.
+// Assembly of matrices over verts, poly by poly, directly in compressed columns: without triplets, and with each poly
+// computed once.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -57,14 +58,15 @@ void make_lower_pattern(const M& m, Eigen::SparseMatrix<double>& a) {
 void add_local(const std::vector<int>& index, const double* entries, Eigen::SparseMatrix<double>& a);
 
 template<class M>
-void add_local(const M& m, const local_matrix<vert_t<M>>& local, std::vector<int>& index, Eigen::SparseMatrix<double>& a) {
+void add_local(const M& m, const local_matrix<vert_t<M>>& local, std::vector<int>& index,
+               Eigen::SparseMatrix<double>& a) {
   index.resize(local.size());
   for (std::size_t i = 0; i < index.size(); ++i) index[i] = static_cast<int>(index_of(m, local.verts[i]));
   add_local(index, local.entries.data(), a);
 }
 
-/// The lower triangle of the sum of the local matrices of all polys. They are computed in parallel and added in the order of polys(m), so the
-/// bits do not depend on the number of threads.
+/// The lower triangle of the sum of the local matrices of all polys. They are computed in parallel and added in the
+/// order of polys(m), so the bits do not depend on the number of threads.
 /// Errors: unsupported if 32-bit indices do not suffice; those of the element, for the first poly that has one.
 template<AnyMesh M>
 Eigen::SparseMatrix<double> assemble_elements(const M& m, make_poly_operator<M> make_element) {
@@ -78,12 +80,12 @@ Eigen::SparseMatrix<double> assemble_elements(const M& m, make_poly_operator<M> 
   batch.reserve(blocks * block);
   std::vector<int> index;
   const auto add_batch = [&] {
-    parallel_for(
-        (batch.size() + block - 1) / block,
-        [&](std::size_t b) {
-          for (std::size_t i = b * block; i < std::min(batch.size(), (b + 1) * block); ++i) (*element[b])(batch[i], local[i]);
-        },
-        1);
+    parallel_for((batch.size() + block - 1) / block,
+                 [&](std::size_t b) {
+                   for (std::size_t i = b * block; i < std::min(batch.size(), (b + 1) * block); ++i)
+                     (*element[b])(batch[i], local[i]);
+                 },
+                 1);
     for (std::size_t i = 0; i < batch.size(); ++i) add_local(m, local[i], index, a);
     batch.clear();
   };
@@ -95,8 +97,8 @@ Eigen::SparseMatrix<double> assemble_elements(const M& m, make_poly_operator<M> 
   return a;
 }
 
-/// Both triangles of `sign` times the matrix with this lower triangle. Each diagonal entry becomes minus the sum of the other entries of its column, so
-/// constants are in the kernel as well as rounding allows.
+/// Both triangles of `sign` times the matrix with this lower triangle. Each diagonal entry becomes minus the sum of the
+/// other entries of its column, so constants are in the kernel as well as rounding allows.
 Eigen::SparseMatrix<double> with_constants_in_kernel(const Eigen::SparseMatrix<double>& lower, double sign);
 
 template<AnyMesh M>

@@ -46,7 +46,8 @@ CONCINO_INLINE void pattern_builder::finish(Eigen::SparseMatrix<double>& a) cons
   a.resizeNonZeros(static_cast<Eigen::Index>(rows_.size()));
   int at = 0;
   for (std::size_t i = 0; i < size; ++i) {  // verts may come in any order
-    std::copy(rows_.begin() + static_cast<std::ptrdiff_t>(begin_[i]), rows_.begin() + static_cast<std::ptrdiff_t>(end_[i]), a.innerIndexPtr() + at);
+    std::copy(rows_.begin() + static_cast<std::ptrdiff_t>(begin_[i]),
+              rows_.begin() + static_cast<std::ptrdiff_t>(end_[i]), a.innerIndexPtr() + at);
     at += static_cast<int>(end_[i] - begin_[i]);
     a.outerIndexPtr()[i + 1] = at;
   }
@@ -63,7 +64,8 @@ CONCINO_INLINE void add_local(const std::vector<int>& index, const double* entri
     }
 }
 
-CONCINO_INLINE Eigen::SparseMatrix<double> with_constants_in_kernel(const Eigen::SparseMatrix<double>& lower, double sign) {
+CONCINO_INLINE Eigen::SparseMatrix<double> with_constants_in_kernel(const Eigen::SparseMatrix<double>& lower,
+                                                                    double sign) {
   Eigen::SparseMatrix<double> a = with_both_triangles(lower);
   for (int c = 0; c < a.cols(); ++c) {
     double sum = 0;

@@ -9,8 +9,8 @@
 
 namespace concino::detail {
 
-/// Computes the local matrix of one poly after another. It is type-erased, so that the assembly is compiled once per mesh type
-/// and not once per discretisation. The cost of the call is negligible.
+/// Computes the local matrix of one poly after another. It is type-erased, so that the assembly is compiled once per
+/// mesh type and not once per discretisation. The cost of the call is negligible.
 template<class M>
 struct poly_operator {
   virtual ~poly_operator() = default;

@@ -1,4 +1,5 @@
-// The Galerkin mass of meshes of triangles or tets by type, from edges: the same matrix as that of virtual elements, several times faster.
+// The Galerkin mass of meshes of triangles or tets by type, from edges: the same matrix as that of virtual elements,
+// several times faster.
 #pragma once
 
 #include <concino/core/assembly.hpp>
@@ -64,7 +65,8 @@ Eigen::SparseMatrix<double> simplex_mass(const M& m) {
   Eigen::SparseMatrix<double> a = core::assemble<core::whole_matrix>(
       m, simplex_mass_weights<M>(m), vert_index_bound(m), -1.0,
       [&](const vert_t<M>& v) { return static_cast<int>(index_of(m, v)); }, [](int, const vert_t<M>&, double) {});
-  // A simplex has `dimension` edges at a vert. The integral of the squared hat function of a vert is twice that of an edge.
+  // A simplex has `dimension` edges at a vert. The integral of the squared hat function of a vert is twice that of an
+  // edge.
   constexpr double factor = -2.0 / dimension_v<M>;
   for (int c = 0; c < a.cols(); ++c)
     for (int k = a.outerIndexPtr()[c]; k < a.outerIndexPtr()[c + 1]; ++k)

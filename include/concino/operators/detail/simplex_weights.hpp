@@ -11,8 +11,8 @@ namespace concino::detail {
 
 /// A triangle (D = 2) or tet (D = 3) and the weights it contributes to its edges.
 ///
-/// In any dimension the gradient of the hat function of corner i is -s_i / (D |p|), where s_i is the facet opposite i as an outward
-/// vector, so the weight of edge ij is -|p| grad_i . grad_j = -s_i . s_j / (D^2 |p|).
+/// In any dimension the gradient of the hat function of corner i is -s_i / (D |p|), where s_i is the facet opposite i
+/// as an outward vector, so the weight of edge ij is -|p| grad_i . grad_j = -s_i . s_j / (D^2 |p|).
 template<int D>
 struct simplex_weights {
   std::array<vec3, D + 1> facet;
@@ -20,7 +20,8 @@ struct simplex_weights {
 
   explicit simplex_weights(const std::array<vec3, D + 1>& x) {
     if constexpr (D == 2) {
-      facet = {x[2] - x[1], x[0] - x[2], x[1] - x[0]};  // edges replace their normals in the plane: they have the same lengths and angles
+      facet = {x[2] - x[1], x[0] - x[2], x[1] - x[0]};  // edges replace their normals in the plane: they have the same
+                                                        // lengths and angles
       factor = -0.5 / norm(cross(facet[1], facet[2]));
     } else {
       const vec3 a = x[1] - x[0], b = x[2] - x[0], c = x[3] - x[0];

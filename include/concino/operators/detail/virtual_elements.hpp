@@ -1,4 +1,5 @@
-// Virtual elements of order 1: stiffness and mass of one poly of any shape. Functions with values at its verts are projected to linear functions.
+// Virtual elements of order 1: stiffness and mass of one poly of any shape. Functions with values at its verts are
+// projected to linear functions.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -43,8 +44,8 @@ struct symmetric3 {
   }
 };
 
-/// The verts of a thin poly in coordinates sorted by extent: y = Q R with orthonormal columns Q that are also orthogonal to
-/// constants. Small values along one axis are not lost next to large values along another.
+/// The verts of a thin poly in coordinates sorted by extent: y = Q R with orthonormal columns Q that are also
+/// orthogonal to constants. Small values along one axis are not lost next to large values along another.
 struct thin_poly_coordinates {
   vec3 axis[3];
   std::vector<vec3> q;      // a row for each vert; the last column is 0 for polygons
@@ -58,13 +59,14 @@ struct thin_poly_coordinates {
   vec3 solve(vec3 a, std::size_t dimension) const;
 };
 
-/// The common part of both matrices, the lower triangle row by row. form: of both gradients; factor: of the squares of u - P u at the verts; constant:
-/// added to every entry; image: scratch.
-void fill_projected(const corner_gradient_arrays& poly, const symmetric3& form, double factor, double constant, std::vector<vec3>& image,
-                    std::vector<double>& entries);
+/// The common part of both matrices, the lower triangle row by row. form: of both gradients; factor: of the squares of
+/// u - P u at the verts; constant: added to every entry; image: scratch.
+void fill_projected(const corner_gradient_arrays& poly, const symmetric3& form, double factor, double constant,
+                    std::vector<vec3>& image, std::vector<double>& entries);
 
-/// The projection of a poly's functions to linear ones, P u (x) = mean of u + (sum of u_i g_i) . (x - mean of the verts). Both matrices have the
-/// form: the exact one on P u, plus a multiple of the sum of squares of u - P u at the verts, which P maps to 0.
+/// The projection of a poly's functions to linear ones, P u (x) = mean of u + (sum of u_i g_i) . (x - mean of the
+/// verts). Both matrices have the form: the exact one on P u, plus a multiple of the sum of squares of u - P u at the
+/// verts, which P maps to 0.
 template<EmbeddedMesh M>
 class virtual_element {
  protected:
@@ -87,12 +89,14 @@ class virtual_element {
   void name_verts(local_matrix<vert_t<M>>& out) const { out.verts.assign(poly_.verts.begin(), poly_.verts.end()); }
 };
 
-/// The stiffness: u . K u is the integral of the squared gradient of P u, plus the squares of u - P u times a factor. The factor gives rectangles and
-/// boxes the bilinear and trilinear elements as far as one factor can. It has the order of the stiffness itself however the poly is
-/// stretched; a power of its diameter would not. The sum of squares of the g_i also grows with the raggedness of a poly, which would
-/// make it too stiff. Of all g_i that are exact on linear functions, Y^-1 y_i with Y the sum of y y^T have the smallest sum of squares, which is
-/// the trace of Y^-1. It is the same on boxes, and is used for polyhedra.
-/// Source: Beirao da Veiga et al. 2013, "Basic principles of virtual element methods"; 2014, "The hitchhiker's guide to the virtual element method".
+/// The stiffness: u . K u is the integral of the squared gradient of P u, plus the squares of u - P u times a factor.
+/// The factor gives rectangles and boxes the bilinear and trilinear elements as far as one factor can. It has the order
+/// of the stiffness itself however the poly is stretched; a power of its diameter would not. The sum of squares of the
+/// g_i also grows with the raggedness of a poly, which would make it too stiff. Of all g_i that are exact on linear
+/// functions, Y^-1 y_i with Y the sum of y y^T have the smallest sum of squares, which is the trace of Y^-1. It is the
+/// same on boxes, and is used for polyhedra.
+/// Source: Beirao da Veiga et al. 2013, "Basic principles of virtual element methods"; 2014, "The hitchhiker's guide to
+///         the virtual element method".
 template<std::size_t Dimension>
 class stiffness_of_poly {
   thin_poly_coordinates thin_;
@@ -121,8 +125,8 @@ class virtual_stiffness : virtual_element<M> {
   }
 };
 
-/// The mass: u . M u is the integral of the square of P u, exact over the poly as it is measured, plus the squares of u - P u times a factor. The factor
-/// makes rectangles bilinear elements. Simplices have the mass of linear elements.
+/// The mass: u . M u is the integral of the square of P u, exact over the poly as it is measured, plus the squares of u
+/// - P u times a factor. The factor makes rectangles bilinear elements. Simplices have the mass of linear elements.
 /// Source: Ahmad et al. 2013, "Equivalent projectors for virtual element methods".
 template<EmbeddedMesh M>
 class virtual_mass : virtual_element<M> {

@@ -9,7 +9,8 @@
 
 namespace concino::detail {
 
-CONCINO_INLINE void thin_poly_coordinates::find(const std::vector<vec3>& points, const vec3& normal, std::size_t dimension) {
+CONCINO_INLINE void thin_poly_coordinates::find(const std::vector<vec3>& points, const vec3& normal,
+                                                std::size_t dimension) {
   const auto longest = [&](auto&& part) {
     vec3 best;
     for (const vec3& y : points)
@@ -57,10 +58,10 @@ CONCINO_INLINE vec3 thin_poly_coordinates::solve(vec3 a, std::size_t dimension) 
   return a;
 }
 
-/// entry(i, j) = g_i . form g_j + factor (delta_ij - 1/n - y_i . g_j - y_j . g_i), where `form` already includes factor times the sum of y y^T.
-/// The term with `factor` is the sum of the squares of u - P u.
-CONCINO_INLINE void fill_projected(const corner_gradient_arrays& poly, const symmetric3& form, double factor, double constant, std::vector<vec3>& image,
-                                   std::vector<double>& entries) {
+/// entry(i, j) = g_i . form g_j + factor (delta_ij - 1/n - y_i . g_j - y_j . g_i), where `form` already includes factor
+/// times the sum of y y^T. The term with `factor` is the sum of the squares of u - P u.
+CONCINO_INLINE void fill_projected(const corner_gradient_arrays& poly, const symmetric3& form, double factor,
+                                   double constant, std::vector<vec3>& image, std::vector<double>& entries) {
   const std::size_t n = poly.points.size();
   entries.resize(n * (n + 1) / 2);
   image.resize(n);
@@ -69,16 +70,19 @@ CONCINO_INLINE void fill_projected(const corner_gradient_arrays& poly, const sym
   double* row = entries.data();
   for (std::size_t i = 0; i < n; row += ++i) {
     for (std::size_t j = 0; j <= i; ++j)
-      row[j] = dot(image[i], poly.gradient[j]) - factor * (dot(poly.points[i], poly.gradient[j]) + dot(poly.points[j], poly.gradient[i])) + constant;
+      row[j] = dot(image[i], poly.gradient[j]) -
+               factor * (dot(poly.points[i], poly.gradient[j]) + dot(poly.points[j], poly.gradient[i])) + constant;
     row[i] += factor;
   }
 }
 
-/// The stiffness of thin polys, where y . g is a difference of much larger numbers. Let y = Q R and h_i = R (g_i - R^-1 q_i), minus the constant and
-/// linear parts of h, which are rounding errors. Then the sum of squares of u - P u is the sum of squares of u - Q Q^T u - mean plus that of
-/// the sum of u_i h_i. As a sum of squares term by term, it is not negative.
+/// The stiffness of thin polys, where y . g is a difference of much larger numbers. Let y = Q R and h_i = R (g_i - R^-1
+/// q_i), minus the constant and linear parts of h, which are rounding errors. Then the sum of squares of u - P u is the
+/// sum of squares of u - Q Q^T u - mean plus that of the sum of u_i h_i. As a sum of squares term by term, it is not
+/// negative.
 template<std::size_t Dimension>
-bool stiffness_of_poly<Dimension>::fill_thin(const corner_gradient_arrays& poly, double size, std::vector<double>& entries) {
+bool stiffness_of_poly<Dimension>::fill_thin(const corner_gradient_arrays& poly, double size,
+                                             std::vector<double>& entries) {
   constexpr std::size_t d = Dimension;
   const std::size_t n = poly.points.size();
   thin_.find(poly.points, d == 2 ? poly.normal / norm(poly.normal) : vec3{}, d);
@@ -107,12 +111,14 @@ bool stiffness_of_poly<Dimension>::fill_thin(const corner_gradient_arrays& poly,
     squares += dot(gradient_[i], gradient_[i]);
     least += dot(linear, linear);
   }
-  const double factor = size * (d == 2 ? squares : least) * stabilisation_factor(static_cast<double>(n)), constant = factor / static_cast<double>(n);
+  const double factor = size * (d == 2 ? squares : least) * stabilisation_factor(static_cast<double>(n)),
+               constant = factor / static_cast<double>(n);
   entries.resize(n * (n + 1) / 2);
   double* row = entries.data();
   for (std::size_t i = 0; i < n; row += ++i) {
     for (std::size_t j = 0; j <= i; ++j)
-      row[j] = size * dot(gradient_[i], gradient_[j]) + factor * (dot(unseen_[i], unseen_[j]) - dot(thin_.q[i], thin_.q[j])) - constant;
+      row[j] = size * dot(gradient_[i], gradient_[j]) +
+               factor * (dot(unseen_[i], unseen_[j]) - dot(thin_.q[i], thin_.q[j])) - constant;
     row[i] += factor;
   }
   return true;

@@ -1,4 +1,5 @@
-// The stiffness of one poly by virtual refinement: that of the triangles or tets around a virtual vert inside, whose value is a mean of the poly's values.
+// The stiffness of one poly by virtual refinement: that of the triangles or tets around a virtual vert inside, whose
+// value is a mean of the poly's values.
 #pragma once
 
 #include <concino/operators/corner_gradients.hpp>
@@ -49,13 +50,16 @@ struct sum_of_squares {
   }
 };
 
-/// Fills in the positive semidefinite matrix P^T K P of one poly. The virtual vert of a polygon is the mean of its verts that minimises the sum of
-/// the squared areas of the triangles to the edges. Of the weights that give this point, it uses those with the smallest sum of squares. Polyhedra
-/// have such a vert in each face that is no triangle, and one inside that minimises the squared volumes of the tets to the triangles on its faces.
-/// K is the cotangent matrix of these triangles or tets; P computes the values at virtual verts. A triangle or tet has no virtual vert.
-/// Needs:  EmbeddedMesh.      Cost: O(n^2) for a polygon of n verts, O(n^3) for a polyhedron; allocates only for the largest poly.
-/// Errors: invalid_mesh if the poly has no area or volume or a point is not finite; unsupported if it is not star-shaped about its virtual
-///         vert: a virtual triangle or tet then has no measure, or is oriented opposite to the poly.
+/// Fills in the positive semidefinite matrix P^T K P of one poly. The virtual vert of a polygon is the mean of its
+/// verts that minimises the sum of the squared areas of the triangles to the edges. Of the weights that give this
+/// point, it uses those with the smallest sum of squares. Polyhedra have such a vert in each face that is no triangle,
+/// and one inside that minimises the squared volumes of the tets to the triangles on its faces. K is the cotangent
+/// matrix of these triangles or tets; P computes the values at virtual verts. A triangle or tet has no virtual vert.
+/// Needs:  EmbeddedMesh.      Cost: O(n^2) for a polygon of n verts, O(n^3) for a polyhedron; allocates only for the
+///         largest poly.
+/// Errors: invalid_mesh if the poly has no area or volume or a point is not finite; unsupported if it is not
+///         star-shaped about its virtual vert: a virtual triangle or tet then has no measure, or is oriented opposite
+///         to the poly.
 /// Source: Bunge, Herholz, Kazhdan, Botsch 2020, "Polygon Laplacian made simple".
 template<EmbeddedMesh M>
 class virtual_refinement_element {
@@ -64,11 +68,13 @@ class virtual_refinement_element {
 
   const M& m_;
   std::vector<vec3> points_;                            // of verts, then of virtual verts, relative to the first
-  std::vector<std::size_t> around_, support_, first_;  // first_[k]: where in support_ the verts begin whose mean is virtual vert k
+  std::vector<std::size_t> around_, support_, first_;  // first_[k]: where in support_ the verts begin whose mean is
+                                                       // virtual vert k
   std::vector<double> weight_;                         // and their weights
   std::vector<std::array<std::size_t, 3>> triangles_;  // on the boundary of a polyhedron, oriented outward
   std::vector<std::array<std::size_t, corners>> simplices_;
-  std::vector<double> measure_;                        // of each simplex, times 2 or 6, positive if oriented like the poly
+  std::vector<double> measure_;                        // of each simplex, times 2 or 6, positive if oriented like the
+                                                       // poly
   std::vector<std::size_t> slot_;                      // for polys of many verts
 
   [[noreturn, gnu::noinline, gnu::cold]] void throw_not_star_shaped(const poly_t<M>& p) const {
@@ -158,7 +164,9 @@ class virtual_refinement_element {
         }
         const std::size_t k = around_.size();
         const bool outward = face_is_outward(m_, p, f);
-        const auto add = [&](std::size_t a, std::size_t b, std::size_t c) { triangles_.push_back({a, outward ? b : c, outward ? c : b}); };
+        const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+          triangles_.push_back({a, outward ? b : c, outward ? c : b});
+        };
         if (k == 3) {
           add(around_[0], around_[1], around_[2]);
           continue;
@@ -184,7 +192,9 @@ class virtual_refinement_element {
     double whole = 0;
     if constexpr (SurfaceMesh<M>) {  // triangles share a normal, tets have a sign
       vec3 sum;
-      const auto normal = [&](const auto& s) { return cross(points_[s[1]] - points_[s[0]], points_[s[2]] - points_[s[0]]); };
+      const auto normal = [&](const auto& s) {
+        return cross(points_[s[1]] - points_[s[0]], points_[s[2]] - points_[s[0]]);
+      };
       for (const auto& s : simplices_) sum += normal(s);
       whole = norm(sum);
       const vec3 direction = sum / whole;
@@ -212,7 +222,8 @@ class virtual_refinement_element {
     if (n < corners) throw_no_measure("Laplacian by virtual refinement", m_, p);
     split(p, out.verts);
     check(p);
-    out.entries.assign(points_.size() * (points_.size() + 1) / 2, 0.0);  // of the virtual verts too, until they are eliminated
+    // of the virtual verts too, until they are eliminated
+    out.entries.assign(points_.size() * (points_.size() + 1) / 2, 0.0);
     for (const auto& s : simplices_) {
       std::array<vec3, corners> x;
       for (std::size_t i = 0; i < corners; ++i) x[i] = points_[s[i]];

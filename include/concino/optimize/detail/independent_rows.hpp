@@ -35,7 +35,8 @@ struct row_space {
   void multipliers_of_original_rows(std::vector<double>& of_reduced) const {
     for (std::size_t i = reduced.size(); i-- > 0;) {
       of_reduced[i] /= reduced[i].pivot;
-      for (const auto& [row, factor] : reduced[i].taken) of_reduced[static_cast<std::size_t>(row)] -= factor * of_reduced[i];
+      for (const auto& [row, factor] : reduced[i].taken)
+        of_reduced[static_cast<std::size_t>(row)] -= factor * of_reduced[i];
     }
   }
 };
@@ -114,9 +115,11 @@ class row_elimination {
 
   void add_independent(int i, int column, reduced_side&& left) {
     const double pivot = row_[static_cast<std::size_t>(column)];
-    reduced_row next{{{column, 1.0}}, left.value / pivot, left.terms / std::abs(pivot), left.noise / std::abs(pivot), pivot, std::move(left.taken)};
+    reduced_row next{{{column, 1.0}}, left.value / pivot,   left.terms / std::abs(pivot), left.noise / std::abs(pivot),
+                     pivot,           std::move(left.taken)};
     for (const int j : touched_)
-      if (j != column && row_[static_cast<std::size_t>(j)] != 0) next.entries.emplace_back(j, row_[static_cast<std::size_t>(j)] / pivot);
+      if (j != column && row_[static_cast<std::size_t>(j)] != 0)
+        next.entries.emplace_back(j, row_[static_cast<std::size_t>(j)] / pivot);
     pivot_of_[static_cast<std::size_t>(column)] = static_cast<int>(space_.reduced.size());
     space_.reduced.push_back(std::move(next));
     space_.independent.push_back(i);
@@ -132,7 +135,8 @@ class row_elimination {
 
  public:
   explicit row_elimination(Eigen::Index columns)
-      : pivot_of_(static_cast<std::size_t>(columns), -1), row_(static_cast<std::size_t>(columns)), is_touched_(row_.size()) {}
+      : pivot_of_(static_cast<std::size_t>(columns), -1), row_(static_cast<std::size_t>(columns)),
+        is_touched_(row_.size()) {}
 
   /// Reduces row i of `rows`, whose right side is `value`, and keeps it if it is independent of earlier rows.
   void add(const char* caller, const row_matrix& rows, int i, double value) {
@@ -143,8 +147,10 @@ class row_elimination {
       space_.is_nearly_dependent |= largest.size < 1e-6 * scale;
       add_independent(i, largest.column, std::move(left));
     } else if (!(std::abs(left.value) <= 1e-9 * left.terms)) {
-      core::throw_joined<solver_error>({caller, ": constraint ", static_cast<std::size_t>(i), " contradicts those before it: its left side is a combination"
-                                  " of theirs, but its right side differs by ", core::number_text(std::abs(left.value))});
+      core::throw_joined<solver_error>({caller, ": constraint ", static_cast<std::size_t>(i),
+                                        " contradicts those before it: its left side is a combination"
+                                        " of theirs, but its right side differs by ",
+                                        core::number_text(std::abs(left.value))});
     }
     clear_row();
   }
@@ -152,9 +158,10 @@ class row_elimination {
   row_space take() && { return std::move(space_); }
 };
 
-/// The rows of C x = d, in their order, that do not depend on earlier rows; by elimination with the largest entry of each row as its pivot.
-/// A row is dependent if elimination leaves no entry above rounding errors. These are the errors of its largest entry, and of the rows that reduce
-/// it, which are larger if the reduction left little of them. A dependent row contradicts the others if more than 1e-9 of the d involved is then left.
+/// The rows of C x = d, in their order, that do not depend on earlier rows; by elimination with the largest entry of
+/// each row as its pivot. A row is dependent if elimination leaves no entry above rounding errors. These are the errors
+/// of its largest entry, and of the rows that reduce it, which are larger if the reduction left little of them. A
+/// dependent row contradicts the others if more than 1e-9 of the d involved is then left.
 /// Errors: solver_error if a row contradicts earlier ones; the message names it.
 inline row_space independent_rows(const char* caller, const Eigen::SparseMatrix<double>& c, const Eigen::VectorXd& d) {
   Eigen::SparseMatrix<double, Eigen::RowMajor> rows = c;

@@ -1,4 +1,5 @@
-// Eliminates conditions x_i = v_i from a linear system: keeps the columns of the other unknowns and corrects the right-hand side.
+// Eliminates conditions x_i = v_i from a linear system: keeps the columns of the other unknowns and corrects the
+// right-hand side.
 #pragma once
 
 #include <concino/core/number_text.hpp>
@@ -20,17 +21,21 @@ struct known_values {
 
   /// Errors: invalid_argument if an index is out of range or given two different values, or a value is not finite.
   template<class D>
-  known_values(const char* caller, Eigen::Index size, const D& known) : x(Eigen::VectorXd::Zero(size)), unknown(static_cast<std::size_t>(size), 0) {
+  known_values(const char* caller, Eigen::Index size, const D& known)
+      : x(Eigen::VectorXd::Zero(size)), unknown(static_cast<std::size_t>(size), 0) {
     for (const auto& [index, value] : known) {
       const auto i = static_cast<Eigen::Index>(index);
       const auto v = static_cast<double>(value);
       if (i < 0 || i >= size)
-        core::throw_joined<invalid_argument>({caller, ": a value is given for unknown ", core::number_text(i), ", but there are ", static_cast<std::size_t>(size),
-                                              ", numbered from 0"});
-      if (!std::isfinite(v)) core::throw_joined<invalid_argument>({caller, ": the value given for unknown ", core::number_text(i), " is not finite"});
+        core::throw_joined<invalid_argument>({caller, ": a value is given for unknown ", core::number_text(i),
+                                              ", but there are ", static_cast<std::size_t>(size), ", numbered from 0"});
+      if (!std::isfinite(v))
+        core::throw_joined<invalid_argument>(
+            {caller, ": the value given for unknown ", core::number_text(i), " is not finite"});
       int& u = unknown[static_cast<std::size_t>(i)];
       if (u < 0 && x[i] != v)
-        core::throw_joined<invalid_argument>({caller, ": unknown ", core::number_text(i), " is given two values, ", core::number_text(x[i]), " and ", core::number_text(v)});
+        core::throw_joined<invalid_argument>({caller, ": unknown ", core::number_text(i), " is given two values, ",
+                                              core::number_text(x[i]), " and ", core::number_text(v)});
       x[i] = v;
       u = -1;
     }
@@ -43,7 +48,8 @@ struct known_values {
     Eigen::SparseMatrix<double> r(a.rows(), unknowns);
     std::size_t entries = 0;
     for (int c = 0; c < a.cols(); ++c)
-      if (unknown[static_cast<std::size_t>(c)] >= 0) entries += static_cast<std::size_t>(a.outerIndexPtr()[c + 1] - a.outerIndexPtr()[c]);
+      if (unknown[static_cast<std::size_t>(c)] >= 0)
+        entries += static_cast<std::size_t>(a.outerIndexPtr()[c + 1] - a.outerIndexPtr()[c]);
     r.resizeNonZeros(static_cast<Eigen::Index>(entries));
     int at = 0;
     for (int c = 0; c < a.cols(); ++c) {

@@ -24,11 +24,13 @@ class qp_solver {
     return std::max(largest(h_ * x + g_ + a_.transpose() * y), feasible_residual(x));
   }
 
-  /// Solves the program with the active rows fixed at their bounds: a linear system, regularised and corrected until it is solved.
+  /// Solves the program with the active rows fixed at their bounds: a linear system, regularised and corrected until it
+  /// is solved.
   bool solve_with_active(const std::vector<Eigen::Index>& active, const Eigen::VectorXd& bound, qp_result& r) const {
     const Eigen::Index n = g_.size(), k = static_cast<Eigen::Index>(active.size());
     std::vector<int> active_index(static_cast<std::size_t>(a_.rows()), -1);
-    for (Eigen::Index i = 0; i < k; ++i) active_index[static_cast<std::size_t>(active[static_cast<std::size_t>(i)])] = static_cast<int>(i);
+    for (Eigen::Index i = 0; i < k; ++i)
+      active_index[static_cast<std::size_t>(active[static_cast<std::size_t>(i)])] = static_cast<int>(i);
     std::vector<Eigen::Triplet<double>> t;
     for (int c = 0; c < a_.outerSize(); ++c)
       for (sparse_matrix::InnerIterator it(a_, c); it; ++it)
@@ -61,8 +63,10 @@ class qp_solver {
     Eigen::VectorXd all = Eigen::VectorXd::Zero(a_.rows());
     for (Eigen::Index i = 0; i < k; ++i) {
       const Eigen::Index row = active[static_cast<std::size_t>(i)];
-      if (low_[row] < high_[row] && ((bound[i] == low_[row] && best_y[i] > 0) || (bound[i] == high_[row] && best_y[i] < 0))) {
-        if (std::abs(best_y[i]) > 1e-9 * (1 + largest(best_y))) return false;  // the multiplier has the wrong sign for this bound
+      if (low_[row] < high_[row] &&
+          ((bound[i] == low_[row] && best_y[i] > 0) || (bound[i] == high_[row] && best_y[i] < 0))) {
+        // the multiplier has the wrong sign for this bound
+        if (std::abs(best_y[i]) > 1e-9 * (1 + largest(best_y))) return false;
         best_y[i] = 0;
       }
       all[row] = best_y[i];
@@ -81,17 +85,19 @@ class qp_solver {
     const Eigen::VectorXd ax = a_ * r.x;
     for (Eigen::Index i = 0; i < a_.rows(); ++i) {
       const double y = r.multipliers[i];
-      const bool lower = low_[i] == high_[i] || (y < 0 && ax[i] - low_[i] < -y), upper = !lower && y > 0 && high_[i] - ax[i] < y;
+      const bool lower = low_[i] == high_[i] || (y < 0 && ax[i] - low_[i] < -y),
+                 upper = !lower && y > 0 && high_[i] - ax[i] < y;
       if (!lower && !upper) continue;
       active.push_back(i);
       at.push_back(lower ? low_[i] : high_[i]);
     }
-    return solve_with_active(active, Eigen::Map<const Eigen::VectorXd>(at.data(), static_cast<Eigen::Index>(at.size())), r);
+    return solve_with_active(active, Eigen::Map<const Eigen::VectorXd>(at.data(), static_cast<Eigen::Index>(at.size())),
+                             r);
   }
 
  public:
-  qp_solver(const sparse_matrix& h, const Eigen::VectorXd& g, const sparse_matrix& a, const Eigen::VectorXd& low, const Eigen::VectorXd& high,
-            const qp_options& options)
+  qp_solver(const sparse_matrix& h, const Eigen::VectorXd& g, const sparse_matrix& a, const Eigen::VectorXd& low,
+            const Eigen::VectorXd& high, const qp_options& options)
       : h_(h), g_(g), a_(a), low_(low), high_(high), options_(options) {}
 
   qp_result solve() const {
@@ -103,12 +109,14 @@ class qp_solver {
     for (r.iterations = 1; r.iterations <= options_.max_iterations; ++r.iterations) {
       iterates.step();
       if (r.iterations % 25 != 0 && r.iterations != options_.max_iterations) continue;
-      report_progress(options_.progress, static_cast<double>(r.iterations) / options_.max_iterations, "quadratic program");
+      report_progress(options_.progress, static_cast<double>(r.iterations) / options_.max_iterations,
+                      "quadratic program");
       r.x = iterates.x();
       r.multipliers = iterates.multipliers();
       const relative_residuals left = residuals_of(r, iterates.row_values());
       r.residual = residual(r.x, r.multipliers);
-      if (!std::isfinite(r.residual)) throw solver_error("quadratic program: the iterates are no longer finite; scale H, g and A");
+      if (!std::isfinite(r.residual))
+        throw solver_error("quadratic program: the iterates are no longer finite; scale H, g and A");
       if (left.are_within(options_.tolerance)) {
         r.status = qp_status::solved;
         if (options_.polish) r.polished = polish(r);
@@ -130,7 +138,9 @@ class qp_solver {
   struct relative_residuals {
     double primal, primal_scale, dual, dual_scale;
 
-    bool are_within(double tolerance) const { return primal <= tolerance * (1e-3 + primal_scale) && dual <= tolerance * (1e-3 + dual_scale); }
+    bool are_within(double tolerance) const {
+      return primal <= tolerance * (1e-3 + primal_scale) && dual <= tolerance * (1e-3 + dual_scale);
+    }
     double primal_to_dual() const {
       return std::sqrt((primal / std::max(primal_scale, 1e-10)) / std::max(dual / std::max(dual_scale, 1e-10), 1e-10));
     }
@@ -177,7 +187,8 @@ class qp_solver {
 
   /// The scale of the terms whose differences are the residuals.
   double scale_of(const qp_result& r) const {
-    return 1e-3 + std::max({largest(h_ * r.x), largest(g_), largest(a_.transpose() * r.multipliers), largest(a_ * r.x)});
+    return 1e-3 +
+           std::max({largest(h_ * r.x), largest(g_), largest(a_.transpose() * r.multipliers), largest(a_ * r.x)});
   }
 };
 

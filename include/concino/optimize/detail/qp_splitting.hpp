@@ -1,4 +1,5 @@
-// The parts of the operator splitting for quadratic programs: scaling, the linear system of each step, the steps, and the certificates.
+// The parts of the operator splitting for quadratic programs: scaling, the linear system of each step, the steps, and
+// the certificates.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -21,7 +22,8 @@ inline double largest(const Eigen::VectorXd& x) {
   return most;
 }
 
-/// minimise x.Hx/2 + g.x subject to low <= Ax <= high, with rows, columns and the objective scaled so that entries are about 1.
+/// minimise x.Hx/2 + g.x subject to low <= Ax <= high, with rows, columns and the objective scaled so that entries are
+/// about 1.
 struct scaled_qp {
   sparse_matrix h, a;  // h: both triangles
   Eigen::VectorXd g, low, high;
@@ -29,8 +31,10 @@ struct scaled_qp {
   double objective = 1;
 
   /// Source: Ruiz 2001, "A scaling algorithm to equilibrate both rows and columns norms in matrices", as in OSQP.
-  scaled_qp(const sparse_matrix& h_, const Eigen::VectorXd& g_, const sparse_matrix& a_, const Eigen::VectorXd& low_, const Eigen::VectorXd& high_)
-      : h(h_), a(a_), g(g_), low(low_), high(high_), column(Eigen::VectorXd::Ones(g_.size())), row(Eigen::VectorXd::Ones(low_.size())) {
+  scaled_qp(const sparse_matrix& h_, const Eigen::VectorXd& g_, const sparse_matrix& a_, const Eigen::VectorXd& low_,
+            const Eigen::VectorXd& high_)
+      : h(h_), a(a_), g(g_), low(low_), high(high_), column(Eigen::VectorXd::Ones(g_.size())),
+        row(Eigen::VectorXd::Ones(low_.size())) {
     for (int round = 0; round < 10; ++round) {
       Eigen::VectorXd of_column = Eigen::VectorXd::Zero(g.size()), of_row = Eigen::VectorXd::Zero(low.size());
       each(h, [&](Eigen::Index, Eigen::Index c, double& x) { of_column[c] = std::max(of_column[c], std::abs(x)); });
@@ -80,9 +84,11 @@ class quasidefinite {
       for (sparse_matrix::InnerIterator it(h, c); it; ++it)
         if (it.row() >= c) t.emplace_back(static_cast<int>(it.row()), c, it.value());
     for (int c = 0; c < a.outerSize(); ++c)
-      for (sparse_matrix::InnerIterator it(a, c); it; ++it) t.emplace_back(static_cast<int>(n + it.row()), c, it.value());
+      for (sparse_matrix::InnerIterator it(a, c); it; ++it)
+        t.emplace_back(static_cast<int>(n + it.row()), c, it.value());
     for (int i = 0; i < n; ++i) t.emplace_back(i, i, shift);
-    for (Eigen::Index i = 0; i < a.rows(); ++i) t.emplace_back(static_cast<int>(n + i), static_cast<int>(n + i), -inverse_weight[i]);
+    for (Eigen::Index i = 0; i < a.rows(); ++i)
+      t.emplace_back(static_cast<int>(n + i), static_cast<int>(n + i), -inverse_weight[i]);
     sparse_matrix k(size_, size_);
     k.setFromTriplets(t.begin(), t.end());
     factors_.compute(k);
@@ -98,7 +104,8 @@ class quasidefinite {
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const { return size_ == 0 ? b : Eigen::VectorXd(factors_.solve(b)); }
 };
 
-/// The iterates of the operator splitting, in the scaled program: x, multipliers y, and the values z of the rows, within their bounds.
+/// The iterates of the operator splitting, in the scaled program: x, multipliers y, and the values z of the rows,
+/// within their bounds.
 class splitting_iterates {
   static constexpr double shift = 1e-6, relaxation = 1.6;
   const scaled_qp& p_;
@@ -140,7 +147,8 @@ class splitting_iterates {
     }
   }
 
-  /// Adapts the weights so that both residuals decrease equally. `ratio` is the primal residual over the dual one, each relative to its terms.
+  /// Adapts the weights so that both residuals decrease equally. `ratio` is the primal residual over the dual one, each
+  /// relative to its terms.
   void balance(double ratio) {
     if (!(ratio > 5 || ratio < 0.2)) return;  // the residuals are balanced
     const double better = std::clamp(rho_ * ratio, 1e-6, 1e6);
@@ -159,7 +167,8 @@ class splitting_iterates {
   Eigen::VectorXd multiplier_change() const { return y_ - y_before_; }
 };
 
-/// Whether dy proves that no x satisfies low <= Ax <= high: A^T dy = 0 and the bounds selected by dy contradict each other.
+/// Whether dy proves that no x satisfies low <= Ax <= high: A^T dy = 0 and the bounds selected by dy contradict each
+/// other.
 inline bool proves_infeasible(const scaled_qp& p, const Eigen::VectorXd& dy, double tolerance) {
   const double size = largest(dy);
   if (!(size > 0) || !std::isfinite(size)) return false;

@@ -1,4 +1,5 @@
-// Reads the faces of a volume cell, and recognises the standard shapes among them, whose points it puts in the standard order.
+// Reads the faces of a volume cell, and recognises the standard shapes among them, whose points it puts in the standard
+// order.
 #pragma once
 
 #include <concino/core/compiled.hpp>

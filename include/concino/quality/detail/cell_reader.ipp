@@ -7,7 +7,8 @@
 namespace concino::detail {
 
 CONCINO_INLINE poly_geometry cell_reader::geometry() {
-  static constexpr poly_shape shape_of_cell[] = {poly_shape::tet, poly_shape::hex, poly_shape::prism, poly_shape::pyramid};
+  static constexpr poly_shape shape_of_cell[] = {poly_shape::tet, poly_shape::hex, poly_shape::prism,
+                                                 poly_shape::pyramid};
   begins_.push_back(static_cast<unsigned>(verts_.size()));
   const std::size_t num_faces = begins_.size() - 1;
   if (points_.size() <= 8 && num_faces <= 6) {

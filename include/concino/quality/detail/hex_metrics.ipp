@@ -25,13 +25,17 @@ struct hex_metrics {
     }
     double oddy() const {
       const double uu = dot(u, u), vv = dot(v, v), ww = dot(w, w), uv = dot(u, v), vw = dot(v, w), wu = dot(w, u);
-      const double tensor = uu * uu + vv * vv + ww * ww + 2 * (uv * uv + vw * vw + wu * wu), trace = uu + vv + ww, det = determinant();
+      const double tensor = uu * uu + vv * vv + ww * ww + 2 * (uv * uv + vw * vw + wu * wu), trace = uu + vv + ww,
+                   det = determinant();
       return det > 0 ? std::max(0.0, tensor - trace * trace / 3) / (det * std::cbrt(det)) : no_limit;
     }
   };
-  static constexpr unsigned edges[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
-  static constexpr unsigned corners[8][3] = {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}};
-  static constexpr unsigned faces[6][4] = {{0, 3, 2, 1}, {1, 2, 6, 5}, {4, 5, 6, 7}, {3, 0, 4, 7}, {0, 1, 5, 4}, {2, 3, 7, 6}};
+  static constexpr unsigned edges[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
+                                            {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
+  static constexpr unsigned corners[8][3] = {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7},
+                                             {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}};
+  static constexpr unsigned faces[6][4] = {{0, 3, 2, 1}, {1, 2, 6, 5}, {4, 5, 6, 7},
+                                           {3, 0, 4, 7}, {0, 1, 5, 4}, {2, 3, 7, 6}};
 
   std::span<const vec3> p;
   double mean_size;
@@ -41,7 +45,8 @@ struct hex_metrics {
   frame corner(unsigned i) const { return {p[corners[i][0]] - p[i], p[corners[i][1]] - p[i], p[corners[i][2]] - p[i]}; }
   /// The principal axes; 0 if they are so short that they consist of rounding errors.
   frame axes() const {
-    frame f{(p[1] - p[0]) + (p[2] - p[3]) + (p[5] - p[4]) + (p[6] - p[7]), (p[3] - p[0]) + (p[2] - p[1]) + (p[7] - p[4]) + (p[6] - p[5]),
+    frame f{(p[1] - p[0]) + (p[2] - p[3]) + (p[5] - p[4]) + (p[6] - p[7]),
+            (p[3] - p[0]) + (p[2] - p[1]) + (p[7] - p[4]) + (p[6] - p[5]),
             (p[4] - p[0]) + (p[5] - p[1]) + (p[6] - p[2]) + (p[7] - p[3])};
     const double rounding = 1e-15 * std::sqrt(f.squares());
     for (vec3* const x : {&f.u, &f.v, &f.w})
@@ -69,20 +74,25 @@ struct hex_metrics {
     for (const auto& e : edges) q = std::max(q, length_of(p[e[1]] - p[e[0]]));
     return q;
   }
-  std::array<double, 4> diagonals() const { return {length_of(p[6] - p[0]), length_of(p[7] - p[1]), length_of(p[4] - p[2]), length_of(p[5] - p[3])}; }
+  std::array<double, 4> diagonals() const {
+    return {length_of(p[6] - p[0]), length_of(p[7] - p[1]), length_of(p[4] - p[2]), length_of(p[5] - p[3])};
+  }
 
   double diagonal() const {
     const auto d = diagonals();
     return ratio_or_zero(*std::min_element(d.begin(), d.end()), *std::max_element(d.begin(), d.end()));
   }
-  /// The volume under the bilinear surfaces through the verts of the faces, and its gradients with respect to the verts.
+  /// The volume under the bilinear surfaces through the verts of the faces, and its gradients with respect to the
+  /// verts.
   double volume_and_gradients(vec3 (&gradient)[8]) const {
     double sum = 0;
     for (const auto& f : faces) {
       const vec3 a = p[f[0]] - p[0], b = p[f[1]] - p[0], c = p[f[2]] - p[0], d = p[f[3]] - p[0];
-      const vec3 total = a + b + c + d, along = c - a, across = d - b, normal = cross(along, across), s = cross(across, total), t = cross(total, along);
+      const vec3 total = a + b + c + d, along = c - a, across = d - b, normal = cross(along, across),
+                 s = cross(across, total), t = cross(total, along);
       sum += dot(total, normal);
-      gradient[f[0]] += normal - s, gradient[f[1]] += normal - t, gradient[f[2]] += normal + s, gradient[f[3]] += normal + t;
+      gradient[f[0]] += normal - s, gradient[f[1]] += normal - t, gradient[f[2]] += normal + s,
+          gradient[f[3]] += normal + t;
     }
     return sum / 24;
   }
@@ -105,12 +115,17 @@ struct hex_metrics {
     double q = no_limit;
     for (unsigned i = 0; i < 8; ++i) {
       q = std::min(q, corner(i).determinant() / v);
-      // Derivatives along an axis at the Gauss point nearest to vert i: means of the 4 edges along it, by their distances.
+      // Derivatives along an axis at the Gauss point nearest to vert i: means of the 4 edges along it, by their
+      // distances.
       const unsigned x = i & 1u, y = i >> 1 & 1u, z = i >> 2;
-      const double wx[2] = {x ? far : near, x ? near : far}, wy[2] = {y ? far : near, y ? near : far}, wz[2] = {z ? far : near, z ? near : far};
-      const frame f{wy[0] * wz[0] * (p[1] - p[0]) + wy[1] * wz[0] * (p[2] - p[3]) + wy[0] * wz[1] * (p[5] - p[4]) + wy[1] * wz[1] * (p[6] - p[7]),
-                    wx[0] * wz[0] * (p[3] - p[0]) + wx[1] * wz[0] * (p[2] - p[1]) + wx[0] * wz[1] * (p[7] - p[4]) + wx[1] * wz[1] * (p[6] - p[5]),
-                    wx[0] * wy[0] * (p[4] - p[0]) + wx[1] * wy[0] * (p[5] - p[1]) + wx[1] * wy[1] * (p[6] - p[2]) + wx[0] * wy[1] * (p[7] - p[3])};
+      const double wx[2] = {x ? far : near, x ? near : far}, wy[2] = {y ? far : near, y ? near : far},
+                   wz[2] = {z ? far : near, z ? near : far};
+      const frame f{wy[0] * wz[0] * (p[1] - p[0]) + wy[1] * wz[0] * (p[2] - p[3]) + wy[0] * wz[1] * (p[5] - p[4]) +
+                        wy[1] * wz[1] * (p[6] - p[7]),
+                    wx[0] * wz[0] * (p[3] - p[0]) + wx[1] * wz[0] * (p[2] - p[1]) + wx[0] * wz[1] * (p[7] - p[4]) +
+                        wx[1] * wz[1] * (p[6] - p[5]),
+                    wx[0] * wy[0] * (p[4] - p[0]) + wx[1] * wy[0] * (p[5] - p[1]) + wx[1] * wy[1] * (p[6] - p[2]) +
+                        wx[0] * wy[1] * (p[7] - p[3])};
       q = std::min(q, 64 * f.determinant() / v);  // the weights sum up to 1/4
     }
     return q;
@@ -125,7 +140,9 @@ struct hex_metrics {
       }
     return skew_of_angles(low, high, 90);
   }
-  double jacobian() const { return std::min(smallest_at_corners([](const frame& f) { return f.determinant(); }), axes().determinant() / 64); }
+  double jacobian() const {
+    return std::min(smallest_at_corners([](const frame& f) { return f.determinant(); }), axes().determinant() / 64);
+  }
   double max_aspect_frobenius() const { return largest_at_corners([](const frame& f) { return f.condition(); }); }
   double med_aspect_frobenius() const {
     double sum = 0;
@@ -144,8 +161,13 @@ struct hex_metrics {
   }
   double oddy() const { return std::max(largest_at_corners([](const frame& f) { return f.oddy(); }), axes().oddy()); }
   double relative_size_squared() const { return squared_relative_size(volume(), mean_size); }
-  double scaled_jacobian() const { return std::min(smallest_at_corners([](const frame& f) { return f.scaled_determinant(); }), axes().scaled_determinant()); }
-  double mean_ratio() const { return std::min(smallest_at_corners([](const frame& f) { return f.mean_ratio(); }), axes().mean_ratio()); }
+  double scaled_jacobian() const {
+    return std::min(smallest_at_corners([](const frame& f) { return f.scaled_determinant(); }),
+                    axes().scaled_determinant());
+  }
+  double mean_ratio() const {
+    return std::min(smallest_at_corners([](const frame& f) { return f.mean_ratio(); }), axes().mean_ratio());
+  }
   double shape() const { return std::max(0.0, mean_ratio()); }
   double shape_and_size() const { return shape() * relative_size_squared(); }
   double shear() const { return std::max(0.0, scaled_jacobian()); }
@@ -154,7 +176,8 @@ struct hex_metrics {
     const frame f = axes();
     const double x = length_of(f.u), y = length_of(f.v), z = length_of(f.w);
     if (!(std::min({x, y, z}) > 0)) return no_limit;
-    return std::min(1.0, std::max({std::abs(dot(f.u, f.v)) / (x * y), std::abs(dot(f.u, f.w)) / (x * z), std::abs(dot(f.v, f.w)) / (y * z)}));
+    return std::min(1.0, std::max({std::abs(dot(f.u, f.v)) / (x * y), std::abs(dot(f.u, f.w)) / (x * z),
+                                   std::abs(dot(f.v, f.w)) / (y * z)}));
   }
   double stretch() const {
     const auto d = diagonals();
@@ -166,7 +189,8 @@ struct hex_metrics {
     const double xy = length_of((p[2] - p[3]) - (p[1] - p[0]) + (p[6] - p[7]) - (p[5] - p[4]));
     const double xz = length_of((p[5] - p[1]) - (p[4] - p[0]) + (p[6] - p[2]) - (p[7] - p[3]));
     const double yz = length_of((p[7] - p[4]) - (p[3] - p[0]) + (p[6] - p[5]) - (p[2] - p[1]));
-    return std::max({ratio_or_infinite(xy, std::min(x, y)), ratio_or_infinite(xz, std::min(x, z)), ratio_or_infinite(yz, std::min(y, z))});
+    return std::max({ratio_or_infinite(xy, std::min(x, y)), ratio_or_infinite(xz, std::min(x, z)),
+                     ratio_or_infinite(yz, std::min(y, z))});
   }
 };
 

@@ -8,17 +8,20 @@
 
 namespace concino::detail {
 
-CONCINO_INLINE quality_histogram histogram_of(metric what, const std::vector<shaped_value>& values, const histogram_options& options) {
+CONCINO_INLINE quality_histogram histogram_of(metric what, const std::vector<shaped_value>& values,
+                                              const histogram_options& options) {
   if (options.bins == 0) core::throw_joined<invalid_argument>({"histogram: bins must be 1 or more"});
   if (std::isinf(options.low) || std::isinf(options.high) || options.low > options.high)
-    core::throw_joined<invalid_argument>({"histogram: low and high must be finite, or NaN for those of the values, and low not greater than high"});
+    core::throw_joined<invalid_argument>(
+        {"histogram: low and high must be finite, or NaN for those of the values, and low not greater than high"});
   quality_histogram h;
   h.counts.assign(options.bins, 0);
   h.min_value = no_limit, h.max_value = -no_limit;
   const bool larger = larger_is_worse(what);
   value_range acceptable[num_poly_shapes];
   for (std::size_t i = 0; i < num_poly_shapes; ++i)
-    if (const metric_row* const row = find_row(what, static_cast<poly_shape>(i))) acceptable[i] = row->limits.acceptable;
+    if (const metric_row* const row = find_row(what, static_cast<poly_shape>(i)))
+      acceptable[i] = row->limits.acceptable;
   std::size_t num_finite = 0;
   for (const shaped_value& x : values) {
     if (!is_acceptable_in(acceptable[static_cast<unsigned>(x.shape)], larger, x.value)) ++h.unacceptable;
@@ -35,7 +38,10 @@ CONCINO_INLINE quality_histogram histogram_of(metric what, const std::vector<sha
     if (std::isnan(x.value)) ++h.undefined;
     else if (x.value < h.low) ++h.below;
     else if (x.value > h.high) ++h.above;
-    else ++h.counts[h.high > h.low ? std::min(options.bins - 1, static_cast<std::size_t>(bins * ((x.value - h.low) / (h.high - h.low)))) : 0];
+    else
+      ++h.counts[h.high > h.low ? std::min(options.bins - 1,
+                                           static_cast<std::size_t>(bins * ((x.value - h.low) / (h.high - h.low))))
+                                : 0];
   }
   return h;
 }

@@ -33,7 +33,8 @@ double planarity_of_loop(std::size_t n, const PointOf& at) {
 /// The area of the kernel of a polygon, projected along its vector area, as a part of its own; 0 if it has no area.
 double kernel_fraction_of_polygon(std::span<const vec3> points, const vec3& area);
 
-/// The volume of the kernel of a polyhedron as a part of its own; 0 if that is not positive. Each face is a fan of triangles about the mean of its verts.
+/// The volume of the kernel of a polyhedron as a part of its own; 0 if that is not positive. Each face is a fan of
+/// triangles about the mean of its verts.
 double kernel_fraction_of_polyhedron(const poly_geometry& g, double volume);
 
 }  // namespace concino::detail

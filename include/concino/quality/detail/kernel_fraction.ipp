@@ -1,4 +1,5 @@
-// Defines kernel_fraction.hpp: a convex polygon or polyhedron, first the bounding box, is cut by the lines or planes of all facets.
+// Defines kernel_fraction.hpp: a convex polygon or polyhedron, first the bounding box, is cut by the lines or planes of
+// all facets.
 #pragma once
 
 #include <concino/quality/detail/metric_row.hpp>
@@ -59,7 +60,8 @@ CONCINO_INLINE double kernel_fraction_of_polygon(std::span<const vec3> points, c
     cut_convex_loop(kernel, scratch, height, [](const vec3&) {});
   }
   double doubled = 0;
-  for (std::size_t i = 1; i + 1 < kernel.size(); ++i) doubled += cross(kernel[i] - kernel[0], kernel[i + 1] - kernel[0]).z;
+  for (std::size_t i = 1; i + 1 < kernel.size(); ++i)
+    doubled += cross(kernel[i] - kernel[0], kernel[i + 1] - kernel[0]).z;
   return convex ? 1 : std::clamp(doubled / (2 * size), 0.0, 1.0);
 }
 
@@ -82,7 +84,10 @@ class convex_body {
       for (const vec3& x : f) any = any || dot(n, x - origin) > 0;
     if (!any) return;
     section_.clear();
-    for (auto& f : faces_) cut_convex_loop(f, scratch_, [&](const vec3& x) { return -dot(n, x - origin); }, [&](const vec3& x) { section_.push_back(x); });
+    for (auto& f : faces_)
+      cut_convex_loop(
+          f, scratch_, [&](const vec3& x) { return -dot(n, x - origin); },
+          [&](const vec3& x) { section_.push_back(x); });
     std::erase_if(faces_, [](const auto& f) { return f.size() < 3; });
     if (section_.size() < 3) return;
     // The section is convex: its corners are in the order of their angles about a point inside.
@@ -98,13 +103,14 @@ class convex_body {
   double volume() const {
     double sum = 0;
     for (const auto& f : faces_)
-      for (std::size_t i = 1; i + 1 < f.size(); ++i) sum += dot(f[0] - faces_[0][0], cross(f[i] - f[0], f[i + 1] - f[0]));
+      for (std::size_t i = 1; i + 1 < f.size(); ++i)
+        sum += dot(f[0] - faces_[0][0], cross(f[i] - f[0], f[i + 1] - f[0]));
     return sum / 6;
   }
 };
 
-/// Calls f(n, x) for the planes of all facets of a polyhedron: unit normals that point outward, and a point. A face that is not planar has a plane for each
-/// triangle between an edge and its mean. What has no area is left out.
+/// Calls f(n, x) for the planes of all facets of a polyhedron: unit normals that point outward, and a point. A face
+/// that is not planar has a plane for each triangle between an edge and its mean. What has no area is left out.
 template<class F>
 void for_each_facet_plane(const poly_geometry& g, double eps, const F& f) {
   for (std::size_t k = 0; k + 1 < g.face_begins.size(); ++k) {
@@ -118,7 +124,8 @@ void for_each_facet_plane(const poly_geometry& g, double eps, const F& f) {
     mean += at(0);
     const double area = norm(doubled);
     bool planar = area > eps * eps;
-    for (std::size_t i = 0; i < face.size() && planar; ++i) planar = std::abs(dot(doubled, at(i) - mean)) <= 1e3 * eps * area;
+    for (std::size_t i = 0; i < face.size() && planar; ++i)
+      planar = std::abs(dot(doubled, at(i) - mean)) <= 1e3 * eps * area;
     if (planar) f(doubled / area, mean);
     for (std::size_t i = 0; i < face.size() && !planar; ++i) {
       const vec3 n = cross(at(i) - mean, at(i + 1) - mean);

@@ -13,13 +13,48 @@ namespace concino {
 
 namespace detail {
 
-inline constexpr std::string_view metric_names[] = {
-    "area", "volume", "aspect_beta", "aspect_frobenius", "aspect_gamma", "aspect_ratio", "collapse_ratio", "condition", "diagonal", "dimension", "distortion",
-    "edge_ratio", "equiangle_skew", "equivolume_skew", "inradius", "jacobian", "max_aspect_frobenius", "max_edge_ratio", "maximum_angle", "mean_ratio",
-    "med_aspect_frobenius", "minimum_angle", "nodal_jacobian_ratio", "normalized_inradius", "oddy", "planarity", "radius_ratio", "relative_size_squared",
-    "scaled_jacobian", "shape", "shape_and_size", "shear", "shear_and_size", "skew", "star_shapedness", "stretch", "taper", "warpage"};
-inline constexpr std::string_view poly_shape_names[] = {"triangle", "quad", "polygon", "tet", "hex", "prism", "pyramid", "polyhedron"};
-static_assert(std::size(metric_names) == num_metrics && std::size(poly_shape_names) == num_poly_shapes && static_cast<unsigned>(metric::warpage) + 1 == num_metrics);
+inline constexpr std::string_view metric_names[] = {"area",
+                                                    "volume",
+                                                    "aspect_beta",
+                                                    "aspect_frobenius",
+                                                    "aspect_gamma",
+                                                    "aspect_ratio",
+                                                    "collapse_ratio",
+                                                    "condition",
+                                                    "diagonal",
+                                                    "dimension",
+                                                    "distortion",
+                                                    "edge_ratio",
+                                                    "equiangle_skew",
+                                                    "equivolume_skew",
+                                                    "inradius",
+                                                    "jacobian",
+                                                    "max_aspect_frobenius",
+                                                    "max_edge_ratio",
+                                                    "maximum_angle",
+                                                    "mean_ratio",
+                                                    "med_aspect_frobenius",
+                                                    "minimum_angle",
+                                                    "nodal_jacobian_ratio",
+                                                    "normalized_inradius",
+                                                    "oddy",
+                                                    "planarity",
+                                                    "radius_ratio",
+                                                    "relative_size_squared",
+                                                    "scaled_jacobian",
+                                                    "shape",
+                                                    "shape_and_size",
+                                                    "shear",
+                                                    "shear_and_size",
+                                                    "skew",
+                                                    "star_shapedness",
+                                                    "stretch",
+                                                    "taper",
+                                                    "warpage"};
+inline constexpr std::string_view poly_shape_names[] = {"triangle", "quad",  "polygon", "tet",
+                                                        "hex",      "prism", "pyramid", "polyhedron"};
+static_assert(std::size(metric_names) == num_metrics && std::size(poly_shape_names) == num_poly_shapes &&
+              static_cast<unsigned>(metric::warpage) + 1 == num_metrics);
 
 /// The faces of a standard cell, one after another.
 struct flat_faces {
@@ -28,13 +63,15 @@ struct flat_faces {
   constexpr explicit flat_faces(cell_shape s) : num_faces(standard_cell_of(s).num_faces) {
     for (unsigned f = 0; f < num_faces; ++f) {
       begins[f + 1] = begins[f];
-      for (unsigned i = 0; i < standard_cell_of(s).face_size[f]; ++i) verts[begins[f + 1]++] = standard_cell_of(s).face_vert[f][i];
+      for (unsigned i = 0; i < standard_cell_of(s).face_size[f]; ++i)
+        verts[begins[f + 1]++] = standard_cell_of(s).face_vert[f][i];
     }
   }
 };
 
 CONCINO_INLINE void set_standard_faces(poly_geometry& g) {
-  static constexpr flat_faces of_shape[] = {flat_faces(cell_shape::tet), flat_faces(cell_shape::hex), flat_faces(cell_shape::prism), flat_faces(cell_shape::pyramid)};
+  static constexpr flat_faces of_shape[] = {flat_faces(cell_shape::tet), flat_faces(cell_shape::hex),
+                                            flat_faces(cell_shape::prism), flat_faces(cell_shape::pyramid)};
   if (g.shape < poly_shape::tet || g.shape == poly_shape::polyhedron) return;
   const flat_faces& faces = of_shape[static_cast<unsigned>(g.shape) - static_cast<unsigned>(poly_shape::tet)];
   g.face_begins = {faces.begins, faces.num_faces + 1};
@@ -56,7 +93,8 @@ CONCINO_INLINE const metric_row* find_row(metric what, poly_shape shape) {
   return find_in(shape < poly_shape::tet ? polygon_rows() : polyhedron_rows());
 }
 
-/// For points so far apart or so close that products of their distances would overflow or underflow: scales by a power of two.
+/// For points so far apart or so close that products of their distances would overflow or underflow: scales by a power
+/// of two.
 inline double evaluate_scaled(const metric_row& row, poly_geometry g) {
   if (g.points.empty()) return no_ideal;
   std::vector<vec3> local;
@@ -86,7 +124,8 @@ CONCINO_INLINE void evaluate(const metric_row& row, const poly_geometry& all, st
   for (std::size_t i = 0; i < n; ++i) {
     const vec3* const p = all.points.data() + i * size;
     double sum = 0;
-    for (std::size_t k = 1; k < size; ++k) sum += std::abs(p[k].x - p[0].x) + std::abs(p[k].y - p[0].y) + std::abs(p[k].z - p[0].z);
+    for (std::size_t k = 1; k < size; ++k)
+      sum += std::abs(p[k].x - p[0].x) + std::abs(p[k].y - p[0].y) + std::abs(p[k].z - p[0].z);
     moderate = moderate && sum > 1e-25 && sum < 1e25;
   }
   if (moderate) return row.compute(all, n, values);
@@ -104,7 +143,9 @@ CONCINO_INLINE bool is_defined(metric what, poly_shape shape) { return detail::f
 
 CONCINO_INLINE metric_limits limits_of(metric what, poly_shape shape) {
   const detail::metric_row* const row = detail::find_row(what, shape);
-  if (row == nullptr) core::throw_joined<unsupported>({"limits_of: ", name_of(what), " is not defined for a ", name_of(shape), "; is_defined says which metrics are"});
+  if (row == nullptr)
+    core::throw_joined<unsupported>({"limits_of: ", name_of(what), " is not defined for a ", name_of(shape),
+                                     "; is_defined says which metrics are"});
   return row->limits;
 }
 
@@ -136,7 +177,9 @@ CONCINO_INLINE bool larger_is_worse(metric what) {
 }
 
 CONCINO_INLINE std::string_view name_of(metric what) { return detail::metric_names[static_cast<unsigned>(what)]; }
-CONCINO_INLINE std::string_view name_of(poly_shape shape) { return detail::poly_shape_names[static_cast<unsigned>(shape)]; }
+CONCINO_INLINE std::string_view name_of(poly_shape shape) {
+  return detail::poly_shape_names[static_cast<unsigned>(shape)];
+}
 
 CONCINO_INLINE metric metric_named(std::string_view name) {
   if (name == "aspect") return metric::aspect;
@@ -152,10 +195,14 @@ CONCINO_INLINE double quality(poly_shape shape, std::span<const vec3> points, me
   static constexpr std::size_t num_points[] = {3, 4, 5, 4, 8, 6, 5, 0};
   const detail::metric_row* const row = detail::find_row(what, shape);
   if (row == nullptr || shape == poly_shape::polyhedron)
-    core::throw_joined<unsupported>({"quality: ", name_of(what), " of a ", name_of(shape), row == nullptr ? " is not defined" : " needs its faces: call quality(m, p, metric)"});
+    core::throw_joined<unsupported>(
+        {"quality: ", name_of(what), " of a ", name_of(shape),
+         row == nullptr ? " is not defined" : " needs its faces: call quality(m, p, metric)"});
   const std::size_t n = num_points[static_cast<unsigned>(shape)];
   if (points.size() < n || (points.size() > n && shape != poly_shape::polygon))
-    core::throw_joined<invalid_argument>({"quality: a ", name_of(shape), " has ", n, shape == poly_shape::polygon ? " points or more, not " : " points, not ", points.size()});
+    core::throw_joined<invalid_argument>({"quality: a ", name_of(shape), " has ", n,
+                                          shape == poly_shape::polygon ? " points or more, not " : " points, not ",
+                                          points.size()});
   detail::poly_geometry g{shape, points, {}, {}, mean_size};
   detail::set_standard_faces(g);
   double value = 0;

@@ -1,4 +1,5 @@
-// The tables of quality metrics: for each shape, its metrics with their limits and the functions that compute them from points.
+// The tables of quality metrics: for each shape, its metrics with their limits and the functions that compute them from
+// points.
 #pragma once
 
 #include <concino/core/vec3.hpp>
@@ -22,7 +23,8 @@ struct poly_geometry {
   double mean_size = 0;                      // the mean area or volume of the polys of the mesh
 };
 
-/// Computes the values of n polys of one shape, whose points follow one another. One call for many polys takes less than half the time for simple metrics.
+/// Computes the values of n polys of one shape, whose points follow one another. One call for many polys takes less
+/// than half the time for simple metrics.
 using metric_function = void (*)(const poly_geometry& all, std::size_t n, double* values);
 
 struct metric_row {
@@ -54,7 +56,9 @@ constexpr metric_limits part_from(double acceptable) { return {{acceptable, 1}, 
 constexpr metric_limits signed_part_from(double acceptable) { return {{acceptable, 1}, {-1, 1}, 1, 0}; }
 constexpr metric_limits relative_from(double acceptable) { return {{acceptable, 1}, {0, 1}, no_ideal, 0}; }
 constexpr metric_limits deviation_to(double acceptable, double full) { return {{0, acceptable}, {0, full}, 0, 0}; }
-constexpr metric_limits size_of(double ideal, unsigned length_power) { return {{0, no_limit}, {-no_limit, no_limit}, ideal, length_power}; }
+constexpr metric_limits size_of(double ideal, unsigned length_power) {
+  return {{0, no_limit}, {-no_limit, no_limit}, ideal, length_power};
+}
 
 /// a / b, or infinity if b is not positive: for metrics that are at least 0 and worse if larger.
 inline double ratio_or_infinite(double a, double b) { return b > 0 ? a / b : no_limit; }
@@ -63,7 +67,10 @@ inline double ratio_or_zero(double a, double b) { return b > 0 ? a / b : 0; }
 inline double in_degrees(double radians) { return radians * (180 / std::numbers::pi); }
 
 /// The angle between two vectors, in degrees; 0 if one has no length.
-inline double angle_in_degrees(const vec3& a, const vec3& b) { return in_degrees(std::atan2(length_of(cross(a, b)), dot(a, b) + 0.0)); }  // -0 counts as 0
+// -0 counts as 0
+inline double angle_in_degrees(const vec3& a, const vec3& b) {
+  return in_degrees(std::atan2(length_of(cross(a, b)), dot(a, b) + 0.0));
+}
 
 /// min(s, 1/s)^2 for s = size / mean; 0 if either is not positive.
 inline double squared_relative_size(double size, double mean) {
@@ -73,7 +80,9 @@ inline double squared_relative_size(double size, double mean) {
 }
 
 /// The largest deviation of angles from that of the regular shape, as a part of what is possible.
-inline double skew_of_angles(double smallest, double largest, double regular) { return std::max((largest - regular) / (180 - regular), (regular - smallest) / regular); }
+inline double skew_of_angles(double smallest, double largest, double regular) {
+  return std::max((largest - regular) / (180 - regular), (regular - smallest) / regular);
+}
 
 std::span<const metric_row> triangle_rows();
 std::span<const metric_row> quad_rows();
@@ -83,7 +92,9 @@ std::span<const metric_row> polygon_rows();     // of all polygons; triangles an
 std::span<const metric_row> polyhedron_rows();  // of all volume cells; tets and hexes have rows of their own besides
 
 /// Whether a value is not worse than all of a range.
-inline bool is_acceptable_in(const value_range& range, bool larger_values_are_worse, double value) { return larger_values_are_worse ? value <= range.high : value >= range.low; }
+inline bool is_acceptable_in(const value_range& range, bool larger_values_are_worse, double value) {
+  return larger_values_are_worse ? value <= range.high : value >= range.low;
+}
 
 /// The row of a metric, or null if it is not defined for the shape.
 const metric_row* find_row(metric what, poly_shape shape);

@@ -14,7 +14,10 @@ namespace concino::detail {
 
 /// The shape of all polys of a mesh type with a fixed number of verts per poly.
 template<class M>
-inline constexpr poly_shape known_shape = dimension_v<M> == 2 ? (arity_v<M> == 3 ? poly_shape::triangle : poly_shape::quad) : arity_v<M> == 4 ? poly_shape::tet : poly_shape::hex;
+inline constexpr poly_shape known_shape = dimension_v<M> == 2
+                                              ? (arity_v<M> == 3 ? poly_shape::triangle : poly_shape::quad)
+                                          : arity_v<M> == 4 ? poly_shape::tet
+                                                            : poly_shape::hex;
 
 /// Reads the geometry of one poly after another.
 template<EmbeddedMesh M>
@@ -35,7 +38,13 @@ class poly_reader {
     } else if constexpr (SurfaceMesh<M>) {  // a cycle of verts; a volume has faces
       points_.clear();
       for (const vert_t<M> v : adj_p2v(m, p)) points_.push_back(to_vec3(point(m, v)));
-      return {points_.size() == 3 ? poly_shape::triangle : points_.size() == 4 ? poly_shape::quad : poly_shape::polygon, points_, {}, {}, 0};
+      return {points_.size() == 3   ? poly_shape::triangle
+              : points_.size() == 4 ? poly_shape::quad
+                                    : poly_shape::polygon,
+              points_,
+              {},
+              {},
+              0};
     } else {
       read_faces(m, p);
       return cell_.geometry();
@@ -83,7 +92,8 @@ class metric_rows {
 /// Errors: invalid_argument if it is negative or not finite.
 void check_mean_size(double size);
 
-/// Evaluates a metric for the polys of a part of a mesh, and calls f(poly, value, shape) for each. Polys of a known shape are evaluated together.
+/// Evaluates a metric for the polys of a part of a mesh, and calls f(poly, value, shape) for each. Polys of a known
+/// shape are evaluated together.
 template<EmbeddedMesh M, class Part, class F>
 void for_each_quality_of(const M& m, const Part& part, const metric_rows& rows, double mean_size, const F& f) {
   if constexpr (arity_v<M> > 0) {  // the shape is known
@@ -120,14 +130,18 @@ void for_each_quality_of(const M& m, const Part& part, const metric_rows& rows, 
 template<class M, class F>
 void for_each_quality(const M& m, const metric_rows& rows, double mean_size, const F& f) {
   if constexpr (const auto& all = polys(m); core::is_divisible<std::remove_cvref_t<decltype(all)>>) {
-    core::run_chunks(all.index_bound(), 1024, [&](std::size_t first, std::size_t last) { for_each_quality_of(m, all.part(first, last), rows, mean_size, f); }, {});
+    core::run_chunks(
+        all.index_bound(), 1024,
+        [&](std::size_t first, std::size_t last) { for_each_quality_of(m, all.part(first, last), rows, mean_size, f); },
+        {});
   } else {
-    core::poly_chunks<M>(m).template for_each<poly_reader<M>>([&](poly_reader<M>& read, const poly_t<M>& p, std::size_t) {
-      poly_geometry g = read(m, p);
-      g.mean_size = mean_size;
-      f(p, rows.evaluate_at(g, index_of(m, p)), g.shape);
-      return 0;
-    });
+    core::poly_chunks<M>(m).template for_each<poly_reader<M>>(
+        [&](poly_reader<M>& read, const poly_t<M>& p, std::size_t) {
+          poly_geometry g = read(m, p);
+          g.mean_size = mean_size;
+          f(p, rows.evaluate_at(g, index_of(m, p)), g.shape);
+          return 0;
+        });
   }
 }
 

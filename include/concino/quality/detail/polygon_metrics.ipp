@@ -60,7 +60,9 @@ struct polygon_metrics {
   }
   double maximum_angle() const { return squared_lengths().low > 0 ? angles().high : 360; }
   double minimum_angle() const { return squared_lengths().low > 0 ? angles().low : 0; }
-  double equiangle_skew() const { return skew_of_angles(minimum_angle(), maximum_angle(), in_degrees(regular_angle())); }
+  double equiangle_skew() const {
+    return skew_of_angles(minimum_angle(), maximum_angle(), in_degrees(regular_angle()));
+  }
   double relative_size_squared() const { return squared_relative_size(area(), mean_size); }
   double scaled_jacobian() const {
     const double sine = std::sin(regular_angle());

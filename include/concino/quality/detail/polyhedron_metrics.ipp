@@ -1,4 +1,5 @@
-// Defines the quality metrics of all volume cells, those of prisms and pyramids among them. Those of tets and hexes that have the same names agree.
+// Defines the quality metrics of all volume cells, those of prisms and pyramids among them. Those of tets and hexes
+// that have the same names agree.
 #pragma once
 
 #include <concino/core/small_array.hpp>
@@ -12,31 +13,40 @@ struct polyhedron_metrics {
   struct corner {
     vec3 u, v, w;
   };
-  /// What corners are compared with: the inverse of the matrix of scalar products of unit edges in the regular shape, and their determinant.
+  /// What corners are compared with: the inverse of the matrix of scalar products of unit edges in the regular shape,
+  /// and their determinant.
   struct regular_corner {
     double uu, vv, ww, uv, vw, wu, det;
   };
   static constexpr regular_corner of_cube{1, 1, 1, 0, 0, 0, 1};
-  static constexpr regular_corner of_tet{1.5, 1.5, 1.5, -0.5, -0.5, -0.5, 0.70710678118654752};               // all angles of 60 degrees
-  static constexpr regular_corner of_prism{4.0 / 3, 4.0 / 3, 1, -2.0 / 3, 0, 0, 0.86602540378443865};        // 60 degrees between u and v
-  static constexpr regular_corner of_pyramid{1.5, 1.5, 2, 0.5, -1, -1, 0.70710678118654752};                 // 90 degrees between u and v, else 60
+  // all angles of 60 degrees
+  static constexpr regular_corner of_tet{1.5, 1.5, 1.5, -0.5, -0.5, -0.5, 0.70710678118654752};
+  // 60 degrees between u and v
+  static constexpr regular_corner of_prism{4.0 / 3, 4.0 / 3, 1, -2.0 / 3, 0, 0, 0.86602540378443865};
+  // 90 degrees between u and v, else 60
+  static constexpr regular_corner of_pyramid{1.5, 1.5, 2, 0.5, -1, -1, 0.70710678118654752};
 
   const poly_geometry& g;
 
   explicit polyhedron_metrics(const poly_geometry& of) : g(of) {}
 
   const regular_corner& regular() const {
-    static constexpr regular_corner of_shape[] = {of_cube, of_cube, of_cube, of_tet, of_cube, of_prism, of_pyramid, of_cube};
+    static constexpr regular_corner of_shape[] = {of_cube, of_cube,  of_cube,    of_tet,
+                                                  of_cube, of_prism, of_pyramid, of_cube};
     return of_shape[static_cast<unsigned>(g.shape)];
   }
-  std::span<const unsigned> face(std::size_t k) const { return g.face_verts.subspan(g.face_begins[k], g.face_begins[k + 1] - g.face_begins[k]); }
+  std::span<const unsigned> face(std::size_t k) const {
+    return g.face_verts.subspan(g.face_begins[k], g.face_begins[k + 1] - g.face_begins[k]);
+  }
   std::size_t num_faces() const { return g.face_begins.size() - 1; }
 
-  /// Calls f(corner) for each. Faces at a vert follow one another: the edge by which a loop arrives is that by which the next one leaves.
+  /// Calls f(corner) for each. Faces at a vert follow one another: the edge by which a loop arrives is that by which
+  /// the next one leaves.
   template<class F> void for_each_corner(const F& f) const {
     const auto num_verts = static_cast<unsigned>(g.points.size());
     core::small_array<unsigned, 64> links(2 * g.points.size(), num_verts);
-    const std::span<unsigned> after(links.data(), num_verts), before(links.data() + num_verts, num_verts);  // of each neighbour, around the vert
+    // of each neighbour, around the vert
+    const std::span<unsigned> after(links.data(), num_verts), before(links.data() + num_verts, num_verts);
     for (unsigned v = 0; v < num_verts; ++v) {
       std::fill(links.begin(), links.end(), num_verts);
       unsigned valence = 0, last = 0;
@@ -81,7 +91,8 @@ struct polyhedron_metrics {
       const auto loop = face(k);
       vec3 total, doubled;
       for (const unsigned v : loop) total += g.points[v] - g.points[0];
-      for (std::size_t i = 1; i + 1 < loop.size(); ++i) doubled += cross(g.points[loop[i]] - g.points[loop[0]], g.points[loop[i + 1]] - g.points[loop[0]]);
+      for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+        doubled += cross(g.points[loop[i]] - g.points[loop[0]], g.points[loop[i + 1]] - g.points[loop[0]]);
       sum += dot(total, doubled) / static_cast<double>(loop.size());
     }
     return sum / 6;
@@ -118,7 +129,8 @@ struct polyhedron_metrics {
     const regular_corner& k = regular();
     return smallest_at_corners([&](const corner& c) {
       const double root = std::cbrt(dot(c.u, cross(c.v, c.w)) / k.det);
-      const double squares = k.uu * dot(c.u, c.u) + k.vv * dot(c.v, c.v) + k.ww * dot(c.w, c.w) + 2 * (k.uv * dot(c.u, c.v) + k.vw * dot(c.v, c.w) + k.wu * dot(c.w, c.u));
+      const double squares = k.uu * dot(c.u, c.u) + k.vv * dot(c.v, c.v) + k.ww * dot(c.w, c.w) +
+                             2 * (k.uv * dot(c.u, c.v) + k.vw * dot(c.v, c.w) + k.wu * dot(c.w, c.u));
       return squares > 0 ? (root < 0 ? -3 : 3) * root * root / squares : 0;
     });
   }

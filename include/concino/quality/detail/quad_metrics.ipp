@@ -17,7 +17,9 @@ struct quad_metrics {
   vec3 axis(unsigned k) const { return edge[k] - edge[k + 2]; }
   vec3 corner_normal(unsigned i) const { return cross(before(i), edge[i]); }
   double length_squared(unsigned i) const { return dot(edge[i], edge[i]); }
-  std::array<double, 4> lengths() const { return {length_of(edge[0]), length_of(edge[1]), length_of(edge[2]), length_of(edge[3])}; }
+  std::array<double, 4> lengths() const {
+    return {length_of(edge[0]), length_of(edge[1]), length_of(edge[2]), length_of(edge[3])};
+  }
   double longest_diagonal() const { return std::max(length_of(edge[0] + edge[1]), length_of(edge[1] + edge[2])); }
 
   /// The Jacobian determinants of the corners, as seen along the normal at the centre; 0 if that has no length.
@@ -37,11 +39,13 @@ struct quad_metrics {
   double condition() const {
     const auto det = determinants();
     double q = 0;
-    for (unsigned i = 0; i < 4; ++i) q = std::max(q, ratio_or_infinite(length_squared(i) + length_squared((i + 3) % 4), 2 * det[i]));
+    for (unsigned i = 0; i < 4; ++i)
+      q = std::max(q, ratio_or_infinite(length_squared(i) + length_squared((i + 3) % 4), 2 * det[i]));
     return q;
   }
-  /// The smallest Jacobian determinant at the verts and at Gauss points of a shell: of the bilinear surface and of the normals at the verts, interpolated.
-  /// Where that is not flat, as in Verdict, also half of the shell's thickness above and below, which is a thousandth of the root of its area.
+  /// The smallest Jacobian determinant at the verts and at Gauss points of a shell: of the bilinear surface and of the
+  /// normals at the verts, interpolated. Where that is not flat, as in Verdict, also half of the shell's thickness
+  /// above and below, which is a thousandth of the root of its area.
   double distortion() const {
     const double near = (1 + 1 / std::numbers::sqrt3) / 2, far = 1 - near;
     const vec3 centre = cross(axis(0), axis(1));
@@ -54,7 +58,8 @@ struct quad_metrics {
       q = std::min(q, std::copysign(length, dot(n[i], centre)));
       if (length > 0) n[i] /= length;
       flat = flat && std::abs(dot(n[0], n[i])) >= 0.99;
-      area += length_of(cross(near * edge[i] - far * edge[(i + 2) % 4], far * edge[(i + 1) % 4] - near * before(i))) / 4;
+      area +=
+          length_of(cross(near * edge[i] - far * edge[(i + 2) % 4], far * edge[(i + 1) % 4] - near * before(i))) / 4;
     }
     if (area == 0) return 0;
     const double half = flat ? 0 : 0.0005 * std::sqrt(area) / std::numbers::sqrt3;
@@ -62,17 +67,25 @@ struct quad_metrics {
       vec3 e[4];
       for (unsigned i = 0; i < 4; ++i) e[i] = edge[i] + height * (n[(i + 1) % 4] - n[i]);
       for (unsigned i = 0; i < 4; ++i) {
-        const vec3 normal = near * near * n[i] + near * far * (n[(i + 1) % 4] + n[(i + 3) % 4]) + far * far * n[(i + 2) % 4];
-        q = std::min(q, dot(normal, cross(near * e[i] - far * e[(i + 2) % 4], far * e[(i + 1) % 4] - near * e[(i + 3) % 4])));
+        const vec3 normal =
+            near * near * n[i] + near * far * (n[(i + 1) % 4] + n[(i + 3) % 4]) + far * far * n[(i + 2) % 4];
+        q = std::min(
+            q, dot(normal, cross(near * e[i] - far * e[(i + 2) % 4], far * e[(i + 1) % 4] - near * e[(i + 3) % 4])));
       }
     }
     return q / area;
   }
   double edge_ratio() const { return ratio_or_infinite(largest(lengths()), smallest(lengths())); }
   double jacobian() const { return smallest(determinants()); }
-  double frobenius_of_corner(unsigned i) const { return ratio_or_infinite(length_squared(i) + length_squared((i + 3) % 4), 2 * length_of(corner_normal(i))); }
-  double max_aspect_frobenius() const { return largest({frobenius_of_corner(0), frobenius_of_corner(1), frobenius_of_corner(2), frobenius_of_corner(3)}); }
-  double med_aspect_frobenius() const { return sum({frobenius_of_corner(0), frobenius_of_corner(1), frobenius_of_corner(2), frobenius_of_corner(3)}) / 4; }
+  double frobenius_of_corner(unsigned i) const {
+    return ratio_or_infinite(length_squared(i) + length_squared((i + 3) % 4), 2 * length_of(corner_normal(i)));
+  }
+  double max_aspect_frobenius() const {
+    return largest({frobenius_of_corner(0), frobenius_of_corner(1), frobenius_of_corner(2), frobenius_of_corner(3)});
+  }
+  double med_aspect_frobenius() const {
+    return sum({frobenius_of_corner(0), frobenius_of_corner(1), frobenius_of_corner(2), frobenius_of_corner(3)}) / 4;
+  }
   double max_edge_ratio() const {
     const double x = length_of(axis(0)), y = length_of(axis(1));
     return ratio_or_infinite(std::max(x, y), std::min(x, y));
@@ -101,8 +114,10 @@ struct quad_metrics {
   }
   double radius_ratio() const {
     const double squares = length_squared(0) + length_squared(1) + length_squared(2) + length_squared(3);
-    const double smallest_area = smallest({length_of(corner_normal(0)), length_of(corner_normal(1)), length_of(corner_normal(2)), length_of(corner_normal(3))});
-    return ratio_or_infinite(std::sqrt(squares) * std::max(largest(lengths()), longest_diagonal()), 2 * std::numbers::sqrt2 * smallest_area);
+    const double smallest_area = smallest({length_of(corner_normal(0)), length_of(corner_normal(1)),
+                                           length_of(corner_normal(2)), length_of(corner_normal(3))});
+    return ratio_or_infinite(std::sqrt(squares) * std::max(largest(lengths()), longest_diagonal()),
+                             2 * std::numbers::sqrt2 * smallest_area);
   }
   double relative_size_squared() const { return squared_relative_size(area(), mean_size); }
   double scaled_jacobian() const {
@@ -130,7 +145,9 @@ struct quad_metrics {
     return x * y > 0 ? std::min(1.0, std::abs(dot(axis(0), axis(1))) / (x * y)) : 1;
   }
   double stretch() const { return ratio_or_zero(std::numbers::sqrt2 * smallest(lengths()), longest_diagonal()); }
-  double taper() const { return ratio_or_infinite(length_of(edge[0] + edge[2]), std::min(length_of(axis(0)), length_of(axis(1)))); }
+  double taper() const {
+    return ratio_or_infinite(length_of(edge[0] + edge[2]), std::min(length_of(axis(0)), length_of(axis(1))));
+  }
   double warpage() const {
     vec3 n[4];
     for (unsigned i = 0; i < 4; ++i) {

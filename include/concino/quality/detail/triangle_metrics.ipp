@@ -19,9 +19,12 @@ struct triangle_metrics {
   double area() const { return doubled_area() / 2; }
   double aspect_ratio() const {
     const auto l = lengths();
-    return ratio_or_infinite(std::max({l[0], l[1], l[2]}) * (l[0] + l[1] + l[2]), 2 * std::numbers::sqrt3 * doubled_area());
+    return ratio_or_infinite(std::max({l[0], l[1], l[2]}) * (l[0] + l[1] + l[2]),
+                             2 * std::numbers::sqrt3 * doubled_area());
   }
-  double aspect_frobenius() const { return ratio_or_infinite(squared_edges(), 2 * std::numbers::sqrt3 * doubled_area()); }
+  double aspect_frobenius() const {
+    return ratio_or_infinite(squared_edges(), 2 * std::numbers::sqrt3 * doubled_area());
+  }
   double distortion() const { return 1; }  // the map of a triangle is linear
   double edge_ratio() const {
     const auto l = lengths();
@@ -54,7 +57,9 @@ struct triangle_metrics {
     const double largest = std::max({l[0] * l[1], l[1] * l[2], l[2] * l[0]});
     return std::min(1.0, ratio_or_zero(2 / std::numbers::sqrt3 * doubled_area(), largest));
   }
-  double shape() const { return std::min(1.0, ratio_or_zero(2 * std::numbers::sqrt3 * doubled_area(), squared_edges())); }
+  double shape() const {
+    return std::min(1.0, ratio_or_zero(2 * std::numbers::sqrt3 * doubled_area(), squared_edges()));
+  }
   double shape_and_size() const { return shape() * relative_size_squared(); }
 };
 

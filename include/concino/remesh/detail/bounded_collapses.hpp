@@ -27,7 +27,8 @@ class bounded_collapses {
 
   std::uint32_t line_id(std::size_t a, std::size_t b) {
     const auto [low, high] = std::minmax(a, b);
-    return line_ids_.try_emplace(std::uint64_t{low} << 32 | high, static_cast<std::uint32_t>(line_ids_.size())).first->second;
+    return line_ids_.try_emplace(std::uint64_t{low} << 32 | high, static_cast<std::uint32_t>(line_ids_.size()))
+        .first->second;
   }
   std::vector<surface_part> triangles() const {
     std::vector<surface_part> all;
@@ -53,7 +54,8 @@ class bounded_collapses {
     return all;
   }
 
-  /// The edges of the cavity's polys that are on the boundary and at the ends of the collapsed edge: before the edit, or after it.
+  /// The edges of the cavity's polys that are on the boundary and at the ends of the collapsed edge: before the edit,
+  /// or after it.
   std::vector<std::array<unsigned, 2>> lines_at_ends(const cavity_builder<M>& c, bool after) const {
     std::vector<std::array<unsigned, 2>> all;
     const auto add = [&](const unsigned* corners) {
@@ -91,12 +93,14 @@ class bounded_collapses {
     }
     if (line_ids_.empty()) return;
     for (const auto& [a, b] : lines_at_ends(c, false)) lines_.old.push_back(line_id(e.verts[a], e.verts[b]));
-    for (const auto& [a, b] : lines_at_ends(c, true)) lines_.added.push_back({line_id(e.verts[a], e.verts[b]), {at(a), at(b), at(b)}});
+    for (const auto& [a, b] : lines_at_ends(c, true))
+      lines_.added.push_back({line_id(e.verts[a], e.verts[b]), {at(a), at(b), at(b)}});
   }
 
  public:
   bounded_collapses(const M& m, double max_error, const char* caller)
-      : m_(m), unit_(m, caller), surface_(triangles(), unit_.length_to_unit(max_error)), boundary_(boundary_edges(), unit_.length_to_unit(max_error)) {}
+      : m_(m), unit_(m, caller), surface_(triangles(), unit_.length_to_unit(max_error)),
+        boundary_(boundary_edges(), unit_.length_to_unit(max_error)) {}
 
   permission ask(const proposed_edit& e) {
     find_changes(e, core::cavity_of_edit(e, m_, "decimate"));

@@ -95,7 +95,8 @@ class collapse_queue {
     quadric q = quadrics_[a];
     return q += quadrics_[b];
   }
-  /// Where the vert of an edge from a to b shall lie. An end that is clearly better is an end of a crease that is too shallow for min_near.
+  /// Where the vert of an edge from a to b shall lie. An end that is clearly better is an end of a crease that is too
+  /// shallow for min_near.
   vec3 place(const quadric& q, const vec3& a, const vec3& b) const {
     const vec3 x = q.min_near(0.5 * (a + b));
     const double cost = 0.5 * q(x), at_a = q(a), at_b = q(b);
@@ -105,12 +106,16 @@ class collapse_queue {
 
   entry entry_of(const M& m, const edge_t<M>& e) const {
     const auto ends = end_verts(m, e);
-    const auto a = static_cast<std::uint32_t>(index_of(m, ends.first)), b = static_cast<std::uint32_t>(index_of(m, ends.second));
+    const auto a = static_cast<std::uint32_t>(index_of(m, ends.first)),
+               b = static_cast<std::uint32_t>(index_of(m, ends.second));
     const vec3 x = unit_point(m, ends.first), y = unit_point(m, ends.second);
     const quadric q = sum_at(a, b);
-    return {q(place(q, x, y)) + shape_weight * q.trace() * dot(x - y, x - y), e, std::min(a, b), std::max(a, b), stamps_[a] + stamps_[b]};
+    return {q(place(q, x, y)) + shape_weight * q.trace() * dot(x - y, x - y), e, std::min(a, b), std::max(a, b),
+            stamps_[a] + stamps_[b]};
   }
-  bool is_current(const entry& x) const { return stamps_[x.a] + stamps_[x.b] == x.stamps && !((stamps_[x.a] | stamps_[x.b]) & removed_stamp); }
+  bool is_current(const entry& x) const {
+    return stamps_[x.a] + stamps_[x.b] == x.stamps && !((stamps_[x.a] | stamps_[x.b]) & removed_stamp);
+  }
   void push(const M& m, const edge_t<M>& e) {
     heap_.push_back(entry_of(m, e));
     std::push_heap(heap_.begin(), heap_.end());
@@ -148,10 +153,9 @@ class collapse_queue {
  public:
   collapse_queue(const M& m, const quadric_options& options)
       : options_(options),
-        feature_cosine_(options.feature_angle_deg >= 180 ? -2 : std::cos(options.feature_angle_deg * std::numbers::pi / 180)),
-        unit_(m, "decimate"),
-        quadrics_(vert_index_bound(m)),
-        stamps_(vert_index_bound(m)) {
+        feature_cosine_(
+            options.feature_angle_deg >= 180 ? -2 : std::cos(options.feature_angle_deg * std::numbers::pi / 180)),
+        unit_(m, "decimate"), quadrics_(vert_index_bound(m)), stamps_(vert_index_bound(m)) {
     for (const poly_t<M> p : polys(m)) {
       const quadric q = quadric_of(m, p);
       for (const vert_t<M> v : adj_p2v(m, p)) quadrics_[index_of(m, v)] += q;

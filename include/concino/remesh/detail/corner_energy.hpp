@@ -1,4 +1,5 @@
-// The shape energy of the corners at a vert as a function of its point, with a barrier that keeps corners from turning inside out.
+// The shape energy of the corners at a vert as a function of its point, with a barrier that keeps corners from turning
+// inside out.
 #pragma once
 
 #include <concino/core/vec3.hpp>
@@ -18,10 +19,13 @@ struct symmetric_matrix {
     xy += s * a.x * a.y, xz += s * a.x * a.z, yz += s * a.y * a.z;
   }
   void add_identity(double s) { xx += s, yy += s, zz += s; }
-  vec3 operator*(const vec3& a) const { return {xx * a.x + xy * a.y + xz * a.z, xy * a.x + yy * a.y + yz * a.z, xz * a.x + yz * a.y + zz * a.z}; }
+  vec3 operator*(const vec3& a) const {
+    return {xx * a.x + xy * a.y + xz * a.z, xy * a.x + yy * a.y + yz * a.z, xz * a.x + yz * a.y + zz * a.z};
+  }
   /// The solution of (this) x = b by Cholesky's factors; b itself if it is not positive definite.
   vec3 solve(const vec3& b) const {
-    const double a = std::sqrt(xx), p = xy / a, q = xz / a, c = std::sqrt(yy - p * p), r = (yz - p * q) / c, d = std::sqrt(zz - q * q - r * r);
+    const double a = std::sqrt(xx), p = xy / a, q = xz / a, c = std::sqrt(yy - p * p), r = (yz - p * q) / c,
+                 d = std::sqrt(zz - q * q - r * r);
     if (!(a > 0 && c > 0 && d > 0)) return b;
     const double u = b.x / a, v = (b.y - p * u) / c, w = (b.z - q * u - r * v) / d;
     const double z = w / d, y = (v - r * z) / c;
@@ -29,8 +33,9 @@ struct symmetric_matrix {
   }
 };
 
-/// What is computed at a vert: the sum over its corners of |S|^2 / (d det(S)^(2/d)), 1 for each ideal corner and infinite for flat ones, where the matrix S
-/// maps the ideal corner to the corner and d is the dimension. Where corners are inverted, det is replaced by a positive function of it.
+/// What is computed at a vert: the sum over its corners of |S|^2 / (d det(S)^(2/d)), 1 for each ideal corner and
+/// infinite for flat ones, where the matrix S maps the ideal corner to the corner and d is the dimension. Where corners
+/// are inverted, det is replaced by a positive function of it.
 struct corner_energy {
   double value = 0;
   double largest = 0;  // 1 / shape of the corners that are not inverted
@@ -43,7 +48,8 @@ struct corner_energy {
 template<unsigned D>
 struct corner_matrix {
   vec3 s[3];
-  corner_matrix(const corner_frame& f, const ideal_corner& ideal, const std::vector<vec3>& points, const vec3& normal, unsigned moving, const vec3& x) {
+  corner_matrix(const corner_frame& f, const ideal_corner& ideal, const std::vector<vec3>& points, const vec3& normal,
+                unsigned moving, const vec3& x) {
     for (unsigned i = 0; i <= D; ++i) {
       const vec3& y = f.verts[i] == moving ? x : points[f.verts[i]];
       for (unsigned j = 0; j < D; ++j) s[j] += ideal.weights[i][j] * y;
@@ -62,7 +68,8 @@ struct corner_matrix {
 
 /// The energy at vert number v if its point is x. delta: 0, or a positive number if corners may be inverted.
 template<unsigned D, class M>
-corner_energy energy_at(const corner_frames<M>& all, const std::vector<vec3>& points, const vec3& normal, unsigned v, const vec3& x, double delta, bool has_derivatives) {
+corner_energy energy_at(const corner_frames<M>& all, const std::vector<vec3>& points, const vec3& normal, unsigned v,
+                        const vec3& x, double delta, bool has_derivatives) {
   corner_energy e;
   constexpr double power = 2.0 / D;
   for (const unsigned* k = all.begin(v); k != all.end(v); ++k) {
@@ -88,7 +95,8 @@ corner_energy energy_at(const corner_frames<M>& all, const std::vector<vec3>& po
       of_det += w[j] * cross(c.s[(j + 1) % 3], c.s[(j + 2) % 3]);
       weight += w[j] * w[j];
     }
-    const double slope = delta > 0 ? h / root : 1, bend = delta > 0 ? 2 * delta * delta / (root * root * root) : 0;  // of h by det
+    // of h by det
+    const double slope = delta > 0 ? h / root : 1, bend = delta > 0 ? 2 * delta * delta / (root * root * root) : 0;
     const vec3 a = of_squares / squares, b = (slope / h) * of_det, g = a - power * b;
     e.gradient += value * g;
     e.hessian.add_product(value, g);

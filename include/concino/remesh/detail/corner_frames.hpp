@@ -1,5 +1,5 @@
-// The corners of all polys of a mesh: a vert and its neighbours in one poly, two in surfaces, three in volumes, and the shape that this corner has in a
-// regular poly. All verts are numbered in the order of verts(m).
+// The corners of all polys of a mesh: a vert and its neighbours in one poly, two in surfaces, three in volumes, and the
+// shape that this corner has in a regular poly. All verts are numbered in the order of verts(m).
 #pragma once
 
 #include <concino/concepts/facets.hpp>
@@ -14,16 +14,19 @@
 
 namespace concino::detail {
 
-/// The matrix that maps the ideal corner to a corner with points x[0], its tip, and x[1] ... has the columns s[j] = sum of weights[i][j] x[i].
+/// The matrix that maps the ideal corner to a corner with points x[0], its tip, and x[1] ... has the columns s[j] = sum
+/// of weights[i][j] x[i].
 struct ideal_corner {
   std::array<unsigned, 3> face_sizes;
   std::array<std::array<double, 3>, 4> weights;
 };
 
-/// The inverse of the lower triangular matrix whose rows are the edges of the ideal corner, of unit length, with the angles of regular polygons between them.
+/// The inverse of the lower triangular matrix whose rows are the edges of the ideal corner, of unit length, with the
+/// angles of regular polygons between them.
 inline ideal_corner ideal_corner_of(const std::array<unsigned, 3>& face_sizes, unsigned dimension) {
   double angle[3], sum = 0;
-  for (unsigned i = 0; i < 3; ++i) angle[i] = std::numbers::pi * (1 - 2.0 / std::max(face_sizes[i], 3u)), sum += angle[i];
+  for (unsigned i = 0; i < 3; ++i)
+    angle[i] = std::numbers::pi * (1 - 2.0 / std::max(face_sizes[i], 3u)), sum += angle[i];
   // three large polygons have no convex corner: smaller angles, in proportion
   if (dimension == 3 && sum > 1.85 * std::numbers::pi)
     for (double& x : angle) x *= 1.85 * std::numbers::pi / sum;
@@ -55,7 +58,8 @@ class corner_frames {
 
   std::vector<std::size_t> first_;  // by vert
   std::vector<unsigned> at_;
-  core::small_array<std::array<unsigned, 3>, 64> of_faces_;  // the corners of the faces of one poly: vert before, vert, vert after
+  core::small_array<std::array<unsigned, 3>, 64> of_faces_;  // the corners of the faces of one poly: vert before, vert,
+                                                             // vert after
   core::small_array<unsigned, 64> sizes_;
 
   unsigned ideal(const std::array<unsigned, 3>& face_sizes) {
@@ -77,7 +81,8 @@ class corner_frames {
     }
   }
 
-  /// The corner of a cell at the tip of corner k of its faces, if three of its faces are there. All three find it; the first one adds it.
+  /// The corner of a cell at the tip of corner k of its faces, if three of its faces are there. All three find it; the
+  /// first one adds it.
   bool add_corner_of_cell(unsigned k) {
     const auto [before, tip, after] = of_faces_[k];
     unsigned found = 0, second = k, third = k;
@@ -88,8 +93,10 @@ class corner_frames {
       if (of_faces_[i][0] == after) second = i;
       if (of_faces_[i][2] == before) third = i;
     }
-    if (found != 3 || second == k || third == k || second == third || of_faces_[second][2] != of_faces_[third][0]) return false;
-    frames.push_back({{tip, before, after, of_faces_[second][2]}, ideal({sizes_[k], sizes_[second], sizes_[third]}), false});
+    if (found != 3 || second == k || third == k || second == third || of_faces_[second][2] != of_faces_[third][0])
+      return false;
+    frames.push_back(
+        {{tip, before, after, of_faces_[second][2]}, ideal({sizes_[k], sizes_[second], sizes_[third]}), false});
     return true;
   }
 

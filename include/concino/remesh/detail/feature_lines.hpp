@@ -1,4 +1,5 @@
-// The lines that remeshing keeps: boundaries, non-manifold edges, edges at which the surface turns by a large angle, and those that the caller names.
+// The lines that remeshing keeps: boundaries, non-manifold edges, edges at which the surface turns by a large angle,
+// and those that the caller names.
 #pragma once
 
 #include <concino/concepts/end_verts.hpp>
@@ -78,7 +79,8 @@ class feature_lines {
  public:
   /// is_named(e): whether the caller wants e to be part of a line.
   template<class F>
-  feature_lines(const M& m, double angle_deg, const F& is_named) : edges_(edge_index_bound(m)), verts_(vert_index_bound(m), vert_freedom::none) {
+  feature_lines(const M& m, double angle_deg, const F& is_named)
+      : edges_(edge_index_bound(m)), verts_(vert_index_bound(m), vert_freedom::none) {
     const double least_cosine = angle_deg >= 180 ? -2 : std::cos(angle_deg * std::numbers::pi / 180);
     for (const edge_t<M> e : edges(m)) edges_[index_of(m, e)] = is_sharp(m, e, least_cosine) || is_named(e);
     for (const vert_t<M> v : verts(m)) verts_[index_of(m, v)] = find_freedom(m, v, std::max(least_cosine, 0.0));

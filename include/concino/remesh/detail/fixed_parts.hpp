@@ -1,4 +1,5 @@
-// The verts, edges and faces of a volume that improvement keeps: those of its boundary and between polys of different labels.
+// The verts, edges and faces of a volume that improvement keeps: those of its boundary and between polys of different
+// labels.
 #pragma once
 
 #include <concino/concepts/facets.hpp>
@@ -8,7 +9,8 @@
 
 namespace concino::detail {
 
-/// None of them ever vanishes while their faces are kept, so their indices remain theirs; elements that are made later are free.
+/// None of them ever vanishes while their faces are kept, so their indices remain theirs; elements that are made later
+/// are free.
 template<class M>
 class fixed_parts {
   std::vector<std::uint8_t> verts_, edges_, faces_;  // by index
@@ -18,7 +20,8 @@ class fixed_parts {
  public:
   /// label(p): anything with ==.
   template<class F>
-  fixed_parts(const M& m, const F& label) : verts_(vert_index_bound(m)), edges_(edge_index_bound(m)), faces_(face_index_bound(m)) {
+  fixed_parts(const M& m, const F& label)
+      : verts_(vert_index_bound(m)), edges_(edge_index_bound(m)), faces_(face_index_bound(m)) {
     for (const face_t<M> f : faces(m)) {
       poly_t<M> at[2];
       unsigned n = 0;

@@ -1,9 +1,10 @@
-// Removes triangles that are so flat that nobody would miss them, before a surface is remeshed: their normals mean nothing, and splits of their edges make more
-// of them.
+// Removes triangles that are so flat that nobody would miss them, before a surface is remeshed: their normals mean
+// nothing, and splits of their edges make more of them.
 //
-// A needle, which has one very short edge, vanishes if this edge is collapsed. Otherwise the corner opposite to the longest edge lies nearly on that: the edge
-// is flipped, or, on a line, split there and the two verts become one. No point moves by more than the height of the triangle or the length of the short edge.
-// All lengths and points are unit points.
+// A needle, which has one very short edge, vanishes if this edge is collapsed. Otherwise the corner opposite to the
+// longest edge lies nearly on that: the edge is flipped, or, on a line, split there and the two verts become one. No
+// point moves by more than the height of the triangle or the length of the short edge. All lengths and points are unit
+// points.
 #pragma once
 
 #include <concino/concepts/end_verts.hpp>
@@ -22,7 +23,8 @@ namespace concino::detail {
 
 template<class M>
 class flat_triangles {
-  static constexpr double thin = 1e-3;          // the height of a flat triangle, as a multiple of its longest edge and of the wanted length
+  static constexpr double thin = 1e-3;          // the height of a flat triangle, as a multiple of its longest edge and
+                                                // of the wanted length
   static constexpr double min_cosine = 0.5;     // between the normals of other triangles before and after a collapse
   static constexpr std::size_t max_edits = 20;  // for each triangle that is flat at first, on average
 
@@ -56,7 +58,9 @@ class flat_triangles {
     }
     return true;
   }
-  bool is_flat(const triangle& t, double size) const { return norm(t.area()) <= thin * t.longest * std::min(t.longest, size); }
+  bool is_flat(const triangle& t, double size) const {
+    return norm(t.area()) <= thin * t.longest * std::min(t.longest, size);
+  }
 
   bool edge_opposite_to(const poly_t<M>& p, const vert_t<M>& v, edge_t<M>& found) const {
     for (const edge_t<M> e : adj_p2e(m_, p)) {
@@ -89,7 +93,8 @@ class flat_triangles {
     const auto [a, b] = end_verts(m_, e);
     const auto of_a = lines_.freedom(m_, a), of_b = lines_.freedom(m_, b);
     const bool is_on_line = lines_.has(m_, e), keeps_b = of_b > of_a;
-    const bool both_on_lines = of_a != vert_freedom::surface && of_b != vert_freedom::surface, both_fixed = std::min(of_a, of_b) == vert_freedom::none;
+    const bool both_on_lines = of_a != vert_freedom::surface && of_b != vert_freedom::surface,
+               both_fixed = std::min(of_a, of_b) == vert_freedom::none;
     if (both_on_lines && (!is_on_line || both_fixed)) return false;
     const vert_t<M> kept = keeps_b ? b : a, removed = keeps_b ? a : b;
     if (would_turn(removed, kept, unit_.at(m_, kept), size)) return false;
@@ -99,7 +104,8 @@ class flat_triangles {
         const auto ends = end_verts(m_, f);
         const vert_t<M> other = ends.first == v ? ends.second : ends.first;
         if (!lines_.has(m_, f) || other == a || other == b) continue;
-        if (std::find(on_lines.begin(), on_lines.end(), other) != on_lines.end()) return false;  // two lines would become one
+        // two lines would become one
+        if (std::find(on_lines.begin(), on_lines.end(), other) != on_lines.end()) return false;
         on_lines.push_back(other);
       }
     const auto r = edge_collapse(m_, e, {.at = keeps_b ? 1.0 : 0.0});
@@ -107,7 +113,9 @@ class flat_triangles {
     lines_.set(m_, r.vert, std::max(of_a, of_b));
     for (const edge_t<M> f : adj_v2e(m_, r.vert)) {
       const auto ends = end_verts(m_, f);
-      lines_.set(m_, f, std::find(on_lines.begin(), on_lines.end(), ends.first == r.vert ? ends.second : ends.first) != on_lines.end());
+      lines_.set(m_, f,
+                 std::find(on_lines.begin(), on_lines.end(), ends.first == r.vert ? ends.second : ends.first) !=
+                     on_lines.end());
     }
     ++num_collapses;
     find_at(r.vert);
@@ -127,7 +135,8 @@ class flat_triangles {
     return true;
   }
 
-  /// Splits e, the longest edge, at the point nearest to the opposite corner, which becomes one with the new vert. If that is refused, the split is undone.
+  /// Splits e, the longest edge, at the point nearest to the opposite corner, which becomes one with the new vert. If
+  /// that is refused, the split is undone.
   bool split_and_merge(const edge_t<M>& e, const triangle& t, double size) {
     const auto [a, b] = end_verts(m_, e);
     const vec3 x = unit_.at(m_, a), along = unit_.at(m_, b) - x;
@@ -158,8 +167,8 @@ class flat_triangles {
 
   bool has_needle(const triangle& t, double size) const { return t.shortest <= thin * std::min(t.longest, size); }
 
-  /// Goes from p, which is flat, over its longest edge as long as the next triangle is flat too and has a longer one. A flip of an edge that is the longest of
-  /// both its triangles makes a shorter one, so there is an end to flips.
+  /// Goes from p, which is flat, over its longest edge as long as the next triangle is flat too and has a longer one. A
+  /// flip of an edge that is the longest of both its triangles makes a shorter one, so there is an end to flips.
   void go_to_longest(poly_t<M>& p, triangle& t, double size) const {
     for (bool goes_on = true; goes_on;) {
       edge_t<M> e{};

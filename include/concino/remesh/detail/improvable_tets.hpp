@@ -33,7 +33,8 @@ class improvable_tets {
   unsigned round = 1;
 
   template<class F>
-  improvable_tets(M& m, const unit_points& unit, const F& label) : unit_(unit), changed_(vert_index_bound(m), 1u), mesh(m), fixed(m, label) {}
+  improvable_tets(M& m, const unit_points& unit, const F& label)
+      : unit_(unit), changed_(vert_index_bound(m), 1u), mesh(m), fixed(m, label) {}
 
   vec3 at(const vert_t<M>& v) const { return unit_.at(mesh, v); }
   vec3 to_mesh(const vec3& x) const { return unit_.to_mesh(x); }
@@ -45,7 +46,9 @@ class improvable_tets {
       if (n < 4) t.verts[n++] = v;
     return t;
   }
-  double quality(const vert_t<M>& a, const vert_t<M>& b, const vert_t<M>& c, const vert_t<M>& d) const { return tet_quality(at(a), at(b), at(c), at(d)); }
+  double quality(const vert_t<M>& a, const vert_t<M>& b, const vert_t<M>& c, const vert_t<M>& d) const {
+    return tet_quality(at(a), at(b), at(c), at(d));
+  }
   double quality(const tet_corners<M>& t) const { return quality(t.verts[0], t.verts[1], t.verts[2], t.verts[3]); }
   double quality(const poly_t<M>& p) const { return quality(corners(p)); }
   /// The quality of t with a vert at another place, or another vert.

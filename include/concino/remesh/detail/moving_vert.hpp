@@ -24,7 +24,8 @@ class moving_vert {
     return t.is_positive ? sum : -1.0 * sum;
   }
 
-  /// The shortest vector in the convex hull: the direction in which the least of functions with these gradients grows most.
+  /// The shortest vector in the convex hull: the direction in which the least of functions with these gradients grows
+  /// most.
   static vec3 shortest_in_hull(const vec3* g, unsigned n) {
     vec3 x = g[0];
     for (unsigned step = 0; step < 40; ++step) {
@@ -72,7 +73,8 @@ class moving_vert {
     return sum / (3.0 * static_cast<double>(faces_.size()));
   }
 
-  /// Moves x to where the least quality is larger, and returns this quality. Steps of the active set method, each with a line search.
+  /// Moves x to where the least quality is larger, and returns this quality. Steps of the active set method, each with
+  /// a line search.
   double maximise(vec3& x) const {
     double best = quality_at(x);
     const vec3 middle = centre();

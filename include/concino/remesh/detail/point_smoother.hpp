@@ -23,7 +23,8 @@ class point_smoother {
 
   const corner_frames<M> corners_;
   std::vector<vec3> points_;
-  std::vector<unsigned> free_, changed_;  // verts that may move; by vert, the last round in which a corner at it changed
+  std::vector<unsigned> free_, changed_;  // verts that may move; by vert, the last round in which a corner at it
+                                          // changed
   polygonmesh input_;                             // of surfaces
   std::optional<poly_tree<polygonmesh>> surface_;  // of the input
   double largest_ = 0;  // no corner may have a worse shape than 1 / largest_
@@ -40,9 +41,12 @@ class point_smoother {
   }
 
   /// The matrix of a corner, as seen from vert number v.
-  corner_matrix<dimension> matrix_of(const corner_frame& f, unsigned v) const { return {f, corners_.ideals[f.ideal], points_, dimension == 2 ? normal_at(v) : vec3{}, v, points_[v]}; }
+  corner_matrix<dimension> matrix_of(const corner_frame& f, unsigned v) const {
+    return {f, corners_.ideals[f.ideal], points_, dimension == 2 ? normal_at(v) : vec3{}, v, points_[v]};
+  }
 
-  corner_energy energy(unsigned v, const vec3& normal, const vec3& x, double delta, bool has_derivatives = false) const {
+  corner_energy energy(unsigned v, const vec3& normal, const vec3& x, double delta,
+                       bool has_derivatives = false) const {
     return energy_at<dimension>(corners_, points_, normal, v, x, delta, has_derivatives);
   }
 
@@ -51,7 +55,8 @@ class point_smoother {
     double least = std::numeric_limits<double>::infinity(), sum = 0;
     for (const unsigned* k = corners_.begin(v); k != corners_.end(v); ++k) {
       const corner_frame& f = corners_.frames[*k];
-      const double det = corner_matrix<dimension>(f, corners_.ideals[f.ideal], points_, normal, v, points_[v]).determinant();
+      const double det =
+          corner_matrix<dimension>(f, corners_.ideals[f.ideal], points_, normal, v, points_[v]).determinant();
       least = std::min(least, det), sum += std::abs(det);
     }
     if (least > 0) return 0;
@@ -78,7 +83,8 @@ class point_smoother {
     step = h.solve(-1.0 * g);
     if (!(dot(step, g) < 0)) step = -1.0 * g;
     double longest = 0;
-    for (const unsigned* k = corners_.begin(v); k != corners_.end(v); ++k) longest = std::max(longest, norm(points_[corners_.frames[*k].verts[corners_.frames[*k].verts[0] == v]] - x));
+    for (const unsigned* k = corners_.begin(v); k != corners_.end(v); ++k)
+      longest = std::max(longest, norm(points_[corners_.frames[*k].verts[corners_.frames[*k].verts[0] == v]] - x));
     if (const double length = norm(step); length > 0.5 * longest) step = (0.5 * longest / length) * step;
     if (!(norm(step) > 1e-4 * longest)) return false;
     for (unsigned halvings = 0; halvings < 8; ++halvings, step = 0.5 * step) {
@@ -131,7 +137,8 @@ class point_smoother {
     }
   }
 
-  /// Whether the two polys at e run along it in opposite directions, as they do where the surface is consistently oriented.
+  /// Whether the two polys at e run along it in opposite directions, as they do where the surface is consistently
+  /// oriented.
   static bool runs_both_ways(const M& m, const edge_t<M>& e) {
     const auto [a, b] = end_verts(m, e);
     unsigned forward = 0, backward = 0;

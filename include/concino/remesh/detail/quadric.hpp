@@ -16,7 +16,8 @@ struct quadric {
   quadric() = default;
   /// The plane through `at` with unit normal n.
   quadric(const vec3& n, const vec3& at, double weight)
-      : xx(weight * n.x * n.x), xy(weight * n.x * n.y), xz(weight * n.x * n.z), yy(weight * n.y * n.y), yz(weight * n.y * n.z), zz(weight * n.z * n.z) {
+      : xx(weight * n.x * n.x), xy(weight * n.x * n.y), xz(weight * n.x * n.z), yy(weight * n.y * n.y),
+        yz(weight * n.y * n.z), zz(weight * n.z * n.z) {
     const double d = -dot(n, at);
     b = weight * d * n;
     c = weight * d * d;
@@ -31,11 +32,14 @@ struct quadric {
 
   /// The sum of the weights, as normals have length 1.
   double trace() const { return xx + yy + zz; }
-  vec3 times(const vec3& x) const { return {xx * x.x + xy * x.y + xz * x.z, xy * x.x + yy * x.y + yz * x.z, xz * x.x + yz * x.y + zz * x.z}; }
+  vec3 times(const vec3& x) const {
+    return {xx * x.x + xy * x.y + xz * x.z, xy * x.x + yy * x.y + yz * x.z, xz * x.x + yz * x.y + zz * x.z};
+  }
   double operator()(const vec3& x) const { return std::max(dot(x, times(x)) + 2 * dot(b, x) + c, 0.0); }
 
   /// The point where the quadric is least; along directions in which it hardly changes, the one nearest to `start`.
-  /// Source: Trettner and Kobbelt 2020, "Fast and robust QEF minimization using probabilistic quadrics", for the term on the diagonal. Repeated, it has no effect
+  /// Source: Trettner and Kobbelt 2020, "Fast and robust QEF minimization using probabilistic quadrics", for the term
+  ///         on the diagonal. Repeated, it has no effect
   /// where the quadric is sharp.
   vec3 min_near(const vec3& start) const {
     const double diagonal = 1e-3 * trace();

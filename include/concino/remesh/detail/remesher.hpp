@@ -1,7 +1,8 @@
-// One round of remeshing: splits of long edges, collapses of short ones, flips towards regular verts, and verts that move over the surface.
+// One round of remeshing: splits of long edges, collapses of short ones, flips towards regular verts, and verts that
+// move over the surface.
 //
-// All lengths and points are unit points. A split keeps the points of the surface. Verts on lines stay where they are; a collapse on a line keeps one of its ends,
-// so that all verts of a line lie on that of the input.
+// All lengths and points are unit points. A split keeps the points of the surface. Verts on lines stay where they are;
+// a collapse on a line keeps one of its ends, so that all verts of a line lie on that of the input.
 #pragma once
 
 #include <concino/core/parallel.hpp>
@@ -20,8 +21,10 @@ namespace concino::detail {
 template<class M>
 class remesher : sized_surface<M> {
   using surface = sized_surface<M>;
-  using surface::at, surface::direction, surface::follows_input, surface::has_good_length, surface::has_long_edge, surface::lines, surface::longest, surface::nearest, surface::normal_at;
-  using surface::points_of, surface::ratio, surface::set, surface::shortest, surface::size_at, surface::turns, surface::vector_area, surface::would_break;
+  using surface::at, surface::direction, surface::follows_input, surface::has_good_length, surface::has_long_edge,
+      surface::lines, surface::longest, surface::nearest, surface::normal_at;
+  using surface::points_of, surface::ratio, surface::set, surface::shortest, surface::size_at, surface::turns,
+      surface::vector_area, surface::would_break;
   using triangle = typename surface::triangle;
 
   M& m_;
@@ -38,8 +41,10 @@ class remesher : sized_surface<M> {
   bool try_collapse(const edge_t<M>& e) {
     const auto [a, b] = end_verts(m_, e);
     const auto of_a = lines.freedom(m_, a), of_b = lines.freedom(m_, b);
-    const bool is_on_line = lines.has(m_, e), a_is_on_line = of_a != vert_freedom::surface, b_is_on_line = of_b != vert_freedom::surface;
-    if (a_is_on_line && b_is_on_line && (!is_on_line || (of_a == vert_freedom::none && of_b == vert_freedom::none))) return false;
+    const bool is_on_line = lines.has(m_, e), a_is_on_line = of_a != vert_freedom::surface,
+               b_is_on_line = of_b != vert_freedom::surface;
+    if (a_is_on_line && b_is_on_line && (!is_on_line || (of_a == vert_freedom::none && of_b == vert_freedom::none)))
+      return false;
     // the end that may move less remains; of two on a line the first
     const bool keeps_a = a_is_on_line && of_a >= of_b, keeps_b = b_is_on_line && !keeps_a;
     const double t = keeps_a ? 0 : keeps_b ? 1 : 0.5;
@@ -109,7 +114,8 @@ class remesher : sized_surface<M> {
     const auto [c, d] = opposite;
     const int now = irregularity(a, 0) + irregularity(b, 0) + irregularity(c, 0) + irregularity(d, 0);
     const vec3 xa = at(a), xb = at(b), xc = at(c), xd = at(d);
-    const int then = irregularity(a, -1) + irregularity(b, -1) + irregularity(c, 1) + irregularity(d, 1) + weight_of_shape(xa, xc, xd) + weight_of_shape(xb, xc, xd);
+    const int then = irregularity(a, -1) + irregularity(b, -1) + irregularity(c, 1) + irregularity(d, 1) +
+                     weight_of_shape(xa, xc, xd) + weight_of_shape(xb, xc, xd);
     const int shapes_now = weight_of_shape(xa, xb, xc) + weight_of_shape(xa, xb, xd);
     if (then + weight_of_length(ratio(c, d)) >= now + shapes_now + weight_of_length(ratio(e))) return false;
     const vec3 first = cross(xc - xa, xd - xa), second = cross(xd - xb, xc - xb);  // of equal orientation
@@ -152,14 +158,17 @@ class remesher : sized_surface<M> {
 
  public:
   using surface::num_wanted;
-  bool allows_longer = false;  // collapses may make edges that are a little too long: helps where all edges are too short to stay and too long to collapse
+  bool allows_longer = false;  // collapses may make edges that are a little too long: helps where all edges are too
+                               // short to stay and too long to collapse
   std::size_t num_splits = 0, num_collapses = 0, num_flips = 0;
 
   /// is_named: see feature_lines.
   template<class F>
-  remesher(M& m, const unit_points& unit, const surface_sizes& input, const F& is_named) : surface(m, unit, input, is_named), m_(m) {}
+  remesher(M& m, const unit_points& unit, const surface_sizes& input, const F& is_named)
+      : surface(m, unit, input, is_named), m_(m) {}
 
-  /// What comes before the first round: flat triangles vanish, and sharp edges become lines. Normals of flat triangles say nothing about edges.
+  /// What comes before the first round: flat triangles vanish, and sharp edges become lines. Normals of flat triangles
+  /// say nothing about edges.
   void begin(const unit_points& unit, double feature_angle_deg) {
     flat_triangles<M> flat(m_, unit, lines);
     flat.remove_all([this](const vec3& x) { return nearest(x).size; });

@@ -1,4 +1,5 @@
-// The lengths that edges need at verts: from the curvature of the surface and of its feature lines, and limits on how fast lengths grow.
+// The lengths that edges need at verts: from the curvature of the surface and of its feature lines, and limits on how
+// fast lengths grow.
 #pragma once
 
 #include <concino/concepts/end_verts.hpp>
@@ -21,10 +22,13 @@ namespace concino::detail {
 
 /// An order for queues that give the least entry first.
 struct smaller_size {
-  bool operator()(const std::pair<double, std::size_t>& a, const std::pair<double, std::size_t>& b) const { return a > b; }
+  bool operator()(const std::pair<double, std::size_t>& a, const std::pair<double, std::size_t>& b) const {
+    return a > b;
+  }
 };
 
-/// The symmetric 2 x 2 matrix that maps tangents to changes of the normal, by least squares over the edges of a polygon.
+/// The symmetric 2 x 2 matrix that maps tangents to changes of the normal, by least squares over the edges of a
+/// polygon.
 /// Source: Rusinkiewicz 2004, "Estimating curvatures and their derivatives on triangle meshes".
 class normal_change {
   double uu_ = 0, uv_ = 0, vv_ = 0, right_a_ = 0, right_b_ = 0, right_c_ = 0;
@@ -35,18 +39,20 @@ class normal_change {
     right_a_ += u * change_u, right_b_ += v * change_u + u * change_v, right_c_ += v * change_v;
   }
 
-  /// The greatest normal curvature, without its sign. The normal equations for the entries a, b, c of [a b; b c] have the rows (uu, uv, 0), (uv, uu + vv, uv)
-  /// and (0, uv, vv).
+  /// The greatest normal curvature, without its sign. The normal equations for the entries a, b, c of [a b; b c] have
+  /// the rows (uu, uv, 0), (uv, uu + vv, uv) and (0, uv, vv).
   double greatest_curvature() const {
     const double sum = uu_ + vv_, area = uu_ * vv_ - uv_ * uv_;
     if (!(area > 0)) return 0;
-    const double off = (right_b_ - uv_ / uu_ * right_a_ - uv_ / vv_ * right_c_) / (sum - uv_ * uv_ / uu_ - uv_ * uv_ / vv_);
+    const double off =
+        (right_b_ - uv_ / uu_ * right_a_ - uv_ / vv_ * right_c_) / (sum - uv_ * uv_ / uu_ - uv_ * uv_ / vv_);
     const double a = (right_a_ - uv_ * off) / uu_, c = (right_c_ - uv_ * off) / vv_;
     return std::abs(a + c) / 2 + std::hypot((a - c) / 2, off);
   }
 };
 
-/// A surface whose points are moved to the middle of their box and scaled by a power of two to about 1, so that squares neither overflow nor vanish.
+/// A surface whose points are moved to the middle of their box and scaled by a power of two to about 1, so that squares
+/// neither overflow nor vanish.
 template<class M>
 class size_estimate {
   const M& m_;
@@ -61,7 +67,8 @@ class size_estimate {
   void scale_points() {
     for (const vert_t<M> v : verts(m_))
       if (!is_finite(to_vec3(point(m_, v))))
-        core::throw_joined<invalid_mesh>({"adaptive_size: the point of vert ", index_of(m_, v), " is not finite; validate(m) lists all of them"});
+        core::throw_joined<invalid_mesh>(
+            {"adaptive_size: the point of vert ", index_of(m_, v), " is not finite; validate(m) lists all of them"});
     if (num_verts(m_) == 0) return;
     const box b = bounding_box(m_);
     const vec3 centre = 0.5 * b.min + 0.5 * b.max, half = b.max - centre;
@@ -74,9 +81,10 @@ class size_estimate {
     diagonal_ = 2 * norm(vec3{scaled(half.x), scaled(half.y), scaled(half.z)});
   }
 
-  /// The normal at vert v of the smooth part of the surface to which a poly with this normal belongs: over the polys at v that turn from it by no more than
-  /// the angle, so that neither sharp edges nor the winding of other parts matter. With weights that are exact for verts on a sphere; with areas, the
-  /// curvature of a sphere would be wrong by a tenth, however fine its triangles.
+  /// The normal at vert v of the smooth part of the surface to which a poly with this normal belongs: over the polys at
+  /// v that turn from it by no more than the angle, so that neither sharp edges nor the winding of other parts matter.
+  /// With weights that are exact for verts on a sphere; with areas, the curvature of a sphere would be wrong by a
+  /// tenth, however fine its triangles.
   /// Source: Max 1999, "Weights for computing vertex normals from facet normals".
   vec3 smooth_normal(const vert_t<M>& v, const vec3& normal) const {
     vec3 sum;
@@ -107,7 +115,8 @@ class size_estimate {
 
  public:
   size_estimate(const M& m, double feature_angle_deg)
-      : m_(m), points_(vert_index_bound(m)), normals_(poly_normals(m)), cosine_(std::cos(std::min(feature_angle_deg, 180.0) / 180 * std::numbers::pi)) {
+      : m_(m), points_(vert_index_bound(m)), normals_(poly_normals(m)),
+        cosine_(std::cos(std::min(feature_angle_deg, 180.0) / 180 * std::numbers::pi)) {
     scale_points();
   }
 
@@ -118,10 +127,14 @@ class size_estimate {
   double poly_curvature(const poly_t<M>& p) const {
     const vec3 n = normals_[p];
     if (n == vec3{}) return 0;
-    const vec3 least = std::abs(n.x) <= std::abs(n.y) && std::abs(n.x) <= std::abs(n.z) ? vec3{1, 0, 0} : std::abs(n.y) <= std::abs(n.z) ? vec3{0, 1, 0} : vec3{0, 0, 1};
+    const vec3 least = std::abs(n.x) <= std::abs(n.y) && std::abs(n.x) <= std::abs(n.z) ? vec3{1, 0, 0}
+                       : std::abs(n.y) <= std::abs(n.z)                                 ? vec3{0, 1, 0}
+                                                                                        : vec3{0, 0, 1};
     const vec3 across = cross(n, least), u = across / norm(across), v = cross(n, u);
     normal_change change;
-    const auto add = [&](const vec3& edge, const vec3& turn) { change.add(dot(edge, u), dot(edge, v), dot(turn, u), dot(turn, v)); };
+    const auto add = [&](const vec3& edge, const vec3& turn) {
+      change.add(dot(edge, u), dot(edge, v), dot(turn, u), dot(turn, v));
+    };
     vec3 first, first_normal, before, before_normal;
     bool is_first = true;
     for (const vert_t<M> w : adj_p2v(m_, p)) {
@@ -147,8 +160,8 @@ class size_estimate {
     return n != 2 || is_sharp;
   }
 
-  /// The curvature of the feature line through v: that of the circle through v and the two next verts. 0 if there is no such line, or it has a bend as sharp
-  /// as a feature, which stays a corner.
+  /// The curvature of the feature line through v: that of the circle through v and the two next verts. 0 if there is no
+  /// such line, or it has a bend as sharp as a feature, which stays a corner.
   double line_curvature(const vert_t<M>& v) const {
     vec3 to[2];
     std::size_t n = 0;

@@ -1,4 +1,5 @@
-// A surface while it is remeshed: the sizes at its verts, its feature lines, and whether changes keep it near the input.
+// A surface while it is remeshed: the sizes at its verts, its feature lines, and whether changes keep it near the
+// input.
 //
 // All lengths and points are unit points.
 #pragma once
@@ -47,7 +48,8 @@ class sized_surface {
     for (const vert_t<M> v : verts(m_)) set(v, nearest(at(v)));
   }
   void add_sharp_lines(double feature_angle_deg) {
-    lines = feature_lines<M>(m_, feature_angle_deg, [kept = lines, this](const edge_t<M>& e) { return kept.has(m_, e); });
+    lines =
+        feature_lines<M>(m_, feature_angle_deg, [kept = lines, this](const edge_t<M>& e) { return kept.has(m_, e); });
     for (const vert_t<M> v : verts(m_)) set(v, size_at(v), normal_at(v));
   }
 
@@ -63,7 +65,9 @@ class sized_surface {
   vec3 to_mesh(const vec3& x) const { return unit_.to_mesh(x); }
   surface_sizes::place nearest(const vec3& x) const { return input_.nearest(x); }
   /// The length of an edge, as a multiple of that which it shall have.
-  double ratio(const vert_t<M>& a, const vert_t<M>& b) const { return distance(at(a), at(b)) / (0.5 * (size_at(a) + size_at(b))); }
+  double ratio(const vert_t<M>& a, const vert_t<M>& b) const {
+    return distance(at(a), at(b)) / (0.5 * (size_at(a) + size_at(b)));
+  }
   double ratio(const edge_t<M>& e) const {
     const auto ends = end_verts(m_, e);
     return ratio(ends.first, ends.second);
@@ -86,7 +90,9 @@ class sized_surface {
 
   static vec3 vector_area(const triangle& t) { return cross(t[1] - t[0], t[2] - t[0]); }
   static vec3 direction(const vec3& x) { return norm(x) > 0 ? x / norm(x) : vec3{}; }
-  static bool turns(const vec3& before, const vec3& after) { return !(dot(before, after) > min_cosine * norm(before) * norm(after)); }
+  static bool turns(const vec3& before, const vec3& after) {
+    return !(dot(before, after) > min_cosine * norm(before) * norm(after));
+  }
 
   /// The points of a triangle; false for other polys.
   bool points_of(const poly_t<M>& p, triangle& t) const {
@@ -113,8 +119,8 @@ class sized_surface {
     return true;
   }
 
-  /// Whether a triangle at v would turn, or leave the input, if v moved to x, where the input has this normal; those that have `without` do not count, as they
-  /// vanish.
+  /// Whether a triangle at v would turn, or leave the input, if v moved to x, where the input has this normal; those
+  /// that have `without` do not count, as they vanish.
   bool would_break(const vert_t<M>& v, const vec3& x, const vec3& normal, const vert_t<M>& without) const {
     for (const poly_t<M> p : adj_v2p(m_, v)) {
       triangle before, after;
@@ -133,7 +139,8 @@ class sized_surface {
       if (vanishes || !(norm(area) > 0)) continue;
       if (turns(area, vector_area(after))) return true;
       // what is wrong already may stay so
-      if (!follows_input(after, normals_after, size_at(v)) && follows_input(before, normals_before, size_at(v))) return true;
+      if (!follows_input(after, normals_after, size_at(v)) && follows_input(before, normals_before, size_at(v)))
+        return true;
     }
     return false;
   }

@@ -1,4 +1,5 @@
-// The input of a remeshing: the nearest point of its surface, and the length that edges shall have there. All points and lengths are unit ones.
+// The input of a remeshing: the nearest point of its surface, and the length that edges shall have there. All points
+// and lengths are unit ones.
 #pragma once
 
 #include <concino/convert/convert.hpp>
@@ -30,7 +31,8 @@ class surface_sizes {
   /// sizes: of the verts of m, in their order, or none.
   template<class M>
   surface_sizes(const M& m, const unit_points& unit, std::vector<double> sizes, double size)
-      : input_(in_unit_box(convert<polygonmesh>(m), unit)), tree_(input_), normals_(vert_normals(input_)), sizes_(std::move(sizes)), size_(unit.length_to_unit(size)) {
+      : input_(in_unit_box(convert<polygonmesh>(m), unit)), tree_(input_), normals_(vert_normals(input_)),
+        sizes_(std::move(sizes)), size_(unit.length_to_unit(size)) {
     for (double& x : sizes_) x = unit.length_to_unit(x);
   }
   surface_sizes(const surface_sizes&) = delete;  // the tree refers to the input
@@ -38,11 +40,13 @@ class surface_sizes {
 
   double distance_to(const vec3& x) const { return tree_.closest(x).distance; }
 
-  /// The nearest point of the input. Normal and size are means of those of the corners there, weighted by the inverses of their squared distances.
+  /// The nearest point of the input. Normal and size are means of those of the corners there, weighted by the inverses
+  /// of their squared distances.
   place nearest(const vec3& x) const {
     const auto hit = tree_.closest(x);
     double longest = 0;
-    for (const vert_id v : adj_p2v(input_, hit.poly)) longest = std::max(longest, distance(hit.point, point(input_, v)));
+    for (const vert_id v : adj_p2v(input_, hit.poly))
+      longest = std::max(longest, distance(hit.point, point(input_, v)));
     place sum{hit.point, {}, 0};
     double weights = 0;
     for (const vert_id v : adj_p2v(input_, hit.poly)) {

@@ -1,5 +1,5 @@
-// Flips that improve tets: of a face with its two tets (2-3), and of an edge with any number of tets around it, which become two for each triangle of the
-// best triangulation of the polygon around the edge.
+// Flips that improve tets: of a face with its two tets (2-3), and of an edge with any number of tets around it, which
+// become two for each triangle of the best triangulation of the polygon around the edge.
 #pragma once
 
 #include <concino/concepts/end_verts.hpp>
@@ -75,7 +75,8 @@ class tet_flips {
     return next == r.verts[0];
   }
 
-  /// The quality of the best triangulation of the ring, which it writes; if it is no better than `enough`, a value that is not.
+  /// The quality of the best triangulation of the ring, which it writes; if it is no better than `enough`, a value that
+  /// is not.
   double triangulate_ring(double enough) {
     ring& r = ring_;
     const unsigned n = r.size;
@@ -201,12 +202,14 @@ class tet_flips {
     bool is_ring = false, is_pair = false;
     for (const edge_t<M> e : adj_p2e(m, p)) {
       if (tets_.fixed.has(m, e) || !read_ring(e)) continue;
-      if (const double q = triangulate_ring(best); q > best && is_better(q, ring_.quality)) best = q, best_ring_ = ring_, is_ring = true;
+      if (const double q = triangulate_ring(best); q > best && is_better(q, ring_.quality))
+        best = q, best_ring_ = ring_, is_ring = true;
     }
     for (const face_t<M> f : adj_p2f(m, p)) {
       if (tets_.fixed.has(m, f) || !read_pair(p, t, f)) continue;
       const double before = std::min(now, tets_.quality(pair_.polys[1]));
-      if (const double q = quality_of_pair(best); q > best && is_better(q, before)) best = q, best_pair_ = pair_, is_pair = true;
+      if (const double q = quality_of_pair(best); q > best && is_better(q, before))
+        best = q, best_pair_ = pair_, is_pair = true;
     }
     return is_pair ? apply_pair() : is_ring && apply_ring();
   }

@@ -1,4 +1,5 @@
-// Rounds of tet improvement: flips and moves of verts for all bad tets, then collapses and new verts for those that are left.
+// Rounds of tet improvement: flips and moves of verts for all bad tets, then collapses and new verts for those that are
+// left.
 #pragma once
 
 #include <concino/edit/edge_collapse.hpp>
@@ -84,13 +85,15 @@ class tet_improver {
   void for_each_bad(const F& f) {
     const auto all = bad_tets();
     for (std::size_t i = 0; i < all.size(); ++i)
-      if (contains(tets_.mesh, all[i].second) && tets_.quality(all[i].second) == all[i].first) f(all[i].second, static_cast<double>(i) / static_cast<double>(all.size()));
+      if (contains(tets_.mesh, all[i].second) && tets_.quality(all[i].second) == all[i].first)
+        f(all[i].second, static_cast<double>(i) / static_cast<double>(all.size()));
   }
 
  public:
   std::size_t num_flips = 0, num_moves = 0, num_collapses = 0, num_new_verts = 0;
 
-  tet_improver(improvable_tets<M>& tets, double target) : tets_(tets), flips_(tets), insertion_(tets), target_(target) {}
+  tet_improver(improvable_tets<M>& tets, double target)
+      : tets_(tets), flips_(tets), insertion_(tets), target_(target) {}
 
   std::size_t num_edits() const { return num_flips + num_moves + num_collapses + num_new_verts; }
 

@@ -1,5 +1,5 @@
-// Insertion of a vert that improves tets: a few tets around a bad one are replaced by those that join the new vert to their outer faces. Splits of tets, faces
-// and edges are the smallest cases.
+// Insertion of a vert that improves tets: a few tets around a bad one are replaced by those that join the new vert to
+// their outer faces. Splits of tets, faces and edges are the smallest cases.
 #pragma once
 
 #include <concino/concepts/end_verts.hpp>
@@ -56,7 +56,8 @@ class tet_insertion {
   }
 
   const outer_face& worst_face() const {
-    return *std::min_element(faces_.begin(), faces_.end(), [](const outer_face& a, const outer_face& b) { return a.quality < b.quality; });
+    return *std::min_element(faces_.begin(), faces_.end(),
+                             [](const outer_face& a, const outer_face& b) { return a.quality < b.quality; });
   }
 
   /// Begins with p, or with all tets at an edge of it.
@@ -141,7 +142,8 @@ class tet_insertion {
     for (unsigned i = 0; i < 4; ++i)
       for (unsigned k = 0; k < i; ++k) {
         const vec3 a = tets_.at(t.verts[k]), d = tets_.at(t.verts[i]) - a;
-        const double squared = dot(d, d), at = squared > 0 ? std::clamp(dot(x_ - a, d) / squared, 0.0, 1.0) : 0, far = norm(a + at * d - x_);
+        const double squared = dot(d, d), at = squared > 0 ? std::clamp(dot(x_ - a, d) / squared, 0.0, 1.0) : 0,
+                     far = norm(a + at * d - x_);
         if ((i == 1 && k == 0) || far < least) least = far, nearest = {c.vert(t.verts[k]), c.vert(t.verts[i]), at};
       }
     return nearest;

@@ -9,7 +9,8 @@
 
 namespace concino::detail {
 
-/// The unit normals of the faces opposite to the verts, which point outwards if the tet is positive, and what follows from them.
+/// The unit normals of the faces opposite to the verts, which point outwards if the tet is positive, and what follows
+/// from them.
 struct tet_faces {
   static constexpr unsigned pairs[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 
@@ -29,7 +30,9 @@ struct tet_faces {
   }
 
   /// Minus the cosine of the dihedral angle between faces i and j; -1 if one has no area.
-  double between(unsigned i, unsigned j) const { return length[i] > 0 && length[j] > 0 ? std::clamp(dot(normal[i], normal[j]), -1.0, 1.0) : -1; }
+  double between(unsigned i, unsigned j) const {
+    return length[i] > 0 && length[j] > 0 ? std::clamp(dot(normal[i], normal[j]), -1.0, 1.0) : -1;
+  }
   double of_angle(double value) const { return is_positive ? value : -2 - value; }
   double quality() const {
     double least = 1;
@@ -38,9 +41,11 @@ struct tet_faces {
   }
 };
 
-/// Minus the cosine of the least dihedral angle: at most 1/3, that of a regular tet. It grows with the angle. Inverted tets have values below -1, as if their
-/// angles were negative; NaN never comes out of finite points.
-inline double tet_quality(const vec3& a, const vec3& b, const vec3& c, const vec3& d) { return tet_faces(a, b, c, d).quality(); }
+/// Minus the cosine of the least dihedral angle: at most 1/3, that of a regular tet. It grows with the angle. Inverted
+/// tets have values below -1, as if their angles were negative; NaN never comes out of finite points.
+inline double tet_quality(const vec3& a, const vec3& b, const vec3& c, const vec3& d) {
+  return tet_faces(a, b, c, d).quality();
+}
 
 inline double quality_of_angle(double degrees) { return -std::cos(degrees * std::numbers::pi / 180); }
 inline double angle_of_quality(double q) {
@@ -49,6 +54,8 @@ inline double angle_of_quality(double q) {
 }
 
 /// Whether a change is worth being made: enough better that there is an end to improvements.
-inline bool is_better(double now, double before) { return before < -1 ? now > before + 1e-6 : now + 1 > 1.001 * (before + 1) + 1e-12; }
+inline bool is_better(double now, double before) {
+  return before < -1 ? now > before + 1e-6 : now + 1 > 1.001 * (before + 1) + 1e-12;
+}
 
 }  // namespace concino::detail

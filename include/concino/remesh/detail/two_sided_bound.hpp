@@ -1,7 +1,9 @@
-// Whether edits keep a surface near the one that it was, and that one near it. It does not depend on the mesh type, so it is compiled once.
+// Whether edits keep a surface near the one that it was, and that one near it. It does not depend on the mesh type, so
+// it is compiled once.
 //
-// A triangle of the input is near the result if each of its points is near one of the `parts` that are linked with it. An edit replaces parts; only the
-// triangles linked with these are measured again, against what remains and what is new. All points are unit points.
+// A triangle of the input is near the result if each of its points is near one of the `parts` that are linked with it.
+// An edit replaces parts; only the triangles linked with these are measured again, against what remains and what is
+// new. All points are unit points.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -60,7 +62,8 @@ class two_sided_bound {
   /// The parts of the input, which are those of the result before the first edit.
   two_sided_bound(std::span<const surface_part> input, double limit);
 
-  /// Whether after the change all points of the new parts are near the input, and all points of the input near the result.
+  /// Whether after the change all points of the new parts are near the input, and all points of the input near the
+  /// result.
   bool stays_near(const part_change& change);
   /// The change that was asked about last has been made.
   void accept();

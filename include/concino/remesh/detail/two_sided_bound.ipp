@@ -24,7 +24,8 @@ struct few_triangles {
   }
 };
 
-/// Whether all points of t are near triangles. Marks those that this follows from in is_used_. False too if it is not known after max_cuts.
+/// Whether all points of t are near triangles. Marks those that this follows from in is_used_. False too if it is not
+/// known after max_cuts.
 template<class Triangles>
 bool two_sided_bound::is_near(const triangle_points& t, const Triangles& to, std::size_t guess, std::size_t max_cuts) {
   for (const vec3& x : t)
@@ -100,7 +101,8 @@ CONCINO_INLINE void two_sided_bound::remove_links_of(std::uint32_t part) {
 CONCINO_INLINE void two_sided_bound::find_changed_items() {
   changed_items_.clear();
   for (const std::uint32_t part : change_.old)
-    for (std::uint32_t i = first_of_part_[part]; i != none; i = links_[i].next_of_part) changed_items_.push_back(links_[i].item);
+    for (std::uint32_t i = first_of_part_[part]; i != none; i = links_[i].next_of_part)
+      changed_items_.push_back(links_[i].item);
   std::sort(changed_items_.begin(), changed_items_.end());
   changed_items_.erase(std::unique(changed_items_.begin(), changed_items_.end()), changed_items_.end());
 }
@@ -111,7 +113,8 @@ CONCINO_INLINE bool two_sided_bound::item_is_near(std::uint32_t item) {
   candidates_.resize(num_new);
   for (std::uint32_t i = first_of_item_[item]; i != none; i = links_[i].next_of_item) {
     const std::uint32_t part = links_[i].part;
-    if (std::find(change_.old.begin(), change_.old.end(), part) == change_.old.end()) candidates_.push_back(parts_[part]);
+    if (std::find(change_.old.begin(), change_.old.end(), part) == change_.old.end())
+      candidates_.push_back(parts_[part]);
   }
   if (candidates_.empty()) return false;
   is_used_.assign(num_new, 0);
@@ -131,7 +134,8 @@ CONCINO_INLINE bool two_sided_bound::stays_near(const part_change& change) {
       if (!is_near(x.points, input_, 0, 64 + 8 * changed_items_.size())) return false;
   candidates_.clear();
   for (const surface_part& x : change_.added) candidates_.push_back(x.points);
-  return std::all_of(changed_items_.begin(), changed_items_.end(), [&](std::uint32_t item) { return item_is_near(item); });
+  return std::all_of(changed_items_.begin(), changed_items_.end(),
+                     [&](std::uint32_t item) { return item_is_near(item); });
 }
 
 CONCINO_INLINE void two_sided_bound::accept() {

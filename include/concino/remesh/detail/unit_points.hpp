@@ -1,4 +1,5 @@
-// The points of a mesh, moved to the middle of their box and scaled by a power of two to about 1, so that products of them neither overflow nor underflow.
+// The points of a mesh, moved to the middle of their box and scaled by a power of two to about 1, so that products of
+// them neither overflow nor underflow.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -20,7 +21,9 @@ class unit_points {
   template<class M>
   unit_points(const M& m, const char* caller) {
     for (const vert_t<M> v : verts(m))
-      if (!is_finite(to_vec3(point(m, v)))) core::throw_joined<invalid_mesh>({caller, ": the point of vert ", index_of(m, v), " is not finite; validate(m) lists all of them"});
+      if (!is_finite(to_vec3(point(m, v))))
+        core::throw_joined<invalid_mesh>(
+            {caller, ": the point of vert ", index_of(m, v), " is not finite; validate(m) lists all of them"});
     if (num_verts(m) == 0) return;
     const box b = bounding_box(m);
     centre_ = 0.5 * b.min + 0.5 * b.max;

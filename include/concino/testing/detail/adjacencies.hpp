@@ -13,8 +13,8 @@
 
 namespace concino::testing::detail {
 
-/// Calls f("adj_v2v", 'v', verts, adj_v2v) and so on. The arguments are the name, the letter and the range of the elements of its argument, and the
-/// verb.
+/// Calls f("adj_v2v", 'v', verts, adj_v2v) and so on. The arguments are the name, the letter and the range of the
+/// elements of its argument, and the verb.
 template<class M, class F>
 void for_each_adjacency([[maybe_unused]] const M& m, const F& f) {
   if constexpr (PrimalGraph<M>) f("adj_v2v", 'v', verts, adj_v2v);
@@ -25,13 +25,16 @@ void for_each_adjacency([[maybe_unused]] const M& m, const F& f) {
     f("adj_e2v", 'e', edges, adj_e2v);
     f("adj_e2p", 'e', edges, adj_e2p);
     f("adj_p2v", 'p', polys, adj_p2v);
-    f("adj_p2e", 'p', polys, [](const M& mesh, const poly_t<M>& p) -> decltype(auto) { return traits<M>::adj_p2e(mesh, p); });  // the verb would sort
+    // the verb would sort
+    f("adj_p2e", 'p', polys,
+      [](const M& mesh, const poly_t<M>& p) -> decltype(auto) { return traits<M>::adj_p2e(mesh, p); });
   }
   if constexpr (VolumeMesh<M>) {  // surfaces have no faces
     f("adj_v2f", 'v', verts, adj_v2f);
     f("adj_e2f", 'e', edges, adj_e2f);
     f("adj_f2v", 'f', faces, adj_f2v);
-    f("adj_f2e", 'f', faces, [](const M& mesh, const face_t<M>& x) -> decltype(auto) { return traits<M>::adj_f2e(mesh, x); });
+    f("adj_f2e", 'f', faces,
+      [](const M& mesh, const face_t<M>& x) -> decltype(auto) { return traits<M>::adj_f2e(mesh, x); });
     f("adj_f2p", 'f', faces, adj_f2p);
     f("adj_p2f", 'p', polys, adj_p2f);
   }

@@ -1,4 +1,5 @@
-// All that rewire may change of a mesh, in a form that can be compared: descriptors, points, corners, and values of named properties.
+// All that rewire may change of a mesh, in a form that can be compared: descriptors, points, corners, and values of
+// named properties.
 #pragma once
 
 #include <concino/concepts/editable.hpp>
@@ -13,7 +14,8 @@
 
 namespace concino::testing::detail {
 
-/// The verts of a poly by index: one list, or, of a general polyhedron, one for each face, counter-clockwise seen from outside.
+/// The verts of a poly by index: one list, or, of a general polyhedron, one for each face, counter-clockwise seen from
+/// outside.
 using poly_shape = std::vector<std::vector<std::size_t>>;
 
 /// General polyhedra have no order of verts; their corners are those of faces.

@@ -15,12 +15,16 @@ namespace concino::testing::detail {
 template<MutablePoints M>
 void check_point_edits(M& m, concino::detail::law_log& log) {
   // numbers that floats represent exactly
-  const auto new_point = [](std::size_t i) { return vec3{static_cast<double>(i * 7 % 97) / 4, static_cast<double>(i * 3 % 89) / 4, static_cast<double>(i % 83) / 4}; };
+  const auto new_point = [](std::size_t i) {
+    return vec3{static_cast<double>(i * 7 % 97) / 4, static_cast<double>(i * 3 % 89) / 4,
+                static_cast<double>(i % 83) / 4};
+  };
   for (const vert_t<M> v : verts(m)) traits<M>::set_point(m, v, new_point(index_of(m, v)));
   for (const vert_t<M> v : verts(m)) {
     const std::size_t i = index_of(m, v);
     if (to_vec3(point(m, v)) != new_point(i))
-      log.add("KIT4", concino::core::joined({"point(", name('v', i), ") is not the point that set_point has set"}), name('v', i));
+      log.add("KIT4", concino::core::joined({"point(", name('v', i), ") is not the point that set_point has set"}),
+              name('v', i));
   }
 }
 
@@ -32,9 +36,15 @@ void remove_polys(M& m, concino::detail::law_log& log) {
   for (std::size_t i = 0; i < all.size(); ++i) (i % 3 == 0 ? removed : remaining).push_back(all[i]);
   for (const poly_t<M>& p : removed) traits<M>::remove_poly(m, p);
   if (num_polys(m) != remaining.size())
-    log.add("KIT6", concino::core::joined({removed.size(), " of ", all.size(), " polys were removed, but num_polys is ", num_polys(m)}), "");
+    log.add("KIT6",
+            concino::core::joined(
+                {removed.size(), " of ", all.size(), " polys were removed, but num_polys is ", num_polys(m)}),
+            "");
   for (const poly_t<M>& p : remaining)
-    if (!contains(m, p)) log.add("KIT6", concino::core::joined({name('p', index_of(m, p)), " no longer exists after other polys were removed"}), name('p', index_of(m, p)));
+    if (!contains(m, p))
+      log.add("KIT6",
+              concino::core::joined({name('p', index_of(m, p)), " no longer exists after other polys were removed"}),
+              name('p', index_of(m, p)));
   for (const poly_t<M>& p : removed)
     if (contains(m, p)) log.add("KIT6", "a removed poly still exists", name('p', index_of(m, p)));
 }
@@ -43,7 +53,8 @@ void remove_polys(M& m, concino::detail::law_log& log) {
 template<class M>
 void add_one(M& m, concino::detail::law_log& log) {
   constexpr int n = arity_v<M> ? arity_v<M> : 3;
-  static constexpr double corner[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+  static constexpr double corner[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                          {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
   std::vector<vert_t<M>> corners;
   for (int i = 0; i < n; ++i) {
     const double* const x = corner[n == 4 && dimension_v<M> == 3 && i == 3 ? 4 : i];
@@ -54,7 +65,9 @@ void add_one(M& m, concino::detail::law_log& log) {
   for (const vert_t<M>& v : corners) {
     bool found = false;
     for (const vert_t<M> w : adj_p2v(m, p)) found = found || w == v;
-    if (!found) log.add("KIT6", concino::core::joined({"the poly that add_poly returned lacks ", name('v', index_of(m, v))}), name('p', index_of(m, p)));
+    if (!found)
+      log.add("KIT6", concino::core::joined({"the poly that add_poly returned lacks ", name('v', index_of(m, v))}),
+              name('p', index_of(m, p)));
   }
 }
 

@@ -28,12 +28,15 @@ void check_against_native(const M& m, concino::detail::law_log& log) {
   const auto c = convert_with_correspondence<native>(m, {.properties = false});
   const auto differ = [&](const std::string& what, const std::string& witness = "") {
     log.add("KIT5",
-            concino::core::joined({what, " differs from the same mesh converted to ", dimension_v<M> == 2 ? "polygonmesh" : "polyhedralmesh"}),
+            concino::core::joined({what, " differs from the same mesh converted to ",
+                                   dimension_v<M> == 2 ? "polygonmesh" : "polyhedralmesh"}),
             witness);
   };
-  const auto same = [&](const char* what, const auto& elements, char letter, const auto& values, const auto& native_values, const auto& of) {
+  const auto same = [&](const char* what, const auto& elements, char letter, const auto& values,
+                        const auto& native_values, const auto& of) {
     for (const auto x : elements)
-      if (!near(static_cast<double>(values[x]), static_cast<double>(native_values[of(x)]))) return differ(what, name(letter, index_of(m, x)));
+      if (!near(static_cast<double>(values[x]), static_cast<double>(native_values[of(x)])))
+        return differ(what, name(letter, index_of(m, x)));
   };
   const auto vert_of = [&](const vert_t<M>& v) { return c.vert_of(v); };
   const auto poly_of = [&](const poly_t<M>& p) { return c.poly_of(p); };
@@ -68,7 +71,8 @@ void check_against_native(const M& m, concino::detail::law_log& log) {
     }
     for (const vert_t<M> v : verts(m))
       if (!has[static_cast<std::size_t>(component[v])]) prescribe(v, 0);
-    same("harmonic_map", verts(m), 'v', harmonic_map(m, prescribed, uniform), harmonic_map(c.mesh, also, uniform), vert_of);
+    same("harmonic_map", verts(m), 'v', harmonic_map(m, prescribed, uniform), harmonic_map(c.mesh, also, uniform),
+         vert_of);
     break;
   }
 }

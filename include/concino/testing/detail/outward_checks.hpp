@@ -12,7 +12,8 @@
 
 namespace concino::testing::detail {
 
-/// KIT7: a third of the sum of centroid times outward vector over the faces of each poly, which is its volume, is positive. At most four findings.
+/// KIT7: a third of the sum of centroid times outward vector over the faces of each poly, which is its volume, is
+/// positive. At most four findings.
 template<VolumeMesh M, class Finding>
   requires Embedded<M>
 void check_outward(const M& m, const std::string& state, std::vector<Finding>& findings) {
@@ -30,8 +31,10 @@ void check_outward(const M& m, const std::string& state, std::vector<Finding>& f
     if (count++ == 4) return;
     const std::string witness = name('p', index_of(m, p));
     findings.push_back({"KIT7", state,
-                        concino::core::joined({"the volume of ", witness, ", computed from its faces as face_is_outward turns them, is ", core::number_text(sum / 3),
-                                               ", not positive: face_is_outward is wrong, or the data (then see turned_polys)"}),
+                        concino::core::joined(
+                            {"the volume of ", witness, ", computed from its faces as face_is_outward turns them, is ",
+                             core::number_text(sum / 3),
+                             ", not positive: face_is_outward is wrong, or the data (then see turned_polys)"}),
                         witness});
   }
 }

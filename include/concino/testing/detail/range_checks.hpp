@@ -1,4 +1,5 @@
-// Checks that ranges of elements do not change while others are computed, and can be iterated repeatedly, also by several threads.
+// Checks that ranges of elements do not change while others are computed, and can be iterated repeatedly, also by
+// several threads.
 #pragma once
 
 #include <concino/core/message.hpp>
@@ -19,7 +20,10 @@ void check_ranges(const M& m, concino::detail::law_log& log) {
   for_each_adjacency(m, [&](const char* verb, char letter, const auto& all, const auto& adjacent) {
     std::size_t count = 0;
     const auto elements = indices(m, all(m));
-    if (indices(m, all(m)) != elements) log.add("KIT2", concino::core::joined({"the range of arguments of ", verb, " has other elements when iterated again"}), "");
+    if (indices(m, all(m)) != elements)
+      log.add("KIT2",
+              concino::core::joined({"the range of arguments of ", verb, " has other elements when iterated again"}),
+              "");
     bool first = true;
     decltype(auto) walk = all(m);
     const auto end = walk.end();
@@ -43,7 +47,8 @@ void check_ranges(const M& m, concino::detail::law_log& log) {
           auto goes = ring.begin();
           ++goes;
           if (index_of(m, *stays) != once[0])
-            log.add("KIT2", concino::core::joined({"incrementing one iterator of ", what, " moves another"}), name(letter, index_of(m, a)));
+            log.add("KIT2", concino::core::joined({"incrementing one iterator of ", what, " moves another"}),
+                    name(letter, index_of(m, a)));
         }
         ++before;
       }
@@ -68,7 +73,10 @@ void check_threads(const M& m, concino::detail::law_log& log) {
       }
     }
   });
-  if (wrong[0] || wrong[1]) log.add("KIT3", "two threads that read the const mesh at the same time get other results than one; reading must not write", "");
+  if (wrong[0] || wrong[1])
+    log.add("KIT3",
+            "two threads that read the const mesh at the same time get other results than one; reading must not write",
+            "");
 }
 
 }  // namespace concino::testing::detail

@@ -1,4 +1,5 @@
-// Cavities that every editable mesh can be given: a poly that is turned, one that is divided at new verts, and the parts that are joined again.
+// Cavities that every editable mesh can be given: a poly that is turned, one that is divided at new verts, and the
+// parts that are joined again.
 #pragma once
 
 #include <concino/concepts/editable.hpp>
@@ -46,12 +47,15 @@ struct built_cavity {
     std::size_t first = i, last = i + 1;
     if constexpr (has_general_polyhedra<M>) first = i == 0 ? 0 : poly_ends[i - 1], last = poly_ends[i];
     std::vector<std::vector<unsigned>> loops;
-    for (std::size_t k = first; k < last; ++k) loops.emplace_back(corners.begin() + (k == 0 ? 0 : ends[k - 1]), corners.begin() + ends[k]);
+    for (std::size_t k = first; k < last; ++k)
+      loops.emplace_back(corners.begin() + (k == 0 ? 0 : ends[k - 1]), corners.begin() + ends[k]);
     return loops;
   }
 
   cavity<M> lists() const {
-    const auto all = [](const auto& x) { return id_span<typename std::remove_cvref_t<decltype(x)>::value_type>(x.data(), x.data() + x.size()); };
+    const auto all = [](const auto& x) {
+      return id_span<typename std::remove_cvref_t<decltype(x)>::value_type>(x.data(), x.data() + x.size());
+    };
     return {all(polys), all(verts), all(points), all(corners), all(ends), all(poly_ends), kept, removed};
   }
   void apply(M& m) {
@@ -85,8 +89,10 @@ built_cavity<M> turned_poly(const M& m, const poly_t<M>& p) {
   c.polys = {p};
   c.kept = 1;
   for (auto& loop : loops_of(m, p, c)) {
-    if constexpr (dimension_v<M> == 3 && arity_v<M> == 4) loop = {loop[1], loop[2], loop[0], loop[3]};  // a rotation of the standard order
-    else if constexpr (arity_v<M> == 8) loop = {loop[1], loop[2], loop[3], loop[0], loop[5], loop[6], loop[7], loop[4]};  // about the vertical axis
+    // a rotation of the standard order
+    if constexpr (dimension_v<M> == 3 && arity_v<M> == 4) loop = {loop[1], loop[2], loop[0], loop[3]};
+    // about the vertical axis
+    else if constexpr (arity_v<M> == 8) loop = {loop[1], loop[2], loop[3], loop[0], loop[5], loop[6], loop[7], loop[4]};
     else std::rotate(loop.begin(), loop.begin() + 1, loop.end());
     c.add_loop(loop);
   }
@@ -116,12 +122,14 @@ std::vector<std::vector<unsigned>> facets_of_corners([[maybe_unused]] unsigned n
     for (unsigned k = 0; k < n; ++k) all.push_back({k, (k + 1) % n});
   } else {
     const standard_cell& cell = standard_cell_of(arity_v<M> == 4 ? cell_shape::tet : cell_shape::hex);
-    for (unsigned f = 0; f < cell.num_faces; ++f) all.emplace_back(cell.face_vert[f], cell.face_vert[f] + cell.face_size[f]);
+    for (unsigned f = 0; f < cell.num_faces; ++f)
+      all.emplace_back(cell.face_vert[f], cell.face_vert[f] + cell.face_size[f]);
   }
   return all;
 }
 
-/// Divides p: into one poly for each facet, which joins it to a new vert or, of quads and hexes, to a facet of a smaller copy of p inside, which remains.
+/// Divides p: into one poly for each facet, which joins it to a new vert or, of quads and hexes, to a facet of a
+/// smaller copy of p inside, which remains.
 template<EditableMesh M>
 built_cavity<M> divided_poly(const M& m, const poly_t<M>& p) {
   constexpr bool has_copy = (dimension_v<M> == 2 && arity_v<M> == 4) || arity_v<M> == 8;
@@ -131,7 +139,8 @@ built_cavity<M> divided_poly(const M& m, const poly_t<M>& p) {
   c.kept = 1;
   const auto loops = loops_of(m, p, c);
   const unsigned top = c.first_point();
-  for (std::size_t k = 0; k < (has_copy ? c.verts.size() : 1); ++k) c.points.push_back(inner_point(m, c.verts, has_copy ? k : c.verts.size()));
+  for (std::size_t k = 0; k < (has_copy ? c.verts.size() : 1); ++k)
+    c.points.push_back(inner_point(m, c.verts, has_copy ? k : c.verts.size()));
   if constexpr (has_general_polyhedra<M>) {
     for (const auto& base : loops) {
       c.add_loop(base);
@@ -151,7 +160,8 @@ built_cavity<M> divided_poly(const M& m, const poly_t<M>& p) {
         for (const unsigned k : facet) corners.push_back(loop[k]);
       } else {
         for (const unsigned k : facet) corners.push_back(loop[k]);
-        if constexpr (dimension_v<M> == 3) std::swap(corners[1], corners[2]);  // seen from the new vert, the facet runs the other way
+        // seen from the new vert, the facet runs the other way
+        if constexpr (dimension_v<M> == 3) std::swap(corners[1], corners[2]);
         corners.push_back(inner(facet.back()));
         if (has_copy) corners.push_back(inner(facet.front()));
       }

@@ -12,13 +12,15 @@
 
 namespace concino::detail {
 
-/// Calls found(x, y) for each x of the range `all` whose verts, ring(x), form the same set as those of an earlier element y.
+/// Calls found(x, y) for each x of the range `all` whose verts, ring(x), form the same set as those of an earlier
+/// element y.
 /// Cost: expected linear in the verts of all rings: sets are compared only if 64-bit hashes agree.
 template<class X, class M, class R, class Ring, class Found>
 void find_duplicates(const M& m, const R& all, std::size_t count, const Ring& ring, const Found& found) {
   std::unordered_multimap<std::uint64_t, X> by_hash;
   by_hash.reserve(count);
-  std::vector<std::uint64_t> met(vert_index_bound(m));  // by vert: 2 c and 2 c + 1 mark the verts of the sets of comparison c
+  std::vector<std::uint64_t> met(vert_index_bound(m));  // by vert: 2 c and 2 c + 1 mark the verts of the sets of
+                                                        // comparison c
   std::uint64_t comparison = 0;
   const auto same_verts = [&](const X& x, const X& y) {
     const std::uint64_t in_x = 2 * ++comparison, in_both = in_x + 1;

@@ -1,5 +1,6 @@
-// The laws of facets (FC1 .. FC4). They follow from the laws of the mesh and are checked only if those hold. They then fail if a result depends
-// on other queries in between. So ranges are iterated within one another here, as algorithms do.
+// The laws of facets (FC1 .. FC4). They follow from the laws of the mesh and are checked only if those hold. They then
+// fail if a result depends on other queries in between. So ranges are iterated within one another here, as algorithms
+// do.
 #pragma once
 
 #include <concino/concepts/facets.hpp>
@@ -47,7 +48,9 @@ class facet_laws {
       for (const order_index x : p2x_[p])
         for (const order_index v : x2v_[x])
           if (of[v] != p)
-            log_.add("FC2", core::joined({"adj_facet2v(", xs_.name(x), ") holds ", vs_.name(v), ", which is not a vert of ", ps_.name(p)}),
+            log_.add("FC2",
+                     core::joined({"adj_facet2v(", xs_.name(x), ") holds ", vs_.name(v), ", which is not a vert of ",
+                                   ps_.name(p)}),
                      core::joined({xs_.name(x), " ", vs_.name(v), " ", ps_.name(p)}));
     }
   }
@@ -69,7 +72,8 @@ class facet_laws {
     }
     skip();
     if (!is_same || i != listed.size())
-      log_.add("FC3", core::joined({call(), " is not adj_facet2p(", xs_.name(x), ") without ", ps_.name(p)}), core::joined({ps_.name(p), " ", xs_.name(x)}));
+      log_.add("FC3", core::joined({call(), " is not adj_facet2p(", xs_.name(x), ") without ", ps_.name(p)}),
+               core::joined({ps_.name(p), " ", xs_.name(x)}));
   }
 
   /// FC3: other_polys over all facets of p are adj_p2p(p).
@@ -80,16 +84,19 @@ class facet_laws {
       for (const facet x : adj_p2facet(m_, ps_.items[p])) {
         const order_index at = walked++ < p2x_[p].size() ? xs_.find(m_, x) : no_order_index;
         if (at == no_order_index || at != p2x_[p][walked - 1]) {
-          log_.add("FC3", core::joined({"adj_p2facet(", ps_.name(p), ") changes while other_polys is called"}), ps_.name(p));
+          log_.add("FC3", core::joined({"adj_p2facet(", ps_.name(p), ") changes while other_polys is called"}),
+                   ps_.name(p));
           return;
         }
         check_other_polys(p, at, poly_of);
       }
       if (walked != p2x_[p].size())
-        log_.add("FC3", core::joined({"adj_p2facet(", ps_.name(p), ") ends early while other_polys is called"}), ps_.name(p));
+        log_.add("FC3", core::joined({"adj_p2facet(", ps_.name(p), ") ends early while other_polys is called"}),
+                 ps_.name(p));
       for (const order_index q : p2p_[p])
         if (poly_of[q] != p)
-          log_.add("FC3", core::joined({"adj_p2p(", ps_.name(p), ") holds ", ps_.name(q), ", which shares no facet with it"}),
+          log_.add("FC3",
+                   core::joined({"adj_p2p(", ps_.name(p), ") holds ", ps_.name(q), ", which shares no facet with it"}),
                    core::joined({ps_.name(p), " ", ps_.name(q)}));
     });
   }
@@ -101,7 +108,9 @@ class facet_laws {
   void check_boundary(const element_table<A>& as, const std::vector<bool>& expected) {
     for_each(as, "FC4", "is_boundary", [&](order_index a) {
       if (is_boundary(m_, as.items[a]) == expected[a]) return;
-      log_.add("FC4", core::joined({"is_boundary(", as.name(a), ") is ", expected[a] ? "false" : "true", ", but it has ", expected[a] ? "a" : "no", " facet of one poly"}),
+      log_.add("FC4",
+               core::joined({"is_boundary(", as.name(a), ") is ", expected[a] ? "false" : "true", ", but it has ",
+                             expected[a] ? "a" : "no", " facet of one poly"}),
                as.name(a));
     });
   }
@@ -116,7 +125,8 @@ class facet_laws {
  public:
   facet_laws(const M& m, const graph_tables<vert_t<M>>& primal, const graph_tables<poly>& dual, law_log& log)
       : m_(m), vs_(primal.nodes), ps_(dual.nodes), p2p_(dual.next), log_(log),
-        xs_(read_elements<facet>(m, dimension_v<M> == 2 ? 'e' : 'f', facets, num_facets, facet_index_bound, "FC1", "FC1", log)) {}
+        xs_(read_elements<facet>(m, dimension_v<M> == 2 ? 'e' : 'f', facets, num_facets, facet_index_bound, "FC1",
+                                 "FC1", log)) {}
 
   void check() {
     if (!log_.empty()) return;  // further checks would report the same faults again

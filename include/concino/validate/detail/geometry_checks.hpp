@@ -31,7 +31,8 @@ class polygon_checks {
       if (!is_finite(p)) return;  // reported at the vert
     if (n < 3) return;            // reported as degenerate
     const auto add_zero = [&](const char* why) {
-      if (defect<M>* d = log.add(defect_kind::zero_size, x)) d->what = core::joined({log.name(x), " has no area: ", why});
+      if (defect<M>* d = log.add(defect_kind::zero_size, x))
+        d->what = core::joined({log.name(x), " has no area: ", why});
     };
     const bool is_degenerate = n == 3 && core::is_degenerate_simplex(points);  // before fit changes them
     if (!local_.fit()) return add_zero("its verts are all at one point");
@@ -55,8 +56,10 @@ class polygon_checks {
     const auto touch = find_self_intersection(normal, bent);
     if (touch) {
       if (defect<M>* d = log.add(defect_kind::self_touching, x))
-        d->what = core::joined({log.name(x), bent ? ", seen along its normal, touches or crosses itself: " : " touches or crosses itself: ",
-                          side_name(m, ring, touch->first, n, log), " meets ", side_name(m, ring, touch->second, n, log)});
+        d->what = core::joined(
+            {log.name(x),
+             bent ? ", seen along its normal, touches or crosses itself: " : " touches or crosses itself: ",
+             side_name(m, ring, touch->first, n, log), " meets ", side_name(m, ring, touch->second, n, log)});
     } else if (no_area) {
       add_zero("its parts cancel out");
     } else if (length <= log.options().size_tolerance * size * size) {
@@ -64,7 +67,8 @@ class polygon_checks {
     }
     if (!no_area && off > log.options().planarity_tolerance * size)
       if (defect<M>* d = log.add(defect_kind::non_planar, x))
-        d->what = core::joined({log.name(x), " is not planar: a vert lies ", core::number_text(rounded(100 * off / size)), " % of its size off its plane"});
+        d->what = core::joined({log.name(x), " is not planar: a vert lies ",
+                                core::number_text(rounded(100 * off / size)), " % of its size off its plane"});
   }
 
  private:
@@ -82,8 +86,8 @@ class polygon_checks {
     return local_.is_zero_area(best, 3) ? vec3() : best / norm(best);
   }
 
-  /// Projects along the normal. A planar polygon keeps its exact coordinates: the one in which the normal is largest is dropped, which neither
-  /// creates nor removes a contact.
+  /// Projects along the normal. A planar polygon keeps its exact coordinates: the one in which the normal is largest is
+  /// dropped, which neither creates nor removes a contact.
   std::optional<std::pair<std::uint32_t, std::uint32_t>> find_self_intersection(const vec3& normal, bool bent) {
     const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
     flat_.clear();
@@ -100,7 +104,8 @@ class polygon_checks {
   }
 
   template<class Ring>
-  static std::string side_name(const M&, const Ring& ring, std::uint32_t side, std::size_t n, const defect_log<M>& log) {
+  static std::string side_name(const M&, const Ring& ring, std::uint32_t side, std::size_t n,
+                               const defect_log<M>& log) {
     std::string from, to;
     std::size_t i = 0;
     for (const vert_t<M> v : ring) {
@@ -125,7 +130,8 @@ std::optional<bool> is_degenerate_tet(const M& m, const poly_t<M>& p) {
 }
 
 template<VolumeMesh M>
-void check_cell_size(const M& m, const poly_t<M>& p, core::local_points& local, std::vector<std::pair<std::size_t, bool>>& ends, defect_log<M>& log) {
+void check_cell_size(const M& m, const poly_t<M>& p, core::local_points& local,
+                     std::vector<std::pair<std::size_t, bool>>& ends, defect_log<M>& log) {
   local.points.clear();
   ends.clear();
   for (const face_t<M> f : adj_p2f(m, p)) {
@@ -140,7 +146,9 @@ void check_cell_size(const M& m, const poly_t<M>& p, core::local_points& local, 
     for (const auto& [last, outward] : ends) {
       vec3 mean;
       for (std::size_t i = first; i < last; ++i) mean += local.points[i];
-      const double part = last > first ? dot(mean / static_cast<double>(last - first), core::vector_area(local.points, first, last)) / 3 : 0;
+      const double part =
+          last > first ? dot(mean / static_cast<double>(last - first), core::vector_area(local.points, first, last)) / 3
+                       : 0;
       volume += outward ? part : -part;
       first = last;
     }
@@ -149,15 +157,19 @@ void check_cell_size(const M& m, const poly_t<M>& p, core::local_points& local, 
   const bool is_flat = is_degenerate_tet(m, p).value_or(std::abs(volume) <= none);
   if (is_flat || std::abs(volume) <= log.options().size_tolerance * size * size * size) {
     if (defect<M>* d = log.add(defect_kind::zero_size, p))
-      d->what = core::joined({log.name(p), is_flat ? " has no volume: it is flat" : " has no volume: it is below the tolerance"});
+      d->what = core::joined(
+          {log.name(p), is_flat ? " has no volume: it is flat" : " has no volume: it is below the tolerance"});
   } else if (volume < 0) {
     if (defect<M>* d = log.add(defect_kind::inverted_cell, p))
-      d->what = core::joined({log.name(p), " is inside out: its volume is negative, ",
-                        core::number_text(std::round(-1e4 * volume / (local.box.x * local.box.y * local.box.z)) / 100), " % of the box around it"});
+      d->what =
+          core::joined({log.name(p), " is inside out: its volume is negative, ",
+                        core::number_text(std::round(-1e4 * volume / (local.box.x * local.box.y * local.box.z)) / 100),
+                        " % of the box around it"});
   }
 }
 
-/// By index, the hexes whose corners look like a lexicographic order. Hexes that are only mirrored are reported as inverted cells.
+/// By index, the hexes whose corners look like a lexicographic order. Hexes that are only mirrored are reported as
+/// inverted cells.
 template<VolumeMesh M>
 std::vector<std::uint8_t> check_hex_orders(const M& m, defect_log<M>& log) {
   std::vector<std::uint8_t> other(arity_v<M> == 8 ? poly_index_bound(m) : 0);
@@ -184,22 +196,30 @@ void check_geometry(const M& m, [[maybe_unused]] const std::vector<std::uint8_t>
     const vec3 x = to_vec3(point(m, v));
     if (is_finite(x)) all.add(x);
     else if (defect<M>* d = log.add(defect_kind::non_finite_point, v))
-      d->what = core::joined({log.name(v), " is at (", core::number_text(x.x), ", ", core::number_text(x.y), ", ", core::number_text(x.z), "), which is not finite"});
+      d->what = core::joined({log.name(v), " is at (", core::number_text(x.x), ", ", core::number_text(x.y), ", ",
+                              core::number_text(x.z), "), which is not finite"});
   }
   if (log.wants(defect_kind::zero_size)) {
-    const double shortest = all.is_empty() ? 0 : log.options().length_tolerance * distance(0.25 * all.min, 0.25 * all.max);  // a quarter cannot overflow
+    // a quarter cannot overflow
+    const double shortest =
+        all.is_empty() ? 0 : log.options().length_tolerance * distance(0.25 * all.min, 0.25 * all.max);
     for (const edge_t<M> e : edges(m)) {
       log.step();
       vec3 end[2];
       int k = 0;
       for (const vert_t<M> v : adj_e2v(m, e))
         if (k < 2) end[k++] = to_vec3(point(m, v));
-      if (!is_finite(end[0]) || !is_finite(end[1]) || (end[0] != end[1] && !(distance(0.25 * end[0], 0.25 * end[1]) <= shortest))) continue;
+      if (!is_finite(end[0]) || !is_finite(end[1]) ||
+          (end[0] != end[1] && !(distance(0.25 * end[0], 0.25 * end[1]) <= shortest)))
+        continue;
       if (defect<M>* d = log.add(defect_kind::zero_size, e))
-        d->what = core::joined({log.edge_name(e), end[0] == end[1] ? " has no length: its ends are at one point" : " has no length: it is below the tolerance"});
+        d->what = core::joined({log.edge_name(e), end[0] == end[1] ? " has no length: its ends are at one point"
+                                                                   : " has no length: it is below the tolerance"});
     }
   }
-  if (!log.wants_any({defect_kind::zero_size, defect_kind::inverted_cell, defect_kind::self_touching, defect_kind::non_planar, defect_kind::corner_order})) return;
+  if (!log.wants_any({defect_kind::zero_size, defect_kind::inverted_cell, defect_kind::self_touching,
+                      defect_kind::non_planar, defect_kind::corner_order}))
+    return;
   polygon_checks<M> check_polygon;
   if constexpr (SurfaceMesh<M>) {  // polys of a surface are polygons; those of a volume have polygons as faces
     for (const poly_t<M> p : polys(m)) {

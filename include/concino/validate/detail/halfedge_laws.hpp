@@ -1,4 +1,5 @@
-// The laws HE1 .. HE4 of <concino/concepts/halfedge_kernel.hpp>: the links of half-edges, and which surfaces they can represent.
+// The laws HE1 .. HE4 of <concino/concepts/halfedge_kernel.hpp>: the links of half-edges, and which surfaces they can
+// represent.
 #pragma once
 
 #include <concino/concepts/halfedge_kernel.hpp>
@@ -12,8 +13,8 @@ namespace concino::detail {
 /// Surfaces whose mesh_traits come from halfedge_kernel.
 template<class M> concept halfedge_mesh = SurfaceMesh<M> && requires { typename traits<M>::halfedge_links; };
 
-/// Checks the laws HE1 .. HE4 in order. A half-edge is queried only if its source was found to be sound, because wrong links may lead to half-edges that
-/// do not exist.
+/// Checks the laws HE1 .. HE4 in order. A half-edge is queried only if its source was found to be sound, because wrong
+/// links may lead to half-edges that do not exist.
 template<halfedge_mesh M>
 class halfedge_laws {
   using K = typename traits<M>::halfedge_links;
@@ -36,7 +37,9 @@ class halfedge_laws {
   std::string vert_name(order_index v) const { return number("vert", vs_.index[v]); }
   std::string edge_name(order_index e) const { return number("edge", es_.index[e]); }
   std::string poly_name(order_index p) const { return number("poly", ps_.index[p]); }
-  std::string describe_direction(const step& s) const { return core::joined({"from ", vert_name(s.from), " to ", vert_name(s.to)}); }
+  std::string describe_direction(const step& s) const {
+    return core::joined({"from ", vert_name(s.from), " to ", vert_name(s.to)});
+  }
   std::string witness(const step& s) const { return core::joined({vs_.name(s.from), " ", vs_.name(s.to)}); }
 
  public:
@@ -78,16 +81,23 @@ class halfedge_laws {
       do {
         const std::size_t k = steps_.size() - first;
         if (K::is_border(m_, h)) {
-          fault("HE1", {"the half-edges of ", poly_name(p), k ? ": next leads to one at the border" : ": halfedge_of is at the border"}, ps_.name(p));
+          fault("HE1",
+                {"the half-edges of ", poly_name(p),
+                 k ? ": next leads to one at the border" : ": halfedge_of is at the border"},
+                ps_.name(p));
           break;
         }
         if (!(K::poly_of(m_, h) == ps_.items[p])) {
-          fault("HE1", {"the half-edges of ", poly_name(p), k ? ": next leads to one whose poly_of is another poly" : ": poly_of(halfedge_of) is another poly"}, ps_.name(p));
+          fault("HE1",
+                {"the half-edges of ", poly_name(p),
+                 k ? ": next leads to one whose poly_of is another poly" : ": poly_of(halfedge_of) is another poly"},
+                ps_.name(p));
           break;
         }
         const order_index to = vs_.find(m_, K::target(m_, h));
         if (to == no_order_index) {
-          fault("HE1", {"the half-edges of ", poly_name(p), ": the target of one of them is not a vert of the mesh"}, ps_.name(p));
+          fault("HE1", {"the half-edges of ", poly_name(p), ": the target of one of them is not a vert of the mesh"},
+                ps_.name(p));
           break;
         }
         steps_.push_back({h, p, steps_.size() > first ? steps_.back().to : no_order_index, to});
@@ -104,7 +114,8 @@ class halfedge_laws {
     return sound("HE1");
   }
 
-  /// Sorts steps_ so that steps between the same two verts are adjacent: by the larger vert, then stably by the smaller.
+  /// Sorts steps_ so that steps between the same two verts are adjacent: by the larger vert, then stably by the
+  /// smaller.
   void sort_steps() {
     std::vector<step> sorted(steps_.size());
     std::vector<std::size_t> next(vs_.size() + std::size_t{1});
@@ -130,12 +141,17 @@ class halfedge_laws {
         fault("HE2", {poly_name(s.poly), " runs from ", vert_name(s.from), " to itself"}, witness(s));
       } else if (n > 2) {
         std::string polys;
-        for (std::size_t k = i; k < i + n && k < i + 4; ++k) polys += core::joined({k > i ? ", " : "", ps_.name(steps_[k].poly)});
-        fault("HE2", {"the edge ", describe_direction(s), " has ", n, " polys (", polys, n > 4 ? ", ...)" : ")", remedy}, witness(s));
+        for (std::size_t k = i; k < i + n && k < i + 4; ++k)
+          polys += core::joined({k > i ? ", " : "", ps_.name(steps_[k].poly)});
+        fault("HE2",
+              {"the edge ", describe_direction(s), " has ", n, " polys (", polys, n > 4 ? ", ...)" : ")", remedy},
+              witness(s));
       } else if (n == 2 && s.poly == t.poly && s.from == t.from) {
         fault("HE2", {poly_name(s.poly), " runs ", describe_direction(s), " twice", remedy}, witness(s));
       } else if (n == 2 && s.from == t.from) {
-        fault("HE2", {poly_name(s.poly), " and ", poly_name(t.poly), " both run ", describe_direction(s), ", so their orientations disagree: reverse one of them, or use indexed_surface"},
+        fault("HE2",
+              {poly_name(s.poly), " and ", poly_name(t.poly), " both run ", describe_direction(s),
+               ", so their orientations disagree: reverse one of them, or use indexed_surface"},
               witness(s));
       }
     }
@@ -152,7 +168,8 @@ class halfedge_laws {
       const halfedge o = K::opposite(m_, s.h);
       if (o == s.h || (first && o == K::opposite(m_, first->h))) {
         fault("HE3",
-              {"the edge ", describe_direction(s), " lies at the border, and opposite gives ", o == s.h ? "the half-edge itself" : "another border edge the same half-edge",
+              {"the edge ", describe_direction(s), " lies at the border, and opposite gives ",
+               o == s.h ? "the half-edge itself" : "another border edge the same half-edge",
                ": border half-edges must exist, or the links say static constexpr bool has_border_halfedges = false"},
               witness(s));
         return false;
@@ -170,13 +187,25 @@ class halfedge_laws {
       if (n == 2) {
         const step& t = steps_[i + 1];
         if (!(o == t.h) || !(K::opposite(m_, t.h) == s.h))
-          fault("HE3", {"the half-edges ", describe_direction(s), " of ", poly_name(s.poly), " and ", describe_direction(t), " of ", poly_name(t.poly), " are not opposite to each other"}, witness(s));
+          fault("HE3",
+                {"the half-edges ", describe_direction(s), " of ", poly_name(s.poly), " and ", describe_direction(t),
+                 " of ", poly_name(t.poly), " are not opposite to each other"},
+                witness(s));
       } else if (!K::is_border(m_, o)) {
-        fault("HE3", {"the half-edge ", describe_direction(s), " of ", poly_name(s.poly), ": its opposite belongs to a poly that does not run the other way"}, witness(s));
+        fault("HE3",
+              {"the half-edge ", describe_direction(s), " of ", poly_name(s.poly),
+               ": its opposite belongs to a poly that does not run the other way"},
+              witness(s));
       } else if (!(K::opposite(m_, o) == s.h)) {
-        fault("HE3", {"the half-edge ", describe_direction(s), " of ", poly_name(s.poly), ": opposite of its opposite is another half-edge"}, witness(s));
+        fault("HE3",
+              {"the half-edge ", describe_direction(s), " of ", poly_name(s.poly),
+               ": opposite of its opposite is another half-edge"},
+              witness(s));
       } else if (vs_.find(m_, K::target(m_, o)) != s.from) {
-        fault("HE3", {"the half-edge ", describe_direction(s), " of ", poly_name(s.poly), ": its opposite does not lead to ", vert_name(s.from)}, witness(s));
+        fault("HE3",
+              {"the half-edge ", describe_direction(s), " of ", poly_name(s.poly), ": its opposite does not lead to ",
+               vert_name(s.from)},
+              witness(s));
       }
     }
     if (!sound("HE3")) return false;
@@ -185,14 +214,22 @@ class halfedge_laws {
       halves_.push_back(K::halfedge_of(m_, es_.items[e]));
       halves_.push_back(K::opposite(m_, halves_.back()));
       const halfedge &h = halves_[2 * std::size_t{e}], &o = halves_.back();
-      const bool good = !(o == h) && K::opposite(m_, o) == h && K::edge_of(m_, h) == es_.items[e] && K::edge_of(m_, o) == es_.items[e];
-      if (!good && fault("HE3", {edge_name(e), ": edge_of(halfedge_of(e)) and of its opposite must be e, and the two be opposite to each other"}, es_.name(e))) break;
+      const bool good = !(o == h) && K::opposite(m_, o) == h && K::edge_of(m_, h) == es_.items[e] &&
+                        K::edge_of(m_, o) == es_.items[e];
+      if (!good &&
+          fault("HE3",
+                {edge_name(e),
+                 ": edge_of(halfedge_of(e)) and of its opposite must be e, and the two be opposite to each other"},
+                es_.name(e)))
+        break;
     }
     if (!sound("HE3")) return false;
     for (std::size_t i = 0; i < halves_.size(); ++i)
       if (K::is_border(m_, halves_[i]) && !K::is_border(m_, K::next(m_, halves_[i])) &&
-          fault("HE1", {edge_name(static_cast<order_index>(i / 2)), ": next leads from its half-edge at the border into a poly"},
-                es_.name(static_cast<order_index>(i / 2))))
+          fault(
+              "HE1",
+              {edge_name(static_cast<order_index>(i / 2)), ": next leads from its half-edge at the border into a poly"},
+              es_.name(static_cast<order_index>(i / 2))))
         break;
     if (!sound("HE1")) return false;
     return each_is_of_its_edge();
@@ -201,7 +238,11 @@ class halfedge_laws {
   /// Whether each half-edge of a poly is one of the two of its edge.
   bool each_is_of_its_edge() {
     for (const step& s : steps_)
-      if (slot(s.h) == none && fault("HE3", {"the half-edge ", describe_direction(s), " of ", poly_name(s.poly), ": its edge_of has other half-edges"}, ps_.name(s.poly))) break;
+      if (slot(s.h) == none && fault("HE3",
+                                     {"the half-edge ", describe_direction(s), " of ", poly_name(s.poly),
+                                      ": its edge_of has other half-edges"},
+                                     ps_.name(s.poly)))
+        break;
     return sound("HE3");
   }
 
@@ -238,8 +279,11 @@ class halfedge_laws {
     for (std::size_t i = 0; i < halves_.size(); ++i) {
       from[i] = vs_.find(m_, K::target(m_, halves_[i ^ 1]));
       if (from[i] != no_order_index) ++leaving[from[i]];
-      else if (fault("HE3", {edge_name(static_cast<order_index>(i / 2)), ": the target of one of its half-edges is not a vert of the mesh"},
-                     es_.name(static_cast<order_index>(i / 2)))) return false;
+      else if (fault("HE3",
+                     {edge_name(static_cast<order_index>(i / 2)),
+                      ": the target of one of its half-edges is not a vert of the mesh"},
+                     es_.name(static_cast<order_index>(i / 2))))
+        return false;
     }
     if (!sound("HE3")) return false;
 
@@ -269,7 +313,11 @@ class halfedge_laws {
     for (const order_index v : torn) {
       const char* const words[] = {"two", "three", "four"};
       const std::string n = fans[v] >= 2 && fans[v] < 5 ? words[fans[v] - 2] : core::joined({fans[v]});
-      if (fault("HE4", {vert_name(v), " has ", n, " fans of polys: use indexed_surface, or link the border half-edges from one fan to the next"}, vs_.name(v))) break;
+      if (fault("HE4",
+                {vert_name(v), " has ", n,
+                 " fans of polys: use indexed_surface, or link the border half-edges from one fan to the next"},
+                vs_.name(v)))
+        break;
     }
     return false;
   }

@@ -1,5 +1,5 @@
-// Tables for law checks: elements and adjacencies are read once into arrays over positions (the order of iteration), guarding against
-// any wrong result of a broken mesh. The laws are then statements about these arrays.
+// Tables for law checks: elements and adjacencies are read once into arrays over positions (the order of iteration),
+// guarding against any wrong result of a broken mesh. The laws are then statements about these arrays.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -41,7 +41,8 @@ struct element_table {
   }
 };
 
-/// Fills the table of one kind of elements, and logs faults: of index_of under the law `indices`, of the range under the law `counting`.
+/// Fills the table of one kind of elements, and logs faults: of index_of under the law `indices`, of the range under
+/// the law `counting`.
 template<class D, class M>
 class element_reader {
   const M& m_;
@@ -65,7 +66,10 @@ class element_reader {
     if (i >= bound_) {
       fault(indices_, core::joined({"index_of gives ", i, ", which is not below ", t.index_bound(), ", ", bound_}), i);
     } else if (i / 1024 > walked_ + 65536) {
-      fault(indices_, core::joined({"index_of gives ", i, " for one of the first ", walked_ + 1, " ", kind_, "s: too sparse for arrays"}), i);
+      fault(indices_,
+            core::joined(
+                {"index_of gives ", i, " for one of the first ", walked_ + 1, " ", kind_, "s: too sparse for arrays"}),
+            i);
     } else if (i < t.slot.size() && t.slot[i] != no_order_index) {
       const bool again = t.items[t.slot[i]] == x;
       fault(again ? counting_ : indices_,
@@ -78,12 +82,14 @@ class element_reader {
       t.index.push_back(i);
       t.slot[i] = t.size() - 1;  // last: a slot always names an existing item, even if copying x throws
       if constexpr (requires { traits<M>::contains(m_, x); })
-        if (!traits<M>::contains(m_, x)) fault(counting_, core::joined({"contains returns false for a ", kind_, " of the range"}), i);
+        if (!traits<M>::contains(m_, x))
+          fault(counting_, core::joined({"contains returns false for a ", kind_, " of the range"}), i);
     }
   }
 
  public:
-  element_reader(const M& m, element_table<D>& table, std::size_t num, std::size_t bound, const char* indices, const char* counting, law_log& log)
+  element_reader(const M& m, element_table<D>& table, std::size_t num, std::size_t bound, const char* indices,
+                 const char* counting, law_log& log)
       : m_(m), table_(table), num_(num), bound_(bound), indices_(indices), counting_(counting), log_(log) {}
 
   /// Iterates over a range. If it does not end, an index occurs a second time, or the count is far exceeded.
@@ -96,7 +102,10 @@ class element_reader {
     }
     const bool ended = !(it != range.end());
     if (walked_ != num_ && faults_ == 0)
-      log_.add(counting_, core::joined({"the range of ", kind_, "s has ", walked_, ended ? "" : " or more", ", but num_", kind_, "s is ", num_}), "");
+      log_.add(counting_,
+               core::joined({"the range of ", kind_, "s has ", walked_, ended ? "" : " or more", ", but num_", kind_,
+                             "s is ", num_}),
+               "");
     if (!ended) table_.sound = false;
   }
 
@@ -108,14 +117,15 @@ class element_reader {
     bool same = true;
     for (auto again = range.begin(); same && again != range.end(); ++again, ++i)
       same = i < table_.size() && table_.items[i] == static_cast<D>(*again);
-    if (!same || i != table_.size()) log_.add(counting_, core::joined({"the range of ", kind_, "s has other elements when iterated again"}), "");
+    if (!same || i != table_.size())
+      log_.add(counting_, core::joined({"the range of ", kind_, "s has other elements when iterated again"}), "");
   }
 };
 
 /// Reads all elements of a kind; faults of index_of break the law `indices`, faults of the range the law `counting`.
 template<class D, class M, class Walk, class Num, class Bound>
-element_table<D> read_elements(const M& m, char letter, const Walk& walk, const Num& num_of, const Bound& bound_of, const char* indices,
-                               const char* counting, law_log& log) {
+element_table<D> read_elements(const M& m, char letter, const Walk& walk, const Num& num_of, const Bound& bound_of,
+                               const char* indices, const char* counting, law_log& log) {
   element_table<D> t{letter, {}, {}, {}, true};
   const std::string kind = t.kind();
   std::size_t num = 0, bound = 0;
@@ -149,14 +159,17 @@ struct adjacency_lists {
   std::vector<order_index> items;
 
   order_index size() const { return static_cast<order_index>(offsets.size() - 1); }
-  std::span<const order_index> operator[](order_index a) const { return {items.data() + offsets[a], items.data() + offsets[a + 1]}; }
+  std::span<const order_index> operator[](order_index a) const {
+    return {items.data() + offsets[a], items.data() + offsets[a + 1]};
+  }
   void close() { offsets.push_back(items.size()); }
 };
 
-/// Reads one adjacency. Each ring must contain only elements of the mesh, none twice, and be the same each time; otherwise `law` is broken.
+/// Reads one adjacency. Each ring must contain only elements of the mesh, none twice, and be the same each time;
+/// otherwise `law` is broken.
 template<class M, class A, class B, class Ring>
-adjacency_lists read_adjacency(const M& m, const element_table<A>& from, const element_table<B>& to, const Ring& ring_of, const char* law,
-                 const char* verb, law_log& log) {
+adjacency_lists read_adjacency(const M& m, const element_table<A>& from, const element_table<B>& to,
+                               const Ring& ring_of, const char* law, const char* verb, law_log& log) {
   adjacency_lists r;
   r.offsets.reserve(from.items.size() + 1);
   std::vector<order_index> seen(to.items.size(), no_order_index);
@@ -164,7 +177,8 @@ adjacency_lists read_adjacency(const M& m, const element_table<A>& from, const e
     const auto call = [&] { return core::joined({verb, "(", from.name(a), ")"}); };
     try {
       auto&& ring = ring_of(m, from.items[a]);
-      // An endless ring has many faults in a row. If one is left early, the elements that were not reached would be reported as missing.
+      // An endless ring has many faults in a row. If one is left early, the elements that were not reached would be
+      // reported as missing.
       const std::size_t endless = log.full(law) ? 16 : 1024 + to.size();
       std::size_t faults = 0, in_a_row = 0;
       for (auto it = ring.begin(); in_a_row < endless && it != ring.end(); ++it) {
@@ -178,7 +192,9 @@ adjacency_lists read_adjacency(const M& m, const element_table<A>& from, const e
         }
         ++in_a_row;
         if (faults++ > 0) continue;  // one witness per ring
-        if (b != no_order_index) log.add(law, core::joined({call(), " holds ", to.name(b), " twice"}), core::joined({from.name(a), " ", to.name(b)}));
+        if (b != no_order_index)
+          log.add(law, core::joined({call(), " holds ", to.name(b), " twice"}),
+                  core::joined({from.name(a), " ", to.name(b)}));
         else if (to.sound)  // otherwise it may have been left out of the table, and reported before
           log.add(law, core::joined({call(), " holds something that is not a ", to.kind(), " of the mesh"}),
                   core::joined({from.name(a), " ", to.letter, index_of(m, x)}));
@@ -224,9 +240,11 @@ inline adjacency_lists composed(const adjacency_lists& am, const adjacency_lists
   return r;
 }
 
-/// Calls only_in_x(a, b) and only_in_y(a, b) for the elements b of a's ring that only one of x and y contains; either returns false to stop.
+/// Calls only_in_x(a, b) and only_in_y(a, b) for the elements b of a's ring that only one of x and y contains; either
+/// returns false to stop.
 template<class InX, class InY>
-void compare_sets(const adjacency_lists& x, const adjacency_lists& y, order_index num_b, const InX& only_in_x, const InY& only_in_y) {
+void compare_sets(const adjacency_lists& x, const adjacency_lists& y, order_index num_b, const InX& only_in_x,
+                  const InY& only_in_y) {
   std::vector<order_index> in_x(num_b, no_order_index), in_y(num_b, no_order_index);
   for (order_index a = 0; a < x.size(); ++a) {
     for (const order_index b : x[a]) in_x[b] = a;
@@ -240,29 +258,33 @@ void compare_sets(const adjacency_lists& x, const adjacency_lists& y, order_inde
 
 /// Checks that adj_b2a is the transpose of adj_a2b.
 template<class A, class B>
-void check_mirror(const element_table<A>& as, const element_table<B>& bs, const adjacency_lists& ab, const adjacency_lists& ba, const char* law,
-                  const char* a2b, const char* b2a, law_log& log) {
+void check_mirror(const element_table<A>& as, const element_table<B>& bs, const adjacency_lists& ab,
+                  const adjacency_lists& ba, const char* law, const char* a2b, const char* b2a, law_log& log) {
   const auto one_sided = [&](const std::string& x, const std::string& y, const char* x2y, const char* y2x) {
-    log.add(law, core::joined({x2y, "(", x, ") holds ", y, ", but ", y2x, "(", y, ") does not hold ", x}), core::joined({x, " ", y}));
+    log.add(law, core::joined({x2y, "(", x, ") holds ", y, ", but ", y2x, "(", y, ") does not hold ", x}),
+            core::joined({x, " ", y}));
     return !log.full(law);
   };
   compare_sets(
-      ab, transposed(ba, as.size()), bs.size(), [&](order_index a, order_index b) { return one_sided(as.name(a), bs.name(b), a2b, b2a); },
+      ab, transposed(ba, as.size()), bs.size(),
+      [&](order_index a, order_index b) { return one_sided(as.name(a), bs.name(b), a2b, b2a); },
       [&](order_index a, order_index b) { return one_sided(bs.name(b), as.name(a), b2a, a2b); });
 }
 
 /// Checks that each ring of `verb` is, as a set, the result of other adjacencies, called `rule`.
 template<class A, class B>
-void check_same(const element_table<A>& as, const element_table<B>& bs, const adjacency_lists& listed, const adjacency_lists& expected, const char* law,
-                const char* verb, const char* rule, law_log& log) {
+void check_same(const element_table<A>& as, const element_table<B>& bs, const adjacency_lists& listed,
+                const adjacency_lists& expected, const char* law, const char* verb, const char* rule, law_log& log) {
   compare_sets(
       listed, expected, bs.size(),
       [&](order_index a, order_index b) {
-        log.add(law, core::joined({verb, "(", as.name(a), ") holds ", bs.name(b), ", which is not ", rule}), core::joined({as.name(a), " ", bs.name(b)}));
+        log.add(law, core::joined({verb, "(", as.name(a), ") holds ", bs.name(b), ", which is not ", rule}),
+                core::joined({as.name(a), " ", bs.name(b)}));
         return !log.full(law);
       },
       [&](order_index a, order_index b) {
-        log.add(law, core::joined({verb, "(", as.name(a), ") lacks ", bs.name(b), ", which is ", rule}), core::joined({as.name(a), " ", bs.name(b)}));
+        log.add(law, core::joined({verb, "(", as.name(a), ") lacks ", bs.name(b), ", which is ", rule}),
+                core::joined({as.name(a), " ", bs.name(b)}));
         return !log.full(law);
       });
 }

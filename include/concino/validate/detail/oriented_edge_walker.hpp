@@ -8,7 +8,8 @@
 
 namespace concino::detail {
 
-/// The concepts do not require that adj_p2e has the order of adj_p2v, so the ends of edges are looked up by the position of verts in the polygon.
+/// The concepts do not require that adj_p2e has the order of adj_p2v, so the ends of edges are looked up by the
+/// position of verts in the polygon.
 template<class M>
 class oriented_edge_walker {
   std::vector<std::uint64_t> position_;  // by vert index: 1 + the number of verts visited before, over all polygons
@@ -23,10 +24,12 @@ class oriented_edge_walker {
 
   explicit oriented_edge_walker(const M& m) : position_(vert_index_bound(m)) {}
 
-  /// Calls on_vert(v, index) for each vert and on_edge(e, place_a, place_b, forward) for each edge. The places are the positions of its two ends in the
-  /// polygon, counted from 0; forward says whether the polygon goes from the first end to the second.
+  /// Calls on_vert(v, index) for each vert and on_edge(e, place_a, place_b, forward) for each edge. The places are the
+  /// positions of its two ends in the polygon, counted from 0; forward says whether the polygon goes from the first end
+  /// to the second.
   template<class Verts, class Edges, class OnVert, class OnEdge>
-  summary walk(const M& m, const Verts& vert_list, const Edges& edge_list, const OnVert& on_vert, const OnEdge& on_edge) {
+  summary walk(const M& m, const Verts& vert_list, const Edges& edge_list, const OnVert& on_vert,
+               const OnEdge& on_edge) {
     summary r;
     const std::uint64_t first = next_;
     for (const vert_t<M> v : vert_list) {

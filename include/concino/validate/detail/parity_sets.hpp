@@ -9,7 +9,8 @@
 
 namespace concino::detail {
 
-/// Disjoint sets over 0 .. n-1, initially of one element each. Each element is turned or not, relative to the root of its set.
+/// Disjoint sets over 0 .. n-1, initially of one element each. Each element is turned or not, relative to the root of
+/// its set.
 /// Source: Tarjan 1975, linking by size, with path compression.
 class parity_sets {
   std::vector<std::uint32_t> parent_, size_;
@@ -17,7 +18,9 @@ class parity_sets {
   std::vector<std::uint32_t> path_;
 
  public:
-  explicit parity_sets(std::size_t n) : parent_(n), size_(n, 1), turned_(n) { std::iota(parent_.begin(), parent_.end(), std::uint32_t{0}); }
+  explicit parity_sets(std::size_t n) : parent_(n), size_(n, 1), turned_(n) {
+    std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
+  }
 
   /// The root of x, and whether x is turned relative to it.
   std::pair<std::uint32_t, bool> find(std::uint32_t x) {

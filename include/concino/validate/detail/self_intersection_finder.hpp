@@ -25,11 +25,12 @@ class self_intersection_finder {
   /// patience: with how many others each edge is compared, on average, before edges are kept sorted.
   explicit self_intersection_finder(std::size_t patience) : patience_(patience) {}
 
-  /// Two edges that intersect, other than consecutive edges in their common corner; none if the polygon is simple. Edge i runs from corner i to the next.
-  /// Edges without length are skipped. A point counts as on a line if it is so up to rounding.
+  /// Two edges that intersect, other than consecutive edges in their common corner; none if the polygon is simple. Edge
+  /// i runs from corner i to the next. Edges without length are skipped. A point counts as on a line if it is so up to
+  /// rounding.
   /// Cost: O(n log n).
-  /// Source: sweep over the edges sorted along an axis; if many overlap along it, Shamos and Hoey 1976; orientation with the error
-  ///         bound of Shewchuk 1997.
+  /// Source: sweep over the edges sorted along an axis; if many overlap along it, Shamos and Hoey 1976; orientation
+  ///         with the error bound of Shewchuk 1997.
   std::optional<std::pair<std::uint32_t, std::uint32_t>> operator()(std::span<const plane_point> corners) {
     edges_.clear();
     const std::size_t n = corners.size();
@@ -57,7 +58,9 @@ class self_intersection_finder {
   std::vector<polygon_edge> edges_;
   std::vector<std::uint32_t> active_;
 
-  static found pair_of(const polygon_edge& s, const polygon_edge& t) { return std::pair{std::min(s.number, t.number), std::max(s.number, t.number)}; }
+  static found pair_of(const polygon_edge& s, const polygon_edge& t) {
+    return std::pair{std::min(s.number, t.number), std::max(s.number, t.number)};
+  }
 
   found all_pairs() const {
     for (std::size_t j = 0; j < edges_.size(); ++j)
@@ -75,7 +78,8 @@ class self_intersection_finder {
         low[k] = std::min(low[k], s.low(k));
         high[k] = std::max(high[k], s.high(k));
       }
-    const std::size_t sweep_axis = total[0] * (high[1] - low[1]) <= total[1] * (high[0] - low[0]) ? 0 : 1, other_axis = 1 - sweep_axis;
+    const std::size_t sweep_axis = total[0] * (high[1] - low[1]) <= total[1] * (high[0] - low[0]) ? 0 : 1,
+                      other_axis = 1 - sweep_axis;
     const std::uint32_t count = static_cast<std::uint32_t>(edges_.size());
     std::sort(edges_.begin(), edges_.end(), [sweep_axis](const polygon_edge& s, const polygon_edge& t) {
       return s.low(sweep_axis) != t.low(sweep_axis) ? s.low(sweep_axis) < t.low(sweep_axis) : s.rank < t.rank;
@@ -89,7 +93,8 @@ class self_intersection_finder {
       for (std::size_t k = 0; k < active_.size(); ++k) {
         const polygon_edge& s = edges_[active_[k]];
         if (s.high(sweep_axis) < t.low(sweep_axis)) continue;
-        if (s.high(other_axis) >= t.low(other_axis) && t.high(other_axis) >= s.low(other_axis) && meet(s, t)) return pair_of(s, t);
+        if (s.high(other_axis) >= t.low(other_axis) && t.high(other_axis) >= s.low(other_axis) && meet(s, t))
+          return pair_of(s, t);
         active_[kept++] = active_[k];
       }
       active_.resize(kept);
@@ -98,8 +103,8 @@ class self_intersection_finder {
     return std::nullopt;
   }
 
-  /// Compares edges that cross the sweep line, from low to high. Points are swept in lexicographic order of their coordinates, so no edge
-  /// is parallel to the line.
+  /// Compares edges that cross the sweep line, from low to high. Points are swept in lexicographic order of their
+  /// coordinates, so no edge is parallel to the line.
   struct is_below {
     const std::vector<polygon_edge>* edges;
 
@@ -107,17 +112,21 @@ class self_intersection_finder {
       const polygon_edge &s = (*edges)[i], &t = (*edges)[j];
       if (i == j) return false;
       if (s.first() == t.first()) return left_of(s.first(), s.last(), t.last()) > 0;
-      return s.first() < t.first() ? left_of(s.first(), s.last(), t.first()) > 0 : left_of(t.first(), t.last(), s.first()) < 0;
+      return s.first() < t.first() ? left_of(s.first(), s.last(), t.first()) > 0
+                                   : left_of(t.first(), t.last(), s.first()) < 0;
     }
   };
 
-  /// Sweeps with sorted edges. Edges that intersect become neighbours in this order before the sweep reaches the intersection; so only neighbours are compared.
+  /// Sweeps with sorted edges. Edges that intersect become neighbours in this order before the sweep reaches the
+  /// intersection; so only neighbours are compared.
   found sweep_in_order() {
-    std::sort(edges_.begin(), edges_.end(), [](const polygon_edge& s, const polygon_edge& t) { return s.rank < t.rank; });
+    std::sort(edges_.begin(), edges_.end(),
+              [](const polygon_edge& s, const polygon_edge& t) { return s.rank < t.rank; });
     const std::uint32_t count = static_cast<std::uint32_t>(edges_.size());
     std::vector<std::uint32_t> corners(count);  // corner i: the start of edge i
     for (std::uint32_t i = 0; i < count; ++i) corners[i] = i;
-    std::sort(corners.begin(), corners.end(), [this](std::uint32_t i, std::uint32_t j) { return edges_[i].a < edges_[j].a; });
+    std::sort(corners.begin(), corners.end(),
+              [this](std::uint32_t i, std::uint32_t j) { return edges_[i].a < edges_[j].a; });
     for (std::uint32_t k = 1; k < count; ++k)
       if (edges_[corners[k - 1]].a == edges_[corners[k]].a) return pair_of(edges_[corners[k - 1]], edges_[corners[k]]);
 

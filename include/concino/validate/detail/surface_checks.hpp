@@ -8,11 +8,13 @@
 
 namespace concino::detail {
 
-/// How defects of a surface S are reported for the mesh M. S is M itself, or the boundary of M, whose polys are faces of M.
+/// How defects of a surface S are reported for the mesh M. S is M itself, or the boundary of M, whose polys are faces
+/// of M.
 template<class M, class S>
 struct surface_scope {
   static constexpr bool is_boundary = !std::same_as<M, S>;
-  const std::vector<std::uint8_t>* reported_edges = nullptr;  // by edge index, not 0: another defect was reported for this edge; null: for none
+  const std::vector<std::uint8_t>* reported_edges = nullptr;  // by edge index, not 0: another defect was reported for
+                                                              // this edge; null: for none
 
   bool is_reported(std::size_t edge_index) const { return reported_edges && (*reported_edges)[edge_index]; }
   static const char* where() { return is_boundary ? " of the boundary" : ""; }
@@ -25,10 +27,12 @@ void check_edge_ends(const M& m, const edge_t<M>& e, defect_log<M>& log) {
   for (const vert_t<M> v : adj_e2v(m, e))
     if (k < 2) end[k++] = index_of(m, v);
   if (end[0] != end[1]) return;
-  if (defect<M>* d = log.add(defect_kind::degenerate_element, e)) d->what = core::joined({log.edge_name(e), " is a loop; the ends of an edge differ"});
+  if (defect<M>* d = log.add(defect_kind::degenerate_element, e))
+    d->what = core::joined({log.edge_name(e), " is a loop; the ends of an edge differ"});
 }
 
-/// Checks one surface. Corners of polygons are united through common edges; the sets at a vert are its fans, and a manifold has one per vert.
+/// Checks one surface. Corners of polygons are united through common edges; the sets at a vert are its fans, and a
+/// manifold has one per vert.
 template<class M, SurfaceMesh S>
 class surface_checker {
   static constexpr bool is_boundary = surface_scope<M, S>::is_boundary;
@@ -54,7 +58,8 @@ class surface_checker {
     return count;
   }
 
-  /// Visits each poly once: unites its corners with those of the first poly at each edge, and its verts into one component.
+  /// Visits each poly once: unites its corners with those of the first poly at each edge, and its verts into one
+  /// component.
   void join_polys() {
     std::vector<corner_pair> first_corners(edge_index_bound(s_));
     oriented_edge_walker<S> edge_walker(s_);
@@ -86,7 +91,8 @@ class surface_checker {
 
   void add_degenerate_poly(const poly_t<S>& p, const typename oriented_edge_walker<S>::summary& cycle) {
     if (defect<M>* d = log_.add(defect_kind::degenerate_element, p))
-      d->what = cycle.repeats ? core::joined({log_.name(p), " has a vert twice"}) : core::joined({log_.name(p), " has ", cycle.verts, " verts; a polygon has at least 3"});
+      d->what = cycle.repeats ? core::joined({log_.name(p), " has a vert twice"})
+                              : core::joined({log_.name(p), " has ", cycle.verts, " verts; a polygon has at least 3"});
   }
 
   /// Finds the border, and edges of more than two polys.
@@ -118,8 +124,8 @@ class surface_checker {
   void add_non_manifold_edge(const edge_t<S>& e, std::uint32_t poly_count) {
     if (defect<M>* d = log_.add(defect_kind::non_manifold_edge, e)) {
       const std::string list = log_.list(*d, adj_e2p(s_, e));
-      d->what = core::joined({log_.edge_name(e), scope_.where(), " has ", poly_count, is_boundary ? " faces there (" : " polys (", list,
-                        "); a manifold has at most 2"});
+      d->what = core::joined({log_.edge_name(e), scope_.where(), " has ", poly_count,
+                              is_boundary ? " faces there (" : " polys (", list, "); a manifold has at most 2"});
     }
   }
 
@@ -144,7 +150,8 @@ class surface_checker {
       const std::size_t i = index_of(s_, v);
       if (fans_at[i] == 0) {
         if constexpr (!is_boundary)
-          if (defect<M>* d = log_.add(defect_kind::isolated_vert, v)) d->what = core::joined({log_.name(v), " belongs to no poly"});
+          if (defect<M>* d = log_.add(defect_kind::isolated_vert, v))
+            d->what = core::joined({log_.name(v), " belongs to no poly"});
         continue;
       }
       ++facts_.euler_characteristic;
@@ -159,12 +166,14 @@ class surface_checker {
   void add_non_manifold_vert(const vert_t<S>& v, std::uint32_t fan_count) {
     if (defect<M>* d = log_.add(defect_kind::non_manifold_vert, v)) {
       const std::string list = log_.list(*d, adj_v2p(s_, v));
-      d->what = core::joined({log_.name(v), scope_.where(), " joins ", core::number_text(fan_count), " fans of ", is_boundary ? "faces (" : "polys (", list,
-                        ") that share no edge there; a manifold has one"});
+      d->what =
+          core::joined({log_.name(v), scope_.where(), " joins ", core::number_text(fan_count), " fans of ",
+                        is_boundary ? "faces (" : "polys (", list, ") that share no edge there; a manifold has one"});
     }
   }
 
-  /// Checks orientability. Reports inconsistent windings of a surface; those of the boundary of a volume are reported at its faces.
+  /// Checks orientability. Reports inconsistent windings of a surface; those of the boundary of a volume are reported
+  /// at its faces.
   bool check_orientability() {
     if constexpr (is_boundary) {
       bool orientable = true;
@@ -174,20 +183,22 @@ class surface_checker {
       return orientable;
     } else {
       return check_windings(
-          s_, edges(s_), [&](const edge_t<S>& e) -> decltype(auto) { return adj_e2p(s_, e); }, edge_use_, poly_index_bound(s_), " run in the same sense along ", log_);
+          s_, edges(s_), [&](const edge_t<S>& e) -> decltype(auto) { return adj_e2p(s_, e); }, edge_use_,
+          poly_index_bound(s_), " run in the same sense along ", log_);
     }
   }
 
   /// The sum over components of (2 - loops - chi) / 2.
   std::size_t genus() const {
-    return static_cast<std::size_t>(
-        (2 * static_cast<std::ptrdiff_t>(facts_.components) - static_cast<std::ptrdiff_t>(facts_.boundary_loops) - facts_.euler_characteristic) / 2);
+    return static_cast<std::size_t>((2 * static_cast<std::ptrdiff_t>(facts_.components) -
+                                     static_cast<std::ptrdiff_t>(facts_.boundary_loops) - facts_.euler_characteristic) /
+                                    2);
   }
 
  public:
   surface_checker(const S& s, const surface_scope<M, S>& scope, defect_log<M>& log)
-      : s_(s), scope_(scope), log_(log), fans_(count_corners(s)), pieces_(vert_index_bound(s)), loops_(vert_index_bound(s)),
-        edge_use_(edge_index_bound(s)), on_border_(vert_index_bound(s)) {}
+      : s_(s), scope_(scope), log_(log), fans_(count_corners(s)), pieces_(vert_index_bound(s)),
+        loops_(vert_index_bound(s)), edge_use_(edge_index_bound(s)), on_border_(vert_index_bound(s)) {}
 
   mesh_facts check() {
     log_.stage(is_boundary ? 0.55 : 0.3, num_polys(s_) + num_edges(s_));

@@ -106,7 +106,8 @@ class volume_checker {
   }
   void add_clash_in_poly(const poly_t<M>& p, const edge_t<M>& clash) {
     if (defect<M>* d = log_.add(defect_kind::inconsistent_winding, p)) {
-      d->what = core::joined({log_.name(p), " has two faces that, turned outward, run in the same sense along ", log_.edge_name(clash)});
+      d->what = core::joined(
+          {log_.name(p), " has two faces that, turned outward, run in the same sense along ", log_.edge_name(clash)});
       d->others.push_back(clash);
     }
   }
@@ -118,7 +119,8 @@ class volume_checker {
       const std::uint32_t poly_count = face_use_[index_of(m_, f)].polys;
       facts_.euler_characteristic += poly_count > 0;
       if (poly_count == 0) {
-        if (defect<M>* d = log_.add(defect_kind::unreferenced_face, f)) d->what = core::joined({log_.name(f), " belongs to no poly"});
+        if (defect<M>* d = log_.add(defect_kind::unreferenced_face, f))
+          d->what = core::joined({log_.name(f), " belongs to no poly"});
       } else if (poly_count > 2) {
         facts_.manifold = false;
         add_non_manifold_face(f, poly_count);
@@ -127,14 +129,18 @@ class volume_checker {
   }
 
   void check_boundary_cycle(const face_t<M>& f) {
-    const auto cycle = edge_walker_.walk(m_, adj_f2v(m_, f), adj_f2e(m_, f), [](const vert_t<M>&, std::size_t) {}, [](const edge_t<M>&, std::uint32_t, std::uint32_t, bool) {});
+    const auto cycle = edge_walker_.walk(
+        m_, adj_f2v(m_, f), adj_f2e(m_, f), [](const vert_t<M>&, std::size_t) {},
+        [](const edge_t<M>&, std::uint32_t, std::uint32_t, bool) {});
     if (cycle.is_degenerate())
       if (defect<M>* d = log_.add(defect_kind::degenerate_element, f))
-        d->what = cycle.repeats ? core::joined({log_.name(f), " has a vert twice"}) : core::joined({log_.name(f), " has ", cycle.verts, " verts; a face has at least 3"});
+        d->what = cycle.repeats ? core::joined({log_.name(f), " has a vert twice"})
+                                : core::joined({log_.name(f), " has ", cycle.verts, " verts; a face has at least 3"});
   }
 
   void add_non_manifold_face(const face_t<M>& f, std::uint32_t poly_count) {
-    for (const edge_t<M> e : adj_f2e(m_, f)) reported_edges_[index_of(m_, e)] = 1;  // more than two boundary faces there are a consequence of this
+    // more than two boundary faces there are a consequence of this
+    for (const edge_t<M> e : adj_f2e(m_, f)) reported_edges_[index_of(m_, e)] = 1;
     if (defect<M>* d = log_.add(defect_kind::non_manifold_face, f)) {
       const std::string list = log_.list(*d, adj_f2p(m_, f));
       d->what = core::joined({log_.name(f), " has ", poly_count, " polys (", list, "); a face has at most 2"});
@@ -153,7 +159,8 @@ class volume_checker {
       const bool is_used = vert_used_[index_of(m_, v)];
       facts_.euler_characteristic += is_used;
       if (!is_used)
-        if (defect<M>* d = log_.add(defect_kind::isolated_vert, v)) d->what = core::joined({log_.name(v), " belongs to no poly"});
+        if (defect<M>* d = log_.add(defect_kind::isolated_vert, v))
+          d->what = core::joined({log_.name(v), " belongs to no poly"});
     }
   }
 
@@ -165,14 +172,15 @@ class volume_checker {
 
   bool check_face_windings() {
     return check_windings(
-        m_, faces(m_), [&](const face_t<M>& f) -> decltype(auto) { return adj_f2p(m_, f); }, face_use_, poly_index_bound(m_),
-        " have their outside on the same side of ", log_);
+        m_, faces(m_), [&](const face_t<M>& f) -> decltype(auto) { return adj_f2p(m_, f); }, face_use_,
+        poly_index_bound(m_), " have their outside on the same side of ", log_);
   }
 
   /// Checks the boundary. The genus of a volume is that of its boundary.
   void check_boundary() {
     const auto surface = boundary(m_);
-    const mesh_facts surface_facts = check_surface<M>(surface, surface_scope<M, std::remove_const_t<decltype(surface)>>{&reported_edges_}, log_);
+    const mesh_facts surface_facts =
+        check_surface<M>(surface, surface_scope<M, std::remove_const_t<decltype(surface)>>{&reported_edges_}, log_);
     facts_.manifold = facts_.manifold && surface_facts.manifold;
     facts_.boundary_loops = surface_facts.boundary_loops;
     if (facts_.manifold && facts_.orientable) facts_.genus = surface_facts.genus;
@@ -180,8 +188,9 @@ class volume_checker {
 
  public:
   volume_checker(const M& m, std::vector<std::uint8_t>& sound, defect_log<M>& log)
-      : m_(m), sound_(sound), log_(log), pieces_(poly_index_bound(m)), face_use_(face_index_bound(m)), edge_use_(edge_index_bound(m)),
-        vert_used_(vert_index_bound(m)), reported_edges_(edge_index_bound(m)), edge_walker_(m) {}
+      : m_(m), sound_(sound), log_(log), pieces_(poly_index_bound(m)), face_use_(face_index_bound(m)),
+        edge_use_(edge_index_bound(m)), vert_used_(vert_index_bound(m)), reported_edges_(edge_index_bound(m)),
+        edge_walker_(m) {}
 
   mesh_facts check() {
     log_.stage(0.3, num_polys(m_) + num_faces(m_));
@@ -196,7 +205,8 @@ class volume_checker {
   }
 };
 
-/// Result: the facts about the volume. Sets `sound`, by index: polys that are closed and wound consistently, so that they have a volume.
+/// Result: the facts about the volume. Sets `sound`, by index: polys that are closed and wound consistently, so that
+///         they have a volume.
 template<VolumeMesh M>
 mesh_facts check_volume(const M& m, std::vector<std::uint8_t>& sound, defect_log<M>& log) {
   return volume_checker<M>(m, sound, log).check();

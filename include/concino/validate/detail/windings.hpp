@@ -7,7 +7,8 @@
 
 namespace concino::detail {
 
-/// The polys at one edge (face): their number, the first two by index, and how many traverse it forward (turn their outside to its front).
+/// The polys at one edge (face): their number, the first two by index, and how many traverse it forward (turn their
+/// outside to its front).
 struct shared_by {
   std::uint32_t polys = 0;
   std::uint32_t forward = 0;
@@ -21,12 +22,13 @@ struct shared_by {
   bool clashes() const { return polys == 2 && forward != 1; }
 };
 
-/// Reports inconsistent windings if turning polys could repair them; otherwise reports once per component that it is not orientable.
-/// `shared`: by index of the elements of the range `all`; polys_of(x) are the polys at x. Only pairs count: if more polys meet, or one
-/// of two is not sound, no winding is right.                    Result: whether all polys are orientable.
+/// Reports inconsistent windings if turning polys could repair them; otherwise reports once per component that it is
+/// not orientable. `shared`: by index of the elements of the range `all`; polys_of(x) are the polys at x. Only pairs
+/// count: if more polys meet, or one of two is not sound, no winding is right.                    Result: whether all
+/// polys are orientable.
 template<class M, class R, class PolysOf>
-bool check_windings(const M& m, const R& all, const PolysOf& polys_of, const std::vector<shared_by>& shared, std::size_t poly_bound, const char* clash_text,
-                    defect_log<M>& log) {
+bool check_windings(const M& m, const R& all, const PolysOf& polys_of, const std::vector<shared_by>& shared,
+                    std::size_t poly_bound, const char* clash_text, defect_log<M>& log) {
   bool any_clash = false;
   for (const shared_by& s : shared) any_clash = any_clash || s.clashes();
   if (!any_clash) return true;
@@ -51,8 +53,10 @@ bool check_windings(const M& m, const R& all, const PolysOf& polys_of, const std
     if (piece == one_sided) {
       piece = reported;
       if (defect<M>* d = log.add(defect_kind::not_orientable, x))
-        d->what = core::joined({"the polys connected to ", log.list(*d, polys_of(x)),
-                          " cannot be wound consistently: they form a one-sided component; their windings conflict, for example, at ", full_name(x)});
+        d->what = core::joined(
+            {"the polys connected to ", log.list(*d, polys_of(x)),
+             " cannot be wound consistently: they form a one-sided component; their windings conflict, for example, at ",
+             full_name(x)});
     } else if (defect<M>* d = log.add(defect_kind::inconsistent_winding, x)) {
       const std::string polys_text = log.list(*d, polys_of(x));
       d->what = core::joined({polys_text, clash_text, full_name(x)});

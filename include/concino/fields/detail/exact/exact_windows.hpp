@@ -1,4 +1,5 @@
-// Shortest paths over triangles by windows: parts of edges that see their source along straight lines once the triangles between are unfolded.
+// Shortest paths over triangles by windows: parts of edges that see their source along straight lines once the
+// triangles between are unfolded.
 #pragma once
 
 #include <concino/core/unfolded_triangles.hpp>
@@ -17,15 +18,18 @@ namespace concino::detail {
 
 /// One query: distances of all verts from the added sources, in the units of the triangles.
 ///
-/// A window is dropped only if a known path is shorter, by more than rounding, to everything the window sees. So windows on shortest paths remain.
+/// A window is dropped only if a known path is shorter, by more than rounding, to everything the window sees. So
+/// windows on shortest paths remain.
 class exact_windows {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr double safe_factor = 1 - 1e-12;   // a < safe_factor * b implies that a is less than b in spite of rounding
+  static constexpr double safe_factor = 1 - 1e-12;   // a < safe_factor * b implies that a is less than b in spite of
+                                                     // rounding
   static constexpr double smallest_part = 1e-14;  // shortest window, as a fraction of its edge
 
   struct window {
     double begin, end;        // along the side, from its start
-    double x, y;              // position of the source: along the side, and perpendicular to it, away from the triangle to be crossed next
+    double x, y;              // position of the source: along the side, and perpendicular to it, away from the triangle
+                              // to be crossed next
     double before;            // the path length at the source
     int side, source;         // source: a vert, or -1
   };
@@ -39,10 +43,13 @@ class exact_windows {
   path_tree* const paths_;                    // where paths are recorded, if requested
   int from_ = path_tree::none;                // the node of this tree from which the current windows and arrivals come
   std::vector<int> node_;                     // the node of each window in this tree
-  std::vector<double> distance_, direction_;  // by vert; angle in the fan at which the shortest known path arrives, NaN: paths leave in all directions
-  std::vector<arrival> first_at_apex_;        // by side: the first arrival at the apex of its triangle through this side
+  std::vector<double> distance_, direction_;  // by vert; angle in the fan at which the shortest known path arrives,
+                                              // NaN: paths leave in all directions
+  std::vector<arrival> first_at_apex_;        // by side: the first arrival at the apex of its triangle through this
+                                              // side
   std::vector<window> windows_;
-  std::vector<int> unused_, excluded_;          // excluded_: triangles that contain the source; no shortest path returns to them
+  std::vector<int> unused_, excluded_;          // excluded_: triangles that contain the source; no shortest path
+                                                // returns to them
   std::vector<event> events_;
 
   double& at(int v) { return distance_[static_cast<std::size_t>(v)]; }
@@ -67,7 +74,8 @@ class exact_windows {
     push(length_of_path, -1 - v);
   }
 
-  /// Whether, for all points of a window on side s, a path through one end of the side is shorter. The window is measured from the start of the side.
+  /// Whether, for all points of a window on side s, a path through one end of the side is shorter. The window is
+  /// measured from the start of the side.
   bool is_dominated(int s, const window& w) {
     return at(t_.start(s)) + w.end < safe_factor * (w.before + norm(w.x - w.end, w.y)) ||
            at(t_.end(s)) + (length(s) - w.begin) < safe_factor * (w.before + norm(w.x - w.begin, w.y));
@@ -77,7 +85,8 @@ class exact_windows {
   void propagate(int s, window w) {
     const double size = length(s);
     if (!(w.end - w.begin > smallest_part * size) || !(w.y > 0) || is_dominated(s, w)) return;
-    for (int other = t_.twin[static_cast<std::size_t>(s)]; other != s; other = t_.twin[static_cast<std::size_t>(other)]) {
+    for (int other = t_.twin[static_cast<std::size_t>(s)]; other != s;
+         other = t_.twin[static_cast<std::size_t>(other)]) {
       if (std::find(excluded_.begin(), excluded_.end(), other / 3) != excluded_.end()) continue;
       window next = t_.start(other) == t_.start(s) ? w : reversed(w, size);
       next.side = other;
@@ -105,7 +114,8 @@ class exact_windows {
     return w;
   }
 
-  /// Where the line from the source through the base at `through` meets a side of direction (x, y) and length `size`: the distance from their common start.
+  /// Where the line from the source through the base at `through` meets a side of direction (x, y) and length `size`:
+  /// the distance from their common start.
   static double intersect_side(const window& w, double through, double x, double y, double size) {
     const double slope = w.y * x - (through - w.x) * y;
     return slope > 0 ? std::min(through * w.y / slope, size) : size;
@@ -116,15 +126,18 @@ class exact_windows {
     if (w.source >= 0 && w.before > at(w.source)) return;
     const double size = length(s);
     const core::unfolded_triangles::plane_point top = apex(s);
-    const double middle = w.x + (top.x - w.x) * (w.y / (w.y + top.y));  // where the line from the source to the apex crosses the side
+    // where the line from the source to the apex crosses the side
+    const double middle = w.x + (top.x - w.x) * (w.y / (w.y + top.y));
     const bool meets_left = w.begin < middle, meets_right = w.end > middle;
     bool left = meets_left, right = meets_right;
     if (left && right) {
       const double there = w.before + norm(top.x - w.x, top.y + w.y);
       const double sine = w.y * top.x + top.y * w.x, cosine = top.y * (w.y + top.y) - top.x * (w.x - top.x);
-      if (there < at(t_.start(to_left))) relax_vert(t_.start(to_left), there, to_left, std::clamp(std::atan2(sine, cosine), 0.0, angle(to_left)));
-      // Of the windows that see the apex, only the first goes on to both sides. The path from it to the apex cuts off one side of all others, because they
-      // have come through the same triangles. This needs an edge with at most two triangles.
+      if (there < at(t_.start(to_left)))
+        relax_vert(t_.start(to_left), there, to_left, std::clamp(std::atan2(sine, cosine), 0.0, angle(to_left)));
+      // Of the windows that see the apex, only the first goes on to both sides. The path from it to the apex cuts off
+      // one side of all others, because they have come through the same triangles. This needs an edge with at most two
+      // triangles.
       arrival& first = first_at_apex_[static_cast<std::size_t>(s)];
       if (there < first.distance) {
         first = {there, middle};
@@ -141,7 +154,8 @@ class exact_windows {
       next.x = cx * w.x - cy * w.y;
       next.y = cx * w.y + cy * w.x;
       const double px = next.begin * cx, py = next.begin * cy;
-      if (!(at(t_.end(s)) + norm(size - px, py) < safe_factor * (w.before + norm(px - w.x, py + w.y)))) propagate(to_left, reversed(next, along));
+      if (!(at(t_.end(s)) + norm(size - px, py) < safe_factor * (w.before + norm(px - w.x, py + w.y))))
+        propagate(to_left, reversed(next, along));
     }
     if (right) {
       const window mirrored = reversed(w, size);
@@ -152,7 +166,8 @@ class exact_windows {
       next.x = cx * mirrored.x - cy * w.y;
       next.y = cx * w.y + cy * mirrored.x;
       const double px = next.begin * cx, py = next.begin * cy;
-      if (!(at(t_.start(s)) + norm(size - px, py) < safe_factor * (w.before + norm(px - mirrored.x, py + w.y)))) propagate(to_right, next);
+      if (!(at(t_.start(s)) + norm(size - px, py) < safe_factor * (w.before + norm(px - mirrored.x, py + w.y))))
+        propagate(to_right, next);
     }
   }
 
@@ -161,7 +176,8 @@ class exact_windows {
     const int s = core::unfolded_triangles::next(c), last = core::unfolded_triangles::previous(c);
     const double x = apex(s).x, y = apex(s).y;
     const auto meeting = [&](double from_side) {
-      const double along = y * std::cos(from_side) + x * std::sin(from_side), perpendicular = y * std::sin(from_side) - x * std::cos(from_side);
+      const double along = y * std::cos(from_side) + x * std::sin(from_side),
+                   perpendicular = y * std::sin(from_side) - x * std::cos(from_side);
       return along > 0 ? std::clamp(x + y * (perpendicular / along), 0.0, length(s)) : length(s);
     };
     const bool first_side = low <= 0, second_side = high >= angle(c);
@@ -174,7 +190,8 @@ class exact_windows {
   void propagate_from_vert(int v) {
     const auto i = static_cast<std::size_t>(v);
     from_ = path_tree::at_vert(v);
-    const double from = direction_[i], whole = t_.whole_turn[i], half = std::numbers::pi - core::unfolded_triangles::turn_tolerance;
+    const double from = direction_[i], whole = t_.whole_turn[i],
+                 half = std::numbers::pi - core::unfolded_triangles::turn_tolerance;
     for (int k = t_.first_corner[i]; k < t_.first_corner[i + 1]; ++k) {
       const int c = t_.corner[static_cast<std::size_t>(k)];
       const double size = angle(c);
@@ -206,7 +223,10 @@ class exact_windows {
     const int right = core::unfolded_triangles::next(s), left = core::unfolded_triangles::previous(s);
     const double back = length(s) - p.x, lx = apex(s).x / length(left), ly = apex(s).y / length(left);
     const double rx = (length(s) - apex(s).x) / length(right), ry = apex(s).y / length(right);
-    return {{s, right, left}, {{p, {rx * back + ry * p.y, ry * back - rx * p.y}, {length(left) - (lx * p.x + ly * p.y), ly * p.x - lx * p.y}}}};
+    return {{s, right, left},
+            {{p,
+              {rx * back + ry * p.y, ry * back - rx * p.y},
+              {length(left) - (lx * p.x + ly * p.y), ly * p.x - lx * p.y}}}};
   }
   bool is_off(int s, core::unfolded_triangles::plane_point p) const { return p.y > smallest_part * length(s); }
 
@@ -223,7 +243,8 @@ class exact_windows {
  public:
   /// paths: an empty tree, in which the shortest paths are recorded.
   explicit exact_windows(const core::unfolded_triangles& t, path_tree* paths = nullptr)
-      : t_(t), paths_(paths), distance_(t.around.size(), infinity), direction_(t.around.size()), first_at_apex_(t.vert.size()) {}
+      : t_(t), paths_(paths), distance_(t.around.size(), infinity), direction_(t.around.size()),
+        first_at_apex_(t.vert.size()) {}
 
   /// Adds a source at vert v, where the path length is length_before.
   void add_vert(int v, double length_before) {
@@ -243,7 +264,8 @@ class exact_windows {
       if (norm(p.x, p.y) <= smallest_part * length(side)) return add_vert(t_.start(side), norm(p.x, p.y));
       if (is_off(side, p)) continue;
       if (paths_) paths_->start_on(side, std::clamp(p.x / length(side), 0.0, 1.0));
-      for (int other = t_.twin[static_cast<std::size_t>(side)]; other != side; other = t_.twin[static_cast<std::size_t>(other)])
+      for (int other = t_.twin[static_cast<std::size_t>(side)]; other != side;
+           other = t_.twin[static_cast<std::size_t>(other)])
         all.push_back(seen_from_edges(other, {t_.start(other) == t_.start(side) ? p.x : length(side) - p.x, 0}));
     }
     for (const in_triangle& t : all) excluded_.push_back(t.side[0] / 3);
@@ -251,7 +273,8 @@ class exact_windows {
     for (const in_triangle& t : all) start_in(t);
   }
 
-  /// The distances of all verts, +inf where no path exists. With a target only distances up to that of the target are final.
+  /// The distances of all verts, +inf where no path exists. With a target only distances up to that of the target are
+  /// final.
   const std::vector<double>& run(int target = -1) {
     while (!events_.empty()) {
       const auto [when, what] = events_.front();

@@ -13,14 +13,16 @@ namespace concino::detail {
 
 /// A tree of windows. It keeps only the ancestors of arrivals and of windows that are still to be crossed.
 ///
-/// The predecessor of a path is one number: a node of the tree, at_vert(v), at_point (the source inside a triangle), or none (a source vert).
+/// The predecessor of a path is one number: a node of the tree, at_vert(v), at_point (the source inside a triangle), or
+/// none (a source vert).
 class path_tree {
  public:
   static constexpr int at_point = std::numeric_limits<int>::min();
   static constexpr int none = at_point + 1;
   static constexpr int at_vert(int v) { return -1 - v; }
 
-  /// A window on a side. The (virtual) source lies at x along the side and y perpendicular to it, away from the triangle of the side.
+  /// A window on a side. The (virtual) source lies at x along the side and y perpendicular to it, away from the
+  /// triangle of the side.
   struct node {
     double x, y;
     int side, from;
@@ -75,7 +77,8 @@ class path_tree {
     release(std::exchange(arrival_[static_cast<std::size_t>(v)], from));
   }
 
-  /// The path from its source to vert v, which must have been reached. Its pieces are straight; each lies in one triangle or along an edge.
+  /// The path from its source to vert v, which must have been reached. Its pieces are straight; each lies in one
+  /// triangle or along an edge.
   std::vector<stop> path_to(const core::unfolded_triangles& t, int v) const {
     std::vector<stop> r{{v, -1, 0}};
     int from = arrival_[static_cast<std::size_t>(v)];
@@ -100,7 +103,8 @@ class path_tree {
     if (s.vert < 0 || r.back().vert != s.vert) r.push_back(s);
   }
 
-  /// Follows a path from the apex of a window's triangle back through the preceding windows, on the straight line to their source.
+  /// Follows a path from the apex of a window's triangle back through the preceding windows, on the straight line to
+  /// their source.
   int straight_from(const core::unfolded_triangles& t, int i, std::vector<stop>& r) const {
     constexpr double at_end = 1e-14;  // as a fraction of a side: points nearer to an end are at the vert
     const node* w = &nodes_[static_cast<std::size_t>(i)].window;
@@ -117,10 +121,12 @@ class path_tree {
       const int right = core::unfolded_triangles::next(before->side);
       const bool is_right = edge(right) == edge(w->side);
       const int side = is_right ? right : core::unfolded_triangles::previous(before->side);
-      const double along = t.start(side) == t.start(w->side) ? part : 1 - part;  // fraction along the same edge, from the start of this side
+      // fraction along the same edge, from the start of this side
+      const double along = t.start(side) == t.start(w->side) ? part : 1 - part;
       const core::unfolded_triangles::plane_point top = t.apex[static_cast<std::size_t>(before->side)];
       const double base = t.length[static_cast<std::size_t>(before->side)];
-      p = is_right ? core::unfolded_triangles::plane_point{base + along * (top.x - base), along * top.y} : core::unfolded_triangles::plane_point{(1 - along) * top.x, (1 - along) * top.y};
+      p = is_right ? core::unfolded_triangles::plane_point{base + along * (top.x - base), along * top.y}
+                   : core::unfolded_triangles::plane_point{(1 - along) * top.x, (1 - along) * top.y};
       w = before;
     }
   }

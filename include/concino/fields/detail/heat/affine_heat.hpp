@@ -13,8 +13,8 @@
 
 namespace concino::detail {
 
-/// An edge between verts a and b, as seen from both. A vector in the frame of b is, in the frame of a, rotated by an angle; where the frames have opposite
-/// orientations, it is also reflected.
+/// An edge between verts a and b, as seen from both. A vector in the frame of b is, in the frame of a, rotated by an
+/// angle; where the frames have opposite orientations, it is also reflected.
 struct transport_edge {
   int a, b;
   double weight;
@@ -45,13 +45,16 @@ struct affine_heat {
 };
 
 /// time: in the units of the triangles, squared; 0: the square of the length of edges, averaged by area.
-affine_heat make_affine_heat(const core::unfolded_triangles& triangles, const std::vector<core::tangent_frame>& frames, double time);
+affine_heat make_affine_heat(const core::unfolded_triangles& triangles, const std::vector<core::tangent_frame>& frames,
+                             double time);
 
-/// Heat of several sorts at each vert. All are scaled by one power of two of the vert, so that they do not underflow far from their sources.
+/// Heat of several sorts at each vert. All are scaled by one power of two of the vert, so that they do not underflow
+/// far from their sources.
 struct diffused {
   Eigen::VectorXd heat, second_heat;      // of the sources with value 1; with the length of their vectors
   Eigen::VectorXd square;                 // the squared lengths of vectors to the sources, times heat
-  Eigen::VectorXd first, second, offset;  // transported vectors; vectors to the sources, times heat; two numbers at each vert
+  Eigen::VectorXd first, second, offset;  // transported vectors; vectors to the sources, times heat; two numbers at
+                                          // each vert
   std::vector<int> round;                 // -1 where no heat arrived
 
   bool is_reached(std::size_t v) const { return round[v] >= 0; }
@@ -66,12 +69,13 @@ struct vector_source {
 };
 /// What to compute besides the heat and the first vectors.
 struct diffused_parts {
-  bool second_heat = false, second = false, offset = false;  // second: of vectors that are turned by a right angle; offset: and squares
+  bool second_heat = false, second = false, offset = false;  // second: of vectors that are turned by a right angle;
+                                                             // offset: and squares
 };
 
 /// Errors: invalid_argument if the time is so short that heat vanishes from one vert to the next; solver_error.
-diffused diffuse(const affine_heat& equations, core::solver_ref scalar_solver, core::solver_ref vector_solver, const std::vector<vector_source>& sources,
-                 const diffused_parts& parts, const char* caller);
+diffused diffuse(const affine_heat& equations, core::solver_ref scalar_solver, core::solver_ref vector_solver,
+                 const std::vector<vector_source>& sources, const diffused_parts& parts, const char* caller);
 
 }  // namespace concino::detail
 

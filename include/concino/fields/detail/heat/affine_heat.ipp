@@ -17,15 +17,18 @@ inline double opposite_cotangent(const core::unfolded_triangles& t, int s) {
   return p.x / p.y;
 }
 
-inline transport_edge transport_along(const core::unfolded_triangles& t, const std::vector<core::tangent_frame>& frames, int s) {
+inline transport_edge transport_along(const core::unfolded_triangles& t, const std::vector<core::tangent_frame>& frames,
+                                      int s) {
   constexpr double smallest_weight = 0.01;  // heat also flows along edges whose cotangents sum to less
   const int far = core::unfolded_triangles::next(s), twin = t.twin[static_cast<std::size_t>(s)];
   const double weight = 0.5 * (opposite_cotangent(t, s) + (twin == s ? 0 : opposite_cotangent(t, twin)));
   transport_edge e{t.start(s), t.end(s), std::max(weight, smallest_weight), {}, {}, 1, 0, false};
-  const core::tangent_frame &frame_a = frames[static_cast<std::size_t>(e.a)], &frame_b = frames[static_cast<std::size_t>(e.b)];
+  const core::tangent_frame &frame_a = frames[static_cast<std::size_t>(e.a)],
+                            &frame_b = frames[static_cast<std::size_t>(e.b)];
   e.reflects = frame_a.is_oriented_as_triangle(t, s) != frame_b.is_oriented_as_triangle(t, far);
   const double length = t.length[static_cast<std::size_t>(s)];
-  const double at_a = frame_a.angle_of(t.fan_angle(s, 0)), at_b = frame_b.angle_of(t.fan_angle(far, t.angle[static_cast<std::size_t>(far)]));
+  const double at_a = frame_a.angle_of(t.fan_angle(s, 0)),
+               at_b = frame_b.angle_of(t.fan_angle(far, t.angle[static_cast<std::size_t>(far)]));
   e.from_a = {length * std::cos(at_a), length * std::sin(at_a)};
   e.from_b = {length * std::cos(at_b), length * std::sin(at_b)};
   const double turn = std::numbers::pi + at_a + (e.reflects ? at_b : -at_b);
@@ -61,7 +64,8 @@ struct edges_below {
       entries[next[static_cast<std::size_t>(std::min(e.a, e.b))]++] = {std::max(e.a, e.b), static_cast<int>(k)};
     }
     for (std::size_t v = 0; v < h.size(); ++v)
-      std::sort(entries.begin() + static_cast<std::ptrdiff_t>(first[v]), entries.begin() + static_cast<std::ptrdiff_t>(first[v + 1]),
+      std::sort(entries.begin() + static_cast<std::ptrdiff_t>(first[v]),
+                entries.begin() + static_cast<std::ptrdiff_t>(first[v + 1]),
                 [](const entry& x, const entry& y) { return x.row < y.row; });
   }
 };
@@ -72,7 +76,9 @@ class column_writer {
   int count_ = 0, column_ = 0;
 
  public:
-  column_writer(int size, std::size_t entries) : a_(size, size) { a_.resizeNonZeros(static_cast<Eigen::Index>(entries)); }
+  column_writer(int size, std::size_t entries) : a_(size, size) {
+    a_.resizeNonZeros(static_cast<Eigen::Index>(entries));
+  }
 
   void begin_column() { a_.outerIndexPtr()[column_++] = count_; }
   void add(int row, double value) {
@@ -91,7 +97,9 @@ class column_writer {
 };
 
 /// Whether several edges join the same verts, next to each other in the list.
-inline bool is_followed_by_same(const edges_below& below, std::size_t k, std::size_t end) { return k + 1 < end && below.entries[k + 1].row == below.entries[k].row; }
+inline bool is_followed_by_same(const edges_below& below, std::size_t k, std::size_t end) {
+  return k + 1 < end && below.entries[k + 1].row == below.entries[k].row;
+}
 
 /// The masses plus the time times the Laplacian, of numbers and of vectors.
 inline void assemble_heat(affine_heat& h) {
@@ -104,10 +112,12 @@ inline void assemble_heat(affine_heat& h) {
   const edges_below below(h);
   column_writer scalars(n, h.size() + h.edges.size()), vectors(2 * n, 2 * h.size() + 4 * h.edges.size());
   for (int c = 0; c < n; ++c) {
-    const std::size_t begin = below.first[static_cast<std::size_t>(c)], end = below.first[static_cast<std::size_t>(c) + 1];
+    const std::size_t begin = below.first[static_cast<std::size_t>(c)],
+                      end = below.first[static_cast<std::size_t>(c) + 1];
     scalars.begin_column();
     scalars.add(c, diagonal[static_cast<std::size_t>(c)]);
-    for (std::size_t k = begin; k < end; ++k) scalars.add(below.entries[k].row, -h.time * h.edges[static_cast<std::size_t>(below.entries[k].edge)].weight);
+    for (std::size_t k = begin; k < end; ++k)
+      scalars.add(below.entries[k].row, -h.time * h.edges[static_cast<std::size_t>(below.entries[k].edge)].weight);
     for (const int part : {0, 1}) {
       vectors.begin_column();
       vectors.add(2 * c + part, diagonal[static_cast<std::size_t>(c)]);
@@ -129,7 +139,8 @@ inline void assemble_heat(affine_heat& h) {
   vectors.finish_into(h.vectors);
 }
 
-CONCINO_INLINE affine_heat make_affine_heat(const core::unfolded_triangles& t, const std::vector<core::tangent_frame>& frames, double time) {
+CONCINO_INLINE affine_heat make_affine_heat(const core::unfolded_triangles& t,
+                                            const std::vector<core::tangent_frame>& frames, double time) {
   affine_heat h;
   h.mass.assign(t.around.size(), 0.0);
   h.is_used.assign(t.around.size(), 0);
@@ -148,7 +159,8 @@ CONCINO_INLINE affine_heat make_affine_heat(const core::unfolded_triangles& t, c
   return h;
 }
 
-/// Computes heat in rounds. Each one continues from the verts that are already reached, with all values scaled up, where they have become small.
+/// Computes heat in rounds. Each one continues from the verts that are already reached, with all values scaled up,
+/// where they have become small.
 class diffusion {
   static constexpr int half_range = 400;  // values of one round are between 2^-400 and 2^400
   const affine_heat& equations_;
@@ -160,7 +172,8 @@ class diffusion {
   /// N numbers at each vert.
   template<int N>
   struct field {
-    Eigen::VectorXd reached, last;  // the values at verts that are reached, in the scale of their round; those of the last round at all verts
+    Eigen::VectorXd reached, last;  // the values at verts that are reached, in the scale of their round; those of the
+                                    // last round at all verts
     bool is_wanted = true;
   };
   field<1> heat_, second_heat_, square_;
@@ -182,7 +195,8 @@ class diffusion {
   /// The value of a reached vert in the scale of this round.
   template<int N>
   auto value(const field<N>& f, int v) const {
-    return std::ldexp(1.0, 2 * half_range * (now_ - round_[static_cast<std::size_t>(v)])) * get(f.reached, v, static_cast<field<N>*>(nullptr));
+    return std::ldexp(1.0, 2 * half_range * (now_ - round_[static_cast<std::size_t>(v)])) *
+           get(f.reached, v, static_cast<field<N>*>(nullptr));
   }
   /// The value of another vert in the last round, in the scale of this round.
   template<int N>
@@ -220,7 +234,8 @@ class diffusion {
     return is_reached(v) ? value(f, v) : get(f.last, v, static_cast<field<N>*>(nullptr));
   }
 
-  /// Heat that flows from b to a carries positions along: those seen from b and, in addition, the edge. add(edge, flow from b to a, seen from a).
+  /// Heat that flows from b to a carries positions along: those seen from b and, in addition, the edge. add(edge, flow
+  /// from b to a, seen from a).
   template<class F>
   void for_each_flow(const F& add) const {
     for (const transport_edge& e : equations_.edges) {
@@ -236,7 +251,8 @@ class diffusion {
   /// Of the squared length of the sum of both, the part that is not the square seen from the other end.
   void add_carried_squares(Eigen::VectorXd& rhs) const {
     for_each_flow([&](const transport_edge& e, int to, int from, bool to_a) {
-      const tangent_vector seen = value_now(offset_, from), edge = to_a ? e.from_a : e.from_b, turned = to_a ? e.to_a(seen) : e.to_b(seen);
+      const tangent_vector seen = value_now(offset_, from), edge = to_a ? e.from_a : e.from_b,
+                           turned = to_a ? e.to_a(seen) : e.to_b(seen);
       rhs[to] += equations_.time * e.weight * (2 * dot(edge, turned) + dot(edge, edge) * value_now(heat_, from));
     });
   }
@@ -255,7 +271,8 @@ class diffusion {
       if (is_reached(v) || !(heat_.last[v] >= least)) continue;
       round_[static_cast<std::size_t>(v)] = now_;
       ++n;
-      if (now_ > 0) keep(heat_, v), keep(second_heat_, v), keep(square_, v), keep(first_, v), keep(second_, v), keep(offset_, v);
+      if (now_ > 0)
+        keep(heat_, v), keep(second_heat_, v), keep(square_, v), keep(first_, v), keep(second_, v), keep(offset_, v);
     }
     return n;
   }
@@ -269,7 +286,8 @@ class diffusion {
     take(heat_), take(second_heat_), take(square_), take(first_), take(second_), take(offset_);
   }
 
-  /// Whether heat is known wherever it can flow. Where the next round starts, the last one must have computed it to all digits.
+  /// Whether heat is known wherever it can flow. Where the next round starts, the last one must have computed it to all
+  /// digits.
   bool is_complete() const {
     bool is = true;
     const double smallest = std::ldexp(1.0, -half_range - 100), largest = std::ldexp(1.0, half_range / 2);
@@ -284,7 +302,9 @@ class diffusion {
   }
 
   [[noreturn, gnu::cold]] void throw_too_short() const {
-    core::throw_joined<invalid_argument>({caller_, ": the time is so short that heat vanishes between a vert and the next; leave it at 0 for the default"});
+    core::throw_joined<invalid_argument>(
+        {caller_,
+         ": the time is so short that heat vanishes between a vert and the next; leave it at 0 for the default"});
   }
 
   /// The right-hand side of the first round. part(source): what starts there.
@@ -298,8 +318,10 @@ class diffusion {
   }
 
  public:
-  diffusion(const affine_heat& equations, core::solver_ref scalar_solver, core::solver_ref vector_solver, const diffused_parts& parts, const char* caller)
-      : equations_(equations), scalar_solver_(scalar_solver), vector_solver_(vector_solver), caller_(caller), round_(equations.size(), -1) {
+  diffusion(const affine_heat& equations, core::solver_ref scalar_solver, core::solver_ref vector_solver,
+            const diffused_parts& parts, const char* caller)
+      : equations_(equations), scalar_solver_(scalar_solver), vector_solver_(vector_solver), caller_(caller),
+        round_(equations.size(), -1) {
     second_heat_.is_wanted = parts.second_heat;
     second_.is_wanted = parts.second;
     offset_.is_wanted = square_.is_wanted = parts.offset;
@@ -310,9 +332,12 @@ class diffusion {
     for (const double x : equations_.mass) total += x;
     const double unit = std::ldexp(total / static_cast<double>(round_.size()), half_range);
     Eigen::VectorXd heat = starts(1, true, sources, [&](const vector_source&) { return unit; });
-    Eigen::VectorXd lengths = starts(1, second_heat_.is_wanted, sources, [&](const vector_source& s) { return unit * norm(s.vector); });
+    Eigen::VectorXd lengths =
+        starts(1, second_heat_.is_wanted, sources, [&](const vector_source& s) { return unit * norm(s.vector); });
     Eigen::VectorXd vectors = starts(2, true, sources, [&](const vector_source& s) { return unit * s.vector; });
-    Eigen::VectorXd turned = starts(2, second_.is_wanted, sources, [&](const vector_source& s) { return unit * tangent_vector(-s.vector.y, s.vector.x); });
+    Eigen::VectorXd turned = starts(2, second_.is_wanted, sources, [&](const vector_source& s) {
+      return unit * tangent_vector(-s.vector.y, s.vector.x);
+    });
     while (true) {
       next_round(heat_, heat);
       next_round(second_heat_, lengths);
@@ -345,7 +370,8 @@ class diffusion {
   }
 };
 
-CONCINO_INLINE diffused diffuse(const affine_heat& equations, core::solver_ref scalar_solver, core::solver_ref vector_solver, const std::vector<vector_source>& sources,
+CONCINO_INLINE diffused diffuse(const affine_heat& equations, core::solver_ref scalar_solver,
+                                core::solver_ref vector_solver, const std::vector<vector_source>& sources,
                                 const diffused_parts& parts, const char* caller) {
   return diffusion(equations, scalar_solver, vector_solver, parts, caller).run(sources);
 }

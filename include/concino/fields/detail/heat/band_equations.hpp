@@ -1,4 +1,5 @@
-// The equations of heat at the verts of a band, and their solution by conjugate gradients. Independent of the mesh type and of solvers.
+// The equations of heat at the verts of a band, and their solution by conjugate gradients. Independent of the mesh type
+// and of solvers.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -12,7 +13,8 @@
 
 namespace concino::detail {
 
-/// A heat matrix whose verts are in the order in which heat decreases. Each row has the entries left of its diagonal only, with the sign reversed.
+/// A heat matrix whose verts are in the order in which heat decreases. Each row has the entries left of its diagonal
+/// only, with the sign reversed.
 struct heat_rows {
   std::vector<int> begin{0}, column;
   std::vector<double> entry, diagonal;
@@ -27,12 +29,15 @@ struct heat_rows {
 
 /// Solves the equations of the verts [first, end) of heat_rows, as if there were no verts after them.
 ///
-/// The preconditioner is an incomplete factorisation (D - L) D^-1 (D - L^T), where L is that of the matrix and D are pivots. Thus one iteration needs no
-/// product with the matrix, and costs one pass over the entries forward and one back. Positive entries off the diagonal, as obtuse angles cause, may make
-/// pivots too small or negative. Therefore a pivot is at least the sum of the absolute entries right of it: with an M-matrix it always is, and substitution
-/// then amplifies nothing. The preconditioner is positive definite for any signs of the entries, so the iteration cannot diverge.
-/// Source: Eisenstat 1981, "Efficient implementation of a class of preconditioned conjugate gradient methods"; Axelsson, Lindskog 1986, "On the eigenvalue
-///         distribution of a class of preconditioning methods" (the pivots).
+/// The preconditioner is an incomplete factorisation (D - L) D^-1 (D - L^T), where L is that of the matrix and D are
+/// pivots. Thus one iteration needs no product with the matrix, and costs one pass over the entries forward and one
+/// back. Positive entries off the diagonal, as obtuse angles cause, may make pivots too small or negative. Therefore a
+/// pivot is at least the sum of the absolute entries right of it: with an M-matrix it always is, and substitution then
+/// amplifies nothing. The preconditioner is positive definite for any signs of the entries, so the iteration cannot
+/// diverge.
+/// Source: Eisenstat 1981, "Efficient implementation of a class of preconditioned conjugate gradient methods";
+///         Axelsson, Lindskog 1986, "On the eigenvalue distribution of a class of preconditioning methods" (the
+///         pivots).
 class band_equations {
   std::vector<int> begin_, column_;      // of entries left of the diagonal; columns are numbered from 0 in the band
   std::vector<double> entry_;            // with the sign reversed; all that follows is scaled so that pivots are 1
@@ -52,16 +57,20 @@ class band_equations {
   bool iterate(int max_iterations, bool may_give_up);
 
  public:
-  /// x is set to an approximate solution of the equations with the matrix `lower`, of which only the lower triangle is there; false if there is none.
-  using other_solver = function_ref<bool(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& load, Eigen::VectorXd& x)>;
+  /// x is set to an approximate solution of the equations with the matrix `lower`, of which only the lower triangle is
+  /// there; false if there is none.
+  using other_solver =
+      function_ref<bool(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& load, Eigen::VectorXd& x)>;
 
   void assign(const heat_rows& rows, std::size_t first, std::size_t end);
 
-  /// Solves until the heat that each of the first num_accepted equations lacks or has in excess is at most the tolerance times its own heat. So heat is
-  /// accurate relative to itself, however small it is beside that of others in the band.
-  /// x: an approximation, set to the solution. other: is used once where more than some 100 iterations are expected; they continue where it has no solution.
+  /// Solves until the heat that each of the first num_accepted equations lacks or has in excess is at most the
+  /// tolerance times its own heat. So heat is accurate relative to itself, however small it is beside that of others in
+  /// the band. x: an approximation, set to the solution. other: is used once where more than some 100 iterations are
+  /// expected; they continue where it has no solution.
   /// Result: false if the tolerance was missed; x is then the best approximation.
-  bool solve(std::span<const double> load, std::span<double> x, std::size_t num_accepted, double tolerance, other_solver other);
+  bool solve(std::span<const double> load, std::span<double> x, std::size_t num_accepted, double tolerance,
+             other_solver other);
 
   /// The lower triangle of the matrix, not scaled.
   Eigen::SparseMatrix<double> lower() const;

@@ -19,7 +19,8 @@ CONCINO_INLINE heat_rows::heat_rows(const Eigen::SparseMatrix<double>& lower, st
     for (std::size_t c = 0; c < size; ++c)
       for (int k = lower.outerIndexPtr()[c]; k < lower.outerIndexPtr()[c + 1]; ++k) {
         const int r = rank[static_cast<std::size_t>(lower.innerIndexPtr()[k])];
-        f(static_cast<std::size_t>(std::max(r, rank[c])), static_cast<std::size_t>(std::min(r, rank[c])), lower.valuePtr()[k]);
+        f(static_cast<std::size_t>(std::max(r, rank[c])), static_cast<std::size_t>(std::min(r, rank[c])),
+          lower.valuePtr()[k]);
       }
   };
   for_each_entry([&](std::size_t later, std::size_t earlier, double) { begin[later + 1] += later != earlier; });
@@ -41,16 +42,19 @@ CONCINO_INLINE heat_rows::heat_rows(const Eigen::SparseMatrix<double>& lower, st
   for (std::size_t i = 0; i < size; ++i) mass[i] = std::max(mass[i], min_mass * diagonal[i]);
 }
 
-/// The pivots of an incomplete factorisation that keeps the diagonal of fill-in, and half of what is dropped off the diagonal. Sets scale_.
+/// The pivots of an incomplete factorisation that keeps the diagonal of fill-in, and half of what is dropped off the
+/// diagonal. Sets scale_.
 CONCINO_INLINE void band_equations::find_pivots(const heat_rows& rows, std::size_t first, std::size_t end) {
   constexpr double kept = 0.5, min_pivot = 1e-3;  // of the diagonal entry
   const std::size_t size = end - first;
-  std::vector<double>&right = product_, &size_right = along_;  // sums of the entries right of the diagonal, and of their absolute values
+  std::vector<double>&right = product_, &size_right = along_;  // sums of the entries right of the diagonal, and of
+                                                               // their absolute values
   right.assign(size, 0.0);
   size_right.assign(size, 0.0);
   scale_.resize(size);
   const auto for_each_entry = [&](std::size_t i, const auto& f) {
-    for (auto k = static_cast<std::size_t>(rows.begin[first + i]); k < static_cast<std::size_t>(rows.begin[first + i + 1]); ++k)
+    for (auto k = static_cast<std::size_t>(rows.begin[first + i]);
+         k < static_cast<std::size_t>(rows.begin[first + i + 1]); ++k)
       if (const auto c = static_cast<std::size_t>(rows.column[k]); c >= first) f(c - first, rows.entry[k]);
   };
   for (std::size_t i = 0; i < size; ++i)
@@ -79,7 +83,8 @@ CONCINO_INLINE void band_equations::assign(const heat_rows& rows, std::size_t fi
   for (std::size_t i = 0; i < size; ++i) {
     diagonal_[i] = rows.diagonal[first + i] * scale_[i] * scale_[i];
     mass_[i] = rows.mass[first + i] / rows.diagonal[first + i];
-    for (auto k = static_cast<std::size_t>(rows.begin[first + i]); k < static_cast<std::size_t>(rows.begin[first + i + 1]); ++k) {
+    for (auto k = static_cast<std::size_t>(rows.begin[first + i]);
+         k < static_cast<std::size_t>(rows.begin[first + i + 1]); ++k) {
       const auto c = static_cast<std::size_t>(rows.column[k]);
       if (c < first || rows.entry[k] == 0) continue;
       column_.push_back(static_cast<int>(c - first));
@@ -112,7 +117,8 @@ CONCINO_INLINE void band_equations::substitute_back(std::vector<double>& y) cons
   }
 }
 
-/// Sets residual_ to that of x_. If `measures`, returns the largest residual of the accepted rows in units of what is allowed, else 0.
+/// Sets residual_ to that of x_. If `measures`, returns the largest residual of the accepted rows in units of what is
+/// allowed, else 0.
 CONCINO_INLINE double band_equations::find_residual(bool measures) {
   const std::size_t size = x_.size();
   std::vector<double>& sizes = along_;
@@ -140,12 +146,14 @@ CONCINO_INLINE double band_equations::find_residual(bool measures) {
   double largest = 0;
   for (std::size_t i = 0; i < num_accepted_; ++i) {
     const double wrong = std::abs(residual_[i]), allowed = tolerance_ * mass_[i] * sizes[i];
-    if (!(wrong <= largest * allowed)) largest = allowed > 0 ? wrong / allowed : std::numeric_limits<double>::infinity();
+    if (!(wrong <= largest * allowed))
+      largest = allowed > 0 ? wrong / allowed : std::numeric_limits<double>::infinity();
   }
   return largest;
 }
 
-/// One iteration. square: that of the preconditioned residual. Returns its next value; negative if the iteration broke down.
+/// One iteration. square: that of the preconditioned residual. Returns its next value; negative if the iteration broke
+/// down.
 CONCINO_INLINE double band_equations::iterate_once(double square) {
   const std::size_t size = x_.size();
   along_ = direction_;
@@ -170,7 +178,8 @@ CONCINO_INLINE double band_equations::iterate_once(double square) {
   return next;
 }
 
-/// Conjugate gradients from x_. Returns false if the tolerance is missed, or, with may_give_up, as soon as that is to be expected.
+/// Conjugate gradients from x_. Returns false if the tolerance is missed, or, with may_give_up, as soon as that is to
+/// be expected.
 CONCINO_INLINE bool band_equations::iterate(int max_iterations, bool may_give_up) {
   find_residual(false);
   substitute_forward(residual_);
@@ -191,14 +200,16 @@ CONCINO_INLINE bool band_equations::iterate(int max_iterations, bool may_give_up
     const double wrong = find_residual(true);
     std::swap(residual_, product_);
     if (wrong <= 1) return true;
-    const double speed = std::log(first / square) / (2 * n), left = speed > 0 ? std::log(wrong) / speed : max_iterations;
+    const double speed = std::log(first / square) / (2 * n),
+                 left = speed > 0 ? std::log(wrong) / speed : max_iterations;
     if (may_give_up && n >= 15 && n + 0.6 * left > max_iterations) return false;
     check = n + static_cast<int>(std::clamp(0.6 * left, 1.0, 10.0));
   }
   return find_residual(true) <= 1;
 }
 
-CONCINO_INLINE bool band_equations::solve(std::span<const double> load, std::span<double> x, std::size_t num_accepted, double tolerance, other_solver other) {
+CONCINO_INLINE bool band_equations::solve(std::span<const double> load, std::span<double> x, std::size_t num_accepted,
+                                          double tolerance, other_solver other) {
   constexpr int usual = 100, max_iterations = 3000;
   const std::size_t size = scale_.size();
   num_accepted_ = num_accepted;
@@ -238,7 +249,8 @@ CONCINO_INLINE Eigen::SparseMatrix<double> band_equations::lower() const {
   };
   for (std::size_t i = 0; i < scale_.size(); ++i) {
     put(i, i, diagonal_[i]);
-    for (auto k = static_cast<std::size_t>(begin_[i]); k < static_cast<std::size_t>(begin_[i + 1]); ++k) put(i, static_cast<std::size_t>(column_[k]), -entry_[k]);
+    for (auto k = static_cast<std::size_t>(begin_[i]); k < static_cast<std::size_t>(begin_[i + 1]); ++k)
+      put(i, static_cast<std::size_t>(column_[k]), -entry_[k]);
   }
   return r;
 }

@@ -14,38 +14,43 @@
 
 namespace concino::detail {
 
-/// One search for shortest paths, as in Dijkstra's algorithm. It is not `dijkstra` because a step may cross a triangle or a tet from several verts at once,
-/// and its graph is flat arrays of corners.
+/// One search for shortest paths, as in Dijkstra's algorithm. It is not `dijkstra` because a step may cross a triangle
+/// or a tet from several verts at once, and its graph is flat arrays of corners.
 class distance_graph::search {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr std::uint8_t max_changes = 64;
 
-  /// A straight path to the end `last` of a triangle, between the corner and the other end. `near` is the distance of the other end from the source.
+  /// A straight path to the end `last` of a triangle, between the corner and the other end. `near` is the distance of
+  /// the other end from the source.
   struct crossing {
     const corner* triangle;
     std::size_t last;  // index in triangle->ends
     double near;
-    double curvature_deficit;  // curvature of a front on a plane minus that of this one; the front lags behind between the two corners accordingly
+    double curvature_deficit;  // curvature of a front on a plane minus that of this one; the front lags behind between
+                               // the two corners accordingly
     double path_length;   // from the source, if the straight line passes between the two corners
     bool is_seen;
 
-    /// from: the distance of the corner from the source. Has no branches: they would be hard to predict, and without them several crossings overlap.
+    /// from: the distance of the corner from the source. Has no branches: they would be hard to predict, and without
+    /// them several crossings overlap.
     void find_path_length(double from) {
       const double length = triangle->lengths[1 - last], to = triangle->lengths[last];
       const double along = to * triangle->cosine, up = to * triangle->sine;
-      const double x = (length + (from - near) * (from + near) / length) / 2, y2 = (from - x) * (from + x), y = std::sqrt(std::max(y2, 0.0));
+      const double x = (length + (from - near) * (from + near) / length) / 2, y2 = (from - x) * (from + x),
+                   y = std::sqrt(std::max(y2, 0.0));
       constexpr double least = std::numeric_limits<double>::min();  // 0 / least is 0
       const double height = up + y, through = x + y / std::max(height, least) * (along - x);
       const double square = (along - x) * (along - x) + height * height;
-      path_length = std::sqrt(square) + curvature_deficit * through * (length - through) * (height * height / std::max(square, least)) / 2;
+      path_length = std::sqrt(square) +
+                    curvature_deficit * through * (length - through) * (height * height / std::max(square, least)) / 2;
       // A front that converges within about the length of the edge, as on the far side of a ball, is too uncertain.
       const bool is_wide = curvature_deficit * length < 0.5;
       is_seen = is_wide & (y2 >= -1e-9 * from * from) & (through >= -1e-9 * length) & (through <= (1 + 1e-9) * length);
     }
   };
 
-  /// The distance of the last corner of a tet from the source, if the straight line passes between the other corners, whose distances are da, db and
-  /// dc; otherwise +inf. Also +inf if it certainly exceeds `most`.
+  /// The distance of the last corner of a tet from the source, if the straight line passes between the other corners,
+  /// whose distances are da, db and dc; otherwise +inf. Also +inf if it certainly exceeds `most`.
   static double unfolded_distance(const local_tet& s, double da, double db, double dc, double most) {
     if (!(s.length > 0)) return infinity;
     const double x = (s.length + (da - db) * (da + db) / s.length) / 2;
@@ -63,7 +68,8 @@ class distance_graph::search {
   struct node {
     double path_length = infinity;
     double before = 0;
-    double curvature_deficit = 0;  // 1 / distance minus the curvature of the front: 0 on a plane; if step is not 0, the value one step earlier
+    double curvature_deficit = 0;  // 1 / distance minus the curvature of the front: 0 on a plane; if step is not 0, the
+                                   // value one step earlier
     double radius = 0, step = 0;
     double mean_curvature = 0;  // of the surface, over that step
     double curvature = 0;
@@ -71,11 +77,13 @@ class distance_graph::search {
     std::uint8_t state = 0;  // bit 0: settled; the rest counts later improvements, which are limited
     bool is_settled() const { return state & 1; }
 
-    /// Riccati's equation c' = -c^2 - K for the curvature c of a front, with c = 1 / radius - curvature_deficit. A front that is as narrow as a step is
-    /// too uncertain.
+    /// Riccati's equation c' = -c^2 - K for the curvature c of a front, with c = 1 / radius - curvature_deficit. A
+    /// front that is as narrow as a step is too uncertain.
     void update_curvature_deficit() {
       if (!(step > 0)) return;
-      const double rate = mean_curvature - 2 * curvature_deficit / std::max(radius, step) + curvature_deficit * curvature_deficit, most = 1 / step;
+      const double rate = mean_curvature - 2 * curvature_deficit / std::max(radius, step) +
+                          curvature_deficit * curvature_deficit,
+                   most = 1 / step;
       curvature_deficit = std::clamp(curvature_deficit + step * rate, -most, most);
       step = 0;
     }
@@ -115,16 +123,20 @@ class distance_graph::search {
     for (const int v : offered_) {
       const auto i = static_cast<std::size_t>(v);
       if (!(node_[i].path_length < waiting_[i] && node_[i].path_length <= longest_)) continue;
-      if (node_[i].is_settled() && waiting_[i] == infinity) node_[i].state = static_cast<std::uint8_t>(std::min(node_[i].state + 2, 255));
+      if (node_[i].is_settled() && waiting_[i] == infinity)
+        node_[i].state = static_cast<std::uint8_t>(std::min(node_[i].state + 2, 255));
       queue_.decrease_key(v, i, node_[i].path_length);
     }
     offered_.clear();
   }
 
   /// Whether a path across to a vert is shorter, by more than rounding, than the known one.
-  static bool improves(const node& n, double path_length) { return n.path_length - path_length > 1e-12 * std::abs(path_length); }
+  static bool improves(const node& n, double path_length) {
+    return n.path_length - path_length > 1e-12 * std::abs(path_length);
+  }
 
-  /// Whether the front may have reached the end `last` of the triangle through the other end. Fills in c, except for its path length.
+  /// Whether the front may have reached the end `last` of the triangle through the other end. Fills in c, except for
+  /// its path length.
   bool may_cross(const node& from, const corner& triangle, std::size_t last, crossing& c) const {
     const node &other = at(triangle.ends[1 - last]), &to = at(triangle.ends[last]);
     c.triangle = &triangle;
@@ -132,7 +144,8 @@ class distance_graph::search {
     c.near = other.path_length - from.before;
     c.curvature_deficit = (from.curvature_deficit + other.curvature_deficit) / 2;
     const bool is_known = other.is_settled(), may_change = to.state < max_changes;
-    const bool is_ahead = to.path_length > std::min(from.path_length, other.path_length);  // otherwise the front has already been there
+    // otherwise the front has already been there
+    const bool is_ahead = to.path_length > std::min(from.path_length, other.path_length);
     return is_known & may_change & is_ahead & (other.source == from.source);
   }
 
@@ -147,7 +160,8 @@ class distance_graph::search {
       const node &a = at(triangle.ends[0]), &b = at(triangle.ends[1]);
       const std::size_t farther = b.path_length > a.path_length, nearer = 1 - farther;
       n += may_cross(from, triangle, farther, crossings_[n]);
-      if (std::min(a.path_length, b.path_length) > from.path_length && at(triangle.ends[farther]).is_settled()) n += may_cross(from, triangle, nearer, crossings_[n]);
+      if (std::min(a.path_length, b.path_length) > from.path_length && at(triangle.ends[farther]).is_settled())
+        n += may_cross(from, triangle, nearer, crossings_[n]);
     }
     const double there = from.before;
     for (std::size_t i = 0; i < n; ++i) crossings_[i].find_path_length(from.path_length - there);
@@ -156,7 +170,8 @@ class distance_graph::search {
       const int vert = c.triangle->ends[c.last];
       if (!c.is_seen || !improves(at(vert), there + c.path_length)) continue;
       const double path_length = there + c.path_length, mean = (from.path_length - there + c.near) / 2;
-      offer(vert, path_length, from, c.curvature_deficit, mean, std::max(c.path_length - mean, 0.25 * c.triangle->lengths[c.last]));
+      offer(vert, path_length, from, c.curvature_deficit, mean,
+            std::max(c.path_length - mean, 0.25 * c.triangle->lengths[c.last]));
     }
   }
 
@@ -164,11 +179,13 @@ class distance_graph::search {
     const int at_a = corners[others[last][0]], at_b = corners[others[last][1]], at_c = corners[others[last][2]];
     const node &a = at(at_a), &b = at(at_b), &c = at(at_c);
     const node& to = at(corners[last]);
-    if (a.source != from.source || b.source != from.source || c.source != from.source || to.state >= max_changes) return;
+    if (a.source != from.source || b.source != from.source || c.source != from.source || to.state >= max_changes)
+      return;
     if (to.path_length <= std::min({a.path_length, b.path_length, c.path_length})) return;
     const double there = from.before;
     const local_tet s = seen_from(position(at_a), position(at_b), position(at_c), position(corners[last]));
-    const double path_length = there + unfolded_distance(s, a.path_length - there, b.path_length - there, c.path_length - there, to.path_length - there);
+    const double path_length = there + unfolded_distance(s, a.path_length - there, b.path_length - there,
+                                                         c.path_length - there, to.path_length - there);
     if (improves(to, path_length)) tet_paths_.emplace_back(corners[last], path_length);
   }
 
@@ -177,7 +194,8 @@ class distance_graph::search {
     for (std::size_t k = graph_.neighbour_begin_[v]; k < graph_.neighbour_begin_[v + 1]; ++k) {
       const neighbour& n = graph_.neighbour_[k];
       const double path_length = from.path_length + n.length;
-      if (path_length < at(n.vert).path_length) offer(n.vert, path_length, from, from.curvature_deficit, from.path_length - from.before, n.length);
+      if (path_length < at(n.vert).path_length)
+        offer(n.vert, path_length, from, from.curvature_deficit, from.path_length - from.before, n.length);
     }
     cross_triangles(v);
   }
@@ -203,8 +221,8 @@ class distance_graph::search {
 
  public:
   search(const distance_graph& graph, double longest)
-      : graph_(graph), longest_(longest), node_(graph.positions_.size()), waiting_(node_.size(), infinity), queue_(waiting_),
-        known_(graph.tet_.size() / 4) {
+      : graph_(graph), longest_(longest), node_(graph.positions_.size()), waiting_(node_.size(), infinity),
+        queue_(waiting_), known_(graph.tet_.size() / 4) {
     for (std::size_t i = 0; i < graph.curvature_.size(); ++i) node_[i].curvature = graph.curvature_[i];
   }
 

@@ -13,9 +13,10 @@ namespace concino::detail {
 
 /// The edges, and triangles or tets inside the polys, with verts as corners. Coordinates are near 1.
 ///
-/// A front reaches the last corner of a triangle (or tet) from the other two (or three). The source is unfolded: placed at its distances from
-/// the other corners. The straight line from there counts if it passes between them. On a plane and in space this is exact. On other surfaces the front
-/// is also curved according to the Gaussian curvature along its path.
+/// A front reaches the last corner of a triangle (or tet) from the other two (or three). The source is unfolded: placed
+/// at its distances from the other corners. The straight line from there counts if it passes between them. On a plane
+/// and in space this is exact. On other surfaces the front is also curved according to the Gaussian curvature along its
+/// path.
 class distance_graph {
   struct neighbour {
     double length;
@@ -27,7 +28,8 @@ class distance_graph {
     double lengths[2];
     double cosine, sine;  // of the angle between the edges to the ends
   };
-  /// A tet relative to three corners a, b and c: a is the origin, b is (length, 0), c is (cx, cy); (x, y) is the foot of the last corner in their plane.
+  /// A tet relative to three corners a, b and c: a is the origin, b is (length, 0), c is (cx, cy); (x, y) is the foot
+  /// of the last corner in their plane.
   struct local_tet {
     double length;
     double cx, cy;
@@ -57,7 +59,8 @@ class distance_graph {
     const vec3 a = at(end) - at(vert), b = at(other) - at(vert), normal = cross(a, b);
     const double x = std::sqrt(dot(a, a)), y = std::sqrt(dot(b, b));
     const bool is_point = !(x > 0 && y > 0);
-    return {{end, other}, {x, y}, is_point ? 0 : dot(a, b) / x / y, is_point ? 0 : std::sqrt(dot(normal, normal)) / x / y};
+    return {
+        {end, other}, {x, y}, is_point ? 0 : dot(a, b) / x / y, is_point ? 0 : std::sqrt(dot(normal, normal)) / x / y};
   }
 
   void add_triangles(const std::vector<int>& triangles) {
@@ -66,7 +69,8 @@ class distance_graph {
     for (std::size_t i = 0; i < triangles.size(); i += 3)
       for (std::size_t k = 0; k < 3; ++k) {
         const int v = triangles[i + k];
-        corner_[next[static_cast<std::size_t>(v)]++] = seen_from(v, triangles[i + (k + 1) % 3], triangles[i + (k + 2) % 3]);
+        corner_[next[static_cast<std::size_t>(v)]++] =
+            seen_from(v, triangles[i + (k + 1) % 3], triangles[i + (k + 2) % 3]);
       }
     find_curvature();
   }
@@ -105,16 +109,19 @@ class distance_graph {
   void add_tets() {
     tet_at_.resize(tet_.size());
     std::vector<std::size_t> next = simplex_begin_;
-    for (std::size_t i = 0; i < tet_.size(); ++i) tet_at_[next[static_cast<std::size_t>(tet_[i])]++] = static_cast<int>(i);
+    for (std::size_t i = 0; i < tet_.size(); ++i)
+      tet_at_[next[static_cast<std::size_t>(tet_[i])]++] = static_cast<int>(i);
   }
 
   static constexpr std::size_t others[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
 
  public:
-  /// edges: two verts each, including diagonals within polys. simplices: the corners of triangles (corners 3) or tets (4).
-  distance_graph(std::vector<vec3> positions, const std::vector<int>& edges, std::vector<int> simplices, std::size_t corners)
-      : corners_(corners), positions_(std::move(positions)), neighbour_begin_(count(positions_.size(), edges)), neighbour_(edges.size()),
-        simplex_begin_(count(positions_.size(), simplices)) {
+  /// edges: two verts each, including diagonals within polys. simplices: the corners of triangles (corners 3) or tets
+  /// (4).
+  distance_graph(std::vector<vec3> positions, const std::vector<int>& edges, std::vector<int> simplices,
+                 std::size_t corners)
+      : corners_(corners), positions_(std::move(positions)), neighbour_begin_(count(positions_.size(), edges)),
+        neighbour_(edges.size()), simplex_begin_(count(positions_.size(), simplices)) {
     std::vector<std::size_t> next = neighbour_begin_;
     for (std::size_t i = 0; i < edges.size(); i += 2) {
       const int v = edges[i], w = edges[i + 1];
@@ -138,8 +145,8 @@ class distance_graph {
     double distance;  // from the source, 0 or more
     double before;    // initial distance at the source
   };
-  /// The lengths of paths to each vert from the start verts; +inf where no path exists. Paths longer than `longest` may be
-  /// omitted. Defined in distance_bounds.hpp.
+  /// The lengths of paths to each vert from the start verts; +inf where no path exists. Paths longer than `longest` may
+  /// be omitted. Defined in distance_bounds.hpp.
   std::vector<double> path_lengths_from(const std::vector<start>& starts, double longest) const;
 
  private:

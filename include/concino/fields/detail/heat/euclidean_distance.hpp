@@ -38,7 +38,8 @@ class euclidean_distance {
       if (high[k] - low[k] > high[axis] - low[axis]) axis = k;
     const std::size_t middle = first + (end - first) / 2;
     const auto at = [&](std::size_t i) { return sources_.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::nth_element(at(first), at(middle), at(end), [&](const auto& a, const auto& b) { return a.position[axis] < b.position[axis]; });
+    std::nth_element(at(first), at(middle), at(end),
+                     [&](const auto& a, const auto& b) { return a.position[axis] < b.position[axis]; });
     axis_[middle] = static_cast<std::uint8_t>(axis);
     return min_distance_[middle] = std::min({sources_[middle].distance, build(first, middle), build(middle + 1, end)});
   }
@@ -58,7 +59,8 @@ class euclidean_distance {
   }
 
  public:
-  explicit euclidean_distance(std::vector<distance_source> sources) : sources_(std::move(sources)), axis_(sources_.size()), min_distance_(sources_.size()) {
+  explicit euclidean_distance(std::vector<distance_source> sources)
+      : sources_(std::move(sources)), axis_(sources_.size()), min_distance_(sources_.size()) {
     build(0, sources_.size());
   }
   double operator()(const vec3& x) const {

@@ -17,10 +17,13 @@ template<class M, class S> concept gives_distances = core::iterable<S> && requir
   static_cast<double>((*s.begin()).second);
 };
 /// A vert (even if its type is a range), or several.
-template<class M, class S> concept gives_one_vert = std::same_as<S, vert_t<M>> || (!core::iterable<S> && std::convertible_to<S, vert_t<M>>);
 template<class M, class S>
-concept gives_some_verts = core::iterable<S> && !std::same_as<S, vert_t<M>> && !std::same_as<S, poly_t<M>> && std::convertible_to<source_value_t<S>, vert_t<M>>;
-template<class M, class S> concept gives_verts = PrimalGraph<M> && !gives_distances<M, S> && (gives_one_vert<M, S> || gives_some_verts<M, S>);
+concept gives_one_vert = std::same_as<S, vert_t<M>> ||(!core::iterable<S> && std::convertible_to<S, vert_t<M>>);
+template<class M, class S>
+concept gives_some_verts = core::iterable<S> && !std::same_as<S, vert_t<M>> && !std::same_as<S, poly_t<M>> &&
+                           std::convertible_to<source_value_t<S>, vert_t<M>>;
+template<class M, class S>
+concept gives_verts = PrimalGraph<M> && !gives_distances<M, S> && (gives_one_vert<M, S> || gives_some_verts<M, S>);
 
 /// Calls add(vert, distance) for one vert, for each of several, or for each pair of a vert and a number.
 template<class M, class S, class F>

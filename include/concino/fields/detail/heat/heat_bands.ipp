@@ -43,16 +43,18 @@ CONCINO_INLINE std::vector<int> heat_bands::order_by(std::span<const double> log
   return order;
 }
 
-CONCINO_INLINE heat_bands::heat_bands(const Eigen::SparseMatrix<double>& lower, std::span<const double> load, std::span<const double> log_guess,
-                                      std::span<const int> order)
-    : order_(order), rows_(lower, order), guess_(order.size()), load_(order.size()), heat_(order.size()), exponent_(order.size(), no_heat) {
+CONCINO_INLINE heat_bands::heat_bands(const Eigen::SparseMatrix<double>& lower, std::span<const double> load,
+                                      std::span<const double> log_guess, std::span<const int> order)
+    : order_(order), rows_(lower, order), guess_(order.size()), load_(order.size()), heat_(order.size()),
+      exponent_(order.size(), no_heat) {
   for (std::size_t i = 0; i < order.size(); ++i) {
     guess_[i] = log_guess[static_cast<std::size_t>(order[i])];
     load_[i] = load[static_cast<std::size_t>(order[i])];
   }
 }
 
-/// Sets band_load_ to the load of the verts [first, end) and what they get from those before, times 2^-e. Returns e, which brings the largest near 1.
+/// Sets band_load_ to the load of the verts [first, end) and what they get from those before, times 2^-e. Returns e,
+/// which brings the largest near 1.
 CONCINO_INLINE int heat_bands::find_load(std::size_t first, std::size_t end) {
   const auto for_each_before = [&](std::size_t i, const auto& f) {
     for (auto k = static_cast<std::size_t>(rows_.begin[i]); k < static_cast<std::size_t>(rows_.begin[i + 1]); ++k)
@@ -76,13 +78,17 @@ CONCINO_INLINE int heat_bands::find_load(std::size_t first, std::size_t end) {
 
 CONCINO_INLINE bool heat_bands::run(double tolerance, other_solver other) {
   const auto is_known = [](double guess) { return guess > -std::numeric_limits<double>::infinity(); };
-  const auto last = static_cast<std::size_t>(std::partition_point(guess_.begin(), guess_.end(), is_known) - guess_.begin());
+  const auto last =
+      static_cast<std::size_t>(std::partition_point(guess_.begin(), guess_.end(), is_known) - guess_.begin());
   band_equations equations;
   bool is_solved = true;
-  for (std::size_t first = 0, solved = 0, next = 0; first < last; first = next) {  // solved: verts before have an approximation
+  // solved: verts before have an approximation
+  for (std::size_t first = 0, solved = 0, next = 0; first < last; first = next) {
     const auto first_below = [&](double guess) {
-      return static_cast<std::size_t>(std::partition_point(guess_.begin() + static_cast<std::ptrdiff_t>(first), guess_.begin() + static_cast<std::ptrdiff_t>(last),
-                                                           [&](double x) { return x >= guess; }) - guess_.begin());
+      return static_cast<std::size_t>(std::partition_point(guess_.begin() + static_cast<std::ptrdiff_t>(first),
+                                                           guess_.begin() + static_cast<std::ptrdiff_t>(last),
+                                                           [&](double x) { return x >= guess; }) -
+                                      guess_.begin());
     };
     const std::size_t end = first_below(guess_[first] - (width + overlap));
     next = end == last ? last : first_below(guess_[first] - width);
@@ -91,9 +97,10 @@ CONCINO_INLINE bool heat_bands::run(double tolerance, other_solver other) {
     band_heat_.assign(end - first, 0.0);
     for (std::size_t i = first; i < solved; ++i) band_heat_[i - first] = std::ldexp(heat_[i], exponent_[i] - exponent);
     equations.assign(rows_, first, end);
-    is_solved &= equations.solve(band_load_, band_heat_, next - first, tolerance, [&](const auto& lower, const auto& load, auto& x) {
-      return other && other(order_.subspan(first, end - first), lower, load, x);
-    });
+    is_solved &= equations.solve(band_load_, band_heat_, next - first, tolerance,
+                                 [&](const auto& lower, const auto& load, auto& x) {
+                                   return other && other(order_.subspan(first, end - first), lower, load, x);
+                                 });
     iterations_ += static_cast<double>(equations.num_iterations()) * static_cast<double>(end - first);
     for (std::size_t i = first; i < end; ++i) {
       heat_[i] = band_heat_[i - first];
@@ -107,7 +114,8 @@ CONCINO_INLINE bool heat_bands::run(double tolerance, other_solver other) {
 CONCINO_INLINE std::vector<double> heat_bands::log_heat() const {
   std::vector<double> r(order_.size(), -std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < order_.size(); ++i)
-    if (heat_[i] > 0) r[static_cast<std::size_t>(order_[i])] = std::log(heat_[i]) + exponent_[i] * 0.69314718055994530942;
+    if (heat_[i] > 0)
+      r[static_cast<std::size_t>(order_[i])] = std::log(heat_[i]) + exponent_[i] * 0.69314718055994530942;
   return r;
 }
 

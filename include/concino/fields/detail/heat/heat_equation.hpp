@@ -1,4 +1,5 @@
-// The logarithm of the heat that flows from some verts, for one matrix: by a factor of the matrix, or by an iterative solver band by band.
+// The logarithm of the heat that flows from some verts, for one matrix: by a factor of the matrix, or by an iterative
+// solver band by band.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -29,14 +30,16 @@ struct heat_source {
 
 /// Heat at each vert, times 2^(2 scale_exponent) for each round of continuation before the one that found it.
 struct rescaled_heat {
-  /// An exponent e: heat starts from 2^e and is used down to 2^-e, which is a distance of about 1.4 e times the square root of the time.
+  /// An exponent e: heat starts from 2^e and is used down to 2^-e, which is a distance of about 1.4 e times the square
+  /// root of the time.
   static constexpr int scale_exponent = 900;
 
   std::vector<double> heat;  // 0 where it is not positive
   std::vector<int> round;    // -1 where no heat was found
 
   static double log_of(double x, int in_round) {
-    return x > 0 ? std::log(x) - in_round * (2 * scale_exponent * std::log(2.0)) : -std::numeric_limits<double>::infinity();
+    return x > 0 ? std::log(x) - in_round * (2 * scale_exponent * std::log(2.0))
+                 : -std::numeric_limits<double>::infinity();
   }
   double log(std::size_t i) const { return log_of(heat[i], round[i]); }
 };
@@ -44,10 +47,12 @@ struct rescaled_heat {
 template<class Solver>
 class heat_equation {
   static constexpr int max_rounds = 100;  // of continuing underflowed heat
-  static constexpr double band_tolerance = 2e-3;  // distances then differ from those by a factor by about 1e-4 of the largest
+  static constexpr double band_tolerance = 2e-3;  // distances then differ from those by a factor by about 1e-4 of the
+                                                  // largest
 
   Eigen::SparseMatrix<double> lower_;       // triangle
-  mutable std::unique_ptr<Solver> solver_;  // none if solvers are iterative, until a band with all heated verts needs one
+  mutable std::unique_ptr<Solver> solver_;  // none if solvers are iterative, until a band with all heated verts needs
+                                            // one
   std::unique_ptr<std::mutex> adding_solver_ = std::make_unique<std::mutex>();  // locked by the query that adds it
 
  public:
@@ -65,18 +70,21 @@ class heat_equation {
     core::factorize_over_verts(*solver_, lower_, "heat_geodesics", [](Eigen::Index row) { return row; });
   }
 
-  /// By the factorised solver. component: of each vert, the number of one vert of it. 2^unit is about the mass of a vert.
+  /// By the factorised solver. component: of each vert, the number of one vert of it. 2^unit is about the mass of a
+  /// vert.
   ///
-  /// Where heat underflows double precision, it is continued from there. Let u be known down to a threshold, and v equal to u there and 0
-  /// beyond. The rest, u - v, solves the same system with the right-hand side b - K v. This is not 0 on both sides of the frontier only,
-  /// and can be scaled by any factor.
-  rescaled_heat solve_rescaled(const std::vector<heat_source>& sources, std::span<const int> component, int unit) const {
+  /// Where heat underflows double precision, it is continued from there. Let u be known down to a threshold, and v
+  /// equal to u there and 0 beyond. The rest, u - v, solves the same system with the right-hand side b - K v. This is
+  /// not 0 on both sides of the frontier only, and can be scaled by any factor.
+  rescaled_heat solve_rescaled(const std::vector<heat_source>& sources, std::span<const int> component,
+                               int unit) const {
     const std::size_t size = component.size();
     constexpr int up = rescaled_heat::scale_exponent;
     const double least = std::ldexp(1.0, -up);
     Eigen::VectorXd b = Eigen::VectorXd::Zero(lower_.cols()), u;
     std::vector<unsigned char> has_source(size);
-    for (const heat_source& s : sources) has_source[static_cast<std::size_t>(component[static_cast<std::size_t>(s.vert)])] = 1;
+    for (const heat_source& s : sources)
+      has_source[static_cast<std::size_t>(component[static_cast<std::size_t>(s.vert)])] = 1;
     const auto is_heated = [&](std::size_t i) { return has_source[static_cast<std::size_t>(component[i])] != 0; };
     rescaled_heat found{std::vector<double>(size), std::vector<int>(size, -1)};
     const auto add_sources = [&](int round) {  // those that are still unreached, because they are weaker than others
@@ -107,13 +115,16 @@ class heat_equation {
     return found;
   }
 
-  /// The logarithm of heat, by iterations; see heat_bands. like: a solver of the type that bands with many small polys need. log_guess: about what is
-  /// returned, up to a constant in each component. order: heat_bands::order_by(log_guess).
-  std::vector<double> solve_in_bands(const Solver& like, const std::vector<heat_source>& sources, std::span<const int> component,
-                                     std::span<const double> log_guess, std::span<const int> order) const {
+  /// The logarithm of heat, by iterations; see heat_bands. like: a solver of the type that bands with many small polys
+  /// need. log_guess: about what is returned, up to a constant in each component. order:
+  /// heat_bands::order_by(log_guess).
+  std::vector<double> solve_in_bands(const Solver& like, const std::vector<heat_source>& sources,
+                                     std::span<const int> component, std::span<const double> log_guess,
+                                     std::span<const int> order) const {
     const auto component_of = [&](std::size_t vert) { return static_cast<std::size_t>(component[vert]); };
     std::vector<double> load(component.size());
-    std::vector<int> unit(component.size());  // of each component: heat starts from about 1, whatever the masses of its verts
+    std::vector<int> unit(component.size());  // of each component: heat starts from about 1, whatever the masses of its
+                                              // verts
     std::vector<unsigned char> has_source(component.size());
     for (const heat_source& s : sources)
       if (const std::size_t c = component_of(static_cast<std::size_t>(s.vert)); !has_source[c] || s.strength == 1) {
@@ -135,9 +146,10 @@ class heat_equation {
 
  private:
   /// Where the band has all verts with a guess, as after a long time, queries share one solver of the whole matrix.
-  bool solve_band(const Solver& like, std::span<const double> log_guess, std::span<const int> verts, const Eigen::SparseMatrix<double>& lower,
-                  const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
-    const auto num_known = std::count_if(log_guess.begin(), log_guess.end(), [](double g) { return g > -std::numeric_limits<double>::infinity(); });
+  bool solve_band(const Solver& like, std::span<const double> log_guess, std::span<const int> verts,
+                  const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
+    const auto num_known = std::count_if(log_guess.begin(), log_guess.end(),
+                                         [](double g) { return g > -std::numeric_limits<double>::infinity(); });
     try {
       if (verts.size() < static_cast<std::size_t>(num_known)) {
         const auto own = make_similar_solver(like);
@@ -163,8 +175,10 @@ class heat_equation {
     }
   }
 
-  /// b = -K v where v is 0, and the corresponding correction where v is u, times 2^up. v is u at the verts settled in `round`, else 0.
-  void continuation_rhs(const Eigen::VectorXd& u, const std::vector<int>& round_of, int round, int up, Eigen::VectorXd& b) const {
+  /// b = -K v where v is 0, and the corresponding correction where v is u, times 2^up. v is u at the verts settled in
+  /// `round`, else 0.
+  void continuation_rhs(const Eigen::VectorXd& u, const std::vector<int>& round_of, int round, int up,
+                        Eigen::VectorXd& b) const {
     b.setZero();
     for (int c = 0; c < lower_.cols(); ++c)
       for (int k = lower_.outerIndexPtr()[c]; k < lower_.outerIndexPtr()[c + 1]; ++k) {

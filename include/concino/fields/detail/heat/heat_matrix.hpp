@@ -22,13 +22,15 @@ Eigen::SparseMatrix<double> lower_stiffness_at(const views::scaled<M>& scaled, c
     return lower_stiffness(scaled, discretisation);
   } else {
     Eigen::SparseMatrix<double> a = lower_stiffness(m, discretisation);
-    for (Eigen::Index k = 0; k < a.nonZeros(); ++k) a.valuePtr()[k] = std::ldexp(a.valuePtr()[k], (2 - dimension_v<M>) * scaled.exponent());
+    for (Eigen::Index k = 0; k < a.nonZeros(); ++k)
+      a.valuePtr()[k] = std::ldexp(a.valuePtr()[k], (2 - dimension_v<M>)*scaled.exponent());
     return a;
   }
 }
 
-/// A lower triangle in which each column without entries, as those of deleted verts are, gets a diagonal entry of 0. Entries that are inserted later would
-/// leave a matrix that is not compressed, whose columns do not end where the next one begins.
+/// A lower triangle in which each column without entries, as those of deleted verts are, gets a diagonal entry of 0.
+/// Entries that are inserted later would leave a matrix that is not compressed, whose columns do not end where the next
+/// one begins.
 inline Eigen::SparseMatrix<double> with_diagonal(Eigen::SparseMatrix<double> lower) {
   const int* const begin = lower.outerIndexPtr();
   if (std::adjacent_find(begin, begin + lower.cols() + 1) == begin + lower.cols() + 1) return lower;
@@ -49,8 +51,10 @@ Eigen::SparseMatrix<double> lower_heat_matrix(Eigen::SparseMatrix<double> a, dou
   return a;
 }
 
-/// The heat matrix a with Dirichlet conditions at these verts. Heat there is not quite 0, so that it has a logarithm and sources there heat the rest.
-inline Eigen::SparseMatrix<double> with_dirichlet_verts(Eigen::SparseMatrix<double> a, std::span<const unsigned char> is_dirichlet) {
+/// The heat matrix a with Dirichlet conditions at these verts. Heat there is not quite 0, so that it has a logarithm
+/// and sources there heat the rest.
+inline Eigen::SparseMatrix<double> with_dirichlet_verts(Eigen::SparseMatrix<double> a,
+                                                        std::span<const unsigned char> is_dirichlet) {
   for (int c = 0; c < a.cols(); ++c)
     if (is_dirichlet[static_cast<std::size_t>(c)]) a.coeffRef(c, c) *= 1e6;
   return a;

@@ -1,5 +1,5 @@
-// What heat geodesics compute from a mesh in advance: gradients at corners, the boundary and matrices. Also shortest paths along edges, which replace
-// heat where it vanishes.
+// What heat geodesics compute from a mesh in advance: gradients at corners, the boundary and matrices. Also shortest
+// paths along edges, which replace heat where it vanishes.
 #pragma once
 
 #include <concino/core/assembly.hpp>
@@ -50,8 +50,9 @@ corner_fluxes fluxes_of(const M& m) {
   return r;
 }
 
-/// Weights of edges: the sum over the polys of an edge of measure times dimension over the number of edges, divided by its squared length. They are
-/// positive. On grids of boxes they are the usual finite differences; elsewhere they are only as good as the directions of the edges are even.
+/// Weights of edges: the sum over the polys of an edge of measure times dimension over the number of edges, divided by
+/// its squared length. They are positive. On grids of boxes they are the usual finite differences; elsewhere they are
+/// only as good as the directions of the edges are even.
 template<AnyMesh M>
 struct positive_weights {
   const M& m;
@@ -94,7 +95,8 @@ double mean_edge_length(const M& m) {
   return n > 0 ? sum / n : 0;
 }
 
-/// The approximate diameter of a poly: twice the distance from the mean of its verts to the farthest one. 0 for a poly without verts.
+/// The approximate diameter of a poly: twice the distance from the mean of its verts to the farthest one. 0 for a poly
+/// without verts.
 template<AnyMesh M>
 double poly_width(const M& m, const poly_t<M>& p) {
   vec3 mean;
@@ -108,8 +110,9 @@ double poly_width(const M& m, const poly_t<M>& p) {
   return 2 * farthest;
 }
 
-/// The squared width of polys, averaged by measure. Its root is the length that the mesh can resolve. Many small polys in a corner, or many short edges
-/// around a poly, do not change heat flow between distant places. A long thin poly resolves nothing finer than its length.
+/// The squared width of polys, averaged by measure. Its root is the length that the mesh can resolve. Many small polys
+/// in a corner, or many short edges around a poly, do not change heat flow between distant places. A long thin poly
+/// resolves nothing finer than its length.
 template<AnyMesh M>
 double mean_square_width(const M& m) {
   double sum = 0, total = 0;
@@ -121,9 +124,9 @@ double mean_square_width(const M& m) {
   return total > 0 ? sum / total : 0;
 }
 
-/// Collects triangles or tets in poly p as indices of its verts. Polygons are triangulated. Tets of a polyhedron are the cones from verts that see all
-/// triangles of its faces from inside. They overlap: those of one vert alone have too few directions. Up to 16 verts are tried, first in the
-/// lexicographic order of their points.
+/// Collects triangles or tets in poly p as indices of its verts. Polygons are triangulated. Tets of a polyhedron are
+/// the cones from verts that see all triangles of its faces from inside. They overlap: those of one vert alone have too
+/// few directions. Up to 16 verts are tried, first in the lexicographic order of their points.
 template<AnyMesh M>
 class simplex_collector {
   polygon_triangulator triangulate_;
@@ -221,8 +224,8 @@ distance_graph distance_graph_of(const M& m) {
   return {std::move(points), edge, std::move(simplices), corners};
 }
 
-/// Sets log_u where it is -inf and the vert can be reached along edges from others: to the value at the end of a shortest path minus its length
-/// over `decay`. Heat decays in the same way.
+/// Sets log_u where it is -inf and the vert can be reached along edges from others: to the value at the end of a
+/// shortest path minus its length over `decay`. Heat decays in the same way.
 template<AnyMesh M>
 void fill_along_edges(const M& m, double decay, std::vector<double>& log_u) {
   constexpr double none = -std::numeric_limits<double>::infinity();
@@ -237,7 +240,9 @@ void fill_along_edges(const M& m, double decay, std::vector<double>& log_u) {
     }
   }
   if (beside.empty()) return;
-  const auto length = [&](const vert_t<M>& v, const vert_t<M>& w) { return distance(to_vec3(point(m, v)), to_vec3(point(m, w))) / decay; };
+  const auto length = [&](const vert_t<M>& v, const vert_t<M>& w) {
+    return distance(to_vec3(point(m, v)), to_vec3(point(m, w))) / decay;
+  };
   const auto known = concino::dijkstra(m, beside, length,
                                        {.may_enter = [&](const vert_t<M>& v) { return at(v) == none; },
                                         .initial_distance = [&](const vert_t<M>& v) { return -at(v); }});

@@ -1,5 +1,6 @@
-// The linear algebra of heat geodesics, on matrices and flat arrays only. It has three steps: heat flows for a short time, and its logarithm has a value
-// at any distance; the gradient of the logarithm is normalised; the function with this gradient solves Poisson's equation.
+// The linear algebra of heat geodesics, on matrices and flat arrays only. It has three steps: heat flows for a short
+// time, and its logarithm has a value at any distance; the gradient of the logarithm is normalised; the function with
+// this gradient solves Poisson's equation.
 #pragma once
 
 #include <concino/core/residual.hpp>
@@ -21,7 +22,8 @@
 
 namespace concino::detail {
 
-/// For each corner of each poly, grouped by poly: its vert, and the gradient of the vert's hat function times the measure of the poly.
+/// For each corner of each poly, grouped by poly: its vert, and the gradient of the vert's hat function times the
+/// measure of the poly.
 struct corner_fluxes {
   std::vector<std::size_t> begin{0};  // by poly, and the end of the last
   std::vector<int> vert;
@@ -38,7 +40,8 @@ class heat_system {
   corner_fluxes corners_;
   std::vector<int> component_;  // of polys connected through verts: the number of one vert of each component
   bool is_iterative_ = false;   // a solver may change its method later
-  int unit_ = 0;                // 2^unit_ is about the mass of a vert: it makes heat independent of the scale of the mesh
+  int unit_ = 0;                // 2^unit_ is about the mass of a vert: it makes heat independent of the scale of the
+                                // mesh
 
   void find_components(int size) {
     disjoint_sets sets(static_cast<std::size_t>(size));
@@ -50,13 +53,15 @@ class heat_system {
   }
 
  public:
-  /// stiffness: minus a Laplacian, the lower triangle with every diagonal entry present. mean_mass: of the verts, 0 if there are none.
+  /// stiffness: minus a Laplacian, the lower triangle with every diagonal entry present. mean_mass: of the verts, 0 if
+  /// there are none.
   heat_system(Eigen::SparseMatrix<double>&& stiffness, corner_fluxes&& corners, double mean_mass, const Solver& solver)
       : poisson_(std::move(stiffness)), poisson_solver_(make_similar_solver(solver)), corners_(std::move(corners)) {
     const int n = static_cast<int>(poisson_.cols());
     find_components(n);
     if (mean_mass > 0) unit_ = std::ilogb(mean_mass);
-    // Only differences of the solution count, so one vert of each component is constrained. This changes no difference, because the load sums to 0.
+    // Only differences of the solution count, so one vert of each component is constrained. This changes no difference,
+    // because the load sums to 0.
     for (int i = 0; i < n; ++i) {
       if (component(i) != i) continue;
       double& constrained = poisson_.coeffRef(i, i);
@@ -91,8 +96,8 @@ class heat_system {
     return sources;
   }
 
-  /// Whether heat from these sources is negative at one vert in 500 or more of their components, as with very long and thin polys. Such heat does not show
-  /// the direction of its source. log_guess: as for log_heat.
+  /// Whether heat from these sources is negative at one vert in 500 or more of their components, as with very long and
+  /// thin polys. Such heat does not show the direction of its source. log_guess: as for log_heat.
   bool is_heat_negative(const std::vector<heat_source>& sources, std::span<const double> log_guess) const {
     std::vector<unsigned char> is_heated(component_.size());
     for (const heat_source& s : sources) is_heated[static_cast<std::size_t>(component(s.vert))] = 1;
@@ -109,15 +114,17 @@ class heat_system {
 
   int component(int vert) const { return component_[static_cast<std::size_t>(vert)]; }
 
-  /// The logarithm of the heat at each vert, up to a constant; -inf in components without a source, and where heat is not positive,
-  /// as it may be with Laplacians that have negative weights. log_guess: about what is returned, up to a constant in each component; read if
-  /// solvers are iterative.
+  /// The logarithm of the heat at each vert, up to a constant; -inf in components without a source, and where heat is
+  /// not positive, as it may be with Laplacians that have negative weights. log_guess: about what is returned, up to a
+  /// constant in each component; read if solvers are iterative.
   ///
   /// Iterative solvers are accurate relative to the largest values only, so heat is found in bands.
   std::vector<double> log_heat(const std::vector<heat_source>& sources, std::span<const double> log_guess) const {
     if (is_iterative()) {
       const std::vector<int> order = heat_bands::order_by(log_guess);
-      const auto solve = [&](const heat_equation<Solver>& heat) { return heat.solve_in_bands(*poisson_solver_, sources, component_, log_guess, order); };
+      const auto solve = [&](const heat_equation<Solver>& heat) {
+        return heat.solve_in_bands(*poisson_solver_, sources, component_, log_guess, order);
+      };
       std::vector<double> sum = solve(heats_.front());
       if (heats_.size() == 1) return sum;
       const std::vector<double> other = solve(heats_.back());
@@ -138,9 +145,9 @@ class heat_system {
     return sum;
   }
 
-  /// The function whose gradient is nearest to the unit vectors along the gradient of -log_u, which has the direction of that of -u. Gradients
-  /// that are very small or large are divided by their largest component before they are squared. Polys where the gradient is zero up to rounding have no
-  /// direction and do not contribute.
+  /// The function whose gradient is nearest to the unit vectors along the gradient of -log_u, which has the direction
+  /// of that of -u. Gradients that are very small or large are divided by their largest component before they are
+  /// squared. Polys where the gradient is zero up to rounding have no direction and do not contribute.
   Eigen::VectorXd integrate_gradient(const std::vector<double>& log_u) const {
     Eigen::VectorXd b = Eigen::VectorXd::Zero(poisson_.cols());
     for (std::size_t p = 0; p + 1 < corners_.begin.size(); ++p) {
@@ -166,7 +173,9 @@ class heat_system {
   }
 
  private:
-  static double largest_component(const vec3& x) { return std::max(std::abs(x.x), std::max(std::abs(x.y), std::abs(x.z))); }
+  static double largest_component(const vec3& x) {
+    return std::max(std::abs(x.x), std::max(std::abs(x.y), std::abs(x.z)));
+  }
 
   /// The logarithm of the sum of two numbers that are given by theirs.
   static double log_of_sum(double x, double y) {

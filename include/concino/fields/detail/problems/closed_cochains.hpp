@@ -41,7 +41,8 @@ edge_complex make_edge_complex(const M& m) {
   c.edges.resize(edge_index_bound(m));
   for (const edge_t<M> e : edges(m)) {
     const auto ends = end_verts(m, e);
-    c.edges[index_of(m, e)] = {static_cast<std::uint32_t>(index_of(m, ends.first)), static_cast<std::uint32_t>(index_of(m, ends.second))};
+    c.edges[index_of(m, e)] = {static_cast<std::uint32_t>(index_of(m, ends.first)),
+                               static_cast<std::uint32_t>(index_of(m, ends.second))};
   }
   if constexpr (dimension_v<M> == 2) {  // the polygons of a surface are its polys, those of a volume its faces
     for (const poly_t<M> p : polys(m)) c.add_polygon(m, adj_p2v(m, p), adj_p2e(m, p));
@@ -51,8 +52,8 @@ edge_complex make_edge_complex(const M& m) {
   return c;
 }
 
-/// As many as independent loops that no polygons fill (with real coefficients). Each is a value for each edge, by index; they are linearly independent, also modulo differences of values at
-/// verts.
+/// As many as independent loops that no polygons fill (with real coefficients). Each is a value for each edge, by
+/// index; they are linearly independent, also modulo differences of values at verts.
 /// Cost:   O(size of the complex) times their number, if few values are to be chosen; see closed_cochains.ipp.
 std::vector<std::vector<double>> closed_cochains(const edge_complex& complex);
 

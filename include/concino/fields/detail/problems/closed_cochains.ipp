@@ -11,8 +11,9 @@
 
 namespace concino::detail {
 
-/// Values on edges as linear combinations of symbols. Those of a spanning forest are 0. A polygon with one unknown edge determines it; where there is none, an unknown edge
-/// becomes a symbol. On surfaces these are as many as there are loops; otherwise, polygons whose edges were all known say how symbols depend on each other.
+/// Values on edges as linear combinations of symbols. Those of a spanning forest are 0. A polygon with one unknown edge
+/// determines it; where there is none, an unknown edge becomes a symbol. On surfaces these are as many as there are
+/// loops; otherwise, polygons whose edges were all known say how symbols depend on each other.
 class cochain_search {
   using combination = std::vector<double>;  // coefficients of symbols; missing ones are 0
 
@@ -101,7 +102,9 @@ class cochain_search {
 
  public:
   explicit cochain_search(const edge_complex& c)
-      : complex_(c), corners_of_(c.edges.size(), c.loop_edges.size(), [&](std::size_t corner) { return c.loop_edges[corner]; }), value_(c.edges.size()), is_known_(c.edges.size()) {
+      : complex_(c),
+        corners_of_(c.edges.size(), c.loop_edges.size(), [&](std::size_t corner) { return c.loop_edges[corner]; }),
+        value_(c.edges.size()), is_known_(c.edges.size()) {
     for (std::size_t polygon = 0; polygon + 1 < c.first.size(); ++polygon) {
       unknown_edges_.push_back(c.first[polygon + 1] - c.first[polygon]);
       polygon_of_.resize(c.first[polygon + 1], static_cast<std::uint32_t>(polygon));
@@ -133,6 +136,8 @@ class cochain_search {
   }
 };
 
-CONCINO_INLINE std::vector<std::vector<double>> closed_cochains(const edge_complex& complex) { return cochain_search(complex).run(); }
+CONCINO_INLINE std::vector<std::vector<double>> closed_cochains(const edge_complex& complex) {
+  return cochain_search(complex).run();
+}
 
 }  // namespace concino::detail

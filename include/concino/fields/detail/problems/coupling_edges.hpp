@@ -9,8 +9,9 @@
 
 namespace concino::detail {
 
-/// All edges of a graph whose neighbours have weights. Otherwise the edges of polys, and others to which the discretisation gives a weight: where a poly was
-/// deleted and its edges were kept, integrals over polys do not couple their ends.
+/// All edges of a graph whose neighbours have weights. Otherwise the edges of polys, and others to which the
+/// discretisation gives a weight: where a poly was deleted and its edges were kept, integrals over polys do not couple
+/// their ends.
 template<class M, class D>
 class coupling_edges {
   static constexpr bool has_all = requirement::has_neighbour_weights<D, M>;
@@ -53,7 +54,9 @@ class coupling_edges {
   /// Hops along these edges.
   vert_map<M, int> bfs(const std::vector<vert_t<M>>& sources) const {
     if constexpr (!has_all)
-      if (!is_omitted_.empty()) return concino::bfs(m_, sources, {.may_cross = [this](const edge_t<M>& e) { return !is_omitted_[index_of(m_, e)]; }});
+      if (!is_omitted_.empty())
+        return concino::bfs(m_, sources,
+                            {.may_cross = [this](const edge_t<M>& e) { return !is_omitted_[index_of(m_, e)]; }});
     return concino::bfs(m_, sources);
   }
 };

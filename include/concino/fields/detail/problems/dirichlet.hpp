@@ -1,4 +1,5 @@
-// Prescribed values at some verts (Dirichlet conditions): the numbering of the unknowns and the reduced system that is left for them.
+// Prescribed values at some verts (Dirichlet conditions): the numbering of the unknowns and the reduced system that is
+// left for them.
 #pragma once
 
 #include <concino/concepts/maps.hpp>
@@ -28,8 +29,13 @@ namespace concino::requirement {
 
 /// F has a number or a point for each vert of M: a map f[v], or a function f(x) of the point of the vert, a vec3.
 template<class F, class M>
-concept is_function_of_points = Embedded<M> && (requires(const std::remove_cvref_t<F>& f, const vec3& x) { { f(x) } -> std::convertible_to<double>; } ||
-                                                requires(const std::remove_cvref_t<F>& f, const vec3& x) { { f(x)[2] } -> std::convertible_to<double>; });
+concept is_function_of_points = Embedded<M> &&(
+    requires(const std::remove_cvref_t<F>& f, const vec3& x) {
+      { f(x) } -> std::convertible_to<double>;
+    } ||
+    requires(const std::remove_cvref_t<F>& f, const vec3& x) {
+      { f(x)[2] } -> std::convertible_to<double>;
+    });
 template<class F, class M>
 concept is_given_field = gives_numbers_or_points<F, vert_t<M>> || is_function_of_points<F, M>;
 
@@ -37,7 +43,8 @@ concept is_given_field = gives_numbers_or_points<F, vert_t<M>> || is_function_of
 
 namespace concino::detail {
 
-/// A value of a field at a vert: a number, or a vector, which is solved for component by component with one factorisation.
+/// A value of a field at a vert: a number, or a vector, which is solved for component by component with one
+/// factorisation.
 template<class T>
 concept field_value = std::same_as<T, double> || std::same_as<T, vec3>;
 
@@ -69,16 +76,28 @@ decltype(auto) value_at(const M& m, const F& f, const vert_t<M>& v) {
 template<class F, class M>
   requires requirement::is_given_field<F, M>
 using field_value_of = std::conditional_t<
-    std::convertible_to<decltype(value_at(std::declval<const std::remove_cvref_t<M>&>(), std::declval<const F&>(), std::declval<const vert_t<M>&>())), double>,
+    std::convertible_to<decltype(value_at(std::declval<const std::remove_cvref_t<M>&>(), std::declval<const F&>(),
+                                          std::declval<const vert_t<M>&>())),
+                        double>,
     double, vec3>;
 
 /// Elements X in a container or braces; or pairs of an X and a T, or other values that decompose into two parts.
-template<class R, class X> concept holds_elements = core::iterable<R> && requires(const R& r) { requires std::convertible_to<decltype(*r.begin()), X>; };
-template<class R> concept holds_pairs = core::iterable<R> && requires(const R& r) { (*r.begin()).first; (*r.begin()).second; };
-template<class R, class X> concept holds_pairs_of = holds_pairs<R> && requires(const R& r) { requires std::convertible_to<decltype((*r.begin()).first), X>; };
+template<class R, class X> concept holds_elements = core::iterable<R> && requires(const R& r) {
+  requires std::convertible_to<decltype(*r.begin()), X>;
+};
+template<class R> concept holds_pairs = core::iterable<R> && requires(const R& r) {
+  (*r.begin()).first;
+  (*r.begin()).second;
+};
+template<class R, class X> concept holds_pairs_of = holds_pairs<R> && requires(const R& r) {
+  requires std::convertible_to<decltype((*r.begin()).first), X>;
+};
 template<class P> concept is_decomposable = std::is_aggregate_v<P> || requires { std::tuple_size<P>::value; };
-template<class R> concept holds_decomposables = core::iterable<R> && !holds_pairs<R> && requires(const R& r) { requires is_decomposable<std::remove_cvref_t<decltype(*r.begin())>>; };
-template<class R, class X> concept gives_values = !holds_elements<R, X> && (holds_pairs_of<R, X> || holds_decomposables<R>);
+template<class R> concept holds_decomposables = core::iterable<R> && !holds_pairs<R> && requires(const R& r) {
+  requires is_decomposable<std::remove_cvref_t<decltype(*r.begin())>>;
+};
+template<class R, class X>
+concept gives_values = !holds_elements<R, X> && (holds_pairs_of<R, X> || holds_decomposables<R>);
 template<class R, class X> concept names_elements = holds_elements<R, X> || gives_values<R, X>;
 
 /// One right-hand side for each component of T.
@@ -101,7 +120,8 @@ right_hand_sides<T> zeros(std::size_t size) {
 
 enum : int { constrained_vert = -1, isolated_vert = -2 };
 
-/// The unknown verts, numbered. The other verts are constrained to prescribed values, or isolated: they have no edges that couple them with others.
+/// The unknown verts, numbered. The other verts are constrained to prescribed values, or isolated: they have no edges
+/// that couple them with others.
 template<class M>
 struct constrained_verts {
   static constexpr int constrained = constrained_vert, isolated = isolated_vert;
@@ -127,7 +147,8 @@ struct constrained_verts {
     }
   }
 
-  /// Numbers the verts with edges.      Errors: solver_error if one cannot be reached from a constrained vert along edges.
+  /// Numbers the verts with edges.      Errors: solver_error if one cannot be reached from a constrained vert along
+  /// edges.
   template<class D>
   void number_reached(const M& m, const coupling_edges<M, D>& edges, const char* caller) {
     const vert_map<M, int> hops = prescribed.empty() ? make_vert_map<int>(m, -1) : edges.bfs(prescribed);
@@ -171,12 +192,14 @@ struct constrained_verts {
 };
 
 /// A map with the prescribed values at the constrained verts and isolated_value at all others.
-/// Errors: invalid_mesh if a value is given at what is no vert of m; invalid_argument if a value is not finite, a vert gets two, or the verts are
-///         not the constrained ones.
+/// Errors: invalid_mesh if a value is given at what is no vert of m; invalid_argument if a value is not finite, a vert
+///         gets two, or the verts are not the constrained ones.
 template<class T, class M, class D>
-vert_map<M, T> prescribed_values(const M& m, const constrained_verts<M>& verts, const D& pairs, double isolated_value, const char* caller) {
+vert_map<M, T> prescribed_values(const M& m, const constrained_verts<M>& verts, const D& pairs, double isolated_value,
+                                 const char* caller) {
   auto value = make_vert_map<T>(m, same_in_all_parts<T>(isolated_value));
-  for (const vert_t<M>& v : verts.prescribed) field_component(value[v], 0) = std::numeric_limits<double>::quiet_NaN();  // no value yet
+  // no value yet
+  for (const vert_t<M>& v : verts.prescribed) field_component(value[v], 0) = std::numeric_limits<double>::quiet_NaN();
   std::size_t known = 0;
   for (const auto& [vert, number] : pairs) {
     const vert_t<M> v = vert;
@@ -206,15 +229,19 @@ struct coupling {
 
 /// Extracts the rows and columns of the unknowns from a matrix over all verts that stores both triangles.
 /// unknown: for each vert index its number, constrained_vert or isolated_vert; index: the inverse of this numbering.
-void restrict_to_unknowns(const Eigen::SparseMatrix<double>& whole, const int* unknown, const std::vector<int>& index, Eigen::SparseMatrix<double>& lower,
-                          std::vector<coupling>& couplings);
+void restrict_to_unknowns(const Eigen::SparseMatrix<double>& whole, const int* unknown, const std::vector<int>& index,
+                          Eigen::SparseMatrix<double>& lower, std::vector<coupling>& couplings);
 
-/// Solves for `parts` right-hand sides. value(k, index): component k of the value at a vert, prescribed or unknown. load: see constrained_system::solve.
+/// Solves for `parts` right-hand sides. value(k, index): component k of the value at a vert, prescribed or unknown.
+/// load: see constrained_system::solve.
 /// Errors: solver_error with the reason.
-void solve_parts(core::solver_ref solver, const Eigen::SparseMatrix<double>& lower, const std::vector<int>& index, const std::vector<coupling>& couplings,
-                 std::size_t parts, function_ref<double(std::size_t k, int index)> load, function_ref<double&(std::size_t k, int index)> value, const char* caller);
+void solve_parts(core::solver_ref solver, const Eigen::SparseMatrix<double>& lower, const std::vector<int>& index,
+                 const std::vector<coupling>& couplings, std::size_t parts,
+                 function_ref<double(std::size_t k, int index)> load,
+                 function_ref<double&(std::size_t k, int index)> value, const char* caller);
 
-/// A x = b for the unknowns of a symmetric system over all verts. The contributions of constrained verts are on the right-hand side.
+/// A x = b for the unknowns of a symmetric system over all verts. The contributions of constrained verts are on the
+/// right-hand side.
 template<class M>
 struct constrained_system {
   constrained_verts<M> verts;
@@ -222,7 +249,8 @@ struct constrained_system {
   std::vector<coupling> couplings;
 
   explicit constrained_system(constrained_verts<M>&& constrained) : verts(std::move(constrained)) {}
-  constrained_system(constrained_system&& other) noexcept : verts(std::move(other.verts)), couplings(std::move(other.couplings)) {
+  constrained_system(constrained_system&& other) noexcept
+      : verts(std::move(other.verts)), couplings(std::move(other.couplings)) {
     lower.swap(other.lower);  // the move operations of Eigen 3.4 would copy
   }
 
@@ -230,11 +258,12 @@ struct constrained_system {
   void factorize(Solver& solver, const progress& on_progress, const char* caller) const {
     if (verts.unknowns == 0) return;
     report_progress(on_progress, 0.1, "factorising");
-    core::factorize_over_verts(solver, lower, caller, [&](Eigen::Index row) { return verts.index[static_cast<std::size_t>(row)]; });
+    core::factorize_over_verts(solver, lower, caller,
+                               [&](Eigen::Index row) { return verts.index[static_cast<std::size_t>(row)]; });
   }
 
-  /// Writes the solution into `value`, which contains the values of the constrained verts. load(k, index): the right-hand side of the
-  /// unknown vert of that index, for component k of T.
+  /// Writes the solution into `value`, which contains the values of the constrained verts. load(k, index): the
+  /// right-hand side of the unknown vert of that index, for component k of T.
   /// Errors: solver_error with the reason.
   template<class T, class Load>
   void solve(core::solver_ref solver, const Load& load, vert_map<M, T>& value, const char* caller) const {

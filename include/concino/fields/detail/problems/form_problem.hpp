@@ -62,8 +62,9 @@ class form_on_polygon {
   }
 };
 
-/// Forms are arrays by edge index. The product of two forms is the sum over polygons of area times the scalar product of their vectors, and of the products of what
-/// these vectors leave over at edges. It does not depend on the size of the mesh.
+/// Forms are arrays by edge index. The product of two forms is the sum over polygons of area times the scalar product
+/// of their vectors, and of the products of what these vectors leave over at edges. It does not depend on the size of
+/// the mesh.
 template<class M>
 class form_problem {
   static constexpr const char* caller = "hodge_decomposition";
@@ -74,7 +75,9 @@ class form_problem {
   constrained_system<M> system_;
 
  public:
-  explicit form_problem(const M& m) : m_(m), at_(scaled_to_unit(m)), system_(laplace_system(at_, all_but_one_vert(m, de_goes, caller), de_goes, 1, caller)) {}
+  explicit form_problem(const M& m)
+      : m_(m), at_(scaled_to_unit(m)),
+        system_(laplace_system(at_, all_but_one_vert(m, de_goes, caller), de_goes, 1, caller)) {}
 
   template<class Solver>
   void factorize(Solver& solver, const progress& on_progress) const { system_.factorize(solver, on_progress, caller); }
@@ -103,7 +106,8 @@ class form_problem {
         result[local.edges[k]] += local.signs[k] * rest;
         back -= rest * local.steps[k];
       }
-      for (std::size_t k = 0; k < local.edges.size(); ++k) result[local.edges[k]] += local.signs[k] * dot(local.to_vector[k], back);
+      for (std::size_t k = 0; k < local.edges.size(); ++k)
+        result[local.edges[k]] += local.signs[k] * dot(local.to_vector[k], back);
     }
     return result;
   }
@@ -127,7 +131,8 @@ class form_problem {
       load[index_of(m_, ends.second)] += products[index_of(m_, e)];
     }
     auto u = make_vert_map<double>(m_);
-    system_.template solve<double>(solver, [&](std::size_t, int i) { return load[static_cast<std::size_t>(i)]; }, u, caller);
+    system_.template solve<double>(
+        solver, [&](std::size_t, int i) { return load[static_cast<std::size_t>(i)]; }, u, caller);
     form result(a.size());
     for (const edge_t<M> e : edges(m_)) {
       const auto ends = end_verts(m_, e);

@@ -6,7 +6,8 @@
 
 namespace concino::detail {
 
-[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_edge_value_not_finite(const char* caller, std::size_t edge) {
+[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_edge_value_not_finite(const char* caller,
+                                                                                       std::size_t edge) {
   core::throw_joined<invalid_argument>({caller, ": the value at edge ", edge, " is not finite; replace it"});
 }
 

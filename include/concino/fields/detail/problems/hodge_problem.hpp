@@ -68,19 +68,20 @@ class hodge_problem {
   /// The field whose scalar products with edges are the values of a closed cochain.
   field field_of(const std::vector<double>& cochain) const {
     field x = zero();
-    core::poly_chunks<M>(m_).template for_each<poly_gradients<views::scaled<M>>>([&](auto& local, const poly_t<M>& p, std::size_t) {
-      local.visit(at_, p);
-      const vert_t<M> origin = local.verts[0];
-      for (const edge_t<M> e : adj_p2e(m_, p)) {
-        const auto ends = end_verts(m_, e);
-        if (!(ends.first == origin || ends.second == origin)) continue;
-        const vert_t<M> other = ends.first == origin ? ends.second : ends.first;
-        const double value = (ends.first == origin ? 1 : -1) * cochain[index_of(m_, e)];
-        for (std::size_t k = 1; k < local.verts.size(); ++k)
-          if (local.verts[k] == other) x[index_of(m_, p)] += value * local.gradient[k];
-      }
-      return 0;
-    });
+    core::poly_chunks<M>(m_).template for_each<poly_gradients<views::scaled<M>>>(
+        [&](auto& local, const poly_t<M>& p, std::size_t) {
+          local.visit(at_, p);
+          const vert_t<M> origin = local.verts[0];
+          for (const edge_t<M> e : adj_p2e(m_, p)) {
+            const auto ends = end_verts(m_, e);
+            if (!(ends.first == origin || ends.second == origin)) continue;
+            const vert_t<M> other = ends.first == origin ? ends.second : ends.first;
+            const double value = (ends.first == origin ? 1 : -1) * cochain[index_of(m_, e)];
+            for (std::size_t k = 1; k < local.verts.size(); ++k)
+              if (local.verts[k] == other) x[index_of(m_, p)] += value * local.gradient[k];
+          }
+          return 0;
+        });
     return x;
   }
 
@@ -142,7 +143,8 @@ class hodge_problem {
       for (int twice = 0; twice < 2; ++twice)  // once loses digits where the fields are nearly dependent
         for (const field& b : basis) add(h, -product(h, b), b);
       const double size = std::sqrt(product(h, h));
-      if (!(size > 1e-9 * before)) continue;  // rounding errors: the loop is closed by faces or edges without polys only
+      if (!(size > 1e-9 * before)) continue;  // rounding errors: the loop is closed by faces or edges without polys
+                                              // only
       for (vec3& value : h) value /= size;
       basis.push_back(std::move(h));
     }

@@ -1,4 +1,5 @@
-// The system (M + a K) u = M f of an implicit heat step and of smoothing. M is a mass, K minus a Laplacian or a power of it.
+// The system (M + a K) u = M f of an implicit heat step and of smoothing. M is a mass, K minus a Laplacian or a power
+// of it.
 #pragma once
 
 #include <concino/fields/detail/problems/dirichlet.hpp>
@@ -13,7 +14,8 @@
 namespace concino::detail {
 
 /// a + factor b, for matrices with sorted rows in each column.
-inline Eigen::SparseMatrix<double> sum_of(const Eigen::SparseMatrix<double>& a, double factor, const Eigen::SparseMatrix<double>& b) {
+inline Eigen::SparseMatrix<double> sum_of(const Eigen::SparseMatrix<double>& a, double factor,
+                                          const Eigen::SparseMatrix<double>& b) {
   Eigen::SparseMatrix<double> r(a.rows(), a.cols());
   r.resizeNonZeros(a.nonZeros() + b.nonZeros());
   int at = 0;
@@ -25,7 +27,8 @@ inline Eigen::SparseMatrix<double> sum_of(const Eigen::SparseMatrix<double>& a, 
     int i = a.outerIndexPtr()[c], j = b.outerIndexPtr()[c];
     const int a_end = a.outerIndexPtr()[c + 1], b_end = b.outerIndexPtr()[c + 1];
     while (i < a_end || j < b_end) {
-      const int none = static_cast<int>(a.rows()), in_a = i < a_end ? a.innerIndexPtr()[i] : none, in_b = j < b_end ? b.innerIndexPtr()[j] : none;
+      const int none = static_cast<int>(a.rows()), in_a = i < a_end ? a.innerIndexPtr()[i] : none,
+                in_b = j < b_end ? b.innerIndexPtr()[j] : none;
       if (in_a < in_b) put(in_a, a.valuePtr()[i++]);
       else if (in_b < in_a) put(in_b, factor * b.valuePtr()[j++]);
       else put(in_a, a.valuePtr()[i++] + factor * b.valuePtr()[j++]);
@@ -55,8 +58,9 @@ class implicit_system {
  public:
   /// mass and k: both triangles. Not yet factorised.
   template<class D>
-  implicit_system(const M& m, const D& discretisation, constrained_verts<M>&& constrained, Eigen::SparseMatrix<double>&& mass, double amount,
-                  const Eigen::SparseMatrix<double>& k, const char* caller)
+  implicit_system(const M& m, const D& discretisation, constrained_verts<M>&& constrained,
+                  Eigen::SparseMatrix<double>&& mass, double amount, const Eigen::SparseMatrix<double>& k,
+                  const char* caller)
       : system_(std::move(constrained)), caller_(caller) {
     mass_.swap(mass);  // the move operations of Eigen 3.4 would copy
     system_.verts.number_all(m, coupling_edges<M, D>(m, discretisation));
@@ -88,7 +92,8 @@ class implicit_system {
     return u;
   }
 
-  /// Replaces f by u. Constrained and isolated verts keep their values. Isolated verts, which share no poly with others, are not read.
+  /// Replaces f by u. Constrained and isolated verts keep their values. Isolated verts, which share no poly with
+  /// others, are not read.
   /// Errors: solver_error.
   template<class T, class Solver>
   void apply(const Solver& solver, vert_map<M, T>& f) const {

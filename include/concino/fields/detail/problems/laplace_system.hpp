@@ -1,5 +1,5 @@
-// Minus the Laplacian, or a power of it, with prescribed values at some verts: the system of harmonic maps and Poisson's equation. Also the
-// masses in equations of heat and smoothing.
+// Minus the Laplacian, or a power of it, with prescribed values at some verts: the system of harmonic maps and
+// Poisson's equation. Also the masses in equations of heat and smoothing.
 #pragma once
 
 #include <concino/core/number_text.hpp>
@@ -20,8 +20,8 @@
 namespace concino::detail {
 
 /// The mass of each vert, by index: that of the discretisation, or the lumped mass.
-/// Errors: invalid_mesh, naming a vert with edges but without mass, and those of vert_masses; invalid_argument if the mass that the discretisation
-///         gives at such a vert is not a positive number.
+/// Errors: invalid_mesh, naming a vert with edges but without mass, and those of vert_masses; invalid_argument if the
+///         mass that the discretisation gives at such a vert is not a positive number.
 template<class M, class D>
 std::vector<double> lumped_masses(const M& m, const D& discretisation, const char* caller) {
   std::vector<double> r(vert_index_bound(m), 1.0);
@@ -32,7 +32,8 @@ std::vector<double> lumped_masses(const M& m, const D& discretisation, const cha
       const auto i = index_of(m, v);
       r[i] = static_cast<double>(mass[v]);
       if (!(r[i] > 0 && std::isfinite(r[i])) && edges.has_any(v))
-        core::throw_joined<invalid_argument>({caller, ": the discretisation gives vert ", i, " the mass ", core::number_text(r[i]), "; masses must be positive and finite"});
+        core::throw_joined<invalid_argument>({caller, ": the discretisation gives vert ", i, " the mass ",
+                                              core::number_text(r[i]), "; masses must be positive and finite"});
     }
   } else {
     const auto mass = vert_masses(m);
@@ -55,7 +56,8 @@ Eigen::SparseMatrix<double> minus_laplacian(const M& m, const D& discretisation)
 }
 
 /// A (M^-1 A)^(n-1), both triangles. A mass that is not positive counts as 1.
-Eigen::SparseMatrix<double> polyharmonic(const Eigen::SparseMatrix<double>& a, const std::vector<double>& mass, int exponent);
+Eigen::SparseMatrix<double> polyharmonic(const Eigen::SparseMatrix<double>& a, const std::vector<double>& mass,
+                                         int exponent);
 
 /// A (M^-1 A)^(n-1) for A minus the Laplacian and M the lumped mass.
 /// Errors: as lumped_masses; unsupported where 32-bit indices do not suffice; those of laplacian.
@@ -68,7 +70,8 @@ Eigen::SparseMatrix<double> polyharmonic(const M& m, const D& discretisation, in
 
 /// The system of the unknowns for this matrix. m: the mesh of the constrained verts, or a view of it.
 template<class At, class M, class D>
-constrained_system<M> laplace_system(const At& m, constrained_verts<M>&& constrained, const D& discretisation, int exponent, const char* caller) {
+constrained_system<M> laplace_system(const At& m, constrained_verts<M>&& constrained, const D& discretisation,
+                                     int exponent, const char* caller) {
   constrained_system<M> r(std::move(constrained));
   if (exponent > 1) {  // powers also couple unknowns through constrained verts
     r.restrict_to_unknowns(polyharmonic(m, discretisation, exponent, caller));
@@ -84,7 +87,8 @@ constrained_system<M> laplace_system(const At& m, constrained_verts<M>&& constra
             [](int, const vert_t<M>&, double) {});
         for (const vert_t<M>& v : r.verts.prescribed)
           weights.for_each_neighbour(v, [&](const vert_t<M>& w, double weight) {
-            if (const int row = unknown[w]; row >= 0) r.couplings.push_back({row, static_cast<int>(index_of(m, v)), weight});
+            if (const int row = unknown[w]; row >= 0)
+              r.couplings.push_back({row, static_cast<int>(index_of(m, v)), weight});
           });
         return lower;
       },
@@ -97,23 +101,31 @@ constrained_system<M> laplace_system(const At& m, constrained_verts<M>&& constra
   return r;
 }
 
-/// Numbers the unknowns and assembles their system at a size near 1: scaling the Laplacian does not change a harmonic map.
+/// Numbers the unknowns and assembles their system at a size near 1: scaling the Laplacian does not change a harmonic
+/// map.
 template<class M, class D>
-constrained_system<M> unit_laplace_system(const M& m, constrained_verts<M>&& constrained, const D& discretisation, int exponent, const char* caller) {
+constrained_system<M> unit_laplace_system(const M& m, constrained_verts<M>&& constrained, const D& discretisation,
+                                          int exponent, const char* caller) {
   constrained.number_reached(m, coupling_edges<M, D>(m, discretisation), caller);
-  return at_unit_size(m, discretisation, [&](const auto& at, int) { return laplace_system(at, std::move(constrained), discretisation, exponent, caller); });
+  return at_unit_size(m, discretisation, [&](const auto& at, int) {
+    return laplace_system(at, std::move(constrained), discretisation, exponent, caller);
+  });
 }
 
 /// The discretisations for which the compiled library contains the system of the native meshes.
-template<class D> inline constexpr bool is_of_library = std::same_as<D, virtual_elements_t> || std::same_as<D, uniform_t>;
+template<class D>
+inline constexpr bool is_of_library = std::same_as<D, virtual_elements_t> || std::same_as<D, uniform_t>;
 
 /// unit_laplace_system, defined in the compiled library only.
 template<class M, class D>
-constrained_system<M> precompiled_laplace_system(const M& m, constrained_verts<M>&& constrained, const D& discretisation, int exponent, const char* caller);
+constrained_system<M> precompiled_laplace_system(const M& m, constrained_verts<M>&& constrained,
+                                                 const D& discretisation, int exponent, const char* caller);
 
 template<class M, class D>
-constrained_system<M> harmonic_system(const M& m, constrained_verts<M>&& constrained, const D& discretisation, int exponent, const char* caller) {
-  if constexpr (core::is_precompiled<M> && is_of_library<D>) return precompiled_laplace_system(m, std::move(constrained), discretisation, exponent, caller);
+constrained_system<M> harmonic_system(const M& m, constrained_verts<M>&& constrained, const D& discretisation,
+                                      int exponent, const char* caller) {
+  if constexpr (core::is_precompiled<M> && is_of_library<D>)
+    return precompiled_laplace_system(m, std::move(constrained), discretisation, exponent, caller);
   else return unit_laplace_system(m, std::move(constrained), discretisation, exponent, caller);
 }
 

@@ -18,7 +18,8 @@
 
 namespace concino::detail {
 
-CONCINO_INLINE Eigen::SparseMatrix<double> polyharmonic(const Eigen::SparseMatrix<double>& a, const std::vector<double>& mass, int exponent) {
+CONCINO_INLINE Eigen::SparseMatrix<double> polyharmonic(const Eigen::SparseMatrix<double>& a,
+                                                        const std::vector<double>& mass, int exponent) {
   std::vector<double> inverse_mass(mass.size());
   for (std::size_t i = 0; i < mass.size(); ++i) inverse_mass[i] = mass[i] > 0 ? 1 / mass[i] : 1;
   Eigen::SparseMatrix<double> k = scaled_product(a, inverse_mass, a);
@@ -32,13 +33,16 @@ CONCINO_INLINE Eigen::SparseMatrix<double> polyharmonic(const Eigen::SparseMatri
 #ifdef CONCINO_COMPILED
 
 template<class M, class D>
-constrained_system<M> precompiled_laplace_system(const M& m, constrained_verts<M>&& constrained, const D& discretisation, int exponent, const char* caller) {
+constrained_system<M> precompiled_laplace_system(const M& m, constrained_verts<M>&& constrained,
+                                                 const D& discretisation, int exponent, const char* caller) {
   return unit_laplace_system(m, std::move(constrained), discretisation, exponent, caller);
 }
 
-#define CONCINO_DEFINE_LAPLACE_SYSTEMS(MESH)                                                                                                   \
-  template constrained_system<MESH> precompiled_laplace_system(const MESH&, constrained_verts<MESH>&&, const virtual_elements_t&, int, const char*);        \
-  template constrained_system<MESH> precompiled_laplace_system(const MESH&, constrained_verts<MESH>&&, const uniform_t&, int, const char*)
+#define CONCINO_DEFINE_LAPLACE_SYSTEMS(MESH)                                                                 \
+  template constrained_system<MESH> precompiled_laplace_system(const MESH&, constrained_verts<MESH>&&,       \
+                                                               const virtual_elements_t&, int, const char*); \
+  template constrained_system<MESH> precompiled_laplace_system(const MESH&, constrained_verts<MESH>&&,       \
+                                                               const uniform_t&, int, const char*)
 CONCINO_DEFINE_LAPLACE_SYSTEMS(trimesh);
 CONCINO_DEFINE_LAPLACE_SYSTEMS(quadmesh);
 CONCINO_DEFINE_LAPLACE_SYSTEMS(polygonmesh);

@@ -8,7 +8,8 @@
 
 namespace concino::detail {
 
-/// y = a x for a symmetric matrix that stores both triangles, column by column. Uses loops, because Eigen's expressions take long to compile.
+/// y = a x for a symmetric matrix that stores both triangles, column by column. Uses loops, because Eigen's expressions
+/// take long to compile.
 inline void symmetric_times(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& x, Eigen::VectorXd& y) {
   const int n = static_cast<int>(a.cols()), *const begin = a.outerIndexPtr(), *const row = a.innerIndexPtr();
   y.resize(n);
@@ -36,7 +37,8 @@ right_hand_sides<T> mass_times(const M& m, const Eigen::SparseMatrix<double>& ma
     if (!has_mass(mass, i)) continue;
     const T value = as_field_value<T>(value_at(m, f, v));
     for (std::size_t k = 0; k < parts_of<T>; ++k) {
-      if (!std::isfinite(field_component(value, k))) core::throw_joined<invalid_argument>({what, " at vert ", i, " is not finite"});
+      if (!std::isfinite(field_component(value, k)))
+        core::throw_joined<invalid_argument>({what, " at vert ", i, " is not finite"});
       x[k][static_cast<Eigen::Index>(i)] = field_component(value, k);
     }
   }

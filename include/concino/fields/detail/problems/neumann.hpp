@@ -15,8 +15,9 @@ namespace concino {
 
 namespace detail {
 
-/// Calls share(vert, the integral of the vert's hat function over the facet). For an edge it is half its length at each end. A face uses the fan of
-/// triangles of the gradients of polyhedra, projected along the vector area. So the sum is the length or area, and linear functions are integrated exactly.
+/// Calls share(vert, the integral of the vert's hat function over the facet). For an edge it is half its length at each
+/// end. A face uses the fan of triangles of the gradients of polyhedra, projected along the vector area. So the sum is
+/// the length or area, and linear functions are integrated exactly.
 template<AnyMesh M, class F>
 void integrate_over(const M& m, const facet_t<M>& x, F&& share) {
   if constexpr (SurfaceMesh<M>) {  // an edge needs no fan of triangles
@@ -38,13 +39,14 @@ void integrate_over(const M& m, const facet_t<M>& x, F&& share) {
 }
 
 template<class M>
-[[noreturn, gnu::noinline, gnu::cold]] void throw_bad_flux(const char* caller, const M& m, const facet_t<M>& x, const char* what) {
+[[noreturn, gnu::noinline, gnu::cold]] void throw_bad_flux(const char* caller, const M& m, const facet_t<M>& x,
+                                                           const char* what) {
   const char* const word = dimension_v<M> == 2 ? "edge " : "face ";
   core::throw_joined<invalid_argument>({caller, ": the flux given at ", word, index_of(m, x), what});
 }
 
-/// Errors: invalid_mesh if a flux is given at what is no edge or face of m, or at one that is not on the boundary; invalid_argument if one is not finite,
-///         or two different ones are given at one facet.
+/// Errors: invalid_mesh if a flux is given at what is no edge or face of m, or at one that is not on the boundary;
+///         invalid_argument if one is not finite, or two different ones are given at one facet.
 template<class T, AnyMesh M, class N>
 void add_fluxes(const M& m, const N& fluxes, right_hand_sides<T>& load, const char* caller) {
   constexpr bool is_surface = dimension_v<M> == 2;
@@ -55,22 +57,27 @@ void add_fluxes(const M& m, const N& fluxes, right_hand_sides<T>& load, const ch
     const facet_t<M> x = facet;
     const T flux = as_field_value<T>(number);
     if (!contains(m, x))
-      core::throw_joined<invalid_mesh>({caller, is_surface ? ": a flux is given at something that is not an edge of the mesh; take edges from edges(m)"
-                                                  : ": a flux is given at something that is not a face of the mesh; take faces from faces(m)"});
+      core::throw_joined<invalid_mesh>(
+          {caller, is_surface
+                       ? ": a flux is given at something that is not an edge of the mesh; take edges from edges(m)"
+                       : ": a flux is given at something that is not a face of the mesh; take faces from faces(m)"});
     const std::size_t polys = num_elements(adj_facet2p(m, x));
     if (polys != 1)
       core::throw_joined<invalid_mesh>({caller, ": a flux is given at ", is_surface ? "edge " : "face ", index_of(m, x),
-                                  ", which has ", polys, " polys; give fluxes on the boundary only, where there is one poly"});
+                                        ", which has ", polys,
+                                        " polys; give fluxes on the boundary only, where there is one poly"});
     T& before = known[x];
     const bool again = !std::isnan(field_component(before, 0));
     for (std::size_t k = 0; k < parts_of<T>; ++k) {
       if (!std::isfinite(field_component(flux, k))) throw_bad_flux(caller, m, x, " is not finite");
-      if (again && field_component(before, k) != field_component(flux, k)) throw_bad_flux(caller, m, x, " differs from another one given there; keep one");
+      if (again && field_component(before, k) != field_component(flux, k))
+        throw_bad_flux(caller, m, x, " differs from another one given there; keep one");
     }
     if (again) continue;
     before = flux;
     integrate_over(m, x, [&](const vert_t<M>& v, double size) {
-      for (std::size_t k = 0; k < parts_of<T>; ++k) load[k][static_cast<Eigen::Index>(index_of(m, v))] += size * field_component(flux, k);
+      for (std::size_t k = 0; k < parts_of<T>; ++k)
+        load[k][static_cast<Eigen::Index>(index_of(m, v))] += size * field_component(flux, k);
     });
   }
 }

@@ -1,4 +1,5 @@
-// A view of a mesh scaled to a size near 1, so that values stay within the range of double precision whatever the coordinates.
+// A view of a mesh scaled to a size near 1, so that values stay within the range of double precision whatever the
+// coordinates.
 #pragma once
 
 #include <concino/concepts/views/forward.hpp>
@@ -12,7 +13,8 @@ namespace concino {
 
 namespace views {
 
-/// The mesh with all coordinates times 2^-exponent. This is exact, except for digits that fall below the smallest double.
+/// The mesh with all coordinates times 2^-exponent. This is exact, except for digits that fall below the smallest
+/// double.
 template<class M>
 class scaled : public view_base<M> {
   int exponent_;
@@ -20,7 +22,8 @@ class scaled : public view_base<M> {
 
  public:
   scaled(const M& m, int exponent)
-      : view_base<M>(m), exponent_(exponent), half_(std::ldexp(1.0, -(exponent / 2))), other_half_(std::ldexp(1.0, exponent / 2 - exponent)) {}
+      : view_base<M>(m), exponent_(exponent), half_(std::ldexp(1.0, -(exponent / 2))),
+        other_half_(std::ldexp(1.0, exponent / 2 - exponent)) {}
   int exponent() const { return exponent_; }
   vec3 scale_down(const vec3& x) const { return other_half_ * (half_ * x); }
 };
@@ -30,12 +33,15 @@ class scaled : public view_base<M> {
 template<class M>
 struct mesh_traits<views::scaled<M>> : detail::forward_all<views::scaled<M>, M>, detail::fixed_arity<arity_v<M>> {
   static constexpr bool is_view = true;
-  static vec3 point(const views::scaled<M>& m, const vert_t<M>& v) { return m.scale_down(to_vec3(traits<M>::point(m.base(), v))); }
+  static vec3 point(const views::scaled<M>& m, const vert_t<M>& v) {
+    return m.scale_down(to_vec3(traits<M>::point(m.base(), v)));
+  }
 };
 
 namespace detail {
 
-/// The exponent of the power of two that divides the largest coordinate into [1/2, 1). 0 if all coordinates are 0 or not finite.
+/// The exponent of the power of two that divides the largest coordinate into [1/2, 1). 0 if all coordinates are 0 or
+/// not finite.
 template<AnyMesh M>
 int length_exponent(const M& m) {
   double largest = 0;
@@ -55,7 +61,8 @@ views::scaled<M> scaled_to_unit(const M& m) {
 template<class D, class M>
 concept scales_with = EmbeddedMesh<M> && requirement::scales_with_mesh<D> && !requirement::has_masses<D, M>;
 
-/// Calls use(mesh, exponent) with the mesh scaled to a size near 1 or, if D does not depend on lengths, with the mesh itself and 0.
+/// Calls use(mesh, exponent) with the mesh scaled to a size near 1 or, if D does not depend on lengths, with the mesh
+/// itself and 0.
 template<class M, class D, class Use>
 auto at_unit_size(const M& m, const D&, const Use& use) {
   if constexpr (scales_with<D, M>) {

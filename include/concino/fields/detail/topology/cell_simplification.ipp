@@ -15,16 +15,21 @@
 namespace concino::detail {
 
 CONCINO_INLINE void check_cell_threshold(double threshold) {
-  if (!(threshold > 0)) core::throw_joined<invalid_argument>({"simplified_on_cells: below is ", core::number_text(threshold), "; it must be above 0"});
+  if (!(threshold > 0))
+    core::throw_joined<invalid_argument>(
+        {"simplified_on_cells: below is ", core::number_text(threshold), "; it must be above 0"});
 }
 
 [[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_non_manifold_edge(std::size_t edge) {
-  core::throw_joined<unsupported>({"simplified_on_cells: edge ", edge, " has more than two polys; simplified() allows it, for minima or for maxima"});
+  core::throw_joined<unsupported>({"simplified_on_cells: edge ", edge,
+                                   " has more than two polys; simplified() allows it, for minima or for maxima"});
 }
 
-/// A minimum spanning forest of the verts pairs minima with edges, and a maximum one of the polys, without its edges, pairs maxima with edges. Without the edges of pairs that
-/// are kept, they are two forests of trees with one extremum each. The new function grows along the trees of verts from their minima, and along those of polys to
-/// their maxima; it is the least one that does so and that is at most half of the threshold below the old one. Its theorem is that it is at most as much above.
+/// A minimum spanning forest of the verts pairs minima with edges, and a maximum one of the polys, without its edges,
+/// pairs maxima with edges. Without the edges of pairs that are kept, they are two forests of trees with one extremum
+/// each. The new function grows along the trees of verts from their minima, and along those of polys to their maxima;
+/// it is the least one that does so and that is at most half of the threshold below the old one. Its theorem is that it
+/// is at most as much above.
 class cell_simplification {
   enum part : unsigned char { critical, of_verts, of_polys };
 
@@ -40,7 +45,9 @@ class cell_simplification {
   double at_poly(std::uint32_t p) const { return values_[poly_top_[p]]; }
 
   /// The least value that is at most half of the threshold below `old`, and above `below`.
-  double raised(double old, double below) const { return std::max(old - threshold_ / 2, std::nextafter(below, std::numeric_limits<double>::infinity())); }
+  double raised(double old, double below) const {
+    return std::max(old - threshold_ / 2, std::nextafter(below, std::numeric_limits<double>::infinity()));
+  }
 
   void find_tops() {
     poly_top_.assign(cells_.polys, 0);
@@ -50,7 +57,9 @@ class cell_simplification {
         if (p != no_rank) poly_top_[p] = std::max(poly_top_[p], edge_top_[e]);
     }
     std::iota(sorted_edges_.begin(), sorted_edges_.end(), 0u);
-    std::sort(sorted_edges_.begin(), sorted_edges_.end(), [&](std::uint32_t a, std::uint32_t b) { return edge_top_[a] < edge_top_[b] || (edge_top_[a] == edge_top_[b] && a < b); });
+    std::sort(sorted_edges_.begin(), sorted_edges_.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return edge_top_[a] < edge_top_[b] || (edge_top_[a] == edge_top_[b] && a < b);
+    });
   }
 
   void pair_minima() {
@@ -67,7 +76,9 @@ class cell_simplification {
   void pair_maxima() {
     std::vector<std::uint32_t> falling(cells_.polys), place(cells_.polys);
     std::iota(falling.begin(), falling.end(), 0u);
-    std::sort(falling.begin(), falling.end(), [&](std::uint32_t a, std::uint32_t b) { return poly_top_[a] > poly_top_[b] || (poly_top_[a] == poly_top_[b] && a > b); });
+    std::sort(falling.begin(), falling.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return poly_top_[a] > poly_top_[b] || (poly_top_[a] == poly_top_[b] && a > b);
+    });
     for (std::uint32_t k = 0; k < falling.size(); ++k) place[falling[k]] = k + 1;
     disjoint_sets sets(cells_.polys + 1);  // 0 is what lies beyond the boundary, higher than all
     for (std::size_t k = sorted_edges_.size(); k-- > 0;) {
@@ -81,13 +92,20 @@ class cell_simplification {
     }
   }
 
-  std::uint32_t other_end(std::uint32_t e, std::uint32_t v) const { return cells_.edge_verts[e][0] == v ? cells_.edge_verts[e][1] : cells_.edge_verts[e][0]; }
-  std::uint32_t other_poly(std::uint32_t e, std::uint32_t p) const { return cells_.edge_polys[e][0] == p ? cells_.edge_polys[e][1] : cells_.edge_polys[e][0]; }
-  double highest_end(std::uint32_t e) const { return std::max(result_.verts[cells_.edge_verts[e][0]], result_.verts[cells_.edge_verts[e][1]]); }
+  std::uint32_t other_end(std::uint32_t e, std::uint32_t v) const {
+    return cells_.edge_verts[e][0] == v ? cells_.edge_verts[e][1] : cells_.edge_verts[e][0];
+  }
+  std::uint32_t other_poly(std::uint32_t e, std::uint32_t p) const {
+    return cells_.edge_polys[e][0] == p ? cells_.edge_polys[e][1] : cells_.edge_polys[e][0];
+  }
+  double highest_end(std::uint32_t e) const {
+    return std::max(result_.verts[cells_.edge_verts[e][0]], result_.verts[cells_.edge_verts[e][1]]);
+  }
 
   /// From the lowest vert of each tree on.
   void raise_verts() {
-    const grouped_numbers ends(values_.size(), 2 * edge_top_.size(), [&](std::size_t k) { return cells_.edge_verts[k / 2][k % 2]; });
+    const grouped_numbers ends(values_.size(), 2 * edge_top_.size(),
+                               [&](std::size_t k) { return cells_.edge_verts[k / 2][k % 2]; });
     std::vector<unsigned char> is_met(values_.size());
     std::vector<std::uint32_t> waiting;
     for (std::uint32_t root = 0; root < values_.size(); ++root) {
@@ -117,7 +135,9 @@ class cell_simplification {
 
   /// To the highest poly of each tree, or to the boundary.
   void raise_polys() {
-    const grouped_numbers sides(cells_.polys + 1, 2 * edge_top_.size(), [&](std::size_t k) { return std::min<std::size_t>(cells_.edge_polys[k / 2][k % 2], cells_.polys); });
+    const grouped_numbers sides(cells_.polys + 1, 2 * edge_top_.size(), [&](std::size_t k) {
+      return std::min<std::size_t>(cells_.edge_polys[k / 2][k % 2], cells_.polys);
+    });
     std::vector<std::uint32_t> parent(cells_.polys, no_rank), order;
     std::vector<unsigned char> is_met(cells_.polys);
     const auto spread = [&](std::size_t from) {
@@ -140,7 +160,9 @@ class cell_simplification {
     spread(0);
     std::vector<std::uint32_t> falling(cells_.polys);
     std::iota(falling.begin(), falling.end(), 0u);
-    std::sort(falling.begin(), falling.end(), [&](std::uint32_t a, std::uint32_t b) { return poly_top_[a] > poly_top_[b] || (poly_top_[a] == poly_top_[b] && a > b); });
+    std::sort(falling.begin(), falling.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return poly_top_[a] > poly_top_[b] || (poly_top_[a] == poly_top_[b] && a > b);
+    });
     for (const std::uint32_t root : falling) {
       if (is_met[root]) continue;
       ++result_.critical[2];
@@ -161,8 +183,12 @@ class cell_simplification {
 
  public:
   cell_simplification(const surface_cells& cells, const std::vector<double>& values, double threshold)
-      : cells_(cells), values_(values), threshold_(threshold), edge_top_(cells.edge_verts.size()), sorted_edges_(edge_top_.size()), part_(edge_top_.size()), is_tree_(edge_top_.size()),
-        result_{std::vector<double>(values.size()), std::vector<double>(edge_top_.size()), std::vector<double>(cells.polys), {}} {}
+      : cells_(cells), values_(values), threshold_(threshold), edge_top_(cells.edge_verts.size()),
+        sorted_edges_(edge_top_.size()), part_(edge_top_.size()),
+        is_tree_(edge_top_.size()), result_{std::vector<double>(values.size()),
+                                            std::vector<double>(edge_top_.size()),
+                                            std::vector<double>(cells.polys),
+                                            {}} {}
 
   simplified_cells run() {
     find_tops();
@@ -174,7 +200,8 @@ class cell_simplification {
   }
 };
 
-CONCINO_INLINE simplified_cells simplify_cells(const surface_cells& cells, const std::vector<double>& values, double threshold) {
+CONCINO_INLINE simplified_cells simplify_cells(const surface_cells& cells, const std::vector<double>& values,
+                                               double threshold) {
   return cell_simplification(cells, values, threshold).run();
 }
 

@@ -7,7 +7,8 @@
 namespace concino::detail {
 
 [[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_has_loops(std::ptrdiff_t loops) {
-  core::throw_joined<unsupported>({"contour_tree: the mesh has ", loops, loops == 1 ? " loop" : " loops", " that it does not fill; call reeb_graph"});
+  core::throw_joined<unsupported>({"contour_tree: the mesh has ", loops, loops == 1 ? " loop" : " loops",
+                                   " that it does not fill; call reeb_graph"});
 }
 
 }  // namespace concino::detail

@@ -10,7 +10,8 @@
 namespace concino::detail {
 
 struct extremum_pair {
-  std::uint32_t extremum, saddle;  // ranks; no_rank for the saddle of the lowest minimum or highest maximum of a component
+  std::uint32_t extremum, saddle;  // ranks; no_rank for the saddle of the lowest minimum or highest maximum of a
+                                   // component
   double persistence;
 };
 

@@ -10,8 +10,8 @@
 
 namespace concino::detail {
 
-/// Verts are united with their earlier neighbours, in the order of the sweep. The root of a set is its smallest number, so it is the extremum of the set; where two
-/// sets meet, the later extremum is paired with the vert at which they do.
+/// Verts are united with their earlier neighbours, in the order of the sweep. The root of a set is its smallest number,
+/// so it is the extremum of the set; where two sets meet, the later extremum is paired with the vert at which they do.
 CONCINO_INLINE std::vector<extremum_pair> find_extremum_pairs(const ranked_graph& g, bool of_maxima) {
   const std::uint32_t n = g.size();
   const auto turned = [&](std::uint32_t rank) { return of_maxima ? n - 1 - rank : rank; };

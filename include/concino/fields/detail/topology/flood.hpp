@@ -8,7 +8,8 @@
 
 namespace concino::detail {
 
-/// The values by rank, changed so that the minima whose persistence is less than the threshold are none any more; or the maxima, by lowering the values.
+/// The values by rank, changed so that the minima whose persistence is less than the threshold are none any more; or
+/// the maxima, by lowering the values.
 std::vector<double> flooded_values(const ranked_graph& g, double threshold, bool of_maxima);
 
 /// Errors: invalid_argument unless one of the two thresholds is above 0, the other is 0, and neither is NaN.

@@ -21,7 +21,9 @@ class grouped_numbers {
     for (std::uint32_t& f : first_) sum += f, f = sum;
     for (std::size_t i = count; i-- > 0;) numbers_[--first_[key_of(i)]] = static_cast<std::uint32_t>(i);
   }
-  std::span<const std::uint32_t> operator[](std::size_t key) const { return {numbers_.data() + first_[key], numbers_.data() + first_[key + 1]}; }
+  std::span<const std::uint32_t> operator[](std::size_t key) const {
+    return {numbers_.data() + first_[key], numbers_.data() + first_[key + 1]};
+  }
 };
 
 }  // namespace concino::detail

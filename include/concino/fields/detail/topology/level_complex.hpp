@@ -1,4 +1,5 @@
-// The edges and triangles of a mesh on which level sets are followed, as flat arrays, with polygons and polyhedra split about their highest verts.
+// The edges and triangles of a mesh on which level sets are followed, as flat arrays, with polygons and polyhedra split
+// about their highest verts.
 #pragma once
 
 #include <concino/concepts/end_verts.hpp>
@@ -13,8 +14,8 @@
 
 namespace concino::detail {
 
-/// Ends are ranks, the lower one first. A triangle of verts a < b < c has the edges ac, ab and bc. Level sets of a function that is linear on simplices
-/// are connected as they are in the triangles.
+/// Ends are ranks, the lower one first. A triangle of verts a < b < c has the edges ac, ab and bc. Level sets of a
+/// function that is linear on simplices are connected as they are in the triangles.
 struct level_complex {
   std::vector<std::array<std::uint32_t, 2>> edges;
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -25,8 +26,9 @@ struct level_complex {
   }
 };
 
-/// Builds a level_complex. The edges of m come first. Polygons become fans of triangles about their highest verts, polyhedra cones over their edges, of which only
-/// the triangles count. So each cell is added to {u <= t} with its highest vert, as critical_points has it.
+/// Builds a level_complex. The edges of m come first. Polygons become fans of triangles about their highest verts,
+/// polyhedra cones over their edges, of which only the triangles count. So each cell is added to {u <= t} with its
+/// highest vert, as critical_points has it.
 template<AnyMesh M>
 class level_complex_builder {
   const M& m_;
@@ -41,7 +43,10 @@ class level_complex_builder {
 
   std::uint32_t rank(const vert_t<M>& v) const { return ranks_.rank[index_of(m_, v)]; }
 
-  void add_triangle(const spoke& a, const spoke& b, std::uint32_t side) { to_.triangles.push_back(a.first < b.first ? std::array{a.second, side, b.second} : std::array{b.second, side, a.second}); }
+  void add_triangle(const spoke& a, const spoke& b, std::uint32_t side) {
+    to_.triangles.push_back(a.first < b.first ? std::array{a.second, side, b.second}
+                                              : std::array{b.second, side, a.second});
+  }
 
   /// Edge k joins verts k and k + 1. The spokes of the fan are added to spokes_.
   template<class Loop, class Edges>
@@ -55,7 +60,9 @@ class level_complex_builder {
       if (loop_[k] > loop_[top]) top = k;
     for (std::size_t k = 1; k < n; ++k) {
       const std::uint32_t w = loop_[(top + k) % n];
-      const std::uint32_t number = k == 1 ? loop_edges_[top] : k == n - 1 ? loop_edges_[(top + n - 1) % n] : to_.add_edge(loop_[top], w);
+      const std::uint32_t number = k == 1       ? loop_edges_[top]
+                                   : k == n - 1 ? loop_edges_[(top + n - 1) % n]
+                                                : to_.add_edge(loop_[top], w);
       spokes_.push_back({w, number});
       if (k > 1) add_triangle(spokes_[begin + k - 2], spokes_[begin + k - 1], loop_edges_[(top + k - 1) % n]);
     }
@@ -81,7 +88,8 @@ class level_complex_builder {
       if (to_.edges[number][1] == top) known.push_back({to_.edges[number][0], number});
     }
     for (const face_t<M> f : adj_p2f(m_, p))
-      for (std::uint32_t k = first_spoke_[2 * index_of(m_, f)], n = first_spoke_[2 * index_of(m_, f) + 1]; n > 0; ++k, --n)
+      for (std::uint32_t k = first_spoke_[2 * index_of(m_, f)], n = first_spoke_[2 * index_of(m_, f) + 1]; n > 0;
+           ++k, --n)
         if (to_.edges[spokes_[k].second][1] == top) known.push_back(spokes_[k]);
     for (const edge_t<M> e : adj_p2e(m_, p)) {
       const auto [low, high] = to_.edges[edge_number_[index_of(m_, e)]];
@@ -90,7 +98,8 @@ class level_complex_builder {
   }
 
  public:
-  level_complex_builder(const M& m, const vert_ranks& ranks, level_complex& to) : m_(m), ranks_(ranks), to_(to), edge_number_(edge_index_bound(m)) {
+  level_complex_builder(const M& m, const vert_ranks& ranks, level_complex& to)
+      : m_(m), ranks_(ranks), to_(to), edge_number_(edge_index_bound(m)) {
     for (const edge_t<M> e : edges(m)) {
       const auto ends = end_verts(m, e);
       edge_number_[index_of(m, e)] = to.add_edge(rank(ends.first), rank(ends.second));
@@ -105,7 +114,8 @@ class level_complex_builder {
       for (const face_t<M> f : faces(m)) {
         first_spoke_[2 * index_of(m, f)] = static_cast<std::uint32_t>(spokes_.size());
         add_polygon(adj_f2v(m, f), adj_f2e(m, f));
-        first_spoke_[2 * index_of(m, f) + 1] = static_cast<std::uint32_t>(spokes_.size()) - first_spoke_[2 * index_of(m, f)];
+        first_spoke_[2 * index_of(m, f) + 1] =
+            static_cast<std::uint32_t>(spokes_.size()) - first_spoke_[2 * index_of(m, f)];
       }
       if constexpr (!TetMesh<M>)  // the triangles of a tet are its faces
         for (const poly_t<M> p : polys(m)) add_cone(p);

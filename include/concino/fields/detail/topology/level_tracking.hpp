@@ -10,7 +10,8 @@
 
 namespace concino::detail {
 
-/// Two ranks, the lower first: the verts at the lower and the upper end of a component of level sets that meets no vert between them.
+/// Two ranks, the lower first: the verts at the lower and the upper end of a component of level sets that meets no vert
+/// between them.
 using level_link = std::array<std::uint32_t, 2>;
 
 /// The links of the Reeb graph of a complex with n verts.

@@ -11,17 +11,22 @@
 
 namespace concino::detail {
 
-/// The level set of t has a node for each edge that t crosses. A triangle abc joins its edge ac to ab below b, and to bc above. These joints are kept as a spanning
-/// forest that prefers the joints that last longest, so that one that ends is never replaced by another.
+/// The level set of t has a node for each edge that t crosses. A triangle abc joins its edge ac to ab below b, and to
+/// bc above. These joints are kept as a spanning forest that prefers the joints that last longest, so that one that
+/// ends is never replaced by another.
 class level_forest {
   const level_complex& complex_;
   link_cut_forest forest_;
   std::vector<unsigned char> is_joined_;  // by triangle
   std::uint32_t edges_;
 
-  static std::vector<std::uint32_t> initial_weights(const level_complex& c) { return std::vector<std::uint32_t>(c.edges.size() + c.triangles.size(), no_rank); }
+  static std::vector<std::uint32_t> initial_weights(const level_complex& c) {
+    return std::vector<std::uint32_t>(c.edges.size() + c.triangles.size(), no_rank);
+  }
 
-  std::array<std::uint32_t, 2> ends(std::uint32_t triangle, bool above) const { return {complex_.triangles[triangle][0], complex_.triangles[triangle][above ? 2 : 1]}; }
+  std::array<std::uint32_t, 2> ends(std::uint32_t triangle, bool above) const {
+    return {complex_.triangles[triangle][0], complex_.triangles[triangle][above ? 2 : 1]};
+  }
 
   void divide(std::uint32_t triangle) {
     const std::uint32_t joint = edges_ + triangle;
@@ -30,10 +35,13 @@ class level_forest {
   }
 
  public:
-  explicit level_forest(const level_complex& c) : complex_(c), forest_(initial_weights(c)), is_joined_(c.triangles.size()), edges_(static_cast<std::uint32_t>(c.edges.size())) {}
+  explicit level_forest(const level_complex& c)
+      : complex_(c), forest_(initial_weights(c)), is_joined_(c.triangles.size()),
+        edges_(static_cast<std::uint32_t>(c.edges.size())) {}
 
   void join(std::uint32_t triangle, bool above) {
-    const std::uint32_t joint = edges_ + triangle, until = complex_.edges[complex_.triangles[triangle][above ? 0 : 1]][1];
+    const std::uint32_t joint = edges_ + triangle,
+                        until = complex_.edges[complex_.triangles[triangle][above ? 0 : 1]][1];
     const auto [a, b] = ends(triangle, above);
     const std::uint32_t lightest = forest_.lightest_between(a, b);
     if (lightest != link_cut_forest::none) {
@@ -53,14 +61,17 @@ class level_forest {
 
 CONCINO_INLINE std::vector<level_link> find_level_links(const level_complex& complex, std::uint32_t n) {
   const auto edge_count = complex.edges.size(), triangle_count = complex.triangles.size();
-  const auto end_of = [&](std::size_t t, std::size_t edge, std::size_t end) { return complex.edges[complex.triangles[t][edge]][end]; };
+  const auto end_of = [&](std::size_t t, std::size_t edge, std::size_t end) {
+    return complex.edges[complex.triangles[t][edge]][end];
+  };
   const grouped_numbers edges_below(n, edge_count, [&](std::size_t e) { return complex.edges[e][1]; });
   const grouped_numbers edges_above(n, edge_count, [&](std::size_t e) { return complex.edges[e][0]; });
   const grouped_numbers lowest_of(n, triangle_count, [&](std::size_t t) { return end_of(t, 0, 0); });
   const grouped_numbers middle_of(n, triangle_count, [&](std::size_t t) { return end_of(t, 1, 1); });
   const grouped_numbers highest_of(n, triangle_count, [&](std::size_t t) { return end_of(t, 0, 1); });
   level_forest forest(complex);
-  std::vector<std::uint32_t> last(edge_count + triangle_count, no_rank);  // the vert that a component met last, by its root
+  // the vert that a component met last, by its root
+  std::vector<std::uint32_t> last(edge_count + triangle_count, no_rank);
   std::vector<std::uint32_t> below;
   std::vector<level_link> links;
   for (std::uint32_t v = 0; v < n; ++v) {
@@ -73,16 +84,19 @@ CONCINO_INLINE std::vector<level_link> find_level_links(const level_complex& com
     for (const std::uint32_t t : highest_of[v]) forest.end(t, true);
     for (const std::uint32_t t : lowest_of[v]) forest.join(t, false);
     for (const std::uint32_t t : middle_of[v]) forest.join(t, true);
-    for (const std::uint32_t e : edges_above[v]) last[forest.component(e)] = v;  // each part of what was changed has such an edge
+    // each part of what was changed has such an edge
+    for (const std::uint32_t e : edges_above[v]) last[forest.component(e)] = v;
   }
   return links;
 }
 
-/// For each vert, in the order of `sequence`, the next vert at which its set of earlier verts grows; and how many sets join at each.
+/// For each vert, in the order of `sequence`, the next vert at which its set of earlier verts grows; and how many sets
+/// join at each.
 struct merge_tree {
   std::vector<std::uint32_t> next, degree;
 
-  merge_tree(const grouped_numbers& earlier, const level_complex& complex, std::uint32_t n, bool from_above) : next(n, no_rank), degree(n) {
+  merge_tree(const grouped_numbers& earlier, const level_complex& complex, std::uint32_t n, bool from_above)
+      : next(n, no_rank), degree(n) {
     disjoint_sets sets(n);
     std::vector<std::uint32_t> latest(n);  // of each set, by root
     for (std::uint32_t k = 0; k < n; ++k) {

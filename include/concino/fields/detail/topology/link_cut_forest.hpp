@@ -37,7 +37,8 @@ class link_cut_forest {
   std::uint32_t weight(std::uint32_t x) const { return weight_[x]; }
   /// The root of the tree of x; link and cut change roots of the trees of their nodes only.
   std::uint32_t root(std::uint32_t x);
-  /// The lightest node between a and b, these included; none if they are in different trees. It changes the root of their tree.
+  /// The lightest node between a and b, these included; none if they are in different trees. It changes the root of
+  /// their tree.
   std::uint32_t lightest_between(std::uint32_t a, std::uint32_t b);
   void link(std::uint32_t a, std::uint32_t b);
   void cut(std::uint32_t a, std::uint32_t b);

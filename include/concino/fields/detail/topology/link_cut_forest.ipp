@@ -7,7 +7,8 @@
 
 namespace concino::detail {
 
-CONCINO_INLINE link_cut_forest::link_cut_forest(std::vector<std::uint32_t> weights) : nodes_(weights.size()), weight_(std::move(weights)) {
+CONCINO_INLINE link_cut_forest::link_cut_forest(std::vector<std::uint32_t> weights)
+    : nodes_(weights.size()), weight_(std::move(weights)) {
   for (std::uint32_t x = 0; x < nodes_.size(); ++x) nodes_[x] = {none, {none, none}, x, false};
 }
 

@@ -1,4 +1,5 @@
-// Counts what the verts of a mesh add to the topology of {u <= t} as t grows: the homology of the cells whose highest vert each of them is.
+// Counts what the verts of a mesh add to the topology of {u <= t} as t grows: the homology of the cells whose highest
+// vert each of them is.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -18,22 +19,25 @@ struct lower_face {
   std::uint32_t vert, poly, face;
 };
 
-/// Adds to cycles[v], for each vert v of `incidences`, the number of independent sets of polyhedra that have each face twice, or any even number of times.
+/// Adds to cycles[v], for each vert v of `incidences`, the number of independent sets of polyhedra that have each face
+/// twice, or any even number of times.
 /// Cost:   O(k^3) for k polyhedra at one vert, in the worst case.
 void count_cycles(std::vector<lower_face> incidences, std::vector<std::uint32_t>& cycles);
 
 [[noreturn]] void throw_not_closed_below(std::size_t vert);
 
-/// The cells whose highest vert is v have a lower link: a vert for each edge, an edge for each polygon and a polygon for each polyhedron. With n0, n1 and n2
-/// of them and Betti numbers b0, b1 and b2, n0 - n1 + n2 = b0 - b1 + b2. b0 is found by union of the edges of v through its polygons, b2 by union of the polyhedra
-/// of v through its faces, since a set of polyhedra without boundary is one whose faces all have two of them. One set of arrays serves all verts.
+/// The cells whose highest vert is v have a lower link: a vert for each edge, an edge for each polygon and a polygon
+/// for each polyhedron. With n0, n1 and n2 of them and Betti numbers b0, b1 and b2, n0 - n1 + n2 = b0 - b1 + b2. b0 is
+/// found by union of the edges of v through its polygons, b2 by union of the polyhedra of v through its faces, since a
+/// set of polyhedra without boundary is one whose faces all have two of them. One set of arrays serves all verts.
 template<AnyMesh M>
 class lower_links {
   static constexpr std::uint32_t none = 0xffffffffu;
 
   const M& m_;
   const vert_order& order_;
-  std::vector<std::array<std::uint32_t, 4>> count_;  // of edges, polygons, unions of edges and polyhedra, by vert; then multiplicities
+  std::vector<std::array<std::uint32_t, 4>> count_;  // of edges, polygons, unions of edges and polyhedra, by vert; then
+                                                     // multiplicities
   std::vector<std::uint32_t> cycles_;                // b2 by vert, of volumes
 
   struct highest_corner {
@@ -108,7 +112,9 @@ class lower_links {
       if (!is_non_manifold[highest]) continue;
       for (const poly_t<M> p : adj_f2p(m_, f)) {
         const std::size_t i = index_of(m_, p);
-        if (top[i] == highest) incidences.push_back({static_cast<std::uint32_t>(highest), static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(index_of(m_, f))});
+        if (top[i] == highest)
+          incidences.push_back({static_cast<std::uint32_t>(highest), static_cast<std::uint32_t>(i),
+                                static_cast<std::uint32_t>(index_of(m_, f))});
       }
     }
     count_cycles(std::move(incidences), cycles_);
@@ -128,7 +134,8 @@ class lower_links {
   }
 
   /// The reduced Betti numbers of the lower link of vert i: of index k that of dimension k - 1.
-  /// Errors: invalid_mesh if the loops of polygons are fewer than what the polyhedra fill, which happens only if a polyhedron is not closed.
+  /// Errors: invalid_mesh if the loops of polygons are fewer than what the polyhedra fill, which happens only if a
+  ///         polyhedron is not closed.
   std::array<std::uint32_t, 4> multiplicity(std::size_t i) const {
     const auto [edges, polygons, unions, cells] = count_[i];
     if (edges == 0) return {1, 0, 0, 0};

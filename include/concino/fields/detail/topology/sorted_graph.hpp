@@ -15,7 +15,8 @@ namespace concino::detail {
 
 inline constexpr std::uint32_t no_rank = 0xffffffffu;
 
-/// The rank of a vert is the number of verts that are lower: those with smaller values, and of equal values those with smaller indices.
+/// The rank of a vert is the number of verts that are lower: those with smaller values, and of equal values those with
+/// smaller indices.
 struct vert_ranks {
   std::vector<double> values;        // by rank, ascending
   std::vector<std::uint32_t> index;  // of the vert, by rank
@@ -49,7 +50,9 @@ struct rank_neighbours {
   std::vector<std::uint32_t> first;  // by rank, and the number of all at the end
   std::vector<std::uint32_t> all;
 
-  std::span<const std::uint32_t> operator[](std::uint32_t rank) const { return {all.data() + first[rank], all.data() + first[rank + 1]}; }
+  std::span<const std::uint32_t> operator[](std::uint32_t rank) const {
+    return {all.data() + first[rank], all.data() + first[rank + 1]};
+  }
 };
 
 struct ranked_graph {

@@ -1,4 +1,5 @@
-// A total order of the verts of a mesh by their values, for functions whose critical points, pairs and trees are asked for.
+// A total order of the verts of a mesh by their values, for functions whose critical points, pairs and trees are asked
+// for.
 #pragma once
 
 #include <concino/concepts/mesh_traits.hpp>
@@ -15,8 +16,8 @@ namespace concino::detail {
 
 [[noreturn]] void throw_value_not_finite(const char* caller, std::size_t vert);
 
-/// The verts by ascending values; of equal values, the smaller index comes first. So no two verts are equal, as if the values had been disturbed by
-/// infinitely small amounts.
+/// The verts by ascending values; of equal values, the smaller index comes first. So no two verts are equal, as if the
+/// values had been disturbed by infinitely small amounts.
 class vert_order {
   std::vector<double> values_;  // by index
 
@@ -33,7 +34,9 @@ class vert_order {
 
   double value(std::size_t i) const { return values_[i]; }
   const std::vector<double>& values() const { return values_; }
-  bool is_below(std::size_t a, std::size_t b) const { return values_[a] < values_[b] || (values_[a] == values_[b] && a < b); }
+  bool is_below(std::size_t a, std::size_t b) const {
+    return values_[a] < values_[b] || (values_[a] == values_[b] && a < b);
+  }
 };
 
 }  // namespace concino::detail

@@ -6,7 +6,8 @@
 
 namespace concino::detail {
 
-[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_value_not_finite(const char* caller, std::size_t vert) {
+[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_value_not_finite(const char* caller,
+                                                                                  std::size_t vert) {
   core::throw_joined<invalid_argument>({caller, ": the value at vert ", vert, " is not finite; replace it"});
 }
 

@@ -13,8 +13,8 @@
 
 namespace concino::detail {
 
-/// The parts of a poly: triangles, of which the fourth point is not used, or tets. The poly is the sum of the positively oriented ones less that of the others, whatever its
-/// shape is.
+/// The parts of a poly: triangles, of which the fourth point is not used, or tets. The poly is the sum of the
+/// positively oriented ones less that of the others, whatever its shape is.
 struct signed_simplices {
   std::vector<std::array<vec3, 4>> parts;
   vec3 normal;  // of a polygon: its vector area
@@ -26,7 +26,8 @@ double common_area(const signed_simplices& a, const signed_simplices& b);
 /// The common volume of two polyhedra.
 double common_volume(const signed_simplices& a, const signed_simplices& b);
 
-/// Fans of triangles about the first vert of a polygon; cones from the first vert of a polyhedron over its faces, which are fans about their mean points as in `volume`.
+/// Fans of triangles about the first vert of a polygon; cones from the first vert of a polyhedron over its faces, which
+/// are fans about their mean points as in `volume`.
 template<class M>
 void read_simplices(const M& m, const poly_t<M>& p, signed_simplices& to) {
   to.parts.clear();
@@ -57,7 +58,9 @@ void read_simplices(const M& m, const poly_t<M>& p, signed_simplices& to) {
       n = loop.size();
       if (has_apex && n == 3) continue;
       const bool is_outward = face_is_outward(m, p, f);
-      const auto add = [&](const vec3& a, const vec3& b, const vec3& c) { to.parts.push_back(is_outward ? std::array{apex, a, b, c} : std::array{apex, a, c, b}); };
+      const auto add = [&](const vec3& a, const vec3& b, const vec3& c) {
+        to.parts.push_back(is_outward ? std::array{apex, a, b, c} : std::array{apex, a, c, b});
+      };
       if (n == 3) add(loop[0], loop[1], loop[2]);
       const vec3 middle = shape_of(m, adj_f2v(m, f)).mean;
       for (std::size_t k = 0; k < n && n > 3; ++k) add(middle, loop[k], loop[(k + 1) % n]);

@@ -13,9 +13,12 @@ struct flat_point {
   double x, y;
 };
 
-inline double turn(const flat_point& a, const flat_point& b, const flat_point& c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+inline double turn(const flat_point& a, const flat_point& b, const flat_point& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
 
-/// The common area of two triangles: the first is cut by the edges of the second (Sutherland, Hodgman 1974), both counter-clockwise.
+/// The common area of two triangles: the first is cut by the edges of the second (Sutherland, Hodgman 1974), both
+/// counter-clockwise.
 CONCINO_INLINE double common_area_of_triangles(const std::array<flat_point, 3>& a, const std::array<flat_point, 3>& b) {
   std::array<flat_point, 8> loop{a[0], a[1], a[2]}, cut;
   std::size_t n = 3;
@@ -82,10 +85,14 @@ CONCINO_INLINE double volume_inside(std::array<vec3, 4> t, const std::array<tet_
   }
   if (inside == 0) return 0;
   if (inside == 4) return volume_inside(t, sides, k + 1);
-  const auto cut = [&](std::size_t i, std::size_t j) { return t[i] + (height[i] / (height[i] - height[j])) * (t[j] - t[i]); };
+  const auto cut = [&](std::size_t i, std::size_t j) {
+    return t[i] + (height[i] / (height[i] - height[j])) * (t[j] - t[i]);
+  };
   if (inside == 1) return volume_inside({t[0], cut(0, 1), cut(0, 2), cut(0, 3)}, sides, k + 1);
   const auto of_prism = [&](const std::array<vec3, 3>& p, const std::array<vec3, 3>& q) {
-    return volume_inside({p[0], p[1], p[2], q[2]}, sides, k + 1) + volume_inside({p[0], p[1], q[1], q[2]}, sides, k + 1) + volume_inside({p[0], q[0], q[1], q[2]}, sides, k + 1);
+    return volume_inside({p[0], p[1], p[2], q[2]}, sides, k + 1) +
+           volume_inside({p[0], p[1], q[1], q[2]}, sides, k + 1) +
+           volume_inside({p[0], q[0], q[1], q[2]}, sides, k + 1);
   };
   if (inside == 3) return of_prism({cut(0, 3), cut(1, 3), cut(2, 3)}, {t[0], t[1], t[2]});
   return of_prism({t[0], cut(0, 2), cut(0, 3)}, {t[1], cut(1, 2), cut(1, 3)});
@@ -103,7 +110,9 @@ CONCINO_INLINE double common_volume(const signed_simplices& a, const signed_simp
       sides[i] = {dot(normal, t[i] - origin) < 0 ? -normal : normal, origin};
     }
     for (const auto& s : a.parts) {
-      const bool is_apart = std::any_of(sides.begin(), sides.end(), [&](const tet_side& side) { return std::all_of(s.begin(), s.end(), [&](const vec3& x) { return side.height(x) <= 0; }); });
+      const bool is_apart = std::any_of(sides.begin(), sides.end(), [&](const tet_side& side) {
+        return std::all_of(s.begin(), s.end(), [&](const vec3& x) { return side.height(x) <= 0; });
+      });
       if (!is_apart) sixfold += (sixfold_volume(s) > 0 ? sign : -sign) * volume_inside(s, sides, 0);
     }
   }

@@ -7,11 +7,14 @@
 namespace concino::detail {
 
 [[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_nothing_to_resample() {
-  throw invalid_argument("resample: one of the meshes has no polys, so there are no values to take or no polys to give them to");
+  throw invalid_argument(
+      "resample: one of the meshes has no polys, so there are no values to take or no polys to give them to");
 }
 
 [[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_no_measure_to_share(std::size_t poly) {
-  core::throw_joined<invalid_mesh>({"resample: poly ", poly, " of the new mesh has no area or volume, but would get a part of the integral; remove it"});
+  core::throw_joined<invalid_mesh>(
+      {"resample: poly ", poly,
+       " of the new mesh has no area or volume, but would get a part of the integral; remove it"});
 }
 
 }  // namespace concino::detail

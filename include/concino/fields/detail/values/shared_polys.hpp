@@ -40,7 +40,8 @@ class poly_sharing {
   poly_sharing(const From& from, const To& to) : from_(from), to_(to), tree_(to) {}
 
   /// Adds the parts of an amount that the polys of `to` get of poly p.
-  void divide(const poly_t<From>& p, double amount, signed_simplices& mine, signed_simplices& other, std::vector<share>& shares) const {
+  void divide(const poly_t<From>& p, double amount, signed_simplices& mine, signed_simplices& other,
+              std::vector<share>& shares) const {
     read_simplices(from_, p, mine);
     const std::size_t first = shares.size();
     double sum = 0;

@@ -7,8 +7,10 @@
 
 namespace concino::detail {
 
-/// Differences to the first finite value are summed, so that large constants lose no digits; they are halved, so that they do not overflow.
-CONCINO_INLINE value_statistics statistics_of_values(const std::vector<double>& values, const std::vector<double>& weights) {
+/// Differences to the first finite value are summed, so that large constants lose no digits; they are halved, so that
+/// they do not overflow.
+CONCINO_INLINE value_statistics statistics_of_values(const std::vector<double>& values,
+                                                     const std::vector<double>& weights) {
   value_statistics s;
   double total = 0, first = 0, sum = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {

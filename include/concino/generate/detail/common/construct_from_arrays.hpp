@@ -48,13 +48,15 @@ inline surface_arrays cut_quads(surface_arrays quads) {
 /// Constructs a surface from quads, which are split if M has triangles.
 template<class M>
 M construct_from_quads(surface_arrays quads) {
-  if constexpr (arity_v<M> == 3) return construct_from_arrays<M>(cut_quads(std::move(quads)));  // quads are split into triangles
+  // quads are split into triangles
+  if constexpr (arity_v<M> == 3) return construct_from_arrays<M>(cut_quads(std::move(quads)));
   else return construct_from_arrays<M>(std::move(quads));
 }
 
-/// Splits each hex into six tets. Every quad is split at its vert of the smallest number, so that two hexes that share it agree. In a grid that is
-/// numbered row by row, the six tets surround one diagonal of the cube.
-/// Source: Kuhn 1960; Dompierre, Labbe, Vallet, Camarero 1999, "How to subdivide pyramids, prisms and hexahedra into tetrahedra".
+/// Splits each hex into six tets. Every quad is split at its vert of the smallest number, so that two hexes that share
+/// it agree. In a grid that is numbered row by row, the six tets surround one diagonal of the cube.
+/// Source: Kuhn 1960; Dompierre, Labbe, Vallet, Camarero 1999, "How to subdivide pyramids, prisms and hexahedra into
+///         tetrahedra".
 inline cell_arrays tets_of(cell_arrays hexes) {
   cell_arrays a{std::move(hexes.points), {}, 4};
   a.verts.reserve(hexes.verts.size() * 3);
@@ -69,8 +71,10 @@ inline cell_arrays tets_of(cell_arrays hexes) {
         if (v[f[k]] < v[f[least]]) least = k;
       }
       if (has_apex) continue;
-      const vert_id a0 = v[f[least]], a1 = v[f[(least + 1) % 4]], a2 = v[f[(least + 2) % 4]], a3 = v[f[(least + 3) % 4]];
-      a.verts.insert(a.verts.end(), {a0, a2, a1, apex, a0, a3, a2, apex});  // faces are counter-clockwise seen from outside, so these are reversed
+      const vert_id a0 = v[f[least]], a1 = v[f[(least + 1) % 4]], a2 = v[f[(least + 2) % 4]],
+                    a3 = v[f[(least + 3) % 4]];
+      // faces are counter-clockwise seen from outside, so these are reversed
+      a.verts.insert(a.verts.end(), {a0, a2, a1, apex, a0, a3, a2, apex});
     }
   }
   return a;
@@ -106,20 +110,28 @@ void check_element_counts(const char* what, const char* option, double vert_coun
     corners = polys * 6;
   }
   if (polys < 1073741823.0 && vert_count < 4294967295.0 && corners < 4294967295.0) return;
-  core::throw_joined<invalid_argument>({what, ": ", option, " asks for ", core::number_text(polys), " polys and ", core::number_text(vert_count),
-                                  " verts; at most 2^30 polys and 2^32 verts and corners fit"});
+  core::throw_joined<invalid_argument>({what, ": ", option, " asks for ", core::number_text(polys), " polys and ",
+                                        core::number_text(vert_count),
+                                        " verts; at most 2^30 polys and 2^32 verts and corners fit"});
 }
 
 inline void check_positive(const char* what, const char* option, double x) {
   if (!(x > 0 && x <= std::numeric_limits<double>::max()))
-    core::throw_joined<invalid_argument>({what, ": ", option, " is ", core::number_text(x), "; it must be finite and above 0"});
+    core::throw_joined<invalid_argument>(
+        {what, ": ", option, " is ", core::number_text(x), "; it must be finite and above 0"});
 }
 inline void check_finite(const char* what, const char* option, const vec3& x) {
   for (const std::size_t k : {0u, 1u, 2u})
-    if (!std::isfinite(x[k])) core::throw_joined<invalid_argument>({what, ": ", option, k == 0 ? ".x" : k == 1 ? ".y" : ".z", " is not finite"});
+    if (!std::isfinite(x[k]))
+      core::throw_joined<invalid_argument>({what, ": ", option,
+                                            k == 0   ? ".x"
+                                            : k == 1 ? ".y"
+                                                     : ".z",
+                                            " is not finite"});
 }
 inline void check_at_least(const char* what, const std::string& option, std::size_t value, std::size_t least) {
-  if (value < least) core::throw_joined<invalid_argument>({what, ": ", option, " is ", value, "; it must be at least ", least});
+  if (value < least)
+    core::throw_joined<invalid_argument>({what, ": ", option, " is ", value, "; it must be at least ", least});
 }
 
 }  // namespace detail

@@ -50,7 +50,8 @@ class merged_polys {
  public:
   explicit merged_polys(const M& m) : m_(m), in_(poly_index_bound(m)) {}
 
-  /// Replaces the set. Returns whether the polys are connected. Its own search takes time proportional to the set; bfs would fill a map of all polys.
+  /// Replaces the set. Returns whether the polys are connected. Its own search takes time proportional to the set; bfs
+  /// would fill a map of all polys.
   bool set(std::span<const poly_t<M>> polys) {
     in_.clear();
     for (const poly_t<M>& p : polys) in_.add(index_of(m_, p), 1);
@@ -83,14 +84,16 @@ class merged_boundary<M> {
   struct boundary_edge { vert_t<M> from, to; };
   const M& m_;
   merged_polys<M> members_;
-  stamped_array<std::uint32_t> leaving_, first_from_;  // by vert: the boundary edge from it; by interior edge: its first vert in the first poly
+  stamped_array<std::uint32_t> leaving_, first_from_;  // by vert: the boundary edge from it; by interior edge: its
+                                                       // first vert in the first poly
   stamped_array<unsigned char> met_;
   std::vector<boundary_edge> edges_;
   std::vector<vert_t<M>> ring_;
 
  public:
   explicit merged_boundary(const M& m)
-      : m_(m), members_(m), leaving_(vert_index_bound(m)), first_from_(edge_index_bound(m)), met_(vert_index_bound(m)) {}
+      : m_(m), members_(m), leaving_(vert_index_bound(m)), first_from_(edge_index_bound(m)), met_(vert_index_bound(m)) {
+  }
 
   const std::vector<vert_t<M>>& ring() const { return ring_; }
 
@@ -111,7 +114,8 @@ class merged_boundary<M> {
         const std::size_t n = members_.count(adj_e2p(m_, e)), at = index_of(m_, from);
         if (n > 2) fault = {"more than two of them meet at edge", index_of(m_, e)};
         if (n == 1) {
-          if (!leaving_.add(at, static_cast<std::uint32_t>(edges_.size()))) fault = {"their boundary passes twice through vert", at};
+          if (!leaving_.add(at, static_cast<std::uint32_t>(edges_.size())))
+            fault = {"their boundary passes twice through vert", at};
           edges_.push_back({from, to});
         } else if (first_from_.add(index_of(m_, e), static_cast<std::uint32_t>(at))) {
           ++inside;
@@ -129,7 +133,8 @@ class merged_boundary<M> {
       if (k == 0) break;
     }
     if (ring_.size() != edges_.size()) return {"they have more than one boundary"};
-    const std::ptrdiff_t chi = met - inside - static_cast<std::ptrdiff_t>(edges_.size()) + static_cast<std::ptrdiff_t>(polys.size());
+    const std::ptrdiff_t chi =
+        met - inside - static_cast<std::ptrdiff_t>(edges_.size()) + static_cast<std::ptrdiff_t>(polys.size());
     if (chi != 1) return {"they have a handle, or touch themselves at a vert"};
     return {};
   }
@@ -144,7 +149,8 @@ class merged_boundary<M> {
  private:
   const M& m_;
   merged_polys<M> members_;
-  stamped_array<unsigned char> inside_, met_vert_, times_;   // by face: whether the first poly has it outward; by edge: the number of its boundary faces
+  stamped_array<unsigned char> inside_, met_vert_, times_;   // by face: whether the first poly has it outward; by edge:
+                                                             // the number of its boundary faces
   stamped_array<std::uint32_t> first_face_;                  // by edge
   std::vector<boundary_face> faces_;
 
@@ -170,7 +176,8 @@ class merged_boundary<M> {
         if (n > 2) return {"more than two of them meet at face", i};
         const bool outward = face_is_outward(m_, p, f);
         if (n == 1) faces_.push_back({f, outward});
-        else if (!inside_.add(i, outward) && (inside_[i] != 0) == outward) return {"two of them lie on the same side of face", i};
+        else if (!inside_.add(i, outward) && (inside_[i] != 0) == outward)
+          return {"two of them lie on the same side of face", i};
       }
     if (faces_.empty()) return {"they have no boundary"};
     disjoint_sets pieces(faces_.size());

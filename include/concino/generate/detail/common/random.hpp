@@ -23,7 +23,8 @@ class random_stream {
   }
   /// The next number in [0, 1), a multiple of 2^-53.
   constexpr double unit() { return static_cast<double>(next() >> 11) * 0x1p-53; }
-  /// The next number in [low, high]. std::fma is explicit, so that the last bit does not depend on whether a compiler contracts the expression.
+  /// The next number in [low, high]. std::fma is explicit, so that the last bit does not depend on whether a compiler
+  /// contracts the expression.
   double between(double low, double high) { return std::clamp(std::fma(unit(), high - low, low), low, high); }
 };
 

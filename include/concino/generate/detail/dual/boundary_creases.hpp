@@ -16,7 +16,8 @@ namespace concino::detail {
 
 struct creases_by_angle {};
 
-/// Which verts or edges of the boundary are creases: all, none, those of a map, or those at which the boundary turns by an angle or more.
+/// Which verts or edges of the boundary are creases: all, none, those of a map, or those at which the boundary turns by
+/// an angle or more.
 template<class M, class Creases>
 class boundary_creases {
   static constexpr bool by_map = !std::is_same_v<Creases, creases_by_angle>;
@@ -44,10 +45,13 @@ class boundary_creases {
   /// Errors: invalid_argument if the options contradict each other or the angle is no number of degrees.
   boundary_creases(const M& m, const Creases& creases, const dual_mesh_options& o)
       : m_(m), creases_(creases), boundary_(o.boundary), min_turn_(o.crease_angle_deg * std::numbers::pi / 180) {
-    if (!(o.crease_angle_deg >= 0)) throw invalid_argument("dual_mesh: crease_angle_deg is negative or not a number; it is an angle in degrees, 0 or more");
+    if (!(o.crease_angle_deg >= 0))
+      throw invalid_argument(
+          "dual_mesh: crease_angle_deg is negative or not a number; it is an angle in degrees, 0 or more");
     if (by_map && boundary_ == dual_boundary::closed)
       throw invalid_argument("dual_mesh: creases are given, but closed cells have none; use dual_boundary::clipped");
-    if (by_map && o.crease_angle_deg != 0) throw invalid_argument("dual_mesh: creases are given by a map and by crease_angle_deg; give one of them");
+    if (by_map && o.crease_angle_deg != 0)
+      throw invalid_argument("dual_mesh: creases are given by a map and by crease_angle_deg; give one of them");
   }
 
   /// Whether verts on the boundary have cells, and whether all verts or edges of the boundary are creases.

@@ -1,4 +1,5 @@
-// The common part of dual meshes of surfaces and volumes: a vert for each poly, a vert for each facet that needs one, and loops around centres.
+// The common part of dual meshes of surfaces and volumes: a vert for each poly, a vert for each facet that needs one,
+// and loops around centres.
 #pragma once
 
 #include <concino/concepts/end_verts.hpp>
@@ -12,8 +13,8 @@
 
 namespace concino::detail {
 
-/// The verts of a dual mesh and its loops around centres. Centres are the verts of a surface and the edges of a volume. The polys around a centre
-/// give a loop of dual verts: a dual polygon, or a face of dual polyhedra.
+/// The verts of a dual mesh and its loops around centres. Centres are the verts of a surface and the edges of a volume.
+/// The polys around a centre give a loop of dual verts: a dual polygon, or a face of dual polyhedra.
 template<class M>
 class dual_parts {
   static constexpr bool is_surface = SurfaceMesh<M>;
@@ -57,11 +58,14 @@ class dual_parts {
   const std::vector<std::uint32_t>& vert_of_poly() const { return poly_number_; }
   const std::vector<std::uint32_t>& vert_of_facet() const { return facet_vert_; }
 
-  /// Appends the loop around a centre to `loop`, counter-clockwise. On the boundary it ends with centre_vert, unless that is `none`.
+  /// Appends the loop around a centre to `loop`, counter-clockwise. On the boundary it ends with centre_vert, unless
+  /// that is `none`.
   /// Errors: invalid_mesh if the polys around the centre are not one fan.
   void add_loop(std::size_t centre, std::uint32_t centre_vert, std::vector<vert_id>& loop) {
     const fan_kind kind = fans_.arrange(centre, [&](std::uint32_t f) { return is_border(f); });
-    if (kind == fan_kind::broken) throw_no_dual(is_surface ? "the polys around vert " : "the polys around edge ", centre, " do not form a single fan");
+    if (kind == fan_kind::broken)
+      throw_no_dual(is_surface ? "the polys around vert " : "the polys around edge ", centre,
+                    " do not form a single fan");
     for (const sector& w : fans_[centre]) {
       if (facet_vert_[w.in] != none) loop.push_back(vert_id{facet_vert_[w.in]});
       loop.push_back(vert_id{w.poly});
@@ -81,7 +85,8 @@ class dual_parts {
   sector_fans fans_;
 
   std::size_t centre_bound() const {
-    if constexpr (is_surface) return vert_index_bound(m_);  // centres are where facets meet: verts of a surface, edges of a volume
+    if constexpr (is_surface) return vert_index_bound(m_);  // centres are where facets meet: verts of a surface, edges
+                                                            // of a volume
     else return edge_index_bound(m_);
   }
 
@@ -91,7 +96,9 @@ class dual_parts {
     for (const poly_t<M> p : polys(m_)) {
       const vec3 x = centre_of(p);
       if (!is_finite(x))
-        throw_no_dual("poly ", index_of(m_, p), where_ == dual_points::centroids ? " has a vert whose point is not finite" : " is flat or not finite: it has no circumcentre");
+        throw_no_dual("poly ", index_of(m_, p),
+                      where_ == dual_points::centroids ? " has a vert whose point is not finite"
+                                                       : " is flat or not finite: it has no circumcentre");
       const std::uint32_t n = poly_number_[index_of(m_, p)] = add_vert(x);
       for (const facet_t<M> f : adj_p2facet(m_, p)) {
         auto& [first, second] = polys_at_[index_of(m_, f)];
@@ -101,8 +108,8 @@ class dual_parts {
     }
   }
 
-  /// Adds a dual vert for each boundary facet if cells are clipped there. If two polys share more than one facet, each of these gets a dual vert
-  /// too: without it dual edges would coincide.
+  /// Adds a dual vert for each boundary facet if cells are clipped there. If two polys share more than one facet, each
+  /// of these gets a dual vert too: without it dual edges would coincide.
   void add_facet_verts(bool clipped) {
     std::vector<std::uint32_t> seen_from(points.size(), none), seen_through(points.size(), none);
     facet_vert_.assign(facet_index_bound(m_), none);

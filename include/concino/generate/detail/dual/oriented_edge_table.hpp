@@ -42,7 +42,9 @@ class oriented_edge_table {
     }
   }
 
-  std::span<const indexed_oriented_edge> of(std::size_t face) const { return {edges_.data() + first_[face], edges_.data() + first_[face + 1]}; }
+  std::span<const indexed_oriented_edge> of(std::size_t face) const {
+    return {edges_.data() + first_[face], edges_.data() + first_[face + 1]};
+  }
   /// The last vert of adj_e2v, for an edge that belongs to a face.
   std::uint32_t second_end(std::size_t edge) const { return second_end_[edge]; }
 };

@@ -13,7 +13,8 @@ template<class... Pieces>
   core::throw_joined<invalid_mesh>({"dual_mesh: ", pieces..., "; validate() lists what is wrong with the mesh"});
 }
 
-/// Collects the sectors around the verts of a surface. Polys are identified by number_of(p), facets and centres by index.
+/// Collects the sectors around the verts of a surface. Polys are identified by number_of(p), facets and centres by
+/// index.
 template<SurfaceMesh M, class NumberOf>
 void read_sectors(const M& m, const NumberOf& number_of, sector_fans& fans) {
   for (const poly_t<M> p : polys(m))
@@ -32,7 +33,8 @@ void read_sectors(const M& m, const NumberOf& number_of, sector_fans& fans) {
   }
 }
 
-/// Collects the sectors around the edges of a volume. Errors: invalid_mesh that names a poly whose surface is not closed.
+/// Collects the sectors around the edges of a volume. Errors: invalid_mesh that names a poly whose surface is not
+/// closed.
 template<VolumeMesh M, class NumberOf>
 void read_sectors(const M& m, const NumberOf& number_of, sector_fans& fans, const oriented_edge_table<M>& oriented) {
   for (const poly_t<M> p : polys(m))
@@ -45,8 +47,10 @@ void read_sectors(const M& m, const NumberOf& number_of, sector_fans& fans, cons
       const bool outward = face_is_outward(m, p, f);
       for (const indexed_oriented_edge& s : oriented.of(facet)) {
         sector& w = fans.at(s.edge, n);
-        std::uint32_t& slot = (s.forward != 0) == outward ? w.out : w.in;  // the face whose outward orientation follows the edge is `out`
-        if (slot != sector::none) throw_no_dual("poly ", index_of(m, p), " has more than two faces at edge ", std::size_t{s.edge});
+        // the face whose outward orientation follows the edge is `out`
+        std::uint32_t& slot = (s.forward != 0) == outward ? w.out : w.in;
+        if (slot != sector::none)
+          throw_no_dual("poly ", index_of(m, p), " has more than two faces at edge ", std::size_t{s.edge});
         slot = facet;
       }
     }

@@ -8,8 +8,9 @@
 
 namespace concino::detail {
 
-/// The part of a poly at a centre: a vert of a surface or an edge of a volume. Counter-clockwise around the centre, the sector begins at facet `in`
-/// and ends at facet `out`. Around an edge, counter-clockwise is as seen from its second end, looking at the first.
+/// The part of a poly at a centre: a vert of a surface or an edge of a volume. Counter-clockwise around the centre, the
+/// sector begins at facet `in` and ends at facet `out`. Around an edge, counter-clockwise is as seen from its second
+/// end, looking at the first.
 struct sector {
   static constexpr std::uint32_t none = ~0u;
   std::uint32_t poly, in, out;
@@ -31,7 +32,8 @@ class sector_fans {
     end_.assign(first_.begin(), first_.end() - 1);
     sectors_.resize(first_.back());
   }
-  /// The sector of a poly, added by the first call. All calls for one centre and one poly must precede those for another poly.
+  /// The sector of a poly, added by the first call. All calls for one centre and one poly must precede those for
+  /// another poly.
   sector& at(std::size_t centre, std::uint32_t poly) {
     std::uint32_t& end = end_[centre];
     if (end > first_[centre] && sectors_[end - 1].poly == poly) return sectors_[end - 1];
@@ -40,10 +42,12 @@ class sector_fans {
   }
 
   std::size_t size() const { return sectors_.size(); }
-  std::span<sector> operator[](std::size_t centre) { return {sectors_.data() + first_[centre], sectors_.data() + end_[centre]}; }
+  std::span<sector> operator[](std::size_t centre) {
+    return {sectors_.data() + first_[centre], sectors_.data() + end_[centre]};
+  }
 
-  /// Sorts the sectors of a centre in cyclic order, from boundary to boundary if the fan is open. If a poly is oriented against the previous one,
-  /// its sector is reversed. Quadratic in the number of sectors.
+  /// Sorts the sectors of a centre in cyclic order, from boundary to boundary if the fan is open. If a poly is oriented
+  /// against the previous one, its sector is reversed. Quadratic in the number of sectors.
   template<class IsBorder>
   fan_kind arrange(std::size_t centre, const IsBorder& is_border) {
     const std::span<sector> fan = (*this)[centre];

@@ -6,7 +6,8 @@
 
 namespace concino::detail {
 
-/// Checks that the polys around a vert form a ball, or half a ball on the boundary. Otherwise its dual cell would not be a closed manifold.
+/// Checks that the polys around a vert form a ball, or half a ball on the boundary. Otherwise its dual cell would not
+/// be a closed manifold.
 template<VolumeMesh M>
 class vertex_link_checker {
   const M& m_;
@@ -16,8 +17,8 @@ class vertex_link_checker {
  public:
   vertex_link_checker(const M& m, dual_parts<M>& parts) : m_(m), parts_(parts), slot_(parts.points.size()) {}
 
-  /// Checks the link of v: on a small sphere around v, its edges, faces and polys are the verts, edges and polys of a polygon mesh, which must be
-  /// one sphere or one disk.
+  /// Checks the link of v: on a small sphere around v, its edges, faces and polys are the verts, edges and polys of a
+  /// polygon mesh, which must be one sphere or one disk.
   /// Errors: invalid_mesh that names v.
   void check(const vert_t<M>& v, bool on_border) {
     std::size_t np = 0, nf = 0, ne = 0;
@@ -30,7 +31,8 @@ class vertex_link_checker {
       if (second != parts_.none && joined.unite(slot_[first], slot_[second])) --pieces;
     }
     for (const edge_t<M> e : adj_v2e(m_, v)) ne += parts_.has_polys(index_of(m_, e));
-    if (pieces != 1 || ne + np != nf + (on_border ? 1 : 2)) throw_no_dual("the polys around vert ", index_of(m_, v), " do not form a single ball");
+    if (pieces != 1 || ne + np != nf + (on_border ? 1 : 2))
+      throw_no_dual("the polys around vert ", index_of(m_, v), " do not form a single ball");
     if (!on_border && ne < 3) throw_no_dual("vert ", index_of(m_, v), " has only two edges: its cell would be flat");
   }
 };

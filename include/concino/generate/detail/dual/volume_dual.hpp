@@ -1,4 +1,5 @@
-// The dual mesh of a volume: a polyhedron for each vert and a face for each edge. Clipped cells get additional faces on the boundary.
+// The dual mesh of a volume: a polyhedron for each vert and a face for each edge. Clipped cells get additional faces on
+// the boundary.
 #pragma once
 
 #include <concino/generate/detail/dual/boundary_creases.hpp>
@@ -27,8 +28,10 @@ class volume_dual {
   vertex_link_checker<M> link_checker_;
   std::vector<unsigned char> on_border_;            // by vert index
   std::vector<unsigned char> is_crease_;            // by edge index
-  std::vector<std::uint32_t> face_of_, middle_of_;  // by edge index: the dual face, and the dual vert at the midpoint of a crease
-  std::vector<std::uint32_t> cell_of_, own_of_;     // by vert index: the dual poly, and the dual vert at a vert where creases meet
+  std::vector<std::uint32_t> face_of_, middle_of_;  // by edge index: the dual face, and the dual vert at the midpoint
+                                                    // of a crease
+  std::vector<std::uint32_t> cell_of_, own_of_;     // by vert index: the dual poly, and the dual vert at a vert where
+                                                    // creases meet
   std::vector<boundary_corner> around_;
   polyhedra_arrays arrays_;
 
@@ -38,7 +41,8 @@ class volume_dual {
         for (const indexed_oriented_edge& s : oriented_edges_.of(index_of(m_, f))) on_border_[s.from] = 1;
   }
 
-  /// Makes creases of the edges between two boundary faces that share several. Without midpoints, their dual edges would coincide.
+  /// Makes creases of the edges between two boundary faces that share several. Without midpoints, their dual edges
+  /// would coincide.
   void add_needed_creases() {
     std::vector<std::array<std::uint32_t, 2>> faces_at(edge_index_bound(m_), {none, none});
     const auto for_each_boundary_face = [&](const auto& visit) {
@@ -46,7 +50,8 @@ class volume_dual {
         if (const std::size_t i = index_of(m_, f); parts_.is_border(i)) visit(static_cast<std::uint32_t>(i));
     };
     for_each_boundary_face([&](std::uint32_t f) {
-      for (const indexed_oriented_edge& s : oriented_edges_.of(f)) faces_at[s.edge][faces_at[s.edge][0] == none ? 0 : 1] = f;
+      for (const indexed_oriented_edge& s : oriented_edges_.of(f))
+        faces_at[s.edge][faces_at[s.edge][0] == none ? 0 : 1] = f;
     });
     std::vector<std::uint32_t> seen_from(face_index_bound(m_), none), seen_through(face_index_bound(m_), none);
     for_each_boundary_face([&](std::uint32_t f) {
@@ -99,7 +104,8 @@ class volume_dual {
       const std::size_t k = index_of(m_, e);
       if (face_of_[k] == none) continue;
       arrays_.poly_faces.push_back(face_id{face_of_[k]});
-      arrays_.outward.push_back(oriented_edges_.second_end(k) != i);  // loops are counter-clockwise as seen from the second end
+      arrays_.outward.push_back(oriented_edges_.second_end(k) != i);  // loops are counter-clockwise as seen from the
+                                                                      // second end
     }
     if (on_border_[i]) close_cell_at_border(v);
     arrays_.poly_offsets.push_back(static_cast<std::uint32_t>(arrays_.poly_faces.size()));
@@ -120,15 +126,17 @@ class volume_dual {
     }
   }
 
-  /// Adds a face for each part of the boundary at v between two creases: v, the midpoint of a crease, the dual verts of boundary faces, the midpoint of
-  /// the next crease. Without creases it is one face, and where one crease ends it is one too, both without v.
+  /// Adds a face for each part of the boundary at v between two creases: v, the midpoint of a crease, the dual verts of
+  /// boundary faces, the midpoint of the next crease. Without creases it is one face, and where one crease ends it is
+  /// one too, both without v.
   void close_cell_at_border(const vert_t<M>& v) {
     find_boundary_corners(v);
     const auto is_crease = [&](std::uint32_t e) { return is_crease_[e] != 0; };
     const auto with = [&](std::uint32_t boundary_corner::*side, std::uint32_t edge) {
       return std::find_if(around_.begin(), around_.end(), [&](const boundary_corner& c) { return c.*side == edge; });
     };
-    const auto num_creases = std::count_if(around_.begin(), around_.end(), [&](const boundary_corner& c) { return is_crease(c.after); });
+    const auto num_creases =
+        std::count_if(around_.begin(), around_.end(), [&](const boundary_corner& c) { return is_crease(c.after); });
     std::uint32_t& own = own_of_[index_of(m_, v)];
     if (num_creases > 1) own = parts_.add_vert(to_vec3(point(m_, v)));
     for (auto start = around_.begin(); start != around_.end(); ++start) {
@@ -156,9 +164,10 @@ class volume_dual {
  public:
   template<class Creases>
   volume_dual(const M& m, const boundary_creases<M, Creases>& creases, dual_points where)
-      : m_(m), clips_(creases.clips()), creases_everywhere_(creases.everywhere()), oriented_edges_(m), parts_(m, clips_, where, oriented_edges_),
-        link_checker_(m, parts_), on_border_(vert_index_bound(m)), is_crease_(creases.at_edges()), face_of_(edge_index_bound(m), none),
-        middle_of_(edge_index_bound(m), none), cell_of_(vert_index_bound(m), none), own_of_(vert_index_bound(m), none) {}
+      : m_(m), clips_(creases.clips()), creases_everywhere_(creases.everywhere()), oriented_edges_(m),
+        parts_(m, clips_, where, oriented_edges_), link_checker_(m, parts_), on_border_(vert_index_bound(m)),
+        is_crease_(creases.at_edges()), face_of_(edge_index_bound(m), none), middle_of_(edge_index_bound(m), none),
+        cell_of_(vert_index_bound(m), none), own_of_(vert_index_bound(m), none) {}
 
   /// Builds the arrays of the dual mesh. If cells are not clipped, some points may belong to no face.
   polyhedra_arrays build() {
@@ -174,7 +183,11 @@ class volume_dual {
   }
 
   dual_maps maps() const {
-    return {ids<poly_id>(cell_of_), ids<face_id>(face_of_), ids<vert_id>(parts_.vert_of_poly()), ids<vert_id>(parts_.vert_of_facet()), ids<vert_id>(middle_of_),
+    return {ids<poly_id>(cell_of_),
+            ids<face_id>(face_of_),
+            ids<vert_id>(parts_.vert_of_poly()),
+            ids<vert_id>(parts_.vert_of_facet()),
+            ids<vert_id>(middle_of_),
             ids<vert_id>(own_of_)};
   }
 };

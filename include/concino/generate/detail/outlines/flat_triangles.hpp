@@ -13,8 +13,9 @@
 
 namespace concino::detail {
 
-/// Triangulates polygons as polygon_triangulator, and replaces triangles without area, up to rounding: each is flipped with the triangle beyond its longest edge, if
-/// both new ones have area. It costs O(log n) more for each edge of a polygon of n verts that has such triangles.
+/// Triangulates polygons as polygon_triangulator, and replaces triangles without area, up to rounding: each is flipped
+/// with the triangle beyond its longest edge, if both new ones have area. It costs O(log n) more for each edge of a
+/// polygon of n verts that has such triangles.
 class polygon_cutter {
   using index = std::uint32_t;
 

@@ -11,7 +11,8 @@ namespace concino::detail {
 // Scales the corners to about 1. Returns whether the polygon has a vector area.
 CONCINO_INLINE bool polygon_cutter::set_corners(std::span<const vec3> corners) {
   double size = 0;
-  for (const vec3& x : corners) size = std::max({size, std::abs(x.x - corners[0].x), std::abs(x.y - corners[0].y), std::abs(x.z - corners[0].z)});
+  for (const vec3& x : corners)
+    size = std::max({size, std::abs(x.x - corners[0].x), std::abs(x.y - corners[0].y), std::abs(x.z - corners[0].z)});
   if (!(size > 0) || !std::isfinite(size)) return false;
   corners_.clear();
   for (const vec3& x : corners) corners_.push_back((x - corners[0]) / size);
@@ -29,7 +30,8 @@ CONCINO_INLINE double polygon_cutter::squared_length(index a, index b) const {
 
 CONCINO_INLINE bool polygon_cutter::is_flat(const polygon_triangle& t) const {
   const double doubled_area = dot(cross(corners_[t[1]] - corners_[t[0]], corners_[t[2]] - corners_[t[0]]), normal_);
-  return !(doubled_area > 1e-12 * std::max({squared_length(t[0], t[1]), squared_length(t[1], t[2]), squared_length(t[2], t[0])}));
+  return !(doubled_area >
+           1e-12 * std::max({squared_length(t[0], t[1]), squared_length(t[1], t[2]), squared_length(t[2], t[0])}));
 }
 
 CONCINO_INLINE void polygon_cutter::enter(std::size_t t) {

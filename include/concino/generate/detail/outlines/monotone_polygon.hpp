@@ -47,10 +47,14 @@ class monotone_polygon {
     stack_.assign({order_[0], order_[1]});
     for (std::size_t i = 2; i < order_.size(); ++i) {
       const corner c = order_[i];
-      const auto add_with = [&](std::uint32_t a, std::uint32_t b) { c.is_upper ? add(b, a, c.point) : add(a, b, c.point); };
+      const auto add_with = [&](std::uint32_t a, std::uint32_t b) {
+        c.is_upper ? add(b, a, c.point) : add(a, b, c.point);
+      };
       corner top = stack_.back();
       if (c.is_upper != top.is_upper || i + 1 == order_.size()) {
-        for (std::size_t k = 1; k < stack_.size(); ++k) top.is_upper ? add(stack_[k].point, stack_[k - 1].point, c.point) : add(stack_[k - 1].point, stack_[k].point, c.point);
+        for (std::size_t k = 1; k < stack_.size(); ++k)
+          top.is_upper ? add(stack_[k].point, stack_[k - 1].point, c.point)
+                       : add(stack_[k - 1].point, stack_[k].point, c.point);
         stack_.assign({top, c});
         continue;
       }

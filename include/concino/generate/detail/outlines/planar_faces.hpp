@@ -11,12 +11,14 @@
 
 namespace concino::detail {
 
-/// Directed edge 2e leads from the first point of edge e to its second one, 2e + 1 back. Edges are the segments, then the bridges. Regions are on the left.
+/// Directed edge 2e leads from the first point of edge e to its second one, 2e + 1 back. Edges are the segments, then
+/// the bridges. Regions are on the left.
 class planar_faces {
   const core::planar_segments& g_;
   const std::vector<std::array<std::uint32_t, 2>>& bridges_;
   std::vector<std::uint32_t> next_;           // by directed edge: the next one around its region
-  std::vector<std::uint32_t> offsets_, order_;  // by point: the directed edges that leave it, counter-clockwise from below
+  std::vector<std::uint32_t> offsets_, order_;  // by point: the directed edges that leave it, counter-clockwise from
+                                                // below
 
   std::uint32_t num_edges() const { return static_cast<std::uint32_t>(g_.segments.size() + bridges_.size()); }
   std::uint32_t from(std::uint32_t d) const {
@@ -42,11 +44,13 @@ class planar_faces {
   void link_edges() {
     next_.resize(order_.size());
     for (std::size_t p = 0; p + 1 < offsets_.size(); ++p)
-      for (std::uint32_t i = offsets_[p]; i < offsets_[p + 1]; ++i) next_[order_[i] ^ 1] = order_[(i == offsets_[p] ? offsets_[p + 1] : i) - 1];
+      for (std::uint32_t i = offsets_[p]; i < offsets_[p + 1]; ++i)
+        next_[order_[i] ^ 1] = order_[(i == offsets_[p] ? offsets_[p + 1] : i) - 1];
   }
 
  public:
-  planar_faces(const core::planar_segments& g, const std::vector<std::array<std::uint32_t, 2>>& bridges) : g_(g), bridges_(bridges) {
+  planar_faces(const core::planar_segments& g, const std::vector<std::array<std::uint32_t, 2>>& bridges)
+      : g_(g), bridges_(bridges) {
     order_edges();
     link_edges();
   }

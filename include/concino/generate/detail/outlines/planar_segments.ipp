@@ -15,7 +15,8 @@ class planar_segment_reader {
 
   const planar_graph& g_;
   core::planar_segments result_;
-  std::vector<std::uint32_t> repeats_;  // by the number of a point that ends an outline: the first point, which it repeats; else none
+  std::vector<std::uint32_t> repeats_;  // by the number of a point that ends an outline: the first point, which it
+                                        // repeats; else none
 
   void require(bool good, core::message what) const {
     if (!good) core::throw_joined<invalid_argument>({result_.caller, ": ", core::joined(what)});
@@ -32,16 +33,20 @@ class planar_segment_reader {
 
   void check_lines() {
     require(g_.points.size() < (1u << 30) && g_.line_points.size() < (1u << 30), {"there are 2^30 points or more"});
-    require(g_.line_closed.size() == g_.num_lines(), {"line_closed has ", g_.line_closed.size(), " entries for ", g_.num_lines(), " lines"});
+    require(g_.line_closed.size() == g_.num_lines(),
+            {"line_closed has ", g_.line_closed.size(), " entries for ", g_.num_lines(), " lines"});
     result_.same_as.assign(g_.points.size(), none);
     repeats_.assign(g_.points.size(), none);
     std::size_t begin = 0;
     for (std::size_t i = 0; i < g_.num_lines(); ++i) {
       const std::size_t end = g_.line_ends[i], needed = g_.line_closed[i] ? 3 : 2;
-      require(begin <= end && end <= g_.line_points.size(), {"line_ends[", i, "] is ", end, "; it must not be below the one before, and there are ", g_.line_points.size(), " line_points"});
+      require(begin <= end && end <= g_.line_points.size(),
+              {"line_ends[", i, "] is ", end, "; it must not be below the one before, and there are ",
+               g_.line_points.size(), " line_points"});
       const bool repeats = g_.repeats_first_point(i);
       const std::size_t n = end - begin - repeats;
-      require(n >= needed, {"line ", i, ": ", g_.line_closed[i] ? "an outline" : "an open line", " needs ", needed, " points, but has ", n});
+      require(n >= needed, {"line ", i, ": ", g_.line_closed[i] ? "an outline" : "an open line", " needs ", needed,
+                            " points, but has ", n});
       for (std::size_t k = begin; k < end; ++k) use(g_.line_points[k], {"line ", i});
       if (repeats) repeats_[g_.line_points[end - 1]] = g_.line_points[begin];
       begin = end;
@@ -84,11 +89,13 @@ class planar_segment_reader {
     for (std::uint32_t p = 0; p < g_.points.size(); ++p)
       if (result_.same_as[p] != none) order.push_back(p);
     const auto& x = result_.points;
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return result_.is_before(a, b) || (x[a] == x[b] && a < b); });
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return result_.is_before(a, b) || (x[a] == x[b] && a < b); });
     for (std::size_t i = 1; i < order.size(); ++i) {
       if (!(x[order[i]] == x[order[i - 1]])) continue;
       const std::uint32_t a = order[i - 1], b = order[i];
-      require(merge || repeats_[a] == b || repeats_[b] == a, {"points ", a, " and ", b, " are at the same place; options.merge_points makes one vert of them"});
+      require(merge || repeats_[a] == b || repeats_[b] == a,
+              {"points ", a, " and ", b, " are at the same place; options.merge_points makes one vert of them"});
       result_.same_as[b] = result_.same_as[a];
     }
     for (std::uint32_t p = 0; p < g_.points.size(); ++p)
@@ -116,7 +123,9 @@ class planar_segment_reader {
       }
     }
     result_.segment_of.resize(list.size());
-    std::sort(list.begin(), list.end(), [](const entry& s, const entry& t) { return s.ends < t.ends || (s.ends == t.ends && s.input < t.input); });
+    std::sort(list.begin(), list.end(), [](const entry& s, const entry& t) {
+      return s.ends < t.ends || (s.ends == t.ends && s.input < t.input);
+    });
     for (std::size_t i = 0; i < list.size(); ++i) {
       if (i == 0 || list[i].ends != list[i - 1].ends) {
         result_.segments.push_back(list[i].ends);
@@ -135,7 +144,8 @@ class planar_segment_reader {
 
 namespace concino::core {
 
-CONCINO_INLINE planar_segments planar_segments_of(std::string_view caller, const planar_graph& g, std::span<const vec3> holes, const vec3& seen_from, bool merge) {
+CONCINO_INLINE planar_segments planar_segments_of(std::string_view caller, const planar_graph& g,
+                                                  std::span<const vec3> holes, const vec3& seen_from, bool merge) {
   detail::planar_segment_reader reader(caller, g);
   reader.check_lines();
   reader.project(holes, seen_from);
@@ -150,7 +160,9 @@ CONCINO_INLINE std::vector<edge_id> edges_between(const trimesh& m, std::span<co
     edge_id edge;
     bool operator<(const entry& o) const { return verts < o.verts; }
   };
-  const auto sorted = [](vert_id u, vert_id v) { return std::array<std::uint32_t, 2>{std::min(u.raw(), v.raw()), std::max(u.raw(), v.raw())}; };
+  const auto sorted = [](vert_id u, vert_id v) {
+    return std::array<std::uint32_t, 2>{std::min(u.raw(), v.raw()), std::max(u.raw(), v.raw())};
+  };
   std::vector<entry> entries;
   entries.reserve(num_edges(m));
   for (const edge_id e : edges(m)) {

@@ -20,26 +20,34 @@ class segment_sweep {
   core::swept_segments result_;
   segment_status status_;
   std::uint32_t tree_ = none;                 // the segments that meet the sweep line, upwards
-  std::vector<std::uint32_t> last_;           // by segment that meets the sweep line: the last point met of the region above it
-  std::vector<std::uint32_t> begin_, starts_;  // begin_[p] to begin_[p + 1]: the segments in starts_ that begin at point p
+  std::vector<std::uint32_t> last_;           // by segment that meets the sweep line: the last point met of the region
+                                              // above it
+  std::vector<std::uint32_t> begin_, starts_;  // begin_[p] to begin_[p + 1]: the segments in starts_ that begin at
+                                               // point p
   std::vector<std::uint8_t> is_met_;          // by component, which is the smallest of its points
   disjoint_sets components_;
   std::vector<std::uint32_t> ending_;
-  const std::vector<std::uint8_t>* divided_ = nullptr;  // by segment: whether the region above it is divided by diagonals, if not null
-  std::vector<std::uint8_t> is_last_;         // by point, if divided_: no segment begins there, so that the region needs a diagonal to the next point
+  const std::vector<std::uint8_t>* divided_ = nullptr;  // by segment: whether the region above it is divided by
+                                                        // diagonals, if not null
+  std::vector<std::uint8_t> is_last_;         // by point, if divided_: no segment begins there, so that the region
+                                              // needs a diagonal to the next point
 
   std::string name(std::uint32_t s) const {
     return core::joined({g_.first_input[s], " (points ", g_.segments[s][0], " and ", g_.segments[s][1], ")"});
   }
-  int orientation(std::uint32_t s, const vec3& x) const { return orient2d(g_.points[g_.segments[s][0]], g_.points[g_.segments[s][1]], x); }
+  int orientation(std::uint32_t s, const vec3& x) const {
+    return orient2d(g_.points[g_.segments[s][0]], g_.points[g_.segments[s][1]], x);
+  }
 
   /// Two neighbours in the order must not cross.
   void check_pair(std::uint32_t s, std::uint32_t t) const {
     if (s == none || t == none) return;
     const auto& [a, b] = g_.segments[s];
     const auto& [c, d] = g_.segments[t];
-    if (orientation(s, g_.points[c]) * orientation(s, g_.points[d]) < 0 && orientation(t, g_.points[a]) * orientation(t, g_.points[b]) < 0)
-      core::throw_joined<invalid_argument>({g_.caller, ": segments ", name(std::min(s, t)), " and ", name(std::max(s, t)), " cross; divide them by a common point"});
+    if (orientation(s, g_.points[c]) * orientation(s, g_.points[d]) < 0 &&
+        orientation(t, g_.points[a]) * orientation(t, g_.points[b]) < 0)
+      core::throw_joined<invalid_argument>({g_.caller, ": segments ", name(std::min(s, t)), " and ",
+                                            name(std::max(s, t)), " cross; divide them by a common point"});
   }
 
   /// Divides the segments on the sweep line into those below x, through x and above x.
@@ -53,10 +61,12 @@ class segment_sweep {
 
   void order_starts(std::uint32_t p) {
     const auto at = [&](std::uint32_t i) { return starts_.begin() + i; };
-    std::sort(at(begin_[p]), at(begin_[p + 1]), [&](std::uint32_t s, std::uint32_t t) { return orientation(s, g_.points[g_.segments[t][1]]) > 0; });
+    std::sort(at(begin_[p]), at(begin_[p + 1]),
+              [&](std::uint32_t s, std::uint32_t t) { return orientation(s, g_.points[g_.segments[t][1]]) > 0; });
     for (std::uint32_t i = begin_[p] + 1; i < begin_[p + 1]; ++i)
       if (orientation(starts_[i - 1], g_.points[g_.segments[starts_[i]][1]]) == 0)
-        core::throw_joined<invalid_argument>({g_.caller, ": segments ", name(std::min(starts_[i - 1], starts_[i])), " and ", name(std::max(starts_[i - 1], starts_[i])), " overlap"});
+        core::throw_joined<invalid_argument>({g_.caller, ": segments ", name(std::min(starts_[i - 1], starts_[i])),
+                                              " and ", name(std::max(starts_[i - 1], starts_[i])), " overlap"});
   }
 
   /// Joins a component to the point before it in the region in which it begins.
@@ -82,7 +92,8 @@ class segment_sweep {
     status_.list(through, ending_);
     for (const std::uint32_t s : ending_)
       if (g_.segments[s][1] != p)
-        core::throw_joined<invalid_argument>({g_.caller, ": point ", p, " lies on segment ", name(s), "; make it a point of the line"});
+        core::throw_joined<invalid_argument>(
+            {g_.caller, ": point ", p, " lies on segment ", name(s), "; make it a point of the line"});
     const std::uint32_t lower = status_.last(below), upper = status_.first(above);
     order_starts(p);
     if (divided_) divide_regions(p, lower);
@@ -106,14 +117,16 @@ class segment_sweep {
   void locate(std::uint32_t hole) {
     auto [below, through, above] = divide(g_.holes[hole]);
     if (through != none)
-      core::throw_joined<invalid_argument>({g_.caller, ": hole point ", hole, " lies on segment ", name(through), "; it must be inside the hole"});
+      core::throw_joined<invalid_argument>(
+          {g_.caller, ": hole point ", hole, " lies on segment ", name(through), "; it must be inside the hole"});
     result_.below_hole[hole] = status_.last(below);
     tree_ = status_.merge(below, above);
   }
 
  public:
   explicit segment_sweep(const core::planar_segments& g)
-      : g_(g), status_(g.segments.size()), last_(g.segments.size(), none), begin_(g.points.size() + 1, 0), starts_(g.segments.size()), is_met_(g.points.size(), 0), components_(g.points.size()) {
+      : g_(g), status_(g.segments.size()), last_(g.segments.size(), none), begin_(g.points.size() + 1, 0),
+        starts_(g.segments.size()), is_met_(g.points.size(), 0), components_(g.points.size()) {
     result_.inside_above.assign(g.segments.size(), 0);
     result_.unbounded_below.assign(g.segments.size(), 0);
     result_.below_hole.assign(g.holes.size(), none);
@@ -141,7 +154,8 @@ class segment_sweep {
         meet(events[i]);
       } else {
         if (i > 0 && events[i - 1] < n && place(events[i]) == place(events[i - 1]))
-          core::throw_joined<invalid_argument>({g_.caller, ": hole point ", events[i] - n, " is at the place of point ", events[i - 1], "; it must be inside the hole"});
+          core::throw_joined<invalid_argument>({g_.caller, ": hole point ", events[i] - n, " is at the place of point ",
+                                                events[i - 1], "; it must be inside the hole"});
         locate(events[i] - n);
       }
     }
@@ -155,7 +169,8 @@ namespace concino::core {
 
 CONCINO_INLINE swept_segments sweep(const planar_segments& g) { return detail::segment_sweep(g)(nullptr); }
 
-CONCINO_INLINE std::vector<std::array<std::uint32_t, 2>> monotone_diagonals(const planar_segments& g, const std::vector<std::uint8_t>& above) {
+CONCINO_INLINE std::vector<std::array<std::uint32_t, 2>> monotone_diagonals(const planar_segments& g,
+                                                                            const std::vector<std::uint8_t>& above) {
   return detail::segment_sweep(g)(&above).bridges;
 }
 

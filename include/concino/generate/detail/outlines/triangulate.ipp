@@ -15,7 +15,8 @@ namespace concino::detail {
 /// Fills the regions of a graph with triangles.
 class region_filler {
   static constexpr std::uint32_t none = core::planar_segments::none;
-  /// Ears of polygons give better triangles, but may take quadratic time; a region with more corners is divided into monotone ones.
+  /// Ears of polygons give better triangles, but may take quadratic time; a region with more corners is divided into
+  /// monotone ones.
   static constexpr std::size_t max_ear_corners = 1000;
 
   const planar_graph& input_;
@@ -63,14 +64,16 @@ class region_filler {
     filled_above_.assign(g_.segments.size(), 0);
     filled_below_.assign(g_.segments.size(), 0);
     std::size_t largest = 0;
-    planar_faces(g_, swept_.bridges).for_each([&](const std::vector<std::uint32_t>& cycle, const std::vector<std::uint32_t>& edges) {
-      if (!is_filled(edges)) return;
-      largest = std::max(largest, cycle.size());
-      for (const std::uint32_t d : edges)
-        if (is_segment(d)) (d % 2 == 0 ? filled_above_ : filled_below_)[d / 2] = 1;
-    });
+    planar_faces(g_, swept_.bridges)
+        .for_each([&](const std::vector<std::uint32_t>& cycle, const std::vector<std::uint32_t>& edges) {
+          if (!is_filled(edges)) return;
+          largest = std::max(largest, cycle.size());
+          for (const std::uint32_t d : edges)
+            if (is_segment(d)) (d % 2 == 0 ? filled_above_ : filled_below_)[d / 2] = 1;
+        });
     for (std::size_t h = 0; h < is_hole_found_.size(); ++h)
-      if (!is_hole_found_[h]) core::throw_joined<invalid_argument>({"triangulate: hole point ", h, " lies in no bounded region"});
+      if (!is_hole_found_[h])
+        core::throw_joined<invalid_argument>({"triangulate: hole point ", h, " lies in no bounded region"});
     return largest;
   }
 
@@ -83,7 +86,9 @@ class region_filler {
 
  public:
   region_filler(const planar_graph& input, const triangulate_options& options)
-      : input_(input), g_(core::planar_segments_of("triangulate", input, options.holes, options.seen_from, options.merge_points)), swept_(core::sweep(g_)) {}
+      : input_(input),
+        g_(core::planar_segments_of("triangulate", input, options.holes, options.seen_from, options.merge_points)),
+        swept_(core::sweep(g_)) {}
 
   void fill() {
     place_holes();
@@ -92,14 +97,18 @@ class region_filler {
     polygon_triangulator cut;
     monotone_polygon cut_monotone;
     std::vector<vec3> corners;
-    planar_faces(g_, swept_.bridges).for_each([&](const std::vector<std::uint32_t>& cycle, const std::vector<std::uint32_t>& edges) {
-      if (!is_marked(edges)) return;
-      if (is_divided && cycle.size() > max_ear_corners)
-        return cut_monotone(g_, cycle, [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) { triangles_.push_back({p, q, r}); });
-      corners.clear();
-      for (const std::uint32_t p : cycle) corners.push_back(g_.points[p]);
-      for (const polygon_triangle& t : cut.from_above(corners)) triangles_.push_back({cycle[t[0]], cycle[t[1]], cycle[t[2]]});
-    });
+    planar_faces(g_, swept_.bridges)
+        .for_each([&](const std::vector<std::uint32_t>& cycle, const std::vector<std::uint32_t>& edges) {
+          if (!is_marked(edges)) return;
+          if (is_divided && cycle.size() > max_ear_corners)
+            return cut_monotone(g_, cycle, [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) {
+              triangles_.push_back({p, q, r});
+            });
+          corners.clear();
+          for (const std::uint32_t p : cycle) corners.push_back(g_.points[p]);
+          for (const polygon_triangle& t : cut.from_above(corners))
+            triangles_.push_back({cycle[t[0]], cycle[t[1]], cycle[t[2]]});
+        });
   }
 
   planar_triangulation result() const {

@@ -9,8 +9,10 @@
 
 namespace concino::detail {
 
-CONCINO_INLINE augmenting_paths::augmenting_paths(std::span<const std::uint32_t> neighbours, std::vector<std::uint32_t>& mate)
-    : neighbours_(neighbours), mate_(mate), reached_(mate.size()), before_(mate.size()), base_(mate.size()), passed_(mate.size()), even_(mate.size()) {}
+CONCINO_INLINE augmenting_paths::augmenting_paths(std::span<const std::uint32_t> neighbours,
+                                                  std::vector<std::uint32_t>& mate)
+    : neighbours_(neighbours), mate_(mate), reached_(mate.size()), before_(mate.size()), base_(mate.size()),
+      passed_(mate.size()), even_(mate.size()) {}
 
 CONCINO_INLINE void augmenting_paths::visit(std::uint32_t v, bool even) {
   reached_[v] = search_;
@@ -36,7 +38,8 @@ CONCINO_INLINE std::uint32_t augmenting_paths::common_base(std::uint32_t v, std:
   }
 }
 
-// Adds the path from v to the base to a blossom, which the edge from v to w closes. Its odd vertices become even: paths reach them through that edge.
+// Adds the path from v to the base to a blossom, which the edge from v to w closes. Its odd vertices become even: paths
+// reach them through that edge.
 CONCINO_INLINE void augmenting_paths::shrink(std::uint32_t v, std::uint32_t w, std::uint32_t base_of_both) {
   while (base(v) != base_of_both) {
     before_[v] = w;

@@ -11,7 +11,8 @@
 
 namespace concino::detail {
 
-/// The triangles of a surface. Corner i of the list is at vert verts[i]; the edge to the next corner of its triangle is edges[i].
+/// The triangles of a surface. Corner i of the list is at vert verts[i]; the edge to the next corner of its triangle is
+/// edges[i].
 struct triangle_list {
   std::vector<vec3> points;
   std::vector<vert_id> verts;

@@ -15,11 +15,13 @@ namespace concino::detail {
 /// Corner i and the corners after and before it in its triangle.
 struct triangle_corner {
   std::size_t i, next, previous;
-  explicit triangle_corner(std::size_t corner) : i(corner), next(corner % 3 == 2 ? corner - 2 : corner + 1), previous(corner % 3 == 0 ? corner + 2 : corner - 1) {}
+  explicit triangle_corner(std::size_t corner)
+      : i(corner), next(corner % 3 == 2 ? corner - 2 : corner + 1),
+        previous(corner % 3 == 0 ? corner + 2 : corner - 1) {}
 };
 
-/// For each corner the corner of another triangle with the same edge in the opposite direction, if no other triangle has this edge and the two share no other
-/// vert; otherwise `none`.
+/// For each corner the corner of another triangle with the same edge in the opposite direction, if no other triangle
+/// has this edge and the two share no other vert; otherwise `none`.
 CONCINO_INLINE std::vector<std::uint32_t> opposite_corners(const triangle_list& list) {
   constexpr std::uint32_t none = augmenting_paths::none, several = none - 1;
   std::vector<std::uint32_t> first(list.num_edges, none), opposite(list.edges.size(), none);
@@ -49,7 +51,8 @@ CONCINO_INLINE std::vector<double> triangle_angles(const triangle_list& list) {
   std::vector<double> angles(list.verts.size());
   parallel_for(angles.size(), [&](std::size_t i) {
     const triangle_corner c(i);
-    angles[i] = angle_at_corner(list.points[list.verts[c.previous].raw()], list.points[list.verts[i].raw()], list.points[list.verts[c.next].raw()], {});
+    angles[i] = angle_at_corner(list.points[list.verts[c.previous].raw()], list.points[list.verts[i].raw()],
+                                list.points[list.verts[c.next].raw()], {});
   });
   return angles;
 }
@@ -58,11 +61,14 @@ CONCINO_INLINE std::vector<double> triangle_angles(const triangle_list& list) {
 struct scored_pair {
   double deviation;  // the largest difference of a corner of the quad from a right angle
   std::uint32_t corner;
-  bool operator<(const scored_pair& o) const { return deviation != o.deviation ? deviation < o.deviation : corner < o.corner; }
+  bool operator<(const scored_pair& o) const {
+    return deviation != o.deviation ? deviation < o.deviation : corner < o.corner;
+  }
 };
 
 /// The pairs that may be joined, from the best one; the others are removed from `opposite`.
-CONCINO_INLINE std::vector<scored_pair> convex_pairs(const triangle_list& list, double max_angle, std::vector<std::uint32_t>& opposite) {
+CONCINO_INLINE std::vector<scored_pair> convex_pairs(const triangle_list& list, double max_angle,
+                                                     std::vector<std::uint32_t>& opposite) {
   constexpr std::uint32_t none = augmenting_paths::none;
   const std::vector<double> angles = triangle_angles(list);
   std::vector<scored_pair> pairs;
@@ -71,11 +77,13 @@ CONCINO_INLINE std::vector<scored_pair> convex_pairs(const triangle_list& list, 
     const std::uint32_t j = opposite[i];
     if (j == none || j < i) continue;
     const triangle_corner a(i), b(j);
-    const double quad[] = {angles[a.i] + angles[b.next], angles[a.next] + angles[b.i], angles[a.previous], angles[b.previous]};
+    const double quad[] = {angles[a.i] + angles[b.next], angles[a.next] + angles[b.i], angles[a.previous],
+                           angles[b.previous]};
     const auto [least, most] = std::minmax_element(quad, quad + 4);
     const double smallest = std::min({angles[a.i], angles[a.next], angles[b.i], angles[b.next], *least});
     constexpr double right = std::numbers::pi / 2;
-    if (smallest > 0 && *most < max_angle - 1e-9) pairs.push_back({std::max(*most - right, right - *least), i});  // triangles without area have angles of 0
+    // triangles without area have angles of 0
+    if (smallest > 0 && *most < max_angle - 1e-9) pairs.push_back({std::max(*most - right, right - *least), i});
     else opposite[i] = opposite[j] = none;
   }
   std::sort(pairs.begin(), pairs.end());
@@ -83,7 +91,8 @@ CONCINO_INLINE std::vector<scored_pair> convex_pairs(const triangle_list& list, 
 }
 
 /// For each triangle the one that it is joined with, or `none`: the best pairs first, then as many as possible.
-CONCINO_INLINE std::vector<std::uint32_t> matched_triangles(const std::vector<scored_pair>& pairs, const std::vector<std::uint32_t>& opposite) {
+CONCINO_INLINE std::vector<std::uint32_t> matched_triangles(const std::vector<scored_pair>& pairs,
+                                                            const std::vector<std::uint32_t>& opposite) {
   constexpr std::uint32_t none = augmenting_paths::none;
   std::vector<std::uint32_t> mate(opposite.size() / 3, none), neighbours(opposite.size(), none);
   for (const scored_pair& p : pairs) {
@@ -97,7 +106,8 @@ CONCINO_INLINE std::vector<std::uint32_t> matched_triangles(const std::vector<sc
 }
 
 /// The areas of two triangles with a common edge, up to a common factor: their heights above it.
-CONCINO_INLINE std::pair<double, double> heights(const triangle_list& list, const triangle_corner& a, const triangle_corner& b) {
+CONCINO_INLINE std::pair<double, double> heights(const triangle_list& list, const triangle_corner& a,
+                                                 const triangle_corner& b) {
   const auto at = [&](std::size_t corner) { return list.points[list.verts[corner].raw()]; };
   const vec3 start = at(a.i), along = (at(a.next) - start) / distance(at(a.next), start);
   const auto height = [&](const vec3& top) {

@@ -12,10 +12,14 @@ CONCINO_INLINE void transfer_to_boundary(const property_set& source, const corre
     const property_info info = source.info(i);
     if (info.kind == element_kind::poly || info.kind == element_kind::corner) continue;
     const bool is_face = info.kind == element_kind::face;
-    const element_origins& origins = is_face ? c.polys : info.kind == element_kind::vert ? c.verts : info.kind == element_kind::edge ? c.edges : the_mesh;
+    const element_origins& origins = is_face                           ? c.polys
+                                     : info.kind == element_kind::vert ? c.verts
+                                     : info.kind == element_kind::edge ? c.edges
+                                                                       : the_mesh;
     const column& values = *source.values(i);
     column taken(values, origins);
-    const auto column_there = to.get(is_face ? element_kind::poly : info.kind, info.name, values.operations(), origins.size());
+    const auto column_there =
+        to.get(is_face ? element_kind::poly : info.kind, info.name, values.operations(), origins.size());
     column_there->set_rule(values.rule());
     column_there->swap_values(taken);
   }

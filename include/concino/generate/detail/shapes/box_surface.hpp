@@ -18,10 +18,12 @@ constexpr std::size_t boundary_cycle_number(std::size_t i, std::size_t j, std::s
 
 class box_surface {
   lattice_point n_;
-  std::size_t lid_, boundary_cycle_;  // number of verts of the lowest layer, which is full, and of each layer between, a boundary cycle
+  std::size_t lid_, boundary_cycle_;  // number of verts of the lowest layer, which is full, and of each layer between,
+                                      // a boundary cycle
 
  public:
-  explicit constexpr box_surface(const lattice_point& cells) : n_(cells), lid_((cells[0] + 1) * (cells[1] + 1)), boundary_cycle_(2 * (cells[0] + cells[1])) {}
+  explicit constexpr box_surface(const lattice_point& cells)
+      : n_(cells), lid_((cells[0] + 1) * (cells[1] + 1)), boundary_cycle_(2 * (cells[0] + cells[1])) {}
 
   constexpr std::size_t num_verts() const { return 2 * lid_ + (n_[2] - 1) * boundary_cycle_; }
   constexpr std::size_t num_quads() const { return 2 * (n_[0] * n_[1] + n_[1] * n_[2] + n_[2] * n_[0]); }

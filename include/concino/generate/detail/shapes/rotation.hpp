@@ -14,7 +14,8 @@ class rotation {
 
  public:
   /// Points within the distance `tolerance` from the axis are on it.
-  rotation(const vec3& centre, const vec3& axis, double tolerance) : centre_(centre), axis_(axis), tolerance_(tolerance) {}
+  rotation(const vec3& centre, const vec3& axis, double tolerance)
+      : centre_(centre), axis_(axis), tolerance_(tolerance) {}
 
   bool is_on_axis(const vec3& x) const { return norm(cross(axis_, x - centre_)) <= tolerance_; }
   vec3 operator()(const vec3& x, double angle) const {

@@ -12,18 +12,23 @@
 
 namespace concino::detail {
 
-CONCINO_INLINE voxel_lattice::voxel_lattice(const char* caller, const vec3& low, const vec3& high, std::size_t n) : low_(low), high_(high) {
+CONCINO_INLINE voxel_lattice::voxel_lattice(const char* caller, const vec3& low, const vec3& high, std::size_t n)
+    : low_(low), high_(high) {
   if (n == 0) core::throw_joined<invalid_argument>({caller, ": n is 0; it must be at least 1"});
   const vec3 extent = high - low;
   const double longest = std::max({extent.x, extent.y, extent.z});
-  if (!(longest > 0 && longest <= std::numeric_limits<double>::max())) core::throw_joined<invalid_mesh>({caller, ": the surface has the size ", core::number_text(longest), "; it must be finite and above 0"});
+  if (!(longest > 0 && longest <= std::numeric_limits<double>::max()))
+    core::throw_joined<invalid_mesh>(
+        {caller, ": the surface has the size ", core::number_text(longest), "; it must be finite and above 0"});
   const double size = longest / static_cast<double>(n);
   double count = 1, vert_count = 1;
   for (const std::size_t k : {0u, 1u, 2u}) {
-    const double needed = extent[k] / size, cells = extent[k] == longest ? static_cast<double>(n) : std::max(1.0, std::ceil(needed - 1e-9));
+    const double needed = extent[k] / size,
+                 cells = extent[k] == longest ? static_cast<double>(n) : std::max(1.0, std::ceil(needed - 1e-9));
     count *= cells, vert_count *= cells + 1;
     if (!(count < 1073741823.0 && vert_count < 4294967295.0))
-      core::throw_joined<invalid_argument>({caller, ": n is ", n, ", which asks for more than 2^30 cubes; choose a smaller one"});
+      core::throw_joined<invalid_argument>(
+          {caller, ": n is ", n, ", which asks for more than 2^30 cubes; choose a smaller one"});
     cells_[k] = static_cast<std::size_t>(cells);
     if (std::abs(needed - cells) < 1e-9) continue;  // the box has the size of the cubes
     const double middle = low[k] + extent[k] / 2;
@@ -38,7 +43,9 @@ class level_numbers {
   std::vector<std::uint32_t> number_[2];
 
  public:
-  level_numbers(std::size_t nx, std::size_t ny) : row_(nx + 1), number_{std::vector<std::uint32_t>(row_ * (ny + 1), none), std::vector<std::uint32_t>(row_ * (ny + 1), none)} {}
+  level_numbers(std::size_t nx, std::size_t ny)
+      : row_(nx + 1), number_{std::vector<std::uint32_t>(row_ * (ny + 1), none),
+                              std::vector<std::uint32_t>(row_ * (ny + 1), none)} {}
 
   std::uint32_t& at(std::size_t level, std::size_t i, std::size_t j) { return number_[level][j * row_ + i]; }
   void next_level() {
@@ -48,7 +55,8 @@ class level_numbers {
 };
 
 /// Numbers the verts of level k, those of cubes below or above it.
-CONCINO_INLINE void number_level(const voxel_lattice& lattice, const std::vector<std::uint8_t>& flags, std::size_t k, std::size_t level, level_numbers& numbers, std::vector<vec3>& points) {
+CONCINO_INLINE void number_level(const voxel_lattice& lattice, const std::vector<std::uint8_t>& flags, std::size_t k,
+                                 std::size_t level, level_numbers& numbers, std::vector<vec3>& points) {
   const std::size_t nx = lattice.num_cells(0), ny = lattice.num_cells(1), nz = lattice.num_cells(2);
   const auto has = [&](std::size_t i, std::size_t j) {
     return (k < nz && flags[(k * ny + j) * nx + i]) || (k > 0 && flags[((k - 1) * ny + j) * nx + i]);
@@ -77,7 +85,9 @@ CONCINO_INLINE cell_arrays voxels_as_hexes(const voxel_lattice& lattice, const s
       for (std::size_t i = 0; i < nx; ++i) {
         if (!flags[(k * ny + j) * nx + i]) continue;
         for (const std::size_t level : {0u, 1u})
-          for (const std::uint32_t v : {numbers.at(level, i, j), numbers.at(level, i + 1, j), numbers.at(level, i + 1, j + 1), numbers.at(level, i, j + 1)}) a.verts.push_back(vert_id{v});
+          for (const std::uint32_t v : {numbers.at(level, i, j), numbers.at(level, i + 1, j),
+                                        numbers.at(level, i + 1, j + 1), numbers.at(level, i, j + 1)})
+            a.verts.push_back(vert_id{v});
       }
   }
   return a;

@@ -6,8 +6,8 @@
 
 namespace concino::detail {
 
-/// The origins, in the first of three meshes, of the elements of the third: `first` are those of the second mesh, `second` those of the third in the second.
-/// Weights are multiplied.
+/// The origins, in the first of three meshes, of the elements of the third: `first` are those of the second mesh,
+/// `second` those of the third in the second. Weights are multiplied.
 correspondence composed_origins(const correspondence& first, const correspondence& second);
 
 }  // namespace concino::detail

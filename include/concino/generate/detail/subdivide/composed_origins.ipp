@@ -28,8 +28,9 @@ CONCINO_INLINE element_origins origins_through(const element_origins& first, con
 }
 
 CONCINO_INLINE correspondence composed_origins(const correspondence& first, const correspondence& second) {
-  return {origins_through(first.verts, second.verts), origins_through(first.edges, second.edges), origins_through(first.faces, second.faces),
-          origins_through(first.polys, second.polys), origins_through(first.corners, second.corners)};
+  return {origins_through(first.verts, second.verts), origins_through(first.edges, second.edges),
+          origins_through(first.faces, second.faces), origins_through(first.polys, second.polys),
+          origins_through(first.corners, second.corners)};
 }
 
 }  // namespace concino::detail

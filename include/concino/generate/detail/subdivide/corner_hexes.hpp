@@ -12,7 +12,8 @@ namespace concino::detail {
 
 /// The verts of a polyhedron, in the order of adj_p2v, with the new verts of the edges and faces around each.
 class poly_corners {
-  /// Counter-clockwise around its vert, as seen from outside the poly, a face begins at edge `first` and ends at edge `last`.
+  /// Counter-clockwise around its vert, as seen from outside the poly, a face begins at edge `first` and ends at edge
+  /// `last`.
   struct sector {
     vert_id first, last, face;
   };
@@ -62,7 +63,8 @@ class poly_corners {
   std::size_t index(unsigned k) const { return numbers_[k]; }
   unsigned valence(unsigned k) const { return corners_[k].count; }
 
-  /// The hex at vert k, which has three edges, around the new vert of the poly. Returns false if the three faces are not closed around the vert.
+  /// The hex at vert k, which has three edges, around the new vert of the poly. Returns false if the three faces are
+  /// not closed around the vert.
   bool hex_at(unsigned k, vert_id centre, std::array<vert_id, 8>& hex) const {
     const corner& c = corners_[k];
     const sector& a = c.sectors[0];
@@ -87,10 +89,12 @@ subdivided<hexmesh> subdivide_in_hexes(const char* caller, const M& m, const sub
     const poly_corners at(m, p, refined);
     for (unsigned k = 0; k < at.size(); ++k) {
       if (at.valence(k) != 3)
-        core::throw_joined<unsupported>({caller, ": poly ", index_of(m, p), " has ", at.valence(k), " edges at vert ", at.index(k),
+        core::throw_joined<unsupported>({caller, ": poly ", index_of(m, p), " has ", at.valence(k), " edges at vert ",
+                                         at.index(k),
                                          ", but must have 3; subdivide_barycentric() divides all polyhedra"});
       if (!at.hex_at(k, refined[p], hex))
-        core::throw_joined<invalid_mesh>({caller, ": the faces of poly ", index_of(m, p), " are not closed around vert ", at.index(k),
+        core::throw_joined<invalid_mesh>({caller, ": the faces of poly ", index_of(m, p),
+                                          " are not closed around vert ", at.index(k),
                                           "; validate() lists what is wrong with the mesh"});
       a.verts.insert(a.verts.end(), hex.begin(), hex.end());
     }

@@ -1,4 +1,5 @@
-// Limits of smooth subdivision: how the ring around a vert, after one step, gives the point and the tangent plane of the smooth surface.
+// Limits of smooth subdivision: how the ring around a vert, after one step, gives the point and the tangent plane of
+// the smooth surface.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -12,8 +13,8 @@
 
 namespace concino::detail {
 
-/// A vert after one step of subdivision, with the new verts around it, counter-clockwise: of its edges, and of its polys, of which poly k is between
-/// edges k and k + 1. On the boundary there is one edge more than polys.
+/// A vert after one step of subdivision, with the new verts around it, counter-clockwise: of its edges, and of its
+/// polys, of which poly k is between edges k and k + 1. On the boundary there is one edge more than polys.
 struct limit_ring {
   vec3 vert;
   std::span<const vec3> edges, polys;

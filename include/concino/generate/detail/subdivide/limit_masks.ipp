@@ -9,9 +9,10 @@
 
 namespace concino::detail {
 
-/// The weights of the ring that give the tangents of a scheme. For edge k they are sin or cos of k times the angle, which is a full or half turn divided by the
-/// number of polys, and for the polys `poly` times the sum of those of their two edges. They are left eigenvectors of one step, for the eigenvalue `value`.
-/// At the boundary, the first and the last edge and the vert have weights of their own.
+/// The weights of the ring that give the tangents of a scheme. For edge k they are sin or cos of k times the angle,
+/// which is a full or half turn divided by the number of polys, and for the polys `poly` times the sum of those of
+/// their two edges. They are left eigenvectors of one step, for the eigenvalue `value`. At the boundary, the first and
+/// the last edge and the vert have weights of their own.
 struct tangent_masks {
   double angle, value, poly;
   double edge_to_end;  // the part of a new vert of an edge inside that comes from an edge beside it
@@ -45,7 +46,8 @@ CONCINO_INLINE vec3 inner_limit(smooth_scheme scheme, const limit_ring& r) {
   for (const vec3& x : r.edges) of_edges += x;
   for (const vec3& x : r.polys) of_polys += x;
   if (scheme == smooth_scheme::catmull_clark) return (n * n * r.vert + 4.0 * of_edges + of_polys) / (n * (n + 5));
-  const double root = 0.375 + 0.25 * std::cos(2 * std::numbers::pi / n), moved = 0.625 - root * root, own = 0.375 * n / moved;
+  const double root = 0.375 + 0.25 * std::cos(2 * std::numbers::pi / n), moved = 0.625 - root * root,
+               own = 0.375 * n / moved;
   return (own * r.vert + of_edges) / (own + n);
 }
 
@@ -54,7 +56,8 @@ CONCINO_INLINE vec3 inward_tangent(smooth_scheme scheme, const limit_ring& r) {
   const vec3 ends = r.edges.front() + r.edges.back();
   if (r.num_polys == 1) return ends - 2.0 * r.vert;
   const tangent_masks masks(scheme, std::numbers::pi / static_cast<double>(r.num_polys));
-  // Edges inside have the weights of a sine, as if the ring were closed by its mirror image. The weights x of the two ends and y of the vert then follow from
+  // Edges inside have the weights of a sine, as if the ring were closed by its mirror image. The weights x of the two
+  // ends and y of the vert then follow from
   //   (value - 1/2) x = y / 8 + at_end,   (value - 3/4) y = x + at_vert,
   // where at_end and at_vert are what the new verts inside take from an end and from the vert.
   double edges = 0;

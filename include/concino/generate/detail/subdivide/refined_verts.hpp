@@ -1,5 +1,5 @@
-// The verts of a subdivided mesh: one for each vert of the mesh before, and one for each of its edges, faces or polys, as the subdivision needs. Their
-// points are weighted means of verts of the mesh before.
+// The verts of a subdivided mesh: one for each vert of the mesh before, and one for each of its edges, faces or polys,
+// as the subdivision needs. Their points are weighted means of verts of the mesh before.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -20,7 +20,8 @@ struct refined_kinds {
   bool edges = false, faces = false, polys = false;
 };
 
-/// Numbers the new verts: those of verts first, then those of edges, of faces and of polys, each in the order of the mesh.
+/// Numbers the new verts: those of verts first, then those of edges, of faces and of polys, each in the order of the
+/// mesh.
 template<AnyMesh M, refined_kinds kinds>
 class refined_verts {
   const M* m_;
@@ -114,7 +115,8 @@ struct mean_rule {
   }
 };
 
-/// The point of the new vert of x: rule(x, take) calls take(v, weight) for the verts v of which it is the weighted mean; the sum of weights is 1.
+/// The point of the new vert of x: rule(x, take) calls take(v, weight) for the verts v of which it is the weighted
+/// mean; the sum of weights is 1.
 template<class M, class Rule, class X>
 vec3 refined_point(const M& m, const Rule& rule, const X& x) {
   vec3 sum;
@@ -126,7 +128,8 @@ vec3 refined_point(const M& m, const Rule& rule, const X& x) {
 template<class M, refined_kinds kinds, class Rule>
 std::vector<vec3> refined_points(const refined_verts<M, kinds>& refined, const Rule& rule) {
   std::vector<vec3> points(refined.size());
-  refined.for_each_in_parallel([&](const auto& x) { points[refined[x].raw()] = refined_point(refined.mesh(), rule, x); });
+  refined.for_each_in_parallel(
+      [&](const auto& x) { points[refined[x].raw()] = refined_point(refined.mesh(), rule, x); });
   return points;
 }
 

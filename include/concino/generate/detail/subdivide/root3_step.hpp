@@ -10,7 +10,8 @@
 
 namespace concino::detail {
 
-/// A step. Even steps divide sharp edges into three; each triangle has at most one such edge then, because the step before was an odd one.
+/// A step. Even steps divide sharp edges into three; each triangle has at most one such edge then, because the step
+/// before was an odd one.
 template<class M, class Creases>
 class root3_stepper {
   static constexpr std::uint32_t none = ~0u;
@@ -30,7 +31,8 @@ class root3_stepper {
   std::vector<std::uint32_t> slot_;  // by index of an edge: of its thirds, or `none`
   surface_arrays a_{{}, {}, {}, 3};
   std::vector<vert_id> near_;        // by third: the end of its edge next to it
-  element_origins verts_, linear_, polys_;  // those of verts with the weights of their points, and as if they were means
+  element_origins verts_, linear_, polys_;  // those of verts with the weights of their points, and as if they were
+                                            // means
   std::vector<origin> list_;                // of one vert
   const bool wanted_;
 
@@ -59,7 +61,8 @@ class root3_stepper {
     return {s.near_second, s.near_first};
   }
 
-  /// rule(take) calls take(v, weight) for each vert of which the new vert is a mean; `linear` are its origins without smoothing.
+  /// rule(take) calls take(v, weight) for each vert of which the new vert is a mean; `linear` are its origins without
+  /// smoothing.
   template<class Rule>
   vert_id add_vert(const Rule& rule, std::initializer_list<origin> linear) {
     vec3 x;
@@ -103,7 +106,8 @@ class root3_stepper {
   template<class Take>
   void take_third(const vert_t<M>& from, const vert_t<M>& to, const Take& take) const {
     const auto at = sharp_(from);
-    if (at.sharp == 2) take(at.ends[0] == to ? at.ends[1] : at.ends[0], 1.0 / 27), take(from, 16.0 / 27), take(to, 10.0 / 27);
+    if (at.sharp == 2)
+      take(at.ends[0] == to ? at.ends[1] : at.ends[0], 1.0 / 27), take(from, 16.0 / 27), take(to, 10.0 / 27);
     else take(from, 2.0 / 3), take(to, 1.0 / 3);
   }
 
@@ -135,7 +139,8 @@ class root3_stepper {
   }
   vert_id add_third(const vert_t<M>& from, const vert_t<M>& to) {
     near_.push_back(refined_[from]);
-    return add_vert([&](const auto& take) { take_third(from, to, take); }, {{index(from), 2.0 / 3}, {index(to), 1.0 / 3}});
+    return add_vert([&](const auto& take) { take_third(from, to, take); },
+                    {{index(from), 2.0 / 3}, {index(to), 1.0 / 3}});
   }
 
   /// A triangle seen from one of its edges.
@@ -199,7 +204,8 @@ class root3_stepper {
   }
 
  private:
-  /// Whether the edge between two new verts is a crease, or a third of one. A crease that is not divided is the only kind of edge between old verts.
+  /// Whether the edge between two new verts is a crease, or a third of one. A crease that is not divided is the only
+  /// kind of edge between old verts.
   bool is_on_crease(std::size_t a, std::size_t b, std::size_t first_third) const {
     if (a > b) std::swap(a, b);
     if (b < first_third) return !divides_sharp_ && b < refined_.size();
@@ -210,8 +216,10 @@ class root3_stepper {
 };
 
 template<class M, class Creases>
-subdivided<trimesh> root3_step(const char* caller, const M& m, const Creases& creases, const subdivide_options& o, bool divides_sharp) {
-  check_subdivided_counts<trimesh>(caller, static_cast<double>(num_verts(m) + num_polys(m) + num_edges(m)), 3.0 * static_cast<double>(num_polys(m)));
+subdivided<trimesh> root3_step(const char* caller, const M& m, const Creases& creases, const subdivide_options& o,
+                               bool divides_sharp) {
+  check_subdivided_counts<trimesh>(caller, static_cast<double>(num_verts(m) + num_polys(m) + num_edges(m)),
+                                   3.0 * static_cast<double>(num_polys(m)));
   return root3_stepper<M, Creases>(caller, m, creases, divides_sharp, wants_origins(m, o)).result(o);
 }
 

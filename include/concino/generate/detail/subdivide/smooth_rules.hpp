@@ -1,4 +1,5 @@
-// Where new verts of smooth subdivisions of surfaces lie: the rules of Loop and of Catmull and Clark, at boundaries and creases too.
+// Where new verts of smooth subdivisions of surfaces lie: the rules of Loop and of Catmull and Clark, at boundaries and
+// creases too.
 #pragma once
 
 #include <concino/concepts/end_verts.hpp>
@@ -41,8 +42,8 @@ struct sharp_edges {
   }
 };
 
-/// The rule of verts on sharp edges, that of cubic splines: they follow the curve of two sharp edges, and do not move where more than two meet.
-/// Returns false if fewer than two sharp edges meet at v.
+/// The rule of verts on sharp edges, that of cubic splines: they follow the curve of two sharp edges, and do not move
+/// where more than two meet. Returns false if fewer than two sharp edges meet at v.
 template<class Around, class V, class Take>
 bool take_sharp(const Around& at, const V& v, const Take& take) {
   if (at.edges == 0 || at.sharp > 2) {
@@ -55,7 +56,8 @@ bool take_sharp(const Around& at, const V& v, const Take& take) {
   return true;
 }
 
-/// Source: Loop 1987, "Smooth subdivision surfaces based on triangles"; creases by Hoppe et al. 1994, "Piecewise smooth surface reconstruction".
+/// Source: Loop 1987, "Smooth subdivision surfaces based on triangles"; creases by Hoppe et al. 1994, "Piecewise smooth
+///         surface reconstruction".
 template<class M, class Creases>
 struct loop_rule {
   const M& m;
@@ -76,13 +78,15 @@ struct loop_rule {
   void operator()(const vert_t<M>& v, const Take& take) const {
     const auto at = sharp_edges<M, Creases>{m, creases}(v);
     if (take_sharp(at, v, take)) return;
-    const double n = static_cast<double>(at.edges), root = 0.375 + 0.25 * std::cos(2 * std::numbers::pi / n), moved = 0.625 - root * root;
+    const double n = static_cast<double>(at.edges), root = 0.375 + 0.25 * std::cos(2 * std::numbers::pi / n),
+                 moved = 0.625 - root * root;
     take(v, 1 - moved);
     for (const vert_t<M> w : adj_v2v(m, v)) take(w, moved / n);
   }
 };
 
-/// Source: Catmull, Clark 1978, "Recursively generated B-spline surfaces on arbitrary topological meshes"; creases by DeRose, Kass, Truong 1998,
+/// Source: Catmull, Clark 1978, "Recursively generated B-spline surfaces on arbitrary topological meshes"; creases by
+///         DeRose, Kass, Truong 1998,
 /// "Subdivision surfaces in character animation".
 template<class M, class Creases>
 struct catmull_clark_rule {

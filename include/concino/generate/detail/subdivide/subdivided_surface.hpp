@@ -10,7 +10,8 @@ namespace concino::detail {
 
 /// Splits each triangle into one at each vert and one in the middle.
 template<class M, class Creases, class Rule>
-subdivided<trimesh> subdivide_in_four(const char* caller, const M& m, const Creases& creases, const Rule& rule, const subdivide_options& o) {
+subdivided<trimesh> subdivide_in_four(const char* caller, const M& m, const Creases& creases, const Rule& rule,
+                                      const subdivide_options& o) {
   using new_verts = refined_verts<M, refined_kinds{.edges = true}>;
   check_subdivided_counts<trimesh>(caller, new_verts::expected_size(m), 4.0 * static_cast<double>(num_polys(m)));
   const new_verts refined(m);
@@ -19,7 +20,8 @@ subdivided<trimesh> subdivide_in_four(const char* caller, const M& m, const Crea
   for (const poly_t<M> p : polys(m)) {
     const triangle_parts<M> parts(caller, m, p);
     const vert_id middles[] = {refined[parts.edges[0]], refined[parts.edges[1]], refined[parts.edges[2]]};
-    for (unsigned k = 0; k < 3; ++k) a.verts.insert(a.verts.end(), {refined[parts.verts[k]], middles[k], middles[(k + 2) % 3]});
+    for (unsigned k = 0; k < 3; ++k)
+      a.verts.insert(a.verts.end(), {refined[parts.verts[k]], middles[k], middles[(k + 2) % 3]});
     a.verts.insert(a.verts.end(), middles, middles + 3);
   }
   a.points = refined_points(refined, rule);
@@ -30,7 +32,8 @@ subdivided<trimesh> subdivide_in_four(const char* caller, const M& m, const Crea
 
 /// Splits each polygon into a quad at each of its verts.
 template<class M, class Creases, class Rule>
-subdivided<quadmesh> subdivide_in_quads(const char* caller, const M& m, const Creases& creases, const Rule& rule, const subdivide_options& o) {
+subdivided<quadmesh> subdivide_in_quads(const char* caller, const M& m, const Creases& creases, const Rule& rule,
+                                        const subdivide_options& o) {
   using new_verts = refined_verts<M, refined_kinds{.edges = true, .polys = true}>;
   const std::size_t corners = num_poly_corners(m);
   check_subdivided_counts<quadmesh>(caller, new_verts::expected_size(m), static_cast<double>(corners));

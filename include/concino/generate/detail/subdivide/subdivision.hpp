@@ -19,7 +19,8 @@
 
 namespace concino::detail {
 
-/// A mesh subdivided once, the origins of its elements if they are wanted, and whether it has a crease at an edge, by the number of the edge.
+/// A mesh subdivided once, the origins of its elements if they are wanted, and whether it has a crease at an edge, by
+/// the number of the edge.
 template<class To>
 struct subdivided {
   To mesh;
@@ -44,10 +45,12 @@ bool wants_origins(const M& m, const subdivide_options& o) {
   else return false;
 }
 
-/// Sets the origins of the elements of a subdivided mesh, given those of its polys, and transfers the properties of m. `linear` are the origins of verts
-/// without smoothing, which edges, faces and corners have too; `smooth` are those with the weights of their points, empty if they are the same.
+/// Sets the origins of the elements of a subdivided mesh, given those of its polys, and transfers the properties of m.
+/// `linear` are the origins of verts without smoothing, which edges, faces and corners have too; `smooth` are those
+/// with the weights of their points, empty if they are the same.
 template<class M, class To>
-void set_origins(const M& m, element_origins linear, element_origins smooth, const subdivide_options& o, subdivided<To>& result) {
+void set_origins(const M& m, element_origins linear, element_origins smooth, const subdivide_options& o,
+                 subdivided<To>& result) {
   correspondence& c = result.from;
   c.verts = std::move(linear);
   match_edges_and_faces(m, result.mesh, c);
@@ -57,9 +60,11 @@ void set_origins(const M& m, element_origins linear, element_origins smooth, con
     if (o.properties && traits<M>::properties(m).size() > 0) transfer_properties(m, result.mesh, c);
 }
 
-/// A mesh whose verts are `refined`, at points that follow by the rule, with the origins of its elements if they are wanted. poly_origins() is called then.
+/// A mesh whose verts are `refined`, at points that follow by the rule, with the origins of its elements if they are
+/// wanted. poly_origins() is called then.
 template<class To, class M, refined_kinds kinds, class Rule, class PolyOrigins>
-subdivided<To> with_origins(To mesh, const refined_verts<M, kinds>& refined, const Rule& rule, const subdivide_options& o, const PolyOrigins& poly_origins) {
+subdivided<To> with_origins(To mesh, const refined_verts<M, kinds>& refined, const Rule& rule,
+                            const subdivide_options& o, const PolyOrigins& poly_origins) {
   const M& m = refined.mesh();
   subdivided<To> result{std::move(mesh)};
   if (!wants_origins(m, o)) return result;
@@ -82,7 +87,8 @@ element_origins repeated_polys(const M& m, std::size_t n) {
 template<class M>
 element_origins polys_of_corners(const M& m, std::size_t times) {
   std::vector<std::uint32_t> index;
-  for (const poly_t<M> p : polys(m)) index.insert(index.end(), times * num_elements(adj_p2v(m, p)), static_cast<std::uint32_t>(index_of(m, p)));
+  for (const poly_t<M> p : polys(m))
+    index.insert(index.end(), times * num_elements(adj_p2v(m, p)), static_cast<std::uint32_t>(index_of(m, p)));
   return element_origins(std::move(index));
 }
 
@@ -98,17 +104,21 @@ element_origins copied_verts(const M& m) {
 /// Errors: invalid_argument if a To with so many verts and polys has more elements than 32-bit descriptors.
 template<class To>
 void check_subdivided_counts(const char* caller, double vert_count, double poly_count) {
-  constexpr double per_cell = arity_v<To> == 3 ? 2 : arity_v<To> == 4 && dimension_v<To> == 3 ? 6 : 1;  // check_element_counts counts cells that it splits
+  // check_element_counts counts cells that it splits
+  constexpr double per_cell = arity_v<To> == 3 ? 2 : arity_v<To> == 4 && dimension_v<To> == 3 ? 6 : 1;
   check_element_counts<To>(caller, "times", vert_count, poly_count / per_cell);
 }
 
-/// Repeats a step: step(m, creases, round) returns a subdivided mesh. After the first one, each multiplies the number of polys by `growth`.
+/// Repeats a step: step(m, creases, round) returns a subdivided mesh. After the first one, each multiplies the number
+/// of polys by `growth`.
 template<class M, class Creases, class Step>
-auto subdivide_repeatedly(const char* caller, unsigned growth, const M& m, const Creases& creases, const subdivide_options& o, const Step& step) {
+auto subdivide_repeatedly(const char* caller, unsigned growth, const M& m, const Creases& creases,
+                          const subdivide_options& o, const Step& step) {
   check_at_least(caller, "times", o.times, 1);
   auto done = step(m, creases, 0u);
   const double factor = std::pow(static_cast<double>(growth), o.times - 1);
-  check_subdivided_counts<decltype(done.mesh)>(caller, factor * static_cast<double>(num_verts(done.mesh)), factor * static_cast<double>(num_polys(done.mesh)));
+  check_subdivided_counts<decltype(done.mesh)>(caller, factor * static_cast<double>(num_verts(done.mesh)),
+                                               factor * static_cast<double>(num_polys(done.mesh)));
   for (unsigned round = 1; round < o.times; ++round) {
     auto next = [&] {
       if constexpr (std::is_same_v<Creases, no_creases>) return step(done.mesh, creases, round);
@@ -123,7 +133,8 @@ auto subdivide_repeatedly(const char* caller, unsigned growth, const M& m, const
 
 /// The edges of a subdivided mesh that are halves of creases.
 template<class M, refined_kinds kinds, class Creases, class To>
-std::vector<unsigned char> halved_creases(const refined_verts<M, kinds>& refined, const Creases& creases, const To& result) {
+std::vector<unsigned char> halved_creases(const refined_verts<M, kinds>& refined, const Creases& creases,
+                                          const To& result) {
   if constexpr (std::is_same_v<Creases, no_creases>) return {};
   else {
     std::vector<unsigned char> by_position, flags(edge_index_bound(result));
@@ -132,7 +143,8 @@ std::vector<unsigned char> halved_creases(const refined_verts<M, kinds>& refined
     for (const auto e : edges(result)) {
       auto [a, b] = end_verts(result, e);
       if (refined.is_of_edge(a)) std::swap(a, b);
-      if (refined.is_of_vert(a) && refined.is_of_edge(b)) flags[index_of(result, e)] = by_position[refined.edge_position(b)];
+      if (refined.is_of_vert(a) && refined.is_of_edge(b))
+        flags[index_of(result, e)] = by_position[refined.edge_position(b)];
     }
     return flags;
   }
@@ -156,7 +168,8 @@ struct triangle_parts {
 
  private:
   [[noreturn]] static void throw_no_triangle(const char* caller, std::size_t poly, std::size_t n) {
-    core::throw_joined<unsupported>({caller, ": poly ", poly, " has ", n, " verts, but must have 3; to_triangles() cuts all polygons into triangles"});
+    core::throw_joined<unsupported>({caller, ": poly ", poly, " has ", n,
+                                     " verts, but must have 3; to_triangles() cuts all polygons into triangles"});
   }
 };
 

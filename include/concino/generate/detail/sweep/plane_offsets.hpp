@@ -8,7 +8,8 @@
 
 namespace concino::detail {
 
-/// For each vert of a surface, the shortest vector whose products with the unit normals of the polys at it are as near to 1 as possible, by least squares; 0 without polys.
+/// For each vert of a surface, the shortest vector whose products with the unit normals of the polys at it are as near
+/// to 1 as possible, by least squares; 0 without polys.
 std::vector<vec3> plane_offsets(const swept_surface& s, const std::vector<vec3>& poly_normals);
 
 }  // namespace concino::detail

@@ -10,7 +10,8 @@
 namespace concino::detail {
 
 CONCINO_INLINE std::vector<vec3> plane_offsets(const swept_surface& s, const std::vector<vec3>& poly_normals) {
-  std::vector<std::array<double, 6>> products(s.points.size());  // of the normals with themselves: xx, xy, xz, yy, yz, zz
+  std::vector<std::array<double, 6>> products(s.points.size());  // of the normals with themselves: xx, xy, xz, yy, yz,
+                                                                 // zz
   std::vector<vec3> sums(s.points.size());
   for (std::size_t p = 0; p < s.num_polys(); ++p) {
     const vec3 n = poly_normals[p];
@@ -27,7 +28,8 @@ CONCINO_INLINE std::vector<vec3> plane_offsets(const swept_surface& s, const std
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> parts(m);
     vec3 offset;
     for (int k = 0; k < 3; ++k) {
-      if (!(parts.eigenvalues()[k] > 0.01 * parts.eigenvalues()[2])) continue;  // the planes are almost parallel to this direction
+      // the planes are almost parallel to this direction
+      if (!(parts.eigenvalues()[k] > 0.01 * parts.eigenvalues()[2])) continue;
       const auto axis = parts.eigenvectors().col(k);
       const vec3 u{axis[0], axis[1], axis[2]};
       offset += (dot(u, sums[v]) / parts.eigenvalues()[k]) * u;

@@ -23,7 +23,8 @@ namespace concino::detail {
 /// The volume that a surface makes when it moves: hexes of quads, else polyhedra.
 template<class M> using swept_mesh = std::conditional_t<arity_v<M> == 4, hexmesh, polyhedralmesh>;
 
-/// A surface that moves. Verts, edges and polys are numbered in the order of the mesh; edges in the order of the polys at them.
+/// A surface that moves. Verts, edges and polys are numbered in the order of the mesh; edges in the order of the polys
+/// at them.
 struct swept_surface {
   struct ends {
     std::uint32_t from, to;
@@ -32,17 +33,20 @@ struct swept_surface {
   std::vector<vec3> points;
   std::vector<std::uint32_t> vert_index, poly_index;  // index_of in the mesh, by number
   std::vector<std::uint32_t> offsets{0}, verts;  // polys are counter-clockwise seen from where they move to
-  std::vector<std::uint32_t> edges;              // parallel to verts: twice the edge to the next vert, plus 1 if it runs the other way
+  std::vector<std::uint32_t> edges;              // parallel to verts: twice the edge to the next vert, plus 1 if it
+                                                 // runs the other way
   std::vector<ends> edge_ends;
 
   std::size_t num_polys() const { return poly_index.size(); }
 };
 
-/// How the layers of verts are numbered: all verts of the first layer, then those that move in each other layer. If the layers are closed, the last layer is the first.
+/// How the layers of verts are numbered: all verts of the first layer, then those that move in each other layer. If the
+/// layers are closed, the last layer is the first.
 struct sweep_layers {
   std::size_t num_verts, num_layers;  // of the surface; of cells
   bool closed = false;
-  std::vector<std::uint32_t> moving = {};  // by number of a vert: its number among those that move, ~0u if it stays in its place; empty if all move
+  std::vector<std::uint32_t> moving = {};  // by number of a vert: its number among those that move, ~0u if it stays in
+                                           // its place; empty if all move
   std::size_t num_moving = num_verts;
 
   std::size_t num_levels() const { return closed ? num_layers : num_layers + 1; }
@@ -81,8 +85,10 @@ class sweep_edges {
  public:
   explicit sweep_edges(std::size_t bound) : users_(bound) {}
   /// The entry of swept_surface::edges for an edge of the poly with index `poly`, which was reversed or not.
-  /// Errors: invalid_mesh or invalid_argument that names the polys at an edge if they do not run along it in opposite directions.
-  std::uint32_t add(const char* caller, swept_surface& s, std::size_t edge, const swept_surface::ends& ends, std::size_t poly, bool reversed);
+  /// Errors: invalid_mesh or invalid_argument that names the polys at an edge if they do not run along it in opposite
+  ///         directions.
+  std::uint32_t add(const char* caller, swept_surface& s, std::size_t edge, const swept_surface::ends& ends,
+                    std::size_t poly, bool reversed);
 };
 
 /// Reads the polys. is_reversed(p) says whether p is clockwise seen from where it moves to.
@@ -107,15 +113,18 @@ swept_surface read_swept_surface(const char* caller, const M& m, const IsReverse
     }
     const std::size_t n = edges_of_poly.size();
     for (std::size_t k = 0; k < n; ++k)
-      s.edges.push_back(at_edges.add(caller, s, edges_of_poly[k], {s.verts[first + k], s.verts[first + (k + 1 == n ? 0 : k + 1)]}, index, reversed));
+      s.edges.push_back(at_edges.add(caller, s, edges_of_poly[k],
+                                     {s.verts[first + k], s.verts[first + (k + 1 == n ? 0 : k + 1)]}, index, reversed));
     s.poly_index.push_back(static_cast<std::uint32_t>(index));
     s.offsets.push_back(static_cast<std::uint32_t>(s.verts.size()));
   }
   return s;
 }
 
-/// Errors: invalid_argument that names the option `option` if a volume of so many layers, of a surface of so many elements, has too many elements.
-void check_sweep_counts(const char* caller, const char* option, std::size_t num_layers, std::size_t num_verts, std::size_t num_polys, std::size_t num_corners);
+/// Errors: invalid_argument that names the option `option` if a volume of so many layers, of a surface of so many
+///         elements, has too many elements.
+void check_sweep_counts(const char* caller, const char* option, std::size_t num_layers, std::size_t num_verts,
+                        std::size_t num_polys, std::size_t num_corners);
 
 /// The cells between the layers, without points. Cells of the first layer come first, in the order of the polys.
 cell_arrays swept_hexes(const swept_surface& s, const sweep_layers& layers);
@@ -124,15 +133,18 @@ polyhedra_arrays swept_polyhedra(const swept_surface& s, const sweep_layers& lay
 /// The origins of the verts and polys of the volume.
 correspondence swept_origins(const swept_surface& s, const sweep_layers& layers);
 
-/// Constructs the volume. at(level, v): the point of vert number v in a layer of verts. Layers of cells go from level k to k + 1.
+/// Constructs the volume. at(level, v): the point of vert number v in a layer of verts. Layers of cells go from level k
+/// to k + 1.
 template<class M, class At>
-swept_mesh<M> construct_swept(const M& m, const swept_surface& s, const sweep_layers& layers, const At& at, bool properties, correspondence* c) {
+swept_mesh<M> construct_swept(const M& m, const swept_surface& s, const sweep_layers& layers, const At& at,
+                              bool properties, correspondence* c) {
   std::vector<vec3> points(layers.size());
   parallel_for(s.points.size(), [&](std::size_t v) {
     const auto n = static_cast<std::uint32_t>(v);
     points[v] = at(std::size_t{0}, n);
     if (layers.moves(n))
-      for (std::size_t level = 1; level < layers.num_levels(); ++level) points[layers.number(level, n).raw()] = at(level, n);
+      for (std::size_t level = 1; level < layers.num_levels(); ++level)
+        points[layers.number(level, n).raw()] = at(level, n);
   });
   swept_mesh<M> result = [&] {
     auto a = [&] {

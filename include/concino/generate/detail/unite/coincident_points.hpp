@@ -10,8 +10,10 @@
 
 namespace concino::detail {
 
-/// For each of `points`, the position of the nearest one of `among` within the distance `tolerance`, the first of several; ~0u if there is none.
-std::vector<std::uint32_t> coincident_points(std::span<const vec3> among, std::span<const vec3> points, double tolerance);
+/// For each of `points`, the position of the nearest one of `among` within the distance `tolerance`, the first of
+/// several; ~0u if there is none.
+std::vector<std::uint32_t> coincident_points(std::span<const vec3> among, std::span<const vec3> points,
+                                             double tolerance);
 
 }  // namespace concino::detail
 

@@ -30,14 +30,17 @@ class point_cells {
   };
   std::unordered_map<cell, std::vector<std::uint32_t>, cell_hash> in_cell_;  // the points of each cell, ascending
 
-  std::int64_t position(double x, double low) const { return static_cast<std::int64_t>(std::floor((0.25 * x - 0.25 * low) / size_)); }
+  std::int64_t position(double x, double low) const {
+    return static_cast<std::int64_t>(std::floor((0.25 * x - 0.25 * low) / size_));
+  }
 
  public:
   point_cells(std::span<const vec3> points, double tolerance) : points_(points), tolerance_(tolerance) {
     bool is_first = true;
     for (const vec3& x : points) {
       if (!is_finite(x)) continue;
-      for (const std::size_t k : {0u, 1u, 2u}) low_[k] = is_first ? x[k] : std::min(low_[k], x[k]), high_[k] = is_first ? x[k] : std::max(high_[k], x[k]);
+      for (const std::size_t k : {0u, 1u, 2u})
+        low_[k] = is_first ? x[k] : std::min(low_[k], x[k]), high_[k] = is_first ? x[k] : std::max(high_[k], x[k]);
       is_first = false;
     }
     const vec3 extent = 0.25 * high_ - 0.25 * low_;
@@ -56,7 +59,8 @@ class point_cells {
     const double around = tolerance_ * 1.0000001;  // more than the rounding errors
     for (const std::size_t k : {0u, 1u, 2u}) {
       if (!(x[k] >= low_[k] - around && x[k] <= high_[k] + around)) return ~0u;
-      first[k] = position(std::max(x[k] - around, low_[k]), low_[k]), last[k] = position(std::min(x[k] + around, high_[k]), low_[k]);
+      first[k] = position(std::max(x[k] - around, low_[k]), low_[k]),
+      last[k] = position(std::min(x[k] + around, high_[k]), low_[k]);
     }
     std::uint32_t found = ~0u;
     double least = tolerance_;
@@ -76,7 +80,8 @@ class point_cells {
   }
 };
 
-CONCINO_INLINE std::vector<std::uint32_t> coincident_points(std::span<const vec3> among, std::span<const vec3> points, double tolerance) {
+CONCINO_INLINE std::vector<std::uint32_t> coincident_points(std::span<const vec3> among, std::span<const vec3> points,
+                                                            double tolerance) {
   std::vector<std::uint32_t> found(points.size(), ~0u);
   if (among.empty()) return found;
   const point_cells cells(among, tolerance);

@@ -18,13 +18,18 @@
 namespace concino::detail {
 
 /// The native mesh of this dimension for polys of this arity, 0 for any.
-template<int dimension, int arity> struct native_mesh_of { using type = std::conditional_t<dimension == 2, polygonmesh, polyhedralmesh>; };
+template<int dimension, int arity>
+struct native_mesh_of {
+  using type = std::conditional_t<dimension == 2, polygonmesh, polyhedralmesh>;
+};
 template<> struct native_mesh_of<2, 3> { using type = trimesh; };
 template<> struct native_mesh_of<2, 4> { using type = quadmesh; };
 template<> struct native_mesh_of<3, 4> { using type = tetmesh; };
 template<> struct native_mesh_of<3, 8> { using type = hexmesh; };
 
-template<class A, class B> using united_mesh = typename native_mesh_of<dimension_v<A>, arity_v<A> == arity_v<B> ? static_cast<int>(arity_v<A>) : 0>::type;
+template<class A, class B>
+using united_mesh =
+    typename native_mesh_of<dimension_v<A>, arity_v<A> == arity_v<B> ? static_cast<int>(arity_v<A>) : 0>::type;
 
 /// The points of a mesh, and by index of a vert its position in the order of verts(m).
 template<class M>
@@ -38,7 +43,8 @@ std::vector<std::uint32_t> read_points(const M& m, std::vector<vec3>& points) {
   return position;
 }
 
-/// Errors: invalid_argument that names a poly of m of which two verts became one; number: the new number of each vert, by index.
+/// Errors: invalid_argument that names a poly of m of which two verts became one; number: the new number of each vert,
+///         by index.
 template<class M>
 void check_verts_differ(const M& m, const std::vector<std::uint32_t>& number, std::size_t num_verts) {
   std::vector<std::uint32_t> last_poly(num_verts, ~0u);
@@ -47,7 +53,8 @@ void check_verts_differ(const M& m, const std::vector<std::uint32_t>& number, st
     for (const vert_t<M> v : adj_p2v(m, p)) {
       std::uint32_t& last = last_poly[number[index_of(m, v)]];
       if (last == count)
-        core::throw_joined<invalid_argument>({"unite: two verts of poly ", index_of(m, p), " of the second mesh, among them vert ", index_of(m, v),
+        core::throw_joined<invalid_argument>({"unite: two verts of poly ", index_of(m, p),
+                                              " of the second mesh, among them vert ", index_of(m, v),
                                               ", would become one vert of the first; choose a smaller tolerance"});
       last = count;
     }
@@ -85,7 +92,8 @@ void append_polyhedra(const M& m, const std::vector<std::uint32_t>& number, face
 
 /// The polys of both meshes, without points.
 template<class A, class B>
-auto united_arrays(const A& a, const std::vector<std::uint32_t>& number_a, const B& b, const std::vector<std::uint32_t>& number_b, std::size_t num_verts) {
+auto united_arrays(const A& a, const std::vector<std::uint32_t>& number_a, const B& b,
+                   const std::vector<std::uint32_t>& number_b, std::size_t num_verts) {
   using to = united_mesh<A, B>;
   if constexpr (std::is_same_v<to, polyhedralmesh>) {  // other meshes are lists of verts of polys
     face_merger merger(num_verts);
@@ -106,10 +114,13 @@ auto united_arrays(const A& a, const std::vector<std::uint32_t>& number_a, const
   }
 }
 
-/// The origins in m of the elements of the united mesh; its verts have new numbers, by index, and its polys are numbered from first_poly on.
+/// The origins in m of the elements of the united mesh; its verts have new numbers, by index, and its polys are
+/// numbered from first_poly on.
 template<class M, class To>
-correspondence origins_in(const M& m, const std::vector<std::uint32_t>& number, std::size_t first_poly, const To& united) {
-  std::vector<std::uint32_t> of_verts(vert_index_bound(united), element_origins::none), of_polys(poly_index_bound(united), element_origins::none);
+correspondence origins_in(const M& m, const std::vector<std::uint32_t>& number, std::size_t first_poly,
+                          const To& united) {
+  std::vector<std::uint32_t> of_verts(vert_index_bound(united), element_origins::none),
+      of_polys(poly_index_bound(united), element_origins::none);
   for (const vert_t<M> v : verts(m)) {
     std::uint32_t& origin = of_verts[number[index_of(m, v)]];
     if (origin == element_origins::none) origin = static_cast<std::uint32_t>(index_of(m, v));

@@ -7,9 +7,11 @@
 
 namespace concino::detail {
 
-/// Transfers the properties of the second mesh. Where `to` has one of that name, values of elements that have origins in the first mesh remain.
+/// Transfers the properties of the second mesh. Where `to` has one of that name, values of elements that have origins
+/// in the first mesh remain.
 /// Errors: invalid_argument if properties of the same name have values of different types.
-void add_united_properties(const property_set& second, const correspondence& from_first, const correspondence& from_second, property_set& to);
+void add_united_properties(const property_set& second, const correspondence& from_first,
+                           const correspondence& from_second, property_set& to);
 
 }  // namespace concino::detail
 

@@ -5,7 +5,8 @@
 
 namespace concino::detail {
 
-CONCINO_INLINE void add_united_properties(const property_set& second, const correspondence& from_first, const correspondence& from_second, property_set& to) {
+CONCINO_INLINE void add_united_properties(const property_set& second, const correspondence& from_first,
+                                          const correspondence& from_second, property_set& to) {
   const element_origins the_mesh(std::vector<std::uint32_t>{0u});
   const auto of_kind = [&](const correspondence& c, element_kind kind) -> const element_origins& {
     const element_origins* const all[] = {&c.verts, &c.edges, &c.faces, &c.polys, &the_mesh, &c.corners};

@@ -14,8 +14,8 @@
 
 namespace concino::detail {
 
-/// The triangles of all faces, which do not depend on the cells at a face. A face is cut at its vert of the smallest number, if all triangles there have the
-/// orientation of the face; otherwise as to_triangles does.
+/// The triangles of all faces, which do not depend on the cells at a face. A face is cut at its vert of the smallest
+/// number, if all triangles there have the orientation of the face; otherwise as to_triangles does.
 class face_triangles {
   std::vector<std::size_t> first_, last_;  // by index of a face, in corners_
   std::vector<vert_id> corners_;
@@ -28,15 +28,19 @@ class face_triangles {
   explicit face_triangles(std::size_t face_bound) : first_(face_bound), last_(face_bound) {}
   void add(std::size_t face, std::span<const vert_id> verts, std::span<const vec3> points);
   /// The corners of the triangles of a face, three by three.
-  std::span<const vert_id> operator[](std::size_t face) const { return {corners_.data() + first_[face], corners_.data() + last_[face]}; }
+  std::span<const vert_id> operator[](std::size_t face) const {
+    return {corners_.data() + first_[face], corners_.data() + last_[face]};
+  }
 };
 
 /// Cuts one cell after another into tets.
 class cell_cutter {
-  std::vector<vert_id> outer_, far_;      // triangles of the current cell, which face outward: all, and those that are joined with its apex
+  std::vector<vert_id> outer_, far_;      // triangles of the current cell, which face outward: all, and those that are
+                                          // joined with its apex
   unsigned triangles_ = 0, quads_ = 0;    // faces of the current cell that were cut into one and into two
   bool has_others_ = false;
-  double scale_ = 1;                      // multiplied with coordinates, so that orient3d neither overflows nor underflows
+  double scale_ = 1;                      // multiplied with coordinates, so that orient3d neither overflows nor
+                                          // underflows
   std::vector<std::uint32_t> poly_;       // of each tet, the index of its cell
   std::vector<double> weight_;            // of each tet: its part of the cell
 

@@ -10,12 +10,14 @@
 
 namespace concino::detail {
 
-// Whether the triangles at a corner have the orientation of the face, and more than 10^-10 of its area: what is less may be rounding errors.
+// Whether the triangles at a corner have the orientation of the face, and more than 10^-10 of its area: what is less
+// may be rounding errors.
 CONCINO_INLINE bool face_triangles::is_fan(std::size_t from) const {
   const std::size_t n = points_.size();
   const vec3 origin = points_[from];
   double size = 0;
-  for (const vec3& x : points_) size = std::max({size, std::abs(x.x - origin.x), std::abs(x.y - origin.y), std::abs(x.z - origin.z)});
+  for (const vec3& x : points_)
+    size = std::max({size, std::abs(x.x - origin.x), std::abs(x.y - origin.y), std::abs(x.z - origin.z)});
   const auto step = [&](std::size_t k) { return (points_[(from + k) % n] - origin) / size; };
   vec3 area;
   for (std::size_t k = 2; k < n; ++k) area += cross(step(k - 1), step(k));
@@ -24,14 +26,16 @@ CONCINO_INLINE bool face_triangles::is_fan(std::size_t from) const {
   return true;
 }
 
-CONCINO_INLINE void face_triangles::add(std::size_t face, std::span<const vert_id> verts, std::span<const vec3> points) {
+CONCINO_INLINE void face_triangles::add(std::size_t face, std::span<const vert_id> verts,
+                                        std::span<const vec3> points) {
   first_[face] = corners_.size();
   const std::size_t n = verts.size();
   const std::size_t from = static_cast<std::size_t>(std::min_element(verts.begin(), verts.end()) - verts.begin());
   points_.clear();
   for (const vert_id v : verts) points_.push_back(points[v.raw()]);
   if (n == 3 || (n > 3 && is_fan(from))) {
-    for (std::size_t k = 2; k < n; ++k) corners_.insert(corners_.end(), {verts[from], verts[(from + k - 1) % n], verts[(from + k) % n]});
+    for (std::size_t k = 2; k < n; ++k)
+      corners_.insert(corners_.end(), {verts[from], verts[(from + k - 1) % n], verts[(from + k) % n]});
   } else {
     for (const auto& [a, b, c] : cut_(points_)) corners_.insert(corners_.end(), {verts[a], verts[b], verts[c]});
   }
@@ -62,17 +66,21 @@ CONCINO_INLINE void cell_cutter::add_face(std::span<const vert_id> corners, bool
   if (corners.size() == 3) ++triangles_;
   else if (corners.size() == 6) ++quads_;
   else has_others_ = true;
-  for (std::size_t i = 0; i < corners.size(); i += 3) outer_.insert(outer_.end(), {corners[i], corners[i + (outward ? 1 : 2)], corners[i + (outward ? 2 : 1)]});
+  for (std::size_t i = 0; i < corners.size(); i += 3)
+    outer_.insert(outer_.end(), {corners[i], corners[i + (outward ? 1 : 2)], corners[i + (outward ? 2 : 1)]});
 }
 
-// By Euler's formula, no other polyhedra have these numbers of faces and verts, if three or more edges meet at each vert.
+// By Euler's formula, no other polyhedra have these numbers of faces and verts, if three or more edges meet at each
+// vert.
 CONCINO_INLINE bool cell_cutter::is_standard_cell(std::size_t n) const {
   if (has_others_) return false;
   if (triangles_ == 4) return (quads_ == 0 && n == 4) || (quads_ == 1 && n == 5);
   return (triangles_ == 2 && quads_ == 3 && n == 6) || (triangles_ == 0 && quads_ == 6 && n == 8);
 }
 
-CONCINO_INLINE void cell_cutter::add_tet(vert_id a, vert_id b, vert_id c, vert_id d) { tets.verts.insert(tets.verts.end(), {a, b, c, d}); }
+CONCINO_INLINE void cell_cutter::add_tet(vert_id a, vert_id b, vert_id c, vert_id d) {
+  tets.verts.insert(tets.verts.end(), {a, b, c, d});
+}
 
 /// Adds the tets of the apex and the triangles in far_. Returns whether all are positive.
 CONCINO_INLINE bool cell_cutter::join(vert_id apex) {
@@ -84,7 +92,8 @@ CONCINO_INLINE bool cell_cutter::join(vert_id apex) {
   return positive;
 }
 
-// Three tets around the line from the apex to the opposite corner of a hex become two, if no face is cut at this corner: the hex has five tets.
+// Three tets around the line from the apex to the opposite corner of a hex become two, if no face is cut at this
+// corner: the hex has five tets.
 CONCINO_INLINE void cell_cutter::cut_corner(vert_id apex) {
   for (const vert_id corner : far_) {
     vert_id next[3];  // in the three triangles at the corner, the verts after it
@@ -117,14 +126,17 @@ CONCINO_INLINE bool cell_cutter::cut_at_smallest_vert(bool is_hex) {
   const vert_id apex = *std::min_element(outer_.begin(), outer_.end());
   far_.clear();
   for (std::size_t i = 0; i < outer_.size(); i += 3)
-    if (outer_[i] != apex && outer_[i + 1] != apex && outer_[i + 2] != apex) far_.insert(far_.end(), outer_.begin() + static_cast<std::ptrdiff_t>(i), outer_.begin() + static_cast<std::ptrdiff_t>(i + 3));
+    if (outer_[i] != apex && outer_[i + 1] != apex && outer_[i + 2] != apex)
+      far_.insert(far_.end(), outer_.begin() + static_cast<std::ptrdiff_t>(i),
+                  outer_.begin() + static_cast<std::ptrdiff_t>(i + 3));
   if (is_hex) cut_corner(apex);
   return join(apex);
 }
 
 CONCINO_INLINE void cell_cutter::set_weights(std::size_t first) {
   const auto at = [&](std::size_t i) { return scale_ * tets.points[tets.verts[i].raw()]; };
-  for (std::size_t i = first; i < tets.verts.size(); i += 4) weight_.push_back(std::abs(dot(at(i + 1) - at(i), cross(at(i + 2) - at(i), at(i + 3) - at(i)))));
+  for (std::size_t i = first; i < tets.verts.size(); i += 4)
+    weight_.push_back(std::abs(dot(at(i + 1) - at(i), cross(at(i + 2) - at(i), at(i + 3) - at(i)))));
 }
 
 CONCINO_INLINE bool cell_cutter::cut(std::size_t poly, std::size_t num_verts, function_ref<vec3()> mean) {
@@ -149,7 +161,8 @@ CONCINO_INLINE bool cell_cutter::cut(std::size_t poly, std::size_t num_verts, fu
   if (!positive) {
     inverted_cells.push_back(poly);
     for (std::size_t i = first; i < tets.verts.size(); i += 4)
-      if (!is_positive(tets.verts[i], tets.verts[i + 1], tets.verts[i + 2], tets.verts[i + 3])) inverted.push_back(poly_id{i / 4});
+      if (!is_positive(tets.verts[i], tets.verts[i + 1], tets.verts[i + 2], tets.verts[i + 3]))
+        inverted.push_back(poly_id{i / 4});
   }
   poly_.resize(tets.verts.size() / 4, static_cast<std::uint32_t>(poly));
   set_weights(first);

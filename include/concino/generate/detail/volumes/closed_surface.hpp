@@ -19,8 +19,9 @@ struct closed_surface {
 };
 
 /// Orients the polys alike, cuts them into triangles, and adds the extra points, segments and facets.
-/// Errors: invalid_mesh if a point is not finite, two points coincide, a poly has no area or repeats a vert, an edge has one poly or more than two, the
-///         surface has only one side, all points lie in one plane, or triangles intersect. invalid_argument if an option is out of its range.
+/// Errors: invalid_mesh if a point is not finite, two points coincide, a poly has no area or repeats a vert, an edge
+///         has one poly or more than two, the surface has only one side, all points lie in one plane, or triangles
+///         intersect. invalid_argument if an option is out of its range.
 closed_surface checked_surface(polygon_arrays polygons, const tetrahedralize_options& options);
 
 }  // namespace concino::detail

@@ -25,28 +25,33 @@ inline bool are_collinear(const vec3& a, const vec3& b, const vec3& c) {
 
 /// What point i is called in messages.
 inline std::string point_name(const polygon_arrays& s, std::size_t i) {
-  return i < s.vert_index.size() ? core::joined({"vert ", s.vert_index[i]}) : core::joined({"extra point ", i - s.vert_index.size()});
+  return i < s.vert_index.size() ? core::joined({"vert ", s.vert_index[i]})
+                                 : core::joined({"extra point ", i - s.vert_index.size()});
 }
 inline std::string triangle_name(const polygon_arrays& s, const closed_surface& c, std::size_t t) {
-  return t < c.input.surface_triangles ? core::joined({"poly ", s.poly_index[c.poly_of_triangle[t]]}) : core::joined({"facet ", t - c.input.surface_triangles});
+  return t < c.input.surface_triangles ? core::joined({"poly ", s.poly_index[c.poly_of_triangle[t]]})
+                                       : core::joined({"facet ", t - c.input.surface_triangles});
 }
 
 inline void check_points(const polygon_arrays& s, const std::vector<vec3>& points) {
   std::vector<std::uint32_t> order(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     order[i] = i;
-    if (!is_finite(points[i])) core::throw_joined<invalid_mesh>({"tetrahedralize: ", point_name(s, i), " is not finite"});
+    if (!is_finite(points[i]))
+      core::throw_joined<invalid_mesh>({"tetrahedralize: ", point_name(s, i), " is not finite"});
   }
   const auto key = [&](std::uint32_t i) { return std::array<double, 3>{points[i].x, points[i].y, points[i].z}; };
   std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) { return key(i) < key(j); });
   for (std::size_t k = 1; k < order.size(); ++k)
     if (key(order[k - 1]) == key(order[k])) {
       const auto [i, j] = std::minmax(order[k - 1], order[k]);
-      core::throw_joined<invalid_mesh>({"tetrahedralize: ", point_name(s, i), " and ", point_name(s, j), " are at the same point; merge_verts() joins verts"});
+      core::throw_joined<invalid_mesh>({"tetrahedralize: ", point_name(s, i), " and ", point_name(s, j),
+                                        " are at the same point; merge_verts() joins verts"});
     }
 }
 
-/// Cuts the polys into triangles and lists those that are not planar: a corner is off their plane by more than single precision explains.
+/// Cuts the polys into triangles and lists those that are not planar: a corner is off their plane by more than single
+/// precision explains.
 inline void cut_into_triangles(const polygon_arrays& s, closed_surface& c) {
   polygon_triangulator cut;
   std::vector<vec3> polygon;
@@ -56,14 +61,19 @@ inline void cut_into_triangles(const polygon_arrays& s, closed_surface& c) {
     vec3 area, low = s.points[s.corners[begin]], high = low;
     for (std::size_t i = 0; i < n; ++i) {
       polygon.push_back(s.points[s.corners[begin + i]]);
-      for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], polygon[i][k]), high[k] = std::max(high[k], polygon[i][k]);
+      for (std::size_t k = 0; k < 3; ++k)
+        low[k] = std::min(low[k], polygon[i][k]), high[k] = std::max(high[k], polygon[i][k]);
       if (i >= 2) area += cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
     }
     const double off = 1e-6 * norm(high - low) * norm(area);
-    if (std::any_of(polygon.begin(), polygon.end(), [&](const vec3& q) { return std::abs(dot(q - polygon[0], area)) > off; })) c.not_planar.push_back(s.poly_index[p]);
+    if (std::any_of(polygon.begin(), polygon.end(),
+                    [&](const vec3& q) { return std::abs(dot(q - polygon[0], area)) > off; }))
+      c.not_planar.push_back(s.poly_index[p]);
     for (const polygon_triangle& t : cut(polygon)) {
       if (are_collinear(polygon[t[0]], polygon[t[1]], polygon[t[2]]))
-        core::throw_joined<invalid_mesh>({"tetrahedralize: poly ", s.poly_index[p], n == 3 ? " has no area" : " cannot be cut into triangles that all have an area"});
+        core::throw_joined<invalid_mesh>(
+            {"tetrahedralize: poly ", s.poly_index[p],
+             n == 3 ? " has no area" : " cannot be cut into triangles that all have an area"});
       c.input.triangles.push_back({s.corners[begin + t[0]], s.corners[begin + t[1]], s.corners[begin + t[2]]});
       c.poly_of_triangle.push_back(p);
     }
@@ -88,8 +98,10 @@ inline void check_intersections(const polygon_arrays& s, const closed_surface& c
     for (const std::uint32_t v : t) a.verts.push_back(vert_id{v});
   const auto pairs = self_intersections(trimesh(std::move(a)));
   if (pairs.empty()) return;
-  core::throw_joined<invalid_mesh>({"tetrahedralize: ", triangle_name(s, c, pairs[0].first.raw()), " and ", triangle_name(s, c, pairs[0].second.raw()), " intersect",
-                                    pairs.size() == 1 ? "" : core::joined({", and ", pairs.size() - 1, " more pairs"}), "; self_intersections() lists those of a surface"});
+  core::throw_joined<invalid_mesh>({"tetrahedralize: ", triangle_name(s, c, pairs[0].first.raw()), " and ",
+                                    triangle_name(s, c, pairs[0].second.raw()), " intersect",
+                                    pairs.size() == 1 ? "" : core::joined({", and ", pairs.size() - 1, " more pairs"}),
+                                    "; self_intersections() lists those of a surface"});
 }
 
 inline double diagonal_of(const std::vector<vec3>& points) {
@@ -111,20 +123,26 @@ CONCINO_INLINE closed_surface checked_surface(polygon_arrays s, const tetrahedra
   check_not_flat(c);
   const std::size_t numbered = s.point_of_vert.size() + o.extra_points.size();
   const auto point_of = [&](const char* what, std::size_t k, std::uint32_t number) {
-    if (number >= numbered) core::throw_joined<invalid_argument>({"tetrahedralize: ", what, k, " has point ", number, ", but there are ", numbered, ": the verts and the extra points"});
-    if (number >= s.point_of_vert.size()) return static_cast<std::uint32_t>(s.points.size() + number - s.point_of_vert.size());
-    if (s.point_of_vert[number] == s.no_point) core::throw_joined<invalid_argument>({"tetrahedralize: ", what, k, " has vert ", number, ", which has no poly"});
+    if (number >= numbered)
+      core::throw_joined<invalid_argument>({"tetrahedralize: ", what, k, " has point ", number, ", but there are ",
+                                            numbered, ": the verts and the extra points"});
+    if (number >= s.point_of_vert.size())
+      return static_cast<std::uint32_t>(s.points.size() + number - s.point_of_vert.size());
+    if (s.point_of_vert[number] == s.no_point)
+      core::throw_joined<invalid_argument>({"tetrahedralize: ", what, k, " has vert ", number, ", which has no poly"});
     return s.point_of_vert[number];
   };
   const std::vector<vec3>& q = c.input.points;
   for (std::size_t k = 0; k < o.segments.size(); ++k) {
     c.input.segments.push_back({point_of("segment ", k, o.segments[k][0]), point_of("segment ", k, o.segments[k][1])});
-    if (c.input.segments[k][0] == c.input.segments[k][1]) core::throw_joined<invalid_argument>({"tetrahedralize: segment ", k, " joins a point with itself"});
+    if (c.input.segments[k][0] == c.input.segments[k][1])
+      core::throw_joined<invalid_argument>({"tetrahedralize: segment ", k, " joins a point with itself"});
   }
   for (std::size_t k = 0; k < o.facets.size(); ++k) {
     const auto& f = o.facets[k];
     const std::array t{point_of("facet ", k, f[0]), point_of("facet ", k, f[1]), point_of("facet ", k, f[2])};
-    if (are_collinear(q[t[0]], q[t[1]], q[t[2]])) core::throw_joined<invalid_argument>({"tetrahedralize: facet ", k, " has no area"});
+    if (are_collinear(q[t[0]], q[t[1]], q[t[2]]))
+      core::throw_joined<invalid_argument>({"tetrahedralize: facet ", k, " has no area"});
     c.input.triangles.push_back(t);
   }
   check_intersections(s, c);

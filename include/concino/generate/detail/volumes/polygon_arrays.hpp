@@ -11,7 +11,8 @@
 
 namespace concino::detail {
 
-/// Polygons as flat arrays. Points are the verts that have polys, in the order of the mesh. Elements are named in messages by their indices in the mesh.
+/// Polygons as flat arrays. Points are the verts that have polys, in the order of the mesh. Elements are named in
+/// messages by their indices in the mesh.
 struct polygon_arrays {
   std::vector<vec3> points;
   std::vector<std::size_t> offsets{0};
@@ -46,8 +47,10 @@ polygon_arrays polygons_of(const M& m) {
   return a;
 }
 
-/// Reverses polys so that neighbours use their edge in opposite directions. Parts that had to be changed get a volume of 0 or more.
-/// Errors: invalid_mesh if a poly has fewer than three verts or repeats one, an edge has one poly or more than two, or the surface has only one side.
+/// Reverses polys so that neighbours use their edge in opposite directions. Parts that had to be changed get a volume
+/// of 0 or more.
+/// Errors: invalid_mesh if a poly has fewer than three verts or repeats one, an edge has one poly or more than two, or
+///         the surface has only one side.
 void orient_alike(polygon_arrays& s);
 
 }  // namespace concino::detail

@@ -13,17 +13,21 @@
 
 namespace concino::detail {
 
-CONCINO_INLINE tet_complex::tet_complex(const closed_surface& surface, tetrahedralize_output output, const char* back_end, bool keeps_points)
+CONCINO_INLINE tet_complex::tet_complex(const closed_surface& surface, tetrahedralize_output output,
+                                        const char* back_end, bool keeps_points)
     : surface_(surface), back_end_(back_end) {
   const std::vector<vec3>& given = surface.input.points;
-  if (keeps_points && (output.points.size() < given.size() || !std::equal(given.begin(), given.end(), output.points.begin()))) throw_broken("other points than it was given");
+  if (keeps_points &&
+      (output.points.size() < given.size() || !std::equal(given.begin(), given.end(), output.points.begin())))
+    throw_broken("other points than it was given");
   if (output.tets.empty()) throw_broken("no tets");
   take_tets(output);
   find_facets(output);
 }
 
 CONCINO_INLINE void tet_complex::throw_broken(const char* what) const {
-  core::throw_joined<unsupported>({"tetrahedralize: ", back_end_, " returned ", what, "; keep_boundary = false or another back end may help"});
+  core::throw_joined<unsupported>(
+      {"tetrahedralize: ", back_end_, " returned ", what, "; keep_boundary = false or another back end may help"});
 }
 
 CONCINO_INLINE void tet_complex::take_tets(tetrahedralize_output& output) {
@@ -53,7 +57,8 @@ CONCINO_INLINE void tet_complex::find_facets(const tetrahedralize_output& output
   };
   for (std::size_t i = 0; i < output.facets.size(); ++i) {
     const auto wanted = sorted(output.facets[i]);
-    if (wanted[2] >= num_verts(mesh_) || output.triangle_of_facet[i] >= surface_.input.triangles.size()) throw_broken("a facet with a point or a triangle that does not exist");
+    if (wanted[2] >= num_verts(mesh_) || output.triangle_of_facet[i] >= surface_.input.triangles.size())
+      throw_broken("a facet with a point or a triangle that does not exist");
     for (const face_id f : adj_v2f(mesh_, vert_id{wanted[0]})) {
       std::array<std::uint32_t, 3> corners;
       std::size_t n = 0;
@@ -70,7 +75,8 @@ CONCINO_INLINE int tet_complex::change_inwards(poly_id p, face_id f) const {
   vec3 corners[3];
   std::size_t n = 0;
   for (const vert_id v : adj_f2v(mesh_, f)) corners[n++] = point(mesh_, v);
-  const bool alike = dot(cross(corners[1] - corners[0], corners[2] - corners[0]), cross(q[t[1]] - q[t[0]], q[t[2]] - q[t[0]])) > 0;
+  const bool alike =
+      dot(cross(corners[1] - corners[0], corners[2] - corners[0]), cross(q[t[1]] - q[t[0]], q[t[2]] - q[t[0]])) > 0;
   return alike == face_is_outward(mesh_, p, f) ? 1 : -1;
 }
 
@@ -105,7 +111,8 @@ CONCINO_INLINE std::vector<poly_id> tet_complex::part_at(const vec3& q) const {
     std::size_t n = 0;
     for (const vert_id v : adj_p2v(mesh_, p)) corners[n++] = point(mesh_, v);
     const auto &[a, b, c, d] = corners;
-    if (orient3d(q, b, c, d) >= 0 && orient3d(a, q, c, d) >= 0 && orient3d(a, b, q, d) >= 0 && orient3d(a, b, c, q) >= 0) {
+    if (orient3d(q, b, c, d) >= 0 && orient3d(a, q, c, d) >= 0 && orient3d(a, b, q, d) >= 0 &&
+        orient3d(a, b, c, q) >= 0) {
       part.push_back(p);
       break;
     }
@@ -141,7 +148,8 @@ CONCINO_INLINE void tet_complex::check_boundary(bool keep) const {
     const auto& t = surface_.input.triangles[i];
     const vec3 u = q[t[1]] - q[t[0]], v = q[t[2]] - q[t[0]];
     const double longest = std::max({dot(u, u), dot(v, v), dot(u - v, u - v)});
-    if (count[i] == 0 || (keep && count[i] != 1) || !(std::abs(area[i] - norm(cross(u, v))) <= 1e-9 * longest)) throw_broken("a boundary that is not the surface");
+    if (count[i] == 0 || (keep && count[i] != 1) || !(std::abs(area[i] - norm(cross(u, v))) <= 1e-9 * longest))
+      throw_broken("a boundary that is not the surface");
   }
 }
 

@@ -26,8 +26,10 @@ class tetrahedralize_steps {
   void end_of_verification(tetrahedralize_report& report);
 };
 
-/// Lists the tets whose shape or volume misses the options by more than rounding errors. `regions`, unless empty, has the region of each poly, if it has one.
-void list_poor_tets(const tetmesh& m, std::span<const std::uint32_t> regions, const tetrahedralize_options& options, tetrahedralize_report& report);
+/// Lists the tets whose shape or volume misses the options by more than rounding errors. `regions`, unless empty, has
+/// the region of each poly, if it has one.
+void list_poor_tets(const tetmesh& m, std::span<const std::uint32_t> regions, const tetrahedralize_options& options,
+                    tetrahedralize_report& report);
 
 /// Sets report.not_met from its lists.
 void say_what_is_not_met(std::size_t num_tets, bool is_boundary_kept, tetrahedralize_report& report);

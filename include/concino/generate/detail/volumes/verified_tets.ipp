@@ -17,8 +17,10 @@
 
 namespace concino::detail {
 
-/// The result without the tets that are dropped, and without verts that no tet has. `region`, unless empty, has a number for each tet.
-inline verified_tets kept_tets(tet_complex& c, std::size_t num_given, const std::vector<unsigned char>& dropped, const std::vector<std::uint32_t>& region) {
+/// The result without the tets that are dropped, and without verts that no tet has. `region`, unless empty, has a
+/// number for each tet.
+inline verified_tets kept_tets(tet_complex& c, std::size_t num_given, const std::vector<unsigned char>& dropped,
+                               const std::vector<std::uint32_t>& region) {
   verified_tets result;
   tetmesh& all = c.mesh();
   std::vector<std::uint32_t> number(num_verts(all), verified_tets::no_vert);
@@ -50,7 +52,8 @@ inline verified_tets kept_tets(tet_complex& c, std::size_t num_given, const std:
     std::uint32_t copy = 0;
     for (const poly_id p : polys(all)) {
       if (dropped[p.raw()]) continue;
-      auto f = adj_p2f(result.mesh, poly_id{copy++}).begin();  // the faces of a tet have the order that its corners give
+      auto f = adj_p2f(result.mesh, poly_id{copy++}).begin();  // the faces of a tet have the order that its corners
+                                                               // give
       for (const face_id old : adj_p2f(all, p)) result.triangle_of_face[(*f++).raw()] = c.triangle(old);
     }
   }
@@ -59,7 +62,8 @@ inline verified_tets kept_tets(tet_complex& c, std::size_t num_given, const std:
   return result;
 }
 
-CONCINO_INLINE verified_tets verified(const closed_surface& surface, tetrahedralize_output output, const tetrahedralize_options& o, const char* back_end) {
+CONCINO_INLINE verified_tets verified(const closed_surface& surface, tetrahedralize_output output,
+                                      const tetrahedralize_options& o, const char* back_end) {
   tet_complex c(surface, std::move(output), back_end);
   const tetmesh& m = c.mesh();
   c.check_boundary(o.keep_boundary);
@@ -75,10 +79,12 @@ CONCINO_INLINE verified_tets verified(const closed_surface& surface, tetrahedral
     size += std::abs(measure);
     dropped[p.raw()] = winding[p.raw()] == 0;
   }
-  if (!(std::abs(volume - surface.volume) <= 1e-9 * size)) c.throw_broken("tets that do not have the volume that the surface encloses");
+  if (!(std::abs(volume - surface.volume) <= 1e-9 * size))
+    c.throw_broken("tets that do not have the volume that the surface encloses");
   const auto part_at = [&](const char* what, std::size_t k, const vec3& q) {
     std::vector<poly_id> part = c.part_at(q);
-    if (part.empty() || winding[part[0].raw()] == 0) core::throw_joined<invalid_argument>({"tetrahedralize: the point of ", what, k, " is not inside of the surface"});
+    if (part.empty() || winding[part[0].raw()] == 0)
+      core::throw_joined<invalid_argument>({"tetrahedralize: the point of ", what, k, " is not inside of the surface"});
     return part;
   };
   for (std::size_t k = 0; k < o.holes.size(); ++k)
@@ -89,7 +95,8 @@ CONCINO_INLINE verified_tets verified(const closed_surface& surface, tetrahedral
   return kept_tets(c, surface.input.points.size(), dropped, region);
 }
 
-CONCINO_INLINE verified_tets verified_approximation(const closed_surface& surface, tetrahedralize_output output, double distance, const char* back_end) {
+CONCINO_INLINE verified_tets verified_approximation(const closed_surface& surface, tetrahedralize_output output,
+                                                    double distance, const char* back_end) {
   tet_complex c(surface, std::move(output), back_end, false);
   const std::vector<vec3>& given = surface.input.points;
   surface_arrays a;
@@ -100,7 +107,8 @@ CONCINO_INLINE verified_tets verified_approximation(const closed_surface& surfac
     for (const std::uint32_t v : t) a.verts.push_back(vert_id{v});
     area += norm(cross(given[t[1]] - given[t[0]], given[t[2]] - given[t[0]])) / 2;
   }
-  if (!(std::abs(total_measure(c.mesh()) - std::abs(surface.volume)) <= area * distance)) c.throw_broken("tets whose volume is too far from the enclosed one");
+  if (!(std::abs(total_measure(c.mesh()) - std::abs(surface.volume)) <= area * distance))
+    c.throw_broken("tets whose volume is too far from the enclosed one");
   const trimesh triangles(std::move(a));
   const auto tree = bounding_tree(triangles);
   verified_tets result;
@@ -108,7 +116,8 @@ CONCINO_INLINE verified_tets verified_approximation(const closed_surface& surfac
   for (const face_id f : faces(c.mesh())) {
     if (!is_boundary(c.mesh(), f)) continue;
     for (const vert_id v : adj_f2v(c.mesh(), f))
-      if (!(tree.closest(point(c.mesh(), v)).distance <= distance)) c.throw_broken("a boundary too far from the surface");
+      if (!(tree.closest(point(c.mesh(), v)).distance <= distance))
+        c.throw_broken("a boundary too far from the surface");
     result.triangle_of_face[f.raw()] = tree.closest(centroid(c.mesh(), f)).poly.raw();
   }
   const auto key = [](const vec3& p) { return std::array<double, 3>{p.x, p.y, p.z}; };

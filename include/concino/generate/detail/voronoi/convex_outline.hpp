@@ -20,7 +20,8 @@ class convex_outline {
   box domain() const;
 
   /// The lines of its segments. Segments in one line are one wall.
-  /// Errors: invalid_argument that names the point at which the outline is not convex; if it has no area or winds around its inside more than once.
+  /// Errors: invalid_argument that names the point at which the outline is not convex; if it has no area or winds
+  ///         around its inside more than once.
   std::vector<lattice_plane<2>> walls(const site_lattice<2>& lattice) const;
 };
 

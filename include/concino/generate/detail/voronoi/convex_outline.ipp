@@ -14,7 +14,9 @@ CONCINO_INLINE convex_outline::convex_outline(std::vector<vec3> points) : points
   for (std::size_t i = 0; i < points_.size(); ++i)
     if (!std::isfinite(points_[i].x) || !std::isfinite(points_[i].y) || (i == 0 && !std::isfinite(points_[i].z)))
       core::throw_joined<invalid_argument>({"Voronoi diagram: point ", i, " of the outline is not finite"});
-  if (points_.size() < 3) core::throw_joined<invalid_argument>({"Voronoi diagram: the outline has ", points_.size(), " points; it must have 3 or more"});
+  if (points_.size() < 3)
+    core::throw_joined<invalid_argument>(
+        {"Voronoi diagram: the outline has ", points_.size(), " points; it must have 3 or more"});
 }
 
 CONCINO_INLINE box convex_outline::domain() const {
@@ -38,12 +40,16 @@ class outline_lines {
 
   /// Twice the area of a triangle.
   static int128 area(const corner& a, const corner& b, const corner& c) {
-    return static_cast<int128>(b.x[0] - a.x[0]) * (c.x[1] - a.x[1]) - static_cast<int128>(b.x[1] - a.x[1]) * (c.x[0] - a.x[0]);
+    return static_cast<int128>(b.x[0] - a.x[0]) * (c.x[1] - a.x[1]) -
+           static_cast<int128>(b.x[1] - a.x[1]) * (c.x[0] - a.x[0]);
   }
-  static double length(const corner& a, const corner& b) { return std::hypot(static_cast<double>(b.x[0] - a.x[0]), static_cast<double>(b.x[1] - a.x[1])); }
+  static double length(const corner& a, const corner& b) {
+    return std::hypot(static_cast<double>(b.x[0] - a.x[0]), static_cast<double>(b.x[1] - a.x[1]));
+  }
   /// Whether the line from a to b goes on to c.
   static bool continues(const corner& a, const corner& b, const corner& c) {
-    const int128 along = static_cast<int128>(b.x[0] - a.x[0]) * (c.x[0] - b.x[0]) + static_cast<int128>(b.x[1] - a.x[1]) * (c.x[1] - b.x[1]);
+    const int128 along = static_cast<int128>(b.x[0] - a.x[0]) * (c.x[0] - b.x[0]) +
+                         static_cast<int128>(b.x[1] - a.x[1]) * (c.x[1] - b.x[1]);
     return along > 0 && std::abs(static_cast<double>(area(a, b, c))) <= slack * length(a, b);
   }
   const corner& after(std::size_t i) const { return corners_[i + 1 == corners_.size() ? 0 : i + 1]; }
@@ -67,9 +73,13 @@ class outline_lines {
       twice_area += area(corners_[0], corners_[i], after(i));
       perimeter += length(corners_[i], after(i));
     }
-    if (!(std::abs(static_cast<double>(twice_area)) > slack * perimeter)) core::throw_joined<invalid_argument>({"Voronoi diagram: the outline has no area"});
+    if (!(std::abs(static_cast<double>(twice_area)) > slack * perimeter))
+      core::throw_joined<invalid_argument>({"Voronoi diagram: the outline has no area"});
     if (twice_area < 0) std::reverse(corners_.begin(), corners_.end());
-    std::rotate(corners_.begin(), std::min_element(corners_.begin(), corners_.end(), [](const corner& a, const corner& b) { return a.x < b.x; }), corners_.end());
+    std::rotate(
+        corners_.begin(),
+        std::min_element(corners_.begin(), corners_.end(), [](const corner& a, const corner& b) { return a.x < b.x; }),
+        corners_.end());
   }
 
   void check_convex() const {
@@ -80,7 +90,9 @@ class outline_lines {
         core::throw_joined<invalid_argument>({"Voronoi diagram: the outline is not convex at point ", end(s).index});
       if (!is_upward(s) && is_upward(next)) ++turns;
     }
-    if (turns != 1) core::throw_joined<invalid_argument>({"Voronoi diagram: the outline is not convex: it winds around its inside more than once"});
+    if (turns != 1)
+      core::throw_joined<invalid_argument>(
+          {"Voronoi diagram: the outline is not convex: it winds around its inside more than once"});
   }
 
  public:
@@ -97,11 +109,16 @@ class outline_lines {
     for (std::size_t s = 0; s < first_.size(); ++s) {
       const corner &a = start(s), &b = end(s);
       const double scale = 0x1p47 / length(a, b);
-      lattice_plane<2> w{{std::llround(scale * static_cast<double>(b.x[1] - a.x[1])), std::llround(scale * static_cast<double>(a.x[0] - b.x[0]))}, -(int128{1} << 110)};
-      const auto include = [&](const corner& x) {  // four steps outwards, so that rounded sites on the boundary are inside
-        w.c = std::max(w.c, 2 * (static_cast<int128>(w.n[0]) * x.x[0] + static_cast<int128>(w.n[1]) * x.x[1]) + (int128{1} << 50));
+      lattice_plane<2> w{{std::llround(scale * static_cast<double>(b.x[1] - a.x[1])),
+                          std::llround(scale * static_cast<double>(a.x[0] - b.x[0]))},
+                         -(int128{1} << 110)};
+      const auto include = [&](const corner& x) {  // four steps outwards, so that rounded sites on the boundary are
+                                                   // inside
+        w.c = std::max(
+            w.c, 2 * (static_cast<int128>(w.n[0]) * x.x[0] + static_cast<int128>(w.n[1]) * x.x[1]) + (int128{1} << 50));
       };
-      for (std::size_t i = first_[s]; i < (s + 1 == first_.size() ? corners_.size() : first_[s + 1]); ++i) include(corners_[i]);
+      for (std::size_t i = first_[s]; i < (s + 1 == first_.size() ? corners_.size() : first_[s + 1]); ++i)
+        include(corners_[i]);
       include(b);
       all.push_back(w);
     }
@@ -109,6 +126,8 @@ class outline_lines {
   }
 };
 
-CONCINO_INLINE std::vector<lattice_plane<2>> convex_outline::walls(const site_lattice<2>& lattice) const { return outline_lines(points_, lattice).walls(); }
+CONCINO_INLINE std::vector<lattice_plane<2>> convex_outline::walls(const site_lattice<2>& lattice) const {
+  return outline_lines(points_, lattice).walls();
+}
 
 }  // namespace concino::detail

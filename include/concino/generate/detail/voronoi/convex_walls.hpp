@@ -24,7 +24,9 @@ box box_around(const S& surface) {
   for (const auto p : polys(surface))
     for (const auto v : adj_p2v(surface, p)) {
       const vec3 x = to_vec3(point(surface, v));
-      if (!is_finite(x)) core::throw_joined<invalid_mesh>({"Voronoi diagram: vert ", index_of(surface, v), " of the surface is not finite"});
+      if (!is_finite(x))
+        core::throw_joined<invalid_mesh>(
+            {"Voronoi diagram: vert ", index_of(surface, v), " of the surface is not finite"});
       b.add(x);
     }
   if (!(num_polys(surface) > 0)) core::throw_joined<invalid_mesh>({"Voronoi diagram: the surface has no polys"});
@@ -94,15 +96,19 @@ class convex_walls {
         ++n;
       }
       if (n == 0) continue;
-      if (n != 2) fail(at[0], n == 1 ? "is at a boundary edge; the surface must be closed" : "is at an edge with more than two polys");
+      if (n != 2)
+        fail(at[0],
+             n == 1 ? "is at a boundary edge; the surface must be closed" : "is at an edge with more than two polys");
       const std::size_t i = index_of(m_, at[0]), j = index_of(m_, at[1]);
       const vec3 x = to_vec3(point(m_, end_verts(m_, e).first));
       const auto first = heights(unit(i), x, at[1]), second = heights(unit(j), x, at[0]);
-      if (first[1] > slack_ || second[1] > slack_) fail(at[0], "is at a reflex edge, or not oriented as a neighbour; the surface must be convex");
+      if (first[1] > slack_ || second[1] > slack_)
+        fail(at[0], "is at a reflex edge, or not oriented as a neighbour; the surface must be convex");
       if (first[0] >= -slack_ && second[0] >= -slack_) plane_of_.unite(i, j);
       left -= pieces.unite(i, j);
     }
-    if (left != 1) core::throw_joined<invalid_mesh>({"Voronoi diagram: the surface has ", left, " pieces; it must have one"});
+    if (left != 1)
+      core::throw_joined<invalid_mesh>({"Voronoi diagram: the surface has ", left, " pieces; it must have one"});
   }
 
  public:

@@ -1,5 +1,5 @@
-// The half-spaces that bound a Voronoi cell, the corners where their planes meet, and exact tests of the side of a plane on which a corner lies.
-// They use doubles where these suffice, and integers otherwise.
+// The half-spaces that bound a Voronoi cell, the corners where their planes meet, and exact tests of the side of a
+// plane on which a corner lies. They use doubles where these suffice, and integers otherwise.
 #pragma once
 
 #include <concino/generate/detail/voronoi/site_lattice.hpp>
@@ -10,7 +10,10 @@
 
 namespace concino::detail {
 
-template<class T> constexpr T det(const std::array<T, 2>& a, const std::array<T, 2>& b) { return a[0] * b[1] - a[1] * b[0]; }
+template<class T>
+constexpr T det(const std::array<T, 2>& a, const std::array<T, 2>& b) {
+  return a[0] * b[1] - a[1] * b[0];
+}
 template<class T>
 constexpr std::array<T, 3> cross_of(const std::array<T, 3>& a, const std::array<T, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -38,9 +41,10 @@ void check_inside(const site_lattice<D>& sites, std::span<const lattice_plane<D>
     }
 }
 
-/// The half-spaces whose intersection is the cell of one site: {y : 2 n.y <= c}, with the site at the origin, in lattice steps. The first 2 D are
-/// the walls of the box (minus before plus in each direction), the others bisectors and further walls. Sites have infinitesimal weights, larger for lower
-/// indices, and further walls still smaller displacements, so that none of these planes ever passes through the common point of D others.
+/// The half-spaces whose intersection is the cell of one site: {y : 2 n.y <= c}, with the site at the origin, in
+/// lattice steps. The first 2 D are the walls of the box (minus before plus in each direction), the others bisectors
+/// and further walls. Sites have infinitesimal weights, larger for lower indices, and further walls still smaller
+/// displacements, so that none of these planes ever passes through the common point of D others.
 /// Source: Edelsbrunner and Muecke 1990, "Simulation of simplicity".
 template<int D>
 class half_spaces {
@@ -94,7 +98,8 @@ class half_spaces {
   /// The corner of D planes. They are in an order in which their normals have a positive determinant.
   corner meet(const std::array<std::uint32_t, D>& at) const {
     corner v{at, {}, 0, 0, 1, 0};
-    solve<double>(at, [](const half_space& p) { return p.rounded_n; }, [](const half_space& p) { return p.rounded_c; }, v.y, v.w);
+    solve<double>(
+        at, [](const half_space& p) { return p.rounded_n; }, [](const half_space& p) { return p.rounded_c; }, v.y, v.w);
     for (std::size_t k = 0; k < D; ++k) {
       double product = planes_[at[k]].rounded_c;
       for (std::size_t j = 0; j < D; ++j)
@@ -151,7 +156,8 @@ class half_spaces {
 
   /// Computes the common point of D planes in homogeneous coordinates, with numbers of type T.
   template<class T, class Normal, class Offset>
-  void solve(const std::array<std::uint32_t, D>& at, const Normal& normal, const Offset& offset, std::array<T, D>& y, T& w) const {
+  void solve(const std::array<std::uint32_t, D>& at, const Normal& normal, const Offset& offset, std::array<T, D>& y,
+             T& w) const {
     const auto a = normal(planes_[at[0]]), b = normal(planes_[at[1]]);
     const T ca = offset(planes_[at[0]]), cb = offset(planes_[at[1]]);
     if constexpr (D == 2) {
@@ -201,8 +207,8 @@ class half_spaces {
     for (std::size_t k = 0; k < D; ++k) f = f + int256(p.n[k]) * y[k];
     if (f.sign() != 0) return f.sign() > 0;
 
-    // D + 2 sites lie on one sphere: the weights decide, first that of the lowest relevant index. c is |n|^2 + own weight - weight of the other; that of
-    // a wall is c + its displacement.
+    // D + 2 sites lie on one sphere: the weights decide, first that of the lowest relevant index. c is |n|^2 + own
+    // weight - weight of the other; that of a wall is c + its displacement.
     std::uint32_t lowest = no_site;
     int sign = 0;
     const auto weigh = [&](std::uint32_t site, const int256& weight) {

@@ -6,8 +6,8 @@
 
 namespace concino::detail {
 
-/// The cells of sites as loops of verts. In the plane, a cell has one loop, counter-clockwise. In space, it has one loop for each face,
-/// counter-clockwise as seen from outside.
+/// The cells of sites as loops of verts. In the plane, a cell has one loop, counter-clockwise. In space, it has one
+/// loop for each face, counter-clockwise as seen from outside.
 template<int D>
 struct cell_loops {
   using position = std::array<double, D>;
@@ -22,8 +22,9 @@ struct cell_loops {
 };
 
 [[noreturn]] inline void throw_thin_cell(std::size_t cell) {
-  core::throw_joined<invalid_argument>({"Voronoi diagram: the cell of site ", cell,
-                                  " is thinner than rounding errors of the box's size; remove the site or one next to it"});
+  core::throw_joined<invalid_argument>(
+      {"Voronoi diagram: the cell of site ", cell,
+       " is thinner than rounding errors of the box's size; remove the site or one next to it"});
 }
 
 /// The sets of verts to merge: those connected by negligibly short edges.
@@ -35,15 +36,18 @@ disjoint_sets close_verts(const cell_loops<D>& c) {
     for (std::uint32_t first = c.vert_offsets[l], last = c.vert_offsets[l + 1], i = first; i < last; ++i) {
       const std::uint32_t a = c.loop_verts[i], b = c.loop_verts[i + 1 < last ? i + 1 : first];
       double squared = 0;
-      for (std::size_t k = 0; k < D; ++k) squared += (c.positions[a][k] - c.positions[b][k]) * (c.positions[a][k] - c.positions[b][k]);
+      for (std::size_t k = 0; k < D; ++k)
+        squared += (c.positions[a][k] - c.positions[b][k]) * (c.positions[a][k] - c.positions[b][k]);
       if (squared <= close * close) same.unite(a, b);
     }
   return same;
 }
 
-/// The positions of merged verts, by the root of their set: the position of the vert on the most walls, moved onto the walls of the others.
+/// The positions of merged verts, by the root of their set: the position of the vert on the most walls, moved onto the
+/// walls of the others.
 template<int D>
-std::vector<typename cell_loops<D>::position> merged_positions(const cell_loops<D>& c, disjoint_sets& same, const site_lattice<D>& sites) {
+std::vector<typename cell_loops<D>::position> merged_positions(const cell_loops<D>& c, disjoint_sets& same,
+                                                               const site_lattice<D>& sites) {
   std::vector<std::uint32_t> best(c.positions.size());
   std::vector<std::uint8_t> walls = c.walls;
   for (std::uint32_t v = 0; v < best.size(); ++v) {
@@ -62,8 +66,8 @@ std::vector<typename cell_loops<D>::position> merged_positions(const cell_loops<
   return positions;
 }
 
-/// Merges verts connected by negligibly short edges. Removes edges and loops without size, consistently in all cells that have them. Numbers the
-/// verts in the order of their first occurrence in loops.
+/// Merges verts connected by negligibly short edges. Removes edges and loops without size, consistently in all cells
+/// that have them. Numbers the verts in the order of their first occurrence in loops.
 /// Errors: invalid_argument that names a site whose cell vanishes, or touches itself.
 template<int D>
 void merge_short_edges(cell_loops<D>& c, const site_lattice<D>& sites) {

@@ -1,4 +1,5 @@
-// The sites of a Voronoi diagram, rounded to an integer lattice so that distances are compared exactly, and sorted into a grid of bins.
+// The sites of a Voronoi diagram, rounded to an integer lattice so that distances are compared exactly, and sorted into
+// a grid of bins.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -12,8 +13,8 @@
 
 namespace concino::detail {
 
-/// Sites in a box of D dimensions, each coordinate an integer from 0 to at most 2^49: the lattice divides the longest side of the box by 2^48
-/// or more.
+/// Sites in a box of D dimensions, each coordinate an integer from 0 to at most 2^49: the lattice divides the longest
+/// side of the box by 2^48 or more.
 template<int D>
 class site_lattice {
  public:
@@ -26,14 +27,17 @@ class site_lattice {
     for (std::size_t k = 0; k < D; ++k) {
       const double length = domain.max[k] - domain.min[k];
       if (!(length > 0) || !std::isfinite(length))
-        core::throw_joined<invalid_argument>({"Voronoi diagram: the box must have finite corners, max above min, and a finite size"});
+        core::throw_joined<invalid_argument>(
+            {"Voronoi diagram: the box must have finite corners, max above min, and a finite size"});
       longest = std::max(longest, length);
     }
     std::frexp(longest, &exponent_);
     exponent_ -= bits;
     for (std::size_t k = 0; k < D; ++k) {
       size_[k] = to_lattice(domain.max[k], k);
-      if (size_[k] < 1 << 16) core::throw_joined<invalid_argument>({"Voronoi diagram: the box is more than 2^32 times as long as it is wide"});
+      if (size_[k] < 1 << 16)
+        core::throw_joined<invalid_argument>(
+            {"Voronoi diagram: the box is more than 2^32 times as long as it is wide"});
     }
     std::size_t i = 0;
     for (const auto& site : sites) {
@@ -49,7 +53,8 @@ class site_lattice {
     }
     if (points_.empty()) core::throw_joined<invalid_argument>({"Voronoi diagram: there must be at least one site"});
     if (points_.size() >= 0xffffff00u)
-      core::throw_joined<invalid_argument>({"Voronoi diagram: there are ", points_.size(), " sites; 32 bits cannot number them"});
+      core::throw_joined<invalid_argument>(
+          {"Voronoi diagram: there are ", points_.size(), " sites; 32 bits cannot number them"});
     sort_into_bins();
   }
 
@@ -70,10 +75,11 @@ class site_lattice {
   }
   const box& domain() const { return domain_; }
 
-  /// Calls visit(j, squared distance) for the other sites near site i, one ring of bins after the other, until no site within radius() is left.
-  /// radius() is a distance in lattice steps, and is called again after each ring.
+  /// Calls visit(j, squared distance) for the other sites near site i, one ring of bins after the other, until no site
+  /// within radius() is left. radius() is a distance in lattice steps, and is called again after each ring.
   template<class Radius, class Visit>
-  void for_each_near(std::uint32_t i, const Radius& radius, std::vector<std::pair<double, std::uint32_t>>& ring, const Visit& visit) const {
+  void for_each_near(std::uint32_t i, const Radius& radius, std::vector<std::pair<double, std::uint32_t>>& ring,
+                     const Visit& visit) const {
     const lattice_point& x = points_[i];
     lattice_point centre;
     for (std::size_t k = 0; k < D; ++k) centre[k] = bin_of(x[k], k);
@@ -86,7 +92,8 @@ class site_lattice {
       double nearest = std::numeric_limits<double>::infinity();
       for (std::size_t k = 0; k < D; ++k) {
         if (centre[k] - s > 0) nearest = std::min(nearest, static_cast<double>(x[k] - (centre[k] - s) * width_[k]));
-        if (centre[k] + s + 1 < bins_[k]) nearest = std::min(nearest, static_cast<double>((centre[k] + s + 1) * width_[k] - x[k]));
+        if (centre[k] + s + 1 < bins_[k])
+          nearest = std::min(nearest, static_cast<double>((centre[k] + s + 1) * width_[k] - x[k]));
       }
       if (nearest > radius()) return;
     }
@@ -100,7 +107,9 @@ class site_lattice {
   lattice_point bins_{}, width_{};
   std::vector<std::uint32_t> first_, sites_;  // the sites of each bin
 
-  std::int64_t to_lattice(double x, std::size_t k) const { return std::llround(std::ldexp(x - domain_.min[k], -exponent_)); }
+  std::int64_t to_lattice(double x, std::size_t k) const {
+    return std::llround(std::ldexp(x - domain_.min[k], -exponent_));
+  }
   std::int64_t bin_of(std::int64_t x, std::size_t k) const { return std::min(x / width_[k], bins_[k] - 1); }
 
   std::size_t bin_of(const lattice_point& x) const {
@@ -112,7 +121,8 @@ class site_lattice {
   /// Sorts the sites into bins that are as close to cubes as the box allows, with two sites in each on average.
   void sort_into_bins() {
     bins_.fill(0);
-    for (std::size_t again = 0; again < D; ++again) {  // a side shorter than a bin gets one bin; the numbers along the other sides are then computed again
+    for (std::size_t again = 0; again < D; ++again) {  // a side shorter than a bin gets one bin; the numbers along the
+                                                       // other sides are then computed again
       double content = 2 / static_cast<double>(points_.size());
       int free = 0;
       for (std::size_t k = 0; k < D; ++k)
@@ -120,7 +130,8 @@ class site_lattice {
       if (free == 0) break;
       const double edge = std::pow(content, 1.0 / free);
       for (std::size_t k = 0; k < D; ++k)
-        if (bins_[k] != 1) bins_[k] = std::max<std::int64_t>(1, static_cast<std::int64_t>(static_cast<double>(size_[k]) / edge));
+        if (bins_[k] != 1)
+          bins_[k] = std::max<std::int64_t>(1, static_cast<std::int64_t>(static_cast<double>(size_[k]) / edge));
     }
     std::size_t total = 1;
     for (std::size_t k = 0; k < D; ++k) {
@@ -135,8 +146,10 @@ class site_lattice {
     for (std::uint32_t i = 0; i < size(); ++i) sites_[next[bin_of(points_[i])]++] = i;
   }
 
-  /// Collects the sites within `radius` of site i in the bins at Chebyshev distance s from the bin `centre`, counted in bins.
-  void collect(std::uint32_t i, const lattice_point& centre, std::int64_t s, double radius, std::vector<std::pair<double, std::uint32_t>>& out) const {
+  /// Collects the sites within `radius` of site i in the bins at Chebyshev distance s from the bin `centre`, counted in
+  /// bins.
+  void collect(std::uint32_t i, const lattice_point& centre, std::int64_t s, double radius,
+               std::vector<std::pair<double, std::uint32_t>>& out) const {
     lattice_point low, high, at;
     for (std::size_t k = 0; k < D; ++k) {
       low[k] = std::max<std::int64_t>(0, centre[k] - s);
@@ -156,7 +169,8 @@ class site_lattice {
     }
   }
 
-  void take(std::uint32_t i, const lattice_point& at, double radius, std::vector<std::pair<double, std::uint32_t>>& out) const {
+  void take(std::uint32_t i, const lattice_point& at, double radius,
+            std::vector<std::pair<double, std::uint32_t>>& out) const {
     const lattice_point& x = points_[i];
     std::int64_t b = 0;
     for (std::size_t k = D; k-- > 0;) b = b * bins_[k] + at[k];
@@ -169,8 +183,9 @@ class site_lattice {
         squared += d * d;
       }
       if (squared == 0)
-        core::throw_joined<invalid_argument>({"Voronoi diagram: sites ", std::min(i, j), " and ", std::max(i, j),
-                                              " are the same point, up to rounding errors of the box's size; remove one of them"});
+        core::throw_joined<invalid_argument>(
+            {"Voronoi diagram: sites ", std::min(i, j), " and ", std::max(i, j),
+             " are the same point, up to rounding errors of the box's size; remove one of them"});
       if (squared <= radius * radius) out.push_back({squared, j});
     }
   }

@@ -1,12 +1,13 @@
-// One cell of a Voronoi diagram: a box cut by the bisectors to other sites. All decisions are exact, so neighbouring cells agree on shared elements.
+// One cell of a Voronoi diagram: a box cut by the bisectors to other sites. All decisions are exact, so neighbouring
+// cells agree on shared elements.
 #pragma once
 
 #include <concino/generate/detail/voronoi/half_spaces.hpp>
 
 namespace concino::detail {
 
-/// The cell of one site, with the site as origin. Each vert has exactly D planes, counter-clockwise. A vert where more planes meet is represented
-/// by several verts at the same position.
+/// The cell of one site, with the site as origin. Each vert has exactly D planes, counter-clockwise. A vert where more
+/// planes meet is represented by several verts at the same position.
 /// Source: cutting as Ray, Sokolov, Lefebvre and Levy 2018, "Meshless Voronoi on the GPU".
 template<int D>
 class voronoi_cell {
@@ -17,7 +18,8 @@ class voronoi_cell {
     planes_.begin(sites, site);
     verts_.clear();
     if constexpr (D == 2) {
-      for (const auto& [a, b] : {std::array{2u, 1u}, std::array{1u, 3u}, std::array{3u, 0u}, std::array{0u, 2u}}) add_vert({a, b});
+      for (const auto& [a, b] : {std::array{2u, 1u}, std::array{1u, 3u}, std::array{3u, 0u}, std::array{0u, 2u}})
+        add_vert({a, b});
     } else {
       for (std::uint32_t corner = 0; corner < 8; ++corner) {
         const std::uint32_t x = corner & 1, y = 2 + (corner >> 1 & 1), z = 4 + (corner >> 2);
@@ -44,7 +46,8 @@ class voronoi_cell {
   /// The distance beyond which no site can cut the cell.
   double security_radius() const { return security_radius_; }
   const std::vector<vert>& verts() const { return verts_; }
-  /// The site on the other side of a plane; none for walls of the box, which are the first 2 D planes; the number of another wall.
+  /// The site on the other side of a plane; none for walls of the box, which are the first 2 D planes; the number of
+  /// another wall.
   std::uint32_t beyond(std::uint32_t plane) const { return planes_.beyond(plane); }
   /// The position of a vert relative to the site.
   std::array<double, D> position(const vert& v) const { return planes_.position(v); }
@@ -90,8 +93,8 @@ class voronoi_cell {
     security_radius_ = 2 * std::sqrt(squared) * (1 + planes_.unit);
   }
 
-  /// Updates horizon_ for a vert that is removed. It separates removed verts from the others: two planes (D = 2, {plane, whether it comes first})
-  /// or edges {plane, plane}.
+  /// Updates horizon_ for a vert that is removed. It separates removed verts from the others: two planes (D = 2,
+  /// {plane, whether it comes first}) or edges {plane, plane}.
   void toggle(const std::array<std::uint32_t, D>& at) {
     if constexpr (D == 2) {
       toggle_one({at[0], 1u}, {at[0], 0u});

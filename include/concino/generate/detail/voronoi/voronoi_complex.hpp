@@ -14,10 +14,12 @@ template<int D>
 class voronoi_complex : private cell_loops<D> {
  public:
   using typename cell_loops<D>::position;
-  using key = std::array<std::uint32_t, D + 1>;  // the sites and walls that define a vert, ascending; wall k is number of sites + k, those of the box first
+  using key = std::array<std::uint32_t, D + 1>;  // the sites and walls that define a vert, ascending; wall k is number
+                                                 // of sites + k, those of the box first
 
   /// domain: walls within the box.
-  explicit voronoi_complex(const site_lattice<D>& sites, std::span<const lattice_plane<D>> domain = {}) : sites_(sites), domain_(domain) {
+  explicit voronoi_complex(const site_lattice<D>& sites, std::span<const lattice_plane<D>> domain = {})
+      : sites_(sites), domain_(domain) {
     const std::size_t n = sites.size(), chunk = 256, chunks = (n + chunk - 1) / chunk;
     std::vector<part> parts(chunks);
     parallel_for(
@@ -25,7 +27,8 @@ class voronoi_complex : private cell_loops<D> {
         [&](std::size_t c) {
           voronoi_cell<D> cell;
           scratch s;
-          for (std::size_t i = c * chunk; i < std::min(n, (c + 1) * chunk); ++i) add_cell(cell, static_cast<std::uint32_t>(i), s, parts[c]);
+          for (std::size_t i = c * chunk; i < std::min(n, (c + 1) * chunk); ++i)
+            add_cell(cell, static_cast<std::uint32_t>(i), s, parts[c]);
         },
         1);
     glue(parts);
@@ -80,9 +83,12 @@ class voronoi_complex : private cell_loops<D> {
     sites_.for_each_near(i, [&] { return cell.security_radius(); }, s.ring, [&](std::uint32_t j, double squared) {
       if (squared <= cell.security_radius() * cell.security_radius()) cell.cut(sites_, j);
     });
-    for (std::uint32_t w = 0; w < domain_.size(); ++w) cell.cut(sites_, domain_[w], sites_.size() + 2 * D + w);  // last, when few walls are near the cell
+    // last, when few walls are near the cell
+    for (std::uint32_t w = 0; w < domain_.size(); ++w) cell.cut(sites_, domain_[w], sites_.size() + 2 * D + w);
 
-    const auto generator = [&](std::uint32_t plane) { return plane < 2 * D ? sites_.size() + plane : cell.beyond(plane); };
+    const auto generator = [&](std::uint32_t plane) {
+      return plane < 2 * D ? sites_.size() + plane : cell.beyond(plane);
+    };
     for (const auto& v : cell.verts()) {
       key k{i};
       for (std::size_t d = 0; d < D; ++d) k[d + 1] = generator(v.planes[d]);
@@ -109,7 +115,8 @@ class voronoi_complex : private cell_loops<D> {
       out.beyond.push_back(generator((*b)[0]));
       out.num_loop_verts.push_back(static_cast<std::uint32_t>(e - b));
       auto at = b;
-      for (auto n = b; n != e; ++n) {  // adds the vert between two consecutive planes around the loop, then moves on to the next pair
+      for (auto n = b; n != e; ++n) {  // adds the vert between two consecutive planes around the loop, then moves on to
+                                       // the next pair
         const auto& p = cell.verts()[(*at)[2]].planes;
         out.loop_verts.push_back((*at)[2]);
         std::uint32_t next;
@@ -123,7 +130,8 @@ class voronoi_complex : private cell_loops<D> {
     out.num_loops.push_back(loops);
   }
 
-  /// Merges the verts of all cells. The first cell in the key of a vert creates it, and the other cells look it up there.
+  /// Merges the verts of all cells. The first cell in the key of a vert creates it, and the other cells look it up
+  /// there.
   void glue(const std::vector<part>& parts) {
     std::vector<std::size_t> first_vert{0};
     std::vector<key> keys;
@@ -144,7 +152,8 @@ class voronoi_complex : private cell_loops<D> {
             std::uint8_t on = 0, count = 0;
             for (const std::uint32_t g : x) {
               if (g >= sites_.size()) ++count;
-              if (g >= sites_.size() && g < sites_.size() + 2 * D) on = static_cast<std::uint8_t>(on | 1u << (g - sites_.size()));
+              if (g >= sites_.size() && g < sites_.size() + 2 * D)
+                on = static_cast<std::uint8_t>(on | 1u << (g - sites_.size()));
             }
             walls.push_back(on);
             num_walls.push_back(count);

@@ -16,7 +16,8 @@ class int256 {
 
  public:
   constexpr int256() = default;
-  constexpr int256(int128 x) : limb_{static_cast<std::uint64_t>(x), static_cast<std::uint64_t>(static_cast<core::uint128>(x) >> 64), 0, 0} {
+  constexpr int256(int128 x)
+      : limb_{static_cast<std::uint64_t>(x), static_cast<std::uint64_t>(static_cast<core::uint128>(x) >> 64), 0, 0} {
     if (x < 0) limb_[2] = limb_[3] = ~std::uint64_t{0};
   }
   constexpr int256(std::int64_t x) : int256(static_cast<int128>(x)) {}

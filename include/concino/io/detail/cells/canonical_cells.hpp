@@ -1,4 +1,5 @@
-// Lists the verts of cells so that the list does not depend on how the mesh stores the cell: for writers that recognise cells by their faces.
+// Lists the verts of cells so that the list does not depend on how the mesh stores the cell: for writers that recognise
+// cells by their faces.
 #pragma once
 
 #include <concino/mesh/support/cell_recogniser.hpp>
@@ -22,11 +23,13 @@ constexpr std::array<unsigned, 8> neighbours_in(const standard_cell& t) {
   return bits;
 }
 
-/// Calls use(verts) for each equal cell with the same orientation: the verts of a standard cell in all orders that keep its faces.
+/// Calls use(verts) for each equal cell with the same orientation: the verts of a standard cell in all orders that keep
+/// its faces.
 template<class Use>
 void for_each_equal_cell(cell_shape s, const vert_id* v, const Use& use) {
-  static constexpr std::array<unsigned, 8> neighbours[] = {neighbours_in(standard_cells[0]), neighbours_in(standard_cells[1]), neighbours_in(standard_cells[2]),
-                                                           neighbours_in(standard_cells[3])};
+  static constexpr std::array<unsigned, 8> neighbours[] = {
+      neighbours_in(standard_cells[0]), neighbours_in(standard_cells[1]), neighbours_in(standard_cells[2]),
+      neighbours_in(standard_cells[3])};
   const standard_cell& t = standard_cell_of(s);
   const std::array<unsigned, 8>& adjacent = neighbours[static_cast<unsigned>(s)];
   vert_id now[8];
@@ -39,7 +42,8 @@ void for_each_equal_cell(cell_shape s, const vert_id* v, const Use& use) {
       for (unsigned i = 0; i < base_size; ++i) {
         const unsigned from = t.face_vert[f][(i + k) % base_size], to = t.face_vert[0][i];
         now[to] = v[from];
-        const unsigned above = adjacent[from] & ~base;  // the vert over this one; the apex of a tet or pyramid is over all of them
+        const unsigned above = adjacent[from] & ~base;  // the vert over this one; the apex of a tet or pyramid is over
+                                                        // all of them
         now[std::min(to + base_size, t.num_verts - 1)] = v[std::countr_zero(above)];
       }
       use(static_cast<const vert_id*>(now));
@@ -47,7 +51,8 @@ void for_each_equal_cell(cell_shape s, const vert_id* v, const Use& use) {
   }
 }
 
-/// Replaces the verts of a standard cell by those of the equal cell, with the same orientation, that come first in lexicographic order.
+/// Replaces the verts of a standard cell by those of the equal cell, with the same orientation, that come first in
+/// lexicographic order.
 inline void make_canonical(cell_shape s, vert_id* v) {
   const unsigned n = standard_cell_of(s).num_verts;
   vert_id best[8];
@@ -59,8 +64,9 @@ inline void make_canonical(cell_shape s, vert_id* v) {
   std::copy_n(best, n, v);
 }
 
-/// Replaces the verts of a standard cell by those of the equal cell whose faces come in the order of a list, if there is one. A cell that was written as
-/// its faces is then the same again. is_in_face(k, vert) says whether face k of the list has a vert.
+/// Replaces the verts of a standard cell by those of the equal cell whose faces come in the order of a list, if there
+/// is one. A cell that was written as its faces is then the same again. is_in_face(k, vert) says whether face k of the
+/// list has a vert.
 template<class IsInFace>
 void match_face_order(cell_shape s, vert_id* v, const IsInFace& is_in_face) {
   const standard_cell& t = standard_cell_of(s);

@@ -1,4 +1,5 @@
-// Lists of cells of any shapes: of standard cells their verts, of a polyhedron the number of its faces, and for each the number of its verts and these.
+// Lists of cells of any shapes: of standard cells their verts, of a polyhedron the number of its faces, and for each
+// the number of its verts and these.
 #pragma once
 
 #include <concino/io/detail/cells/corners.hpp>
@@ -72,7 +73,8 @@ class faces_check {
         bits |= std::uint64_t{1} << (v[i].raw() & 63);
       }
       if (static_cast<std::uint32_t>(std::popcount(bits)) != n)
-        if (const std::size_t k = first_repeated(v, n, scratch_); k != n) return number = v[k].raw(), face_fault::repeated_vert;
+        if (const std::size_t k = first_repeated(v, n, scratch_); k != n)
+          return number = v[k].raw(), face_fault::repeated_vert;
       sums_.push_back(sum);
       num_corners += n;
       v += n;

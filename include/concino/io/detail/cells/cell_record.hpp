@@ -53,10 +53,12 @@ class cell_record {
     return false;
   }
   bool reject_shape(const char* shape, std::size_t faces_of_it) {
-    return reject_with({name_of_poly(true, wanted_arity(4)), " (polyhedralmesh and load_any take any cell)"}, {"a ", shape, " of ", faces_of_it, " faces"});
+    return reject_with({name_of_poly(true, wanted_arity(4)), " (polyhedralmesh and load_any take any cell)"},
+                       {"a ", shape, " of ", faces_of_it, " faces"});
   }
   bool reject_repeated(vert_id v, const char* where) {
-    return reject_with({"different verts in ", where, repeated_verts_hint}, {"vert ", v.raw() + first_number_, " twice"});
+    return reject_with({"different verts in ", where, repeated_verts_hint},
+                       {"vert ", v.raw() + first_number_, " twice"});
   }
   /// `number`: of faces_check.
   bool reject_faces(face_fault fault, std::uint32_t number) {
@@ -68,13 +70,21 @@ class cell_record {
   void report_reoriented() const {
     load_report& r = *in_.report;
     r.reoriented_polys += num_negative_ + num_turned_;
-    if (num_negative_) r.notes.push_back(core::joined({num_negative_, " of ", cells_, " cells had a negative volume: their verts were put into the standard order"}));
-    if (num_turned_) r.notes.push_back(core::joined({num_turned_, " of ", cells_, " polyhedra were wound inconsistently or inside out: their faces were turned outward"}));
+    if (num_negative_)
+      r.notes.push_back(core::joined({num_negative_, " of ", cells_,
+                                      " cells had a negative volume: their verts were put into the standard order"}));
+    if (num_turned_)
+      r.notes.push_back(
+          core::joined({num_turned_, " of ", cells_,
+                        " polyhedra were wound inconsistently or inside out: their faces were turned outward"}));
   }
 
  private:
-  /// The number of verts that every cell must have: that of the wanted mesh, else that of the cells so far, else the one given.
-  std::uint32_t wanted_arity(std::uint32_t otherwise) const { return in_.wanted.arity ? in_.wanted.arity : cells_ ? arity() : otherwise; }
+  /// The number of verts that every cell must have: that of the wanted mesh, else that of the cells so far, else the
+  /// one given.
+  std::uint32_t wanted_arity(std::uint32_t otherwise) const {
+    return in_.wanted.arity ? in_.wanted.arity : cells_ ? arity() : otherwise;
+  }
 };
 
 }  // namespace concino::detail

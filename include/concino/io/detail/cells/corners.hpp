@@ -19,11 +19,13 @@ inline std::size_t first_repeated_of_many(const vert_id* verts, std::size_t n, s
   std::sort(scratch.data(), scratch.data() + n);
   std::size_t first = n;
   for (std::size_t i = 1; i < n; ++i)
-    if (scratch[i] >> 32 == scratch[i - 1] >> 32) first = std::min<std::size_t>(first, static_cast<std::uint32_t>(scratch[i]));
+    if (scratch[i] >> 32 == scratch[i - 1] >> 32)
+      first = std::min<std::size_t>(first, static_cast<std::uint32_t>(scratch[i]));
   return first;
 }
 
-/// The position of the first vert that occurs earlier in the list, or the length of the list. Quadratic for lists as short as most polys.
+/// The position of the first vert that occurs earlier in the list, or the length of the list. Quadratic for lists as
+/// short as most polys.
 inline std::size_t first_repeated(const vert_id* verts, std::size_t n, std::vector<std::uint64_t>& scratch) {
   if (n > 32) return first_repeated_of_many(verts, n, scratch);
   for (std::size_t i = 1; i < n; ++i)

@@ -24,8 +24,8 @@ inline cell_shape recognise(const polyhedra_arrays& m, std::size_t p, cell_recog
   return known.recognise();
 }
 
-/// Orients the faces of one poly at a time consistently, by a search from face to face through the edges that two of them share.
-/// It is not `bfs`, because there is no mesh yet, only the arrays of a file.
+/// Orients the faces of one poly at a time consistently, by a search from face to face through the edges that two of
+/// them share. It is not `bfs`, because there is no mesh yet, only the arrays of a file.
 /// The faces of a poly are numbered by their positions in its list.
 template<class Vert>  // vert_id, as in face_merger
 class face_orienter {
@@ -39,7 +39,8 @@ class face_orienter {
     bool agree;
   };
   std::vector<incidence> incidences_;
-  std::vector<std::uint32_t> first_link_;  // the links of face f end before first_link_[f], and those of f + 1 begin there
+  std::vector<std::uint32_t> first_link_;  // the links of face f end before first_link_[f], and those of f + 1 begin
+                                           // there
   std::vector<std::uint32_t> component_, queue_;
   std::vector<link> links_;
   std::vector<std::uint8_t> flip_;
@@ -49,10 +50,13 @@ class face_orienter {
     p.for_each_edge([&](std::uint32_t a, std::uint32_t b, bool up, std::uint32_t k) {
       incidences_.push_back({std::uint64_t{a} << 32 | b, k, up});
     });
-    std::sort(incidences_.begin(), incidences_.end(), [](const incidence& x, const incidence& y) { return x.edge != y.edge ? x.edge < y.edge : x.face < y.face; });
+    std::sort(incidences_.begin(), incidences_.end(), [](const incidence& x, const incidence& y) {
+      return x.edge != y.edge ? x.edge < y.edge : x.face < y.face;
+    });
   }
 
-  /// Calls use for the two faces of each edge. They agree if one runs up and the other down. Edges with one face, or more than two, are ignored.
+  /// Calls use for the two faces of each edge. They agree if one runs up and the other down. Edges with one face, or
+  /// more than two, are ignored.
   template<class Use>
   void for_each_pair(const Use& use) const {
     for (std::size_t i = 0, j; i < incidences_.size(); i = j) {
@@ -63,7 +67,8 @@ class face_orienter {
 
   void link_faces(std::uint32_t n) {
     first_link_.assign(n + 1, 0);
-    for_each_pair([&](const incidence& x, const incidence& y) { ++first_link_[x.face + 1], ++first_link_[y.face + 1]; });
+    for_each_pair(
+        [&](const incidence& x, const incidence& y) { ++first_link_[x.face + 1], ++first_link_[y.face + 1]; });
     for (std::size_t i = 1; i < first_link_.size(); ++i) first_link_[i] += first_link_[i - 1];
     links_.resize(first_link_[n]);
     for_each_pair([&](const incidence& x, const incidence& y) {
@@ -72,7 +77,8 @@ class face_orienter {
     });
   }
 
-  /// Finds the faces to flip in the component of `seed`, so that all agree with the majority. The sign of the volume is corrected later.
+  /// Finds the faces to flip in the component of `seed`, so that all agree with the majority. The sign of the volume is
+  /// corrected later.
   void orient_component(std::uint32_t seed) {
     queue_.assign(1, seed);
     component_[seed] = seed;
@@ -110,8 +116,9 @@ class face_orienter {
   }
 };
 
-/// Orients the faces of polys consistently, and outward, so that the volume is positive. Polys that are already oriented so, or that are
-/// consistent and have no volume, are not changed.      Cost: O(n log n) in the edges of a poly.
+/// Orients the faces of polys consistently, and outward, so that the volume is positive. Polys that are already
+/// oriented so, or that are consistent and have no volume, are not changed.      Cost: O(n log n) in the edges of a
+/// poly.
 template<class Vert>  // vert_id, as in face_merger
 class poly_orienter {
   std::span<const vec3> points_;

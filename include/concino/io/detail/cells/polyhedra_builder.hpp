@@ -12,7 +12,8 @@
 
 namespace concino::detail {
 
-/// The faces of one polyhedron at a time, from a list: the number of faces, and for each the number of its verts and these.
+/// The faces of one polyhedron at a time, from a list: the number of faces, and for each the number of its verts and
+/// these.
 template<class Vert>
 class face_list_decoder {
   std::vector<std::uint32_t> offsets_;
@@ -55,7 +56,9 @@ class polyhedra_builder {
 
  public:
   /// Needs: the points of all verts, which do not move as long as this exists.
-  explicit polyhedra_builder(std::span<const vec3> points) : merger_(points.size()), orient_(points) { out_.poly_offsets.push_back(0); }
+  explicit polyhedra_builder(std::span<const vec3> points) : merger_(points.size()), orient_(points) {
+    out_.poly_offsets.push_back(0);
+  }
 
   /// The polys that were not oriented outward.
   std::size_t num_turned() const { return num_turned_; }

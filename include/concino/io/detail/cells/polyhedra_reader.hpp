@@ -11,8 +11,8 @@
 
 namespace concino::detail {
 
-/// Reads lists of verts, faces and polyhedra whose indices count from First. Contents is volume_contents; a template only so that programs that
-/// read no volumes need not compile it.
+/// Reads lists of verts, faces and polyhedra whose indices count from First. Contents is volume_contents; a template
+/// only so that programs that read no volumes need not compile it.
 template<class Contents, std::uint32_t First>
 class polyhedra_reader : protected token_cursor {
   const wanted_mesh& wanted_;
@@ -33,7 +33,8 @@ class polyhedra_reader : protected token_cursor {
   polyhedra_arrays out_;
   polys_with_repeats repeated_;
 
-  explicit polyhedra_reader(const read_context& c) : token_cursor(text_without_padding(c.text), c.name, c.progress, 0), wanted_(c.wanted), report_(*c.report) {
+  explicit polyhedra_reader(const read_context& c)
+      : token_cursor(text_without_padding(c.text), c.name, c.progress, 0), wanted_(c.wanted), report_(*c.report) {
     repeated_.policy = c.repeated_verts;
   }
 
@@ -58,11 +59,13 @@ class polyhedra_reader : protected token_cursor {
       const char* const from = at;
       const std::uint64_t size = next_count("the number of verts of a face", 2);
       if (size < 3) fail(from, {"a face of at least three verts"}, {"one of ", size});
-      for (std::uint64_t i = 0; i < size; ++i) out_.face_verts.push_back(vert_id{next_index(out_.points.size(), "a vert index", First)});
+      for (std::uint64_t i = 0; i < size; ++i)
+        out_.face_verts.push_back(vert_id{next_index(out_.points.size(), "a vert index", First)});
       const vert_id* const corners = out_.face_verts.data() + (out_.face_verts.size() - size);
       if (const std::size_t i = first_repeated(corners, size, scratch); i != size) {
         if (repeated_.policy == repeated_verts::refuse)
-          fail(from, {"different verts at the corners of a face", repeated_verts_hint}, {"vert ", corners[i].raw() + First, " twice"});
+          fail(from, {"different verts at the corners of a face", repeated_verts_hint},
+               {"vert ", corners[i].raw() + First, " twice"});
         has_repeated_ = true;
       }
       if (out_.face_verts.size() > max_ids) fail_to_count("corners");
@@ -116,8 +119,9 @@ class polyhedra_reader : protected token_cursor {
   void orient_polys() {
     report_.reoriented_polys = orient_polyhedra(out_);
     if (report_.reoriented_polys)
-      report_.notes.push_back(core::joined({report_.reoriented_polys, " of ", out_.num_polys(),
-                                            " polyhedra were wound inconsistently or inside out: their faces were turned outward"}));
+      report_.notes.push_back(
+          core::joined({report_.reoriented_polys, " of ", out_.num_polys(),
+                        " polyhedra were wound inconsistently or inside out: their faces were turned outward"}));
   }
   void finish(Contents& out) {
     out.filled = wanted_.polyhedra ? arrays_kind::polyhedra : arrays_kind::cells;
@@ -152,12 +156,14 @@ class polyhedra_reader : protected token_cursor {
       if (n == 0 || n != cells.arity) {
         fail(position_of_poly(p),
              {name_of_poly(true, cells.arity ? cells.arity : 4), " (polyhedralmesh and load_any take any polyhedron)"},
-             {"a ", s == cell_shape::general ? "polyhedron" : standard_cell_of(s).name, " of ", out_.poly_offsets[p + 1] - out_.poly_offsets[p],
-              " faces"});
+             {"a ", s == cell_shape::general ? "polyhedron" : standard_cell_of(s).name, " of ",
+              out_.poly_offsets[p + 1] - out_.poly_offsets[p], " faces"});
       }
       match_face_order(s, known.cell, [&](std::size_t k, vert_id v) {
         const std::size_t f = out_.poly_faces[out_.poly_offsets[p] + k].raw();
-        const vert_id *const first = out_.face_verts.data() + out_.face_offsets[f], *const last = out_.face_verts.data() + out_.face_offsets[f + 1];
+        const vert_id *const first = out_.face_verts.data() + out_.face_offsets[f], *const last =
+                                                                                        out_.face_verts.data() +
+                                                                                        out_.face_offsets[f + 1];
         return std::find(first, last, v) != last;
       });
       for (std::uint32_t k = 0; k < n; ++k) cells.verts.push_back(known.cell[k]);

@@ -11,8 +11,8 @@
 
 namespace concino::detail {
 
-/// Replaces faces with a vert twice by what stays of them, and drops polys as repeated.policy says. Faces that only dropped polys have had are dropped
-/// too. The other faces and polys keep their order.
+/// Replaces faces with a vert twice by what stays of them, and drops polys as repeated.policy says. Faces that only
+/// dropped polys have had are dropped too. The other faces and polys keep their order.
 template<std::same_as<polyhedra_arrays> Arrays>  // a template only so that programs without volumes need not compile it
 class faces_mender {
   Arrays& m_;
@@ -38,7 +38,8 @@ class faces_mender {
     if (face.size() < 3) return;
     if (first_repeated(face.data(), face.size(), scratch) == face.size()) return parts.push_back(std::move(face));
     const std::vector<vert_id> triangles = cut_cycle(std::move(face), m_.points);
-    for (std::size_t i = 0; i < triangles.size(); i += 3) parts.push_back({triangles[i], triangles[i + 1], triangles[i + 2]});
+    for (std::size_t i = 0; i < triangles.size(); i += 3)
+      parts.push_back({triangles[i], triangles[i + 1], triangles[i + 2]});
   }
 
   /// Removes pairs of faces with the same verts, between which nothing is left.
@@ -55,7 +56,8 @@ class faces_mender {
       }
       const auto first = same - sorted.begin(), second = static_cast<std::ptrdiff_t>(k);
       sorted.erase(same);
-      for (const std::ptrdiff_t i : {second, first}) list_.erase(list_.begin() + i), outward_.erase(outward_.begin() + i);
+      for (const std::ptrdiff_t i : {second, first})
+        list_.erase(list_.begin() + i), outward_.erase(outward_.begin() + i);
       --k;
     }
   }
@@ -104,7 +106,8 @@ class faces_mender {
       for (std::uint32_t i = m_.poly_offsets[p]; i < m_.poly_offsets[p + 1]; ++i) {
         const std::size_t f = m_.poly_faces[i].raw(), n = number_[f] == ~0u ? 1 : parts_[number_[f]].size();
         is_changed = is_changed || number_[f] != ~0u;
-        for (std::size_t k = first_part[f]; k < first_part[f] + n; ++k) list_.push_back(face_id{k}), outward_.push_back(m_.outward[i]), was_used[k] = true;
+        for (std::size_t k = first_part[f]; k < first_part[f] + n; ++k)
+          list_.push_back(face_id{k}), outward_.push_back(m_.outward[i]), was_used[k] = true;
       }
       if (is_changed) {
         repeated_.add(p, [] { return std::string(); });

@@ -32,7 +32,8 @@ class cycle_collapser {
 /// Collapses a cycle in place. Result: its length; n if nothing stays, so that it is still no element of a mesh.
 std::uint32_t collapse_verts(vert_id* v, std::uint32_t n);
 
-/// The polys with a vert twice that a reader has found. A reader that does not refuse them leaves those of surfaces as they are.
+/// The polys with a vert twice that a reader has found. A reader that does not refuse them leaves those of surfaces as
+/// they are.
 class polys_with_repeats {
   std::size_t num_ = 0, num_vanished_ = 0;
   std::string first_;
@@ -40,7 +41,8 @@ class polys_with_repeats {
 
  public:
   concino::repeated_verts policy = concino::repeated_verts::refuse;
-  std::vector<std::uint32_t> dropped;  // polys of a volume that have become none, by their numbers in the file, in order
+  std::vector<std::uint32_t> dropped;  // polys of a volume that have become none, by their numbers in the file, in
+                                       // order
   std::size_t num_cut = 0;             // polygons that became triangles
 
   bool empty() const { return num_ == 0; }
@@ -60,7 +62,8 @@ class polys_with_repeats {
 };
 
 /// Triangulates a polygon that passes a vert twice. Triangles with a vert twice are left out.
-/// Result: the verts of the triangles, three each. They do not depend on where the cycle begins, and are the same, reversed, for the reversed cycle.
+/// Result: the verts of the triangles, three each. They do not depend on where the cycle begins, and are the same,
+///         reversed, for the reversed cycle.
 std::vector<vert_id> cut_cycle(std::vector<vert_id> cycle, std::span<const vec3> points);
 
 /// Collapses the faces of one polyhedron: the number of faces, and for each the number of its verts and these.

@@ -54,7 +54,8 @@ CONCINO_INLINE void polys_with_repeats::report(load_report& r) const {
   }
   r.notes.push_back(core::joined({num_, " polys with a vert twice were collapsed, the first is ", first_}));
   if (num_cut) r.notes.push_back(core::joined({num_cut, " polygons that pass a vert twice were cut into triangles"}));
-  if (num_vanished_) r.skipped.push_back(core::joined({num_vanished_, " polys with a vert twice that have no area or volume left"}));
+  if (num_vanished_)
+    r.skipped.push_back(core::joined({num_vanished_, " polys with a vert twice that have no area or volume left"}));
 }
 
 CONCINO_INLINE std::vector<vert_id> cut_cycle(std::vector<vert_id> cycle, std::span<const vec3> points) {
@@ -64,7 +65,8 @@ CONCINO_INLINE std::vector<vert_id> cut_cycle(std::vector<vert_id> cycle, std::s
   for (const bool reversed : {false, true}) {
     for (std::size_t k = 0; k < cycle.size(); ++k) {
       std::rotate(cycle.begin(), cycle.begin() + 1, cycle.end());
-      if (!best.empty() && !std::lexicographical_compare(cycle.begin(), cycle.end(), best.begin(), best.end())) continue;
+      if (!best.empty() && !std::lexicographical_compare(cycle.begin(), cycle.end(), best.begin(), best.end()))
+        continue;
       best = cycle;
       is_reversed = reversed;
     }

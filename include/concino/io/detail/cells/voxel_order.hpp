@@ -1,4 +1,5 @@
-// The order of the corners of a box in which x changes fastest, then y, then z, as in voxels of VTK and hexes of geogram.
+// The order of the corners of a box in which x changes fastest, then y, then z, as in voxels of VTK and hexes of
+// geogram.
 #pragma once
 
 #include <concino/concepts/descriptors.hpp>
@@ -14,7 +15,8 @@
 
 namespace concino::detail {
 
-/// From either order to the other: corner k of a hex in the standard order is corner voxel_order[k] of the voxel, and the reverse.
+/// From either order to the other: corner k of a hex in the standard order is corner voxel_order[k] of the voxel, and
+/// the reverse.
 inline constexpr std::uint8_t voxel_order[8] = {0, 1, 3, 2, 4, 5, 7, 6};
 
 inline std::array<vert_id, 8> swap_voxel_order(const vert_id* v) {
@@ -23,7 +25,8 @@ inline std::array<vert_id, 8> swap_voxel_order(const vert_id* v) {
   return r;
 }
 
-/// Finds out in which of two orders hexes list their verts: in the wrong one, a hex intersects itself, and has a smaller volume.
+/// Finds out in which of two orders hexes list their verts: in the wrong one, a hex intersects itself, and has a
+/// smaller volume.
 class hex_order_vote {
   int votes_ = 0;
   std::size_t num_hexes_ = 0;
@@ -43,7 +46,8 @@ class hex_order_vote {
   bool is_standard() const { return votes_ > 0; }
 };
 
-/// In a .tet file, a comment that says that hexes are in the order of voxels although their volumes suggest the other one.
+/// In a .tet file, a comment that says that hexes are in the order of voxels although their volumes suggest the other
+/// one.
 inline constexpr std::string_view voxel_order_comment = "# hexes in the order of voxels";
 
 }  // namespace concino::detail

@@ -1,5 +1,5 @@
-// Bodies of atomic_file.hpp: atomic replacement of a file, as far as it is the same on all systems. The rest is in posix_files.ipp
-// and standard_files.ipp.
+// Bodies of atomic_file.hpp: atomic replacement of a file, as far as it is the same on all systems. The rest is in
+// posix_files.ipp and standard_files.ipp.
 #pragma once
 
 #include <concino/core/hash_bytes.hpp>
@@ -13,11 +13,16 @@
 
 namespace concino {
 
-[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void atomic_file::fail(const char* what) const { detail::throw_io_error(path_, what, errno); }
+[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void atomic_file::fail(const char* what) const {
+  detail::throw_io_error(path_, what, errno);
+}
 
-CONCINO_INLINE std::string atomic_file::temporary_name(std::string_view target) { return core::joined({".concino-", core::hash_text(target)}); }
+CONCINO_INLINE std::string atomic_file::temporary_name(std::string_view target) {
+  return core::joined({".concino-", core::hash_text(target)});
+}
 
-CONCINO_INLINE atomic_file::atomic_file(const std::string& path, const atomic_file_options& options) : path_(path), options_(options) {
+CONCINO_INLINE atomic_file::atomic_file(const std::string& path, const atomic_file_options& options)
+    : path_(path), options_(options) {
   detail::check_path(path);
   const std::string target = detail::resolve_links(path);
   const std::size_t slash = target.rfind('/') + 1;

@@ -36,7 +36,10 @@ CONCINO_INLINE file_text::file_text(const std::string& path, file_access access)
   }
 }
 
-CONCINO_INLINE file_text::file_text(detail::file_handle file, const std::string& path, std::uint64_t size) : file_text() { read(file, path, size); }
+CONCINO_INLINE file_text::file_text(detail::file_handle file, const std::string& path, std::uint64_t size)
+    : file_text() {
+  read(file, path, size);
+}
 
 CONCINO_INLINE file_text::~file_text() {
   if (mapped_ == detail::no_file) {

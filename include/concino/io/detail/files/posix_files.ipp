@@ -1,5 +1,5 @@
-// Files on POSIX systems: definitions of system_files.hpp, and of the part of atomic_file.hpp that depends on the system. The only file of this module
-// that includes headers of POSIX.
+// Files on POSIX systems: definitions of system_files.hpp, and of the part of atomic_file.hpp that depends on the
+// system. The only file of this module that includes headers of POSIX.
 #pragma once
 
 #if defined(__unix__) || defined(__APPLE__)
@@ -28,7 +28,10 @@ namespace concino::detail {
 inline file_status status_from(const struct ::stat& info) {
   const ::mode_t mode = info.st_mode;
   file_status s;
-  s.kind = S_ISREG(mode) ? file_kind::regular : S_ISDIR(mode) ? file_kind::folder : S_ISFIFO(mode) ? file_kind::pipe : file_kind::other;
+  s.kind = S_ISREG(mode)    ? file_kind::regular
+           : S_ISDIR(mode)  ? file_kind::folder
+           : S_ISFIFO(mode) ? file_kind::pipe
+                            : file_kind::other;
   s.size = static_cast<std::uint64_t>(info.st_size);
   s.device = static_cast<std::uint64_t>(info.st_dev);
   s.number = static_cast<std::uint64_t>(info.st_ino);
@@ -57,13 +60,16 @@ CONCINO_INLINE file_status status_of(file_handle file, const std::string&) {
   return ::fstat(file, &info) == 0 ? status_from(info) : file_status();
 }
 
-CONCINO_INLINE file_handle open_to_read(const std::string& path) { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK); }
+CONCINO_INLINE file_handle open_to_read(const std::string& path) {
+  return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+}
 
 CONCINO_INLINE bool wait_for_writer(file_handle file) { return ::fcntl(file, F_SETFL, O_RDONLY) == 0; }
 
 CONCINO_INLINE std::ptrdiff_t read_some(file_handle file, char* to, std::size_t n) {
   for (;;)
-    if (const ::ssize_t done = ::read(file, to, std::min<std::size_t>(n, 1 << 30)); done >= 0 || errno != EINTR) return done;
+    if (const ::ssize_t done = ::read(file, to, std::min<std::size_t>(n, 1 << 30)); done >= 0 || errno != EINTR)
+      return done;
 }
 
 CONCINO_INLINE bool write_all(file_handle file, const char* from, std::size_t n) {
@@ -107,15 +113,19 @@ CONCINO_INLINE std::string link_target(const std::string& path) {
 
 namespace concino {
 
-/// The steps of an atomic_file. The unfinished file has no name if the system supports that, or else a temporary name and a lock.
+/// The steps of an atomic_file. The unfinished file has no name if the system supports that, or else a temporary name
+/// and a lock.
 struct atomic_file::system {
   static constexpr std::size_t proc_size = 32;
-  static void name_in_proc(int file, char (&name)[proc_size]) { std::snprintf(name, proc_size, "/proc/self/fd/%d", file); }
+  static void name_in_proc(int file, char (&name)[proc_size]) {
+    std::snprintf(name, proc_size, "/proc/self/fd/%d", file);
+  }
 
   static void open_folder(atomic_file& f, const std::string& folder) {
     f.folder_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
 #ifdef O_PATH
-    if (f.folder_ < 0 && errno == EACCES && !f.options_.sync) f.folder_ = ::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
+    if (f.folder_ < 0 && errno == EACCES && !f.options_.sync)
+      f.folder_ = ::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
 #endif
     if (f.folder_ < 0) f.fail();
   }
@@ -139,8 +149,9 @@ struct atomic_file::system {
     if (found < 0) return false;
     struct ::stat locked {};
     struct ::stat there {};
-    const bool abandoned = ::flock(found, LOCK_EX | LOCK_NB) == 0 && ::fstat(found, &locked) == 0 && ::fstatat(folder, name, &there, AT_SYMLINK_NOFOLLOW) == 0 &&
-                           locked.st_ino == there.st_ino && locked.st_dev == there.st_dev && ::unlinkat(folder, name, 0) == 0;
+    const bool abandoned = ::flock(found, LOCK_EX | LOCK_NB) == 0 && ::fstat(found, &locked) == 0 &&
+                           ::fstatat(folder, name, &there, AT_SYMLINK_NOFOLLOW) == 0 && locked.st_ino == there.st_ino &&
+                           locked.st_dev == there.st_dev && ::unlinkat(folder, name, 0) == 0;
     ::close(found);
     return abandoned;
   }
@@ -223,15 +234,18 @@ CONCINO_INLINE void atomic_file::close() noexcept {
 CONCINO_INLINE void atomic_file::finish() {
   if (std::exchange(finished_, true)) return;
   if (options_.sync && ::fsync(file_) != 0) fail();
-  const int duplicate = ::dup(file_);  // some file systems report errors when a file is closed, and file_ has to stay open
+  const int duplicate = ::dup(file_);  // some file systems report errors when a file is closed, and file_ has to stay
+                                       // open
   if (duplicate < 0 || ::close(duplicate) != 0) fail();
 }
 
 CONCINO_INLINE void atomic_file::commit() {
   finish();
-  if (temporary_.empty() ? !system::commit_unnamed(*this) : !system::commit_named(*this)) fail(options_.must_be_new ? "cannot be created" : "cannot be replaced");
+  if (temporary_.empty() ? !system::commit_unnamed(*this) : !system::commit_named(*this))
+    fail(options_.must_be_new ? "cannot be created" : "cannot be replaced");
   committed_ = true;
-  if (options_.sync && ::fsync(folder_) != 0 && errno != EINVAL) fail("is written, but its folder cannot be synchronised to disk");
+  if (options_.sync && ::fsync(folder_) != 0 && errno != EINVAL)
+    fail("is written, but its folder cannot be synchronised to disk");
 }
 
 CONCINO_INLINE void atomic_file::undo() { ::unlinkat(folder_, name_.c_str(), 0); }

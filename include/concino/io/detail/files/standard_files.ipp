@@ -1,5 +1,6 @@
-// Files where the system is not POSIX, by the standard library alone: definitions of system_files.hpp, and of the part of atomic_file.hpp that depends on the
-// system. atomic_file.hpp and file_text.hpp say what is lost. Paths are UTF-8, on Windows too.
+// Files where the system is not POSIX, by the standard library alone: definitions of system_files.hpp, and of the part
+// of atomic_file.hpp that depends on the system. atomic_file.hpp and file_text.hpp say what is lost. Paths are UTF-8,
+// on Windows too.
 #pragma once
 
 #if !defined(__unix__) && !defined(__APPLE__)
@@ -61,7 +62,8 @@ inline file_kind kind_of(const std::filesystem::file_status& status) {
 }
 
 /// The status of a file whose kind is known. A file is identified by its real path.
-inline file_status status_from(const std::filesystem::path& path, const std::filesystem::file_status& status, const std::error_code& error) {
+inline file_status status_from(const std::filesystem::path& path, const std::filesystem::file_status& status,
+                               const std::error_code& error) {
   file_status s;
   s.kind = kind_of(status);
   if (s.kind == file_kind::none) {
@@ -78,7 +80,8 @@ inline file_status status_from(const std::filesystem::path& path, const std::fil
   const auto written = std::filesystem::last_write_time(path, ignored).time_since_epoch();
   const auto whole = std::chrono::duration_cast<std::chrono::seconds>(written);
   s.seconds = static_cast<std::int64_t>(whole.count());
-  s.nanoseconds = static_cast<std::int64_t>(std::chrono::duration_cast<std::chrono::nanoseconds>(written - whole).count());
+  s.nanoseconds =
+      static_cast<std::int64_t>(std::chrono::duration_cast<std::chrono::nanoseconds>(written - whole).count());
   return s;
 }
 
@@ -164,7 +167,8 @@ CONCINO_INLINE void atomic_file::open() {
   const detail::file_status old = detail::status_of(folder_path_ + name_);
   if (old.kind == detail::file_kind::none && errno != ENOENT) fail();
   if (old.kind == detail::file_kind::folder) detail::throw_io_error(path_, "cannot be written", EISDIR);
-  if (old.kind != detail::file_kind::none && old.kind != detail::file_kind::regular) core::throw_joined<io_error>({path_, ": is not a regular file"});
+  if (old.kind != detail::file_kind::none && old.kind != detail::file_kind::regular)
+    core::throw_joined<io_error>({path_, ": is not a regular file"});
   const std::filesystem::path target = detail::system_path(folder_path_ + name_);
   std::error_code error;
   const std::filesystem::perms permissions = std::filesystem::status(target, error).permissions();
@@ -181,7 +185,8 @@ CONCINO_INLINE void atomic_file::open() {
     file_ = detail::open_stream(path, true);
     if (file_ == detail::no_file) fail();
     temporary_.swap(name);
-    if (exists) std::filesystem::permissions(path, permissions, error);  // best effort: the new file is correct without it
+    // best effort: the new file is correct without it
+    if (exists) std::filesystem::permissions(path, permissions, error);
   }
 }
 
@@ -204,7 +209,8 @@ CONCINO_INLINE void atomic_file::finish() {
 
 CONCINO_INLINE void atomic_file::commit() {
   finish();
-  const std::filesystem::path from = detail::system_path(folder_path_ + temporary_), to = detail::system_path(folder_path_ + name_);
+  const std::filesystem::path from = detail::system_path(folder_path_ + temporary_),
+                              to = detail::system_path(folder_path_ + name_);
   std::error_code error;
   if (options_.must_be_new && std::filesystem::exists(to, error)) {
     errno = EEXIST;

@@ -1,5 +1,6 @@
-// What reading and writing files needs of the operating system. Two files define it: posix_files.ipp for POSIX systems, and standard_files.ipp, which needs
-// the standard library only, for all others. No other header of this module calls the system.
+// What reading and writing files needs of the operating system. Two files define it: posix_files.ipp for POSIX systems,
+// and standard_files.ipp, which needs the standard library only, for all others. No other header of this module calls
+// the system.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -23,7 +24,8 @@ struct file_status {
   bool operator==(const file_status&) const = default;
 };
 
-/// The status of the file at that path, or of the file that a link there refers to. The kind is none if there is no file, and errno is the reason.
+/// The status of the file at that path, or of the file that a link there refers to. The kind is none if there is no
+/// file, and errno is the reason.
 file_status status_of(const std::string& path);
 /// The same, but a link is a file of another kind.
 file_status status_of_link(const std::string& path);

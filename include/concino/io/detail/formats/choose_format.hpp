@@ -55,14 +55,16 @@ constexpr format_rows format_rows_of(format_list<F...>) { return {all_format_row
 /// Errors: as check_path; unsupported if none has the name.
 std::uint64_t formats_for(std::string_view path, format_id requested, format_rows known);
 
-/// The format to use among the candidates: the last one whose signature the text has, else the last one that has no signature, else the last
-/// one. Without a text: the last one.
+/// The format to use among the candidates: the last one whose signature the text has, else the last one that has no
+/// signature, else the last one. Without a text: the last one.
 std::size_t choose_format(std::uint64_t candidates, format_rows known, const std::string_view* text);
 
-/// The format in which a file is read, if its extension determines it: that of choose_format, unless the text has no signature of the candidates,
-/// but that of another known format. A note then says so; else it is empty.
-/// Errors: unsupported if there is neither a candidate nor a signature, naming the extensions and signatures that are known.
-std::size_t choose_by_text(std::string_view path, std::uint64_t candidates, format_rows known, std::string_view text, std::string& note);
+/// The format in which a file is read, if its extension determines it: that of choose_format, unless the text has no
+/// signature of the candidates, but that of another known format. A note then says so; else it is empty.
+/// Errors: unsupported if there is neither a candidate nor a signature, naming the extensions and signatures that are
+///         known.
+std::size_t choose_by_text(std::string_view path, std::uint64_t candidates, format_rows known, std::string_view text,
+                           std::string& note);
 
 /// The candidates that can be written.
 /// Errors: unsupported if there is none, naming the extensions that are known or can be written.

@@ -16,7 +16,8 @@ inline bool has_extension(std::string_view path, std::string_view extension) {
   if (path.size() <= extension.size()) return false;
   const std::string_view tail = path.substr(path.size() - extension.size());
   for (std::size_t i = 0; i < tail.size(); ++i)
-    if ((tail[i] >= 'A' && tail[i] <= 'Z' ? static_cast<char>(tail[i] + ('a' - 'A')) : tail[i]) != extension[i]) return false;
+    if ((tail[i] >= 'A' && tail[i] <= 'Z' ? static_cast<char>(tail[i] + ('a' - 'A')) : tail[i]) != extension[i])
+      return false;
   return true;
 }
 
@@ -55,8 +56,10 @@ inline std::string listed_in_message(format_rows known, bool signatures) {
   std::string all;
   for (std::size_t i = 0; i < known.size; ++i) {
     const format_row& row = known.rows[i];
-    if (signatures && row.has_signature) all = core::joined({all, all.empty() ? "" : ", ", row.signature.empty() ? row.name : row.signature});
-    for (std::size_t k = 0; !signatures && k < row.num_extensions; ++k) all = core::joined({all, all.empty() ? "" : ", ", row.extensions[k]});
+    if (signatures && row.has_signature)
+      all = core::joined({all, all.empty() ? "" : ", ", row.signature.empty() ? row.name : row.signature});
+    for (std::size_t k = 0; !signatures && k < row.num_extensions; ++k)
+      all = core::joined({all, all.empty() ? "" : ", ", row.extensions[k]});
   }
   return all;
 }
@@ -73,27 +76,33 @@ CONCINO_INLINE std::uint64_t writable(std::string_view path, std::uint64_t candi
     if (!row.is_read_only) others = core::joined({others, others.empty() ? "" : ", ", row.extensions[0]});
   }
   if (candidates == 0)
-    core::throw_joined<unsupported>({path, ": the extension is not that of a known format; known extensions: ", listed_in_message(known, false)});
+    core::throw_joined<unsupported>(
+        {path, ": the extension is not that of a known format; known extensions: ", listed_in_message(known, false)});
   if (left == 0)
-    core::throw_joined<unsupported>({path, path.empty() ? "" : ": ", refused, " can be read, but not written", others.empty() ? "" : "; formats that can be written: ", others});
+    core::throw_joined<unsupported>({path, path.empty() ? "" : ": ", refused, " can be read, but not written",
+                                     others.empty() ? "" : "; formats that can be written: ", others});
   return left;
 }
 
-CONCINO_INLINE std::size_t choose_by_text(std::string_view path, std::uint64_t candidates, format_rows known, std::string_view text,
-                                          std::string& note) {
-  const auto has_signature = [&](std::size_t i) { return known.rows[i].has_signature && known.rows[i].has_signature(text); };
+CONCINO_INLINE std::size_t choose_by_text(std::string_view path, std::uint64_t candidates, format_rows known,
+                                          std::string_view text, std::string& note) {
+  const auto has_signature = [&](std::size_t i) {
+    return known.rows[i].has_signature && known.rows[i].has_signature(text);
+  };
   for (std::size_t i = known.size; i-- > 0;)
     if ((candidates >> i & 1) != 0 && has_signature(i)) return i;
   for (std::size_t i = known.size; i-- > 0;)
     if (has_signature(i)) {
       const format_row& row = known.rows[i];
-      note = core::joined({"the extension is not ", row.extensions[0], ", but the text begins like a file of that format, ", row.name, ", and was read as one"});
+      note = core::joined({"the extension is not ", row.extensions[0],
+                           ", but the text begins like a file of that format, ", row.name, ", and was read as one"});
       return i;
     }
   if (candidates != 0) return choose_format(candidates, known, &text);
   const std::string signatures = listed_in_message(known, true);
-  core::throw_joined<unsupported>({path, ": neither the extension nor the first words are those of a known format; known extensions: ", listed_in_message(known, false),
-                                   signatures.empty() ? "" : "; known first words: ", signatures});
+  core::throw_joined<unsupported>(
+      {path, ": neither the extension nor the first words are those of a known format; known extensions: ",
+       listed_in_message(known, false), signatures.empty() ? "" : "; known first words: ", signatures});
 }
 
 }  // namespace concino::detail

@@ -29,22 +29,26 @@ struct polygon_words {
   std::uint32_t first = 0;       // the number of the first vert
 };
 
-/// Checks a polygon that was read: the wanted mesh can hold it, and if verts are there twice, options.repeated_verts allows it.
-/// fail(expected, found) throws parse_error with its place, poly() is its number, place() says where it is.
+/// Checks a polygon that was read: the wanted mesh can hold it, and if verts are there twice, options.repeated_verts
+/// allows it. fail(expected, found) throws parse_error with its place, poly() is its number, place() says where it is.
 template<class Fail, class Number, class Place>
-void check_read_polygon(file_contents& out, const wanted_mesh& wanted, const vert_id* v, std::size_t n, const polygon_words& words,
-                   std::vector<std::uint64_t>& scratch, const Fail& fail, const Number& poly, const Place& place) {
+void check_read_polygon(file_contents& out, const wanted_mesh& wanted, const vert_id* v, std::size_t n,
+                        const polygon_words& words, std::vector<std::uint64_t>& scratch, const Fail& fail,
+                        const Number& poly, const Place& place) {
   std::size_t size = n;
   if (const std::size_t k = first_repeated(v, n, scratch); k != n) {
-    if (out.repeated.policy == repeated_verts::refuse) fail({words.different, repeated_verts_hint}, {words.vert, v[k].raw() + words.first, " twice"});
+    if (out.repeated.policy == repeated_verts::refuse)
+      fail({words.different, repeated_verts_hint}, {words.vert, v[k].raw() + words.first, " twice"});
     out.repeated.add(poly(), place);
     size = out.repeated.size_after(v, n);
   }
   if (wanted.surface && wanted.arity && size != 0 && size != wanted.arity)
-    fail({name_of_poly(false, wanted.arity), " (polygonmesh and load_any take any polygon)"}, {"a polygon of ", size, " corners"});
+    fail({name_of_poly(false, wanted.arity), " (polygonmesh and load_any take any polygon)"},
+         {"a polygon of ", size, " corners"});
 }
 
-/// Ends the poly whose corners begin at `first`. As long as all polys have `arity` corners (0: there are no polys yet), there are no offsets.
+/// Ends the poly whose corners begin at `first`. As long as all polys have `arity` corners (0: there are no polys yet),
+/// there are no offsets.
 inline void end_poly(surface_arrays& s, std::uint32_t& arity, std::size_t first) {
   const std::size_t size = s.verts.size() - first;
   if (s.offsets.empty()) {
@@ -57,8 +61,9 @@ inline void end_poly(surface_arrays& s, std::uint32_t& arity, std::size_t first)
 }
 
 /// Checks and ends the poly at `position`, whose corners begin at `first`. Errors: parse_error, as check_read_polygon.
-inline void end_checked_poly(const text_cursor& in, const char* position, std::size_t first, std::vector<std::uint64_t>& scratch, const wanted_mesh& wanted,
-                             file_contents& out, std::uint32_t& arity, const polygon_words& words) {
+inline void end_checked_poly(const text_cursor& in, const char* position, std::size_t first,
+                             std::vector<std::uint64_t>& scratch, const wanted_mesh& wanted, file_contents& out,
+                             std::uint32_t& arity, const polygon_words& words) {
   surface_arrays& s = out.surface;
   check_read_polygon(
       out, wanted, s.verts.data() + first, s.verts.size() - first, words, scratch,
@@ -69,11 +74,15 @@ inline void end_checked_poly(const text_cursor& in, const char* position, std::s
   end_poly(s, arity, first);
 }
 
-/// Throws because the file holds a volume and a surface is wanted, or the reverse. The message has the number of polys, if known.
-[[noreturn, gnu::noinline, gnu::cold]] inline void throw_wrong_dimension(std::string_view name, bool holds_volume, std::size_t polys = 0) {
-  const std::string of = polys ? core::joined({" of ", polys, holds_volume ? " polyhedra" : " polygons"}) : std::string();
-  core::throw_joined<unsupported>({name, ": holds a ", holds_volume ? "volume" : "surface", of, ", but a ", holds_volume ? "surface" : "volume",
-                             " mesh was requested; load it as ", holds_volume ? "polyhedralmesh" : "polygonmesh", " or with load_any"});
+/// Throws because the file holds a volume and a surface is wanted, or the reverse. The message has the number of polys,
+/// if known.
+[[noreturn, gnu::noinline, gnu::cold]] inline void throw_wrong_dimension(std::string_view name, bool holds_volume,
+                                                                         std::size_t polys = 0) {
+  const std::string of =
+      polys ? core::joined({" of ", polys, holds_volume ? " polyhedra" : " polygons"}) : std::string();
+  core::throw_joined<unsupported>({name, ": holds a ", holds_volume ? "volume" : "surface", of, ", but a ",
+                                   holds_volume ? "surface" : "volume", " mesh was requested; load it as ",
+                                   holds_volume ? "polyhedralmesh" : "polygonmesh", " or with load_any"});
 }
 
 }  // namespace concino::detail

@@ -14,7 +14,8 @@
 
 namespace concino::detail {
 
-/// Collects lists one by one. It refers to the originals as long as each list begins where the previous one ends, and copies them otherwise.
+/// Collects lists one by one. It refers to the originals as long as each list begins where the previous one ends, and
+/// copies them otherwise.
 template<class T>
 class list_collector {
   const T* first_ = nullptr;
@@ -36,8 +37,8 @@ class list_collector {
   flat_lists<T> lists() const;
 };
 
-/// Numbers the elements in the order of iteration. `indices` maps numbers to indices and `numbers` maps back; both are empty if the indices are
-/// 0, 1, 2, ... in this order.
+/// Numbers the elements in the order of iteration. `indices` maps numbers to indices and `numbers` maps back; both are
+/// empty if the indices are 0, 1, 2, ... in this order.
 struct element_numbers {
   std::vector<std::uint32_t> indices, numbers;
   std::size_t size = 0;
@@ -53,7 +54,9 @@ struct element_numbers {
     }
     ++size;
   }
-  std::uint32_t number_of(std::size_t index) const { return numbers.empty() ? static_cast<std::uint32_t>(index) : numbers[index]; }
+  std::uint32_t number_of(std::size_t index) const {
+    return numbers.empty() ? static_cast<std::uint32_t>(index) : numbers[index];
+  }
 
  private:
   void renumber(std::size_t bound);
@@ -101,9 +104,12 @@ class flat_mesh_of final : public flat_mesh {
   void make_polyhedra() override {
     if constexpr (dimension_v<M> == 3) {  // surfaces have no polyhedra
       for (const face_t<M> f : faces(mesh_)) faces_.add(f, index_of(mesh_, f), face_index_bound(mesh_));
-      face_verts_ = list_collector<vert_id>(!can_refer_to<vert_id, decltype(adj_f2v(mesh_, *faces(mesh_).begin()))>(verts_));
-      poly_faces_ = list_collector<face_id>(!can_refer_to<face_id, decltype(adj_p2f(mesh_, *polys(mesh_).begin()))>(faces_));
-      for (const face_t<M> f : faces(mesh_)) add_list<vert_id, vert_t<M>>(face_verts_, verts_, mesh_, adj_f2v(mesh_, f));
+      face_verts_ =
+          list_collector<vert_id>(!can_refer_to<vert_id, decltype(adj_f2v(mesh_, *faces(mesh_).begin()))>(verts_));
+      poly_faces_ =
+          list_collector<face_id>(!can_refer_to<face_id, decltype(adj_p2f(mesh_, *polys(mesh_).begin()))>(faces_));
+      for (const face_t<M> f : faces(mesh_))
+        add_list<vert_id, vert_t<M>>(face_verts_, verts_, mesh_, adj_f2v(mesh_, f));
       for (const poly_t<M> p : polys(mesh_)) {
         add_list<face_id, face_t<M>>(poly_faces_, faces_, mesh_, adj_p2f(mesh_, p));
         for (const face_t<M> f : adj_p2f(mesh_, p)) outward_.push_back(face_is_outward(mesh_, p, f) ? 1 : 0);
@@ -141,7 +147,9 @@ class flat_mesh_of final : public flat_mesh {
   }
 
   template<class Id, class R>
-  static bool can_refer_to(const element_numbers& of) { return std::is_same_v<std::remove_cvref_t<R>, id_span<Id>> && of.lists_hold_numbers; }
+  static bool can_refer_to(const element_numbers& of) {
+    return std::is_same_v<std::remove_cvref_t<R>, id_span<Id>> && of.lists_hold_numbers;
+  }
 
  public:
   /// The mesh must not change as long as this object is used.
@@ -170,7 +178,8 @@ class flat_mesh_of final : public flat_mesh {
     if constexpr (!from_surface<M> && !from_cells<M> && !from_polyhedra<M>)  // native meshes have no such edges
       for (const edge_t<M> e : edges(mesh_)) {
         const auto is_empty = [](const auto& around) { return !(around.begin() != around.end()); };
-        if constexpr (dimension_v<M> == 2) n += is_empty(adj_e2p(mesh_, e));  // edges bound polys in a surface, and faces in a volume
+        // edges bound polys in a surface, and faces in a volume
+        if constexpr (dimension_v<M> == 2) n += is_empty(adj_e2p(mesh_, e));
         else n += is_empty(adj_e2f(mesh_, e));
       }
     return n;

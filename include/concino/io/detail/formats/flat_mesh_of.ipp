@@ -33,7 +33,8 @@ void list_collector<T>::refer_to(const T* first, const T* last) {
 
 template<class T>
 flat_lists<T> list_collector<T>::lists() const {
-  return {std::span<const T>(is_copy_ ? copies_.data() : first_, values_), std::span<const std::size_t>(offsets_), offsets_.empty() ? arity_ : 0};
+  return {std::span<const T>(is_copy_ ? copies_.data() : first_, values_), std::span<const std::size_t>(offsets_),
+          offsets_.empty() ? arity_ : 0};
 }
 
 CONCINO_INLINE void element_numbers::renumber(std::size_t bound) {

@@ -1,5 +1,5 @@
-// Reads files and texts in any of the library's formats. The wanted kind of mesh is an argument, not a type, so these functions are part of the
-// compiled library. It also contains the functions that load native meshes.
+// Reads files and texts in any of the library's formats. The wanted kind of mesh is an argument, not a type, so these
+// functions are part of the compiled library. It also contains the functions that load native meshes.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -15,9 +15,11 @@ namespace concino::detail {
 
 /// The same as read_file and read_text, with standard_formats.
 template<bool Surfaces, bool Volumes, class Contents>
-void read_standard_file(const std::string& path, const wanted_mesh& wanted, const load_options& options, Contents& contents);
+void read_standard_file(const std::string& path, const wanted_mesh& wanted, const load_options& options,
+                        Contents& contents);
 template<bool Surfaces, bool Volumes, class Contents>
-void read_standard_text(std::string_view text, std::string_view name, const wanted_mesh& wanted, const load_options& options, Contents& contents);
+void read_standard_text(std::string_view text, std::string_view name, const wanted_mesh& wanted,
+                        const load_options& options, Contents& contents);
 
 template<class M>
 using standard_contents = contents_for<M, std::remove_const_t<decltype(standard_formats)>>;

@@ -19,20 +19,25 @@
 namespace concino::detail {
 
 template<bool Surfaces, bool Volumes, class Contents>
-void read_standard_file(const std::string& path, const wanted_mesh& wanted, const load_options& options, Contents& contents) {
+void read_standard_file(const std::string& path, const wanted_mesh& wanted, const load_options& options,
+                        Contents& contents) {
   read_file<Surfaces, Volumes>(path, standard_formats, wanted, options, contents);
 }
 template<bool Surfaces, bool Volumes, class Contents>
-void read_standard_text(std::string_view text, std::string_view name, const wanted_mesh& wanted, const load_options& options, Contents& contents) {
-  const std::size_t chosen = choose_format(candidates_for({}, standard_formats, options.format), format_rows_of(standard_formats), &text);
+void read_standard_text(std::string_view text, std::string_view name, const wanted_mesh& wanted,
+                        const load_options& options, Contents& contents) {
+  const std::size_t chosen =
+      choose_format(candidates_for({}, standard_formats, options.format), format_rows_of(standard_formats), &text);
   read_text<Surfaces, Volumes>(text, name, standard_formats, chosen, wanted, options, contents);
 }
 
 #ifdef CONCINO_COMPILED
 
-#define CONCINO_DEFINE_READERS(SURFACES, VOLUMES, CONTENTS)                                                                              \
-  template void read_standard_file<SURFACES, VOLUMES, CONTENTS>(const std::string&, const wanted_mesh&, const load_options&, CONTENTS&); \
-  template void read_standard_text<SURFACES, VOLUMES, CONTENTS>(std::string_view, std::string_view, const wanted_mesh&, const load_options&, CONTENTS&)
+#define CONCINO_DEFINE_READERS(SURFACES, VOLUMES, CONTENTS)                                             \
+  template void read_standard_file<SURFACES, VOLUMES, CONTENTS>(const std::string&, const wanted_mesh&, \
+                                                                const load_options&, CONTENTS&);        \
+  template void read_standard_text<SURFACES, VOLUMES, CONTENTS>(std::string_view, std::string_view,     \
+                                                                const wanted_mesh&, const load_options&, CONTENTS&)
 CONCINO_DEFINE_READERS(true, false, file_contents);
 CONCINO_DEFINE_READERS(false, true, volume_contents);
 CONCINO_DEFINE_READERS(true, true, volume_contents);

@@ -31,9 +31,13 @@ inline void drop_equal_offsets(surface_arrays& a) {
   a.offsets.clear();
 }
 
-/// Whether a format can be read without the arrays of volumes. True for formats that hold no surfaces, as no surface is read from them.
+/// Whether a format can be read without the arrays of volumes. True for formats that hold no surfaces, as no surface is
+/// read from them.
 template<class F>
-inline constexpr bool reads_surfaces_alone = !F::holds_surfaces || requires(const read_context& in, file_contents& out) { F::read(in, out); };
+inline constexpr bool reads_surfaces_alone =
+    !F::holds_surfaces || requires(const read_context& in, file_contents& out) {
+  F::read(in, out);
+};
 
 /// Reads in format F. Readers of surfaces or volumes that are not wanted are not compiled.
 template<Format F, bool Surfaces, bool Volumes, class Contents>
@@ -44,7 +48,8 @@ void read_as(const read_context& context, Contents& out) {
   else throw_wrong_dimension(context.name, F::holds_volumes);
   if (context.repeated_verts != repeated_verts::refuse) {
     std::size_t num_polys = 0;
-    if constexpr (requires { out.cells; }) num_polys = out.filled == arrays_kind::cells ? out.cells.num_polys() : out.polyhedra.num_polys();
+    if constexpr (requires { out.cells; })
+      num_polys = out.filled == arrays_kind::cells ? out.cells.num_polys() : out.polyhedra.num_polys();
     mend_repeated_verts(out, num_polys, *context.report);
   }
   drop_equal_offsets(out.surface);
@@ -87,7 +92,8 @@ M mesh_of(volume_contents& contents, std::string_view name, load_report* report)
 
 /// The contents that M can hold.
 template<class M>
-inline constexpr wanted_mesh wanted_for{from_surface<M>, from_cells<M>, from_polyhedra<M>, static_cast<std::uint32_t>(arity_v<M>)};
+inline constexpr wanted_mesh wanted_for{from_surface<M>, from_cells<M>, from_polyhedra<M>,
+                                        static_cast<std::uint32_t>(arity_v<M>)};
 
 template<class M> inline constexpr bool wants_volumes = from_cells<M> || from_polyhedra<M>;
 
@@ -100,18 +106,26 @@ using contents_for = contents_of<wants_volumes<M> || !all_read_surfaces_alone(li
 
 /// Reads a text in the chosen format. If it is the text of `file`, closes the file as soon as it is read.
 template<bool Surfaces, bool Volumes, class... F, class Contents>
-void read_text(std::string_view text, std::string_view name, format_list<F...> known, std::size_t chosen, const wanted_mesh& wanted, const load_options& options,
-               Contents& contents, file_text* file = nullptr) {
+void read_text(std::string_view text, std::string_view name, format_list<F...> known, std::size_t chosen,
+               const wanted_mesh& wanted, const load_options& options, Contents& contents, file_text* file = nullptr) {
   load_report unused_report;
   load_report* const report = options.report ? options.report : &unused_report;
-  const read_context context{text,           name,           wanted, report, &options.progress, file != nullptr, options.inflate, options.repeated_verts,
+  const read_context context{text,
+                             name,
+                             wanted,
+                             report,
+                             &options.progress,
+                             file != nullptr,
+                             options.inflate,
+                             options.repeated_verts,
                              options.corners_only};
   with_format(known, chosen, [&]<Format G>(G) { read_as<G, Surfaces, Volumes>(context, contents); });
   if (file) file->close(std::string(name));
 }
 
 template<bool Surfaces, bool Volumes, Formats F, class Contents>
-void read_file(const std::string& path, F formats, const wanted_mesh& wanted, const load_options& options, Contents& contents) {
+void read_file(const std::string& path, F formats, const wanted_mesh& wanted, const load_options& options,
+               Contents& contents) {
   const auto known = list_of(formats);
   const format_rows rows = format_rows_of(known);
   const std::uint64_t candidates = candidates_for(path, formats, options.format);
@@ -119,7 +133,8 @@ void read_file(const std::string& path, F formats, const wanted_mesh& wanted, co
   const std::string_view text = file.text();
   std::string note;
   const bool by_extension = !Format<F> && options.format == format_id();
-  const std::size_t chosen = by_extension ? choose_by_text(path, candidates, rows, text, note) : choose_format(candidates, rows, &text);
+  const std::size_t chosen =
+      by_extension ? choose_by_text(path, candidates, rows, text, note) : choose_format(candidates, rows, &text);
   read_text<Surfaces, Volumes>(text, path, known, chosen, wanted, options, contents, &file);
   if (!note.empty() && options.report) options.report->notes.push_back(std::move(note));
 }
@@ -142,7 +157,8 @@ M load_with(const std::string& path, F formats, const load_options& options) {
 
 }  // namespace detail
 
-/// A type that load() can return: one constructible from surface_arrays, cell_arrays or polyhedra_arrays. These arrays are Loadable too.
+/// A type that load() can return: one constructible from surface_arrays, cell_arrays or polyhedra_arrays. These arrays
+/// are Loadable too.
 template<class M> concept Loadable = detail::from_surface<M> || detail::from_cells<M> || detail::from_polyhedra<M>;
 
 }  // namespace concino

@@ -8,8 +8,8 @@
 
 namespace concino::detail {
 
-/// Collapses or skips the polys of a surface that have a vert twice, drops the values of polys that have become none, and gives each poly of the
-/// mesh the values of its poly in the file. Called once a file is read.
+/// Collapses or skips the polys of a surface that have a vert twice, drops the values of polys that have become none,
+/// and gives each poly of the mesh the values of its poly in the file. Called once a file is read.
 void mend_repeated_verts(file_contents& contents, std::size_t num_polys_of_volume, load_report& report);
 
 }  // namespace concino::detail

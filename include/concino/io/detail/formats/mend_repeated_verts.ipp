@@ -75,9 +75,11 @@ CONCINO_INLINE void mend_surface(file_contents& contents) {
     corner_origin.push_back(static_cast<std::uint32_t>(corner));
   };
   for (std::size_t p = 0; p < s.num_polys(); ++p) {
-    const std::size_t first = s.arity ? p * s.arity : s.offsets[p], n = (s.arity ? first + s.arity : s.offsets[p + 1]) - first;
+    const std::size_t first = s.arity ? p * s.arity : s.offsets[p],
+                      n = (s.arity ? first + s.arity : s.offsets[p + 1]) - first;
     const vert_id* const v = s.verts.data() + first;
-    const bool in_range = std::all_of(v, v + n, [&](vert_id x) { return x.raw() < s.points.size(); });  // else the mesh refuses it
+    // else the mesh refuses it
+    const bool in_range = std::all_of(v, v + n, [&](vert_id x) { return x.raw() < s.points.size(); });
     if (!in_range || first_repeated(v, n, scratch) == n) {
       for (std::size_t i = 0; i < n; ++i) push(v[i], first + i);
       end_poly(p);

@@ -28,7 +28,8 @@ template void vtu_format::read<volume_contents>(const read_context&, volume_cont
 
 // The readers are inline. Taking their addresses makes the compiler emit them here.
 namespace {
-[[gnu::used]] void (*const readers[])(const read_context&, file_contents&) = {&iv_format::read, &obj_format::read, &off_format::read, &vtp_format::read};
+[[gnu::used]] void (*const readers[])(const read_context&, file_contents&) = {&iv_format::read, &obj_format::read,
+                                                                              &off_format::read, &vtp_format::read};
 }  // namespace
 
 }  // namespace concino

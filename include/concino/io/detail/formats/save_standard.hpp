@@ -1,4 +1,5 @@
-// Writes meshes in any of the library's formats. It depends only on the dimension of the mesh, so it is part of the compiled library.
+// Writes meshes in any of the library's formats. It depends only on the dimension of the mesh, so it is part of the
+// compiled library.
 #pragma once
 
 #include <concino/core/compiled.hpp>

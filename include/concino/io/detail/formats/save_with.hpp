@@ -21,7 +21,8 @@ void check_savable_points(std::string_view name, const flat_mesh& m);
 /// Reports what was lost. Called after the whole mesh is written.
 void report_lost(const write_context& c, const flat_mesh& m, std::string_view format);
 
-/// Reports faces of a volume that a reader will not find if the file lists the cells only: those with the verts of another face, and those of no poly.
+/// Reports faces of a volume that a reader will not find if the file lists the cells only: those with the verts of
+/// another face, and those of no poly.
 void report_lost_faces(save_report& report, flat_mesh& m, std::string_view format);
 
 /// Errors: unsupported, with all that is lost.
@@ -30,15 +31,18 @@ void report_lost_faces(save_report& report, flat_mesh& m, std::string_view forma
 /// A function that passes a mesh, as flat arrays, to a writer.
 using flat_mesh_source = function_ref<void(function_ref<void(flat_mesh&)>)>;
 
-/// Writes a mesh in the chosen format. Writers for meshes of the other dimension are not compiled. Returns the companion files, or null if there
-/// are none.
+/// Writes a mesh in the chosen format. Writers for meshes of the other dimension are not compiled. Returns the
+/// companion files, or null if there are none.
 template<int Dimension, class... F>
-std::unique_ptr<companion_files> write_with(text_sink& out, flat_mesh_source mesh, std::string_view name, std::string_view path, format_list<F...> known,
-                                            std::size_t chosen, const save_options& options) {
+std::unique_ptr<companion_files> write_with(text_sink& out, flat_mesh_source mesh, std::string_view name,
+                                            std::string_view path, format_list<F...> known, std::size_t chosen,
+                                            const save_options& options) {
   save_report unused_report, &report = options.report ? *options.report : unused_report;
   report = {};
   const format_row& row = format_rows_of(known).rows[chosen];
-  if (options.binary && !row.has_binary) core::throw_joined<unsupported>({name, ": ", row.extensions[0], " cannot be written in binary; use binary = false"});
+  if (options.binary && !row.has_binary)
+    core::throw_joined<unsupported>(
+        {name, ": ", row.extensions[0], " cannot be written in binary; use binary = false"});
   write_context context{out, name, path, options, report};
   with_format(known, chosen, [&]<Format G>(G) {
     if constexpr (requirement::is_read_only<G>) {  // never chosen
@@ -48,7 +52,9 @@ std::unique_ptr<companion_files> write_with(text_sink& out, flat_mesh_source mes
         context.num_elements = flat.points.size() + flat.num_polys;
         G::write(context, flat);
         report_lost(context, flat, row.extensions[0]);
-        if constexpr (Dimension == 3 && !requires { requires G::holds_faces; }) report_lost_faces(report, flat, row.extensions[0]);  // surfaces have no faces
+        // surfaces have no faces
+        if constexpr (Dimension == 3 && !requires { requires G::holds_faces; })
+          report_lost_faces(report, flat, row.extensions[0]);
       });
     } else if constexpr (Dimension == 2) {  // the message names formats that hold surfaces
       context.throw_cannot_hold(row.extensions[0], {"surfaces"}, ".obj, or .mesh if it has triangles and quads only");
@@ -61,8 +67,8 @@ std::unique_ptr<companion_files> write_with(text_sink& out, flat_mesh_source mes
 
 /// For save_options::strict: writes the mesh to nowhere. Errors: unsupported if anything is lost.
 template<int Dimension, class... F>
-void require_lossless(flat_mesh_source mesh, std::string_view name, std::string_view path, format_list<F...> known, std::size_t chosen,
-                      const save_options& options) {
+void require_lossless(flat_mesh_source mesh, std::string_view name, std::string_view path, format_list<F...> known,
+                      std::size_t chosen, const save_options& options) {
   save_report report;
   save_options dry = options;
   dry.report = &report;
@@ -78,7 +84,8 @@ void save_flat(flat_mesh_source mesh, const std::string& path, F formats, const 
   if (options.strict) require_lossless<Dimension>(mesh, path, path, list_of(formats), chosen, options);
   atomic_file file(path, {.sync = options.sync});
   text_sink out(file.descriptor(), path);
-  const std::unique_ptr<companion_files> companions = write_with<Dimension>(out, mesh, path, path, list_of(formats), chosen, options);
+  const std::unique_ptr<companion_files> companions =
+      write_with<Dimension>(out, mesh, path, path, list_of(formats), chosen, options);
   out.flush();
   file.finish();
   if (options.progress) report_progress(options.progress, 1.0, "writing");

@@ -23,20 +23,24 @@
 namespace concino::detail {
 
 /// Reports the properties that a format drops: all except those in `stored`.
-CONCINO_INLINE void report_lost_properties(const property_set& all, const std::vector<write_context::stored_property>& stored,
+CONCINO_INLINE void report_lost_properties(const property_set& all,
+                                           const std::vector<write_context::stored_property>& stored,
                                            std::string_view format, std::vector<std::string>& lost) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const property_info p = all.info(i);
     bool is_kept = false;
-    for (const write_context::stored_property& k : stored) is_kept = is_kept || (p.kind == k.kind && k.name == p.name && *p.type == *k.type);
-    if (!is_kept) lost.push_back(core::joined({to_string(p.kind), " property \"", p.name, "\": ", format, " cannot store it"}));
+    for (const write_context::stored_property& k : stored)
+      is_kept = is_kept || (p.kind == k.kind && k.name == p.name && *p.type == *k.type);
+    if (!is_kept)
+      lost.push_back(core::joined({to_string(p.kind), " property \"", p.name, "\": ", format, " cannot store it"}));
   }
 }
 
 CONCINO_INLINE void check_savable_points(std::string_view name, const flat_mesh& m) {
   for (std::size_t v = 0; v < m.points.size(); ++v)
     if (!is_finite(m.points[v]))
-      core::throw_joined<invalid_mesh>({name, ": vert ", m.vert_index(v), " has a coordinate that is not a finite number; no file can hold it"});
+      core::throw_joined<invalid_mesh>(
+          {name, ": vert ", m.vert_index(v), " has a coordinate that is not a finite number; no file can hold it"});
 }
 
 CONCINO_INLINE void report_lost_faces(save_report& report, flat_mesh& m, std::string_view format) {
@@ -56,19 +60,25 @@ CONCINO_INLINE void report_lost_faces(save_report& report, flat_mesh& m, std::st
     std::sort(verts_of_face.begin(), verts_of_face.end());
     return verts_of_face;
   };
-  for (std::size_t i = 1; i < keys.size(); ++i) num_equal += keys[i].first == keys[i - 1].first && sorted(keys[i].second) == sorted(keys[i - 1].second);
+  for (std::size_t i = 1; i < keys.size(); ++i)
+    num_equal += keys[i].first == keys[i - 1].first && sorted(keys[i].second) == sorted(keys[i - 1].second);
   if (num_equal)
-    report.lost.push_back(core::joined({num_equal, " faces with the verts of another face: ", format,
-                                        " lists no faces, so that readers unite them, and polys become neighbours; .hedra holds them"}));
-  if (num_unused) report.lost.push_back(core::joined({num_unused, " faces of no poly: ", format, " lists no faces; .hedra holds them"}));
+    report.lost.push_back(
+        core::joined({num_equal, " faces with the verts of another face: ", format,
+                      " lists no faces, so that readers unite them, and polys become neighbours; .hedra holds them"}));
+  if (num_unused)
+    report.lost.push_back(
+        core::joined({num_unused, " faces of no poly: ", format, " lists no faces; .hedra holds them"}));
 }
 
 CONCINO_INLINE void report_lost(const write_context& c, const flat_mesh& m, std::string_view format) {
   if (const std::size_t n = m.num_loose_edges())
-    c.report.lost.push_back(core::joined({n, m.dimension == 2 ? " edges without polys" : " edges without faces", ": ", format, " cannot store them"}));
+    c.report.lost.push_back(core::joined(
+        {n, m.dimension == 2 ? " edges without polys" : " edges without faces", ": ", format, " cannot store them"}));
   if (m.properties) report_lost_properties(*m.properties, c.stored, format, c.report.lost);
   if (c.num_not_finite)
-    c.report.lost.push_back(core::joined({c.num_not_finite, " numbers of colours and other properties that are not finite: written as 0"}));
+    c.report.lost.push_back(
+        core::joined({c.num_not_finite, " numbers of colours and other properties that are not finite: written as 0"}));
 }
 
 [[noreturn, gnu::cold]] CONCINO_INLINE void throw_lossy(std::string_view name, const save_report& report) {

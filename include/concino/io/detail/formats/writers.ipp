@@ -17,9 +17,15 @@ namespace concino {
 
 // The writers are inline. Taking their addresses makes the compiler emit them here.
 namespace {
-[[gnu::used]] void (*const writers[])(write_context&, flat_mesh&) = {&hedra_format::write, &hybrid_format::write, &medit_format::write,
-                                                                           &obj_format::write, &off_format::write, &tet_format::write, &vtk_format::write<write_context>,
-    &vtu_format::write<write_context>, &vtp_format::write<write_context>};
+[[gnu::used]] void (*const writers[])(write_context&, flat_mesh&) = {&hedra_format::write,
+                                                                     &hybrid_format::write,
+                                                                     &medit_format::write,
+                                                                     &obj_format::write,
+                                                                     &off_format::write,
+                                                                     &tet_format::write,
+                                                                     &vtk_format::write<write_context>,
+                                                                     &vtu_format::write<write_context>,
+                                                                     &vtp_format::write<write_context>};
 }  // namespace
 
 }  // namespace concino

@@ -6,7 +6,8 @@
 
 namespace concino::detail {
 
-/// Reads a .hedra file. Contents is volume_contents; a template only so that programs that read no volumes need not compile it.
+/// Reads a .hedra file. Contents is volume_contents; a template only so that programs that read no volumes need not
+/// compile it.
 template<class Contents>
 class hedra_reader : polyhedra_reader<Contents, 1> {
   using base = polyhedra_reader<Contents, 1>;
@@ -38,7 +39,8 @@ class hedra_reader : polyhedra_reader<Contents, 1> {
         const char* const here = at;
         const std::int64_t f = next_integer("a face index");
         const auto k = static_cast<std::uint64_t>(f < 0 ? -f : f);
-        if (k < 1 || k > out_.num_faces()) fail(here, {"a face index from 1 to ", out_.num_faces(), ", or its negative"});
+        if (k < 1 || k > out_.num_faces())
+          fail(here, {"a face index from 1 to ", out_.num_faces(), ", or its negative"});
         this->add_face(here, k - 1);
         out_.outward.push_back(f > 0);
       }
@@ -53,11 +55,12 @@ class hedra_reader : polyhedra_reader<Contents, 1> {
 namespace concino {
 
 /// Needs:  text of a .hedra file: numbers in any layout.
-/// Result: its verts, faces and polyhedra in order. Polyhedra whose faces are not oriented consistently and outward are corrected and counted.
+/// Result: its verts, faces and polyhedra in order. Polyhedra whose faces are not oriented consistently and outward are
+///         corrected and counted.
 /// Cost:   O(size of the text), and sorting the edges of each polyhedron.
-/// Errors: parse_error naming the line of a wrong number, an index out of range, a face of fewer than three verts or with one twice, a
-///         polyhedron that the wanted mesh cannot hold, or text after the last one; unsupported if faces of more than 16 verts belong to very
-///         many polyhedra.
+/// Errors: parse_error naming the line of a wrong number, an index out of range, a face of fewer than three verts or
+///         with one twice, a polyhedron that the wanted mesh cannot hold, or text after the last one; unsupported if
+///         faces of more than 16 verts belong to very many polyhedra.
 template<std::same_as<volume_contents> Contents>
 void hedra_format::read(const read_context& in, Contents& out) {
   detail::hedra_reader<Contents>(in).read(out);

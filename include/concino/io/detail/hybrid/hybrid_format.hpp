@@ -11,7 +11,8 @@ struct hybrid_format {
   static constexpr std::string_view extensions[] = {".hybrid"};
   static constexpr bool holds_surfaces = false, holds_volumes = true;
   static constexpr bool holds_faces = true;
-  template<std::same_as<volume_contents> Contents>  // a template only so that programs that read no volumes need not compile it
+  template<std::same_as<volume_contents> Contents>  // a template only so that programs that read no volumes need not
+                                                    // compile it
   static void read(const read_context& in, Contents& out);
   static void write(write_context& out, flat_mesh& m);
 };

@@ -6,11 +6,13 @@
 
 namespace concino::detail {
 
-/// Reads a .hybrid file. Contents is volume_contents; a template only so that programs that read no volumes need not compile it.
+/// Reads a .hybrid file. Contents is volume_contents; a template only so that programs that read no volumes need not
+/// compile it.
 template<class Contents>
 class hybrid_reader : polyhedra_reader<Contents, 0> {
   using base = polyhedra_reader<Contents, 0>;
-  using base::at, base::skip, base::at_end, base::end, base::fail, base::next_count, base::next_integer, base::out_, base::report_, base::repeated_;
+  using base::at, base::skip, base::at_end, base::end, base::fail, base::next_count, base::next_integer, base::out_,
+      base::report_, base::repeated_;
 
   std::vector<std::uint8_t> is_hex_;  // the marks of the polyhedra; empty if the file has none
 
@@ -60,7 +62,8 @@ class hybrid_reader : polyhedra_reader<Contents, 0> {
       const char* const from = at;
       if (const std::uint64_t flags = next_count("the number of flags of a polyhedron", 2); flags != size)
         fail(from, {"one flag for each face of a polyhedron, ", size, " in number"}, {flags});
-      for (std::uint64_t i = 0; i < size; ++i) out_.outward.push_back(next_flag("the flag of a face, 1 (outward) or 0"));
+      for (std::uint64_t i = 0; i < size; ++i)
+        out_.outward.push_back(next_flag("the flag of a face, 1 (outward) or 0"));
       this->end_poly(n);
     }
     this->end_polys();
@@ -75,13 +78,16 @@ class hybrid_reader : polyhedra_reader<Contents, 0> {
     cell_recogniser known;
     std::size_t wrong = 0, kept = 0;
     for (std::size_t p = 0; p < is_hex_.size(); ++p)
-      if (!std::binary_search(repeated_.dropped.begin(), repeated_.dropped.end(), static_cast<std::uint32_t>(p))) is_hex_[kept++] = is_hex_[p];
+      if (!std::binary_search(repeated_.dropped.begin(), repeated_.dropped.end(), static_cast<std::uint32_t>(p)))
+        is_hex_[kept++] = is_hex_[p];
     is_hex_.resize(kept);
     for (std::size_t p = 0; p < is_hex_.size(); ++p) {
       const bool six = out_.poly_offsets[p + 1] - out_.poly_offsets[p] == 6;
       wrong += (is_hex_[p] != 0) != (six && recognise(out_, p, known) == cell_shape::hex);
     }
-    if (wrong) report_.skipped.push_back(core::joined({"the marks of ", wrong, " polyhedra that are hexes without a mark, or marked without being hexes"}));
+    if (wrong)
+      report_.skipped.push_back(core::joined(
+          {"the marks of ", wrong, " polyhedra that are hexes without a mark, or marked without being hexes"}));
   }
 };
 
@@ -90,12 +96,12 @@ class hybrid_reader : polyhedra_reader<Contents, 0> {
 namespace concino {
 
 /// Needs:  text of a .hybrid file: numbers in any layout; the marks of hexes at its end may be missing.
-/// Result: its verts, faces and polyhedra in order. Polyhedra whose faces are not oriented consistently and outward are corrected and counted.
-///         The marks of hexes are compared with the faces, and reported where they differ.
+/// Result: its verts, faces and polyhedra in order. Polyhedra whose faces are not oriented consistently and outward are
+///         corrected and counted. The marks of hexes are compared with the faces, and reported where they differ.
 /// Cost:   O(size of the text), and sorting the edges of each polyhedron.
-/// Errors: parse_error naming the line of a wrong number, an index out of range, a face of fewer than three verts or with one twice, a
-///         polyhedron that the wanted mesh cannot hold, or text after the last mark; unsupported if faces of more than 16 verts belong to very
-///         many polyhedra.
+/// Errors: parse_error naming the line of a wrong number, an index out of range, a face of fewer than three verts or
+///         with one twice, a polyhedron that the wanted mesh cannot hold, or text after the last mark; unsupported if
+///         faces of more than 16 verts belong to very many polyhedra.
 template<std::same_as<volume_contents> Contents>
 void hybrid_format::read(const read_context& in, Contents& out) {
   detail::hybrid_reader<Contents>(in).read(out);

@@ -33,7 +33,8 @@ inline void hybrid_format::write(write_context& c, flat_mesh& m) {
   for (std::size_t p = 0; p < m.num_polys; ++p) {
     const std::span<const face_id> faces_of_poly = all.poly_faces[p];
     detail::write_list(c.out, faces_of_poly, number);
-    detail::write_list(c.out, all.outward.subspan(first, faces_of_poly.size()), [](std::uint8_t outward) { return outward != 0 ? 1 : 0; });
+    detail::write_list(c.out, all.outward.subspan(first, faces_of_poly.size()),
+                       [](std::uint8_t outward) { return outward != 0 ? 1 : 0; });
     first += faces_of_poly.size();
     c.report_progress();
   }

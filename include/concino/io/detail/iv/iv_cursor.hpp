@@ -25,11 +25,13 @@ class node_counts {
     ++counts_[i];
   }
   void report(std::vector<std::string>& sentences) const {
-    for (std::size_t i = 0; i < counts_.size(); ++i) sentences.push_back(core::joined({counts_[i], " nodes ", types_[i]}));
+    for (std::size_t i = 0; i < counts_.size(); ++i)
+      sentences.push_back(core::joined({counts_[i], " nodes ", types_[i]}));
   }
 };
 
-/// A cursor for text in which blanks, line ends, commas and comments separate words, and braces and brackets are words of their own.
+/// A cursor for text in which blanks, line ends, commas and comments separate words, and braces and brackets are words
+/// of their own.
 class iv_cursor : protected text_cursor {
   static bool is_separator(char c) { return is_space(c) || c == ','; }
   static bool is_mark(char c) { return c == '{' || c == '}' || c == '[' || c == ']' || c == '"' || c == '#'; }

@@ -5,7 +5,8 @@
 
 namespace concino {
 
-/// The Open Inventor format, ASCII, read only: polygons of any size; "label" of polys, from the material indices of faces.
+/// The Open Inventor format, ASCII, read only: polygons of any size; "label" of polys, from the material indices of
+/// faces.
 struct iv_format {
   static constexpr std::string_view name = "iv";
   static constexpr std::string_view extensions[] = {".iv"};

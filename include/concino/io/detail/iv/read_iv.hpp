@@ -1,4 +1,5 @@
-// The reader of Open Inventor files: the polygons of all nodes IndexedFaceSet, with the points of Coordinate3 and VertexProperty.
+// The reader of Open Inventor files: the polygons of all nodes IndexedFaceSet, with the points of Coordinate3 and
+// VertexProperty.
 #pragma once
 
 #include <concino/io/detail/formats/contents.hpp>
@@ -53,7 +54,8 @@ class iv_reader : iv_cursor {
 
  public:
   iv_reader(const read_context& c, file_contents& out)
-      : iv_cursor(text_without_padding(c.text), c.name, c.progress), wanted_(c.wanted), extra_(out), out_(out.surface), report_(*c.report) {}
+      : iv_cursor(text_without_padding(c.text), c.name, c.progress), wanted_(c.wanted), extra_(out), out_(out.surface),
+        report_(*c.report) {}
 
   void read() {
     header();
@@ -81,7 +83,9 @@ class iv_reader : iv_cursor {
     const std::string_view line{from, static_cast<std::size_t>(at - from)};
     if (!line.starts_with("#Inventor")) fail(from, "#Inventor V2.1 ascii");
     if (line.find("binary") != line.npos)
-      core::throw_joined<unsupported>({name(), ": binary Open Inventor files cannot be read; convert it to ASCII, with ivcat of Coin or Open Inventor"});
+      core::throw_joined<unsupported>(
+          {name(),
+           ": binary Open Inventor files cannot be read; convert it to ASCII, with ivcat of Coin or Open Inventor"});
   }
 
   node_kind kind_of(std::string_view type) {
@@ -90,7 +94,8 @@ class iv_reader : iv_cursor {
     if (type == "IndexedFaceSet") return node_kind::face_set;
     for (const std::string_view s : {"Separator", "Annotation", "Selection"})
       if (type == s) return node_kind::separator;
-    for (const std::string_view s : {"Group", "Switch", "TransformSeparator", "LevelOfDetail", "ShapeHints", "Info", "Label"})
+    for (const std::string_view s :
+         {"Group", "Switch", "TransformSeparator", "LevelOfDetail", "ShapeHints", "Info", "Label"})
       if (type == s) return node_kind::group;
     skipped_nodes_.add(type.empty() ? "without a type" : type.substr(0, 40));
     return node_kind::other;
@@ -129,7 +134,8 @@ class iv_reader : iv_cursor {
     } else if (w == "USE") {
       skip();
       use(word());
-    } else if ((inside == node_kind::coordinates && w == "point") || (inside == node_kind::vertex_property && w == "vertex")) {
+    } else if ((inside == node_kind::coordinates && w == "point") ||
+               (inside == node_kind::vertex_property && w == "vertex")) {
       points();
     } else if (inside == node_kind::face_set && w == "coordIndex") {
       faces();
@@ -170,7 +176,8 @@ class iv_reader : iv_cursor {
     }
   }
 
-  /// Reads polygons, each of which -1 or the end of the list ends. Indices count from the first point of the node, which may be given later.
+  /// Reads polygons, each of which -1 or the end of the list ends. Indices count from the first point of the node,
+  /// which may be given later.
   void faces() {
     std::size_t first = out_.verts.size();
     const char* face = nullptr;
@@ -197,20 +204,25 @@ class iv_reader : iv_cursor {
   void end_face(const char* position, std::size_t first) {
     const std::size_t size = out_.verts.size() - first;
     if (size < 3) fail(position, {"a face of at least three verts"}, {"one of ", size});
-    end_checked_poly(*this, position, first, scratch_, wanted_, extra_, arity_, {.different = "different verts at the corners of a face"});
+    end_checked_poly(*this, position, first, scratch_, wanted_, extra_, arity_,
+                     {.different = "different verts at the corners of a face"});
   }
 
-  std::size_t num_polys() const { return out_.offsets.empty() ? (arity_ ? out_.verts.size() / arity_ : 0) : out_.offsets.size() - 1; }
+  std::size_t num_polys() const {
+    return out_.offsets.empty() ? (arity_ ? out_.verts.size() / arity_ : 0) : out_.offsets.size() - 1;
+  }
 
   /// Ends a node IndexedFaceSet: its points are known now.
   void end_faces() {
     const point_range points = ranges_[points_];
     if (max_index_ >= static_cast<std::int64_t>(points.size)) {
-      if (points.size == 0) fail(at_max_index_, {"points (Coordinate3 or VertexProperty) for the indices of IndexedFaceSet"}, {"none"});
+      if (points.size == 0)
+        fail(at_max_index_, {"points (Coordinate3 or VertexProperty) for the indices of IndexedFaceSet"}, {"none"});
       fail(at_max_index_, {"the index of a vert from 0 to ", points.size - 1, " or -1"});
     }
     if (points.begin != 0)
-      for (std::size_t k = first_corner_; k < out_.verts.size(); ++k) out_.verts[k] = vert_id{out_.verts[k].raw() + points.begin};
+      for (std::size_t k = first_corner_; k < out_.verts.size(); ++k)
+        out_.verts[k] = vert_id{out_.verts[k].raw() + points.begin};
     set_labels();
   }
 
@@ -229,7 +241,8 @@ class iv_reader : iv_cursor {
   void report_skipped() const {
     skipped_nodes_.report(report_.skipped);
     if (num_copies_) report_.skipped.push_back(core::joined({num_copies_, " nodes used again (USE)"}));
-    if (num_unmatched_) report_.skipped.push_back(core::joined({num_unmatched_, " material indices that are not one for each face"}));
+    if (num_unmatched_)
+      report_.skipped.push_back(core::joined({num_unmatched_, " material indices that are not one for each face"}));
   }
 };
 
@@ -238,13 +251,14 @@ class iv_reader : iv_cursor {
 namespace concino {
 
 /// Needs:  text of an Open Inventor file in ASCII, whose first line begins with #Inventor.
-/// Result: the points of all nodes Coordinate3 and VertexProperty and the polys of all nodes IndexedFaceSet, in the order of the file. Each node
-///         refers to the points before it, those in it, or those that it names by USE. Indices of materials become labels of the polys of their node
-///         if there is one for each poly; polys of other nodes have label 0. Nodes of other types, transformations too, are reported as skipped.
+/// Result: the points of all nodes Coordinate3 and VertexProperty and the polys of all nodes IndexedFaceSet, in the
+///         order of the file. Each node refers to the points before it, those in it, or those that it names by USE.
+///         Indices of materials become labels of the polys of their node if there is one for each poly; polys of other
+///         nodes have label 0. Nodes of other types, transformations too, are reported as skipped.
 /// Cost:   O(size of the text)
-/// Errors: parse_error naming the line of a number that is invalid or not finite, of an index out of range, of a poly of fewer than three
-///         verts or with a vert twice, of a poly that the wanted mesh cannot hold, of a bracket without its counterpart, or if the file is cut off;
-///         unsupported if the file is binary.
+/// Errors: parse_error naming the line of a number that is invalid or not finite, of an index out of range, of a poly
+///         of fewer than three verts or with a vert twice, of a poly that the wanted mesh cannot hold, of a bracket
+///         without its counterpart, or if the file is cut off; unsupported if the file is binary.
 inline void iv_format::read(const read_context& in, file_contents& out) { detail::iv_reader(in, out).read(); }
 
 }  // namespace concino

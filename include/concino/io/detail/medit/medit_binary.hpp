@@ -1,4 +1,5 @@
-// Finds the sections of binary MEDIT files (.meshb of libMeshb, versions 1 to 4, either byte order), and reads their numbers.
+// Finds the sections of binary MEDIT files (.meshb of libMeshb, versions 1 to 4, either byte order), and reads their
+// numbers.
 #pragma once
 
 #include <concino/io/detail/formats/contents.hpp>
@@ -35,8 +36,10 @@ class medit_binary : protected text_cursor {
 
   explicit medit_binary(const read_context& c) : text_cursor(c.text, c.name, c.progress), report_(*c.report) {}
 
-  [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* position, core::message expected, core::message found) const {
-    text_cursor::fail(begin(), expected, {core::joined(found), " at byte ", static_cast<std::uint64_t>(position - begin())});
+  [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* position, core::message expected,
+                                                   core::message found) const {
+    text_cursor::fail(begin(), expected,
+                      {core::joined(found), " at byte ", static_cast<std::uint64_t>(position - begin())});
   }
   [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* position, core::message expected) const {
     fail(position, expected, {position == end() ? "the end of the file" : "another value"});
@@ -69,7 +72,8 @@ class medit_binary : protected text_cursor {
       } else if (find(code, part)) {
         return true;
       } else {
-        report_.skipped.push_back(core::joined({"section with the code ", code, ", ", static_cast<std::uint64_t>(limit_ - at), " bytes"}));
+        report_.skipped.push_back(
+            core::joined({"section with the code ", code, ", ", static_cast<std::uint64_t>(limit_ - at), " bytes"}));
       }
     }
     return false;
@@ -77,7 +81,9 @@ class medit_binary : protected text_cursor {
 
   void skip_rows() {}
 
-  std::string place_of(const char* p) const { return core::joined({"at byte ", static_cast<std::uint64_t>(p - begin())}); }
+  std::string place_of(const char* p) const {
+    return core::joined({"at byte ", static_cast<std::uint64_t>(p - begin())});
+  }
   const char* position() const { return at; }
   std::uint32_t index(std::uint64_t bound, const char* what) {
     const std::int64_t i = integer();
@@ -94,7 +100,8 @@ class medit_binary : protected text_cursor {
     if (i != static_cast<int>(i)) fail(at - integer_size(), {what, " of 32 bits"}, {i});
     return static_cast<int>(i);
   }
-  std::size_t room_for(const medit_part& part, std::uint64_t) const { return static_cast<std::size_t>(part.count); }  // compared with the size of the file
+  // compared with the size of the file
+  std::size_t room_for(const medit_part& part, std::uint64_t) const { return static_cast<std::size_t>(part.count); }
 
   void end_file() {
     if (!ended_) report_.notes.push_back("the file has no End: it may be cut off");
@@ -129,11 +136,15 @@ class medit_binary : protected text_cursor {
   /// Reads the position of the next keyword; 0 if there is none.
   void next_position() {
     const char* const from = at;
-    const std::int64_t position = version_ < 3 ? header<std::int32_t>("the position of the next keyword") : header<std::int64_t>("the position of the next keyword");
+    const std::int64_t position = version_ < 3 ? header<std::int32_t>("the position of the next keyword")
+                                               : header<std::int64_t>("the position of the next keyword");
     next_ = nullptr;
     if (position == 0) return;
     if (position < at - begin() || position > end() - begin())
-      fail(from, {"the position of the next keyword, from ", static_cast<std::uint64_t>(at - begin()), " to ", static_cast<std::uint64_t>(end() - begin())}, {position});
+      fail(from,
+           {"the position of the next keyword, from ", static_cast<std::uint64_t>(at - begin()), " to ",
+            static_cast<std::uint64_t>(end() - begin())},
+           {position});
     limit_ = next_ = begin() + position;
   }
 
@@ -148,14 +159,19 @@ class medit_binary : protected text_cursor {
       part.section = find_medit_section(&medit_section::code, code);
       has_ordering_ = has_ordering_ || is_medit_ordering(code);
       if (!part.section) return false;
-      if (part.section->rows == medit_rows::normals && dimension_ == 0) fail(from, {"the dimension before the normals"});
-      row = part.section->rows == medit_rows::normals ? static_cast<std::size_t>(dimension_) * real_size()
-                                                      : (part.section->num_indices() + part.section->has_reference()) * integer_size();
+      if (part.section->rows == medit_rows::normals && dimension_ == 0)
+        fail(from, {"the dimension before the normals"});
+      row = part.section->rows == medit_rows::normals
+                ? static_cast<std::size_t>(dimension_) * real_size()
+                : (part.section->num_indices() + part.section->has_reference()) * integer_size();
     }
     const char* const number = at;
-    const std::int64_t n = version_ == 4 ? header<std::int64_t>("the number of rows") : header<std::int32_t>("the number of rows");
+    const std::int64_t n =
+        version_ == 4 ? header<std::int64_t>("the number of rows") : header<std::int32_t>("the number of rows");
     const std::uint64_t most = static_cast<std::uint64_t>(limit_ - at) / row;
-    if (n < 0 || static_cast<std::uint64_t>(n) > most) fail(number, {"the number of rows of the section, at most ", most, " up to the next one or the end of the file"}, {n});
+    if (n < 0 || static_cast<std::uint64_t>(n) > most)
+      fail(number, {"the number of rows of the section, at most ", most, " up to the next one or the end of the file"},
+           {n});
     part.count = static_cast<std::uint64_t>(n);
     if (part.count > max_ids) fail_to_count("elements of one kind");
     part.at = at;

@@ -6,8 +6,8 @@
 
 namespace concino {
 
-/// The MEDIT format, text and binary (.meshb): surfaces of triangles and quads; volumes of tets, hexes, prisms and pyramids; "label" of all elements;
-/// marks of verts, edges, faces and polys; "normal" of verts.
+/// The MEDIT format, text and binary (.meshb): surfaces of triangles and quads; volumes of tets, hexes, prisms and
+/// pyramids; "label" of all elements; marks of verts, edges, faces and polys; "normal" of verts.
 struct medit_format {
   static constexpr std::string_view name = "medit";
   static constexpr std::string_view extensions[] = {".mesh", ".meshb"};
@@ -21,7 +21,8 @@ struct medit_format {
     in.skip();
     return in.word() == "MeshVersionFormatted";
   }
-  template<std::derived_from<file_contents> Contents>  // a template so that programs that read only surfaces need not compile volumes
+  template<std::derived_from<file_contents> Contents>  // a template so that programs that read only surfaces need not
+                                                       // compile volumes
   static void read(const read_context& in, Contents& out);
   static void write(write_context& out, flat_mesh& m);
 };

@@ -26,7 +26,8 @@ class row_numbers {
     rows_ += rows;
   }
   std::uint32_t operator[](std::uint64_t row) const {
-    const auto after = std::upper_bound(runs_.begin(), runs_.end(), row, [](std::uint64_t r, const run& x) { return r < x.first_row; });
+    const auto after = std::upper_bound(runs_.begin(), runs_.end(), row,
+                                        [](std::uint64_t r, const run& x) { return r < x.first_row; });
     const run& r = *(after - 1);
     return r.first_element + static_cast<std::uint32_t>(row - r.first_row);
   }
@@ -45,21 +46,23 @@ class medit_marks {
   /// Sets a value of an element. Values are stored only if one of them is not zero.
   void set(element_kind kind, const char* name, std::size_t element, int value) {
     if (value == 0) return;
-    auto c = std::find_if(columns_.begin(), columns_.end(), [&](const column& x) { return x.kind == kind && std::string_view(x.name) == name; });
+    auto c = std::find_if(columns_.begin(), columns_.end(),
+                          [&](const column& x) { return x.kind == kind && std::string_view(x.name) == name; });
     if (c == columns_.end()) c = columns_.insert(columns_.end(), column{kind, name, {}});
     if (c->values.size() <= element) c->values.resize(element + 1);
     c->values[element] = value;
   }
 
-  /// Adds the properties of n elements of a kind to the contents. Elements that are there only because the file lists them have nothing but zeros: to be
-  /// written again they need "entity", a 1 at each.
+  /// Adds the properties of n elements of a kind to the contents. Elements that are there only because the file lists
+  /// them have nothing but zeros: to be written again they need "entity", a 1 at each.
   void store(element_kind kind, std::size_t n, bool are_listed, file_contents& out) {
     if (are_listed) {
       std::vector<bool> has_value(n);
       for (const column& c : columns_)
         for (std::size_t i = 0; c.kind == kind && i < c.values.size(); ++i)
           if (c.values[i] != 0) has_value[i] = true;
-      if (std::find(has_value.begin(), has_value.end(), false) != has_value.end()) std::fill_n(out.add_property<int>(kind, "entity", n), n, 1);
+      if (std::find(has_value.begin(), has_value.end(), false) != has_value.end())
+        std::fill_n(out.add_property<int>(kind, "entity", n), n, 1);
     }
     for (const column& c : columns_)
       if (c.kind == kind) std::copy(c.values.begin(), c.values.end(), out.add_property<int>(kind, c.name, n));

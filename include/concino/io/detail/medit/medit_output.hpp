@@ -11,7 +11,8 @@
 
 namespace concino::detail {
 
-/// Output of MEDIT sections: announce() all of them, then for each begin() and its rows. Binary files are little-endian.
+/// Output of MEDIT sections: announce() all of them, then for each begin() and its rows. Binary files are
+/// little-endian.
 class medit_output {
   struct entry {
     const medit_section* section;  // null: Vertices
@@ -53,7 +54,8 @@ class medit_output {
   std::uint64_t bytes_of(const entry& e) const {
     std::uint64_t row = 3 * 8;
     if (!e.section) row += bytes_of_integer();
-    else if (e.section->rows != medit_rows::normals) row = (e.section->arity + e.section->has_reference()) * bytes_of_integer();
+    else if (e.section->rows != medit_rows::normals)
+      row = (e.section->arity + e.section->has_reference()) * bytes_of_integer();
     return 4 + bytes_of_position() + bytes_of_integer() + e.count * row;
   }
   std::uint64_t bytes_of_dimension() const { return 8 + bytes_of_position(); }
@@ -94,7 +96,8 @@ class medit_output {
     const entry e = plan_[next_++];
     if (binary_) {
       position_ += bytes_of(e);
-      put(e.section ? e.section->code : medit_vertices_code), put_position(position_), put_integer(static_cast<std::int64_t>(e.count));
+      put(e.section ? e.section->code : medit_vertices_code), put_position(position_),
+          put_integer(static_cast<std::int64_t>(e.count));
       flush();
     } else {
       out_ << (e.section ? e.section->keyword : "Vertices") << '\n' << e.count << '\n';

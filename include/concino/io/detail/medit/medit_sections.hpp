@@ -9,7 +9,16 @@
 namespace concino::detail {
 
 /// What the rows of a section are.
-enum class medit_rows : std::uint8_t { polygons, cells, edges, marked_verts, marked_edges, marked_polygons, normals, normals_at_verts };
+enum class medit_rows : std::uint8_t {
+  polygons,
+  cells,
+  edges,
+  marked_verts,
+  marked_edges,
+  marked_polygons,
+  normals,
+  normals_at_verts
+};
 
 struct medit_section {
   std::string_view keyword;
@@ -79,7 +88,8 @@ const medit_section* find_medit_section(Name medit_section::* member, const Name
   return nullptr;
 }
 
-/// Whether a section lists the order of nodes in elements: corners need not come first then. The codes are those of EdgesP2Ordering and the other ones.
+/// Whether a section lists the order of nodes in elements: corners need not come first then. The codes are those of
+/// EdgesP2Ordering and the other ones.
 inline bool is_medit_ordering(std::string_view keyword) { return keyword.ends_with("Ordering"); }
 inline bool is_medit_ordering(std::int32_t code) { return code >= 127 && code <= 154; }
 
@@ -97,8 +107,10 @@ struct medit_part {
 inline bool is_binary_medit(std::string_view text) {
   if (text.size() < 8) return false;
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const bool little = byte(0) == 1 && !byte(1) && !byte(2) && !byte(3) && byte(4) >= 1 && byte(4) <= 4 && !byte(5) && !byte(6) && !byte(7);
-  const bool big = byte(3) == 1 && !byte(0) && !byte(1) && !byte(2) && byte(7) >= 1 && byte(7) <= 4 && !byte(4) && !byte(5) && !byte(6);
+  const bool little = byte(0) == 1 && !byte(1) && !byte(2) && !byte(3) && byte(4) >= 1 && byte(4) <= 4 && !byte(5) &&
+                      !byte(6) && !byte(7);
+  const bool big = byte(3) == 1 && !byte(0) && !byte(1) && !byte(2) && byte(7) >= 1 && byte(7) <= 4 && !byte(4) &&
+                   !byte(5) && !byte(6);
   return little || big;
 }
 

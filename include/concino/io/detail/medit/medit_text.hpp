@@ -17,7 +17,8 @@ class medit_text : protected token_cursor {
   bool ended_ = false;
   bool has_ordering_ = false;  // a section that lists the order of nodes in elements
 
-  explicit medit_text(const read_context& c) : token_cursor(text_without_padding(c.text), c.name, c.progress, '#'), report_(*c.report) {}
+  explicit medit_text(const read_context& c)
+      : token_cursor(text_without_padding(c.text), c.name, c.progress, '#'), report_(*c.report) {}
 
   void begin_file() {
     skip();
@@ -68,7 +69,9 @@ class medit_text : protected token_cursor {
   std::uint32_t index(std::uint64_t bound, const char* what) { return next_index(bound, what); }
   double coordinate(const char* what) { return next_real(what); }
   /// How many rows of a section there is room for, of so many numbers each.
-  std::size_t room_for(const medit_part& part, std::uint64_t numbers) const { return reservable(part.count, 2 * numbers); }
+  std::size_t room_for(const medit_part& part, std::uint64_t numbers) const {
+    return reservable(part.count, 2 * numbers);
+  }
 
   int reference(const char* what) {
     skip();
@@ -77,7 +80,8 @@ class medit_text : protected token_cursor {
     const char* const p = parse_integer(at, end(), label);
     if (p && ends_token(p, comment)) at = p;
     else label = real_reference(what);
-    if (label < std::numeric_limits<int>::min() || label > std::numeric_limits<int>::max()) fail(from, {what, " of 32 bits"});
+    if (label < std::numeric_limits<int>::min() || label > std::numeric_limits<int>::max())
+      fail(from, {what, " of 32 bits"});
     return static_cast<int>(label);
   }
 
@@ -86,7 +90,9 @@ class medit_text : protected token_cursor {
   }
   void report_rounded() {
     if (num_rounded_)
-      report_.notes.push_back(core::joined({num_rounded_, " references are not integers and were rounded, the first on line ", line_of(first_rounded_)}));
+      report_.notes.push_back(
+          core::joined({num_rounded_, " references are not integers and were rounded, the first on line ",
+                        line_of(first_rounded_)}));
   }
 
  private:
@@ -116,7 +122,8 @@ class medit_text : protected token_cursor {
     skip();
     std::int64_t n = 0;
     parse_integer(at, end(), n);  // most sections begin with the number of their rows
-    report_.skipped.push_back(n > 0 ? core::joined({"section ", keyword.substr(0, 40), ", ", n, " rows"}) : core::joined({"section ", keyword.substr(0, 40)}));
+    report_.skipped.push_back(n > 0 ? core::joined({"section ", keyword.substr(0, 40), ", ", n, " rows"})
+                                    : core::joined({"section ", keyword.substr(0, 40)}));
     skip_rows();
     return false;
   }

@@ -1,4 +1,5 @@
-// The reader of MEDIT files, text and binary: surfaces, or volumes of tets, hexes, prisms and pyramids, with references and marks of all elements.
+// The reader of MEDIT files, text and binary: surfaces, or volumes of tets, hexes, prisms and pyramids, with references
+// and marks of all elements.
 #pragma once
 
 #include <concino/io/cell_builder.hpp>
@@ -11,7 +12,8 @@
 
 namespace concino::detail {
 
-/// Reads a MEDIT file. Programs that read only surfaces need not compile the code for volumes. Cursor is medit_text or medit_binary.
+/// Reads a MEDIT file. Programs that read only surfaces need not compile the code for volumes. Cursor is medit_text or
+/// medit_binary.
 template<bool Volumes, class Cursor>
 class medit_reader : Cursor {
   using Cursor::at, Cursor::end, Cursor::fail, Cursor::position, Cursor::index, Cursor::reference;
@@ -24,7 +26,8 @@ class medit_reader : Cursor {
   std::vector<int> vert_labels_, poly_labels_;
   medit_polygons surface_;
   std::size_t polys_ = 0;
-  std::vector<medit_part> deferred_;  // all sections but cells after the verts: their meaning depends on whether there are cells
+  std::vector<medit_part> deferred_;  // all sections but cells after the verts: their meaning depends on whether there
+                                      // are cells
   row_numbers triangles_, quads_, edges_;
   medit_marks marks_;
   bool corners_only_;
@@ -38,8 +41,9 @@ class medit_reader : Cursor {
   std::conditional_t<Volumes, cell_builder, no_cells> cells_;
 
  public:
-  medit_reader(const read_context& c, contents_of<Volumes>& out) : Cursor(c), wanted_(c.wanted), report_(*c.report), out_(out), corners_only_(c.corners_only),
-                                                                   cells_(c, points_, 1) {}
+  medit_reader(const read_context& c, contents_of<Volumes>& out)
+      : Cursor(c), wanted_(c.wanted), report_(*c.report), out_(out), corners_only_(c.corners_only),
+        cells_(c, points_, 1) {}
 
   void read() {
     this->begin_file();
@@ -63,14 +67,16 @@ class medit_reader : Cursor {
 
  private:
   void report_skipped(const medit_part& part) {
-    if (part.count > 0) report_.skipped.push_back(core::joined({"section ", part.section->keyword, ", ", part.count, " rows"}));
+    if (part.count > 0)
+      report_.skipped.push_back(core::joined({"section ", part.section->keyword, ", ", part.count, " rows"}));
   }
 
   /// Errors: unsupported for elements of second or higher order, but for edges, which are skipped.
   void reject_nodes(const medit_part& part) {
     const medit_section& s = *part.section;
     if (part.count == 0 || s.rows == medit_rows::edges) return report_skipped(part);
-    core::throw_joined<unsupported>({this->name(), ": section ", s.keyword, " has ", part.count, s.keyword.back() == '2' ? " second-order" : " higher-order",
+    core::throw_joined<unsupported>({this->name(), ": section ", s.keyword, " has ", part.count,
+                                     s.keyword.back() == '2' ? " second-order" : " higher-order",
                                      " elements, with nodes on edges; ", read_corners_instead});
   }
 
@@ -122,11 +128,13 @@ class medit_reader : Cursor {
     const std::size_t room = this->room_for(part, s.num_indices() + 1);
     if constexpr (Volumes)
       if (s.is_volume()) {
-        if (!cells_.can_hold(s.shape) && !takes_repeated()) throw_wrong_arity_of(s, wanted_.arity ? wanted_.arity : polys_ ? cells_.arity() : s.arity);
+        if (!cells_.can_hold(s.shape) && !takes_repeated())
+          throw_wrong_arity_of(s, wanted_.arity ? wanted_.arity : polys_ ? cells_.arity() : s.arity);
         cells_.reserve(s.shape, room);
       }
     if (!s.is_volume()) {
-      if (wanted_.surface && wanted_.arity && s.arity != wanted_.arity && !takes_repeated()) throw_wrong_arity_of(s, wanted_.arity);
+      if (wanted_.surface && wanted_.arity && s.arity != wanted_.arity && !takes_repeated())
+        throw_wrong_arity_of(s, wanted_.arity);
       surface_.reserve(room * s.arity);
       numbers_of(s).add(part.count, polys_);
     }
@@ -148,26 +156,29 @@ class medit_reader : Cursor {
   /// Whether elements with a vert twice become others, or none, so that what the mesh can hold depends on each of them.
   bool takes_repeated() const { return out_.repeated.policy != repeated_verts::refuse; }
 
-  /// The number of verts of an edge or face that is listed. Without options.repeated_verts they have to be different; with it, equal neighbours become one.
+  /// The number of verts of an edge or face that is listed. Without options.repeated_verts they have to be different;
+  /// with it, equal neighbours become one.
   std::uint32_t collapse_listed(const char* from, vert_id* corners, std::uint32_t n) {
     const std::size_t k = first_repeated(corners, n, scratch_);
     if (k == n) return n;
-    if (!takes_repeated()) fail(from, {"different verts in an element", repeated_verts_hint}, {"vert ", corners[k].raw() + 1, " twice"});
+    if (!takes_repeated())
+      fail(from, {"different verts in an element", repeated_verts_hint}, {"vert ", corners[k].raw() + 1, " twice"});
     return collapse_verts(corners, n);
   }
 
   void add_polygon(const char* from, const vert_id* corners, std::uint32_t n, std::size_t poly) {
     check_read_polygon(
         out_, wanted_, corners, n, {.different = "different verts in an element", .first = 1}, scratch_,
-        [&](core::message expected, core::message found) { fail(from, expected, found); }, [&] { return poly; }, [&] { return this->place_of(from); });
+        [&](core::message expected, core::message found) { fail(from, expected, found); }, [&] { return poly; },
+        [&] { return this->place_of(from); });
     surface_.add(corners, n);
     if (surface_.size_of_lists() > max_ids) this->fail_to_count("corners");
   }
 
   [[noreturn, gnu::noinline, gnu::cold]] void throw_wrong_arity_of(const medit_section& s, std::uint32_t arity) const {
     fail(at,
-         {name_of_poly(s.is_volume(), arity),
-          s.is_volume() ? " (polyhedralmesh and load_any take any cell)" : " (polygonmesh and load_any take any polygon)"},
+         {name_of_poly(s.is_volume(), arity), s.is_volume() ? " (polyhedralmesh and load_any take any cell)"
+                                                            : " (polygonmesh and load_any take any polygon)"},
          {"an element of section ", s.keyword});
   }
 
@@ -187,7 +198,8 @@ class medit_reader : Cursor {
   }
 
   void read_normals(const medit_part& part) {
-    for (std::uint64_t i = 0; i < part.count; ++i) normals_.push_back(next_vector("the x of a normal", "the y of a normal", "the z of a normal"));
+    for (std::uint64_t i = 0; i < part.count; ++i)
+      normals_.push_back(next_vector("the x of a normal", "the y of a normal", "the z of a normal"));
   }
 
   void read_normals_at_verts(const medit_part& part) {
@@ -208,14 +220,16 @@ class medit_reader : Cursor {
         marks_.set(element_kind::edge, s.mark, edges_[index(edges_.size(), "the index of an edge")], 1);
       } else {
         const row_numbers& numbers = numbers_of(s);
-        marks_.set(is_volume ? element_kind::face : element_kind::poly, s.mark, numbers[index(numbers.size(), "the index of a triangle or quad")], 1);
+        marks_.set(is_volume ? element_kind::face : element_kind::poly, s.mark,
+                   numbers[index(numbers.size(), "the index of a triangle or quad")], 1);
       }
     }
   }
 
   /// Whether a section of this kind waits that is not empty.
   bool has_deferred(medit_rows rows) const {
-    return std::any_of(deferred_.begin(), deferred_.end(), [&](const medit_part& p) { return p.section->rows == rows && p.count > 0; });
+    return std::any_of(deferred_.begin(), deferred_.end(),
+                       [&](const medit_part& p) { return p.section->rows == rows && p.count > 0; });
   }
 
   /// Reads the sections that waited until the verts were read and it was known whether there are cells.
@@ -273,8 +287,9 @@ class medit_reader : Cursor {
     if constexpr (Volumes)
       if (volume) cells_.finish(out_);
     if (nodes_.any() && this->has_ordering_)
-      core::throw_joined<unsupported>({this->name(), ": has elements of second or higher order, and "
-                                                     "a section that lists the order of their nodes: corners need not come first"});
+      core::throw_joined<unsupported>({this->name(),
+                                       ": has elements of second or higher order, and "
+                                       "a section that lists the order of their nodes: corners need not come first"});
     nodes_.remove(out_, report_);
   }
 };
@@ -283,19 +298,22 @@ class medit_reader : Cursor {
 
 namespace concino {
 
-/// Needs:  a MEDIT file. As text: keywords, counts and rows in any layout, sections in any order, `#` comments. Binary: versions 1 to 4 in either byte
-///         order. Dimension 2 (z is 0) or 3.
-/// Result: a volume if there is any cell, else a surface. Elements keep their order. The verts of cells of negative volume are put into the
-///         standard order, and these cells are counted. References become "label" of verts, polys, edges, and faces of a volume, unless all are zero;
-///         those that are not integers are rounded and counted. Marks become properties (int) of verts ("corner", "required"), edges ("ridge",
-///         "required") and triangles and quads ("required"). If the file lists edges or faces without any of these, they and the others listed
-///         have the property "entity". Normals at vertices become "normal" of verts. Elements of second or higher order are read by their corners, if
-///         load_options::corners_only is set; points that are only their other nodes are reported as skipped. Other sections are reported as skipped, as are
-///         edges and faces that the mesh does not have.
+/// Needs:  a MEDIT file. As text: keywords, counts and rows in any layout, sections in any order, `#` comments. Binary:
+///         versions 1 to 4 in either byte order. Dimension 2 (z is 0) or 3.
+/// Result: a volume if there is any cell, else a surface. Elements keep their order. The verts of cells of negative
+///         volume are put into the standard order, and these cells are counted. References become "label" of verts,
+///         polys, edges, and faces of a volume, unless all are zero; those that are not integers are rounded and
+///         counted. Marks become properties (int) of verts ("corner", "required"), edges ("ridge", "required") and
+///         triangles and quads ("required"). If the file lists edges or faces without any of these, they and the others
+///         listed have the property "entity". Normals at vertices become "normal" of verts. Elements of second or
+///         higher order are read by their corners, if load_options::corners_only is set; points that are only their
+///         other nodes are reported as skipped. Other sections are reported as skipped, as are edges and faces that the
+///         mesh does not have.
 /// Cost:   O(size of the text)
-/// Errors: parse_error naming the line (of binary files the byte) of a wrong number, an index out of range, an element with a vertex twice, an element
-///         that the wanted mesh cannot hold, or the end of a file that is cut off; unsupported if the file holds a volume and a surface was wanted,
-///         or the reverse, or if it has polys of second or higher order.
+/// Errors: parse_error naming the line (of binary files the byte) of a wrong number, an index out of range, an element
+///         with a vertex twice, an element that the wanted mesh cannot hold, or the end of a file that is cut off;
+///         unsupported if the file holds a volume and a surface was wanted, or the reverse, or if it has polys of
+///         second or higher order.
 template<std::derived_from<file_contents> Contents>
 void medit_format::read(const read_context& in, Contents& out) {
   constexpr bool volumes = std::is_same_v<Contents, volume_contents>;

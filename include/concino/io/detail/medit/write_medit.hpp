@@ -1,4 +1,5 @@
-// The writer of MEDIT files, text and binary: surfaces of triangles and quads; volumes of tets, hexes, prisms and pyramids, recognised by their faces.
+// The writer of MEDIT files, text and binary: surfaces of triangles and quads; volumes of tets, hexes, prisms and
+// pyramids, recognised by their faces.
 #pragma once
 
 #include <concino/io/detail/cells/recognised_cells.hpp>
@@ -26,7 +27,8 @@ class medit_writer {
   std::vector<vert_id> verts_;
   std::size_t num_of_[num_shapes] = {};
 
-  element_list edges_, faces_[2], normals_;  // the elements that are listed: edges; triangles and quads of a volume; verts with a normal
+  element_list edges_, faces_[2], normals_;  // the elements that are listed: edges; triangles and quads of a volume;
+                                             // verts with a normal
   std::uint64_t num_odd_ = 0;                // marks other than 0 and 1
   std::uint64_t num_large_ = 0;              // faces of more than four verts that have a value
 
@@ -43,15 +45,21 @@ class medit_writer {
     out_.end_file();
     std::size_t kinds = 0;
     for (const std::size_t n : num_of_) kinds += n > 0;
-    if (kinds > 1) c_.report.notes.push_back("the file lists polys of one shape after those of another: their order changed");
-    if (num_large_) c_.report.lost.push_back(core::joined({"values of ", num_large_, " faces that are neither triangles nor quads"}));
-    if (num_odd_) c_.report.lost.push_back(core::joined({num_odd_, " marks of elements (\"corner\", \"required\", \"ridge\", \"entity\") that are neither 0 nor 1: written as 1"}));
+    if (kinds > 1)
+      c_.report.notes.push_back("the file lists polys of one shape after those of another: their order changed");
+    if (num_large_)
+      c_.report.lost.push_back(core::joined({"values of ", num_large_, " faces that are neither triangles nor quads"}));
+    if (num_odd_)
+      c_.report.lost.push_back(core::joined(
+          {num_odd_,
+           " marks of elements (\"corner\", \"required\", \"ridge\", \"entity\") that are neither 0 nor 1: written as 1"}));
   }
 
  private:
   void declare() {
     for (const char* const name : {"label", "corner", "required"}) c_.declare_stored<int>(element_kind::vert, name);
-    for (const char* const name : {"label", "ridge", "required", "entity"}) c_.declare_stored<int>(element_kind::edge, name);
+    for (const char* const name : {"label", "ridge", "required", "entity"})
+      c_.declare_stored<int>(element_kind::edge, name);
     c_.declare_stored<int>(element_kind::poly, "label");
     c_.declare_stored<vec3>(element_kind::vert, "normal");
     if (m_.dimension == 2) c_.declare_stored<int>(element_kind::poly, "required");
@@ -76,7 +84,8 @@ class medit_writer {
     }
     for (std::size_t p = 0; p < m_.num_polys; ++p) {
       const std::span<const vert_id> v = m_.poly_verts[p];
-      if (v.size() != 3 && v.size() != 4) c_.throw_cannot_hold(".mesh", {"poly ", m_.poly_index(p), ", a polygon of ", v.size(), " verts"}, ".obj");
+      if (v.size() != 3 && v.size() != 4)
+        c_.throw_cannot_hold(".mesh", {"poly ", m_.poly_index(p), ", a polygon of ", v.size(), " verts"}, ".obj");
       add_poly(v.size() - 3, v.data());
     }
   }
@@ -89,11 +98,13 @@ class medit_writer {
   }
 
   void collect_listed() {
-    const flat_values<int> edge[] = {m_.edge_values<int>("label"), m_.edge_values<int>("ridge"), m_.edge_values<int>("required"), m_.edge_values<int>("entity")};
+    const flat_values<int> edge[] = {m_.edge_values<int>("label"), m_.edge_values<int>("ridge"),
+                                     m_.edge_values<int>("required"), m_.edge_values<int>("entity")};
     if (edge[0] || edge[1] || edge[2] || edge[3])
       for (std::size_t e = 0; e < m_.edge_verts().size(); ++e)
         if (has_value({edge[0], edge[1], edge[2], edge[3]}, e)) edges_.push_back(static_cast<std::uint32_t>(e));
-    const flat_values<int> face[] = {m_.face_values<int>("label"), m_.face_values<int>("required"), m_.face_values<int>("entity")};
+    const flat_values<int> face[] = {m_.face_values<int>("label"), m_.face_values<int>("required"),
+                                     m_.face_values<int>("entity")};
     if (face[0] || face[1] || face[2])
       for (std::size_t f = 0; f < m_.polyhedra().face_verts.size(); ++f)
         if (has_value({face[0], face[1], face[2]}, f)) {
@@ -122,9 +133,11 @@ class medit_writer {
     };
     const auto same = [](std::size_t i) { return i; };
     if (s.rows == medit_rows::marked_verts) return each(m_.vert_values<int>(s.mark), m_.points.size(), same);
-    if (s.rows == medit_rows::marked_edges) return each(m_.edge_values<int>(s.mark), edges_.size(), [&](std::size_t i) { return edges_[i]; });
+    if (s.rows == medit_rows::marked_edges)
+      return each(m_.edge_values<int>(s.mark), edges_.size(), [&](std::size_t i) { return edges_[i]; });
     const std::size_t kind = s.code == 18;
-    if (m_.dimension == 3) return each(m_.face_values<int>(s.mark), faces_[kind].size(), [&](std::size_t i) { return faces_[kind][i]; });
+    if (m_.dimension == 3)
+      return each(m_.face_values<int>(s.mark), faces_[kind].size(), [&](std::size_t i) { return faces_[kind][i]; });
     if (const auto marks = m_.poly_values<int>(s.mark)) {
       std::size_t row = 0;
       for (std::size_t p = 0; p < m_.num_polys; ++p)
@@ -226,7 +239,8 @@ inline bool is_meshb(std::string_view path) {
   constexpr std::string_view extension = ".meshb";
   if (path.size() < extension.size()) return false;
   for (std::size_t i = 0; i < extension.size(); ++i)
-    if (const char c = path[path.size() - extension.size() + i]; c != extension[i] && (c | 0x20) != extension[i]) return false;
+    if (const char c = path[path.size() - extension.size() + i]; c != extension[i] && (c | 0x20) != extension[i])
+      return false;
   return true;
 }
 
@@ -234,6 +248,8 @@ inline bool is_meshb(std::string_view path) {
 
 namespace concino {
 
-inline void medit_format::write(write_context& c, flat_mesh& m) { detail::medit_writer(c, m, c.options.binary || detail::is_meshb(c.path)).write(); }
+inline void medit_format::write(write_context& c, flat_mesh& m) {
+  detail::medit_writer(c, m, c.options.binary || detail::is_meshb(c.path)).write();
+}
 
 }  // namespace concino

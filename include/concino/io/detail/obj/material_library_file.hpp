@@ -1,5 +1,5 @@
-// The .mtl file of an .obj file that is saved. An existing library is never changed: a new one gets an unused name, and appears before the .obj
-// file that names it. So the .obj file on disk finds its materials at any moment.
+// The .mtl file of an .obj file that is saved. An existing library is never changed: a new one gets an unused name, and
+// appears before the .obj file that names it. So the .obj file on disk finds its materials at any moment.
 #pragma once
 
 #include <concino/core/hash_bytes.hpp>
@@ -27,13 +27,16 @@ inline std::string line_name(std::string name, bool& changed) {
     changed = true;
   };
   for (std::size_t i = 0; i < name.size(); ++i)
-    if (static_cast<unsigned char>(name[i]) < 32 || name[i] == '\\' || (name[i] == '#' && (i == 0 || name[i - 1] == ' '))) hide(name[i]);
+    if (static_cast<unsigned char>(name[i]) < 32 || name[i] == '\\' ||
+        (name[i] == '#' && (i == 0 || name[i - 1] == ' ')))
+      hide(name[i]);
   if (!name.empty() && name.front() == ' ') hide(name.front());
   if (!name.empty() && name.back() == ' ') hide(name.back());
   return name;
 }
 
-/// A line of a material in the form that a library can hold. It is empty if there is none, because the line is blank or begins another material.
+/// A line of a material in the form that a library can hold. It is empty if there is none, because the line is blank or
+/// begins another material.
 inline std::string library_line(std::string line) {
   for (char& c : line)
     if (is_line_end(c)) c = ' ';
@@ -44,12 +47,14 @@ inline std::string library_line(std::string line) {
   return line;
 }
 
-/// The first line of a library that save writes. By its checksum a later save knows whether the text has been changed. `file` is the .obj file.
+/// The first line of a library that save writes. By its checksum a later save knows whether the text has been changed.
+/// `file` is the .obj file.
 inline std::string signature_of(std::string_view file, std::string_view text) {
   return core::joined({signature_begins, file, signature_goes_on, core::hash_text(text), "\n"});
 }
 
-/// The lines of an .obj file that name libraries, without the keyword; none if the file does not exist. Reads it in pieces, as it may be large.
+/// The lines of an .obj file that name libraries, without the keyword; none if the file does not exist. Reads it in
+/// pieces, as it may be large.
 /// Errors: io_error.
 inline std::vector<std::string> library_lines(const std::string& path, std::size_t piece = 1 << 18) {
   std::vector<std::string> lines;
@@ -96,7 +101,8 @@ class material_library_file final : public companion_files {
     const std::string tail = attempt == 0 ? std::string(".mtl") : core::joined({"_", attempt, ".mtl"});
     std::size_t size = std::min(dot == std::string::npos ? file_name_.size() : dot, 255 - tail.size());
     if (size < file_name_.size())
-      while (size > 0 && (static_cast<unsigned char>(file_name_[size]) & 0xC0) == 0x80) --size;  // does not cut a UTF-8 character
+      while (size > 0 && (static_cast<unsigned char>(file_name_[size]) & 0xC0) == 0x80)
+        --size;  // does not cut a UTF-8 character
     bool ignored = false;
     return core::joined({line_name(file_name_.substr(0, size), ignored), tail});
   }
@@ -121,7 +127,8 @@ class material_library_file final : public companion_files {
     return end != text.npos && text.substr(0, end + 1) == signature_of(file_name_, text.substr(end + 1));
   }
 
-  /// Whether the library of that name was written by an earlier save of this file and not changed since. If so, adds it to outdated_.
+  /// Whether the library of that name was written by an earlier save of this file and not changed since. If so, adds it
+  /// to outdated_.
   bool add_if_outdated(std::string_view name) {
     const std::string path = core::joined({folder_, name});
     if (name.find('/') != name.npos || name.find('\0') != name.npos) return false;
@@ -175,12 +182,16 @@ class material_library_file final : public companion_files {
     numbered_libraries r;
     for (std::size_t attempt = 0, num_free = 0; num_free < 2; ++attempt) {
       if (attempt == 1000)
-        core::throw_joined<io_error>({path_, ": 1000 material libraries of this name exist and hold other materials; remove them or save under another name"});
+        core::throw_joined<io_error>(
+            {path_,
+             ": 1000 material libraries of this name exist and hold other materials; remove them or save under another name"});
       const std::string name = name_of(attempt), path = core::joined({folder_, name});
-      if (std::string_view(name) == std::string_view(path_).substr(folder_.size())) continue;  // an OBJ file called .mtl
+      // an OBJ file called .mtl
+      if (std::string_view(name) == std::string_view(path_).substr(folder_.size())) continue;
       if (status_of(path).kind == file_kind::none) {
         if (errno != ENOENT) throw_io_error(path, "cannot be written", errno);
-        if (std::any_of(old_lines.begin(), old_lines.end(), [&](const std::string& line) { return names_library(line, name); }))
+        if (std::any_of(old_lines.begin(), old_lines.end(),
+                        [&](const std::string& line) { return names_library(line, name); }))
           continue;  // the old .obj file must not find a library that was not written for it
         if (num_free++ == 0) r.unused = name;
         continue;
@@ -188,9 +199,9 @@ class material_library_file final : public companion_files {
       const file_text file(path);
       material_library library;
       read_mtl(file.text(), path, library, unused_report);
-      const bool is_right = contains_all(library, needed) && std::none_of(undefined.begin(), undefined.end(), [&](const std::string& n) {
-                              return library.all.find(n) != name_table::none;
-                            });
+      const bool is_right = contains_all(library, needed) &&
+                            std::none_of(undefined.begin(), undefined.end(),
+                                         [&](const std::string& n) { return library.all.find(n) != name_table::none; });
       if (r.found.empty() && is_right) r.found = name;
       else if (!add_if_outdated(name) && r.found.empty() && r.unused.empty() && r.other.empty()) r.other = name;
     }
@@ -200,21 +211,25 @@ class material_library_file final : public companion_files {
   /// Removes from outdated_ the libraries that the new file names again.
   void keep_named_again(const material_table& table) {
     std::erase_if(outdated_, [&](const old_library& o) {
-      return std::find(table.unread.begin(), table.unread.end(), std::string_view(o.path).substr(folder_.size())) != table.unread.end();
+      return std::find(table.unread.begin(), table.unread.end(), std::string_view(o.path).substr(folder_.size())) !=
+             table.unread.end();
     });
   }
 
   static bool names_pictures(const std::vector<material>& materials) {
     return std::any_of(materials.begin(), materials.end(), [](const material& m) {
-      return std::any_of(m.lines.begin(), m.lines.end(), [](const std::string& line) { return line.starts_with("map_"); });
+      return std::any_of(m.lines.begin(), m.lines.end(),
+                         [](const std::string& line) { return line.starts_with("map_"); });
     });
   }
 
   void add_notes(const std::string& chosen, const std::string& other, bool leaves_pictures, save_report& report) const {
-    if (!other.empty()) report.notes.push_back(core::joined({"the materials are in ", chosen, ": ", other, " holds other materials and is unchanged"}));
-    for (const old_library& o : outdated_)
+    if (!other.empty())
       report.notes.push_back(
-          core::joined({std::string_view(o.path).substr(folder_.size()), ", which an earlier save wrote for this file, is removed"}));
+          core::joined({"the materials are in ", chosen, ": ", other, " holds other materials and is unchanged"}));
+    for (const old_library& o : outdated_)
+      report.notes.push_back(core::joined({std::string_view(o.path).substr(folder_.size()),
+                                           ", which an earlier save wrote for this file, is removed"}));
     if (leaves_pictures) report.notes.push_back("the textures of materials (map_Kd and the like) are not copied");
   }
 
@@ -226,8 +241,8 @@ class material_library_file final : public companion_files {
     file_name_ = line_name(path_.substr(folder_.size()), ignored);
   }
 
-  /// Finds libraries that define all `needed` materials with the same lines, or writes a new one, which gets its name in commit_with(). A library
-  /// that is not in `table` must not define the materials in `undefined`.
+  /// Finds libraries that define all `needed` materials with the same lines, or writes a new one, which gets its name
+  /// in commit_with(). A library that is not in `table` must not define the materials in `undefined`.
   /// Result: the names for the mtllib lines.      Errors: io_error.
   std::vector<std::string> choose_or_write(const std::vector<material>& needed,
                                            const std::vector<std::string>& undefined,
@@ -238,7 +253,8 @@ class material_library_file final : public companion_files {
     const std::vector<std::string> old_lines = library_lines(path_);
     const numbered_libraries numbered = find_numbered(needed, undefined, old_lines, unused_report);
     for (const std::string_view line : old_lines)
-      if (const std::size_t first = line.find_first_not_of(" \t"); first != line.npos && line.substr(first) != numbered.found)
+      if (const std::size_t first = line.find_first_not_of(" \t");
+          first != line.npos && line.substr(first) != numbered.found)
         add_if_outdated(line.substr(first));
     if (table) keep_named_again(*table);
     const bool is_new = numbered.found.empty();

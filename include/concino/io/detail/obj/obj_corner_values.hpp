@@ -54,7 +54,8 @@ class corner_value_list {
     index_.clear();
   }
 
-  /// Adds the property of all corners to the contents, if one of them has a value. Returns the number of values that no corner has.
+  /// Adds the property of all corners to the contents, if one of them has a value. Returns the number of values that no
+  /// corner has.
   std::size_t store(std::string_view property, std::size_t corners, file_contents& out) {
     std::vector<bool> used(values_.size());
     std::size_t num_used = 0;
@@ -72,11 +73,14 @@ class corner_value_list {
   }
 };
 
-/// Numbers the distinct values of corners in the order of their first occurrence, for a writer. Values are equal if their bytes are.
+/// Numbers the distinct values of corners in the order of their first occurrence, for a writer. Values are equal if
+/// their bytes are.
 template<class T>
 class distinct_corner_values {
   struct byte_hash {
-    std::size_t operator()(const std::array<char, sizeof(T)>& x) const { return std::hash<std::string_view>()({x.data(), x.size()}); }
+    std::size_t operator()(const std::array<char, sizeof(T)>& x) const {
+      return std::hash<std::string_view>()({x.data(), x.size()});
+    }
   };
   std::vector<T> values_;
   std::unordered_map<std::array<char, sizeof(T)>, std::uint32_t, byte_hash> numbers_;  // by the bytes of a value
@@ -84,7 +88,8 @@ class distinct_corner_values {
  public:
   const std::vector<T>& values() const { return values_; }
   std::uint32_t add(const T& x) {
-    const auto [at, is_new] = numbers_.try_emplace(std::bit_cast<std::array<char, sizeof(T)>>(x), static_cast<std::uint32_t>(values_.size()));
+    const auto [at, is_new] =
+        numbers_.try_emplace(std::bit_cast<std::array<char, sizeof(T)>>(x), static_cast<std::uint32_t>(values_.size()));
     if (is_new) values_.push_back(x);
     return at->second;
   }

@@ -36,11 +36,14 @@ class obj_cursor : protected text_cursor {
     return real(expected);
   }
 
-  /// Converts an index of the file to one that counts from 1. Negative indices count back from the last element read so far.
-  std::uint64_t absolute(const char* position, std::int64_t i, std::uint64_t so_far, std::uint64_t bound, const char* what) const {
+  /// Converts an index of the file to one that counts from 1. Negative indices count back from the last element read so
+  /// far.
+  std::uint64_t absolute(const char* position, std::int64_t i, std::uint64_t so_far, std::uint64_t bound,
+                         const char* what) const {
     if (i < 0) i += static_cast<std::int64_t>(so_far) + 1;
     if (i < 1 || static_cast<std::uint64_t>(i) > bound)
-      fail(position, {"the index of ", what, " from 1 to ", bound < max_ids ? bound : so_far, ", or from -1 (the last one read) back to the first"});
+      fail(position, {"the index of ", what, " from 1 to ", bound < max_ids ? bound : so_far,
+                      ", or from -1 (the last one read) back to the first"});
     return static_cast<std::uint64_t>(i);
   }
 

@@ -5,8 +5,8 @@
 
 namespace concino {
 
-/// The OBJ format: verts and polygons of any size; "color" of verts and polys, "label", "object", "group" and "material" of polys, "materials" of the mesh;
-/// "texture" and "normal" of corners.
+/// The OBJ format: verts and polygons of any size; "color" of verts and polys, "label", "object", "group" and
+/// "material" of polys, "materials" of the mesh; "texture" and "normal" of corners.
 struct obj_format {
   static constexpr std::string_view name = "obj";
   static constexpr std::string_view extensions[] = {".obj"};

@@ -1,4 +1,5 @@
-// The reader of Wavefront's material libraries, .mtl. A fault in a library is not an error: it becomes a note in the report.
+// The reader of Wavefront's material libraries, .mtl. A fault in a library is not an error: it becomes a note in the
+// report.
 #pragma once
 
 #include <concino/io/detail/files/system_files.hpp>
@@ -39,8 +40,11 @@ inline bool read_color(text_cursor& in, std::string_view keyword, rgba& color) {
 }
 
 /// The first line of a library written by save; see material_library_file.hpp.
-inline constexpr std::string_view signature_begins = "# Materials of ", signature_goes_on = ", written by concino; checksum ";
-inline bool is_signature(std::string_view line) { return line.starts_with(signature_begins) && line.find(signature_goes_on) != line.npos; }
+inline constexpr std::string_view signature_begins = "# Materials of ",
+                                  signature_goes_on = ", written by concino; checksum ";
+inline bool is_signature(std::string_view line) {
+  return line.starts_with(signature_begins) && line.find(signature_goes_on) != line.npos;
+}
 
 /// Moves to the next line.   Result: the text from `from` to the end of the current line, without trailing blanks.
 inline std::string_view rest_of_line(text_cursor& in, const char* from) {
@@ -59,8 +63,8 @@ inline std::string_view without_comment(std::string_view text) {
   return text;
 }
 
-/// Adds the materials of a text: newmtl, and all lines up to the next newmtl. Lines Kd and d define a colour. Of materials with the same name,
-/// the first is used.
+/// Adds the materials of a text: newmtl, and all lines up to the next newmtl. Lines Kd and d define a colour. Of
+/// materials with the same name, the first is used.
 inline void read_mtl(std::string_view text, std::string_view name, material_library& library, load_report& report) {
   text_cursor in(text, name);
   material now;
@@ -121,11 +125,13 @@ inline bool is_only_color(const material& m) {
   return true;
 }
 
-/// The path of the library of that name, if it is in the folder of the file `of` or, if this is a link, of the file it refers to; else empty.
+/// The path of the library of that name, if it is in the folder of the file `of` or, if this is a link, of the file it
+/// refers to; else empty.
 inline std::string library_beside(std::string_view of, std::string name) {
   for (char& c : name)
     if (c == '\\') c = '/';
-  if (name.starts_with('/') || (name.size() > 1 && name[1] == ':')) name.erase(0, name.rfind('/') + 1);  // an absolute path, probably of another machine
+  // an absolute path, probably of another machine
+  if (name.starts_with('/') || (name.size() > 1 && name[1] == ':')) name.erase(0, name.rfind('/') + 1);
   if (name.empty() || name.find('\0') != name.npos) return {};
   const auto beside = [&](std::string_view file) {
     std::string path = core::joined({file.substr(0, file.rfind('/') + 1), name});
@@ -170,7 +176,8 @@ class material_library_reader {
 };
 
 /// Reads the libraries that the lines of a file name. A line names one or more.
-inline void read_libraries(const read_context& context, const std::vector<std::string>& lines, material_library& library) {
+inline void read_libraries(const read_context& context, const std::vector<std::string>& lines,
+                           material_library& library) {
   load_report& report = *context.report;
   material_library_reader read(context, library);
   name_table seen_lines, seen_names;
@@ -206,7 +213,8 @@ inline void read_libraries(const read_context& context, const std::vector<std::s
           add(name, part == result::read);
         } else {
           missing.push_back(name);
-          report.notes.push_back(core::joined({"material library '", name, "': there is no such file beside this one"}));
+          report.notes.push_back(
+              core::joined({"material library '", name, "': there is no such file beside this one"}));
         }
       }
       at = end + 1;
@@ -216,16 +224,20 @@ inline void read_libraries(const read_context& context, const std::vector<std::s
       for (const std::string& name : missing) add(name, false);
   }
   if (library.num_redefined)
-    report.notes.push_back(core::joined({library.num_redefined, " materials have several definitions: the first one is used; '", library.redefined, "'"}));
+    report.notes.push_back(
+        core::joined({library.num_redefined, " materials have several definitions: the first one is used; '",
+                      library.redefined, "'"}));
 }
 
-/// Sets the materials and colours of the polys from the libraries that a file names. Materials that a writer has created only for a colour lose
-/// their names.
-inline void assign_materials(const read_context& context, const std::vector<std::string>& lines, std::size_t polys, file_contents& contents) {
+/// Sets the materials and colours of the polys from the libraries that a file names. Materials that a writer has
+/// created only for a colour lose their names.
+inline void assign_materials(const read_context& context, const std::vector<std::string>& lines, std::size_t polys,
+                             file_contents& contents) {
   load_report& report = *context.report;
   material_library library;
   read_libraries(context, lines, library);
-  if (library.num_textures) report.skipped.push_back(core::joined({library.num_textures, " textures of materials (map_Kd and the like)"}));
+  if (library.num_textures)
+    report.skipped.push_back(core::joined({library.num_textures, " textures of materials (map_Kd and the like)"}));
   bool any = false;
   name_table missing;  // they are reported in one note
   contents.materials.for_each(polys, [&](std::size_t, std::size_t, std::string_view name) {
@@ -237,7 +249,8 @@ inline void assign_materials(const read_context& context, const std::vector<std:
     std::size_t first = 0;  // the alphabetically first
     for (std::size_t i = 1; i < missing.size(); ++i)
       if (std::string_view(missing[i]) < missing[first]) first = i;
-    report.notes.push_back(core::joined({missing.size(), " materials have no colour in a library and become white; '", missing[first], "'"}));
+    report.notes.push_back(core::joined(
+        {missing.size(), " materials have no colour in a library and become white; '", missing[first], "'"}));
   }
   if (any) {
     contents.poly_colors.resize(polys);
@@ -252,7 +265,8 @@ inline void assign_materials(const read_context& context, const std::vector<std:
   int ignored = 0;
   contents.materials.rename([&](std::string_view name) {
     const std::size_t i = library.all.find(name);
-    if (i == name_table::none || !is_number(name, "color_", ignored) || !is_only_color(materials[i])) return std::string(name);
+    if (i == name_table::none || !is_number(name, "color_", ignored) || !is_only_color(materials[i]))
+      return std::string(name);
     is_color[i] = 1;
     return std::string();
   });

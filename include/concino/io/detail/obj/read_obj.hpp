@@ -1,5 +1,5 @@
-// The reader of Wavefront OBJ: verts and polygons of any size, with colours, groups, materials, and texture coordinates and normals of corners. Lines
-// that a mesh cannot store are counted and reported.
+// The reader of Wavefront OBJ: verts and polygons of any size, with colours, groups, materials, and texture coordinates
+// and normals of corners. Lines that a mesh cannot store are counted and reported.
 #pragma once
 
 #include <concino/io/detail/formats/contents.hpp>
@@ -23,7 +23,8 @@ class obj_reader : obj_cursor {
   std::uint64_t max_point_ = 0, max_texture_ = 0, max_normal_ = 0;           // the largest index so far
   std::uint64_t num_extra_ = 0, num_lines_ = 0, num_smooth_ = 0, num_other_ = 0;
   std::uint64_t num_zero_ = 0, num_bad_colors_ = 0;
-  std::uint64_t num_third_ = 0, num_invalid_ = 0;  // texture coordinates with a third number; those and normals that are not finite numbers
+  std::uint64_t num_third_ = 0, num_invalid_ = 0;  // texture coordinates with a third number; those and normals that
+                                                   // are not finite numbers
   double largest_color_ = 0;              // component of a colour
   bool are_bytes_ = true;                 // all of them are whole numbers up to 255
   std::vector<std::uint32_t> uncolored_;  // verts without a colour before the last one that has one
@@ -34,21 +35,23 @@ class obj_reader : obj_cursor {
 
  public:
   obj_reader(const read_context& c, file_contents& out)
-      : obj_cursor(text_without_padding(c.text), c.name, c.progress), context_(c), wanted_(c.wanted), extra_(out), out_(out.surface) {}
+      : obj_cursor(text_without_padding(c.text), c.name, c.progress), context_(c), wanted_(c.wanted), extra_(out),
+        out_(out.surface) {}
 
   void read(load_report& report) {
     const std::string_view all{at, static_cast<std::size_t>(end() - at)};
     if (all.find_first_not_of(" \t\v\f\r\n") == all.npos) fail(end(), {"verts and faces"}, {"an empty file"});
     make_room(all);
     lines();
-    // Indices may refer to elements later in the file, so their bounds are known only now. If an index is out of range, the file is read again
-    // with the bounds, to find the line.
+    // Indices may refer to elements later in the file, so their bounds are known only now. If an index is out of range,
+    // the file is read again with the bounds, to find the line.
     if (max_point_ > out_.points.size() || max_texture_ > texture_.size() || max_normal_ > normal_.size()) {
       points_ = out_.points.size(), textures_ = texture_.size(), normals_ = normal_.size();
       restart(all.data());
     }
     if (out_.points.empty() && num_other_ > 0)
-      fail(end(), {"verts (v x y z)"}, {"none, and ", num_other_, " lines that are not of an OBJ file, the first '", other_, "'"});
+      fail(end(), {"verts (v x y z)"},
+           {"none, and ", num_other_, " lines that are not of an OBJ file, the first '", other_, "'"});
     if (out_.offsets.empty()) out_.arity = arity_;
     if (out_.arity == 0 && out_.offsets.empty()) out_.offsets.push_back(0);
     report_skipped(report);
@@ -93,7 +96,8 @@ class obj_reader : obj_cursor {
       const char c = *at, d = at + 1 != end() ? at[1] : '\n';
       if (c == 'v' && (is_space(d) || d == '\\')) vert();
       else if (c == 'f' && (is_space(d) || d == '\\')) face();
-      else if (c == 'v' && (d == 't' || d == 'n') && (end() - at == 2 || is_space(at[2]) || at[2] == '\\')) corner_value(d == 't');
+      else if (c == 'v' && (d == 't' || d == 'n') && (end() - at == 2 || is_space(at[2]) || at[2] == '\\'))
+        corner_value(d == 't');
       else if (c == '#') text_cursor::skip_line();  // a backslash at the end of a comment does not join lines
       else other();
     }
@@ -114,7 +118,8 @@ class obj_reader : obj_cursor {
     after_point();
   }
 
-  /// Reads a texture coordinate u [v [w]] or a normal. If it has no finite numbers, as some programs write, it is no value.
+  /// Reads a texture coordinate u [v [w]] or a normal. If it has no finite numbers, as some programs write, it is no
+  /// value.
   void corner_value(bool is_texture) {
     const char* const line = at;
     at += 2;
@@ -187,7 +192,8 @@ class obj_reader : obj_cursor {
     end_face(line, first);
   }
 
-  /// Reads the indices of a texture coordinate and a normal, each of which may be missing. Some programs write 0 for none.
+  /// Reads the indices of a texture coordinate and a normal, each of which may be missing. Some programs write 0 for
+  /// none.
   const char* attributes(const char* corner, const char* p) {
     std::int64_t i = 0;
     if (const char* q = parse_integer(++p, end(), i)) {
@@ -217,7 +223,8 @@ class obj_reader : obj_cursor {
   void end_face(const char* line, std::size_t first) {
     const std::size_t size = out_.verts.size() - first;
     if (size < 3) fail(line, {"a face of at least three corners"}, {"one of ", size});
-    end_checked_poly(*this, line, first, scratch_, wanted_, extra_, arity_, {.different = "different verts at the corners of a face", .first = 1});
+    end_checked_poly(*this, line, first, scratch_, wanted_, extra_, arity_,
+                     {.different = "different verts at the corners of a face", .first = 1});
   }
 
   void finish_colors(load_report& report) {
@@ -228,12 +235,15 @@ class obj_reader : obj_cursor {
         if (next < uncolored_.size() && uncolored_[next] == v) ++next;
         else c = {c.r / 255, c.g / 255, c.b / 255};
       }
-      report.notes.push_back("colours of verts: all numbers are whole and one is larger than 1, so they were read as components from 0 to 255");
+      report.notes.push_back(
+          "colours of verts: all numbers are whole and one is larger than 1, so they were read as components from 0 to 255");
     }
     extra_.vert_colors.resize(out_.points.size());
   }
 
-  std::size_t num_polys() const { return out_.offsets.empty() ? (arity_ ? out_.verts.size() / arity_ : 0) : out_.offsets.size() - 1; }
+  std::size_t num_polys() const {
+    return out_.offsets.empty() ? (arity_ ? out_.verts.size() / arity_ : 0) : out_.offsets.size() - 1;
+  }
 
   void other() {
     const char* const from = at;
@@ -261,16 +271,20 @@ class obj_reader : obj_cursor {
     skipped(texture_.store("texture", out_.verts.size(), extra_), "texture coordinates (vt) that no corner has");
     skipped(normal_.store("normal", out_.verts.size(), extra_), "normals (vn) that no corner has");
     if (num_invalid_)
-      report.notes.push_back(core::joined({num_invalid_, " texture coordinates (vt) or normals (vn) are not finite numbers, so that their corners have no value; the first on line ",
-                                           line_of(begin() + first_invalid_)}));
+      report.notes.push_back(core::joined(
+          {num_invalid_,
+           " texture coordinates (vt) or normals (vn) are not finite numbers, so that their corners have no value; the first on line ",
+           line_of(begin() + first_invalid_)}));
     skipped(num_bad_colors_, "colours of verts with a number that is not finite");
-    if (num_zero_) report.notes.push_back(core::joined({num_zero_, " indices of texture coordinates or normals are 0: the corners have none"}));
+    if (num_zero_)
+      report.notes.push_back(
+          core::joined({num_zero_, " indices of texture coordinates or normals are 0: the corners have none"}));
     skipped(num_extra_, "weights of verts, or other numbers after x y z that are not r g b");
     skipped(num_lines_, "points and lines (p, l)");
     skipped(num_smooth_, "smoothing groups (s)");
     if (num_other_)
-      report.skipped.push_back(
-          core::joined({num_other_, " lines with other keywords, the first '", other_, "' on line ", line_of(begin() + first_other_)}));
+      report.skipped.push_back(core::joined({num_other_, " lines with other keywords, the first '", other_,
+                                             "' on line ", line_of(begin() + first_other_)}));
   }
 };
 
@@ -278,17 +292,23 @@ class obj_reader : obj_cursor {
 
 namespace concino {
 
-/// Needs:  text of an OBJ file. Lines may end in LF, CRLF or CR, and go on after a backslash; indices count from 1 or back from the last.
-/// Result: its verts and polys, in the order of the file; isolated verts and equal positions are kept. `v x y z r g b` defines the colour of a
-///         vert, by components from 0 to 1, or from 0 to 255 if all in the file are whole numbers and one exceeds 1; the others are white.
-///         An index 0 of vt or vn is none. `o`, `g` and `usemtl` define names of polys, of at most 1000 bytes. Labels number the groups (the
-///         objects if there are no groups) from 1, in the order of the file. If all groups are called label_<number>, they become labels only.
-///         Texture coordinates and normals become "texture" (std::array<double, 2>) and "normal" (vec3) of corners, if a corner has one; those of the
-///         other corners are not-a-number. Kd and d in the libraries define colours of polys. A material called color_<number> that defines nothing else becomes a colour only.
-///         `table` holds all lines of the libraries.
+/// Needs:  text of an OBJ file. Lines may end in LF, CRLF or CR, and go on after a backslash; indices count from 1 or
+///         back from the last.
+/// Result: its verts and polys, in the order of the file; isolated verts and equal positions are kept. `v x y z r g b`
+///         defines the colour of a vert, by components from 0 to 1, or from 0 to 255 if all in the file are whole
+///         numbers and one exceeds 1; the others are white. An index 0 of vt or vn is none. `o`, `g` and `usemtl`
+///         define names of polys, of at most 1000 bytes. Labels number the groups (the objects if there are no groups)
+///         from 1, in the order of the file. If all groups are called label_<number>, they become labels only. Texture
+///         coordinates and normals become "texture" (std::array<double, 2>) and "normal" (vec3) of corners, if a corner
+///         has one; those of the other corners are not-a-number. Kd and d in the libraries define colours of polys. A
+///         material called color_<number> that defines nothing else becomes a colour only. `table` holds all lines of
+///         the libraries.
 /// Cost:   O(size of the text)
-/// Errors: parse_error naming the line of a number that is invalid or not finite, of an index out of range, of a poly of fewer than three
-///         verts or with a vert twice, or of a poly that the wanted mesh cannot hold; parse_error if the file is empty.
-inline void obj_format::read(const read_context& in, file_contents& out) { detail::obj_reader(in, out).read(*in.report); }
+/// Errors: parse_error naming the line of a number that is invalid or not finite, of an index out of range, of a poly
+///         of fewer than three verts or with a vert twice, or of a poly that the wanted mesh cannot hold; parse_error
+///         if the file is empty.
+inline void obj_format::read(const read_context& in, file_contents& out) {
+  detail::obj_reader(in, out).read(*in.report);
+}
 
 }  // namespace concino

@@ -31,8 +31,9 @@ inline rgba color_of(const std::vector<std::string>& lines, bool& is_taken) {
   return color;
 }
 
-/// Chooses the name of the material of each poly: its property "material", unless this is empty; otherwise a new material for its colour.
-/// If polys have the same material but different colours, new materials are added, which differ only in the colour.
+/// Chooses the name of the material of each poly: its property "material", unless this is empty; otherwise a new
+/// material for its colour. If polys have the same material but different colours, new materials are added, which
+/// differ only in the colour.
 class mtl_names {
   static constexpr std::uint32_t none = ~0u;
 
@@ -73,7 +74,8 @@ class mtl_names {
     if (!library) {
       constexpr const char* where = "it belongs in a .mtl file beside the .obj file, and text has no folder";
       if (color_) c.report.lost.push_back(core::joined({"poly property \"color\": ", where}));
-      if (table_ && !table_->materials.empty()) c.report.lost.push_back(core::joined({"mesh property \"materials\": ", where}));
+      if (table_ && !table_->materials.empty())
+        c.report.lost.push_back(core::joined({"mesh property \"materials\": ", where}));
       color_ = {};
     }
     add_name("");
@@ -102,7 +104,8 @@ class mtl_names {
 
   bool any() const { return material_ || color_; }
 
-  /// Called for every poly before assign_material(): records its material and whether its colour is that of the material.
+  /// Called for every poly before assign_material(): records its material and whether its colour is that of the
+  /// material.
   void register_poly(std::size_t poly) {
     name_info& a = info_[name_of(poly)];
     ++num_polys_;
@@ -141,7 +144,8 @@ class mtl_names {
     bool ignored = false;
     std::set<std::string> written;  // different names can have equal lines
     for (const std::string& name : libraries)
-      if (const auto [line, is_new] = written.insert(std::string(line_name(name, ignored))); is_new) c_.out << "mtllib " << *line << '\n';
+      if (const auto [line, is_new] = written.insert(std::string(line_name(name, ignored))); is_new)
+        c_.out << "mtllib " << *line << '\n';
   }
 
   /// The material of the k-th poly of polys(m).
@@ -184,14 +188,16 @@ class mtl_names {
     }
     num_renamed_ += name != 0;
     const std::uint32_t renamed = make_up(name);
-    needed_.push_back({names_[renamed], a.in_table != none ? table_materials_[a.in_table].lines : std::vector<std::string>()});
+    needed_.push_back(
+        {names_[renamed], a.in_table != none ? table_materials_[a.in_table].lines : std::vector<std::string>()});
     set_color(needed_.back().lines, color);
     return renamed;
   }
 
   /// Creates a new name: color_1, or name_1.
   std::uint32_t make_up(std::uint32_t name) {
-    const std::string base = core::joined({name == 0 ? std::string_view("color") : std::string_view(names_[name]), "_"});
+    const std::string base =
+        core::joined({name == 0 ? std::string_view("color") : std::string_view(names_[name]), "_"});
     std::string numbered;
     do numbered = core::joined({base, ++last_number_});
     while (names_.find(numbered) != name_table::none);
@@ -214,7 +220,8 @@ class mtl_names {
   void set_color(std::vector<std::string>& lines, const rgba& color) {
     bool is_taken = false;
     const rgba defined_color = color_of(lines, is_taken);
-    const bool opacity = !(color.a == defined_color.a), parts = !is_taken || !(defined_color == rgba{color.r, color.g, color.b, defined_color.a});
+    const bool opacity = !(color.a == defined_color.a),
+               parts = !is_taken || !(defined_color == rgba{color.r, color.g, color.b, defined_color.a});
     bool kd = !parts, d = !opacity;  // whether the lines exist
     std::vector<std::string> other;
     for (std::string& line : lines) {

@@ -10,8 +10,8 @@
 
 namespace concino::detail {
 
-/// The name of a poly (object, group, material) in the form that a line can hold. Sets `changed` if it differs. Only names that look like labels do so
-/// afterwards: a reader takes groups with such names for labels.
+/// The name of a poly (object, group, material) in the form that a line can hold. Sets `changed` if it differs. Only
+/// names that look like labels do so afterwards: a reader takes groups with such names for labels.
 inline std::string written_name(const std::string& name, bool& changed) {
   if (name.empty()) return name;
   std::string written = line_name(name, changed);
@@ -47,7 +47,8 @@ inline std::string label_name(int label) {
   return core::joined({label < 0 ? "label_-" : "label_", size});
 }
 
-/// Whether the labels are equal to the numbers that a reader would assign to the names, some of which may be equal in the file only.
+/// Whether the labels are equal to the numbers that a reader would assign to the names, some of which may be equal in
+/// the file only.
 inline bool labels_number(std::size_t polys, const flat_values<std::string>& names, const flat_values<int>& labels) {
   name_numbers number;
   bool ignored = false;
@@ -111,7 +112,8 @@ class obj_corners {
   }
 };
 
-/// Whether a component that can be written is larger than 1. Readers then take whole numbers for components from 0 to 255.
+/// Whether a component that can be written is larger than 1. Readers then take whole numbers for components from 0 to
+/// 255.
 inline bool has_large_component(const flat_values<rgba>& color, std::size_t num_verts) {
   for (std::size_t v = 0; v < num_verts; ++v)
     for (const float x : {color[v].r, color[v].g, color[v].b})
@@ -149,10 +151,12 @@ inline void obj_format::write(write_context& c, flat_mesh& m) {
   const flat_values<std::string> object = m.poly_values<std::string>("object");
   const flat_values<std::string> group = m.poly_values<std::string>("group");
   const flat_values<int> label = m.poly_values<int>("label");
-  const bool labels_are_names = label && (group || object) && detail::labels_number(m.num_polys, group ? group : object, label);
+  const bool labels_are_names =
+      label && (group || object) && detail::labels_number(m.num_polys, group ? group : object, label);
   const bool labels_are_groups = label && !group && !labels_are_names;
   c.declare_stored<rgba>(element_kind::vert, "color");
-  for (const char* const of_polys : {"object", "group", "material"}) c.declare_stored<std::string>(element_kind::poly, of_polys);
+  for (const char* const of_polys : {"object", "group", "material"})
+    c.declare_stored<std::string>(element_kind::poly, of_polys);
   if (labels_are_names || labels_are_groups) c.declare_stored<int>(element_kind::poly, "label");
 
   c.out << "# " << m.points.size() << " verts, " << m.num_polys << " polys\n";
@@ -162,7 +166,8 @@ inline void obj_format::write(write_context& c, flat_mesh& m) {
     library = library_file.get();
     c.companions = std::move(library_file);
   }
-  detail::mtl_names material(c, library, m.poly_values<std::string>("material"), m.poly_values<rgba>("color"), m.mesh_value<material_table>("materials"));
+  detail::mtl_names material(c, library, m.poly_values<std::string>("material"), m.poly_values<rgba>("color"),
+                             m.mesh_value<material_table>("materials"));
   for (std::size_t p = 0; material.any() && p < m.num_polys; ++p) material.register_poly(p);
   for (std::size_t p = 0; material.any() && p < m.num_polys; ++p) material.assign_material(p);
   material.end();

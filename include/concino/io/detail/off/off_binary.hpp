@@ -38,8 +38,11 @@ class off_binary_reader {
 
   void read(surface_arrays& out, file_contents& extra, std::uint32_t& arity) {
     choose_form();
-    if (little_) report_.notes.push_back("the numbers of the binary file are little-endian; those of OFF are big-endian");
-    if (!header_.has_poly_colors) report_.notes.push_back("the polys of the binary file do not say how many components their colours have: they have none");
+    if (little_)
+      report_.notes.push_back("the numbers of the binary file are little-endian; those of OFF are big-endian");
+    if (!header_.has_poly_colors)
+      report_.notes.push_back(
+          "the polys of the binary file do not say how many components their colours have: they have none");
     if (header_.any_dimension) {
       header_.dimension = count("the dimension of the space, at least 1", 1);
       if (header_.dimension == 0) fail(in_.at - 4, "the dimension of the space, at least 1");
@@ -70,7 +73,9 @@ class off_binary_reader {
       in_.report_progress();
     }
     if (!in_.at_end()) report_.skipped.push_back(core::joined({in_.left(), " bytes after the last poly"}));
-    if (num_odd_) report_.skipped.push_back(core::joined({num_odd_, " polys with numbers after the corners that are not a colour"}));
+    if (num_odd_)
+      report_.skipped.push_back(
+          core::joined({num_odd_, " polys with numbers after the corners that are not a colour"}));
     in_.at = in_.end();
   }
 
@@ -78,9 +83,9 @@ class off_binary_reader {
   std::uint64_t num_odd_ = 0;
 
   [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* position, core::message_piece expected) const {
-    in_.fail(
-        line_, {expected},
-        {position == in_.end() ? "the end of the file at byte " : "another value at byte ", static_cast<std::uint64_t>(position - in_.begin())});
+    in_.fail(line_, {expected},
+             {position == in_.end() ? "the end of the file at byte " : "another value at byte ",
+              static_cast<std::uint64_t>(position - in_.begin())});
   }
 
   std::uint32_t word(const char* expected) {
@@ -90,8 +95,8 @@ class off_binary_reader {
     return little_ ? x << 24 | (x & 0xFF00u) << 8 | (x >> 8 & 0xFF00u) | x >> 24 : x;
   }
 
-  /// Finds the byte order, big-endian if the file is valid with it, and whether polys have numbers of components. Files without these numbers, as pmp
-  /// writes them, end with the last poly.
+  /// Finds the byte order, big-endian if the file is valid with it, and whether polys have numbers of components. Files
+  /// without these numbers, as pmp writes them, end with the last poly.
   void choose_form() {
     const bool fits_big = fits(false, true), fits_little = !fits_big && fits(true, true);
     header_.has_poly_colors = fits_big || fits_little || (!fits(true, false) && !fits(false, false));

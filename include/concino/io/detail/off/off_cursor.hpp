@@ -9,7 +9,8 @@ namespace concino::detail {
 class off_cursor : protected text_cursor {
  protected:
   off_header header_;
-  bool per_line_ = true;          // each vert has a line of its own, which may have additional numbers; else line ends are like blanks
+  bool per_line_ = true;          // each vert has a line of its own, which may have additional numbers; else line ends
+                                  // are like blanks
   std::uint32_t color_size_ = 4;  // of verts
 
   using text_cursor::text_cursor;
@@ -62,13 +63,14 @@ class off_cursor : protected text_cursor {
     const char* const from = at;
     const std::int64_t n = integer(what);
     if (n < 0) fail(from, {what, ", not negative"});
-    if (static_cast<std::uint64_t>(n) > (left() + 1) / bytes) fail(from, {what, ", no more than the rest of the file can hold"});
+    if (static_cast<std::uint64_t>(n) > (left() + 1) / bytes)
+      fail(from, {what, ", no more than the rest of the file can hold"});
     if (static_cast<std::uint64_t>(n) > max_ids) fail_to_count("elements of one kind");
     return static_cast<std::uint64_t>(n);
   }
 
-  /// Reads the numbers of verts and polys. The number of edges is ignored. It may be missing, if the line ends before it and the next line is not
-  /// a single number.
+  /// Reads the numbers of verts and polys. The number of edges is ignored. It may be missing, if the line ends before
+  /// it and the next line is not a single number.
   std::pair<std::uint64_t, std::uint64_t> counts() {
     skip_space('#');
     const std::uint64_t verts = count("the number of verts", 2 * header_.numbers(3));
@@ -109,8 +111,8 @@ class off_cursor : protected text_cursor {
     return n + has_content;
   }
 
-  /// Finds out whether each vert has a line of its own, with additional numbers perhaps, or line ends have no meaning. The first line and the
-  /// number of lines decide.
+  /// Finds out whether each vert has a line of its own, with additional numbers perhaps, or line ends have no meaning.
+  /// The first line and the number of lines decide.
   void choose_layout(std::uint64_t verts, std::uint64_t polys) {
     const char* const back = at;
     std::uint64_t numbers = 0;

@@ -32,7 +32,8 @@ struct off_word {
 
 }  // namespace detail
 
-/// The OFF format: verts and polygons of any size; "color" of verts and polys, "label" of polys that have no colour, "normal" and "texture" of verts.
+/// The OFF format: verts and polygons of any size; "color" of verts and polys, "label" of polys that have no colour,
+/// "normal" and "texture" of verts.
 struct off_format {
   static constexpr std::string_view name = "off";
   static constexpr std::string_view extensions[] = {".off"};

@@ -1,4 +1,5 @@
-// The reader of Geomview OFF: verts and polygons of any size, with colours, normals and texture coordinates; as text or binary.
+// The reader of Geomview OFF: verts and polygons of any size, with colours, normals and texture coordinates; as text or
+// binary.
 #pragma once
 
 #include <concino/io/detail/formats/contents.hpp>
@@ -39,7 +40,8 @@ class off_reader : off_cursor {
       read_verts(verts, polys);
       read_polys(polys);
       skip_space('#');
-      if (!at_end()) report_.skipped.push_back(core::joined({"what follows the last poly, from line ", line_of(at), " on"}));
+      if (!at_end())
+        report_.skipped.push_back(core::joined({"what follows the last poly, from line ", line_of(at), " on"}));
     }
     if (out_.offsets.empty()) out_.arity = arity_;
     if (out_.arity == 0 && out_.offsets.empty()) out_.offsets.push_back(0);
@@ -202,7 +204,8 @@ class off_reader : off_cursor {
     fail(at, {"the index of a vert from 0 to ", out_.points.size() - 1});
   }
 
-  /// Continues a poly on the next line, if enough lines remain for the other polys. Otherwise its line is too short, which is an error.
+  /// Continues a poly on the next line, if enough lines remain for the other polys. Otherwise its line is too short,
+  /// which is an error.
   void go_on(std::uint64_t others) {
     if (!wraps_) wraps_ = lines_left() > others;
     if (!wraps_) fail(at, "the index of a vert");
@@ -237,14 +240,16 @@ class off_reader : off_cursor {
         rgba& c = extra_.vert_colors[v];
         for (float* const part : {&c.r, &c.g, &c.b, &c.a}) *part = *part > 0 ? 1.0f : 0.0f;
       }
-      report_.notes.push_back("colours of verts: no integer is larger than 1, so they were read as components from 0 to 1");
+      report_.notes.push_back(
+          "colours of verts: no integer is larger than 1, so they were read as components from 0 to 1");
     }
     const auto skipped = [&](std::uint64_t n, const char* what) {
       if (n) report_.skipped.push_back(core::joined({n, " ", what}));
     };
     skipped(num_extra_, "verts with more numbers than the header says");
     skipped(num_odd_, "polys with numbers after the corners that are not a colour");
-    if (header_.dimension > 3) report_.skipped.push_back(core::joined({"coordinates beyond the third, of ", header_.dimension}));
+    if (header_.dimension > 3)
+      report_.skipped.push_back(core::joined({"coordinates beyond the third, of ", header_.dimension}));
   }
 };
 
@@ -252,17 +257,19 @@ class off_reader : off_cursor {
 
 namespace concino {
 
-/// Needs:  text of an OFF file: [ST][C][N][4][n]OFF or nothing, also NC for CN, then BINARY and numbers of 32 bits, or text with comments.
-/// Result: its verts and polys, in the order of the file. 4OFF: x, y, z are divided by w. nOFF: missing coordinates are 0, those beyond the
-///         third are reported as skipped. Colours, normals and texture coordinates of verts; colours of polys (white if a poly has none), and
-///         indices of colours as labels. Each colour may be integers from 0 to 255 or reals from 0 to 1. If no integer of the verts exceeds 1,
-///         these integers are parts from 0 to 1 too, as in Geomview.
-///         Binary numbers are big-endian. If the file is valid only with little-endian numbers, it is read so, and a note says so.
-///         The same for files without the numbers of components of colours.
+/// Needs:  text of an OFF file: [ST][C][N][4][n]OFF or nothing, also NC for CN, then BINARY and numbers of 32 bits, or
+///         text with comments.
+/// Result: its verts and polys, in the order of the file. 4OFF: x, y, z are divided by w. nOFF: missing coordinates are
+///         0, those beyond the third are reported as skipped. Colours, normals and texture coordinates of verts;
+///         colours of polys (white if a poly has none), and indices of colours as labels. Each colour may be integers
+///         from 0 to 255 or reals from 0 to 1. If no integer of the verts exceeds 1, these integers are parts from 0 to
+///         1 too, as in Geomview. Binary numbers are big-endian. If the file is valid only with little-endian numbers,
+///         it is read so, and a note says so. The same for files without the numbers of components of colours.
 /// Cost:   O(size of the text)
-/// Errors: parse_error naming the line (in binary files, the byte) of a number that is invalid or not finite, of counts that are negative or
-///         larger than the file, of an index out of range, of a poly of fewer than three verts or with a vert twice, of a poly that the
-///         wanted mesh cannot hold, of w = 0, or of the end of a file that is cut off.
+/// Errors: parse_error naming the line (in binary files, the byte) of a number that is invalid or not finite, of counts
+///         that are negative or larger than the file, of an index out of range, of a poly of fewer than three verts or
+///         with a vert twice, of a poly that the wanted mesh cannot hold, of w = 0, or of the end of a file that is cut
+///         off.
 inline void off_format::read(const read_context& in, file_contents& out) { detail::off_reader(in, out).read(); }
 
 }  // namespace concino

@@ -47,7 +47,8 @@ class off_numbers {
       return;
     }
     const float f = static_cast<float>(c_.finite(x));
-    if (!std::isfinite(f)) c_.throw_cannot_hold("binary .off", {"a number that is too large for floats"}, "text, with binary = false");
+    if (!std::isfinite(f))
+      c_.throw_cannot_hold("binary .off", {"a number that is too large for floats"}, "text, with binary = false");
     rounded = rounded || static_cast<double>(f) != x;
     word(std::bit_cast<std::uint32_t>(f));
   }
@@ -103,7 +104,8 @@ inline void off_format::write(write_context& c, flat_mesh& m) {
   c.out << (any && texture ? "ST" : "") << (any && vert_color ? "C" : "") << (any && normal ? "N" : "") << "OFF";
   const std::size_t vert_count = m.points.size();
   if (binary) {
-    if (vert_count > 0x7FFFFFFFu || m.num_polys > 0x7FFFFFFFu) c.throw_cannot_hold("binary .off", {"so many elements"}, ".obj");
+    if (vert_count > 0x7FFFFFFFu || m.num_polys > 0x7FFFFFFFu)
+      c.throw_cannot_hold("binary .off", {"so many elements"}, ".obj");
     c.out << " BINARY\n";
     for (const std::size_t n : {vert_count, m.num_polys, std::size_t{0}}) numbers.integer(static_cast<std::int64_t>(n));
   } else {
@@ -130,7 +132,8 @@ inline void off_format::write(write_context& c, flat_mesh& m) {
     if (!binary) c.out << '\n';
     c.report_progress();
   }
-  if (numbers.rounded) c.report.lost.push_back("binary .off holds floats: coordinates and other numbers were rounded to 32 bits");
+  if (numbers.rounded)
+    c.report.lost.push_back("binary .off holds floats: coordinates and other numbers were rounded to 32 bits");
 }
 
 }  // namespace concino

@@ -41,10 +41,12 @@ class cg_reader : skeleton_reader {
     check_counts();
     if (num_radii_ == 0) out_.radii.clear();
     else if (num_radii_ != out_.points.size())
-      report_.notes.push_back(core::joined({out_.points.size() - num_radii_, " verts have no radius in the file; it was set to 0"}));
+      report_.notes.push_back(
+          core::joined({out_.points.size() - num_radii_, " verts have no radius in the file; it was set to 0"}));
     number_from_0();
     drop_superfluous_edges(out_.edges, false, report_);
-    if (num_unknown_) report_.skipped.push_back(core::joined({num_unknown_, " lines that are neither verts nor edges"}));
+    if (num_unknown_)
+      report_.skipped.push_back(core::joined({num_unknown_, " lines that are neither verts nor edges"}));
   }
 
  private:
@@ -58,7 +60,8 @@ class cg_reader : skeleton_reader {
   static bool read_count(std::string_view line, std::string_view key, std::uint64_t& n) {
     const std::size_t i = line.find(key);
     std::int64_t x = 0;
-    if (i == line.npos || !parse_integer(line.data() + i + key.size(), line.data() + line.size(), x) || x < 0) return false;
+    if (i == line.npos || !parse_integer(line.data() + i + key.size(), line.data() + line.size(), x) || x < 0)
+      return false;
     n = static_cast<std::uint64_t>(x);
     return true;
   }
@@ -107,9 +110,11 @@ class cg_reader : skeleton_reader {
     if (!has_counts_) return;
     const std::uint64_t v = out_.points.size(), e = out_.edges.size();
     if (v < num_verts_ || e < num_edges_)
-      fail(end(), {num_verts_, " verts and ", num_edges_, " edges, as announced"}, {v, " verts and ", e, " edges, and then the end of the file"});
+      fail(end(), {num_verts_, " verts and ", num_edges_, " edges, as announced"},
+           {v, " verts and ", e, " edges, and then the end of the file"});
     if (v != num_verts_ || e != num_edges_)
-      report_.notes.push_back(core::joined({"the file announces ", num_verts_, " verts and ", num_edges_, " edges, but has ", v, " and ", e}));
+      report_.notes.push_back(core::joined(
+          {"the file announces ", num_verts_, " verts and ", num_edges_, " edges, but has ", v, " and ", e}));
   }
 
   void number_from_0() {
@@ -123,7 +128,9 @@ class cg_reader : skeleton_reader {
   }
 
   [[noreturn, gnu::noinline, gnu::cold]] void fail_at_edge(std::uint64_t n, std::uint64_t base) {
-    const auto is_wrong = [&](const std::array<vert_id, 2>& edge) { return edge[0].raw() >= n + base || edge[1].raw() >= n + base; };
+    const auto is_wrong = [&](const std::array<vert_id, 2>& edge) {
+      return edge[0].raw() >= n + base || edge[1].raw() >= n + base;
+    };
     auto k = std::find_if(out_.edges.begin(), out_.edges.end(), is_wrong) - out_.edges.begin();
     at = begin();
     for (skip();; skip()) {

@@ -1,4 +1,5 @@
-// The reader of .skc, the format of curve skeletons by Dey and Sun 2006: points, and edges with numbers whose meaning is not documented.
+// The reader of .skc, the format of curve skeletons by Dey and Sun 2006: points, and edges with numbers whose meaning
+// is not documented.
 #pragma once
 
 #include <concino/io/detail/skeleton/skeleton_reader.hpp>
@@ -27,7 +28,8 @@ class skc_reader : skeleton_reader {
       for (std::uint64_t k = 0; k < n; ++k) next_integer("an integer of an edge");
       report_progress();
     }
-    if (edges != 0) report_.skipped.push_back(core::joined({"three numbers and a list of integers of each of ", edges, " edges"}));
+    if (edges != 0)
+      report_.skipped.push_back(core::joined({"three numbers and a list of integers of each of ", edges, " edges"}));
     drop_superfluous_edges(out_.edges, false, report_);
     end_file("edge");
   }

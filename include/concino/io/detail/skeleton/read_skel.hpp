@@ -1,4 +1,5 @@
-// The reader of .skel, the format of curve skeletons by Livesu et al. 2012: for each node its id, point, radius and neighbours.
+// The reader of .skel, the format of curve skeletons by Livesu et al. 2012: for each node its id, point, radius and
+// neighbours.
 #pragma once
 
 #include <concino/io/detail/skeleton/skeleton_reader.hpp>
@@ -12,7 +13,8 @@
 namespace concino::detail {
 
 class skel_reader : skeleton_reader {
-  std::vector<std::pair<std::int64_t, std::uint32_t>> ids_;  // ids and indices of nodes, sorted; empty if they are equal
+  std::vector<std::pair<std::int64_t, std::uint32_t>> ids_;  // ids and indices of nodes, sorted; empty if they are
+                                                             // equal
   std::vector<std::int64_t> neighbours_;
   std::vector<std::uint64_t> ends_;  // of the neighbours of each node
 

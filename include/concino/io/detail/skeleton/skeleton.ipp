@@ -24,12 +24,17 @@ namespace concino {
 
 namespace detail {
 
-inline constexpr format_rows skeleton_formats{all_format_rows<file_format::cg_format, file_format::skc_format, file_format::skel_format, file_format::csv_format>::rows.data(), 4};
+inline constexpr format_rows skeleton_formats{
+    all_format_rows<file_format::cg_format, file_format::skc_format, file_format::skel_format,
+                    file_format::csv_format>::rows.data(),
+    4};
 
 /// The name of the format of a text: that of the options, or that of its first words, or that of the extension.
-inline std::string_view skeleton_format_of(std::string_view text, std::string_view name, bool is_file, const load_options& options, load_report& report) {
+inline std::string_view skeleton_format_of(std::string_view text, std::string_view name, bool is_file,
+                                           const load_options& options, load_report& report) {
   const std::uint64_t candidates = formats_for(name, options.format, skeleton_formats);
-  if (options.format != format_id()) return skeleton_formats.rows[choose_format(candidates, skeleton_formats, nullptr)].name;
+  if (options.format != format_id())
+    return skeleton_formats.rows[choose_format(candidates, skeleton_formats, nullptr)].name;
   std::string_view words = text.substr(text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
   while (!words.empty() && is_space(words.front())) words.remove_prefix(1);
   std::string note;
@@ -53,8 +58,10 @@ inline skeleton read_skeleton(std::string_view text, std::string_view name, bool
 
 inline void check_skeleton(const skeleton& k, std::string_view name) {
   for (std::size_t v = 0; v < k.num_verts(); ++v)
-    if (const vec3& p = k.points()[v]; !std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z) || !std::isfinite(k.radius(vert_id{v})))
-      core::throw_joined<invalid_mesh>({name, ": vert ", v, " has a coordinate or a radius that is not a finite number; no file can hold it"});
+    if (const vec3& p = k.points()[v];
+        !std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z) || !std::isfinite(k.radius(vert_id{v})))
+      core::throw_joined<invalid_mesh>(
+          {name, ": vert ", v, " has a coordinate or a radius that is not a finite number; no file can hold it"});
 }
 
 inline void write_skel(const skeleton& k, text_sink& out) {
@@ -76,15 +83,18 @@ inline void write_cg(const skeleton& k, text_sink& out) {
     if (k.has_radii()) out << ' ' << k.radii()[v];
     out << '\n';
   }
-  for (const auto& [a, b] : k.edges()) out << "e " << std::uint64_t{a.raw()} + 1 << ' ' << std::uint64_t{b.raw()} + 1 << '\n';
+  for (const auto& [a, b] : k.edges())
+    out << "e " << std::uint64_t{a.raw()} + 1 << ' ' << std::uint64_t{b.raw()} + 1 << '\n';
 }
 
 inline void write_skeleton(const skeleton& k, text_sink& out, std::string_view name, const save_options& options) {
   save_report unused_report, &report = options.report ? *options.report : unused_report;
   report = {};
-  const std::uint64_t candidates = writable(name, formats_for(name, options.format, skeleton_formats), skeleton_formats);
+  const std::uint64_t candidates =
+      writable(name, formats_for(name, options.format, skeleton_formats), skeleton_formats);
   const std::string_view format = skeleton_formats.rows[choose_format(candidates, skeleton_formats, nullptr)].name;
-  if (options.binary) core::throw_joined<unsupported>({name, ": .", format, " cannot be written in binary; use binary = false"});
+  if (options.binary)
+    core::throw_joined<unsupported>({name, ": .", format, " cannot be written in binary; use binary = false"});
   check_skeleton(k, name);
   report_progress(options.progress, 0.0, "writing");
   if (format == "skel") write_skel(k, out);

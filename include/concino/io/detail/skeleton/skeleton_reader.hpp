@@ -23,23 +23,28 @@ struct skeleton_contents {
   std::vector<std::array<vert_id, 2>> edges;
 };
 
-/// Drops edges from a vert to itself, and all but the first of equal edges. `both`: the file should list each edge once from each end.
+/// Drops edges from a vert to itself, and all but the first of equal edges. `both`: the file should list each edge once
+/// from each end.
 inline void drop_superfluous_edges(std::vector<std::array<vert_id, 2>>& edges, bool both, load_report& report) {
   struct entry {
     vert_id low, high;
     std::uint32_t index;
-    bool operator<(const entry& o) const { return low != o.low ? low < o.low : high != o.high ? high < o.high : index < o.index; }
+    bool operator<(const entry& o) const {
+      return low != o.low ? low < o.low : high != o.high ? high < o.high : index < o.index;
+    }
   };
   std::vector<entry> sorted;
   sorted.reserve(edges.size());
   for (std::size_t i = 0; i < edges.size(); ++i)
-    sorted.push_back({std::min(edges[i][0], edges[i][1]), std::max(edges[i][0], edges[i][1]), static_cast<std::uint32_t>(i)});
+    sorted.push_back(
+        {std::min(edges[i][0], edges[i][1]), std::max(edges[i][0], edges[i][1]), static_cast<std::uint32_t>(i)});
   std::sort(sorted.begin(), sorted.end());
   std::vector<bool> is_superfluous(edges.size());
   std::uint64_t num_loops = 0, num_repeated = 0, num_from_one = 0;
   for (std::size_t first = 0, end = 0; first < sorted.size(); first = end) {
     std::uint64_t num_upward = 0;
-    for (end = first; end < sorted.size() && sorted[end].low == sorted[first].low && sorted[end].high == sorted[first].high; ++end) {
+    for (end = first;
+         end < sorted.size() && sorted[end].low == sorted[first].low && sorted[end].high == sorted[first].high; ++end) {
       num_upward += edges[sorted[end].index][0] == sorted[end].low;
       if (end != first) is_superfluous[sorted[end].index] = true;
     }
@@ -60,7 +65,8 @@ inline void drop_superfluous_edges(std::vector<std::array<vert_id, 2>>& edges, b
   edges.resize(kept);
   if (num_loops) report.skipped.push_back(core::joined({num_loops, " edges from a vert to itself"}));
   if (num_repeated) report.skipped.push_back(core::joined({num_repeated, " edges that the file lists again"}));
-  if (num_from_one) report.notes.push_back(core::joined({num_from_one, " edges are listed by one of their verts only"}));
+  if (num_from_one)
+    report.notes.push_back(core::joined({num_from_one, " edges are listed by one of their verts only"}));
 }
 
 /// Reads what all formats have in common.
@@ -81,11 +87,13 @@ class skeleton_reader : protected token_cursor {
   }
   void end_file(const char* what) {
     skip();
-    if (!at_end()) report_.skipped.push_back(core::joined({"what follows the last ", what, ", from line ", line_of(at), " on"}));
+    if (!at_end())
+      report_.skipped.push_back(core::joined({"what follows the last ", what, ", from line ", line_of(at), " on"}));
   }
 
  public:
-  skeleton_reader(std::string_view text, std::string_view name, const concino::progress* progress, load_report& report, skeleton_contents& out)
+  skeleton_reader(std::string_view text, std::string_view name, const concino::progress* progress, load_report& report,
+                  skeleton_contents& out)
       : token_cursor(text_without_padding(text), name, progress, 0), out_(out), report_(report) {}
 };
 

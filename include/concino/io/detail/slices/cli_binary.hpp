@@ -1,4 +1,5 @@
-// The reader of binary geometry in files of the Common Layer Interface: commands of 16 bits, each with integers or floats.
+// The reader of binary geometry in files of the Common Layer Interface: commands of 16 bits, each with integers or
+// floats.
 #pragma once
 
 #include <concino/io/detail/slices/cli_lines.hpp>
@@ -55,7 +56,8 @@ class cli_binary_reader {
  private:
   [[noreturn, gnu::noinline, gnu::cold]] void fail(const char* position, core::message expected) const {
     in_.fail(line_, expected,
-             {position == in_.end() ? "the end of the file at byte " : "something else at byte ", static_cast<std::uint64_t>(position - in_.begin())});
+             {position == in_.end() ? "the end of the file at byte " : "something else at byte ",
+              static_cast<std::uint64_t>(position - in_.begin())});
   }
 
   bool is_layer(const char* p) const {
@@ -64,7 +66,8 @@ class cli_binary_reader {
     return code == cli_layer_long || code == cli_layer_short;
   }
 
-  /// Finds the first command, which begins a layer: after a line end, if there is one, and in the byte order of the file.
+  /// Finds the first command, which begins a layer: after a line end, if there is one, and in the byte order of the
+  /// file.
   void find_first_command() {
     if (in_.at_end()) return;
     const char* after_line = begin_;
@@ -74,7 +77,8 @@ class cli_binary_reader {
         big_ = big;
         if (!is_layer(p)) continue;
         if (p != begin_) report_.notes.push_back("a line end follows $$HEADEREND; binary files of CLI have none");
-        if (big) report_.notes.push_back("the numbers of the binary file are big-endian; those of CLI are little-endian");
+        if (big)
+          report_.notes.push_back("the numbers of the binary file are big-endian; those of CLI are little-endian");
         begin_ = p;
         return;
       }
@@ -84,7 +88,8 @@ class cli_binary_reader {
   /// An unsigned number of `bytes` bytes.
   std::uint32_t load(const char* p, std::size_t bytes) const {
     std::uint32_t x = 0;
-    for (std::size_t i = 0; i < bytes; ++i) x |= static_cast<std::uint32_t>(static_cast<unsigned char>(p[big_ ? bytes - 1 - i : i])) << 8 * i;
+    for (std::size_t i = 0; i < bytes; ++i)
+      x |= static_cast<std::uint32_t>(static_cast<unsigned char>(p[big_ ? bytes - 1 - i : i])) << 8 * i;
     return x;
   }
 
@@ -117,7 +122,9 @@ class cli_binary_reader {
     return true;
   }
 
-  static bool has_long_numbers(std::uint32_t code) { return code == cli_layer_long || code == cli_polyline_long || code == cli_hatches_long; }
+  static bool has_long_numbers(std::uint32_t code) {
+    return code == cli_layer_long || code == cli_polyline_long || code == cli_hatches_long;
+  }
 
   /// Errors: parse_error if fewer bytes are left.
   void need(std::uint64_t bytes, const char* what) const {
@@ -134,7 +141,8 @@ class cli_binary_reader {
     const char* const position = in_.at;
     const std::uint32_t bits = load(position, is_long ? 4 : 2);
     in_.at += is_long ? 4 : 2;
-    const double x = (is_long ? static_cast<double>(std::bit_cast<float>(bits)) : static_cast<double>(bits)) * out_.units;
+    const double x =
+        (is_long ? static_cast<double>(std::bit_cast<float>(bits)) : static_cast<double>(bits)) * out_.units;
     if (!std::isfinite(x)) fail(position, {"a coordinate that is finite in mm"});
     return x;
   }
@@ -166,9 +174,15 @@ class cli_binary_reader {
     const char* const announced = in_.at;
     std::uint64_t n = next(size, is_polyline ? "the number of points" : "the number of hatches");
     if (!is_polyline) n *= 2;
-    if (n > in_.left() / (2 * size)) fail(announced, {"at most ", in_.left() / (2 * size), " points, as many as the rest of the file can hold, instead of ", n});
-    slice_lines& lines = !is_polyline ? layer.hatches : direction == 0 ? layer.inner : direction == 1 ? layer.outer : layer.open;
-    if (lines.points.capacity() - lines.points.size() < n) lines.points.reserve(std::max(lines.points.size() + n, 2 * lines.points.size()));
+    if (n > in_.left() / (2 * size))
+      fail(announced,
+           {"at most ", in_.left() / (2 * size), " points, as many as the rest of the file can hold, instead of ", n});
+    slice_lines& lines = !is_polyline     ? layer.hatches
+                         : direction == 0 ? layer.inner
+                         : direction == 1 ? layer.outer
+                                          : layer.open;
+    if (lines.points.capacity() - lines.points.size() < n)
+      lines.points.reserve(std::max(lines.points.size() + n, 2 * lines.points.size()));
     for (std::uint64_t i = 0; i < n; ++i) {
       const double x = coordinate(is_long);
       lines.points.push_back({x, coordinate(is_long)});

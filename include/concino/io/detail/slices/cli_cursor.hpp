@@ -26,7 +26,8 @@ class cli_cursor : protected text_cursor {
       const char* const comment = at;
       const auto rest = std::string_view(at + 2, left() - 2);
       const std::size_t end = rest.find("//");
-      if (end == std::string_view::npos) fail(comment, {"two slashes at the end of the comment"}, {"the end of the file"});
+      if (end == std::string_view::npos)
+        fail(comment, {"two slashes at the end of the comment"}, {"the end of the file"});
       at += end + 4;
     }
   }
@@ -84,7 +85,8 @@ class cli_cursor : protected text_cursor {
     return i;
   }
   std::int32_t id() {
-    return static_cast<std::int32_t>(integer("an id of 32 bits", std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max()));
+    return static_cast<std::int32_t>(integer("an id of 32 bits", std::numeric_limits<std::int32_t>::min(),
+                                             std::numeric_limits<std::int32_t>::max()));
   }
   /// A text up to a line end, a comment or the next command, without blanks at its ends.
   std::string_view line_text() {

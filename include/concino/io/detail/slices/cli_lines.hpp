@@ -1,4 +1,5 @@
-// What text and binary files of the Common Layer Interface have in common: how contours are closed, and numbers in units of the file.
+// What text and binary files of the Common Layer Interface have in common: how contours are closed, and numbers in
+// units of the file.
 #pragma once
 
 #include <concino/io/slice_layer.hpp>
@@ -22,13 +23,15 @@ std::vector<T> take_exactly(std::vector<T>& from) {
   return exact;
 }
 
-/// Adds a layer. It takes the memory of the last one, which keeps no more than it uses: memory grows in the first layers only.
+/// Adds a layer. It takes the memory of the last one, which keeps no more than it uses: memory grows in the first
+/// layers only.
 inline void begin_layer(slices& s, double z) {
   slice_layer next;
   next.z = z;
   if (!s.layers.empty()) {
     slice_layer& last = s.layers.back();
-    for (slice_lines slice_layer::*const lines : {&slice_layer::outer, &slice_layer::inner, &slice_layer::open, &slice_layer::hatches}) {
+    for (slice_lines slice_layer::*const lines :
+         {&slice_layer::outer, &slice_layer::inner, &slice_layer::open, &slice_layer::hatches}) {
       slice_lines &to = last.*lines, &from = next.*lines;
       std::swap(to, from);
       to = {take_exactly(from.points), take_exactly(from.ends), take_exactly(from.ids)};
@@ -37,7 +40,8 @@ inline void begin_layer(slices& s, double z) {
   s.layers.push_back(std::move(next));
 }
 
-/// Ends the line of all points after those of the last line; drops the last point of a closed contour that repeats the first one.
+/// Ends the line of all points after those of the last line; drops the last point of a closed contour that repeats the
+/// first one.
 /// Result: false if it is a closed contour that does not repeat its first point.
 inline bool end_line(slice_lines& lines, std::int32_t id, bool closed) {
   const std::size_t first = lines.ends.empty() ? 0 : lines.ends.back();

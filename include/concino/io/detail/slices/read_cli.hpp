@@ -30,7 +30,8 @@ class cli_reader : cli_cursor {
   std::vector<std::uint64_t> num_skipped_;
 
  public:
-  cli_reader(std::string_view text, std::string_view name, const concino::progress* progress, load_report& report, slices& out)
+  cli_reader(std::string_view text, std::string_view name, const concino::progress* progress, load_report& report,
+             slices& out)
       : cli_cursor(text, name, progress), out_(out), report_(report) {}
 
   void read() {
@@ -54,7 +55,8 @@ class cli_reader : cli_cursor {
       if (name == "HEADEREND") break;
       read_header_command(name, from);
     }
-    if (!has_encoding_) report_.notes.push_back("the header has neither $$ASCII nor $$BINARY; the geometry was read as text");
+    if (!has_encoding_)
+      report_.notes.push_back("the header has neither $$ASCII nor $$BINARY; the geometry was read as text");
     if (!has_units_) report_.notes.push_back("the header has no $$UNITS; coordinates were read as millimetres");
   }
 
@@ -76,7 +78,8 @@ class cli_reader : cli_cursor {
       out_.date = line_text();
     } else if (name == "LAYERS") {
       begin_parameters("the number of layers");
-      announced_layers_ = static_cast<std::uint64_t>(integer("the number of layers", 0, std::numeric_limits<std::int64_t>::max()));
+      announced_layers_ =
+          static_cast<std::uint64_t>(integer("the number of layers", 0, std::numeric_limits<std::int64_t>::max()));
       announces_layers_ = true;
     } else if (name == "ALIGN") {
       align_ = true;
@@ -149,7 +152,8 @@ class cli_reader : cli_cursor {
     for (skip_blanks(); !at_end(); skip_blanks()) {
       from = at;
       if (command() != "GEOMETRYEND" && word().size() != 0) {
-        report_.skipped.push_back(core::joined({"what follows the end of the geometry, from line ", line_of(from), " on"}));
+        report_.skipped.push_back(
+            core::joined({"what follows the end of the geometry, from line ", line_of(from), " on"}));
         break;
       }
     }
@@ -207,11 +211,14 @@ class cli_reader : cli_cursor {
 
   void read_points(slice_lines& to, std::uint64_t n, const char* what) {
     const std::uint64_t room = std::min(n, left() / 4 + 1);  // a point takes four characters or more
-    if (to.points.capacity() - to.points.size() < room) to.points.reserve(std::max(to.points.size() + room, 2 * to.points.size()));
+    if (to.points.capacity() - to.points.size() < room)
+      to.points.reserve(std::max(to.points.size() + room, 2 * to.points.size()));
     for (std::uint64_t i = 0; i < n; ++i) {
       slice_point p;
       for (double& x : p) {
-        if (!next_parameter()) fail(last_, {2 * n, " coordinates of ", n, " ", what}, {2 * i + (&x != p.data()), ", and then ", found_at(last_)});
+        if (!next_parameter())
+          fail(last_, {2 * n, " coordinates of ", n, " ", what},
+               {2 * i + (&x != p.data()), ", and then ", found_at(last_)});
         const char* const position = at;
         x = finite(position, number("a coordinate") * out_.units);
       }
@@ -228,19 +235,24 @@ class cli_reader : cli_cursor {
     const std::uint64_t n = out_.layers.size();
     if (!announces_layers_) report_.notes.push_back("the header has no $$LAYERS");
     else if (binary_ && n < announced_layers_)  // binary files have no other end
-      fail(end(), {announced_layers_, " layers"}, {n, " layers, and then the end of the file at byte ", end() - begin()});
+      fail(end(), {announced_layers_, " layers"},
+           {n, " layers, and then the end of the file at byte ", end() - begin()});
     else if (n != announced_layers_)
-      report_.notes.push_back(core::joined({"$$LAYERS announces ", announced_layers_, " layers, but the file has ", n}));
+      report_.notes.push_back(
+          core::joined({"$$LAYERS announces ", announced_layers_, " layers, but the file has ", n}));
   }
 
   void report_skipped() {
     for (std::size_t i = 0; i < skipped_.size(); ++i) {
-      if (skipped_[i].empty()) report_.skipped.push_back(core::joined({num_skipped_[i], " parts of the header that are not commands"}));
+      if (skipped_[i].empty())
+        report_.skipped.push_back(core::joined({num_skipped_[i], " parts of the header that are not commands"}));
       else report_.skipped.push_back(core::joined({num_skipped_[i], " unknown commands $$", skipped_[i]}));
     }
     if (num_user_data_) report_.skipped.push_back(core::joined({num_user_data_, " blocks of $$USERDATA"}));
     if (num_unclosed_)
-      report_.notes.push_back(core::joined({num_unclosed_, " closed contours do not repeat their first point at the end; they are closed all the same"}));
+      report_.notes.push_back(
+          core::joined({num_unclosed_,
+                        " closed contours do not repeat their first point at the end; they are closed all the same"}));
   }
 };
 

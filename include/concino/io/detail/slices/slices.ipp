@@ -15,7 +15,8 @@ namespace detail {
 
 CONCINO_INLINE void check_cli(std::string_view name, format_id format) {
   if (format != format_id() && format != format_id(file_format::cli))
-    core::throw_joined<unsupported>({name, ": the format ", format.name(), " holds no slices; the format of slices is cli"});
+    core::throw_joined<unsupported>(
+        {name, ": the format ", format.name(), " holds no slices; the format of slices is cli"});
 }
 
 CONCINO_INLINE void write_slices(const slices& s, text_sink& out, std::string_view name, const save_options& options) {

@@ -12,7 +12,8 @@
 
 namespace concino::detail {
 
-/// Reads a .tet file. Contents is volume_contents; a template only so that programs that read no volumes need not compile it.
+/// Reads a .tet file. Contents is volume_contents; a template only so that programs that read no volumes need not
+/// compile it.
 template<class Contents>
 class tet_reader : token_cursor {
   load_report& report_;
@@ -22,7 +23,9 @@ class tet_reader : token_cursor {
   bool standard_hexes_ = false;  // else in the order of voxels
 
  public:
-  explicit tet_reader(const read_context& c) : token_cursor(text_without_padding(c.text), c.name, c.progress, '#'), report_(*c.report), cells_(c, points_, 0) {}
+  explicit tet_reader(const read_context& c)
+      : token_cursor(text_without_padding(c.text), c.name, c.progress, '#'), report_(*c.report), cells_(c, points_, 0) {
+  }
 
   void read(Contents& out) {
     skip();
@@ -81,11 +84,13 @@ class tet_reader : token_cursor {
     for (const cell_shape s : {cell_shape::tet, cell_shape::pyramid, cell_shape::prism, cell_shape::hex})
       if (n == standard_cell_of(s).num_verts) r.shape = s;
     if (r.shape == cell_shape::general) fail(r.position, "the number of vertices of a cell: 4, 5, 6 or 8");
-    for (std::int64_t k = 0; k < n; ++k) r.verts[static_cast<std::size_t>(k)] = vert_id{next_index(points_.size(), "a vertex index", 0)};
+    for (std::int64_t k = 0; k < n; ++k)
+      r.verts[static_cast<std::size_t>(k)] = vert_id{next_index(points_.size(), "a vertex index", 0)};
     return r;
   }
 
-  /// Finds out in which of two orders the file lists the verts of hexes: as a comment says, or from the volumes of the first thousand.
+  /// Finds out in which of two orders the file lists the verts of hexes: as a comment says, or from the volumes of the
+  /// first thousand.
   void choose_order() {
     const char* const back = at;
     skip_space();
@@ -99,7 +104,8 @@ class tet_reader : token_cursor {
     standard_hexes_ = vote.is_standard();
     at = back;
     num_connectors_ = 0;
-    if (standard_hexes_) report_.notes.push_back("the hexes list their verts around two opposite faces, not in geogram's order");
+    if (standard_hexes_)
+      report_.notes.push_back("the hexes list their verts around two opposite faces, not in geogram's order");
   }
 
   void cells(std::uint64_t n) {
@@ -120,15 +126,15 @@ class tet_reader : token_cursor {
 
 namespace concino {
 
-/// Needs:  text of a .tet file: the numbers of vertices and cells, on one line or two, then these. Lines that begin with # are comments; those
-///         that begin with # C connect cells.
-/// Result: its verts and cells in order. The verts of cells of negative volume are put into the standard order, and these cells are counted.
-///         Hexes are in geogram's order (that of voxels), unless most of them have a larger volume in the standard order, and the comment
-///         before the first cell does not say that they are in the order of voxels. Connectors are
-///         reported as skipped.
+/// Needs:  text of a .tet file: the numbers of vertices and cells, on one line or two, then these. Lines that begin
+///         with # are comments; those that begin with # C connect cells.
+/// Result: its verts and cells in order. The verts of cells of negative volume are put into the standard order, and
+///         these cells are counted. Hexes are in geogram's order (that of voxels), unless most of them have a larger
+///         volume in the standard order, and the comment before the first cell does not say that they are in the order
+///         of voxels. Connectors are reported as skipped.
 /// Cost:   O(size of the text)
-/// Errors: parse_error naming the line of a wrong number, an index out of range, a cell with a vertex twice, a cell that the wanted mesh
-///         cannot hold, text after the last cell, or the end of a file that is cut off.
+/// Errors: parse_error naming the line of a wrong number, an index out of range, a cell with a vertex twice, a cell
+///         that the wanted mesh cannot hold, text after the last cell, or the end of a file that is cut off.
 template<std::same_as<volume_contents> Contents>
 void tet_format::read(const read_context& in, Contents& out) {
   detail::tet_reader<Contents>(in).read(out);

@@ -1,4 +1,5 @@
-// The writer of .tet: tets in the form that Cinolib and geogram read; meshes that also have other cells in that of geogram.
+// The writer of .tet: tets in the form that Cinolib and geogram read; meshes that also have other cells in that of
+// geogram.
 #pragma once
 
 #include <concino/io/detail/cells/recognised_cells.hpp>

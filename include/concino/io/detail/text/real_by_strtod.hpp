@@ -40,7 +40,8 @@ inline std::from_chars_result real_by_strtod(const char* first, const char* last
   const bool is_zero = std::string_view(digits, p).find_first_of("123456789") == std::string_view::npos;
   p = end_of_exponent(p, last, 'e');
   std::string text(first, p);  // which the locale may require to have another point
-  if (const std::size_t point = text.find('.'); point != std::string::npos) text.replace(point, 1, std::localeconv()->decimal_point);
+  if (const std::size_t point = text.find('.'); point != std::string::npos)
+    text.replace(point, 1, std::localeconv()->decimal_point);
   const double read = std::strtod(text.c_str(), nullptr);
   if (std::isinf(read) || (read == 0 && !is_zero)) return {p, std::errc::result_out_of_range};
   x = read;

@@ -6,8 +6,8 @@
 
 namespace concino::detail {
 
-/// Calls visit(line start, end of the text) for the lines that begin in the samples. Returns the factor by which to multiply their counts, or 0
-/// for a text so short that reserving does not matter.
+/// Calls visit(line start, end of the text) for the lines that begin in the samples. Returns the factor by which to
+/// multiply their counts, or 0 for a text so short that reserving does not matter.
 template<class F>
 double sample_lines(std::string_view text, F&& visit) {
   constexpr std::size_t pieces = 512, length = 512;

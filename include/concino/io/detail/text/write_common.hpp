@@ -13,13 +13,15 @@ namespace concino::detail {
 
 inline void write_point(text_sink& out, const vec3& p) { out << p.x << ' ' << p.y << ' ' << p.z; }
 
-/// Writes the shortest decimal number that becomes the same float when it is read as a double. If is_real, it has a decimal point.
+/// Writes the shortest decimal number that becomes the same float when it is read as a double. If is_real, it has a
+/// decimal point.
 inline void write_part(text_sink& out, float x, bool is_real) {
   char digits[32];
   const char* end = std::to_chars(digits, digits + 32, x).ptr;
   double back = 0;
   parse_real(digits, end, back);
-  if (static_cast<float>(back) != x) end = std::to_chars(digits, digits + 32, static_cast<double>(x)).ptr;  // rounding twice gave another float
+  // rounding twice gave another float
+  if (static_cast<float>(back) != x) end = std::to_chars(digits, digits + 32, static_cast<double>(x)).ptr;
   const std::string_view text(digits, static_cast<std::size_t>(end - digits));
   out << text;
   if (is_real && text.find_first_of(".e") == text.npos) out << ".0";

@@ -32,7 +32,8 @@ class name_table {
   std::size_t add(std::string_view name);
 };
 
-/// A name for each poly, stored as the polys at which it changes. Polys before the first change, and polys with an empty name, have none.
+/// A name for each poly, stored as the polys at which it changes. Polys before the first change, and polys with an
+/// empty name, have none.
 class name_runs {
   std::vector<std::string> names_;
   std::vector<std::uint32_t> first_;  // the first poly of each run
@@ -53,7 +54,8 @@ class name_runs {
     const std::size_t begin = empty() ? polys : first_[0];
     if (begin > 0) f(std::size_t{0}, begin, std::string_view{});
     for (std::size_t i = 0; i < first_.size(); ++i)
-      f(std::size_t{first_[i]}, i + 1 < first_.size() ? std::size_t{first_[i + 1]} : polys, std::string_view(names_[i]));
+      f(std::size_t{first_[i]}, i + 1 < first_.size() ? std::size_t{first_[i + 1]} : polys,
+        std::string_view(names_[i]));
   }
 
   /// Whether f(name) holds for every name.
@@ -97,7 +99,8 @@ class name_numbers {
   int operator()(std::string_view name) { return name.empty() ? 0 : static_cast<int>(names_.add(name)) + 1; }
 };
 
-/// Whether a name is a prefix and a number, such as "label_7" or "color_3". Writers use such names for numbers without a name.
+/// Whether a name is a prefix and a number, such as "label_7" or "color_3". Writers use such names for numbers without
+/// a name.
 bool is_number(std::string_view name, std::string_view prefix, int& number);
 
 }  // namespace concino::detail

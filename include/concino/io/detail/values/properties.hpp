@@ -10,15 +10,19 @@
 
 namespace concino::detail {
 
-/// Sets the property `name` to values that are copied as bytes: the i-th value belongs to the element with index where[i].
+/// Sets the property `name` to values that are copied as bytes: the i-th value belongs to the element with index
+/// where[i].
 void set_values(property_set& all, element_kind kind, const char* name, const value_type& type, const void* values,
                         const std::vector<std::uint32_t>& where, std::size_t bound);
 
-void set_vert_property(property_set& all, file_contents& contents, const std::vector<std::uint32_t>& where, std::size_t bound);
+void set_vert_property(property_set& all, file_contents& contents, const std::vector<std::uint32_t>& where,
+                       std::size_t bound);
 
-void set_names(property_set& all, const char* name, const name_runs& names, const std::vector<std::uint32_t>& where, std::size_t bound);
+void set_names(property_set& all, const char* name, const name_runs& names, const std::vector<std::uint32_t>& where,
+               std::size_t bound);
 
-void set_poly_property(property_set& all, file_contents& contents, const std::vector<std::uint32_t>& where, std::size_t bound);
+void set_poly_property(property_set& all, file_contents& contents, const std::vector<std::uint32_t>& where,
+                       std::size_t bound);
 
 void report_skipped(const file_contents& contents, load_report& report);
 
@@ -27,9 +31,10 @@ bool has_columns(const file_contents& contents, element_kind kind);
 /// Whether there are no other values than contents.properties, and none of edges and corners.
 bool has_only_properties(const file_contents& contents);
 
-/// Sets the properties of contents.properties of a kind, and frees their columns. The i-th value belongs to the element with index where[i]; it is
-/// skipped if that is ~0u.
-void set_columns(property_set& all, file_contents& contents, element_kind kind, const std::vector<std::uint32_t>& where, std::size_t bound, load_report* report);
+/// Sets the properties of contents.properties of a kind, and frees their columns. The i-th value belongs to the element
+/// with index where[i]; it is skipped if that is ~0u.
+void set_columns(property_set& all, file_contents& contents, element_kind kind, const std::vector<std::uint32_t>& where,
+                 std::size_t bound, load_report* report);
 
 /// Finds listed elements by their verts, in any order.
 class element_finder {
@@ -53,8 +58,10 @@ template<class M>
 void set_columns_of_corners(M& m, file_contents& contents, std::vector<std::uint32_t>& where, load_report* report) {
   if constexpr (NumbersCorners<M>) {
     for (const poly_t<M> p : polys(m))
-      for (std::size_t k = 0, n = num_elements(adj_p2v(m, p)); k < n; ++k) where.push_back(static_cast<std::uint32_t>(traits<M>::first_corner(m, p) + k));
-    set_columns(traits<M>::properties(m), contents, element_kind::corner, where, traits<M>::corner_index_bound(m), report);
+      for (std::size_t k = 0, n = num_elements(adj_p2v(m, p)); k < n; ++k)
+        where.push_back(static_cast<std::uint32_t>(traits<M>::first_corner(m, p) + k));
+    set_columns(traits<M>::properties(m), contents, element_kind::corner, where, traits<M>::corner_index_bound(m),
+                report);
     where.clear();
   }
 }
@@ -99,10 +106,11 @@ void set_all_columns(M& m, file_contents& contents, load_report* report) {
   set_columns(all, contents, element_kind::mesh, {0}, 1, report);
 }
 
-/// Sets the properties of a mesh from the values in a file, if the mesh can have properties: "label", "color", "normal", "texture", "object",
-/// "group" and "material" of elements, "materials" of the mesh itself, and those of contents.properties. The mesh has its elements in the order
-/// of the file.
-/// OnlyProperties: the formats of the program have nothing but contents.properties of verts, faces, polys and the mesh; the rest is not compiled.
+/// Sets the properties of a mesh from the values in a file, if the mesh can have properties: "label", "color",
+/// "normal", "texture", "object", "group" and "material" of elements, "materials" of the mesh itself, and those of
+/// contents.properties. The mesh has its elements in the order of the file.
+/// OnlyProperties: the formats of the program have nothing but contents.properties of verts, faces, polys and the mesh;
+/// the rest is not compiled.
 template<bool OnlyProperties = false, class M>
 void set_properties(M& m, file_contents& contents, load_report* report) {
   if constexpr (HasProperties<M> && OnlyProperties) {
@@ -111,13 +119,14 @@ void set_properties(M& m, file_contents& contents, load_report* report) {
   } else if constexpr (HasProperties<M>) {
     if (!contents.table.empty()) *mesh_property<material_table>(m, "materials") = std::move(contents.table);
     std::vector<std::uint32_t> where;
-    if (!contents.vert_labels.empty() || !contents.vert_colors.empty() || !contents.vert_normals.empty() || !contents.vert_textures.empty()) {
+    if (!contents.vert_labels.empty() || !contents.vert_colors.empty() || !contents.vert_normals.empty() ||
+        !contents.vert_textures.empty()) {
       for (const vert_t<M> v : verts(m)) where.push_back(static_cast<std::uint32_t>(index_of(m, v)));
       set_vert_property(traits<M>::properties(m), contents, where, vert_index_bound(m));
       where.clear();
     }
-    if (!contents.poly_labels.empty() || !contents.poly_colors.empty() || !contents.objects.empty() || !contents.groups.empty() ||
-        !contents.materials.empty()) {
+    if (!contents.poly_labels.empty() || !contents.poly_colors.empty() || !contents.objects.empty() ||
+        !contents.groups.empty() || !contents.materials.empty()) {
       for (const poly_t<M> p : polys(m)) where.push_back(static_cast<std::uint32_t>(index_of(m, p)));
       set_poly_property(traits<M>::properties(m), contents, where, poly_index_bound(m));
     }

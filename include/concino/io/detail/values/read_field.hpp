@@ -17,8 +17,9 @@ struct file_field {
   const char* elements = "verts";  // what has these values
   int size = 1;                    // numbers of a value: 1 or 3
   bool are_integers = false;
-  std::int64_t low = std::numeric_limits<std::int64_t>::min(), high = std::numeric_limits<std::int64_t>::max();  // of integers
-  double max_number = std::numeric_limits<double>::max();                                                       // of other numbers, unless infinite
+  // of integers
+  std::int64_t low = std::numeric_limits<std::int64_t>::min(), high = std::numeric_limits<std::int64_t>::max();
+  double max_number = std::numeric_limits<double>::max();  // of other numbers, unless infinite
 };
 
 union file_field_value {
@@ -27,7 +28,8 @@ union file_field_value {
 };
 
 /// Calls f for each value of a text. Errors: parse_error, unless it holds just these values.
-void read_field(std::string_view text, std::string_view name, const file_field& wanted, function_ref<void(const file_field_value&)> f);
+void read_field(std::string_view text, std::string_view name, const file_field& wanted,
+                function_ref<void(const file_field_value&)> f);
 
 /// The same for a file. Errors: io_error too.
 void read_field_file(const std::string& path, const file_field& wanted, function_ref<void(const file_field_value&)> f);

@@ -15,7 +15,8 @@ class field_text_reader : token_cursor {
   const file_field& wanted_;
 
  public:
-  field_text_reader(std::string_view text, std::string_view name, const file_field& wanted) : token_cursor(text, name, nullptr, 0), wanted_(wanted) {}
+  field_text_reader(std::string_view text, std::string_view name, const file_field& wanted)
+      : token_cursor(text, name, nullptr, 0), wanted_(wanted) {}
 
   void read(function_ref<void(const file_field_value&)> f) {
     read_header();
@@ -76,17 +77,20 @@ class field_text_reader : token_cursor {
     const char* const from = at + (*at == '+' ? 1 : 0);
     std::int64_t x = 0;
     const auto [p, wrong] = std::from_chars(from, end(), x);
-    if (wrong != std::errc() || !ends_token(p, 0) || x < wanted_.low || x > wanted_.high) fail(at, {"an integer from ", wanted_.low, " to ", wanted_.high});
+    if (wrong != std::errc() || !ends_token(p, 0) || x < wanted_.low || x > wanted_.high)
+      fail(at, {"an integer from ", wanted_.low, " to ", wanted_.high});
     at = p;
     return x;
   }
 };
 
-CONCINO_INLINE void read_field(std::string_view text, std::string_view name, const file_field& wanted, function_ref<void(const file_field_value&)> f) {
+CONCINO_INLINE void read_field(std::string_view text, std::string_view name, const file_field& wanted,
+                               function_ref<void(const file_field_value&)> f) {
   field_text_reader(text, name, wanted).read(f);
 }
 
-CONCINO_INLINE void read_field_file(const std::string& path, const file_field& wanted, function_ref<void(const file_field_value&)> f) {
+CONCINO_INLINE void read_field_file(const std::string& path, const file_field& wanted,
+                                    function_ref<void(const file_field_value&)> f) {
   check_path(path);
   const file_text file(path, {.pipes = true});
   read_field(file.text(), path, wanted, f);

@@ -53,7 +53,8 @@ class vtk_reader : public vtk_cells_reader {
     const std::string kind = next_keyword();
     if (kind == "polydata") is_polydata_ = true;
     else if (kind != "unstructured_grid")
-      core::throw_joined<unsupported>({name(), ": DATASET '", std::string_view(type, static_cast<std::size_t>(at - type)).substr(0, 40),
+      core::throw_joined<unsupported>({name(), ": DATASET '",
+                                       std::string_view(type, static_cast<std::size_t>(at - type)).substr(0, 40),
                                        "' is not supported; UNSTRUCTURED_GRID and POLYDATA are"});
   }
 
@@ -118,7 +119,9 @@ class vtk_reader : public vtk_cells_reader {
   }
 
   /// The number of the elements to which the values belong.
-  std::uint64_t num_elements() const { return kind_ == element_kind::vert ? grid_.points.size() : kind_ == element_kind::poly ? grid_.size() : 1; }
+  std::uint64_t num_elements() const {
+    return kind_ == element_kind::vert ? grid_.points.size() : kind_ == element_kind::poly ? grid_.size() : 1;
+  }
 
   vtk_number number_type() {
     skip();
@@ -134,14 +137,16 @@ class vtk_reader : public vtk_cells_reader {
       std::string_view keyword;
       std::size_t components;  // 0: in the file
     };
-    static constexpr row rows[] = {{"scalars", 0}, {"vectors", 3},    {"normals", 3},      {"texture_coordinates", 0}, {"tensors", 9},
-                                   {"tensors6", 6}, {"global_ids", 1}, {"pedigree_ids", 1}, {"edge_flags", 1},          {"color_scalars", 0}};
+    static constexpr row rows[] = {
+        {"scalars", 0},  {"vectors", 3},    {"normals", 3},      {"texture_coordinates", 0}, {"tensors", 9},
+        {"tensors6", 6}, {"global_ids", 1}, {"pedigree_ids", 1}, {"edge_flags", 1},          {"color_scalars", 0}};
     for (const row& r : rows) {
       if (r.keyword != keyword) continue;
       if (kind_ == element_kind::mesh) reject(from, {"POINT_DATA or CELL_DATA before values"});
       std::string array = next_name();
       std::size_t components = r.components;
-      if (keyword == "texture_coordinates" || keyword == "color_scalars") components = next_number("the number of values per element");
+      if (keyword == "texture_coordinates" || keyword == "color_scalars")
+        components = next_number("the number of values per element");
       if (keyword == "color_scalars") return colors(array, components, from);
       const vtk_number type = number_type();
       if (keyword == "scalars") {
@@ -159,13 +164,16 @@ class vtk_reader : public vtk_cells_reader {
     reject(from, {"a section, such as POINTS, CELLS, POINT_DATA or SCALARS"});
   }
   void rename(std::string& array, const char* reserved) {
-    if (array != reserved) report_.notes.push_back(core::joined({"the array \"", array, "\" is the property \"", reserved, "\""}));
+    if (array != reserved)
+      report_.notes.push_back(core::joined({"the array \"", array, "\" is the property \"", reserved, "\""}));
     array = reserved;
   }
 
   /// Reads the values of a column, or skips them. `as_doubles`: stores numbers of any type as doubles.
-  void column(const std::string& array, vtk_number type, std::size_t components, std::uint64_t tuples, const char* from, bool as_doubles) {
-    if (components > max_count || tuples > max_count) reject(from, {"a count that fits into the file"}, {components > max_count ? components : tuples});
+  void column(const std::string& array, vtk_number type, std::size_t components, std::uint64_t tuples, const char* from,
+              bool as_doubles) {
+    if (components > max_count || tuples > max_count)
+      reject(from, {"a count that fits into the file"}, {components > max_count ? components : tuples});
     const std::uint64_t n = tuples * components;
     require_room(from, n, type);
     const value_type* const stored = property_type_of(as_doubles ? vtk_number::float64 : type, components, array);
@@ -175,7 +183,9 @@ class vtk_reader : public vtk_cells_reader {
       return skip_values(type, n);
     }
     if (!stored || tuples != num_elements()) {
-      report_.skipped.push_back(core::joined({"array \"", array, "\" of ", tuples, " values of ", components, " numbers: properties have one value for each element, of 1, 2, 3, 4, 6 or 9 numbers"}));
+      report_.skipped.push_back(
+          core::joined({"array \"", array, "\" of ", tuples, " values of ", components,
+                        " numbers: properties have one value for each element, of 1, 2, 3, 4, 6 or 9 numbers"}));
       return skip_values(type, n);
     }
     grid_.columns.push_back({kind_, array, make_column(*stored, tuples)});
@@ -195,14 +205,16 @@ class vtk_reader : public vtk_cells_reader {
   void colors(std::string& array, std::size_t components, const char* from) {
     begin_numbers();
     const vtk_number type = binary_ ? vtk_number::uint8 : vtk_number::float32;
-    if ((components != 3 && components != 4) || tuples_ != num_elements()) return column(array, type, components, tuples_, from, false);
+    if ((components != 3 && components != 4) || tuples_ != num_elements())
+      return column(array, type, components, tuples_, from, false);
     require_room(from, tuples_ * components, type);
     rename(array, "color");
     grid_.columns.push_back({kind_, array, make_column(values_of<rgba>, tuples_)});
     auto* const to = static_cast<rgba*>(grid_.columns.back().values->data());
     for (std::uint64_t i = 0; i < tuples_; ++i) {
       float rgba_part[4] = {1, 1, 1, 1};
-      for (std::size_t k = 0; k < components; ++k) rgba_part[k] = binary_ ? static_cast<float>(static_cast<unsigned char>(*at++) / 255.0) : next_value<float>();
+      for (std::size_t k = 0; k < components; ++k)
+        rgba_part[k] = binary_ ? static_cast<float>(static_cast<unsigned char>(*at++) / 255.0) : next_value<float>();
       to[i] = {rgba_part[0], rgba_part[1], rgba_part[2], rgba_part[3]};
     }
   }
@@ -220,13 +232,15 @@ class vtk_reader : public vtk_cells_reader {
         ++arrays;
         continue;
       }
-      const std::uint64_t components = next_number("the number of values per element"), tuples = next_number("the number of elements");
+      const std::uint64_t components = next_number("the number of values per element"),
+                          tuples = next_number("the number of elements");
       skip();
       const char* const type_name = at;
       const std::string type = next_keyword();
       begin_numbers();
       if (type == "string" || type == "variant") {
-        if (type == "variant" || (components && tuples > left() / components)) reject(type_name, {"a type of numbers, or texts that fit into the file"});
+        if (type == "variant" || (components && tuples > left() / components))
+          reject(type_name, {"a type of numbers, or texts that fit into the file"});
         report_.skipped.push_back(core::joined({"array \"", array, "\" of texts"}));
         skip_strings(components * tuples);
         continue;
@@ -254,14 +268,15 @@ class vtk_reader : public vtk_cells_reader {
 namespace concino {
 
 /// Needs:  text of a legacy VTK file, versions 2.0 to 5.1, ASCII or BINARY, with an UNSTRUCTURED_GRID or POLYDATA.
-/// Result: a volume if there is any cell of a volume, else a surface. Polys keep their order. The verts of cells of negative volume are put into the
-///         standard order, polyhedra are turned outward, and both are counted. Arrays of numbers become properties: those of the cells become
-///         properties of polys, and in a volume those of its polygons become properties of faces. Lines, verts and texts are reported as skipped.
-///         Elements of second or higher order are read by their corners, if load_options::corners_only is set; points that are only their other nodes are
-///         reported as skipped, and so are arrays that have not one value for each element.
+/// Result: a volume if there is any cell of a volume, else a surface. Polys keep their order. The verts of cells of
+///         negative volume are put into the standard order, polyhedra are turned outward, and both are counted. Arrays
+///         of numbers become properties: those of the cells become properties of polys, and in a volume those of its
+///         polygons become properties of faces. Lines, verts and texts are reported as skipped. Elements of second or
+///         higher order are read by their corners, if load_options::corners_only is set; points that are only their
+///         other nodes are reported as skipped, and so are arrays that have not one value for each element.
 /// Cost:   O(size of the text)
-/// Errors: parse_error naming the line, or in binary files the byte, of what is wrong; unsupported for other datasets and cell types, and if the file
-///         holds a volume and a surface was wanted, or the reverse.
+/// Errors: parse_error naming the line, or in binary files the byte, of what is wrong; unsupported for other datasets
+///         and cell types, and if the file holds a volume and a surface was wanted, or the reverse.
 template<std::derived_from<file_contents> Contents>
 void vtk_format::read(const read_context& in, Contents& out) {
   detail::vtk_grid grid;

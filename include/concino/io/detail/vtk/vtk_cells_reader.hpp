@@ -32,12 +32,14 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
  public:
   vtk_cells_reader(const read_context& c, vtk_grid& grid) : vtk_cursor(c.text, c.name, c.progress, 0), grid_(grid) {}
 
-  [[noreturn, gnu::noinline, gnu::cold]] void fail_at_cell(std::size_t cell, core::message expected, core::message found) override {
+  [[noreturn, gnu::noinline, gnu::cold]] void fail_at_cell(std::size_t cell, core::message expected,
+                                                           core::message found) override {
     reject(position_of(cell), expected, found);
   }
   std::string place_of_cell(std::size_t cell) override {
     const char* const p = position_of(cell);
-    return binary_ ? core::joined({"byte ", static_cast<std::uint64_t>(p - begin())}) : core::joined({"line ", line_of(p)});
+    return binary_ ? core::joined({"byte ", static_cast<std::uint64_t>(p - begin())})
+                   : core::joined({"line ", line_of(p)});
   }
 
  protected:
@@ -126,7 +128,8 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
       last = at;
       if (used == size) reject(last, {"cells of ", size, " numbers"}, {n, " cells of more"});
       const auto k = next_index_value(last);
-      if (k > size - used - 1) reject(last, {"cells of ", size, " numbers"}, {"a cell of ", k, " where ", size - used - 1, " are left"});
+      if (k > size - used - 1)
+        reject(last, {"cells of ", size, " numbers"}, {"a cell of ", k, " where ", size - used - 1, " are left"});
       used += k + 1;
       for (std::uint64_t i = 0; i < k; ++i) p.verts.push_back(vert_id{next_index_value(at)});
       p.ends.push_back(static_cast<std::uint32_t>(p.verts.size()));
@@ -135,7 +138,8 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
   }
   /// The same in binary files, in one pass over the file.
   void binary_rows(part& p, std::uint64_t n, std::uint64_t size, const char* from) {
-    constexpr std::size_t step = 4096;  // verts by which the list grows, which stay in the cache until they are overwritten
+    constexpr std::size_t step = 4096;  // verts by which the list grows, which stay in the cache until they are
+                                        // overwritten
     const std::uint64_t total = size - n;
     p.verts.reserve(total);
     const char* last = from;
@@ -186,7 +190,8 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
     const auto type = [&] {
       const char* const here = at;
       const vtk_number t = vtk_number_of_legacy(next_keyword());
-      if (t == vtk_number::none || t == vtk_number::bit || t == vtk_number::float32 || t == vtk_number::float64) reject(here, {"a type of integers, such as vtktypeint64"});
+      if (t == vtk_number::none || t == vtk_number::bit || t == vtk_number::float32 || t == vtk_number::float64)
+        reject(here, {"a type of integers, such as vtktypeint64"});
       begin_numbers();
       return t;
     };
@@ -199,7 +204,8 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
       skip_to_value();
       const char* const here = at;
       const std::int64_t offset = integer_of(of_offsets);
-      if (offset < static_cast<std::int64_t>(last) || static_cast<std::uint64_t>(offset) > size || (i == 0 && offset != 0))
+      if (offset < static_cast<std::int64_t>(last) || static_cast<std::uint64_t>(offset) > size ||
+          (i == 0 && offset != 0))
         reject(here, {i ? "offsets that increase to " : "offsets that begin with 0, and increase to ", size}, {offset});
       last = static_cast<std::uint64_t>(offset);
       if (i) p.ends.push_back(static_cast<std::uint32_t>(last));

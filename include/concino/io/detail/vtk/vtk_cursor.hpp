@@ -11,7 +11,8 @@
 
 namespace concino::detail {
 
-/// A position in a legacy VTK file. In binary files errors name the byte, and the line of the word BINARY, as there are no lines after it.
+/// A position in a legacy VTK file. In binary files errors name the byte, and the line of the word BINARY, as there are
+/// no lines after it.
 class vtk_cursor : public token_cursor {
  protected:
   bool binary_ = false;
@@ -19,11 +20,14 @@ class vtk_cursor : public token_cursor {
 
   using token_cursor::token_cursor;
 
-  [[noreturn, gnu::noinline, gnu::cold]] void reject(const char* position, core::message expected, core::message found) const {
+  [[noreturn, gnu::noinline, gnu::cold]] void reject(const char* position, core::message expected,
+                                                     core::message found) const {
     if (!binary_) fail(position, expected, found);
     fail(binary_line_, expected, {core::joined(found), " at byte ", static_cast<std::uint64_t>(position - begin())});
   }
-  [[noreturn, gnu::noinline, gnu::cold]] void reject(const char* position, core::message expected) const { reject(position, expected, {found_at(position)}); }
+  [[noreturn, gnu::noinline, gnu::cold]] void reject(const char* position, core::message expected) const {
+    reject(position, expected, {found_at(position)});
+  }
 
   /// Reads the next word, in lower case. Line ends are blanks.
   std::string next_keyword() {
@@ -81,10 +85,13 @@ class vtk_cursor : public token_cursor {
   void require_room(const char* position, std::uint64_t n, vtk_number type) const {
     const std::uint64_t room = left() + (binary_ ? 0 : 1), size = binary_ ? vtk_names_of(type).size : 2;
     const std::uint64_t most = type == vtk_number::bit && binary_ ? (room < max_count ? 8 * room : room) : room / size;
-    if (n > most) reject(position, {"a count that fits into the file"}, {n, " ", vtk_names_of(type).legacy, " numbers, and ", left(), " bytes"});
+    if (n > most)
+      reject(position, {"a count that fits into the file"},
+             {n, " ", vtk_names_of(type).legacy, " numbers, and ", left(), " bytes"});
   }
 
-  /// Reads an integer of so many bytes as text. Result: modulo 2^64. One function for all types, which compiles faster than ten.
+  /// Reads an integer of so many bytes as text. Result: modulo 2^64. One function for all types, which compiles faster
+  /// than ten.
   std::uint64_t next_integer(bool is_signed, std::size_t size) {
     skip();
     std::int64_t i = 0;
@@ -98,7 +105,8 @@ class vtk_cursor : public token_cursor {
       p = nullptr;
     }
     const std::size_t bits = 8 * size;
-    const bool fits = is_signed ? static_cast<std::int64_t>(x) >> (bits - 1) == static_cast<std::int64_t>(x) >> 63 : bits == 64 || x >> bits == 0;
+    const bool fits = is_signed ? static_cast<std::int64_t>(x) >> (bits - 1) == static_cast<std::int64_t>(x) >> 63
+                                : bits == 64 || x >> bits == 0;
     if (!p || !fits) reject(at, {"an integer of type ", is_signed ? "int" : "unsigned int", bits});
     at = p;
     return x;
@@ -147,7 +155,8 @@ class vtk_cursor : public token_cursor {
     }
   }
   void read_bits(bool* to, std::size_t n) {
-    for (std::size_t i = 0; i < n; ++i) to[i] = binary_ ? (static_cast<unsigned char>(at[i / 8]) >> (7 - i % 8) & 1) != 0 : next_integer(false, 1) != 0;
+    for (std::size_t i = 0; i < n; ++i)
+      to[i] = binary_ ? (static_cast<unsigned char>(at[i / 8]) >> (7 - i % 8) & 1) != 0 : next_integer(false, 1) != 0;
     if (binary_) at += (n + 7) / 8;
   }
   /// The same with any type of numbers.

@@ -5,8 +5,8 @@
 
 namespace concino {
 
-/// The legacy format of VTK, .vtk, as text or binary: surfaces of any polygons, volumes of any polyhedra, and properties of verts, faces, polys and
-/// the mesh that consist of numbers.
+/// The legacy format of VTK, .vtk, as text or binary: surfaces of any polygons, volumes of any polyhedra, and
+/// properties of verts, faces, polys and the mesh that consist of numbers.
 struct vtk_format {
   static constexpr std::string_view name = "vtk";
   static constexpr std::string_view extensions[] = {".vtk"};
@@ -16,7 +16,8 @@ struct vtk_format {
   static constexpr std::string_view signature = "# vtk DataFile";
 
   static bool has_signature(std::string_view text) { return text.starts_with(signature); }
-  template<std::derived_from<file_contents> Contents>  // a template so that programs that read only surfaces need not compile volumes
+  template<std::derived_from<file_contents> Contents>  // a template so that programs that read only surfaces need not
+                                                       // compile volumes
   static void read(const read_context& in, Contents& out);
   template<std::same_as<write_context> Context>  // a template so that programs that only read need not compile it
   static void write(Context& out, flat_mesh& m);

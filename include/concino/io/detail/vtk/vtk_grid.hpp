@@ -15,7 +15,8 @@ namespace concino::detail {
 struct vtk_grid {
   static constexpr std::uint32_t unknown = ~0u;
   std::vector<vec3> points;
-  std::vector<vert_id> verts;            // of all cells, unchecked; of a polyhedron its faces: their number, and for each the number of its verts and these
+  std::vector<vert_id> verts;            // of all cells, unchecked; of a polyhedron its faces: their number, and for
+                                         // each the number of its verts and these
   std::vector<std::uint32_t> cell_ends;  // where the verts of each cell end
   std::vector<std::uint8_t> types;       // VTK's number of the type of each cell
   std::vector<property_column> columns;  // of verts, of all cells (element_kind::poly) and of the mesh
@@ -40,10 +41,12 @@ struct vtk_places {
 /// What a cell type stands for.
 enum class vtk_kind : std::uint8_t { none, line, polygon, cell, unknown };
 inline constexpr unsigned vtk_polyhedron = 42;
-/// The type of the cell with the same corners and no other nodes, for elements of second and higher order; else the type itself.
+/// The type of the cell with the same corners and no other nodes, for elements of second and higher order; else the
+/// type itself.
 inline unsigned linear_vtk_type(unsigned type) {
-  constexpr std::uint8_t quadratic[] = {3, 5, 9, 10, 12, 13, 14, 9, 12, 9, 13, 13, 12, 5, 3, 7, 14};  // 21 to 37; 35 is cubic
-  constexpr std::uint8_t of_any_order[] = {3, 5, 9, 10, 12, 13, 14};                                   // Lagrange from 68 on, Bezier from 75 on
+  // 21 to 37; 35 is cubic
+  constexpr std::uint8_t quadratic[] = {3, 5, 9, 10, 12, 13, 14, 9, 12, 9, 13, 13, 12, 5, 3, 7, 14};
+  constexpr std::uint8_t of_any_order[] = {3, 5, 9, 10, 12, 13, 14};  // Lagrange from 68 on, Bezier from 75 on
   if (type >= 21 && type <= 37) return quadratic[type - 21];
   return type >= 68 && type <= 81 ? of_any_order[(type - 68) % 7] : type;
 }
@@ -71,8 +74,8 @@ inline cell_shape shape_of_vtk_cell(unsigned type) {
     default: return cell_shape::general;
   }
 }
-/// Puts the corners of a cell from VTK's order into the standard one, and the reverse: they differ in voxels, whose x changes fastest, and in wedges, linear
-/// and quadratic, whose base 0 1 2 is counter-clockwise seen from outside.
+/// Puts the corners of a cell from VTK's order into the standard one, and the reverse: they differ in voxels, whose x
+/// changes fastest, and in wedges, linear and quadratic, whose base 0 1 2 is counter-clockwise seen from outside.
 inline void swap_vtk_order(unsigned type, vert_id* v) {
   if (type == 11) std::swap(v[2], v[3]), std::swap(v[6], v[7]);
   if (type == 13 || type == 26 || type == 31 || type == 32) std::swap(v[1], v[2]), std::swap(v[4], v[5]);

@@ -12,8 +12,8 @@
 
 namespace concino::detail {
 
-/// Turns a grid into the contents of a mesh: a volume if it has cells of a volume, else a surface. Polygons in a volume become listed faces.
-/// Contents is volume_contents if the program reads volumes.
+/// Turns a grid into the contents of a mesh: a volume if it has cells of a volume, else a surface. Polygons in a volume
+/// become listed faces. Contents is volume_contents if the program reads volumes.
 template<class Contents>
 class vtk_mesh {
   static constexpr unsigned quadratic_polygon = 36;
@@ -30,7 +30,8 @@ class vtk_mesh {
   std::vector<std::uint64_t> scratch_;
 
  public:
-  vtk_mesh(vtk_grid& grid, const read_context& in, vtk_places& places, Contents& out) : grid_(grid), in_(in), places_(places), out_(out) {}
+  vtk_mesh(vtk_grid& grid, const read_context& in, vtk_places& places, Contents& out)
+      : grid_(grid), in_(in), places_(places), out_(out) {}
 
   void make() {
     if (grid_.largest == vtk_grid::unknown) {
@@ -45,15 +46,18 @@ class vtk_mesh {
       for (end = c + 1; end < grid_.size() && grid_.types[end] == grid_.types[c];) ++end;
       count[static_cast<unsigned>(k)] += end - c;
     }
-    const std::size_t num_polygons = count[static_cast<unsigned>(vtk_kind::polygon)], num_cells = count[static_cast<unsigned>(vtk_kind::cell)];
-    if (num_cells ? !volumes : !in_.wanted.surface && num_polygons > 0) throw_wrong_dimension(in_.name, num_cells != 0, num_cells ? num_cells : num_polygons);
+    const std::size_t num_polygons = count[static_cast<unsigned>(vtk_kind::polygon)],
+                      num_cells = count[static_cast<unsigned>(vtk_kind::cell)];
+    if (num_cells ? !volumes : !in_.wanted.surface && num_polygons > 0)
+      throw_wrong_dimension(in_.name, num_cells != 0, num_cells ? num_cells : num_polygons);
     if (num_cells && !in_.wanted.cells && !in_.wanted.polyhedra) throw_wrong_dimension(in_.name, true, num_cells);
     if (const std::size_t lines = count[static_cast<unsigned>(vtk_kind::line)])
       in_.report->skipped.push_back(core::joined({lines, " cells that are verts or lines"}));
     bool has_values = false;
     for (const property_column& c : grid_.columns) has_values = has_values || c.kind == element_kind::poly;
     if (num_cells && num_polygons && !has_values)
-      in_.report->skipped.push_back(core::joined({num_polygons, " polygons: the faces of a volume are those of its cells, and these have no values"}));
+      in_.report->skipped.push_back(core::joined(
+          {num_polygons, " polygons: the faces of a volume are those of its cells, and these have no values"}));
     if (grid_.num_ghosts) in_.report->skipped.push_back(core::joined({grid_.num_ghosts, " ghost cells"}));
     const bool is_volume = num_cells || !in_.wanted.surface;
     if (!is_volume) make_surface();
@@ -69,10 +73,12 @@ class vtk_mesh {
   [[noreturn, gnu::noinline, gnu::cold]] void fail_type(std::size_t c) {
     const unsigned type = grid_.types[c];
     if (is_high_order(c))
-      core::throw_joined<unsupported>({in_.name, ": the cell at ", places_.place_of_cell(c), " is a ", type < 68 ? "second-order" : "higher-order",
-                                       " element, of type ", type, ", with nodes on edges; ", read_corners_instead});
-    core::throw_joined<unsupported>({in_.name, ": the cell at ", places_.place_of_cell(c), " has type ", type,
-                                     "; types from 17 on are not supported, except 42 and elements of second and higher order"});
+      core::throw_joined<unsupported>({in_.name, ": the cell at ", places_.place_of_cell(c), " is a ",
+                                       type < 68 ? "second-order" : "higher-order", " element, of type ", type,
+                                       ", with nodes on edges; ", read_corners_instead});
+    core::throw_joined<unsupported>(
+        {in_.name, ": the cell at ", places_.place_of_cell(c), " has type ", type,
+         "; types from 17 on are not supported, except 42 and elements of second and higher order"});
   }
   bool is_high_order(std::size_t c) const { return linear_vtk_type(grid_.types[c]) != grid_.types[c]; }
 
@@ -83,9 +89,11 @@ class vtk_mesh {
     return is_high_order(c) ? size_of_vtk_cell(linear_vtk_type(grid_.types[c])) : n;
   }
 
-  /// The verts of a cell, checked, the corners first. Errors: parse_error for a point that is not there, or a wrong number of points.
+  /// The verts of a cell, checked, the corners first. Errors: parse_error for a point that is not there, or a wrong
+  /// number of points.
   const vert_id* verts_of(std::size_t c) {
-    const std::size_t first = grid_.first(c), n = grid_.cell_ends[c] - first, expected = size_of_vtk_cell(grid_.types[c]);
+    const std::size_t first = grid_.first(c), n = grid_.cell_ends[c] - first,
+                      expected = size_of_vtk_cell(grid_.types[c]);
     if (expected && n != expected)
       places_.fail_at_cell(c, {expected, " points, for a cell of type ", unsigned{grid_.types[c]}}, {n});
     check_verts(c, first, n);
@@ -97,7 +105,8 @@ class vtk_mesh {
     const std::size_t corners = num_corners(c);
     if (grid_.types[c] == quadratic_polygon && n % 2 != 0)
       places_.fail_at_cell(c, {"an even number of points, for a cell of type ", unsigned{grid_.types[c]}}, {n});
-    if (n < corners) places_.fail_at_cell(c, {"at least ", corners, " points, for a cell of type ", unsigned{grid_.types[c]}}, {n});
+    if (n < corners)
+      places_.fail_at_cell(c, {"at least ", corners, " points, for a cell of type ", unsigned{grid_.types[c]}}, {n});
     nodes_.add(v + corners, n - corners);
   }
   void check_verts(std::size_t c, std::size_t first, std::size_t n) {
@@ -128,12 +137,14 @@ class vtk_mesh {
     }
   }
   static constexpr polygon_words words_{"different points at the corners of a polygon", "point "};
-  /// The verts of a face that is listed. Without options.repeated_verts they have to be different; with it, equal neighbours become one.
+  /// The verts of a face that is listed. Without options.repeated_verts they have to be different; with it, equal
+  /// neighbours become one.
   std::vector<vert_id> listed_face(std::size_t c, const vert_id* v, std::size_t n) {
     std::vector<vert_id> face(v, v + n);
     const std::size_t k = first_repeated(v, n, scratch_);
     if (k == n) return face;
-    if (out_.repeated.policy == repeated_verts::refuse) places_.fail_at_cell(c, {words_.different, repeated_verts_hint}, {words_.vert, v[k].raw(), " twice"});
+    if (out_.repeated.policy == repeated_verts::refuse)
+      places_.fail_at_cell(c, {words_.different, repeated_verts_hint}, {words_.vert, v[k].raw(), " twice"});
     face.resize(collapse_verts(face.data(), static_cast<std::uint32_t>(n)));
     return face;
   }
@@ -146,8 +157,12 @@ class vtk_mesh {
       if (kind_of_vtk_cell(grid_.types[c]) != vtk_kind::polygon) continue;
       for_each_polygon(c, [&](const vert_id* v, std::size_t n) {
         check_read_polygon(
-            out_, in_.wanted, v, n, words_, scratch_, [&](core::message expected, core::message found) { places_.fail_at_cell(c, expected, found); },
-            [&] { return poly_cells_.size(); }, [&] { return core::joined({"at ", places_.place_of_cell(c)}); });
+            out_, in_.wanted, v, n, words_, scratch_,
+            [&](core::message expected, core::message found) { places_.fail_at_cell(c, expected, found); },
+            [&] { return poly_cells_.size(); },
+            [&] {
+              return core::joined({"at ", places_.place_of_cell(c)});
+            });
         const std::size_t first = s.verts.size();
         for (std::size_t i = 0; i < n; ++i) s.verts.push_back(v[i]);
         if (s.verts.size() > max_ids) core::throw_joined<unsupported>({in_.name, ": more than ", max_ids, " corners"});
@@ -175,10 +190,12 @@ class vtk_mesh {
     cells.finish(out_);
   }
 
-  /// Puts the verts of all cells into the standard order. Cells of a wrong number of verts stay as they are: they are rejected later.
+  /// Puts the verts of all cells into the standard order. Cells of a wrong number of verts stay as they are: they are
+  /// rejected later.
   void swap_orders() {
     for (std::size_t c = 0; c < grid_.size(); ++c)
-      if (grid_.cell_ends[c] - grid_.first(c) == size_of_vtk_cell(grid_.types[c])) swap_vtk_order(grid_.types[c], grid_.verts.data() + grid_.first(c));
+      if (grid_.cell_ends[c] - grid_.first(c) == size_of_vtk_cell(grid_.types[c]))
+        swap_vtk_order(grid_.types[c], grid_.verts.data() + grid_.first(c));
   }
   /// Checks the polygons of a cell, and lists them as faces.
   void list_faces(std::size_t c, bool listed) {
@@ -218,11 +235,13 @@ class vtk_mesh {
     const std::size_t faces = at < end ? verts_[at++].raw() : 0;
     for (std::size_t f = 0; f < faces; ++f) {
       const std::size_t n = at < end ? verts_[at++].raw() : ~std::size_t{0};
-      if (n > end - at) places_.fail_at_cell(c, {"the verts of ", faces, " faces of a polyhedron"}, {"a list that ends in face ", f});
+      if (n > end - at)
+        places_.fail_at_cell(c, {"the verts of ", faces, " faces of a polyhedron"}, {"a list that ends in face ", f});
       check_verts(c, at, n);
       at += n;
     }
-    if (at != end) places_.fail_at_cell(c, {"the end of the polyhedron after ", faces, " faces"}, {end - at, " more numbers"});
+    if (at != end)
+      places_.fail_at_cell(c, {"the end of the polyhedron after ", faces, " faces"}, {end - at, " more numbers"});
     if (faces == 0) places_.fail_at_cell(c, {"a polyhedron of at least one face"}, {"one without faces"});
   }
   template<class Builder>
@@ -237,17 +256,20 @@ class vtk_mesh {
     return cells.end_polyhedron();
   }
 
-  /// Moves the values of verts, and copies those of cells to the polys and faces that the cells became. Values of faces only, or of polys only, have
-  /// default values at the others in the file: they become no property of these.
+  /// Moves the values of verts, and copies those of cells to the polys and faces that the cells became. Values of faces
+  /// only, or of polys only, have default values at the others in the file: they become no property of these.
   void set_columns_of_grid() {
     constexpr element_kind kinds[] = {element_kind::vert, element_kind::poly, element_kind::face, element_kind::mesh};
     for (const element_kind kind : kinds)
       for (property_column& c : grid_.columns) {
         const bool of_cells = kind == element_kind::poly || kind == element_kind::face;
         if (c.kind != (of_cells ? element_kind::poly : kind)) continue;
-        if (kind == element_kind::poly && !face_cells_.empty() && !has_value(c, poly_cells_) && has_value(c, face_cells_)) continue;
+        if (kind == element_kind::poly && !face_cells_.empty() && !has_value(c, poly_cells_) &&
+            has_value(c, face_cells_))
+          continue;
         if (kind == element_kind::face && (face_cells_.empty() || !has_value(c, face_cells_))) continue;
-        if (!of_cells || (kind == element_kind::poly && (poly_cells_.size() == grid_.size() && is_identity(poly_cells_)))) {
+        if (!of_cells ||
+            (kind == element_kind::poly && (poly_cells_.size() == grid_.size() && is_identity(poly_cells_)))) {
           out_.properties.push_back(std::move(c));
           continue;
         }
@@ -255,7 +277,8 @@ class vtk_mesh {
         const value_type& type = c.values->operations();
         auto* const to = static_cast<unsigned char*>(out_.add_property(kind, c.name, type, cells.size()));
         const auto* const from = static_cast<const unsigned char*>(c.values->data());
-        for (std::size_t i = 0; i < cells.size(); ++i) std::memcpy(to + i * type.size, from + cells[i] * type.size, type.size);
+        for (std::size_t i = 0; i < cells.size(); ++i)
+          std::memcpy(to + i * type.size, from + cells[i] * type.size, type.size);
       }
   }
   /// Whether one of the cells has a value other than the default one.

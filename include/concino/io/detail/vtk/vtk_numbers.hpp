@@ -15,17 +15,37 @@
 namespace concino::detail {
 
 /// A type of numbers in a file. `none`: the name is unknown, or stands for strings.
-enum class vtk_number : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64, bit, none };
+enum class vtk_number : std::uint8_t {
+  int8,
+  uint8,
+  int16,
+  uint16,
+  int32,
+  uint32,
+  int64,
+  uint64,
+  float32,
+  float64,
+  bit,
+  none
+};
 
 struct vtk_number_names {
   std::string_view legacy, xml, fixed;  // in .vtk, in .vtu, and the name of fixed size in .vtk
   std::size_t size;
 };
 inline constexpr vtk_number_names vtk_numbers[] = {
-    {"char", "Int8", "vtktypeint8", 1},     {"unsigned_char", "UInt8", "vtktypeuint8", 1},    {"short", "Int16", "vtktypeint16", 2},
-    {"unsigned_short", "UInt16", "vtktypeuint16", 2}, {"int", "Int32", "vtktypeint32", 4},    {"unsigned_int", "UInt32", "vtktypeuint32", 4},
-    {"long", "Int64", "vtktypeint64", 8},   {"unsigned_long", "UInt64", "vtktypeuint64", 8},  {"float", "Float32", "vtktypefloat32", 4},
-    {"double", "Float64", "vtktypefloat64", 8}, {"bit", "", "", 1},
+    {"char", "Int8", "vtktypeint8", 1},
+    {"unsigned_char", "UInt8", "vtktypeuint8", 1},
+    {"short", "Int16", "vtktypeint16", 2},
+    {"unsigned_short", "UInt16", "vtktypeuint16", 2},
+    {"int", "Int32", "vtktypeint32", 4},
+    {"unsigned_int", "UInt32", "vtktypeuint32", 4},
+    {"long", "Int64", "vtktypeint64", 8},
+    {"unsigned_long", "UInt64", "vtktypeuint64", 8},
+    {"float", "Float32", "vtktypefloat32", 4},
+    {"double", "Float64", "vtktypefloat64", 8},
+    {"bit", "", "", 1},
 };
 inline const vtk_number_names& vtk_names_of(vtk_number t) { return vtk_numbers[static_cast<unsigned>(t)]; }
 
@@ -40,7 +60,8 @@ inline vtk_number vtk_number_of_xml(std::string_view name) {
 /// The name is in lower case. Ids are written as 32-bit integers.
 inline vtk_number vtk_number_of_legacy(std::string_view name) {
   for (unsigned i = 0; i < std::size(vtk_numbers); ++i)
-    if (vtk_numbers[i].legacy == name || (!vtk_numbers[i].fixed.empty() && vtk_numbers[i].fixed == name)) return static_cast<vtk_number>(i);
+    if (vtk_numbers[i].legacy == name || (!vtk_numbers[i].fixed.empty() && vtk_numbers[i].fixed == name))
+      return static_cast<vtk_number>(i);
   if (name == "vtkidtype") return vtk_number::int32;
   if (name == "signed_char") return vtk_number::int8;
   if (name == "long_long" || name == "vtktypeint64") return vtk_number::int64;
@@ -70,17 +91,23 @@ decltype(auto) with_number_type(vtk_number t, const F& f) {
 inline constexpr std::size_t vtk_component_counts[] = {1, 2, 3, 4, 6, 9};
 
 template<class T>
-inline constexpr const value_type* value_types_of[] = {&values_of<T>, &values_of<std::array<T, 2>>, &values_of<std::array<T, 3>>,
-                                                       &values_of<std::array<T, 4>>, &values_of<std::array<T, 6>>, &values_of<std::array<T, 9>>};
+inline constexpr const value_type* value_types_of[] = {&values_of<T>,
+                                                       &values_of<std::array<T, 2>>,
+                                                       &values_of<std::array<T, 3>>,
+                                                       &values_of<std::array<T, 4>>,
+                                                       &values_of<std::array<T, 6>>,
+                                                       &values_of<std::array<T, 9>>};
 template<>
-inline constexpr const value_type* value_types_of<bool>[] = {&values_of<bool>, nullptr, nullptr, nullptr, nullptr, nullptr};
+inline constexpr const value_type* value_types_of<bool>[] = {&values_of<bool>, nullptr, nullptr,
+                                                             nullptr,          nullptr, nullptr};
 inline constexpr const value_type* const* vtk_value_types[] = {
-    value_types_of<std::int8_t>,  value_types_of<std::uint8_t>, value_types_of<std::int16_t>,  value_types_of<std::uint16_t>,
-    value_types_of<std::int32_t>, value_types_of<std::uint32_t>, value_types_of<std::int64_t>, value_types_of<std::uint64_t>,
-    value_types_of<float>,        value_types_of<double>,       value_types_of<bool>};
+    value_types_of<std::int8_t>,   value_types_of<std::uint8_t>,  value_types_of<std::int16_t>,
+    value_types_of<std::uint16_t>, value_types_of<std::int32_t>,  value_types_of<std::uint32_t>,
+    value_types_of<std::int64_t>,  value_types_of<std::uint64_t>, value_types_of<float>,
+    value_types_of<double>,        value_types_of<bool>};
 
-/// The type of a property with so many numbers per element: vec3 for three doubles, rgba for four floats called "color", else T or std::array<T, n>.
-/// Null if there is none.
+/// The type of a property with so many numbers per element: vec3 for three doubles, rgba for four floats called
+/// "color", else T or std::array<T, n>. Null if there is none.
 inline const value_type* property_type_of(vtk_number t, std::size_t components, std::string_view name) {
   if (t == vtk_number::none) return nullptr;
   if (t == vtk_number::float32 && components == 4 && name == "color") return &values_of<rgba>;
@@ -98,7 +125,8 @@ struct vtk_property_type {
 inline vtk_property_type vtk_type_of(const std::type_info& type) {
   for (unsigned i = 0; i < std::size(vtk_numbers); ++i)
     for (const std::size_t n : vtk_component_counts)
-      if (const value_type* v = property_type_of(static_cast<vtk_number>(i), n, ""); v && *v->type == type) return {static_cast<vtk_number>(i), n};
+      if (const value_type* v = property_type_of(static_cast<vtk_number>(i), n, ""); v && *v->type == type)
+        return {static_cast<vtk_number>(i), n};
   if (type == typeid(rgba)) return {vtk_number::float32, 4};
   if (type == typeid(std::array<double, 3>)) return {vtk_number::float64, 3};
   return {};

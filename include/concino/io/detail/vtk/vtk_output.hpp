@@ -16,8 +16,9 @@
 
 namespace concino::detail {
 
-/// The cells of a mesh: its polys, and after those of a volume the faces that have a value other than the default one in a property. The order of faces, and the
-/// order of verts in cells that are recognised by their faces, do not depend on how the mesh stores them.
+/// The cells of a mesh: its polys, and after those of a volume the faces that have a value other than the default one
+/// in a property. The order of faces, and the order of verts in cells that are recognised by their faces, do not depend
+/// on how the mesh stores them.
 template<class Context>  // write_context; a template only so that programs that write no such files need not compile it
 class vtk_cell_list {
   flat_mesh& m_;
@@ -28,21 +29,25 @@ class vtk_cell_list {
   std::size_t num_direct_ = 0;  // cells that are lists of verts in the mesh
 
   void end_cell(const Context& c, unsigned type) {
-    if (verts_.size() > max_ids) core::throw_joined<unsupported>({c.name, ": more than ", max_ids, " corners of faces"});
+    if (verts_.size() > max_ids)
+      core::throw_joined<unsupported>({c.name, ": more than ", max_ids, " corners of faces"});
     ends_.push_back(static_cast<std::uint32_t>(verts_.size()));
     types_.push_back(static_cast<std::uint8_t>(type));
   }
 
-  /// Errors: unsupported if two faces of poly p have the same verts: faces have no numbers in the file, so readers could not tell them apart.
+  /// Errors: unsupported if two faces of poly p have the same verts: faces have no numbers in the file, so readers
+  ///         could not tell them apart.
   void check_faces(const Context& c, const flat_polyhedra& all, std::size_t p) {
     face_keys_.clear();
-    for (const face_id f : all.poly_faces[p]) face_keys_.push_back(face_key(all.face_verts[f.raw()].data(), all.face_verts[f.raw()].size()));
+    for (const face_id f : all.poly_faces[p])
+      face_keys_.push_back(face_key(all.face_verts[f.raw()].data(), all.face_verts[f.raw()].size()));
     std::sort(face_keys_.begin(), face_keys_.end());
     if (std::adjacent_find(face_keys_.begin(), face_keys_.end()) != face_keys_.end())
       c.throw_cannot_hold("VTK", {"poly ", m_.poly_index(p), ", which has two faces with the same verts"}, ".hedra");
   }
 
-  void add_polyhedron(const Context& c, const flat_polyhedra& all, std::size_t p, const std::uint8_t*& outward, cell_recogniser& known) {
+  void add_polyhedron(const Context& c, const flat_polyhedra& all, std::size_t p, const std::uint8_t*& outward,
+                      cell_recogniser& known) {
     known.clear();
     const std::size_t first = verts_.size();
     verts_.push_back(vert_id{all.poly_faces[p].size()});
@@ -153,14 +158,24 @@ struct vtk_output_arrays {
     for (const element_kind kind : {element_kind::vert, element_kind::poly, element_kind::face, element_kind::mesh})
       for (const flat_property& p : all) {
         const vtk_property_type type = vtk_type_of(*p.type);
-        if (p.kind != kind || p.name.empty() || type.number == vtk_number::none || (type.number == vtk_number::bit && !has_bits)) continue;
-        std::vector<vtk_output_array>& list = kind == element_kind::vert ? of_verts : kind == element_kind::mesh ? of_mesh : of_cells;
+        if (p.kind != kind || p.name.empty() || type.number == vtk_number::none ||
+            (type.number == vtk_number::bit && !has_bits))
+          continue;
+        std::vector<vtk_output_array>& list = kind == element_kind::vert   ? of_verts
+                                              : kind == element_kind::mesh ? of_mesh
+                                                                           : of_cells;
         const flat_values<unsigned char> values{static_cast<const unsigned char*>(p.values), p.indices};
         const std::size_t bytes = type.components * vtk_names_of(type.number).size;
-        const auto same = std::find_if(list.begin(), list.end(), [&](const vtk_output_array& a) { return a.name == p.name; });
+        const auto same =
+            std::find_if(list.begin(), list.end(), [&](const vtk_output_array& a) { return a.name == p.name; });
         const bool of_faces = kind == element_kind::face;
         if (same == list.end()) {
-          list.push_back({p.name, type, of_faces ? flat_values<unsigned char>{} : values, of_faces ? values : flat_values<unsigned char>{}, bytes, {}});
+          list.push_back({p.name,
+                          type,
+                          of_faces ? flat_values<unsigned char>{} : values,
+                          of_faces ? values : flat_values<unsigned char>{},
+                          bytes,
+                          {}});
           if (*p.type == typeid(rgba)) values_of<rgba>.make(list.back().default_value);  // of all other types it is 0
         } else if (same->type.number == type.number && same->type.components == type.components) {
           same->face_values = values;
@@ -174,23 +189,27 @@ struct vtk_output_arrays {
 
   /// Whether a face has a value other than the default one.
   bool face_has_value(std::size_t f) const {
-    return std::any_of(of_cells.begin(), of_cells.end(), [&](const vtk_output_array& a) { return a.face_values && a.has_value(a.face_value(f)); });
+    return std::any_of(of_cells.begin(), of_cells.end(),
+                       [&](const vtk_output_array& a) { return a.face_values && a.has_value(a.face_value(f)); });
   }
   bool any_of_faces() const {
-    return std::any_of(of_cells.begin(), of_cells.end(), [](const vtk_output_array& a) { return static_cast<bool>(a.face_values); });
+    return std::any_of(of_cells.begin(), of_cells.end(),
+                       [](const vtk_output_array& a) { return static_cast<bool>(a.face_values); });
   }
 
  private:
-  /// Drops values of faces that are all default ones, as no face is written for them. A reader takes an array for one of faces, and not of polys, if only
-  /// faces have other values. Reports what a reader will not find.
+  /// Drops values of faces that are all default ones, as no face is written for them. A reader takes an array for one
+  /// of faces, and not of polys, if only faces have other values. Reports what a reader will not find.
   void drop_defaults(Context& c, flat_mesh& m) {
     const auto lost = [&](element_kind kind, const std::string& name, const char* why) {
-      c.report.lost.push_back(core::joined({to_string(kind), " property \"", name, "\", which has default values only: ", why}));
+      c.report.lost.push_back(
+          core::joined({to_string(kind), " property \"", name, "\", which has default values only: ", why}));
     };
     for (vtk_output_array& a : of_cells) {
       if (!a.face_values) continue;
       bool faces_have = false, polys_have = false;
-      for (std::size_t f = 0; f < m.polyhedra().face_verts.size() && !faces_have; ++f) faces_have = a.has_value(a.face_value(f));
+      for (std::size_t f = 0; f < m.polyhedra().face_verts.size() && !faces_have; ++f)
+        faces_have = a.has_value(a.face_value(f));
       for (std::size_t p = 0; p < m.num_polys && !polys_have; ++p) polys_have = a.has_value(a.value(p));
       if (!faces_have) {
         lost(element_kind::face, a.name, "a file of VTK lists faces with other values only");

@@ -60,7 +60,8 @@ class vtk_writer {
   void field(const std::vector<vtk_output_array>& all, std::size_t n, const Value& value) {
     c_.out << "FIELD FieldData " << all.size() << '\n';
     for (const vtk_output_array& a : all) {
-      c_.out << encoded(a.name) << ' ' << a.type.components << ' ' << n << ' ' << vtk_names_of(a.type.number).legacy << '\n';
+      c_.out << encoded(a.name) << ' ' << a.type.components << ' ' << n << ' ' << vtk_names_of(a.type.number).legacy
+             << '\n';
       if (binary_ && a.type.number == vtk_number::bit) bits(a, n, value);
       else
         for (std::size_t i = 0; i < n; ++i) numbers(a.type, value(a, i));
@@ -80,7 +81,8 @@ class vtk_writer {
   void cells() {
     std::size_t numbers = 0;
     for (std::size_t i = 0; i < cells_.size(); ++i) numbers += cells_.verts(i).size() + 1;
-    if (numbers > 0x7FFFFFFFu || m_.points.size() > 0x7FFFFFFFu) c_.throw_cannot_hold(".vtk", {"so many cells"}, ".vtu");
+    if (numbers > 0x7FFFFFFFu || m_.points.size() > 0x7FFFFFFFu)
+      c_.throw_cannot_hold(".vtk", {"so many cells"}, ".vtu");
     c_.out << "CELLS " << cells_.size() << ' ' << numbers << '\n';
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       const std::span<const vert_id> verts = cells_.verts(i);
@@ -107,7 +109,8 @@ class vtk_writer {
   }
 
   void write() {
-    c_.out << "# vtk DataFile Version 3.0\nconcino\n" << (binary_ ? "BINARY" : "ASCII") << "\nDATASET UNSTRUCTURED_GRID\n";
+    c_.out << "# vtk DataFile Version 3.0\nconcino\n"
+           << (binary_ ? "BINARY" : "ASCII") << "\nDATASET UNSTRUCTURED_GRID\n";
     const auto of_elements = [](const vtk_output_array& a, std::size_t i) { return a.value(i); };
     if (!arrays_.of_mesh.empty()) field(arrays_.of_mesh, 1, of_elements);
     c_.out << "POINTS " << m_.points.size() << " double\n";
@@ -123,7 +126,9 @@ class vtk_writer {
     }
     if (!arrays_.of_cells.empty()) {
       c_.out << "CELL_DATA " << cells_.size() << '\n';
-      field(arrays_.of_cells, cells_.size(), [&](const vtk_output_array& a, std::size_t i) { return i < m_.num_polys ? a.value(i) : a.face_value(cells_.faces[i - m_.num_polys]); });
+      field(arrays_.of_cells, cells_.size(), [&](const vtk_output_array& a, std::size_t i) {
+        return i < m_.num_polys ? a.value(i) : a.face_value(cells_.faces[i - m_.num_polys]);
+      });
     }
   }
 };

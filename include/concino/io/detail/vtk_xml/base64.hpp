@@ -21,7 +21,8 @@ inline constexpr std::array<std::uint8_t, 256> base64_values = [] {
   return all;
 }();
 
-/// Decodes base64 piece by piece. Padding may end a group anywhere; the next characters then begin a new group. Blanks are skipped.
+/// Decodes base64 piece by piece. Padding may end a group anywhere; the next characters then begin a new group. Blanks
+/// are skipped.
 class base64_reader {
   const char* at_;
   const char* end_;
@@ -43,7 +44,9 @@ class base64_reader {
       --num_rest_;
       --n;
     }
-    const auto value = [&](std::ptrdiff_t k) -> std::uint32_t { return base64_values[static_cast<unsigned char>(at_[k])]; };
+    const auto value = [&](std::ptrdiff_t k) -> std::uint32_t {
+      return base64_values[static_cast<unsigned char>(at_[k])];
+    };
     while (n > 0) {
       if (n >= 3 && end_ - at_ >= 4) {
         const std::uint32_t a = value(0), b = value(1), c = value(2), d = value(3);

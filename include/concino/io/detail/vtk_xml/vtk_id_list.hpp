@@ -10,7 +10,8 @@
 
 namespace concino::detail {
 
-/// Describes a list of integers that became ids. Those that are too large or negative became "no id"; the first of them is kept for errors.
+/// Describes a list of integers that became ids. Those that are too large or negative became "no id"; the first of them
+/// is kept for errors.
 template<class Vert>  // vert_id, as in face_merger
 struct vtk_id_list {
   static constexpr std::int64_t max_index = 0xFFFFFFFE;
@@ -48,7 +49,8 @@ struct vtk_id_list {
   }
 };
 
-/// Adds a number to the verts of a polyhedron: the list has the number of its faces, and for each the number of its verts and these.
+/// Adds a number to the verts of a polyhedron: the list has the number of its faces, and for each the number of its
+/// verts and these.
 template<class Vert>
 void add_to_listed_verts(Vert* list, std::uint32_t first) {
   if (first == 0) return;

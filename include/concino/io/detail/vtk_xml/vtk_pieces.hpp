@@ -12,8 +12,9 @@
 
 namespace concino::detail {
 
-/// Points of different pieces become one if they are at the same place and have the same values. Where a piece has several points, as on both sides of a crack,
-/// nothing says which of them is that of another piece: all points at this place stay apart.
+/// Points of different pieces become one if they are at the same place and have the same values. Where a piece has
+/// several points, as on both sides of a crack, nothing says which of them is that of another piece: all points at this
+/// place stay apart.
 class vtk_point_merger {
   struct value_column {
     const std::string* name;
@@ -29,15 +30,18 @@ class vtk_point_merger {
 
  public:
   std::vector<std::uint32_t> number, kept;  // of each point, its number among those that are kept; and these
-  std::size_t num_different = 0;            // points at the place of a point of an earlier piece, which have other values
+  std::size_t num_different = 0;            // points at the place of a point of an earlier piece, which have other
+                                            // values
   std::size_t num_coincident = 0;           // and those where a piece has several points
   const std::string* different = nullptr;   // the name of the first array with other values
 
-  vtk_point_merger(const vtk_grid& grid, const std::vector<std::size_t>& first_point) : points_(grid.points), first_point_(first_point), same_(points_.size()) {
+  vtk_point_merger(const vtk_grid& grid, const std::vector<std::size_t>& first_point)
+      : points_(grid.points), first_point_(first_point), same_(points_.size()) {
     for (const property_column& c : grid.columns)
       if (c.kind == element_kind::vert) {
         const value_type& type = c.values->operations();
-        columns_.push_back({&c.name, static_cast<const unsigned char*>(c.values->data()), vtk_type_of(*type.type), type.size});
+        columns_.push_back(
+            {&c.name, static_cast<const unsigned char*>(c.values->data()), vtk_type_of(*type.type), type.size});
       }
     std::vector<std::uint32_t> order(points_.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = same_[i] = static_cast<std::uint32_t>(i);
@@ -57,14 +61,16 @@ class vtk_point_merger {
 
  private:
   std::size_t piece_of(std::uint32_t point) const {
-    return static_cast<std::size_t>(std::upper_bound(first_point_.begin(), first_point_.end(), point) - first_point_.begin());
+    return static_cast<std::size_t>(std::upper_bound(first_point_.begin(), first_point_.end(), point) -
+                                    first_point_.begin());
   }
 
   /// Unites points at one place, which are in the order of the file.
   void unite(const std::uint32_t* begin, const std::uint32_t* end) {
     const std::size_t first_piece = piece_of(*begin);
     bool is_coincident = false;
-    for (const std::uint32_t* i = begin + 1; i < end; ++i) is_coincident = is_coincident || piece_of(*i) == piece_of(i[-1]);
+    for (const std::uint32_t* i = begin + 1; i < end; ++i)
+      is_coincident = is_coincident || piece_of(*i) == piece_of(i[-1]);
     for (const std::uint32_t* i = begin + 1; i < end; ++i) {
       if (is_coincident) {
         num_coincident += piece_of(*i) != first_piece;
@@ -86,7 +92,8 @@ class vtk_point_merger {
   }
   /// Whether two values consist of equal numbers. Not-a-number is equal to itself.
   static bool are_equal(const value_column& c, const unsigned char* a, const unsigned char* b) {
-    return std::memcmp(a, b, c.size) == 0 || (c.type.number == vtk_number::float64 && are_equal_reals<double>(c, a, b)) ||
+    return std::memcmp(a, b, c.size) == 0 ||
+           (c.type.number == vtk_number::float64 && are_equal_reals<double>(c, a, b)) ||
            (c.type.number == vtk_number::float32 && are_equal_reals<float>(c, a, b));
   }
   template<class T>

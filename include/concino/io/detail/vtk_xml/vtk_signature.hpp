@@ -14,7 +14,8 @@ inline bool is_vtk_xml(std::string_view text, std::string_view type) {
   if (before.find_first_not_of(" \t\r\n\xEF\xBB\xBF") != before.npos) return false;
   const std::string_view tag = text.substr(from, text.find('>', from) - from);
   const std::size_t value = tag.find("type=");
-  return value != tag.npos && tag.substr(value + 6).starts_with(type) && tag.substr(value + 6 + type.size()).find_first_of("\"'") == 0;
+  return value != tag.npos && tag.substr(value + 6).starts_with(type) &&
+         tag.substr(value + 6 + type.size()).find_first_of("\"'") == 0;
 }
 
 }  // namespace concino::detail

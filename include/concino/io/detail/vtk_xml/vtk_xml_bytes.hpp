@@ -32,7 +32,8 @@ struct vtk_xml_encoding {
 
 class vtk_xml_bytes : public vtk_cursor {
   std::uint64_t block_size_ = 0;
-  std::vector<std::uint64_t> block_begins_;  // where each compressed block begins, counted from the first one, and where the last one ends
+  std::vector<std::uint64_t> block_begins_;  // where each compressed block begins, counted from the first one, and
+                                             // where the last one ends
   std::uint64_t num_read_ = 0;               // bytes of the file, by all arrays
   bool base64_ = false;
   base64_reader base64_source_{nullptr, nullptr};
@@ -47,7 +48,8 @@ class vtk_xml_bytes : public vtk_cursor {
 
   explicit vtk_xml_bytes(const read_context& in) : vtk_cursor(in.text, in.name, in.progress, 0), in_(in) {}
 
-  [[noreturn, gnu::noinline, gnu::cold]] void fail_array(const vtk_xml_array& a, core::message expected, core::message found) const {
+  [[noreturn, gnu::noinline, gnu::cold]] void fail_array(const vtk_xml_array& a, core::message expected,
+                                                         core::message found) const {
     fail(a.at, expected, {core::joined(found), " in the array \"", a.name, "\""});
   }
 
@@ -61,7 +63,8 @@ class vtk_xml_bytes : public vtk_cursor {
   void open(const vtk_xml_array& a) {
     const std::uint64_t before = num_read_;
     if (a.format == "appended") {
-      if (!encoding_.appended || a.offset > static_cast<std::uint64_t>(text_end() - encoding_.appended)) fail_array(a, {"an offset into AppendedData"}, {a.offset});
+      if (!encoding_.appended || a.offset > static_cast<std::uint64_t>(text_end() - encoding_.appended))
+        fail_array(a, {"an offset into AppendedData"}, {a.offset});
       base64_ = encoding_.base64_appended;
       raw_ = encoding_.appended + a.offset;
       base64_source_ = base64_reader(raw_, text_end());
@@ -89,11 +92,13 @@ class vtk_xml_bytes : public vtk_cursor {
     return reinterpret_cast<const unsigned char*>(raw_);
   }
   /// Calls use(bytes, count) for the numbers of a compressed array, one block at a time.
-  void for_each_block(const vtk_xml_array& a, std::size_t number_size, function_ref<void(const unsigned char*, std::uint64_t)> use) {
+  void for_each_block(const vtk_xml_array& a, std::size_t number_size,
+                      function_ref<void(const unsigned char*, std::uint64_t)> use) {
     open(a);
     std::uint64_t carried = 0;  // the bytes of a number of which the last block has a part
     for (std::size_t i = 0; i < num_blocks(); ++i) {
-      const std::uint64_t size = inflated_size(i), numbers = (carried + size) / number_size, used = numbers * number_size;
+      const std::uint64_t size = inflated_size(i), numbers = (carried + size) / number_size,
+                          used = numbers * number_size;
       if (buffer_.size() < carried + size) buffer_.resize(carried + size);
       inflate_block(a, i, buffer_.data() + carried);
       if (encoding_.swapped) swap_bytes(buffer_.data(), numbers, number_size);
@@ -104,12 +109,15 @@ class vtk_xml_bytes : public vtk_cursor {
   }
 
  private:
-  std::uint64_t source_left() const { return base64_ ? base64_source_.max_left() : static_cast<std::uint64_t>(text_end() - raw_); }
+  std::uint64_t source_left() const {
+    return base64_ ? base64_source_.max_left() : static_cast<std::uint64_t>(text_end() - raw_);
+  }
   const char* text_end() const { return in_.text.data() + in_.text.size(); }
   void count_bytes(const vtk_xml_array& a, std::uint64_t n) {
     if (n > source_left()) fail_array(a, {n, " more bytes"}, {source_left()});
     num_read_ += n;
-    if (num_read_ > in_.text.size()) fail_array(a, {"arrays that do not share their bytes"}, {"more bytes than the file has"});
+    if (num_read_ > in_.text.size())
+      fail_array(a, {"arrays that do not share their bytes"}, {"more bytes than the file has"});
   }
   void take(const vtk_xml_array& a, unsigned char* to, std::uint64_t n) {
     count_bytes(a, n);
@@ -117,7 +125,8 @@ class vtk_xml_bytes : public vtk_cursor {
       std::memcpy(to, raw_, n);
       raw_ += n;
     } else if (!base64_source_.read(to, n)) {
-      fail_array(a, {"base64"}, {base64_source_.position() == a.end ? std::string("the end") : found_at(base64_source_.position())});
+      fail_array(a, {"base64"},
+                 {base64_source_.position() == a.end ? std::string("the end") : found_at(base64_source_.position())});
     }
   }
   std::uint64_t word(const vtk_xml_array& a) {
@@ -134,12 +143,16 @@ class vtk_xml_bytes : public vtk_cursor {
 
   void open_compressed(const vtk_xml_array& a) {
     if (!in_.inflate)
-      core::throw_joined<unsupported>({in_.name, ": the arrays are compressed: include <concino/adapters/zlib.hpp> (Debian's zlib1g-dev, link -lz), and load with {.inflate = zlib_inflate}"});
+      core::throw_joined<unsupported>(
+          {in_.name,
+           ": the arrays are compressed: include <concino/adapters/zlib.hpp> (Debian's zlib1g-dev, link -lz), and load with {.inflate = zlib_inflate}"});
     const std::uint64_t blocks = word(a);
     block_size_ = word(a);
     const std::uint64_t last = word(a);
-    if (blocks > source_left() / (encoding_.wide ? 8 : 4)) fail_array(a, {"no more blocks than the file can hold"}, {blocks});
-    if (last > block_size_ || (blocks && block_size_ > ~std::uint64_t{0} / blocks)) fail_array(a, {"sizes of blocks"}, {block_size_, " and ", last});
+    if (blocks > source_left() / (encoding_.wide ? 8 : 4))
+      fail_array(a, {"no more blocks than the file can hold"}, {blocks});
+    if (last > block_size_ || (blocks && block_size_ > ~std::uint64_t{0} / blocks))
+      fail_array(a, {"sizes of blocks"}, {block_size_, " and ", last});
     bytes_ = blocks ? block_size_ * (blocks - (last ? 1 : 0)) + last : 0;
     std::uint64_t sum = 0;
     block_begins_.clear();
@@ -150,12 +163,16 @@ class vtk_xml_bytes : public vtk_cursor {
       sum += n;
       block_begins_.push_back(sum);
     }
-    if (sum > source_left() || bytes_ / 1040 > sum) fail_array(a, {"sizes that zlib data can have"}, {bytes_, " bytes from ", sum});  // zlib shrinks by at most 1032
+    // zlib shrinks by at most 1032
+    if (sum > source_left() || bytes_ / 1040 > sum)
+      fail_array(a, {"sizes that zlib data can have"}, {bytes_, " bytes from ", sum});
   }
 
   std::size_t num_blocks() const { return block_begins_.size() - 1; }
   /// The size of block i when it is decompressed.
-  std::uint64_t inflated_size(std::size_t i) const { return i + 1 < num_blocks() ? block_size_ : bytes_ - i * block_size_; }
+  std::uint64_t inflated_size(std::size_t i) const {
+    return i + 1 < num_blocks() ? block_size_ : bytes_ - i * block_size_;
+  }
   /// Decompresses block i, the next one.
   void inflate_block(const vtk_xml_array& a, std::size_t i, unsigned char* to) {
     const std::uint64_t n = block_begins_[i + 1] - block_begins_[i], size = inflated_size(i);

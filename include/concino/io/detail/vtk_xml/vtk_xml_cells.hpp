@@ -23,7 +23,8 @@ class vtk_xml_cells : public vtk_xml_data {
 
   /// Null if there is none.
   const vtk_xml_array* find(std::size_t piece, vtk_xml_part part, std::string_view name) const {
-    for (std::size_t i = index_.pieces[piece].first_entry; i < index_.entries.size() && index_.entries[i].piece == piece; ++i) {
+    for (std::size_t i = index_.pieces[piece].first_entry;
+         i < index_.entries.size() && index_.entries[i].piece == piece; ++i) {
       const vtk_xml_entry& e = index_.entries[i];
       if (e.part == part && (name.empty() || e.array.name == name)) return &e.array;
     }
@@ -31,7 +32,8 @@ class vtk_xml_cells : public vtk_xml_data {
   }
   const vtk_xml_array& need(std::size_t piece, vtk_xml_part part, std::string_view name) const {
     const vtk_xml_array* const a = find(piece, part, name);
-    if (!a) fail(index_.pieces[piece].at, {"the array \"", name.empty() ? "Points" : name, "\""}, {"a piece without it"});
+    if (!a)
+      fail(index_.pieces[piece].at, {"the array \"", name.empty() ? "Points" : name, "\""}, {"a piece without it"});
     return *a;
   }
 
@@ -73,7 +75,8 @@ class vtk_xml_cells : public vtk_xml_data {
 
   /// Checks a vert of a piece, and adds its number in the grid.
   void push_vert(const vtk_xml_array& a, std::size_t p, std::int64_t v) {
-    if (v < 0 || static_cast<std::uint64_t>(v) >= index_.pieces[p].points) fail_array(a, {"point indices below ", index_.pieces[p].points}, {v});
+    if (v < 0 || static_cast<std::uint64_t>(v) >= index_.pieces[p].points)
+      fail_array(a, {"point indices below ", index_.pieces[p].points}, {v});
     grid_.verts.push_back(vert_id{first_point_[p] + static_cast<std::size_t>(v)});
   }
 
@@ -91,14 +94,16 @@ class vtk_xml_cells : public vtk_xml_data {
       bool fits = values[0] >= last && values[count - 1] <= static_cast<std::int64_t>(max_ids);
       for (std::size_t i = 1; i < count; ++i) fits &= values[i] >= values[i - 1];
       for (std::size_t i = 0; !fits && i < count; last = values[i++])
-        if (values[i] < last || values[i] > static_cast<std::int64_t>(max_ids)) fail_array(a, {"ends that do not decrease"}, {values[i], " after ", last});
+        if (values[i] < last || values[i] > static_cast<std::int64_t>(max_ids))
+          fail_array(a, {"ends that do not decrease"}, {values[i], " after ", last});
       for (std::size_t i = 0; i < count; ++i) to[i] = before + static_cast<std::uint32_t>(values[i]);
       last = values[count - 1];
     });
     return static_cast<std::uint32_t>(last);
   }
 
-  /// Adds the n verts of the last cells. Those of polyhedra are only checked if the program reads volumes, as they are those of the faces, too.
+  /// Adds the n verts of the last cells. Those of polyhedra are only checked if the program reads volumes, as they are
+  /// those of the faces, too.
   void add_verts(const vtk_xml_array& a, std::size_t p, std::uint32_t n, bool has_polyhedra = false) {
     if (grid_.verts.size() + n > max_ids) fail_to_count("corners");
     require_numbers(a, n);
@@ -165,10 +170,11 @@ class vtk_xml_cells : public vtk_xml_data {
   void append_verts(const std::int64_t* values, std::size_t count, std::uint64_t first) {
     grid_.verts.resize(grid_.verts.size() + count);
     vert_id* const to = grid_.verts.data() + (grid_.verts.size() - count);
-    for (std::size_t i = 0; i < count; ++i) to[i] = vert_id{static_cast<std::uint32_t>(first + static_cast<std::uint64_t>(values[i]))};
+    for (std::size_t i = 0; i < count; ++i)
+      to[i] = vert_id{static_cast<std::uint32_t>(first + static_cast<std::uint64_t>(values[i]))};
   }
-  /// Adds the faces of the polyhedra of a piece, if the program reads volumes; if not, that there are cells is an error later.
-  /// The verts of its other cells begin at `first` in the grid.
+  /// Adds the faces of the polyhedra of a piece, if the program reads volumes; if not, that there are cells is an error
+  /// later. The verts of its other cells begin at `first` in the grid.
   virtual void polyhedra(std::size_t, std::size_t /*first*/) {}
 };
 

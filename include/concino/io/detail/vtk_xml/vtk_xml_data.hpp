@@ -18,13 +18,15 @@ class vtk_xml_data : public vtk_xml_bytes {
   void require_numbers(const vtk_xml_array& a, std::uint64_t n) {
     if (a.type == vtk_number::none) fail(a.at, {"an array of numbers"}, {"another type in the array \"", a.name, "\""});
     if (a.format == "ascii") {
-      if (n > (static_cast<std::uint64_t>(a.end - a.begin) + 1) / 2) fail_array(a, {n, " numbers"}, {a.end - a.begin, " characters"});
+      if (n > (static_cast<std::uint64_t>(a.end - a.begin) + 1) / 2)
+        fail_array(a, {n, " numbers"}, {a.end - a.begin, " characters"});
       return;
     }
     const std::uint64_t size = vtk_names_of(a.type).size;
     if (n == 0 && is_empty(a)) return;
     open(a);
-    if (n > max_count * 16 || bytes_ != n * size) fail_array(a, {n, " numbers of ", size, " bytes"}, {bytes_, " bytes"});
+    if (n > max_count * 16 || bytes_ != n * size)
+      fail_array(a, {n, " numbers of ", size, " bytes"}, {bytes_, " bytes"});
   }
   /// How many numbers an array has; if it is text, how many words.
   std::uint64_t count_numbers(const vtk_xml_array& a) {
@@ -50,7 +52,8 @@ class vtk_xml_data : public vtk_xml_bytes {
   void for_each_part(const vtk_xml_array& a, std::uint64_t n, function_ref<void(const T*, std::size_t)> use) {
     require_numbers(a, n);
     const std::size_t size = vtk_names_of(a.type).size;
-    const bool is_same = std::is_same_v<T, double> ? a.type == vtk_number::float64 : a.type == vtk_number::int64 || a.type == vtk_number::uint64;
+    const bool is_same = std::is_same_v<T, double> ? a.type == vtk_number::float64
+                                                   : a.type == vtk_number::int64 || a.type == vtk_number::uint64;
     const auto use_parts = [&](const unsigned char* from, std::uint64_t m) {
       const bool in_place = is_same && reinterpret_cast<std::uintptr_t>(from) % alignof(T) == 0;
       T part[largest_part];
@@ -77,8 +80,10 @@ class vtk_xml_data : public vtk_xml_bytes {
     if (buffer_.capacity() > std::size_t{1} << 20) std::vector<unsigned char>().swap(buffer_);
   }
   /// The same with integers. Errors: parse_error if the array has reals.
-  void for_each_integers(const vtk_xml_array& a, std::uint64_t n, function_ref<void(const std::int64_t*, std::size_t)> use) {
-    if (a.type == vtk_number::float32 || a.type == vtk_number::float64) fail(a.at, {"integers"}, {"reals in the array \"", a.name, "\""});
+  void for_each_integers(const vtk_xml_array& a, std::uint64_t n,
+                         function_ref<void(const std::int64_t*, std::size_t)> use) {
+    if (a.type == vtk_number::float32 || a.type == vtk_number::float64)
+      fail(a.at, {"integers"}, {"reals in the array \"", a.name, "\""});
     for_each_part<std::int64_t>(a, n, use);
   }
 
@@ -95,10 +100,12 @@ class vtk_xml_data : public vtk_xml_bytes {
   /// Moves to the numbers of an array that is text.
   void begin_text(const vtk_xml_array& a) {
     token_cursor& here = *this;
-    here = token_cursor(in_.text.substr(0, static_cast<std::size_t>(a.end - in_.text.data())), in_.name, in_.progress, 0);
+    here =
+        token_cursor(in_.text.substr(0, static_cast<std::size_t>(a.end - in_.text.data())), in_.name, in_.progress, 0);
     at = a.begin;
   }
-  /// The n numbers of an array, in the file if they stand there as they are in memory, else in the buffer. Needs: as read_array; no text.
+  /// The n numbers of an array, in the file if they stand there as they are in memory, else in the buffer. Needs: as
+  /// read_array; no text.
   const unsigned char* bytes_of(const vtk_xml_array& a, std::uint64_t n) {
     if (n && a.format == "appended" && !encoding_.base64_appended && !encoding_.compressed && !encoding_.swapped) {
       open(a);

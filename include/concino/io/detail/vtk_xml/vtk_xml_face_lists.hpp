@@ -21,11 +21,13 @@ class vtk_xml_face_lists : public vtk_xml_reader {
   ~vtk_xml_face_lists() = default;
 
   /// Errors: unsupported if the faces of all polyhedra have far more corners than the file lists.
-  void check_shared_faces(const std::vector<std::int64_t>& cell_faces, const std::vector<std::int64_t>& face_ends, std::size_t num_verts) const {
+  void check_shared_faces(const std::vector<std::int64_t>& cell_faces, const std::vector<std::int64_t>& face_ends,
+                          std::size_t num_verts) const {
     std::uint64_t corners = 0;
     for (const std::int64_t f : cell_faces) {
       if (f < 0 || static_cast<std::size_t>(f) >= face_ends.size()) continue;
-      const std::int64_t n = face_ends[static_cast<std::size_t>(f)] - (f ? face_ends[static_cast<std::size_t>(f) - 1] : 0);
+      const std::int64_t n =
+          face_ends[static_cast<std::size_t>(f)] - (f ? face_ends[static_cast<std::size_t>(f) - 1] : 0);
       if (n > 0) corners += std::min<std::uint64_t>(static_cast<std::uint64_t>(n), num_verts);
     }
     check_poly_corners(corners, num_verts, cell_faces.size(), core::joined({in_.name, ": "}));
@@ -35,7 +37,8 @@ class vtk_xml_face_lists : public vtk_xml_reader {
     const std::uint64_t n = count_numbers(a);
     require_numbers(a, n);
     all.reserve(n);
-    for_each_integers(a, n, [&](const std::int64_t* values, std::size_t count) { all.insert(all.end(), values, values + count); });
+    for_each_integers(
+        a, n, [&](const std::int64_t* values, std::size_t count) { all.insert(all.end(), values, values + count); });
     return all;
   }
   /// Appends the integers of an array to the verts of the grid.
@@ -44,12 +47,14 @@ class vtk_xml_face_lists : public vtk_xml_reader {
     require_numbers(a, n);
     id_list list;
     grid_.verts.reserve(grid_.verts.size() + n);
-    for_each_integers(a, n, [&](const std::int64_t* values, std::size_t count) { list.append(values, count, grid_.verts); });
+    for_each_integers(a, n,
+                      [&](const std::int64_t* values, std::size_t count) { list.append(values, count, grid_.verts); });
     return list;
   }
-  /// The length of the list of a polyhedron, as far as it is used: the number of its faces, and for each the number of its verts and these.
-  /// The list begins at `begin` in its array, and ends at most at `end`.
-  std::size_t length_of_faces(const vtk_xml_array& a, std::size_t p, const id_list& list, const Vert* source, std::size_t begin, std::size_t end) {
+  /// The length of the list of a polyhedron, as far as it is used: the number of its faces, and for each the number of
+  /// its verts and these. The list begins at `begin` in its array, and ends at most at `end`.
+  std::size_t length_of_faces(const vtk_xml_array& a, std::size_t p, const id_list& list, const Vert* source,
+                              std::size_t begin, std::size_t end) {
     const std::uint64_t bound = index_.pieces[p].points;
     const std::size_t n = end - begin;
     const auto fail_at = [&](const char* what, std::size_t k) {
@@ -63,7 +68,8 @@ class vtk_xml_face_lists : public vtk_xml_reader {
       if (k == n || source[k].raw() >= n - k) fail_at("the number of verts of a face", k);
       const std::size_t last = k + 1 + source[k].raw();
       for (std::size_t i = k + 1; !are_verts && i < last; ++i)
-        if (source[i].raw() >= bound) fail_array(a, {"point indices below ", bound}, {list.number(begin + i, source[i])});
+        if (source[i].raw() >= bound)
+          fail_array(a, {"point indices below ", bound}, {list.number(begin + i, source[i])});
       k = last;
     }
     return k;

@@ -12,7 +12,8 @@ namespace concino::detail {
 /// Passes the numbers of an array to a writer, in order.
 using vtk_number_source = function_ref<void(function_ref<void(const void*)>)>;
 
-/// Writes a file in two passes over its arrays, if it is binary: the tags with the position of each array, then their bytes.
+/// Writes a file in two passes over its arrays, if it is binary: the tags with the position of each array, then their
+/// bytes.
 template<class Context>  // write_context, as in vtk_output.hpp
 class vtk_xml_output {
   Context& c_;
@@ -25,7 +26,8 @@ class vtk_xml_output {
 
   void begin(const char* type) {
     c_.out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"" << type << "\" version=\"1.0\" byte_order=\""
-           << (std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian") << "\" header_type=\"" << (wide_ ? "UInt64" : "UInt32") << "\">\n";
+           << (std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian") << "\" header_type=\""
+           << (wide_ ? "UInt64" : "UInt32") << "\">\n";
   }
   /// Writes a tag. In the second pass there are none.
   template<class... T>
@@ -44,7 +46,8 @@ class vtk_xml_output {
   }
 
   /// Writes an array of n values of several numbers. values(use) calls use(value) for each.
-  void array(std::string_view array_name, vtk_property_type type, std::uint64_t n, std::string_view more, vtk_number_source values) {
+  void array(std::string_view array_name, vtk_property_type type, std::uint64_t n, std::string_view more,
+             vtk_number_source values) {
     const std::size_t size = vtk_names_of(type.number).size, bytes = type.components * size;
     if (!data_pass_) {
       c_.out << "<DataArray type=\"" << vtk_names_of(type.number).xml << "\" Name=\"" << xml_text(array_name) << '"';
@@ -73,13 +76,15 @@ class vtk_xml_output {
  private:
   void raw(std::uint64_t header) {
     const auto low = static_cast<std::uint32_t>(header);
-    c_.out << (wide_ ? std::string_view(reinterpret_cast<const char*>(&header), 8) : std::string_view(reinterpret_cast<const char*>(&low), 4));
+    c_.out << (wide_ ? std::string_view(reinterpret_cast<const char*>(&header), 8)
+                     : std::string_view(reinterpret_cast<const char*>(&low), 4));
   }
 };
 
 /// Writes the properties of an array list as arrays of n values.
 template<class Context, class Value>
-void write_vtk_xml_arrays(vtk_xml_output<Context>& out, const std::vector<vtk_output_array>& all, std::size_t n, std::string_view more, const Value& value) {
+void write_vtk_xml_arrays(vtk_xml_output<Context>& out, const std::vector<vtk_output_array>& all, std::size_t n,
+                          std::string_view more, const Value& value) {
   for (const vtk_output_array& a : all) {
     const auto values = [&](function_ref<void(const void*)> use) {
       for (std::size_t i = 0; i < n; ++i) use(value(a, i));
@@ -90,15 +95,19 @@ void write_vtk_xml_arrays(vtk_xml_output<Context>& out, const std::vector<vtk_ou
 
 /// Writes <Points>, and <PointData> before it.
 template<class Context>
-void write_vtk_xml_points(vtk_xml_output<Context>& out, Context& c, const flat_mesh& m, const vtk_output_arrays<Context>& arrays) {
+void write_vtk_xml_points(vtk_xml_output<Context>& out, Context& c, const flat_mesh& m,
+                          const vtk_output_arrays<Context>& arrays) {
   if (!arrays.of_verts.empty()) {
     std::string active;
     for (const vtk_output_array& a : arrays.of_verts) {
-      if (a.name == "normal" && a.type.number == vtk_number::float64 && a.type.components == 3) active += " Normals=\"normal\"";
-      if (a.name == "texture" && a.type.number == vtk_number::float64 && a.type.components == 2) active += " TCoords=\"texture\"";
+      if (a.name == "normal" && a.type.number == vtk_number::float64 && a.type.components == 3)
+        active += " Normals=\"normal\"";
+      if (a.name == "texture" && a.type.number == vtk_number::float64 && a.type.components == 2)
+        active += " TCoords=\"texture\"";
     }
     out.tag("<PointData", active, ">");
-    write_vtk_xml_arrays(out, arrays.of_verts, m.points.size(), "", [](const vtk_output_array& a, std::size_t i) { return a.value(i); });
+    write_vtk_xml_arrays(out, arrays.of_verts, m.points.size(), "",
+                         [](const vtk_output_array& a, std::size_t i) { return a.value(i); });
     out.tag("</PointData>");
   }
   out.tag("<Points>");

@@ -10,7 +10,8 @@
 
 namespace concino::detail {
 
-/// Reads the points and cells of all pieces, then their arrays. Points of different pieces at the same place with the same values become one.
+/// Reads the points and cells of all pieces, then their arrays. Points of different pieces at the same place with the
+/// same values become one.
 class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
   load_report& report_;
   std::vector<std::uint32_t> kept_cells_;              // without ghosts; empty: all
@@ -33,13 +34,16 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
     first_cell_.push_back(grid_.size());
     columns();
     if (index_.num_texts) report_.skipped.push_back(core::joined({index_.num_texts, " arrays of texts"}));
-    for (const std::string& name : index_.bit_arrays) report_.skipped.push_back(core::joined({"array \"", name, "\" of bits"}));
+    for (const std::string& name : index_.bit_arrays)
+      report_.skipped.push_back(core::joined({"array \"", name, "\" of bits"}));
     merge_pieces();
     drop_ghosts();
-    if (!grid_.points.empty()) grid_.largest = static_cast<std::uint32_t>(grid_.points.size() - 1);  // all verts were compared with it
+    // all verts were compared with it
+    if (!grid_.points.empty()) grid_.largest = static_cast<std::uint32_t>(grid_.points.size() - 1);
   }
 
-  [[noreturn, gnu::noinline, gnu::cold]] void fail_at_cell(std::size_t cell, core::message expected, core::message found) override {
+  [[noreturn, gnu::noinline, gnu::cold]] void fail_at_cell(std::size_t cell, core::message expected,
+                                                           core::message found) override {
     const place_in_piece x = piece_of(cell);
     fail(index_.pieces[x.piece].at, expected, {core::joined(found), " in cell ", x.cell, " of the piece"});
   }
@@ -65,9 +69,12 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
     std::vector<std::uint32_t> first, last;
     for (std::size_t i = 0; i < index_.entries.size(); ++i) {
       vtk_xml_entry& e = index_.entries[i];
-      if (e.part != vtk_xml_part::of_points && e.part != vtk_xml_part::of_cells && e.part != vtk_xml_part::of_mesh) continue;
+      if (e.part != vtk_xml_part::of_points && e.part != vtk_xml_part::of_cells && e.part != vtk_xml_part::of_mesh)
+        continue;
       if (e.part == vtk_xml_part::of_mesh) e.piece = 0;
-      const std::size_t k = number_of_name(names, e, [&](std::size_t known) { return known < last.size() && index_.entries[last[known]].piece == e.piece; });
+      const std::size_t k = number_of_name(names, e, [&](std::size_t known) {
+        return known < last.size() && index_.entries[last[known]].piece == e.piece;
+      });
       const auto here = static_cast<std::uint32_t>(i);
       if (k == first.size()) {
         first.push_back(here), last.push_back(here);
@@ -85,31 +92,42 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
     for (unsigned n = 2;; ++n) {
       const std::size_t k = names.add(core::joined({static_cast<char>('0' + static_cast<int>(e.part)), e.array.name}));
       if (!is_taken(k)) {
-        if (n > 2) report_.notes.push_back(core::joined({"another array \"", given, "\" is the property \"", e.array.name, "\""}));
+        if (n > 2)
+          report_.notes.push_back(
+              core::joined({"another array \"", given, "\" is the property \"", e.array.name, "\""}));
         return k;
       }
       e.array.name = core::joined({given, "_", n});
     }
   }
-  const vtk_xml_entry* next(const vtk_xml_entry* e) const { return e->next == ~0u ? nullptr : &index_.entries[e->next]; }
+  const vtk_xml_entry* next(const vtk_xml_entry* e) const {
+    return e->next == ~0u ? nullptr : &index_.entries[e->next];
+  }
 
   void skip_column(const std::string& array_name, std::uint64_t components) {
     report_.skipped.push_back(core::joined(
-        {"array \"", array_name, "\": properties have one value for each element, in all pieces, of 1, 2, 3, 4, 6 or 9 numbers, and it has ", components}));
+        {"array \"", array_name,
+         "\": properties have one value for each element, in all pieces, of 1, 2, 3, 4, 6 or 9 numbers, and it has ",
+         components}));
   }
 
   void column(const vtk_xml_entry& start) {
     const vtk_xml_part part = start.part;
     const std::string& array_name = start.array.name;
-    const element_kind kind = part == vtk_xml_part::of_points ? element_kind::vert : part == vtk_xml_part::of_cells ? element_kind::poly : element_kind::mesh;
+    const element_kind kind = part == vtk_xml_part::of_points  ? element_kind::vert
+                              : part == vtk_xml_part::of_cells ? element_kind::poly
+                                                               : element_kind::mesh;
     const std::vector<std::size_t>& first = kind == element_kind::vert ? first_point_ : first_cell_;
-    const auto count = [&](std::size_t p) { return kind == element_kind::mesh ? std::size_t{1} : first[p + 1] - first[p]; };
+    const auto count = [&](std::size_t p) {
+      return kind == element_kind::mesh ? std::size_t{1} : first[p + 1] - first[p];
+    };
     const vtk_xml_array& one = start.array;
     std::string property = array_name;
     if (kind == element_kind::vert && array_name == index_.normals && one.components == 3) property = "normal";
     if (kind == element_kind::vert && array_name == index_.textures && one.components == 2) property = "texture";
     const bool as_doubles = property != array_name || property == index_.normals || property == index_.textures;
-    const value_type* const type = property_type_of(as_doubles ? vtk_number::float64 : one.type, one.components, property);
+    const value_type* const type =
+        property_type_of(as_doubles ? vtk_number::float64 : one.type, one.components, property);
     bool fits = type && (kind != element_kind::mesh || one.tuples == 1);
     std::size_t num_values = 0;
     for (const vtk_xml_entry* e = &start; e; e = next(e)) {
@@ -121,7 +139,8 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
     if (!fits || num_values != total) return skip_column(array_name, one.components);
     for (const vtk_xml_entry* e = &start; e; e = next(e))
       if (!has_numbers(e->array, kind, count(e->piece))) return;
-    if (property != array_name) report_.notes.push_back(core::joined({"the array \"", array_name, "\" is the property \"", property, "\""}));
+    if (property != array_name)
+      report_.notes.push_back(core::joined({"the array \"", array_name, "\" is the property \"", property, "\""}));
     const std::shared_ptr<detail::column> values = make_column(*type, total);
     auto* to = static_cast<unsigned char*>(values->data());
     for (const vtk_xml_entry* e = &start; e; e = next(e)) {
@@ -136,8 +155,11 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
   bool has_numbers(const vtk_xml_array& a, element_kind kind, std::uint64_t n) {
     const std::uint64_t found = count_numbers(a), needed = n * a.components;
     if (found == needed || n == 0) return true;
-    const std::string elements = kind == element_kind::mesh ? "the mesh needs" : core::joined({n, kind == element_kind::vert ? " points" : " cells", " need"});
-    report_.skipped.push_back(core::joined({"array \"", a.name, "\" of ", found, " numbers, where ", elements, " ", needed}));
+    const std::string elements = kind == element_kind::mesh
+                                     ? "the mesh needs"
+                                     : core::joined({n, kind == element_kind::vert ? " points" : " cells", " need"});
+    report_.skipped.push_back(
+        core::joined({"array \"", a.name, "\" of ", found, " numbers, where ", elements, " ", needed}));
     return false;
   }
   void read_column(const vtk_xml_array& a, std::uint64_t n, bool as_doubles, unsigned char* to) {
@@ -154,11 +176,15 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
     const std::size_t n = grid_.points.size();
     const vtk_point_merger merged(grid_, first_point_);
     constexpr const char* where = " points at the place of a point of an earlier piece ";
-    report_.notes.push_back(core::joined({index_.pieces.size(), " pieces were joined: ", n - merged.kept.size(), where, "became that point"}));
+    report_.notes.push_back(core::joined(
+        {index_.pieces.size(), " pieces were joined: ", n - merged.kept.size(), where, "became that point"}));
     if (merged.num_different)
       report_.notes.push_back(
-          core::joined({merged.num_different, where, "stayed apart: they have other values, the first one in \"", *merged.different, "\""}));
-    if (merged.num_coincident) report_.notes.push_back(core::joined({merged.num_coincident, where, "stayed apart: a piece has several points there"}));
+          core::joined({merged.num_different, where, "stayed apart: they have other values, the first one in \"",
+                        *merged.different, "\""}));
+    if (merged.num_coincident)
+      report_.notes.push_back(
+          core::joined({merged.num_coincident, where, "stayed apart: a piece has several points there"}));
     if (merged.kept.size() == n) return;
     for (std::size_t c = 0; c < grid_.size(); ++c) renumber(c, merged.number);
     keep(element_kind::vert, merged.kept);

@@ -7,7 +7,18 @@
 namespace concino::detail {
 
 /// The parts of a piece. The order of lists of cells is that of their values.
-enum class vtk_xml_part : std::uint8_t { verts, lines, polys, strips, cells, points, of_points, of_cells, of_mesh, none };
+enum class vtk_xml_part : std::uint8_t {
+  verts,
+  lines,
+  polys,
+  strips,
+  cells,
+  points,
+  of_points,
+  of_cells,
+  of_mesh,
+  none
+};
 
 struct vtk_xml_piece {
   const char* at = nullptr;
@@ -37,7 +48,8 @@ struct vtk_xml_index {
 
 class vtk_xml_tags : xml_scanner {
   vtk_xml_index& index_;
-  std::vector<std::uint64_t> open_;  // the elements around the next tag: where the name of each begins in the text, and its size
+  std::vector<std::uint64_t> open_;  // the elements around the next tag: where the name of each begins in the text, and
+                                     // its size
   vtk_xml_part part_ = vtk_xml_part::none;
   bool in_grid_ = false;
 
@@ -98,22 +110,29 @@ class vtk_xml_tags : xml_scanner {
   }
 
   void file(const xml_tag& tag) {
-    const std::string type = text_of(tag, "type"), order = text_of(tag, "byte_order"), header = text_of(tag, "header_type"), compressor = text_of(tag, "compressor");
+    const std::string type = text_of(tag, "type"), order = text_of(tag, "byte_order"),
+                      header = text_of(tag, "header_type"), compressor = text_of(tag, "compressor");
     index_.is_polydata = type == "PolyData";
     if (!index_.is_polydata && type != "UnstructuredGrid")
-      core::throw_joined<unsupported>({name(), ": type=\"", std::string_view(type).substr(0, 40), "\" is not supported; UnstructuredGrid and PolyData are"});
-    if (!order.empty() && order != "LittleEndian" && order != "BigEndian") fail(tag.at, {"byte_order LittleEndian or BigEndian"}, {"'", std::string_view(order).substr(0, 40), "'"});
+      core::throw_joined<unsupported>({name(), ": type=\"", std::string_view(type).substr(0, 40),
+                                       "\" is not supported; UnstructuredGrid and PolyData are"});
+    if (!order.empty() && order != "LittleEndian" && order != "BigEndian")
+      fail(tag.at, {"byte_order LittleEndian or BigEndian"}, {"'", std::string_view(order).substr(0, 40), "'"});
     index_.encoding.swapped = (order == "BigEndian") != (std::endian::native == std::endian::big);
     if (order.empty()) index_.encoding.swapped = false;
-    if (!header.empty() && header != "UInt32" && header != "UInt64") fail(tag.at, {"header_type UInt32 or UInt64"}, {"'", std::string_view(header).substr(0, 40), "'"});
+    if (!header.empty() && header != "UInt32" && header != "UInt64")
+      fail(tag.at, {"header_type UInt32 or UInt64"}, {"'", std::string_view(header).substr(0, 40), "'"});
     index_.encoding.wide = header == "UInt64";
     index_.encoding.compressed = !compressor.empty();
     if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
-      core::throw_joined<unsupported>({name(), ": compressor ", std::string_view(compressor).substr(0, 40), " is not supported; vtkZLibDataCompressor is, and files that are not compressed"});
+      core::throw_joined<unsupported>(
+          {name(), ": compressor ", std::string_view(compressor).substr(0, 40),
+           " is not supported; vtkZLibDataCompressor is, and files that are not compressed"});
   }
 
   static vtk_xml_part part_of(std::string_view name) {
-    constexpr std::string_view names[] = {"Verts", "Lines", "Polys", "Strips", "Cells", "Points", "PointData", "CellData", "FieldData"};
+    constexpr std::string_view names[] = {"Verts",  "Lines",     "Polys",    "Strips",   "Cells",
+                                          "Points", "PointData", "CellData", "FieldData"};
     for (unsigned i = 0; i < std::size(names); ++i)
       if (names[i] == name) return static_cast<vtk_xml_part>(i);
     return vtk_xml_part::none;
@@ -158,13 +177,15 @@ class vtk_xml_tags : xml_scanner {
       index_.bit_arrays.push_back(a.name);
       return;
     }
-    if (a.type == vtk_number::none) fail(tag.at, {"a type of numbers, such as Float64 or Int32"}, {"'", std::string_view(type).substr(0, 40), "'"});
+    if (a.type == vtk_number::none)
+      fail(tag.at, {"a type of numbers, such as Float64 or Int32"}, {"'", std::string_view(type).substr(0, 40), "'"});
     a.components = std::max<std::uint64_t>(1, number_of(tag, "NumberOfComponents", 1));
     a.tuples = number_of(tag, "NumberOfTuples", 1);
     constexpr std::string_view formats[] = {"ascii", "binary", "appended"};
     for (const std::string_view known : formats)
       if (format == known) a.format = known;
-    if (a.format.empty()) fail(tag.at, {"format ascii, binary or appended"}, {"'", std::string_view(format).substr(0, 40), "'"});
+    if (a.format.empty())
+      fail(tag.at, {"format ascii, binary or appended"}, {"'", std::string_view(format).substr(0, 40), "'"});
     if (a.format == "appended") a.offset = number_of(tag, "offset", ~std::uint64_t{0});
     a.begin = at;
     a.end = at;
@@ -178,7 +199,8 @@ class vtk_xml_tags : xml_scanner {
   /// The rest of the file is data.
   void appended(const xml_tag& tag) {
     const std::string encoding = text_of(tag, "encoding");
-    if (encoding != "raw" && encoding != "base64") fail(tag.at, {"encoding raw or base64"}, {"'", std::string_view(encoding).substr(0, 40), "'"});
+    if (encoding != "raw" && encoding != "base64")
+      fail(tag.at, {"encoding raw or base64"}, {"'", std::string_view(encoding).substr(0, 40), "'"});
     skip_space();
     if (at_end() || *at != '_') fail(tag.at, "_ at the beginning of AppendedData");
     index_.encoding.appended = at + 1;

@@ -10,7 +10,8 @@ template<std::same_as<write_context> Context>
 void vtp_format::write(Context& c, flat_mesh& m) {
   const detail::vtk_output_arrays<Context> arrays(c, m, false);
   const std::uint64_t corners = m.poly_verts.values.size();
-  detail::vtk_xml_output<Context> out(c, std::max<std::uint64_t>({8 * corners, 72 * m.num_polys, 72 * m.points.size()}));
+  detail::vtk_xml_output<Context> out(c,
+                                      std::max<std::uint64_t>({8 * corners, 72 * m.num_polys, 72 * m.points.size()}));
   out.begin("PolyData");
   const auto of_elements = [](const detail::vtk_output_array& a, std::size_t i) { return a.value(i); };
   const auto corner_verts = [&](function_ref<void(const void*)> use) {
@@ -36,7 +37,8 @@ void vtp_format::write(Context& c, flat_mesh& m) {
       detail::write_vtk_xml_arrays(out, arrays.of_mesh, 1, " NumberOfTuples=\"1\"", of_elements);
       out.tag("</FieldData>");
     }
-    out.tag("<Piece NumberOfPoints=\"", m.points.size(), "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"", m.num_polys, "\">");
+    out.tag("<Piece NumberOfPoints=\"", m.points.size(),
+            "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"", m.num_polys, "\">");
     detail::write_vtk_xml_points(out, c, m, arrays);
     out.tag("<Polys>");
     out.array("connectivity", {detail::vtk_number::int64, 1}, corners, "", corner_verts);

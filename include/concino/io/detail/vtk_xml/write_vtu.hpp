@@ -20,7 +20,9 @@ class vtu_writer {
     const std::span<const vert_id> all = cells_.verts(i);
     if (cells_.type(i) != vtk_polyhedron) return all;
     scratch_.clear();
-    for (std::size_t at = 1; at < all.size(); at += 1 + all[at].raw()) scratch_.insert(scratch_.end(), all.begin() + static_cast<std::ptrdiff_t>(at) + 1, all.begin() + static_cast<std::ptrdiff_t>(at + 1 + all[at].raw()));
+    for (std::size_t at = 1; at < all.size(); at += 1 + all[at].raw())
+      scratch_.insert(scratch_.end(), all.begin() + static_cast<std::ptrdiff_t>(at) + 1,
+                      all.begin() + static_cast<std::ptrdiff_t>(at + 1 + all[at].raw()));
     std::sort(scratch_.begin(), scratch_.end());
     scratch_.erase(std::unique(scratch_.begin(), scratch_.end()), scratch_.end());
     return scratch_;
@@ -83,7 +85,8 @@ class vtu_writer {
   }
 
   void write() {
-    vtk_xml_output<Context> out(c_, std::max<std::uint64_t>({8 * num_verts_, 8 * num_face_numbers_, 72 * cells_.size(), 72 * m_.points.size()}));
+    vtk_xml_output<Context> out(c_, std::max<std::uint64_t>({8 * num_verts_, 8 * num_face_numbers_, 72 * cells_.size(),
+                                                             72 * m_.points.size()}));
     out.begin("UnstructuredGrid");
     const auto of_elements = [](const vtk_output_array& a, std::size_t i) { return a.value(i); };
     const auto all = [&] {
@@ -98,8 +101,9 @@ class vtu_writer {
       cells(out);
       if (!arrays_.of_cells.empty()) {
         out.tag("<CellData>");
-        write_vtk_xml_arrays(out, arrays_.of_cells, cells_.size(), "",
-                             [&](const vtk_output_array& a, std::size_t i) { return i < m_.num_polys ? a.value(i) : a.face_value(cells_.faces[i - m_.num_polys]); });
+        write_vtk_xml_arrays(out, arrays_.of_cells, cells_.size(), "", [&](const vtk_output_array& a, std::size_t i) {
+          return i < m_.num_polys ? a.value(i) : a.face_value(cells_.faces[i - m_.num_polys]);
+        });
         out.tag("</CellData>");
       }
       out.tag("</Piece>");

@@ -1,4 +1,5 @@
-// Reads the tags of XML files as VTK writes them: elements, attributes, comments, and the five entities. It needs no memory but for names.
+// Reads the tags of XML files as VTK writes them: elements, attributes, comments, and the five entities. It needs no
+// memory but for names.
 #pragma once
 
 #include <concino/io/text_cursor.hpp>
@@ -20,7 +21,8 @@ class xml_scanner : public text_cursor {
  public:
   using text_cursor::text_cursor;
 
-  /// Reads the next tag, and stops behind it. Returns false at the end of the text. Errors: parse_error for what is no such XML.
+  /// Reads the next tag, and stops behind it. Returns false at the end of the text. Errors: parse_error for what is no
+  /// such XML.
   bool next(xml_tag& tag) {
     for (;;) {
       const auto* const open = left() ? static_cast<const char*>(std::memchr(at, '<', left())) : nullptr;
@@ -63,7 +65,9 @@ class xml_scanner : public text_cursor {
   }
 
  private:
-  bool starts_with(std::string_view text) const { return left() >= text.size() && std::string_view(at, text.size()) == text; }
+  bool starts_with(std::string_view text) const {
+    return left() >= text.size() && std::string_view(at, text.size()) == text;
+  }
   void skip_to(std::string_view text, const char* expected) {
     const std::size_t found = std::string_view(at, left()).find(text);
     if (found == std::string_view::npos) fail(at - 1, expected);

@@ -13,7 +13,8 @@
 
 namespace concino::detail {
 
-/// Numbers the verts that are kept, then the new ones, and lists their points and origins. Crossed: crossed_surface or crossed_volume.
+/// Numbers the verts that are kept, then the new ones, and lists their points and origins. Crossed: crossed_surface or
+/// crossed_volume.
 template<class M, class Crossed>
 class clip_verts {
   const M& m_;
@@ -23,14 +24,17 @@ class clip_verts {
   std::vector<std::uint32_t> number_;           // by index of the vert in m
   std::vector<std::uint32_t> number_of_place_;  // by place that is not a vert of m
 
-  bool is_vert(const level_place& x) const { return x.kind == level_place::vert && crossed_.vert_indices[x.above] != ~0u; }
+  bool is_vert(const level_place& x) const {
+    return x.kind == level_place::vert && crossed_.vert_indices[x.above] != ~0u;
+  }
 
  public:
   std::vector<vec3> points;
   element_origins origins;
 
   clip_verts(const M& m, const Crossed& crossed, const std::vector<level_place>& places, double level)
-      : m_(m), crossed_(crossed), places_(places), level_(level), number_(vert_index_bound(m), ~0u), number_of_place_(places.size(), ~0u) {}
+      : m_(m), crossed_(crossed), places_(places), level_(level), number_(vert_index_bound(m), ~0u),
+        number_of_place_(places.size(), ~0u) {}
 
   void mark(const vert_t<M>& v) { number_[index_of(m_, v)] = 0; }
   void mark_place(std::uint32_t place) {
@@ -60,7 +64,9 @@ class clip_verts {
     for (std::size_t i = 0; i < places_.size(); ++i) {
       if (number_of_place_[i] == ~0u) continue;
       const level_place& x = places_[i];
-      const double t = x.kind == level_place::vert ? 1 : crossing_parameter(crossed_.values[x.below], crossed_.values[x.above], level_);
+      const double t = x.kind == level_place::vert
+                           ? 1
+                           : crossing_parameter(crossed_.values[x.below], crossed_.values[x.above], level_);
       points.push_back(crossing_point(crossed_.points[x.below], crossed_.points[x.above], t));
       origins.add(std::span<const origin>(origins_of(x)));
     }
@@ -74,7 +80,9 @@ class clip_verts {
 };
 
 [[noreturn, gnu::cold, gnu::noinline]] inline void throw_not_convex(const char* caller, std::size_t poly) {
-  core::throw_joined<unsupported>({caller, ": poly ", poly, " is not convex, so that its parts may overlap; leave out .convex_only to cut it nevertheless"});
+  core::throw_joined<unsupported>(
+      {caller, ": poly ", poly,
+       " is not convex, so that its parts may overlap; leave out .convex_only to cut it nevertheless"});
 }
 
 /// Transfers the named properties of m to a mesh that was made of it, if both can have them.

@@ -42,15 +42,20 @@ CONCINO_INLINE bool is_convex_cell(const crossed_volume& v, std::uint32_t cell) 
   for (const std::uint32_t x : verts) points.push_back(v.points[x]);
   const auto is_outside = [&](const std::uint32_t* first, const std::uint32_t* last, bool outward) {
     corners.clear();
-    for (; first != last; ++first) corners.push_back(static_cast<std::uint32_t>(std::lower_bound(verts.begin(), verts.end(), *first) - verts.begin()));
+    for (; first != last; ++first)
+      corners.push_back(
+          static_cast<std::uint32_t>(std::lower_bound(verts.begin(), verts.end(), *first) - verts.begin()));
     return is_vert_outside(points, corners, outward);
   };
   for (std::uint32_t s = v.first_facet[cell]; s < v.first_facet[cell + 1]; ++s) {
     const std::uint32_t fan = v.fan_of[s];
     if (fan == v.none) {
-      if (is_outside(v.verts.data() + v.first_corner[s], v.verts.data() + v.first_corner[s + 1], v.outward[s] != 0)) return false;
+      if (is_outside(v.verts.data() + v.first_corner[s], v.verts.data() + v.first_corner[s + 1], v.outward[s] != 0))
+        return false;
     } else if (s == v.fans[fan].first_facet) {
-      if (is_outside(v.whole_verts.data() + v.fans[fan].first_corner, v.whole_verts.data() + v.fans[fan].last_corner, v.outward[s] != 0)) return false;
+      if (is_outside(v.whole_verts.data() + v.fans[fan].first_corner, v.whole_verts.data() + v.fans[fan].last_corner,
+                     v.outward[s] != 0))
+        return false;
     }
   }
   return true;

@@ -13,7 +13,8 @@ std::vector<vec3> points_of_places(const std::vector<level_place>& places, const
   std::vector<vec3> points;
   points.reserve(places.size());
   for (const level_place& x : places) {
-    const double t = x.kind == level_place::vert ? 1 : crossing_parameter(crossed.values[x.below], crossed.values[x.above], level);
+    const double t =
+        x.kind == level_place::vert ? 1 : crossing_parameter(crossed.values[x.below], crossed.values[x.above], level);
     points.push_back(crossing_point(crossed.points[x.below], crossed.points[x.above], t));
   }
   return points;

@@ -28,8 +28,8 @@ class surface_clipper {
 
  public:
   surface_clipper(const M& m, const U& u, double level, bool both, const char* caller)
-      : m_(m), level_(level), both_(both), states_(level_states(m, u, level, caller)), crossed_(m, u, level, crossed_polys(m, states_)),
-        cuts_(crossed_.arrays, level) {}
+      : m_(m), level_(level), both_(both), states_(level_states(m, u, level, caller)),
+        crossed_(m, u, level, crossed_polys(m, states_)), cuts_(crossed_.arrays, level) {}
 
   clipped_surface<M> run(const clip_options& options, const char* caller) {
     report_concave_polys(options, caller);
@@ -89,7 +89,8 @@ class surface_clipper {
       ++next;
     }
     for (const std::uint32_t i : cut_)
-      for (std::uint32_t k = parts.parts[i].first; k < parts.parts[i].last; ++k) verts_of.mark_place(parts.part_places[k]);
+      for (std::uint32_t k = parts.parts[i].first; k < parts.parts[i].last; ++k)
+        verts_of.mark_place(parts.part_places[k]);
   }
 
   void build(const poly_parts& parts, clip_verts<M, crossed_surface>& verts_of) {

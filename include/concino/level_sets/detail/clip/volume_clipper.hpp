@@ -35,8 +35,10 @@ class volume_clipper {
 
  public:
   volume_clipper(const M& m, const U& u, double level, bool both, const char* caller)
-      : m_(m), level_(level), both_(both), states_(level_states(m, u, level, caller)), crossed_(m, u, level, crossed_polys(m, states_)),
-        cuts_(crossed_.arrays, arity_v<M> > 0 ? cell_cuts::cells_are::spheres : cell_cuts::cells_are::unknown, caller, crossed_.poly_indices),
+      : m_(m), level_(level), both_(both), states_(level_states(m, u, level, caller)),
+        crossed_(m, u, level, crossed_polys(m, states_)),
+        cuts_(crossed_.arrays, arity_v<M> > 0 ? cell_cuts::cells_are::spheres : cell_cuts::cells_are::unknown, caller,
+              crossed_.poly_indices),
         face_number_(face_index_bound(m), none) {}
 
   clipped_volume<M> run(const clip_options& options, const char* caller) {
@@ -178,8 +180,10 @@ class volume_clipper {
     for (const face_t<M> f : faces(m_))
       if (face_number_[index_of(m_, f)] != none) ++num_faces, num_corners += num_elements(adj_f2v(m_, f));
     for (const poly_t<M>& p : whole_) num_poly_faces += num_elements(adj_p2f(m_, p));
-    a.face_offsets.reserve(num_faces + parts.faces.size() + 1), a.face_verts.reserve(num_corners + parts.face_places.size());
-    a.poly_offsets.reserve(whole_.size() + cut_.size() + 1), a.poly_faces.reserve(num_poly_faces), a.outward.reserve(num_poly_faces);
+    a.face_offsets.reserve(num_faces + parts.faces.size() + 1),
+        a.face_verts.reserve(num_corners + parts.face_places.size());
+    a.poly_offsets.reserve(whole_.size() + cut_.size() + 1), a.poly_faces.reserve(num_poly_faces),
+        a.outward.reserve(num_poly_faces);
   }
 
   /// As match_edges_and_faces does it. Most edges have two verts of m, and are found at once.

@@ -14,8 +14,9 @@
 
 namespace concino::detail {
 
-/// The chords of the facets of a cell close to loops, each of which separates verts below from verts above. Connected verts of one kind are a region. A region
-/// above without a vert strictly above is dropped: it counts as below, and its loops do not cut the cell.
+/// The chords of the facets of a cell close to loops, each of which separates verts below from verts above. Connected
+/// verts of one kind are a region. A region above without a vert strictly above is dropped: it counts as below, and its
+/// loops do not cut the cell.
 class cell_cuts {
  public:
   static constexpr std::uint32_t none = ~0u;
@@ -39,7 +40,8 @@ class cell_cuts {
   enum class cells_are { spheres, unknown };
 
   /// Errors: unsupported that names a cell whose surface is not a sphere.
-  cell_cuts(const crossed_volume& v, cells_are surface, const char* caller, const std::vector<std::uint32_t>& cell_indices);
+  cell_cuts(const crossed_volume& v, cells_are surface, const char* caller,
+            const std::vector<std::uint32_t>& cell_indices);
 
   const crossed_volume& volume() const { return v_; }
   const std::vector<chord>& chords() const { return chords_; }
@@ -47,11 +49,16 @@ class cell_cuts {
   const std::vector<loop>& loops() const { return loops_; }
   const std::vector<std::uint32_t>& loop_chords() const { return loop_chords_; }
   std::uint32_t first_chord(std::uint32_t facet) const { return first_chord_[facet]; }
-  std::uint32_t chord_at(std::uint32_t corner) const { return chord_at_[corner]; }  // none at edges that are not crossed
+  // none at edges that are not crossed
+  std::uint32_t chord_at(std::uint32_t corner) const { return chord_at_[corner]; }
   std::uint32_t cell_of(std::uint32_t facet) const { return cell_of_[facet]; }
   std::uint32_t facet_of(std::uint32_t corner) const { return facet_of_[corner]; }
-  std::uint32_t next(std::uint32_t corner) const { return corner + 1 < v_.first_corner[facet_of_[corner] + 1] ? corner + 1 : v_.first_corner[facet_of_[corner]]; }
-  std::uint32_t previous(std::uint32_t corner) const { return corner > v_.first_corner[facet_of_[corner]] ? corner - 1 : v_.first_corner[facet_of_[corner] + 1] - 1; }
+  std::uint32_t next(std::uint32_t corner) const {
+    return corner + 1 < v_.first_corner[facet_of_[corner] + 1] ? corner + 1 : v_.first_corner[facet_of_[corner]];
+  }
+  std::uint32_t previous(std::uint32_t corner) const {
+    return corner > v_.first_corner[facet_of_[corner]] ? corner - 1 : v_.first_corner[facet_of_[corner] + 1] - 1;
+  }
   /// The other facet of the same cell at an edge, as its corner there.
   std::uint32_t mate(std::uint32_t corner) const { return mates_[corner]; }
   /// The facet of the other crossed cell at the same face; none if there is none.
@@ -73,8 +80,12 @@ class cell_cuts {
   }
 
   /// The place of the crossed edge that begins at a corner, and of a crossed diagonal of a facet.
-  level_place crossing(std::uint32_t corner) const { return v_.place_between(level_place::edge, v_.edges[corner], v_.verts[corner], v_.verts[next(corner)]); }
-  level_place crossing(std::uint32_t facet, const crossed_diagonal& d) const { return v_.place_between(level_place::inside, v_.faces[facet], d.below, d.above); }
+  level_place crossing(std::uint32_t corner) const {
+    return v_.place_between(level_place::edge, v_.edges[corner], v_.verts[corner], v_.verts[next(corner)]);
+  }
+  level_place crossing(std::uint32_t facet, const crossed_diagonal& d) const {
+    return v_.place_between(level_place::inside, v_.faces[facet], d.below, d.above);
+  }
 
   /// The corner where a chord starts, or ends, seen from outside the cell.
   std::uint32_t start(const chord& c) const { return v_.outward[c.facet] ? c.from : c.to; }

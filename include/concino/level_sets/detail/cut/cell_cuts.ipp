@@ -8,7 +8,9 @@
 
 namespace concino::detail {
 
-CONCINO_INLINE cell_cuts::cell_cuts(const crossed_volume& v, cells_are surface, const char* caller, const std::vector<std::uint32_t>& cell_indices) : v_(v) {
+CONCINO_INLINE cell_cuts::cell_cuts(const crossed_volume& v, cells_are surface, const char* caller,
+                                    const std::vector<std::uint32_t>& cell_indices)
+    : v_(v) {
   number_facets();
   mates_.assign(v_.num_corners(), none);
   cell_vert_.assign(v_.num_corners(), none);
@@ -16,7 +18,8 @@ CONCINO_INLINE cell_cuts::cell_cuts(const crossed_volume& v, cells_are surface, 
   number_in_cell_.assign(v_.points.size(), none);
   for (std::uint32_t c = 0; c < v_.num_cells(); ++c)
     if (!find_mates(c, surface))
-      core::throw_joined<unsupported>({caller, ": the faces of poly ", cell_indices[c], " do not form one closed surface without handles that are oriented outward, ",
+      core::throw_joined<unsupported>({caller, ": the faces of poly ", cell_indices[c],
+                                       " do not form one closed surface without handles that are oriented outward, ",
                                        "so that it has no inside; validate(m) says more"});
   find_twins();
   find_chords();
@@ -34,7 +37,8 @@ CONCINO_INLINE void cell_cuts::number_facets() {
     }
 }
 
-/// Pairs the two uses of each edge by the facets of a cell, and numbers its verts. Returns false if its surface is not a sphere.
+/// Pairs the two uses of each edge by the facets of a cell, and numbers its verts. Returns false if its surface is not
+/// a sphere.
 CONCINO_INLINE bool cell_cuts::find_mates(std::uint32_t cell, cells_are surface) {
   surface_.clear();
   const std::uint32_t first = v_.first_corner[v_.first_facet[cell]];
@@ -81,7 +85,8 @@ CONCINO_INLINE void cell_cuts::find_chords() {
       continue;
     }
     // The other facet of the face has been crossed already: corner after corner the same.
-    const std::uint32_t from = first_chord_[twin], to = first_chord_[twin + 1], shift = v_.first_corner[s] - v_.first_corner[twin];
+    const std::uint32_t from = first_chord_[twin], to = first_chord_[twin + 1],
+                        shift = v_.first_corner[s] - v_.first_corner[twin];
     for (std::uint32_t i = from; i < to; ++i) {
       chord c = chords_[i];
       c.facet = s;
@@ -109,7 +114,8 @@ CONCINO_INLINE void cell_cuts::find_chords_of(std::uint32_t facet) {
   }
   crossings_.find(above_, values_, points_, v_.level(), start);
   const auto inner = static_cast<std::uint32_t>(inner_.size());
-  for (const crossed_diagonal& d : crossings_.inner()) inner_.push_back({v_.verts[first + d.below], v_.verts[first + d.above]});
+  for (const crossed_diagonal& d : crossings_.inner())
+    inner_.push_back({v_.verts[first + d.below], v_.verts[first + d.above]});
   for (const level_chord& c : crossings_.chords()) {
     chord_at_[first + c.from] = chord_at_[first + c.to] = static_cast<std::uint32_t>(chords_.size());
     chords_.push_back({first + c.from, first + c.to, inner + c.inner_begin, inner + c.inner_end, facet});
@@ -137,7 +143,8 @@ CONCINO_INLINE void cell_cuts::find_regions() {
 CONCINO_INLINE void cell_cuts::find_loops() {
   for (std::uint32_t i = 0; i < chords_.size(); ++i) {
     if (chords_[i].loop != none) continue;
-    const auto number = static_cast<std::uint32_t>(loops_.size()), first = static_cast<std::uint32_t>(loop_chords_.size());
+    const auto number = static_cast<std::uint32_t>(loops_.size()),
+               first = static_cast<std::uint32_t>(loop_chords_.size());
     const bool cuts = state(chords_[i].from) == is_above;
     for (std::uint32_t at = i; chords_[at].loop == none; at = chord_at_[mates_[end(chords_[at])]]) {
       chords_[at].loop = number;
@@ -150,7 +157,8 @@ CONCINO_INLINE void cell_cuts::find_loops() {
 /// A chord that crosses between two cells has the same number among those of both sides.
 CONCINO_INLINE bool cell_cuts::is_active(std::uint32_t number) const {
   const std::uint32_t facet = chords_[number].facet, twin = twins_[facet];
-  return loops_[chords_[number].loop].cuts || (twin != none && loops_[chords_[number - first_chord_[facet] + first_chord_[twin]].loop].cuts);
+  return loops_[chords_[number].loop].cuts ||
+         (twin != none && loops_[chords_[number - first_chord_[facet] + first_chord_[twin]].loop].cuts);
 }
 
 }  // namespace concino::detail

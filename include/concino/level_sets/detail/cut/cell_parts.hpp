@@ -34,7 +34,8 @@ class cell_parts {
   std::vector<std::uint32_t> face_places;  // places, by number
   std::vector<part> parts;                 // by cell
   std::vector<std::uint32_t> part_faces;   // faces, by number
-  std::vector<unsigned char> outward;      // by entry of part_faces: whether the places are counter-clockwise seen from outside the part
+  std::vector<unsigned char> outward;      // by entry of part_faces: whether the places are counter-clockwise seen from
+                                           // outside the part
   std::vector<level_place> places;
   std::vector<std::uint32_t> moved_verts;  // verts that count as on the other side; see remove_flat_parts()
 
@@ -61,7 +62,9 @@ class cell_parts {
   void join_regions();
   void find_added_edges();
   bool is_added(std::uint32_t corner) const;
-  std::uint32_t part_at(std::uint32_t corner) { return static_cast<std::uint32_t>(part_of_.root(cuts_.region(corner))); }
+  std::uint32_t part_at(std::uint32_t corner) {
+    return static_cast<std::uint32_t>(part_of_.root(cuts_.region(corner)));
+  }
   void add_place(const level_place& x) { polygon_.push_back(numbers_.add(x)); }
   void add_crossing_if_added(std::uint32_t corner);
   void add_chord(std::uint32_t chord, bool forward);

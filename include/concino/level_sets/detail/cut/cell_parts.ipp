@@ -17,7 +17,8 @@ CONCINO_INLINE cell_parts::cell_parts(cell_cuts& cuts) : cuts_(cuts), v_(cuts.vo
   find_added_edges();
   // A face of two cells, cut in two, and a cap in each cell: about as many as facets.
   const std::size_t num_facets = v_.num_facets();
-  faces.reserve(num_facets + num_facets / 2), uses_.reserve(2 * num_facets), face_places.reserve(v_.num_corners() + v_.num_corners() / 2);
+  faces.reserve(num_facets + num_facets / 2), uses_.reserve(2 * num_facets),
+      face_places.reserve(v_.num_corners() + v_.num_corners() / 2);
   add_facets();
   add_caps();
   merge_equal_faces();
@@ -25,7 +26,8 @@ CONCINO_INLINE cell_parts::cell_parts(cell_cuts& cuts) : cuts_(cuts), v_(cuts.vo
   places = std::move(numbers_.places);
 }
 
-/// Joins the regions on both sides of each loop that does not cut. A part is above if one of its regions is, or is raised.
+/// Joins the regions on both sides of each loop that does not cut. A part is above if one of its regions is, or is
+/// raised.
 CONCINO_INLINE void cell_parts::join_regions() {
   part_of_ = disjoint_sets(cuts_.num_cell_verts());
   for (const cell_cuts::loop& l : cuts_.loops()) {
@@ -62,7 +64,8 @@ CONCINO_INLINE void cell_parts::add_chord(std::uint32_t chord, bool forward) {
   const cell_cuts::chord& c = cuts_.chords()[chord];
   const std::uint32_t n = c.inner_end - c.inner_begin;
   add_place(cuts_.crossing(forward ? c.from : c.to));
-  for (std::uint32_t k = 0; k < n; ++k) add_place(cuts_.crossing(c.facet, cuts_.inner()[forward ? c.inner_begin + k : c.inner_end - 1 - k]));
+  for (std::uint32_t k = 0; k < n; ++k)
+    add_place(cuts_.crossing(c.facet, cuts_.inner()[forward ? c.inner_begin + k : c.inner_end - 1 - k]));
   add_place(cuts_.crossing(forward ? c.to : c.from));
 }
 
@@ -73,7 +76,8 @@ CONCINO_INLINE void cell_parts::add_facets() {
     if (const std::uint32_t fan = v_.fan_of[s]; fan != none) {
       const crossed_volume::fan& f = v_.fans[fan];
       bool any = false;
-      for (std::uint32_t i = cuts_.first_chord(f.first_facet); i < cuts_.first_chord(f.last_facet); ++i) any = any || cuts_.is_active(i);
+      for (std::uint32_t i = cuts_.first_chord(f.first_facet); i < cuts_.first_chord(f.last_facet); ++i)
+        any = any || cuts_.is_active(i);
       if (!any) {
         if (s == f.first_facet) add_fan(fan);
         continue;
@@ -155,8 +159,8 @@ CONCINO_INLINE void cell_parts::add_caps() {
   }
 }
 
-/// Adds the current polygon: equal places that follow each other are joined, and a polygon that comes to one place twice is cut there. Returns how many
-/// polygons with three places or more are left.
+/// Adds the current polygon: equal places that follow each other are joined, and a polygon that comes to one place
+/// twice is cut there. Returns how many polygons with three places or more are left.
 CONCINO_INLINE std::uint32_t cell_parts::add_faces(std::uint32_t origin, bool is_whole, bool is_cut) {
   const std::size_t before = faces.size();
   const auto add = [&](std::size_t first) {
@@ -227,22 +231,26 @@ CONCINO_INLINE int cell_parts::compare_places(const face& a, const face& b) cons
   return same ? 1 : opposite ? -1 : 0;
 }
 
-/// Lists the faces of each part. A face that a part uses twice, from both sides, is not one of its faces; a part without faces has no inside.
+/// Lists the faces of each part. A face that a part uses twice, from both sides, is not one of its faces; a part
+/// without faces has no inside.
 CONCINO_INLINE void cell_parts::list_parts() {
   const std::uint32_t num_roots = cuts_.num_cell_verts();
-  std::vector<std::uint32_t> ends(num_roots + std::size_t{1}, 0);  // by part: where its uses begin in `sorted`, then where they end
+  std::vector<std::uint32_t> ends(num_roots + std::size_t{1}, 0);  // by part: where its uses begin in `sorted`, then
+                                                                   // where they end
   for (const use& u : uses_) ++ends[u.part + std::size_t{1}];
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
   std::vector<use> sorted(uses_.size()), of_part;
   for (const use& u : uses_) sorted[ends[u.part]++] = u;
   part_faces.reserve(uses_.size()), outward.reserve(uses_.size());
   std::vector<std::uint32_t> cell_of_vert(cuts_.num_cell_verts(), none);
-  for (std::uint32_t k = 0; k < v_.num_corners(); ++k) cell_of_vert[cuts_.number_in_cells(k)] = cuts_.cell_of(cuts_.facet_of(k));
+  for (std::uint32_t k = 0; k < v_.num_corners(); ++k)
+    cell_of_vert[cuts_.number_in_cells(k)] = cuts_.cell_of(cuts_.facet_of(k));
   for (std::uint32_t root = 0, i = 0; root < num_roots; ++root) {
     of_part.clear();
     for (; i < ends[root]; ++i) {
       const use& u = sorted[i];
-      const auto twice = std::find_if(of_part.begin(), of_part.end(), [&](const use& x) { return x.face == u.face && x.outward != u.outward; });
+      const auto twice = std::find_if(of_part.begin(), of_part.end(),
+                                      [&](const use& x) { return x.face == u.face && x.outward != u.outward; });
       if (twice == of_part.end()) of_part.push_back(u);
       else of_part.erase(twice);
     }

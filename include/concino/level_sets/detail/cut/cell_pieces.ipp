@@ -11,8 +11,8 @@
 
 namespace concino::detail {
 
-/// Where what was between two pieces of a part had no size, they only touch, at a vert or an edge. Sorts one of them to the front of the uses from `first`
-/// on, and returns where it ends. Edges with two faces connect.
+/// Where what was between two pieces of a part had no size, they only touch, at a vert or an edge. Sorts one of them to
+/// the front of the uses from `first` on, and returns where it ends. Edges with two faces connect.
 CONCINO_INLINE std::size_t cell_parts::end_of_piece(std::vector<use>& uses, std::size_t first) {
   const auto is_on_level = [&](std::uint32_t place) {
     const level_place& x = numbers_.places[place];
@@ -44,7 +44,8 @@ CONCINO_INLINE std::size_t cell_parts::end_of_piece(std::vector<use>& uses, std:
     if (end == i + 2) pieces.unite(edges[i].use, edges[i + 1].use);
   }
   std::vector<use> here, others;
-  for (std::size_t i = first; i < uses.size(); ++i) (pieces.root(i - first) == pieces.root(0) ? here : others).push_back(uses[i]);
+  for (std::size_t i = first; i < uses.size(); ++i)
+    (pieces.root(i - first) == pieces.root(0) ? here : others).push_back(uses[i]);
   std::copy(here.begin(), here.end(), uses.begin() + static_cast<std::ptrdiff_t>(first));
   std::copy(others.begin(), others.end(), uses.begin() + static_cast<std::ptrdiff_t>(first + here.size()));
   return first + here.size();

@@ -19,7 +19,8 @@ class cell_surface {
   std::vector<std::uint32_t> verts_;     // by corner
   std::vector<std::uint32_t> ends_;      // by facet: where its corners end
   std::vector<unsigned char> outward_;   // by facet
-  std::vector<std::uint64_t> edges_;     // by corner: the two verts of the edge to the next corner, the smaller one first
+  std::vector<std::uint64_t> edges_;     // by corner: the two verts of the edge to the next corner, the smaller one
+                                         // first
   std::vector<std::uint32_t> facets_;     // by corner
   std::vector<std::uint32_t> mates_;
   core::index_table first_at_;           // of each edge, the first corner
@@ -33,11 +34,13 @@ class cell_surface {
     outward_.push_back(is_outward);
   }
 
-  /// Whether each edge is used twice, in opposite directions if facets are seen from outside. Then mates() has the other use of each edge.
+  /// Whether each edge is used twice, in opposite directions if facets are seen from outside. Then mates() has the
+  /// other use of each edge.
   bool find_mates();
   const std::vector<std::uint32_t>& mates() const { return mates_; }
 
-  /// Whether the facets form one closed oriented surface without handles that does not touch itself, after find_mates() was true.
+  /// Whether the facets form one closed oriented surface without handles that does not touch itself, after find_mates()
+  /// was true.
   bool is_sphere(std::size_t num_verts);
 
  private:

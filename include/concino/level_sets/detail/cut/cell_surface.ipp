@@ -24,7 +24,8 @@ CONCINO_INLINE bool cell_surface::find_mates() {
   mates_.assign(n, none);
   first_at_.clear();
   for (std::uint32_t k = 0; k < n; ++k) {
-    const std::uint32_t hash = core::index_table::hash(edges_[k]), first = first_at_.find(hash, [&](std::uint32_t i) { return edges_[i] == edges_[k]; });
+    const std::uint32_t hash = core::index_table::hash(edges_[k]),
+                        first = first_at_.find(hash, [&](std::uint32_t i) { return edges_[i] == edges_[k]; });
     if (first == none) {
       first_at_.add(hash, k);
       continue;
@@ -45,8 +46,9 @@ CONCINO_INLINE bool cell_surface::are_connected() {
   return num_pieces == 1;
 }
 
-/// Edges have two facets each. So the facets form closed surfaces, whose Euler characteristics sum to V - E + F plus one for each additional fan of facets at a
-/// vert. One surface has at most 2, and 2 only if it is a sphere that does not touch itself. Two surfaces have at least 8 facets: a tetrahedron has 4, and a torus 7.
+/// Edges have two facets each. So the facets form closed surfaces, whose Euler characteristics sum to V - E + F plus
+/// one for each additional fan of facets at a vert. One surface has at most 2, and 2 only if it is a sphere that does
+/// not touch itself. Two surfaces have at least 8 facets: a tetrahedron has 4, and a torus 7.
 CONCINO_INLINE bool cell_surface::is_sphere(std::size_t num_verts) {
   return num_verts + ends_.size() == verts_.size() / 2 + 2 && (ends_.size() <= few || are_connected());
 }

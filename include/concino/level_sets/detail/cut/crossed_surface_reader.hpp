@@ -31,7 +31,8 @@ class crossed_surface_reader {
   std::vector<edge_t<M>> edges;
 
   template<class U>
-  crossed_surface_reader(const M& m, const U& u, double level, std::vector<poly_t<M>> crossed) : polys(std::move(crossed)) {
+  crossed_surface_reader(const M& m, const U& u, double level, std::vector<poly_t<M>> crossed)
+      : polys(std::move(crossed)) {
     const std::vector<corner> corners = read_corners(m);
     number(m, corners);
     read_verts(m, u, level);

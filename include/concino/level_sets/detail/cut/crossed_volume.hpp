@@ -12,8 +12,9 @@
 
 namespace concino::detail {
 
-/// Cells and their facets. A facet is a face seen from one cell: a face between two crossed cells has two facets. A crossed face on the boundary that is not
-/// planar is replaced by the triangles from its edges to the mean of its points, so that the volume of the parts of its cell is that of the cell.
+/// Cells and their facets. A facet is a face seen from one cell: a face between two crossed cells has two facets. A
+/// crossed face on the boundary that is not planar is replaced by the triangles from its edges to the mean of its
+/// points, so that the volume of the parts of its cell is that of the cell.
 class crossed_volume {
  public:
   static constexpr std::uint32_t none = ~0u;
@@ -31,7 +32,8 @@ class crossed_volume {
 
   std::vector<std::uint32_t> first_facet{0};    // by cell, one more than there are cells
   std::vector<std::uint32_t> faces;            // by facet: the index of the face
-  std::vector<unsigned char> outward;          // by facet: whether its corners are counter-clockwise seen from outside the cell
+  std::vector<unsigned char> outward;          // by facet: whether its corners are counter-clockwise seen from outside
+                                               // the cell
   std::vector<unsigned char> num_polys;        // by facet: of the face in the whole volume; 3 means 3 or more
   std::vector<std::uint32_t> fan_of;           // by facet, or none
   std::vector<std::uint32_t> first_corner{0};  // by facet, one more than there are facets

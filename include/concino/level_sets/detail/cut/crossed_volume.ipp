@@ -16,7 +16,8 @@ CONCINO_INLINE void crossed_volume::add_vert(std::uint32_t index, const vec3& x,
   states.push_back(level_state(value, level_));
 }
 
-CONCINO_INLINE level_place crossed_volume::place_between(level_place::kind_type kind, std::uint32_t element, std::uint32_t a, std::uint32_t b) const {
+CONCINO_INLINE level_place crossed_volume::place_between(level_place::kind_type kind, std::uint32_t element,
+                                                         std::uint32_t a, std::uint32_t b) const {
   const std::uint32_t below = states[a] == below_level ? a : b, above = below == a ? b : a;
   if (states[above] == on_level) return {level_place::vert, above, above, above};
   return {kind, element, below, above};
@@ -24,13 +25,15 @@ CONCINO_INLINE level_place crossed_volume::place_between(level_place::kind_type 
 
 CONCINO_INLINE void crossed_volume::reserve(std::size_t num_cells, std::size_t num_facets, std::size_t num_corners) {
   first_facet.reserve(num_cells + 1);
-  faces.reserve(num_facets), fan_of.reserve(num_facets), first_corner.reserve(num_facets + 1), outward.reserve(num_facets), num_polys.reserve(num_facets);
+  faces.reserve(num_facets), fan_of.reserve(num_facets), first_corner.reserve(num_facets + 1),
+      outward.reserve(num_facets), num_polys.reserve(num_facets);
   verts.reserve(num_corners), edges.reserve(num_corners);
   const std::size_t num_verts = 3 * num_cells;  // a layer of hexes has two verts a cell, and one of tets fewer
   vert_indices.reserve(num_verts), points.reserve(num_verts), values.reserve(num_verts), states.reserve(num_verts);
 }
 
-CONCINO_INLINE void crossed_volume::push_facet(std::uint32_t face, bool is_outward, unsigned char polys, std::uint32_t fan_number) {
+CONCINO_INLINE void crossed_volume::push_facet(std::uint32_t face, bool is_outward, unsigned char polys,
+                                               std::uint32_t fan_number) {
   faces.push_back(face);
   outward.push_back(is_outward);
   num_polys.push_back(polys);
@@ -64,7 +67,8 @@ CONCINO_INLINE std::uint32_t crossed_volume::centre_of(std::uint32_t face, std::
     mean += (points[whole_verts[c]] - points[whole_verts[first]]) / n;
     value += values[whole_verts[c]] / n;
   }
-  centres.push_back({static_cast<std::uint32_t>(vert_indices.size()), static_cast<std::uint32_t>(next_edge_), num_facets()});
+  centres.push_back(
+      {static_cast<std::uint32_t>(vert_indices.size()), static_cast<std::uint32_t>(next_edge_), num_facets()});
   next_edge_ += last - first;
   numbers_.add(~std::size_t{0} - face);  // no vert of the mesh has this index
   add_vert(none, points[whole_verts[first]] + mean, std::isnan(value) ? level_ : value);
@@ -72,7 +76,8 @@ CONCINO_INLINE std::uint32_t crossed_volume::centre_of(std::uint32_t face, std::
 }
 
 CONCINO_INLINE void crossed_volume::replace_by_fan(std::uint32_t face, bool is_outward, unsigned char polys) {
-  const std::uint32_t first = first_corner.back(), n = num_corners() - first, whole = static_cast<std::uint32_t>(whole_verts.size());
+  const std::uint32_t first = first_corner.back(), n = num_corners() - first,
+                      whole = static_cast<std::uint32_t>(whole_verts.size());
   whole_verts.insert(whole_verts.end(), verts.begin() + first, verts.end());
   whole_edges.insert(whole_edges.end(), edges.begin() + first, edges.end());
   verts.resize(first), edges.resize(first);

@@ -42,7 +42,8 @@ class crossed_volume_reader {
   mesh_point<M> mesh_point_of(const M& m, const level_place& x) const {
     const bool is_vert = x.kind == level_place::vert;
     const double t = is_vert ? 1 : crossing_parameter(arrays.values[x.below], arrays.values[x.above], arrays.level());
-    const vec3 position = is_vert ? arrays.points[x.above] : crossing_point(arrays.points[x.below], arrays.points[x.above], t);
+    const vec3 position =
+        is_vert ? arrays.points[x.above] : crossing_point(arrays.points[x.below], arrays.points[x.above], t);
     for (const std::uint32_t end : {x.below, x.above})
       if (arrays.vert_indices[end] == arrays.none) return {faces[centre_at(end).facet], position};
     if (is_vert) return {verts[x.above], position};
@@ -54,7 +55,9 @@ class crossed_volume_reader {
   /// The verts of the mesh of which a place was made.
   std::vector<origin> origins_of(const level_place& x) const {
     std::vector<origin> list;
-    const double t = x.kind == level_place::vert ? 1 : crossing_parameter(arrays.values[x.below], arrays.values[x.above], arrays.level());
+    const double t = x.kind == level_place::vert
+                         ? 1
+                         : crossing_parameter(arrays.values[x.below], arrays.values[x.above], arrays.level());
     if (x.kind != level_place::vert) add_origins(x.below, 1 - t, list);
     add_origins(x.above, t, list);
     return list;
@@ -69,7 +72,8 @@ class crossed_volume_reader {
     }
     const crossed_volume::fan& f = arrays.fans[arrays.fan_of[centre_at(vert).facet]];
     for (std::uint32_t k = f.first_corner; k < f.last_corner; ++k)
-      list.push_back({arrays.vert_indices[arrays.whole_verts[k]], weight / static_cast<double>(f.last_corner - f.first_corner)});
+      list.push_back(
+          {arrays.vert_indices[arrays.whole_verts[k]], weight / static_cast<double>(f.last_corner - f.first_corner)});
   }
   void count_and_reserve(const M& m) {
     std::size_t num_facets = 0, num_corners = 0;
@@ -110,7 +114,8 @@ class crossed_volume_reader {
   }
 
   const crossed_volume::centre& centre_at(std::uint32_t vert) const {
-    return *std::lower_bound(arrays.centres.begin(), arrays.centres.end(), vert, [](const crossed_volume::centre& c, std::uint32_t v) { return c.vert < v; });
+    return *std::lower_bound(arrays.centres.begin(), arrays.centres.end(), vert,
+                             [](const crossed_volume::centre& c, std::uint32_t v) { return c.vert < v; });
   }
   face_t<M> face_of_index(std::uint32_t index) const {
     for (std::size_t s = 0; s < faces.size(); ++s)

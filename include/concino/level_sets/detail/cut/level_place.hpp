@@ -28,7 +28,10 @@ inline double crossing_parameter(double below, double above, double level) {
   double t = (level - below) / (above - below);
   if (!std::isfinite(above - below)) {
     const bool starts_low = std::isinf(below), ends_high = std::isinf(above);
-    t = starts_low && ends_high ? 0.5 : starts_low ? 1.0 : ends_high ? 0.0 : (0.5 * level - 0.5 * below) / (0.5 * above - 0.5 * below);
+    t = starts_low && ends_high ? 0.5
+        : starts_low            ? 1.0
+        : ends_high             ? 0.0
+                                : (0.5 * level - 0.5 * below) / (0.5 * above - 0.5 * below);
   }
   return t < 1 ? t : 1;
 }
@@ -48,7 +51,8 @@ class place_numbers {
   std::size_t key(const level_place& x) {
     if (x.kind == level_place::vert) return x.element;
     if (x.kind == level_place::edge) return std::size_t{1} << 33 | x.element;
-    return std::size_t{2} << 33 | ends_.add(std::size_t{x.below} << 32 | x.above);  // a diagonal is known by its ends and its face
+    // a diagonal is known by its ends and its face
+    return std::size_t{2} << 33 | ends_.add(std::size_t{x.below} << 32 | x.above);
   }
 
  public:

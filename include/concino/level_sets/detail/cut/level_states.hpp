@@ -33,7 +33,8 @@ namespace detail {
 /// Errors: invalid_argument if one is NaN.
 inline std::vector<double> sort_levels(std::vector<double> levels, const char* caller) {
   for (const double x : levels)
-    if (std::isnan(x)) core::throw_joined<invalid_argument>({caller, ": the value of a level set is not a number (NaN)"});
+    if (std::isnan(x))
+      core::throw_joined<invalid_argument>({caller, ": the value of a level set is not a number (NaN)"});
   std::sort(levels.begin(), levels.end());
   levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
   return levels;
@@ -49,22 +50,28 @@ std::vector<double> sorted_levels(const V& values, const char* caller) {
   return sort_levels(std::move(all), caller);
 }
 
-/// Where the value of a vert lies, as bits, so that those of several verts can be joined. Verts on the level set count as above.
+/// Where the value of a vert lies, as bits, so that those of several verts can be joined. Verts on the level set count
+/// as above.
 inline constexpr unsigned char below_level = 1, on_level = 2, above_level = 4;
 
 inline unsigned char level_state(double x, double level) {
   return x < level ? below_level : x == level ? on_level : above_level;
 }
-inline bool is_crossed(unsigned char joint_states) { return (joint_states & below_level) && joint_states != below_level; }
+inline bool is_crossed(unsigned char joint_states) {
+  return (joint_states & below_level) && joint_states != below_level;
+}
 
 /// Errors: invalid_argument if u is a map of another mesh, or was made before verts were added.
 template<class M, class U>
 void check_vert_values(const M& m, const U& u, const char* caller) {
   if constexpr (!is_view_v<M> && requires { { u.mesh() } -> std::same_as<const M&>; })
-    if (&u.mesh() != &m) core::throw_joined<invalid_argument>({caller, ": the values belong to another mesh; make the map with make_vert_map<double>(m)"});
+    if (&u.mesh() != &m)
+      core::throw_joined<invalid_argument>(
+          {caller, ": the values belong to another mesh; make the map with make_vert_map<double>(m)"});
   if constexpr (requires { u.values().size(); })
     if (const std::size_t size = u.values().size(), bound = vert_index_bound(m); size < bound)
-      core::throw_joined<invalid_argument>({caller, ": there are values for the verts below index ", size, ", but the mesh has verts up to index ", bound - 1,
+      core::throw_joined<invalid_argument>({caller, ": there are values for the verts below index ", size,
+                                            ", but the mesh has verts up to index ", bound - 1,
                                             "; the map was made for another mesh, or before verts were added"});
 }
 

@@ -24,7 +24,8 @@ class plane_heights {
 template<class M>
 plane_heights<M> heights_above(const M& m, const plane& p, const char* caller) {
   if (!(norm(p.normal) > 0) || !is_finite(p.normal) || !std::isfinite(p.offset))
-    core::throw_joined<invalid_argument>({caller, ": the plane needs a finite normal that is not 0, and a finite offset"});
+    core::throw_joined<invalid_argument>(
+        {caller, ": the plane needs a finite normal that is not 0, and a finite offset"});
   return {m, p};
 }
 

@@ -24,8 +24,8 @@ struct crossed_surface {
   std::uint32_t size() const { return static_cast<std::uint32_t>(first_corner.size() - 1); }
 };
 
-/// Each chord separates a part of its poly above from one below. A part above without a vert strictly above is dropped: it counts as below, and its chords do
-/// not cut the poly.
+/// Each chord separates a part of its poly above from one below. A part above without a vert strictly above is dropped:
+/// it counts as below, and its chords do not cut the poly.
 class poly_cuts {
  public:
   static constexpr std::uint32_t none = ~0u;
@@ -43,8 +43,12 @@ class poly_cuts {
   const crossed_surface& surface() const { return s_; }
   std::uint32_t num_corners() const { return static_cast<std::uint32_t>(s_.verts.size()); }
   std::uint32_t poly_of(std::uint32_t c) const { return poly_of_[c]; }
-  std::uint32_t next(std::uint32_t c) const { return c + 1 < s_.first_corner[poly_of_[c] + 1] ? c + 1 : s_.first_corner[poly_of_[c]]; }
-  std::uint32_t previous(std::uint32_t c) const { return c > s_.first_corner[poly_of_[c]] ? c - 1 : s_.first_corner[poly_of_[c] + 1] - 1; }
+  std::uint32_t next(std::uint32_t c) const {
+    return c + 1 < s_.first_corner[poly_of_[c] + 1] ? c + 1 : s_.first_corner[poly_of_[c]];
+  }
+  std::uint32_t previous(std::uint32_t c) const {
+    return c > s_.first_corner[poly_of_[c]] ? c - 1 : s_.first_corner[poly_of_[c] + 1] - 1;
+  }
   /// The corner of the same edge in the only other poly at it; none if there is none, or if it is not crossed.
   std::uint32_t other_use(std::uint32_t c) const;
   corner_state state(std::uint32_t c) const { return static_cast<corner_state>(state_[c]); }
@@ -57,7 +61,8 @@ class poly_cuts {
   level_place crossing(const chord& c, std::uint32_t inner) const;
 
  private:
-  level_place place_between(level_place::kind_type kind, std::uint32_t element, std::uint32_t below, std::uint32_t above) const;
+  level_place place_between(level_place::kind_type kind, std::uint32_t element, std::uint32_t below,
+                            std::uint32_t above) const;
   void find_chords(double level);
   void find_states(std::uint32_t poly);
 

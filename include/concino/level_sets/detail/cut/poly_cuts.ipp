@@ -54,7 +54,8 @@ CONCINO_INLINE void poly_cuts::find_chords(double level) {
   }
 }
 
-/// Follows the boundary of each part above: along the edges of the poly to a crossed one, and along its chord to the next corner.
+/// Follows the boundary of each part above: along the edges of the poly to a crossed one, and along its chord to the
+/// next corner.
 CONCINO_INLINE void poly_cuts::find_states(std::uint32_t poly) {
   std::vector<std::uint32_t> part;
   for (std::uint32_t c = s_.first_corner[poly]; c < s_.first_corner[poly + 1]; ++c) {
@@ -75,13 +76,15 @@ CONCINO_INLINE void poly_cuts::find_states(std::uint32_t poly) {
   }
 }
 
-CONCINO_INLINE level_place poly_cuts::place_between(level_place::kind_type kind, std::uint32_t element, std::uint32_t below, std::uint32_t above) const {
+CONCINO_INLINE level_place poly_cuts::place_between(level_place::kind_type kind, std::uint32_t element,
+                                                    std::uint32_t below, std::uint32_t above) const {
   if (s_.states[above] == on_level) return {level_place::vert, above, above, above};
   return {kind, element, below, above};
 }
 CONCINO_INLINE level_place poly_cuts::crossing(std::uint32_t corner) const {
   const std::uint32_t a = s_.verts[corner], b = s_.verts[next(corner)];
-  return s_.states[a] == below_level ? place_between(level_place::edge, s_.edges[corner], a, b) : place_between(level_place::edge, s_.edges[corner], b, a);
+  return s_.states[a] == below_level ? place_between(level_place::edge, s_.edges[corner], a, b)
+                                     : place_between(level_place::edge, s_.edges[corner], b, a);
 }
 CONCINO_INLINE level_place poly_cuts::crossing(const chord& c, std::uint32_t inner) const {
   return place_between(level_place::inside, c.poly, s_.verts[inner_[inner].below], s_.verts[inner_[inner].above]);

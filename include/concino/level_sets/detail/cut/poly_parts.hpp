@@ -29,7 +29,8 @@ class poly_parts {
   std::vector<part> parts;                 // by poly
   std::vector<std::uint32_t> part_places;  // places, by number, in the direction of the poly
   std::vector<level_place> places;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> cut_edges;  // edges between a part below and a part above, by their places
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> cut_edges;  // edges between a part below and a part above, by
+                                                                   // their places
   std::vector<std::uint32_t> moved_verts;  // verts that count as on the other side; see remove_flat_chords()
 
   explicit poly_parts(poly_cuts& cuts);

@@ -32,7 +32,8 @@ CONCINO_INLINE std::vector<std::uint32_t> poly_parts::corners_of_part(const poly
   return corners;
 }
 
-/// Whether the parts on one side of two chords have the same verts and no other chords. If so, the chords no longer cut.
+/// Whether the parts on one side of two chords have the same verts and no other chords. If so, the chords no longer
+/// cut.
 CONCINO_INLINE bool poly_parts::change(poly_cuts::chord& a, poly_cuts::chord& b, bool above) {
   const std::vector<std::uint32_t> at_a = corners_of_part(a, above), at_b = corners_of_part(b, above);
   const auto chords = [&](const std::vector<std::uint32_t>& corners) {
@@ -60,8 +61,9 @@ CONCINO_INLINE bool poly_parts::is_segment(const poly_cuts::chord& c) const {
   return true;
 }
 
-/// Where two chords have the same ends in opposite order, and a part at both of them has the same verts, there is nothing between the chords but edges that two
-/// polys share. These chords no longer cut: the part counts as what is around it.
+/// Where two chords have the same ends in opposite order, and a part at both of them has the same verts, there is
+/// nothing between the chords but edges that two polys share. These chords no longer cut: the part counts as what is
+/// around it.
 CONCINO_INLINE void poly_parts::remove_flat_chords() {
   struct ends {
     std::uint32_t low, high, chord;
@@ -102,7 +104,8 @@ CONCINO_INLINE void poly_parts::add_part(std::uint32_t corner) {
   polygon_.clear();
   for (std::uint32_t k = corner; part_at_[k] == none;) {
     part_at_[k] = number;
-    is_above = is_above || is_moved_[k] == moved_above || (cuts_.state(k) == poly_cuts::is_above && is_moved_[k] != moved_below);
+    is_above = is_above || is_moved_[k] == moved_above ||
+               (cuts_.state(k) == poly_cuts::is_above && is_moved_[k] != moved_below);
     const std::uint32_t v = s_.verts[k], chord = cuts_.chord_at(k);
     add_place({level_place::vert, v, v, v});
     if (chord == none || !cuts_.chords()[chord].cuts) {
@@ -121,7 +124,8 @@ CONCINO_INLINE void poly_parts::add_part(std::uint32_t corner) {
     const bool forward = c.from == k;
     const std::uint32_t n = c.inner_end - c.inner_begin;
     add_place(cuts_.crossing(forward ? c.from : c.to));
-    for (std::uint32_t i = 0; i < n; ++i) add_place(cuts_.crossing(c, forward ? c.inner_begin + i : c.inner_end - 1 - i));
+    for (std::uint32_t i = 0; i < n; ++i)
+      add_place(cuts_.crossing(c, forward ? c.inner_begin + i : c.inner_end - 1 - i));
     add_place(cuts_.crossing(forward ? c.to : c.from));
     k = cuts_.next(forward ? c.to : c.from);
   }
@@ -129,7 +133,8 @@ CONCINO_INLINE void poly_parts::add_part(std::uint32_t corner) {
   add_polygons(cuts_.poly_of(corner), is_above, is_whole);
 }
 
-/// Adds the current polygon: equal places that follow each other are joined, and a polygon that comes to one place twice is cut there.
+/// Adds the current polygon: equal places that follow each other are joined, and a polygon that comes to one place
+/// twice is cut there.
 CONCINO_INLINE void poly_parts::add_polygons(std::uint32_t poly, bool is_above, bool is_whole) {
   const auto add = [&](std::size_t first) {
     if (open_.size() - first > 2) {
@@ -152,8 +157,8 @@ CONCINO_INLINE void poly_parts::add_polygons(std::uint32_t poly, bool is_above, 
   add(0);
 }
 
-/// The chords that cut, and edges on the level set between a part below and a part above. Where two of these coincide, there is nothing between them, and
-/// what is on both sides is of one kind.
+/// The chords that cut, and edges on the level set between a part below and a part above. Where two of these coincide,
+/// there is nothing between them, and what is on both sides is of one kind.
 CONCINO_INLINE void poly_parts::find_cut_edges() {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
   const auto add = [&](const level_place& a, const level_place& b) {

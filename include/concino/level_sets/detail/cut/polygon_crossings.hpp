@@ -1,5 +1,5 @@
-// Where the level set of a function crosses a polygon: chords between points on its edges. The rule is the same for the polys of a surface and for the
-// faces of a volume, and does not depend on the side from which a polygon is seen.
+// Where the level set of a function crosses a polygon: chords between points on its edges. The rule is the same for the
+// polys of a surface and for the faces of a volume, and does not depend on the side from which a polygon is seen.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -25,7 +25,8 @@ struct crossed_diagonal {
   std::uint32_t below, above;
 };
 
-/// Whether a polygon is convex if it is seen along its vector area; corners may be flat up to rounding. Polygons without area count as convex.
+/// Whether a polygon is convex if it is seen along its vector area; corners may be flat up to rounding. Polygons
+/// without area count as convex.
 bool is_convex_polygon(std::span<const vec3> corners);
 
 /// Whether the corners of a polygon lie in a plane, up to rounding.
@@ -42,13 +43,17 @@ class polygon_crossings {
   polygon_triangulator triangulate_;
 
  public:
-  /// Finds the chords. Those of a convex polygon are straight. If signs change more than twice, the mean of the values is below or above too, and each
-  /// run of corners of the other sign is cut off by a chord of its own. Any other polygon is crossed triangle by triangle of its triangulation.
-  /// Needs:  above[k] is 1 if corner k has at least the value of the level set, else 0; values and points of all corners; start: the corner from which the
-  ///         polygon is triangulated, so that the result does not depend on the corner that comes first.
-  /// Result: in chords(): every crossed edge is the end of one chord. Larger values are to the left of a chord if the polygon is counter-clockwise.
+  /// Finds the chords. Those of a convex polygon are straight. If signs change more than twice, the mean of the values
+  /// is below or above too, and each run of corners of the other sign is cut off by a chord of its own. Any other
+  /// polygon is crossed triangle by triangle of its triangulation.
+  /// Needs:  above[k] is 1 if corner k has at least the value of the level set, else 0; values and points of all
+  ///         corners; start: the corner from which the polygon is triangulated, so that the result does not depend on
+  ///         the corner that comes first.
+  /// Result: in chords(): every crossed edge is the end of one chord. Larger values are to the left of a chord if the
+  ///         polygon is counter-clockwise.
   /// Cost:   O(corners); that of a triangulation if the polygon is not convex.      Errors: none.
-  void find(std::span<const unsigned char> above, std::span<const double> values, std::span<const vec3> points, double level, std::uint32_t start);
+  void find(std::span<const unsigned char> above, std::span<const double> values, std::span<const vec3> points,
+            double level, std::uint32_t start);
 
   /// Valid until the next call of find().
   std::span<const level_chord> chords() const { return chords_; }

@@ -12,7 +12,8 @@ namespace concino::detail {
 /// Whether all turns at the corners of a quad are to the left, without a tolerance.
 inline bool turns_left(const vec3& a, const vec3& b, const vec3& c, const vec3& d) {
   const vec3 ab = b - a, bc = c - b, cd = d - c, da = a - d, normal = cross(ab, c - a) + cross(c - a, d - a);
-  return dot(cross(da, ab), normal) >= 0 && dot(cross(ab, bc), normal) >= 0 && dot(cross(bc, cd), normal) >= 0 && dot(cross(cd, da), normal) >= 0;
+  return dot(cross(da, ab), normal) >= 0 && dot(cross(ab, bc), normal) >= 0 && dot(cross(bc, cd), normal) >= 0 &&
+         dot(cross(cd, da), normal) >= 0;
 }
 
 CONCINO_INLINE bool is_convex_polygon(std::span<const vec3> corners) {
@@ -62,8 +63,8 @@ CONCINO_INLINE bool mean_is_above(std::span<const double> values, double level) 
   return sum >= level;
 }
 
-CONCINO_INLINE void polygon_crossings::find(std::span<const unsigned char> above, std::span<const double> values, std::span<const vec3> points, double level,
-                                            std::uint32_t start) {
+CONCINO_INLINE void polygon_crossings::find(std::span<const unsigned char> above, std::span<const double> values,
+                                            std::span<const vec3> points, double level, std::uint32_t start) {
   chords_.clear(), inner_.clear(), crossed_.clear();
   const auto n = static_cast<std::uint32_t>(above.size());
   for (std::uint32_t k = 0; k < n; ++k)
@@ -86,14 +87,16 @@ CONCINO_INLINE void polygon_crossings::cut_off_runs(std::span<const unsigned cha
 }
 
 /// The other crossed edge of the triangle of `edge`. Edge 3 t + k of triangle t joins its corners k and k + 1.
-CONCINO_INLINE std::uint32_t polygon_crossings::next_crossed_edge(std::span<const unsigned char> above, std::uint32_t edge) const {
+CONCINO_INLINE std::uint32_t polygon_crossings::next_crossed_edge(std::span<const unsigned char> above,
+                                                                  std::uint32_t edge) const {
   const std::uint32_t t = edge / 3, k = edge % 3;
   return 3 * t + (above[edges_[3 * t + (k + 1) % 3]] != above[edges_[3 * t + (k + 2) % 3]] ? k + 1 : k + 2) % 3;
 }
 
-/// Sets the first corner of each edge of each triangle, and the other edge of the same two corners, if it is a diagonal. Then the edge of a
-/// triangle that is each edge of the polygon.
-CONCINO_INLINE void polygon_crossings::link_triangles(std::span<const polygon_triangle> triangles, std::uint32_t start, std::uint32_t n) {
+/// Sets the first corner of each edge of each triangle, and the other edge of the same two corners, if it is a
+/// diagonal. Then the edge of a triangle that is each edge of the polygon.
+CONCINO_INLINE void polygon_crossings::link_triangles(std::span<const polygon_triangle> triangles, std::uint32_t start,
+                                                      std::uint32_t n) {
   const auto num_edges = static_cast<std::uint32_t>(3 * triangles.size());
   edges_.clear();
   mates_.assign(num_edges + n, none);
@@ -118,7 +121,8 @@ CONCINO_INLINE void polygon_crossings::link_triangles(std::span<const polygon_tr
     }
 }
 
-CONCINO_INLINE void polygon_crossings::cross_triangles(std::span<const unsigned char> above, std::span<const vec3> points, std::uint32_t start) {
+CONCINO_INLINE void polygon_crossings::cross_triangles(std::span<const unsigned char> above,
+                                                       std::span<const vec3> points, std::uint32_t start) {
   const auto n = static_cast<std::uint32_t>(above.size());
   rotated_.clear();
   for (std::uint32_t k = 0; k < n; ++k) rotated_.push_back(points[(start + k) % n]);

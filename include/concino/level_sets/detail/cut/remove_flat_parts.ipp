@@ -67,9 +67,11 @@ class flat_part_finder {
     verts.erase(std::unique(verts.begin(), verts.end()), verts.end());
     return verts;
   }
-  /// Whether the regions on one side of two loops are the same, and touch no other loops; or one region between the two.
+  /// Whether the regions on one side of two loops are the same, and touch no other loops; or one region between the
+  /// two.
   bool change(std::uint32_t a, std::uint32_t b, bool above) {
-    const std::uint32_t at_a = corner(a, above), at_b = corner(b, above), ra = cuts_.region(at_a), rb = cuts_.region(at_b);
+    const std::uint32_t at_a = corner(a, above), at_b = corner(b, above), ra = cuts_.region(at_a),
+                        rb = cuts_.region(at_b);
     if (ra == rb ? loops_at_region_[ra] != 2 : loops_at_region_[ra] != 1 || loops_at_region_[rb] != 1) return false;
     const std::vector<std::uint32_t> verts = verts_of_region(a, above);
     if (ra != rb && verts != verts_of_region(b, above)) return false;

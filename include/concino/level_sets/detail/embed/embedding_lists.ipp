@@ -27,7 +27,8 @@ class embedding_collector {
   bool is_old(const level_place& x) const { return x.kind == level_place::vert && vert_indices_[x.above] != ~0u; }
 
  public:
-  embedding_collector(const std::vector<level_place>& places, const std::vector<std::uint32_t>& vert_indices, embedding_lists& result)
+  embedding_collector(const std::vector<level_place>& places, const std::vector<std::uint32_t>& vert_indices,
+                      embedding_lists& result)
       : places_(places), vert_indices_(vert_indices), result_(result), number_of_vert_(vert_indices.size(), ~0u) {
     result_.number_of_place.assign(places.size(), ~0u);
   }
@@ -49,7 +50,8 @@ class embedding_collector {
   }
   unsigned number(std::uint32_t place) const {
     const level_place& x = places_[place];
-    return is_old(x) ? number_of_vert_[x.above] : static_cast<unsigned>(result_.verts.size()) + result_.number_of_place[place];
+    return is_old(x) ? number_of_vert_[x.above]
+                     : static_cast<unsigned>(result_.verts.size()) + result_.number_of_place[place];
   }
   void add_list(std::span<const unsigned> list) {
     corners_.insert(corners_.end(), list.begin(), list.end());
@@ -64,7 +66,8 @@ class embedding_collector {
     std::vector<std::size_t> order;
     std::vector<unsigned char> is_first(polys_.size(), 0);
     order.reserve(polys_.size());
-    result_.corners.reserve(corners_.size()), result_.ends.reserve(lists_.size()), result_.origins.reserve(polys_.size());
+    result_.corners.reserve(corners_.size()), result_.ends.reserve(lists_.size()),
+        result_.origins.reserve(polys_.size());
     for (std::size_t i = 0; i < polys_.size(); ++i) {
       is_first[i] = i == 0 || polys_[i].old != polys_[i - 1].old;
       if (is_first[i]) order.push_back(i);
@@ -84,7 +87,8 @@ class embedding_collector {
     result_.cut_places.insert(result_.cut_places.end(), some_places);
     result_.cut_ends.push_back(static_cast<std::uint32_t>(result_.cut_places.size()));
   }
-  /// Adds a face on the level set, in the triangles of list_embedding() if asked for. Those whose verts have no numbers belong to cells that do not change.
+  /// Adds a face on the level set, in the triangles of list_embedding() if asked for. Those whose verts have no numbers
+  /// belong to cells that do not change.
   void add_cut_face(std::vector<std::uint32_t> face, bool triangulate) {
     if (!triangulate) {
       result_.cut_places.insert(result_.cut_places.end(), face.begin(), face.end());
@@ -92,7 +96,9 @@ class embedding_collector {
       return;
     }
     if (face.size() > 3)
-      std::rotate(face.begin(), std::min_element(face.begin(), face.end(), [&](auto a, auto b) { return number(a) < number(b); }), face.end());
+      std::rotate(face.begin(),
+                  std::min_element(face.begin(), face.end(), [&](auto a, auto b) { return number(a) < number(b); }),
+                  face.end());
     for (std::size_t k = 1; k + 1 < face.size(); ++k) add_cut({face[0], face[k], face[k + 1]});
   }
 };
@@ -114,7 +120,8 @@ CONCINO_INLINE embedding_lists list_embedding(const poly_parts& parts, const cro
     for (std::uint32_t k = s.first_corner[p]; k < s.first_corner[p + 1]; ++k) all.add_vert(s.verts[k]);
   }
   for (std::size_t i = 0; i < parts.parts.size(); ++i)
-    for (std::uint32_t k = parts.parts[i].first; changes(i) && k < parts.parts[i].last; ++k) all.add_new_place(parts.part_places[k]);
+    for (std::uint32_t k = parts.parts[i].first; changes(i) && k < parts.parts[i].last; ++k)
+      all.add_new_place(parts.part_places[k]);
   std::uint32_t old = ~0u, before = ~0u;
   std::vector<unsigned> list;
   for (std::size_t i = 0; i < parts.parts.size(); ++i) {
@@ -147,7 +154,8 @@ CONCINO_INLINE embedding_lists list_embedding(const cell_parts& parts, const cro
   for (const cell_parts::part& x : parts.parts) {
     if (!changes(x) || (!result.old_polys.empty() && result.old_polys.back() == x.cell)) continue;
     result.old_polys.push_back(x.cell);
-    for (std::uint32_t k = v.first_corner[v.first_facet[x.cell]]; k < v.first_corner[v.first_facet[x.cell + 1]]; ++k) all.add_vert(v.verts[k]);
+    for (std::uint32_t k = v.first_corner[v.first_facet[x.cell]]; k < v.first_corner[v.first_facet[x.cell + 1]]; ++k)
+      all.add_vert(v.verts[k]);
   }
   const auto for_each_face = [&](const cell_parts::part& x, const auto& f) {
     for (std::uint32_t k = x.first; k < x.last; ++k) f(parts.faces[parts.part_faces[k]], parts.outward[k] != 0);

@@ -24,7 +24,8 @@ namespace concino::detail {
 template<class M>
 auto level_property(M& m, std::string_view name, const char* caller) {
   if (!find_vert_property<double>(m, name))
-    core::throw_joined<invalid_argument>({caller, ": the verts have no property \"", name, "\" of type double; vert_property<double>(m, name) makes one"});
+    core::throw_joined<invalid_argument>({caller, ": the verts have no property \"", name,
+                                          "\" of type double; vert_property<double>(m, name) makes one"});
   return vert_property<double>(m, name);
 }
 
@@ -49,7 +50,8 @@ std::vector<vert_t<M>> verts_to_snap(const M& m, const U& u, double level, doubl
   return found;
 }
 
-/// Makes room in a map of the library for verts that are added. Named properties, and those of other libraries, grow with their mesh.
+/// Makes room in a map of the library for verts that are added. Named properties, and those of other libraries, grow
+/// with their mesh.
 template<class M, class U>
 void make_room_for_verts(const M& m, U& u, std::size_t num_added) {
   if constexpr (requires { u.resize(num_added); }) u.resize(vert_index_bound(m) + num_added);
@@ -77,33 +79,39 @@ class level_embedder {
 
   /// origins_of(place) lists the verts of m of which a place was made.
   template<class OriginsOf>
-  level_embedder(const M& m, const Crossed& crossed, double level, const embedding_lists& lists, const std::vector<level_place>& places, const OriginsOf& origins_of)
+  level_embedder(const M& m, const Crossed& crossed, double level, const embedding_lists& lists,
+                 const std::vector<level_place>& places, const OriginsOf& origins_of)
       : crossed_(crossed), level_(level), lists_(lists), places_(places) {
     polys_.reserve(lists.old_polys.size()), verts_.reserve(lists.verts.size()), points_.reserve(lists.places.size());
     for (const std::uint32_t p : lists.old_polys) polys_.push_back(crossed.polys[p]);
     for (const std::uint32_t v : lists.verts) verts_.push_back(crossed.verts[v]);
     for (const std::uint32_t place : lists.places) {
       const level_place& x = places[place];
-      const double t = x.kind == level_place::vert ? 1 : crossing_parameter(crossed.arrays.values[x.below], crossed.arrays.values[x.above], level);
+      const double t = x.kind == level_place::vert
+                           ? 1
+                           : crossing_parameter(crossed.arrays.values[x.below], crossed.arrays.values[x.above], level);
       points_.push_back(crossing_point(crossed.arrays.points[x.below], crossed.arrays.points[x.above], t));
       const auto origins = origins_of(x);
       from_.verts.add(std::span<const origin>(origins));
     }
     std::vector<std::uint32_t> old_polys;
     old_polys.reserve(lists.origins.size());
-    for (const std::uint32_t old : lists.origins) old_polys.push_back(static_cast<std::uint32_t>(index_of(m, polys_[old])));
+    for (const std::uint32_t old : lists.origins)
+      old_polys.push_back(static_cast<std::uint32_t>(index_of(m, polys_[old])));
     from_.polys = element_origins(std::move(old_polys));
     new_verts.resize(points_.size());
     new_polys.resize(lists.origins.size());
     std::size_t most = 0;
-    for (std::size_t i = 0; i < lists.cut_ends.size(); ++i) most = std::max<std::size_t>(most, lists.cut_ends[i] - (i == 0 ? 0 : lists.cut_ends[i - 1]));
+    for (std::size_t i = 0; i < lists.cut_ends.size(); ++i)
+      most = std::max<std::size_t>(most, lists.cut_ends[i] - (i == 0 ? 0 : lists.cut_ends[i - 1]));
     corners_.reserve(most);
   }
 
   /// Replaces the polys, and sets u at new verts and at those that are snapped.
   template<class U>
   void run(M& m, U& u, const std::vector<vert_t<M>>& snapped, const char* caller) {
-    const cavity<M> c{span(polys_), span(verts_), span(points_), span(lists_.corners), span(lists_.ends), span(lists_.poly_ends), polys_.size(), 0};
+    const cavity<M> c{span(polys_),      span(verts_),           span(points_), span(lists_.corners),
+                      span(lists_.ends), span(lists_.poly_ends), polys_.size(), 0};
     if (const permission p = can_replace_polys(m, c); !p) core::throw_joined<unsupported>({caller, ": ", p.why});
     if (!points_.empty()) make_room_for_verts(m, u, points_.size());
     replace_polys(m, c, cavity_result<M>{new_verts.data(), new_polys.data()}, from_, snapped, [&] {

@@ -36,7 +36,8 @@ class path_embedder {
   std::vector<std::uint32_t> number_;       // of the vert at each place
   std::vector<vec3> points_;
   correspondence from_;
-  std::vector<unsigned> corners_, ends_, more_corners_, more_ends_;  // of the first piece of each poly, and of the others
+  std::vector<unsigned> corners_, ends_, more_corners_, more_ends_;  // of the first piece of each poly, and of the
+                                                                     // others
   std::vector<std::uint32_t> more_polys_;                            // by other piece: its poly
 
  public:
@@ -46,7 +47,8 @@ class path_embedder {
   void add_point(const X& x) { path_.add(x, path_.place_of_point.size()); }
 
   /// Fills in the edges, the verts by point, and the new verts.
-  void run(bool closed, std::vector<edge_t<M>>& edges, std::vector<vert_t<M>>& verts, std::vector<vert_t<M>>& new_verts) {
+  void run(bool closed, std::vector<edge_t<M>>& edges, std::vector<vert_t<M>>& verts,
+           std::vector<vert_t<M>>& new_verts) {
     const auto& points = path_.place_of_point;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) add_segment(i, i + 1);
     if (closed && points.size() > 2) add_segment(points.size() - 1, 0);
@@ -62,7 +64,9 @@ class path_embedder {
     const cavity<M> c{span(polys_), span(verts_), span(points_), span(corners_), span(ends_), {}, polys_.size(), 0};
     if (const permission p = can_replace_polys(m_, c); !p) core::throw_joined<unsupported>({"embed_path: ", p.why});
     replace_polys(m_, c, cavity_result<M>{new_verts.data(), made.data()}, from_, {}, [] {});
-    const auto vert_at = [&](std::uint32_t place) { return number_[place] & is_new ? new_verts[number_[place] ^ is_new] : verts_[number_[place]]; };
+    const auto vert_at = [&](std::uint32_t place) {
+      return number_[place] & is_new ? new_verts[number_[place] ^ is_new] : verts_[number_[place]];
+    };
     for (const std::uint32_t place : points) verts.push_back(vert_at(place));
     for (const step& s : steps_) add_edge_between(m_, vert_at(s.from), vert_at(s.to), edges);
   }
@@ -91,13 +95,16 @@ class path_embedder {
     steps_.push_back({a, b});
     if (path_.common_edge(a, b)) return;
     const auto p = path_.common_poly(a, b);
-    if (!p) core::throw_joined<invalid_argument>({"embed_path: no poly has both point ", i, " and point ", next, "; a path needs a point on each edge that it crosses"});
+    if (!p)
+      core::throw_joined<invalid_argument>({"embed_path: no poly has both point ", i, " and point ", next,
+                                            "; a path needs a point on each edge that it crosses"});
     cuts_[number_of_poly(*p)].push_back({a, b});
   }
   void divide_steps_along_edges() {
     std::vector<step> all;
     for (const step& s : steps_) {
-      if (const auto e = path_.common_edge(s.from, s.to)) path_.for_each_step(*e, s.from, s.to, [&](std::uint32_t a, std::uint32_t b) { all.push_back({a, b}); });
+      if (const auto e = path_.common_edge(s.from, s.to))
+        path_.for_each_step(*e, s.from, s.to, [&](std::uint32_t a, std::uint32_t b) { all.push_back({a, b}); });
       else all.push_back(s);
     }
     steps_ = std::move(all);
@@ -113,11 +120,13 @@ class path_embedder {
       const auto ends = end_verts(m_, x.edge);
       const vec3 a = to_vec3(point(m_, ends.first)), b = to_vec3(point(m_, ends.second));
       points_.push_back(a + x.parameter * (b - a));
-      from_.verts.add({{static_cast<std::uint32_t>(index_of(m_, ends.first)), 1 - x.parameter}, {static_cast<std::uint32_t>(index_of(m_, ends.second)), x.parameter}});
+      from_.verts.add({{static_cast<std::uint32_t>(index_of(m_, ends.first)), 1 - x.parameter},
+                       {static_cast<std::uint32_t>(index_of(m_, ends.second)), x.parameter}});
     }
   }
 
-  /// Lists the corners of poly k, with the points on its edges. on_edges: for triangles, a bit for each edge on which a corner is.
+  /// Lists the corners of poly k, with the points on its edges. on_edges: for triangles, a bit for each edge on which a
+  /// corner is.
   void read_corners(std::uint32_t k, std::vector<std::uint32_t>& corners, std::vector<unsigned char>& on_edges) {
     corners.clear(), on_edges.clear();
     unsigned edge = 0, before = 2;  // the last edge of a triangle
@@ -146,7 +155,8 @@ class path_embedder {
       splitter.start(corners);
       for (const step& s : cuts_[k])
         if (!splitter.split(number_[s.from], number_[s.to]))
-          core::throw_joined<invalid_argument>({"embed_path: the path crosses itself inside poly ", index_of(m_, polys_[k]), "; embed its parts one after another"});
+          core::throw_joined<invalid_argument>({"embed_path: the path crosses itself inside poly ",
+                                                index_of(m_, polys_[k]), "; embed its parts one after another"});
       bool is_first = true;
       for (std::size_t i = 0; i < splitter.num_pieces(); ++i) {
         if constexpr (arity_v<M> == 0) {  // a piece of a triangle is cut to triangles
@@ -154,8 +164,11 @@ class path_embedder {
         } else {
           piece_corners.clear();
           for (const std::uint32_t n : splitter.piece(i))
-            piece_corners.push_back({n, on_edges[static_cast<std::size_t>(std::find(corners.begin(), corners.end(), n) - corners.begin())], position(n)});
-          triangulate_piece(piece_corners, [&](const std::array<std::uint32_t, 3>& triangle) { add_poly(k, triangle, is_first); });
+            piece_corners.push_back(
+                {n, on_edges[static_cast<std::size_t>(std::find(corners.begin(), corners.end(), n) - corners.begin())],
+                 position(n)});
+          triangulate_piece(piece_corners,
+                            [&](const std::array<std::uint32_t, 3>& triangle) { add_poly(k, triangle, is_first); });
         }
       }
       from_.polys.add(static_cast<std::uint32_t>(index_of(m_, polys_[k])));

@@ -47,7 +47,8 @@ class path_places {
   }
   std::uint32_t add_on_edge(const edge_point<M>& x, std::size_t point) {
     if (!(x.parameter >= 0 && x.parameter <= 1))
-      core::throw_joined<invalid_argument>({"embed_path: point ", point, " has the parameter ", core::number_text(x.parameter), " on its edge; it must be in [0, 1]"});
+      core::throw_joined<invalid_argument>({"embed_path: point ", point, " has the parameter ",
+                                            core::number_text(x.parameter), " on its edge; it must be in [0, 1]"});
     const auto ends = end_verts(m_, x.edge);
     if (x.parameter == 0 || x.parameter == 1) return add_vert(x.parameter == 0 ? ends.first : ends.second);
     const unsigned n = edge_numbers_.add(index_of(m_, x.edge));
@@ -56,7 +57,8 @@ class path_places {
       edges.push_back(x.edge);
     }
     std::vector<std::uint32_t>& row = places_on_[n];
-    const auto at = std::lower_bound(row.begin(), row.end(), x.parameter, [&](std::uint32_t i, double t) { return places[i].parameter < t; });
+    const auto at = std::lower_bound(row.begin(), row.end(), x.parameter,
+                                     [&](std::uint32_t i, double t) { return places[i].parameter < t; });
     if (at != row.end() && places[*at].parameter == x.parameter) return *at;
     const auto number = static_cast<std::uint32_t>(places.size());
     row.insert(at, number);
@@ -91,7 +93,10 @@ class path_places {
   void add(const mesh_point<M>& x, std::size_t point) {
     if (const auto* const v = std::get_if<vert_t<M>>(&x.element)) add(*v, point);
     else if (const auto* const on_edge = std::get_if<edge_point<M>>(&x.element)) add(*on_edge, point);
-    else core::throw_joined<invalid_argument>({"embed_path: point ", point, " is inside a poly; a path can be embedded if its points are at verts and on edges"});
+    else
+      core::throw_joined<invalid_argument>(
+          {"embed_path: point ", point,
+           " is inside a poly; a path can be embedded if its points are at verts and on edges"});
   }
 
   /// The places inside an edge, by parameter.
@@ -115,7 +120,9 @@ class path_places {
     std::optional<poly_t<M>> found;
     const auto others = polys_at(places[b]);
     for (const poly_t<M>& p : polys_at(places[a]))
-      if (std::find(others.begin(), others.end(), p) != others.end() && (!found || index_of(m_, p) < index_of(m_, *found))) found = p;
+      if (std::find(others.begin(), others.end(), p) != others.end() &&
+          (!found || index_of(m_, p) < index_of(m_, *found)))
+        found = p;
     return found;
   }
   /// Calls f(from, to) for each part of an edge between two places on it.

@@ -29,7 +29,8 @@ class polygon_splitter {
   /// Splits the piece that has both corners. Returns false if there is none: the diagonal crosses an earlier one.
   bool split(std::uint32_t a, std::uint32_t b) {
     for (std::size_t i = 0; i < n_; ++i) {
-      const auto at_a = std::find(pieces_[i].begin(), pieces_[i].end(), a), at_b = std::find(pieces_[i].begin(), pieces_[i].end(), b);
+      const auto at_a = std::find(pieces_[i].begin(), pieces_[i].end(), a),
+                 at_b = std::find(pieces_[i].begin(), pieces_[i].end(), b);
       if (at_a == pieces_[i].end() || at_b == pieces_[i].end()) continue;
       const auto first = std::min(at_a, at_b) - pieces_[i].begin(), last = std::max(at_a, at_b) - pieces_[i].begin();
       if (last - first == 1 || last - first + 1 == std::ssize(pieces_[i])) return true;  // an edge of the piece

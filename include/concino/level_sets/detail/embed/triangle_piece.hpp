@@ -11,14 +11,16 @@
 
 namespace concino::detail {
 
-/// A corner of the part. on_edges: a bit for each edge of the triangle on which it is, so that no rounding decides what is flat.
+/// A corner of the part. on_edges: a bit for each edge of the triangle on which it is, so that no rounding decides what
+/// is flat.
 struct piece_corner {
   std::uint32_t number;
   unsigned char on_edges;
   vec3 position;
 };
 
-/// Calls f(numbers) for each triangle. Of those that can be cut off next, the one of the best shape is. Changes the corners.
+/// Calls f(numbers) for each triangle. Of those that can be cut off next, the one of the best shape is. Changes the
+/// corners.
 /// Needs: three corners or more, not all on one edge.
 template<class F>
 void triangulate_piece(std::vector<piece_corner>& corners, const F& f) {

@@ -24,10 +24,13 @@ CONCINO_INLINE std::vector<cancelling_step> find_cancelling_steps(const std::vec
   }
   std::vector<cancelling_step> found;
   for (const auto& [a, b] : pairs) found.insert(found.end(), {{a.curve, a.step, 0}, {b.curve, b.step, 0}});
-  const auto before = [](const cancelling_step& a, const cancelling_step& b) { return a.curve != b.curve ? a.curve < b.curve : a.step < b.step; };
+  const auto before = [](const cancelling_step& a, const cancelling_step& b) {
+    return a.curve != b.curve ? a.curve < b.curve : a.step < b.step;
+  };
   std::sort(found.begin(), found.end(), before);
   const auto position = [&](const vert_step& x) {
-    return static_cast<std::size_t>(std::lower_bound(found.begin(), found.end(), cancelling_step{x.curve, x.step, 0}, before) - found.begin());
+    return static_cast<std::size_t>(
+        std::lower_bound(found.begin(), found.end(), cancelling_step{x.curve, x.step, 0}, before) - found.begin());
   };
   for (const auto& [a, b] : pairs) {
     found[position(a)].other = position(b);

@@ -19,7 +19,8 @@ struct level_lines {
   std::vector<std::size_t> ends;
   std::vector<unsigned char> closed;
 
-  /// Adds a place to the current line unless it is there already; a line that returns at once to the place before loses both steps.
+  /// Adds a place to the current line unless it is there already; a line that returns at once to the place before loses
+  /// both steps.
   void add_place(const level_place& x) {
     const std::size_t n = places.size() - begin_of_current();
     if (n > 0 && places.back() == x) return;
@@ -40,7 +41,8 @@ struct level_lines {
       return;
     }
     places.resize(last);
-    places.erase(places.begin() + static_cast<std::ptrdiff_t>(begin), places.begin() + static_cast<std::ptrdiff_t>(first));
+    places.erase(places.begin() + static_cast<std::ptrdiff_t>(begin),
+                 places.begin() + static_cast<std::ptrdiff_t>(first));
     ends.push_back(places.size());
     closed.push_back(is_closed);
   }
@@ -49,16 +51,19 @@ struct level_lines {
   std::size_t begin_of_current() const { return ends.empty() ? 0 : ends.back(); }
 };
 
-/// The level set consists of curves: the chords that cut polys, and edges on the level set between a part below and a part above. Steps of curves that are
-/// taken in both directions have nothing above between them and cancel; what is left of a curve are its pieces.
+/// The level set consists of curves: the chords that cut polys, and edges on the level set between a part below and a
+/// part above. Steps of curves that are taken in both directions have nothing above between them and cancel; what is
+/// left of a curve are its pieces.
 class line_pieces {
   static constexpr std::uint32_t none = ~0u;
 
   struct piece {
-    std::uint32_t curve;                        // a chord, or the number of chords plus the first corner of an edge in the poly below
+    std::uint32_t curve;                        // a chord, or the number of chords plus the first corner of an edge in
+                                                // the poly below
     std::uint32_t first = 0, last = 0;          // its places, from the first to the last one
     std::uint32_t cancelled[2] = {none, none};  // the steps before its first and behind its last place, in cancelled_
-    std::uint32_t link[2] = {none, none};       // what follows at the start and at the end: 2 piece + (0 at the start of that piece, 1 at its end)
+    std::uint32_t link[2] = {none, none};       // what follows at the start and at the end: 2 piece + (0 at the start
+                                                // of that piece, 1 at its end)
   };
   struct piece_range {
     std::uint32_t first = none, last = none;
@@ -70,7 +75,8 @@ class line_pieces {
   std::vector<piece_range> of_chords_;
   std::vector<piece_range> of_edges_;        // by corner; empty if no edge is a curve
   std::vector<cancelling_step> cancelled_;
-  std::vector<std::uint32_t> piece_before_;  // by step of cancelled_: the piece that ends there; the next one begins behind it
+  std::vector<std::uint32_t> piece_before_;  // by step of cancelled_: the piece that ends there; the next one begins
+                                             // behind it
 
  public:
   explicit line_pieces(const poly_cuts& cuts);
@@ -80,9 +86,15 @@ class line_pieces {
 
  private:
   bool is_chord(std::uint32_t curve) const { return curve < cuts_.chords().size(); }
-  std::uint32_t curve_of_edge(std::uint32_t corner) const { return static_cast<std::uint32_t>(cuts_.chords().size()) + corner; }
-  piece_range pieces_of_edge(std::uint32_t corner) const { return of_edges_.empty() ? piece_range{} : of_edges_[corner]; }
-  std::uint32_t num_places(std::uint32_t curve) const { return is_chord(curve) ? chord_places(cuts_, cuts_.chords()[curve]).size() : 2; }
+  std::uint32_t curve_of_edge(std::uint32_t corner) const {
+    return static_cast<std::uint32_t>(cuts_.chords().size()) + corner;
+  }
+  piece_range pieces_of_edge(std::uint32_t corner) const {
+    return of_edges_.empty() ? piece_range{} : of_edges_[corner];
+  }
+  std::uint32_t num_places(std::uint32_t curve) const {
+    return is_chord(curve) ? chord_places(cuts_, cuts_.chords()[curve]).size() : 2;
+  }
   level_place place(std::uint32_t curve, std::uint32_t k) const;
 
   std::vector<std::uint32_t> find_curves() const;

@@ -15,7 +15,8 @@ CONCINO_INLINE line_pieces::line_pieces(const poly_cuts& cuts) : cuts_(cuts), s_
 
 CONCINO_INLINE level_place line_pieces::place(std::uint32_t curve, std::uint32_t k) const {
   if (is_chord(curve)) return chord_places(cuts_, cuts_.chords()[curve])[k];
-  const std::uint32_t corner = curve - curve_of_edge(0), v = s_.verts[k == 0 ? cuts_.next(corner) : corner];  // the poly below is to the right of an edge
+  // the poly below is to the right of an edge
+  const std::uint32_t corner = curve - curve_of_edge(0), v = s_.verts[k == 0 ? cuts_.next(corner) : corner];
   return {level_place::vert, v, v, v};
 }
 
@@ -38,16 +39,19 @@ CONCINO_INLINE void line_pieces::make_pieces(const std::vector<std::uint32_t>& c
   for (const std::uint32_t curve : curves)
     for (std::uint32_t k = 0, n = num_places(curve); k + 1 < n; ++k) {
       const level_place a = place(curve, k), b = place(curve, k + 1);
-      if (a.kind == level_place::vert && b.kind == level_place::vert && a != b) steps.push_back({a.element, b.element, curve, k});
+      if (a.kind == level_place::vert && b.kind == level_place::vert && a != b)
+        steps.push_back({a.element, b.element, curve, k});
     }
   cancelled_ = find_cancelling_steps(steps);
   piece_before_.resize(cancelled_.size());
   pieces_.reserve(curves.size() + cancelled_.size());
   of_chords_.assign(cuts_.chords().size(), {});
-  if (std::any_of(curves.begin(), curves.end(), [this](std::uint32_t c) { return !is_chord(c); })) of_edges_.assign(cuts_.num_corners(), {});
+  if (std::any_of(curves.begin(), curves.end(), [this](std::uint32_t c) { return !is_chord(c); }))
+    of_edges_.assign(cuts_.num_corners(), {});
   for (const std::uint32_t curve : curves) {
     const auto is_before = [&](const cancelling_step& x) { return x.curve < curve; };
-    auto at = static_cast<std::uint32_t>(std::partition_point(cancelled_.begin(), cancelled_.end(), is_before) - cancelled_.begin());
+    auto at = static_cast<std::uint32_t>(std::partition_point(cancelled_.begin(), cancelled_.end(), is_before) -
+                                         cancelled_.begin());
     piece x{curve};
     piece_range& of_curve = is_chord(curve) ? of_chords_[curve] : of_edges_[curve - curve_of_edge(0)];
     of_curve.first = static_cast<std::uint32_t>(pieces_.size());
@@ -72,7 +76,8 @@ CONCINO_INLINE void line_pieces::link_pieces() {
     for (const unsigned end : {0u, 1u}) pieces_[i].link[end] = follow(i, end);
   for (std::uint32_t i = 0; i < pieces_.size(); ++i)
     for (const unsigned end : {0u, 1u})
-      if (std::uint32_t& link = pieces_[i].link[end]; link != none && pieces_[link / 2].link[link % 2] != 2 * i + end) link = none;
+      if (std::uint32_t& link = pieces_[i].link[end]; link != none && pieces_[link / 2].link[link % 2] != 2 * i + end)
+        link = none;
 }
 
 /// What follows behind an end of a piece, as in piece::link.
@@ -104,11 +109,13 @@ CONCINO_INLINE std::uint32_t line_pieces::edge_beside(std::uint32_t corner, std:
   return s_.verts[corner] == vert ? cuts_.previous(corner) : cuts_.next(corner);
 }
 
-/// Turns around a vert on the level set, through dropped parts, to the next piece. `corner`: the edge by which to leave a poly.
+/// Turns around a vert on the level set, through dropped parts, to the next piece. `corner`: the edge by which to leave
+/// a poly.
 CONCINO_INLINE std::uint32_t line_pieces::rotate(std::uint32_t corner, std::uint32_t vert) const {
   for (std::uint32_t steps = cuts_.num_corners(); steps > 0; --steps) {
     const std::uint32_t other = cuts_.other_use(corner);
-    if (const piece_range x = pieces_of_edge(corner); x.first != none) return s_.verts[corner] == vert ? 2 * x.last + 1 : 2 * x.first;
+    if (const piece_range x = pieces_of_edge(corner); x.first != none)
+      return s_.verts[corner] == vert ? 2 * x.last + 1 : 2 * x.first;
     if (other == none) return none;
     if (const std::uint32_t end = chord_end_at(other); end != none) return end;
     corner = edge_beside(other, vert);

@@ -19,8 +19,10 @@ class level_polygons {
   polygon_sheets& sheets_;
   std::vector<std::uint32_t> first_segment_;    // by chord, common to both sides of a face
   std::vector<std::uint32_t> segment_user_;     // by segment of a chord: the corner of sheets_ that uses it first
-  std::vector<std::uint32_t> edge_user_;        // by corner of a facet: the corner of sheets_ that uses the edge from there
-  std::vector<unsigned char> has_facet_;        // by corner of a facet: whether the part of the facet at its vert is in the level set
+  std::vector<std::uint32_t> edge_user_;        // by corner of a facet: the corner of sheets_ that uses the edge from
+                                                // there
+  std::vector<unsigned char> has_facet_;        // by corner of a facet: whether the part of the facet at its vert is in
+                                                // the level set
 
  public:
   level_polygons(cell_cuts& cuts, polygon_sheets& sheets) : cuts_(cuts), v_(cuts.volume()), sheets_(sheets) {}

@@ -32,7 +32,9 @@ CONCINO_INLINE void level_polygons::add_chord(std::uint32_t chord, bool forward)
   const cell_cuts::chord& c = cuts_.chords()[chord];
   const std::uint32_t n = c.inner_end - c.inner_begin, first = first_segment_[chord];
   for (std::uint32_t k = 0; k <= n; ++k) {
-    const level_place x = k == 0 ? cuts_.crossing(forward ? c.from : c.to) : cuts_.crossing(c.facet, cuts_.inner()[forward ? c.inner_begin + k - 1 : c.inner_end - k]);
+    const level_place x =
+        k == 0 ? cuts_.crossing(forward ? c.from : c.to)
+               : cuts_.crossing(c.facet, cuts_.inner()[forward ? c.inner_begin + k - 1 : c.inner_end - k]);
     use_segment(forward ? first + k : first + n - k, sheets_.add_corner(x));
   }
 }
@@ -53,11 +55,13 @@ CONCINO_INLINE void level_polygons::find_facets() {
     if (cuts_.state(k) != cell_cuts::is_dropped) continue;
     const std::uint32_t facet = cuts_.facet_of(k), twin = cuts_.twin(facet);
     if (v_.num_polys[facet] != 2) continue;
-    has_facet_[k] = twin == none || cuts_.state(k - v_.first_corner[facet] + v_.first_corner[twin]) == cell_cuts::is_above;
+    has_facet_[k] =
+        twin == none || cuts_.state(k - v_.first_corner[facet] + v_.first_corner[twin]) == cell_cuts::is_above;
   }
 }
 
-/// Adds the part of a facet at a corner on the level set: counter-clockwise seen from outside the cell of the facet, which is below.
+/// Adds the part of a facet at a corner on the level set: counter-clockwise seen from outside the cell of the facet,
+/// which is below.
 CONCINO_INLINE void level_polygons::add_facet(std::uint32_t corner, std::vector<unsigned char>& is_done) {
   const bool forward = v_.outward[cuts_.facet_of(corner)] != 0;
   for (std::uint32_t k = corner; !is_done[k];) {
@@ -81,7 +85,8 @@ CONCINO_INLINE void level_polygons::add_facet(std::uint32_t corner, std::vector<
   sheets_.end_polygon(cuts_.cell_of(cuts_.facet_of(corner)));
 }
 
-/// Finds the neighbour of each facet at each edge on the level set: it bounds the same parts below, through which the search turns around the edge.
+/// Finds the neighbour of each facet at each edge on the level set: it bounds the same parts below, through which the
+/// search turns around the edge.
 CONCINO_INLINE void level_polygons::link_edges() {
   for (std::uint32_t k = 0; k < v_.num_corners(); ++k) {
     if (edge_user_[k] == none) continue;

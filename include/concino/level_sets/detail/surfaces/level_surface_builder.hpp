@@ -41,7 +41,8 @@ class level_surface_builder {
   void add(const U& u, double level, const char* caller) {
     const std::vector<poly_t<M>> cells = crossed_polys(m_, level_states(m_, u, level, caller));
     const crossed_volume_reader<M> crossed(m_, u, level, cells);
-    cell_cuts cuts(crossed.arrays, arity_v<M> > 0 ? cell_cuts::cells_are::spheres : cell_cuts::cells_are::unknown, caller, crossed.poly_indices);
+    cell_cuts cuts(crossed.arrays, arity_v<M> > 0 ? cell_cuts::cells_are::spheres : cell_cuts::cells_are::unknown,
+                   caller, crossed.poly_indices);
     polygon_sheets sheets;
     level_polygons(cuts, sheets).add_all();
     add_polygons(sheets.make(), crossed, cells, level);
@@ -50,7 +51,8 @@ class level_surface_builder {
   surface_arrays arrays() && { return std::move(a_); }
 
  private:
-  void add_polygons(const level_surface_arrays& made, const crossed_volume_reader<M>& crossed, const std::vector<poly_t<M>>& cells, double level) {
+  void add_polygons(const level_surface_arrays& made, const crossed_volume_reader<M>& crossed,
+                    const std::vector<poly_t<M>>& cells, double level) {
     const std::size_t num_verts = a_.points.size();
     for (const level_place& x : made.places) {
       places.push_back(crossed.mesh_point_of(m_, x));

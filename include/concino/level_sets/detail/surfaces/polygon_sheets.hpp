@@ -19,8 +19,8 @@ struct level_surface_arrays {
   std::vector<std::uint32_t> cells;   // by polygon: the number of the cell below or around it
 };
 
-/// Oriented polygons whose corners are places. Several polygons may have an edge between the same two places; which of them are neighbours there is given.
-/// Polygons without size are removed, and verts are doubled once per fan.
+/// Oriented polygons whose corners are places. Several polygons may have an edge between the same two places; which of
+/// them are neighbours there is given. Polygons without size are removed, and verts are doubled once per fan.
 class polygon_sheets {
  public:
   static constexpr std::uint32_t none = ~0u;
@@ -44,10 +44,12 @@ class polygon_sheets {
 
  private:
   place_numbers numbers_;
-  std::vector<std::uint32_t> places_, neighbours_;  // by corner; a neighbour is the corner where the same edge starts in another polygon
+  std::vector<std::uint32_t> places_, neighbours_;  // by corner; a neighbour is the corner where the same edge starts
+                                                    // in another polygon
   std::vector<std::uint32_t> ends_, cells_;         // by polygon: where its corners end, and its cell
   std::vector<std::uint32_t> next_;                 // by corner: the next one in its polygon
-  std::vector<std::uint32_t> polygons_, polygon_ends_, polygon_cells_;  // those that have a size: their corners, where these end, their cells
+  // those that have a size: their corners, where these end, their cells
+  std::vector<std::uint32_t> polygons_, polygon_ends_, polygon_cells_;
   disjoint_sets fans_;
 
   void remove_polygons_without_size();

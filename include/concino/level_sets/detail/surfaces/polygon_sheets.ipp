@@ -18,7 +18,8 @@ CONCINO_INLINE void polygon_sheets::remove_edge_pair(std::uint32_t a, std::uint3
 }
 
 /// Adds a cycle of corners at different places, unless it has no size.
-CONCINO_INLINE void polygon_sheets::add_loop(const std::uint32_t* first, const std::uint32_t* last, std::uint32_t cell) {
+CONCINO_INLINE void polygon_sheets::add_loop(const std::uint32_t* first, const std::uint32_t* last,
+                                             std::uint32_t cell) {
   const auto n = last - first;
   if (n == 2) remove_edge_pair(first[0], first[1]);
   if (n < 3) return;
@@ -28,11 +29,13 @@ CONCINO_INLINE void polygon_sheets::add_loop(const std::uint32_t* first, const s
   polygon_cells_.push_back(cell);
 }
 
-/// Joins equal corners that follow each other, cuts polygons that come twice to one place, and removes those that have fewer than three corners left, or the
-/// corners of another one in opposite order. The neighbours of what is removed become neighbours of each other.
+/// Joins equal corners that follow each other, cuts polygons that come twice to one place, and removes those that have
+/// fewer than three corners left, or the corners of another one in opposite order. The neighbours of what is removed
+/// become neighbours of each other.
 CONCINO_INLINE void polygon_sheets::remove_polygons_without_size() {
   next_.assign(places_.size(), none);
-  std::vector<std::uint32_t> open;                              // corners of the current polygon that are not in a cycle yet
+  std::vector<std::uint32_t> open;                              // corners of the current polygon that are not in a
+                                                                // cycle yet
   std::vector<std::uint32_t> position;                          // by place, in `open`
   for (const std::uint32_t x : places_)
     if (x >= position.size()) position.resize(x + std::size_t{1}, none);
@@ -60,7 +63,8 @@ CONCINO_INLINE void polygon_sheets::remove_polygons_without_size() {
 CONCINO_INLINE void polygon_sheets::remove_opposite_polygons() {
   const auto num_polygons = static_cast<std::uint32_t>(polygon_ends_.size());
   const auto begin = [&](std::uint32_t i) { return i == 0 ? 0 : polygon_ends_[i - 1]; };
-  std::vector<std::uint64_t> order;  // polygons by a sum over their places, which does not depend on the first corner and the direction
+  std::vector<std::uint64_t> order;  // polygons by a sum over their places, which does not depend on the first corner
+                                     // and the direction
   for (std::uint32_t i = 0; i < num_polygons; ++i) {
     std::uint64_t sum = 0;
     for (std::uint32_t k = begin(i); k < polygon_ends_[i]; ++k) sum += core::scrambled(places_[polygons_[k]]);
@@ -108,7 +112,8 @@ CONCINO_INLINE void polygon_sheets::unite_fans() {
   for (const std::uint32_t c : polygons_) {
     const std::uint32_t other = neighbours_[c];
     if (other == none) continue;
-    if (places_[c] != places_[next_[other]] || places_[next_[c]] != places_[other]) {  // at a face that both cells use in the same direction
+    // at a face that both cells use in the same direction
+    if (places_[c] != places_[next_[other]] || places_[next_[c]] != places_[other]) {
       neighbours_[c] = neighbours_[other] = none;
       continue;
     }
@@ -117,7 +122,8 @@ CONCINO_INLINE void polygon_sheets::unite_fans() {
   }
 }
 
-/// Exchanges the neighbours of two edges between the same two fans, which cuts both fans in two. Returns false if there are no such edges.
+/// Exchanges the neighbours of two edges between the same two fans, which cuts both fans in two. Returns false if there
+/// are no such edges.
 CONCINO_INLINE bool polygon_sheets::separate_double_edges() {
   std::vector<std::uint64_t> order;
   for (const std::uint32_t c : polygons_) order.push_back(std::uint64_t{fans_.root(c)} << 32 | fans_.root(next_[c]));
@@ -129,7 +135,8 @@ CONCINO_INLINE bool polygon_sheets::separate_double_edges() {
   std::vector<unsigned char> is_cut(places_.size(), 0);  // fans that are no longer known
   bool any = false;
   for (std::size_t i = 0; i < order.size(); ++i) {
-    std::uint32_t& a = first[static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), order[i]) - sorted.begin())];
+    std::uint32_t& a =
+        first[static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), order[i]) - sorted.begin())];
     const std::uint32_t b = polygons_[i];
     if (a == none) {
       a = b;
@@ -147,8 +154,8 @@ CONCINO_INLINE bool polygon_sheets::separate_double_edges() {
   return any;
 }
 
-/// Numbers the corners of polygons_ such that the surface is a manifold: corners have equal numbers if they are at one place and in one fan of neighbours. No two
-/// numbers are joined by two edges.
+/// Numbers the corners of polygons_ such that the surface is a manifold: corners have equal numbers if they are at one
+/// place and in one fan of neighbours. No two numbers are joined by two edges.
 CONCINO_INLINE level_surface_arrays polygon_sheets::number_fans() {
   unite_fans();
   while (separate_double_edges()) unite_fans();

@@ -26,7 +26,9 @@ class field_reader {
     double most = 0;
     for (const poly_t<M> p : polys(m)) {
       const vec3 x = to_vec3(g[p]);
-      if (!is_finite(x)) core::throw_joined<invalid_argument>({caller, ": the vector at poly ", index_of(m, p), " is not finite; give each poly a finite vector"});
+      if (!is_finite(x))
+        core::throw_joined<invalid_argument>(
+            {caller, ": the vector at poly ", index_of(m, p), " is not finite; give each poly a finite vector"});
       most = std::max({most, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
     }
     if (most > 0) scale_ = std::ldexp(1.0, -std::clamp(std::ilogb(most), -1022, 1022));

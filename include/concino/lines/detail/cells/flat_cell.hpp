@@ -18,7 +18,8 @@ namespace concino::detail {
 /// A triangle of a face, counter-clockwise seen from outside.
 struct cell_triangle {
   std::array<std::uint32_t, 3> corner{};  // of the cell
-  std::array<std::uint32_t, 3> ring{};    // of the face: places in its cycle of verts, the same ones for both cells of the face
+  std::array<std::uint32_t, 3> ring{};    // of the face: places in its cycle of verts, the same ones for both cells of
+                                          // the face
   std::uint32_t face = 0, number = 0;     // among the faces of the cell, among the triangles of the face
   std::uint32_t ring_size = 3;
 
@@ -62,16 +63,19 @@ class flat_cell {
     add_face();
     set_face(static_cast<std::uint32_t>(faces_.size() - 1), ring, is_outward);
   }
-  /// The triangles are those of polygon_triangulator, from the first corner in `lies_before` towards the earlier one of its neighbours: so they are
-  /// the same for both cells, and do not depend on the corner with which the mesh begins the face.
+  /// The triangles are those of polygon_triangulator, from the first corner in `lies_before` towards the earlier one of
+  /// its neighbours: so they are the same for both cells, and do not depend on the corner with which the mesh begins
+  /// the face.
   void cut_face(std::uint32_t face);
-  /// Adds a face that another cell has cut, with its points; its first corner is the next of this cell. cut: the triangles there; same_way: outward is the same
-  /// direction in both cells.
+  /// Adds a face that another cell has cut, with its points; its first corner is the next of this cell. cut: the
+  /// triangles there; same_way: outward is the same direction in both cells.
   void add_cut_face(std::uint32_t face, std::span<const vec3> ring, std::span<const cell_triangle> cut, bool same_way);
 
   /// Where the line from x along g leaves the cell for the first time.
-  /// Needs: entry: the corners of the triangle (3), the edge (2) or the vert (1) at which x lies, or none, inside. x lies there but for rounding.
-  /// `none` if the line misses the cell, which happens if x is so near to the border of its triangle or edge that rounding put it outside.
+  /// Needs: entry: the corners of the triangle (3), the edge (2) or the vert (1) at which x lies, or none, inside. x
+  ///        lies there but for rounding.
+  /// `none` if the line misses the cell, which happens if x is so near to the border of its triangle or edge that
+  /// rounding put it outside.
   cell_exit leave(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry);
   // The same in steps: look along the line, cut the faces that it may cross, and take the exit from what was cut.
   void look(const vec3& x, const vec3& g);
@@ -83,9 +87,11 @@ class flat_cell {
   /// Whether this is a tet. Where all corners are known, its exit is found by fewer determinants.
   bool is_tet() const { return points.size() == 4 && faces_.size() == 4 && corners_.size() == 12; }
   static constexpr std::uint32_t no_corner = ~0u;
-  /// Of a tet: which corner of the triangle of entry is not on the face by which the line leaves. `no_corner` if it misses the tet.
+  /// Of a tet: which corner of the triangle of entry is not on the face by which the line leaves. `no_corner` if it
+  /// misses the tet.
   std::uint32_t corner_left_behind(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) const;
-  /// Where the line leaves a tet through a face. Its position does not depend on the vert with which the mesh begins the face.
+  /// Where the line leaves a tet through a face. Its position does not depend on the vert with which the mesh begins
+  /// the face.
   cell_exit leave_through(std::uint32_t face, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry);
 
  private:
@@ -109,11 +115,13 @@ class flat_cell {
 
   void see_corners(std::span<const std::uint32_t> entry);
   int quick_side(std::uint32_t a, std::uint32_t b) const;
-  signed_value side(std::uint32_t a, std::uint32_t b, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) const;
+  signed_value side(std::uint32_t a, std::uint32_t b, const vec3& x, const vec3& g,
+                    std::span<const std::uint32_t> entry) const;
   bool leaves_through(const cell_triangle& t, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) const;
   double distance_to(std::uint32_t triangle, const vec3& x, const vec3& g) const;
   /// first: the corner of the triangle from which the position inside it is measured.
-  cell_exit exit_in(std::uint32_t triangle, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry, std::uint32_t first) const;
+  cell_exit exit_in(std::uint32_t triangle, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry,
+                    std::uint32_t first) const;
 };
 
 template<class R, class P>
@@ -136,7 +144,8 @@ inline bool flat_cell::may_cross(const R& corners, const P& point_of) {
     sum.u += p.u;
     sum.v += p.v;
   }
-  const double off = std::max(std::max(least_u, -most_u), std::max(least_v, -most_v));  // the line is so far on one side of all corners
+  // the line is so far on one side of all corners
+  const double off = std::max(std::max(least_u, -most_u), std::max(least_v, -most_v));
   if (off > 0 && off * off > 1e-28 * squares) return false;
   double least = infinity;  // the parts of the corners along the direction to their mean
   for (std::size_t i = 0; i < n; ++i) least = std::min(least, face_seen_[i].u * sum.u + face_seen_[i].v * sum.v);

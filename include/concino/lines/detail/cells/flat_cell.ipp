@@ -23,7 +23,8 @@ CONCINO_INLINE void flat_cell::clear() {
 }
 
 CONCINO_INLINE void flat_cell::set_face(std::uint32_t face, std::span<const std::uint32_t> ring, bool is_outward) {
-  faces_[face] = {static_cast<std::uint32_t>(corners_.size()), static_cast<std::uint32_t>(ring.size()), is_outward, false};
+  faces_[face] = {static_cast<std::uint32_t>(corners_.size()), static_cast<std::uint32_t>(ring.size()), is_outward,
+                  false};
   corners_.insert(corners_.end(), ring.begin(), ring.end());
 }
 
@@ -60,7 +61,8 @@ CONCINO_INLINE void flat_cell::cut_face(std::uint32_t face) {
   for (const polygon_triangle& t : cut_(ring_points_)) add(t);
 }
 
-CONCINO_INLINE void flat_cell::add_cut_face(std::uint32_t face, std::span<const vec3> ring, std::span<const cell_triangle> cut, bool same_way) {
+CONCINO_INLINE void flat_cell::add_cut_face(std::uint32_t face, std::span<const vec3> ring,
+                                            std::span<const cell_triangle> cut, bool same_way) {
   const auto first = static_cast<std::uint32_t>(points.size()), n = static_cast<std::uint32_t>(ring.size());
   faces_[face] = {static_cast<std::uint32_t>(corners_.size()), n, false, true};
   for (std::uint32_t i = 0; i < n; ++i) corners_.push_back(first + i);
@@ -97,8 +99,10 @@ CONCINO_INLINE int flat_cell::quick_side(std::uint32_t a, std::uint32_t b) const
   return turn > nearly_ ? 1 : turn < -nearly_ ? -1 : 0;
 }
 
-/// The side of the line on which a to b passes. A side of the triangle of entry is known: the line enters between its three sides.
-CONCINO_INLINE signed_value flat_cell::side(std::uint32_t a, std::uint32_t b, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) const {
+/// The side of the line on which a to b passes. A side of the triangle of entry is known: the line enters between its
+/// three sides.
+CONCINO_INLINE signed_value flat_cell::side(std::uint32_t a, std::uint32_t b, const vec3& x, const vec3& g,
+                                            std::span<const std::uint32_t> entry) const {
   signed_value s = side_of_line(g, points[a], points[b], x);
   if (entry.size() == 3 && is_corner_of(a, entry) && is_corner_of(b, entry)) {
     const std::ptrdiff_t i = std::find(entry.begin(), entry.end(), a) - entry.begin();
@@ -108,7 +112,8 @@ CONCINO_INLINE signed_value flat_cell::side(std::uint32_t a, std::uint32_t b, co
   return s;
 }
 
-CONCINO_INLINE bool flat_cell::leaves_through(const cell_triangle& t, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) const {
+CONCINO_INLINE bool flat_cell::leaves_through(const cell_triangle& t, const vec3& x, const vec3& g,
+                                              std::span<const std::uint32_t> entry) const {
   bool turns = false;
   for (unsigned k = 0; k < 3; ++k) {
     const std::uint32_t a = t.corner[k], b = t.corner[(k + 1) % 3];
@@ -128,7 +133,8 @@ CONCINO_INLINE double flat_cell::distance_to(std::uint32_t triangle, const vec3&
   return speed > 0 ? dot(n, p - x) / speed : 0;
 }
 
-CONCINO_INLINE cell_exit flat_cell::exit_in(std::uint32_t t, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry, std::uint32_t first) const {
+CONCINO_INLINE cell_exit flat_cell::exit_in(std::uint32_t t, const vec3& x, const vec3& g,
+                                            std::span<const std::uint32_t> entry, std::uint32_t first) const {
   const auto& c = triangles[t].corner;
   std::array<signed_value, 3> s;
   for (std::uint32_t k = 0; k < 3; ++k) s[k] = side(c[k], c[(k + 1) % 3], x, g, entry);
@@ -143,11 +149,13 @@ CONCINO_INLINE cell_exit flat_cell::exit_in(std::uint32_t t, const vec3& x, cons
   const std::uint32_t second = (first + 1) % 3, third = (first + 2) % 3;
   const vec3 &p = points[c[first]], &q = points[c[second]], &r = points[c[third]];
   const double whole = s[first].value + s[second].value + s[third].value;
-  return {cell_exit::kind::triangle, t, 0, 0, whole > 0 ? p + (s[third].value * (q - p) + s[first].value * (r - p)) / whole : (p + q + r) / 3};
+  return {cell_exit::kind::triangle, t, 0, 0,
+          whole > 0 ? p + (s[third].value * (q - p) + s[first].value * (r - p)) / whole : (p + q + r) / 3};
 }
 
 /// The sides on which the edges that are not those of entry pass the line tell it: three determinants instead of nine.
-CONCINO_INLINE std::uint32_t flat_cell::corner_left_behind(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) const {
+CONCINO_INLINE std::uint32_t flat_cell::corner_left_behind(const vec3& x, const vec3& g,
+                                                           std::span<const std::uint32_t> entry) const {
   const std::uint32_t top = 6 - entry[0] - entry[1] - entry[2];
   std::array<int, 3> s;
   for (std::size_t k = 0; k < 3; ++k) s[k] = side_of_line(g, points[entry[k]], points[top], x).sign;
@@ -156,7 +164,8 @@ CONCINO_INLINE std::uint32_t flat_cell::corner_left_behind(const vec3& x, const 
   return no_corner;
 }
 
-CONCINO_INLINE cell_exit flat_cell::leave_through(std::uint32_t face, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) {
+CONCINO_INLINE cell_exit flat_cell::leave_through(std::uint32_t face, const vec3& x, const vec3& g,
+                                                  std::span<const std::uint32_t> entry) {
   cut_face(face);
   std::uint32_t t = 0;
   while (triangles[t].face != face) ++t;

@@ -26,10 +26,14 @@ class incident_cells {
     c.triangles.clear();
     return c;
   }
-  static incident_triangle triangle_at(const M& m, const polyhedron_reader<M>& cell, const cell_triangle& t, std::uint32_t k, const incident_key& side_a,
-                                       const incident_key& side_b) {
+  static incident_triangle triangle_at(const M& m, const polyhedron_reader<M>& cell, const cell_triangle& t,
+                                       std::uint32_t k, const incident_key& side_a, const incident_key& side_b) {
     const auto& at = cell.flat.points;
-    return {at[t.corner[(k + 1) % 3]], at[t.corner[(k + 2) % 3]], {index_of(m, cell.faces[t.face]), t.number}, side_a, side_b};
+    return {at[t.corner[(k + 1) % 3]],
+            at[t.corner[(k + 2) % 3]],
+            {index_of(m, cell.faces[t.face]), t.number},
+            side_a,
+            side_b};
   }
 
  public:
@@ -45,7 +49,9 @@ class incident_cells {
     incident_cell& c = add(cell);
     for (const cell_triangle& t : cell.flat.triangles)
       for (std::uint32_t k = 0; k < 3; ++k)
-        if (cell.verts[t.corner[k]] == v) c.triangles.push_back(triangle_at(m, cell, t, k, ridge_of(m, cell, t, k).key, ridge_of(m, cell, t, (k + 2) % 3).key));
+        if (cell.verts[t.corner[k]] == v)
+          c.triangles.push_back(
+              triangle_at(m, cell, t, k, ridge_of(m, cell, t, k).key, ridge_of(m, cell, t, (k + 2) % 3).key));
   }
 
   /// Adds the two triangles at a ridge of the cell that was read last. The keys of their other sides are not needed.
@@ -55,8 +61,10 @@ class incident_cells {
       for (std::uint32_t k = 0; k < 3; ++k) {
         if (!(cell.verts[t.corner[k]] == r.from)) continue;
         const std::uint32_t a = (k + 1) % 3, b = (k + 2) % 3;
-        if (cell.verts[t.corner[a]] == r.to && ridge_of(m, cell, t, k).key == r.key) c.triangles.push_back(triangle_at(m, cell, t, k, r.key, {}));
-        if (cell.verts[t.corner[b]] == r.to && ridge_of(m, cell, t, b).key == r.key) c.triangles.push_back(triangle_at(m, cell, t, k, {}, r.key));
+        if (cell.verts[t.corner[a]] == r.to && ridge_of(m, cell, t, k).key == r.key)
+          c.triangles.push_back(triangle_at(m, cell, t, k, r.key, {}));
+        if (cell.verts[t.corner[b]] == r.to && ridge_of(m, cell, t, b).key == r.key)
+          c.triangles.push_back(triangle_at(m, cell, t, k, {}, r.key));
       }
   }
 

@@ -67,7 +67,8 @@ class polygon_reader {
   corner_values<M, edge_t<M>> edges;  // the k-th joins the k-th vert and the next one
   corner_values<M, vec3> points;
   vec3 field;                    // set by the caller
-  bool is_flat = true;           // all corners are in one plane but for 1e-9 of the size: then all triangles have its normal
+  bool is_flat = true;           // all corners are in one plane but for 1e-9 of the size: then all triangles have its
+                                 // normal
 
   /// False if p is the polygon read last.
   bool read(const M& m, const poly_t<M>& p) {
@@ -116,12 +117,15 @@ class polygon_reader {
   }
 
   /// The triangle on the other side of diagonal k of a triangle, and its side there.
-  std::pair<unsigned, unsigned> beside(const polygon_piece<M>& in, unsigned k) const { return find(in.corner[(k + 1) % 3], in.corner[k]); }
+  std::pair<unsigned, unsigned> beside(const polygon_piece<M>& in, unsigned k) const {
+    return find(in.corner[(k + 1) % 3], in.corner[k]);
+  }
 
   /// The triangle at an edge of the polygon, and its side there.
   std::pair<unsigned, unsigned> with_edge(const edge_t<M>& edge) const {
     for (std::size_t k = 0; k < edges.size(); ++k)
-      if (edges[k] == edge) return edges.size() == 3 ? std::pair(0u, static_cast<unsigned>(k)) : find(k, next_corner(k));
+      if (edges[k] == edge)
+        return edges.size() == 3 ? std::pair(0u, static_cast<unsigned>(k)) : find(k, next_corner(k));
     return {};
   }
 

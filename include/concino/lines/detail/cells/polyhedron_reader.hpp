@@ -43,7 +43,8 @@ class polyhedron_reader {
   void forget() { is_read_ = false; }
   const poly_t<M>& poly() const { return poly_; }
 
-  /// False if p is the poly read last. Only the faces are read, and of tets the verts: a line needs the corners of few faces.
+  /// False if p is the poly read last. Only the faces are read, and of tets the verts: a line needs the corners of few
+  /// faces.
   bool read(const M& m, const poly_t<M>& p) {
     if (is_read_ && p == poly_) return false;
     start(m, p);
@@ -107,14 +108,17 @@ class polyhedron_reader {
     flat.look(x, field);
     for (std::uint32_t face = 0; face < faces.size(); ++face) {
       if (flat.is_cut(face)) continue;
-      if (flat.may_cross(adj_f2v(*m_, faces[face]), [&](const vert_t<M>& v) { return to_vec3(point(*m_, v)); })) cut_face(face);
+      if (flat.may_cross(adj_f2v(*m_, faces[face]), [&](const vert_t<M>& v) { return to_vec3(point(*m_, v)); }))
+        cut_face(face);
     }
     return flat.find_exit(x, field, entry);
   }
 
   std::uint32_t corner_of(const M& m, const vert_t<M>& v) const {
-    if (!has_all_ || verts.size() <= longest_scan) return static_cast<std::uint32_t>(std::find(verts.begin(), verts.end(), v) - verts.begin());
-    return corner_numbers_.find(core::index_table::hash(index_of(m, v)), [&](std::uint32_t k) { return verts[k] == v; });
+    if (!has_all_ || verts.size() <= longest_scan)
+      return static_cast<std::uint32_t>(std::find(verts.begin(), verts.end(), v) - verts.begin());
+    return corner_numbers_.find(core::index_table::hash(index_of(m, v)),
+                                [&](std::uint32_t k) { return verts[k] == v; });
   }
 
   /// The triangle of a face with this number.
@@ -126,7 +130,8 @@ class polyhedron_reader {
     return 0;
   }
 
-  /// The triangle of face f that contains x, seen along its normal; of several, and outside all, the nearest. The faces have been cut.
+  /// The triangle of face f that contains x, seen along its normal; of several, and outside all, the nearest. The faces
+  /// have been cut.
   std::uint32_t nearest_triangle(const face_t<M>& f, const vec3& x) const {
     std::uint32_t best = 0;
     double best_depth = -std::numeric_limits<double>::infinity();
@@ -148,8 +153,8 @@ class polyhedron_reader {
     return flat.points;
   }
 
-  /// values[v] of the verts at x in the cell, linear in each tet between the mean of the corners, which has their mean value, and a triangle of the
-  /// surface.
+  /// values[v] of the verts at x in the cell, linear in each tet between the mean of the corners, which has their mean
+  /// value, and a triangle of the surface.
   template<class H>
   vec3 value_at(const vec3& x, const H& values) {
     cut_faces();
@@ -159,18 +164,22 @@ class polyhedron_reader {
       middle += flat.points[k] / n;
       middle_value += values[verts[k]] / n;
     }
-    const auto volume = [](const vec3& p, const vec3& q, const vec3& r, const vec3& s) { return dot(cross(q - p, r - p), s - p); };
+    const auto volume = [](const vec3& p, const vec3& q, const vec3& r, const vec3& s) {
+      return dot(cross(q - p, r - p), s - p);
+    };
     vec3 value = middle_value;
     double best = -std::numeric_limits<double>::infinity();
     for (const cell_triangle& t : flat.triangles) {
       const vec3 &a = flat.points[t.corner[0]], &b = flat.points[t.corner[1]], &c = flat.points[t.corner[2]];
       const double whole = volume(a, c, b, middle);
       if (!(whole > 0)) continue;
-      const double wa = volume(x, c, b, middle) / whole, wb = volume(a, c, x, middle) / whole, wc = volume(a, x, b, middle) / whole;
+      const double wa = volume(x, c, b, middle) / whole, wb = volume(a, c, x, middle) / whole,
+                   wc = volume(a, x, b, middle) / whole;
       const double least = std::min({wa, wb, wc, 1 - wa - wb - wc});
       if (least <= best) continue;
       best = least;
-      value = wa * values[verts[t.corner[0]]] + wb * values[verts[t.corner[1]]] + wc * values[verts[t.corner[2]]] + (1 - wa - wb - wc) * middle_value;
+      value = wa * values[verts[t.corner[0]]] + wb * values[verts[t.corner[1]]] + wc * values[verts[t.corner[2]]] +
+              (1 - wa - wb - wc) * middle_value;
     }
     return value;
   }
@@ -190,7 +199,9 @@ class polyhedron_reader {
     }
   }
 
-  std::uint32_t number_of(const face_t<M>& f) const { return static_cast<std::uint32_t>(std::find(faces.begin(), faces.end(), f) - faces.begin()); }
+  std::uint32_t number_of(const face_t<M>& f) const {
+    return static_cast<std::uint32_t>(std::find(faces.begin(), faces.end(), f) - faces.begin());
+  }
 
   /// The corner of the kept triangles at a place in the face's cycle.
   std::uint32_t corner_in_ring(std::uint32_t place) const {
@@ -215,7 +226,8 @@ class polyhedron_reader {
   void cut_face(std::uint32_t face) {
     if (flat.is_cut(face)) return;
     read_corners(face);
-    flat.set_outward(face, face_is_outward(*m_, poly_, faces[face]));  // asked here only: it may have to search, and few faces are cut
+    // asked here only: it may have to search, and few faces are cut
+    flat.set_outward(face, face_is_outward(*m_, poly_, faces[face]));
     flat.cut_face(face);
   }
 
@@ -230,7 +242,8 @@ class polyhedron_reader {
     const std::uint32_t behind = flat.corner_left_behind(x, field, entry);
     if (behind == flat_cell::no_corner) return {};
     std::uint32_t out = 4;
-    for (std::uint32_t face = 4; face-- > 0;)  // all are read, without branches: so the memory of one does not wait for another's
+    for (std::uint32_t face = 4; face-- > 0;)  // all are read, without branches: so the memory of one does not wait for
+                                               // another's
       out = has_corner(face, behind) ? out : face;
     if (out == 4) return {};
     cut_face(out);
@@ -240,7 +253,8 @@ class polyhedron_reader {
   /// Indices of a cell are often those of a grid, and differ by powers of two.
   void fill_table(const M& m) {
     corner_numbers_.clear();
-    for (std::uint32_t k = 0; k < verts.size(); ++k) corner_numbers_.add(core::index_table::hash(index_of(m, verts[k])), k);
+    for (std::uint32_t k = 0; k < verts.size(); ++k)
+      corner_numbers_.add(core::index_table::hash(index_of(m, verts[k])), k);
   }
 };
 

@@ -10,7 +10,8 @@
 
 namespace concino::detail {
 
-/// A triangle with a corner at the point. a and b: its other corners, counter-clockwise seen from where the normal points to.
+/// A triangle with a corner at the point. a and b: its other corners, counter-clockwise seen from where the normal
+/// points to.
 struct surface_sector {
   vec3 a, b, normal, field;
   std::size_t side_a = 0, side_b = 0;  // what tells the sides from the point to a and to b from others
@@ -22,14 +23,14 @@ struct surface_exit {
   std::size_t sector = 0;
 };
 
-/// Of the triangles into which their own fields lead, and the sides along which the fields of both triangles push together, the one with the greatest
-/// speed; of several, the one with the point first in the order of `lies_before`.
+/// Of the triangles into which their own fields lead, and the sides along which the fields of both triangles push
+/// together, the one with the greatest speed; of several, the one with the point first in the order of `lies_before`.
 surface_exit steepest_exit(const vec3& from, std::span<const surface_sector> sectors);
 
-/// The speed along a side from a to b, if the fields of its two triangles push against each other there: the mean of both whose part across the
-/// side is 0.
-/// Needs: push, the speeds towards the side, 0 or more; along: the speeds along it.      Source: Filippov 1988, "Differential equations with
-///         discontinuous
+/// The speed along a side from a to b, if the fields of its two triangles push against each other there: the mean of
+/// both whose part across the side is 0.
+/// Needs: push, the speeds towards the side, 0 or more; along: the speeds along it.      Source: Filippov 1988,
+///         "Differential equations with discontinuous
 /// righthand sides".
 double sliding_speed(double push1, double along1, double push2, double along2);
 

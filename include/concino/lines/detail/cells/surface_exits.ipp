@@ -36,7 +36,9 @@ CONCINO_INLINE surface_exit steepest_exit(const vec3& from, std::span<const surf
   double best_speed = 0;
   vec3 best_target;
   const auto offer = [&](surface_exit::kind to, std::size_t sector, double speed, const vec3& target) {
-    if (best.to != surface_exit::kind::none && (speed < best_speed || (speed == best_speed && !lies_before(target, best_target)))) return;
+    if (best.to != surface_exit::kind::none &&
+        (speed < best_speed || (speed == best_speed && !lies_before(target, best_target))))
+      return;
     best = {to, sector};
     best_speed = speed;
     best_target = target;
@@ -45,14 +47,19 @@ CONCINO_INLINE surface_exit steepest_exit(const vec3& from, std::span<const surf
     const surface_sector& s = sectors[i];
     const signed_value a = side_in_plane(s.field, s.a, s.normal, from), b = side_in_plane(s.field, s.b, s.normal, from);
     if (a.sign < 0 && b.sign > 0) {  // a to the right, b to the left
-      offer(surface_exit::kind::sector, i, speed_in_plane(s.field, s.normal), (a.value * s.b - b.value * s.a) / (a.value - b.value));
+      offer(surface_exit::kind::sector, i, speed_in_plane(s.field, s.normal),
+            (a.value * s.b - b.value * s.a) / (a.value - b.value));
     }
     const double n = norm(s.normal), to_a = distance(s.a, from), to_b = distance(s.b, from);
     if (!(n > 0) || !(to_a > 0) || !(to_b > 0)) continue;
-    sides.push_back({s.side_a, i, s.a, -a.sign, std::max(0.0, a.value / (n * to_a)), dot(s.field, s.a - from) / to_a, true});
-    sides.push_back({s.side_b, i, s.b, b.sign, std::max(0.0, -b.value / (n * to_b)), dot(s.field, s.b - from) / to_b, false});
+    sides.push_back(
+        {s.side_a, i, s.a, -a.sign, std::max(0.0, a.value / (n * to_a)), dot(s.field, s.a - from) / to_a, true});
+    sides.push_back(
+        {s.side_b, i, s.b, b.sign, std::max(0.0, -b.value / (n * to_b)), dot(s.field, s.b - from) / to_b, false});
   }
-  std::sort(sides.begin(), sides.end(), [](const incident_side& x, const incident_side& y) { return x.key != y.key ? x.key < y.key : lies_before(y.to, x.to); });
+  std::sort(sides.begin(), sides.end(), [](const incident_side& x, const incident_side& y) {
+    return x.key != y.key ? x.key < y.key : lies_before(y.to, x.to);
+  });
   for (std::size_t i = 0; i < sides.size();) {
     std::size_t last = i + 1;
     while (last < sides.size() && sides[last].key == sides[i].key) ++last;

@@ -29,7 +29,8 @@ class tet_crossing {
  public:
   poly_t<M> poly = poly_t<M>();
   vec3 field;
-  std::array<vert_t<M>, 4> verts;  // those of the face of entry, counter-clockwise seen from outside, and the one opposite
+  std::array<vert_t<M>, 4> verts;  // those of the face of entry, counter-clockwise seen from outside, and the one
+                                   // opposite
   std::array<vec3, 4> points;
   std::array<std::uint32_t, 4> corners{};  // their numbers in adj_p2v
 
@@ -39,8 +40,10 @@ class tet_crossing {
     vec3 position;
   };
 
-  /// A tet that was read elsewhere; its verts and points are in the order of adj_p2v. entry: the numbers of those of the face of entry.
-  void set(const poly_t<M>& p, std::span<const vert_t<M>> of_tet, std::span<const vec3> at, std::span<const std::uint32_t, 3> entry) {
+  /// A tet that was read elsewhere; its verts and points are in the order of adj_p2v. entry: the numbers of those of
+  /// the face of entry.
+  void set(const poly_t<M>& p, std::span<const vert_t<M>> of_tet, std::span<const vec3> at,
+           std::span<const std::uint32_t, 3> entry) {
     poly = p;
     for (std::uint32_t k = 0; k < 4; ++k) {
       corners[k] = k < 3 ? entry[k] : 6 - entry[0] - entry[1] - entry[2];
@@ -95,7 +98,8 @@ class tet_crossing {
     const std::uint32_t a = (out + 1) % 3, b = (out + 2) % 3;
     const rounded_value entered = rounded_line_sign(field, points[b] - x, points[a] - x);
     if (!(std::abs(entered.value) > entered.error)) return {};
-    const double side = entered.value > 0 ? entered.value : 0, whole = -s[b] + side + s[a];  // rounding may have moved x out of the face of entry
+    // rounding may have moved x out of the face of entry
+    const double side = entered.value > 0 ? entered.value : 0, whole = -s[b] + side + s[a];
     return exit{out, points[3] + (s[a] * (points[b] - points[3]) + -s[b] * (points[a] - points[3])) / whole};
   }
 };

@@ -12,7 +12,8 @@
 
 namespace concino::detail {
 
-CONCINO_INLINE vec3 sliding_velocity(double push1, const vec3& field1, double push2, const vec3& field2, const vec3& normal) {
+CONCINO_INLINE vec3 sliding_velocity(double push1, const vec3& field1, double push2, const vec3& field2,
+                                     const vec3& normal) {
   const double push = push1 + push2, n = dot(normal, normal);
   const vec3 v = push > 0 ? (push2 * field1 + push1 * field2) / push : (field1 + field2) / 2;
   return n > 0 ? v - dot(v, normal) / n * normal : v;
@@ -52,9 +53,12 @@ class volume_exit_search {
 
   const volume_exit& best() const { return best_; }
 
-  void offer(volume_exit::kind to, std::size_t cell, std::size_t triangle, double speed, const vec3& velocity, bool along_a = false) {
+  void offer(volume_exit::kind to, std::size_t cell, std::size_t triangle, double speed, const vec3& velocity,
+             bool along_a = false) {
     if (!(speed > 0)) return;
-    if (best_.to != volume_exit::kind::none && (speed < best_speed_ || (speed == best_speed_ && !lies_before(velocity, best_.velocity)))) return;
+    if (best_.to != volume_exit::kind::none &&
+        (speed < best_speed_ || (speed == best_speed_ && !lies_before(velocity, best_.velocity))))
+      return;
     best_ = {to, cell, triangle, along_a, velocity};
     best_speed_ = speed;
   }
@@ -93,7 +97,8 @@ class volume_exit_search {
   bool leads_into(const incident_cell& c) const {
     if (c.triangles.empty() || c.field == vec3()) return false;
     bool below_all = true;
-    for (const incident_triangle& t : c.triangles) below_all = below_all && side_of_line(c.field, t.a, t.b, from_).sign < 0;
+    for (const incident_triangle& t : c.triangles)
+      below_all = below_all && side_of_line(c.field, t.a, t.b, from_).sign < 0;
     if (below_all) return true;
     return !is_convex(c) && is_in_cone(c);
   }
@@ -118,16 +123,19 @@ class volume_exit_search {
       const double n = norm(cross(t.a - from_, t.b - from_));
       return n > 0 ? std::abs(side_of_line(c.field, t.a, t.b, from_).value) / n : 0;
     };
-    return *std::max_element(c.triangles.begin(), c.triangles.end(), [&](const auto& t, const auto& u) { return slope(t) < slope(u); });
+    return *std::max_element(c.triangles.begin(), c.triangles.end(),
+                             [&](const auto& t, const auto& u) { return slope(t) < slope(u); });
   }
 
-  /// For a cone that is not convex: counts the triangles that the arc from g to the middle of one of them crosses. g may lie in the planes of others.
+  /// For a cone that is not convex: counts the triangles that the arc from g to the middle of one of them crosses. g
+  /// may lie in the planes of others.
   bool is_in_cone(const incident_cell& c) const {
     const vec3& g = c.field;
     for (const incident_triangle& t : c.triangles)
       if (is_on_triangle(t, g)) return false;
     const incident_triangle& first = steepest_triangle(c);
-    const vec3 middle = (first.a - from_) / norm(first.a - from_) + (first.b - from_) / norm(first.b - from_), normal = cross(g, middle);
+    const vec3 middle = (first.a - from_) / norm(first.a - from_) + (first.b - from_) / norm(first.b - from_),
+               normal = cross(g, middle);
     const auto height = [&](const vec3& p) { return dot(normal, p - from_); };
     std::size_t crossed = 0;
     for (const incident_triangle& t : c.triangles) {
@@ -144,7 +152,9 @@ class volume_exit_search {
   }
 };
 
-CONCINO_INLINE bool is_side(const incident_triangle& t, const incident_key& edge) { return t.side_a == edge || t.side_b == edge; }
+CONCINO_INLINE bool is_side(const incident_triangle& t, const incident_key& edge) {
+  return t.side_a == edge || t.side_b == edge;
+}
 
 /// The cells around an edge, with the two triangles of each at the edge. Reuses its memory from edge to edge.
 class cells_around_edge {
@@ -197,7 +207,8 @@ class cells_around_edge {
       for (const incident_triangle& t : c.triangles) faces.push_back(t.face);
     std::sort(faces.begin(), faces.end());
     for (std::size_t i = 0; i < faces.size(); i += 2)
-      if (i + 1 == faces.size() || faces[i] != faces[i + 1] || (i + 2 < faces.size() && faces[i] == faces[i + 2])) return false;
+      if (i + 1 == faces.size() || faces[i] != faces[i + 1] || (i + 2 < faces.size() && faces[i] == faces[i + 2]))
+        return false;
     return true;
   }
 };
@@ -206,19 +217,22 @@ class cells_around_edge {
 CONCINO_INLINE bool leads_between(const vec3& from, const incident_key& edge, const incident_cell& c) {
   if (c.triangles.size() != 2) return false;
   const incident_triangle &one = c.triangles[0], &two = c.triangles[1];
-  const bool below_one = side_of_line(c.field, one.a, one.b, from).sign < 0, below_two = side_of_line(c.field, two.a, two.b, from).sign < 0;
+  const bool below_one = side_of_line(c.field, one.a, one.b, from).sign < 0,
+             below_two = side_of_line(c.field, two.a, two.b, from).sign < 0;
   const bool is_reflex = side_of_line((one.side_a == edge ? one.b : one.a) - from, two.a, two.b, from).sign > 0;
   return is_reflex ? below_one || below_two : below_one && below_two;
 }
 
-/// The speed along the edge of what does not lead off it: of a field exactly along the edge, else, inside, the mean of all.
+/// The speed along the edge of what does not lead off it: of a field exactly along the edge, else, inside, the mean of
+/// all.
 CONCINO_INLINE double speed_along_edge(const vec3& from, const vec3& to, const cells_around_edge& around) {
   const double length = distance(from, to);
   core::small_array<double, 32> speeds;
   double parallel = 0;
   for (const incident_cell& c : around.cells()) {
     bool is_parallel = c.field != vec3();
-    for (const incident_triangle& t : c.triangles) is_parallel = is_parallel && side_of_line(c.field, t.a, t.b, from).sign == 0;
+    for (const incident_triangle& t : c.triangles)
+      is_parallel = is_parallel && side_of_line(c.field, t.a, t.b, from).sign == 0;
     const double speed = dot(c.field, to - from) / length;
     speeds.push_back(speed);
     if (is_parallel && std::abs(speed) > std::abs(parallel)) parallel = speed;
@@ -231,18 +245,21 @@ CONCINO_INLINE double speed_along_edge(const vec3& from, const vec3& to, const c
 }
 
 /// The exit from an edge between incident cells, with both directions along it.
-CONCINO_INLINE volume_exit exit_from_edge(const vec3& from, const vec3& to, const incident_key& edge, std::span<const incident_cell> all, cells_around_edge& around) {
+CONCINO_INLINE volume_exit exit_from_edge(const vec3& from, const vec3& to, const incident_key& edge,
+                                          std::span<const incident_cell> all, cells_around_edge& around) {
   around.find(edge, all);
   const std::span<const incident_cell> cells = around.cells();
   if (from == to || cells.empty()) return {};
   volume_exit_search search(from, cells);
   for (std::size_t c = 0; c < cells.size(); ++c)
-    if (const vec3& g = cells[c].field; leads_between(from, edge, cells[c])) search.offer(volume_exit::kind::cell, c, 0, norm(g), g);
+    if (const vec3& g = cells[c].field; leads_between(from, edge, cells[c]))
+      search.offer(volume_exit::kind::cell, c, 0, norm(g), g);
   search.for_each_slide([&](const incident_facet& f, const vec3& velocity) {
     const incident_triangle& t = search.triangle(f);
     const bool edge_is_a = t.side_a == edge;
     const int s = side_in_plane(velocity, edge_is_a ? t.a : t.b, cross(t.a - from, t.b - from), from).sign;
-    if (edge_is_a ? s < 0 : s > 0) search.offer(volume_exit::kind::triangle, f.cell, f.triangle, norm(velocity), velocity);
+    if (edge_is_a ? s < 0 : s > 0)
+      search.offer(volume_exit::kind::triangle, f.cell, f.triangle, norm(velocity), velocity);
   });
   volume_exit best = search.best();
   if (best.to != volume_exit::kind::none) return around.among_all(best);
@@ -254,7 +271,8 @@ CONCINO_INLINE volume_exit exit_from_edge(const vec3& from, const vec3& to, cons
   return around.among_all(best);
 }
 
-CONCINO_INLINE volume_exit steepest_exit(const vec3& from, const vec3& to, const incident_key& edge, std::span<const incident_cell> cells) {
+CONCINO_INLINE volume_exit steepest_exit(const vec3& from, const vec3& to, const incident_key& edge,
+                                         std::span<const incident_cell> cells) {
   cells_around_edge around;
   return exit_from_edge(from, to, edge, cells, around);
 }
@@ -264,7 +282,8 @@ CONCINO_INLINE volume_exit steepest_exit(const vec3& from, std::span<const incid
   for (std::size_t c = 0; c < cells.size(); ++c)
     if (search.leads_into(cells[c])) search.offer(volume_exit::kind::cell, c, 0, norm(cells[c].field), cells[c].field);
   search.for_each_slide([&](const incident_facet& f, const vec3& velocity) {
-    if (search.leads_along_triangle(search.triangle(f), velocity)) search.offer(volume_exit::kind::triangle, f.cell, f.triangle, norm(velocity), velocity);
+    if (search.leads_along_triangle(search.triangle(f), velocity))
+      search.offer(volume_exit::kind::triangle, f.cell, f.triangle, norm(velocity), velocity);
   });
   std::vector<incident_key> asked;
   cells_around_edge around;
@@ -274,7 +293,8 @@ CONCINO_INLINE volume_exit steepest_exit(const vec3& from, std::span<const incid
         if (std::find(asked.begin(), asked.end(), edge) != asked.end()) continue;
         asked.push_back(edge);
         const volume_exit x = exit_from_edge(from, to, edge, cells, around);
-        if (x.to == volume_exit::kind::edge) search.offer(x.to, x.cell, x.triangle, norm(x.velocity), x.velocity, x.along_a);
+        if (x.to == volume_exit::kind::edge)
+          search.offer(x.to, x.cell, x.triangle, norm(x.velocity), x.velocity, x.along_a);
       }
   return search.best();
 }

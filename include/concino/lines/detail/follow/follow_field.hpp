@@ -20,7 +20,8 @@ namespace concino {
 namespace requirement {
 
 template<class M, class S>
-concept is_line_start = std::same_as<S, vert_t<M>> || std::same_as<S, poly_t<M>> || std::same_as<S, mesh_point<std::remove_cvref_t<M>>>;
+concept is_line_start =
+    std::same_as<S, vert_t<M>> || std::same_as<S, poly_t<M>> || std::same_as<S, mesh_point<std::remove_cvref_t<M>>>;
 template<class M, class R>
 concept gives_line_starts = requires(const R& r) {
   { *r.begin() };
@@ -32,7 +33,8 @@ concept gives_line_starts = requires(const R& r) {
 namespace detail {
 
 template<class M, class G>
-using line_walker = typename std::conditional_t<dimension_v<M> == 2, std::type_identity<surface_line_walker<M, G>>, std::type_identity<volume_line_walker<M, G>>>::type;
+using line_walker = typename std::conditional_t<dimension_v<M> == 2, std::type_identity<surface_line_walker<M, G>>,
+                                                std::type_identity<volume_line_walker<M, G>>>::type;
 
 /// The first part turned round, then the second one, from the same start.
 template<class M>
@@ -56,7 +58,8 @@ void run(Walker& walker, const mesh_point<M>& start, double sense, line_recorder
   while (!to.done()) walker.step(to);
 }
 
-/// Reader: of the field, from the mesh, what the caller passed and the caller's name. Walker: from the mesh and a reader.
+/// Reader: of the field, from the mesh, what the caller passed and the caller's name. Walker: from the mesh and a
+/// reader.
 template<class M, class Reader, class Walker>
 class field_follower {
   static constexpr std::size_t lines_per_task = 16;
@@ -71,7 +74,9 @@ class field_follower {
   template<class G>
   field_follower(const M& m, const G& g, const integral_line_options& options, const char* caller)
       : m_(&m), caller_(caller), field_(m, g, caller), options_(options), max_steps_(options.max_steps) {
-    if (!(options.max_length > 0)) core::throw_joined<invalid_argument>({caller, ": max_length must be above 0; leave it out to follow lines to their end"});
+    if (!(options.max_length > 0))
+      core::throw_joined<invalid_argument>(
+          {caller, ": max_length must be above 0; leave it out to follow lines to their end"});
     if (max_steps_ == 0) max_steps_ = 16 * num_polys(m) + 1000;
   }
 

@@ -23,13 +23,15 @@ template<class M>
 class line_recorder {
  public:
   /// What `to` contains is removed, but its memory is kept.
-  line_recorder(field_line<M>& to, double max_length, std::size_t max_steps) : line_(&to), max_length_(max_length), max_steps_(max_steps) {
+  line_recorder(field_line<M>& to, double max_length, std::size_t max_steps)
+      : line_(&to), max_length_(max_length), max_steps_(max_steps) {
     to.points.clear();
     to.polys.clear();
     to.cycle.clear();
     to.length = 0;
   }
-  line_recorder(field_line<M>& to, std::size_t max_steps, segment_limit<M> limit) : line_recorder(to, std::numeric_limits<double>::infinity(), max_steps) {
+  line_recorder(field_line<M>& to, std::size_t max_steps, segment_limit<M> limit)
+      : line_recorder(to, std::numeric_limits<double>::infinity(), max_steps) {
     limit_ = limit;
   }
 
@@ -61,7 +63,9 @@ class line_recorder {
       }
     }
     if (line_->length + step >= max_length_) {
-      const vec3 end = line_->length + step > max_length_ ? last() + (max_length_ - line_->length) / step * (x.position - last()) : x.position;
+      const vec3 end = line_->length + step > max_length_
+                           ? last() + (max_length_ - line_->length) / step * (x.position - last())
+                           : x.position;
       start(end == x.position ? x : mesh_point<M>{p, end});
       line_->length = max_length_;
       if (!close_at_start()) stop(line_end::max_length);
@@ -72,7 +76,8 @@ class line_recorder {
     if (steps() >= max_steps_ && !close_at_start()) stop(line_end::max_steps);
   }
 
-  /// The last `period` points are a closed line that repeats. If it contains the start, the line is closed; else the way to the cycle is kept.
+  /// The last `period` points are a closed line that repeats. If it contains the start, the line is closed; else the
+  /// way to the cycle is kept.
   void repeat(std::size_t period) {
     if (close_at_start()) return;
     const auto& x = line_->points;
@@ -133,7 +138,8 @@ class line_recorder {
       return true;
     }
     const std::size_t end = num_points() - 1;
-    if (end == 0 || !(at(end) == x) || line_->points[end].element.index() != 0 || line_->points[0].element.index() != 0) return false;
+    if (end == 0 || !(at(end) == x) || line_->points[end].element.index() != 0 || line_->points[0].element.index() != 0)
+      return false;
     close(end);  // a vert
     return true;
   }

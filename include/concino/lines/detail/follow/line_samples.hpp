@@ -30,7 +30,8 @@ class line_samples {
 
   struct grid_cell { std::int64_t x, y, z; };
   grid_cell cell_of(const vec3& p) const {
-    return {static_cast<std::int64_t>(std::floor(p.x / cell_)), static_cast<std::int64_t>(std::floor(p.y / cell_)), static_cast<std::int64_t>(std::floor(p.z / cell_))};
+    return {static_cast<std::int64_t>(std::floor(p.x / cell_)), static_cast<std::int64_t>(std::floor(p.y / cell_)),
+            static_cast<std::int64_t>(std::floor(p.z / cell_))};
   }
   static std::uint32_t hash(const grid_cell& c) {
     std::uint32_t h = 0;
@@ -50,7 +51,9 @@ class line_samples {
   /// Whether is_hit(s) holds for a sample s that is nearer to x than `radius`.
   template<class F>
   bool any_near(const vec3& x, double radius, const F& is_hit) const {
-    const auto is_near = [&](std::uint32_t i) { return distance(closest_point(x, all_[i].from, all_[i].to), x) < radius && is_hit(all_[i]); };
+    const auto is_near = [&](std::uint32_t i) {
+      return distance(closest_point(x, all_[i].from, all_[i].to), x) < radius && is_hit(all_[i]);
+    };
     const grid_cell c = cell_of(x);
     for (std::int64_t dx = -1; dx <= 1; ++dx)
       for (std::int64_t dy = -1; dy <= 1; ++dy)

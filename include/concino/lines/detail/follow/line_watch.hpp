@@ -9,21 +9,23 @@
 
 namespace concino::detail {
 
-/// The side of a triangle by which a line enters: its poly, and the number of the side among those of the poly's triangles. Or a vert: its index,
-/// and `at_vert`.
+/// The side of a triangle by which a line enters: its poly, and the number of the side among those of the poly's
+/// triangles. Or a vert: its index, and `at_vert`.
 struct entry_key {
   static constexpr std::size_t at_vert = SIZE_MAX;
   std::size_t element = SIZE_MAX, side = 0;
   friend bool operator==(const entry_key&, const entry_key&) = default;
 };
 
-/// How the place s on an entered side, in [0, 1], depends on the place on the side entered before: scale * s + shift, off by at most `noise`.
+/// How the place s on an entered side, in [0, 1], depends on the place on the side entered before: scale * s + shift,
+/// off by at most `noise`.
 struct entry_step {
   double scale = 1, shift = 0, noise = 0;
   std::size_t pivot = SIZE_MAX;  // the index of the vert in which both sides meet
 };
 
-/// The map from the place on a side entered earlier to the place on the last one, and for which places the line passes the same sides.
+/// The map from the place on a side entered earlier to the place on the last one, and for which places the line passes
+/// the same sides.
 class return_map {
  public:
   double scale = 1, shift = 0, error = 0, low = 0, high = 1;
@@ -31,10 +33,11 @@ class return_map {
   void follow(const entry_step& next);
 };
 
-/// Follows the sides and verts that a line passes. The place on a side depends on the place when the line passed it before by an affine map x -> a
-/// x + b: a line that comes back to where it was is closed, and the line is drawn to a fixed point if |a| < 1. It compares with one of the sides or
-/// verts passed, the mark, which moves on after 1, 2, 4, 8, ... steps (Brent 1980, "An improved Monte Carlo factorization algorithm"): no list of
-/// what was passed is searched, and a cycle is noticed after at most three times the steps that the line takes to it and once round it.
+/// Follows the sides and verts that a line passes. The place on a side depends on the place when the line passed it
+/// before by an affine map x -> a x + b: a line that comes back to where it was is closed, and the line is drawn to a
+/// fixed point if |a| < 1. It compares with one of the sides or verts passed, the mark, which moves on after 1, 2, 4,
+/// 8, ... steps (Brent 1980, "An improved Monte Carlo factorization algorithm"): no list of what was passed is
+/// searched, and a cycle is noticed after at most three times the steps that the line takes to it and once round it.
 class line_watch {
  public:
   enum class finding { none, repeats, winds, winds_into_vert };
@@ -50,7 +53,8 @@ class line_watch {
   /// Called at each vert.
   finding at_vert(std::size_t vert, std::size_t num_points);
 
-  /// Of a finding: the number of points once round, the fixed place on the side where the round began, the factor by which it shrinks, and the vert.
+  /// Of a finding: the number of points once round, the fixed place on the side where the round began, the factor by
+  /// which it shrinks, and the vert.
   std::size_t period() const { return period_; }
   double fixed_place() const { return fixed_; }
   double shrinks_by() const { return mark_.map.scale; }

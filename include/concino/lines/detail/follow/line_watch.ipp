@@ -12,7 +12,8 @@ namespace concino::detail {
 
 CONCINO_INLINE void return_map::follow(const entry_step& next) {
   constexpr double roundoff = 0x1p-52;
-  error = std::abs(next.scale) * (error + 2 * roundoff * (std::abs(scale) + std::abs(shift))) + roundoff * std::abs(next.shift) + next.noise;
+  error = std::abs(next.scale) * (error + 2 * roundoff * (std::abs(scale) + std::abs(shift))) +
+          roundoff * std::abs(next.shift) + next.noise;
   shift = next.scale * shift + next.shift;
   scale *= next.scale;
   if (scale == 0) return;
@@ -38,7 +39,8 @@ CONCINO_INLINE void line_watch::follow(const entry_step& step) {
   else if (pivot_ != step.pivot) same_pivot_ = false;
 }
 
-CONCINO_INLINE line_watch::finding line_watch::at_side(const entry_key& key, double s, const vec3& x, const entry_step& step, std::size_t num_points) {
+CONCINO_INLINE line_watch::finding line_watch::at_side(const entry_key& key, double s, const vec3& x,
+                                                       const entry_step& step, std::size_t num_points) {
   if (mark_.key.element == SIZE_MAX) {
     set_mark(key, s, x, num_points);
     return finding::none;

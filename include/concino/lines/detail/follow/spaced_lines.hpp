@@ -32,7 +32,8 @@ class spaced_lines {
   std::size_t search_ = 0;
 
  public:
-  spaced_lines(const M& m, const field_reader<M, G>& field, double distance, double test, double min_length, std::size_t max_steps)
+  spaced_lines(const M& m, const field_reader<M, G>& field, double distance, double test, double min_length,
+               std::size_t max_steps)
       : m_(&m), distance_(distance), test_(test), min_length_(min_length), max_steps_(max_steps), walker_(m, field),
         sideways_(prepare_trace_geodesic(m)), samples_(distance + test / 8), visited_(poly_index_bound(m), 0) {}
 
@@ -70,8 +71,10 @@ class spaced_lines {
     return false;
   }
 
-  /// Whether no other line is near; if `of_itself` is there, it is called for near places of the same attempt that are not near along the line.
-  bool is_free(const vec3& x, const poly_t<M>& p, double radius, double arc, function_ref<bool(const line_sample<M>&)> of_itself) {
+  /// Whether no other line is near; if `of_itself` is there, it is called for near places of the same attempt that are
+  /// not near along the line.
+  bool is_free(const vec3& x, const poly_t<M>& p, double radius, double arc,
+               function_ref<bool(const line_sample<M>&)> of_itself) {
     return !samples_.any_near(x, radius, [&](const line_sample<M>& s) {
       if (s.line != attempt_) return is_kept_[s.line] != 0 && are_joined(x, p, s.poly, radius);
       return std::abs(s.arc - arc) >= 3 * distance_ && are_joined(x, p, s.poly, radius) && of_itself(s);
@@ -90,7 +93,8 @@ class spaced_lines {
     return from;
   }
 
-  /// One part of a line. Where it runs straight into itself it goes on for a while, so that it is seen whether it is closed.
+  /// One part of a line. Where it runs straight into itself it goes on for a while, so that it is seen whether it is
+  /// closed.
   field_line<M> follow(const mesh_point<M>& seed, double sense) {
     field_line<M> line;
     double arc = 0, met_itself = std::numeric_limits<double>::infinity();
@@ -108,8 +112,11 @@ class spaced_lines {
         return is_free(x, p, test_, sense * (arc + t * step), [&](const line_sample<M>& s) { return of_itself(s, x); });
       };
       for (std::size_t k = 0; k < n; ++k) {
-        const double from = static_cast<double>(k) / static_cast<double>(n), to = static_cast<double>(k + 1) / static_cast<double>(n), here = arc + to * step;
-        const auto add_up_to = [&](double t) { samples_.add({a + from * (b - a), a + t * (b - a), p, attempt_, sense * (arc + 0.5 * (from + t) * step)}); };
+        const double from = static_cast<double>(k) / static_cast<double>(n),
+                     to = static_cast<double>(k + 1) / static_cast<double>(n), here = arc + to * step;
+        const auto add_up_to = [&](double t) {
+          samples_.add({a + from * (b - a), a + t * (b - a), p, attempt_, sense * (arc + 0.5 * (from + t) * step)});
+        };
         runs_into_itself = false;
         if (!is_free_at(to)) {
           const double end = last_free(from, to, is_free_at);

@@ -38,10 +38,12 @@ class surface_line_walker {
   std::vector<surface_sector> sectors_;
   std::vector<piece> sector_pieces_;
 
-  // The state of a line: in a triangle, inside, at a side or at a corner of it; at a vert; or at an edge by which it leaves a triangle.
+  // The state of a line: in a triangle, inside, at a side or at a corner of it; at a vert; or at an edge by which it
+  // leaves a triangle.
   enum class where { inside, side, corner, vert, edge } where_ = where::inside;
   triangle_side triangles_[2];
-  unsigned now_ = 0;       // of triangles_: the triangle entered, and its side or corner; or the side by which the line leaves it
+  unsigned now_ = 0;       // of triangles_: the triangle entered, and its side or corner; or the side by which the line
+                           // leaves it
   double inward_ = 0;      // at a side: the determinant of the field and the side
   vec3 x_;
   vert_t<M> vert_ = vert_t<M>();
@@ -88,10 +90,12 @@ class surface_line_walker {
     if (where_ == where::inside) return leave_inside(to);
     // i and j: the ends of the side entered, or of the side opposite to the corner where the line enters
     const unsigned i = where_ == where::side ? at().side : (at().side + 1) % 3, j = (i + 1) % 3, far = (i + 2) % 3;
-    if (where_ == where::corner) return cross_side(i, side_in_plane(g, t.at[i], n, x_), side_in_plane(g, t.at[j], n, x_), to);
+    if (where_ == where::corner)
+      return cross_side(i, side_in_plane(g, t.at[i], n, x_), side_in_plane(g, t.at[j], n, x_), to);
     const signed_value c = side_in_plane(g, t.at[far], n, x_);
     if (c.sign == 0) return reach_corner(far, to);
-    // entering, i lies to the left of the line and j to the right; of a side by which it leaves, the first end lies to the right
+    // entering, i lies to the left of the line and j to the right; of a side by which it leaves, the first end lies to
+    // the right
     const bool by_j = c.sign > 0;
     const signed_value other = side_in_plane(g, t.at[by_j ? j : i], n, x_);
     cross_side(by_j ? j : far, by_j ? other : c, by_j ? c : other, to);
@@ -215,9 +219,11 @@ class surface_line_walker {
     const double length = norm(along);
     if (!(length > 0)) return to.stop(line_end::sink);
     const auto push = [&](const triangle_side& h) {
-      return std::max(0.0, side_in_plane(h.in.field, h.to(), h.in.normal, h.from()).value / (norm(h.in.normal) * length));
+      return std::max(0.0,
+                      side_in_plane(h.in.field, h.to(), h.in.normal, h.from()).value / (norm(h.in.normal) * length));
     };
-    const double speed = sliding_speed(push(out), dot(out.in.field, along) / length, push(next), dot(next.in.field, along) / length);
+    const double speed =
+        sliding_speed(push(out), dot(out.in.field, along) / length, push(next), dot(next.in.field, along) / length);
     if (!(speed != 0)) return to.stop(line_end::sink);
     if (&out != &at()) at() = out;
     reach_corner(speed > 0 ? (out.side + 1) % 3 : out.side, to);
@@ -239,7 +245,8 @@ class surface_line_walker {
           if (!(in.verts[k] == vert_)) continue;
           const unsigned a = (k + 1) % 3, b = (k + 2) % 3;
           const auto key = [&](unsigned side, unsigned far) {
-            return in.edge[side] == piece::diagonal ? diagonals + in.corner[far] : index_of(*m_, polygon_.edges[in.edge[side]]);
+            return in.edge[side] == piece::diagonal ? diagonals + in.corner[far]
+                                                    : index_of(*m_, polygon_.edges[in.edge[side]]);
           };
           sectors_.push_back({in.at[a], in.at[b], in.normal, in.field, key(k, a), key(b, b)});
           sector_pieces_.push_back(in);
@@ -248,7 +255,8 @@ class surface_line_walker {
       diagonals += polygon_.verts.size();
     }
     const surface_exit out = steepest_exit(x_, sectors_);
-    if (out.to == surface_exit::kind::none) return to.stop(reason_of_end(*m_, adj_v2e(*m_, vert_), !sector_pieces_.empty(), all_are_zero(sector_pieces_)));
+    if (out.to == surface_exit::kind::none)
+      return to.stop(reason_of_end(*m_, adj_v2e(*m_, vert_), !sector_pieces_.empty(), all_are_zero(sector_pieces_)));
     triangle_side& from = at();
     from.in = sector_pieces_[out.sector];
     for (unsigned k = 0; k < 3; ++k)
@@ -279,7 +287,9 @@ class surface_line_walker {
       all_zero = all_zero && h.in.is_zero;
       if (side_in_plane(h.in.field, h.to(), h.in.normal, h.from()).sign >= 0) continue;
       const double speed = speed_in_plane(h.in.field, h.in.normal);
-      if (best && (speed < best_speed || (speed == best_speed && !lies_before(h.in.at[(h.side + 2) % 3], best->in.at[(best->side + 2) % 3])))) continue;
+      if (best && (speed < best_speed ||
+                   (speed == best_speed && !lies_before(h.in.at[(h.side + 2) % 3], best->in.at[(best->side + 2) % 3]))))
+        continue;
       best = &h;
       best_speed = speed;
     }
@@ -320,11 +330,13 @@ class surface_line_walker {
   void wind_into_vert(line_recorder<M>& to) {
     const auto& x = to.line().points;
     double once = 0;
-    for (std::size_t i = 0; i < watch_.period(); ++i) once += distance(x[x.size() - 2 - i].position, x[x.size() - 1 - i].position);
+    for (std::size_t i = 0; i < watch_.period(); ++i)
+      once += distance(x[x.size() - 2 - i].position, x[x.size() - 1 - i].position);
     const double shrinks = watch_.shrinks_by(), more = once * shrinks / (1 - shrinks);
     if (more >= to.room()) return;  // the line is cut before
     for (unsigned k = 0; k < 3; ++k)
-      if (const piece& in = at().in; index_of(*m_, in.verts[k]) == watch_.vert()) return to.end_at({in.verts[k], in.at[k]}, in.poly, more);
+      if (const piece& in = at().in; index_of(*m_, in.verts[k]) == watch_.vert())
+        return to.end_at({in.verts[k], in.at[k]}, in.poly, more);
   }
 };
 

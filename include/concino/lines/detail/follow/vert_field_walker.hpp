@@ -30,11 +30,14 @@ class vert_field_reader {
  public:
   template<class Field>
   vert_field_reader(const M& m, const Field& field, const char* caller) : h_(field.values), step_(field.step) {
-    if (!(step_ >= 0) || !std::isfinite(step_)) core::throw_joined<invalid_argument>({caller, ": the step must be finite and at least 0"});
+    if (!(step_ >= 0) || !std::isfinite(step_))
+      core::throw_joined<invalid_argument>({caller, ": the step must be finite and at least 0"});
     double most = 0;
     for (const vert_t<M> v : verts(m)) {
       const vec3 x = to_vec3((*h_)[v]);
-      if (!is_finite(x)) core::throw_joined<invalid_argument>({caller, ": the vector at vert ", index_of(m, v), " is not finite; give each vert a finite vector"});
+      if (!is_finite(x))
+        core::throw_joined<invalid_argument>(
+            {caller, ": the vector at vert ", index_of(m, v), " is not finite; give each vert a finite vector"});
       most = std::max({most, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
     }
     if (most > 0) scale_ = std::ldexp(1.0, -std::clamp(std::ilogb(most), -1022, 1022));
@@ -45,7 +48,8 @@ class vert_field_reader {
 
 template<class M, class H>
 class vert_field_walker {
-  using reader = typename std::conditional_t<dimension_v<M> == 2, std::type_identity<polygon_reader<M>>, std::type_identity<polyhedron_reader<M>>>::type;
+  using reader = typename std::conditional_t<dimension_v<M> == 2, std::type_identity<polygon_reader<M>>,
+                                             std::type_identity<polyhedron_reader<M>>>::type;
 
   const M* m_;
   vert_field_reader<M, H> field_;
@@ -57,8 +61,8 @@ class vert_field_walker {
   vec3 before_;
 
  public:
-
-  vert_field_walker(const M& m, const vert_field_reader<M, H>& field) : m_(&m), field_(field), straight_(m, field_reader<M, one_vector>(direction_)) {}
+  vert_field_walker(const M& m, const vert_field_reader<M, H>& field)
+      : m_(&m), field_(field), straight_(m, field_reader<M, one_vector>(direction_)) {}
   vert_field_walker(const vert_field_walker&) = delete;
 
   void start(const mesh_point<M>& start, double sense, line_recorder<M>& to) {
@@ -83,7 +87,8 @@ class vert_field_walker {
     part_ = std::min(1.0, 1.5 * part_);
     before_ = d;
     const field_line<M> segment = walk(x_, d, step * norm(d));
-    for (std::size_t i = 0; i < segment.polys.size() && !to.done(); ++i) to.add(segment.points[i + 1], segment.polys[i]);
+    for (std::size_t i = 0; i < segment.polys.size() && !to.done(); ++i)
+      to.add(segment.points[i + 1], segment.polys[i]);
     if (segment.stopped_by != line_end::max_length) return to.stop(segment.stopped_by);
     x_ = segment.points.back();
   }

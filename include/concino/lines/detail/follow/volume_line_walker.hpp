@@ -142,7 +142,8 @@ class volume_line_walker {
     if (!to.done()) cross(f, t, p, to);
   }
 
-  /// The line is so near to the border of the triangle or edge by which it entered that it misses the cell: it goes on from there.
+  /// The line is so near to the border of the triangle or edge by which it entered that it misses the cell: it goes on
+  /// from there.
   void miss(line_recorder<M>& to) {
     if (entry_size_ == 3) {
       double most = -std::numeric_limits<double>::infinity();
@@ -157,15 +158,20 @@ class volume_line_walker {
       }
       for (const cell_triangle& t : cell_.flat.triangles)
         for (std::uint32_t k = 0; k < 3; ++k)
-          if (t.corner[k] == entry_[best] && t.corner[(k + 1) % 3] == entry_[(best + 1) % 3] && is_corner(t, entry_[(best + 2) % 3])) {
+          if (t.corner[k] == entry_[best] && t.corner[(k + 1) % 3] == entry_[(best + 1) % 3] &&
+              is_corner(t, entry_[(best + 2) % 3])) {
             const vec3 &a = cell_.flat.points[t.corner[k]], &b = cell_.flat.points[t.corner[(k + 1) % 3]];
             const double s = std::clamp(dot(x_ - a, b - a) / dot(b - a, b - a), 0.0, 1.0);
             x_ = a + s * (b - a);
             return add_ridge(t, k, s, to);
           }
     }
-    // from an edge the nearer end; from a vert or inside, only in cells that are inverted or intersect themselves, the corner that is farthest along the field
-    std::uint32_t best = entry_size_ == 2 ? entry_[distance(x_, cell_.flat.points[entry_[1]]) < distance(x_, cell_.flat.points[entry_[0]])] : 0;
+    // from an edge the nearer end; from a vert or inside, only in cells that are inverted or intersect themselves, the
+    // corner that is farthest along the field
+    std::uint32_t best =
+        entry_size_ == 2
+            ? entry_[distance(x_, cell_.flat.points[entry_[1]]) < distance(x_, cell_.flat.points[entry_[0]])]
+            : 0;
     if (entry_size_ == 0) cell_.read_all();
     if (entry_size_ < 2)
       for (std::uint32_t k = 1; k < cell_.verts.size(); ++k)
@@ -174,7 +180,9 @@ class volume_line_walker {
     x_ = cell_.flat.points[best];
     add_vert(cell_.verts[best], to);
   }
-  static bool is_corner(const cell_triangle& t, std::uint32_t c) { return t.corner[0] == c || t.corner[1] == c || t.corner[2] == c; }
+  static bool is_corner(const cell_triangle& t, std::uint32_t c) {
+    return t.corner[0] == c || t.corner[1] == c || t.corner[2] == c;
+  }
 
   void add_vert(const vert_t<M>& v, line_recorder<M>& to) {
     to.add({v, x_}, cell_.poly());
@@ -188,7 +196,9 @@ class volume_line_walker {
 
   void add_ridge(const cell_triangle& t, std::uint32_t k, double parameter, line_recorder<M>& to) {
     const line_ridge<M> r = ridge_of(*m_, cell_, t, k);
-    if (r.edge) to.add({edge_point<M>{*r.edge, end_verts(*m_, *r.edge).first == r.from ? parameter : 1 - parameter}, x_}, cell_.poly());
+    if (r.edge)
+      to.add({edge_point<M>{*r.edge, end_verts(*m_, *r.edge).first == r.from ? parameter : 1 - parameter}, x_},
+             cell_.poly());
     else to.add({*r.face, x_}, cell_.poly());
     if (!to.done()) reach_ridge(r);
   }
@@ -197,7 +207,8 @@ class volume_line_walker {
     where_ = where::ridge;
   }
 
-  /// From a triangle of face f of poly p, from inside p: into the other poly, or along the face if the field there pushes back.
+  /// From a triangle of face f of poly p, from inside p: into the other poly, or along the face if the field there
+  /// pushes back.
   void cross(const face_t<M>& f, const cell_triangle t, const poly_t<M>& p, line_recorder<M>& to) {
     std::optional<poly_t<M>> other;
     std::size_t n = 0;
@@ -206,7 +217,8 @@ class volume_line_walker {
       ++n;
     }
     if (n != 2 || !other) return to.stop(n <= 2 ? line_end::boundary : line_end::non_manifold);
-    const std::array<vec3, 3> at = {cell_.flat.points[t.corner[0]], cell_.flat.points[t.corner[1]], cell_.flat.points[t.corner[2]]};
+    const std::array<vec3, 3> at = {cell_.flat.points[t.corner[0]], cell_.flat.points[t.corner[1]],
+                                    cell_.flat.points[t.corner[2]]};
     const vec3 g = cell_.field;
     if constexpr (all_tets) {
       read(*other);
@@ -224,7 +236,8 @@ class volume_line_walker {
       return;
     }
     const vec3 normal = triangle_normal(at[0], at[1], at[2]);
-    const double push = push_through(cell_.field, points[next.corner[0]], points[next.corner[1]], points[next.corner[2]]);
+    const double push =
+        push_through(cell_.field, points[next.corner[0]], points[next.corner[1]], points[next.corner[2]]);
     slide(next, sliding_velocity(push_through(g, at[0], at[1], at[2]), g, push, cell_.field, normal), {}, to);
   }
 
@@ -234,7 +247,8 @@ class volume_line_walker {
     if (watch_.at_face(key, x_, to.num_points()) == line_watch::finding::repeats) to.repeat(watch_.period());
   }
 
-  /// Moves in a triangle of the cell that was read last from x, which is inside (no entry), on the side with corners entry (2), or at a corner (1).
+  /// Moves in a triangle of the cell that was read last from x, which is inside (no entry), on the side with corners
+  /// entry (2), or at a corner (1).
   void slide(const cell_triangle t, const vec3& velocity, std::span<const std::uint32_t> entry, line_recorder<M>& to) {
     if (velocity == vec3()) return to.stop(line_end::sink);
     std::array<vec3, 3> at;
@@ -242,7 +256,9 @@ class volume_line_walker {
     for (std::size_t k = 0; k < 3; ++k) at[k] = cell_.flat.points[t.corner[k]];
     const vec3 normal = triangle_normal(at[0], at[1], at[2]);
     for (std::size_t k = 0; k < 3; ++k) s[k] = side_in_plane(velocity, at[k], normal, x_);
-    const auto is_entry = [&](std::uint32_t k) { return std::find(entry.begin(), entry.end(), t.corner[k]) != entry.end(); };
+    const auto is_entry = [&](std::uint32_t k) {
+      return std::find(entry.begin(), entry.end(), t.corner[k]) != entry.end();
+    };
     for (std::uint32_t k = 0; k < 3; ++k)
       if (!is_entry(k) && s[k].sign == 0 && dot(velocity, at[k] - x_) > 0) {
         x_ = at[k];
@@ -252,9 +268,11 @@ class volume_line_walker {
       const std::uint32_t j = (k + 1) % 3;
       if (entry.size() == 1 && (is_entry(k) || is_entry(j))) continue;
       if (entry.size() == 2 && is_entry(k) && is_entry(j)) continue;
-      const bool right = s[k].sign <= 0 || (entry.size() == 2 && is_entry(k)), left = s[j].sign > 0 || (entry.size() == 2 && is_entry(j));
+      const bool right = s[k].sign <= 0 || (entry.size() == 2 && is_entry(k)),
+                 left = s[j].sign > 0 || (entry.size() == 2 && is_entry(j));
       if (entry.size() != 1 && !(right && left)) continue;
-      const double a = std::max(0.0, -s[k].value), b = std::max(0.0, s[j].value), parameter = a + b > 0 ? a / (a + b) : 0.5;
+      const double a = std::max(0.0, -s[k].value), b = std::max(0.0, s[j].value),
+                   parameter = a + b > 0 ? a / (a + b) : 0.5;
       x_ = at[k] + parameter * (at[j] - at[k]);
       return add_ridge(t, k, parameter, to);
     }
@@ -282,7 +300,8 @@ class volume_line_walker {
     if (out.to == volume_exit::kind::cell) return enter(incident_.poly(out.cell), std::array{corner});
     const cell_triangle t = incident_.triangle_of(*m_, cell_, out);
     if (out.to == volume_exit::kind::triangle) return slide(t, out.velocity, std::array{corner}, to);
-    const std::size_t k = static_cast<std::size_t>(std::find(t.corner.begin(), t.corner.end(), corner) - t.corner.begin());
+    const std::size_t k =
+        static_cast<std::size_t>(std::find(t.corner.begin(), t.corner.end(), corner) - t.corner.begin());
     const std::uint32_t end = t.corner[(k + (out.along_a ? 1 : 2)) % 3];
     x_ = cell_.flat.points[end];
     add_vert(cell_.verts[end], to);
@@ -299,10 +318,12 @@ class volume_line_walker {
     else
       for (const poly_t<M> p : adj_f2p(*m_, *ridge_->face)) add(p);
     const volume_exit out = steepest_exit(ridge_->from_point, ridge_->to_point, ridge_->key, incident_.all());
-    if (out.to == volume_exit::kind::none) return ridge_->edge ? stop_at(adj_e2f(*m_, *ridge_->edge), to) : stop_at(std::array{*ridge_->face}, to);
+    if (out.to == volume_exit::kind::none)
+      return ridge_->edge ? stop_at(adj_e2f(*m_, *ridge_->edge), to) : stop_at(std::array{*ridge_->face}, to);
     const std::uint32_t from = read_exit(out, ridge_->from), end = cell_.corner_of(*m_, ridge_->to);
     if (out.to == volume_exit::kind::cell) return enter(incident_.poly(out.cell), std::array{from, end});
-    if (out.to == volume_exit::kind::triangle) return slide(incident_.triangle_of(*m_, cell_, out), out.velocity, std::array{from, end}, to);
+    if (out.to == volume_exit::kind::triangle)
+      return slide(incident_.triangle_of(*m_, cell_, out), out.velocity, std::array{from, end}, to);
     const bool back = out.to == volume_exit::kind::edge_back;
     x_ = back ? ridge_->from_point : ridge_->to_point;
     add_vert(back ? ridge_->from : ridge_->to, to);
@@ -324,12 +345,14 @@ class volume_line_walker {
       for (unsigned k = 0; k < 3; ++k) {
         if (!(cell_.faces[t.face] == f) || !t.is_diagonal(k)) continue;
         const vec3 &a = cell_.flat.points[t.corner[k]], &b = cell_.flat.points[t.corner[(k + 1) % 3]];
-        if (distance(closest_point(x_, a, b), x_) <= 1e-12 * distance(a, b) + 0x1p-49 * max_part(x_)) return ridge_of(*m_, cell_, t, k);
+        if (distance(closest_point(x_, a, b), x_) <= 1e-12 * distance(a, b) + 0x1p-49 * max_part(x_))
+          return ridge_of(*m_, cell_, t, k);
       }
     return {};
   }
 
-  /// From inside a face: from one of its diagonals, or into the poly whose field leads into it fastest, or along the face.
+  /// From inside a face: from one of its diagonals, or into the poly whose field leads into it fastest, or along the
+  /// face.
   void start_on(const face_t<M>& f, line_recorder<M>& to) {
     for (const poly_t<M> p : adj_f2p(*m_, f)) {
       read_triangles(p);

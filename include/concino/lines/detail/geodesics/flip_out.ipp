@@ -38,7 +38,8 @@ class path_straightener {
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   segment& seg(int i) { return segments_[at(i)]; }
 
-  /// The angle counter-clockwise from half-edge `from` to `to`, which have the same start; infinite if the boundary is between.
+  /// The angle counter-clockwise from half-edge `from` to `to`, which have the same start; infinite if the boundary is
+  /// between.
   double angle_between(int from, int to) const {
     double sum = 0;
     for (int h = from; h != to; h = t_.counter_clockwise(h)) {
@@ -83,8 +84,8 @@ class path_straightener {
     push(before);
   }
 
-  /// Flips edges inside the angle until the arc around it is convex. Returns whether the path may take the arc: no part of it passes through the
-  /// angle.
+  /// Flips edges inside the angle until the arc around it is convex. Returns whether the path may take the arc: no part
+  /// of it passes through the angle.
   bool flip_inside(int from, int to) {
     spokes_.clear();
     for (int h = from; h != to; h = t_.counter_clockwise(h)) {

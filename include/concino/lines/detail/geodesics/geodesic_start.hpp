@@ -37,7 +37,8 @@ class geodesic_start {
     const std::size_t i = index_of(m_, v);
     const core::tangent_frame frame = core::make_tangent_frame(m_, triangles(), v, caller_);
     const bool is_closed = triangles().around[i] == core::unfolded_triangles::vert_fan::fan;
-    return leave_vert(triangles(), static_cast<int>(i), frame.fan_angle_of(angle(d)), is_closed ? triangles().whole_turn[i] : 2 * std::numbers::pi);
+    return leave_vert(triangles(), static_cast<int>(i), frame.fan_angle_of(angle(d)),
+                      is_closed ? triangles().whole_turn[i] : 2 * std::numbers::pi);
   }
 
   struct nearest_direction {
@@ -53,20 +54,22 @@ class geodesic_start {
       const auto axis = s_.axes(c);
       const double x = dot(d, axis[0]), y = dot(d, axis[1]), whole = triangles().angle[static_cast<std::size_t>(c)];
       const double wanted = std::atan2(y, x);
-      const bool is_inside = wanted >= 0 && wanted <= whole, is_before = !is_inside && std::cos(wanted) > std::cos(wanted - whole);
+      const bool is_inside = wanted >= 0 && wanted <= whole,
+                 is_before = !is_inside && std::cos(wanted) > std::cos(wanted - whole);
       const double turn = is_inside ? wanted : is_before ? 0 : whole;  // the nearer one of both sides
       const double cosine = std::cos(turn), sine = std::sin(turn), along = x * cosine + y * sine;
       if (along <= best.along) continue;
       const int side = is_before ? c : core::unfolded_triangles::previous(c);
       const double beyond = std::remainder(wanted - turn, 2 * std::numbers::pi);
       best = {{c, 0, 0, cosine, sine, walk_state::place::at_start}, along, false};
-      best.leads_out = triangles().twin[static_cast<std::size_t>(side)] == side && std::abs(beyond) > nearly_along && std::hypot(x, y) > nearly_along;
+      best.leads_out = triangles().twin[static_cast<std::size_t>(side)] == side && std::abs(beyond) > nearly_along &&
+                       std::hypot(x, y) > nearly_along;
     }
     return best;
   }
 
-  /// The tangent direction that is nearest to d, unless d leads out of the surface. On a sharp tip all may have parts against d; then it is the
-  /// nearest to what d has perpendicular to the normal.
+  /// The tangent direction that is nearest to d, unless d leads out of the surface. On a sharp tip all may have parts
+  /// against d; then it is the nearest to what d has perpendicular to the normal.
   walk_state from(const vert_t<M>& v, const vec3& d) const {
     const std::size_t i = index_of(m_, v);
     nearest_direction r = nearest_to(i, d);
@@ -82,7 +85,8 @@ class geodesic_start {
     const double size = norm(normal);
     const vec3 flat = size > 0 ? d - (dot(d, normal) / (size * size)) * normal : vec3();
     if (!(norm(flat) > 1e-12))
-      core::throw_joined<invalid_argument>({caller_, ": the direction at vert ", i, " is perpendicular to the surface, or there is no poly; choose another"});
+      core::throw_joined<invalid_argument>({caller_, ": the direction at vert ", i,
+                                            " is perpendicular to the surface, or there is no poly; choose another"});
     r = nearest_to(i, flat);
     return r.leads_out ? walk_state() : r.state;
   }
@@ -95,7 +99,8 @@ class geodesic_start {
       for_each_side(p, [&](int side) {
         if (triangles().edge[static_cast<std::size_t>(side)] == number) sides.push_back(side);
       });
-    if (sides.empty()) core::throw_joined<invalid_mesh>({caller_, ": edge ", number, " has no poly, so no geodesic can start there"});
+    if (sides.empty())
+      core::throw_joined<invalid_mesh>({caller_, ": edge ", number, " has no poly, so no geodesic can start there"});
     return sides;
   }
 
@@ -103,7 +108,8 @@ class geodesic_start {
   void for_each_side(const poly_t<M>& p, F&& f) const {
     const int number = static_cast<int>(index_of(m_, p));
     const auto& poly_of = s_.unfolded.poly_of;
-    for (auto k = static_cast<std::size_t>(s_.unfolded.triangle_of[static_cast<std::size_t>(number)]); k < poly_of.size() && poly_of[k] == number; ++k)
+    for (auto k = static_cast<std::size_t>(s_.unfolded.triangle_of[static_cast<std::size_t>(number)]);
+         k < poly_of.size() && poly_of[k] == number; ++k)
       for (int side = 0; side < 3; ++side) f(3 * static_cast<int>(k) + side);
   }
 
@@ -114,8 +120,9 @@ class geodesic_start {
 
   walk_state on_edge(const edge_point<M>& e, int side, double along, double into) const {
     const bool forward = is_along(e.edge, side);
-    walk_state w{side, (forward ? e.parameter : 1 - e.parameter) * triangles().length[static_cast<std::size_t>(side)], 0, forward ? along : -along, into,
-                 walk_state::place::on_side};
+    walk_state w{side, (forward ? e.parameter : 1 - e.parameter) * triangles().length[static_cast<std::size_t>(side)],
+                 0,    forward ? along : -along,
+                 into, walk_state::place::on_side};
     turn_to_unit_length(w);
     return w;
   }
@@ -161,7 +168,9 @@ class geodesic_start {
       best = side;
     });
     const auto axis = s_.axes(best);
-    const vec3 to = closest_point(x, s_.start_of(best), s_.end_of(best), s_.start_of(core::unfolded_triangles::previous(best))) - s_.start_of(best);
+    const vec3 to =
+        closest_point(x, s_.start_of(best), s_.end_of(best), s_.start_of(core::unfolded_triangles::previous(best))) -
+        s_.start_of(best);
     walk_state w{best, dot(to, axis[0]), dot(to, axis[1]), dot(d, axis[0]), dot(d, axis[1]), walk_state::place::inside};
     if (!(std::hypot(w.dx, w.dy) > 0)) throw_perpendicular();
     turn_to_unit_length(w);
@@ -190,7 +199,8 @@ class geodesic_start {
     return (is_along(e, side) ? d.x : -d.x) * axis[0] + d.y * axis[1];
   }
 
-  /// From a vert or an edge of p, by a direction in the plane of p. Over an edge it leads as if the other poly lay in that plane.
+  /// From a vert or an edge of p, by a direction in the plane of p. Over an edge it leads as if the other poly lay in
+  /// that plane.
   walk_state from_frame_of(const poly_t<M>& p, const mesh_point<M>& start, const vec3& d) const {
     if (const auto* v = std::get_if<vert_t<M>>(&start.element)) return from(*v, d);
     const auto& e = std::get<edge_point<M>>(start.element);
@@ -203,10 +213,13 @@ class geodesic_start {
   }
 
  public:
-  geodesic_start(const M& m, const geodesic_surface<M>& surface, const char* caller) : m_(m), s_(surface), caller_(caller) {}
+  geodesic_start(const M& m, const geodesic_surface<M>& surface, const char* caller)
+      : m_(m), s_(surface), caller_(caller) {}
 
-  /// Direction: a tangent_vector or a vec3, not 0; a tangent_vector is in the frame of the element of `given`. start: the lowest element of `given`.
-  /// Errors: invalid_argument if the direction is perpendicular to the surface; unsupported if the frame of a vert has no angles.
+  /// Direction: a tangent_vector or a vec3, not 0; a tangent_vector is in the frame of the element of `given`. start:
+  /// the lowest element of `given`.
+  /// Errors: invalid_argument if the direction is perpendicular to the surface; unsupported if the frame of a vert has
+  ///         no angles.
   template<class Direction>
   walk_state operator()(const mesh_point<M>& start, const Direction& d, const mesh_point<M>& given) const {
     if constexpr (std::is_same_v<Direction, tangent_vector>) {

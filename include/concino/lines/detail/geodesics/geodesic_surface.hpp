@@ -41,7 +41,9 @@ struct geodesic_surface {
   const core::unfolded_triangles& triangles() const { return unfolded.triangles; }
   const vec3& start_of(int side) const { return points[static_cast<std::size_t>(triangles().start(side))]; }
   const vec3& end_of(int side) const { return points[static_cast<std::size_t>(triangles().end(side))]; }
-  const poly_t<M>& poly_of(int side) const { return poly[static_cast<std::size_t>(unfolded.poly_of[static_cast<std::size_t>(side / 3)])]; }
+  const poly_t<M>& poly_of(int side) const {
+    return poly[static_cast<std::size_t>(unfolded.poly_of[static_cast<std::size_t>(side / 3)])];
+  }
   vec3 in_units_of_mesh(const vec3& x) const { return std::ldexp(1.0, triangles().exponent) * x; }
 
   /// The axes of the frame of a side: along it, and into the triangle.
@@ -51,7 +53,9 @@ struct geodesic_surface {
     return {x, y / norm(y)};
   }
 
-  mesh_point<M> at_vert(int v) const { return {vert[static_cast<std::size_t>(v)], in_units_of_mesh(points[static_cast<std::size_t>(v)])}; }
+  mesh_point<M> at_vert(int v) const {
+    return {vert[static_cast<std::size_t>(v)], in_units_of_mesh(points[static_cast<std::size_t>(v)])};
+  }
 
   mesh_point<M> on_side(const M& m, int side, double along) const {
     const vec3 x = in_units_of_mesh((1 - along) * start_of(side) + along * end_of(side));

@@ -19,7 +19,8 @@ struct walk_stop {
   bool is_inside = false;
 };
 
-/// A place in a triangle and a direction of length 1, in the frame of side `side`: x along it from its start, y into the triangle.
+/// A place in a triangle and a direction of length 1, in the frame of side `side`: x along it from its start, y into
+/// the triangle.
 struct walk_state {
   int side = -1;
   double x = 0, y = 0, dx = 1, dy = 0;
@@ -33,8 +34,9 @@ struct walk_result {
   line_end stopped_by = line_end::max_length;
 };
 
-/// The sector at vert v, a closed fan or an open one, that contains the direction at this angle in the fan, any multiple of a whole turn added;
-/// side -1 if the direction leads out of the surface. full_turn: the angle that may be added, the whole turn or, at the boundary, 2 pi.
+/// The sector at vert v, a closed fan or an open one, that contains the direction at this angle in the fan, any
+/// multiple of a whole turn added; side -1 if the direction leads out of the surface. full_turn: the angle that may be
+/// added, the whole turn or, at the boundary, 2 pi.
 walk_state leave_vert(const core::unfolded_triangles& t, int v, double fan_angle, double full_turn);
 
 /// Walks from a place with side >= 0.

@@ -11,7 +11,8 @@
 namespace concino::detail {
 
 CONCINO_INLINE walk_state leave_vert(const core::unfolded_triangles& t, int v, double fan_angle, double full_turn) {
-  constexpr double tolerance = 1e-12;  // a direction along the boundary does not lead out of the surface because of rounding
+  constexpr double tolerance = 1e-12;  // a direction along the boundary does not lead out of the surface because of
+                                       // rounding
   const auto i = static_cast<std::size_t>(v);
   const double whole = t.whole_turn[i];
   double angle = fan_angle - full_turn * std::floor(fan_angle / full_turn);
@@ -31,14 +32,16 @@ CONCINO_INLINE walk_state leave_vert(const core::unfolded_triangles& t, int v, d
   }
   if (best < 0) return {};
   const auto at = static_cast<std::size_t>(best);
-  const double within = std::clamp(angle - t.turn[at], 0.0, t.angle[at]), from_side = t.is_backward[at] ? t.angle[at] - within : within;
+  const double within = std::clamp(angle - t.turn[at], 0.0, t.angle[at]),
+               from_side = t.is_backward[at] ? t.angle[at] - within : within;
   return {best, 0, 0, std::cos(from_side), std::sin(from_side), walk_state::place::at_start};
 }
 
 /// One walk. Points are in the frame of the side that was crossed last.
 class straight_walk {
   using point = core::unfolded_triangles::plane_point;
-  static constexpr double vert_tolerance = 1e-12;  // a line that passes nearer to a vert, as a fraction of the edge, passes through it
+  static constexpr double vert_tolerance = 1e-12;  // a line that passes nearer to a vert, as a fraction of the edge,
+                                                   // passes through it
 
   const core::unfolded_triangles& t_;
   walk_state at_;
@@ -60,7 +63,8 @@ class straight_walk {
     const double distance = std::max(cross(to, edge) / out, 0.0);
     if (best.side >= 0 && distance >= best.distance) return;
     const double length = t_.length[static_cast<std::size_t>(side)];
-    best = {side, std::clamp(cross(to, d) / out, 0.0, 1.0), distance, (d.x * edge.x + d.y * edge.y) / length, out / length};
+    best = {side, std::clamp(cross(to, d) / out, 0.0, 1.0), distance, (d.x * edge.x + d.y * edge.y) / length,
+            out / length};
   }
 
   crossing leave_triangle() const {
@@ -70,7 +74,8 @@ class straight_walk {
     crossing best;
     consider(unfolded_triangles::next(s), b, c, best);
     if (at_.where == walk_state::place::at_start) {
-      if (best.side < 0) best = {unfolded_triangles::next(s), at_.dy > 0 ? 1.0 : 0.0, 0, 0, 1};  // cannot happen but by rounding
+      // cannot happen but by rounding
+      if (best.side < 0) best = {unfolded_triangles::next(s), at_.dy > 0 ? 1.0 : 0.0, 0, 0, 1};
       return best;
     }
     consider(unfolded_triangles::previous(s), c, a, best);
@@ -89,7 +94,8 @@ class straight_walk {
     return false;
   }
 
-  /// Goes on through a vert with equal angles on both sides; at the boundary, with half a turn on the side of the surface. Returns whether that is possible.
+  /// Goes on through a vert with equal angles on both sides; at the boundary, with half a turn on the side of the
+  /// surface. Returns whether that is possible.
   bool pass_vert(const crossing& c) {
     const int corner = c.along < 0.5 ? c.side : core::unfolded_triangles::next(c.side);
     const auto i = static_cast<std::size_t>(t_.start(corner));
@@ -97,13 +103,16 @@ class straight_walk {
     if (t_.around[i] == core::unfolded_triangles::vert_fan::other) return stop(line_end::non_manifold);
     // The angle from the side to the way back, which is on the other side of the crossed edge's normal.
     const double along_way_back = c.along < 0.5 ? -c.direction_along : c.direction_along;
-    const double from_edge = std::clamp(std::atan2(c.direction_out, along_way_back), 0.0, t_.angle[static_cast<std::size_t>(corner)]);
-    const double back = t_.fan_angle(corner, c.along < 0.5 ? from_edge : t_.angle[static_cast<std::size_t>(corner)] - from_edge);
+    const double from_edge =
+        std::clamp(std::atan2(c.direction_out, along_way_back), 0.0, t_.angle[static_cast<std::size_t>(corner)]);
+    const double back =
+        t_.fan_angle(corner, c.along < 0.5 ? from_edge : t_.angle[static_cast<std::size_t>(corner)] - from_edge);
     if (t_.around[i] == core::unfolded_triangles::vert_fan::open_fan) {
       constexpr double pi = std::numbers::pi, tolerance = 1e-12;
       const double whole = t_.whole_turn[i], left = back + pi, right = back - pi;
       if (left > whole + tolerance && right < -tolerance) return stop(line_end::boundary);
-      at_ = leave_vert(t_, static_cast<int>(i), left <= whole + tolerance ? std::min(left, whole) : std::max(right, 0.0), whole + 2 * pi);
+      at_ = leave_vert(t_, static_cast<int>(i),
+                       left <= whole + tolerance ? std::min(left, whole) : std::max(right, 0.0), whole + 2 * pi);
       return at_.side >= 0 || stop(line_end::boundary);
     }
     at_ = leave_vert(t_, static_cast<int>(i), back + t_.whole_turn[i] / 2, t_.whole_turn[i]);
@@ -117,7 +126,11 @@ class straight_walk {
     if (t_.twin[static_cast<std::size_t>(other)] != c.side) return stop(line_end::non_manifold);
     const bool is_reversed = t_.start(other) != t_.start(c.side);
     const double fraction = is_reversed ? 1 - c.along : c.along;
-    at_ = {other, fraction * t_.length[static_cast<std::size_t>(other)], 0, is_reversed ? -c.direction_along : c.direction_along, c.direction_out,
+    at_ = {other,
+           fraction * t_.length[static_cast<std::size_t>(other)],
+           0,
+           is_reversed ? -c.direction_along : c.direction_along,
+           c.direction_out,
            walk_state::place::on_side};
     turn_to_unit_length();
     return true;
@@ -157,7 +170,8 @@ class straight_walk {
   }
 };
 
-CONCINO_INLINE walk_result walk_straight(const core::unfolded_triangles& t, walk_state from, double length, std::size_t max_steps) {
+CONCINO_INLINE walk_result walk_straight(const core::unfolded_triangles& t, walk_state from, double length,
+                                         std::size_t max_steps) {
   return straight_walk(t, from).run(length, max_steps);
 }
 

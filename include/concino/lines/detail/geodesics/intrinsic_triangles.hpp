@@ -13,7 +13,8 @@ namespace concino::detail {
 struct intrinsic_triangles {
   std::vector<int> start, next, twin;  // by half-edge; next: -1 without a triangle
   std::vector<double> length;          // by half-edge
-  std::vector<double> fan_angle;       // by half-edge: its direction in the fan about its start, on the surface of the triangles before all flips
+  std::vector<double> fan_angle;       // by half-edge: its direction in the fan about its start, on the surface of the
+                                       // triangles before all flips
   std::vector<signed char> sense;      // by vert: 1 where angles of the fan increase counter-clockwise, else -1
   std::vector<int> first_at;           // by vert: one of its half-edges, -1 without triangles
 

@@ -26,9 +26,11 @@ inline std::vector<signed char> consistent_reversals(const core::unfolded_triang
         if (other == s) continue;
         signed char& known = reversed[static_cast<std::size_t>(other / 3)];
         const bool same = t.start(other) == t.end(s);
-        const auto wanted = static_cast<signed char>(same ? reversed[static_cast<std::size_t>(triangle)] : !reversed[static_cast<std::size_t>(triangle)]);
+        const auto wanted = static_cast<signed char>(same ? reversed[static_cast<std::size_t>(triangle)]
+                                                          : !reversed[static_cast<std::size_t>(triangle)]);
         if (known >= 0 && known != wanted)
-          core::throw_joined<unsupported>({caller, ": the surface is not orientable at vert ", static_cast<std::size_t>(t.start(s)), "; cut it open first"});
+          core::throw_joined<unsupported>({caller, ": the surface is not orientable at vert ",
+                                           static_cast<std::size_t>(t.start(s)), "; cut it open first"});
         if (known >= 0) continue;
         known = wanted;
         waiting.push_back(other / 3);
@@ -42,8 +44,10 @@ CONCINO_INLINE intrinsic_triangles::intrinsic_triangles(const core::unfolded_tri
     : length(t.length), sense(t.around.size(), 1), first_at(t.around.size(), -1) {
   for (std::size_t v = 0; v < t.around.size(); ++v)
     if (t.first_corner[v] < t.first_corner[v + 1] && t.around[v] == core::unfolded_triangles::vert_fan::other)
-      core::throw_joined<unsupported>({caller, ": the polys at vert ", v, " are not one fan; give each fan a vert of its own by split_vert_fans(m), and remove "
-                                       "polys at edges with more than two"});
+      core::throw_joined<unsupported>(
+          {caller, ": the polys at vert ", v,
+           " are not one fan; give each fan a vert of its own by split_vert_fans(m), and remove "
+           "polys at edges with more than two"});
   const std::vector<signed char> reversed = consistent_reversals(t, caller);
   const int n = static_cast<int>(t.vert.size());
   for (auto* list : {&start, &next, &twin}) list->reserve(t.vert.size());
@@ -78,9 +82,11 @@ CONCINO_INLINE double intrinsic_triangles::corner_angle(int h) const {
 }
 
 CONCINO_INLINE void intrinsic_triangles::flip(int h) {
-  const int g = twin[at(h)], h_next = next[at(h)], h_previous = previous(h), g_next = next[at(g)], g_previous = previous(g);
+  const int g = twin[at(h)], h_next = next[at(h)], h_previous = previous(h), g_next = next[at(g)],
+            g_previous = previous(g);
   const int a = start[at(h)], b = start[at(g)], c = start[at(h_previous)], d = start[at(g_previous)];
-  const double to_c = length[at(h_previous)], to_d = length[at(g_next)], sine = std::sin((corner_angle(h) + corner_angle(g_next)) / 2);
+  const double to_c = length[at(h_previous)], to_d = length[at(g_next)],
+               sine = std::sin((corner_angle(h) + corner_angle(g_next)) / 2);
   const double flipped = std::sqrt((to_c - to_d) * (to_c - to_d) + 4 * to_c * to_d * sine * sine);
   if (first_at[at(a)] == h) first_at[at(a)] = g_next;
   if (first_at[at(b)] == g) first_at[at(b)] = h_next;

@@ -1,4 +1,5 @@
-// Steps of `rewire` that surfaces and volumes share: which new elements take the descriptors of old ones, and the lists of edges and of verts.
+// Steps of `rewire` that surfaces and volumes share: which new elements take the descriptors of old ones, and the lists
+// of edges and of verts.
 #pragma once
 
 #include <concino/core/small_array.hpp>
@@ -19,9 +20,9 @@ struct vert_change {
   std::uint32_t polys_before = 0, polys_after = 0, edges_lost = 0, edges_gained = 0;
 };
 
-/// New edges or faces take the descriptors of old ones that are left over: first of those with which they share all verts but one, then of any.
-/// `fresh` are new to the mesh, `left_over` have no poly afterwards. It may run out of memory, so it comes before anything changes.
-/// share_all_but_one(x, y): whether these two share all verts but one.
+/// New edges or faces take the descriptors of old ones that are left over: first of those with which they share all
+/// verts but one, then of any. `fresh` are new to the mesh, `left_over` have no poly afterwards. It may run out of
+/// memory, so it comes before anything changes. share_all_but_one(x, y): whether these two share all verts but one.
 template<class Elements, class Compare>
 void pair_with_left_over(Elements& all, std::size_t fresh, std::size_t left_over, const Compare& share_all_but_one) {
   constexpr std::size_t most_pairs = 4096;  // more take too long to compare
@@ -61,15 +62,18 @@ void pair_with_left_over(Elements& all, std::size_t fresh, std::size_t left_over
 template<class Changes>
 std::pair<std::size_t, std::size_t> count_at_new_verts(const Changes& changes, unsigned num_old) {
   std::size_t edges = 0, polys = 0;
-  for (std::size_t v = num_old; v < changes.size(); ++v) edges += changes[v].edges_gained, polys += changes[v].polys_after;
+  for (std::size_t v = num_old; v < changes.size(); ++v)
+    edges += changes[v].edges_gained, polys += changes[v].polys_after;
   return {edges, polys};
 }
 
 inline std::uint32_t growth(std::uint32_t before, std::uint32_t after) { return after > before ? after - before : 0; }
 
-/// Allocates memory for the lists of the verts as they will be. Memory for removals too. `vert` gives the vert with a local number.
+/// Allocates memory for the lists of the verts as they will be. Memory for removals too. `vert` gives the vert with a
+/// local number.
 template<class Changes, class Verts>
-void reserve_lists_of_verts(incident_edges& edges_at, jagged_array<poly_id, 0>& v2p, const Changes& changes, unsigned num_old, const Verts& vert) {
+void reserve_lists_of_verts(incident_edges& edges_at, jagged_array<poly_id, 0>& v2p, const Changes& changes,
+                            unsigned num_old, const Verts& vert) {
   make_vertex_incidence_growable(edges_at, v2p);
   for (unsigned v = 0; v < num_old; ++v) {
     const vert_change& x = changes[v];
@@ -81,7 +85,8 @@ void reserve_lists_of_verts(incident_edges& edges_at, jagged_array<poly_id, 0>& 
   reserve_lists_of_new_verts(edges_at, v2p, changes.size() - num_old, edges, polys);
 }
 template<class Changes, class Verts>
-void reserve_lists_of_verts(incident_edges_and_polys& lists, const Changes& changes, unsigned num_old, const Verts& vert) {
+void reserve_lists_of_verts(incident_edges_and_polys& lists, const Changes& changes, unsigned num_old,
+                            const Verts& vert) {
   lists.make_growable();
   for (unsigned v = 0; v < num_old; ++v) {
     const vert_change& x = changes[v];
@@ -95,7 +100,8 @@ void reserve_lists_of_verts(incident_edges_and_polys& lists, const Changes& chan
 
 /// Removes the edges that are left over, and gives all new ones their descriptors.
 template<bool WithPolys, class Verts>
-void change_edges(cavity_edges& all, alive_elements<edge_id>& edges, jagged_array<vert_id, 2>& ends, incident_lists<WithPolys>& edges_at, const Verts& vert) {
+void change_edges(cavity_edges& all, alive_elements<edge_id>& edges, jagged_array<vert_id, 2>& ends,
+                  incident_lists<WithPolys>& edges_at, const Verts& vert) {
   const auto has = [](const cavity_edge& x, unsigned v) { return x.a == v || x.b == v; };
   for (const cavity_edge& old : all) {
     if (!old.is_left_over()) continue;

@@ -17,7 +17,8 @@ struct cavity_edge {
   std::uint32_t old_polys = 0;   // of the cavity, at it
   std::uint32_t new_polys = 0;
   std::uint32_t num_polys = 0;   // of the mesh, at it before
-  std::uint32_t partner = ~0u;   // the number, of a new edge, of the old one whose descriptor it takes, and the other way round
+  std::uint32_t partner = ~0u;   // the number, of a new edge, of the old one whose descriptor it takes, and the other
+                                 // way round
   poly_id first_poly{};          // of a surface, before: the first one of two; none if it has not two
   std::uint32_t first_new = ~0u;  // the place of the edge in the first new poly, if new_polys > 0
 
@@ -39,7 +40,8 @@ class cavity_edges {
   unsigned number(unsigned a, unsigned b) {
     if (b < a) std::swap(a, b);
     const std::uint32_t hash = core::index_table::hash(std::uint64_t{a} << 32 | b);
-    const std::uint32_t known = numbers_.find(hash, [&](std::uint32_t i) { return edges_[i].a == a && edges_[i].b == b; });
+    const std::uint32_t known =
+        numbers_.find(hash, [&](std::uint32_t i) { return edges_[i].a == a && edges_[i].b == b; });
     if (known != core::index_table::none) return known;
     const auto fresh = static_cast<unsigned>(edges_.size());
     edges_.push_back({a, b, {}});

@@ -1,4 +1,5 @@
-// The faces of a cavity of tets or hexes: those of its old and of its new polys, found by the local numbers of their verts.
+// The faces of a cavity of tets or hexes: those of its old and of its new polys, found by the local numbers of their
+// verts.
 #pragma once
 
 #include <concino/concepts/descriptors.hpp>
@@ -13,20 +14,22 @@ namespace concino::detail {
 
 template<unsigned N>
 struct cavity_face {
-  std::uint32_t first_use;    // the first of the polys at it, old ones before new ones: the number of the poly times faces per poly, plus the place of the face there
+  std::uint32_t first_use;    // the first of the polys at it, old ones before new ones: the number of the poly times
+                              // faces per poly, plus the place of the face there
   face_id id;                 // none if the mesh does not have it yet
   std::uint32_t old_polys = 0;  // of the cavity, at it
   std::uint32_t new_polys = 0;
   std::uint32_t num_polys = 0;  // of the mesh, at it before
   std::uint32_t new_uses[2] = {~0u, 0};  // the first and the last of the new polys at it, numbered without old ones
-  std::uint32_t partner = ~0u;  // the number, of a new face, of the old one whose descriptor it takes, and the other way round
+  std::uint32_t partner = ~0u;  // the number, of a new face, of the old one whose descriptor it takes, and the other
+                                // way round
 
   bool has_partner() const { return partner != ~0u; }
   bool is_left_over() const { return !id.is_none() && new_polys == 0 && old_polys == num_polys; }
 };
 
-/// The faces of a cavity by the numbers of their edges and verts. The search starts at the edge with the largest number, which is the last one that was added:
-/// few faces are listed there, and they were used recently.
+/// The faces of a cavity by the numbers of their edges and verts. The search starts at the edge with the largest
+/// number, which is the last one that was added: few faces are listed there, and they were used recently.
 template<unsigned N>
 class cavity_faces {
   using met = met_faces<N, 80, 112>;
@@ -88,7 +91,8 @@ class cavity_faces {
 template<class Shape>
 auto key_of_face(const unsigned* v, const std::uint32_t* edges, unsigned j) {
   unsigned w[Shape::face_verts], e[Shape::face_verts];
-  for (unsigned i = 0; i < Shape::face_verts; ++i) w[i] = v[Shape::face_vert[j][i]], e[i] = edges[shape_v<Shape>.face_edge[j][i]];
+  for (unsigned i = 0; i < Shape::face_verts; ++i)
+    w[i] = v[Shape::face_vert[j][i]], e[i] = edges[shape_v<Shape>.face_edge[j][i]];
   return cavity_faces<Shape::face_verts>::key(w, e);
 }
 

@@ -1,4 +1,5 @@
-// The input of `rewire` by local numbers: the verts of a cavity are 0, 1, 2, ... in the order in which the cavity lists them, new ones after the existing ones.
+// The input of `rewire` by local numbers: the verts of a cavity are 0, 1, 2, ... in the order in which the cavity lists
+// them, new ones after the existing ones.
 #pragma once
 
 #include <concino/concepts/editable.hpp>
@@ -41,12 +42,15 @@ class cavity_verts {
   vert_id repeated() const { return repeated_; }
 };
 
-/// Checks the lists of a cavity: elements exist and are listed once, the new polys have the right number of different verts.
+/// Checks the lists of a cavity: elements exist and are listed once, the new polys have the right number of different
+/// verts.
 /// Errors: invalid_mesh.
-void check_cavity(const native_cavity& c, const cavity_verts& local, const alive_elements<vert_id>& verts, const alive_elements<poly_id>& polys, unsigned arity);
+void check_cavity(const native_cavity& c, const cavity_verts& local, const alive_elements<vert_id>& verts,
+                  const alive_elements<poly_id>& polys, unsigned arity);
 
 /// The same for a mesh of general polyhedra.
-void check_cavity_of_polyhedra(const native_cavity& c, const cavity_verts& local, const alive_elements<vert_id>& verts, const alive_elements<poly_id>& polys);
+void check_cavity_of_polyhedra(const native_cavity& c, const cavity_verts& local, const alive_elements<vert_id>& verts,
+                               const alive_elements<poly_id>& polys);
 
 /// invalid_mesh for a new poly with two faces on the same verts; `face` is the second.
 [[noreturn]] void repeated_cavity_face(std::size_t poly, std::size_t face);

@@ -7,15 +7,19 @@
 namespace concino::detail {
 
 CONCINO_INLINE void missing_cavity_vert(poly_id p, vert_id v) {
-  core::throw_joined<invalid_mesh>({"rewire: vert ", v.raw(), " of old poly ", p.raw(), " is not among the verts of the cavity; list all verts of old and new polys"});
+  core::throw_joined<invalid_mesh>({"rewire: vert ", v.raw(), " of old poly ", p.raw(),
+                                    " is not among the verts of the cavity; list all verts of old and new polys"});
 }
 
 CONCINO_INLINE void removed_vert_in_use(vert_id v) {
-  core::throw_joined<invalid_mesh>({"rewire: vert ", v.raw(), " cannot be removed: it would still have a poly; list all its polys as old polys, and use it in no new one"});
+  core::throw_joined<invalid_mesh>(
+      {"rewire: vert ", v.raw(),
+       " cannot be removed: it would still have a poly; list all its polys as old polys, and use it in no new one"});
 }
 
 CONCINO_INLINE void removed_vert_with_face(vert_id v) {
-  core::throw_joined<invalid_mesh>({"rewire: vert ", v.raw(), " cannot be removed: it has a face without polys; remove that first"});
+  core::throw_joined<invalid_mesh>(
+      {"rewire: vert ", v.raw(), " cannot be removed: it has a face without polys; remove that first"});
 }
 
 /// The first value that an earlier one repeats; null if all differ.
@@ -38,28 +42,43 @@ const T* repeated(const T* first, const T* last) {
 }
 
 /// Checks the corners of new poly or face k; `what` says which of both.
-CONCINO_INLINE void check_new_corners(const char* what, std::size_t k, id_span<unsigned> corners, std::size_t vert_count, unsigned arity) {
+CONCINO_INLINE void check_new_corners(const char* what, std::size_t k, id_span<unsigned> corners,
+                                      std::size_t vert_count, unsigned arity) {
   const std::size_t n = corners.size();
-  if (arity > 0 && n != arity) core::throw_joined<invalid_mesh>({"rewire: new ", what, " ", k, " has ", n, " verts; every ", what, " of this mesh has ", arity});
-  if (n < 3) core::throw_joined<invalid_mesh>({"rewire: new ", what, " ", k, " has ", n, " verts; it needs at least 3"});
+  if (arity > 0 && n != arity)
+    core::throw_joined<invalid_mesh>(
+        {"rewire: new ", what, " ", k, " has ", n, " verts; every ", what, " of this mesh has ", arity});
+  if (n < 3)
+    core::throw_joined<invalid_mesh>({"rewire: new ", what, " ", k, " has ", n, " verts; it needs at least 3"});
   for (const unsigned v : corners)
-    if (v >= vert_count) core::throw_joined<invalid_mesh>({"rewire: new ", what, " ", k, " names vert ", v, " of the cavity, which has ", vert_count, ", numbered from 0"});
+    if (v >= vert_count)
+      core::throw_joined<invalid_mesh>({"rewire: new ", what, " ", k, " names vert ", v, " of the cavity, which has ",
+                                        vert_count, ", numbered from 0"});
   if (const unsigned* const twice = repeated(corners.begin(), corners.end()))
-    core::throw_joined<invalid_mesh>({"rewire: new ", what, " ", k, " has vert ", *twice, " of the cavity twice; its verts must differ"});
+    core::throw_joined<invalid_mesh>(
+        {"rewire: new ", what, " ", k, " has vert ", *twice, " of the cavity twice; its verts must differ"});
 }
 
 /// Checks the old elements of a cavity with so many new polys.
-CONCINO_INLINE void check_old_elements(const native_cavity& c, const cavity_verts& local, const alive_elements<vert_id>& verts, const alive_elements<poly_id>& polys, std::size_t num_new) {
+CONCINO_INLINE void check_old_elements(const native_cavity& c, const cavity_verts& local,
+                                       const alive_elements<vert_id>& verts, const alive_elements<poly_id>& polys,
+                                       std::size_t num_new) {
   for (const poly_id p : c.polys)
-    if (!polys.contains(p)) core::throw_joined<invalid_mesh>({"rewire: old poly ", p.raw(), " is not a poly of the mesh"});
+    if (!polys.contains(p))
+      core::throw_joined<invalid_mesh>({"rewire: old poly ", p.raw(), " is not a poly of the mesh"});
   if (const poly_id* const twice = repeated(c.polys.begin(), c.polys.end()))
     core::throw_joined<invalid_mesh>({"rewire: old poly ", twice->raw(), " is listed twice; list it once"});
   for (const vert_id v : c.verts)
-    if (!verts.contains(v)) core::throw_joined<invalid_mesh>({"rewire: vert ", v.raw(), " of the cavity is not a vert of the mesh"});
-  if (const vert_id v = local.repeated(); !v.is_none()) core::throw_joined<invalid_mesh>({"rewire: vert ", v.raw(), " of the cavity is listed twice; list it once"});
+    if (!verts.contains(v))
+      core::throw_joined<invalid_mesh>({"rewire: vert ", v.raw(), " of the cavity is not a vert of the mesh"});
+  if (const vert_id v = local.repeated(); !v.is_none())
+    core::throw_joined<invalid_mesh>({"rewire: vert ", v.raw(), " of the cavity is listed twice; list it once"});
   if (c.kept > c.polys.size() || c.kept > num_new)
-    core::throw_joined<invalid_mesh>({"rewire: ", c.kept, " polys cannot keep their descriptors: there are ", c.polys.size(), " old and ", num_new, " new ones"});
-  if (c.removed > c.verts.size()) core::throw_joined<invalid_mesh>({"rewire: ", c.removed, " verts cannot be removed: the cavity lists ", c.verts.size()});
+    core::throw_joined<invalid_mesh>({"rewire: ", c.kept, " polys cannot keep their descriptors: there are ",
+                                      c.polys.size(), " old and ", num_new, " new ones"});
+  if (c.removed > c.verts.size())
+    core::throw_joined<invalid_mesh>(
+        {"rewire: ", c.removed, " verts cannot be removed: the cavity lists ", c.verts.size()});
 }
 
 /// Whether these few corners are different and below vert_count.
@@ -78,35 +97,45 @@ CONCINO_INLINE void check_corner_lists(const native_cavity& c, const char* what,
   for (std::size_t k = 0; k < count; ++k) {
     const unsigned last = c.ends[k];
     if (last < first || last > c.corners.size())
-      core::throw_joined<invalid_mesh>({"rewire: the corners of new ", what, " ", k, " end at ", last, ", which is not between ", first, " and ", c.corners.size()});
+      core::throw_joined<invalid_mesh>({"rewire: the corners of new ", what, " ", k, " end at ", last,
+                                        ", which is not between ", first, " and ", c.corners.size()});
     const std::size_t vert_count = c.verts.size() + c.points.size();
     if (arity != 4 || last - first != 4 || !are_different_verts(c.corners.begin() + first, 4, vert_count))
       check_new_corners(what, k, {c.corners.begin() + first, c.corners.begin() + last}, vert_count, arity);
     first = last;
   }
   for (unsigned k = 0; c.removed > 0 && k < first; ++k)
-    if (c.corners[k] < c.verts.size() && c.corners[k] + c.removed >= c.verts.size()) removed_vert_in_use(c.verts[c.corners[k]]);
+    if (c.corners[k] < c.verts.size() && c.corners[k] + c.removed >= c.verts.size())
+      removed_vert_in_use(c.verts[c.corners[k]]);
 }
 
-CONCINO_INLINE void check_cavity(const native_cavity& c, const cavity_verts& local, const alive_elements<vert_id>& verts, const alive_elements<poly_id>& polys, unsigned arity) {
+CONCINO_INLINE void check_cavity(const native_cavity& c, const cavity_verts& local,
+                                 const alive_elements<vert_id>& verts, const alive_elements<poly_id>& polys,
+                                 unsigned arity) {
   check_old_elements(c, local, verts, polys, c.ends.size());
   check_corner_lists(c, "poly", c.ends.size(), arity);
 }
 
-CONCINO_INLINE void check_cavity_of_polyhedra(const native_cavity& c, const cavity_verts& local, const alive_elements<vert_id>& verts, const alive_elements<poly_id>& polys) {
+CONCINO_INLINE void check_cavity_of_polyhedra(const native_cavity& c, const cavity_verts& local,
+                                              const alive_elements<vert_id>& verts,
+                                              const alive_elements<poly_id>& polys) {
   check_old_elements(c, local, verts, polys, c.poly_ends.size());
   unsigned first = 0;
   for (std::size_t k = 0; k < c.poly_ends.size(); ++k) {
     const unsigned last = c.poly_ends[k];
     if (last <= first || last > c.ends.size())
-      core::throw_joined<invalid_mesh>({"rewire: the faces of new poly ", k, " end at ", last, ", which is not between ", first + 1, " and ", c.ends.size(), "; it needs at least 1"});
+      core::throw_joined<invalid_mesh>({"rewire: the faces of new poly ", k, " end at ", last,
+                                        ", which is not between ", first + 1, " and ", c.ends.size(),
+                                        "; it needs at least 1"});
     first = last;
   }
   check_corner_lists(c, "face", first, 0);
 }
 
 CONCINO_INLINE void repeated_cavity_face(std::size_t poly, std::size_t face) {
-  core::throw_joined<invalid_mesh>({"rewire: new poly ", poly, " has face ", face, " of the cavity twice, in the same or the reversed order of its verts; its faces must differ"});
+  core::throw_joined<invalid_mesh>(
+      {"rewire: new poly ", poly, " has face ", face,
+       " of the cavity twice, in the same or the reversed order of its verts; its faces must differ"});
 }
 
 }  // namespace concino::detail

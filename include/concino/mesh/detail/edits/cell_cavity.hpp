@@ -1,4 +1,5 @@
-// A cavity of tets or hexes: the verts, edges and faces of its old and new polys by local numbers, and what changes at each of them.
+// A cavity of tets or hexes: the verts, edges and faces of its old and new polys by local numbers, and what changes at
+// each of them.
 #pragma once
 
 #include <concino/mesh/detail/cells/shapes.hpp>
@@ -11,7 +12,8 @@
 
 namespace concino::detail {
 
-/// What changes among the polys around an edge. A fan is a sequence of polys in which each shares a face at the edge with the next.
+/// What changes among the polys around an edge. A fan is a sequence of polys in which each shares a face at the edge
+/// with the next.
 struct fan_change {
   std::uint32_t old_joints = 0;    // faces at the edge with two old polys
   std::uint32_t new_joints = 0;    // faces at the edge with two new polys and no others
@@ -27,7 +29,8 @@ class cell_cavity {
 
   const native_cavity& c;
   const cavity_verts verts;
-  const unsigned num_old_verts = static_cast<unsigned>(c.verts.size()), num_verts = num_old_verts + static_cast<unsigned>(c.points.size());
+  const unsigned num_old_verts = static_cast<unsigned>(c.verts.size()),
+                 num_verts = num_old_verts + static_cast<unsigned>(c.points.size());
   cavity_edges edges;
   cavity_faces<Shape::face_verts> faces;
   core::small_array<fan_change, 80> fans;     // parallel to edges
@@ -35,18 +38,24 @@ class cell_cavity {
   core::small_array<unsigned, 24 * Shape::verts> corners_of_old;
   core::small_array<std::uint32_t, 24 * Shape::edges> edges_of_polys;  // of the old polys, then of the new ones
   core::small_array<std::uint32_t, 24 * Shape::faces> faces_of_polys;  // the same
-  std::size_t fresh_edges = 0, left_over_edges = 0, fresh_faces = 0, left_over_faces = 0;  // those the mesh did not have, and those it loses
+  // those the mesh did not have, and those it loses
+  std::size_t fresh_edges = 0, left_over_edges = 0, fresh_faces = 0, left_over_faces = 0;
 
   std::size_t num_old() const { return c.polys.size(); }
   std::size_t num_new() const { return c.ends.size(); }
   std::size_t num_all() const { return num_old() + num_new(); }
   std::size_t num_added() const { return num_new() - c.kept; }
   const unsigned* corners(std::size_t k) const { return c.corners.begin() + k * Shape::verts; }
-  const std::uint32_t* edges_of_new(std::size_t k) const { return edges_of_polys.begin() + (num_old() + k) * Shape::edges; }
-  const std::uint32_t* faces_of_new(std::size_t k) const { return faces_of_polys.begin() + (num_old() + k) * Shape::faces; }
+  const std::uint32_t* edges_of_new(std::size_t k) const {
+    return edges_of_polys.begin() + (num_old() + k) * Shape::edges;
+  }
+  const std::uint32_t* faces_of_new(std::size_t k) const {
+    return faces_of_polys.begin() + (num_old() + k) * Shape::faces;
+  }
   /// Whether face x had old polys only.
   static bool has_no_others(const face& x) { return x.num_polys == x.old_polys; }
-  /// The other use of a face that connects two new polys, as numbered in new_uses; no_mate if it has one new poly only, has_others if it has any others.
+  /// The other use of a face that connects two new polys, as numbered in new_uses; no_mate if it has one new poly only,
+  /// has_others if it has any others.
   static constexpr std::uint32_t no_mate = ~0u, has_others = ~0u - 1;
   std::uint32_t mate(std::size_t use) const { return mates_[use]; }
   bool share_all_but_one(const face& x, const face& y) const {
@@ -60,8 +69,8 @@ class cell_cavity {
   template<class Tables>
   cell_cavity(const Tables& t, const native_cavity& cavity)
       : c(cavity), verts(c.verts), edges(Shape::edges * num_all()), faces(Shape::faces * num_all(), edges.capacity()),
-        changes(num_verts, vert_change{}), corners_of_old(Shape::verts * num_old(), 0), edges_of_polys(Shape::edges * num_all(), 0),
-        faces_of_polys(Shape::faces * num_all(), 0) {
+        changes(num_verts, vert_change{}), corners_of_old(Shape::verts * num_old(), 0),
+        edges_of_polys(Shape::edges * num_all(), 0), faces_of_polys(Shape::faces * num_all(), 0) {
     check_cavity(c, verts, t.verts(), t.polys(), Shape::verts);
     for (std::size_t k = 0; k < num_old(); ++k) list_corners_of_old(t, k);
     for (std::size_t k = 0; k < num_old(); ++k) {
@@ -89,14 +98,17 @@ class cell_cavity {
   void find(std::size_t k) {
     const unsigned* const v = corners_of_poly(k);
     std::uint32_t* const edges_of_poly = edges_of_polys.begin() + k * Shape::edges;
-    for (unsigned j = 0; j < Shape::edges; ++j) edges_of_poly[j] = edges.number(v[Shape::edge_vert[j][0]], v[Shape::edge_vert[j][1]]);
+    for (unsigned j = 0; j < Shape::edges; ++j)
+      edges_of_poly[j] = edges.number(v[Shape::edge_vert[j][0]], v[Shape::edge_vert[j][1]]);
     faces.add_edges(edges.size());
     for (unsigned j = 0; j < Shape::faces; ++j) {
       const std::size_t use = k * Shape::faces + j;
       faces_of_polys[use] = faces.number(key_of_face<Shape>(v, edges_of_poly, j), static_cast<std::uint32_t>(use));
     }
   }
-  const unsigned* corners_of_poly(std::size_t k) const { return k < num_old() ? corners_of_old.begin() + k * Shape::verts : corners(k - num_old()); }
+  const unsigned* corners_of_poly(std::size_t k) const {
+    return k < num_old() ? corners_of_old.begin() + k * Shape::verts : corners(k - num_old());
+  }
   std::array<unsigned, Shape::face_verts> corners_of(const face& x) const {
     const unsigned* const v = corners_of_poly(x.first_use / Shape::faces);
     std::array<unsigned, Shape::face_verts> w;
@@ -169,7 +181,8 @@ class cell_cavity {
     if (!x.id.is_none()) x.num_polys = static_cast<std::uint32_t>(t.adj_f2p(x.id).size());
   }
 
-  /// An edge remains one fan if the faces between its old polys and others are those between its new polys and others, and the new polys are connected.
+  /// An edge remains one fan if the faces between its old polys and others are those between its new polys and others,
+  /// and the new polys are connected.
   template<class Tables>
   void compare_faces(const Tables& t) {
     for (face& x : faces) {
@@ -178,7 +191,8 @@ class cell_cavity {
       fresh_faces += x.id.is_none();
       left_over_faces += x.is_left_over();
       const std::uint32_t others = x.num_polys - x.old_polys;
-      const bool is_irregular = others == 0 ? x.old_polys > 2 || x.new_polys > 2 : others > 1 || x.old_polys != 1 || x.new_polys != 1;
+      const bool is_irregular =
+          others == 0 ? x.old_polys > 2 || x.new_polys > 2 : others > 1 || x.old_polys != 1 || x.new_polys != 1;
       const bool is_old_joint = x.old_polys == 2, is_new_joint = is_joint(x);
       for (const std::uint32_t e : edges_of_x) {
         fan_change& fan = fans[e];
@@ -204,15 +218,18 @@ class cell_cavity {
   static bool is_joint(const face& x) { return x.new_polys == 2 && has_no_others(x); }
 
   core::small_array<std::uint32_t, 16 * Shape::faces> mates_{Shape::faces * c.ends.size(), has_others};  // see mate()
-  unsigned shortest_ring_ = Shape::verts == 4 ? 3 : 2;  // of new polys around an edge: two tets that have two faces in common have all
+  unsigned shortest_ring_ = Shape::verts == 4 ? 3 : 2;  // of new polys around an edge: two tets that have two faces in
+                                                        // common have all
 
   /// Whether the new polys at edge e are connected by faces at e.
   bool is_connected(unsigned e) const {
     const std::uint32_t n = edges[e].new_polys, first = edges[e].first_new;
     const fan_change& fan = fans[e];
     if (fan.new_joints + 1 < n) return false;
-    if (n <= (fan.new_joints < n ? shortest_ring_ : 2 * shortest_ring_ - 1)) return true;  // too few for a ring and others
-    const bool is_ring = fan.new_joints == n;  // or some, so that the others are too few for another one after a part of the walk
+    // too few for a ring and others
+    if (n <= (fan.new_joints < n ? shortest_ring_ : 2 * shortest_ring_ - 1)) return true;
+    const bool is_ring = fan.new_joints == n;  // or some, so that the others are too few for another one after a part
+                                               // of the walk
     std::uint32_t met = 1;
     for (const unsigned side : {0u, 1u}) {
       std::uint32_t use = first / Shape::edges * Shape::faces + shape.edge_face[first % Shape::edges][side];
@@ -234,7 +251,8 @@ class cell_cavity {
     return two[two[0] == j];
   }
 
-  /// Counts polys at edges. Those of an edge that is one fan are not counted: it is enough that it has a poly besides the old ones.
+  /// Counts polys at edges. Those of an edge that is one fan are not counted: it is enough that it has a poly besides
+  /// the old ones.
   template<class Tables>
   void compare_edges(const Tables& t) {
     for (cavity_edge& x : edges) {

@@ -1,5 +1,5 @@
-// Replaces a few polys of tables of tets or hexes by others; see cell_tables.hpp and concepts/editable.hpp. Like the other edits: first all memory is
-// allocated, which changes no element, then the tables are changed, which cannot fail.
+// Replaces a few polys of tables of tets or hexes by others; see cell_tables.hpp and concepts/editable.hpp. Like the
+// other edits: first all memory is allocated, which changes no element, then the tables are changed, which cannot fail.
 #pragma once
 
 #include <concino/mesh/cell_tables.hpp>
@@ -15,11 +15,13 @@ class cell_tables<Shape, Lists>::rewiring {
   detail::cell_cavity<Shape> x_;
   const detail::native_cavity& c_ = x_.c;
   const std::size_t first_vert_ = t_.verts_.bound(), first_poly_ = t_.polys_.bound();  // the first added ones
-  core::small_array<edge_id, 80> edge_ids_;                                            // by number of an edge, which takes less memory than the edges
+  core::small_array<edge_id, 80> edge_ids_;  // by number of an edge, which takes less memory than the edges
   core::small_array<face_id, 112> face_ids_;                                           // the same of faces
-  core::small_array<poly_id, 8> of_lists_;                                             // polys in lists of faces of old polys
+  core::small_array<poly_id, 8> of_lists_;  // polys in lists of faces of old polys
 
-  vert_id vert(unsigned local) const { return local < x_.num_old_verts ? x_.verts[local] : vert_id{first_vert_ + (local - x_.num_old_verts)}; }
+  vert_id vert(unsigned local) const {
+    return local < x_.num_old_verts ? x_.verts[local] : vert_id{first_vert_ + (local - x_.num_old_verts)};
+  }
   poly_id new_poly(std::size_t k) const { return k < c_.kept ? c_.polys[k] : poly_id{first_poly_ + (k - c_.kept)}; }
   void reserve_poly_lists();
   void change_polys_of_verts();
@@ -39,14 +41,28 @@ class cell_tables<Shape, Lists>::rewiring {
 /// Saves all rows that reserve() and commit() may change. The arrays are numbered as for_each_array() visits them.
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::rewiring::save(detail::edit_log& log) const {
-  enum : std::uint32_t { of_verts, of_edges, of_faces, of_polys, of_p2v, of_p2e, of_e2v, of_e2p, of_poly_lists, of_incident_edges, of_v2p, of_facets };
+  enum : std::uint32_t {
+    of_verts,
+    of_edges,
+    of_faces,
+    of_polys,
+    of_p2v,
+    of_p2e,
+    of_e2v,
+    of_e2p,
+    of_poly_lists,
+    of_incident_edges,
+    of_v2p,
+    of_facets
+  };
   for (const vert_id x : c_.verts) {
     const std::size_t v = x.raw();
     log.save(of_verts, t_.verts_, v), log.save(of_incident_edges, t_.incident_edges_, v), log.save(of_v2p, t_.v2p_, v);
   }
   for (const detail::cavity_edge& x : x_.edges) {
     if (x.id.is_none()) continue;
-    log.save(of_edges, t_.edges_, x.id.raw()), log.save(of_e2v, t_.e2v_, x.id.raw()), log.save(of_e2p, t_.e2p_, x.id.raw());
+    log.save(of_edges, t_.edges_, x.id.raw()), log.save(of_e2v, t_.e2v_, x.id.raw()),
+        log.save(of_e2p, t_.e2p_, x.id.raw());
     if (t_.is_non_manifold(x.id)) log.save(of_poly_lists, t_.poly_lists_, t_.poly_list_number(x.id));
   }
   for (const face& x : x_.faces) {
@@ -63,11 +79,13 @@ void cell_tables<Shape, Lists>::rewiring::save(detail::edit_log& log) const {
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::rewiring::reserve(function_ref<void(const detail::index_bounds&)> grow) {
   detail::pair_with_left_over(x_.edges, x_.fresh_edges, x_.left_over_edges);
-  detail::pair_with_left_over(x_.faces, x_.fresh_faces, x_.left_over_faces, [this](const face& x, const face& y) { return x_.share_all_but_one(x, y); });
+  detail::pair_with_left_over(x_.faces, x_.fresh_faces, x_.left_over_faces,
+                              [this](const face& x, const face& y) { return x_.share_all_but_one(x, y); });
   edge_ids_.reserve(x_.edges.size()), face_ids_.reserve(x_.faces.size());
   const std::size_t more_edges = x_.fresh_edges - std::min(x_.fresh_edges, x_.left_over_edges);
   const std::size_t more_faces = x_.fresh_faces - std::min(x_.fresh_faces, x_.left_over_faces);
-  detail::reserve_lists_of_verts(t_.incident_edges_, t_.v2p_, x_.changes, x_.num_old_verts, [this](unsigned v) { return vert(v); });
+  detail::reserve_lists_of_verts(t_.incident_edges_, t_.v2p_, x_.changes, x_.num_old_verts,
+                                 [this](unsigned v) { return vert(v); });
   reserve_poly_lists();
   t_.p2v_.reserve_rows(x_.num_added());
   t_.p2e_.reserve_rows(x_.num_added());
@@ -79,8 +97,8 @@ void cell_tables<Shape, Lists>::rewiring::reserve(function_ref<void(const detail
   t_.faces_.reserve_change(x_.left_over_faces - std::min(x_.fresh_faces, x_.left_over_faces), more_faces);
   t_.polys_.reserve_change(c_.polys.size() - c_.kept, x_.num_added());
   if (grow)
-    grow({t_.verts_.bound() + c_.points.size(), t_.edges_.bound() + more_edges, t_.faces_.bound() + more_faces, t_.polys_.bound() + x_.num_added(),
-          t_.p2v_.num_values() + x_.num_added() * Shape::verts});
+    grow({t_.verts_.bound() + c_.points.size(), t_.edges_.bound() + more_edges, t_.faces_.bound() + more_faces,
+          t_.polys_.bound() + x_.num_added(), t_.p2v_.num_values() + x_.num_added() * Shape::verts});
 }
 
 template<class Shape, class Lists>
@@ -96,7 +114,8 @@ void cell_tables<Shape, Lists>::rewiring::reserve_poly_lists() {
   t_.poly_lists_.make_editable();
   for (const detail::cavity_edge& x : x_.edges) {
     if (!x_.fans[x_.edges.number(x)].is_irregular || x.new_polys + x.num_polys == 0) continue;
-    if (!x.id.is_none() && t_.is_non_manifold(x.id)) t_.poly_lists_.reserve_in_row(t_.poly_list_number(x.id), x.new_polys);
+    if (!x.id.is_none() && t_.is_non_manifold(x.id))
+      t_.poly_lists_.reserve_in_row(t_.poly_list_number(x.id), x.new_polys);
     else ++lists, listed += x.new_polys + (x.id.is_none() ? 0 : t_.count_polys(x.id));
   }
   if (lists > 0) t_.poly_lists_.reserve_rows(lists, listed);
@@ -125,7 +144,8 @@ void cell_tables<Shape, Lists>::rewiring::commit(const detail::native_cavity_res
   for (std::size_t v = c_.verts.size() - c_.removed; v < c_.verts.size(); ++v) t_.verts_.remove(c_.verts[v]);
 }
 
-/// A vert that a kept poly has before and after keeps it in its list. All removals come first: memory is reserved for the lists as they will be.
+/// A vert that a kept poly has before and after keeps it in its list. All removals come first: memory is reserved for
+/// the lists as they will be.
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::rewiring::change_polys_of_verts() {
   // `others`: the corners of all polys at the other time
@@ -143,7 +163,8 @@ void cell_tables<Shape, Lists>::rewiring::change_polys_of_verts() {
       }
   for (std::size_t k = 0; k < x_.num_new(); ++k)
     for (unsigned i = 0; i < Shape::verts; ++i)
-      if (const unsigned v = x_.corners(k)[i]; !keeps(k, v, x_.corners_of_old.begin())) t_.v2p_.push_reserved(vert(v).raw(), new_poly(k));
+      if (const unsigned v = x_.corners(k)[i]; !keeps(k, v, x_.corners_of_old.begin()))
+        t_.v2p_.push_reserved(vert(v).raw(), new_poly(k));
 }
 
 template<class Shape, class Lists>
@@ -180,7 +201,8 @@ void cell_tables<Shape, Lists>::rewiring::attach(std::size_t k, unsigned j) {
   const auto use = static_cast<std::uint32_t>(k * Shape::faces + j), mate = x_.mate(use);
   const face_id f = face_ids_[x_.faces_of_new(k)[j]];
   if (mate == x_.has_others) return t_.facet_adjacency_.attach(new_poly(k), j, f);
-  t_.facet_adjacency_.attach_between(new_poly(k), j, f, mate == x_.no_mate ? poly_id{} : new_poly(mate / Shape::faces), use < mate);
+  t_.facet_adjacency_.attach_between(new_poly(k), j, f, mate == x_.no_mate ? poly_id{} : new_poly(mate / Shape::faces),
+                                     use < mate);
 }
 
 /// Sets where walks around edges start, and checks the edges whose polys may not be one fan.
@@ -190,7 +212,8 @@ void cell_tables<Shape, Lists>::rewiring::change_fans() {
     const detail::fan_change& fan = x_.fans[x_.edges.number(x)];
     if (x.num_polys - x.old_polys + x.new_polys == 0) continue;
     const bool is_fresh = x.num_polys == 0;
-    if (is_fresh || (!fan.is_irregular && fan.starts_at_old)) t_.e2p_[x.id.raw()] = new_poly(x.first_new / Shape::edges).raw();
+    if (is_fresh || (!fan.is_irregular && fan.starts_at_old))
+      t_.e2p_[x.id.raw()] = new_poly(x.first_new / Shape::edges).raw();
     if (fan.is_irregular) t_.update_fan(x.id, t_.count_polys(x.id));
   }
 }
@@ -208,8 +231,8 @@ void cell_tables<Shape, Lists>::rewiring::refresh_marks() {
 }
 
 template<class Shape, class Lists>
-void cell_tables<Shape, Lists>::rewire(const detail::native_cavity& c, const detail::native_cavity_result& made, function_ref<void(const detail::index_bounds&)> grow,
-                                        detail::edit_log* log) {
+void cell_tables<Shape, Lists>::rewire(const detail::native_cavity& c, const detail::native_cavity_result& made,
+                                       function_ref<void(const detail::index_bounds&)> grow, detail::edit_log* log) {
   rewiring r(*this, c);
   if (log) r.save(*log);
   r.reserve(grow);

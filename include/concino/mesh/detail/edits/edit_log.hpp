@@ -1,7 +1,9 @@
-// edit_log: what the arrays of a mesh held before its edits, so that these can be undone. Each step, which is one edit, saves the sizes of all arrays and the
-// rows that it is about to change; undoing restores them in the opposite order, needs no memory and cannot fail.
+// edit_log: what the arrays of a mesh held before its edits, so that these can be undone. Each step, which is one edit,
+// saves the sizes of all arrays and the rows that it is about to change; undoing restores them in the opposite order,
+// needs no memory and cannot fail.
 //
-// The arrays of a mesh are visited by a function of its tables, for_each_array(f), always in the same order; this order numbers them.
+// The arrays of a mesh are visited by a function of its tables, for_each_array(f), always in the same order; this order
+// numbers them.
 #pragma once
 
 #include <concino/concepts/descriptors.hpp>
@@ -16,7 +18,8 @@
 
 namespace concino::detail {
 
-/// How the rows of an array are saved. `sizes` are two numbers from which the array gets its size again; `put` appends the bytes of a row.
+/// How the rows of an array are saved. `sizes` are two numbers from which the array gets its size again; `put` appends
+/// the bytes of a row.
 template<class T, unsigned N>
 struct saved_array {
   using array = jagged_array<T, N>;
@@ -27,7 +30,9 @@ struct saved_array {
     const auto* const first = reinterpret_cast<const unsigned char*>(a.begin(row));
     bytes.insert(bytes.end(), first, first + N * sizeof(T));
   }
-  static void restore(array& a, std::size_t row, const unsigned char* bytes, std::size_t) { std::memcpy(static_cast<void*>(a.begin(row)), bytes, N * sizeof(T)); }
+  static void restore(array& a, std::size_t row, const unsigned char* bytes, std::size_t) {
+    std::memcpy(static_cast<void*>(a.begin(row)), bytes, N * sizeof(T));
+  }
 };
 
 /// Rows of any lengths: the place of a row, then its values in each array.
@@ -39,7 +44,9 @@ struct saved_rows {
   static void resize(array& a, const std::uint64_t* two) { a.restore_size(two[0], two[1]); }
   static void put(const array& a, std::size_t row, std::vector<unsigned char>& bytes) {
     const auto where = a.place_of(row);
-    const auto append = [&bytes](const void* first, const void* last) { bytes.insert(bytes.end(), static_cast<const unsigned char*>(first), static_cast<const unsigned char*>(last)); };
+    const auto append = [&bytes](const void* first, const void* last) {
+      bytes.insert(bytes.end(), static_cast<const unsigned char*>(first), static_cast<const unsigned char*>(last));
+    };
     append(&where, &where + 1);
     a.for_each_array_at(row, append);
   }
@@ -67,8 +74,12 @@ struct saved<alive_elements<Id>> {
   static std::size_t num_rows(const array& a) { return a.bound(); }
   static void sizes(const array& a, std::uint64_t* two) { two[0] = a.bound(), two[1] = a.size(); }
   static void resize(array& a, const std::uint64_t* two) { a.restore_size(two[0], two[1]); }
-  static void put(const array& a, std::size_t row, std::vector<unsigned char>& bytes) { bytes.push_back(a.contains(Id{row})); }
-  static void restore(array& a, std::size_t row, const unsigned char* bytes, std::size_t) { a.restore(Id{row}, *bytes); }
+  static void put(const array& a, std::size_t row, std::vector<unsigned char>& bytes) {
+    bytes.push_back(a.contains(Id{row}));
+  }
+  static void restore(array& a, std::size_t row, const unsigned char* bytes, std::size_t) {
+    a.restore(Id{row}, *bytes);
+  }
 };
 
 /// Arrays of plain values.
@@ -81,7 +92,9 @@ struct saved_values {
     const auto* const first = reinterpret_cast<const unsigned char*>(a.data() + row);
     bytes.insert(bytes.end(), first, first + sizeof(T));
   }
-  static void restore(Array& a, std::size_t row, const unsigned char* bytes, std::size_t) { std::memcpy(static_cast<void*>(a.data() + row), bytes, sizeof(T)); }
+  static void restore(Array& a, std::size_t row, const unsigned char* bytes, std::size_t) {
+    std::memcpy(static_cast<void*>(a.data() + row), bytes, sizeof(T));
+  }
 };
 template<class T> struct saved<core::flat_array<T>> : saved_values<core::flat_array<T>, T> {};
 template<class T> struct saved<std::vector<T>> : saved_values<std::vector<T>, T> {};
@@ -97,7 +110,9 @@ struct saved<column> {
     const auto* const first = static_cast<const unsigned char*>(a.data()) + row * n;
     bytes.insert(bytes.end(), first, first + n);
   }
-  static void restore(column& a, std::size_t row, const unsigned char* bytes, std::size_t n) { std::memcpy(static_cast<unsigned char*>(a.data()) + row * n, bytes, n); }
+  static void restore(column& a, std::size_t row, const unsigned char* bytes, std::size_t n) {
+    std::memcpy(static_cast<unsigned char*>(a.data()) + row * n, bytes, n);
+  }
 };
 
 class edit_log {
@@ -117,7 +132,8 @@ class edit_log {
  public:
   std::size_t num_steps() const { return steps_.size(); }
 
-  /// Begins a step. save() of the rows that will change must follow, before anything changes. If something fails, call drop_step().
+  /// Begins a step. save() of the rows that will change must follow, before anything changes. If something fails, call
+  /// drop_step().
   template<class Mesh>
   void begin_step(Mesh& m) {
     const step s{rows_.size(), bytes_.size(), sizes_.size()};
@@ -172,7 +188,8 @@ class edit_log {
     for (const row& r : rows_) after.save_if(m, r.array, r.index, sizes_[2 * r.array]);
     std::uint32_t number = 0;
     m.for_each_array([&](const auto& a) {
-      for (std::size_t i = sizes_[2 * number]; i < saved<std::remove_cvref_t<decltype(a)>>::num_rows(a); ++i) after.save(number, a, i);
+      for (std::size_t i = sizes_[2 * number]; i < saved<std::remove_cvref_t<decltype(a)>>::num_rows(a); ++i)
+        after.save(number, a, i);
       ++number;
     });
     return after;
@@ -209,7 +226,9 @@ class edit_log {
       const row& x = rows_[r - 1];
       std::uint32_t number = 0;
       m.for_each_array([&](auto& a) {
-        if (number++ == x.array) saved<std::remove_cvref_t<decltype(a)>>::restore(a, x.index, bytes_.data() + x.first, end_of(r - 1) - x.first);
+        if (number++ == x.array)
+          saved<std::remove_cvref_t<decltype(a)>>::restore(a, x.index, bytes_.data() + x.first,
+                                                           end_of(r - 1) - x.first);
       });
     }
   }

@@ -1,4 +1,5 @@
-// edit_recorder: the log of the edits of one native mesh while a transaction is open. The mesh refers to it; a copy of the mesh does not.
+// edit_recorder: the log of the edits of one native mesh while a transaction is open. The mesh refers to it; a copy of
+// the mesh does not.
 #pragma once
 
 #include <concino/core/message.hpp>
@@ -21,7 +22,8 @@ index_bounds bounds_of(const Tables& t) {
 template<class Mesh>
 class edit_recorder;
 
-/// What a mesh knows of its edits: the recorder, if a transaction is open, and the number of its state, which each edit changes.
+/// What a mesh knows of its edits: the recorder, if a transaction is open, and the number of its state, which each edit
+/// changes.
 template<class Mesh>
 struct edit_state {
   edit_recorder<Mesh>* recorder = nullptr;
@@ -52,7 +54,9 @@ class edit_recorder {
     const property_set& all = m.properties();
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (!all.values(i)->is_bytes())
-        core::throw_joined<unsupported>({"transaction: property \"", all.info(i).name, "\" has values that cannot be copied byte by byte, so they could not be restored without memory; remove it first"});
+        core::throw_joined<unsupported>(
+            {"transaction: property \"", all.info(i).name,
+             "\" has values that cannot be copied byte by byte, so they could not be restored without memory; remove it first"});
       columns_.push_back({all.values(i), all.kind(i)});
     }
   }
@@ -83,7 +87,8 @@ class edit_recorder {
     try {
       visit([&](element_kind kind, std::size_t index) {
         for (std::size_t i = 0; i < columns_.size(); ++i)
-          if (columns_[i].kind == kind) log.save(static_cast<std::uint32_t>(number_of_points() + 1 + i), *columns_[i].values, index);
+          if (columns_[i].kind == kind)
+            log.save(static_cast<std::uint32_t>(number_of_points() + 1 + i), *columns_[i].values, index);
       });
     } catch (...) {
       log.drop_step();
@@ -103,7 +108,8 @@ class edit_recorder {
   void shrink_properties() noexcept { m_->properties().shrink(bounds_of(m_->tables())); }
 };
 
-/// One edit: a step of the log, if one is open. It is undone unless finish() is called: an edit that fails may have moved rows to other places already.
+/// One edit: a step of the log, if one is open. It is undone unless finish() is called: an edit that fails may have
+/// moved rows to other places already.
 template<class Mesh>
 class edit_step {
   edit_state<Mesh>& state_;

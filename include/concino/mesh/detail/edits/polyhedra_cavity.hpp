@@ -1,4 +1,5 @@
-// A cavity of general polyhedra: the verts, edges and faces of its old and new polys by local numbers, and what changes at each of them.
+// A cavity of general polyhedra: the verts, edges and faces of its old and new polys by local numbers, and what changes
+// at each of them.
 #pragma once
 
 #include <concino/mesh/detail/edits/cavity_changes.hpp>
@@ -16,14 +17,16 @@ struct polyhedra_cavity_face {
   std::uint32_t num_polys = 0;  // of the mesh, at it before
   std::uint32_t last_poly = ~0u;       // the last new poly that has it
   const unsigned* corners = nullptr;  // set when all faces are known
-  std::uint32_t partner = ~0u;         // the number, of a new face, of the old one whose descriptor it takes, and the other way round
+  std::uint32_t partner = ~0u;         // the number, of a new face, of the old one whose descriptor it takes, and the
+                                       // other way round
 
   bool has_partner() const { return partner != ~0u; }
   bool is_left_over() const { return !id.is_none() && new_polys == 0 && old_polys > 0 && old_polys == num_polys; }
   bool shares_all_but_one(const polyhedra_cavity_face& x) const {
     if (size > longest_compared || x.size > longest_compared) return false;
     unsigned common = 0;
-    for (std::uint32_t i = 0; i < size; ++i) common += std::find(x.corners, x.corners + x.size, corners[i]) != x.corners + x.size;
+    for (std::uint32_t i = 0; i < size; ++i)
+      common += std::find(x.corners, x.corners + x.size, corners[i]) != x.corners + x.size;
     return common + 1 == size;
   }
 };
@@ -47,13 +50,16 @@ class polyhedra_cavity {
 
   const native_cavity& c;
   const cavity_verts verts;
-  const unsigned num_old_verts = static_cast<unsigned>(c.verts.size()), num_verts = num_old_verts + static_cast<unsigned>(c.points.size());
+  const unsigned num_old_verts = static_cast<unsigned>(c.verts.size()),
+                 num_verts = num_old_verts + static_cast<unsigned>(c.points.size());
   cavity_edges edges;  // polys of an edge mean: old faces that are left over, new faces, all faces before
   core::small_array<face, 32> faces;
   core::small_array<vert_change, 32> changes;  // of verts
-  core::small_array<unsigned, 32> faces_of_new, verts_of_new, verts_end, edges_of_new, edges_end;  // of the new polys, one after another
+  // of the new polys, one after another
+  core::small_array<unsigned, 32> faces_of_new, verts_of_new, verts_end, edges_of_new, edges_end;
   core::small_array<std::uint8_t, 32> outward_of_new;  // parallel to faces_of_new
-  std::size_t fresh_edges = 0, left_over_edges = 0, fresh_faces = 0, left_over_faces = 0;  // those the mesh did not have, and those it loses
+  // those the mesh did not have, and those it loses
+  std::size_t fresh_edges = 0, left_over_edges = 0, fresh_faces = 0, left_over_faces = 0;
 
   std::size_t num_new() const { return c.poly_ends.size(); }
   std::size_t num_added() const { return num_new() - c.kept; }
@@ -73,7 +79,8 @@ class polyhedra_cavity {
   static unsigned begin_of(const Ends& ends, std::size_t k) { return k == 0 ? 0 : ends[k - 1]; }
 
   template<class Tables>
-  polyhedra_cavity(const Tables& t, const native_cavity& cavity) : c(cavity), verts(c.verts), edges(count_corners(t, c)) {
+  polyhedra_cavity(const Tables& t, const native_cavity& cavity)
+      : c(cavity), verts(c.verts), edges(count_corners(t, c)) {
     changes.resize(num_verts, {});
     check_cavity_of_polyhedra(c, verts, t.verts(), t.polys());
     last_poly_of_vert_.resize(num_verts, ~0u);
@@ -104,12 +111,13 @@ class polyhedra_cavity {
     return n;
   }
 
-  /// The face with the corners since `first`, which are the last ones. It has this id if it is not none. It is added if it is new; otherwise these corners
-  /// are removed. `is_forward`: whether the face has them in this order.
+  /// The face with the corners since `first`, which are the last ones. It has this id if it is not none. It is added if
+  /// it is new; otherwise these corners are removed. `is_forward`: whether the face has them in this order.
   face& find_last(std::uint32_t first, face_id id, bool& is_forward) {
     const auto n = static_cast<std::uint32_t>(corners_.size()) - first;
     std::uint32_t hash = n;
-    for (std::uint32_t i = first; i < corners_.size(); ++i) hash += core::index_table::hash(corners_[i]);  // the same in any order
+    // the same in any order
+    for (std::uint32_t i = first; i < corners_.size(); ++i) hash += core::index_table::hash(corners_[i]);
     int order = 0;
     const auto is_wanted = [&](std::uint32_t i) {
       const face& x = faces[i];
@@ -181,7 +189,8 @@ class polyhedra_cavity {
     edges_end.push_back(static_cast<unsigned>(edges_of_new.size()));
   }
 
-  /// Finds face x among those of other polys and those without polys. Result: whether it has its corners in the order of x before.
+  /// Finds face x among those of other polys and those without polys. Result: whether it has its corners in the order
+  /// of x before.
   template<class Tables>
   bool look_for(const Tables& t, face& x) {
     unsigned* const v = corners_.begin() + x.first;

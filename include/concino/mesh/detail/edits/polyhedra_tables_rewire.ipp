@@ -1,5 +1,5 @@
-// Replaces a few general polyhedra by others; see polyhedra_tables.hpp and concepts/editable.hpp. Like the other edits: first all memory is allocated, which
-// changes no element, then the tables are changed, which cannot fail.
+// Replaces a few general polyhedra by others; see polyhedra_tables.hpp and concepts/editable.hpp. Like the other edits:
+// first all memory is allocated, which changes no element, then the tables are changed, which cannot fail.
 #pragma once
 
 #include <concino/mesh/detail/edits/polyhedra_cavity.hpp>
@@ -15,10 +15,12 @@ class basic_polyhedra_tables<Lists>::rewiring {
   detail::polyhedra_cavity x_;
   const detail::native_cavity& c_ = x_.c;
   const std::size_t first_vert_ = t_.verts_.bound(), first_poly_ = t_.polys_.bound();  // the first added ones
-  core::small_array<poly_id, 8> of_lists_;                                             // polys in lists of faces of old polys
+  core::small_array<poly_id, 8> of_lists_;  // polys in lists of faces of old polys
   core::small_array<std::uint64_t, 1> scratch_;
 
-  vert_id vert(unsigned local) const { return local < x_.num_old_verts ? x_.verts[local] : vert_id{first_vert_ + (local - x_.num_old_verts)}; }
+  vert_id vert(unsigned local) const {
+    return local < x_.num_old_verts ? x_.verts[local] : vert_id{first_vert_ + (local - x_.num_old_verts)};
+  }
   poly_id new_poly(std::size_t k) const { return k < c_.kept ? c_.polys[k] : poly_id{first_poly_ + (k - c_.kept)}; }
 
   void reserve_faces_of_edges();
@@ -55,14 +57,16 @@ void basic_polyhedra_tables<Lists>::rewiring::save(detail::edit_log& log) const 
   }
   for (const poly_id x : c_.polys) {
     const std::size_t p = x.raw();
-    log.save(of_polys, t_.polys_, p), log.save(of_p2v, t_.p2v_, p), log.save(of_p2e, t_.p2e_, p), log.save(of_outward, t_.outward_, p);
+    log.save(of_polys, t_.polys_, p), log.save(of_p2v, t_.p2v_, p), log.save(of_p2e, t_.p2e_, p),
+        log.save(of_outward, t_.outward_, p);
     t_.facet_adjacency_.save_poly(log, of_facets, x);
   }
 }
 
 template<class Lists>
 void basic_polyhedra_tables<Lists>::rewiring::reserve(function_ref<void(const detail::index_bounds&)> grow) {
-  detail::reserve_lists_of_verts(t_.incident_edges_, t_.v2p_, x_.changes, x_.num_old_verts, [this](unsigned v) { return vert(v); });
+  detail::reserve_lists_of_verts(t_.incident_edges_, t_.v2p_, x_.changes, x_.num_old_verts,
+                                 [this](unsigned v) { return vert(v); });
   reserve_faces_of_edges();
   reserve_faces();
   const std::size_t corners = reserve_polys();
@@ -73,8 +77,8 @@ void basic_polyhedra_tables<Lists>::rewiring::reserve(function_ref<void(const de
   t_.faces_.reserve_change(x_.left_over_faces - std::min(x_.fresh_faces, x_.left_over_faces), x_.more_faces());
   t_.polys_.reserve_change(c_.polys.size() - c_.kept, x_.num_added());
   if (grow)
-    grow({t_.verts_.bound() + c_.points.size(), t_.edges_.bound() + x_.more_edges(), t_.faces_.bound() + x_.more_faces(), t_.polys_.bound() + x_.num_added(),
-          t_.p2v_.num_values() + corners});
+    grow({t_.verts_.bound() + c_.points.size(), t_.edges_.bound() + x_.more_edges(),
+          t_.faces_.bound() + x_.more_faces(), t_.polys_.bound() + x_.num_added(), t_.p2v_.num_values() + corners});
 }
 
 /// An edge that takes the descriptor of one that is left over also takes its list, which is empty then.
@@ -99,7 +103,8 @@ template<class Lists>
 void basic_polyhedra_tables<Lists>::rewiring::reserve_faces() {
   std::size_t values = 0, lists = 0, listed = 0;
   for (const face& x : x_.faces) {
-    if (x.id.is_none()) values += x.has_partner() ? t_.f2v_.growth_of_row(x_.faces[x.partner].id.raw(), x.size) : x.size;
+    if (x.id.is_none())
+      values += x.has_partner() ? t_.f2v_.growth_of_row(x_.faces[x.partner].id.raw(), x.size) : x.size;
     if (x.num_polys > 2 && x.old_polys > 0)
       for (const poly_id p : t_.adj_f2p(x.id)) of_lists_.push_back(p);
     if (x.num_polys - x.old_polys + x.new_polys > 2) ++lists, listed += x.num_polys + x.new_polys;
@@ -152,7 +157,9 @@ void basic_polyhedra_tables<Lists>::rewiring::commit(const detail::native_cavity
   remove_faces();
   detail::change_edges(x_.edges, t_.edges_, t_.e2v_, t_.incident_edges_, [this](unsigned v) { return vert(v); });
   for (const detail::cavity_edge& x : x_.edges)
-    if (x.id.raw() == t_.e2f_.size()) t_.e2f_.add_row(static_cast<const face_id*>(nullptr), static_cast<const face_id*>(nullptr), std::max<std::size_t>(x.new_polys, faces_of_new_edge));
+    if (x.id.raw() == t_.e2f_.size())
+      t_.e2f_.add_row(static_cast<const face_id*>(nullptr), static_cast<const face_id*>(nullptr),
+                      std::max<std::size_t>(x.new_polys, faces_of_new_edge));
   add_faces();
   replace_polys();
   refresh_marks();
@@ -228,7 +235,8 @@ void basic_polyhedra_tables<Lists>::rewiring::refresh_marks() {
 }
 
 template<class Lists>
-void basic_polyhedra_tables<Lists>::rewire(const detail::native_cavity& c, const detail::native_cavity_result& made, function_ref<void(const detail::index_bounds&)> grow,
+void basic_polyhedra_tables<Lists>::rewire(const detail::native_cavity& c, const detail::native_cavity_result& made,
+                                           function_ref<void(const detail::index_bounds&)> grow,
                                            detail::edit_log* log) {
   rewiring r(*this, c);
   if (log) r.save(*log);

@@ -1,5 +1,5 @@
-// Replaces a few polys of a surface by others; see surface_tables.hpp and concepts/editable.hpp. Like the other edits: first all memory is allocated,
-// which changes no element, then the tables are changed, which cannot fail.
+// Replaces a few polys of a surface by others; see surface_tables.hpp and concepts/editable.hpp. Like the other edits:
+// first all memory is allocated, which changes no element, then the tables are changed, which cannot fail.
 #pragma once
 
 #include <concino/mesh/detail/edits/cavity_changes.hpp>
@@ -13,7 +13,8 @@ class surface_tables<Arity, Lists>::rewiring {
   surface_tables& t_;
   const detail::native_cavity& c_;
   const detail::cavity_verts verts_;
-  const unsigned num_old_verts_ = static_cast<unsigned>(c_.verts.size()), num_verts_ = num_old_verts_ + static_cast<unsigned>(c_.points.size());
+  const unsigned num_old_verts_ = static_cast<unsigned>(c_.verts.size()),
+                 num_verts_ = num_old_verts_ + static_cast<unsigned>(c_.points.size());
   detail::cavity_edges edges_;
   core::small_array<detail::vert_change, 24> changes_;
   core::small_array<unsigned, 48> old_corners_;     // of the old polys, as local numbers
@@ -36,7 +37,9 @@ class surface_tables<Arity, Lists>::rewiring {
   std::size_t num_new() const { return c_.ends.size(); }
   std::size_t num_added() const { return num_new() - c_.kept; }
   std::size_t num_corners() const { return c_.ends.empty() ? 0 : c_.ends[num_new() - 1]; }
-  vert_id vert(unsigned local) const { return local < num_old_verts_ ? verts_[local] : vert_id{first_vert_ + (local - num_old_verts_)}; }
+  vert_id vert(unsigned local) const {
+    return local < num_old_verts_ ? verts_[local] : vert_id{first_vert_ + (local - num_old_verts_)};
+  }
   poly_id new_poly(std::size_t k) const { return k < c_.kept ? c_.polys[k] : poly_id{first_poly_ + (k - c_.kept)}; }
   static std::size_t next(std::size_t i, std::size_t n) { return i + 1 == n ? 0 : i + 1; }
 
@@ -48,7 +51,8 @@ class surface_tables<Arity, Lists>::rewiring {
   }
 
  public:
-  rewiring(surface_tables& t, const detail::native_cavity& c) : t_(t), c_(c), verts_(c.verts), edges_(count_corners(t, c)), changes_(num_verts_, detail::vert_change{}) {
+  rewiring(surface_tables& t, const detail::native_cavity& c)
+      : t_(t), c_(c), verts_(c.verts), edges_(count_corners(t, c)), changes_(num_verts_, detail::vert_change{}) {
     detail::check_cavity(c, verts_, t.verts_, t.polys_, Arity);
     find_old_edges();
     find_new_edges();
@@ -161,7 +165,8 @@ template<unsigned Arity, class Lists>
 std::size_t surface_tables<Arity, Lists>::rewiring::values_of_rows() const {
   if constexpr (Arity > 0) return Arity * num_added();
   std::size_t n = 0;
-  for (std::size_t k = 0; k < num_new(); ++k) n += k < c_.kept ? t_.p2v_.growth_of_row(c_.polys[k].raw(), corners(k).size()) : corners(k).size();
+  for (std::size_t k = 0; k < num_new(); ++k)
+    n += k < c_.kept ? t_.p2v_.growth_of_row(c_.polys[k].raw(), corners(k).size()) : corners(k).size();
   return n;
 }
 
@@ -173,7 +178,8 @@ void surface_tables<Arity, Lists>::rewiring::reserve(function_ref<void(const det
   reserve_poly_lists();
   const std::size_t values = values_of_rows();
   t_.p2v_.reserve_rows(num_added(), values);
-  t_.facet_adjacency_.reserve_polys(num_added(), Arity > 0 ? values : 2 * (values + num_corners()) + 4 * c_.kept, more_edges);
+  t_.facet_adjacency_.reserve_polys(num_added(), Arity > 0 ? values : 2 * (values + num_corners()) + 4 * c_.kept,
+                                    more_edges);
   t_.e2v_.reserve_rows(more_edges);
   t_.verts_.reserve_change(c_.removed, c_.points.size());
   t_.edges_.reserve_change(left_over_ - std::min(fresh_, left_over_), more_edges);
@@ -187,7 +193,9 @@ void surface_tables<Arity, Lists>::rewiring::reserve(function_ref<void(const det
         for (const poly_id p : t_.adj_e2p(x.id)) most = std::max<std::size_t>(most, t_.p2v_.length(p.raw()));
     scratch_.reserve(most);
   }
-  if (grow) grow({t_.verts_.bound() + c_.points.size(), t_.edges_.bound() + more_edges, 0, t_.polys_.bound() + num_added(), t_.p2v_.num_values() + values});
+  if (grow)
+    grow({t_.verts_.bound() + c_.points.size(), t_.edges_.bound() + more_edges, 0, t_.polys_.bound() + num_added(),
+          t_.p2v_.num_values() + values});
 }
 
 template<unsigned Arity, class Lists>
@@ -210,11 +218,14 @@ void surface_tables<Arity, Lists>::rewiring::commit(const detail::native_cavity_
   for (unsigned v = num_old_verts_; v < num_verts_; ++v) t_.verts_.add();
 }
 
-/// Verts that a poly has before and after keep it where it is in their lists. All removals come first: memory is reserved for the lists as they will be.
+/// Verts that a poly has before and after keep it where it is in their lists. All removals come first: memory is
+/// reserved for the lists as they will be.
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::rewiring::change_polys_of_verts() {
   constexpr std::size_t longest_scan = 16;
-  const auto is_compared = [&](std::size_t k) { return k < c_.kept && (Arity > 0 || (corners(k).size() <= longest_scan && old_corners(k).size() <= longest_scan)); };
+  const auto is_compared = [&](std::size_t k) {
+    return k < c_.kept && (Arity > 0 || (corners(k).size() <= longest_scan && old_corners(k).size() <= longest_scan));
+  };
   const auto has = [](id_span<unsigned> all, unsigned v) {
     bool found = false;
     for (const unsigned x : all) found |= x == v;
@@ -277,8 +288,8 @@ void surface_tables<Arity, Lists>::rewiring::refresh_marks() {
 }
 
 template<unsigned Arity, class Lists>
-void surface_tables<Arity, Lists>::rewire(const detail::native_cavity& c, const detail::native_cavity_result& made, function_ref<void(const detail::index_bounds&)> grow,
-                                           detail::edit_log* log) {
+void surface_tables<Arity, Lists>::rewire(const detail::native_cavity& c, const detail::native_cavity_result& made,
+                                          function_ref<void(const detail::index_bounds&)> grow, detail::edit_log* log) {
   rewiring r(*this, c);
   if (log) r.save(*log);
   r.reserve(grow);

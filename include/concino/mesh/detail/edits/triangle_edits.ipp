@@ -1,6 +1,7 @@
-// Splits, flips and collapses of an edge of triangles by direct changes of the tables; see surface_tables.hpp. They change what rewire would change, in the
-// same order, but know the edit, so that nothing is searched, numbered or compared. Where a triangle of the edit has a non-manifold edge or a neighbour behind
-// two of its edges, they leave the edit to rewire.
+// Splits, flips and collapses of an edge of triangles by direct changes of the tables; see surface_tables.hpp. They
+// change what rewire would change, in the same order, but know the edit, so that nothing is searched, numbered or
+// compared. Where a triangle of the edit has a non-manifold edge or a neighbour behind two of its edges, they leave the
+// edit to rewire.
 #pragma once
 
 #include <concino/mesh/detail/edits/cavity_changes.hpp>
@@ -22,11 +23,11 @@ void surface_tables<Arity, Lists>::reserve_split(const side_of_edge* s, std::uin
   verts_.reserve(1), edges_.reserve(n + 1), polys_.reserve(n);
 }
 
-/// The edges at the new vert x, which has no lists yet, when e is split. to[i] leads from x to the third vert of triangle i, to[n] to b.
+/// The edges at the new vert x, which has no lists yet, when e is split. to[i] leads from x to the third vert of
+/// triangle i, to[n] to b.
 template<unsigned Arity, class Lists>
-void surface_tables<Arity, Lists>::split_edges(edge_id e, vert_id x, const side_of_edge* s, std::uint32_t n, edge_id* to)
-  requires(Arity == 3)
-{
+void surface_tables<Arity, Lists>::split_edges(edge_id e, vert_id x, const side_of_edge* s, std::uint32_t n,
+                                               edge_id* to) requires(Arity == 3) {
   const vert_id a = e2v_[e.raw()][0], b = e2v_[e.raw()][1];
   const bool edge_is_first = s[0].at_edge < s[0].at_b;
   incident_.set_other_end(a, e, x);
@@ -109,7 +110,8 @@ bool surface_tables<Arity, Lists>::flip_edge(edge_id e)
   return true;
 }
 
-/// Whether the polys at b are one closed fan of at least four regular triangles that contains both sides, so that the link of b is a circle.
+/// Whether the polys at b are one closed fan of at least four regular triangles that contains both sides, so that the
+/// link of b is a circle.
 template<unsigned Arity, class Lists>
 bool surface_tables<Arity, Lists>::is_closed_fan(vert_id b, const side_of_edge* s) const {
   const std::uint32_t n = incident_.num_polys(b);

@@ -14,12 +14,14 @@ struct surface_tables<Arity, Lists>::outer_edge {
   detail::encoded_neighbour outside;
 
   outer_edge() = default;
-  outer_edge(const surface_tables& t, poly_id p, std::uint32_t k) : e(t.facet_adjacency_.facets(p)[k]), outside(t.facet_adjacency_.neighbour(p, k)) {}
+  outer_edge(const surface_tables& t, poly_id p, std::uint32_t k)
+      : e(t.facet_adjacency_.facets(p)[k]), outside(t.facet_adjacency_.neighbour(p, k)) {}
   /// Whether the triangle has one neighbour here, which is not behind another one of its edges, or none.
   bool is_regular() const { return outside.is_none() || outside.is_first_occurrence(); }
 };
 
-/// A triangle at the edge ab, with its third vert c. `at_edge`, `at_a`, `at_b`: the numbers of the edges ab, ca, bc; `corner_a`, `corner_b`: of the corners.
+/// A triangle at the edge ab, with its third vert c. `at_edge`, `at_a`, `at_b`: the numbers of the edges ab, ca, bc;
+/// `corner_a`, `corner_b`: of the corners.
 template<unsigned Arity, class Lists>
 struct surface_tables<Arity, Lists>::side_of_edge {
   poly_id p;

@@ -8,7 +8,8 @@
 namespace concino {
 
 CONCINO_INLINE hexmesh::hexmesh(cell_arrays a, hex_order order) : base(std::move(a.points), {}) {
-  if (a.arity != 8) core::throw_joined<invalid_mesh>({"hexmesh: the arrays have polys of ", a.arity, " verts; it needs 8"});
+  if (a.arity != 8)
+    core::throw_joined<invalid_mesh>({"hexmesh: the arrays have polys of ", a.arity, " verts; it needs 8"});
   tables() = hex_tables(points().size(), std::move(a.verts), order);
 }
 

@@ -16,16 +16,20 @@ namespace concino::detail {
 CONCINO_INLINE surface_arrays to_arity(surface_arrays a, std::uint32_t arity) {
   if (arity == 0) {
     a.offsets.clear();
-    for (std::size_t i = 0; i <= a.verts.size() / a.arity; ++i) a.offsets.push_back(static_cast<std::uint32_t>(i * a.arity));
+    for (std::size_t i = 0; i <= a.verts.size() / a.arity; ++i)
+      a.offsets.push_back(static_cast<std::uint32_t>(i * a.arity));
     if (a.offsets.back() != a.verts.size()) a.offsets.push_back(static_cast<std::uint32_t>(a.verts.size()));
   } else {
     const char* const what = arity == 3 ? "trimesh: " : "quadmesh: ";
     const std::size_t n = a.num_polys();
     for (std::size_t p = 0; p < n; ++p) {
       const std::uint32_t has = a.arity ? a.arity : a.offsets[p + 1] - a.offsets[p];
-      if (has != arity) core::throw_joined<invalid_mesh>({what, "poly ", p, " has ", has, " verts; every poly of this mesh has ", arity});
+      if (has != arity)
+        core::throw_joined<invalid_mesh>(
+            {what, "poly ", p, " has ", has, " verts; every poly of this mesh has ", arity});
     }
-    if (n * arity != a.verts.size()) core::throw_joined<invalid_mesh>({what, "the offsets of polys do not fit the ", a.verts.size(), " verts listed"});
+    if (n * arity != a.verts.size())
+      core::throw_joined<invalid_mesh>({what, "the offsets of polys do not fit the ", a.verts.size(), " verts listed"});
     a.offsets.clear();
   }
   a.arity = arity;
@@ -33,7 +37,8 @@ CONCINO_INLINE surface_arrays to_arity(surface_arrays a, std::uint32_t arity) {
 }
 
 template<class Tables>
-native_mesh<Tables>::native_mesh(std::vector<vec3> points, Tables tables) : points_(std::move(points)), tables_(std::move(tables)) {
+native_mesh<Tables>::native_mesh(std::vector<vec3> points, Tables tables)
+    : points_(std::move(points)), tables_(std::move(tables)) {
   shrink_if_wasteful(points_);
 }
 template<class Tables>

@@ -14,6 +14,7 @@ CONCINO_INLINE polygonmesh::polygonmesh(surface_arrays a) : base(std::move(a.poi
   tables() = surface_tables<0>(points().size(), std::move(a.offsets), std::move(a.verts));
 }
 
-CONCINO_INLINE polygonmesh::polygonmesh(point_list points, index_lists poly_verts) : polygonmesh(detail::to_surface({points}, poly_verts, 0, "polygonmesh")) {}
+CONCINO_INLINE polygonmesh::polygonmesh(point_list points, index_lists poly_verts)
+    : polygonmesh(detail::to_surface({points}, poly_verts, 0, "polygonmesh")) {}
 
 }  // namespace concino

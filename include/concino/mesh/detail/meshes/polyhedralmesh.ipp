@@ -10,8 +10,8 @@ namespace concino {
 CONCINO_INLINE polyhedralmesh::polyhedralmesh() : polyhedralmesh(polyhedra_arrays{}) {}
 
 CONCINO_INLINE polyhedralmesh::polyhedralmesh(polyhedra_arrays a) : base(std::move(a.points), {}) {
-  tables() = polyhedra_tables(points().size(), std::move(a.face_offsets), std::move(a.face_verts), std::move(a.poly_offsets), std::move(a.poly_faces),
-                              std::move(a.outward));
+  tables() = polyhedra_tables(points().size(), std::move(a.face_offsets), std::move(a.face_verts),
+                              std::move(a.poly_offsets), std::move(a.poly_faces), std::move(a.outward));
 }
 
 CONCINO_INLINE polyhedralmesh::polyhedralmesh(point_list points, index_lists face_verts, face_lists poly_faces)

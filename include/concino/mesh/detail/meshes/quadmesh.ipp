@@ -12,6 +12,7 @@ CONCINO_INLINE quadmesh::quadmesh(surface_arrays a) : base(std::move(a.points), 
   tables() = surface_tables<4>(points().size(), std::move(a.verts));
 }
 
-CONCINO_INLINE quadmesh::quadmesh(point_list points, index_lists poly_verts) : quadmesh(detail::to_surface({points}, poly_verts, 4, "quadmesh")) {}
+CONCINO_INLINE quadmesh::quadmesh(point_list points, index_lists poly_verts)
+    : quadmesh(detail::to_surface({points}, poly_verts, 4, "quadmesh")) {}
 
 }  // namespace concino

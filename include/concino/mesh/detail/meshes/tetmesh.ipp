@@ -8,7 +8,8 @@
 namespace concino {
 
 CONCINO_INLINE tetmesh::tetmesh(cell_arrays a, tet_order order) : base(std::move(a.points), {}) {
-  if (a.arity != 4) core::throw_joined<invalid_mesh>({"tetmesh: the arrays have polys of ", a.arity, " verts; it needs 4"});
+  if (a.arity != 4)
+    core::throw_joined<invalid_mesh>({"tetmesh: the arrays have polys of ", a.arity, " verts; it needs 4"});
   tables() = tet_tables(points().size(), std::move(a.verts), order);
 }
 

@@ -12,6 +12,7 @@ CONCINO_INLINE trimesh::trimesh(surface_arrays a) : base(std::move(a.points), {}
   tables() = surface_tables<3>(points().size(), std::move(a.verts));
 }
 
-CONCINO_INLINE trimesh::trimesh(point_list points, index_lists poly_verts) : trimesh(detail::to_surface({points}, poly_verts, 3, "trimesh")) {}
+CONCINO_INLINE trimesh::trimesh(point_list points, index_lists poly_verts)
+    : trimesh(detail::to_surface({points}, poly_verts, 3, "trimesh")) {}
 
 }  // namespace concino

@@ -6,18 +6,23 @@
 
 namespace concino::detail {
 
-CONCINO_INLINE void check_origins(element_kind kind, const element_origins& origins, std::size_t bound_before, std::size_t bound_after) {
+CONCINO_INLINE void check_origins(element_kind kind, const element_origins& origins, std::size_t bound_before,
+                                  std::size_t bound_after) {
   if (origins.size() != bound_after)
-    core::throw_joined<invalid_argument>({"correspondence: the origins of ", origins.size(), " ", to_string(kind), "s are given, but the index bound of the mesh is ", bound_after});
+    core::throw_joined<invalid_argument>({"correspondence: the origins of ", origins.size(), " ", to_string(kind),
+                                          "s are given, but the index bound of the mesh is ", bound_after});
   for (std::size_t i = 0; i < origins.size(); ++i)
     for (const origin x : origins[i])
       if (x.index >= bound_before)
-        core::throw_joined<invalid_argument>({"correspondence: ", to_string(kind), " ", i, " was made of ", to_string(kind), " ", x.index,
+        core::throw_joined<invalid_argument>({"correspondence: ", to_string(kind), " ", i, " was made of ",
+                                              to_string(kind), " ", x.index,
                                               ", but the index bound of the mesh before is ", bound_before});
 }
 
-CONCINO_INLINE void check_origins(const correspondence& c, const property_set& properties, const index_bounds& before, const index_bounds& after) {
-  const auto check = [&](element_kind kind, const element_origins& origins, std::size_t bound_before, std::size_t bound_after) {
+CONCINO_INLINE void check_origins(const correspondence& c, const property_set& properties, const index_bounds& before,
+                                  const index_bounds& after) {
+  const auto check = [&](element_kind kind, const element_origins& origins, std::size_t bound_before,
+                         std::size_t bound_after) {
     if (properties.has(kind)) check_origins(kind, origins, bound_before, bound_after);
   };
   check(element_kind::vert, c.verts, before.verts, after.verts);

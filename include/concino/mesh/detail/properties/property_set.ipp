@@ -21,7 +21,8 @@ namespace detail {
 CONCINO_INLINE std::string written_type(const std::type_info& type) {
   if (type == typeid(std::string)) return "std::string";
 #if __has_include(<cxxabi.h>)
-  const std::unique_ptr<char, void (*)(void*)> text(abi::__cxa_demangle(type.name(), nullptr, nullptr, nullptr), std::free);
+  const std::unique_ptr<char, void (*)(void*)> text(abi::__cxa_demangle(type.name(), nullptr, nullptr, nullptr),
+                                                    std::free);
   if (text) return text.get();
 #endif
   return type.name();
@@ -69,7 +70,8 @@ CONCINO_INLINE void column::copy_value(const column& o, std::size_t from) {
 }
 
 /// Calls scale or add for value i and a value of another column.
-CONCINO_INLINE void column::apply_to_parts(void (*f)(void*, const void*, double), std::size_t i, const column& o, std::size_t from, double factor) {
+CONCINO_INLINE void column::apply_to_parts(void (*f)(void*, const void*, double), std::size_t i, const column& o,
+                                           std::size_t from, double factor) {
   const std::size_t size = type_->size / type_->num_parts;
   for (std::size_t k = 0; k < type_->num_parts; ++k) f(at(i) + k * size, o.at(from) + k * size, factor);
 }
@@ -103,16 +105,19 @@ CONCINO_INLINE void column::interpolate(const column& o, const element_origins& 
     }
     double total = 0;
     for (const origin x : origins) total += x.weight;
-    const auto weight = [&](const origin& x) { return total > 0 ? x.weight / total : 1 / static_cast<double>(origins.size()); };
+    const auto weight = [&](const origin& x) {
+      return total > 0 ? x.weight / total : 1 / static_cast<double>(origins.size());
+    };
     const std::size_t here = size_;
     apply_to_parts(type_->scale, here, o, origins[0].index, weight(origins[0]));
     ++size_;
-    for (std::size_t k = 1; k < origins.size(); ++k) apply_to_parts(type_->add, here, o, origins[k].index, weight(origins[k]));
+    for (std::size_t k = 1; k < origins.size(); ++k)
+      apply_to_parts(type_->add, here, o, origins[k].index, weight(origins[k]));
   }
 }
 
-/// Splits each old value among the elements that have it as origin, in proportion to their weights. A value that cannot be split goes to the element
-/// with the largest weight.
+/// Splits each old value among the elements that have it as origin, in proportion to their weights. A value that cannot
+/// be split goes to the element with the largest weight.
 CONCINO_INLINE void column::sum(const column& o, const element_origins& from) {
   struct parts {
     double total = 0, largest = -1;
@@ -126,7 +131,9 @@ CONCINO_INLINE void column::sum(const column& o, const element_origins& from) {
     std::sort(met.begin(), met.end());
     met.erase(std::unique(met.begin(), met.end()), met.end());
   }
-  const auto number = [&](std::uint32_t i) { return are_few ? static_cast<std::size_t>(std::lower_bound(met.begin(), met.end(), i) - met.begin()) : i; };
+  const auto number = [&](std::uint32_t i) {
+    return are_few ? static_cast<std::size_t>(std::lower_bound(met.begin(), met.end(), i) - met.begin()) : i;
+  };
   std::vector<parts> all(are_few ? met.size() : o.size_);
   for (std::size_t i = 0; i < from.size(); ++i)
     for (const origin x : from[i]) {
@@ -140,8 +147,11 @@ CONCINO_INLINE void column::sum(const column& o, const element_origins& from) {
     const std::size_t here = size_;
     for (const origin x : from[here]) {
       parts& p = all[number(x.index)];
-      if (!can_be_parted && std::exchange(p.owner, p.owner == here ? from.size() : p.owner) != here) continue;  // an owner may have it as origin twice
-      const double part = !can_be_parted || p.count == 1 ? 1 : p.total > 0 ? x.weight / p.total : 1 / static_cast<double>(p.count);
+      // an owner may have it as origin twice
+      if (!can_be_parted && std::exchange(p.owner, p.owner == here ? from.size() : p.owner) != here) continue;
+      const double part = !can_be_parted || p.count == 1 ? 1
+                          : p.total > 0                  ? x.weight / p.total
+                                                         : 1 / static_cast<double>(p.count);
       if (size_ > here) apply_to_parts(type_->add, here, o, x.index, part);
       else if (part == 1) copy_value(o, x.index);
       else apply_to_parts(type_->scale, here, o, x.index, part), ++size_;
@@ -159,7 +169,8 @@ CONCINO_INLINE column::column(const column& o, const element_origins& from) : co
 }
 
 CONCINO_INLINE bool column::set_rule(property_rule rule) {
-  const bool is_possible = rule == property_rule::copy || (rule == property_rule::interpolate ? type_->scale != nullptr : type_->add != nullptr);
+  const bool is_possible = rule == property_rule::copy ||
+                           (rule == property_rule::interpolate ? type_->scale != nullptr : type_->add != nullptr);
   if (is_possible) rule_ = rule;
   return is_possible;
 }
@@ -223,25 +234,30 @@ CONCINO_INLINE property_set& property_set::operator=(property_set o) noexcept {
   return *this;
 }
 
-CONCINO_INLINE std::shared_ptr<detail::column> property_set::get(element_kind kind, std::string_view name, const detail::value_type& type, std::size_t n) {
+CONCINO_INLINE std::shared_ptr<detail::column> property_set::get(element_kind kind, std::string_view name,
+                                                                 const detail::value_type& type, std::size_t n) {
   if (auto found = find(kind, name, type)) return found;
   std::shared_ptr<detail::column> fresh(new detail::column(type, n));
   entries_.push_back({kind, std::string(name), fresh});
   return fresh;
 }
 
-CONCINO_INLINE std::shared_ptr<detail::column> property_set::find(element_kind kind, std::string_view name, const detail::value_type& type) const {
+CONCINO_INLINE std::shared_ptr<detail::column> property_set::find(element_kind kind, std::string_view name,
+                                                                  const detail::value_type& type) const {
   for (const entry& e : entries_) {
     if (e.kind != kind || e.name != name) continue;
     if (e.values->type() != *type.type)
-      core::throw_joined<invalid_argument>({to_string(kind), "_property: the property \"", e.name, "\" holds values of type ", detail::written_type(e.values->type()),
-                                              ", not ", detail::written_type(*type.type), "; use another name or remove it first"});
+      core::throw_joined<invalid_argument>({to_string(kind), "_property: the property \"", e.name,
+                                            "\" holds values of type ", detail::written_type(e.values->type()),
+                                            ", not ", detail::written_type(*type.type),
+                                            "; use another name or remove it first"});
     return e.values;
   }
   return nullptr;
 }
 
-CONCINO_INLINE const void* property_set::values_if_any(element_kind kind, std::string_view name, const std::type_info& type) const {
+CONCINO_INLINE const void* property_set::values_if_any(element_kind kind, std::string_view name,
+                                                       const std::type_info& type) const {
   for (const entry& e : entries_)
     if (e.kind == kind && e.name == name && e.values->type() == type) return e.values->data();
   return nullptr;
@@ -266,12 +282,14 @@ CONCINO_INLINE void property_set::set_rule(element_kind kind, std::string_view n
   for (const entry& e : entries_) {
     if (e.kind != kind || e.name != name) continue;
     if (!e.values->set_rule(rule))
-      core::throw_joined<invalid_argument>({"set_property_rule: ", to_string(kind), " property \"", e.name, "\" cannot be transferred by the rule \"", to_string(rule),
+      core::throw_joined<invalid_argument>({"set_property_rule: ", to_string(kind), " property \"", e.name,
+                                            "\" cannot be transferred by the rule \"", to_string(rule),
                                             "\": its values, of type ", detail::written_type(e.values->type()),
                                             rule == property_rule::sum ? ", cannot be added" : ", have no mean"});
     return;
   }
-  core::throw_joined<invalid_argument>({"set_property_rule: the mesh has no ", to_string(kind), " property \"", name, "\""});
+  core::throw_joined<invalid_argument>(
+      {"set_property_rule: the mesh has no ", to_string(kind), " property \"", name, "\""});
 }
 
 CONCINO_INLINE void property_set::transfer(const property_set& source, const correspondence& c) {
@@ -281,7 +299,8 @@ CONCINO_INLINE void property_set::transfer_verts_and_polys(const property_set& s
   transfer_kinds(source, c, {true, false, false, true, true, false});
 }
 
-CONCINO_INLINE void property_set::transfer_kinds(const property_set& source, const correspondence& c, const bool (&wanted)[6]) {
+CONCINO_INLINE void property_set::transfer_kinds(const property_set& source, const correspondence& c,
+                                                 const bool (&wanted)[6]) {
   const element_origins the_mesh(std::vector<std::uint32_t>{0u});
   const element_origins* const origins[] = {&c.verts, &c.edges, &c.faces, &c.polys, &the_mesh, &c.corners};
   std::vector<entry> all = entries_;
@@ -328,6 +347,8 @@ CONCINO_INLINE void property_set::shrink(const detail::index_bounds& to) noexcep
     if (const std::size_t n = num_values_of(e.kind, to); n < e.values->size()) e.values->resize(n);
 }
 
-CONCINO_INLINE property_info property_set::info(std::size_t i) const { return {entries_[i].kind, entries_[i].name, &entries_[i].values->type(), entries_[i].values->rule()}; }
+CONCINO_INLINE property_info property_set::info(std::size_t i) const {
+  return {entries_[i].kind, entries_[i].name, &entries_[i].values->type(), entries_[i].values->rule()};
+}
 
 }  // namespace concino

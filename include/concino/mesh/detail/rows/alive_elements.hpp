@@ -1,5 +1,6 @@
-// alive_elements: the existing elements of one kind, which are the indices 0 .. bound-1 without the deleted ones. Deletion leaves a gap, so no other
-// element changes its index. Nothing is stored before the first deletion. Edits allocate all memory first and cannot fail afterwards.
+// alive_elements: the existing elements of one kind, which are the indices 0 .. bound-1 without the deleted ones.
+// Deletion leaves a gap, so no other element changes its index. Nothing is stored before the first deletion. Edits
+// allocate all memory first and cannot fail afterwards.
 #pragma once
 
 #include <concino/concepts/ranges.hpp>
@@ -36,7 +37,8 @@ class alive_elements {
   alive_elements() = default;
   explicit alive_elements(std::size_t n) : bound_(n) {}
   alive_elements(const alive_elements&) = default;
-  alive_elements(alive_elements&& o) noexcept : bound_(std::exchange(o.bound_, 0)), deleted_(std::exchange(o.deleted_, 0)), dead_(std::exchange(o.dead_, {})) {}
+  alive_elements(alive_elements&& o) noexcept
+      : bound_(std::exchange(o.bound_, 0)), deleted_(std::exchange(o.deleted_, 0)), dead_(std::exchange(o.dead_, {})) {}
   alive_elements& operator=(alive_elements o) noexcept {
     std::swap(bound_, o.bound_);
     std::swap(deleted_, o.deleted_);

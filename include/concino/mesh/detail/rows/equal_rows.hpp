@@ -42,8 +42,8 @@ class jagged_array {
 
   /// After this call, n calls of add_row() cannot fail.
   void reserve_rows(std::size_t n) { data_.reserve_back(n * N); }
-  /// Writes a row behind the last one; commit_row(), which cannot fail, adds it. The values may be in these rows; if `first` is null, the caller
-  /// writes them.
+  /// Writes a row behind the last one; commit_row(), which cannot fail, adds it. The values may be in these rows; if
+  /// `first` is null, the caller writes them.
   T* stage_row(const T* first, [[maybe_unused]] std::size_t n) {
     assert(n == N);
     return data_.stage(first, N, N);

@@ -7,8 +7,9 @@
 
 namespace concino::detail {
 
-/// Like two or three jagged_arrays whose rows are at the same places, which are stored once. The polys of a vert are another number than its edges. In a volume
-/// these numbers differ too much for common places, so a volume stores its polys apart.
+/// Like two or three jagged_arrays whose rows are at the same places, which are stored once. The polys of a vert are
+/// another number than its edges. In a volume these numbers differ too much for common places, so a volume stores its
+/// polys apart.
 template<bool WithPolys>
 class incident_lists {
   template<bool> friend class incident_lists;
@@ -19,7 +20,8 @@ class incident_lists {
   [[no_unique_address]] std::conditional_t<WithPolys, core::flat_array<poly_id>, no_polys> polys_;
 
   void check_index_range(std::size_t more) const {
-    if (verts_.size() + more > std::numeric_limits<std::uint32_t>::max()) throw unsupported("incident_lists: the mesh has more than 2^32 adjacencies of one kind");
+    if (verts_.size() + more > std::numeric_limits<std::uint32_t>::max())
+      throw unsupported("incident_lists: the mesh has more than 2^32 adjacencies of one kind");
   }
   template<class F>
   void for_each_array(const F& f) {
@@ -75,21 +77,30 @@ class incident_lists {
     assert(shared_offsets()->back() == verts_.size() && verts_.size() == edges_.size());
   }
   /// The same with the polys of each vert. Equal offsets, for which null stands too, are stored once.
-  incident_lists(std::shared_ptr<const offsets> where, core::flat_array<vert_id> verts, core::flat_array<edge_id> edges, std::shared_ptr<const offsets> of_polys,
-                 core::flat_array<poly_id> polys)
-    requires WithPolys
-      : places_(where, of_polys && *of_polys != *where ? std::move(of_polys) : where), verts_(std::move(verts)), edges_(std::move(edges)), polys_(std::move(polys)) {
-    assert(shared_offsets()->back() == verts_.size() && verts_.size() == edges_.size() && places_.second_shared_offsets()->back() == polys_.size());
+  incident_lists(std::shared_ptr<const offsets> where, core::flat_array<vert_id> verts, core::flat_array<edge_id> edges,
+                 std::shared_ptr<const offsets> of_polys, core::flat_array<poly_id> polys) requires WithPolys
+      : places_(where, of_polys&&* of_polys != *where ? std::move(of_polys) : where),
+        verts_(std::move(verts)),
+        edges_(std::move(edges)),
+        polys_(std::move(polys)) {
+    assert(shared_offsets()->back() == verts_.size() && verts_.size() == edges_.size() &&
+           places_.second_shared_offsets()->back() == polys_.size());
   }
-  incident_lists(incident_lists<false>&& edges, jagged_array<poly_id, 0>&& polys)
-    requires WithPolys
-      : incident_lists(edges.shared_offsets(), std::move(edges.verts_), std::move(edges.edges_), polys.shared_offsets(), std::move(polys).values()) {}
+  incident_lists(incident_lists<false>&& edges, jagged_array<poly_id, 0>&& polys) requires WithPolys
+      : incident_lists(edges.shared_offsets(), std::move(edges.verts_), std::move(edges.edges_), polys.shared_offsets(),
+                       std::move(polys).values()) {}
 
   std::uint32_t num_edges(vert_id v) const { return places_.length(v.raw()); }
-  id_span<vert_id> verts(vert_id v) const { return {verts_.data() + places_.first(v.raw()), verts_.data() + places_.last(v.raw())}; }
-  id_span<edge_id> edges(vert_id v) const { return {edges_.data() + places_.first(v.raw()), edges_.data() + places_.last(v.raw())}; }
+  id_span<vert_id> verts(vert_id v) const {
+    return {verts_.data() + places_.first(v.raw()), verts_.data() + places_.last(v.raw())};
+  }
+  id_span<edge_id> edges(vert_id v) const {
+    return {edges_.data() + places_.first(v.raw()), edges_.data() + places_.last(v.raw())};
+  }
   std::uint32_t num_polys(vert_id v) const { return places_.second_length(v.raw()); }
-  id_span<poly_id> polys(vert_id v) const { return {polys_.data() + places_.second_first(v.raw()), polys_.data() + places_.second_last(v.raw())}; }
+  id_span<poly_id> polys(vert_id v) const {
+    return {polys_.data() + places_.second_first(v.raw()), polys_.data() + places_.second_last(v.raw())};
+  }
   /// The same, for changes.
   vert_id* verts_begin(vert_id v) { return verts_.data() + places_.first(v.raw()); }
   edge_id* edges_begin(vert_id v) { return edges_.data() + places_.first(v.raw()); }
@@ -110,7 +121,8 @@ class incident_lists {
 
   // Edits allocate their memory first, which changes no row, and cannot fail afterwards.
 
-  /// After this call rows can become shorter, which cannot fail. Most rows get room for more values, so that they need not move soon.
+  /// After this call rows can become shorter, which cannot fail. Most rows get room for more values, so that they need
+  /// not move soon.
   void make_growable() {
     if (places_.is_packed()) spread_rows();
   }
@@ -127,7 +139,8 @@ class incident_lists {
     places_.add(verts_.size(), 0, room);
     append(room);
   }
-  /// After this call, n calls of push() for v cannot fail. It uses memory that reserve_verts() reserved, so it must come before that.
+  /// After this call, n calls of push() for v cannot fail. It uses memory that reserve_verts() reserved, so it must
+  /// come before that.
   void reserve_at(vert_id v, std::uint32_t n) {
     if (!places_.has_room(v.raw(), n)) enlarge_row(v, n, 0);
   }
@@ -175,7 +188,9 @@ class incident_lists {
   template<class F>
   void for_each_array_at(std::size_t i, const F& f) { visit_row(*this, i, f); }
   void restore_place(std::size_t i, const typename row_places<WithPolys>::place& x) { places_.restore_place(i, x); }
-  std::size_t values_to_restore() const { return places_.is_packed() ? jagged_array<vert_id, 0>::any_number : verts_.size(); }
+  std::size_t values_to_restore() const {
+    return places_.is_packed() ? jagged_array<vert_id, 0>::any_number : verts_.size();
+  }
   void restore_size(std::size_t rows, std::size_t values) {
     if (places_.is_packed()) return;
     places_.restore_size(rows);
@@ -184,11 +199,14 @@ class incident_lists {
 
  private:
   template<class T>
-  static std::uint32_t position_in(const id_span<T>& row, const T& value) { return static_cast<std::uint32_t>(std::find(row.begin(), row.end(), value) - row.begin()); }
+  static std::uint32_t position_in(const id_span<T>& row, const T& value) {
+    return static_cast<std::uint32_t>(std::find(row.begin(), row.end(), value) - row.begin());
+  }
   template<class Self, class F>
   static void visit_row(Self& all, std::size_t i, const F& f) {
     const auto& at = all.places_;
-    f(all.verts_.data() + at.first(i), all.verts_.data() + at.last(i)), f(all.edges_.data() + at.first(i), all.edges_.data() + at.last(i));
+    f(all.verts_.data() + at.first(i), all.verts_.data() + at.last(i)),
+        f(all.edges_.data() + at.first(i), all.edges_.data() + at.last(i));
     if constexpr (WithPolys) f(all.polys_.data() + at.second_first(i), all.polys_.data() + at.second_last(i));
   }
 };

@@ -1,5 +1,5 @@
-// jagged_array: rows of values in one flat array. `jagged_array<T, N>` has N values per row, `jagged_array<T, 0>` has rows of any lengths. All
-// connectivity of the native meshes is stored in these.
+// jagged_array: rows of values in one flat array. `jagged_array<T, N>` has N values per row, `jagged_array<T, 0>` has
+// rows of any lengths. All connectivity of the native meshes is stored in these.
 #pragma once
 
 #include <concino/concepts/descriptors.hpp>
@@ -20,14 +20,16 @@
 
 namespace concino::detail {
 
-/// Rows of any lengths, packed before the first edit and loose afterwards (row_places.hpp). A row that exceeds its capacity moves to the end.
+/// Rows of any lengths, packed before the first edit and loose afterwards (row_places.hpp). A row that exceeds its
+/// capacity moves to the end.
 template<class T>
 class jagged_array<T, 0> {
   row_places<> places_;
   core::flat_array<T> data_;
 
   void check_index_range(std::size_t more) const {
-    if (data_.size() + more > std::numeric_limits<std::uint32_t>::max()) throw unsupported("jagged_array: the mesh has more than 2^32 adjacencies of one kind");
+    if (data_.size() + more > std::numeric_limits<std::uint32_t>::max())
+      throw unsupported("jagged_array: the mesh has more than 2^32 adjacencies of one kind");
   }
 
   void move_row(std::size_t i, std::uint32_t room) {
@@ -54,8 +56,10 @@ class jagged_array<T, 0> {
 
  public:
   jagged_array() = default;
-  jagged_array(std::shared_ptr<const offsets> where, std::vector<T> data) : jagged_array(std::move(where), core::flat_array<T>(std::move(data))) {}
-  jagged_array(std::shared_ptr<const offsets> where, core::flat_array<T> data) : places_(std::move(where)), data_(std::move(data)) {
+  jagged_array(std::shared_ptr<const offsets> where, std::vector<T> data)
+      : jagged_array(std::move(where), core::flat_array<T>(std::move(data))) {}
+  jagged_array(std::shared_ptr<const offsets> where, core::flat_array<T> data)
+      : places_(std::move(where)), data_(std::move(data)) {
     assert(places_.shared_offsets()->back() == data_.size());
   }
 
@@ -97,12 +101,13 @@ class jagged_array<T, 0> {
     check_index_range(values);
     data_.reserve_back(values);
   }
-  /// After this call, n calls of push(i) cannot fail. It uses memory that reserve_rows() reserved, so it must come before that.
+  /// After this call, n calls of push(i) cannot fail. It uses memory that reserve_rows() reserved, so it must come
+  /// before that.
   void reserve_in_row(std::size_t i, std::uint32_t n) {
     if (!places_.has_room(i, n)) enlarge_row(i, n);
   }
-  /// Writes a row behind the last one; commit_row(), which cannot fail, adds it. The values may be in these rows; if `first` is null, the caller
-  /// writes them.
+  /// Writes a row behind the last one; commit_row(), which cannot fail, adds it. The values may be in these rows; if
+  /// `first` is null, the caller writes them.
   T* stage_row(const T* first, std::size_t n, std::size_t room = 0) {
     places_.reserve(1);
     check_index_range(std::max(n, room));
@@ -160,15 +165,19 @@ class jagged_array<T, 0> {
     places_.set_length(i, 0);
   }
   /// The number of values that resize_row(i, n) needs behind the last row; reserve_rows() reserves them.
-  std::uint32_t growth_of_row(std::size_t i, std::size_t n) const { return n <= places_.room(i) ? 0 : places_.larger_room(i, n); }
-  /// Sets the length of row i, whose values the caller then writes. A row that becomes too long moves behind the others.
+  std::uint32_t growth_of_row(std::size_t i, std::size_t n) const {
+    return n <= places_.room(i) ? 0 : places_.larger_room(i, n);
+  }
+  /// Sets the length of row i, whose values the caller then writes. A row that becomes too long moves behind the
+  /// others.
   void resize_row(std::size_t i, std::size_t n) {
     make_editable();
     if (const std::uint32_t room = growth_of_row(i, n)) move_row(i, room);
     places_.set_length(i, n);
   }
 
-  /// For undoing: where row i is, and the numbers of rows and of values in memory, which is `any_number` of packed rows.
+  /// For undoing: where row i is, and the numbers of rows and of values in memory, which is `any_number` of packed
+  /// rows.
   static constexpr std::size_t any_number = static_cast<std::size_t>(-1);
   row_places<>::place place_of(std::size_t i) const { return places_.place_of(i); }
   template<class F>

@@ -14,8 +14,8 @@ namespace concino::detail {
 
 using offsets = std::vector<std::uint32_t>;
 
-/// Frees the unused capacity of a vector, unless it is small or there is no memory for a copy. This does not call shrink_to_fit(), which takes
-/// longer to compile.
+/// Frees the unused capacity of a vector, unless it is small or there is no memory for a copy. This does not call
+/// shrink_to_fit(), which takes longer to compile.
 template<class T>
 void shrink_if_wasteful(std::vector<T>& v) {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -34,7 +34,8 @@ inline void prefix_sum(offsets& counts) {
   std::uint64_t sum = 0;
   for (std::uint32_t& c : counts) {
     sum += c;
-    if (sum > std::numeric_limits<std::uint32_t>::max()) throw unsupported("jagged_array: the mesh has more than 2^32 adjacencies of one kind");
+    if (sum > std::numeric_limits<std::uint32_t>::max())
+      throw unsupported("jagged_array: the mesh has more than 2^32 adjacencies of one kind");
     c = static_cast<std::uint32_t>(sum);
   }
 }

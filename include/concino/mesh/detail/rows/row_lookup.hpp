@@ -9,8 +9,8 @@
 
 namespace concino::detail {
 
-/// The positions in the long rows of a table, sorted by value. It uses memory for long rows only. It may be out of date: a row that was added later,
-/// or whose length has changed, is searched linearly.
+/// The positions in the long rows of a table, sorted by value. It uses memory for long rows only. It may be out of
+/// date: a row that was added later, or whose length has changed, is searched linearly.
 class row_lookup {
   std::vector<std::uint32_t> rows_;     // the long rows, ascending
   std::vector<std::uint32_t> first_;    // where the positions of each begin in order_, and the end
@@ -38,7 +38,8 @@ class row_lookup {
     shrink_if_wasteful(order_);
   }
 
-  /// The position of a value in a row of more than `longest_scan` values, in which it occurs at most once; the length of the row if it does not occur.
+  /// The position of a value in a row of more than `longest_scan` values, in which it occurs at most once; the length
+  /// of the row if it does not occur.
   template<class Row, class T>
   std::uint32_t find(std::uint32_t i, const Row& row, const T& value) const {
     const auto n = static_cast<std::uint32_t>(row.size());
@@ -47,7 +48,8 @@ class row_lookup {
       const std::uint32_t* const first = order_.data() + first_[static_cast<std::size_t>(known - rows_.begin())];
       const std::uint32_t* const last = order_.data() + first_[static_cast<std::size_t>(known - rows_.begin()) + 1];
       if (static_cast<std::uint32_t>(last - first) == n) {
-        const std::uint32_t* const at = std::lower_bound(first, last, value, [&](std::uint32_t k, const T& x) { return row[k] < x; });
+        const std::uint32_t* const at =
+            std::lower_bound(first, last, value, [&](std::uint32_t k, const T& x) { return row[k] < x; });
         if (at != last && row[*at] == value) return *at;
       }
     }

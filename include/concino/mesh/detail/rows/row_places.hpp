@@ -1,4 +1,5 @@
-// row_places: where rows of values of any lengths are in a flat array. jagged_array has one such array, incident_lists has two or three with rows at the same places.
+// row_places: where rows of values of any lengths are in a flat array. jagged_array has one such array, incident_lists
+// has two or three with rows at the same places.
 #pragma once
 
 #include <concino/core/flat_array.hpp>
@@ -14,13 +15,14 @@
 
 namespace concino::detail {
 
-/// Before the first edit the rows are consecutive ("packed"): row i ends where row i+1 begins, so one array of offsets is enough, and tables whose rows have
-/// equal lengths share it. The first edit gives every row an end and a capacity of its own ("loose"), which are beside its beginning, since edits in random
-/// order wait for each part of the memory that they use. Reading is the same in both states: row i is between first(i) and last(i), which are one number
+/// Before the first edit the rows are consecutive ("packed"): row i ends where row i+1 begins, so one array of offsets
+/// is enough, and tables whose rows have equal lengths share it. The first edit gives every row an end and a capacity
+/// of its own ("loose"), which are beside its beginning, since edits in random order wait for each part of the memory
+/// that they use. Reading is the same in both states: row i is between first(i) and last(i), which are one number
 /// apart, and those of row i + 1 are 1 or 4 numbers behind them.
 ///
-/// WithSecond: each row has a second one in an array of its own, with another length. Loose rows and their second ones begin at the same place and have the same
-/// capacity; packed ones have offsets of their own.
+/// WithSecond: each row has a second one in an array of its own, with another length. Loose rows and their second ones
+/// begin at the same place and have the same capacity; packed ones have offsets of their own.
 template<bool WithSecond = false>
 class row_places {
  public:
@@ -107,7 +109,8 @@ class row_places {
     assert(!WithSecond || !packed_);
     if (packed_) *this = loose([](std::uint32_t n) { return n; });
   }
-  /// The same rows, apart from each other, so that most of them can grow where they are. Without room to grow if the places were more than 32 bits can count.
+  /// The same rows, apart from each other, so that most of them can grow where they are. Without room to grow if the
+  /// places were more than 32 bits can count.
   row_places spread() const {
     std::uint64_t values = 0;
     for (std::size_t i = 0; i < size_; ++i) values += room_for(longest(i) + 1);
@@ -116,18 +119,21 @@ class row_places {
   }
   static std::uint32_t room_for(std::uint32_t n) { return (n + room_unit - 1) / room_unit * room_unit; }
 
-  /// Copies the values of the same rows at other places to these ones. The room of rows, and what is between them, has values of none. `to` is empty. It gets
-  /// capacity for half as much again, so that rows can move to its end: memory that is not used yet costs nothing, and moving all values to other memory much.
+  /// Copies the values of the same rows at other places to these ones. The room of rows, and what is between them, has
+  /// values of none. `to` is empty. It gets capacity for half as much again, so that rows can move to its end: memory
+  /// that is not used yet costs nothing, and moving all values to other memory much.
   template<class T>
   void copy_rows(const row_places& before, const core::flat_array<T>& from, core::flat_array<T>& to) const {
     resize_for_rows(to);
-    for (std::size_t i = 0; i < size_; ++i) std::copy_n(from.data() + before.first(i), before.length(i), to.data() + first(i));
+    for (std::size_t i = 0; i < size_; ++i)
+      std::copy_n(from.data() + before.first(i), before.length(i), to.data() + first(i));
   }
   /// The same for the second rows.
   template<class T>
   void copy_second_rows(const row_places& before, const core::flat_array<T>& from, core::flat_array<T>& to) const {
     resize_for_rows(to);
-    for (std::size_t i = 0; i < size_; ++i) std::copy_n(from.data() + before.second_first(i), before.second_length(i), to.data() + first(i));
+    for (std::size_t i = 0; i < size_; ++i)
+      std::copy_n(from.data() + before.second_first(i), before.second_length(i), to.data() + first(i));
   }
 
   /// After this call, n calls of add() cannot fail.
@@ -143,12 +149,20 @@ class row_places {
     update_pointers();
   }
   bool has_room(std::size_t i, std::uint32_t n) const { return !packed_ && loose_[i].room - length(i) >= n; }
-  bool has_second_room(std::size_t i, std::uint32_t n) const { return !packed_ && loose_[i].room - second_length(i) >= n; }
+  bool has_second_room(std::size_t i, std::uint32_t n) const {
+    return !packed_ && loose_[i].room - second_length(i) >= n;
+  }
   /// The capacity of a loose row that becomes too long.
-  std::uint32_t larger_room(std::size_t i, std::size_t n) const { return room_for(std::max(2 * room(i), static_cast<std::uint32_t>(n))); }
-  void move_row(std::size_t i, std::size_t first, std::uint32_t room) { loose_[i] = loose_row_of(i, static_cast<std::uint32_t>(first), room); }
+  std::uint32_t larger_room(std::size_t i, std::size_t n) const {
+    return room_for(std::max(2 * room(i), static_cast<std::uint32_t>(n)));
+  }
+  void move_row(std::size_t i, std::size_t first, std::uint32_t room) {
+    loose_[i] = loose_row_of(i, static_cast<std::uint32_t>(first), room);
+  }
   void set_length(std::size_t i, std::size_t n) { loose_[i].last = loose_[i].first + static_cast<std::uint32_t>(n); }
-  void set_second_length(std::size_t i, std::size_t n) { loose_[i].second_last = loose_[i].first + static_cast<std::uint32_t>(n); }
+  void set_second_length(std::size_t i, std::size_t n) {
+    loose_[i].second_last = loose_[i].first + static_cast<std::uint32_t>(n);
+  }
   /// Where a value is added to row i, which has room for it.
   std::uint32_t extend(std::size_t i) {
     assert(has_room(i, 1));
@@ -165,7 +179,8 @@ class row_places {
     return --loose_[i].last;
   }
 
-  /// Where the values of a row are, for undoing. A row that was packed remains where it was moved since, where it has at least as much room.
+  /// Where the values of a row are, for undoing. A row that was packed remains where it was moved since, where it has
+  /// at least as much room.
   struct place {
     std::uint32_t first, length, room, second_length;
     bool is_packed;

@@ -1,5 +1,5 @@
-// Ranges for adjacencies of tets and hexes that are not stored: the polys and faces around an edge, the faces at a vert, the verts and edges
-// of a face. Each costs time proportional to its number of elements.
+// Ranges for adjacencies of tets and hexes that are not stored: the polys and faces around an edge, the faces at a
+// vert, the verts and edges of a face. Each costs time proportional to its number of elements.
 #pragma once
 
 #include <concino/mesh/detail/cells/shapes.hpp>
@@ -22,9 +22,9 @@ class inline_array {
   constexpr const T* end() const { return values_ + N; }
 };
 
-/// The polys around an edge, found by steps from poly to poly through the faces at the edge. The walk goes in one direction until it meets the
-/// boundary or the first poly again; after the boundary it continues from the first poly in the other direction. If the polys are not one such fan,
-/// their list is read instead.
+/// The polys around an edge, found by steps from poly to poly through the faces at the edge. The walk goes in one
+/// direction until it meets the boundary or the first poly again; after the boundary it continues from the first poly
+/// in the other direction. If the polys are not one such fan, their list is read instead.
 template<class Tables>
 class polys_around_edge {
   const Tables* tables_ = nullptr;
@@ -96,7 +96,8 @@ class polys_around_edge {
   iterator end() const { return {}; }
 };
 
-/// The faces owned by the polys of a range, among the few that `faces_of` gives for each poly. A face has one owner, so each occurs once.
+/// The faces owned by the polys of a range, among the few that `faces_of` gives for each poly. A face has one owner, so
+/// each occurs once.
 template<class Tables, class Polys, class FacesOf, unsigned MaxFaces>
 class owned_faces {
   const Tables* tables_ = nullptr;
@@ -128,7 +129,10 @@ class owned_faces {
     using reference = face_id;
     using difference_type = std::ptrdiff_t;
     iterator() = default;
-    iterator(const Tables* t, poly_iterator at, poly_iterator last, FacesOf faces_of) : tables_(t), at_(at), last_(last), faces_of_(faces_of) { skip_invalid(); }
+    iterator(const Tables* t, poly_iterator at, poly_iterator last, FacesOf faces_of)
+        : tables_(t), at_(at), last_(last), faces_of_(faces_of) {
+      skip_invalid();
+    }
     face_id operator*() const { return tables_->adj_p2f(*at_)[local_[i_]]; }
     iterator& operator++() {
       ++i_;

@@ -6,7 +6,8 @@
 
 namespace concino {
 
-/// The builder. Every edge and face gets its number at its smallest vert: verts are visited in order, and the polys at each vert in order.
+/// The builder. Every edge and face gets its number at its smallest vert: verts are visited in order, and the polys at
+/// each vert in order.
 template<class Shape, class Lists>
 class cell_tables<Shape, Lists>::builder {
   /// The number of polys at an edge, for edges with `many` or more.
@@ -36,7 +37,8 @@ class cell_tables<Shape, Lists>::builder {
     std::uint32_t edge_count;
   };
 
-  /// Corner i of a poly, at a: the neighbours of a in the poly, and, for larger ones, the local number of the edge of a that leads there.
+  /// Corner i of a poly, at a: the neighbours of a in the poly, and, for larger ones, the local number of the edge of a
+  /// that leads there.
   struct corner {
     std::uint32_t poly, i;
     std::uint32_t far[valence], met[valence];
@@ -63,11 +65,14 @@ class cell_tables<Shape, Lists>::builder {
   /// The number of polys at edge e, of which `met` were counted.
   std::uint32_t polys_at(std::uint32_t e, std::uint8_t met) const {
     if (met != many) return met;
-    return std::lower_bound(used_often_.begin(), used_often_.end(), e, [](const edge_use& x, std::uint32_t y) { return x.edge < y; })->polys;
+    return std::lower_bound(used_often_.begin(), used_often_.end(), e,
+                            [](const edge_use& x, std::uint32_t y) { return x.edge < y; })
+        ->polys;
   }
 
  public:
-  builder(cell_tables& t, std::size_t vert_count) : t_(t), vert_count_(vert_count), edge_to_(vert_count), vert_offsets_(vert_count + 1, 0) {}
+  builder(cell_tables& t, std::size_t vert_count)
+      : t_(t), vert_count_(vert_count), edge_to_(vert_count), vert_offsets_(vert_count + 1, 0) {}
 
   void run() {
     list_corners();
@@ -105,7 +110,8 @@ template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::builder::reserve() {
   const std::size_t n = poly_count_;
   t_.p2e_ = detail::jagged_array<edge_id, Shape::edges>(poly_count_, edge_id{});
-  t_.facet_adjacency_ = {detail::jagged_array<face_id, Shape::faces>(poly_count_, face_id{}), detail::jagged_array<detail::encoded_neighbour, Shape::faces>(poly_count_)};
+  t_.facet_adjacency_ = {detail::jagged_array<face_id, Shape::faces>(poly_count_, face_id{}),
+                         detail::jagged_array<detail::encoded_neighbour, Shape::faces>(poly_count_)};
   std::fill_n(edge_to_.data(), vert_count_, ~0u);
   const std::size_t guess = std::min(vert_count_ + (Shape::faces / 2 - 1) * n + n / 8 + 64, n * Shape::edges);
   ends_.reserve(2 * guess);
@@ -142,7 +148,8 @@ void cell_tables<Shape, Lists>::builder::visit(std::uint32_t a) {
 }
 
 template<class Shape, class Lists>
-inline void cell_tables<Shape, Lists>::builder::meet_edges(std::uint32_t a, std::uint32_t first_edge, corner& x, cursor& at) {
+inline void cell_tables<Shape, Lists>::builder::meet_edges(std::uint32_t a, std::uint32_t first_edge, corner& x,
+                                                           cursor& at) {
   const vert_id* const pv = t_.p2v_.begin(x.poly);
   edge_id* const pe = t_.p2e_.begin(x.poly);
   for (unsigned j = 0; j < valence; ++j) {
@@ -172,12 +179,15 @@ inline void cell_tables<Shape, Lists>::builder::meet_edges(std::uint32_t a, std:
   }
 }
 
-/// Finds or adds each face at the corner. It is searched among the faces at the edge from a to the smaller of its two neighbours.
+/// Finds or adds each face at the corner. It is searched among the faces at the edge from a to the smaller of its two
+/// neighbours.
 template<class Shape, class Lists>
-inline void cell_tables<Shape, Lists>::builder::meet_faces(std::uint32_t a, std::uint32_t first_face, const corner& at) {
+inline void cell_tables<Shape, Lists>::builder::meet_faces(std::uint32_t a, std::uint32_t first_face,
+                                                           const corner& at) {
   const vert_id* const pv = t_.p2v_.begin(at.poly);
   for (unsigned k = 0; k < valence; ++k) {
-    // The neighbours of a in the face, the smaller first, and the verts between them: the same for every poly at the face.
+    // The neighbours of a in the face, the smaller first, and the verts between them: the same for every poly at the
+    // face.
     const std::uint8_t* const along = shape.vert_face_vert[at.i][k];
     unsigned x = shape.vert_face_edge[at.i][k][0], y = shape.vert_face_edge[at.i][k][1];
     if (at.far[x] < a || at.far[y] < a) continue;
@@ -193,8 +203,8 @@ inline void cell_tables<Shape, Lists>::builder::meet_faces(std::uint32_t a, std:
   }
 }
 
-/// Marks those edges of a, met since `first_edge`, around which a walk would not meet all polys. All faces at these edges are linked already: the
-/// smallest vert of each face is a or was visited before a.
+/// Marks those edges of a, met since `first_edge`, around which a walk would not meet all polys. All faces at these
+/// edges are linked already: the smallest vert of each face is a or was visited before a.
 template<class Shape, class Lists>
 inline void cell_tables<Shape, Lists>::builder::mark_edges_met_since(std::uint32_t first_edge, std::uint32_t a) {
   if (std::find(uses_.begin() + first_edge, uses_.end(), many) != uses_.end()) {
@@ -206,7 +216,8 @@ inline void cell_tables<Shape, Lists>::builder::mark_edges_met_since(std::uint32
       if (uses_[e] == many) used_often_.push_back({e, uses_since[e - first_edge]});
   }
   for (std::uint32_t e = first_edge; e < edge_count_; ++e)
-    if (uses_[e] > 5 && t_.closes_early(edge_id{e}, polys_at(e, uses_[e]))) t_.e2p_[e] = detail::encoded_neighbour::special;
+    if (uses_[e] > 5 && t_.closes_early(edge_id{e}, polys_at(e, uses_[e])))
+      t_.e2p_[e] = detail::encoded_neighbour::special;
 }
 
 template<class Shape, class Lists>
@@ -216,15 +227,16 @@ void cell_tables<Shape, Lists>::builder::hand_over() {
   v2e_.shrink_to_fit();
   t_.e2p_.shrink_to_fit();
   t_.e2v_ = detail::jagged_array<vert_id, 2>(std::move(ends_));
-  t_.incident_edges_ = {std::make_shared<const detail::offsets>(std::move(vert_offsets_)), std::move(v2v_), std::move(v2e_)};
+  t_.incident_edges_ = {std::make_shared<const detail::offsets>(std::move(vert_offsets_)), std::move(v2v_),
+                        std::move(v2e_)};
   t_.verts_ = detail::alive_elements<vert_id>(vert_count_);
   t_.edges_ = detail::alive_elements<edge_id>(edge_count_);
   t_.faces_ = detail::alive_elements<face_id>(face_count_);
   t_.polys_ = detail::alive_elements<poly_id>(poly_count_);
 }
 
-/// Checks the edges for which the assumptions of closes_early() do not hold: at the boundary, at non-manifold facets, and at polys that share two
-/// faces. Each edge is checked once, though it has many faces.
+/// Checks the edges for which the assumptions of closes_early() do not hold: at the boundary, at non-manifold facets,
+/// and at polys that share two faces. Each edge is checked once, though it has many faces.
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::builder::check_fans() {
   const auto check = [&](edge_id e) {

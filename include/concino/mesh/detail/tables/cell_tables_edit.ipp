@@ -9,16 +9,19 @@ template<class Shape, class Lists>
 vert_id cell_tables<Shape, Lists>::add_vert(function_ref<void(const detail::index_bounds&)> grow) {
   detail::reserve_lists_of_new_verts(incident_edges_, v2p_, 1, 0, 0);
   verts_.reserve(1);
-  if (grow) grow(detail::index_bounds{verts_.bound() + 1, edges_.bound(), faces_.bound(), polys_.bound(), p2v_.num_values()});
+  if (grow)
+    grow(detail::index_bounds{verts_.bound() + 1, edges_.bound(), faces_.bound(), polys_.bound(), p2v_.num_values()});
   detail::add_lists_of_vert(incident_edges_, v2p_, 0, 0);
   return verts_.add();
 }
 
 template<class Shape, class Lists>
-poly_id cell_tables<Shape, Lists>::add_poly(std::span<const vert_id> corners, function_ref<void(const detail::index_bounds&)> grow) {
+poly_id cell_tables<Shape, Lists>::add_poly(std::span<const vert_id> corners,
+                                            function_ref<void(const detail::index_bounds&)> grow) {
   const poly_id p{polys_.bound()};
   if (corners.size() != Shape::verts)
-    core::throw_joined<invalid_mesh>({"add_poly: poly ", p.raw(), " has ", corners.size(), " verts; every poly of this mesh has ", Shape::verts});
+    core::throw_joined<invalid_mesh>(
+        {"add_poly: poly ", p.raw(), " has ", corners.size(), " verts; every poly of this mesh has ", Shape::verts});
   detail::check_new_verts({corners.data(), corners.data() + corners.size()}, verts_, "add_poly: poly", p.raw());
   vert_id c[Shape::verts];
   std::copy_n(corners.begin(), Shape::verts, c);
@@ -44,7 +47,8 @@ poly_id cell_tables<Shape, Lists>::add_poly(std::span<const vert_id> corners, fu
   polys_.reserve(1);
   auto scratch = facet_adjacency_.reserve_links(f, Shape::faces, more_faces);
   if (grow)
-    grow(detail::index_bounds{verts_.bound(), edges_.bound() + at.more, faces_.bound() + more_faces, polys_.bound() + 1, p2v_.num_values() + Shape::verts});
+    grow(detail::index_bounds{verts_.bound(), edges_.bound() + at.more, faces_.bound() + more_faces, polys_.bound() + 1,
+                              p2v_.num_values() + Shape::verts});
 
   for (unsigned j = 0; j < Shape::edges; ++j)
     if (e[j].is_none()) {

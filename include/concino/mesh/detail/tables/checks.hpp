@@ -13,25 +13,30 @@ namespace concino::detail {
 template<unsigned N, class T>
 jagged_array<T, N> checked_lists(std::vector<T> values, const char* what) {
   if (values.size() % N)
-    core::throw_joined<invalid_mesh>({what, " ", values.size() / N, " has ", values.size() % N, " verts; it needs ", N});
+    core::throw_joined<invalid_mesh>(
+        {what, " ", values.size() / N, " has ", values.size() % N, " verts; it needs ", N});
   shrink_if_wasteful(values);
   return jagged_array<T, N>(std::move(values));
 }
 template<class T>
 jagged_array<T, 0> checked_lists(offsets first, std::vector<T> values, const char* what) {
   if (first.empty()) first.push_back(0);
-  if (first.front() != 0) core::throw_joined<invalid_mesh>({what, " offsets begin with ", first.front(), "; they must begin with 0"});
+  if (first.front() != 0)
+    core::throw_joined<invalid_mesh>({what, " offsets begin with ", first.front(), "; they must begin with 0"});
   for (std::size_t i = 1; i < first.size(); ++i)
-    if (first[i] < first[i - 1]) core::throw_joined<invalid_mesh>({what, " ", i - 1, " ends before it begins; offsets must not decrease"});
+    if (first[i] < first[i - 1])
+      core::throw_joined<invalid_mesh>({what, " ", i - 1, " ends before it begins; offsets must not decrease"});
   if (first.back() != values.size())
-    core::throw_joined<invalid_mesh>({what, " offsets end with ", first.back(), ", but the lists have ", values.size(), " entries"});
+    core::throw_joined<invalid_mesh>(
+        {what, " offsets end with ", first.back(), ", but the lists have ", values.size(), " entries"});
   shrink_if_wasteful(first);
   shrink_if_wasteful(values);
   return {std::make_shared<const offsets>(std::move(first)), std::move(values)};
 }
 
 /// Throws if a list of verts cannot be a polygon.
-void check_verts(id_span<vert_id> verts, std::size_t vert_count, const char* what, std::size_t which, std::vector<std::uint32_t>& met);
+void check_verts(id_span<vert_id> verts, std::size_t vert_count, const char* what, std::size_t which,
+                 std::vector<std::uint32_t>& met);
 
 /// The same for a new poly or face of a mesh in which verts may be deleted.
 void check_new_verts(id_span<vert_id> list, const alive_elements<vert_id>& all, const char* what, std::size_t which);

@@ -1,4 +1,5 @@
-// Compaction of tables after elements were removed: the remaining elements are numbered 0, 1, 2, ... in the same order, and rows become packed.
+// Compaction of tables after elements were removed: the remaining elements are numbered 0, 1, 2, ... in the same order,
+// and rows become packed.
 #pragma once
 
 #include <concino/mesh/detail/rows/alive_elements.hpp>
@@ -76,7 +77,8 @@ jagged_array<T, N> packed_rows(const jagged_array<T, N>& rows, const compact_num
 
 /// The edges of the remaining verts.
 template<bool WithPolys>
-incident_edges packed_edges(const incident_lists<WithPolys>& all, const compact_numbers<vert_id>& kept_verts, const compact_numbers<edge_id>& kept_edges) {
+incident_edges packed_edges(const incident_lists<WithPolys>& all, const compact_numbers<vert_id>& kept_verts,
+                            const compact_numbers<edge_id>& kept_edges) {
   offsets where(kept_verts.size() + 1, 0);
   for (std::size_t i = 0; i < kept_verts.size(); ++i) where[i + 1] = all.num_edges(vert_id{kept_verts.before(i)});
   prefix_sum(where);
@@ -85,12 +87,14 @@ incident_edges packed_edges(const incident_lists<WithPolys>& all, const compact_
   std::size_t at = 0;
   for (std::size_t i = 0; i < kept_verts.size(); ++i) {
     const vert_id v{kept_verts.before(i)};
-    for (std::size_t k = 0; k < all.num_edges(v); ++k, ++at) verts[at] = kept_verts(all.verts(v)[k]), edges[at] = kept_edges(all.edges(v)[k]);
+    for (std::size_t k = 0; k < all.num_edges(v); ++k, ++at)
+      verts[at] = kept_verts(all.verts(v)[k]), edges[at] = kept_edges(all.edges(v)[k]);
   }
   return {std::make_shared<const offsets>(std::move(where)), std::move(verts), std::move(edges)};
 }
 
-inline non_manifold_facets non_manifold_facets::compacted(const std::vector<std::uint32_t>& lists, const compact_numbers<poly_id>& kept) const {
+inline non_manifold_facets non_manifold_facets::compacted(const std::vector<std::uint32_t>& lists,
+                                                          const compact_numbers<poly_id>& kept) const {
   non_manifold_facets all;
   std::size_t polys = 0;
   for (const std::uint32_t i : lists) polys += length(i);
@@ -103,7 +107,8 @@ inline non_manifold_facets non_manifold_facets::compacted(const std::vector<std:
 }
 
 template<class Facet, unsigned N>
-facet_adjacency<Facet, N> facet_adjacency<Facet, N>::compacted(const compact_numbers<Facet>& kept_facets, const compact_numbers<poly_id>& kept) const {
+facet_adjacency<Facet, N> facet_adjacency<Facet, N>::compacted(const compact_numbers<Facet>& kept_facets,
+                                                               const compact_numbers<poly_id>& kept) const {
   facet_adjacency all;
   all.facets_ = packed_rows(facets_, kept, kept_facets);
   std::vector<std::uint32_t> lists, new_lists(poly_lists_.size(), ~0u);

@@ -1,5 +1,6 @@
-// Incidence of polys and facets: the facets of each poly, the polys of each facet, and the neighbour of each poly behind each of its facets.
-// Facets are the edges of a surface and the faces of a volume. The dual graph is traversed in this table.
+// Incidence of polys and facets: the facets of each poly, the polys of each facet, and the neighbour of each poly
+// behind each of its facets. Facets are the edges of a surface and the faces of a volume. The dual graph is traversed
+// in this table.
 #pragma once
 
 #include <concino/core/parallel.hpp>
@@ -17,7 +18,8 @@ template<class Facet, unsigned N>
 class facet_adjacency {
   jagged_array<Facet, N> facets_;        // per poly
   jagged_array<encoded_neighbour, N> neighbours_;       // parallel to facets_
-  core::flat_array<std::uint32_t> owner_;  // per facet: if N > 0, its first incidence, N * poly + k; if N = 0, the poly of that; ~0 if none
+  core::flat_array<std::uint32_t> owner_;  // per facet: if N > 0, its first incidence, N * poly + k; if N = 0, the poly
+                                           // of that; ~0 if none
   non_manifold_facets poly_lists_;
   row_lookup facet_lookup_;  // of facets in polys with many facets
 
@@ -28,12 +30,15 @@ class facet_adjacency {
 
   facet_adjacency() = default;
   /// Starts without facets and with uninitialised neighbours. Call link() once for each incidence.
-  facet_adjacency(jagged_array<Facet, N> facets, jagged_array<encoded_neighbour, N> unwritten) : facets_(std::move(facets)), neighbours_(std::move(unwritten)) {}
+  facet_adjacency(jagged_array<Facet, N> facets, jagged_array<encoded_neighbour, N> unwritten)
+      : facets_(std::move(facets)), neighbours_(std::move(unwritten)) {}
   std::size_t num_polys() const { return facets_.size(); }
   std::size_t num_facets() const { return owner_.size(); }
   id_span<Facet> facets(poly_id p) const { return facets_[p.raw()]; }
   const encoded_neighbour* neighbours_of(poly_id p) const { return neighbours_.begin(p.raw()); }
-  adjacent_polys polys(poly_id p) const { return {neighbours_.begin(p.raw()), neighbours_.end(p.raw()), &poly_lists_, p}; }
+  adjacent_polys polys(poly_id p) const {
+    return {neighbours_.begin(p.raw()), neighbours_.end(p.raw()), &poly_lists_, p};
+  }
   /// Whether f has two polys, and its owner is not adjacent to the other through an earlier facet. Needs: f has a poly.
   bool has_two_polys_once(Facet f) const {
     const incidence s = owner(f);
@@ -99,12 +104,14 @@ class facet_adjacency {
   void finish();
   // Edits allocate their memory first, which changes nothing, and cannot fail afterwards.
 
-  /// Edits: stages the n facets of a poly that will be added. They are copied, or the caller writes them; none for a facet that does not exist yet.
+  /// Edits: stages the n facets of a poly that will be added. They are copied, or the caller writes them; none for a
+  /// facet that does not exist yet.
   Facet* stage_poly(std::uint32_t n, const Facet* facets = nullptr) {
     neighbours_.stage_row(nullptr, n);
     return facets_.stage_row(facets, n);
   }
-  /// Edits: allocates memory for the links of the staged poly, which has `more` new facets. Returns scratch memory for update_marks().
+  /// Edits: allocates memory for the links of the staged poly, which has `more` new facets. Returns scratch memory for
+  /// update_marks().
   std::vector<std::uint64_t> reserve_links(const Facet* facets, std::uint32_t n, std::size_t more) {
     std::size_t num_poly_lists = 0;
     for (std::uint32_t k = 0; k < n; ++k) {
@@ -158,8 +165,9 @@ class facet_adjacency {
     }
   }
 
-  // Edits that replace a few polys by others: detach() all old ones, attach() the facets of the new ones, refresh_marks() of each new poly and of each poly
-  // that shares a facet with a new one or is in a poly list of an old one. A new poly may have the number of an old one.
+  // Edits that replace a few polys by others: detach() all old ones, attach() the facets of the new ones,
+  // refresh_marks() of each new poly and of each poly that shares a facet with a new one or is in a poly list of an old
+  // one. A new poly may have the number of an old one.
 
   encoded_neighbour neighbour(poly_id p, std::uint32_t k) const { return neighbours_.begin(p.raw())[k]; }
   /// The number of polys at facet k of p.
@@ -167,7 +175,8 @@ class facet_adjacency {
     const encoded_neighbour x = neighbour(p, k);
     return x.is_none() ? 1 : x.is_non_manifold() ? poly_lists_.length(x.poly_list()) : 2;
   }
-  /// Allocates memory for `rows` new polys with that many facets in all, which includes the growth of rows that resize_row() will need, and for `facets` new ones.
+  /// Allocates memory for `rows` new polys with that many facets in all, which includes the growth of rows that
+  /// resize_row() will need, and for `facets` new ones.
   void reserve_polys(std::size_t rows, std::size_t values, std::size_t facets) {
     facets_.reserve_rows(rows, values);
     neighbours_.reserve_rows(rows, values);
@@ -219,8 +228,8 @@ class facet_adjacency {
     facets_.commit_rows(n);
     neighbours_.commit_rows(n);
   }
-  /// Makes f facet k of p. Behind it is `other`, or nothing if that is none, for which the same must be said. is_first: whether f belongs to p first. This takes
-  /// less time than attach().
+  /// Makes f facet k of p. Behind it is `other`, or nothing if that is none, for which the same must be said. is_first:
+  /// whether f belongs to p first. This takes less time than attach().
   void attach_between(poly_id p, std::uint32_t k, Facet f, poly_id other, bool is_first) {
     facets_.begin(p.raw())[k] = f;
     neighbours_.begin(p.raw())[k].raw = other.raw();  // none is the same number
@@ -246,7 +255,8 @@ class facet_adjacency {
       if (three[1] < three[0]) std::swap(three[0], three[1]);
       if (three[2] < three[1]) std::swap(three[1], three[2]);
       if (three[1] < three[0]) std::swap(three[0], three[1]);
-      own.raw = encoded_neighbour::special | encoded_neighbour::non_manifold_bit | static_cast<std::uint32_t>(poly_lists_.size());
+      own.raw = encoded_neighbour::special | encoded_neighbour::non_manifold_bit |
+                static_cast<std::uint32_t>(poly_lists_.size());
       poly_lists_.add_row(three, three + 3, min_list_capacity);
       first = second = own;
     }
@@ -278,8 +288,8 @@ class facet_adjacency {
     const encoded_neighbour x = neighbours_.begin(s.poly)[s.k];
     if (!x.is_none() && !x.is_non_manifold() && x.poly() == p.raw()) set_owner(f, p.raw(), local(p.raw(), f));
   }
-  /// Marks the incidences of p whose neighbour is already behind an earlier facet or a non-manifold facet of p, and no others. The scratch memory needs
-  /// room for its facets, if these are more than `max_scanned_facets`.
+  /// Marks the incidences of p whose neighbour is already behind an earlier facet or a non-manifold facet of p, and no
+  /// others. The scratch memory needs room for its facets, if these are more than `max_scanned_facets`.
   template<class Scratch>
   void refresh_marks(poly_id p, Scratch& scratch);
   static constexpr std::uint32_t few_facets = 8;           // of polys whose poly lists are not stored
@@ -288,7 +298,8 @@ class facet_adjacency {
   /// Whether an incidence of p is marked or non-manifold.
   bool is_marked(std::uint32_t p) const {
     bool is = false;
-    for (const encoded_neighbour *s = neighbours_.begin(p), *last = s + facets_.length(p); s != last; ++s) is |= !s->is_none() && !s->is_first_occurrence();
+    for (const encoded_neighbour *s = neighbours_.begin(p), *last = s + facets_.length(p); s != last; ++s)
+      is |= !s->is_none() && !s->is_first_occurrence();
     return is;
   }
 
@@ -320,10 +331,11 @@ class facet_adjacency {
   /// Marks the incidences of p whose neighbour is also at a non-manifold facet of p.
   void mark_in_poly_lists(std::uint32_t p);
 
-  // A repeated neighbour stays repeated as long as that poly lives, so marks are only added: at incidences with a new poly, with one that is
-  // at a non-manifold facet now, or with one that was at a non-manifold facet before.
+  // A repeated neighbour stays repeated as long as that poly lives, so marks are only added: at incidences with a new
+  // poly, with one that is at a non-manifold facet now, or with one that was at a non-manifold facet before.
 
-  /// Marks the incidences of q with neighbour p if p is also behind an earlier facet or a non-manifold facet of q. p is the last poly of each of its lists.
+  /// Marks the incidences of q with neighbour p if p is also behind an earlier facet or a non-manifold facet of q. p is
+  /// the last poly of each of its lists.
   void mark_repeats_of(std::uint32_t p, std::uint32_t q);
   /// Marks the incidences of q whose only neighbour is p.
   void mark_facets_to(std::uint32_t p, std::uint32_t q);

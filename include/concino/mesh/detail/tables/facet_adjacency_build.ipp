@@ -17,7 +17,8 @@ inline void facet_adjacency<Facet, N>::link(std::uint32_t p, std::uint32_t k, Fa
   const incidence first = owner(f);
   const encoded_neighbour before = neighbours_.begin(first.poly)[first.k];
   join(first, p, k);
-  if (!before.is_none() && !before.is_non_manifold()) neighbours_.begin(before.poly())[local(before.poly(), f)] = neighbours_.begin(p)[k];
+  if (!before.is_none() && !before.is_non_manifold())
+    neighbours_.begin(before.poly())[local(before.poly(), f)] = neighbours_.begin(p)[k];
 }
 
 template<class Facet, unsigned N>
@@ -50,13 +51,15 @@ void facet_adjacency<Facet, N>::set_poly_lists() {
 }
 
 template<class Facet, unsigned N>
-void facet_adjacency<Facet, N>::add_to_poly_list(incidence s, encoded_neighbour& first, std::uint32_t p, std::uint32_t k) {
+void facet_adjacency<Facet, N>::add_to_poly_list(incidence s, encoded_neighbour& first, std::uint32_t p,
+                                                 std::uint32_t k) {
   if (first.is_non_manifold()) {
     poly_lists_.push(first.poly_list(), poly_id{p});
   } else {
     const std::uint32_t q = first.poly();  // smaller than the owner, if an edit has replaced it
     const poly_id three[] = {poly_id{std::min(s.poly, q)}, poly_id{std::max(s.poly, q)}, poly_id{p}};
-    const std::uint32_t raw = encoded_neighbour::special | encoded_neighbour::non_manifold_bit | static_cast<std::uint32_t>(poly_lists_.size());
+    const std::uint32_t raw = encoded_neighbour::special | encoded_neighbour::non_manifold_bit |
+                              static_cast<std::uint32_t>(poly_lists_.size());
     poly_lists_.add_row(three, three + 3, min_list_capacity);
     first.raw = raw;
   }

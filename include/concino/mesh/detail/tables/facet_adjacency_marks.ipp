@@ -71,7 +71,8 @@ void facet_adjacency<Facet, N>::mark_repeats(std::uint32_t p, std::vector<std::u
     met[q] = p;
   }
   if (!has_poly_list || different == 0) return;
-  // met[q] becomes more than p where q is at a non-manifold facet. The shorter list is searched: the polys of that facet or the facets of p.
+  // met[q] becomes more than p where q is at a non-manifold facet. The shorter list is searched: the polys of that
+  // facet or the facets of p.
   for (std::uint32_t j = 0; j < n; ++j) {
     if (!s[j].is_non_manifold()) continue;
     const id_span<poly_id> poly_list = poly_lists_[s[j].poly_list()];
@@ -80,11 +81,13 @@ void facet_adjacency<Facet, N>::mark_repeats(std::uint32_t p, std::vector<std::u
         if (met[q.raw()] == p) met[q.raw()] = p | encoded_neighbour::special;
     } else {
       for (std::uint32_t k = 0; k < n; ++k)
-        if (s[k].is_first_occurrence() && poly_lists_.holds(s[j].poly_list(), poly_id{s[k].poly()})) s[k].raw |= encoded_neighbour::special;
+        if (s[k].is_first_occurrence() && poly_lists_.holds(s[j].poly_list(), poly_id{s[k].poly()}))
+          s[k].raw |= encoded_neighbour::special;
     }
   }
   for (std::uint32_t k = 0; k < n; ++k)
-    if (s[k].is_first_occurrence() && met[s[k].poly()] == (p | encoded_neighbour::special)) s[k].raw |= encoded_neighbour::special;
+    if (s[k].is_first_occurrence() && met[s[k].poly()] == (p | encoded_neighbour::special))
+      s[k].raw |= encoded_neighbour::special;
 }
 
 template<class Facet, unsigned N>
@@ -92,7 +95,8 @@ template<class Scratch>
 void facet_adjacency<Facet, N>::mark_repeats_in(Scratch& sorted, encoded_neighbour* s) {
   std::sort(sorted.data(), sorted.data() + sorted.size());
   for (std::size_t i = 1; i < sorted.size(); ++i)
-    if (sorted[i] >> 32 == sorted[i - 1] >> 32) s[static_cast<std::uint32_t>(sorted[i])].raw |= encoded_neighbour::special;
+    if (sorted[i] >> 32 == sorted[i - 1] >> 32)
+      s[static_cast<std::uint32_t>(sorted[i])].raw |= encoded_neighbour::special;
 }
 
 template<class Facet, unsigned N>
@@ -114,7 +118,8 @@ void facet_adjacency<Facet, N>::mark_in_poly_lists(std::uint32_t p) {
   for (std::uint32_t j = 0; j < n; ++j)
     if (s[j].is_non_manifold())
       for (std::uint32_t k = 0; k < n; ++k)
-        if (s[k].is_first_occurrence() && poly_lists_.holds(s[j].poly_list(), poly_id{s[k].poly()})) s[k].raw |= encoded_neighbour::special;
+        if (s[k].is_first_occurrence() && poly_lists_.holds(s[j].poly_list(), poly_id{s[k].poly()}))
+          s[k].raw |= encoded_neighbour::special;
 }
 
 template<class Facet, unsigned N>
@@ -122,7 +127,8 @@ void facet_adjacency<Facet, N>::mark_repeats_of(std::uint32_t p, std::uint32_t q
   encoded_neighbour* const s = neighbours_.begin(q);
   const std::uint32_t n = facets_.length(q);
   bool met = false;
-  for (std::uint32_t k = 0; k < n; ++k) met = met || (s[k].is_non_manifold() && *(poly_lists_.end(s[k].poly_list()) - 1) == poly_id{p});
+  for (std::uint32_t k = 0; k < n; ++k)
+    met = met || (s[k].is_non_manifold() && *(poly_lists_.end(s[k].poly_list()) - 1) == poly_id{p});
   for (std::uint32_t k = 0; k < n; ++k) {
     if (s[k].is_none() || s[k].is_non_manifold() || s[k].poly() != p) continue;
     if (met) s[k].raw |= encoded_neighbour::special;

@@ -1,4 +1,5 @@
-// Encoded neighbours of polys behind their facets, and the ranges that read them: the polys of a facet, the polys around a poly.
+// Encoded neighbours of polys behind their facets, and the ranges that read them: the polys of a facet, the polys
+// around a poly.
 #pragma once
 
 #include <concino/concepts/descriptors.hpp>
@@ -11,8 +12,8 @@
 
 namespace concino::detail {
 
-/// What is behind one facet of a poly, in 32 bits: nothing; a poly; a poly that is also behind an earlier facet of the same poly; or the
-/// number of a poly list, if the facet is non-manifold.
+/// What is behind one facet of a poly, in 32 bits: nothing; a poly; a poly that is also behind an earlier facet of the
+/// same poly; or the number of a poly list, if the facet is non-manifold.
 struct encoded_neighbour {
   std::uint32_t raw = none;
 
@@ -47,7 +48,8 @@ class polys_of_facet {
     using reference = poly_id;
     using difference_type = std::ptrdiff_t;
     iterator() = default;
-    iterator(poly_id a, poly_id b, const poly_id* poly_list, std::uint32_t left) : now_(a), then_(b), poly_list_(poly_list), left_(left) {}
+    iterator(poly_id a, poly_id b, const poly_id* poly_list, std::uint32_t left)
+        : now_(a), then_(b), poly_list_(poly_list), left_(left) {}
     poly_id operator*() const { return poly_list_ ? *poly_list_ : now_; }
     iterator& operator++() {
       if (poly_list_) ++poly_list_;
@@ -62,7 +64,8 @@ class polys_of_facet {
   polys_of_facet() = default;
   explicit polys_of_facet(poly_id a) : two_{a, {}}, size_(1) {}
   polys_of_facet(poly_id a, poly_id b) : two_{a, b}, size_(2) {}
-  polys_of_facet(const poly_id* first, const poly_id* last) : first_(first), size_(static_cast<std::uint32_t>(last - first)) {}
+  polys_of_facet(const poly_id* first, const poly_id* last)
+      : first_(first), size_(static_cast<std::uint32_t>(last - first)) {}
 
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
@@ -73,12 +76,14 @@ class polys_of_facet {
 
 template<class Id> class compact_numbers;
 
-/// The poly lists of non-manifold facets, each in ascending order. The numbers of the lists of a poly with many facets are stored as well, until a
-/// list is edited.
+/// The poly lists of non-manifold facets, each in ascending order. The numbers of the lists of a poly with many facets
+/// are stored as well, until a list is edited.
 class non_manifold_facets : private jagged_array<poly_id, 0> {
   using base = jagged_array<poly_id, 0>;
-  std::vector<std::uint32_t> polys_, first_, poly_lists_;  // polys with many facets, ascending; where the list numbers of each begin; these numbers
-  std::vector<poly_id> united_;                        // unions of all poly lists of one poly, numbered after the lists themselves
+  std::vector<std::uint32_t> polys_, first_, poly_lists_;  // polys with many facets, ascending; where the list numbers
+                                                           // of each begin; these numbers
+  std::vector<poly_id> united_;                        // unions of all poly lists of one poly, numbered after the lists
+                                                       // themselves
   std::vector<std::uint32_t> united_first_;
 
   /// Replaces the list numbers since `from` by one number, that of their union.
@@ -141,7 +146,9 @@ class non_manifold_facets : private jagged_array<poly_id, 0> {
     forget();
     base::clear_row(i);
   }
-  bool holds(std::uint32_t poly_list, poly_id p) const { return std::binary_search(begin(poly_list), end(poly_list), p); }
+  bool holds(std::uint32_t poly_list, poly_id p) const {
+    return std::binary_search(begin(poly_list), end(poly_list), p);
+  }
 
   /// The polys of a list, or of a union of lists.
   id_span<poly_id> members(std::uint32_t poly_list) const {
@@ -150,8 +157,9 @@ class non_manifold_facets : private jagged_array<poly_id, 0> {
     return {united_.data() + united_first_[i], united_.data() + united_first_[i + 1]};
   }
 
-  /// Stores the list numbers of polys with more than `few` facets. Of several equal lists only one is stored. Lists that are small compared to the
-  /// number of facets are united, so that the memory is proportional to the number of facets.
+  /// Stores the list numbers of polys with more than `few` facets. Of several equal lists only one is stored. Lists
+  /// that are small compared to the number of facets are united, so that the memory is proportional to the number of
+  /// facets.
   template<class FacetLists>
   void index_poly_lists(const FacetLists& facets, std::uint32_t few) {
     if (size() == 0) return;
@@ -159,11 +167,13 @@ class non_manifold_facets : private jagged_array<poly_id, 0> {
     for (std::uint32_t c = 0; c < size(); ++c) order[c] = c;
     const auto poly_list = [this](std::uint32_t c) { return (*this)[c]; };
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return std::lexicographical_compare(poly_list(a).begin(), poly_list(a).end(), poly_list(b).begin(), poly_list(b).end());
+      return std::lexicographical_compare(poly_list(a).begin(), poly_list(a).end(), poly_list(b).begin(),
+                                          poly_list(b).end());
     });
     for (std::size_t i = 0; i < order.size(); ++i) {
       const std::uint32_t c = order[i], before = i > 0 ? order[i - 1] : c;
-      const bool again = i > 0 && std::equal(poly_list(c).begin(), poly_list(c).end(), poly_list(before).begin(), poly_list(before).end());
+      const bool again = i > 0 && std::equal(poly_list(c).begin(), poly_list(c).end(), poly_list(before).begin(),
+                                             poly_list(before).end());
       same[c] = again ? same[before] : c;
     }
     united_first_.push_back(0);
@@ -196,7 +206,8 @@ class non_manifold_facets : private jagged_array<poly_id, 0> {
   }
 };
 
-/// The neighbours of a poly behind all its facets, each once: first those behind manifold facets, then those in its poly lists, ascending.
+/// The neighbours of a poly behind all its facets, each once: first those behind manifold facets, then those in its
+/// poly lists, ascending.
 class adjacent_polys {
   const encoded_neighbour* first_ = nullptr;
   const encoded_neighbour* last_ = nullptr;
@@ -205,7 +216,8 @@ class adjacent_polys {
 
   /// The poly with the smallest number, at least `from`, in the poly lists of `self`; none if there is none.
   // Poly lists are rare. This code stays out of the loop and works on values, so that an iterator fits in registers.
-  static poly_id next_in_poly_lists(const encoded_neighbour* first, const encoded_neighbour* last, const non_manifold_facets& lists, poly_id self, std::uint32_t from) {
+  static poly_id next_in_poly_lists(const encoded_neighbour* first, const encoded_neighbour* last,
+                                    const non_manifold_facets& lists, poly_id self, std::uint32_t from) {
     poly_id next;
     const auto look = [&](std::uint32_t poly_list) {
       const id_span<poly_id> all = lists.members(poly_list);
@@ -230,7 +242,8 @@ class adjacent_polys {
     const encoded_neighbour* first_ = nullptr;
     const non_manifold_facets* poly_lists_ = nullptr;
     poly_id self_;
-    poly_id now_;            // read once, when the iterator moves: the compiler cannot know that the caller's writes do not change it
+    poly_id now_;            // read once, when the iterator moves: the compiler cannot know that the caller's writes do
+                             // not change it
     bool passed_poly_list_ = false;   // whether a poly list was passed
 
     void skip_invalid() {
@@ -269,7 +282,8 @@ class adjacent_polys {
   };
 
   adjacent_polys() = default;
-  adjacent_polys(const encoded_neighbour* first, const encoded_neighbour* last, const non_manifold_facets* lists, poly_id self)
+  adjacent_polys(const encoded_neighbour* first, const encoded_neighbour* last, const non_manifold_facets* lists,
+                 poly_id self)
       : first_(first), last_(last), poly_lists_(lists), self_(self) {}
   /// Calls f(q) for all of them in the same order. Without an iterator, short loops are faster.
   template<class F>
@@ -280,7 +294,9 @@ class adjacent_polys {
       else if (s->is_non_manifold()) has_poly_list = true;
     }
     if (has_poly_list)
-      for (poly_id q = next_in_poly_lists(first_, last_, *poly_lists_, self_, 0); !q.is_none(); q = next_in_poly_lists(first_, last_, *poly_lists_, self_, q.raw() + 1)) f(q);
+      for (poly_id q = next_in_poly_lists(first_, last_, *poly_lists_, self_, 0); !q.is_none();
+           q = next_in_poly_lists(first_, last_, *poly_lists_, self_, q.raw() + 1))
+        f(q);
   }
   iterator begin() const { return {first_, last_, poly_lists_, self_}; }
   iterator end() const { return {last_, last_, poly_lists_, self_}; }

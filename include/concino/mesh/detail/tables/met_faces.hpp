@@ -13,8 +13,9 @@
 
 namespace concino::detail {
 
-/// Faces of FaceVerts verts at their smallest vert a. They are listed at the edge from a to the smaller neighbour of a in the face; edges are numbered
-/// in the order of add_edge(). FewEdges and FewFaces: up to so many need no allocation; 0: vectors, for a builder.
+/// Faces of FaceVerts verts at their smallest vert a. They are listed at the edge from a to the smaller neighbour of a
+/// in the face; edges are numbered in the order of add_edge(). FewEdges and FewFaces: up to so many need no allocation;
+/// 0: vectors, for a builder.
 template<unsigned FaceVerts, std::size_t FewEdges = 0, std::size_t FewFaces = 0>
 class met_faces {
  public:
@@ -51,7 +52,9 @@ class met_faces {
     return h;
   }
   std::uint32_t find_further(std::uint32_t edge, const face& wanted) const {
-    const auto is_wanted = [&](std::uint32_t i) { return further_[i].edge == edge && have_equal_verts(wanted, faces_[further_[i].face]); };
+    const auto is_wanted = [&](std::uint32_t i) {
+      return further_[i].edge == edge && have_equal_verts(wanted, faces_[further_[i].face]);
+    };
     const std::uint32_t i = further_numbers_.find(hash(edge, wanted), is_wanted);
     return i == core::index_table::none ? ~0u : further_[i].face;
   }

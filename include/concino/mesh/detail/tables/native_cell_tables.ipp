@@ -1,5 +1,5 @@
-// The tables of tets and hexes; see cell_tables.hpp. All members are compiled here: the optimiser leaves no copy of one that only others call, but headers
-// may call it.
+// The tables of tets and hexes; see cell_tables.hpp. All members are compiled here: the optimiser leaves no copy of one
+// that only others call, but headers may call it.
 #pragma once
 
 #include <concino/mesh/cell_tables.hpp>

@@ -1,5 +1,5 @@
-// The tables of polyhedra; see polyhedra_tables.hpp. All members are compiled here: the optimiser leaves no copy of one that only others call, but headers
-// may call it.
+// The tables of polyhedra; see polyhedra_tables.hpp. All members are compiled here: the optimiser leaves no copy of one
+// that only others call, but headers may call it.
 #pragma once
 
 #include <concino/mesh/polyhedra_tables.hpp>

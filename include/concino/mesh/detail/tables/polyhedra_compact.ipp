@@ -31,7 +31,8 @@ basic_polyhedra_tables<Lists> basic_polyhedra_tables<Lists>::compacted(const det
   return t;
 }
 
-/// Sorts long lists of neighbours as edge_to_smaller() needs them: those smaller than the vert come first, in ascending order.
+/// Sorts long lists of neighbours as edge_to_smaller() needs them: those smaller than the vert come first, in ascending
+/// order.
 template<class Lists>
 void basic_polyhedra_tables<Lists>::sort_smaller_neighbours() {
   struct neighbour {
@@ -46,7 +47,9 @@ void basic_polyhedra_tables<Lists>::sort_smaller_neighbours() {
     vert_id* const verts = incident_edges_.verts_begin(vert_id{i});
     edge_id* const edges = incident_edges_.edges_begin(vert_id{i});
     for (std::uint32_t k = 0; k < n; ++k) row.push_back({verts[k], edges[k]});
-    const auto rank = [i](const neighbour& x) { return x.vert.raw() < i ? x.vert.raw() : static_cast<std::uint32_t>(i); };
+    const auto rank = [i](const neighbour& x) {
+      return x.vert.raw() < i ? x.vert.raw() : static_cast<std::uint32_t>(i);
+    };
     std::stable_sort(row.begin(), row.end(), [&](const neighbour& a, const neighbour& b) { return rank(a) < rank(b); });
     for (std::uint32_t k = 0; k < n; ++k) verts[k] = row[k].vert, edges[k] = row[k].edge;
   }

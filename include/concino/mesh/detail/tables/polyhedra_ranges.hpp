@@ -1,5 +1,5 @@
-// Ranges for adjacencies of general polyhedra that are not stored: the polys around an edge, the faces at a vert, the edges of a face. The cost
-// of each is about the total size of the elements that it visits.
+// Ranges for adjacencies of general polyhedra that are not stored: the polys around an edge, the faces at a vert, the
+// edges of a face. The cost of each is about the total size of the elements that it visits.
 #pragma once
 
 #include <concino/mesh/detail/tables/facet_adjacency_ranges.hpp>
@@ -22,7 +22,8 @@ class polys_of_faces {
 
     bool met_before(poly_id q) const {
       if (at_ - first_ > 64)
-        if (const auto faces = tables_->adj_p2f(q); 16 * faces.size() < static_cast<std::size_t>(at_ - first_)) return met_before(faces);
+        if (const auto faces = tables_->adj_p2f(q); 16 * faces.size() < static_cast<std::size_t>(at_ - first_))
+          return met_before(faces);
       for (const face_id* f = first_; f != at_; ++f)
         for (const poly_id r : tables_->adj_f2p(*f))
           if (r == q) return true;
@@ -45,7 +46,9 @@ class polys_of_faces {
     using reference = poly_id;
     using difference_type = std::ptrdiff_t;
     iterator() = default;
-    iterator(const Tables* t, const face_id* at, const face_id* last) : tables_(t), first_(at), at_(at), last_(last) { skip_invalid(); }
+    iterator(const Tables* t, const face_id* at, const face_id* last) : tables_(t), first_(at), at_(at), last_(last) {
+      skip_invalid();
+    }
     poly_id operator*() const { return now_[i_]; }
     iterator& operator++() {
       ++i_;
@@ -120,7 +123,9 @@ class edges_between {
   edges_between() = default;
   edges_between(const Tables* t, Verts verts) : tables_(t), verts_(verts) {}
   std::size_t size() const { return verts_.size(); }
-  edge_id operator[](std::size_t k) const { return tables_->edge_between(verts_[k], verts_[k + 1 == size() ? 0 : k + 1]); }
+  edge_id operator[](std::size_t k) const {
+    return tables_->edge_between(verts_[k], verts_[k + 1 == size() ? 0 : k + 1]);
+  }
   iterator begin() const { return {*this, 0}; }
   iterator end() const { return {*this, size()}; }
 };

@@ -8,13 +8,17 @@
 namespace concino {
 
 template<class Lists>
-basic_polyhedra_tables<Lists>::basic_polyhedra_tables(std::size_t vert_count, std::vector<std::uint32_t> face_offsets, std::vector<vert_id> face_verts,
-                                                      std::vector<std::uint32_t> poly_offsets, std::vector<face_id> poly_faces, std::vector<std::uint8_t> outward)
+basic_polyhedra_tables<Lists>::basic_polyhedra_tables(std::size_t vert_count, std::vector<std::uint32_t> face_offsets,
+                                                      std::vector<vert_id> face_verts,
+                                                      std::vector<std::uint32_t> poly_offsets,
+                                                      std::vector<face_id> poly_faces,
+                                                      std::vector<std::uint8_t> outward)
     : f2v_(detail::checked_lists(std::move(face_offsets), std::move(face_verts), "polyhedra_tables: face")) {
-  const jagged<face_id> poly_lists = detail::checked_lists(std::move(poly_offsets), std::move(poly_faces), "polyhedra_tables: poly");
+  const jagged<face_id> poly_lists =
+      detail::checked_lists(std::move(poly_offsets), std::move(poly_faces), "polyhedra_tables: poly");
   if (outward.size() != poly_lists.num_values())
-    core::throw_joined<invalid_mesh>(
-        {"polyhedra_tables: ", outward.size(), " outward flags were given for ", poly_lists.num_values(), " faces of polys; each needs one"});
+    core::throw_joined<invalid_mesh>({"polyhedra_tables: ", outward.size(), " outward flags were given for ",
+                                      poly_lists.num_values(), " faces of polys; each needs one"});
   detail::shrink_if_wasteful(outward);
   outward_ = {poly_lists.shared_offsets(), std::move(outward)};
   build(vert_count, poly_lists, check(vert_count, poly_lists));
@@ -24,7 +28,8 @@ template<class Lists>
 vert_id basic_polyhedra_tables<Lists>::add_vert(function_ref<void(const detail::index_bounds&)> grow) {
   detail::reserve_lists_of_new_verts(incident_edges_, v2p_, 1, 0, 0);
   verts_.reserve(1);
-  if (grow) grow(detail::index_bounds{verts_.bound() + 1, edges_.bound(), faces_.bound(), polys_.bound(), p2v_.num_values()});
+  if (grow)
+    grow(detail::index_bounds{verts_.bound() + 1, edges_.bound(), faces_.bound(), polys_.bound(), p2v_.num_values()});
   detail::add_lists_of_vert(incident_edges_, v2p_, 0, 0);
   return verts_.add();
 }
@@ -39,7 +44,9 @@ void basic_polyhedra_tables<Lists>::save_around_face(detail::edit_log& log, id_s
 }
 
 template<class Lists>
-face_id basic_polyhedra_tables<Lists>::add_face(std::span<const vert_id> corners, function_ref<void(const detail::index_bounds&)> grow, detail::edit_log* log) {
+face_id basic_polyhedra_tables<Lists>::add_face(std::span<const vert_id> corners,
+                                                function_ref<void(const detail::index_bounds&)> grow,
+                                                detail::edit_log* log) {
   const face_id f{faces_.bound()};
   detail::check_new_verts({corners.data(), corners.data() + corners.size()}, verts_, "add_face: face", f.raw());
   if (log) save_around_face(*log, {corners.data(), corners.data() + corners.size()});
@@ -61,7 +68,9 @@ face_id basic_polyhedra_tables<Lists>::add_face(std::span<const vert_id> corners
   edges_.reserve(more);
   faces_.reserve(1);
   facet_adjacency_.reserve_links(nullptr, 0, 1);
-  if (grow) grow(detail::index_bounds{verts_.bound(), edges_.bound() + more, faces_.bound() + 1, polys_.bound(), p2v_.num_values()});
+  if (grow)
+    grow(detail::index_bounds{verts_.bound(), edges_.bound() + more, faces_.bound() + 1, polys_.bound(),
+                              p2v_.num_values()});
 
   f2v_.commit_row(n);
   facet_adjacency_.add_facet();
@@ -77,14 +86,18 @@ face_id basic_polyhedra_tables<Lists>::add_face(std::span<const vert_id> corners
 }
 
 template<class Lists>
-poly_id basic_polyhedra_tables<Lists>::add_poly(std::span<const face_id> list, std::span<const std::uint8_t> outward, function_ref<void(const detail::index_bounds&)> grow,
+poly_id basic_polyhedra_tables<Lists>::add_poly(std::span<const face_id> list, std::span<const std::uint8_t> outward,
+                                                function_ref<void(const detail::index_bounds&)> grow,
                                                 detail::edit_log* log) {
   const poly_id p{polys_.bound()};
   const auto name = [&] { return core::joined({"add_poly: poly ", p.raw()}); };
-  if (list.empty() || list.size() != outward.size()) core::throw_joined<invalid_mesh>({name(), " needs at least one face and an outward flag for each"});
+  if (list.empty() || list.size() != outward.size())
+    core::throw_joined<invalid_mesh>({name(), " needs at least one face and an outward flag for each"});
   for (std::size_t k = 0; k < list.size(); ++k) {
-    if (!faces_.contains(list[k])) core::throw_joined<invalid_mesh>({name(), " names face ", list[k].raw(), ", which is not a face of the mesh"});
-    if (std::find(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(k), list[k]) != list.begin() + static_cast<std::ptrdiff_t>(k))
+    if (!faces_.contains(list[k]))
+      core::throw_joined<invalid_mesh>({name(), " names face ", list[k].raw(), ", which is not a face of the mesh"});
+    if (std::find(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(k), list[k]) !=
+        list.begin() + static_cast<std::ptrdiff_t>(k))
       core::throw_joined<invalid_mesh>({name(), " has face ", list[k].raw(), " twice; its faces must differ"});
   }
   if (log)
@@ -108,7 +121,9 @@ poly_id basic_polyhedra_tables<Lists>::add_poly(std::span<const face_id> list, s
   for (const vert_id v : corners) v2p_.reserve_in_row(v.raw(), 1);
   polys_.reserve(1);
   auto scratch = facet_adjacency_.reserve_links(faces, n, 0);
-  if (grow) grow(detail::index_bounds{verts_.bound(), edges_.bound(), faces_.bound(), polys_.bound() + 1, p2v_.num_values() + corners.size()});
+  if (grow)
+    grow(detail::index_bounds{verts_.bound(), edges_.bound(), faces_.bound(), polys_.bound() + 1,
+                              p2v_.num_values() + corners.size()});
 
   facet_adjacency_.commit_poly(n);
   outward_.commit_row(n);
@@ -167,7 +182,8 @@ template<class Lists>
 std::size_t basic_polyhedra_tables<Lists>::check(std::size_t vert_count, const jagged<face_id>& polys) const {
   detail::check_counts("polyhedra_tables", vert_count, polys.size(), f2v_.num_values());
   std::vector<std::uint32_t> met;
-  for (std::size_t f = 0; f < f2v_.size(); ++f) detail::check_verts(f2v_[f], vert_count, "polyhedra_tables: face", f, met);
+  for (std::size_t f = 0; f < f2v_.size(); ++f)
+    detail::check_verts(f2v_[f], vert_count, "polyhedra_tables: face", f, met);
   const std::size_t poly_corners = check_polys(polys);
   check_poly_corners(poly_corners, f2v_.num_values(), polys.num_values(), "polyhedra_tables: ");
   return poly_corners;
@@ -178,11 +194,15 @@ std::size_t basic_polyhedra_tables<Lists>::check_polys(const jagged<face_id>& po
   std::vector<std::uint32_t> met(f2v_.size(), ~0u);
   std::size_t corners = 0;
   for (std::size_t p = 0; p < polys.size(); ++p) {
-    if (polys.length(p) == 0) core::throw_joined<invalid_mesh>({"polyhedra_tables: poly ", p, " has no faces; it needs at least 1"});
+    if (polys.length(p) == 0)
+      core::throw_joined<invalid_mesh>({"polyhedra_tables: poly ", p, " has no faces; it needs at least 1"});
     for (const face_id f : polys[p]) {
       if (f.raw() >= f2v_.size())
-        core::throw_joined<invalid_mesh>({"polyhedra_tables: poly ", p, " names face ", f.raw(), ", but the mesh has ", f2v_.size(), " faces, numbered from 0"});
-      if (met[f.raw()] == p) core::throw_joined<invalid_mesh>({"polyhedra_tables: poly ", p, " has face ", f.raw(), " twice; its faces must differ"});
+        core::throw_joined<invalid_mesh>({"polyhedra_tables: poly ", p, " names face ", f.raw(), ", but the mesh has ",
+                                          f2v_.size(), " faces, numbered from 0"});
+      if (met[f.raw()] == p)
+        core::throw_joined<invalid_mesh>(
+            {"polyhedra_tables: poly ", p, " has face ", f.raw(), " twice; its faces must differ"});
       met[f.raw()] = static_cast<std::uint32_t>(p);
       corners += f2v_.length(f.raw());
     }
@@ -191,7 +211,8 @@ std::size_t basic_polyhedra_tables<Lists>::check_polys(const jagged<face_id>& po
 }
 
 template<class Lists>
-void basic_polyhedra_tables<Lists>::build(std::size_t vert_count, const jagged<face_id>& polys, std::size_t poly_corners) {
+void basic_polyhedra_tables<Lists>::build(std::size_t vert_count, const jagged<face_id>& polys,
+                                          std::size_t poly_corners) {
   face_vert_lookup_ = detail::row_lookup(f2v_);
   core::flat_array<edge_id> f2e(f2v_.num_values());  // parallel to f2v_
   build_edges(vert_count, f2e);
@@ -222,7 +243,8 @@ void basic_polyhedra_tables<Lists>::list_faces_of_edges(const core::flat_array<e
 
 template<class Lists>
 void basic_polyhedra_tables<Lists>::link_polys(const jagged<face_id>& polys) {
-  facet_adjacency_ = {{polys.shared_offsets(), core::flat_array<face_id>(polys.num_values(), face_id{})}, {polys.shared_offsets(), core::flat_array<detail::encoded_neighbour>(polys.num_values())}};
+  facet_adjacency_ = {{polys.shared_offsets(), core::flat_array<face_id>(polys.num_values(), face_id{})},
+                      {polys.shared_offsets(), core::flat_array<detail::encoded_neighbour>(polys.num_values())}};
   facet_adjacency_.set_facets(f2v_.size());
   core::flat_array<detail::facet_adjacency<face_id, 0>::incidence> met_first(f2v_.size());
   for (std::uint32_t p = 0; p < polys.size(); ++p)
@@ -285,7 +307,8 @@ void basic_polyhedra_tables<Lists>::build_edges(std::size_t vert_count, core::fl
 }
 
 template<class Lists>
-void basic_polyhedra_tables<Lists>::list_edges_of_polys(const core::flat_array<edge_id>& f2e, const jagged<face_id>& polys, std::size_t poly_corners) {
+void basic_polyhedra_tables<Lists>::list_edges_of_polys(const core::flat_array<edge_id>& f2e,
+                                                        const jagged<face_id>& polys, std::size_t poly_corners) {
   const vert_id* const corner_vert = f2v_.begin(0);
   core::flat_array<std::uint32_t> met(e2v_.size(), ~0u);
   core::flat_array<edge_id> edges;
@@ -310,12 +333,14 @@ void basic_polyhedra_tables<Lists>::list_edges_of_polys(const core::flat_array<e
 }
 
 template<class Lists>
-void basic_polyhedra_tables<Lists>::list_verts_of_polys(std::size_t vert_count, const jagged<face_id>& polys, std::size_t poly_corners) {
+void basic_polyhedra_tables<Lists>::list_verts_of_polys(std::size_t vert_count, const jagged<face_id>& polys,
+                                                        std::size_t poly_corners) {
   core::flat_array<std::uint32_t> met(vert_count, ~0u);
   core::flat_array<vert_id> verts;
   // In a closed poly every edge has two faces, and verts + faces = edges + 2: this memory is exact for most meshes.
   const std::size_t incidence_count = polys.num_values();
-  if (poly_corners / 2 + 2 * polys.size() > incidence_count) verts.reserve(poly_corners / 2 + 2 * polys.size() - incidence_count);
+  if (poly_corners / 2 + 2 * polys.size() > incidence_count)
+    verts.reserve(poly_corners / 2 + 2 * polys.size() - incidence_count);
   detail::offsets first, degrees(vert_count + 1, 0);
   first.reserve(polys.size() + 1);
   first.push_back(0);

@@ -14,7 +14,8 @@ surface_tables<Arity, Lists> surface_tables<Arity, Lists>::compacted(const detai
   if constexpr (Arity == 0) t.p2v_.share_offsets(t.facet_adjacency_.facet_rows());
   t.e2v_ = detail::packed_rows(e2v_, kept.edges, kept.verts);
   t.incident_ = {detail::packed_edges(incident_, kept.verts, kept.edges),
-                 detail::pack_rows<poly_id>(kept.verts, [this](std::size_t v) { return adj_v2p(vert_id{v}); }, kept.polys)};
+                 detail::pack_rows<poly_id>(
+                     kept.verts, [this](std::size_t v) { return adj_v2p(vert_id{v}); }, kept.polys)};
   t.verts_ = detail::alive_elements<vert_id>(kept.verts.size());
   t.edges_ = detail::alive_elements<edge_id>(kept.edges.size());
   t.polys_ = detail::alive_elements<poly_id>(kept.polys.size());

@@ -1,4 +1,5 @@
-// Construction and editing of tables of surfaces; see surface_tables.hpp. Always included, for arities that are not in the compiled library.
+// Construction and editing of tables of surfaces; see surface_tables.hpp. Always included, for arities that are not in
+// the compiled library.
 #pragma once
 
 #include <concino/mesh/surface_tables.hpp>
@@ -15,10 +16,12 @@ vert_id surface_tables<Arity, Lists>::add_vert(function_ref<void(const detail::i
 }
 
 template<unsigned Arity, class Lists>
-poly_id surface_tables<Arity, Lists>::add_poly(std::span<const vert_id> corners, function_ref<void(const detail::index_bounds&)> grow) {
+poly_id surface_tables<Arity, Lists>::add_poly(std::span<const vert_id> corners,
+                                               function_ref<void(const detail::index_bounds&)> grow) {
   const poly_id p{polys_.bound()};
   if (Arity > 0 && corners.size() != Arity)
-    core::throw_joined<invalid_mesh>({"add_poly: poly ", p.raw(), " has ", corners.size(), " verts; every poly of this mesh has ", Arity});
+    core::throw_joined<invalid_mesh>(
+        {"add_poly: poly ", p.raw(), " has ", corners.size(), " verts; every poly of this mesh has ", Arity});
   detail::check_new_verts({corners.data(), corners.data() + corners.size()}, verts_, "add_poly: poly", p.raw());
   const auto n = static_cast<std::uint32_t>(corners.size());
   const vert_id* const c = p2v_.stage_row(corners.data(), n);  // corners may have been in a row that moved
@@ -36,7 +39,8 @@ poly_id surface_tables<Arity, Lists>::add_poly(std::span<const vert_id> corners,
   edges_.reserve(more);
   polys_.reserve(1);
   auto scratch = facet_adjacency_.reserve_links(e, n, more);
-  if (grow) grow(detail::index_bounds{verts_.bound(), edges_.bound() + more, 0, polys_.bound() + 1, p2v_.num_values() + n});
+  if (grow)
+    grow(detail::index_bounds{verts_.bound(), edges_.bound() + more, 0, polys_.bound() + 1, p2v_.num_values() + n});
 
   p2v_.commit_row(n);
   facet_adjacency_.commit_poly(n);
@@ -83,11 +87,13 @@ template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::check(std::size_t vert_count) const {
   detail::check_counts("surface_tables", vert_count, p2v_.size(), p2v_.num_values());
   std::vector<std::uint32_t> met;
-  for (std::size_t p = 0; p < p2v_.size(); ++p) detail::check_verts(p2v_[p], vert_count, "surface_tables: poly", p, met);
+  for (std::size_t p = 0; p < p2v_.size(); ++p)
+    detail::check_verts(p2v_[p], vert_count, "surface_tables: poly", p, met);
 }
 
 template<unsigned Arity, class Lists>
-detail::offsets surface_tables<Arity, Lists>::list_at_verts(jagged<poly_id>& v2p, core::flat_array<std::uint32_t>& scratch) const {
+detail::offsets surface_tables<Arity, Lists>::list_at_verts(jagged<poly_id>& v2p,
+                                                            core::flat_array<std::uint32_t>& scratch) const {
   const std::size_t vert_count = scratch.size(), corner_count = p2v_.num_values();
   const auto poly_count = static_cast<std::uint32_t>(p2v_.size());
   const vert_id* const corner_vert = p2v_.begin(0);
@@ -117,7 +123,8 @@ detail::offsets surface_tables<Arity, Lists>::list_at_verts(jagged<poly_id>& v2p
 }
 
 template<unsigned Arity, class Lists>
-auto surface_tables<Arity, Lists>::find_corner(poly_id listed, std::uint32_t vert, const detail::offsets& poly_of) const -> poly_corner {
+auto surface_tables<Arity, Lists>::find_corner(poly_id listed, std::uint32_t vert, const detail::offsets& poly_of) const
+    -> poly_corner {
   if constexpr (Arity > 0) {
     return {listed.raw() / Arity, listed.raw() % Arity, Arity};
   } else if (poly_of.empty()) {
@@ -140,12 +147,15 @@ struct surface_tables<Arity, Lists>::found_edges {
 };
 
 template<unsigned Arity, class Lists>
-void surface_tables<Arity, Lists>::find_edges(found_edges& found, jagged<poly_id>& v2p, const detail::offsets& poly_of) {
-  // Every edge is found first at its smaller vert a; edge_to[b] is the edge from a to b if it is at least the first edge of a.
+void surface_tables<Arity, Lists>::find_edges(found_edges& found, jagged<poly_id>& v2p,
+                                              const detail::offsets& poly_of) {
+  // Every edge is found first at its smaller vert a; edge_to[b] is the edge from a to b if it is at least the first
+  // edge of a.
   core::flat_array<std::uint32_t>& edge_to = found.edge_to;
   std::fill_n(edge_to.data(), edge_to.size(), ~0u);
   std::uint32_t edge_count = 0;
-  std::vector<typename detail::facet_adjacency<edge_id, Arity>::incidence> met_first;  // per edge of a, if polygons may be long
+  // per edge of a, if polygons may be long
+  std::vector<typename detail::facet_adjacency<edge_id, Arity>::incidence> met_first;
   const auto visit = [&](std::uint32_t a, vert_id b, std::uint32_t first_edge, std::uint32_t p, std::uint32_t k) {
     if (b.raw() < a) return;
     std::uint32_t e = edge_to[b.raw()];
@@ -179,7 +189,8 @@ void surface_tables<Arity, Lists>::find_edges(found_edges& found, jagged<poly_id
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::build(std::size_t vert_count) {
   const std::size_t poly_count = p2v_.size(), corner_count = p2v_.num_values();
-  const std::size_t max_edges = std::min(vert_count + poly_count + poly_count / 64 + 16, corner_count);  // but for few meshes
+  // but for few meshes
+  const std::size_t max_edges = std::min(vert_count + poly_count + poly_count / 64 + 16, corner_count);
   found_edges found{core::flat_array<std::uint32_t>(vert_count)};
   found.ends.reserve(2 * max_edges);
   found.degrees.assign(vert_count + 1, 0);
@@ -187,8 +198,12 @@ void surface_tables<Arity, Lists>::build(std::size_t vert_count) {
   const detail::offsets poly_of = list_at_verts(v2p, found.edge_to);
   core::flat_array<edge_id> edges_of_polys(corner_count, edge_id{});
   core::flat_array<detail::encoded_neighbour> neighbours(corner_count);
-  if constexpr (Arity == 0) facet_adjacency_ = {{p2v_.shared_offsets(), std::move(edges_of_polys)}, {p2v_.shared_offsets(), std::move(neighbours)}};
-  else facet_adjacency_ = {per_poly<edge_id>(std::move(edges_of_polys)), per_poly<detail::encoded_neighbour>(std::move(neighbours))};
+  if constexpr (Arity == 0)
+    facet_adjacency_ = {{p2v_.shared_offsets(), std::move(edges_of_polys)},
+                        {p2v_.shared_offsets(), std::move(neighbours)}};
+  else
+    facet_adjacency_ = {per_poly<edge_id>(std::move(edges_of_polys)),
+                        per_poly<detail::encoded_neighbour>(std::move(neighbours))};
   facet_adjacency_.reserve_facets(max_edges);
   find_edges(found, v2p, poly_of);
   facet_adjacency_.finish();

@@ -9,7 +9,8 @@
 
 namespace concino::detail {
 
-/// The elements of a range for which `keep` returns true. It stores the range; iterators must not outlive it, as ElementRange allows.
+/// The elements of a range for which `keep` returns true. It stores the range; iterators must not outlive it, as
+/// ElementRange allows.
 template<class R, class Keep>
 class filtered_range {
   R base_;
@@ -98,7 +99,8 @@ class partial_view : public view_base<M> {
   std::shared_ptr<const detail::visible_elements> elements_;
 
  public:
-  partial_view(const M& m, std::shared_ptr<const detail::visible_elements> elements) : view_base<M>(m), elements_(std::move(elements)) {}
+  partial_view(const M& m, std::shared_ptr<const detail::visible_elements> elements)
+      : view_base<M>(m), elements_(std::move(elements)) {}
   const detail::visible_elements& elements() const { return *elements_; }
 };
 
@@ -128,7 +130,8 @@ struct partial_view_traits : forward_points<V, M> {
   }
   static decltype(auto) adj_e2v(const V& m, const edge& e) { return traits<M>::adj_e2v(m.base(), e); }
   static auto adj_v2e(const V& m, const vert& v) {
-    return filtered([&]() -> decltype(auto) { return traits<M>::adj_v2e(m.base(), v); }, visible_in(m, m.elements().edges));
+    return filtered([&]() -> decltype(auto) { return traits<M>::adj_v2e(m.base(), v); },
+                    visible_in(m, m.elements().edges));
   }
   static auto adj_v2v(const V& m, const vert& v) {
     const visible_elements* s = &m.elements();

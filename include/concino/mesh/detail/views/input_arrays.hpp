@@ -1,4 +1,5 @@
-// Construction of mesh views (view_tri and so on) from arrays: the description of an array type by its adapter, checks of shapes and indices, tables.
+// Construction of mesh views (view_tri and so on) from arrays: the description of an array type by its adapter, checks
+// of shapes and indices, tables.
 #pragma once
 
 #include <concino/core/error.hpp>
@@ -20,8 +21,8 @@ namespace concino::detail {
 
 /// How arrays of type A are read; adapters specialise it.
 ///   is_view       whether copies of an A refer to the same data, so that a temporary A is allowed
-///   rows<N>(a)    r.row(i)[k] with k < N, r.size(), r.columns (0: not fixed), r.shape_error(N): "" or what is wrong with the shape
-///   flat(a)       f.numbers()[i] with i < f.size()
+///   rows<N>(a)    r.row(i)[k] with k < N, r.size(), r.columns (0: not fixed), r.shape_error(N): "" or what is wrong
+///   with the shape flat(a)       f.numbers()[i] with i < f.size()
 /// Both take an A or a const A. What they return is cheap to copy and has no reference to an A that is a view.
 template<class A>
 struct array_source {
@@ -42,9 +43,10 @@ template<class A>
 concept holds_points = requires(std::remove_reference_t<A>& a) { source_of<A>::template rows<3>(a); } &&
                        std::floating_point<number_in_row<rows_in<A, 3>>> &&
                        (rows_in<A, 3>::columns == 0 || rows_in<A, 3>::columns == 2 || rows_in<A, 3>::columns == 3);
-template<class A, unsigned N>
-concept holds_lists = requires(std::remove_reference_t<A>& a) { typename decltype(source_of<A>::template rows<N>(a).row(0))::number; } &&
-                      index_number<number_in_row<rows_in<A, N>>> && (rows_in<A, N>::columns == 0 || rows_in<A, N>::columns == N);
+template<class A, unsigned N> concept holds_lists = requires(std::remove_reference_t<A>& a) {
+  typename decltype(source_of<A>::template rows<N>(a).row(0))::number;
+}
+&&index_number<number_in_row<rows_in<A, N>>> && (rows_in<A, N>::columns == 0 || rows_in<A, N>::columns == N);
 template<class A> concept holds_numbers = requires(std::remove_reference_t<A>& a) { source_of<A>::flat(a); };
 template<class A> concept holds_indices = holds_numbers<A> && index_number<number_in<A>>;
 
@@ -62,14 +64,16 @@ template<class A>
 auto wrap_points(A& a, const char* caller) {
   const auto rows = detail::rows_of<3>(a);
   constexpr unsigned width = decltype(rows)::columns == 2 ? 2 : 3;
-  if (const std::string bad = rows.shape_error(width); !bad.empty()) core::throw_joined<invalid_mesh>({caller, ": the array of points ", bad});
+  if (const std::string bad = rows.shape_error(width); !bad.empty())
+    core::throw_joined<invalid_mesh>({caller, ": the array of points ", bad});
   return points_in_rows<std::remove_const_t<decltype(rows)>>(rows);
 }
 
 template<unsigned N, class A>
 auto checked_rows_of(A& a, const char* caller) {
   const auto rows = detail::rows_of<N>(a);
-  if (const std::string bad = rows.shape_error(N); !bad.empty()) core::throw_joined<invalid_mesh>({caller, ": the array of polys ", bad});
+  if (const std::string bad = rows.shape_error(N); !bad.empty())
+    core::throw_joined<invalid_mesh>({caller, ": the array of polys ", bad});
   return rows;
 }
 template<unsigned N, class A>
@@ -87,7 +91,9 @@ template<class O, class I>
 auto lists_of(O& input_offsets, I& indices, const char* caller, const char* what) {
   const auto first = detail::flat_of(input_offsets);
   const auto flat = detail::flat_of(indices);
-  const auto fail = [&](const std::string& why) { core::throw_joined<invalid_mesh>({caller, ": the offsets of ", what, "s ", why}); };
+  const auto fail = [&](const std::string& why) {
+    core::throw_joined<invalid_mesh>({caller, ": the offsets of ", what, "s ", why});
+  };
   if (flat.size() >= ~0u) core::throw_joined<unsupported>({caller, ": more than 2^32 indices"});
   offsets where(first.size());
   for (std::size_t i = 0; i < where.size(); ++i) {
@@ -112,8 +118,8 @@ void check_indices(const Lists& lists, std::size_t bound, const char* caller, co
     const auto numbers = lists.numbers(i);
     for (std::uint32_t k = 0; k < lists.length(i); ++k)
       if (!is_below(numbers[k], bound))
-        core::throw_joined<invalid_mesh>({caller, ": ", what, " ", i, " names point ", index_piece(numbers[k]), ", but there are ",
-                                    bound, " points, numbered from 0"});
+        core::throw_joined<invalid_mesh>({caller, ": ", what, " ", i, " names point ", index_piece(numbers[k]),
+                                          ", but there are ", bound, " points, numbered from 0"});
   }
 }
 
@@ -140,7 +146,8 @@ template<class Lists> using hex_tables_of = cell_tables<hex_shape, Lists>;
 template<int Dimension, int Arity, template<class> class Tables, class Points, class Lists>
 auto view_of_rows(const Points& points, const Lists& lists, const char* caller) {
   check_indices(lists, points.size(), caller, "poly");
-  return construct_view<Dimension, Arity>(points, Tables<Lists>(Tables<jagged_array<vert_id, Arity>>(points.size(), copied<vert_id>(lists)), lists));
+  return construct_view<Dimension, Arity>(
+      points, Tables<Lists>(Tables<jagged_array<vert_id, Arity>>(points.size(), copied<vert_id>(lists)), lists));
 }
 
 template<int Dimension, int Arity, template<class> class Tables, class P, class F>
@@ -163,7 +170,8 @@ auto view_of_polygons(P& input_points, O& input_offsets, I& indices, const char*
   const auto lists = detail::lists_of(input_offsets, indices, caller, "poly");
   check_indices(lists, points.size(), caller, "poly");
   using tables = surface_tables<0, std::remove_const_t<decltype(lists)>>;
-  return construct_view<2, 0>(points, tables(surface_tables<0>(points.size(), *lists.shared_offsets(), copied<vert_id>(lists)), lists));
+  return construct_view<2, 0>(
+      points, tables(surface_tables<0>(points.size(), *lists.shared_offsets(), copied<vert_id>(lists)), lists));
 }
 
 /// Tag: a face is given by its number, or by the complement of its number if it is not oriented outward.
@@ -178,8 +186,8 @@ std::vector<std::uint8_t> flags_in(W& outward) {
 }
 
 template<class P, class FO, class FV, class PO, class PF, class Outward>
-auto view_of_polyhedra(P& input_points, FO& face_offsets, FV& face_verts, PO& poly_offsets, PF& input_faces, Outward outward,
-                       const char* caller) {
+auto view_of_polyhedra(P& input_points, FO& face_offsets, FV& face_verts, PO& poly_offsets, PF& input_faces,
+                       Outward outward, const char* caller) {
   const auto points = detail::wrap_points(input_points, caller);
   const auto faces = detail::lists_of(face_offsets, face_verts, caller, "face");
   check_indices(faces, points.size(), caller, "face");
@@ -197,16 +205,16 @@ auto view_of_polyhedra(P& input_points, FO& face_offsets, FV& face_verts, PO& po
         if (f < 0) f = static_cast<decltype(f)>(~f);
       }
       if (!is_below(f, faces.size()))
-        core::throw_joined<invalid_mesh>({caller, ": poly ", p, " names face ", index_piece(f), ", but there are ", faces.size(),
-                                    " faces, numbered from 0"});
+        core::throw_joined<invalid_mesh>({caller, ": poly ", p, " names face ", index_piece(f), ", but there are ",
+                                          faces.size(), " faces, numbered from 0"});
       poly_faces.push_back(face_id{f});
     }
   }
   if (flags.size() != poly_faces.size())
     core::throw_joined<invalid_mesh>({caller, ": ", flags.size(), " outward flags were given for ", poly_faces.size(),
                                 " faces of polys; each needs one"});
-  polyhedra_tables built(points.size(), *faces.shared_offsets(), copied<vert_id>(faces), *poly_lists.shared_offsets(), std::move(poly_faces),
-                         std::move(flags));
+  polyhedra_tables built(points.size(), *faces.shared_offsets(), copied<vert_id>(faces), *poly_lists.shared_offsets(),
+                         std::move(poly_faces), std::move(flags));
   using tables = basic_polyhedra_tables<std::remove_const_t<decltype(faces)>>;
   return construct_view<3, 0>(points, tables(std::move(built), faces));
 }

@@ -82,7 +82,8 @@ class lists_between {
 
  public:
   using row = decltype(std::declval<const Flat&>().numbers());
-  lists_between(Flat flat, offsets first) : flat_(std::move(flat)), first_(std::make_shared<const offsets>(std::move(first))) {}
+  lists_between(Flat flat, offsets first)
+      : flat_(std::move(flat)), first_(std::make_shared<const offsets>(std::move(first))) {}
   std::size_t size() const { return first_->size() - 1; }
   std::size_t num_values() const { return first_->back(); }
   std::uint32_t length(std::size_t i) const { return (*first_)[i + 1] - (*first_)[i]; }

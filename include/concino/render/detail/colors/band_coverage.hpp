@@ -26,8 +26,8 @@ inline double band_coverage(double x, double w, double band) {
   return std::min(1.0, std::max(0.0, (integral(x + w / 2) - integral(x - w / 2)) / w));
 }
 
-/// How much of a sample is covered by lines at 1/2, 3/2, 5/2 ... of x, which are `samples` samples wide. Where lines are close they cover half of the
-/// surface.
+/// How much of a sample is covered by lines at 1/2, 3/2, 5/2 ... of x, which are `samples` samples wide. Where lines
+/// are close they cover half of the surface.
 inline double line_coverage(double x, const sample_step& step, double samples) {
   const double width = step.length();
   if (!(width > 0)) return 0;

@@ -109,7 +109,8 @@ inline constexpr colormap_table<33> turbo_table = {{
     {0.480f, 0.016f, 0.011f},
 }};
 
-/// The colour space Msh of Moreland 2009, "Diverging Color Maps for Scientific Visualization", from (59, 76, 192) to (180, 4, 38), through white of M = 88.
+/// The colour space Msh of Moreland 2009, "Diverging Color Maps for Scientific Visualization", from (59, 76, 192) to
+/// (180, 4, 38), through white of M = 88.
 inline constexpr colormap_table<33> cool_warm_table = {{
     {0.231f, 0.298f, 0.753f},
     {0.268f, 0.352f, 0.801f},

@@ -9,7 +9,8 @@
 
 namespace concino::detail {
 
-CONCINO_INLINE void check_look(double opacity, double shine, double crease_angle, double edge_width, int isobands, int isolines, element_kind labels_at) {
+CONCINO_INLINE void check_look(double opacity, double shine, double crease_angle, double edge_width, int isobands,
+                               int isolines, element_kind labels_at) {
   const auto need = [](bool ok, const char* what) {
     if (!ok) core::throw_joined<invalid_argument>({"make_drawable: ", what});
   };
@@ -33,12 +34,16 @@ CONCINO_INLINE void finish_drawable(drawable& d, double crease_angle) {
 }
 
 /// The elements of the mesh that are the polygons of a drawable.
-inline std::span<const std::uint32_t> polygon_elements(const drawable& d, element_kind at) { return at == element_kind::face ? d.mesh_polygons : d.polys; }
+inline std::span<const std::uint32_t> polygon_elements(const drawable& d, element_kind at) {
+  return at == element_kind::face ? d.mesh_polygons : d.polys;
+}
 
-CONCINO_INLINE void take_values(drawable& d, element_kind at, std::span<const double> by_index, std::span<const std::uint32_t> edges,
-                                const std::optional<value_scale>& scale) {
+CONCINO_INLINE void take_values(drawable& d, element_kind at, std::span<const double> by_index,
+                                std::span<const std::uint32_t> edges, const std::optional<value_scale>& scale) {
   std::vector<double>& to = at == element_kind::edge ? d.edge_values : d.values;
-  const std::span<const std::uint32_t> from = at == element_kind::edge ? edges : at == element_kind::vert ? std::span<const std::uint32_t>(d.verts) : polygon_elements(d, at);
+  const std::span<const std::uint32_t> from = at == element_kind::edge   ? edges
+                                              : at == element_kind::vert ? std::span<const std::uint32_t>(d.verts)
+                                                                         : polygon_elements(d, at);
   if (at == element_kind::edge) d.look.edge_opacity = 1;
   d.values_at = at == element_kind::vert ? value_place::points : value_place::polygons;
   to.resize(from.size());
@@ -46,7 +51,8 @@ CONCINO_INLINE void take_values(drawable& d, element_kind at, std::span<const do
   d.look.scale = scale ? *scale : value_scale::linear(to);
 }
 
-CONCINO_INLINE std::vector<std::array<float, 2>> texture_points_of_corners(const drawable& d, element_kind at, std::vector<std::array<float, 2>> points) {
+CONCINO_INLINE std::vector<std::array<float, 2>> texture_points_of_corners(const drawable& d, element_kind at,
+                                                                           std::vector<std::array<float, 2>> points) {
   if (at == element_kind::corner) return points;
   std::vector<std::array<float, 2>> result;
   result.reserve(d.corners.size());

@@ -29,10 +29,12 @@ drawn_point drawn_value(const T& t, const drawn_point*) {
 }
 
 /// u[x] can be drawn as a T.
-template<class U, class X, class T>
-concept gives_drawn = requires(const U& u, const X& x) { { drawn_value(u[x], static_cast<const T*>(nullptr)) } -> std::same_as<T>; };
+template<class U, class X, class T> concept gives_drawn = requires(const U& u, const X& x) {
+  { drawn_value(u[x], static_cast<const T*>(nullptr)) } -> std::same_as<T>;
+};
 
-/// The first kind of elements at which a map can be drawn: texture coordinates at verts or corners, colours also at polys and faces. `mesh`: none.
+/// The first kind of elements at which a map can be drawn: texture coordinates at verts or corners, colours also at
+/// polys and faces. `mesh`: none.
 template<class M, class U, class T>
 consteval element_kind drawn_at() {
   if (gives_drawn<U, vert_t<M>, T>) return element_kind::vert;
@@ -48,7 +50,9 @@ std::vector<T> values_by_index(const M& m, const U& u, const R& all, std::size_t
   check_map(m, u, bound, kind, "make_drawable");
   std::vector<T> values(bound);
   T* const first = values.data();
-  parallel_for_each(all, [&m, &u, first](const X& x) { first[index_of(m, x)] = drawn_value(u[x], static_cast<const T*>(nullptr)); }, 8192);
+  parallel_for_each(
+      all, [&m, &u, first](const X& x) { first[index_of(m, x)] = drawn_value(u[x], static_cast<const T*>(nullptr)); },
+      8192);
   return values;
 }
 
@@ -88,9 +92,12 @@ std::vector<T> read_drawn_map(const void* map, const M& m, const drawable& d) {
     for (const std::uint32_t i : indices) result.push_back(by_index[i]);
     return result;
   };
-  if constexpr (kind == element_kind::vert) return chosen(values_by_index<vert_t<M>, T>(m, u, verts(m), vert_index_bound(m), kind), d.verts);
-  else if constexpr (kind == element_kind::poly) return chosen(values_by_index<poly_t<M>, T>(m, u, polys(m), poly_index_bound(m), kind), d.polys);
-  else if constexpr (kind == element_kind::face) return chosen(values_by_index<face_t<M>, T>(m, u, faces(m), face_index_bound(m), kind), d.mesh_polygons);
+  if constexpr (kind == element_kind::vert)
+    return chosen(values_by_index<vert_t<M>, T>(m, u, verts(m), vert_index_bound(m), kind), d.verts);
+  else if constexpr (kind == element_kind::poly)
+    return chosen(values_by_index<poly_t<M>, T>(m, u, polys(m), poly_index_bound(m), kind), d.polys);
+  else if constexpr (kind == element_kind::face)
+    return chosen(values_by_index<face_t<M>, T>(m, u, faces(m), face_index_bound(m), kind), d.mesh_polygons);
   else return values_at_corners<T>(m, u, d);
 }
 
@@ -105,16 +112,20 @@ class drawn_map {
   drawn_map() = default;
 
   template<class U>
-    requires(!std::same_as<std::remove_cvref_t<U>, drawn_map> && drawn_at<M, std::remove_cvref_t<U>, T>() != element_kind::mesh)
-  drawn_map(U&& u) : read_(&read_drawn_map<M, std::remove_cvref_t<U>, T>), at_(drawn_at<M, std::remove_cvref_t<U>, T>()) {
-    if constexpr (std::is_lvalue_reference_v<U>) map_ = std::shared_ptr<const void>(std::shared_ptr<const void>(), std::addressof(u));
+    requires(!std::same_as<std::remove_cvref_t<U>, drawn_map> &&
+             drawn_at<M, std::remove_cvref_t<U>, T>() != element_kind::mesh)
+  drawn_map(U&& u)
+      : read_(&read_drawn_map<M, std::remove_cvref_t<U>, T>), at_(drawn_at<M, std::remove_cvref_t<U>, T>()) {
+    if constexpr (std::is_lvalue_reference_v<U>)
+      map_ = std::shared_ptr<const void>(std::shared_ptr<const void>(), std::addressof(u));
     else map_ = std::make_shared<const std::remove_cvref_t<U>>(std::forward<U>(u));
   }
 
   explicit operator bool() const { return read_ != nullptr; }
   /// The kind of the elements that have values; `mesh` if there is no map.
   element_kind at() const { return at_; }
-  /// The values of the elements of a drawable of m: by point if they are at verts, by corner if at corners, else by polygon. There must be a map.
+  /// The values of the elements of a drawable of m: by point if they are at verts, by corner if at corners, else by
+  /// polygon. There must be a map.
   std::vector<T> read(const M& m, const drawable& d) const {
     assert(read_);
     return read_(map_.get(), m, d);

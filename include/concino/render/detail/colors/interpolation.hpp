@@ -14,7 +14,8 @@ namespace concino::detail {
 /// The weights of corners at a point: of all corners of a polygon, or of three of them.
 struct interpolation {
   std::uint32_t first = 0;                 // the first corner of the polygon
-  std::span<const double> weights;         // of the corners from the first one on; empty: only those of the triangle have weights
+  std::span<const double> weights;         // of the corners from the first one on; empty: only those of the triangle
+                                           // have weights
   std::array<std::uint32_t, 3> triangle{};
   std::array<double, 3> bary{};
 
@@ -24,7 +25,8 @@ struct interpolation {
     if (weights.empty())
       for (std::size_t k = 0; k < 3; ++k) sum += of_corner(triangle[k]) * bary[k];
     else
-      for (std::size_t i = 0; i < weights.size(); ++i) sum += of_corner(first + static_cast<std::uint32_t>(i)) * weights[i];
+      for (std::size_t i = 0; i < weights.size(); ++i)
+        sum += of_corner(first + static_cast<std::uint32_t>(i)) * weights[i];
     return sum;
   }
 
@@ -43,7 +45,8 @@ struct interpolation {
   }
 };
 
-/// The interpolation at a sample, and at two points beside it, a part of the way to the next samples to the right and above.
+/// The interpolation at a sample, and at two points beside it, a part of the way to the next samples to the right and
+/// above.
 struct sampled_interpolation {
   interpolation at, right, up;
   double right_part = 0, up_part = 0;  // 0: the surface is seen from its edge, so that values change without bound
@@ -51,7 +54,8 @@ struct sampled_interpolation {
   template<class F>
   sample_step step(F&& of_corner) const {
     const double here = at(of_corner, 0.0), unbounded = std::numeric_limits<double>::infinity();
-    return {right_part > 0 ? (right(of_corner, 0.0) - here) / right_part : unbounded, up_part > 0 ? (up(of_corner, 0.0) - here) / up_part : unbounded};
+    return {right_part > 0 ? (right(of_corner, 0.0) - here) / right_part : unbounded,
+            up_part > 0 ? (up(of_corner, 0.0) - here) / up_part : unbounded};
   }
 };
 

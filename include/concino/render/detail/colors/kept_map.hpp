@@ -32,11 +32,13 @@ class kept_map {
 template<class U>
 concept names_its_mesh = requires(const U& u) { requires requirement::is_adapted<decltype(u.mesh())>; };
 
-/// Errors: invalid_argument if u is a map of another mesh, or was made before elements were added. bound: the index bound of its elements.
+/// Errors: invalid_argument if u is a map of another mesh, or was made before elements were added. bound: the index
+///         bound of its elements.
 template<class M, class U>
 void check_map(const M& m, const U& u, std::size_t bound, element_kind kind, const char* caller) {
   const auto refuse = [&] {
-    core::throw_joined<invalid_argument>({caller, ": the map belongs to another mesh; make it with make_", to_string(kind), "_map<...>(m)"});
+    core::throw_joined<invalid_argument>(
+        {caller, ": the map belongs to another mesh; make it with make_", to_string(kind), "_map<...>(m)"});
   };
   if constexpr (!is_view_v<M> && names_its_mesh<U>) {
     using other = std::remove_cvref_t<decltype(u.mesh())>;
@@ -48,7 +50,8 @@ void check_map(const M& m, const U& u, std::size_t bound, element_kind kind, con
   }
   if constexpr (requires { u.values().size(); })
     if (const std::size_t size = u.values().size(); size < bound)
-      core::throw_joined<invalid_argument>({caller, ": the map has values below index ", size, ", but the mesh has a ", to_string(kind), " with index ", bound - 1,
+      core::throw_joined<invalid_argument>({caller, ": the map has values below index ", size, ", but the mesh has a ",
+                                            to_string(kind), " with index ", bound - 1,
                                             "; it was made for another mesh, or before elements were added"});
 }
 

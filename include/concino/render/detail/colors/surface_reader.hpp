@@ -51,9 +51,12 @@ class surface_reader {
   surface_point operator()(const ray_hit& hit, const view_ray& ray, const image_point& film);
 
  private:
-  vec3 corner(std::size_t which, std::uint32_t i) const { return scene_.point(scene_.first_point(which) + scene_[which].corners[i]); }
+  vec3 corner(std::size_t which, std::uint32_t i) const {
+    return scene_.point(scene_.first_point(which) + scene_[which].corners[i]);
+  }
   place place_of(const ray_hit& hit);
-  interpolation interpolate(const place& at, const std::array<double, 3>& bary, const vec3& position, std::vector<double>& weights) const;
+  interpolation interpolate(const place& at, const std::array<double, 3>& bary, const vec3& position,
+                            std::vector<double>& weights) const;
   void add_neighbours(sampled_interpolation& mean, const place& at, const vec3& position, const image_point& film);
   void read_color(surface_point& s, sampled_interpolation& mean, const place& at, const image_point& film);
   void read_edges(surface_point& s, const place& at, const image_point& film);

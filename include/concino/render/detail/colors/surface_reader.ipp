@@ -39,16 +39,17 @@ CONCINO_INLINE surface_reader::place surface_reader::place_of(const ray_hit& hit
   return {which, d, p, first, n, t, points, area_vector};
 }
 
-CONCINO_INLINE interpolation surface_reader::interpolate(const place& at, const std::array<double, 3>& bary, const vec3& position,
-                                                         std::vector<double>& weights) const {
+CONCINO_INLINE interpolation surface_reader::interpolate(const place& at, const std::array<double, 3>& bary,
+                                                         const vec3& position, std::vector<double>& weights) const {
   if (polygon_.empty()) return {at.first, {}, at.corners, bary};
   polygon_weights(polygon_, polygon_normal_, position, weights);
   return {at.first, weights, at.corners, bary};
 }
 
-/// Intersects the rays of the neighbouring samples with the plane of the triangle. Far points are moved towards the sample, so that values there are nearly
-/// linear between the two.
-CONCINO_INLINE void surface_reader::add_neighbours(sampled_interpolation& mean, const place& at, const vec3& position, const image_point& film) {
+/// Intersects the rays of the neighbouring samples with the plane of the triangle. Far points are moved towards the
+/// sample, so that values there are nearly linear between the two.
+CONCINO_INLINE void surface_reader::add_neighbours(sampled_interpolation& mean, const place& at, const vec3& position,
+                                                   const image_point& film) {
   const vec3 a = at.points[0], e = at.points[1] - a, f = at.points[2] - a;
   const double nn = dot(at.area_vector, at.area_vector), size = std::sqrt(std::max(dot(e, e), dot(f, f)));
   if (!(nn > 0)) return;
@@ -67,7 +68,8 @@ CONCINO_INLINE void surface_reader::add_neighbours(sampled_interpolation& mean, 
   mean.up = neighbour(0, pixel_ / fineness_, up_weights_, mean.up_part);
 }
 
-CONCINO_INLINE void surface_reader::read_color(surface_point& s, sampled_interpolation& mean, const place& at, const image_point& film) {
+CONCINO_INLINE void surface_reader::read_color(surface_point& s, sampled_interpolation& mean, const place& at,
+                                               const image_point& film) {
   if (needs_steps(at.d)) add_neighbours(mean, at, s.position, film);
   s.color = unlit_color(at.d, {at.polygon, mean, fineness_, 2 / pixel_ * fineness_});
   s.opacity = at.d.look.opacity;
@@ -103,7 +105,8 @@ CONCINO_INLINE void surface_reader::read_edges(surface_point& s, const place& at
   if (s.opacity > 0) s.opacity += (1 - s.opacity) * edge;  // edges stay visible on transparent surfaces
 }
 
-CONCINO_INLINE surface_point surface_reader::operator()(const ray_hit& hit, const view_ray& ray, const image_point& film) {
+CONCINO_INLINE surface_point surface_reader::operator()(const ray_hit& hit, const view_ray& ray,
+                                                        const image_point& film) {
   const place at = place_of(hit);
   const std::array<double, 3> bary{1 - hit.u - hit.v, hit.u, hit.v};
   surface_point s;
@@ -122,8 +125,9 @@ CONCINO_INLINE surface_point surface_reader::operator()(const ray_hit& hit, cons
   const double sign = dot(smooth, s.flat) < 0 ? -1 : 1;
   s.normal = length > 1e-6 ? smooth * (sign / length) : s.flat;
 
-  // Rays from a coarse triangle towards grazing light would hit its neighbours, although the approximated surface is round there. So they start
-  // on the tangent planes of the corners. Source: Hanika 2021, "Hacking the Shadow Terminator".
+  // Rays from a coarse triangle towards grazing light would hit its neighbours, although the approximated surface is
+  // round there. So they start on the tangent planes of the corners. Source: Hanika 2021, "Hacking the Shadow
+  // Terminator".
   s.smooth_position = s.position;
   for (std::size_t k = 0; k < 3; ++k) {
     const vec3 m = corner_normal(at.corners[k]) * sign;

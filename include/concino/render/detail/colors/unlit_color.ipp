@@ -8,7 +8,8 @@
 namespace concino::detail {
 
 /// The number of the value of a corner in `values` or `colors`.
-CONCINO_INLINE std::size_t value_index(const drawable& d, value_place place, std::uint32_t polygon, std::uint32_t corner) {
+CONCINO_INLINE std::size_t value_index(const drawable& d, value_place place, std::uint32_t polygon,
+                                       std::uint32_t corner) {
   return place == value_place::polygons ? polygon : place == value_place::points ? d.corners[corner] : corner;
 }
 
@@ -20,17 +21,20 @@ CONCINO_INLINE rgb mapped_color(const appearance& look, double value) {
   return label ? label_color(*label) : look.no_value;
 }
 
-CONCINO_INLINE rgb with_bands(const appearance& look, rgb color, double value, const sample_step& step, const colored_sample& s) {
+CONCINO_INLINE rgb with_bands(const appearance& look, rgb color, double value, const sample_step& step,
+                              const colored_sample& s) {
   const double x = look.scale(value), slope = look.scale.slope(value);
   if (!(slope > 0)) return color;
   if (look.isobands > 0) {
-    const double band_step = step.larger() * slope * look.isobands;  // from one sample to the next, in distances between bands
+    const double band_step = step.larger() * slope * look.isobands;  // from one sample to the next, in distances
+                                                                     // between bands
     const double limit = look.band_limit * s.picture_height * band_step;
     const double width = std::min({1.0, std::max(0.0, look.band_width), limit});
     color = mix(color, {1, 1, 1}, static_cast<float>(band_coverage(x * look.isobands, 1.5 * band_step, width)));
   }
   if (look.isolines > 0) {
-    const double covered = line_coverage(x * look.isolines, step * (slope * look.isolines), look.isoline_width * s.samples_per_pixel);
+    const double covered =
+        line_coverage(x * look.isolines, step * (slope * look.isolines), look.isoline_width * s.samples_per_pixel);
     color = mix(color, look.isoline_color, static_cast<float>(covered));
   }
   return color;
@@ -39,7 +43,8 @@ CONCINO_INLINE rgb with_bands(const appearance& look, rgb color, double value, c
 CONCINO_INLINE bool has_texture(const drawable& d) { return d.look.texture && !d.texture_coordinates.empty(); }
 
 CONCINO_INLINE bool has_lines(const drawable& d) {
-  return !d.values.empty() && d.values_at != value_place::polygons && !d.look.labels && (d.look.isobands > 0 || d.look.isolines > 0);
+  return !d.values.empty() && d.values_at != value_place::polygons && !d.look.labels &&
+         (d.look.isobands > 0 || d.look.isolines > 0);
 }
 
 CONCINO_INLINE bool needs_steps(const drawable& d) { return has_texture(d) || has_lines(d); }
@@ -61,7 +66,8 @@ CONCINO_INLINE rgb color_below(const drawable& d, const colored_sample& s) {
       return vec3{x.r, x.g, x.b};
     };
     const vec3 mean = s.mean.at(color, vec3{});
-    const auto part = [](double x) { return static_cast<float>(std::max(0.0, x)); };  // weights may be negative in concave polygons
+    // weights may be negative in concave polygons
+    const auto part = [](double x) { return static_cast<float>(std::max(0.0, x)); };
     return {part(mean.x), part(mean.y), part(mean.z)};
   }
   if (!d.values.empty()) return value_color(d, s);

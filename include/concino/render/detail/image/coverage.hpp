@@ -10,7 +10,8 @@
 
 namespace concino::detail {
 
-/// Polygons over a part of a picture, of which they cover some pixels wholly and some in part. What lies outside is cut off.
+/// Polygons over a part of a picture, of which they cover some pixels wholly and some in part. What lies outside is cut
+/// off.
 class coverage {
   std::size_t left_ = 0, top_ = 0, columns_ = 0, rows_ = 0;
   std::vector<double> changes_;  // of the coverage from each pixel to the one on its right
@@ -31,7 +32,8 @@ class coverage {
 /// Paints a polygon, a box, or a line with square ends.
 void fill_polygon(image& picture, std::span<const pixel_position> polygon, const rgb& color, double opacity = 1);
 void fill_box(image& picture, const pixel_box& box, const rgb& color, double opacity = 1);
-void draw_line(image& picture, const pixel_position& a, const pixel_position& b, double width, const rgb& color, double opacity = 1);
+void draw_line(image& picture, const pixel_position& a, const pixel_position& b, double width, const rgb& color,
+               double opacity = 1);
 
 }  // namespace concino::detail
 

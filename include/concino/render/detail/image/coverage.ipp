@@ -25,19 +25,20 @@ CONCINO_INLINE coverage::coverage(const image& picture, const pixel_box& box) {
   changes_.assign(rows_ * (columns_ + 1), 0.0);
 }
 
-/// Adds the area between an edge and the right end of the picture, with the sign of its direction. For all edges of a polygon, the sum is
-/// its area.
+/// Adds the area between an edge and the right end of the picture, with the sign of its direction. For all edges of a
+/// polygon, the sum is its area.
 CONCINO_INLINE void coverage::add_edge(const pixel_position& a, const pixel_position& b) {
   const double slope = (b.x - a.x) / (b.y - a.y), x0 = static_cast<double>(left_), y0 = static_cast<double>(top_);
   if (!std::isfinite(slope)) return;  // a level edge
   const double sign = b.y > a.y ? 1 : -1;
-  const double first = std::max(std::min(a.y, b.y) - y0, 0.0), last = std::min(std::max(a.y, b.y) - y0, static_cast<double>(rows_));
+  const double first = std::max(std::min(a.y, b.y) - y0, 0.0),
+               last = std::min(std::max(a.y, b.y) - y0, static_cast<double>(rows_));
   for (double y = first; y < last;) {
     const double next = std::min(std::floor(y) + 1, last);
-    // In this row the edge runs from column `low` to `high`, evenly. The mean, over its points x, of the length of (x, t) is known for each
-    // t.
-    const double xa = a.x - x0 + slope * (y + y0 - a.y), xb = a.x - x0 + slope * (next + y0 - a.y), low = std::min(xa, xb),
-                 high = std::max(xa, xb);
+    // In this row the edge runs from column `low` to `high`, evenly. The mean, over its points x, of the length of (x,
+    // t) is known for each t.
+    const double xa = a.x - x0 + slope * (y + y0 - a.y), xb = a.x - x0 + slope * (next + y0 - a.y),
+                 low = std::min(xa, xb), high = std::max(xa, xb);
     if (!std::isfinite(low) || !std::isfinite(high)) return;
     const auto mean_length = [&](double t) {
       return t <= low ? 0 : t >= high ? t - (low + high) / 2 : (t - low) * (t - low) / (2 * (high - low));
@@ -90,7 +91,8 @@ CONCINO_INLINE void coverage::paint(image& picture, const rgb& color, double opa
   }
 }
 
-CONCINO_INLINE void fill_polygon(image& picture, std::span<const pixel_position> polygon, const rgb& color, double opacity) {
+CONCINO_INLINE void fill_polygon(image& picture, std::span<const pixel_position> polygon, const rgb& color,
+                                 double opacity) {
   if (polygon.empty()) return;
   pixel_box box{polygon[0].x, polygon[0].y, polygon[0].x, polygon[0].y};
   for (const pixel_position& p : polygon)
@@ -101,17 +103,21 @@ CONCINO_INLINE void fill_polygon(image& picture, std::span<const pixel_position>
 }
 
 CONCINO_INLINE void fill_box(image& picture, const pixel_box& b, const rgb& color, double opacity) {
-  fill_polygon(picture, std::array<pixel_position, 4>{{{b.left, b.top}, {b.right, b.top}, {b.right, b.bottom}, {b.left, b.bottom}}}, color,
-               opacity);
+  fill_polygon(
+      picture,
+      std::array<pixel_position, 4>{{{b.left, b.top}, {b.right, b.top}, {b.right, b.bottom}, {b.left, b.bottom}}},
+      color, opacity);
 }
 
-CONCINO_INLINE void draw_line(image& picture, const pixel_position& a, const pixel_position& b, double width, const rgb& color,
-                              double opacity) {
+CONCINO_INLINE void draw_line(image& picture, const pixel_position& a, const pixel_position& b, double width,
+                              const rgb& color, double opacity) {
   const double dx = b.x - a.x, dy = b.y - a.y, length = std::sqrt(dx * dx + dy * dy);
   if (!(length > 0)) return;
   const double x = -dy / length * width / 2, y = dx / length * width / 2;
-  fill_polygon(picture, std::array<pixel_position, 4>{{{a.x + x, a.y + y}, {b.x + x, b.y + y}, {b.x - x, b.y - y}, {a.x - x, a.y - y}}},
-               color, opacity);
+  fill_polygon(
+      picture,
+      std::array<pixel_position, 4>{{{a.x + x, a.y + y}, {b.x + x, b.y + y}, {b.x - x, b.y - y}, {a.x - x, a.y - y}}},
+      color, opacity);
 }
 
 }  // namespace concino::detail

@@ -42,7 +42,8 @@ class huffman_code {
     const std::size_t leaves = nodes.size();
     std::size_t leaf = 0, inner = leaves;
     const auto take_least = [&] {
-      const std::size_t i = leaf < leaves && (inner == nodes.size() || nodes[leaf].count <= nodes[inner].count) ? leaf++ : inner++;
+      const std::size_t i =
+          leaf < leaves && (inner == nodes.size() || nodes[leaf].count <= nodes[inner].count) ? leaf++ : inner++;
       nodes[i].parent = nodes.size();
       return nodes[i].count;
     };
@@ -152,7 +153,8 @@ class string_finder {
     const std::uint8_t* const here = bytes_.data() + i;
     std::uint32_t other = last_[hash(i)], nearer = 0;
     for (unsigned k = 0; k < tries_ && other != 0; ++k) {
-      const std::uint32_t distance = static_cast<std::uint32_t>(i + 1) - other;  // exact beyond 2^32 bytes too, as it is small
+      // exact beyond 2^32 bytes too, as it is small
+      const std::uint32_t distance = static_cast<std::uint32_t>(i + 1) - other;
       if (distance <= nearer || distance >= window_ || distance > i) break;      // an old entry, overwritten since
       nearer = distance;
       const std::uint8_t* const there = here - distance;
@@ -177,7 +179,8 @@ inline void write_code_lengths(bit_writer& out, const huffman_code& literals, co
   std::vector<run> runs;
   std::vector<std::uint32_t> counts(19, 0);
   const auto add = [&](unsigned symbol, std::size_t extra, unsigned bits) {
-    runs.push_back({static_cast<std::uint8_t>(symbol), static_cast<std::uint8_t>(extra), static_cast<std::uint8_t>(bits)});
+    runs.push_back(
+        {static_cast<std::uint8_t>(symbol), static_cast<std::uint8_t>(extra), static_cast<std::uint8_t>(bits)});
     ++counts[symbol];
   };
   for (std::size_t i = 0; i < lengths.size();) {
@@ -235,7 +238,8 @@ inline void write_block(bit_writer& out, std::span<const deflate_symbol> symbols
 inline std::uint32_t adler32(std::span<const std::uint8_t> bytes) {
   std::uint32_t a = 1, b = 0;
   for (std::size_t i = 0; i < bytes.size();) {
-    for (const std::size_t end = std::min(bytes.size(), i + 5552); i < end; ++i) b += a += bytes[i];  // as many as do not overflow
+    // as many as do not overflow
+    for (const std::size_t end = std::min(bytes.size(), i + 5552); i < end; ++i) b += a += bytes[i];
     a %= 65521;
     b %= 65521;
   }

@@ -47,7 +47,8 @@ inline int png_prediction(int filter, int left, int above, int corner) {
   if (filter == 1) return left;
   if (filter == 2) return above;
   if (filter == 3) return (left + above) / 2;
-  const int guess = left + above - corner, l = std::abs(guess - left), a = std::abs(guess - above), c = std::abs(guess - corner);
+  const int guess = left + above - corner, l = std::abs(guess - left), a = std::abs(guess - above),
+            c = std::abs(guess - corner);
   return l <= a && l <= c ? left : a <= c ? above : corner;
 }
 
@@ -72,7 +73,8 @@ class png_rows {
 
  public:
   png_rows(std::size_t size, std::size_t pixel)
-      : size_(size), pixel_(pixel), row_(size + pixel, 0), above_(size + pixel, 0), filtered_(size + 1), best_(size + 1) {}
+      : size_(size), pixel_(pixel), row_(size + pixel, 0), above_(size + pixel, 0), filtered_(size + 1),
+        best_(size + 1) {}
 
   /// Where the bytes of the next row go.
   std::uint8_t* next() {

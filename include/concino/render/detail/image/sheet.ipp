@@ -65,7 +65,8 @@ inline void lay_picture(image& sheet, const image& picture, std::size_t left, st
 }
 
 /// A text in the middle of a strip, smaller if it is wider.
-inline void draw_caption(image& sheet, const std::string& text, double left, double width, double top, double size, const rgb& color) {
+inline void draw_caption(image& sheet, const std::string& text, double left, double width, double top, double size,
+                         const rgb& color) {
   if (text.empty()) return;
   const double length = text_width(text, 1);
   if (length > 0) size = std::min(size, width / length);
@@ -80,23 +81,27 @@ CONCINO_INLINE image make_sheet(std::span<const image> pictures, const sheet_opt
   for (std::size_t i = 0; i < pictures.size(); ++i)
     if (pictures[i].width() == 0) core::throw_joined<invalid_argument>({"make_sheet: picture ", i, " has no pixels"});
   if (options.captions.size() > pictures.size())
-    core::throw_joined<invalid_argument>({"make_sheet: ", options.captions.size(), " captions for ", pictures.size(), " pictures"});
+    core::throw_joined<invalid_argument>(
+        {"make_sheet: ", options.captions.size(), " captions for ", pictures.size(), " pictures"});
   if (!(options.size >= 0 && options.size <= 65535)) throw invalid_argument("make_sheet: size must be 0 to 65535");
   if (options.gap > 65535) throw invalid_argument("make_sheet: gap must be at most 65535 pixels");
   const detail::sheet_layout layout(pictures, options);
   if (layout.width() > 65535 || layout.height() > 65535)
-    core::throw_joined<invalid_argument>(
-        {"make_sheet: the sheet would have ", layout.width(), " x ", layout.height(), " pixels, more than 65535 along an axis"});
+    core::throw_joined<invalid_argument>({"make_sheet: the sheet would have ", layout.width(), " x ", layout.height(),
+                                          " pixels, more than 65535 along an axis"});
   image sheet(layout.width(), layout.height(), options.background);
-  if (std::all_of(pictures.begin(), pictures.end(), [](const image& p) { return p.has_opacity(); })) sheet.add_opacity(0);
+  if (std::all_of(pictures.begin(), pictures.end(), [](const image& p) { return p.has_opacity(); }))
+    sheet.add_opacity(0);
   const std::size_t columns = layout.widths.size();
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    const std::size_t column = i % columns, row = i / columns, width = layout.widths[column], height = layout.heights[row];
+    const std::size_t column = i % columns, row = i / columns, width = layout.widths[column],
+                      height = layout.heights[row];
     detail::lay_picture(sheet, pictures[i], layout.left(column) + (width - pictures[i].width()) / 2,
                         layout.top(row) + (height - pictures[i].height()) / 2);
     if (i < options.captions.size())
-      detail::draw_caption(sheet, options.captions[i], static_cast<double>(layout.left(column)), static_cast<double>(width),
-                           static_cast<double>(layout.top(row) + height), layout.size, options.color);
+      detail::draw_caption(sheet, options.captions[i], static_cast<double>(layout.left(column)),
+                           static_cast<double>(width), static_cast<double>(layout.top(row) + height), layout.size,
+                           options.color);
   }
   const double border = static_cast<double>(options.gap), inner = static_cast<double>(layout.width()) - 2 * border;
   detail::draw_caption(sheet, options.title, border, inner, border, 1.4 * layout.size, options.color);

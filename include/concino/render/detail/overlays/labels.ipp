@@ -50,7 +50,8 @@ class label_places {
       if (p.x > b.left - r && p.x < b.right + r && p.y > b.top - r && p.y < b.bottom + r) return false;
     for (const pixel_box& other : boxes_)
       if (overlap(b, other) || (lines_too && passes(line, other))) return false;
-    return !lines_too || std::none_of(lines_.begin(), lines_.end(), [&](const pixel_segment& s) { return passes(s, b); });
+    return !lines_too ||
+           std::none_of(lines_.begin(), lines_.end(), [&](const pixel_segment& s) { return passes(s, b); });
   }
 
  public:
@@ -63,8 +64,8 @@ class label_places {
     return {std::min(std::max(p.x, b.left), b.right), std::min(std::max(p.y, b.top), b.bottom)};
   }
 
-  /// A box of this width and height near p: to the right if it fits, else around it at growing distances. `lines_too`: lines to points and boxes must not
-  /// meet either.
+  /// A box of this width and height near p: to the right if it fits, else around it at growing distances. `lines_too`:
+  /// lines to points and boxes must not meet either.
   std::optional<pixel_box> place(const pixel_position& p, double width, double height, bool lines_too) {
     constexpr double pi = 3.14159265358979323846;
     constexpr std::array<int, 16> turns = {0, 1,  -1, 8,  7, -7, 2, -2,
@@ -76,7 +77,8 @@ class label_places {
         const auto offset = [](double direction, double length) {
           return std::abs(direction) < 0.3 ? -length / 2 : direction < 0 ? -length : 0;
         };
-        const double left = p.x + away * x + offset(x, width), top = p.y + away * y + (std::abs(x) > 0.8 ? -height / 2 : offset(y, height));
+        const double left = p.x + away * x + offset(x, width),
+                     top = p.y + away * y + (std::abs(x) > 0.8 ? -height / 2 : offset(y, height));
         const pixel_box b{left, top, left + width, top + height};
         const pixel_segment line{p, nearest(b, p)};
         if (!is_free(b, line, lines_too)) continue;
@@ -99,8 +101,8 @@ inline void draw_dot(image& picture, const pixel_position& p, double radius, con
 
 }  // namespace detail
 
-CONCINO_INLINE std::vector<pixel_box> draw_labels(image& picture, const camera& from, std::span<const point_label> labels,
-                                                  const label_options& options) {
+CONCINO_INLINE std::vector<pixel_box> draw_labels(image& picture, const camera& from,
+                                                  std::span<const point_label> labels, const label_options& options) {
   if (!(options.size >= 0 && options.size <= 65535)) throw invalid_argument("draw_labels: size must be 0 to 65535");
   if (!(options.background_opacity >= 0 && options.background_opacity <= 1))
     throw invalid_argument("draw_labels: background_opacity must be in [0, 1]");
@@ -122,7 +124,8 @@ CONCINO_INLINE std::vector<pixel_box> draw_labels(image& picture, const camera& 
     const pixel_box text = text_box(labels[i].text, {0, 0}, {.size = size});
     for (const bool lines_too : {true, false})
       if (!(boxes[i].width() > 0))
-        if (const auto b = places.place(*at[i], text.width() + 2 * border, text.height() + 2 * border, lines_too)) boxes[i] = *b;
+        if (const auto b = places.place(*at[i], text.width() + 2 * border, text.height() + 2 * border, lines_too))
+          boxes[i] = *b;
   }
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (!at[i]) continue;
@@ -137,7 +140,8 @@ CONCINO_INLINE std::vector<pixel_box> draw_labels(image& picture, const camera& 
     if (!(b.width() > 0)) continue;
     detail::fill_box(picture, b, options.background, options.background_opacity);
     const pixel_box text = text_box(labels[i].text, {0, 0}, {.size = size});
-    draw_text(picture, labels[i].text, {b.left + border - text.left, b.top + border - text.top}, {.size = size, .color = options.color});
+    draw_text(picture, labels[i].text, {b.left + border - text.left, b.top + border - text.top},
+              {.size = size, .color = options.color});
   }
   return boxes;
 }

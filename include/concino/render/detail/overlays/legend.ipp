@@ -17,7 +17,8 @@ namespace concino {
 
 namespace detail {
 
-/// The parts of a legend and their places. Lengths are in sizes of letters, from the upper left corner, until fit() makes them pixels.
+/// The parts of a legend and their places. Lengths are in sizes of letters, from the upper left corner, until fit()
+/// makes them pixels.
 class legend_layout {
   const appearance& look_;
   const legend_options& options_;
@@ -34,18 +35,23 @@ class legend_layout {
     if (n == 0) {
       first = static_cast<std::size_t>(std::max(0.0, std::ceil(look_.scale.low())));
       const double last = std::floor(look_.scale.high());
-      n = last < static_cast<double>(first) ? 0 : static_cast<std::size_t>(std::min(last - static_cast<double>(first) + 1, 1e6));
+      n = last < static_cast<double>(first)
+              ? 0
+              : static_cast<std::size_t>(std::min(last - static_cast<double>(first) + 1, 1e6));
     }
-    const double most = std::max(3.0, (height / (options_.size > 0 ? options_.size : 10) - 2 * margin_ - head_) / row_ - 2);
+    const double most =
+        std::max(3.0, (height / (options_.size > 0 ? options_.size : 10) - 2 * margin_ - head_) / row_ - 2);
     more_ = static_cast<double>(n) > most;
     if (more_) n = static_cast<std::size_t>(most);
     for (std::size_t k = 0; k < n; ++k)
-      ticks_.push_back({static_cast<double>(first + k), options_.labels.empty() ? std::to_string(first + k) : options_.labels[k]});
+      ticks_.push_back(
+          {static_cast<double>(first + k), options_.labels.empty() ? std::to_string(first + k) : options_.labels[k]});
   }
 
   /// The lengths, with letters of size 1 and a bar of `bar`.
   void measure() {
-    head_ = title_.empty() ? look_.labels ? 0 : 0.4 : 0.8 + 1.2 * static_cast<double>(1 + std::count(title_.begin(), title_.end(), '\n'));
+    head_ = title_.empty() ? look_.labels ? 0 : 0.4
+                           : 0.8 + 1.2 * static_cast<double>(1 + std::count(title_.begin(), title_.end(), '\n'));
     double text = 0;
     for (const tick& t : ticks_) text = std::max(text, text_width(t.text, 1));
     if (!options_.no_value.empty()) text = std::max(text, text_width(options_.no_value, 1));
@@ -75,7 +81,8 @@ class legend_layout {
   double y(double s) const { return corner_.y + s * size_; }
 
   void draw_text_at(image& picture, const std::string& text, double left, double middle) const {
-    draw_text(picture, text, {x(left), y(middle)}, {.size = size_, .color = options_.color, .level = text_level::middle});
+    draw_text(picture, text, {x(left), y(middle)},
+              {.size = size_, .color = options_.color, .level = text_level::middle});
   }
 
   void draw_swatch(image& picture, const rgb& color, const std::string& text, double top) const {
@@ -116,17 +123,22 @@ class legend_layout {
       const double at = box.bottom - look_.scale(t.value) * rows;
       if (last - at < 1.1 * size_) continue;  // it would touch the number below
       last = at;
-      const double w = std::max(1.0, std::round(size_ / 16)), line = std::min(std::max(std::round(at - w / 2), box.top), box.bottom - w);
+      const double w = std::max(1.0, std::round(size_ / 16)),
+                   line = std::min(std::max(std::round(at - w / 2), box.top), box.bottom - w);
       fill_box(picture, {box.right, line, x(swatch_ + 0.3), line + w}, options_.color);
-      draw_text(picture, t.text, {x(swatch_ + gap_), at}, {.size = size_, .color = options_.color, .level = text_level::middle});
+      draw_text(picture, t.text, {x(swatch_ + gap_), at},
+                {.size = size_, .color = options_.color, .level = text_level::middle});
     }
   }
 
  public:
-  legend_layout(std::size_t width, std::size_t height, const appearance& look, const legend_options& options, const char* what)
+  legend_layout(std::size_t width, std::size_t height, const appearance& look, const legend_options& options,
+                const char* what)
       : look_(look), options_(options) {
-    if (!(options.size >= 0 && options.size <= 65535)) core::throw_joined<invalid_argument>({what, ": size must be 0 to 65535"});
-    if (options.ticks < 1 || options.ticks > 100) core::throw_joined<invalid_argument>({what, ": ticks must be 1 to 100"});
+    if (!(options.size >= 0 && options.size <= 65535))
+      core::throw_joined<invalid_argument>({what, ": size must be 0 to 65535"});
+    if (options.ticks < 1 || options.ticks > 100)
+      core::throw_joined<invalid_argument>({what, ": ticks must be 1 to 100"});
     title_ = options.title;
     if (!options.unit.empty()) ((title_ += title_.empty() ? "[" : " [") += options.unit) += "]";
     if (look.labels) name_labels(static_cast<double>(height));
@@ -137,7 +149,8 @@ class legend_layout {
   pixel_box box() const { return {corner_.x, corner_.y, x(width_), y(height_)}; }
 
   void draw(image& picture) const {
-    if (!title_.empty()) draw_text(picture, title_, {x(0), y(0.3)}, {.size = size_, .color = options_.color, .level = text_level::top});
+    if (!title_.empty())
+      draw_text(picture, title_, {x(0), y(0.3)}, {.size = size_, .color = options_.color, .level = text_level::top});
     double top = head_;
     if (!look_.labels) {
       draw_bar(picture);
@@ -160,14 +173,16 @@ CONCINO_INLINE pixel_box draw_legend(image& picture, const appearance& look, con
   return layout.box();
 }
 
-CONCINO_INLINE pixel_box legend_box(std::size_t width, std::size_t height, const appearance& look, const legend_options& options) {
+CONCINO_INLINE pixel_box legend_box(std::size_t width, std::size_t height, const appearance& look,
+                                    const legend_options& options) {
   return detail::legend_layout(width, height, look, options, "legend_box").box();
 }
 
 CONCINO_INLINE pixel_box draw_title(image& picture, std::string_view title, const rgb& color) {
   if (picture.width() == 0) return {};
   const double width = static_cast<double>(picture.width()), wanted = static_cast<double>(picture.height()) / 24;
-  const double length = text_width(title, 1), size = std::max(0.1, std::min(wanted, length > 0 ? (width - wanted) / length : wanted));
+  const double length = text_width(title, 1),
+               size = std::max(0.1, std::min(wanted, length > 0 ? (width - wanted) / length : wanted));
   return draw_text(picture, title, {width / 2, 0.6 * wanted},
                    {.size = size, .color = color, .align = text_align::middle, .level = text_level::top});
 }

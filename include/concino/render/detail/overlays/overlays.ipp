@@ -13,7 +13,8 @@ namespace concino::detail {
 inline const appearance& look_of_legend(const scene& s) {
   for (const drawable& d : s.drawables())
     if (!d.values.empty() || !d.edge_values.empty()) return d.look;
-  throw invalid_argument("render: a legend is wanted, but nothing in the scene has values or labels; give a mesh a field");
+  throw invalid_argument(
+      "render: a legend is wanted, but nothing in the scene has values or labels; give a mesh a field");
 }
 
 CONCINO_INLINE camera camera_of(std::span<const drawable> framed, const scene& s, const render_options& o) {
@@ -30,7 +31,8 @@ CONCINO_INLINE camera camera_of(std::span<const drawable> framed, const scene& s
   return c;
 }
 
-CONCINO_INLINE void draw_overlays(image& picture, const camera& from, const scene& s, std::span<const point_label> visible_labels, const render_options& o) {
+CONCINO_INLINE void draw_overlays(image& picture, const camera& from, const scene& s,
+                                  std::span<const point_label> visible_labels, const render_options& o) {
   if (o.axes) draw_axes(picture, from, s.bounds(), *o.axes);
   if (!visible_labels.empty()) draw_labels(picture, from, visible_labels, o.labels);
   if (o.legend.wanted()) draw_legend(picture, look_of_legend(s), o.legend);

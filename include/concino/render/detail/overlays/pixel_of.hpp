@@ -10,7 +10,8 @@
 
 namespace concino::detail {
 
-/// The place of a point in a picture of this size, which may be outside; nothing if the camera does not have it before its eye.
+/// The place of a point in a picture of this size, which may be outside; nothing if the camera does not have it before
+/// its eye.
 inline std::optional<pixel_position> pixel_of(const camera& c, std::size_t width, std::size_t height, const vec3& p) {
   if (!is_finite(p)) return {};
   if (!c.parallel && !(dot(c.eye - p, c.back) > 0)) return {};

@@ -12,12 +12,15 @@
 
 namespace concino::detail {
 
-inline int decimal_exponent(double x) { return x == 0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(x)) + 1e-9)); }
+inline int decimal_exponent(double x) {
+  return x == 0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(x)) + 1e-9));
+}
 
 /// A number with `decimals` digits after the point, and a minus sign as long as the plus sign.
 inline std::string fixed_text(double x, int decimals) {
   char buffer[400];
-  char* const end = std::to_chars(buffer, buffer + sizeof buffer, x, std::chars_format::fixed, std::max(0, decimals)).ptr;
+  char* const end =
+      std::to_chars(buffer, buffer + sizeof buffer, x, std::chars_format::fixed, std::max(0, decimals)).ptr;
   const std::string_view digits(buffer, static_cast<std::size_t>(end - buffer));
   const bool zero = digits.find_first_of("123456789") == std::string_view::npos;
   if (digits[0] != '-') return std::string(digits);
@@ -38,7 +41,8 @@ inline std::string scientific_text(double x, int step_exponent) {
   static constexpr const char* superscripts[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   const int exponent = decimal_exponent(x), decimals = std::max(0, exponent - step_exponent);
   // The power of ten in two factors, as those below 1e-308 lose digits.
-  std::string text = without_zeros(fixed_text(x / std::pow(10.0, exponent / 2) / std::pow(10.0, exponent - exponent / 2), decimals));
+  std::string text =
+      without_zeros(fixed_text(x / std::pow(10.0, exponent / 2) / std::pow(10.0, exponent - exponent / 2), decimals));
   if (text == "1") text = "10";
   else if (text == "−1") text = "−10";
   else text += "·10";
@@ -51,7 +55,9 @@ CONCINO_INLINE std::vector<tick> with_texts(const std::vector<double>& values, d
   const int step_exponent = decimal_exponent(step);
   std::vector<tick> result, scientific;
   std::size_t length = 0, scientific_length = 0;
-  const auto longest = [](std::size_t& n, const std::string& s) { n = std::max(n, characters_of(s.data(), s.size()).size()); };
+  const auto longest = [](std::size_t& n, const std::string& s) {
+    n = std::max(n, characters_of(s.data(), s.size()).size());
+  };
   for (const double x : values) {
     result.push_back({x, fixed_text(x, -step_exponent)});
     if (values.size() == 1) result[0].text = without_zeros(result[0].text);
@@ -85,10 +91,13 @@ CONCINO_INLINE std::vector<tick> round_ticks(double low, double high, int count)
   const double size = std::max(std::abs(low), std::abs(high));
   // Numbers that differ in their last digits only, and equal ones, are one tick, with six digits.
   if (!(part > size * 1e-12) || !std::isfinite(std::pow(10.0, decimal_exponent(part) + 1)) || part < 1e-300)
-    return with_texts({low / 2 + high / 2}, size > 1e-300 ? std::pow(10.0, std::max(decimal_exponent(size) - 5, -300)) : 1);
+    return with_texts({low / 2 + high / 2},
+                      size > 1e-300 ? std::pow(10.0, std::max(decimal_exponent(size) - 5, -300)) : 1);
   const double step = round_step(part), finer = round_step(0.4 * step);
   const std::vector<double> few = multiples(low, high, step), many = multiples(low, high, finer);
-  const auto miss = [&](const std::vector<double>& values) { return std::abs(static_cast<double>(values.size()) - count); };
+  const auto miss = [&](const std::vector<double>& values) {
+    return std::abs(static_cast<double>(values.size()) - count);
+  };
   return few.size() >= 2 && miss(few) <= miss(many) ? with_texts(few, step) : with_texts(many, finer);
 }
 
@@ -96,7 +105,8 @@ CONCINO_INLINE std::vector<tick> round_ticks(const value_scale& scale, int count
   const double low = scale.low(), high = scale.high();
   const auto value_between = [&](double t) { return low * (1 - t) + high * t; };
   bool linear = true;
-  for (const double t : {0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875}) linear &= std::abs(scale(value_between(t)) - t) < 1e-6;
+  for (const double t : {0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875})
+    linear &= std::abs(scale(value_between(t)) - t) < 1e-6;
   if (linear || !(high > low)) return round_ticks(low, high, count);
 
   const auto value_at = [&](double position) {
@@ -107,7 +117,8 @@ CONCINO_INLINE std::vector<tick> round_ticks(const value_scale& scale, int count
   std::vector<tick> ticks;
   for (int k = 0; k <= count; ++k) {
     // The roundest number between the values a fifth of a step before and behind
-    const double part = 1.0 / count, at = k * part, a = value_at(std::max(0.0, at - part / 5)), b = value_at(std::min(1.0, at + part / 5));
+    const double part = 1.0 / count, at = k * part, a = value_at(std::max(0.0, at - part / 5)),
+                 b = value_at(std::min(1.0, at + part / 5));
     if (!(b - a > 1e-12 * std::max(std::abs(a), std::abs(b)))) continue;
     const double power = std::pow(10.0, decimal_exponent(b - a));
     for (const double m : {10.0, 5.0, 2.0, 1.0}) {

@@ -14,9 +14,11 @@ namespace concino::detail {
 CONCINO_INLINE void check_arrow_options(const arrow_options& o) {
   const char* const caller = "make_arrows";
   check_shape_option(o.scale > 0 && std::isfinite(o.scale), caller, "scale must be positive and finite", o.scale);
-  check_shape_option(o.radius >= 0 && std::isfinite(o.radius), caller, "the radius must be finite, and positive or 0", o.radius);
+  check_shape_option(o.radius >= 0 && std::isfinite(o.radius), caller, "the radius must be finite, and positive or 0",
+                     o.radius);
   check_shape_option(o.opacity >= 0 && o.opacity <= 1, caller, "the opacity must be in [0, 1]", o.opacity);
-  check_shape_option(o.corners == 0 || (o.corners >= 3 && o.corners <= 256), caller, "corners must be 0 or 3 to 256", o.corners);
+  check_shape_option(o.corners == 0 || (o.corners >= 3 && o.corners <= 256), caller, "corners must be 0 or 3 to 256",
+                     o.corners);
 }
 
 /// The vectors that have a direction, with those that are to be drawn.
@@ -30,7 +32,8 @@ struct chosen_vectors {
 CONCINO_INLINE chosen_vectors choose_vectors(const flat_vectors& field, std::size_t count, const char* caller) {
   chosen_vectors c;
   for (std::size_t i = 0; i < field.points.size(); ++i) {
-    if (!is_finite(field.points[i])) core::throw_joined<invalid_mesh>({caller, field.indices[i], " has a coordinate that is not a finite number"});
+    if (!is_finite(field.points[i]))
+      core::throw_joined<invalid_mesh>({caller, field.indices[i], " has a coordinate that is not a finite number"});
     const double size = norm(field.vectors[i]);
     if (!std::isfinite(size)) {
       ++c.report.not_finite;
@@ -61,7 +64,8 @@ CONCINO_INLINE void add_arrow(tube_builder& build, const vec3& tail, const vec3&
   const double shaft = std::min(radius, length / 10), head = 2.4 * shaft, head_length = 5 * shaft;
   const tube_frame f = frame_along(d);
   const vec3 neck = tail + d * (length - head_length);
-  const std::uint32_t first = build.ring(tail, shaft, f), second = build.ring(neck, shaft, f), third = build.ring(neck, head, f);
+  const std::uint32_t first = build.ring(tail, shaft, f), second = build.ring(neck, shaft, f),
+                      third = build.ring(neck, head, f);
   build.close_flat(first, -d);
   build.connect(first, second);
   build.connect_flat(second, third, -d);
@@ -96,7 +100,8 @@ CONCINO_INLINE drawable arrows_of(const flat_vectors& field, const arrow_options
     }
     const vec3 direction = v / size;
     if (!(length > 0)) continue;  // it is too short for a double
-    add_arrow(build, chosen.points[k] - direction * (o.centered ? length / 2 : 0), direction / norm(direction), length, radius);
+    add_arrow(build, chosen.points[k] - direction * (o.centered ? length / 2 : 0), direction / norm(direction), length,
+              radius);
   }
   if (o.color_by_norm) d.look.scale = value_scale::linear(norms);
   return d;

@@ -19,16 +19,19 @@ struct unit_sphere {
 
   unit_sphere() {
     const double g = 1.61803398874989484820;
-    points = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g}, {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
-    triangles = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-                 {3, 9, 4},  {3, 4, 2}, {3, 2, 6}, {3, 6, 8},  {3, 8, 9},   {4, 9, 5}, {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
+    points = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+              {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
+    triangles = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                 {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                 {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
     for (vec3& p : points) p /= norm(p);
   }
 
   void split_in_four() {
     std::unordered_map<std::uint64_t, std::uint32_t> middles;
     const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-      const auto [it, added] = middles.try_emplace(std::uint64_t{std::min(a, b)} << 32 | std::max(a, b), static_cast<std::uint32_t>(points.size()));
+      const auto [it, added] = middles.try_emplace(std::uint64_t{std::min(a, b)} << 32 | std::max(a, b),
+                                                   static_cast<std::uint32_t>(points.size()));
       if (added) {
         const vec3 p = points[a] + points[b];
         points.push_back(p / norm(p));
@@ -46,26 +49,35 @@ struct unit_sphere {
 
 CONCINO_INLINE void check_ball_options(std::span<const vec3> centers, const ball_options& o) {
   const char* const caller = "make_balls";
-  check_shape_option(o.radius >= 0 && std::isfinite(o.radius), caller, "the radius must be finite, and positive or 0", o.radius);
+  check_shape_option(o.radius >= 0 && std::isfinite(o.radius), caller, "the radius must be finite, and positive or 0",
+                     o.radius);
   check_shape_option(o.opacity >= 0 && o.opacity <= 1, caller, "the opacity must be in [0, 1]", o.opacity);
-  check_shape_option(o.triangles == 0 || o.triangles == 20 || o.triangles == 80 || o.triangles == 320 || o.triangles == 1280, caller,
-                     "triangles must be 0, 20, 80, 320 or 1280", o.triangles);
+  check_shape_option(
+      o.triangles == 0 || o.triangles == 20 || o.triangles == 80 || o.triangles == 320 || o.triangles == 1280, caller,
+      "triangles must be 0, 20, 80, 320 or 1280", o.triangles);
   const std::size_t n = centers.size();
   const auto check_number = [&](std::size_t number, const char* what) {
-    if (number != 0 && number != n) core::throw_joined<invalid_argument>({caller, ": ", number, what, n, " points: give one for each point"});
+    if (number != 0 && number != n)
+      core::throw_joined<invalid_argument>({caller, ": ", number, what, n, " points: give one for each point"});
   };
   check_number(o.values.size(), " values for ");
   check_number(o.colors.size(), " colours for ");
   check_number(o.radii.size(), " radii for ");
   check_radii(caller, o.radii);
   for (std::size_t i = 0; i < n; ++i)
-    if (!is_finite(centers[i])) core::throw_joined<invalid_argument>({caller, ": point ", i, " has a coordinate that is not a finite number: leave it out"});
+    if (!is_finite(centers[i]))
+      core::throw_joined<invalid_argument>(
+          {caller, ": point ", i, " has a coordinate that is not a finite number: leave it out"});
 }
 
 CONCINO_INLINE drawable balls_at(std::span<const vec3> centers, const ball_options& o) {
   check_ball_options(centers, o);
   const std::size_t n = centers.size();
-  const std::size_t wanted = o.triangles > 0 ? static_cast<std::size_t>(o.triangles) : n <= 50 ? 1280 : n <= 1000 ? 320 : n <= 10000 ? 80 : 20;
+  const std::size_t wanted = o.triangles > 0 ? static_cast<std::size_t>(o.triangles)
+                             : n <= 50       ? 1280
+                             : n <= 1000     ? 320
+                             : n <= 10000    ? 80
+                                             : 20;
   unit_sphere sphere;
   while (sphere.triangles.size() < wanted) sphere.split_in_four();
   const double radius = shape_radius(o.radius, 0.008, centers);

@@ -1,4 +1,5 @@
-// Reads polylines of any form into flat arrays: ranges of points, results of level sets and of integral lines, walks along a mesh.
+// Reads polylines of any form into flat arrays: ranges of points, results of level sets and of integral lines, walks
+// along a mesh.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
@@ -20,7 +21,9 @@ template<class P> concept has_coordinates = requires(const P& p) {
   { p[1] } -> std::convertible_to<double>;
   { p[2] } -> std::convertible_to<double>;
 };
-template<class P> concept is_point = has_coordinates<P> || requires(const P& p) { requires has_coordinates<decltype(p.position)>; };
+template<class P> concept is_point = has_coordinates<P> || requires(const P& p) {
+  requires has_coordinates<decltype(p.position)>;
+};
 
 /// A container, a view, an array or braces of points.
 template<class R> concept is_point_range = requires(const R& r) {
@@ -28,19 +31,24 @@ template<class R> concept is_point_range = requires(const R& r) {
   requires is_point<std::remove_cvref_t<decltype(*std::begin(r))>>;
 };
 /// A polyline: a range of points, or an object that has one as `points`.
-template<class L> concept is_polyline = is_point_range<L> || requires(const L& l) { requires is_point_range<std::remove_cvref_t<decltype(l.points)>>; };
+template<class L> concept is_polyline = is_point_range<L> || requires(const L& l) {
+  requires is_point_range<std::remove_cvref_t<decltype(l.points)>>;
+};
 template<class R> concept is_polyline_range = requires(const R& r) {
   std::end(r);
   requires is_polyline<std::remove_cvref_t<decltype(*std::begin(r))>>;
 };
 template<class L> concept is_lines = is_polyline<L> || is_polyline_range<L>;
 
-/// A walk along a mesh: a range of its verts, a range of its polys, or an object that has a range of verts as `verts`, as edge_walk.
+/// A walk along a mesh: a range of its verts, a range of its polys, or an object that has a range of verts as `verts`,
+/// as edge_walk.
 template<class R, class X> concept is_range_of = requires(const R& r) {
   std::end(r);
   requires std::same_as<std::remove_cvref_t<decltype(*std::begin(r))>, X>;
 };
-template<class L, class M> concept is_vert_walk = is_range_of<L, vert_t<M>> || requires(const L& l) { requires is_range_of<std::remove_cvref_t<decltype(l.verts)>, vert_t<M>>; };
+template<class L, class M> concept is_vert_walk = is_range_of<L, vert_t<M>> || requires(const L& l) {
+  requires is_range_of<std::remove_cvref_t<decltype(l.verts)>, vert_t<M>>;
+};
 template<class L, class M> concept is_poly_walk = EmbeddedMesh<M> && is_range_of<L, poly_t<M>>;
 template<class L, class M> concept is_walk = is_vert_walk<L, M> || is_poly_walk<L, M>;
 template<class R, class M> concept is_walk_range = requires(const R& r) {
@@ -65,7 +73,8 @@ struct flat_lines {
   std::vector<std::uint8_t> closed;   // by line: 1 if its last point is joined to the first
 
   void end_line(bool is_closed) {
-    if (points.size() >= std::numeric_limits<std::uint32_t>::max()) throw unsupported("make_tubes: the lines have more than 4,294,967,294 points");
+    if (points.size() >= std::numeric_limits<std::uint32_t>::max())
+      throw unsupported("make_tubes: the lines have more than 4,294,967,294 points");
     ends.push_back(static_cast<std::uint32_t>(points.size()));
     closed.push_back(is_closed);
   }

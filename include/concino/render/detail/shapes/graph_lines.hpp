@@ -26,7 +26,8 @@ struct graph_lines {
   void end_line(const flat_graph& g, bool closed);
 };
 
-/// Trails that go straight on where they can. They begin at verts where an odd number of edges meet, and then go round what is left.
+/// Trails that go straight on where they can. They begin at verts where an odd number of edges meet, and then go round
+/// what is left.
 /// Cost:   O(verts + edges): at a vert at most 16 edges are compared.
 graph_lines graph_lines_of(const flat_graph& g);
 

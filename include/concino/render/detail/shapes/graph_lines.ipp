@@ -10,7 +10,8 @@ namespace concino::detail {
 /// The edges at each vert that no trail has taken yet.
 class free_edges {
   const flat_graph& g_;
-  std::vector<std::uint32_t> first_, last_, edges_;  // vert v has those of edges_ from first_[v] to last_[v]; taken ones may be among them
+  std::vector<std::uint32_t> first_, last_, edges_;  // vert v has those of edges_ from first_[v] to last_[v]; taken
+                                                     // ones may be among them
   std::vector<std::uint8_t> taken_;
 
   void drop_taken(std::uint32_t v) {
@@ -18,11 +19,13 @@ class free_edges {
   }
 
  public:
-  explicit free_edges(const flat_graph& g) : g_(g), first_(g.points.size() + 1, 0), edges_(2 * g.edges.size()), taken_(g.edges.size(), 0) {
+  explicit free_edges(const flat_graph& g)
+      : g_(g), first_(g.points.size() + 1, 0), edges_(2 * g.edges.size()), taken_(g.edges.size(), 0) {
     for (const auto& e : g.edges) ++first_[e[0] + 1], ++first_[e[1] + 1];
     for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
     last_.assign(first_.begin(), first_.end() - 1);
-    for (std::size_t i = g.edges.size(); i-- > 0;)  // backwards, so that the last of a vert, which is taken first, is the first edge
+    for (std::size_t i = g.edges.size(); i-- > 0;)  // backwards, so that the last of a vert, which is taken first, is
+                                                    // the first edge
       for (const std::uint32_t v : g.edges[i]) edges_[last_[v]++] = static_cast<std::uint32_t>(i);
   }
 
@@ -50,7 +53,9 @@ class free_edges {
     return true;
   }
 
-  std::uint32_t other(std::uint32_t e, std::uint32_t v) const { return g_.edges[e][0] == v ? g_.edges[e][1] : g_.edges[e][0]; }
+  std::uint32_t other(std::uint32_t e, std::uint32_t v) const {
+    return g_.edges[e][0] == v ? g_.edges[e][1] : g_.edges[e][0];
+  }
 };
 
 CONCINO_INLINE void graph_lines::end_line(const flat_graph& g, bool closed) {
@@ -99,12 +104,15 @@ CONCINO_INLINE drawable tubes_of(const flat_graph& g, const tube_options& option
   const auto spread = [&](std::span<const double> by_vert, const char* what) {
     std::vector<double> all;
     if (by_vert.empty()) return all;
-    if (by_vert.size() != g.points.size()) core::throw_joined<invalid_argument>({caller, ": ", by_vert.size(), what, g.points.size(), " verts: give one for each vert"});
+    if (by_vert.size() != g.points.size())
+      core::throw_joined<invalid_argument>(
+          {caller, ": ", by_vert.size(), what, g.points.size(), " verts: give one for each vert"});
     all.reserve(t.verts.size());
     for (const std::uint32_t v : t.verts) all.push_back(by_vert[v]);
     return all;
   };
-  const std::vector<double> values = spread(options.values, " values for "), radii = spread(options.radii, " radii for ");
+  const std::vector<double> values = spread(options.values, " values for "),
+                            radii = spread(options.radii, " radii for ");
   by_point.values = values;
   by_point.radii = radii;
   return tubes_along(t.lines, by_point, caller);

@@ -10,7 +10,8 @@
 
 namespace concino::detail {
 
-/// At most `count` of the points, or somewhat fewer, no two of them near each other; all if there are not more. Ascending, and the same in every run.
+/// At most `count` of the points, or somewhat fewer, no two of them near each other; all if there are not more.
+/// Ascending, and the same in every run.
 /// Needs:  finite points.      Cost: O(n log n).
 /// Source: random sequential addition; the distance is found by bisection.
 std::vector<std::uint32_t> poisson_disk_subset(std::span<const vec3> points, std::size_t count);

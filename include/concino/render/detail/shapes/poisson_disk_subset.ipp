@@ -28,12 +28,14 @@ class spaced_points {
     return h;
   }
   cell cell_of(const vec3& p) const {
-    const auto at = [&](double x, double low) { return static_cast<std::int64_t>((x - low) / distance_); };  // at most 1e12: see poisson_disk_subset
+    // at most 1e12: see poisson_disk_subset
+    const auto at = [&](double x, double low) { return static_cast<std::int64_t>((x - low) / distance_); };
     return {at(p.x, low_.x), at(p.y, low_.y), at(p.z, low_.z)};
   }
 
  public:
-  spaced_points(std::span<const vec3> points, const vec3& low, double distance) : points_(points), low_(low), distance_(distance) {}
+  spaced_points(std::span<const vec3> points, const vec3& low, double distance)
+      : points_(points), low_(low), distance_(distance) {}
 
   bool has_near(const vec3& p) const {
     const auto is_near = [&](std::uint32_t i) { return concino::distance(points_[i], p) < distance_; };
@@ -41,7 +43,8 @@ class spaced_points {
     for (std::int64_t x = -1; x <= 1; ++x)
       for (std::int64_t y = -1; y <= 1; ++y)
         for (std::int64_t z = -1; z <= 1; ++z)
-          if (numbers_.find(hash({middle[0] + x, middle[1] + y, middle[2] + z}), is_near) != core::index_table::none) return true;
+          if (numbers_.find(hash({middle[0] + x, middle[1] + y, middle[2] + z}), is_near) != core::index_table::none)
+            return true;
     return false;
   }
   void add(std::uint32_t point) { numbers_.add(hash(cell_of(points_[point])), point); }
@@ -71,17 +74,24 @@ constexpr std::uint64_t with_gaps(std::uint64_t x) {
 }
 
 /// One point of each cell of the finest octree that has at most `count` cells with points.
-CONCINO_INLINE std::vector<std::uint32_t> one_in_each_cell(std::span<const vec3> points, const point_extent& extent, std::size_t count) {
+CONCINO_INLINE std::vector<std::uint32_t> one_in_each_cell(std::span<const vec3> points, const point_extent& extent,
+                                                           std::size_t count) {
   struct keyed {
     std::uint64_t key;
     std::uint32_t point;
   };
   std::vector<keyed> order(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto bits = [&](double x, double low) { return with_gaps(extent.size > 0 ? static_cast<std::uint64_t>(std::min(1.0, (x - low) / extent.size) * 0xfffff) : 0); };
-    order[i] = {bits(points[i].x, extent.low.x) << 2 | bits(points[i].y, extent.low.y) << 1 | bits(points[i].z, extent.low.z), static_cast<std::uint32_t>(i)};
+    const auto bits = [&](double x, double low) {
+      return with_gaps(extent.size > 0 ? static_cast<std::uint64_t>(std::min(1.0, (x - low) / extent.size) * 0xfffff)
+                                       : 0);
+    };
+    order[i] = {
+        bits(points[i].x, extent.low.x) << 2 | bits(points[i].y, extent.low.y) << 1 | bits(points[i].z, extent.low.z),
+        static_cast<std::uint32_t>(i)};
   }
-  std::sort(order.begin(), order.end(), [](const keyed& a, const keyed& b) { return a.key != b.key ? a.key < b.key : a.point < b.point; });
+  std::sort(order.begin(), order.end(),
+            [](const keyed& a, const keyed& b) { return a.key != b.key ? a.key < b.key : a.point < b.point; });
   unsigned shift = 0;
   for (;; shift += 3) {
     std::size_t cells = 1;
@@ -99,8 +109,11 @@ CONCINO_INLINE std::vector<std::uint32_t> one_in_each_cell(std::span<const vec3>
   return some;
 }
 
-/// Points of `candidates`, in this order, that are not nearer to those before them than a distance. More than `count` are not looked for.
-CONCINO_INLINE std::vector<std::uint32_t> spaced_by(std::span<const vec3> points, const point_extent& extent, std::span<const std::uint32_t> candidates, double distance, std::size_t count) {
+/// Points of `candidates`, in this order, that are not nearer to those before them than a distance. More than `count`
+/// are not looked for.
+CONCINO_INLINE std::vector<std::uint32_t> spaced_by(std::span<const vec3> points, const point_extent& extent,
+                                                    std::span<const std::uint32_t> candidates, double distance,
+                                                    std::size_t count) {
   spaced_points chosen(points, extent.low, distance);
   std::vector<std::uint32_t> list;
   for (const std::uint32_t i : candidates) {
@@ -118,8 +131,10 @@ CONCINO_INLINE std::vector<std::uint32_t> poisson_disk_subset(std::span<const ve
   if (points.size() <= count || points.empty()) return candidates;
   const point_extent extent(points);
   if (points.size() > 8 * count) candidates = one_in_each_cell(points, extent, 8 * std::max<std::size_t>(count, 1));
-  std::sort(candidates.begin(), candidates.end(), [](std::uint32_t a, std::uint32_t b) { return core::scrambled(a) < core::scrambled(b); });
-  std::vector<std::uint32_t> best(candidates.begin(), candidates.begin() + std::min<std::ptrdiff_t>(1, static_cast<std::ptrdiff_t>(count)));
+  std::sort(candidates.begin(), candidates.end(),
+            [](std::uint32_t a, std::uint32_t b) { return core::scrambled(a) < core::scrambled(b); });
+  std::vector<std::uint32_t> best(candidates.begin(),
+                                  candidates.begin() + std::min<std::ptrdiff_t>(1, static_cast<std::ptrdiff_t>(count)));
   if (!(extent.size > 0)) return best;
   double low = 0, high = 2 * extent.size, distance = extent.size / std::sqrt(static_cast<double>(count + 1));
   for (int round = 0; round < 20 && best.size() < count - count / 10; ++round) {

@@ -12,7 +12,8 @@ namespace concino::detail {
 /// Throws unsupported if a drawable would get so many corners of polygons.
 void check_shape_size(const char* caller, std::size_t corners);
 
-/// The radius that an option says; if that is 0, a part of the diagonal of the bounding box of some points, or 1 if they coincide.
+/// The radius that an option says; if that is 0, a part of the diagonal of the bounding box of some points, or 1 if
+/// they coincide.
 double shape_radius(double radius, double part, std::span<const vec3> points);
 
 /// Throws invalid_argument unless all radii are positive and finite.

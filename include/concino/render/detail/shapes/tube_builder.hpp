@@ -46,7 +46,8 @@ class tube_builder {
   tube_builder(drawable& to, int corners, bool has_values);
 
   /// Reserves memory, as below.
-  void reserve(const char* caller, std::size_t points, std::size_t polygons, std::size_t corners, std::size_t triangles);
+  void reserve(const char* caller, std::size_t points, std::size_t polygons, std::size_t corners,
+               std::size_t triangles);
   /// Reserves memory for the rings and caps of open and closed tubes.      Errors: those of check_shape_size.
   void reserve(const char* caller, std::size_t rings, std::size_t caps);
 
@@ -54,7 +55,8 @@ class tube_builder {
   void begin(std::size_t poly) { poly_ = static_cast<std::uint32_t>(poly); }
   void set_value(double x) { value_ = x; }
 
-  /// A ring of points at the radius from the centre, in the plane through it across f.d, or at `height` radii of a ball beyond it. Returns its first point.
+  /// A ring of points at the radius from the centre, in the plane through it across f.d, or at `height` radii of a ball
+  /// beyond it. Returns its first point.
   std::uint32_t ring(const vec3& center, double radius, const tube_frame& f, double height = 0);
   /// Quads between two rings; the second is further along d. slope: how much the radius grows along a unit of length.
   void connect(std::uint32_t first, std::uint32_t second, const vec3& d = {}, double slope = 0);

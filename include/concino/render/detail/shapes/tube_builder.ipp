@@ -49,7 +49,8 @@ CONCINO_INLINE tube_builder::tube_builder(drawable& to, int corners, bool has_va
   }
 }
 
-CONCINO_INLINE void tube_builder::reserve(const char* caller, std::size_t points, std::size_t polygons, std::size_t corners, std::size_t triangles) {
+CONCINO_INLINE void tube_builder::reserve(const char* caller, std::size_t points, std::size_t polygons,
+                                          std::size_t corners, std::size_t triangles) {
   check_shape_size(caller, corners);
   to_.points.reserve(points);
   if (has_values_) to_.values.reserve(points);
@@ -136,7 +137,8 @@ CONCINO_INLINE void tube_builder::close_flat(std::uint32_t ring, const vec3& nor
   end_polygon();
 }
 
-CONCINO_INLINE void tube_builder::add_cone(std::uint32_t ring, double radius, double height, const vec3& tip, const vec3& d) {
+CONCINO_INLINE void tube_builder::add_cone(std::uint32_t ring, double radius, double height, const vec3& tip,
+                                           const vec3& d) {
   const std::uint32_t top = add_point(tip, d);
   const double slant = std::hypot(radius, height), flat = radius / slant, steep = height / slant;
   const auto tilted = [&](const vec3& out) { return out * steep + d * flat; };
@@ -158,7 +160,9 @@ CONCINO_INLINE std::uint32_t tube_builder::begin_cap(const vec3& center, double 
   const std::size_t rings = cap_rings();
   std::uint32_t last = 0;
   for (std::size_t k = 0; k <= rings; ++k) {
-    const std::uint32_t next = ring(center, radius, f, k == rings ? 0 : -std::cos(half_pi * static_cast<double>(k + 1) / static_cast<double>(rings + 1)));
+    const std::uint32_t next =
+        ring(center, radius, f,
+             k == rings ? 0 : -std::cos(half_pi * static_cast<double>(k + 1) / static_cast<double>(rings + 1)));
     if (k > 0) connect(last, next);
     else
       for (std::uint32_t i = 0; i < corners_; ++i) add_triangle(pole, next + (i + 1 == corners_ ? 0 : i + 1), next + i);
@@ -170,7 +174,8 @@ CONCINO_INLINE std::uint32_t tube_builder::begin_cap(const vec3& center, double 
 CONCINO_INLINE void tube_builder::end_cap(std::uint32_t last, const vec3& center, double radius, const tube_frame& f) {
   const std::size_t rings = cap_rings();
   for (std::size_t k = 0; k < rings; ++k) {
-    const std::uint32_t next = ring(center, radius, f, std::sin(half_pi * static_cast<double>(k + 1) / static_cast<double>(rings + 1)));
+    const std::uint32_t next =
+        ring(center, radius, f, std::sin(half_pi * static_cast<double>(k + 1) / static_cast<double>(rings + 1)));
     connect(last, next);
     last = next;
   }

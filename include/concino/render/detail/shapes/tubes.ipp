@@ -11,20 +11,27 @@
 namespace concino::detail {
 
 CONCINO_INLINE void check_tube_options(const flat_lines& lines, const tube_options& o, const char* caller) {
-  check_shape_option(o.radius >= 0 && std::isfinite(o.radius), caller, "the radius must be finite, and positive or 0", o.radius);
+  check_shape_option(o.radius >= 0 && std::isfinite(o.radius), caller, "the radius must be finite, and positive or 0",
+                     o.radius);
   check_shape_option(o.opacity >= 0 && o.opacity <= 1, caller, "the opacity must be in [0, 1]", o.opacity);
-  check_shape_option(o.corners == 0 || (o.corners >= 3 && o.corners <= 256), caller, "corners must be 0 or 3 to 256", o.corners);
-  check_shape_option(o.tolerance >= 0 && std::isfinite(o.tolerance), caller, "the tolerance must be finite, and positive or 0", o.tolerance);
+  check_shape_option(o.corners == 0 || (o.corners >= 3 && o.corners <= 256), caller, "corners must be 0 or 3 to 256",
+                     o.corners);
+  check_shape_option(o.tolerance >= 0 && std::isfinite(o.tolerance), caller,
+                     "the tolerance must be finite, and positive or 0", o.tolerance);
   const std::size_t n = lines.points.size(), num_lines = lines.ends.size(), num_values = o.values.size();
   if (num_values != 0 && num_values != n && num_values != num_lines)
-    core::throw_joined<invalid_argument>({caller, ": ", num_values, " values for ", num_lines, " lines with ", n, " points: give one for each point or one for each line"});
+    core::throw_joined<invalid_argument>({caller, ": ", num_values, " values for ", num_lines, " lines with ", n,
+                                          " points: give one for each point or one for each line"});
   if (!o.radii.empty() && o.radii.size() != n)
-    core::throw_joined<invalid_argument>({caller, ": ", o.radii.size(), " radii for ", n, " points: give one for each point"});
+    core::throw_joined<invalid_argument>(
+        {caller, ": ", o.radii.size(), " radii for ", n, " points: give one for each point"});
   check_radii(caller, o.radii);
   for (std::size_t line = 0, i = 0; line < num_lines; ++line)
     for (const std::size_t first = i; i < lines.ends[line]; ++i)
       if (!is_finite(lines.points[i]))
-        core::throw_joined<invalid_argument>({caller, ": point ", i - first, " of line ", line, " has a coordinate that is not a finite number: leave it out, or divide the line there"});
+        core::throw_joined<invalid_argument>(
+            {caller, ": point ", i - first, " of line ", line,
+             " has a coordinate that is not a finite number: leave it out, or divide the line there"});
 }
 
 /// Draws lines, one at a time, with a tube_builder.
@@ -61,7 +68,8 @@ class line_tracer {
       if (t < before - limit || t > length + limit || norm(x - d * t) > limit) return false;
       const double part = t / length;
       if (std::abs(radius(a) + part * (radius(b) - radius(a)) - radius(i)) > limit) return false;
-      if (has_values() && !by_line() && !(std::abs(value(a) + part * (value(b) - value(a)) - value(i)) <= value_step_)) return false;
+      if (has_values() && !by_line() && !(std::abs(value(a) + part * (value(b) - value(a)) - value(i)) <= value_step_))
+        return false;
       before = t;
     }
     return true;
@@ -102,8 +110,10 @@ class line_tracer {
 
   /// The number of rings of the line.
   std::size_t count_rings() const {
-    std::size_t rings = closed_ ? 1 + static_cast<std::size_t>(steps(directions_.back(), directions_[0])) : 1 + 2 * build_.cap_rings() + !directions_.empty();
-    for (std::size_t k = 1; k < directions_.size(); ++k) rings += 1 + static_cast<std::size_t>(steps(directions_[k - 1], directions_[k]));
+    std::size_t rings = closed_ ? 1 + static_cast<std::size_t>(steps(directions_.back(), directions_[0]))
+                                : 1 + 2 * build_.cap_rings() + !directions_.empty();
+    for (std::size_t k = 1; k < directions_.size(); ++k)
+      rings += 1 + static_cast<std::size_t>(steps(directions_[k - 1], directions_[k]));
     return rings;
   }
 
@@ -151,8 +161,10 @@ class line_tracer {
     build_.end_cap(last, point(line_.back()), radius(line_.back()), f);
   }
 
-  /// One ring at a joint, or several where the line turns much. `omitted` rings at the end of a closed line are those at its start.
-  std::uint32_t draw_joint(std::uint32_t last, std::size_t from, std::size_t at, const tube_frame& f, const vec3& to, double twist, int omitted) {
+  /// One ring at a joint, or several where the line turns much. `omitted` rings at the end of a closed line are those
+  /// at its start.
+  std::uint32_t draw_joint(std::uint32_t last, std::size_t from, std::size_t at, const tube_frame& f, const vec3& to,
+                           double twist, int omitted) {
     const int n = steps(f.d, to);
     for (int k = 0; k + omitted <= n; ++k) {
       const tube_frame g = rotated(f, to, n == 0 ? 0.5 : static_cast<double>(k) / n);
@@ -172,7 +184,8 @@ class line_tracer {
     for (std::size_t k = 0; k < n; ++k) length += distance(point(line_[k]), point(line_[(k + 1) % n]));
     start_at(line_[0]);
     const bool is_sharp = steps(directions_.back(), directions_[0]) > 0;
-    const std::uint32_t first = build_.ring(point(line_[0]), radius(line_[0]), is_sharp ? f : rotated(f, directions_.back(), 0.5));
+    const std::uint32_t first =
+        build_.ring(point(line_[0]), radius(line_[0]), is_sharp ? f : rotated(f, directions_.back(), 0.5));
     std::uint32_t last = first;
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t end = (k + 1) % n;

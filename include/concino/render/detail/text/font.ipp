@@ -44,7 +44,9 @@ inline std::vector<vec3> flattened(const curve_point* first, std::size_t n, doub
   const auto at = [&](std::size_t k) { return vec3{first[k % n].x, first[k % n].y, 0}; };
   // The point on the curve at k, or between k - 1 and k: midway between two points off the curve.
   const auto on = [&](std::size_t k) {
-    return first[k % n].on_curve ? at(k) : first[(k + n - 1) % n].on_curve ? at(k + n - 1) : (at(k) + at(k + n - 1)) / 2;
+    return first[k % n].on_curve             ? at(k)
+           : first[(k + n - 1) % n].on_curve ? at(k + n - 1)
+                                             : (at(k) + at(k + n - 1)) / 2;
   };
   std::vector<vec3> polygon = {on(0)};
   for (std::size_t k = 0; k < n; ++k) {
@@ -59,12 +61,12 @@ inline std::vector<vec3> flattened(const curve_point* first, std::size_t n, doub
 
 CONCINO_INLINE glyph glyph_of(char32_t character, double tolerance) {
   const auto end = std::end(font_entries);
-  const auto entry =
-      std::lower_bound(std::begin(font_entries), end, character, [](const font_entry& e, char32_t c) { return e.character < c; });
+  const auto entry = std::lower_bound(std::begin(font_entries), end, character,
+                                      [](const font_entry& e, char32_t c) { return e.character < c; });
   if (entry == end || entry->character != character)
-    return {
-        0.6,
-        {{{0.05, 0, 0}, {0.55, 0, 0}, {0.55, 0.73, 0}, {0.05, 0.73, 0}}, {{0.1, 0.05, 0}, {0.1, 0.68, 0}, {0.5, 0.68, 0}, {0.5, 0.05, 0}}}};
+    return {0.6,
+            {{{0.05, 0, 0}, {0.55, 0, 0}, {0.55, 0.73, 0}, {0.05, 0.73, 0}},
+             {{0.1, 0.05, 0}, {0.1, 0.68, 0}, {0.5, 0.68, 0}, {0.5, 0.05, 0}}}};
   glyph result{entry->advance / 1024.0, {}};
   const std::vector<curve_point> points = decoded_outline(entry->outline);
   for (std::size_t i = 0, first = 0; i < points.size(); ++i) {
@@ -93,7 +95,9 @@ CONCINO_INLINE std::vector<char32_t> characters_of(const char* text, std::size_t
       c = c << 6 | (byte(i + k) & 0x3f);
     }
     // Characters that fewer bytes could hold, halves of pairs of UTF-16, and numbers beyond the last character
-    if (valid) valid = !(more == 2 && c < 0x800) && !(more == 3 && (c < 0x10000 || c > 0x10ffff)) && !(c >= 0xd800 && c < 0xe000);
+    if (valid)
+      valid =
+          !(more == 2 && c < 0x800) && !(more == 3 && (c < 0x10000 || c > 0x10ffff)) && !(c >= 0xd800 && c < 0xe000);
     result.push_back(valid ? static_cast<char32_t>(c) : U'\ufffd');
     i += valid ? more + 1 : 1;
   }

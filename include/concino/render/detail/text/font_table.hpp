@@ -1,4 +1,5 @@
-// The outlines of the font concino sans; see font.hpp. Made by scripts/font_outlines.py from DejaVu Sans, whose licence is LICENSE-font.txt:
+// The outlines of the font concino sans; see font.hpp. Made by scripts/font_outlines.py from DejaVu Sans, whose
+// licence is LICENSE-font.txt:
 // Copyright (c) 2003 by Bitstream, Inc. All Rights Reserved. Bitstream Vera is a trademark of Bitstream, Inc.
 // Copyright (c) 2006 by Tavmjong Bah. All Rights Reserved. DejaVu changes are in public domain.
 #pragma once
@@ -7,9 +8,10 @@
 
 namespace concino::detail {
 
-/// A character. Its outline is a string of four characters for each point, 64 different ones in all: two numbers from 0 to 4095, of two digits each,
-/// the characters after '#' without '?' and the backslash. Half of a number, minus 1024, is the distance from the last point, in 1/1024 of the em.
-/// The last bit of the first number says whether the point is on the curve, that of the second whether it ends its contour.
+/// A character. Its outline is a string of four characters for each point, 64 different ones in all: two numbers from
+/// 0 to 4095, of two digits each, the characters after '#' without '?' and the backslash. Half of a number, minus
+/// 1024, is the distance from the last point, in 1/1024 of the em. The last bit of the first number says whether the
+/// point is on the curve, that of the second whether it ends its contour.
 struct font_entry {
   std::uint32_t character;
   std::uint16_t advance;

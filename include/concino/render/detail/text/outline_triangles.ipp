@@ -50,11 +50,12 @@ inline bool begins_inside(const outline& o, std::size_t i, const vec3& p) {
   return !(orient2d(at, p, after) >= 0 && orient2d(p, at, before) >= 0);
 }
 
-/// Joins a hole to its outline by an edge that is passed twice. Holes that extend farther to the right are joined already: so the rightmost
-/// corner of this one sees a corner of the outline that is not left of it.
+/// Joins a hole to its outline by an edge that is passed twice. Holes that extend farther to the right are joined
+/// already: so the rightmost corner of this one sees a corner of the outline that is not left of it.
 inline void join_hole(outline& o, const outline& hole) {
   const std::size_t from = static_cast<std::size_t>(
-      std::max_element(hole.begin(), hole.end(), [](const vec3& a, const vec3& b) { return a.x < b.x; }) - hole.begin());
+      std::max_element(hole.begin(), hole.end(), [](const vec3& a, const vec3& b) { return a.x < b.x; }) -
+      hole.begin());
   const vec3 p = hole[from];
   std::vector<std::size_t> nearest;
   for (std::size_t i = 0; i < o.size(); ++i)
@@ -80,18 +81,23 @@ CONCINO_INLINE std::vector<std::array<vec3, 3>> outline_triangles(std::span<cons
     if (!(areas[h] < 0)) continue;
     std::size_t around = outlines.size();
     for (std::size_t o = 0; o < outlines.size(); ++o)
-      if (areas[o] > 0 && (around == outlines.size() || areas[o] < areas[around]) && is_inside(outlines[h][0], outlines[o])) around = o;
+      if (areas[o] > 0 && (around == outlines.size() || areas[o] < areas[around]) &&
+          is_inside(outlines[h][0], outlines[o]))
+        around = o;
     if (around < outlines.size()) holes[around].push_back(h);
   }
   const auto right_end = [&](std::size_t h) {
-    return std::max_element(outlines[h].begin(), outlines[h].end(), [](const vec3& a, const vec3& b) { return a.x < b.x; })->x;
+    return std::max_element(outlines[h].begin(), outlines[h].end(),
+                            [](const vec3& a, const vec3& b) { return a.x < b.x; })
+        ->x;
   };
   std::vector<std::array<vec3, 3>> result;
   polygon_triangulator cut;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     if (!(areas[i] > 0)) continue;
     outline o = outlines[i];
-    std::stable_sort(holes[i].begin(), holes[i].end(), [&](std::size_t g, std::size_t h) { return right_end(g) > right_end(h); });
+    std::stable_sort(holes[i].begin(), holes[i].end(),
+                     [&](std::size_t g, std::size_t h) { return right_end(g) > right_end(h); });
     for (const std::size_t h : holes[i]) join_hole(o, outlines[h]);
     for (const auto& [a, b, c] : cut.from_above(o)) result.push_back({o[a], o[b], o[c]});
   }

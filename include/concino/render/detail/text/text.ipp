@@ -92,20 +92,24 @@ struct text_layout {
 };
 
 /// How far an interval [low, high], shorter than `length`, has to move to lie in [0, length].
-inline double move_inside(double low, double high, double length) { return low < 0 ? -low : high > length ? length - high : 0; }
+inline double move_inside(double low, double high, double length) {
+  return low < 0 ? -low : high > length ? length - high : 0;
+}
 
 inline constexpr double text_tolerance = 0.05;  // pixels from the curves
 
 }  // namespace detail
 
-CONCINO_INLINE pixel_box draw_text(image& picture, std::string_view text, const pixel_position& position, const text_options& options) {
+CONCINO_INLINE pixel_box draw_text(image& picture, std::string_view text, const pixel_position& position,
+                                   const text_options& options) {
   detail::check_text("draw_text", position, options);
   const detail::text_layout layout(text, options.align, options.level, detail::text_tolerance / options.size);
   double size = options.size;
   pixel_position at = position;
   if (options.keep_inside && picture.width() > 0) {
     const double width = static_cast<double>(picture.width()), height = static_cast<double>(picture.height());
-    size = std::min({size, width / std::max(layout.right - layout.left, 1e-9), height / std::max(layout.high - layout.low, 1e-9)});
+    size = std::min(
+        {size, width / std::max(layout.right - layout.left, 1e-9), height / std::max(layout.high - layout.low, 1e-9)});
     at.x += detail::move_inside(at.x + layout.left * size, at.x + layout.right * size, width);
     at.y += detail::move_inside(at.y - layout.high * size, at.y - layout.low * size, height);
   }
@@ -126,7 +130,8 @@ CONCINO_INLINE pixel_box draw_text(image& picture, std::string_view text, const 
 
 CONCINO_INLINE pixel_box text_box(std::string_view text, const pixel_position& position, const text_options& options) {
   detail::check_text("text_box", position, options);
-  return detail::text_layout(text, options.align, options.level, detail::text_tolerance / options.size).box(position, options.size);
+  return detail::text_layout(text, options.align, options.level, detail::text_tolerance / options.size)
+      .box(position, options.size);
 }
 
 CONCINO_INLINE double text_width(std::string_view text, double size) {

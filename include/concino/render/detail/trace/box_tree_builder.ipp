@@ -25,7 +25,9 @@ CONCINO_INLINE std::vector<core::box_item> boxes_of(const triangle_soup& soup) {
     core::box_item item{{inf, inf, inf}, {-inf, -inf, -inf}, static_cast<std::uint32_t>(i)};
     bool finite = true;
     for (const std::uint32_t p : soup.triangles[i]) {
-      if (p >= soup.points.size()) core::throw_joined<invalid_argument>({"box_tree_tracer: triangle ", i, " names point ", p, " of ", soup.points.size()});
+      if (p >= soup.points.size())
+        core::throw_joined<invalid_argument>(
+            {"box_tree_tracer: triangle ", i, " names point ", p, " of ", soup.points.size()});
       for (std::size_t k = 0; k < 3; ++k) {
         const float x = soup.points[p][k];
         finite = finite && std::isfinite(x);
@@ -55,7 +57,8 @@ CONCINO_INLINE void box_tree_caster::add_boxes() {
       for (std::uint32_t t = n.first; t < n.first + n.count; ++t)
         for (const auto& corner : triangles_[t].corner) add(corner[k], corner[k]);
       if (n.count == 0)
-        for (const std::uint32_t child : {n.first, n.first + 1}) add(nodes_[child].bounds[0][k], nodes_[child].bounds[1][k]);
+        for (const std::uint32_t child : {n.first, n.first + 1})
+          add(nodes_[child].bounds[0][k], nodes_[child].bounds[1][k]);
     }
   }
 }

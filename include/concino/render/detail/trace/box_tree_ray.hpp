@@ -14,7 +14,8 @@ namespace concino::detail {
 /// A ray in single precision, prepared for the tests of boxes and triangles.
 struct box_tree_ray {
   float origin[3];
-  float near_origin[3], far_origin[3];  // moved so that rounding never makes a ray miss the box of a triangle that it hits
+  float near_origin[3], far_origin[3];  // moved so that rounding never makes a ray miss the box of a triangle that it
+                                        // hits
   float inverse[3];                     // 1 / direction
   bool negative[3];                     // the ray meets the larger bound first
   std::size_t x, y, z;                  // the axes, so that the direction is longest along z
@@ -56,7 +57,8 @@ struct box_tree_ray {
     return first <= std::min(last * more, far) ? first : std::numeric_limits<float>::infinity();
   }
 
-  /// Replaces `best` if the triangle is hit with a parameter in [t_near, best.t]; of several at the same parameter the lowest number stays.
+  /// Replaces `best` if the triangle is hit with a parameter in [t_near, best.t]; of several at the same parameter the
+  /// lowest number stays.
   void test(const float (&corner)[3][3], std::uint32_t number, double t_near, ray_hit& best) const {
     float px[3], py[3], pz[3];
     for (std::size_t c = 0; c < 3; ++c) {
@@ -64,14 +66,18 @@ struct box_tree_ray {
       px[c] = (corner[c][x] - origin[x]) - shear_x * pz[c];
       py[c] = (corner[c][y] - origin[y]) - shear_y * pz[c];
     }
-    // Products of two floats are exact in double precision. So the signs are exact, and the triangles on both sides of an edge agree about it.
+    // Products of two floats are exact in double precision. So the signs are exact, and the triangles on both sides of
+    // an edge agree about it.
     const auto determinant = [&](std::size_t i, std::size_t j) {
-      return static_cast<double>(px[i]) * static_cast<double>(py[j]) - static_cast<double>(py[i]) * static_cast<double>(px[j]);
+      return static_cast<double>(px[i]) * static_cast<double>(py[j]) -
+             static_cast<double>(py[i]) * static_cast<double>(px[j]);
     };
     const double u = determinant(2, 1), v = determinant(0, 2), w = determinant(1, 0);
     if (!((u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0))) return;
     const double sum = u + v + w;
-    const double t = (u * static_cast<double>(pz[0]) + v * static_cast<double>(pz[1]) + w * static_cast<double>(pz[2])) * static_cast<double>(scale_z) / sum;
+    const double t =
+        (u * static_cast<double>(pz[0]) + v * static_cast<double>(pz[1]) + w * static_cast<double>(pz[2])) *
+        static_cast<double>(scale_z) / sum;
     if (!(t >= t_near && t <= best.t) || (t == best.t && number >= best.triangle)) return;
     best = {number, v / sum, w / sum, t};
   }

@@ -12,7 +12,8 @@
 namespace concino {
 
 /// The first hit, or `any`. The nearer child is searched first.
-CONCINO_INLINE ray_hit box_tree_caster::search(const vec3& origin, const vec3& direction, double t_near, double t_far, bool any) const {
+CONCINO_INLINE ray_hit box_tree_caster::search(const vec3& origin, const vec3& direction, double t_near, double t_far,
+                                               bool any) const {
   struct entry {
     std::uint32_t node;
     float t;
@@ -30,9 +31,11 @@ CONCINO_INLINE ray_hit box_tree_caster::search(const vec3& origin, const vec3& d
     const float far = static_cast<float>(best.t);
     if (!(e.t <= far)) continue;
     const node& n = nodes_[e.node];
-    for (std::uint32_t i = n.first; i < n.first + n.count; ++i) r.test(triangles_[i].corner, triangles_[i].number, t_near, best);
+    for (std::uint32_t i = n.first; i < n.first + n.count; ++i)
+      r.test(triangles_[i].corner, triangles_[i].number, t_near, best);
     if (n.count > 0) continue;
-    entry left{n.first, r.entry(nodes_[n.first].bounds, near, far)}, right{n.first + 1, r.entry(nodes_[n.first + 1].bounds, near, far)};
+    entry left{n.first, r.entry(nodes_[n.first].bounds, near, far)},
+        right{n.first + 1, r.entry(nodes_[n.first + 1].bounds, near, far)};
     if (left.t < right.t) std::swap(left, right);
     for (const entry& child : {left, right})
       if (child.t < std::numeric_limits<float>::infinity()) later[waiting++] = child;
@@ -40,11 +43,13 @@ CONCINO_INLINE ray_hit box_tree_caster::search(const vec3& origin, const vec3& d
   return best ? best : ray_hit{};
 }
 
-CONCINO_INLINE ray_hit box_tree_caster::intersect(const vec3& origin, const vec3& direction, double t_near, double t_far) const {
+CONCINO_INLINE ray_hit box_tree_caster::intersect(const vec3& origin, const vec3& direction, double t_near,
+                                                  double t_far) const {
   return search(origin, direction, t_near, t_far, false);
 }
 
-CONCINO_INLINE bool box_tree_caster::occluded(const vec3& origin, const vec3& direction, double t_near, double t_far) const {
+CONCINO_INLINE bool box_tree_caster::occluded(const vec3& origin, const vec3& direction, double t_near,
+                                              double t_far) const {
   return static_cast<bool>(search(origin, direction, t_near, t_far, true));
 }
 

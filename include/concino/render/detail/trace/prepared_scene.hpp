@@ -22,7 +22,8 @@ class prepared_scene {
   using caster = decltype(std::declval<const T&>().build(std::declval<const triangle_soup&>()));
 
   static const scene& checked(const scene& s) {
-    if (s.drawables().empty()) throw invalid_argument("render: the scene is empty; add a mesh or other things to it first");
+    if (s.drawables().empty())
+      throw invalid_argument("render: the scene is empty; add a mesh or other things to it first");
     return s;
   }
 
@@ -32,7 +33,8 @@ class prepared_scene {
   std::optional<caster> opaque_;  // only if it is not the same
 
  public:
-  prepared_scene(const scene& s, const T& tracer) : scene_(checked(s)), unit_(s.drawables()), all_(tracer.build(unit_.soup)) {
+  prepared_scene(const scene& s, const T& tracer)
+      : scene_(checked(s)), unit_(s.drawables()), all_(tracer.build(unit_.soup)) {
     if (unit_.has_transparent()) opaque_.emplace(tracer.build(unit_.opaque_soup()));
   }
 
@@ -63,7 +65,8 @@ class prepared_scene {
     if (options.transparent_background) result.add_opacity();
     const painter<caster> paint(unit_, all_, opaque_ ? *opaque_ : all_, from, options);
     constexpr std::size_t tile_size = 16;  // in pixels, of the tiles that threads render in parallel
-    const std::size_t num_columns = (options.width + tile_size - 1) / tile_size, num_rows = (options.height + tile_size - 1) / tile_size;
+    const std::size_t num_columns = (options.width + tile_size - 1) / tile_size,
+                      num_rows = (options.height + tile_size - 1) / tile_size;
     const auto tile = [&](std::size_t i) {
       auto read = paint.reader();
       const std::size_t x0 = i % num_columns * tile_size, y0 = i / num_columns * tile_size;

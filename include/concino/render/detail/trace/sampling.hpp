@@ -20,7 +20,8 @@ constexpr unit_point random_point(std::uint64_t seed) {
   return {static_cast<double>(bits >> 32) * 0x1p-32, static_cast<double>(bits & 0xffffffffu) * 0x1p-32};
 }
 
-/// Point i of a low-discrepancy sequence: consecutive points are evenly distributed over the unit square. It is moved by `shift`, modulo 1.
+/// Point i of a low-discrepancy sequence: consecutive points are evenly distributed over the unit square. It is moved
+/// by `shift`, modulo 1.
 /// Source: R2, Roberts 2018; the shift is that of Cranley and Patterson 1976.
 inline unit_point spread_point(std::uint64_t i, const unit_point& shift) {
   const double n = static_cast<double>(i);
@@ -45,7 +46,8 @@ inline vec3 cosine_direction(const frame& f, const unit_point& u) {
   return f.to_world(r * std::cos(angle), r * std::sin(angle), std::sqrt(std::fmax(0.0, 1 - u.x)));
 }
 
-/// The cosine_direction for the points of the sequence, moved by a shift. Sines and cosines are computed once, as there are millions of rays.
+/// The cosine_direction for the points of the sequence, moved by a shift. Sines and cosines are computed once, as there
+/// are millions of rays.
 class cosine_directions {
   struct ray {
     double x, cosine, sine;
@@ -65,18 +67,21 @@ class cosine_directions {
   struct turn {
     double x, cosine, sine;
     explicit turn(const unit_point& shift)
-        : x(shift.x), cosine(std::cos(6.28318530717958647693 * shift.y)), sine(std::sin(6.28318530717958647693 * shift.y)) {}
+        : x(shift.x), cosine(std::cos(6.28318530717958647693 * shift.y)),
+          sine(std::sin(6.28318530717958647693 * shift.y)) {}
   };
   vec3 operator()(std::size_t i, const turn& by, const frame& f) const {
     const ray& d = rays_[i];
     const double moved = d.x + by.x, x = moved < 1 ? moved : moved - 1, r = std::sqrt(x);
-    return f.to_world(r * (d.cosine * by.cosine - d.sine * by.sine), r * (d.cosine * by.sine + d.sine * by.cosine), std::sqrt(1 - x));
+    return f.to_world(r * (d.cosine * by.cosine - d.sine * by.sine), r * (d.cosine * by.sine + d.sine * by.cosine),
+                      std::sqrt(1 - x));
   }
 };
 
 /// A direction within the cone about f.n whose half-angle has this cosine, uniform by solid angle.
 inline vec3 cone_direction(const frame& f, double cosine, const unit_point& u) {
-  const double z = 1 - u.x * (1 - cosine), r = std::sqrt(std::fmax(0.0, 1 - z * z)), angle = 6.28318530717958647693 * u.y;
+  const double z = 1 - u.x * (1 - cosine), r = std::sqrt(std::fmax(0.0, 1 - z * z)),
+               angle = 6.28318530717958647693 * u.y;
   return f.to_world(r * std::cos(angle), r * std::sin(angle), z);
 }
 

@@ -10,7 +10,10 @@ namespace concino::detail {
 
 CONCINO_INLINE camera turned(camera c, const vec3& center, const vec3& axis, double angle) {
   const double cosine = std::cos(angle), sine = std::sin(angle);
-  const auto turn = [&](const vec3& x) { return x * cosine + cross(axis, x) * sine + axis * (dot(axis, x) * (1 - cosine)); };  // Rodrigues
+  // Rodrigues
+  const auto turn = [&](const vec3& x) {
+    return x * cosine + cross(axis, x) * sine + axis * (dot(axis, x) * (1 - cosine));
+  };
   c.eye = center + turn(c.eye - center);
   c.right = turn(c.right), c.up = turn(c.up), c.back = turn(c.back);
   return c;
@@ -32,7 +35,8 @@ CONCINO_INLINE drawable turning_cylinder(std::span<const drawable> drawables, co
   constexpr int num_points = 64;
   for (int i = 0; i < num_points; ++i) {
     const double angle = 2 * 3.14159265358979323846 * i / num_points;
-    for (const double height : {low, high}) circles.points.push_back(center + around.to_world(radius * std::cos(angle), radius * std::sin(angle), height));
+    for (const double height : {low, high})
+      circles.points.push_back(center + around.to_world(radius * std::cos(angle), radius * std::sin(angle), height));
   }
   return circles;
 }

@@ -14,7 +14,8 @@
 
 namespace concino::detail {
 
-/// A scene moved so that the middle of its bounding box is 0, and scaled so that half the diagonal is 1. Single precision is then enough for any mesh.
+/// A scene moved so that the middle of its bounding box is 0, and scaled so that half the diagonal is 1. Single
+/// precision is then enough for any mesh.
 class unit_scene {
   std::span<const drawable> drawables_;
   std::vector<std::uint32_t> first_point_, first_triangle_;
@@ -45,7 +46,8 @@ class unit_scene {
       const drawable& d = drawables_[i];
       for (const vec3& p : d.points) soup.points.push_back(to_normal3(to_unit(p)));
       for (const auto& t : d.triangles)
-        soup.triangles.push_back({first_point_[i] + d.corners[t[0]], first_point_[i] + d.corners[t[1]], first_point_[i] + d.corners[t[2]]});
+        soup.triangles.push_back(
+            {first_point_[i] + d.corners[t[0]], first_point_[i] + d.corners[t[1]], first_point_[i] + d.corners[t[2]]});
     }
   }
 
@@ -60,7 +62,8 @@ class unit_scene {
     for (std::size_t i = 0; i < drawables_.size(); ++i)
       if (is_opaque(drawables_[i])) {
         const auto first = soup.triangles.begin() + first_triangle_[i];
-        opaque.triangles.insert(opaque.triangles.end(), first, first + static_cast<std::ptrdiff_t>(drawables_[i].triangles.size()));
+        opaque.triangles.insert(opaque.triangles.end(), first,
+                                first + static_cast<std::ptrdiff_t>(drawables_[i].triangles.size()));
       }
     return opaque;
   }
@@ -94,7 +97,8 @@ class unit_scene {
   /// The smallest coordinate of the scene along a direction.
   double lowest(const vec3& up) const {
     double low = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < soup.points.size(); ++i) low = std::min(low, dot(point(static_cast<std::uint32_t>(i)), up));
+    for (std::size_t i = 0; i < soup.points.size(); ++i)
+      low = std::min(low, dot(point(static_cast<std::uint32_t>(i)), up));
     return low;
   }
 };

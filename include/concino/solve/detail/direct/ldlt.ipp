@@ -14,13 +14,15 @@ namespace concino {
 struct ldlt::state : detail::ordered_factors<detail::simplicial_ldlt> {
   explicit state(const direct_solver_options& given) : ordered_factors("ldlt", given) {}
 
-  /// Rejects pivots that are only rounding errors. A pivot is a diagonal entry minus the contributions of elimination, which stops at the first 0.
+  /// Rejects pivots that are only rounding errors. A pivot is a diagonal entry minus the contributions of elimination,
+  /// which stops at the first 0.
   void check_pivots(const Eigen::SparseMatrix<double>& a) const {
     const std::vector<double> input_diagonal = core::diagonal(a);
     const Eigen::VectorXd pivots = factors.vectorD();
     for (std::size_t k = 0; k < input_diagonal.size(); ++k) {
       const int row = order.row[k];
-      const double diagonal = input_diagonal[static_cast<std::size_t>(row)], pivot = pivots[static_cast<Eigen::Index>(k)];
+      const double diagonal = input_diagonal[static_cast<std::size_t>(row)],
+                   pivot = pivots[static_cast<Eigen::Index>(k)];
       if (!(std::abs(pivot) > 1e-15 * std::abs(diagonal) && std::abs(pivot) < std::numeric_limits<double>::infinity()))
         core::throw_bad_pivot("ldlt", "singular to working precision", row, diagonal, pivot);
     }

@@ -20,7 +20,8 @@ struct llt::state : detail::ordered_factors<detail::simplicial_llt> {
       const int row = order.row[static_cast<std::size_t>(k)];
       const double diagonal = input_diagonal[static_cast<std::size_t>(row)];
       if (!(pivot > 1e-15 * diagonal && pivot > 0 && pivot < std::numeric_limits<double>::infinity()))
-        core::throw_bad_pivot("llt", pivot < 0 ? "not positive definite" : "not positive definite to working precision", row, diagonal, pivot);
+        core::throw_bad_pivot("llt", pivot < 0 ? "not positive definite" : "not positive definite to working precision",
+                              row, diagonal, pivot);
     };
     if (factors.info() == Eigen::Success) {
       const auto& l = factors.matrixL().nestedExpression();  // each column begins with its diagonal

@@ -18,8 +18,8 @@ struct elimination_order {
   /// Stores an order. row_at: the row at each position.
   void keep(std::vector<int> row_at);
 
-  /// Computes the order, by default by approximate minimum degree (Amestoy, Davis, Duff 1996). It depends only on the pattern of a, which is compressed, in
-  /// either triangle.
+  /// Computes the order, by default by approximate minimum degree (Amestoy, Davis, Duff 1996). It depends only on the
+  /// pattern of a, which is compressed, in either triangle.
   /// Errors: invalid_argument if `ordering` returns no permutation.
   void find(const Eigen::SparseMatrix<double>& a, elimination_ordering ordering = nullptr);
 

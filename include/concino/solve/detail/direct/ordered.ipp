@@ -33,7 +33,8 @@ CONCINO_INLINE bool is_permutation(const std::vector<int>& order, std::size_t si
 
 CONCINO_INLINE void elimination_order::keep(std::vector<int> row_at) {
   std::vector<int> new_position(row_at.size());
-  for (std::size_t i = 0; i < row_at.size(); ++i) new_position[static_cast<std::size_t>(row_at[i])] = static_cast<int>(i);
+  for (std::size_t i = 0; i < row_at.size(); ++i)
+    new_position[static_cast<std::size_t>(row_at[i])] = static_cast<int>(i);
   row.swap(row_at);
   position.swap(new_position);
 }
@@ -42,7 +43,8 @@ CONCINO_INLINE void elimination_order::find(const Eigen::SparseMatrix<double>& a
   std::vector<int> row_at;
   if (ordering) {
     row_at = ordering(a);
-    if (!is_permutation(row_at, static_cast<std::size_t>(a.cols()))) throw invalid_argument("the elimination ordering of a solver returned no permutation of its rows");
+    if (!is_permutation(row_at, static_cast<std::size_t>(a.cols())))
+      throw invalid_argument("the elimination ordering of a solver returned no permutation of its rows");
   } else {
     eigen_permutation order;
     Eigen::AMDOrdering<int>()(a, order);

@@ -19,7 +19,8 @@ namespace concino::detail {
 using simplicial_ldlt = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper, Eigen::NaturalOrdering<int>>;
 using simplicial_llt = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Upper, Eigen::NaturalOrdering<int>>;
 
-/// The number of entries of the factor below the diagonal, or -1 if there are more than `most`. upper: the upper triangle of the matrix.
+/// The number of entries of the factor below the diagonal, or -1 if there are more than `most`. upper: the upper
+/// triangle of the matrix.
 /// Cost:   as many steps as entries counted, a small part of a factorisation, and memory for two numbers per row.
 inline std::int64_t count_factor_entries(const Eigen::SparseMatrix<double>& upper, std::int64_t most) {
   const auto n = static_cast<std::size_t>(upper.cols());
@@ -28,7 +29,8 @@ inline std::int64_t count_factor_entries(const Eigen::SparseMatrix<double>& uppe
   for (int c = 0; c < upper.cols(); ++c) {
     seen[static_cast<std::size_t>(c)] = c;
     for (int k = upper.outerIndexPtr()[c]; k < upper.outerIndexPtr()[c + 1]; ++k)
-      for (auto i = static_cast<std::size_t>(upper.innerIndexPtr()[k]); seen[i] != c; i = static_cast<std::size_t>(parent[i])) {
+      for (auto i = static_cast<std::size_t>(upper.innerIndexPtr()[k]); seen[i] != c;
+           i = static_cast<std::size_t>(parent[i])) {
         if (parent[i] < 0) parent[i] = c;
         seen[i] = c;
         ++entries;
@@ -48,8 +50,9 @@ struct ordered_factors {
 
   ordered_factors(const char* name, const direct_solver_options& given) : checks(name), options(given) {}
 
-  /// Factorises, and calls check_pivots(a, upper), where upper is the reordered matrix. Returns false, and factorises nothing, if the factor would have more
-  /// than `most` entries below the diagonal, or more than 32-bit indices can count.
+  /// Factorises, and calls check_pivots(a, upper), where upper is the reordered matrix. Returns false, and factorises
+  /// nothing, if the factor would have more than `most` entries below the diagonal, or more than 32-bit indices can
+  /// count.
   template<class F>
   bool factorize(const Eigen::SparseMatrix<double>& matrix, std::int64_t most, F check_pivots) {
     Eigen::SparseMatrix<double> storage;
@@ -61,7 +64,8 @@ struct ordered_factors {
       });
       const Eigen::SparseMatrix<double> upper = order(a);
       if (entries < 0) {
-        const std::int64_t counted = count_factor_entries(upper, std::min<std::int64_t>(most, std::numeric_limits<int>::max() - a.cols()));
+        const std::int64_t counted =
+            count_factor_entries(upper, std::min<std::int64_t>(most, std::numeric_limits<int>::max() - a.cols()));
         if (counted < 0) return false;
         factors.analyzePattern(upper);
         entries = counted;
@@ -75,7 +79,8 @@ struct ordered_factors {
   }
 
   [[noreturn]] void throw_too_large() const {
-    core::throw_joined<unsupported>({checks.name(), ": the factor would have more entries than 32-bit indices can count; use multigrid"});
+    core::throw_joined<unsupported>(
+        {checks.name(), ": the factor would have more entries than 32-bit indices can count; use multigrid"});
   }
 
   void use_order_of(const ordered_factors& other) {

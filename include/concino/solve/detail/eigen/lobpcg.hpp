@@ -18,10 +18,12 @@
 
 namespace concino::detail {
 
-/// The smallest eigenvalues mu of A x = mu M x, for A and M positive definite. The basis holds the approximations X, the directions P of the last
-/// iteration, and the preconditioned residuals W of the pairs that have not converged. It is orthonormal with respect to M: the coefficients of P are made
-/// orthogonal to those of X (Hetmaniuk, Lehoucq 2006; Duersch et al. 2018), and W is made so by singular value decompositions of its Gram matrix, which drop
-/// what depends on the rest (Stathopoulos, Wu 2002). Pairs that have converged remain in X, so that others stay orthogonal to them (soft locking).
+/// The smallest eigenvalues mu of A x = mu M x, for A and M positive definite. The basis holds the approximations X,
+/// the directions P of the last iteration, and the preconditioned residuals W of the pairs that have not converged. It
+/// is orthonormal with respect to M: the coefficients of P are made orthogonal to those of X (Hetmaniuk, Lehoucq 2006;
+/// Duersch et al. 2018), and W is made so by singular value decompositions of its Gram matrix, which drop what depends
+/// on the rest (Stathopoulos, Wu 2002). Pairs that have converged remain in X, so that others stay orthogonal to them
+/// (soft locking).
 class lobpcg_iteration {
   const multigrid_levels& levels_;
   const Eigen::SparseMatrix<double>& mass_;
@@ -34,12 +36,14 @@ class lobpcg_iteration {
   Eigen::MatrixXd images_;       // [X P]^T A X
 
  public:
-  Eigen::VectorXd values, residuals, allowed;  // of all vectors of X; residuals and their bounds are |A x - mu M x| / |M x|
+  Eigen::VectorXd values, residuals, allowed;  // of all vectors of X; residuals and their bounds are |A x - mu M x| /
+                                               // |M x|
   std::size_t iterations = 0, cycles = 0;
 
-  lobpcg_iteration(const multigrid_levels& levels, const Eigen::SparseMatrix<double>& mass, Eigen::Index size, double tolerance)
-      : levels_(levels), mass_(mass), n_(mass.cols()), size_(size), tolerance_(tolerance), basis_(n_, 3 * size), product_(n_, size),
-        preconditioner_(levels, size), row_sum_(static_cast<std::size_t>(n_)) {
+  lobpcg_iteration(const multigrid_levels& levels, const Eigen::SparseMatrix<double>& mass, Eigen::Index size,
+                   double tolerance)
+      : levels_(levels), mass_(mass), n_(mass.cols()), size_(size), tolerance_(tolerance), basis_(n_, 3 * size),
+        product_(n_, size), preconditioner_(levels, size), row_sum_(static_cast<std::size_t>(n_)) {
     const lower_entries a(levels.finest());
     for (int c = 0; c < a.n; ++c)
       for (int k = a.starts[c]; k < a.starts[c + 1]; ++k) {
@@ -59,7 +63,9 @@ class lobpcg_iteration {
       for (Eigen::Index j = 0; j < size_; ++j) b.row(i)[j] *= m.a[m.starts[i]];
     apply_cycles(b, all, x);
     for (Eigen::Index found = 0, attempt = 0; (found += orthonormalize(found, size_ - found)) < size_;) {
-      if (++attempt == 4) throw solver_error("eigenpairs: no basis of independent vectors was found; is the mass matrix positive definite?");
+      if (++attempt == 4)
+        throw solver_error(
+            "eigenpairs: no basis of independent vectors was found; is the mass matrix positive definite?");
       fill_with_noise(basis_.columns(found, size_ - found), static_cast<std::uint64_t>(attempt));
     }
     rotate();
@@ -67,13 +73,15 @@ class lobpcg_iteration {
 
   /// Replaces X by the approximations of eigenvectors in its span, anew from X alone.
   void restart() {
-    if (orthonormalize(0, size_) < size_) throw solver_error("eigenpairs: the iteration broke down; is the mass matrix positive definite?");
+    if (orthonormalize(0, size_) < size_)
+      throw solver_error("eigenpairs: the iteration broke down; is the mass matrix positive definite?");
     rotate();
   }
 
   /// Computes values and residuals from the vectors. Afterwards product_ holds the residual vectors.
   void measure() {
-    const column_range x = basis_.columns(0, size_), mx = basis_.columns(size_ + old_, size_), r = product_.columns(0, size_);
+    const column_range x = basis_.columns(0, size_), mx = basis_.columns(size_ + old_, size_),
+                       r = product_.columns(0, size_);
     multiply_columns(levels_.finest(), x, r);
     images_ = gram_matrix(n_, basis_.columns(0, size_ + old_), r);
     multiply_columns(mass_, x, mx);
@@ -142,19 +150,22 @@ class lobpcg_iteration {
 
  private:
   [[noreturn, gnu::noinline, gnu::cold]] static void throw_not_finite() {
-    throw solver_error("eigenpairs: the iteration left the range of numbers: entries of the matrices differ too much in size, or are not those of a positive"
-                       " semidefinite matrix and a positive definite mass");
+    throw solver_error(
+        "eigenpairs: the iteration left the range of numbers: entries of the matrices differ too much in size, or are not those of a positive"
+        " semidefinite matrix and a positive definite mass");
   }
   [[noreturn, gnu::noinline, gnu::cold]] static void throw_indefinite() {
-    throw solver_error("eigenpairs: the matrix is not positive semidefinite: it has an eigenvalue below minus the shift; choose a larger shift, or give it the"
-                       " other sign if it is a Laplacian");
+    throw solver_error(
+        "eigenpairs: the matrix is not positive semidefinite: it has an eigenvalue below minus the shift; choose a larger shift, or give it the"
+        " other sign if it is a Laplacian");
   }
 
   /// Numbers in [-1, 1) that depend only on row, column and seed.
   void fill_with_noise(const column_range& x, std::uint64_t seed) const {
     for (Eigen::Index i = 0; i < n_; ++i)
       for (Eigen::Index j = 0; j < x.columns; ++j) {
-        std::uint64_t z = (seed << 56) + (static_cast<std::uint64_t>(j) << 40) + static_cast<std::uint64_t>(i) + 1;  // splitmix64
+        // splitmix64
+        std::uint64_t z = (seed << 56) + (static_cast<std::uint64_t>(j) << 40) + static_cast<std::uint64_t>(i) + 1;
         z *= 0x9e3779b97f4a7c15u;
         z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
         z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
@@ -167,7 +178,8 @@ class lobpcg_iteration {
     cycles += column.size();
   }
 
-  /// Makes the columns after the first `known` orthonormal, also to those, which are so already. Returns how many remain.
+  /// Makes the columns after the first `known` orthonormal, also to those, which are so already. Returns how many
+  /// remain.
   Eigen::Index orthonormalize(Eigen::Index known, Eigen::Index added) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     for (int round = 0; round < 4 && added > 0; ++round) {
@@ -214,7 +226,8 @@ class lobpcg_iteration {
     energy_.resize(0, 0);
   }
 
-  /// Coefficients of the directions in which the active vectors moved out of X, orthonormal and orthogonal to those of the new X.
+  /// Coefficients of the directions in which the active vectors moved out of X, orthonormal and orthogonal to those of
+  /// the new X.
   Eigen::MatrixXd new_directions(const Eigen::MatrixXd& next, const std::vector<Eigen::Index>& active) const {
     Eigen::MatrixXd r(next.rows(), static_cast<Eigen::Index>(active.size()));
     Eigen::Index number = 0;

@@ -1,5 +1,6 @@
-// Many vectors side by side, and what block methods for eigenpairs do with them. The entries of one row are next to each other, so that a sparse matrix is read
-// once for eight vectors, and a basis is replaced by combinations of its vectors in place.
+// Many vectors side by side, and what block methods for eigenpairs do with them. The entries of one row are next to
+// each other, so that a sparse matrix is read once for eight vectors, and a basis is replaced by combinations of its
+// vectors in place.
 #pragma once
 
 #include <concino/core/parallel.hpp>
@@ -19,8 +20,8 @@ inline constexpr int panel_width = 8;
 
 inline Eigen::Index num_panels(Eigen::Index columns) { return (columns + panel_width - 1) / panel_width; }
 
-/// Columns from..from + columns of a block with `stride` numbers per row. Panels are whole: columns up to a multiple of eight after the first may be read and
-/// written too.
+/// Columns from..from + columns of a block with `stride` numbers per row. Panels are whole: columns up to a multiple of
+/// eight after the first may be read and written too.
 struct column_range {
   double* data;
   Eigen::Index stride, columns;
@@ -39,7 +40,8 @@ class vector_block {
 
   vector_block() = default;
   vector_block(Eigen::Index rows, Eigen::Index columns)
-      : rows_(rows), stride_(num_panels(columns) * panel_width + panel_width), x_(static_cast<std::size_t>(rows_ * stride_)) {}
+      : rows_(rows), stride_(num_panels(columns) * panel_width + panel_width),
+        x_(static_cast<std::size_t>(rows_ * stride_)) {}
 
   Eigen::Index rows() const { return rows_; }
   column_range columns(Eigen::Index from, Eigen::Index number) { return {x_.data() + from, stride_, number}; }
@@ -84,7 +86,8 @@ inline Eigen::MatrixXd gram_matrix(Eigen::Index n, const column_range& x, const 
 }
 
 /// Replaces the first columns of x by x c. If there are vectors v, by x c - v d.
-inline void combine(Eigen::Index n, const column_range& x, const Eigen::MatrixXd& c, const column_range& v = {nullptr, 0, 0}, const Eigen::MatrixXd& d = {}) {
+inline void combine(Eigen::Index n, const column_range& x, const Eigen::MatrixXd& c,
+                    const column_range& v = {nullptr, 0, 0}, const Eigen::MatrixXd& d = {}) {
   row_parts(n).for_each([&](std::size_t, Eigen::Index first, Eigen::Index last) {
     constexpr Eigen::Index at_once = 256;
     vector_block::row_major sum(at_once, c.cols());

@@ -40,7 +40,8 @@ struct auto_solver::state {
 
 /// lower_entries: of the lower triangle, the diagonal included.
 CONCINO_INLINE bool auto_solver::state::is_small(Eigen::Index lower_entries) const {
-  constexpr Eigen::Index long_row = 13;  // entries: polygons that meet in threes have at most as many on average, tets more
+  constexpr Eigen::Index long_row = 13;  // entries: polygons that meet in threes have at most as many on average, tets
+                                         // more
   const bool has_long_rows = 2 * lower_entries - size_ > long_row * size_, are_many = options_.questions >= 10;
   if (has_long_rows) return size_ < (are_many ? 5'000 : 1'000);
   return size_ < (are_many ? 200'000 : 10'000);
@@ -91,14 +92,20 @@ CONCINO_INLINE bool auto_solver::state::replace_multigrid() {
 CONCINO_INLINE bool auto_solver::state::iterate(const Eigen::VectorXd& b, Eigen::VectorXd& x) {
   constexpr int patience = 40;  // iterations, where a factor may be computed
   const multigrid_options& given = options_.iteration;
-  const auto most = static_cast<int>(given.max_iterations > 0 ? given.max_iterations : std::min<Eigen::Index>(std::numeric_limits<int>::max(), 2 * size_));
+  const auto most =
+      static_cast<int>(given.max_iterations > 0 ? given.max_iterations
+                                                : std::min<Eigen::Index>(std::numeric_limits<int>::max(), 2 * size_));
   core::check_right_hand_side("multigrid", b, size_);
   detail::multigrid_levels::workspace work = levels.make_workspace();
   for (;;) {
     const int limit = fits ? std::min(patience, most) : most;
     try {
-      system.solve("multigrid", levels.finest(), b, {given.tolerance, limit, true}, 100, report,
-                   [&](const Eigen::VectorXd& r, Eigen::VectorXd& z, Eigen::VectorXd& y) { return levels.apply(r.data(), z.data(), y.data(), work); }).swap(x);
+      system
+          .solve("multigrid", levels.finest(), b, {given.tolerance, limit, true}, 100, report,
+                 [&](const Eigen::VectorXd& r, Eigen::VectorXd& z, Eigen::VectorXd& y) {
+                   return levels.apply(r.data(), z.data(), y.data(), work);
+                 })
+          .swap(x);
     } catch (const solver_error&) {  // the solution is not finite
       if (!replace_multigrid()) throw;
       return false;
@@ -110,7 +117,8 @@ CONCINO_INLINE bool auto_solver::state::iterate(const Eigen::VectorXd& b, Eigen:
 }
 
 CONCINO_INLINE auto_solver::auto_solver() : auto_solver(auto_solver_options()) {}
-CONCINO_INLINE auto_solver::auto_solver(const auto_solver_options& options) : options_(options), state_(new state(options_)) {
+CONCINO_INLINE auto_solver::auto_solver(const auto_solver_options& options)
+    : options_(options), state_(new state(options_)) {
   detail::iterative_system::check_options("auto_solver", options.iteration.tolerance, options.iteration.max_iterations);
   if (options.max_factor_entries < 0) throw invalid_argument("auto_solver: max_factor_entries is negative");
   if (options.questions < 1) throw invalid_argument("auto_solver: questions must be 1 or more");
@@ -127,7 +135,8 @@ CONCINO_INLINE void auto_solver::use_order_of(const auto_solver& other) {
 CONCINO_INLINE Eigen::VectorXd auto_solver::solve(const Eigen::VectorXd& b) const {
   {
     const std::lock_guard<std::mutex> lock(state_->mutex);
-    if (state_->used == solver_used::none) throw solver_error("auto_solver: solve without a factorised matrix; call factorize first");
+    if (state_->used == solver_used::none)
+      throw solver_error("auto_solver: solve without a factorised matrix; call factorize first");
     Eigen::VectorXd x;
     if (state_->used == solver_used::multigrid && state_->iterate(b, x)) return x;
   }

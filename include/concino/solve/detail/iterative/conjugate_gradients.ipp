@@ -8,7 +8,8 @@
 
 namespace concino {
 
-CONCINO_INLINE conjugate_gradients::conjugate_gradients(const conjugate_gradients_options& options) : options_(options) {
+CONCINO_INLINE conjugate_gradients::conjugate_gradients(const conjugate_gradients_options& options)
+    : options_(options) {
   detail::iterative_system::check_options("conjugate_gradients", options.tolerance, options.max_iterations);
 }
 
@@ -21,7 +22,9 @@ CONCINO_INLINE void conjugate_gradients::factorize(const Eigen::SparseMatrix<dou
 CONCINO_INLINE Eigen::VectorXd conjugate_gradients::solve(const Eigen::VectorXd& rhs) const {
   const std::int64_t patience = 500 + 4 * static_cast<std::int64_t>(std::sqrt(static_cast<double>(a_.cols())));
   return system_.solve("conjugate_gradients", a_, rhs, options_, patience, report_,
-                       [&](const Eigen::VectorXd& r, Eigen::VectorXd& z, Eigen::VectorXd&) { return preconditioner_.solve(a_, r, z), false; });
+                       [&](const Eigen::VectorXd& r, Eigen::VectorXd& z, Eigen::VectorXd&) {
+                         return preconditioner_.solve(a_, r, z), false;
+                       });
 }
 
 }  // namespace concino

@@ -8,8 +8,8 @@
 
 namespace concino::detail {
 
-/// Each iteration of conjugate gradients reduces the square of the error in the energy norm by a known amount, its gain. So the squared error is the sum
-/// of all gains to come.
+/// Each iteration of conjugate gradients reduces the square of the error in the energy norm by a known amount, its
+/// gain. So the squared error is the sum of all gains to come.
 /// Source: Hestenes, Stiefel 1952, theorem 6:1; Golub, Meurant 1997.
 class energy_gains {
   std::vector<double> gain_;  // since the last start
@@ -38,8 +38,8 @@ class energy_gains {
   /// Whether the gain of the last iteration was rounding errors only.
   bool is_exhausted() const { return !(gain_.back() > 1e-30 * since_start_); }
 
-  /// An estimate of the square of the remaining error. If the last two windows of iterations gained G and g < G, further gains form a geometric series.
-  /// +inf if there is no estimate.
+  /// An estimate of the square of the remaining error. If the last two windows of iterations gained G and g < G,
+  /// further gains form a geometric series. +inf if there is no estimate.
   double left() const {
     const std::size_t n = window();
     if (gain_.size() < 2 * n) return std::numeric_limits<double>::infinity();

@@ -1,5 +1,5 @@
-// An incomplete Cholesky factorisation, the preconditioner of conjugate gradients. Uses loops over flat arrays, because Eigen's own takes
-// two seconds to compile.
+// An incomplete Cholesky factorisation, the preconditioner of conjugate gradients. Uses loops over flat arrays, because
+// Eigen's own takes two seconds to compile.
 #pragma once
 
 #include <concino/solve/detail/direct/ordered.hpp>
@@ -13,8 +13,9 @@
 
 namespace concino::detail {
 
-/// Numbers the rows of a symmetric matrix, passed as its lower triangle, breadth first. Neighbours are then close in memory, and an incomplete
-/// factorisation in this order is as good as any with the same entries. Not bfs_forest: solvers use matrices, not graphs.
+/// Numbers the rows of a symmetric matrix, passed as its lower triangle, breadth first. Neighbours are then close in
+/// memory, and an incomplete factorisation in this order is as good as any with the same entries. Not bfs_forest:
+/// solvers use matrices, not graphs.
 inline std::vector<int> breadth_first_order(const Eigen::SparseMatrix<double>& lower) {
   const auto n = static_cast<int>(lower.cols());
   const int *const starts = lower.outerIndexPtr(), *const rows = lower.innerIndexPtr();
@@ -53,18 +54,21 @@ inline std::vector<int> breadth_first_order(const Eigen::SparseMatrix<double>& l
   return order;
 }
 
-/// L with L L^T near a matrix, with the pattern of its lower triangle. At first fill-in outside the pattern is added to the diagonal, except for a small
-/// part. Then the row sums of L L^T are nearly those of the matrix, and the number of steps, n otherwise, is reduced to some root of n. Single
-/// small pivots are increased. If there are many, fill-in is dropped instead, and the diagonal is raised until all pivots are positive.
+/// L with L L^T near a matrix, with the pattern of its lower triangle. At first fill-in outside the pattern is added to
+/// the diagonal, except for a small part. Then the row sums of L L^T are nearly those of the matrix, and the number of
+/// steps, n otherwise, is reduced to some root of n. Single small pivots are increased. If there are many, fill-in is
+/// dropped instead, and the diagonal is raised until all pivots are positive.
 /// Source: Meijerink, van der Vorst 1977; Gustafsson 1978 (sums kept); Manteuffel 1980 (diagonal raised).
 class incomplete_cholesky {
   static constexpr int long_column = 256;  // entries; the time for others may grow with the square of their number
   std::vector<double> l_;  // parallel to the entries of the matrix; on the diagonal 1 / l
 
-  /// Subtracts the products of all pairs of entries of column c from the columns after it, in time proportional to the entries of those. The products outside
-  /// the pattern, of one entry with many others, are added up first. position: -1 for each row.
+  /// Subtracts the products of all pairs of entries of column c from the columns after it, in time proportional to the
+  /// entries of those. The products outside the pattern, of one entry with many others, are added up first. position:
+  /// -1 for each row.
   void eliminate_long(const Eigen::SparseMatrix<double>& a, int c, double keep, std::vector<int>& position) {
-    const int *const starts = a.outerIndexPtr(), *const rows = a.innerIndexPtr(), first = starts[c], end = starts[c + 1];
+    const int *const starts = a.outerIndexPtr(), *const rows = a.innerIndexPtr(), first = starts[c],
+                     end = starts[c + 1];
     double* const l = l_.data();
     double sum = 0;
     for (int i = first + 1; i < end; ++i) {
@@ -113,7 +117,8 @@ class incomplete_cholesky {
         const int to_end = starts[column + 1];
         l[to++] -= l[j] * l[j];
         for (int i = j + 1; i < end; ++i) {
-          if (to_end - to > long_column) to = static_cast<int>(std::lower_bound(rows + to, rows + to_end, rows[i]) - rows);
+          if (to_end - to > long_column)
+            to = static_cast<int>(std::lower_bound(rows + to, rows + to_end, rows[i]) - rows);
           while (to < to_end && rows[to] < rows[i]) ++to;
           const double fill = l[i] * l[j];
           if (to < to_end && rows[to] == rows[i]) {

@@ -1,4 +1,5 @@
-// What the iterative solvers of symmetric positive definite systems share: checks, order and scale of the matrix, and errors.
+// What the iterative solvers of symmetric positive definite systems share: checks, order and scale of the matrix, and
+// errors.
 #pragma once
 
 #include <concino/core/message.hpp>
@@ -18,8 +19,9 @@
 
 namespace concino::detail {
 
-/// Prepares a matrix and its right-hand sides for an iteration: rows are numbered breadth first, and powers of two scale the largest diagonal entry and
-/// the largest entry of each right-hand side to [1, 2). `caller` is the name of the solver in messages.
+/// Prepares a matrix and its right-hand sides for an iteration: rows are numbered breadth first, and powers of two
+/// scale the largest diagonal entry and the largest entry of each right-hand side to [1, 2). `caller` is the name of
+/// the solver in messages.
 class iterative_system {
   elimination_order order_;
   core::sparsity_pattern pattern_;
@@ -27,17 +29,20 @@ class iterative_system {
   Eigen::Index size_ = -1;
 
  public:
-  [[noreturn, gnu::noinline, gnu::cold]] static void throw_missed(const char* caller, const iteration_report& r, double tolerance) {
-    core::throw_joined<solver_error>({caller, ": not converged after ", static_cast<std::size_t>(r.iterations),
-                                        " iterations: the error is estimated as ", core::number_text(r.error), " of the solution, the residual is ",
-                                        core::number_text(r.residual), ", the tolerance ", core::number_text(tolerance),
-                                        "; the matrix is not positive definite, or badly conditioned: use ldlt, allow more iterations or a larger"
-                                        " tolerance, or set accept_missed_tolerance"});
+  [[noreturn, gnu::noinline, gnu::cold]] static void throw_missed(const char* caller, const iteration_report& r,
+                                                                  double tolerance) {
+    core::throw_joined<solver_error>(
+        {caller, ": not converged after ", static_cast<std::size_t>(r.iterations),
+         " iterations: the error is estimated as ", core::number_text(r.error), " of the solution, the residual is ",
+         core::number_text(r.residual), ", the tolerance ", core::number_text(tolerance),
+         "; the matrix is not positive definite, or badly conditioned: use ldlt, allow more iterations or a larger"
+         " tolerance, or set accept_missed_tolerance"});
   }
 
   static void check_options(const char* caller, double tolerance, int max_iterations) {
     if (!(tolerance > 0 && tolerance < 1))
-      core::throw_joined<invalid_argument>({caller, ": tolerance is ", core::number_text(tolerance), "; it must be in (0, 1)"});
+      core::throw_joined<invalid_argument>(
+          {caller, ": tolerance is ", core::number_text(tolerance), "; it must be in (0, 1)"});
     if (max_iterations < 0) core::throw_joined<invalid_argument>({caller, ": max_iterations is negative"});
   }
 
@@ -49,7 +54,8 @@ class iterative_system {
   /// Says that a preconditioner of the prepared matrix exists.
   void accept(Eigen::Index size) { size_ = size; }
 
-  /// The lower triangle of the matrix, checked, reordered and scaled; each column is sorted, so it begins with its diagonal entry.
+  /// The lower triangle of the matrix, checked, reordered and scaled; each column is sorted, so it begins with its
+  /// diagonal entry.
   Eigen::SparseMatrix<double> prepare(const char* caller, const Eigen::SparseMatrix<double>& matrix) {
     forget_matrix();
     Eigen::SparseMatrix<double> storage;
@@ -60,9 +66,10 @@ class iterative_system {
     const std::vector<double> diagonal = core::diagonal(input);
     for (std::size_t i = 0; i < diagonal.size(); ++i) {
       if (!(diagonal[i] > 0))
-        throw core::singular_row(core::joined({caller, ": the matrix is not positive definite: the diagonal entry of row ", i, " is ",
-                                                   core::number_text(diagonal[i])}),
-                                   static_cast<Eigen::Index>(i));
+        throw core::singular_row(
+            core::joined({caller, ": the matrix is not positive definite: the diagonal entry of row ", i, " is ",
+                          core::number_text(diagonal[i])}),
+            static_cast<Eigen::Index>(i));
       largest = std::max(largest, diagonal[i]);
     }
     scale_ = core::power_of_two_to_scale(largest);
@@ -81,9 +88,10 @@ class iterative_system {
   }
 
   /// a: the prepared matrix; precondition and patience as in preconditioned_iteration; report: about this solve.
-  Eigen::VectorXd solve(const char* caller, const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& rhs, const conjugate_gradients_options& options,
-                        std::int64_t patience, iteration_report& report,
-                        function_ref<bool(const Eigen::VectorXd&, Eigen::VectorXd&, Eigen::VectorXd&)> precondition) const {
+  Eigen::VectorXd solve(
+      const char* caller, const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& rhs,
+      const conjugate_gradients_options& options, std::int64_t patience, iteration_report& report,
+      function_ref<bool(const Eigen::VectorXd&, Eigen::VectorXd&, Eigen::VectorXd&)> precondition) const {
     core::check_right_hand_side(caller, rhs, size_);
     report = {};
     double largest = 0;

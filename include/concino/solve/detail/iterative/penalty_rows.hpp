@@ -10,10 +10,12 @@
 
 namespace concino::detail {
 
-/// The rows of a symmetric matrix whose diagonal entry is far larger than the sum of the others, as large penalties make them. They have nearly all of
-/// the energy of a solution, however small the rest of it is. The matrix is passed as its lower triangle; each column begins with its diagonal entry.
+/// The rows of a symmetric matrix whose diagonal entry is far larger than the sum of the others, as large penalties
+/// make them. They have nearly all of the energy of a solution, however small the rest of it is. The matrix is passed
+/// as its lower triangle; each column begins with its diagonal entry.
 class penalty_rows {
-  std::vector<double> diagonal_;  // without penalties: of such a row, the sum of its other entries; empty if there are none
+  std::vector<double> diagonal_;  // without penalties: of such a row, the sum of its other entries; empty if there are
+                                  // none
   const Eigen::SparseMatrix<double>& a_;
 
  public:

@@ -24,7 +24,8 @@ struct iteration_report {
   bool has_converged = true;
 };
 
-/// Solves A x = b by conjugate gradients. A is passed as its lower triangle; each column begins with its diagonal entry, which is positive.
+/// Solves A x = b by conjugate gradients. A is passed as its lower triangle; each column begins with its diagonal
+/// entry, which is positive.
 /// Source: Hestenes, Stiefel 1952.
 class preconditioned_iteration : public iteration_report {
   const Eigen::SparseMatrix<double>& a_;
@@ -39,16 +40,20 @@ class preconditioned_iteration : public iteration_report {
 
  public:
   /// patience: the number of iterations without progress after which the iteration stops.
-  preconditioned_iteration(const Eigen::SparseMatrix<double>& a, double tolerance, std::int64_t max_iterations, std::int64_t patience)
-      : a_(a), tolerance_(tolerance), max_iterations_(max_iterations > 0 ? max_iterations : 2 * static_cast<std::int64_t>(a.cols())), patience_(patience),
-        diagonal_(static_cast<std::size_t>(a.cols())) {
+  preconditioned_iteration(const Eigen::SparseMatrix<double>& a, double tolerance, std::int64_t max_iterations,
+                           std::int64_t patience)
+      : a_(a), tolerance_(tolerance),
+        max_iterations_(max_iterations > 0 ? max_iterations : 2 * static_cast<std::int64_t>(a.cols())),
+        patience_(patience), diagonal_(static_cast<std::size_t>(a.cols())) {
     for (std::size_t i = 0; i < diagonal_.size(); ++i) diagonal_[i] = a.valuePtr()[a.outerIndexPtr()[i]];
   }
 
   /// precondition(r, z, y) sets z to an approximate solution of A z = r. Returns whether it has set y to A z.
-  /// Iterates until the estimates of error and residual are small. The error is compared with the energy of x without penalties. Then computes the
-  /// residual from x itself. If it differs, or the preconditioned residual shows a larger error, restarts the iteration from x, as long as that helps.
-  void run(const Eigen::VectorXd& b, Eigen::VectorXd& x, function_ref<bool(const Eigen::VectorXd&, Eigen::VectorXd&, Eigen::VectorXd&)> precondition) {
+  /// Iterates until the estimates of error and residual are small. The error is compared with the energy of x without
+  /// penalties. Then computes the residual from x itself. If it differs, or the preconditioned residual shows a larger
+  /// error, restarts the iteration from x, as long as that helps.
+  void run(const Eigen::VectorXd& b, Eigen::VectorXd& x,
+           function_ref<bool(const Eigen::VectorXd&, Eigen::VectorXd&, Eigen::VectorXd&)> precondition) {
     const double unknown = std::numeric_limits<double>::infinity();
     const Eigen::Index n = a_.cols();
     Eigen::VectorXd r = b, z(n), y(n), p(n), q(n);  // y = A z, q = A p
@@ -71,14 +76,16 @@ class preconditioned_iteration : public iteration_report {
         if (has_product) follow(turn, y, q);
         else multiply(p, q);
         const products product = products_of(p, q);
-        if (!(product.energy > 1e-16 * product.diagonal && std::isfinite(product.energy))) break;  // the matrix is not definite
+        // the matrix is not definite
+        if (!(product.energy > 1e-16 * product.diagonal && std::isfinite(product.energy))) break;
         const double step = along / product.energy;
         add(step, p, x);
         add(-step, q, r);
         ++iterations;
         gained.add(step * along);
         left = gained.left();
-        if (gained.is_exhausted() || (is_small(left, gained.all(), x) && largest_residual(r, b, x) <= tolerance_)) break;
+        if (gained.is_exhausted() || (is_small(left, gained.all(), x) && largest_residual(r, b, x) <= tolerance_))
+          break;
         has_product = precondition(r, z, y);
         const double before = along;
         along = dot(r, z);
@@ -94,12 +101,14 @@ class preconditioned_iteration : public iteration_report {
       has_product = precondition(r, z, y);
       along = dot(r, z);
       if (left == unknown) left = gained.has_any() ? gained.recent() : left_before;
-      left = along == 0 ? 0 : expected == 0 ? along : left * std::max(1.0, rest_of(along, r, z) / expected);  // |r|^2 is near the square of the error
+      // |r|^2 is near the square of the error
+      left = along == 0 ? 0 : expected == 0 ? along : left * std::max(1.0, rest_of(along, r, z) / expected);
       residual = largest_residual(r, b, x);
       error_of_all = gained.all() > 0 ? std::sqrt(left / gained.all()) : 1;
       error = gained.all() > 0 ? std::sqrt(left / energy_of_rest(gained.all(), x)) : 1;
       has_converged = error <= tolerance_ && residual <= tolerance_;
-      if (has_converged || iterations >= max_iterations_ || !(along < first / 4 || residual < residual_before / 2)) break;
+      if (has_converged || iterations >= max_iterations_ || !(along < first / 4 || residual < residual_before / 2))
+        break;
     }
     has_converged |= is_limited_by_rounding(error_of_all);
   }
@@ -107,7 +116,8 @@ class preconditioned_iteration : public iteration_report {
  private:
   /// Whether the iteration can do no better. error_of_all: beside the energy with penalties.
   bool is_limited_by_rounding(double error_of_all) const {
-    return (residual <= 1e-14 && error_of_all <= 1e-6) || (residual <= tolerance_ && error_of_all <= tolerance_ && iterations < max_iterations_);
+    return (residual <= 1e-14 && error_of_all <= 1e-6) ||
+           (residual <= tolerance_ && error_of_all <= tolerance_ && iterations < max_iterations_);
   }
 
   /// left: the square of the error; all: x.Ax.
@@ -159,7 +169,8 @@ class preconditioned_iteration : public iteration_report {
     for (; i + 4 <= n; i += 4)
       for (Eigen::Index k = 0; k < 4; ++k) add(i + k, k);
     for (; i < n; ++i) add(i, 0);
-    return {(energy[0] + energy[1]) + (energy[2] + energy[3]), (diagonal[0] + diagonal[1]) + (diagonal[2] + diagonal[3])};
+    return {(energy[0] + energy[1]) + (energy[2] + energy[3]),
+            (diagonal[0] + diagonal[1]) + (diagonal[2] + diagonal[3])};
   }
 
   /// y = A x.
@@ -217,7 +228,8 @@ class preconditioned_iteration : public iteration_report {
     for (int i = 0; i < n; ++i) r[i] += errors[static_cast<std::size_t>(i)];
   }
 
-  /// The largest |r|_i / (|b|_i + a_ii max|x|), or its value with the unknowns scaled to a diagonal of 1, if that is larger for a row.
+  /// The largest |r|_i / (|b|_i + a_ii max|x|), or its value with the unknowns scaled to a diagonal of 1, if that is
+  /// larger for a row.
   double largest_residual(const Eigen::VectorXd& r, const Eigen::VectorXd& b, const Eigen::VectorXd& x) const {
     double largest = 0, largest_scaled = 0, worst = 0;
     for (Eigen::Index i = 0; i < a_.cols(); ++i) {
@@ -227,7 +239,8 @@ class preconditioned_iteration : public iteration_report {
     }
     largest = std::sqrt(largest);
     for (Eigen::Index i = 0; i < a_.cols(); ++i) {
-      const double d = diagonal_[static_cast<std::size_t>(i)], allowed = std::abs(b[i]) + std::min(d * largest, std::sqrt(d * largest_scaled));
+      const double d = diagonal_[static_cast<std::size_t>(i)],
+                   allowed = std::abs(b[i]) + std::min(d * largest, std::sqrt(d * largest_scaled));
       const double e = r[i] == 0 ? 0 : std::abs(r[i]) / allowed;
       if (e > worst || std::isnan(e)) worst = e;
     }

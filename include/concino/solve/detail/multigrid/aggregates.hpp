@@ -10,20 +10,23 @@
 
 namespace concino::detail {
 
-/// Interpolation from a coarser matrix: value i is the sum of weight[k] times the coarse value column[k], for k in [begin[i], begin[i + 1]).
+/// Interpolation from a coarser matrix: value i is the sum of weight[k] times the coarse value column[k], for k in
+/// [begin[i], begin[i + 1]).
 struct prolongation {
   std::vector<int> begin, column;
   std::vector<float> weight;
   int columns = 0;
 };
 
-/// The same by columns: row[k] has weight[k] for coarse value c, for k in [begin[c], begin[c + 1]). Cycles use it, since columns have more entries than rows.
+/// The same by columns: row[k] has weight[k] for coarse value c, for k in [begin[c], begin[c + 1]). Cycles use it,
+/// since columns have more entries than rows.
 struct restriction {
   std::vector<int> begin, row;
   std::vector<float> weight;
 
   restriction() = default;
-  explicit restriction(const prolongation& p) : begin(static_cast<std::size_t>(p.columns) + 2), row(p.column.size()), weight(p.column.size()) {
+  explicit restriction(const prolongation& p)
+      : begin(static_cast<std::size_t>(p.columns) + 2), row(p.column.size()), weight(p.column.size()) {
     for (const int c : p.column) ++begin[static_cast<std::size_t>(c) + 2];
     for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
     for (std::size_t i = 0; i + 1 < p.begin.size(); ++i)
@@ -38,7 +41,8 @@ struct restriction {
   int size() const { return static_cast<int>(begin.size()) - 1; }
 };
 
-/// Rounds weights to multiples of 2^-22, so that those with the sum 1 still have exactly that sum: constants are interpolated without rounding errors.
+/// Rounds weights to multiples of 2^-22, so that those with the sum 1 still have exactly that sum: constants are
+/// interpolated without rounding errors.
 inline void append_rounded(const std::vector<double>& weights, std::vector<float>& rounded) {
   constexpr double unit = 0x1p-22;
   double sum = 0, others = 0;
@@ -47,16 +51,21 @@ inline void append_rounded(const std::vector<double>& weights, std::vector<float
     if (k > 0) others += std::nearbyint(weights[k] / unit);
   }
   for (std::size_t k = 0; k < weights.size(); ++k)
-    rounded.push_back(static_cast<float>((k > 0 ? std::nearbyint(weights[k] / unit) : std::nearbyint(sum / unit) - others) * unit));
+    rounded.push_back(
+        static_cast<float>((k > 0 ? std::nearbyint(weights[k] / unit) : std::nearbyint(sum / unit) - others) * unit));
 }
 
-/// Rows i and j are strongly connected if a_ij is negative and -a_ij is at least 0.6 min(m_i, m_j), where m_i is the largest -a_ij of row i. An aggregate
-/// is a row and those strongly connected to it. Rows that are dominated by their diagonal entry belong to none, since Gauss-Seidel solves them. The filtered
-/// matrix has the strong entries only; all others are added to its diagonal.
-/// Source: Vanek, Mandel, Brezina 1996, "Algebraic multigrid by smoothed aggregation for second and fourth order elliptic problems".
+/// Rows i and j are strongly connected if a_ij is negative and -a_ij is at least 0.6 min(m_i, m_j), where m_i is the
+/// largest -a_ij of row i. An aggregate is a row and those strongly connected to it. Rows that are dominated by their
+/// diagonal entry belong to none, since Gauss-Seidel solves them. The filtered matrix has the strong entries only; all
+/// others are added to its diagonal.
+/// Source: Vanek, Mandel, Brezina 1996, "Algebraic multigrid by smoothed aggregation for second and fourth order
+///         elliptic problems".
 class aggregates {
-  static constexpr double strong = 0.6;         // see above; 0.6 to 0.75 differ little, 0.4 takes ten times as many iterations on flat hexes
-  static constexpr double dominance = 2;        // a diagonal entry this many times the sum of the others' sizes dominates its row
+  static constexpr double strong = 0.6;         // see above; 0.6 to 0.75 differ little, 0.4 takes ten times as many
+                                                // iterations on flat hexes
+  static constexpr double dominance = 2;        // a diagonal entry this many times the sum of the others' sizes
+                                                // dominates its row
   static constexpr double damping = 2.0 / 3;    // of the Jacobi step that smooths the interpolation
   static constexpr int max_per_row = 200;
 
@@ -95,9 +104,9 @@ class aggregates {
     return p;
   }
 
-  /// The same, smoothed by one step of damped Jacobi with the filtered matrix. Rows with more than `max_per_row` strong entries are not smoothed, so that the
-  /// coarse matrix of a vert with thousands of edges stays sparse; nor are rows i with stays_constant(i). Empty if the result had more than `max_entries`
-  /// entries.
+  /// The same, smoothed by one step of damped Jacobi with the filtered matrix. Rows with more than `max_per_row` strong
+  /// entries are not smoothed, so that the coarse matrix of a vert with thousands of edges stays sparse; nor are rows i
+  /// with stays_constant(i). Empty if the result had more than `max_entries` entries.
   prolongation smoothed(std::size_t max_entries) const {
     return smoothed(max_entries, [](std::size_t) { return false; });
   }
@@ -121,7 +130,8 @@ class aggregates {
 
  private:
   /// The aggregates and weights from which row i is interpolated. position: -1 for each aggregate, before and after.
-  void smooth_row(std::size_t i, bool is_smoothed, std::vector<int>& position, std::vector<int>& columns, std::vector<double>& weights) const {
+  void smooth_row(std::size_t i, bool is_smoothed, std::vector<int>& position, std::vector<int>& columns,
+                  std::vector<double>& weights) const {
     columns.clear();
     weights.clear();
     const auto add = [&](int to, double w) {
@@ -149,7 +159,8 @@ class aggregates {
     std::vector<double> largest(n_), sum(n_);  // m of each row, and the sum of |a| off the diagonal
     const auto for_each_entry = [&](auto visit) {
       for (int c = 0; c < n; ++c)
-        for (int k = starts[c] + 1; k < starts[c + 1]; ++k) visit(static_cast<std::size_t>(c), static_cast<std::size_t>(rows[k]), x[k]);
+        for (int k = starts[c] + 1; k < starts[c + 1]; ++k)
+          visit(static_cast<std::size_t>(c), static_cast<std::size_t>(rows[k]), x[k]);
     };
     for_each_entry([&](std::size_t i, std::size_t j, double e) {
       largest[i] = std::max(largest[i], -e);
@@ -157,7 +168,9 @@ class aggregates {
       sum[i] += std::abs(e);
       sum[j] += std::abs(e);
     });
-    const auto is_strong = [&](std::size_t i, std::size_t j, double e) { return e < 0 && -e >= strong * std::min(largest[i], largest[j]); };
+    const auto is_strong = [&](std::size_t i, std::size_t j, double e) {
+      return e < 0 && -e >= strong * std::min(largest[i], largest[j]);
+    };
     of_.assign(n_, -1);
     for (std::size_t i = 0; i < n_; ++i)
       if (x[starts[i]] >= dominance * sum[i]) of_[i] = -2;  // Gauss-Seidel solves such rows
@@ -177,7 +190,8 @@ class aggregates {
         diagonal[k] += rest;
       }
     });
-    for (std::size_t i = 0; i < n_; ++i) diagonal[i] = 1 / std::max(diagonal[i], strong_sum[i]);  // rows of negative sum: as if the sum were 0
+    // rows of negative sum: as if the sum were 0
+    for (std::size_t i = 0; i < n_; ++i) diagonal[i] = 1 / std::max(diagonal[i], strong_sum[i]);
     for (std::size_t i = 2; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
     const auto unused = static_cast<std::size_t>(begin_.back());  // where entries are written that are not strong
     neighbour_.resize(unused + 1);

@@ -12,16 +12,16 @@
 
 namespace concino::detail {
 
-/// A direct solve with a small matrix. Where a pivot is not positive, the diagonal entry is raised. So an unknown of each kernel vector of a singular matrix is
-/// near 0 in the solution.
+/// A direct solve with a small matrix. Where a pivot is not positive, the diagonal entry is raised. So an unknown of
+/// each kernel vector of a singular matrix is near 0 in the solution.
 class bottom_solver {
   elimination_order order_;
   Eigen::SparseMatrix<double> lower_;  // of L D L^T in this order: the entries of L below the diagonal
   std::vector<double> pivots_;          // D
 
  public:
-  /// a: a lower triangle with a positive diagonal. Returns false if no factorisation was found, since entries are too large. has_kernel: set if a diagonal
-  /// entry was raised.
+  /// a: a lower triangle with a positive diagonal. Returns false if no factorisation was found, since entries are too
+  /// large. has_kernel: set if a diagonal entry was raised.
   bool factorize(const Eigen::SparseMatrix<double>& a, bool& has_kernel);
 
   /// For W right-hand sides at once.

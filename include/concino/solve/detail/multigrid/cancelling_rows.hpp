@@ -11,12 +11,15 @@
 
 namespace concino::detail {
 
-/// Rows of a symmetric matrix with large positive entries off the diagonal. On stretched polygons the stabilisation of virtual elements makes them: it is as
-/// large as the stiffness along the short direction and vanishes for linear functions only. So functions that are linear along the long direction have
-/// little energy, as those of a bent beam, and steps between aggregates have much. The filtered matrix of aggregates does not show that. So these rows
-/// are smoothed by several Jacobi steps with all their entries. Small weights are left out, since cycles would cost twice as much with them.
+/// Rows of a symmetric matrix with large positive entries off the diagonal. On stretched polygons the stabilisation of
+/// virtual elements makes them: it is as large as the stiffness along the short direction and vanishes for linear
+/// functions only. So functions that are linear along the long direction have little energy, as those of a bent beam,
+/// and steps between aggregates have much. The filtered matrix of aggregates does not show that. So these rows are
+/// smoothed by several Jacobi steps with all their entries. Small weights are left out, since cycles would cost twice
+/// as much with them.
 class cancelling_rows {
-  static constexpr double share = 0.1;          // of the diagonal entry: the least sum of positive entries of such a row
+  static constexpr double share = 0.1;          // of the diagonal entry: the least sum of positive entries of such a
+                                                // row
   static constexpr double damping = 0.55;       // of a Jacobi step; 0.45 to 0.65 differ little
   static constexpr double small_weight = 0.05;  // of the largest weight of a row: what is left out
   static constexpr int steps = 3, max_per_row = 200;
@@ -28,8 +31,9 @@ class cancelling_rows {
   prolongation smooth_once(const prolongation& p, std::size_t max_entries) const;
 
  public:
-  /// Whether so many rows are of this kind that fewer iterations pay for the time. They do not in rows with few entries, as of quads, whose stabilisation
-  /// does not see bent lines, and in rows with many, as of hexes, since coarse matrices would not be sparse.
+  /// Whether so many rows are of this kind that fewer iterations pay for the time. They do not in rows with few
+  /// entries, as of quads, whose stabilisation does not see bent lines, and in rows with many, as of hexes, since
+  /// coarse matrices would not be sparse.
   static bool pay_for(const Eigen::SparseMatrix<double>& a);
 
   /// a: the lower triangle; each column begins with its diagonal entry.
@@ -37,7 +41,8 @@ class cancelling_rows {
 
   bool contains(std::size_t i) const { return contains_[i] != 0; }
 
-  /// p with these rows smoothed; there it has one coarse value before. Empty if p is, or if the result had more than `max_entries` entries.
+  /// p with these rows smoothed; there it has one coarse value before. Empty if p is, or if the result had more than
+  /// `max_entries` entries.
   prolongation smooth(prolongation p, std::size_t max_entries) const {
     for (int step = 0; step < steps && p.columns > 0; ++step) p = smooth_once(p, max_entries);
     return p;

@@ -25,7 +25,8 @@ CONCINO_INLINE std::vector<char> cancelling_rows::find(const Eigen::SparseMatrix
 }
 
 CONCINO_INLINE bool cancelling_rows::pay_for(const Eigen::SparseMatrix<double>& a) {
-  constexpr double fewest = 5.5, most = 10;  // entries of a column of the lower triangle, on average: 7 on Voronoi polygons, 5 on quads, 13 on hexes
+  constexpr double fewest = 5.5, most = 10;  // entries of a column of the lower triangle, on average: 7 on Voronoi
+                                             // polygons, 5 on quads, 13 on hexes
   constexpr double least = 0.8;              // of all rows: 0.9 on polygons stretched 1 : 100, 0.5 on uniform ones
   const auto n = static_cast<double>(a.cols()), entries = static_cast<double>(a.nonZeros());
   if (entries < fewest * n || entries > most * n) return false;
@@ -40,13 +41,16 @@ CONCINO_INLINE cancelling_rows::cancelling_rows(const Eigen::SparseMatrix<double
     const int first = step_.outerIndexPtr()[i], end = step_.outerIndexPtr()[i + 1];
     if (end - first - 1 > max_per_row) is_contained = 0;  // so that the coarse matrix stays sparse
     const double factor = is_contained ? -damping / a.valuePtr()[a.outerIndexPtr()[i]] : 0;
-    for (int k = first; k < end; ++k) step_.valuePtr()[k] = step_.innerIndexPtr()[k] == i ? (is_contained ? 1 - damping : 1) : factor * step_.valuePtr()[k];
+    for (int k = first; k < end; ++k)
+      step_.valuePtr()[k] =
+          step_.innerIndexPtr()[k] == i ? (is_contained ? 1 - damping : 1) : factor * step_.valuePtr()[k];
   }
   step_.prune([&](Eigen::Index i, Eigen::Index j, double) { return i == j || contains_[static_cast<std::size_t>(i)]; });
 }
 
 /// Appends the large entries of a row, scaled so that they have the sum of all.
-CONCINO_INLINE void append_large(std::span<const int> columns, std::span<const double> row, double small, prolongation& p) {
+CONCINO_INLINE void append_large(std::span<const int> columns, std::span<const double> row, double small,
+                                 prolongation& p) {
   std::vector<double> weights;
   double largest = 0, all = 0, kept = 0;
   for (const double x : row) {
@@ -66,8 +70,9 @@ CONCINO_INLINE void append_large(std::span<const int> columns, std::span<const d
 
 CONCINO_INLINE prolongation cancelling_rows::smooth_once(const prolongation& p, std::size_t max_entries) const {
   using by_rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-  const Eigen::Map<const Eigen::SparseMatrix<float, Eigen::RowMajor>> weights(step_.rows(), p.columns, static_cast<Eigen::Index>(p.column.size()),
-                                                                              p.begin.data(), p.column.data(), p.weight.data());
+  const Eigen::Map<const Eigen::SparseMatrix<float, Eigen::RowMajor>> weights(
+      step_.rows(), p.columns, static_cast<Eigen::Index>(p.column.size()), p.begin.data(), p.column.data(),
+      p.weight.data());
   Eigen::SparseMatrix<double> columns;
   columns = weights.cast<double>();
   by_rows before, product;
@@ -77,7 +82,8 @@ CONCINO_INLINE prolongation cancelling_rows::smooth_once(const prolongation& p, 
   r.begin.reserve(p.begin.size());
   r.begin.push_back(0);
   for (std::size_t i = 0; i < contains_.size(); ++i) {
-    const auto first = static_cast<std::size_t>(product.outerIndexPtr()[i]), count = static_cast<std::size_t>(product.outerIndexPtr()[i + 1]) - first;
+    const auto first = static_cast<std::size_t>(product.outerIndexPtr()[i]),
+               count = static_cast<std::size_t>(product.outerIndexPtr()[i + 1]) - first;
     const std::span<const int> column(product.innerIndexPtr() + first, count);
     const std::span<const double> row(product.valuePtr() + first, count);
     if (contains_[i]) {

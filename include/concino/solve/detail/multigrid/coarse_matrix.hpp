@@ -8,9 +8,10 @@
 
 namespace concino::detail {
 
-/// P^T A P for the lower triangle of A; the result is a lower triangle too, with sorted columns. A diagonal entry that is only rounding errors belongs to the
-/// kernel of A, and is replaced by a positive number; has_kernel: then set.
-Eigen::SparseMatrix<double> coarse_matrix(const Eigen::SparseMatrix<double>& lower, const prolongation& p, bool& has_kernel);
+/// P^T A P for the lower triangle of A; the result is a lower triangle too, with sorted columns. A diagonal entry that
+/// is only rounding errors belongs to the kernel of A, and is replaced by a positive number; has_kernel: then set.
+Eigen::SparseMatrix<double> coarse_matrix(const Eigen::SparseMatrix<double>& lower, const prolongation& p,
+                                          bool& has_kernel);
 
 }  // namespace concino::detail
 

@@ -22,8 +22,10 @@ CONCINO_INLINE Eigen::VectorXd multigrid::solve(const Eigen::VectorXd& rhs) cons
   const Eigen::SparseMatrix<double> none;
   detail::multigrid_levels::workspace work = levels_.make_workspace();
   return system_.solve("multigrid", levels_.size() > 0 ? levels_.finest() : none, rhs,
-                       {options_.tolerance, options_.max_iterations, options_.accept_missed_tolerance}, patience, report_,
-                       [&](const Eigen::VectorXd& r, Eigen::VectorXd& z, Eigen::VectorXd& y) { return levels_.apply(r.data(), z.data(), y.data(), work); });
+                       {options_.tolerance, options_.max_iterations, options_.accept_missed_tolerance}, patience,
+                       report_, [&](const Eigen::VectorXd& r, Eigen::VectorXd& z, Eigen::VectorXd& y) {
+                         return levels_.apply(r.data(), z.data(), y.data(), work);
+                       });
 }
 
 }  // namespace concino

@@ -1,5 +1,6 @@
-// The steps of a cycle of multigrid on one level: smoothing, residuals, and transfer to and from the next level. A template argument says for how many
-// right-hand sides at once; the entries of a row are then next to each other. All are computed as if they were alone, but the matrix is read only once.
+// The steps of a cycle of multigrid on one level: smoothing, residuals, and transfer to and from the next level. A
+// template argument says for how many right-hand sides at once; the entries of a row are then next to each other. All
+// are computed as if they were alone, but the matrix is read only once.
 #pragma once
 
 #include <concino/solve/detail/multigrid/aggregates.hpp>

@@ -71,8 +71,9 @@ class multigrid_levels {
     return w;
   }
 
-  /// x = M b for a symmetric positive definite M that approximates the inverse of the matrix of this level. For W vectors at once; the W entries of a row are
-  /// next to each other. y: as many numbers; see smooth_last for what they are afterwards.
+  /// x = M b for a symmetric positive definite M that approximates the inverse of the matrix of this level. For W
+  /// vectors at once; the W entries of a row are next to each other. y: as many numbers; see smooth_last for what they
+  /// are afterwards.
   template<int W>
   void cycle(std::size_t at, const double* b, double* x, double* y, workspace& w) const {
     const level& l = levels_[at];
@@ -84,7 +85,8 @@ class multigrid_levels {
     }
     smooth_first<W>(a, l.inverse.data(), b, x, y);
     if (!is_last) {
-      double *const coarse_b = w.b[at + 1].data(), *const coarse_x = w.x[at + 1].data(), *const coarse_y = w.y[at + 1].data();
+      double *const coarse_b = w.b[at + 1].data(), *const coarse_x = w.x[at + 1].data(),
+                    *const coarse_y = w.y[at + 1].data();
       restrict_to<W>(l.to_next, y, coarse_b);
       cycle<W>(at + 1, coarse_b, coarse_x, coarse_y, w);
       if (l.visits_next_twice) {
@@ -108,7 +110,8 @@ class multigrid_levels {
   }
 
  private:
-  /// Returns false if there is nothing to aggregate. The interpolation is smoothed unless it or the coarse matrix would be large.
+  /// Returns false if there is nothing to aggregate. The interpolation is smoothed unless it or the coarse matrix would
+  /// be large.
   bool add_level() {
     const Eigen::Index entries = levels_.back().a.nonZeros();
     aggregates groups(levels_.back().a);
@@ -117,7 +120,8 @@ class multigrid_levels {
     smooths_whole_rows_ = false;
     const prolongation p = groups.smoothed(static_cast<std::size_t>(entries));
     groups.forget_strong_entries();
-    if (!add_level_below(p, entries / 4 * 3)) add_level_below(groups.piecewise_constant(), std::numeric_limits<Eigen::Index>::max());
+    if (!add_level_below(p, entries / 4 * 3))
+      add_level_below(groups.piecewise_constant(), std::numeric_limits<Eigen::Index>::max());
     return true;
   }
 
@@ -140,8 +144,8 @@ class multigrid_levels {
     return true;
   }
 
-  /// A W-cycle needs hardly more iterations on large meshes than on small ones. Cycles are V-shaped where a W would cost too much, and on the finest level,
-  /// where it would take twice the time to save one iteration in ten.
+  /// A W-cycle needs hardly more iterations on large meshes than on small ones. Cycles are V-shaped where a W would
+  /// cost too much, and on the finest level, where it would take twice the time to save one iteration in ten.
   void choose_visits() {
     double cost = 0;  // of a cycle that begins on the next level, in entries of matrices
     for (std::size_t i = levels_.size(); i-- > 0;) {

@@ -37,12 +37,14 @@ class multigrid_panels {
   void apply(const column_range& x, const std::vector<Eigen::Index>& column, const column_range& y) {
     const auto panels = static_cast<std::size_t>(num_panels(static_cast<Eigen::Index>(column.size())));
     core::for_each_chunk(workers_.size(), [&](std::size_t k) {
-      for (std::size_t panel = k; panel < panels; panel += workers_.size()) apply_panel(workers_[k], x, column, panel * panel_width, y);
+      for (std::size_t panel = k; panel < panels; panel += workers_.size())
+        apply_panel(workers_[k], x, column, panel * panel_width, y);
     });
   }
 
  private:
-  void apply_panel(worker& w, const column_range& x, const std::vector<Eigen::Index>& column, std::size_t from, const column_range& y) {
+  void apply_panel(worker& w, const column_range& x, const std::vector<Eigen::Index>& column, std::size_t from,
+                   const column_range& y) {
     const auto n = static_cast<int>(levels_.finest().cols());
     const std::size_t width = std::min<std::size_t>(panel_width, column.size() - from);
     for (int i = 0; i < n; ++i)
