@@ -1,6 +1,6 @@
 # Writes the batches of a folder of tests (tests/batches.cmake), for scripts that compile tests themselves, into <working folder>/batches, and prints a line
 # with the path of each.
-# usage: cmake -D tests=<folder of tests> -P test_batches.cmake
+# usage: cmake -D tests=<folder of tests> [-D CONCINO_TEST_BATCH_SIZE=<bytes>] -P test_batches.cmake
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/../tests/batches.cmake)
 set(CONCINO_TEST_BATCHES ON)

@@ -16,7 +16,7 @@ using namespace concino::testing;
 namespace {
 
 /// Checks that the mean error of the heat method is at most this percentage of the largest distance.
-void compare(const std::filesystem::path& path, double percent) {
+void compare(const concino::testing::corpus_path& path, double percent) {
   CAPTURE(path);
   const auto m = load<trimesh>(path.string());
   const vert_id s{0};

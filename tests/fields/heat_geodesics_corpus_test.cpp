@@ -33,7 +33,7 @@ TEST_CASE("corpus: heat geodesics on the sphere are close to exact ones, and no 
 }
 
 TEST_CASE("corpus: heat geodesics on scans and CAD surfaces have errors of a small fraction of an edge") {
-  const auto check = [](const std::filesystem::path& path, double most_mean, double most) {
+  const auto check = [](const concino::testing::corpus_path& path, double most_mean, double most) {
     CAPTURE(path);
     const auto m = load<trimesh>(path.string());
     const auto d = heat_geodesics(m, vert_id{0}, {.clamp = true}), exact = exact_geodesics(m, vert_id{0});

@@ -34,7 +34,7 @@ struct counting : ldlt {
   int* factorised;
   explicit counting(int& n) : factorised(&n) {}
   const counting& options() const { return *this; }
-  counting(const counting& other) : factorised(other.factorised) {}
+  counting(const counting& other) : ldlt(), factorised(other.factorised) {}
   void factorize(const Eigen::SparseMatrix<double>& a) {
     ++*factorised;
     ldlt::factorize(a);

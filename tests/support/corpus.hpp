@@ -7,8 +7,20 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <utility>
 
 namespace concino::testing {
+
+#ifdef _WIN32
+/// A path that converts to std::string, as that of the standard library does on other systems.
+struct corpus_path : std::filesystem::path {
+  using std::filesystem::path::path;
+  corpus_path(std::filesystem::path p) : std::filesystem::path(std::move(p)) {}
+  operator std::string() const { return generic_string(); }
+};
+#else
+using corpus_path = std::filesystem::path;
+#endif
 
 /// Reports that the running test case is skipped. doctest cannot skip at run time, so the case returns, and test.sh counts the line.
 /// Use: `if (!ready) return skip("why");`
@@ -27,7 +39,7 @@ inline std::filesystem::path corpus_dir() {
 }
 
 /// The path of a file or folder of the corpus, such as "tri/bunny.obj"; empty if it is absent.
-inline std::filesystem::path corpus(const std::filesystem::path& file) {
+inline corpus_path corpus(const std::filesystem::path& file) {
   const std::filesystem::path path = corpus_dir() / file;
   std::error_code none;
   return std::filesystem::exists(path, none) ? path : std::filesystem::path();
@@ -45,6 +57,6 @@ inline unsigned num_random_meshes() { return long_run() ? 1000 : 200; }
 }  // namespace concino::testing
 
 /// Declares `name` as the path of a file of the corpus, or skips the running test case by its name.
-#define CONCINO_CORPUS_OR_SKIP(name, file)                                    \
-  const std::filesystem::path name = ::concino::testing::corpus(file);        \
+#define CONCINO_CORPUS_OR_SKIP(name, file)                                       \
+  const ::concino::testing::corpus_path name = ::concino::testing::corpus(file); \
   if (name.empty()) return ::concino::testing::skip("no corpus file " file)
