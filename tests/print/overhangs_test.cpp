@@ -83,7 +83,7 @@ TEST_CASE("overhangs: the plate may be below the part") {
   CHECK_THROWS_WITH_AS(overhangs(m, {.plate = 0.5}), "overhangs: options.plate is above the lowest point of the part", invalid_argument);
 }
 
-TEST_CASE("overhangs: a sphere converges to the closed form with order 2") {
+TEST_CASE("overhangs: a sphere converges to the closed form") {
   // Within 45 degrees of straight down: a cap of area 2 pi (1 - cos 45). Its supports fill the cylinder below it, down to the plate at -1.
   const double rim = std::sqrt(0.5), cap_volume = pi * (1 - rim) * (1 - rim) * (2 + rim) / 3;
   const double expected = pi * rim * rim * (1 - rim) - cap_volume;
