@@ -12,3 +12,4 @@
 #include <concino/print/slice_mesh.hpp>
 #include <concino/print/slice_report.hpp>
 #include <concino/print/slices_to_mesh.hpp>
+#include <concino/print/slices_to_volume.hpp>

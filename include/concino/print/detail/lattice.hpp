@@ -46,10 +46,8 @@ class lattice {
     return {static_cast<std::int64_t>(std::nearbyint(p[0] / unit_) - origin_[0]), static_cast<std::int64_t>(std::nearbyint(p[1] / unit_) - origin_[1])};
   }
   slice_point operator()(const lattice_point& p) const {
-    return at(static_cast<double>(p[0]), static_cast<double>(p[1]));
+    return {(static_cast<double>(p[0]) + origin_[0]) * unit_, (static_cast<double>(p[1]) + origin_[1]) * unit_};
   }
-  /// The point at numbers of units that need not be integers.
-  slice_point at(double x, double y) const { return {(x + origin_[0]) * unit_, (y + origin_[1]) * unit_}; }
   /// The lattice with 2^bits units in each unit of this one.
   lattice finer(int bits) const {
     lattice l = *this;

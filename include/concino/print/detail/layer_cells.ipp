@@ -38,7 +38,7 @@ inline int kind_of(std::int64_t value) {
   return -1;
 }
 
-CONCINO_INLINE layer_cells cells_of_layer(const char* caller, const slice_layer& layer, const lattice& to, const layer_options& options, const polygon_clipper& back_end, int coarser,
+CONCINO_INLINE layer_cells cells_of_layer(const char* caller, const slice_layer& layer, const lattice& to, const layer_options& options, const polygon_clipper& back_end, const rounding& round,
                                           std::size_t index, slice_report& report) {
   contour_reader read(to, back_end, index, report.notes);
   lattice_paths kinds[3];
@@ -50,7 +50,7 @@ CONCINO_INLINE layer_cells cells_of_layer(const char* caller, const slice_layer&
   stepped_segments all;
   for (std::size_t k = 0; k < 3; ++k) all.add_paths(kinds[k], {kind_steps[k], 0});
   for (lattice_point& p : all.points)
-    for (std::int64_t& x : p) x = static_cast<std::int64_t>(std::nearbyint(std::ldexp(static_cast<double>(x), -coarser)));
+    for (std::int64_t& x : p) x = static_cast<std::int64_t>(std::ldexp(std::nearbyint(std::ldexp(static_cast<double>(x), -round.coarser)), round.finer));
   planar_arrangement cut = arrange(caller, all);
   cell_triangles found = triangulate_cells(cut);
   layer_cells result;
