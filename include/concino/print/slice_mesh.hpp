@@ -83,8 +83,10 @@ mesh_slices<M> slice_mesh(const M& m, const std::vector<double>& heights, const 
   return detail::slices_at(m, heights, options, [](detail::mesh_sections<M>& s, double z) { return s.of_volume(z, [](const poly_t<M>&) { return 0; }); });
 }
 
-/// The layers of a volume with contours around the polys of each label: label[p] is an integer. Contours have the label as their id, and the slices have names
-/// "label 3" of the ids that occur.
+/// The layers of a volume with contours around the polys of each label.
+/// Needs:  as slice_mesh of a volume; label[p] is an integer for each poly.
+/// Result: as slice_mesh. Contours have the label as their id, and the slices have names "label 3" of the ids that occur.
+/// Cost:   as slice_mesh.      Errors: as slice_mesh.
 template<VolumeMesh M, ReadableMap<poly_t<M>> Labels>
   requires Embedded<M> && requirement::gives_numbers<Labels, poly_t<M>>
 mesh_slices<M> slice_mesh(const M& m, const std::vector<double>& heights, const Labels& label, const slice_mesh_options& options = {}) {

@@ -19,7 +19,7 @@ lattice lattice_of(const char* caller, const slices& s, const layer_options& opt
 
 /// Triangles of the material of a layer, and their kinds.
 struct layer_cells {
-  std::vector<lattice_point> points;  // of which triangles use some
+  std::vector<snapped_point> points;  // of which triangles use some
   cell_triangles cells;
   std::vector<int> kinds;             // by triangle
 };
