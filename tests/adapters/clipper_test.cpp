@@ -201,7 +201,7 @@ TEST_CASE("regions: wrong input is an error that names the contour") {
 
 TEST_CASE("clipper: refuses coordinates that it cannot hold") {
   lattice_paths paths;
-  paths.push_back(std::vector<lattice_point>{{0, 0}, {std::int64_t{1} << 62, 0}, {0, std::int64_t{1} << 62}});
+  paths.push_back(std::vector<snapped_point>{{0, 0}, {std::int64_t{1} << 62, 0}, {0, std::int64_t{1} << 62}});
   CHECK_THROWS_AS((void)clipper.combine(region_operation::unite, paths, {}), unsupported);
   CHECK(std::string(clipper.name()) == "Clipper");
 }

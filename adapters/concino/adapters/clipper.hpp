@@ -17,10 +17,10 @@ namespace concino {
 
 namespace detail {
 
-inline ClipperLib::Path clipper_path(std::span<const lattice_point> path) {
+inline ClipperLib::Path clipper_path(std::span<const snapped_point> path) {
   ClipperLib::Path p;
   p.reserve(path.size());
-  for (const lattice_point& x : path) p.emplace_back(x[0], x[1]);
+  for (const snapped_point& x : path) p.emplace_back(x[0], x[1]);
   return p;
 }
 

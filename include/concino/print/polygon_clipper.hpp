@@ -11,19 +11,19 @@
 namespace concino {
 
 /// A point of a lattice: two numbers of units, of at most 2^53.
-using lattice_point = std::array<std::int64_t, 2>;
+using snapped_point = std::array<std::int64_t, 2>;
 
 /// Paths on a lattice, closed unless said otherwise. Path i has the points before ends[i].
 struct lattice_paths {
-  std::vector<lattice_point> points;
+  std::vector<snapped_point> points;
   std::vector<std::size_t> ends;
 
   std::size_t size() const { return ends.size(); }
-  std::span<const lattice_point> operator[](std::size_t i) const {
+  std::span<const snapped_point> operator[](std::size_t i) const {
     const std::size_t begin = i == 0 ? 0 : ends[i - 1];
     return {points.data() + begin, ends[i] - begin};
   }
-  void push_back(std::span<const lattice_point> path) {
+  void push_back(std::span<const snapped_point> path) {
     points.insert(points.end(), path.begin(), path.end());
     ends.push_back(points.size());
   }

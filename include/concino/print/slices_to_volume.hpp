@@ -38,10 +38,10 @@ struct layer_volume {
 /// Result: tets that share verts, edges and faces, within a layer and with the layers below and above it. Each layer is
 ///         cut into triangles, and each triangle gives a column, whose bottom and top are cut by the triangles of the
 ///         layers that it touches; to_tets cuts the columns. Points of contours are snapped to a unit, a power of two,
-///         with 2^20 units or more in the size of the slices, so that no tet is thinner than rounding can tell. For a
-///         part of 200 mm that is 0.2 micrometres. Points where layers cross are snapped to 2^-14 of it, so that the
-///         volume is the sum of snapped areas times heights to 1e-9. The report names contours as that of
-///         slices_to_mesh.
+///         with 2^20 units or more in the size of the slices, 0.2 micrometres for a part of 200 mm. Points where layers
+///         cross are snapped to 2^-18 of it, so that the volume is the sum of snapped areas times heights to 1e-9.
+///         Where lines of neighbouring layers nearly meet in a point, tets may be so small that validate calls them
+///         flat. The report names contours as that of slices_to_mesh.
 /// Cost:   O(n log n) for n points, and crossings of triangles of neighbouring layers; and that of the back end.
 /// Errors: invalid_argument as slices_to_mesh, and if heights do not ascend, which names a layer, or there is but one
 ///         layer and no last_height, or it is not finite and above 0. unsupported if the back end cannot hold the

@@ -95,6 +95,8 @@ void no_adapter(const stranger& other) {
   cn::isolines(other);  // refused
   cn::isosurface(other);  // refused
   cn::slice(other);  // refused
+  cn::slice_mesh(other);  // refused
+  cn::heights(other);  // refused
   cn::clip(other);  // refused
   cn::split(other);  // refused
   cn::measure_between(other);  // refused
@@ -386,6 +388,8 @@ void no_points(const cn::trimesh& m) {
   cn::isolines(pure);  // refused
   cn::isosurface(pure);  // refused
   cn::slice(pure);  // refused
+  cn::slice_mesh(pure);  // refused
+  cn::heights(pure);  // refused
   cn::clip(pure);  // refused
   cn::split(pure);  // refused
   cn::measure_between(pure);  // refused
@@ -495,4 +499,16 @@ void no_format(const cn::trimesh& m, const stranger& other) {
   cn::load_text<cn::trimesh>("a", other);  // refused
   cn::save(m, "a", other);  // refused
   cn::save_text(m, other);  // refused
+}
+
+// No back end.
+void no_clipper(const cn::slices& s, const cn::slice_layer& layer, const cn::planar_regions& r) {
+  cn::layer_regions(layer);  // refused
+  cn::region_union(r, r);  // refused
+  cn::region_difference(r, r);  // refused
+  cn::region_intersection(r, r);  // refused
+  cn::region_offset(r, 1);  // refused
+  cn::thicken(layer.open, 1);  // refused
+  cn::slices_to_mesh(s);  // refused
+  cn::slices_to_volume(s);  // refused
 }

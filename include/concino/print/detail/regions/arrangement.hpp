@@ -18,11 +18,11 @@ struct stepped_segments {
     std::uint32_t from, to;
     std::array<std::int64_t, 2> step;
   };
-  std::vector<lattice_point> points;
+  std::vector<snapped_point> points;
   std::vector<segment> segments;
 
   /// Adds a closed path.
-  void add_path(std::span<const lattice_point> path, const std::array<std::int64_t, 2>& step) {
+  void add_path(std::span<const snapped_point> path, const std::array<std::int64_t, 2>& step) {
     const auto first = static_cast<std::uint32_t>(points.size()), n = static_cast<std::uint32_t>(path.size());
     points.insert(points.end(), path.begin(), path.end());
     for (std::uint32_t i = 0; i < n; ++i) segments.push_back({first + i, first + (i + 1) % n, step});
@@ -38,7 +38,7 @@ struct planar_arrangement {
     std::uint32_t low, high;  // points, low < high
     std::array<std::int64_t, 2> step;  // from the right side to the left one, seen from low to high
   };
-  std::vector<lattice_point> points;      // those of edges are all different
+  std::vector<snapped_point> points;      // those of edges are all different
   std::vector<std::uint32_t> point_of;    // by point of the input
   std::vector<edge> edges;                // sorted by points, all different
   std::vector<std::size_t> chain_ends;    // segment i passes the points before chain_points[chain_ends[i]]

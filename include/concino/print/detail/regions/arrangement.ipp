@@ -41,7 +41,7 @@ class segment_cutter {
     const vec3 a = at(e[0]), b = at(e[1]), c = at(f[0]), d = at(f[1]);
     return orient2d(a, b, c) * orient2d(a, b, d) < 0 && orient2d(c, d, a) * orient2d(c, d, b) < 0;
   }
-  lattice_point crossing(const pair& e, const pair& f) const {
+  snapped_point crossing(const pair& e, const pair& f) const {
     const vec3 a = at(e[0]), u = at(e[1]) - a, c = at(f[0]), v = at(f[1]) - c, w = c - a;
     const double t = std::clamp((w.x * v.y - w.y * v.x) / (u.x * v.y - u.y * v.x), 0.0, 1.0);
     return {static_cast<std::int64_t>(std::nearbyint(a.x + t * u.x)),

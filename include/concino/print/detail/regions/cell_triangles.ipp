@@ -24,7 +24,7 @@ class cell_filler {
 
   planar_graph graph() {
     planar_graph g;
-    lattice_point low = a_.points[a_.edges[0].low], high = low;
+    snapped_point low = a_.points[a_.edges[0].low], high = low;
     number_of_.assign(a_.points.size(), cell_triangles::none);
     const auto number = [&](std::uint32_t p) {
       if (number_of_[p] == cell_triangles::none) {
@@ -42,7 +42,7 @@ class cell_filler {
       edge_of_.push_back(i);
     }
     const std::int64_t margin = 1 + std::max(high[0] - low[0], high[1] - low[1]) / 8;
-    const lattice_point corners[4] = {{low[0] - margin, low[1] - margin},
+    const snapped_point corners[4] = {{low[0] - margin, low[1] - margin},
                                       {high[0] + margin, low[1] - margin},
                                       {high[0] + margin, high[1] + margin},
                                       {low[0] - margin, high[1] + margin}};
@@ -117,7 +117,7 @@ class cell_filler {
 /// Flips sides of triangles with the same values until the triangles are Delaunay within each cell.
 class cell_flipper {
   cell_triangles& c_;
-  const std::vector<lattice_point>& points_;
+  const std::vector<snapped_point>& points_;
   std::vector<std::array<std::uint32_t, 2>> open_;  // triangle and side
 
   vec3 at(std::uint32_t p) const { return as_vec3(points_[p]); }
@@ -160,7 +160,7 @@ class cell_flipper {
   }
 
  public:
-  cell_flipper(cell_triangles& c, const std::vector<lattice_point>& points) : c_(c), points_(points) {}
+  cell_flipper(cell_triangles& c, const std::vector<snapped_point>& points) : c_(c), points_(points) {}
 
   void run() {
     for (std::uint32_t t = 0; t < c_.triangles.size(); ++t)

@@ -39,7 +39,7 @@ CONCINO_INLINE void add_layer(const char* caller, const slice_layer& layer, std:
 }
 
 /// Twice the area within a path.
-inline double twice_area(std::span<const lattice_point> path) {
+inline double twice_area(std::span<const snapped_point> path) {
   double sum = 0;
   for (std::size_t i = 2; i < path.size(); ++i) {
     const double ax = static_cast<double>(path[i - 1][0] - path[0][0]),
@@ -53,11 +53,11 @@ inline double twice_area(std::span<const lattice_point> path) {
 CONCINO_INLINE void contour_reader::add_contours(const slice_lines& lines, slice_lines_kind kind,
                                                  lattice_paths& paths) {
   const bool is_outer = kind == slice_lines_kind::outer;
-  std::vector<lattice_point> path;
+  std::vector<snapped_point> path;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     path.clear();
     for (const slice_point& p : lines[i])
-      if (const lattice_point x = to_(p); path.empty() || path.back() != x) path.push_back(x);
+      if (const snapped_point x = to_(p); path.empty() || path.back() != x) path.push_back(x);
     if (const auto all = lines[i]; all.size() > 1 && all.front() == all.back()) note(kind, i, contour_change::closed);
     while (path.size() > 1 && path.back() == path.front()) path.pop_back();
     const double area = twice_area(path);
@@ -102,7 +102,7 @@ CONCINO_INLINE lattice_regions contour_reader::regions(const slice_layer& layer)
 CONCINO_INLINE lattice_regions contour_reader::thickened(const slice_lines& lines, slice_lines_kind kind, double radius,
                                                          double chord_error, const lattice_paths& without) {
   lattice_paths paths;
-  std::vector<lattice_point> path;
+  std::vector<snapped_point> path;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const auto line = lines[i];
     if (radius == 0 || line.empty()) {

@@ -9,7 +9,7 @@
 namespace concino::detail {
 
 /// By triangle: the number of the connected part that it belongs to.
-inline std::vector<std::uint32_t> parts_of(const cell_triangles& cells, std::uint32_t& count) {
+inline std::vector<std::uint32_t> parts_of_cells(const cell_triangles& cells, std::uint32_t& count) {
   std::vector<std::uint32_t> part(cells.triangles.size(), cell_triangles::none), open;
   count = 0;
   for (std::uint32_t first = 0; first < part.size(); ++first) {
@@ -43,7 +43,7 @@ CONCINO_INLINE std::optional<lattice_regions> disjoint_regions(const lattice_pat
     return std::nullopt;
 
   std::uint32_t num_parts = 0;
-  const std::vector<std::uint32_t> part = parts_of(cells, num_parts);
+  const std::vector<std::uint32_t> part = parts_of_cells(cells, num_parts);
   std::vector<std::uint32_t> path_at(a.points.size(), cell_triangles::none),
       part_of(paths.size(), cell_triangles::none);
   for (std::uint32_t i = 0; i < paths.size(); ++i) path_at[i == 0 ? 0 : paths.ends[i - 1]] = i;

@@ -42,15 +42,13 @@ class lattice {
   lattice(const char* caller, const planar_box& box, double reach, int bits);
 
   double unit() const { return unit_; }
-  lattice_point operator()(const slice_point& p) const {
+  snapped_point operator()(const slice_point& p) const {
     return {static_cast<std::int64_t>(std::nearbyint(p[0] / unit_) - origin_[0]),
             static_cast<std::int64_t>(std::nearbyint(p[1] / unit_) - origin_[1])};
   }
-  slice_point operator()(const lattice_point& p) const {
-    return at(static_cast<double>(p[0]), static_cast<double>(p[1]));
+  slice_point operator()(const snapped_point& p) const {
+    return {(static_cast<double>(p[0]) + origin_[0]) * unit_, (static_cast<double>(p[1]) + origin_[1]) * unit_};
   }
-  /// The point at numbers of units that need not be integers.
-  slice_point at(double x, double y) const { return {(x + origin_[0]) * unit_, (y + origin_[1]) * unit_}; }
   /// The lattice with 2^bits units in each unit of this one.
   lattice finer(int bits) const {
     lattice l = *this;

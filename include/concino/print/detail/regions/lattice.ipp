@@ -38,7 +38,7 @@ CONCINO_INLINE planar_regions regions_from(const lattice_regions& regions, const
   planar_regions result;
   result.unit = regions.region_ends.empty() ? 0 : from.unit();
   result.points.reserve(regions.paths.points.size());
-  for (const lattice_point& p : regions.paths.points) result.points.push_back(from(p));
+  for (const snapped_point& p : regions.paths.points) result.points.push_back(from(p));
   result.contour_ends = regions.paths.ends;
   result.region_ends = regions.region_ends;
   return result;

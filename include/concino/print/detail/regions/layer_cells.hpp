@@ -19,14 +19,18 @@ lattice lattice_of(const char* caller, const slices& s, const layer_options& opt
 
 /// Triangles of the material of a layer, and their kinds.
 struct layer_cells {
-  std::vector<lattice_point> points;  // of which triangles use some
+  std::vector<snapped_point> points;  // of which triangles use some
   cell_triangles cells;
   std::vector<int> kinds;             // by triangle
 };
 
-/// `coarser`: the points of contours are rounded to multiples of 2^coarser units, and in the result divided by it.
+/// How points are rounded once more: to multiples of 2^coarser units of the lattice, of which the result has 2^finer in
+/// each.
+struct rounding {
+  int coarser = 0, finer = 0;
+};
 layer_cells cells_of_layer(const char* caller, const slice_layer& layer, const lattice& to,
-                           const layer_options& options, const polygon_clipper& back_end, int coarser,
+                           const layer_options& options, const polygon_clipper& back_end, const rounding& round,
                            std::size_t index, slice_report& report);
 
 /// Simple polygons that are unions of triangles of one kind; polygon i has the points before ends[i].

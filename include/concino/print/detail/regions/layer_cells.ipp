@@ -42,8 +42,8 @@ inline int kind_of(std::int64_t value) {
 }
 
 CONCINO_INLINE layer_cells cells_of_layer(const char* caller, const slice_layer& layer, const lattice& to,
-                                          const layer_options& options, const polygon_clipper& back_end, int coarser,
-                                          std::size_t index, slice_report& report) {
+                                          const layer_options& options, const polygon_clipper& back_end,
+                                          const rounding& round, std::size_t index, slice_report& report) {
   contour_reader read(to, back_end, index, report.notes);
   lattice_paths kinds[3];
   kinds[0] = read.regions(layer).paths;
@@ -55,9 +55,10 @@ CONCINO_INLINE layer_cells cells_of_layer(const char* caller, const slice_layer&
           .paths;
   stepped_segments all;
   for (std::size_t k = 0; k < 3; ++k) all.add_paths(kinds[k], {kind_steps[k], 0});
-  for (lattice_point& p : all.points)
+  for (snapped_point& p : all.points)
     for (std::int64_t& x : p)
-      x = static_cast<std::int64_t>(std::nearbyint(std::ldexp(static_cast<double>(x), -coarser)));
+      x = static_cast<std::int64_t>(
+          std::ldexp(std::nearbyint(std::ldexp(static_cast<double>(x), -round.coarser)), round.finer));
   planar_arrangement cut = arrange(caller, all);
   cell_triangles found = triangulate_cells(cut);
   layer_cells result;
@@ -80,14 +81,14 @@ CONCINO_INLINE layer_cells cells_of_layer(const char* caller, const slice_layer&
 
 /// Grows a polygon triangle by triangle, as long as it passes no point twice.
 class polygon_grower {
-  struct side {
+  struct link {
     std::uint32_t from, triangle, k;  // side k of the triangle, which is in the polygon
     std::uint32_t next;               // side
   };
   const layer_cells& layer_;
   std::vector<std::uint8_t> is_taken_;
   std::vector<std::uint32_t> polygon_of_;  // by point: the last polygon that passes it, plus 1
-  std::vector<side> segments_;
+  std::vector<link> cycle_;
   std::vector<std::uint32_t> open_;
 
  public:
@@ -99,35 +100,35 @@ class polygon_grower {
   void grow_from(std::uint32_t first) {
     if (is_taken_[first]) return;
     const auto name = static_cast<std::uint32_t>(result.ends.size() + 1);
-    segments_.clear();
+    cycle_.clear();
     open_.clear();
     is_taken_[first] = 1;
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t p = layer_.cells.triangles[first][k];
       polygon_of_[p] = name;
-      segments_.push_back({p, first, k, (k + 1) % 3});
+      cycle_.push_back({p, first, k, (k + 1) % 3});
       open_.push_back(k);
     }
     for (std::size_t i = 0; i < open_.size(); ++i) {  // breadth first, so that polygons are compact
-      const std::uint32_t s = open_[i], t = layer_.cells.neighbours[segments_[s].triangle][segments_[s].k];
+      const std::uint32_t s = open_[i], t = layer_.cells.neighbours[cycle_[s].triangle][cycle_[s].k];
       if (t == cell_triangles::none || is_taken_[t] || layer_.kinds[t] != layer_.kinds[first]) continue;
       const auto& corners = layer_.cells.triangles[t];
       std::uint32_t k = 0;  // of the corner that is not on this side; the side after `from` leads to it
-      while (layer_.cells.neighbours[t][k] != segments_[s].triangle || corners[(k + 1) % 3] != segments_[s].from) ++k;
+      while (layer_.cells.neighbours[t][k] != cycle_[s].triangle || corners[(k + 1) % 3] != cycle_[s].from) ++k;
       const std::uint32_t apex = corners[(k + 2) % 3];
       if (polygon_of_[apex] == name) continue;
       polygon_of_[apex] = name;
       is_taken_[t] = 1;
-      const auto added = static_cast<std::uint32_t>(segments_.size());
-      segments_.push_back({apex, t, (k + 2) % 3, segments_[s].next});
-      segments_[s] = {segments_[s].from, t, (k + 1) % 3, added};
+      const auto added = static_cast<std::uint32_t>(cycle_.size());
+      cycle_.push_back({apex, t, (k + 2) % 3, cycle_[s].next});
+      cycle_[s] = {cycle_[s].from, t, (k + 1) % 3, added};
       open_.push_back(s);
       open_.push_back(added);
     }
     std::uint32_t s = 0;
     do {
-      result.points.push_back(segments_[s].from);
-      s = segments_[s].next;
+      result.points.push_back(cycle_[s].from);
+      s = cycle_[s].next;
     } while (s != 0);
     result.ends.push_back(result.points.size());
     result.kinds.push_back(layer_.kinds[first]);

@@ -14,7 +14,7 @@
 
 namespace concino::detail {
 
-using lattice_segment = std::array<lattice_point, 2>;
+using lattice_segment = std::array<snapped_point, 2>;
 
 /// A tree of the boxes of segments, which reach one unit beyond their ends.
 class segment_tree {
@@ -76,6 +76,6 @@ class segment_tree {
   }
 };
 
-inline vec3 as_vec3(const lattice_point& p) { return {static_cast<double>(p[0]), static_cast<double>(p[1]), 0}; }
+inline vec3 as_vec3(const snapped_point& p) { return {static_cast<double>(p[0]), static_cast<double>(p[1]), 0}; }
 
 }  // namespace concino::detail

@@ -11,8 +11,7 @@
 
 namespace concino::detail {
 
-/// Builds the columns of one layer after another, from the bottom. Points of layers have units of 2^fineness units of
-/// the lattice.
+/// Builds the columns of one layer after another, from the bottom.
 class column_builder {
   /// The common subdivision of the triangles of two layers at the height where they meet.
   struct interface {
@@ -27,15 +26,13 @@ class column_builder {
 
   const char* caller_;
   const lattice& lattice_;
-  int fineness_;
   interface below_;
 
  public:
   polyhedra_arrays arrays;
   std::vector<int> layers, kinds;  // by column
 
-  column_builder(const char* caller, const lattice& l, int fineness)
-      : caller_(caller), lattice_(l), fineness_(fineness) {}
+  column_builder(const char* caller, const lattice& l) : caller_(caller), lattice_(l) {}
 
   /// Begins at the bottom of the first layer.
   void begin(const layer_cells& first, double z) { below_ = between(layer_cells(), first, z); }

@@ -24,7 +24,7 @@ CONCINO_INLINE column_builder::interface column_builder::between(const layer_cel
   for (const layer_cells* const layer : {&below, &above}) {
     const auto first = static_cast<std::uint32_t>(all.points.size());
     const std::size_t channel = layer == &below ? 0 : 1;
-    for (const lattice_point& p : layer->points) all.points.push_back({p[0] << fineness_, p[1] << fineness_});
+    all.points.insert(all.points.end(), layer->points.begin(), layer->points.end());
     for (const wall& w : walls_of(*layer)) {
       std::array<std::int64_t, 2> step = {0, 0};
       step[channel] = static_cast<std::int64_t>(w.left) -
@@ -37,12 +37,10 @@ CONCINO_INLINE column_builder::interface column_builder::between(const layer_cel
   result.cells = triangulate_cells(result.lines);
 
   result.verts.assign(result.lines.points.size(), cell_triangles::none);
-  const double unit = std::ldexp(1.0, -fineness_);
   const auto number = [&](std::uint32_t p) {
     if (result.verts[p] == cell_triangles::none) {
       result.verts[p] = static_cast<std::uint32_t>(arrays.points.size());
-      const slice_point x = lattice_.at(static_cast<double>(result.lines.points[p][0]) * unit,
-                                        static_cast<double>(result.lines.points[p][1]) * unit);
+      const slice_point x = lattice_(result.lines.points[p]);
       arrays.points.push_back({x[0], x[1], z});
     }
     return result.verts[p];

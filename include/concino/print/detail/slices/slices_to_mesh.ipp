@@ -56,7 +56,7 @@ CONCINO_INLINE layer_polygons polygons_of_layers(const slices& s, const polygon_
   layer_mesh_builder builder(result, to);
   for (std::size_t i = 0; i < s.layers.size(); ++i) {
     report_progress(options.progress, static_cast<double>(i) / static_cast<double>(s.layers.size()), caller);
-    builder.add(cells_of_layer(caller, s.layers[i], to, options, back_end, 0, i, result.report), s.layers[i].z,
+    builder.add(cells_of_layer(caller, s.layers[i], to, options, back_end, {}, i, result.report), s.layers[i].z,
                 static_cast<int>(i));
     if (result.arrays.verts.size() > std::numeric_limits<std::uint32_t>::max() / 2)
       core::throw_joined<invalid_argument>({caller, ": up to layer ", i, " there are too many polygons for one mesh"});

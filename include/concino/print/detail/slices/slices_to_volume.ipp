@@ -42,18 +42,19 @@ CONCINO_INLINE layer_volume slices_to_volume(const slices& s, const polygon_clip
                                              const slices_to_volume_options& options) {
   const char* const caller = "slices_to_volume";
   const layer_options shared{options.thicken, options.thicken_hatches, options.chord_error, options.progress};
-  constexpr int finer = 20, fineness = 14;  // units of the back end, and of points where layers cross
+  constexpr int finer = 20, crossings = 18;  // 2^finer units of the back end in each unit, and 2^crossings of points
+                                             // where contours cross
   const detail::lattice units = detail::lattice_of(caller, s, shared, 20);
   const std::vector<double> z = detail::heights_of_layers(s, options.last_height);
   layer_volume result;
   const std::size_t n = s.layers.size();
   if (n == 0) return result;
   result.unit = units.unit();
-  const detail::lattice fine = units.finer(finer);
+  const detail::lattice fine = units.finer(finer), units_of_crossings = units.finer(crossings);
   const auto cells = [&](std::size_t i) {
-    return detail::cells_of_layer(caller, s.layers[i], fine, shared, back_end, finer, i, result.report);
+    return detail::cells_of_layer(caller, s.layers[i], fine, shared, back_end, {finer, crossings}, i, result.report);
   };
-  detail::column_builder columns(caller, units, fineness);
+  detail::column_builder columns(caller, units_of_crossings);
   detail::layer_cells layer = cells(0);
   columns.begin(layer, z[0]);
   for (std::size_t i = 0; i < n; ++i) {
