@@ -103,20 +103,21 @@ mesh_slices<M> slice_mesh(const M& m, const std::vector<double>& heights, const 
 ///         occur.
 /// Cost:   as slice_mesh.      Errors: as slice_mesh.
 template<VolumeMesh M, ReadableMap<poly_t<M>> Labels>
-  requires Embedded<M> && requirement::gives_numbers<Labels, poly_t<M>> mesh_slices<M> slice_mesh(
-      const M& m, const std::vector<double>& heights, const Labels& label, const slice_mesh_options& options = {}) {
-    detail::check_heights(heights);
-    const auto label_of = [&](const poly_t<M>& p) { return static_cast<std::int32_t>(label[p]); };
-    mesh_slices<M> result = detail::slices_at(
-        m, heights, options, [&](detail::mesh_sections<M>& s, double z) { return s.of_volume(z, label_of); });
-    std::vector<std::int32_t> all;
-    for (const slice_layer& layer : result.layers)
-      all.insert(all.end(), layer.outer.ids.begin(), layer.outer.ids.end());
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    for (const std::int32_t id : all) result.labels.push_back({id, core::joined({"label ", id})});
-    return result;
-  }
+  requires Embedded<M> && requirement::gives_numbers<Labels, poly_t<M>>
+mesh_slices<M> slice_mesh(const M& m, const std::vector<double>& heights, const Labels& label,
+                          const slice_mesh_options& options = {}) {
+  detail::check_heights(heights);
+  const auto label_of = [&](const poly_t<M>& p) { return static_cast<std::int32_t>(label[p]); };
+  mesh_slices<M> result = detail::slices_at(
+      m, heights, options, [&](detail::mesh_sections<M>& s, double z) { return s.of_volume(z, label_of); });
+  std::vector<std::int32_t> all;
+  for (const slice_layer& layer : result.layers)
+    all.insert(all.end(), layer.outer.ids.begin(), layer.outer.ids.end());
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  for (const std::int32_t id : all) result.labels.push_back({id, core::joined({"label ", id})});
+  return result;
+}
 
 // What to write instead of calls that cannot compile.
 template<class... T> void slice_mesh(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
