@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
     if (argc == 1) continue;
     cn::scene s;
     s.add(thick.mesh, {.labels = kind, .edges = true, .edge_width = 0.4});
-    pictures.push_back(cn::render(s, {.width = 300, .height = 330, .camera = {.towards = {0.45, -1, 0.35}, .up = {0, 0, 1}}, .ground = false}));
+    pictures.push_back(cn::render(s, {.width = 170, .height = 200, .camera = cn::view_options{.towards = {0.45, -1, 0.35}, .up = {0, 0, 1}}, .ground = false}));
     captions.push_back(fmt::format("radius {}", radius));
   }
 
@@ -63,7 +63,7 @@ int main(int argc, char** argv) {
   if (argc > 1) {
     cn::scene s;
     s.add(solid.mesh, {.labels = cn::find_poly_property<int>(solid.mesh, "kind"), .edges = true, .edge_width = 0.4});
-    pictures.push_back(cn::render(s, {.width = 300, .height = 330, .camera = {.towards = {0.45, -1, -0.5}, .up = {0, 0, 1}}, .ground = false}));
+    pictures.push_back(cn::render(s, {.width = 170, .height = 200, .camera = cn::view_options{.towards = {0.45, -1, -0.5}, .up = {0, 0, 1}}, .ground = false}));
     captions.push_back("tets of the last 16 layers");
     cn::save_png(cn::make_sheet(pictures, {.columns = 3, .captions = captions}), argv[1]);
   }

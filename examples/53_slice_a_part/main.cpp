@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
   fmt::print("its outer contour passes {} triangles, at most {:.1f} degrees from vertical\n", passed.size(), std::asin(turn) * 180 / M_PI);
 
   // Hatches are the paths of a laser. Their directions change from layer to layer.
-  for (std::size_t i = 0; i < part.layers.size(); ++i) part.layers[i].hatches = cn::hatch(part.layers[i], 0.5, i % 2 == 0 ? 45 : -45);
+  for (std::size_t i = 0; i < part.layers.size(); ++i) part.layers[i].hatches = cn::hatch(part.layers[i], 1, i % 2 == 0 ? 45 : -45);
   fmt::print("{} hatches fill that layer\n", layer.hatches.points.size() / 2);
 
   cn::save_slices(part, "ring.cli");
@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
   // A picture, if the program is given the name of a file: the layers up to the middle, with the hatches of the highest.
   if (argc > 1) {
     cn::scene s;
-    const auto add = [&](const cn::slice_lines& lines, double z, const cn::lines_look& look) {
+    const auto add = [&](const cn::slice_lines& lines, double z, const cn::tube_options& look) {
       for (std::size_t i = 0; i < lines.size(); ++i) {
         std::vector<cn::vec3> line;
         for (const auto& x : lines[i]) line.push_back({x[0], x[1], z});
@@ -66,12 +66,12 @@ int main(int argc, char** argv) {
       }
     };
     for (std::size_t i = 0; i <= middle; ++i) {
-      add(part.layers[i].outer, part.layers[i].z, {.radius = 0.07, .closed = true});
-      add(part.layers[i].inner, part.layers[i].z, {.radius = 0.07, .closed = true});
+      add(part.layers[i].outer, part.layers[i].z, {.radius = 0.1, .color = cn::srgb(0.35f, 0.5f, 0.75f), .closed = true});
+      add(part.layers[i].inner, part.layers[i].z, {.radius = 0.1, .color = cn::srgb(0.35f, 0.5f, 0.75f), .closed = true});
     }
     const auto& h = layer.hatches.points;
     for (std::size_t k = 0; k + 1 < h.size(); k += 2)
-      s.add_lines(std::vector<cn::vec3>{{h[k][0], h[k][1], layer.z}, {h[k + 1][0], h[k + 1][1], layer.z}}, {.radius = 0.05, .color = cn::srgb(0.85f, 0.35f, 0.1f)});
-    cn::save_png(s, argv[1], {.width = 560, .height = 380, .camera = {.towards = {0.3, -1, 0.8}, .up = {0, 0, 1}}, .ground = false});
+      s.add_lines(std::vector<cn::vec3>{{h[k][0], h[k][1], layer.z}, {h[k + 1][0], h[k + 1][1], layer.z}}, {.radius = 0.08, .color = cn::srgb(0.85f, 0.35f, 0.1f)});
+    cn::save_png(s, argv[1], {.width = 300, .height = 200, .camera = cn::view_options{.towards = {0.3, -1, 0.8}, .up = {0, 0, 1}}, .ground = false});
   }
 }
