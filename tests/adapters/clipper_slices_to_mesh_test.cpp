@@ -188,5 +188,7 @@ TEST_CASE("slices_to_mesh: wrong input names layer and contour; lines without ra
   CHECK(message(s) == "slices_to_mesh: layer 2: open line 1 has a point that is not finite");
   s.layers[0].z = nan;
   CHECK(message(s) == "slices_to_mesh: the height of layer 0 is not finite");
-  CHECK_THROWS_AS((void)slices_to_mesh(slices{.layers = {slice_layer{}}}, clipper, {.progress = [](double, const char*) { return false; }}), cancelled);
+  slices one_layer;
+  one_layer.layers.resize(1);
+  CHECK_THROWS_AS((void)slices_to_mesh(one_layer, clipper, {.progress = [](double, const char*) { return false; }}), cancelled);
 }

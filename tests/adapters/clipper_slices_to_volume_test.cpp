@@ -185,7 +185,7 @@ TEST_CASE("slices_to_volume: wrong input") {
   s.layers[1].z = 1;
   s.layers[1].outer.points[2][0] = std::numeric_limits<double>::quiet_NaN();
   CHECK(message() == "slices_to_volume: layer 1: outer contour 0 has a point that is not finite");
-  s.layers[1] = {.z = 1};  // a layer without area
+  s.layers[1].outer = {};  // a layer without area
   CHECK(num_polys(slices_to_volume(s, clipper).mesh) == 6);
   CHECK_THROWS_AS((void)slices_to_volume(s, clipper, {.progress = [](double, const char*) { return false; }}), cancelled);
 }

@@ -194,9 +194,9 @@ TEST_CASE("regions: wrong input is an error that names the contour") {
   CHECK_THROWS_AS((void)region_offset(square, 1, clipper, {.chord_error = nan}), invalid_argument);
   CHECK_THROWS_AS((void)region_offset(square, 1, clipper, {.mitre_limit = 0.5}), invalid_argument);
   CHECK_THROWS_AS((void)regions_of({rectangle(0, 0, 1e200, 1e200)}), unsupported);
-  slice_lines point;
-  point.push_back(contour{{1, 1}});
-  CHECK_THROWS_AS((void)thicken(point, 1e200, clipper), unsupported);
+  slice_lines dot_only;
+  dot_only.push_back(contour{{1, 1}});
+  CHECK_THROWS_AS((void)thicken(dot_only, 1e200, clipper), unsupported);
 }
 
 TEST_CASE("clipper: refuses coordinates that it cannot hold") {
