@@ -150,8 +150,8 @@ TEST_CASE("slices_to_volume: a T on columns of supports") {
   double part = 0, all = 0, expected = 0, supports = 0;
   const auto kind = find_poly_property<int>(v.mesh, "kind");
   for (const poly_id p : polys(v.mesh)) {
-    (kind[p] == 0 ? part : all) += volume(v.mesh, p);
-    CHECK(volume(v.mesh, p) > 0);
+    (kind[p] == 0 ? part : all) += concino::volume(v.mesh, p);
+    CHECK(concino::volume(v.mesh, p) > 0);
   }
   for (std::size_t i = 0; i < s.layers.size(); ++i) {
     const double height = i + 1 < s.layers.size() ? s.layers[i + 1].z - s.layers[i].z : 0.1;

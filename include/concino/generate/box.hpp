@@ -28,11 +28,11 @@ M make_box(const grid_options& options = {}) {
     surface_arrays a{{}, {}, {}, 4};
     a.points.reserve(quad_surface.num_verts());
     a.verts.reserve(4 * quad_surface.num_quads());
-    quad_surface.for_each_vert([&](const detail::lattice_point& at) {
+    quad_surface.for_each_vert([&](const detail::grid_corner& at) {
       a.points.push_back({x[at[0]], y[at[1]], z[at[2]]});
     });
-    quad_surface.for_each_quad([&](const std::array<detail::lattice_point, 4>& quad) {
-      for (const detail::lattice_point& at : quad) a.verts.push_back(vert_id{quad_surface.number(at)});
+    quad_surface.for_each_quad([&](const std::array<detail::grid_corner, 4>& quad) {
+      for (const detail::grid_corner& at : quad) a.verts.push_back(vert_id{quad_surface.number(at)});
     });
     return detail::construct_from_quads<M>(std::move(a));
   }

@@ -15,7 +15,7 @@ struct sphere_options {
 
 namespace detail {
 
-inline vec3 in_even_cube(const lattice_point& at, std::size_t n) {
+inline vec3 in_even_cube(const grid_corner& at, std::size_t n) {
   return {even_angle(at[0], n), even_angle(at[1], n), even_angle(at[2], n)};
 }
 
@@ -26,9 +26,9 @@ inline surface_arrays cube_sphere(std::size_t n) {
   a.points.reserve(quad_surface.num_verts());
   a.verts.reserve(4 * quad_surface.num_quads());
   quad_surface.for_each_vert(
-      [&](const lattice_point& at) { a.points.push_back(on_round_boundary(in_even_cube(at, n))); });
-  quad_surface.for_each_quad([&](const std::array<lattice_point, 4>& quad) {
-    for (const lattice_point& at : quad) a.verts.push_back(vert_id{quad_surface.number(at)});
+      [&](const grid_corner& at) { a.points.push_back(on_round_boundary(in_even_cube(at, n))); });
+  quad_surface.for_each_quad([&](const std::array<grid_corner, 4>& quad) {
+    for (const grid_corner& at : quad) a.verts.push_back(vert_id{quad_surface.number(at)});
   });
   return a;
 }
@@ -40,12 +40,12 @@ inline cell_arrays hex_ball(std::size_t n) {
   cell_arrays a{{}, {}, 8};
   a.points.reserve(core + layers * quad_surface.num_verts());
   a.verts.reserve(8 * (n * n * n + layers * quad_surface.num_quads()));
-  const auto core_number = [&](const lattice_point& at) { return (at[2] * row + at[1]) * row + at[0]; };
+  const auto core_number = [&](const grid_corner& at) { return (at[2] * row + at[1]) * row + at[0]; };
   for (std::size_t k = 0; k < row; ++k)
     for (std::size_t j = 0; j < row; ++j)
       for (std::size_t i = 0; i < row; ++i) a.points.push_back(in_round_core(in_even_cube({i, j, k}, n)));
   for (std::size_t l = 1; l <= layers; ++l)
-    quad_surface.for_each_vert([&](const lattice_point& at) {
+    quad_surface.for_each_vert([&](const grid_corner& at) {
       const vec3 u = in_even_cube(at, n), inner = in_round_core(u), outer = on_round_boundary(u);
       a.points.push_back(
           l == layers ? outer : inner + (static_cast<double>(l) / static_cast<double>(layers)) * (outer - inner));
@@ -54,12 +54,12 @@ inline cell_arrays hex_ball(std::size_t n) {
     for (std::size_t j = 0; j < n; ++j)
       for (std::size_t i = 0; i < n; ++i)
         for (const std::size_t up : {k, k + 1})
-          for (const lattice_point& at : {lattice_point{i, j, up}, {i + 1, j, up}, {i + 1, j + 1, up}, {i, j + 1, up}})
+          for (const grid_corner& at : {grid_corner{i, j, up}, {i + 1, j, up}, {i + 1, j + 1, up}, {i, j + 1, up}})
             a.verts.push_back(vert_id{core_number(at)});
   for (std::size_t l = 0; l < layers; ++l)
-    quad_surface.for_each_quad([&](const std::array<lattice_point, 4>& quad) {
+    quad_surface.for_each_quad([&](const std::array<grid_corner, 4>& quad) {
       for (const std::size_t level : {l, l + 1})
-        for (const lattice_point& at : quad)
+        for (const grid_corner& at : quad)
           a.verts.push_back(vert_id{
               level == 0 ? core_number(at) : core + (level - 1) * quad_surface.num_verts() + quad_surface.number(at)});
     });

@@ -8,6 +8,7 @@
 
 #include <concino/adapters/detail/halfedge_log.hpp>
 #include <concino/concepts/mesh_traits.hpp>
+#include <concino/core/vec3.hpp>
 
 #include <chrono>
 #include <cstdint>

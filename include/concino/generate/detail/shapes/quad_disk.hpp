@@ -13,8 +13,8 @@ namespace concino::detail {
 inline surface_arrays quad_disk(std::size_t n) {
   const std::size_t layers = layers_around(n), row = n + 1, core = row * row, perimeter = 4 * n;
   surface_arrays a{{}, {}, {}, 4};
-  const auto square = [&](const lattice_point& at) { return vec3(even_angle(at[0], n), even_angle(at[1], n), 0); };
-  std::vector<lattice_point> around(perimeter);
+  const auto square = [&](const grid_corner& at) { return vec3(even_angle(at[0], n), even_angle(at[1], n), 0); };
+  std::vector<grid_corner> around(perimeter);
   for (std::size_t j = 0; j < row; ++j)
     for (std::size_t i = 0; i < row; ++i) {
       a.points.push_back(in_round_core(square({i, j, 0})));

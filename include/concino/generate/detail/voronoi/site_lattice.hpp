@@ -18,7 +18,7 @@ namespace concino::detail {
 template<int D>
 class site_lattice {
  public:
-  using lattice_point = std::array<std::int64_t, D>;
+  using grid_corner = std::array<std::int64_t, D>;
   static constexpr int bits = 49;  // so that the determinants of D + 1 bisectors fit into 256 bits
 
   template<class Sites>
@@ -42,7 +42,7 @@ class site_lattice {
     std::size_t i = 0;
     for (const auto& site : sites) {
       const vec3 x = to_vec3(site);
-      lattice_point p{};
+      grid_corner p{};
       for (std::size_t k = 0; k < D; ++k) {
         if (!(x[k] >= domain.min[k] && x[k] <= domain.max[k]))
           core::throw_joined<invalid_argument>({"Voronoi diagram: site ", i, " is not finite or lies outside the box"});
@@ -59,7 +59,7 @@ class site_lattice {
   }
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(points_.size()); }
-  const lattice_point& operator[](std::size_t i) const { return points_[i]; }
+  const grid_corner& operator[](std::size_t i) const { return points_[i]; }
   std::int64_t length(std::size_t k) const { return size_[k]; }
 
   /// Converts a coordinate from lattice steps back to the box. Walls of the box are exact.
@@ -68,8 +68,8 @@ class site_lattice {
     return std::clamp(domain_.min[k] + std::ldexp(x, exponent_), domain_.min[k], domain_.max[k]);
   }
   /// The lattice point next to x, which may lie outside of the box.
-  lattice_point rounded(const vec3& x) const {
-    lattice_point p{};
+  grid_corner rounded(const vec3& x) const {
+    grid_corner p{};
     for (std::size_t k = 0; k < D; ++k) p[k] = to_lattice(x[k], k);
     return p;
   }
@@ -80,8 +80,8 @@ class site_lattice {
   template<class Radius, class Visit>
   void for_each_near(std::uint32_t i, const Radius& radius, std::vector<std::pair<double, std::uint32_t>>& ring,
                      const Visit& visit) const {
-    const lattice_point& x = points_[i];
-    lattice_point centre;
+    const grid_corner& x = points_[i];
+    grid_corner centre;
     for (std::size_t k = 0; k < D; ++k) centre[k] = bin_of(x[k], k);
     for (std::int64_t s = 0;; ++s) {
       ring.clear();
@@ -102,9 +102,9 @@ class site_lattice {
  private:
   box domain_;
   int exponent_ = 0;  // the lattice step is 2^exponent_
-  lattice_point size_{};      // of the box, in lattice steps
-  std::vector<lattice_point> points_;
-  lattice_point bins_{}, width_{};
+  grid_corner size_{};      // of the box, in lattice steps
+  std::vector<grid_corner> points_;
+  grid_corner bins_{}, width_{};
   std::vector<std::uint32_t> first_, sites_;  // the sites of each bin
 
   std::int64_t to_lattice(double x, std::size_t k) const {
@@ -112,7 +112,7 @@ class site_lattice {
   }
   std::int64_t bin_of(std::int64_t x, std::size_t k) const { return std::min(x / width_[k], bins_[k] - 1); }
 
-  std::size_t bin_of(const lattice_point& x) const {
+  std::size_t bin_of(const grid_corner& x) const {
     std::int64_t b = 0;
     for (std::size_t k = D; k-- > 0;) b = b * bins_[k] + bin_of(x[k], k);
     return static_cast<std::size_t>(b);
@@ -139,7 +139,7 @@ class site_lattice {
       total *= static_cast<std::size_t>(bins_[k]);
     }
     first_.assign(total + 1, 0);
-    for (const lattice_point& x : points_) ++first_[bin_of(x) + 1];
+    for (const grid_corner& x : points_) ++first_[bin_of(x) + 1];
     for (std::size_t b = 0; b < total; ++b) first_[b + 1] += first_[b];
     auto next = first_;
     sites_.resize(points_.size());
@@ -148,9 +148,9 @@ class site_lattice {
 
   /// Collects the sites within `radius` of site i in the bins at Chebyshev distance s from the bin `centre`, counted in
   /// bins.
-  void collect(std::uint32_t i, const lattice_point& centre, std::int64_t s, double radius,
+  void collect(std::uint32_t i, const grid_corner& centre, std::int64_t s, double radius,
                std::vector<std::pair<double, std::uint32_t>>& out) const {
-    lattice_point low, high, at;
+    grid_corner low, high, at;
     for (std::size_t k = 0; k < D; ++k) {
       low[k] = std::max<std::int64_t>(0, centre[k] - s);
       high[k] = std::min(bins_[k] - 1, centre[k] + s);
@@ -169,9 +169,9 @@ class site_lattice {
     }
   }
 
-  void take(std::uint32_t i, const lattice_point& at, double radius,
+  void take(std::uint32_t i, const grid_corner& at, double radius,
             std::vector<std::pair<double, std::uint32_t>>& out) const {
-    const lattice_point& x = points_[i];
+    const grid_corner& x = points_[i];
     std::int64_t b = 0;
     for (std::size_t k = D; k-- > 0;) b = b * bins_[k] + at[k];
     for (std::uint32_t n = first_[static_cast<std::size_t>(b)]; n < first_[static_cast<std::size_t>(b) + 1]; ++n) {
