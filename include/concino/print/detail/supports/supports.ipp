@@ -14,15 +14,15 @@
 
 namespace concino::detail {
 
-struct plane_point {
+struct projected_point {
   double x, y;
 };
-using plane_polygon = core::small_array<plane_point, 12>;
+using plane_polygon = core::small_array<projected_point, 12>;
 
 template<class Points>
 void assign(plane_polygon& polygon, const Points& points) {
   polygon.clear();
-  for (const plane_point& x : points) polygon.push_back(x);
+  for (const projected_point& x : points) polygon.push_back(x);
 }
 
 /// Keeps the part of a convex polygon where a linear function is at least 0; `rest` becomes the other one. value(p):
@@ -32,7 +32,7 @@ void divide_polygon(plane_polygon& polygon, plane_polygon& rest, const F& value)
   const std::size_t n = polygon.size();
   core::small_array<double, 12> values;
   bool positive = false, negative = false;
-  for (const plane_point& x : polygon) {
+  for (const projected_point& x : polygon) {
     values.push_back(value(x));
     positive = positive || values.back() > 0;
     negative = negative || values.back() < 0;
@@ -47,12 +47,12 @@ void divide_polygon(plane_polygon& polygon, plane_polygon& rest, const F& value)
   plane_polygon kept;
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t j = i + 1 < n ? i + 1 : 0;
-    const plane_point &a = polygon[i], &b = polygon[j];
+    const projected_point &a = polygon[i], &b = polygon[j];
     if (values[i] >= 0) kept.push_back(a);
     if (values[i] <= 0) rest.push_back(a);
     if ((values[i] > 0 && values[j] < 0) || (values[i] < 0 && values[j] > 0)) {
       const double t = values[i] / (values[i] - values[j]);
-      const plane_point c{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+      const projected_point c{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
       kept.push_back(c);
       rest.push_back(c);
     }
@@ -77,14 +77,14 @@ class support_pieces {
   double plate_, tolerance_;
   supports_size sum_;
 
-  double floor_at(const height_triangle* floor, const plane_point& p) const {
+  double floor_at(const height_triangle* floor, const projected_point& p) const {
     return floor ? floor->at(p.x, p.y) : plate_;
   }
 
   /// Adds a piece; floor is null for the plate.
   void integrate(const plane_polygon& p, const height_triangle* floor) {
     core::small_array<double, 12> lengths;
-    for (const plane_point& x : p) lengths.push_back(std::max(0.0, ceiling_.at(x.x, x.y) - floor_at(floor, x)));
+    for (const projected_point& x : p) lengths.push_back(std::max(0.0, ceiling_.at(x.x, x.y) - floor_at(floor, x)));
     for (std::size_t i = 2; i < p.size(); ++i) {
       const double doubled = (p[i - 1].x - p[0].x) * (p[i].y - p[0].y) - (p[i - 1].y - p[0].y) * (p[i].x - p[0].x);
       const double mean = (lengths[0] + lengths[i - 1] + lengths[i]) / 3;
@@ -94,7 +94,7 @@ class support_pieces {
     }
   }
 
-  static double edge_value(const height_triangle& t, std::size_t k, const plane_point& x) {
+  static double edge_value(const height_triangle& t, std::size_t k, const projected_point& x) {
     const vec3 &a = t.corners[k], &b = t.corners[k < 2 ? k + 1 : 0];
     return (b.x - a.x) * (x.y - a.y) - (b.y - a.y) * (x.x - a.x);
   }
@@ -102,13 +102,13 @@ class support_pieces {
   /// Whether p is beyond an edge of t. If not, they may still be apart.
   static bool is_beyond_edge(const height_triangle& t, const plane_polygon& p) {
     for (std::size_t k = 0; k < 3; ++k)
-      if (std::all_of(p.begin(), p.end(), [&](const plane_point& x) { return edge_value(t, k, x) <= 0; })) return true;
+      if (std::all_of(p.begin(), p.end(), [&](const projected_point& x) { return edge_value(t, k, x) <= 0; })) return true;
     return false;
   }
   /// Whether a triangle and t are apart. Pieces have edges too short for this: their directions are lost.
   static bool is_apart(const plane_polygon& triangle, const height_triangle& t) {
     for (std::size_t i = 0; i < 3; ++i) {
-      const plane_point &a = triangle[i], &b = triangle[i < 2 ? i + 1 : 0];
+      const projected_point &a = triangle[i], &b = triangle[i < 2 ? i + 1 : 0];
       if (std::all_of(t.corners.begin(), t.corners.end(),
                       [&](const vec3& x) { return (b.x - a.x) * (x.y - a.y) - (b.y - a.y) * (x.x - a.x) <= 0; }))
         return true;
@@ -122,7 +122,7 @@ class support_pieces {
     plane_polygon inside, rest;
     assign(inside, p);
     for (std::size_t k = 0; k < 3 && inside.size() >= 3; ++k)
-      divide_polygon(inside, rest, [&](const plane_point& x) { return edge_value(t, k, x); });
+      divide_polygon(inside, rest, [&](const projected_point& x) { return edge_value(t, k, x); });
     return inside.size() >= 3 && doubled_area(inside) > 0;
   }
 
@@ -134,7 +134,7 @@ class support_pieces {
     for (std::size_t i = 0; i < candidates.size() && p.size() >= 3; ++i) {
       const height_triangle& s = *candidates[i];
       double lowest = std::numeric_limits<double>::infinity(), ceiling = -lowest;
-      for (const plane_point& x : p) {
+      for (const projected_point& x : p) {
         lowest = std::min(lowest, floor_at(floor, x));
         ceiling = std::max(ceiling, ceiling_.at(x.x, x.y));
       }
@@ -146,10 +146,10 @@ class support_pieces {
         if (rest.size() >= 3) find_floors(rest, others, floor);
       };
       for (std::size_t k = 0; k < 3 && p.size() >= 3; ++k)
-        keep([&](const plane_point& x) { return edge_value(s, k, x); });
+        keep([&](const projected_point& x) { return edge_value(s, k, x); });
       if (p.size() >= 3)
-        keep([&](const plane_point& x) { return ceiling_.at(x.x, x.y) + tolerance_ - s.at(x.x, x.y); });
-      if (p.size() >= 3) keep([&](const plane_point& x) { return s.at(x.x, x.y) - floor_at(floor, x); });
+        keep([&](const projected_point& x) { return ceiling_.at(x.x, x.y) + tolerance_ - s.at(x.x, x.y); });
+      if (p.size() >= 3) keep([&](const projected_point& x) { return s.at(x.x, x.y) - floor_at(floor, x); });
       floor = &s;
     }
     if (p.size() >= 3) integrate(p, floor);
@@ -159,11 +159,11 @@ class support_pieces {
   void divide(const plane_polygon& p, const std::vector<const height_triangle*>& candidates, int depth) {
     if (candidates.size() <= few || depth == max_depth) return find_floors(p, candidates, nullptr);
     const auto middle = [&](std::size_t a, std::size_t b) {
-      return plane_point{0.5 * p[a].x + 0.5 * p[b].x, 0.5 * p[a].y + 0.5 * p[b].y};
+      return projected_point{0.5 * p[a].x + 0.5 * p[b].x, 0.5 * p[a].y + 0.5 * p[b].y};
     };
-    const plane_point ab = middle(0, 1), bc = middle(1, 2), ca = middle(2, 0);
+    const projected_point ab = middle(0, 1), bc = middle(1, 2), ca = middle(2, 0);
     plane_polygon parts[4];
-    const std::array<plane_point, 3> corners[] = {{p[0], ab, ca}, {ab, p[1], bc}, {ca, bc, p[2]}, {ab, bc, ca}};
+    const std::array<projected_point, 3> corners[] = {{p[0], ab, ca}, {ab, p[1], bc}, {ca, bc, p[2]}, {ab, bc, ca}};
     for (std::size_t i = 0; i < 4; ++i) assign(parts[i], corners[i]);
     std::vector<const height_triangle*> below[4];
     std::size_t all = 0;
