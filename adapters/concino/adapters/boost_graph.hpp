@@ -46,7 +46,7 @@ template<class G> concept lists_verts = requires(const G& g) { *vertices(g).firs
 template<class G> concept lists_neighbours = requires(const G& g, boost_vert<G> v) { adjacent_vertices(v, g).first; };
 template<class G> concept lists_arcs = requires(const G& g, boost_vert<G> v) { target(*out_edges(v, g).first, g); };
 
-struct value_at {
+struct pointed_value {
   template<class Iterator>
   auto operator()(const Iterator& i) const { return *i; }
 };
@@ -57,7 +57,7 @@ struct target_in {
   boost_vert<G> operator()(const Iterator& arc) const { return target(*arc, *g); }
 };
 
-template<class Vert, class Base, class At = value_at>
+template<class Vert, class Base, class At = pointed_value>
 mapped_range<Vert, Base, At> make_boost_range(std::pair<Base, Base> both, At at = {}) {
   return {std::move(both.first), std::move(both.second), at};
 }

@@ -102,7 +102,8 @@ class support_pieces {
   /// Whether p is beyond an edge of t. If not, they may still be apart.
   static bool is_beyond_edge(const height_triangle& t, const plane_polygon& p) {
     for (std::size_t k = 0; k < 3; ++k)
-      if (std::all_of(p.begin(), p.end(), [&](const projected_point& x) { return edge_value(t, k, x) <= 0; })) return true;
+      if (std::all_of(p.begin(), p.end(), [&](const projected_point& x) { return edge_value(t, k, x) <= 0; }))
+        return true;
     return false;
   }
   /// Whether a triangle and t are apart. Pieces have edges too short for this: their directions are lost.
