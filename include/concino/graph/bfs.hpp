@@ -182,15 +182,14 @@ auto bfs(M&& m, std::initializer_list<S> sources) {
 
 template<class M, class S>
   requires requirement::is_lvalue_or_view<M> && requirement::is_source<M, S>
-// may_cross, crossed: not of a bare graph, which has no edges or faces to cross
-auto bfs(M&& m, const S& source, const bfs_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options) {
+auto bfs(M&& m, const S& source,  // may_cross, crossed: not of a bare graph
+         const bfs_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options) {
   return detail::bfs(detail::graph_of<M, S>{m}, source, options);
 }
 
 template<class M, class S>
   requires requirement::is_lvalue_or_view<M> && requirement::is_source<M, S>
-// may_cross, crossed: not of a bare graph, which has no edges or faces to cross
-auto bfs(M&& m, std::initializer_list<S> sources,
+auto bfs(M&& m, std::initializer_list<S> sources,  // may_cross, crossed: not of a bare graph
          const bfs_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options) {
   return detail::bfs(detail::graph_of<M, S>{m}, sources, options);
 }
@@ -207,8 +206,7 @@ auto bfs(M&& m, std::initializer_list<S> sources,
 /// Source: Moore 1959.
 template<class M>
   requires requirement::is_lvalue_or_view<M> && requirement::is_graph<M>
-// may_cross, crossed: not of a bare graph, which has no edges or faces to cross
-auto bfs_forest(
+auto bfs_forest(  // may_cross, crossed: not of a bare graph
     M&& m,
     const bfs_options<detail::default_node_of<M>, detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {
   return detail::bfs_forest(detail::default_graph_of<M>{m}, options);

@@ -99,8 +99,7 @@ auto connected_components(const G& g, const connected_components_options<typenam
 /// Source: Galler, Fisher 1964; paper section 2.1, "Architecture".
 template<class M>
   requires requirement::is_lvalue_or_view<M> && requirement::is_graph<M>
-// may_cross: not of a bare graph, which has no edges or faces to cross
-auto connected_components(
+auto connected_components(  // may_cross: not of a bare graph
     M&& m, const connected_components_options<detail::default_node_of<M>,
                                               detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {
   return detail::connected_components(detail::default_graph_of<M>{m}, options);

@@ -141,8 +141,7 @@ auto dijkstra(const G& g, const S& sources, const L& lengths,
 /// Source: Dijkstra 1959; paper section 2.2, "Distances and paths".
 template<class M, class S>
   requires requirement::is_lvalue_or_view<M> && requirement::has_lengths<M, S>
-// may_cross, crossed: not of a bare graph, which has no edges or faces to cross
-auto dijkstra(M&& m, const S& source,
+auto dijkstra(M&& m, const S& source,  // may_cross, crossed: not of a bare graph
               const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
   const detail::graph_of<M, S> g{m};
   return detail::dijkstra(g, source, detail::default_lengths(g), options);
@@ -151,16 +150,14 @@ auto dijkstra(M&& m, const S& source,
 template<class M, class S, class L>
   requires requirement::is_lvalue_or_view<M> && requirement::is_source<M, S> &&
       requirement::is_length<L, detail::node_of<M, S>>
-// may_cross, crossed: not of a bare graph, which has no edges or faces to cross
-auto dijkstra(M&& m, const S& source, const L& length,
+auto dijkstra(M&& m, const S& source, const L& length,  // may_cross, crossed: not of a bare graph
               const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
   return detail::dijkstra(detail::graph_of<M, S>{m}, source, detail::input_lengths<L>{length}, options);
 }
 
 template<class M, class S>
   requires requirement::is_lvalue_or_view<M> && requirement::has_lengths<M, S>
-// may_cross, crossed: not of a bare graph, which has no edges or faces to cross
-auto dijkstra(M&& m, std::initializer_list<S> sources,
+auto dijkstra(M&& m, std::initializer_list<S> sources,  // may_cross, crossed: not of a bare graph
               const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
   const detail::graph_of<M, S> g{m};
   return detail::dijkstra(g, sources, detail::default_lengths(g), options);
@@ -169,8 +166,7 @@ auto dijkstra(M&& m, std::initializer_list<S> sources,
 template<class M, class S, class L>
   requires requirement::is_lvalue_or_view<M> && requirement::is_source<M, S> &&
       requirement::is_length<L, detail::node_of<M, S>>
-// may_cross, crossed: not of a bare graph, which has no edges or faces to cross
-auto dijkstra(M&& m, std::initializer_list<S> sources, const L& length,
+auto dijkstra(M&& m, std::initializer_list<S> sources, const L& length,  // may_cross, crossed: not of a bare graph
               const dijkstra_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
   return detail::dijkstra(detail::graph_of<M, S>{m}, sources, detail::input_lengths<L>{length}, options);
 }

@@ -148,8 +148,7 @@ template<class C, class N> concept is_cost = is_length<C, N>;
 template<class M, class S, class C>
   requires requirement::is_lvalue_or_view<M> && requirement::is_source<M, S> &&
       requirement::is_cost<C, detail::node_of<M, S>>
-// may_cross: not of a bare graph, which has no edges or faces to cross
-auto grow_regions(M&& m, const S& seeds, const C& cost,
+auto grow_regions(M&& m, const S& seeds, const C& cost,  // may_cross: not of a bare graph
                   const grow_regions_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
   return detail::grow_regions(detail::graph_of<M, S>{m}, seeds, cost, options);
 }
@@ -157,8 +156,7 @@ auto grow_regions(M&& m, const S& seeds, const C& cost,
 template<class M, class S, class C>
   requires requirement::is_lvalue_or_view<M> && requirement::is_source<M, S> &&
       requirement::is_cost<C, detail::node_of<M, S>>
-// may_cross: not of a bare graph, which has no edges or faces to cross
-auto grow_regions(M&& m, std::initializer_list<S> seeds, const C& cost,
+auto grow_regions(M&& m, std::initializer_list<S> seeds, const C& cost,  // may_cross: not of a bare graph
                   const grow_regions_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
   return detail::grow_regions(detail::graph_of<M, S>{m}, seeds, cost, options);
 }

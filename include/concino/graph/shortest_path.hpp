@@ -70,8 +70,7 @@ auto shortest_path(const G& g, const S& source, const T& target, const L& length
 /// Source: Dijkstra 1959; paper section 2.2, "Distances and paths".
 template<class M, class S, class T = std::initializer_list<detail::node_of<M, S>>>
   requires requirement::is_target<M, S, T> && requirement::has_lengths<M, S>
-auto shortest_path(const M& m, const S& source, const T& target,  // may_cross: not of a bare graph, which has no edges
-                                                                  // or faces to cross
+auto shortest_path(const M& m, const S& source, const T& target,  // may_cross: not of a bare graph
                    const shortest_path_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
   const detail::graph_of<M, S> g{m};
   return detail::shortest_path(g, source, target, detail::default_lengths(g), options);
@@ -79,16 +78,14 @@ auto shortest_path(const M& m, const S& source, const T& target,  // may_cross: 
 
 template<class M, class S, class L, class T = std::initializer_list<detail::node_of<M, S>>>
   requires requirement::is_target<M, S, T> && requirement::is_length<L, detail::node_of<M, S>>
-// may_cross: not of a bare graph, which has no edges or faces to cross
-auto shortest_path(const M& m, const S& source, const T& target, const L& length,
+auto shortest_path(const M& m, const S& source, const T& target, const L& length,  // may_cross: not of a bare graph
                    const shortest_path_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
   return detail::shortest_path(detail::graph_of<M, S>{m}, source, target, detail::input_lengths<L>{length}, options);
 }
 
 template<class M, class S, class T = std::initializer_list<S>>
   requires requirement::is_target<M, S, T> && requirement::has_lengths<M, S>
-// may_cross: not of a bare graph, which has no edges or faces to cross
-auto shortest_path(const M& m, std::initializer_list<S> sources, const T& target,
+auto shortest_path(const M& m, std::initializer_list<S> sources, const T& target,  // may_cross: not of a bare graph
                    const shortest_path_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
   const detail::graph_of<M, S> g{m};
   return detail::shortest_path(g, sources, target, detail::default_lengths(g), options);
@@ -96,8 +93,8 @@ auto shortest_path(const M& m, std::initializer_list<S> sources, const T& target
 
 template<class M, class S, class L, class T = std::initializer_list<S>>
   requires requirement::is_target<M, S, T> && requirement::is_length<L, detail::node_of<M, S>>
-// may_cross: not of a bare graph, which has no edges or faces to cross
-auto shortest_path(const M& m, std::initializer_list<S> sources, const T& target, const L& length,
+auto shortest_path(const M& m, std::initializer_list<S> sources, const T& target,  // may_cross: not of a bare graph
+                   const L& length,
                    const shortest_path_options<detail::node_of<M, S>, detail::crossed_of<M, S>>& options = {}) {
   return detail::shortest_path(detail::graph_of<M, S>{m}, sources, target, detail::input_lengths<L>{length}, options);
 }

@@ -193,8 +193,7 @@ concept has_default_lengths = Embedded<concino::detail::base_mesh_t<std::remove_
 /// Source: Kruskal 1956; Prim 1957; paper section 2.1, "Architecture".
 template<class M>
   requires requirement::is_graph<M> && requirement::has_default_lengths<M>
-// may_cross: not of a bare graph, which has no edges or faces to cross
-auto spanning_tree(const M& m,
+auto spanning_tree(const M& m,  // may_cross: not of a bare graph
                    const spanning_tree_options<detail::default_node_of<M>,
                                                detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {
   const detail::default_graph_of<M> g{m};
@@ -203,7 +202,7 @@ auto spanning_tree(const M& m,
 
 template<class M, class L>
   requires requirement::is_graph<M> && requirement::is_length<L, detail::default_node_of<M>>
-auto spanning_tree(const M& m, const L& length,  // may_cross: not of a bare graph, which has no edges or faces to cross
+auto spanning_tree(const M& m, const L& length,  // may_cross: not of a bare graph
                    const spanning_tree_options<detail::default_node_of<M>,
                                                detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {
   return detail::spanning_tree(detail::default_graph_of<M>{m}, detail::input_lengths<L>{length}, options);
