@@ -31,10 +31,9 @@ struct permission {
   explicit constexpr operator bool() const { return reason == refusal::none; }
 };
 
-/// What an edit returns: a permission, and the vert, edge or face that it made, which is valid only if the edit was
+/// What an edit returns: a permission, and the vert or edge that it made, which is valid only if the edit was
 /// allowed.
 template<class M> struct vert_result : permission { vert_t<M> vert{}; };
 template<class M> struct edge_result : permission { edge_t<M> edge{}; };
-template<class M> struct face_result : permission { face_t<M> face{}; };
 
 }  // namespace concino

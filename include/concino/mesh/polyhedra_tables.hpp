@@ -95,9 +95,6 @@ class basic_polyhedra_tables {
   std::size_t first_corner(poly_id p) const { return p2v_.first(p.raw()); }
   std::size_t corner_bound() const { return p2v_.num_values(); }
 
-  /// Parallel to adj_p2f: 1 if the face is oriented outward, else 0.
-  id_span<std::uint8_t> outward_flags(poly_id p) const { return outward_[p.raw()]; }
-
   bool face_is_outward(poly_id p, face_id f) const {
     const std::uint32_t k = facet_adjacency_.position_of(p, f);
     return k < outward_.length(p.raw()) && outward_.begin(p.raw())[k] != 0;
