@@ -5,7 +5,8 @@
 
 BEGIN {
   # files, atomic replacement of files, real paths: POSIX, and the standard library
-  allow("posix_files.ipp", "fcntl.h sys/file.h sys/mman.h sys/stat.h unistd.h")
+  allow("posix_files.ipp", "fcntl.h sys/mman.h sys/stat.h unistd.h")
+  allow("posix_atomic_file.ipp", "fcntl.h sys/file.h sys/stat.h unistd.h")
   allow("standard_files.ipp", "filesystem")
   # threads, the processors that a process may use
   allow("parallel.ipp", "thread latch sched.h")

@@ -1,5 +1,5 @@
-// cavity: a few polys of a mesh, and those that take their place. The verb `rewire` replaces the ones by the others; see editable.hpp. Here are the types
-// for given descriptors; cavity<M> in mesh_traits.hpp is that of a mesh.
+// cavity: a few polys of a mesh, and those that take their place. The verb `rewire` replaces the ones by the others;
+// see editable.hpp. Here are the types for given descriptors; cavity<M> in mesh_traits.hpp is that of a mesh.
 #pragma once
 
 #include <concino/concepts/ranges.hpp>
@@ -9,8 +9,9 @@ namespace concino {
 struct vec3;  // <concino/core/vec3.hpp>
 
 /// What `rewire` replaces: a few polys of a mesh, and the polys that take their place. All arrays belong to the caller.
-/// In surfaces, tets and hexes `ends[k]` is the number of corners of the new polys 0 .. k. In meshes of general polyhedra corners are those of faces, which
-/// run counter-clockwise seen from outside their poly; `ends` are where faces end in `corners`, `poly_ends` where polys end in `ends`.
+/// In surfaces, tets and hexes `ends[k]` is the number of corners of the new polys 0 .. k. In meshes of general
+/// polyhedra corners are those of faces, which run counter-clockwise seen from outside their poly; `ends` are where
+/// faces end in `corners`, `poly_ends` where polys end in `ends`.
 template<class Vert, class Poly>
 struct cavity_of {
   id_span<Poly> polys = {};           // old polys, which are removed
@@ -20,7 +21,8 @@ struct cavity_of {
   id_span<unsigned> ends = {};
   id_span<unsigned> poly_ends = {};   // of general polyhedra only
   std::size_t kept = 0;               // this many new polys have the descriptors of the first old ones
-  std::size_t removed = 0;            // this many verts, the last ones of `verts`, are removed: no poly has them afterwards
+  std::size_t removed = 0;            // this many verts, the last ones of `verts`, are removed: no poly has them
+                                      // afterwards
 };
 
 /// Where `rewire` writes the descriptors of new verts and of all new polys, in the order of the cavity.

@@ -62,8 +62,8 @@ class edges_of_edge {
   end_sentinel end() const { return {}; }
 };
 
-/// The faces at each edge of a face, without the face itself and without those at an earlier edge. The position at the edge is stored as
-/// a number: an iterator must be copyable, so it cannot store a ring of the mesh.
+/// The faces at each edge of a face, without the face itself and without those at an earlier edge. The position at the
+/// edge is stored as a number: an iterator must be copyable, so it cannot store a ring of the mesh.
 template<class M>
 class faces_of_face {
   using edge = edge_t<M>;
@@ -137,17 +137,24 @@ class faces_of_face {
 /// Errors: none.
 inline constexpr struct adj_e2e_verb : detail::verb {
   using verb::operator();
-  template<AnyMesh M> constexpr auto operator()(const M& m, edge_t<M> e) const { return detail::edges_of_edge<M>(m, e); }
+  template<AnyMesh M>
+  constexpr auto operator()(const M& m, edge_t<M> e) const {
+    return detail::edges_of_edge<M>(m, e);
+  }
 } adj_e2e{};
 
 /// The faces of a volume that share an edge with f, each once.
 /// Needs:  VolumeMesh M; f is a face of m.
 /// Result: a range of faces without f, in the order of the edges of f.
-/// Cost:   proportional to the edges of f, times the faces at an edge squared, times the edges of a face; nothing is allocated.
+/// Cost:   proportional to the edges of f, times the faces at an edge squared, times the edges of a face; nothing is
+///         allocated.
 /// Errors: none.
 inline constexpr struct adj_f2f_verb : detail::verb {
   using verb::operator();
-  template<VolumeMesh M> constexpr auto operator()(const M& m, face_t<M> f) const { return detail::faces_of_face<M>(m, f); }
+  template<VolumeMesh M>
+  constexpr auto operator()(const M& m, face_t<M> f) const {
+    return detail::faces_of_face<M>(m, f);
+  }
 } adj_f2f{};
 
 }  // namespace concino

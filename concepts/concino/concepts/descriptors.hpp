@@ -1,4 +1,5 @@
-// Typed descriptors of the native meshes: vert_id, edge_id, face_id, poly_id. Foreign meshes keep their own descriptors.
+// Typed descriptors of the native meshes: vert_id, edge_id, face_id, poly_id. Foreign meshes keep their own
+// descriptors.
 #pragma once
 
 #include <compare>
@@ -8,8 +9,9 @@
 
 namespace concino {
 
-/// The id of one element: its index with a type. Regular, ordered, 32 bits, unrelated to integers and to ids of other kinds:
-/// `vert_id{3} == poly_id{3}` and `vert_id{2.5}` do not compile. A default id refers to no element; `is_none()` is true for it.
+/// The id of one element: its index with a type. Regular, ordered, 32 bits, unrelated to integers and to ids of other
+/// kinds: `vert_id{3} == poly_id{3}` and `vert_id{2.5}` do not compile. A default id refers to no element; `is_none()`
+/// is true for it.
 template<class Tag>
 class id {
   unsigned raw_ = ~0u;

@@ -1,9 +1,10 @@
-// DualGraph: polys as nodes, joined where they share an edge (surface) or a face (volume). Algorithms that only visit neighbouring polys
-// require this concept, so that they run on polygons and polyhedra alike.
+// DualGraph: polys as nodes, joined where they share an edge (surface) or a face (volume). Algorithms that only visit
+// neighbouring polys require this concept, so that they run on polygons and polyhedra alike.
 //
 // Laws:
 //   DG1  index_of is below poly_index_bound and differs between polys
-//   DG2  iterating over polys(m) yields num_polys(m) polys, each once, and the same ones on every pass; `contains`, if defined, agrees
+//   DG2  iterating over polys(m) yields num_polys(m) polys, each once, and the same ones on every pass; `contains`, if
+//        defined, agrees
 //   DG3  q is in adj_p2p(p) exactly if p is in adj_p2p(q)
 //   DG4  adj_p2p(p) contains neither p itself nor any poly twice, and only polys of m
 #pragma once
@@ -23,7 +24,9 @@ struct poly_requirement {
   }
 };
 
-template<class M> concept has_polys = requires(const std::remove_cvref_t<M>& m) { { traits<M>::polys(m) } -> ElementRange<poly_t<M>>; };
+template<class M> concept has_polys = requires(const std::remove_cvref_t<M>& m) {
+  { traits<M>::polys(m) } -> ElementRange<poly_t<M>>;
+};
 struct polys_requirement {
   template<class M> static constexpr bool holds = has_polys<M>;
   template<class M> static consteval void explain() {
@@ -32,7 +35,9 @@ struct polys_requirement {
   }
 };
 
-template<class M> concept has_num_polys = requires(const std::remove_cvref_t<M>& m) { { traits<M>::num_polys(m) } -> std::convertible_to<std::size_t>; };
+template<class M> concept has_num_polys = requires(const std::remove_cvref_t<M>& m) {
+  { traits<M>::num_polys(m) } -> std::convertible_to<std::size_t>;
+};
 struct num_polys_requirement {
   template<class M> static constexpr bool holds = has_num_polys<M>;
   template<class M> static consteval void explain() {
@@ -41,7 +46,9 @@ struct num_polys_requirement {
   }
 };
 
-template<class M> concept has_poly_index_bound = requires(const std::remove_cvref_t<M>& m) { { traits<M>::poly_index_bound(m) } -> std::convertible_to<std::size_t>; };
+template<class M> concept has_poly_index_bound = requires(const std::remove_cvref_t<M>& m) {
+  { traits<M>::poly_index_bound(m) } -> std::convertible_to<std::size_t>;
+};
 struct poly_index_bound_requirement {
   template<class M> static constexpr bool holds = has_poly_index_bound<M>;
   template<class M> static consteval void explain() {
@@ -50,7 +57,9 @@ struct poly_index_bound_requirement {
   }
 };
 
-template<class M> concept has_poly_index_of = requires(const std::remove_cvref_t<M>& m, poly_t<M> p) { { traits<M>::index_of(m, p) } -> std::convertible_to<std::size_t>; };
+template<class M> concept has_poly_index_of = requires(const std::remove_cvref_t<M>& m, poly_t<M> p) {
+  { traits<M>::index_of(m, p) } -> std::convertible_to<std::size_t>;
+};
 struct poly_index_of_requirement {
   template<class M> static constexpr bool holds = has_poly_index_of<M>;
   template<class M> static consteval void explain() {
@@ -59,7 +68,9 @@ struct poly_index_of_requirement {
   }
 };
 
-template<class M> concept has_adj_p2p = requires(const std::remove_cvref_t<M>& m, poly_t<M> p) { { traits<M>::adj_p2p(m, p) } -> ElementRange<poly_t<M>>; };
+template<class M> concept has_adj_p2p = requires(const std::remove_cvref_t<M>& m, poly_t<M> p) {
+  { traits<M>::adj_p2p(m, p) } -> ElementRange<poly_t<M>>;
+};
 struct adj_p2p_requirement {
   template<class M> static constexpr bool holds = has_adj_p2p<M>;
   template<class M> static consteval void explain() {
@@ -74,13 +85,15 @@ using dual_graph_requirements = list<traits_requirements, poly_requirement, poly
 }  // namespace requirement
 
 template<class M>
-concept DualGraph = requirement::is_adapted<M> && requirement::has_poly<M> && requirement::has_polys<M> && requirement::has_num_polys<M> &&
-                    requirement::has_poly_index_bound<M> && requirement::has_poly_index_of<M> && requirement::has_adj_p2p<M>;
+concept DualGraph = requirement::is_adapted<M> && requirement::has_poly<M> && requirement::has_polys<M> &&
+    requirement::has_num_polys<M> && requirement::has_poly_index_bound<M> && requirement::has_poly_index_of<M> &&
+    requirement::has_adj_p2p<M>;
 
 /// Fails to compile with one sentence that names the first thing M lacks to be a DualGraph and what to write.
 template<class M>
 consteval void explain_dual_graph() {
-  if constexpr (!DualGraph<M>) requirement::first_missing<requirement::dual_graph_requirements, M>::template explain<M>();
+  if constexpr (!DualGraph<M>)
+    requirement::first_missing<requirement::dual_graph_requirements, M>::template explain<M>();
 }
 
 }  // namespace concino

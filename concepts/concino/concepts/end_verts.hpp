@@ -9,12 +9,15 @@ namespace concino {
 template<class Vert>
 struct edge_ends {
   Vert first, second;
-  friend constexpr bool operator==(const edge_ends& a, const edge_ends& b) { return a.first == b.first && a.second == b.second; }
+  friend constexpr bool operator==(const edge_ends& a, const edge_ends& b) {
+    return a.first == b.first && a.second == b.second;
+  }
 };
 
 /// The two verts that e joins.
 /// Needs:  adj_e2v; e is an edge of m.
-/// Result: first and second as adj_e2v lists them, in the same order each time.      Cost: that of adj_e2v.      Errors: those of adj_e2v.
+/// Result: first and second as adj_e2v lists them, in the same order each time.      Cost: that of adj_e2v.
+/// Errors: those of adj_e2v.
 inline constexpr struct end_verts_verb : detail::verb {
   using verb::operator();
   template<class M>

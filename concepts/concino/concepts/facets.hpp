@@ -1,8 +1,9 @@
-// Facets: the edges of a surface, the faces of a volume. They separate polys. Algorithms for both dimensions use these verbs, which are derived
-// for every AnyMesh from the members of its traits.
+// Facets: the edges of a surface, the faces of a volume. They separate polys. Algorithms for both dimensions use these
+// verbs, which are derived for every AnyMesh from the members of its traits.
 //
 // Laws, which follow from those of the mesh if no verb changes the result of another:
-//   FC1  index_of of facets is below facet_index_bound and differs; iterating over facets(m) yields num_facets(m), each once
+//   FC1  index_of of facets is below facet_index_bound and differs; iterating over facets(m) yields num_facets(m), each
+//        once
 //   FC2  adj_facet2p mirrors adj_p2facet, nothing twice; the verts adj_facet2v(x) are verts of each poly of x
 //   FC3  other_polys(m, p, x) is adj_facet2p(x) without p; together, those of all facets of p are adj_p2p(p)
 //   FC4  is_boundary(m, x) of a facet: adj_facet2p(x) is one poly; of any other element: it has such a facet
@@ -197,7 +198,10 @@ inline constexpr struct is_boundary_verb : detail::verb {
     return false;
   }
   // The facets at a vert have different names, and an edge is itself a facet of a surface.
-  template<SurfaceMesh M> static constexpr bool at_vert(const M& m, const vert_t<M>& v) { return any(m, adj_v2e(m, v)); }
+  template<SurfaceMesh M>
+  static constexpr bool at_vert(const M& m, const vert_t<M>& v) {
+    return any(m, adj_v2e(m, v));
+  }
   template<VolumeMesh M> static constexpr bool at_vert(const M& m, const vert_t<M>& v) { return any(m, adj_v2f(m, v)); }
   template<SurfaceMesh M> static constexpr bool at_edge(const M& m, const edge_t<M>& e) { return at_facet(m, e); }
   template<VolumeMesh M> static constexpr bool at_edge(const M& m, const edge_t<M>& e) { return any(m, adj_e2f(m, e)); }

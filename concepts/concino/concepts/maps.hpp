@@ -1,5 +1,5 @@
-// ReadableMap and WritableMap: a value per element, `p[e]`. Examples are an array indexed by descriptors, a lambda in a wrapper, a property of a
-// foreign library. Only `p[e] = t` is needed for writing, so proxies qualify.
+// ReadableMap and WritableMap: a value per element, `p[e]`. Examples are an array indexed by descriptors, a lambda in a
+// wrapper, a property of a foreign library. Only `p[e] = t` is needed for writing, so proxies qualify.
 #pragma once
 
 #include <concino/concepts/requirement.hpp>
@@ -36,10 +36,12 @@ using readable_map_requirements = list<read_requirement>;
 using writable_map_requirements = list<write_requirement>;
 
 /// The values of a map: numbers, or points and vectors p with p[0], p[1], p[2].
-template<class P, class E> concept gives_numbers = ReadableMap<P, E> && requires(const std::remove_cvref_t<P>& p, const E& e) {
+template<class P, class E>
+concept gives_numbers = ReadableMap<P, E> && requires(const std::remove_cvref_t<P>& p, const E& e) {
   { p[e] } -> std::convertible_to<double>;
 };
-template<class P, class E> concept gives_points = ReadableMap<P, E> && requires(const std::remove_cvref_t<P>& p, const E& e) {
+template<class P, class E>
+concept gives_points = ReadableMap<P, E> && requires(const std::remove_cvref_t<P>& p, const E& e) {
   { p[e][0] } -> std::convertible_to<double>;
   { p[e][1] } -> std::convertible_to<double>;
   { p[e][2] } -> std::convertible_to<double>;
@@ -51,13 +53,15 @@ template<class P, class E> concept gives_numbers_or_points = gives_numbers<P, E>
 /// Fails to compile with one sentence that says what to write, if P is not a map that can be read at an E.
 template<class P, class E>
 consteval void explain_readable_map() {
-  if constexpr (!ReadableMap<P, E>) requirement::first_missing<requirement::readable_map_requirements, P, E>::template explain<P, E>();
+  if constexpr (!ReadableMap<P, E>)
+    requirement::first_missing<requirement::readable_map_requirements, P, E>::template explain<P, E>();
 }
 
 /// Fails to compile with one sentence that says what to write, if P is not a map in which Ts can be written at an E.
 template<class P, class E, class T>
 consteval void explain_writable_map() {
-  if constexpr (!WritableMap<P, E, T>) requirement::first_missing<requirement::writable_map_requirements, P, E, T>::template explain<P, E, T>();
+  if constexpr (!WritableMap<P, E, T>)
+    requirement::first_missing<requirement::writable_map_requirements, P, E, T>::template explain<P, E, T>();
 }
 
 }  // namespace concino

@@ -1,8 +1,10 @@
-// AnyMesh: a surface or a volume; Embedded: its verts have coordinates; EmbeddedMesh: both, which most algorithms on meshes require.
+// AnyMesh: a surface or a volume; Embedded: its verts have coordinates; EmbeddedMesh: both, which most algorithms on
+// meshes require.
 //
 // Laws:
 //   EM1  point(m, v) is three finite numbers
-//   EM2  if the type fixes that polys are hexes, not all of them look as if their corners were listed in lexicographic order
+//   EM2  if the type fixes that polys are hexes, not all of them look as if their corners were listed in lexicographic
+//        order
 #pragma once
 
 // In this order, from the base up, so that compilers list few headers before the message.
@@ -31,13 +33,14 @@ struct dimension_requirement {
 
 /// SurfaceMesh or VolumeMesh, written so that compilers report what is missing for the one that `dimension` selects.
 template<class M>
-concept AnyMesh = PrimalGraph<M> && DualGraph<M> && requirement::has_dimension<M> && (SurfaceMesh<M> || requirement::is_volume<M>) &&
-                  (VolumeMesh<M> || requirement::is_surface<M>);
+concept AnyMesh = PrimalGraph<M> && DualGraph<M> && requirement::has_dimension<M> &&
+    (SurfaceMesh<M> || requirement::is_volume<M>) && (VolumeMesh<M> || requirement::is_surface<M>);
 
 namespace requirement {
 
 struct surface_or_volume_requirement {
-  template<class M> static constexpr bool holds = AnyMesh<M>;  // explained as SurfaceMesh or VolumeMesh, according to the dimension
+  template<class M> static constexpr bool holds = AnyMesh<M>;  // explained as SurfaceMesh or VolumeMesh, according to
+                                                               // the dimension
 };
 template<class M>
 struct check<surface_or_volume_requirement, M>
@@ -58,8 +61,8 @@ struct point_requirement {
   }
 };
 
-// Detects a forgotten &: the point that is returned or set belongs to a copy of the mesh, which no longer exists. Views and trivially copyable meshes
-// may be copied.
+// Detects a forgotten &: the point that is returned or set belongs to a copy of the mesh, which no longer exists. Views
+// and trivially copyable meshes may be copied.
 template<class M> concept is_copied_freely = is_view_v<M> || std::is_trivially_copyable_v<std::remove_cvref_t<M>>;
 template<class M, class P>
 concept point_is_of_a_copy = (std::is_lvalue_reference_v<P> || std::is_pointer_v<P>) &&
@@ -75,11 +78,14 @@ struct point_of_the_mesh_requirement {
   }
 };
 
-using embedded_requirements = list<traits_requirements, vert_requirement, point_requirement, point_of_the_mesh_requirement>;
+using embedded_requirements =
+    list<traits_requirements, vert_requirement, point_requirement, point_of_the_mesh_requirement>;
 using embedded_mesh_requirements = list<any_mesh_requirements, embedded_requirements>;
 using embedded_graph_requirements = list<primal_graph_requirements, embedded_requirements>;
 
-template<class M> concept has_set_point = requires(std::remove_cvref_t<M>& m, vert_t<M> v, const double (&x)[3]) { traits<M>::set_point(m, v, x); };
+template<class M> concept has_set_point = requires(std::remove_cvref_t<M>& m, vert_t<M> v, const double (&x)[3]) {
+  traits<M>::set_point(m, v, x);
+};
 struct set_point_requirement {
   template<class M> static constexpr bool holds = has_set_point<M>;
   template<class M> static consteval void explain() {
@@ -88,8 +94,9 @@ struct set_point_requirement {
 };
 
 template<class M>
-concept sets_point_of_the_mesh =
-    !requires { static_cast<void (*)(std::remove_cvref_t<M>, vert_t<M>, const double (&)[3])>(&traits<M>::set_point); } || is_copied_freely<M>;
+concept sets_point_of_the_mesh = is_copied_freely<M> || !requires {
+  static_cast<void (*)(std::remove_cvref_t<M>, vert_t<M>, const double (&)[3])>(&traits<M>::set_point);
+};
 struct set_point_of_the_mesh_requirement {
   template<class M> static constexpr bool holds = sets_point_of_the_mesh<M>;
   template<class M> static consteval void explain() {
@@ -97,19 +104,22 @@ struct set_point_of_the_mesh_requirement {
   }
 };
 
-using mutable_points_requirements = list<embedded_requirements, set_point_requirement, set_point_of_the_mesh_requirement>;
+using mutable_points_requirements =
+    list<embedded_requirements, set_point_requirement, set_point_of_the_mesh_requirement>;
 
 }  // namespace requirement
 
 template<class M>
-concept Embedded = requirement::is_adapted<M> && requirement::has_vert<M> && requirement::has_point<M> && requirement::has_point_of_the_mesh<M>;
+concept Embedded = requirement::is_adapted<M> && requirement::has_vert<M> && requirement::has_point<M> &&
+    requirement::has_point_of_the_mesh<M>;
 
 /// A mesh, or a graph of verts, with coordinates: all that most algorithms need.
 template<class M> concept EmbeddedMesh = AnyMesh<M> && Embedded<M>;
 template<class M> concept EmbeddedGraph = PrimalGraph<M> && Embedded<M>;
 
 /// set_point takes anything with x[0], x[1], x[2].
-template<class M> concept MutablePoints = Embedded<M> && requirement::has_set_point<M> && requirement::sets_point_of_the_mesh<M>;
+template<class M>
+concept MutablePoints = Embedded<M> && requirement::has_set_point<M> && requirement::sets_point_of_the_mesh<M>;
 
 /// Fails to compile with one sentence that names the first thing M lacks to be Embedded and what to write.
 template<class M>
@@ -120,7 +130,8 @@ consteval void explain_embedded() {
 /// Fails to compile with one sentence that names the first thing M lacks to have MutablePoints and what to write.
 template<class M>
 consteval void explain_mutable_points() {
-  if constexpr (!MutablePoints<M>) requirement::first_missing<requirement::mutable_points_requirements, M>::template explain<M>();
+  if constexpr (!MutablePoints<M>)
+    requirement::first_missing<requirement::mutable_points_requirements, M>::template explain<M>();
 }
 
 /// Fails to compile with one sentence that names the first thing M lacks to be an AnyMesh and what to write.
@@ -132,30 +143,35 @@ consteval void explain_any_mesh() {
 /// Fails to compile with one sentence that names the first thing M lacks to be an EmbeddedMesh and what to write.
 template<class M>
 consteval void explain_embedded_mesh() {
-  if constexpr (!EmbeddedMesh<M>) requirement::first_missing<requirement::embedded_mesh_requirements, M>::template explain<M>();
+  if constexpr (!EmbeddedMesh<M>)
+    requirement::first_missing<requirement::embedded_mesh_requirements, M>::template explain<M>();
 }
 
 /// Fails to compile with one sentence that names the first thing M lacks to be an EmbeddedGraph and what to write.
 template<class M>
 consteval void explain_embedded_graph() {
-  if constexpr (!EmbeddedGraph<M>) requirement::first_missing<requirement::embedded_graph_requirements, M>::template explain<M>();
+  if constexpr (!EmbeddedGraph<M>)
+    requirement::first_missing<requirement::embedded_graph_requirements, M>::template explain<M>();
 }
 
 namespace requirement {
 
 // Of a graph of verts alone or of polys alone nothing else is declared.
-template<class M> concept is_graph_of_verts = PrimalGraph<M> && !requires { typename poly_t<M>; } && dimension_v<M> == 0;
+template<class M>
+concept is_graph_of_verts = PrimalGraph<M> && dimension_v<M> == 0 && !requires { typename poly_t<M>; };
 template<class M> concept is_graph_of_polys = DualGraph<M> && !requires { typename vert_t<M>; } && dimension_v<M> == 0;
 
-/// There are mesh_traits<M>, but those of no mesh and of no graph: a member is missing, not static, or of another type, or does not take const M&.
-template<class M> concept is_incomplete = is_adapted<M> && !AnyMesh<M> && !is_graph_of_verts<M> && !is_graph_of_polys<M>;
+/// There are mesh_traits<M>, but those of no mesh and of no graph: a member is missing, not static, or of another type,
+/// or does not take const M&.
+template<class M>
+concept is_incomplete = is_adapted<M> && !AnyMesh<M> && !is_graph_of_verts<M> && !is_graph_of_polys<M>;
 
 }  // namespace requirement
 
 namespace mistake {
 
-/// Converts from a class that is no mesh and no graph: without mesh_traits, or with incomplete ones. For algorithms; the verbs have no_mesh_traits, since
-/// traits call them before they are complete.
+/// Converts from a class that is no mesh and no graph: without mesh_traits, or with incomplete ones. For algorithms;
+/// the verbs have no_mesh_traits, since traits call them before they are complete.
 template<sentence Remedy>
 struct no_mesh {
   template<class M>
@@ -178,7 +194,8 @@ inline constexpr sentence name_the_mesh("the result refers to the mesh, which mu
 /// Whether x is an element of m now.
 /// Needs:  mesh_traits<M>::index_of for elements of its kind.
 /// Result: true or false.
-/// Cost:   that of `contains` if the traits have it (constant time on the meshes of this library); else a search through the elements of its kind.
+/// Cost:   that of `contains` if the traits have it (constant time on the meshes of this library); else a search
+///         through the elements of its kind.
 /// Errors: none.
 inline constexpr struct contains_verb : detail::verb {
   using verb::operator();

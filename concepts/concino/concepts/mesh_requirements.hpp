@@ -24,9 +24,12 @@ struct volume_dimension_requirement {
   }
 };
 
-// Explained before missing types, since equal types change the overloads of the other members. It holds if a type is missing.
-template<class M> concept has_distinct_descriptors =
-    !requires { requires std::same_as<vert_t<M>, edge_t<M>>; } && !requires { requires std::same_as<vert_t<M>, poly_t<M>>; } &&
+// Explained before missing types, since equal types change the overloads of the other members. It holds if a type is
+// missing.
+template<class M>
+concept has_distinct_descriptors =
+    !requires { requires std::same_as<vert_t<M>, edge_t<M>>; } &&
+    !requires { requires std::same_as<vert_t<M>, poly_t<M>>; } &&
     !requires { requires std::same_as<edge_t<M>, poly_t<M>>; };
 struct distinct_descriptors_requirement {
   template<class M> static constexpr bool holds = has_distinct_descriptors<M>;
@@ -44,7 +47,9 @@ struct edge_requirement {
   }
 };
 
-template<class M> concept has_edges = requires(const std::remove_cvref_t<M>& m) { { traits<M>::edges(m) } -> ElementRange<edge_t<M>>; };
+template<class M> concept has_edges = requires(const std::remove_cvref_t<M>& m) {
+  { traits<M>::edges(m) } -> ElementRange<edge_t<M>>;
+};
 struct edges_requirement {
   template<class M> static constexpr bool holds = has_edges<M>;
   template<class M> static consteval void explain() {
@@ -53,7 +58,9 @@ struct edges_requirement {
   }
 };
 
-template<class M> concept has_num_edges = requires(const std::remove_cvref_t<M>& m) { { traits<M>::num_edges(m) } -> std::convertible_to<std::size_t>; };
+template<class M> concept has_num_edges = requires(const std::remove_cvref_t<M>& m) {
+  { traits<M>::num_edges(m) } -> std::convertible_to<std::size_t>;
+};
 struct num_edges_requirement {
   template<class M> static constexpr bool holds = has_num_edges<M>;
   template<class M> static consteval void explain() {
@@ -62,7 +69,9 @@ struct num_edges_requirement {
   }
 };
 
-template<class M> concept has_edge_index_bound = requires(const std::remove_cvref_t<M>& m) { { traits<M>::edge_index_bound(m) } -> std::convertible_to<std::size_t>; };
+template<class M> concept has_edge_index_bound = requires(const std::remove_cvref_t<M>& m) {
+  { traits<M>::edge_index_bound(m) } -> std::convertible_to<std::size_t>;
+};
 struct edge_index_bound_requirement {
   template<class M> static constexpr bool holds = has_edge_index_bound<M>;
   template<class M> static consteval void explain() {
@@ -71,7 +80,9 @@ struct edge_index_bound_requirement {
   }
 };
 
-template<class M> concept has_edge_index_of = requires(const std::remove_cvref_t<M>& m, edge_t<M> e) { { traits<M>::index_of(m, e) } -> std::convertible_to<std::size_t>; };
+template<class M> concept has_edge_index_of = requires(const std::remove_cvref_t<M>& m, edge_t<M> e) {
+  { traits<M>::index_of(m, e) } -> std::convertible_to<std::size_t>;
+};
 struct edge_index_of_requirement {
   template<class M> static constexpr bool holds = has_edge_index_of<M>;
   template<class M> static consteval void explain() {
@@ -80,7 +91,9 @@ struct edge_index_of_requirement {
   }
 };
 
-template<class M> concept has_adj_e2v = requires(const std::remove_cvref_t<M>& m, edge_t<M> e) { { traits<M>::adj_e2v(m, e) } -> ElementRange<vert_t<M>>; };
+template<class M> concept has_adj_e2v = requires(const std::remove_cvref_t<M>& m, edge_t<M> e) {
+  { traits<M>::adj_e2v(m, e) } -> ElementRange<vert_t<M>>;
+};
 struct adj_e2v_requirement {
   template<class M> static constexpr bool holds = has_adj_e2v<M>;
   template<class M> static consteval void explain() {
@@ -89,7 +102,9 @@ struct adj_e2v_requirement {
   }
 };
 
-template<class M> concept has_adj_e2p = requires(const std::remove_cvref_t<M>& m, edge_t<M> e) { { traits<M>::adj_e2p(m, e) } -> ElementRange<poly_t<M>>; };
+template<class M> concept has_adj_e2p = requires(const std::remove_cvref_t<M>& m, edge_t<M> e) {
+  { traits<M>::adj_e2p(m, e) } -> ElementRange<poly_t<M>>;
+};
 struct adj_e2p_requirement {
   template<class M> static constexpr bool holds = has_adj_e2p<M>;
   template<class M> static consteval void explain() {
@@ -98,7 +113,9 @@ struct adj_e2p_requirement {
   }
 };
 
-template<class M> concept has_adj_v2e = requires(const std::remove_cvref_t<M>& m, vert_t<M> v) { { traits<M>::adj_v2e(m, v) } -> ElementRange<edge_t<M>>; };
+template<class M> concept has_adj_v2e = requires(const std::remove_cvref_t<M>& m, vert_t<M> v) {
+  { traits<M>::adj_v2e(m, v) } -> ElementRange<edge_t<M>>;
+};
 struct adj_v2e_requirement {
   template<class M> static constexpr bool holds = has_adj_v2e<M>;
   template<class M> static consteval void explain() {
@@ -107,7 +124,9 @@ struct adj_v2e_requirement {
   }
 };
 
-template<class M> concept has_adj_v2p = requires(const std::remove_cvref_t<M>& m, vert_t<M> v) { { traits<M>::adj_v2p(m, v) } -> ElementRange<poly_t<M>>; };
+template<class M> concept has_adj_v2p = requires(const std::remove_cvref_t<M>& m, vert_t<M> v) {
+  { traits<M>::adj_v2p(m, v) } -> ElementRange<poly_t<M>>;
+};
 struct adj_v2p_requirement {
   template<class M> static constexpr bool holds = has_adj_v2p<M>;
   template<class M> static consteval void explain() {
@@ -116,7 +135,9 @@ struct adj_v2p_requirement {
   }
 };
 
-template<class M> concept has_adj_p2v = requires(const std::remove_cvref_t<M>& m, poly_t<M> p) { { traits<M>::adj_p2v(m, p) } -> ElementRange<vert_t<M>>; };
+template<class M> concept has_adj_p2v = requires(const std::remove_cvref_t<M>& m, poly_t<M> p) {
+  { traits<M>::adj_p2v(m, p) } -> ElementRange<vert_t<M>>;
+};
 struct adj_p2v_requirement {
   template<class M> static constexpr bool holds = has_adj_p2v<M>;
   template<class M> static consteval void explain() {
@@ -125,7 +146,9 @@ struct adj_p2v_requirement {
   }
 };
 
-template<class M> concept has_adj_p2e = requires(const std::remove_cvref_t<M>& m, poly_t<M> p) { { traits<M>::adj_p2e(m, p) } -> ElementRange<edge_t<M>>; };
+template<class M> concept has_adj_p2e = requires(const std::remove_cvref_t<M>& m, poly_t<M> p) {
+  { traits<M>::adj_p2e(m, p) } -> ElementRange<edge_t<M>>;
+};
 struct adj_p2e_requirement {
   template<class M> static constexpr bool holds = has_adj_p2e<M>;
   template<class M> static consteval void explain() {
@@ -162,9 +185,10 @@ struct arity_8_requirement {
 };
 
 /// The requirements common to surfaces and volumes, except dimension and distinct descriptors.
-using mesh_requirements = list<primal_graph_requirements, dual_graph_requirements, edge_requirement, edges_requirement, num_edges_requirement,
-                               edge_index_bound_requirement, edge_index_of_requirement, adj_e2v_requirement, adj_e2p_requirement, adj_v2e_requirement,
-                               adj_v2p_requirement, adj_p2v_requirement, adj_p2e_requirement>;
+using mesh_requirements =
+    list<primal_graph_requirements, dual_graph_requirements, edge_requirement, edges_requirement, num_edges_requirement,
+         edge_index_bound_requirement, edge_index_of_requirement, adj_e2v_requirement, adj_e2p_requirement,
+         adj_v2e_requirement, adj_v2p_requirement, adj_p2v_requirement, adj_p2e_requirement>;
 
 }  // namespace concino::requirement
 

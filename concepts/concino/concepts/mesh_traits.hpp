@@ -1,6 +1,8 @@
-// mesh_traits: the customisation point for mesh types. Specialise it for a mesh type, and every algorithm of the library runs on that type.
+// mesh_traits: the customisation point for mesh types. Specialise it for a mesh type, and every algorithm of the
+// library runs on that type.
 //
-// These are all members that any code of the library looks up; tests/headers/traits_members.cmake compares. All are static. x is an element of any kind.
+// These are all members that any code of the library looks up; tests/headers/traits_members.cmake compares. All are
+// static. x is an element of any kind.
 //
 // Needed, those that the concept in question lists (see the concept headers):
 //   vert edge face poly                      descriptor types, std::regular, all different
@@ -13,13 +15,14 @@
 //   adj_e2v adj_e2f adj_e2p                  (m, e)
 //   adj_f2v adj_f2e adj_f2p                  (m, f)
 //   adj_p2v adj_p2e adj_p2f adj_p2p          (m, p)
-//   face_is_outward                          (m, p, f): whether f's verts run counter-clockwise seen from outside poly p
+//   face_is_outward                          (m, p, f): whether f's verts run counter-clockwise seen from outside p
 //   point                                    (m, v): coordinates
 //
 // Editing (see <concino/concepts/editable.hpp>, <concino/edit.hpp> and docs/adapt-advanced.md):
 //   set_point                                (m, v, x)
 //   rewire                                   (m, c, made): replaces polys by others
-//   why_not_rewire                           (m, c): why the library of m cannot represent what rewire(m, c, made) would make; null if it can
+//   why_not_rewire                           (m, c): why the library of m cannot represent what rewire(m, c, made)
+//                                            would make; null if it can
 //   split_edge flip_edge collapse_edge       operators of the mesh's own
 //   add_vert add_face add_poly remove_vert remove_face remove_poly    single elements
 //   reserve_removal                          (m, polys): allocates the memory for their removal
@@ -28,19 +31,23 @@
 //
 // Optional, they refine what a mesh means:
 //   arity                                    the number of verts of every poly, if that is fixed
-//   is_view                                  true: cheap to copy, does not own its elements (maps then keep a copy of it)
+//   is_view                                  true: cheap to copy, does not own its elements (maps then keep a copy of
+//                                            it)
 //   contains                                 (m, x): whether x is an element of m now, in constant time
 //   edges_in_order                           false if adj_p2e or adj_f2e violates SM7 or VM8: then the verbs sort
 //   properties                               (m): named properties, see <concino/mesh/property.hpp>
 //   first_corner corner_index_bound          (m, p), (m): numbers of corners, for properties of these
 //   base_requirements                        what a base class of the traits needs, see below
-//   tables                                   (m): for indexed_surface and indexed_volume, the base classes of <concino/mesh/indexed_base.hpp>
-//   halfedge_links                           for halfedge_kernel: the traits with the links, which have laws of their own
-//   precompiled                              the meshes of this library: the name of the mesh, for which concino::compiled has algorithms
+//   tables                                   (m): for indexed_surface and indexed_volume, the base classes of
+//                                            <concino/mesh/indexed_base.hpp>
+//   halfedge_links                           for halfedge_kernel: the traits with the links, which have laws of their
+//                                            own
+//   precompiled                              the meshes of this library: the name of the mesh, for which
+//                                            concino::compiled has algorithms
 //
-// Include the adapter, or specialise, before the first use of the type with this library: a call of an algorithm, a check of a concept. A later
-// specialisation for one type is an error. So is a later one for many types, as adapters have, with g++; clang++ accepts it without a warning, but
-// the types used before still model no concept.
+// Include the adapter, or specialise, before the first use of the type with this library: a call of an algorithm, a
+// check of a concept. A later specialisation for one type is an error. So is a later one for many types, as adapters
+// have, with g++; clang++ accepts it without a warning, but the types used before still model no concept.
 #pragma once
 
 #include <concino/concepts/cavity.hpp>
@@ -92,7 +99,8 @@ struct check<base_requirement, M> : std::bool_constant<traits<M>::base_requireme
   using first_missing = typename traits<M>::base_requirements;
 };
 
-/// The first requirements of every list on mesh_traits. Without those of the base nothing else holds, so they are explained first.
+/// The first requirements of every list on mesh_traits. Without those of the base nothing else holds, so they are
+/// explained first.
 using traits_requirements = list<adapted_requirement, base_requirement>;
 
 }  // namespace requirement
@@ -125,15 +133,17 @@ template<class M> inline constexpr bool is_view_v = detail::view_of<traits<M>>::
 
 namespace requirement {
 
-/// An argument that a result may refer to after the call: an lvalue, or a view, which is copied. Functions that return maps require this of
-/// their mesh, so that a call with a temporary mesh does not compile, instead of leaving a dangling pointer.
+/// An argument that a result may refer to after the call: an lvalue, or a view, which is copied. Functions that return
+/// maps require this of their mesh, so that a call with a temporary mesh does not compile, instead of leaving a
+/// dangling pointer.
 template<class M> concept is_lvalue_or_view = std::is_lvalue_reference_v<M> || is_view_v<M>;
 
 }  // namespace requirement
 
-/// Parameter types of deleted functions, with a text that says what to write instead of a call that cannot compile. g++ prints the text in the type
-/// of the parameter, clang++ prints the line of the function. Arguments with that mistake convert to such a type. The conversion and `...` have the
-/// lowest rank in overload resolution, so that any function that accepts the call is preferred.
+/// Parameter types of deleted functions, with a text that says what to write instead of a call that cannot compile. g++
+/// prints the text in the type of the parameter, clang++ prints the line of the function. Arguments with that mistake
+/// convert to such a type. The conversion and `...` have the lowest rank in overload resolution, so that any function
+/// that accepts the call is preferred.
 namespace mistake {
 
 template<std::size_t N>
@@ -153,7 +163,8 @@ struct no_mesh_traits {
 };
 inline constexpr sentence include_adapter("include the adapter of the mesh's library, such as #include <concino/adapters/openmesh.hpp>, or specialise concino::mesh_traits");
 
-/// The type of a default template argument with a text: compilers print it, for mistakes that no parameter type can express.
+/// The type of a default template argument with a text: compilers print it, for mistakes that no parameter type can
+/// express.
 template<sentence Remedy> struct remedy {};
 
 }  // namespace mistake

@@ -57,7 +57,8 @@ class oriented_ring {
     bool operator!=(sentinel) const { return edge_ != r_->edges_.end(); }
   };
 
-  oriented_ring(const M& m, const X& x, const Verts& verts_of, const Edges& edges_of) : verts_(verts_of(m, x)), edges_(edges_of(m, x)) {}
+  oriented_ring(const M& m, const X& x, const Verts& verts_of, const Edges& edges_of)
+      : verts_(verts_of(m, x)), edges_(edges_of(m, x)) {}
   oriented_ring(const oriented_ring&) = delete;
 
   iterator begin() const { return iterator(*this); }
@@ -66,9 +67,11 @@ class oriented_ring {
 
 }  // namespace detail
 
-/// The edges of poly p of a surface, or of face f of a volume, in cyclic order: for (const auto& [e, from, to] : oriented_edges(m, p)).
+/// The edges of poly p of a surface, or of face f of a volume, in cyclic order:
+/// for (const auto& [e, from, to] : oriented_edges(m, p)).
 /// Needs:  SurfaceMesh (poly) or VolumeMesh (face).
-/// Result: a range of oriented_edge<M>: the k-th goes from the k-th vert of adj_p2v or adj_f2v to the next one, the last to the first.
+/// Result: a range of oriented_edge<M>: the k-th goes from the k-th vert of adj_p2v or adj_f2v to the next one, the
+///         last to the first.
 /// Cost:   that of adj_p2v and adj_p2e, or of adj_f2v and adj_f2e; nothing is allocated.
 /// Errors: none.
 inline constexpr struct oriented_edges_verb : detail::verb {

@@ -9,7 +9,8 @@
 namespace concino {
 
 /// A multi-pass range of Ts (values or references, so that `auto x : r` makes a T).
-/// Nothing else is required: no size, no index; begin and end may differ in type, and iterators may be invalid when the range is destroyed.
+/// Nothing else is required: no size, no index; begin and end may differ in type, and iterators may be invalid when the
+/// range is destroyed.
 template<class R, class T>
 concept ElementRange = requires(const R& r, decltype(r.begin()) it) {
   requires std::copyable<decltype(r.begin())> && std::same_as<std::remove_cvref_t<decltype(*it)>, T>;
@@ -19,12 +20,16 @@ concept ElementRange = requires(const R& r, decltype(r.begin()) it) {
 
 /// The number of elements in a range that a verb returns.
 /// Needs:  begin() and end().
-/// Result: the number of elements.      Cost: O(1) if the elements are in an array, else a pass over the range.      Errors: none.
+/// Result: the number of elements.      Cost: O(1) if the elements are in an array, else a pass over the range.
+/// Errors: none.
 inline constexpr struct num_elements_verb {
   template<class R>
     requires requires(const R& range, decltype(range.begin()) it) { it != range.end(); ++it; }
   constexpr std::size_t operator()(const R& range) const {
-    if constexpr (requires { requires std::is_pointer_v<decltype(range.begin())> && std::same_as<decltype(range.begin()), decltype(range.end())>; }) {
+    if constexpr (requires {
+                    requires std::is_pointer_v<decltype(range.begin())>;
+                    requires std::same_as<decltype(range.begin()), decltype(range.end())>;
+                  }) {
       return static_cast<std::size_t>(range.end() - range.begin());
     } else {
       std::size_t n = 0;
@@ -71,7 +76,9 @@ class skipping_iterator {
   using difference_type = std::ptrdiff_t;
 
   constexpr skipping_iterator() = default;
-  constexpr skipping_iterator(unsigned i, unsigned bound, const Skips& skips) : i_(i), bound_(bound), skips_(skips) { skip(); }
+  constexpr skipping_iterator(unsigned i, unsigned bound, const Skips& skips) : i_(i), bound_(bound), skips_(skips) {
+    skip();
+  }
   constexpr Id operator*() const {
     if constexpr (requires(unsigned i) { Id{i}; }) return Id{i_};
     else return Id(static_cast<int>(i_));
@@ -144,7 +151,8 @@ class id_range {
   constexpr std::size_t index_bound() const { return bound_; }
 };
 
-/// Elements 0 .. bound-1 for which a function returns true: the result of ids_where. Iterators must not outlive the range.
+/// Elements 0 .. bound-1 for which a function returns true: the result of ids_where. Iterators must not outlive the
+/// range.
 template<class Id, class Alive>
 class filtered_id_range {
   unsigned bound_;
@@ -159,12 +167,14 @@ class filtered_id_range {
   using iterator = detail::skipping_iterator<Id, is_not_alive>;
   using value_type = Id;
 
-  constexpr filtered_id_range(std::size_t bound, const Alive& alive) : bound_(static_cast<unsigned>(bound)), alive_(alive) {}
+  constexpr filtered_id_range(std::size_t bound, const Alive& alive)
+      : bound_(static_cast<unsigned>(bound)), alive_(alive) {}
   constexpr iterator begin() const { return {0, bound_, {this}}; }
   constexpr iterator end() const { return {bound_, bound_, {this}}; }
 };
 
-/// The elements of a mesh whose indices have gaps: ids_where<vert_id>(bound, [&m](unsigned i) { return !m.is_deleted(i); }).
+/// The elements of a mesh whose indices have gaps:
+/// ids_where<vert_id>(bound, [&m](unsigned i) { return !m.is_deleted(i); }).
 /// Needs:  Id(i) makes an element from an unsigned; alive(i) for all i below bound, with the same result each time.
 /// Result: an ElementRange of Id. It stores a copy of `alive`, so what that refers to must outlive the range.
 /// Cost:   a pass over the range calls alive(i) once for every i.

@@ -1,14 +1,17 @@
-// The requirements of concepts, each written once. A requirement is a named concept, has_verts<M>, and a struct with the message that says what
-// to write:
+// The requirements of concepts, each written once. A requirement is a named concept, has_verts<M>, and a struct with
+// the message that says what to write:
 //
 //   struct verts_requirement {
 //     template<class M> static constexpr bool holds = has_verts<M>;
-//     template<class M> static consteval void explain() { static_assert(detail::missing<M>, "concino: mesh_traits<M> needs verts: ..."); }
+//     template<class M> static consteval void explain() {
+//       static_assert(detail::missing<M>, "concino: mesh_traits<M> needs verts: ...");
+//     }
 //   };
 //
-// A concept is the conjunction of the named concepts. Its list has the structs in the order in which they are explained. Its function explain_...
-// stops at the first one that does not hold. tests/must_not_compile/explain makes the tests from the lists. Each message is in its struct and on
-// one line: clang++ 14 prints a string that is a template argument as numbers, and compilers print strings on several lines badly.
+// A concept is the conjunction of the named concepts. Its list has the structs in the order in which they are
+// explained. Its function explain_... stops at the first one that does not hold. tests/must_not_compile/explain makes
+// the tests from the lists. Each message is in its struct and on one line: clang++ 14 prints a string that is a
+// template argument as numbers, and compilers print strings on several lines badly.
 #pragma once
 
 #include <concepts>
@@ -34,7 +37,8 @@ struct nothing_missing {
   template<class... T> static consteval void explain() { static_assert(detail::missing<T...>, "concino: the list of requirements lacks some that the concept needs"); }
 };
 
-/// Whether requirement or list R holds for the types T; `first_missing` is the requirement itself, or the first one of a list that does not hold.
+/// Whether requirement or list R holds for the types T; `first_missing` is the requirement itself, or the first one of
+/// a list that does not hold.
 template<class R, class... T>
 struct check : std::bool_constant<R::template holds<T...>> {
   using first_missing = R;
@@ -48,8 +52,8 @@ struct check<list<>, T...> : std::true_type {
 
 template<class List, class... T> using first_missing = typename check<List, T...>::first_missing;
 
-/// A list with fixed types T, which ignores the types that are passed: the requirements of a base class of traits (base_requirement of
-/// mesh_traits.hpp), or of one of several types.
+/// A list with fixed types T, which ignores the types that are passed: the requirements of a base class of traits
+/// (base_requirement of mesh_traits.hpp), or of one of several types.
 template<class List, class... T>
 struct bound {
   template<class...> static constexpr bool holds = check<List, T...>::value;
@@ -60,9 +64,10 @@ struct bound {
 
 namespace detail {
 
-// Messages for a member of mesh_traits, or of links, that exists but is wrong. Each function fails to compile with a message, and returns true if the
-// member is missing. It is called in an assertion above the one that names the member, so that its message comes first. IsThere: whether the member
-// exists; it is false for functions with several overloads. One line per message, so that compilers print it in one line.
+// Messages for a member of mesh_traits, or of links, that exists but is wrong. Each function fails to compile with a
+// message, and returns true if the member is missing. It is called in an assertion above the one that names the member,
+// so that its message comes first. IsThere: whether the member exists; it is false for functions with several
+// overloads. One line per message, so that compilers print it in one line.
 // clang-format off
 
 /// The function cannot be called as required, or its result does not convert to the required type.

@@ -1,4 +1,5 @@
-// The views that need no memory: primal(m), dual(m), with_points(m, map). Others: <concino/mesh/submesh.hpp>, <concino/mesh/boundary.hpp>.
+// The views that need no memory: primal(m), dual(m), with_points(m, map). Others: <concino/mesh/submesh.hpp>,
+// <concino/mesh/boundary.hpp>.
 #pragma once
 
 #include <concino/concepts/views/dual.hpp>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
-#include <concino/geometry/detail/lowest_element_search.hpp>
+#include <concino/geometry/detail/lowest_element.hpp>
 #include <concino/mesh/mesh_point.hpp>
 
 namespace concino {

@@ -59,6 +59,8 @@ endforeach()
 # Members: `concino: mesh_traits<M> needs verts: static ElementRange<vert> verts(const M&)`.
 set(folder ${source}/concepts/concino/concepts)
 file(READ ${folder}/verbs.hpp verbs)
+file(READ ${folder}/adjacency_verbs.hpp adjacency_verbs)
+string(APPEND verbs "${adjacency_verbs}")
 file(READ ${folder}/views/forward.hpp views)
 file(READ ${folder}/archetypes/traits.hpp archetypes)
 set(members "")

@@ -43,8 +43,11 @@ struct mesh_traits<archetypes::editable<M>> : mesh_traits<archetypes::archetype<
     traits<M>::set_point(a.base_to_change(), archetypes::access::base(x), at);
   }
   static void rewire(A& a, const cavity_of<v, p>& c, const cavity_result_of<v, p>& made) {
-    const cavity<M> lists{in<p, poly_t<M>>(c.polys), in<v, vert_t<M>>(c.verts), c.points, c.corners, c.ends, c.poly_ends, c.kept, c.removed};
-    traits<M>::rewire(a.base_to_change(), lists, {archetypes::access::base_array<vert_t<M>>(made.verts), archetypes::access::base_array<poly_t<M>>(made.polys)});
+    const cavity<M> lists{in<p, poly_t<M>>(c.polys), in<v, vert_t<M>>(c.verts), c.points, c.corners, c.ends,
+                          c.poly_ends, c.kept, c.removed};
+    traits<M>::rewire(
+        a.base_to_change(), lists,
+        {archetypes::access::base_array<vert_t<M>>(made.verts), archetypes::access::base_array<poly_t<M>>(made.polys)});
   }
 };
 

@@ -1,4 +1,5 @@
-// The weakest descriptor, range, number and point that the concepts allow. Archetypes return them instead of the real ones.
+// The weakest descriptor, range, number and point that the concepts allow. Archetypes return them instead of the real
+// ones.
 #pragma once
 
 #include <concino/concepts/mesh_traits.hpp>
@@ -7,8 +8,8 @@ namespace concino::archetypes {
 
 struct access;
 
-/// A descriptor that is std::regular and nothing else: no order, no hash, no null value, no access to an index, and no construction from {}
-/// without the name of the type.
+/// A descriptor that is std::regular and nothing else: no order, no hash, no null value, no access to an index, and no
+/// construction from {} without the name of the type.
 template<class Base, class Tag>
 class opaque {
   Base base_{};
@@ -30,7 +31,10 @@ struct access {
     static_assert(sizeof(Base) == sizeof(*o) && std::is_standard_layout_v<opaque<Base, Tag>>);
     return reinterpret_cast<const Base*>(o);
   }
-  template<class Base, class Tag> static Base* base_array(opaque<Base, Tag>* o) { return const_cast<Base*>(base_array<Base>(static_cast<const opaque<Base, Tag>*>(o))); }
+  template<class Base, class Tag>
+  static Base* base_array(opaque<Base, Tag>* o) {
+    return const_cast<Base*>(base_array<Base>(static_cast<const opaque<Base, Tag>*>(o)));
+  }
 };
 
 /// A number of elements or an index: converts to std::size_t.
@@ -70,8 +74,9 @@ class point_like {
   constexpr coordinate operator[](int i) const { return coordinate(x_[i]); }
 };
 
-/// A range with iteration and nothing else. The range cannot be copied or moved, and its iterators must not outlive it. Iterators can be
-/// copied, incremented by ++, dereferenced (to a value, not a reference) and compared by != with an end of another type.
+/// A range with iteration and nothing else. The range cannot be copied or moved, and its iterators must not outlive it.
+/// Iterators can be copied, incremented by ++, dereferenced (to a value, not a reference) and compared by != with an
+/// end of another type.
 template<class R, class O>
 class range {
   R base_;

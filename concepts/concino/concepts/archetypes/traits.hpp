@@ -13,10 +13,15 @@ enum parts : unsigned {
   points = 8,
   arity = 16
 };
-constexpr parts operator|(parts a, parts b) { return static_cast<parts>(static_cast<unsigned>(a) | static_cast<unsigned>(b)); }
+constexpr parts operator|(parts a, parts b) {
+  return static_cast<parts>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
 /// Whether `all` includes `some`.
-/// Needs:  sets of the parts above.      Result: true if each part of `some` is one of `all`.      Cost: O(1).      Errors: none.
-constexpr bool has(parts all, parts some) { return (static_cast<unsigned>(all) & static_cast<unsigned>(some)) == static_cast<unsigned>(some); }
+/// Needs:  sets of the parts above.      Result: true if each part of `some` is one of `all`.      Cost: O(1).
+/// Errors: none.
+constexpr bool has(parts all, parts some) {
+  return (static_cast<unsigned>(all) & static_cast<unsigned>(some)) == static_cast<unsigned>(some);
+}
 
 /// A view of m that has the parts P and hides the rest.
 template<class M, parts P>
@@ -28,15 +33,27 @@ class archetype {
   constexpr const M& base() const { return *m_; }
 
   /// Conversion of an element of base() to an opaque descriptor, and back.
-  template<class V = M> constexpr auto vert(const vert_t<V>& x) const { return access::wrap<opaque<vert_t<V>, vert_tag>>(x); }
-  template<class V = M> constexpr auto edge(const edge_t<V>& x) const { return access::wrap<opaque<edge_t<V>, edge_tag>>(x); }
-  template<class V = M> constexpr auto face(const face_t<V>& x) const { return access::wrap<opaque<face_t<V>, face_tag>>(x); }
-  template<class V = M> constexpr auto poly(const poly_t<V>& x) const { return access::wrap<opaque<poly_t<V>, poly_tag>>(x); }
+  template<class V = M>
+  constexpr auto vert(const vert_t<V>& x) const {
+    return access::wrap<opaque<vert_t<V>, vert_tag>>(x);
+  }
+  template<class V = M>
+  constexpr auto edge(const edge_t<V>& x) const {
+    return access::wrap<opaque<edge_t<V>, edge_tag>>(x);
+  }
+  template<class V = M>
+  constexpr auto face(const face_t<V>& x) const {
+    return access::wrap<opaque<face_t<V>, face_tag>>(x);
+  }
+  template<class V = M>
+  constexpr auto poly(const poly_t<V>& x) const {
+    return access::wrap<opaque<poly_t<V>, poly_tag>>(x);
+  }
   template<class Base, class Tag> constexpr Base base(const opaque<Base, Tag>& o) const { return access::base(o); }
 };
 
-/// The same archetype as a mesh that owns its elements: it is not a view and cannot be copied or moved. For algorithms that store a mesh or
-/// a pointer to it.
+/// The same archetype as a mesh that owns its elements: it is not a view and cannot be copied or moved. For algorithms
+/// that store a mesh or a pointer to it.
 template<class A>
 struct owner : A {
   using A::A;
@@ -63,11 +80,12 @@ template<class M> struct arity_value<M, true> { static constexpr int arity = ari
 namespace concino {
 
 template<class M, archetypes::parts P>
-struct mesh_traits<archetypes::archetype<M, P>> : archetypes::vert_type<M, has(P, archetypes::primal) || has(P, archetypes::points)>,
-                                             archetypes::poly_type<M, has(P, archetypes::dual)>,
-                                             archetypes::edge_type<M, has(P, archetypes::mesh)>,
-                                             archetypes::face_type<M, has(P, archetypes::mesh) && dimension_v<M> == 3>,
-                                             archetypes::arity_value<M, has(P, archetypes::arity)> {
+struct mesh_traits<archetypes::archetype<M, P>>
+    : archetypes::vert_type<M, has(P, archetypes::primal) || has(P, archetypes::points)>,
+      archetypes::poly_type<M, has(P, archetypes::dual)>,
+      archetypes::edge_type<M, has(P, archetypes::mesh)>,
+      archetypes::face_type<M, has(P, archetypes::mesh) && dimension_v<M> == 3>,
+      archetypes::arity_value<M, has(P, archetypes::arity)> {
   static constexpr bool is_view = true;
 
  private:
@@ -129,10 +147,14 @@ struct mesh_traits<archetypes::archetype<M, P>> : archetypes::vert_type<M, has(P
 
   // clang-format on
 
-  template<class X = M> requires volume static constexpr archetypes::boolean_like face_is_outward(const A& a, const p<X>& x, const f<X>& y) {
+  template<class X = M>
+    requires volume
+  static constexpr archetypes::boolean_like face_is_outward(const A& a, const p<X>& x, const f<X>& y) {
     return archetypes::boolean_like(T::face_is_outward(a.base(), in(x), in(y)));
   }
-  template<class X = M> requires(has(P, archetypes::points)) static constexpr archetypes::point_like point(const A& a, const v<X>& x) {
+  template<class X = M>
+    requires(has(P, archetypes::points))
+  static constexpr archetypes::point_like point(const A& a, const v<X>& x) {
     const auto& at = T::point(a.base(), in(x));
     return {static_cast<double>(at[0]), static_cast<double>(at[1]), static_cast<double>(at[2])};
   }

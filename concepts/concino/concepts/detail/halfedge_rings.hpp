@@ -1,59 +1,12 @@
 // The ranges that halfedge_kernel returns: traversals around a vert or along a poly, computed lazily.
 #pragma once
 
+#include <concino/concepts/detail/border_halfedges.hpp>
 #include <concino/concepts/mesh_traits.hpp>
 
 namespace concino::detail {
 
 enum class ring_kind { v2v, v2e, v2p, p2v, p2e };
-
-/// Adds border half-edges to links that have none. The border half-edge of an edge is stored as the half-edge on its other side; the
-/// next one along the border is found by a walk around the vert between them.
-template<class M, class K>
-struct border_halfedges {
-  using vert = typename K::vert;
-  using edge = typename K::edge;
-  using poly = typename K::poly;
-  struct halfedge {
-    typename K::halfedge inner{};
-    bool border = false;
-    friend bool operator==(const halfedge&, const halfedge&) = default;
-  };
-
-  static halfedge opposite(const M& m, const halfedge& h) {
-    if (h.border) return {h.inner, false};
-    if (K::has_opposite(m, h.inner)) return {K::opposite(m, h.inner), false};
-    return {h.inner, true};
-  }
-  static halfedge next(const M& m, const halfedge& h) {
-    if (!h.border) return {K::next(m, h.inner), false};
-    typename K::halfedge g = previous(m, h.inner);
-    while (K::has_opposite(m, g)) g = previous(m, K::opposite(m, g));
-    return {g, true};
-  }
-  static vert target(const M& m, const halfedge& h) { return K::target(m, h.border ? previous(m, h.inner) : h.inner); }
-  static bool is_border(const M&, const halfedge& h) { return h.border; }
-  static poly poly_of(const M& m, const halfedge& h) { return K::poly_of(m, h.inner); }
-  static edge edge_of(const M& m, const halfedge& h) { return K::edge_of(m, h.inner); }
-  static bool is_isolated(const M& m, const vert& v) { return K::is_isolated(m, v); }
-  template<class X> static halfedge halfedge_of(const M& m, const X& x) { return {K::halfedge_of(m, x), false}; }
-
- private:
-  static typename K::halfedge previous(const M& m, const typename K::halfedge& h) {
-    if constexpr (requires { K::previous(m, h); }) {
-      return K::previous(m, h);
-    } else {
-      typename K::halfedge g = K::next(m, h), after = K::next(m, g);
-      for (; !(after == h); after = K::next(m, g)) g = after;
-      return g;
-    }
-  }
-};
-
-template<class M, class K, bool HasBorder> struct complete_links { using type = K; };
-template<class M, class K> struct complete_links<M, K, false> { using type = border_halfedges<M, K>; };
-/// Links with border half-edges: K itself, or border_halfedges of it.
-template<class M, class K> using links_with_border = typename complete_links<M, K, !requires { requires !K::has_border_halfedges; }>::type;
 
 /// The elements at the half-edges that leave a vert, or that go along a poly: far ends, edges or polys.
 template<class M, class K, ring_kind Ring>
@@ -81,12 +34,15 @@ class halfedge_ring {
     }
 
    public:
-    using value_type = std::conditional_t<Ring == ring_kind::v2v || Ring == ring_kind::p2v, typename K::vert,
-                                          std::conditional_t<Ring == ring_kind::v2p, typename K::poly, typename K::edge>>;
+    using value_type =
+        std::conditional_t<Ring == ring_kind::v2v || Ring == ring_kind::p2v, typename K::vert,
+                           std::conditional_t<Ring == ring_kind::v2p, typename K::poly, typename K::edge>>;
     using difference_type = std::ptrdiff_t;
 
     iterator() = default;
-    iterator(const M* m, const halfedge& first, bool done) : m_(m), first_(first), at_(first), done_(done) { skip_border(); }
+    iterator(const M* m, const halfedge& first, bool done) : m_(m), first_(first), at_(first), done_(done) {
+      skip_border();
+    }
     value_type operator*() const {
       if constexpr (Ring == ring_kind::v2v || Ring == ring_kind::p2v) return K::target(*m_, at_);
       else if constexpr (Ring == ring_kind::v2p) return K::poly_of(*m_, at_);
@@ -102,7 +58,9 @@ class halfedge_ring {
       ++*this;
       return old;
     }
-    friend bool operator==(const iterator& a, const iterator& b) { return a.done_ == b.done_ && (a.done_ || a.at_ == b.at_); }
+    friend bool operator==(const iterator& a, const iterator& b) {
+      return a.done_ == b.done_ && (a.done_ || a.at_ == b.at_);
+    }
   };
 
   template<class X>
@@ -149,8 +107,9 @@ class halfedge_neighbours {
     const halfedge o = K::opposite(m, h);
     return !K::is_border(m, o) && K::poly_of(m, o) == q;
   }
-  /// Whether q, the poly behind `at`, is also behind an edge of p from `first` up to `at`. It walks along p and around q at the same time and stops
-  /// after the shorter walk, unless q is adjacent to p more than once. Not inlined and by value, so that loops around it keep their values in registers.
+  /// Whether q, the poly behind `at`, is also behind an edge of p from `first` up to `at`. It walks along p and around
+  /// q at the same time and stops after the shorter walk, unless q is adjacent to p more than once. Not inlined and by
+  /// value, so that loops around it keep their values in registers.
   static bool is_adjacent_between(const M& m, poly p, poly q, halfedge first, halfedge at) {
     const halfedge start = K::opposite(m, at);
     halfedge g = start;
@@ -172,8 +131,8 @@ class halfedge_neighbours {
     halfedge first_{}, at_{};
     bool done_ = true;
     unsigned num_visited_ = 0;
-    // The first polys found: enough to detect all repetitions in a triangle or quad. Constructed one by one, since a descriptor's default
-    // constructor may be explicit.
+    // The first polys found: enough to detect all repetitions in a triangle or quad. Constructed one by one, since a
+    // descriptor's default constructor may be explicit.
     poly recent_[4] = {poly(), poly(), poly(), poly()};
 
     bool is_repeated() const {
@@ -203,7 +162,9 @@ class halfedge_neighbours {
     using difference_type = std::ptrdiff_t;
 
     iterator() = default;
-    iterator(const M& m, const poly& p) : m_(&m), p_(p), first_(K::halfedge_of(m, p)), at_(first_), done_(false) { find(); }
+    iterator(const M& m, const poly& p) : m_(&m), p_(p), first_(K::halfedge_of(m, p)), at_(first_), done_(false) {
+      find();
+    }
     poly operator*() const { return q_; }
     iterator& operator++() {
       step();
@@ -215,12 +176,15 @@ class halfedge_neighbours {
       ++*this;
       return old;
     }
-    friend bool operator==(const iterator& a, const iterator& b) { return a.done_ == b.done_ && (a.done_ || a.at_ == b.at_); }
+    friend bool operator==(const iterator& a, const iterator& b) {
+      return a.done_ == b.done_ && (a.done_ || a.at_ == b.at_);
+    }
   };
 
   halfedge_neighbours(const M& m, const poly& p) : m_(&m), p_(p) {}
-  /// Calls f(q) for all of them in the same order. f is called at one place only, so that compilers inline it. The last four polys found (p: none yet)
-  /// are variables, not an array, so that they stay in registers; a triangle uses two of them.
+  /// Calls f(q) for all of them in the same order. f is called at one place only, so that compilers inline it. The last
+  /// four polys found (p: none yet) are variables, not an array, so that they stay in registers; a triangle uses two of
+  /// them.
   template<class F>
   constexpr void for_each(F&& f) const {
     const M& m = *m_;
@@ -247,8 +211,8 @@ class halfedge_neighbours {
       f(q);
     } while (!(h == first));
   }
-  /// Calls f(q) for the poly behind each edge. A poly behind several edges is repeated, and p itself occurs if it is on both sides of an
-  /// edge. For loops in which repetitions do no harm: they avoid the cost of finding them.
+  /// Calls f(q) for the poly behind each edge. A poly behind several edges is repeated, and p itself occurs if it is on
+  /// both sides of an edge. For loops in which repetitions do no harm: they avoid the cost of finding them.
   template<class F>
   constexpr void for_each_with_repeats(F&& f) const {
     const M& m = *m_;

@@ -1,4 +1,5 @@
-// Sorts the edges of a polygon, or of a tet, into the order that the laws require, for models that declare edges_in_order = false.
+// Sorts the edges of a polygon, or of a tet, into the order that the laws require, for models that declare
+// edges_in_order = false.
 #pragma once
 
 #include <concino/concepts/mesh_traits.hpp>
@@ -123,7 +124,8 @@ class edges_along_ring {
 
   edges_along_ring(const M& m, const owner& x) : ring_(Of::verts(m, x)), find_(m, x) {
     std::size_t n = 0;
-    for (auto it = ring_.begin(); it != ring_.end() && !is_long_; ++it) is_long_ = ++n > edge_finder<M, Of>::max_compared;
+    for (auto it = ring_.begin(); it != ring_.end() && !is_long_; ++it)
+      is_long_ = ++n > edge_finder<M, Of>::max_compared;
   }
   edges_along_ring(const edges_along_ring&) = delete;
 
@@ -167,15 +169,21 @@ class edges_of_tet {
   sentinel end() const { return {}; }
 };
 
-template<class M, int = dimension_v<M>> struct sorted_edges_of_poly { using type = edges_along_ring<M, edges_of_polys<M>>; };
+template<class M, int = dimension_v<M>>
+struct sorted_edges_of_poly {
+  using type = edges_along_ring<M, edges_of_polys<M>>;
+};
 template<class M> struct sorted_edges_of_poly<M, 3> { using type = edges_of_tet<M>; };
 
-/// Whether the verbs sort. The order is defined for the polys of surfaces and for tets, and for all faces. If the member does not return a range of
-/// edges, the verbs do not sort, so that explain_...() can say what is wrong with it.
+/// Whether the verbs sort. The order is defined for the polys of surfaces and for tets, and for all faces. If the
+/// member does not return a range of edges, the verbs do not sort, so that explain_...() can say what is wrong with it.
 template<class M>
 struct order_of_edges {
-  static constexpr bool sorts_those_of_polys = lists_edges_unordered<M> && (dimension_v<M> == 2 || (dimension_v<M> == 3 && arity_v<M> == 4)) &&
-      requires(const M& m, poly_t<M> p) { { traits<M>::adj_p2e(m, p) } -> ElementRange<edge_t<M>>; };
+  static constexpr bool sorts_those_of_polys = lists_edges_unordered<M> &&
+                                               (dimension_v<M> == 2 || (dimension_v<M> == 3 && arity_v<M> == 4)) &&
+                                               requires(const M& m, poly_t<M> p) {
+    { traits<M>::adj_p2e(m, p) } -> ElementRange<edge_t<M>>;
+  };
   static constexpr bool sorts_those_of_faces = lists_edges_unordered<M> && dimension_v<M> == 3 &&
       requires(const M& m, face_t<M> f) { { traits<M>::adj_f2e(m, f) } -> ElementRange<edge_t<M>>; };
   using of_poly = typename sorted_edges_of_poly<M>::type;
@@ -187,18 +195,23 @@ struct order_of_edges {
 namespace concino::requirement {
 
 // What sorting uses: the ends of edges; for polygons with many edges, so not for tets, also the edges at verts.
-template<class M>
-concept has_edges_by_ends = requires(const M& m, edge_t<M> e) { { traits<M>::adj_e2v(m, e) } -> ElementRange<vert_t<M>>; };
-template<class M>
-concept has_polys_edges_by_ends = has_edges_by_ends<M> && requires(const M& m, poly_t<M> p) { { traits<M>::adj_p2v(m, p) } -> ElementRange<vert_t<M>>; };
-template<class M>
-concept has_edges_at_verts = requires(const M& m, vert_t<M> v) { { traits<M>::adj_v2e(m, v) } -> ElementRange<edge_t<M>>; };
+template<class M> concept has_edges_by_ends = requires(const M& m, edge_t<M> e) {
+  { traits<M>::adj_e2v(m, e) } -> ElementRange<vert_t<M>>;
+};
+template<class M> concept has_polys_edges_by_ends = has_edges_by_ends<M> && requires(const M& m, poly_t<M> p) {
+  { traits<M>::adj_p2v(m, p) } -> ElementRange<vert_t<M>>;
+};
+template<class M> concept has_edges_at_verts = requires(const M& m, vert_t<M> v) {
+  { traits<M>::adj_v2e(m, v) } -> ElementRange<edge_t<M>>;
+};
 
 /// The edges of polys (of faces) need no sorting, or the traits have all that sorting needs.
 template<class M>
-concept can_sort_edges_of_polys = !concino::detail::order_of_edges<M>::sorts_those_of_polys || (dimension_v<M> == 3 && has_polys_edges_by_ends<M>) ||
-    (has_polys_edges_by_ends<M> && has_edges_at_verts<M> &&
-     requires(const M& m, edge_t<M> e) { { traits<M>::adj_e2p(m, e) } -> ElementRange<poly_t<M>>; });
+concept can_sort_edges_of_polys =
+    !concino::detail::order_of_edges<M>::sorts_those_of_polys || (dimension_v<M> == 3 && has_polys_edges_by_ends<M>) ||
+    (has_polys_edges_by_ends<M> && has_edges_at_verts<M> && requires(const M& m, edge_t<M> e) {
+      { traits<M>::adj_e2p(m, e) } -> ElementRange<poly_t<M>>;
+    });
 template<class M>
 concept can_sort_edges_of_faces = !concino::detail::order_of_edges<M>::sorts_those_of_faces ||
     (has_edges_by_ends<M> && has_edges_at_verts<M> && requires(const M& m, edge_t<M> e, face_t<M> f) {

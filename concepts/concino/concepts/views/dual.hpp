@@ -20,9 +20,10 @@ struct mesh_traits<views::dual_view<M>> : detail::forward_polys<views::dual_view
   static constexpr bool is_view = true;
 };
 
-/// Needs:  DualGraph M. A mesh that owns its elements must outlive the view, so a temporary one is refused; of a view it keeps a copy.
-/// Result: models DualGraph, but no PrimalGraph: its nodes are the polys of m, joined if they share an edge (surface) or a face
-///         (volume).
+/// Needs:  DualGraph M. A mesh that owns its elements must outlive the view, so a temporary one is refused; of a view
+///         it keeps a copy.
+/// Result: models DualGraph, but no PrimalGraph: its nodes are the polys of m, joined if they share an edge (surface)
+///         or a face (volume).
 /// Cost:   none.
 /// Errors: none.
 template<DualGraph M> constexpr auto dual(const M& m) { return views::dual_view<M>(m); }

@@ -96,7 +96,9 @@ struct forward_faces : forward_edges<V, M> {
   static decltype(auto) adj_f2e(const V& m, const face& x) { return concino::adj_f2e(m.base(), x); }
   static decltype(auto) adj_f2p(const V& m, const face& x) { return traits<M>::adj_f2p(m.base(), x); }
   static decltype(auto) adj_p2f(const V& m, const poly& x) { return traits<M>::adj_p2f(m.base(), x); }
-  static bool face_is_outward(const V& m, const poly& p, const face& f) { return concino::face_is_outward(m.base(), p, f); }
+  static bool face_is_outward(const V& m, const poly& p, const face& f) {
+    return concino::face_is_outward(m.base(), p, f);
+  }
 };
 
 /// The largest of these sets that M models.

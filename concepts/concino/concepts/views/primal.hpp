@@ -21,7 +21,8 @@ struct mesh_traits<views::primal_view<M>> : detail::forward_verts<views::primal_
   static constexpr bool is_view = true;
 };
 
-/// Needs:  PrimalGraph M. A mesh that owns its elements must outlive the view, so a temporary one is refused; of a view it keeps a copy.
+/// Needs:  PrimalGraph M. A mesh that owns its elements must outlive the view, so a temporary one is refused; of a view
+///         it keeps a copy.
 /// Result: models PrimalGraph, and Embedded if M does, but no DualGraph. Its descriptors are those of m.
 /// Cost:   none.
 /// Errors: none.

@@ -16,7 +16,9 @@ class with_points_view : public view_base<M> {
   kept points_;
 
  public:
-  constexpr with_points_view(const M& m, const std::remove_cvref_t<P>& points) requires by_reference : view_base<M>(m), points_(&points) {}
+  constexpr with_points_view(const M& m, const std::remove_cvref_t<P>& points)
+    requires by_reference
+      : view_base<M>(m), points_(&points) {}
   constexpr with_points_view(const M& m, std::remove_cvref_t<P>&& points) requires(!by_reference)
       : view_base<M>(m), points_(static_cast<std::remove_cvref_t<P>&&>(points)) {}
   constexpr const auto& points() const {
@@ -29,20 +31,24 @@ class with_points_view : public view_base<M> {
 
 template<class M, class P>
 struct mesh_traits<views::with_points_view<M, P>> : detail::forward_all<views::with_points_view<M, P>, M>,
-                                                    detail::forward_properties<views::with_points_view<M, P>, M>, detail::fixed_arity<arity_v<M>> {
+                                                    detail::forward_properties<views::with_points_view<M, P>, M>,
+                                                    detail::fixed_arity<arity_v<M>> {
   static constexpr bool is_view = true;
   static decltype(auto) point(const views::with_points_view<M, P>& m, const vert_t<M>& v) { return m.points()[v]; }
 };
 
-/// Needs:  PrimalGraph M; points[v] is a point p with p[0], p[1], p[2] for each vert v. A mesh that owns its elements must outlive the
-///         view, so a temporary one is refused. A map that is an lvalue must outlive it too; a temporary map is stored in the view.
-/// Result: models what M models, and Embedded. Its descriptors are those of m, and it has the named properties of m, if there are any.
+/// Needs:  PrimalGraph M; points[v] is a point p with p[0], p[1], p[2] for each vert v. A mesh that owns its elements
+///         must outlive the view, so a temporary one is refused. A map that is an lvalue must outlive it too; a
+///         temporary map is stored in the view.
+/// Result: models what M models, and Embedded. Its descriptors are those of m, and it has the named properties of m, if
+///         there are any.
 /// Cost:   none; copying the view copies a map that is stored in it.
 /// Errors: none.
 template<PrimalGraph M, class P>
   requires requirement::gives_points<P, vert_t<M>>
 constexpr auto with_points(const M& m, P&& points) {
-  if constexpr (std::is_lvalue_reference_v<P>) return views::with_points_view<M, const std::remove_cvref_t<P>&>(m, points);
+  if constexpr (std::is_lvalue_reference_v<P>)
+    return views::with_points_view<M, const std::remove_cvref_t<P>&>(m, points);
   else return views::with_points_view<M, std::remove_cvref_t<P>>(m, static_cast<P&&>(points));
 }
 template<PrimalGraph M, class P, class R = mistake::remedy<mistake::name_the_mesh>>

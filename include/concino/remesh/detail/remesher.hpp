@@ -11,6 +11,7 @@
 #include <concino/edit/edge_flip.hpp>
 #include <concino/edit/edge_split.hpp>
 #include <concino/remesh/detail/flat_triangles.hpp>
+#include <concino/remesh/detail/flip_weights.hpp>
 #include <concino/remesh/detail/sized_surface.hpp>
 
 #include <algorithm>
@@ -75,26 +76,6 @@ class remesher : sized_surface<M> {
     return true;
   }
 
-  /// How far the number of edges at a vert is from that of a regular one, squared, if `more` are added.
-  int irregularity(const vert_t<M>& v, int more) const {
-    const int wanted = is_boundary(m_, v) ? 4 : 6;
-    const int n = static_cast<int>(num_elements(adj_v2e(m_, v))) + more - wanted;
-    return n * n;
-  }
-
-  /// What an edge of this ratio counts beside the irregularity of verts.
-  static int weight_of_length(double ratio) { return has_good_length(ratio) ? 0 : 5; }
-
-  /// What a triangle counts if it is a sliver: one of its angles is above 143 degrees.
-  static int weight_of_shape(const vec3& a, const vec3& b, const vec3& c) {
-    const vec3 x = b - a, y = c - b, z = a - c;
-    const double xx = dot(x, x), yy = dot(y, y), zz = dot(z, z);
-    // of the two sides at the greatest angle
-    const double product = xx >= yy && xx >= zz ? dot(y, z) : yy >= zz ? dot(z, x) : dot(x, y);
-    const double squares = xx >= yy && xx >= zz ? yy * zz : yy >= zz ? zz * xx : xx * yy;
-    return product > 0 && product * product > 0.64 * squares ? 5 : 0;
-  }
-
   bool try_flip(const edge_t<M>& e) {
     if (lines.has(m_, e)) return false;
     const auto [a, b] = end_verts(m_, e);
@@ -112,12 +93,14 @@ class remesher : sized_surface<M> {
     }
     if (k != 2) return false;
     const auto [c, d] = opposite;
-    const int now = irregularity(a, 0) + irregularity(b, 0) + irregularity(c, 0) + irregularity(d, 0);
+    const int now = irregularity(m_, a, 0) + irregularity(m_, b, 0) + irregularity(m_, c, 0) + irregularity(m_, d, 0);
     const vec3 xa = at(a), xb = at(b), xc = at(c), xd = at(d);
-    const int then = irregularity(a, -1) + irregularity(b, -1) + irregularity(c, 1) + irregularity(d, 1) +
-                     weight_of_shape(xa, xc, xd) + weight_of_shape(xb, xc, xd);
+    const int then = irregularity(m_, a, -1) + irregularity(m_, b, -1) + irregularity(m_, c, 1) +
+                     irregularity(m_, d, 1) + weight_of_shape(xa, xc, xd) + weight_of_shape(xb, xc, xd);
     const int shapes_now = weight_of_shape(xa, xb, xc) + weight_of_shape(xa, xb, xd);
-    if (then + weight_of_length(ratio(c, d)) >= now + shapes_now + weight_of_length(ratio(e))) return false;
+    if (then + weight_of_length(has_good_length(ratio(c, d))) >=
+        now + shapes_now + weight_of_length(has_good_length(ratio(e))))
+      return false;
     const vec3 first = cross(xc - xa, xd - xa), second = cross(xd - xb, xc - xb);  // of equal orientation
     const bool is_reversed = dot(first, sum) < 0;
     const double sign = is_reversed ? -1 : 1;

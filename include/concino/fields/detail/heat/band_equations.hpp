@@ -4,6 +4,7 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/core/function_ref.hpp>
+#include <concino/fields/detail/heat/heat_rows.hpp>
 
 #include <Eigen/SparseCore>
 
@@ -12,20 +13,6 @@
 #include <vector>
 
 namespace concino::detail {
-
-/// A heat matrix whose verts are in the order in which heat decreases. Each row has the entries left of its diagonal
-/// only, with the sign reversed.
-struct heat_rows {
-  std::vector<int> begin{0}, column;
-  std::vector<double> entry, diagonal;
-  std::vector<double> mass;  // the sum of the whole row, at least min_mass of its diagonal entry
-
-  static constexpr double min_mass = 1e-3;
-
-  heat_rows() = default;
-  /// lower: the lower triangle of the matrix, with positive diagonal entries. order: its rows in the new order.
-  heat_rows(const Eigen::SparseMatrix<double>& lower, std::span<const int> order);
-};
 
 /// Solves the equations of the verts [first, end) of heat_rows, as if there were no verts after them.
 ///

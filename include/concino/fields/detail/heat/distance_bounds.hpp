@@ -3,6 +3,7 @@
 
 #include <concino/core/indexed_heap.hpp>
 #include <concino/fields/detail/heat/distance_graph.hpp>
+#include <concino/fields/detail/heat/distance_node.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -65,33 +66,9 @@ class distance_graph::search {
     return std::sqrt((s.x - x) * (s.x - x) + (s.y - y) * (s.y - y) + height * height);
   }
 
-  struct node {
-    double path_length = infinity;
-    double before = 0;
-    double curvature_deficit = 0;  // 1 / distance minus the curvature of the front: 0 on a plane; if step is not 0, the
-                                   // value one step earlier
-    double radius = 0, step = 0;
-    double mean_curvature = 0;  // of the surface, over that step
-    double curvature = 0;
-    int source = -1;
-    std::uint8_t state = 0;  // bit 0: settled; the rest counts later improvements, which are limited
-    bool is_settled() const { return state & 1; }
-
-    /// Riccati's equation c' = -c^2 - K for the curvature c of a front, with c = 1 / radius - curvature_deficit. A
-    /// front that is as narrow as a step is too uncertain.
-    void update_curvature_deficit() {
-      if (!(step > 0)) return;
-      const double rate = mean_curvature - 2 * curvature_deficit / std::max(radius, step) +
-                          curvature_deficit * curvature_deficit,
-                   most = 1 / step;
-      curvature_deficit = std::clamp(curvature_deficit + step * rate, -most, most);
-      step = 0;
-    }
-  };
-
   const distance_graph& graph_;
   const double longest_;
-  std::vector<node> node_;
+  std::vector<distance_node> nodes_;
   std::vector<double> waiting_;  // path lengths of the verts in the queue
   core::indexed_heap<int> queue_;
   std::vector<int> offered_;         // verts improved since the last vert left the queue
@@ -99,20 +76,20 @@ class distance_graph::search {
   std::vector<std::pair<int, double>> tet_paths_;  // verts, and lengths of paths to them
   std::vector<std::uint8_t> known_;  // of each tet: bits of its settled corners
 
-  node& at(int v) { return node_[static_cast<std::size_t>(v)]; }
-  const node& at(int v) const { return node_[static_cast<std::size_t>(v)]; }
+  distance_node& at(int v) { return nodes_[static_cast<std::size_t>(v)]; }
+  const distance_node& at(int v) const { return nodes_[static_cast<std::size_t>(v)]; }
   const vec3& position(int v) const { return graph_.positions_[static_cast<std::size_t>(v)]; }
 
-  void offer(int vert, double length, const node& from) {
-    node& n = at(vert);
+  void offer(int vert, double length, const distance_node& from) {
+    distance_node& n = at(vert);
     n.path_length = length;
     n.source = from.source;
     n.before = from.before;
     offered_.push_back(vert);
   }
-  void offer(int vert, double length, const node& from, double curvature_deficit, double radius, double step) {
+  void offer(int vert, double length, const distance_node& from, double curvature_deficit, double radius, double step) {
     offer(vert, length, from);
-    node& n = at(vert);
+    distance_node& n = at(vert);
     n.curvature_deficit = curvature_deficit;
     n.radius = radius;
     n.step = step;
@@ -122,23 +99,23 @@ class distance_graph::search {
   void queue_offered() {
     for (const int v : offered_) {
       const auto i = static_cast<std::size_t>(v);
-      if (!(node_[i].path_length < waiting_[i] && node_[i].path_length <= longest_)) continue;
-      if (node_[i].is_settled() && waiting_[i] == infinity)
-        node_[i].state = static_cast<std::uint8_t>(std::min(node_[i].state + 2, 255));
-      queue_.decrease_key(v, i, node_[i].path_length);
+      if (!(nodes_[i].path_length < waiting_[i] && nodes_[i].path_length <= longest_)) continue;
+      if (nodes_[i].is_settled() && waiting_[i] == infinity)
+        nodes_[i].state = static_cast<std::uint8_t>(std::min(nodes_[i].state + 2, 255));
+      queue_.decrease_key(v, i, nodes_[i].path_length);
     }
     offered_.clear();
   }
 
   /// Whether a path across to a vert is shorter, by more than rounding, than the known one.
-  static bool improves(const node& n, double path_length) {
+  static bool improves(const distance_node& n, double path_length) {
     return n.path_length - path_length > 1e-12 * std::abs(path_length);
   }
 
   /// Whether the front may have reached the end `last` of the triangle through the other end. Fills in c, except for
   /// its path length.
-  bool may_cross(const node& from, const corner& triangle, std::size_t last, crossing& c) const {
-    const node &other = at(triangle.ends[1 - last]), &to = at(triangle.ends[last]);
+  bool may_cross(const distance_node& from, const corner& triangle, std::size_t last, crossing& c) const {
+    const distance_node &other = at(triangle.ends[1 - last]), &to = at(triangle.ends[last]);
     c.triangle = &triangle;
     c.last = last;
     c.near = other.path_length - from.before;
@@ -151,13 +128,13 @@ class distance_graph::search {
 
   /// All paths are found before any is offered, so that they do not depend on the order of the triangles.
   void cross_triangles(std::size_t v) {
-    const node& from = node_[v];
+    const distance_node& from = nodes_[v];
     const std::size_t first = graph_.simplex_begin_[v], end = graph_.simplex_begin_[v + 1];
     if (crossings_.size() < 2 * (end - first)) crossings_.resize(2 * (end - first));
     std::size_t n = 0;
     for (std::size_t k = first; k < end; ++k) {
       const corner& triangle = graph_.corner_[k];
-      const node &a = at(triangle.ends[0]), &b = at(triangle.ends[1]);
+      const distance_node &a = at(triangle.ends[0]), &b = at(triangle.ends[1]);
       const std::size_t farther = b.path_length > a.path_length, nearer = 1 - farther;
       n += may_cross(from, triangle, farther, crossings_[n]);
       if (std::min(a.path_length, b.path_length) > from.path_length && at(triangle.ends[farther]).is_settled())
@@ -175,10 +152,10 @@ class distance_graph::search {
     }
   }
 
-  void cross(const node& from, const int* corners, std::size_t last) {
+  void cross(const distance_node& from, const int* corners, std::size_t last) {
     const int at_a = corners[others[last][0]], at_b = corners[others[last][1]], at_c = corners[others[last][2]];
-    const node &a = at(at_a), &b = at(at_b), &c = at(at_c);
-    const node& to = at(corners[last]);
+    const distance_node &a = at(at_a), &b = at(at_b), &c = at(at_c);
+    const distance_node& to = at(corners[last]);
     if (a.source != from.source || b.source != from.source || c.source != from.source || to.state >= max_changes)
       return;
     if (to.path_length <= std::min({a.path_length, b.path_length, c.path_length})) return;
@@ -190,7 +167,7 @@ class distance_graph::search {
   }
 
   void visit_triangles(std::size_t v) {
-    const node& from = node_[v];
+    const distance_node& from = nodes_[v];
     for (std::size_t k = graph_.neighbour_begin_[v]; k < graph_.neighbour_begin_[v + 1]; ++k) {
       const neighbour& n = graph_.neighbour_[k];
       const double path_length = from.path_length + n.length;
@@ -201,7 +178,7 @@ class distance_graph::search {
   }
 
   void visit_tets(std::size_t v) {
-    const node& from = node_[v];
+    const distance_node& from = nodes_[v];
     for (std::size_t k = graph_.neighbour_begin_[v]; k < graph_.neighbour_begin_[v + 1]; ++k) {
       const neighbour& n = graph_.neighbour_[k];
       const double path_length = from.path_length + n.length;
@@ -221,14 +198,14 @@ class distance_graph::search {
 
  public:
   search(const distance_graph& graph, double longest)
-      : graph_(graph), longest_(longest), node_(graph.positions_.size()), waiting_(node_.size(), infinity),
+      : graph_(graph), longest_(longest), nodes_(graph.positions_.size()), waiting_(nodes_.size(), infinity),
         queue_(waiting_), known_(graph.tet_.size() / 4) {
-    for (std::size_t i = 0; i < graph.curvature_.size(); ++i) node_[i].curvature = graph.curvature_[i];
+    for (std::size_t i = 0; i < graph.curvature_.size(); ++i) nodes_[i].curvature = graph.curvature_[i];
   }
 
   std::vector<double> path_lengths_from(const std::vector<start>& starts) {
     for (const start& s : starts) {
-      node& n = at(s.vert);
+      distance_node& n = at(s.vert);
       if (!(s.before + s.distance < n.path_length)) continue;
       n.path_length = s.before + s.distance;
       n.source = s.source;
@@ -239,13 +216,13 @@ class distance_graph::search {
     while (!queue_.empty()) {
       const std::size_t v = queue_.pop().slot;
       waiting_[v] = infinity;
-      node_[v].update_curvature_deficit();
-      node_[v].state |= 1;
+      nodes_[v].update_curvature_deficit();
+      nodes_[v].state |= 1;
       if (graph_.corners_ == 3) visit_triangles(v);
       else visit_tets(v);
       queue_offered();
     }
-    for (std::size_t i = 0; i < node_.size(); ++i) waiting_[i] = node_[i].path_length;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) waiting_[i] = nodes_[i].path_length;
     return std::move(waiting_);
   }
 };

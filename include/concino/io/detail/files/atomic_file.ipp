@@ -1,5 +1,5 @@
 // Bodies of atomic_file.hpp: atomic replacement of a file, as far as it is the same on all systems. The rest is in
-// posix_files.ipp and standard_files.ipp.
+// posix_atomic_file.ipp and standard_files.ipp.
 #pragma once
 
 #include <concino/core/hash_bytes.hpp>

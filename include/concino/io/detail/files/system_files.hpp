@@ -77,6 +77,7 @@ class open_file {
 }  // namespace concino::detail
 
 #ifndef CONCINO_COMPILED
+#include <concino/io/detail/files/posix_atomic_file.ipp>
 #include <concino/io/detail/files/posix_files.ipp>
 #include <concino/io/detail/files/standard_files.ipp>
 #endif

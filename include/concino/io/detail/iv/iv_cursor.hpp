@@ -51,6 +51,19 @@ class iv_cursor : protected text_cursor {
     }
   }
 
+  /// Skips the first line.
+  /// Errors: parse_error if it is not that of an Open Inventor file; unsupported if the file is binary.
+  void skip_header() {
+    const char* const from = at;
+    skip_line();
+    const std::string_view line{from, static_cast<std::size_t>(at - from)};
+    if (!line.starts_with("#Inventor")) fail(from, "#Inventor V2.1 ascii");
+    if (line.find("binary") != line.npos)
+      core::throw_joined<unsupported>(
+          {name(),
+           ": binary Open Inventor files cannot be read; convert it to ASCII, with ivcat of Coin or Open Inventor"});
+  }
+
   bool ends_word(const char* p) const { return p == end() || is_separator(*p) || is_mark(*p); }
 
   std::string_view word() {

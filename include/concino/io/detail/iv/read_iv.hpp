@@ -5,6 +5,7 @@
 #include <concino/io/detail/formats/contents.hpp>
 #include <concino/io/detail/iv/iv_cursor.hpp>
 #include <concino/io/detail/iv/iv_format.hpp>
+#include <concino/io/detail/iv/iv_nodes.hpp>
 #include <concino/io/detail/values/name_runs.hpp>
 
 #include <algorithm>
@@ -21,7 +22,7 @@ class iv_reader : iv_cursor {
   surface_arrays& out_;
   load_report& report_;
 
-  enum class node_kind : std::uint8_t { other, group, separator, coordinates, vertex_property, face_set, list };
+  using node_kind = iv_node_kind;
   /// The part of `out_.points` that indices refer to.
   struct point_range {
     std::uint32_t begin = 0, size = 0;
@@ -58,7 +59,7 @@ class iv_reader : iv_cursor {
         report_(*c.report) {}
 
   void read() {
-    header();
+    skip_header();
     std::string_view last;  // the last word, the type of a node if a brace follows
     for (skip(); at != end(); skip()) {
       const char c = *at;
@@ -77,28 +78,10 @@ class iv_reader : iv_cursor {
   }
 
  private:
-  void header() {
-    const char* const from = at;
-    skip_line();
-    const std::string_view line{from, static_cast<std::size_t>(at - from)};
-    if (!line.starts_with("#Inventor")) fail(from, "#Inventor V2.1 ascii");
-    if (line.find("binary") != line.npos)
-      core::throw_joined<unsupported>(
-          {name(),
-           ": binary Open Inventor files cannot be read; convert it to ASCII, with ivcat of Coin or Open Inventor"});
-  }
-
   node_kind kind_of(std::string_view type) {
-    if (type == "Coordinate3") return node_kind::coordinates;
-    if (type == "VertexProperty") return node_kind::vertex_property;
-    if (type == "IndexedFaceSet") return node_kind::face_set;
-    for (const std::string_view s : {"Separator", "Annotation", "Selection"})
-      if (type == s) return node_kind::separator;
-    for (const std::string_view s :
-         {"Group", "Switch", "TransformSeparator", "LevelOfDetail", "ShapeHints", "Info", "Label"})
-      if (type == s) return node_kind::group;
-    skipped_nodes_.add(type.empty() ? "without a type" : type.substr(0, 40));
-    return node_kind::other;
+    const node_kind kind = iv_node_kind_of(type);
+    if (kind == node_kind::other) skipped_nodes_.add(type.empty() ? "without a type" : type.substr(0, 40));
+    return kind;
   }
 
   void begin_scope(node_kind kind) {

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <concino/io/detail/cells/corners.hpp>
-#include <concino/io/detail/vtk/vtk_cursor.hpp>
 #include <concino/io/detail/vtk/vtk_grid.hpp>
+#include <concino/io/detail/vtk/vtk_index_cursor.hpp>
 #include <concino/io/file_contents.hpp>
 
 namespace concino::detail {
 
-class vtk_cells_reader : public vtk_cursor, public vtk_places {
+class vtk_cells_reader : public vtk_index_cursor, public vtk_places {
   /// Cells that stand together in the file.
   struct part {
     std::uint8_t type = 0;  // of polydata
@@ -20,7 +20,6 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
     std::uint32_t largest = vtk_grid::unknown;  // number in verts
   };
   static constexpr std::string_view polydata_sections[] = {"vertices", "lines", "polygons", "triangle_strips"};
-  static constexpr std::uint32_t max_index = 0x7FFFFFFF;  // indices are written as signed integers
   part parts_[4];  // of polydata, in VTK's order of cells; else the first one
   const char* types_at_ = nullptr;
   bool has_cells_ = false, finished_ = false;
@@ -30,7 +29,8 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
   bool is_polydata_ = false;
 
  public:
-  vtk_cells_reader(const read_context& c, vtk_grid& grid) : vtk_cursor(c.text, c.name, c.progress, 0), grid_(grid) {}
+  vtk_cells_reader(const read_context& c, vtk_grid& grid)
+      : vtk_index_cursor(c.text, c.name, c.progress, 0), grid_(grid) {}
 
   [[noreturn, gnu::noinline, gnu::cold]] void fail_at_cell(std::size_t cell, core::message expected,
                                                            core::message found) override {
@@ -104,10 +104,6 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
   }
 
  private:
-  void skip_to_value() {
-    if (!binary_) skip();
-  }
-
   void lists(part& p, const char* from) {
     const std::uint64_t n = next_number("the number of cells"), size = next_number("the size of the list");
     if (size > max_count) fail_to_count("corners");
@@ -159,32 +155,6 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
     }
     if (left > 0) reject(last, {"cells of ", size, " numbers"}, {n, " cells of ", size - left});
   }
-  /// Reads n binary numbers.   Result: the largest.
-  std::uint32_t read_ids(vert_id* to, std::size_t n) {
-    std::uint32_t largest = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      std::uint32_t x = 0;
-      std::memcpy(&x, at + 4 * i, sizeof x);
-      if constexpr (std::endian::native == std::endian::little) x = __builtin_bswap32(x);
-      largest = std::max(largest, x);
-      to[i] = vert_id{x};
-    }
-    at += 4 * n;
-    return largest;
-  }
-  /// Errors: parse_error for the first number that is negative, of n + 1 in binary form.
-  [[noreturn, gnu::noinline, gnu::cold]] void fail_index(const char* position, std::size_t n) {
-    at = position;
-    for (std::size_t i = 0; i < n && value<std::int32_t>() >= 0; ++i) position = at;
-    at = position;
-    reject(position, {"an index of a point"}, {value<std::int32_t>()});
-  }
-  std::uint32_t next_index_value(const char* position) {
-    const auto i = value<std::int32_t>();
-    if (i < 0) reject(position, {"an index of a point"}, {i});
-    return static_cast<std::uint32_t>(i);
-  }
-
   /// OFFSETS type, n numbers, the first 0; CONNECTIVITY type, `size` numbers.
   void offsets(part& p, std::uint64_t n, std::uint64_t size, const char* from) {
     const auto type = [&] {
@@ -227,17 +197,6 @@ class vtk_cells_reader : public vtk_cursor, public vtk_places {
       p.verts.push_back(vert_id{static_cast<std::uint32_t>(v)});
     }
   }
-  std::int64_t integer_of(vtk_number type) {
-    return with_number_type(type, [&]<class T>(std::type_identity<T>) {
-      if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>) {
-        const T x = value<T>();
-        return std::in_range<std::int64_t>(x) ? static_cast<std::int64_t>(x) : std::int64_t{-1};
-      } else {
-        return std::int64_t{-1};
-      }
-    });
-  }
-
   /// Where a cell stands in the file. Reads its section again.
   const char* position_of(std::size_t cell) {
     const part* p = parts_;

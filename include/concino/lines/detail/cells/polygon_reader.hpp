@@ -146,21 +146,6 @@ class polygon_reader {
 
   const corner_values<M, vec3>& corner_points() const { return points; }
 
-  /// values[v] of the verts, linear in each triangle, at x in the polygon.
-  template<class H>
-  vec3 value_at(const vec3& x, const H& values) const {
-    const polygon_piece<M> t = piece(nearest_piece(x));
-    vec3 value;
-    double sum = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const vec3& from = t.at[(k + 1) % 3];
-      const double weight = std::max(0.0, dot(cross(t.at[(k + 2) % 3] - from, x - from), t.normal));
-      value += weight * values[t.verts[k]];
-      sum += weight;
-    }
-    return sum > 0 ? value / sum : values[t.verts[0]];
-  }
-
  private:
   std::size_t next_corner(std::size_t k) const { return k + 1 == verts.size() ? 0 : k + 1; }
 

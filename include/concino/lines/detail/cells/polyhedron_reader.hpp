@@ -153,37 +153,6 @@ class polyhedron_reader {
     return flat.points;
   }
 
-  /// values[v] of the verts at x in the cell, linear in each tet between the mean of the corners, which has their mean
-  /// value, and a triangle of the surface.
-  template<class H>
-  vec3 value_at(const vec3& x, const H& values) {
-    cut_faces();
-    const double n = static_cast<double>(verts.size());
-    vec3 middle, middle_value;
-    for (std::size_t k = 0; k < verts.size(); ++k) {
-      middle += flat.points[k] / n;
-      middle_value += values[verts[k]] / n;
-    }
-    const auto volume = [](const vec3& p, const vec3& q, const vec3& r, const vec3& s) {
-      return dot(cross(q - p, r - p), s - p);
-    };
-    vec3 value = middle_value;
-    double best = -std::numeric_limits<double>::infinity();
-    for (const cell_triangle& t : flat.triangles) {
-      const vec3 &a = flat.points[t.corner[0]], &b = flat.points[t.corner[1]], &c = flat.points[t.corner[2]];
-      const double whole = volume(a, c, b, middle);
-      if (!(whole > 0)) continue;
-      const double wa = volume(x, c, b, middle) / whole, wb = volume(a, c, x, middle) / whole,
-                   wc = volume(a, x, b, middle) / whole;
-      const double least = std::min({wa, wb, wc, 1 - wa - wb - wc});
-      if (least <= best) continue;
-      best = least;
-      value = wa * values[verts[t.corner[0]]] + wb * values[verts[t.corner[1]]] + wc * values[verts[t.corner[2]]] +
-              (1 - wa - wb - wc) * middle_value;
-    }
-    return value;
-  }
-
  private:
   void start(const M& m, const poly_t<M>& p) {
     is_read_ = true;

@@ -3,6 +3,7 @@
 
 #include <concino/lines/detail/cells/polygon_reader.hpp>
 #include <concino/lines/detail/cells/polyhedron_reader.hpp>
+#include <concino/lines/detail/cells/value_in_poly.hpp>
 #include <concino/lines/detail/follow/follow_field.hpp>
 
 #include <algorithm>
@@ -121,7 +122,7 @@ class vert_field_walker {
       return (1 - e->parameter) * field_[a] + e->parameter * field_[b];
     }
     cell_.read(*m_, *poly_at(x));
-    return cell_.value_at(x.position, field_);
+    return value_in_poly(cell_, x.position, field_);
   }
   /// A poly at a place, if there is one.
   std::optional<poly_t<M>> poly_at(const mesh_point<M>& x) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/error.hpp>
+#include <concino/solve/detail/eigen/random_vectors.hpp>
 #include <concino/solve/detail/eigen/vector_block.hpp>
 #include <concino/solve/detail/multigrid/multigrid_levels.hpp>
 #include <concino/solve/detail/multigrid/multigrid_panels.hpp>
@@ -57,7 +58,7 @@ class lobpcg_iteration {
     std::vector<Eigen::Index> all(static_cast<std::size_t>(size_));
     for (std::size_t j = 0; j < all.size(); ++j) all[j] = static_cast<Eigen::Index>(j);
     const column_range b = product_.columns(0, size_), x = basis_.columns(0, size_);
-    fill_with_noise(b, 0);
+    fill_with_noise(b, n_, 0);
     const lower_entries m(mass_);
     for (int i = 0; i < m.n; ++i)
       for (Eigen::Index j = 0; j < size_; ++j) b.row(i)[j] *= m.a[m.starts[i]];
@@ -66,7 +67,7 @@ class lobpcg_iteration {
       if (++attempt == 4)
         throw solver_error(
             "eigenpairs: no basis of independent vectors was found; is the mass matrix positive definite?");
-      fill_with_noise(basis_.columns(found, size_ - found), static_cast<std::uint64_t>(attempt));
+      fill_with_noise(basis_.columns(found, size_ - found), n_, static_cast<std::uint64_t>(attempt));
     }
     rotate();
   }
@@ -158,19 +159,6 @@ class lobpcg_iteration {
     throw solver_error(
         "eigenpairs: the matrix is not positive semidefinite: it has an eigenvalue below minus the shift; choose a larger shift, or give it the"
         " other sign if it is a Laplacian");
-  }
-
-  /// Numbers in [-1, 1) that depend only on row, column and seed.
-  void fill_with_noise(const column_range& x, std::uint64_t seed) const {
-    for (Eigen::Index i = 0; i < n_; ++i)
-      for (Eigen::Index j = 0; j < x.columns; ++j) {
-        // splitmix64
-        std::uint64_t z = (seed << 56) + (static_cast<std::uint64_t>(j) << 40) + static_cast<std::uint64_t>(i) + 1;
-        z *= 0x9e3779b97f4a7c15u;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-        x.row(i)[j] = static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-52 - 1;
-      }
   }
 
   void apply_cycles(const column_range& x, const std::vector<Eigen::Index>& column, const column_range& y) {

@@ -3,6 +3,7 @@
 
 #include <concino/core/function_ref.hpp>
 #include <concino/solve/detail/iterative/energy_gains.hpp>
+#include <concino/solve/detail/iterative/iteration_report.hpp>
 #include <concino/solve/detail/iterative/penalty_rows.hpp>
 
 #include <Eigen/SparseCore>
@@ -16,13 +17,6 @@
 #include <vector>
 
 namespace concino::detail {
-
-/// What an iterative solver knows about its last solve; see conjugate_gradients.
-struct iteration_report {
-  std::int64_t iterations = 0;
-  double residual = 0, error = 0;
-  bool has_converged = true;
-};
 
 /// Solves A x = b by conjugate gradients. A is passed as its lower triangle; each column begins with its diagonal
 /// entry, which is positive.

@@ -1,6 +1,8 @@
 // Aggregation: groups the unknowns of a symmetric matrix, so that each group becomes one unknown of a coarser matrix.
 #pragma once
 
+#include <concino/solve/detail/multigrid/prolongation.hpp>
+
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -9,51 +11,6 @@
 #include <vector>
 
 namespace concino::detail {
-
-/// Interpolation from a coarser matrix: value i is the sum of weight[k] times the coarse value column[k], for k in
-/// [begin[i], begin[i + 1]).
-struct prolongation {
-  std::vector<int> begin, column;
-  std::vector<float> weight;
-  int columns = 0;
-};
-
-/// The same by columns: row[k] has weight[k] for coarse value c, for k in [begin[c], begin[c + 1]). Cycles use it,
-/// since columns have more entries than rows.
-struct restriction {
-  std::vector<int> begin, row;
-  std::vector<float> weight;
-
-  restriction() = default;
-  explicit restriction(const prolongation& p)
-      : begin(static_cast<std::size_t>(p.columns) + 2), row(p.column.size()), weight(p.column.size()) {
-    for (const int c : p.column) ++begin[static_cast<std::size_t>(c) + 2];
-    for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
-    for (std::size_t i = 0; i + 1 < p.begin.size(); ++i)
-      for (auto k = static_cast<std::size_t>(p.begin[i]); k < static_cast<std::size_t>(p.begin[i + 1]); ++k) {
-        const auto to = static_cast<std::size_t>(begin[static_cast<std::size_t>(p.column[k]) + 1]++);
-        row[to] = static_cast<int>(i);
-        weight[to] = p.weight[k];
-      }
-    begin.pop_back();
-  }
-
-  int size() const { return static_cast<int>(begin.size()) - 1; }
-};
-
-/// Rounds weights to multiples of 2^-22, so that those with the sum 1 still have exactly that sum: constants are
-/// interpolated without rounding errors.
-inline void append_rounded(const std::vector<double>& weights, std::vector<float>& rounded) {
-  constexpr double unit = 0x1p-22;
-  double sum = 0, others = 0;
-  for (std::size_t k = 0; k < weights.size(); ++k) {
-    sum += weights[k];
-    if (k > 0) others += std::nearbyint(weights[k] / unit);
-  }
-  for (std::size_t k = 0; k < weights.size(); ++k)
-    rounded.push_back(
-        static_cast<float>((k > 0 ? std::nearbyint(weights[k] / unit) : std::nearbyint(sum / unit) - others) * unit));
-}
 
 /// Rows i and j are strongly connected if a_ij is negative and -a_ij is at least 0.6 min(m_i, m_j), where m_i is the
 /// largest -a_ij of row i. An aggregate is a row and those strongly connected to it. Rows that are dominated by their
