@@ -15,9 +15,17 @@ function crossSections(mesh, mask, n, offset) {
     }
     return i;
   };
+  const crossed = (poly) => {
+    let above = false, below = false;
+    for (let k = mesh.faces.starts[poly]; k < mesh.faces.starts[poly + 1]; ++k) {
+      const f = mesh.faces.items[k] >> 1;
+      for (let c = mesh.polygonStarts[f]; c < mesh.polygonStarts[f + 1]; ++c) if (heights[mesh.corners[c]] < 0) below = true; else above = true;
+    }
+    return above && below;
+  };
   const position = (i) => mix(mesh.point(points[i][0]), mesh.point(points[i][1]), points[i][2]);
   for (let poly = 0; poly < mesh.numPolys; ++poly) {
-    if (!mask[poly]) continue;
+    if (!mask[poly] || !crossed(poly)) continue;
     const next = new Map();
     for (let k = mesh.faces.starts[poly]; k < mesh.faces.starts[poly + 1]; ++k) {
       const x = mesh.faces.items[k], loop = mesh.cornersOf(x >> 1), crossings = [];

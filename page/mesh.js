@@ -23,7 +23,7 @@ class Mesh {
     this.numPolygons = this.polygonStarts.length - 1;
     this.numPolys = data.volume ? a.poly_starts.length - 1 : this.numPolygons;
     this.units = new Float64Array(this.points.length);
-    for (let i = 0; i < this.numVerts; ++i) this.units.set(toUnit(at3(this.points, i)), 3 * i);
+    for (let i = 0; i < this.points.length; ++i) this.units[i] = unitCoordinate(this.points[i], i % 3);
     this.cache = {};
   }
 
@@ -92,13 +92,15 @@ class Mesh {
   /// Whether a poly is above a plane, by its centroid, as the criteria below() and above() decide: n.x >= offset.
   isAbove(poly, n, offset) {
     let below = true, above = true;
-    const each = (v) => {
-      const x = n[0] * this.points[3 * v] + n[1] * this.points[3 * v + 1] + n[2] * this.points[3 * v + 2];
-      below &&= x < offset;
-      above &&= x >= offset;
+    const look = (polygon) => {
+      for (let c = this.polygonStarts[polygon]; c < this.polygonStarts[polygon + 1]; ++c) {
+        const v = 3 * this.corners[c], x = n[0] * this.points[v] + n[1] * this.points[v + 1] + n[2] * this.points[v + 2];
+        below &&= x < offset;
+        above &&= x >= offset;
+      }
     };
-    if (this.isVolume) for (let i = this.faces.starts[poly]; i < this.faces.starts[poly + 1]; ++i) this.cornersOf(this.faces.items[i] >> 1).forEach(each);
-    else this.cornersOf(poly).forEach(each);
+    if (this.isVolume) for (let i = this.faces.starts[poly]; i < this.faces.starts[poly + 1]; ++i) look(this.faces.items[i] >> 1);
+    else look(poly);
     if (below || above) return above;
     return dot(n, at3(this.centroids, poly)) >= offset;
   }

@@ -52,17 +52,22 @@ function polygonsOfMesh(mesh, mask) {
 /// The mean of the normals around a point that are similar to that of the polygon, weighted by the angles of corners.
 function smoothNormals({ points, starts, corners, count }, crease) {
   const own = new Float64Array(3 * count), angles = new Float64Array(corners.length), normals = new Float32Array(3 * corners.length);
-  const point = (c) => at3(points, corners[c]);
   for (let p = 0; p < count; ++p) {
-    const o = point(starts[p]);
-    let n = [0, 0, 0];
-    for (let c = starts[p]; c < starts[p + 1]; ++c) {
-      if (c >= starts[p] + 2) n = add(n, cross(sub(point(c - 1), o), sub(point(c), o)));
-      const before = sub(point(c === starts[p] ? starts[p + 1] - 1 : c - 1), point(c));
-      const after = sub(point(c + 1 === starts[p + 1] ? starts[p] : c + 1), point(c));
-      angles[c] = Math.atan2(norm(cross(before, after)), dot(before, after));
+    const first = starts[p], last = starts[p + 1], o = 3 * corners[first];
+    let nx = 0, ny = 0, nz = 0;
+    for (let c = first; c < last; ++c) {
+      const v = 3 * corners[c], before = 3 * corners[c === first ? last - 1 : c - 1], after = 3 * corners[c + 1 === last ? first : c + 1];
+      const ax = points[before] - points[v], ay = points[before + 1] - points[v + 1], az = points[before + 2] - points[v + 2];
+      const bx = points[after] - points[v], by = points[after + 1] - points[v + 1], bz = points[after + 2] - points[v + 2];
+      const x = ay * bz - az * by, y = az * bx - ax * bz, z = ax * by - ay * bx;
+      angles[c] = Math.atan2(Math.hypot(x, y, z), ax * bx + ay * by + az * bz);
+      if (c < first + 2) continue;
+      const px = points[before] - points[o], py = points[before + 1] - points[o + 1], pz = points[before + 2] - points[o + 2];
+      const qx = points[v] - points[o], qy = points[v + 1] - points[o + 1], qz = points[v + 2] - points[o + 2];
+      nx += py * qz - pz * qy; ny += pz * qx - px * qz; nz += px * qy - py * qx;
     }
-    own.set(unit(n), 3 * p);
+    const length = Math.hypot(nx, ny, nz);
+    if (length > 0) { own[3 * p] = nx / length; own[3 * p + 1] = ny / length; own[3 * p + 2] = nz / length; }
   }
   const around = inverted(points.length / 3, Uint32Array.from({ length: corners.length + 1 }, (_, i) => i), corners);
   const polygon = new Uint32Array(corners.length), cosine = Math.cos(crease * Math.PI / 180);
@@ -76,7 +81,10 @@ function smoothNormals({ points, starts, corners, count }, crease) {
       x += own[q] * angles[d]; y += own[q + 1] * angles[d]; z += own[q + 2] * angles[d];
     }
     const length = Math.hypot(x, y, z);
-    normals.set(length > 0 ? [x / length, y / length, z / length] : [own[p], own[p + 1], own[p + 2]], 3 * c);
+    const fits = length > 0;
+    normals[3 * c] = fits ? x / length : own[p];
+    normals[3 * c + 1] = fits ? y / length : own[p + 1];
+    normals[3 * c + 2] = fits ? z / length : own[p + 2];
   }
   return normals;
 }

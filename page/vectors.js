@@ -18,7 +18,8 @@ function turned(v, axis, angle) {
 
 /// From units of the mesh to those of the page, in which the middle of the scene is 0 and half its diagonal is 1, and back.
 /// Halves cannot overflow.
-const toUnit = (p) => [0, 1, 2].map((k) => (p[k] / 2 - scene.center[k] / 2) / scene.radius * 2);
+const unitCoordinate = (x, k) => (x / 2 - scene.center[k] / 2) / scene.radius * 2;
+const toUnit = (p) => [0, 1, 2].map((k) => unitCoordinate(p[k], k));
 const toMesh = (p) => [0, 1, 2].map((k) => p[k] * scene.radius + scene.center[k]);
 
 /// Triangles of a polygon in its plane, as places in it: ears are cut off one after the other.

@@ -276,7 +276,8 @@ function turned(v, axis, angle) {
 const c = Math.cos(angle), s = Math.sin(angle);
 return add(add(scaled(v, c), scaled(cross(axis, v), s)), scaled(axis, dot(axis, v) * (1 - c)));
 }
-const toUnit = (p) => [0, 1, 2].map((k) => (p[k] / 2 - scene.center[k] / 2) / scene.radius * 2);
+const unitCoordinate = (x, k) => (x / 2 - scene.center[k] / 2) / scene.radius * 2;
+const toUnit = (p) => [0, 1, 2].map((k) => unitCoordinate(p[k], k));
 const toMesh = (p) => [0, 1, 2].map((k) => p[k] * scene.radius + scene.center[k]);
 function trianglesOf(points) {
 const n = points.length, result = [];
@@ -389,10 +390,10 @@ camera.half *= factor;
 function projection() {
 const reach = scene.reach, eye = eyeOf(), middle = dot(eye, camera.back);
 const far = Math.max(middle + reach, 1e-3), near = camera.parallel ? middle - reach : Math.max(middle - reach, far * 1e-4);
-const h = camera.parallel ? camera.half : camera.slope, { right: r, up: u, back: b } = camera;
-const x = 1 / (h * aspect()), y = 1 / h;
 )page"),
-std::string_view(R"page(const row = (axis, s) => [axis[0] * s, axis[1] * s, axis[2] * s, -dot(axis, eye) * s];
+std::string_view(R"page(const h = camera.parallel ? camera.half : camera.slope, { right: r, up: u, back: b } = camera;
+const x = 1 / (h * aspect()), y = 1 / h;
+const row = (axis, s) => [axis[0] * s, axis[1] * s, axis[2] * s, -dot(axis, eye) * s];
 const rows = [row(r, x), row(u, y)];
 const depth = row(b, -1);  // the distance from the eye
 if (camera.parallel) rows.push(depth.map((d, k) => 2 / (far - near) * d - (k === 3 ? (far + near) / (far - near) : 0)), [0, 0, 0, 1]);
@@ -431,7 +432,7 @@ this.numVerts = this.points.length / 3;
 this.numPolygons = this.polygonStarts.length - 1;
 this.numPolys = data.volume ? a.poly_starts.length - 1 : this.numPolygons;
 this.units = new Float64Array(this.points.length);
-for (let i = 0; i < this.numVerts; ++i) this.units.set(toUnit(at3(this.points, i)), 3 * i);
+for (let i = 0; i < this.points.length; ++i) this.units[i] = unitCoordinate(this.points[i], i % 3);
 this.cache = {};
 }
 point(v) { return at3(this.units, v); }
@@ -493,13 +494,15 @@ return starts[p + 1] > starts[p];
 }
 isAbove(poly, n, offset) {
 let below = true, above = true;
-const each = (v) => {
-const x = n[0] * this.points[3 * v] + n[1] * this.points[3 * v + 1] + n[2] * this.points[3 * v + 2];
+const look = (polygon) => {
+for (let c = this.polygonStarts[polygon]; c < this.polygonStarts[polygon + 1]; ++c) {
+const v = 3 * this.corners[c], x = n[0] * this.points[v] + n[1] * this.points[v + 1] + n[2] * this.points[v + 2];
 below &&= x < offset;
 above &&= x >= offset;
+}
 };
-if (this.isVolume) for (let i = this.faces.starts[poly]; i < this.faces.starts[poly + 1]; ++i) this.cornersOf(this.faces.items[i] >> 1).forEach(each);
-else this.cornersOf(poly).forEach(each);
+if (this.isVolume) for (let i = this.faces.starts[poly]; i < this.faces.starts[poly + 1]; ++i) look(this.faces.items[i] >> 1);
+else look(poly);
 if (below || above) return above;
 return dot(n, at3(this.centroids, poly)) >= offset;
 }
@@ -549,9 +552,17 @@ points.push([low, high, heights[low] / (heights[low] - heights[high])]);
 }
 return i;
 };
+const crossed = (poly) => {
+let above = false, below = false;
+for (let k = mesh.faces.starts[poly]; k < mesh.faces.starts[poly + 1]; ++k) {
+const f = mesh.faces.items[k] >> 1;
+for (let c = mesh.polygonStarts[f]; c < mesh.polygonStarts[f + 1]; ++c) if (heights[mesh.corners[c]] < 0) below = true; else above = true;
+}
+return above && below;
+};
 const position = (i) => mix(mesh.point(points[i][0]), mesh.point(points[i][1]), points[i][2]);
 for (let poly = 0; poly < mesh.numPolys; ++poly) {
-if (!mask[poly]) continue;
+if (!mask[poly] || !crossed(poly)) continue;
 const next = new Map();
 for (let k = mesh.faces.starts[poly]; k < mesh.faces.starts[poly + 1]; ++k) {
 const x = mesh.faces.items[k], loop = mesh.cornersOf(x >> 1), crossings = [];
@@ -630,24 +641,29 @@ triangles.set(turn ? [first + n - 1 - a, first + n - 1 - c, first + n - 1 - b] :
 if (!own) put(0, 1, 2);
 else for (let k = own[p]; k < own[p + 1]; ++k) put(mesh.triangles[3 * k] - from, mesh.triangles[3 * k + 1] - from, mesh.triangles[3 * k + 2] - from);
 }
-const list = { points: mesh.units, starts, corners, triangles, polygonOf, polys: seen.poly, elements: seen.polygon, bare: seen.bare, count };
+)page"),
+std::string_view(R"page(const list = { points: mesh.units, starts, corners, triangles, polygonOf, polys: seen.poly, elements: seen.polygon, bare: seen.bare, count };
 list.normals = smoothNormals(list, mesh.crease);
 return list;
 }
 function smoothNormals({ points, starts, corners, count }, crease) {
 const own = new Float64Array(3 * count), angles = new Float64Array(corners.length), normals = new Float32Array(3 * corners.length);
-const point = (c) => at3(points, corners[c]);
 for (let p = 0; p < count; ++p) {
-const o = point(starts[p]);
-let n = [0, 0, 0];
-for (let c = starts[p]; c < starts[p + 1]; ++c) {
-)page"),
-std::string_view(R"page(if (c >= starts[p] + 2) n = add(n, cross(sub(point(c - 1), o), sub(point(c), o)));
-const before = sub(point(c === starts[p] ? starts[p + 1] - 1 : c - 1), point(c));
-const after = sub(point(c + 1 === starts[p + 1] ? starts[p] : c + 1), point(c));
-angles[c] = Math.atan2(norm(cross(before, after)), dot(before, after));
+const first = starts[p], last = starts[p + 1], o = 3 * corners[first];
+let nx = 0, ny = 0, nz = 0;
+for (let c = first; c < last; ++c) {
+const v = 3 * corners[c], before = 3 * corners[c === first ? last - 1 : c - 1], after = 3 * corners[c + 1 === last ? first : c + 1];
+const ax = points[before] - points[v], ay = points[before + 1] - points[v + 1], az = points[before + 2] - points[v + 2];
+const bx = points[after] - points[v], by = points[after + 1] - points[v + 1], bz = points[after + 2] - points[v + 2];
+const x = ay * bz - az * by, y = az * bx - ax * bz, z = ax * by - ay * bx;
+angles[c] = Math.atan2(Math.hypot(x, y, z), ax * bx + ay * by + az * bz);
+if (c < first + 2) continue;
+const px = points[before] - points[o], py = points[before + 1] - points[o + 1], pz = points[before + 2] - points[o + 2];
+const qx = points[v] - points[o], qy = points[v + 1] - points[o + 1], qz = points[v + 2] - points[o + 2];
+nx += py * qz - pz * qy; ny += pz * qx - px * qz; nz += px * qy - py * qx;
 }
-own.set(unit(n), 3 * p);
+const length = Math.hypot(nx, ny, nz);
+if (length > 0) { own[3 * p] = nx / length; own[3 * p + 1] = ny / length; own[3 * p + 2] = nz / length; }
 }
 const around = inverted(points.length / 3, Uint32Array.from({ length: corners.length + 1 }, (_, i) => i), corners);
 const polygon = new Uint32Array(corners.length), cosine = Math.cos(crease * Math.PI / 180);
@@ -661,7 +677,10 @@ if (own[p] * own[q] + own[p + 1] * own[q + 1] + own[p + 2] * own[q + 2] < cosine
 x += own[q] * angles[d]; y += own[q + 1] * angles[d]; z += own[q + 2] * angles[d];
 }
 const length = Math.hypot(x, y, z);
-normals.set(length > 0 ? [x / length, y / length, z / length] : [own[p], own[p + 1], own[p + 2]], 3 * c);
+const fits = length > 0;
+normals[3 * c] = fits ? x / length : own[p];
+normals[3 * c + 1] = fits ? y / length : own[p + 1];
+normals[3 * c + 2] = fits ? z / length : own[p + 2];
 }
 return normals;
 }
@@ -846,7 +865,8 @@ this.lines = look.isolines;
 this.filter = { layers: 0, on: false, field: 0, low: 0, high: 1, labels: "" };
 this.arrows = "";
 this.component = "";
-this.map = this.ownMap ? -1 : 0;
+)page"),
+std::string_view(R"page(this.map = this.ownMap ? -1 : 0;
 const field = this.mesh ? this.data.field : this.fields.length ? 0 : undefined;
 this.chosen = this.painted ? "painted" : field === undefined ? "color" : String(field);
 this.scale = look.scale;
@@ -875,8 +895,7 @@ get mapColors() {
 if (this.map < 0) return this.ownMap;
 const few = scene.maps[this.map].colors, n = few.length / 3 - 1, all = new Uint8Array(768);
 for (let i = 0; i < 256; ++i)
-)page"),
-std::string_view(R"page(for (let c = 0; c < 3; ++c) {
+for (let c = 0; c < 3; ++c) {
 const x = i / 255 * n, k = Math.min(Math.floor(x), n - 1);
 all[3 * i + c] = Math.round(few[3 * k + c] + (x - k) * (few[3 * k + 3 + c] - few[3 * k + c]));
 }
@@ -1108,7 +1127,8 @@ if (requested) return;
 requested = true;
 requestAnimationFrame(() => { requested = false; if (!gl.isContextLost()) drawScene(); });
 }
-let picked = null;    // { thing, kind, index, point }
+)page"),
+std::string_view(R"page(let picked = null;    // { thing, kind, index, point }
 let measured = [];    // one or two points in units of the page
 function triangleAt(x, y) {
 const box = canvas.getBoundingClientRect(), b = pickBuffer;
@@ -1132,8 +1152,7 @@ gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
 gl.enable(gl.DEPTH_TEST);
 gl.disable(gl.BLEND);
 setCamera();
-)page"),
-std::string_view(R"page(const candidates = things.filter((t) => t.visible).flatMap((thing) => thing.parts.filter((p) => p.role !== "arrows").map((part) => ({ thing, part })));
+const candidates = things.filter((t) => t.visible).flatMap((thing) => thing.parts.filter((p) => p.role !== "arrows").map((part) => ({ thing, part })));
 candidates.slice(0, 255).forEach(({ thing, part }, i) => drawPart(thing, part, i + 1));
 const rgba = new Uint8Array(4);
 gl.readPixels(px, py, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, rgba);
@@ -1291,7 +1310,8 @@ if (thing.chosen === "color") parts.push(row(labelled("colour", make("input", { 
 oninput: (e) => { thing.color = linearOf(e.target.value); changed("view"); } }))));
 const f = thing.field;
 if (f && f.width > 1) parts.push(row("show", select("component", componentsOf(f).map((c) => [c, c]), thing.component || componentsOf(f)[0],
-(c) => { thing.component = c; thing.fitRange(); fill(); changed("colors", thing); })));
+)page"),
+std::string_view(R"page((c) => { thing.component = c; thing.fitRange(); fill(); changed("colors", thing); })));
 if (f && !f.labels) parts.push(...scaleControls(thing, fill));
 const vectors = thing.fields.map((g, i) => [String(i), nameOfField(g), g]).filter(([, , g]) => g.numbers && (g.width === 2 || g.width === 3) && (g.at === "vert" || g.at === "poly"));
 if (vectors.length) parts.push(row("arrows", select(`arrows of ${thing.name}`, [["", "none"], ...vectors], thing.arrows, (v) => { thing.arrows = v; changed("polygons", thing); })));
@@ -1308,8 +1328,7 @@ return [row("map", select(`colour map of ${thing.name}`, maps, String(thing.map)
 row("from", number("lowest value", low, (x) => range(x, Math.max(x, high))), "to", number("highest value", high, (x) => range(Math.min(low, x), x)),
 button("all", () => { thing.fitRange(); fill(); changed("colors", thing); }, "The range of all values")),
 row("bands", number("white bands", thing.bands, (x) => { thing.bands = Math.max(0, Math.round(x)); changed("view"); }, 1),
-)page"),
-std::string_view(R"page("lines", number("iso-lines", thing.lines, (x) => { thing.lines = Math.max(0, Math.round(x)); changed("view"); }, 1))];
+"lines", number("iso-lines", thing.lines, (x) => { thing.lines = Math.max(0, Math.round(x)); changed("view"); }, 1))];
 }
 function planeControls(k) {
 const p = slicing.planes[k], name = ["x", "y", "z", "any"][k];
@@ -1492,7 +1511,8 @@ else return false;
 redraw();
 return true;
 }
-function togglePanel() {
+)page"),
+std::string_view(R"page(function togglePanel() {
 panel.hidden = !panel.hidden;
 document.body.classList.toggle("closed", panel.hidden);
 byId("toggle").setAttribute("aria-expanded", String(!panel.hidden));
@@ -1522,8 +1542,7 @@ say("This browser has no WebGL 2, which the page needs to draw the scene. A curr
 return;
 }
 for (const m of scene.maps) m.colors = numbersOf(m.colors);
-)page"),
-std::string_view(R"page(scene.labelColors = numbersOf(scene.label_colors);
+scene.labelColors = numbersOf(scene.label_colors);
 scene.reach = 1.2;
 things = scene.objects.map((data, i) => new Thing(data, i));
 makeProgram();
