@@ -139,7 +139,8 @@ function drawPart(thing, part, pick) {
   gl.uniform3fv(u.exposed_color, look.exposed_color);
   gl.uniform3fv(u.no_value, look.no_value);
   gl.uniform3fv(u.edge_color, look.edge_color);
-  const knots = thing.field ? thing.scale.slice(0, 18).map(([x, t]) => [Math.max(-1e29, Math.min(1e29, fraction(x, thing.baseRange))), t]) : [[0, 0], [1, 1]];
+  const [low, high] = thing.field ? thing.baseRange : [0, 0];  // equal: all values are in the middle of the map
+  const knots = high > low ? thing.scale.slice(0, 18).map(([x, t]) => [Math.max(-1e29, Math.min(1e29, fraction(x, thing.baseRange))), t]) : [[0, 0], [1, 1]];
   gl.uniform2fv(u.knots, knots.flat());
   gl.uniform1i(u.num_knots, knots.length);
   gl.uniform1f(u.bands, thing.bands);

@@ -166,6 +166,10 @@ function showLegend() {
   for (let y = 0; y < 256; ++y) { paint.fillStyle = `rgb(${colors.slice(3 * (255 - y), 3 * (256 - y)).join()})`; paint.fillRect(0, y, 1, 1); }
   const ticks = scaleTicks(thing.scale, 6).map(([x, text]) => { const s = make("span", {}, text); s.style.top = `${100 - 100 * placeOf(thing.scale, x)}%`; return s; });
   box.replaceChildren(title, bar, make("div", { className: "ticks" }, ...ticks));
+  if (thing.numbers.every(Number.isFinite)) return;
+  const grey = make("i");
+  grey.style.background = hexOf(thing.data.look.no_value);
+  box.append(make("p", {}, grey, "no finite value"));
 }
 
 const say = (text) => { byId("message").textContent = text; };

@@ -48,58 +48,64 @@ vec3 color_of(float x) {
   return linear(texture(map, vec2((position_of(x) * 255.0 + 0.5) / 256.0, 0.5)).rgb);
 }
 
+/// The distance to the nearest cut, in pixels. What is cut away is not drawn.
+float distance_to_cut() {
+  float nearest = 1e9;
+  for (int k = 0; k < 4; ++k) {
+    float gap = planes[k].w - dot(planes[k].xyz, place), step = fwidth(gap);
+    if ((cuts >> k & 1) == 0) continue;
+    if (gap <= 0.0) discard;
+    nearest = min(nearest, gap / max(step, 1e-9));
+  }
+  return nearest;
+}
+
+/// The normal that points to the viewer, in the frame of the camera.
+vec3 normal_to_viewer() {
+  vec3 n = normalize(direction);
+  if (!flat_shading && dot(direction, direction) > 0.01) return gl_FrontFacing ? n : -n;
+  n = normalize(turn * cross(dFdx(place), dFdy(place)));
+  return dot(n, parallel ? vec3(0, 0, -1) : turn * (place - eye)) > 0.0 ? -n : n;
+}
+
+/// How much of the pixel a line covers that is where x is 1/2, 3/2, 5/2 ...; width in pixels.
+float line_at(float x, float width) {
+  float w = max(fwidth(x), 1e-6);
+  return clamp(width * 0.5 + 0.5 - abs(fract(x) - 0.5) / w, 0.0, 1.0);
+}
+
+vec3 color_of_surface() {
+  if (coloring == 1) return linear(painted.rgb);
+  if (coloring == 0) return (bits & 8u) != 0u ? exposed_color : color;
+  vec3 c = color_of(number);
+  float t = position_of(number), x = t * bands, w = max(fwidth(x), 1e-6), line = line_at(t * lines, 1.5);
+  if (coloring == 3 || abs(number) > 1e30) return c;
+  if (bands > 0.0) c = mix(c, vec3(1.0), clamp((0.06 - abs(fract(x) - 0.5)) / w + 0.5, 0.0, 1.0));
+  return lines > 0.0 ? mix(c, edge_color, line) : c;
+}
+
+vec3 light_at(vec3 n) {
+  if (has_ball) return linear(texture(ball, n.xy * vec2(0.49, -0.49) + 0.5).rgb);
+  vec3 to_light = normalize(vec3(-0.55, 0.9, 0.75));
+  float light = 0.34 + 0.14 * n.y + 0.34 * max(n.z, 0.0) + 0.42 * max(dot(n, to_light), 0.0);
+  return vec3(light + shine * 0.10 * pow(max(dot(n, normalize(to_light + vec3(0, 0, 1))), 0.0), 40.0));
+}
+
 void main() {
-  for (int k = 0; k < 4; ++k)
-    if ((cuts >> k & 1) == 1 && dot(planes[k].xyz, place) >= planes[k].w) discard;
+  float to_cut = distance_to_cut();
   if (picking > 0) {
     result = vec4(float(picking), float(triangle & 255), float(triangle >> 8 & 255), float(triangle >> 16 & 255)) / 255.0;
     return;
   }
-  vec3 n;
-  if (flat_shading || dot(direction, direction) < 0.01) {
-    n = normalize(turn * cross(dFdx(place), dFdy(place)));
-    if (dot(n, parallel ? vec3(0, 0, -1) : turn * (place - eye)) > 0.0) n = -n;
-  } else {
-    n = normalize(direction);
-    if (!gl_FrontFacing) n = -n;
-  }
-
-  vec3 base = (bits & 8u) != 0u ? exposed_color : color;
-  vec3 slope = fwidth(inside);
-  if (coloring == 1) base = linear(painted.rgb);
-  if (coloring >= 2) {
-    base = color_of(number);
-    float t = position_of(number);
-    if (coloring == 2 && abs(number) < 1e30) {
-      if (bands > 0.0) {
-        float x = t * bands, w = max(fwidth(x), 1e-6), far = abs(fract(x) - 0.5);
-        base = mix(base, vec3(1.0), clamp((0.06 - far) / w + 0.5, 0.0, 1.0));
-      }
-      if (lines > 0.0) {
-        float x = t * lines, w = max(fwidth(x), 1e-6), far = abs(fract(x) - 0.5);
-        base = mix(base, edge_color, clamp(1.25 - far / w, 0.0, 1.0));
-      }
-    }
-  }
-  vec3 light;
-  if (has_ball) {
-    light = linear(texture(ball, n.xy * vec2(0.49, -0.49) + 0.5).rgb);
-  } else {
-    vec3 to_light = normalize(vec3(-0.55, 0.9, 0.75));
-    light = vec3(0.34 + 0.14 * n.y + 0.34 * max(n.z, 0.0) + 0.42 * max(dot(n, to_light), 0.0));
-    vec3 half_way = normalize(to_light + vec3(0, 0, 1));
-    light += shine * 0.10 * pow(max(dot(n, half_way), 0.0), 40.0);
-  }
-  vec3 lit = base * light;
+  vec3 lit = color_of_surface() * light_at(normal_to_viewer()), slope = fwidth(inside);
   float cover = opacity;
-  if (edge_width > 0.0)
-    for (int k = 0; k < 3; ++k) {
-      if ((bits >> k & 1u) == 0u) continue;
-      int opposite = (k + 2) % 3;
-      float away = inside[opposite] / max(slope[opposite], 1e-9);
-      float drawn = clamp(edge_width * 0.5 + 0.5 - away, 0.0, 1.0);
-      lit = mix(lit, edges_have_values ? color_of(side_numbers[k]) : edge_color, drawn * (edges_have_values ? 1.0 : 0.6));
-      cover = max(cover, drawn * 0.6);
-    }
+  for (int k = 0; k < 3; ++k) {
+    if (edge_width == 0.0 || (bits >> k & 1u) == 0u) continue;
+    int opposite = (k + 2) % 3;
+    float drawn = clamp(edge_width * 0.5 + 0.5 - inside[opposite] / max(slope[opposite], 1e-9), 0.0, 1.0);
+    lit = mix(lit, edges_have_values ? color_of(side_numbers[k]) : edge_color, drawn * (edges_have_values ? 1.0 : 0.6));
+    cover = max(cover, drawn * 0.6);
+  }
+  if (to_cut < 3.0) lit = mix(lit, edge_color, clamp(2.0 - to_cut, 0.0, 1.0));
   result = vec4(screen(lit) * cover, cover);
 }

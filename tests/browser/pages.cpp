@@ -1,5 +1,7 @@
 // Writes the pages that pages.mjs opens in a browser, and what it should find there:  browser_pages <folder>
+// Or those whose speed speed.mjs measures:  browser_pages <folder> large
 
+#include <concino/convert.hpp>
 #include <concino/generate.hpp>
 #include <concino/geometry.hpp>
 #include <concino/level_sets.hpp>
@@ -124,11 +126,27 @@ void write_odd(const std::string& folder) {
   cn::save_html(no_values, folder + "/no_values.html", {.theme = cn::page_theme::dark});
 }
 
+/// A page of a large mesh with a field.
+template<class M>
+void write_large(const M& m, const std::string& path) {
+  auto u = cn::make_vert_map<double>(m, 0.0);
+  for (const auto v : cn::verts(m)) u[v] = std::sin(5 * cn::to_vec3(cn::point(m, v)).x);
+  cn::scene s;
+  s.add(m, {.field = u, .inspect = true});
+  cn::save_html(s, path);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) return 2;
+  if (argc != 2 && argc != 3) return 2;
   const std::string folder = argv[1];
+  if (argc == 3) {
+    write_large(cn::make_torus<cn::trimesh>({.cells = {316, 158}}), folder + "/triangles_100000.html");
+    write_large(cn::make_torus<cn::trimesh>({.cells = {1000, 500}}), folder + "/triangles_1000000.html");
+    write_large(cn::convert<cn::polyhedralmesh>(cn::make_grid<cn::hexmesh>({.cells = {46, 46, 47}})), folder + "/polyhedra_100000.html");
+    return 0;
+  }
   auto out = fmt::output_file(folder + "/expected.json");
   out.print("[\n");
   write_kind(cn::make_torus<cn::trimesh>({.cells = {24, 12}}), "trimesh", folder, out);

@@ -44,7 +44,8 @@ overflow: hidden; text-overflow: ellipsis; white-space: nowrap; pointer-events: 
 #legend .ticks span::before { content: ""; display: inline-block; width: 5px; height: 1px; margin-right: 4px; background: var(--ink);
 vertical-align: middle; }
 #legend ul { list-style: none; margin: 24px 0 0; padding: 0; max-height: 50vh; overflow: hidden; }
-#legend li i { display: inline-block; width: 12px; height: 12px; margin-right: 6px; vertical-align: -1px; }
+#legend p { position: absolute; top: 100%; margin: 4px 0 0; white-space: nowrap; }
+#legend li i, #legend p i { display: inline-block; width: 12px; height: 12px; margin-right: 6px; vertical-align: -1px; }
 #toggle { position: absolute; top: 10px; right: 14px; z-index: 2; }
 #panel { position: absolute; top: 0; right: 0; bottom: 0; width: 300px; padding: 48px 14px 14px; overflow: auto; background: var(--box);
 border-left: 1px solid var(--line); }
@@ -52,7 +53,7 @@ border-left: 1px solid var(--line); }
 #panel details { border-top: 1px solid var(--line); padding: 6px 0; }
 #panel summary { font-weight: 600; cursor: pointer; padding: 2px 0; }
 #panel fieldset { border: 1px solid var(--line); border-radius: 6px; margin: 6px 0; padding: 6px 8px; min-width: 0; }
-#panel legend { padding: 0 4px; max-width: 100%; overflow: hidden; text-overflow: ellipsis; unicode-bidi: isolate; }
+#panel legend { padding: 0 4px; max-width: 100%; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; unicode-bidi: isolate; }
 .row { display: flex; align-items: center; gap: 8px; margin: 4px 0; flex-wrap: wrap; }
 .row > label:only-child { flex: 1; }
 label { display: inline-flex; align-items: center; gap: 6px; }
@@ -170,58 +171,57 @@ if (abs(x) > 1e30) return no_value;
 if (coloring == 3) return linear(texelFetch(map, ivec2(int(mod(floor(x + 0.5), 256.0)), 0), 0).rgb);
 return linear(texture(map, vec2((position_of(x) * 255.0 + 0.5) / 256.0, 0.5)).rgb);
 }
+float distance_to_cut() {
+float nearest = 1e9;
+for (int k = 0; k < 4; ++k) {
+float gap = planes[k].w - dot(planes[k].xyz, place), step = fwidth(gap);
+if ((cuts >> k & 1) == 0) continue;
+if (gap <= 0.0) discard;
+nearest = min(nearest, gap / max(step, 1e-9));
+}
+return nearest;
+}
+vec3 normal_to_viewer() {
+vec3 n = normalize(direction);
+if (!flat_shading && dot(direction, direction) > 0.01) return gl_FrontFacing ? n : -n;
+n = normalize(turn * cross(dFdx(place), dFdy(place)));
+return dot(n, parallel ? vec3(0, 0, -1) : turn * (place - eye)) > 0.0 ? -n : n;
+}
+float line_at(float x, float width) {
+float w = max(fwidth(x), 1e-6);
+return clamp(width * 0.5 + 0.5 - abs(fract(x) - 0.5) / w, 0.0, 1.0);
+}
+vec3 color_of_surface() {
+if (coloring == 1) return linear(painted.rgb);
+if (coloring == 0) return (bits & 8u) != 0u ? exposed_color : color;
+vec3 c = color_of(number);
+float t = position_of(number), x = t * bands, w = max(fwidth(x), 1e-6), line = line_at(t * lines, 1.5);
+if (coloring == 3 || abs(number) > 1e30) return c;
+if (bands > 0.0) c = mix(c, vec3(1.0), clamp((0.06 - abs(fract(x) - 0.5)) / w + 0.5, 0.0, 1.0));
+return lines > 0.0 ? mix(c, edge_color, line) : c;
+}
+vec3 light_at(vec3 n) {
+if (has_ball) return linear(texture(ball, n.xy * vec2(0.49, -0.49) + 0.5).rgb);
+vec3 to_light = normalize(vec3(-0.55, 0.9, 0.75));
+float light = 0.34 + 0.14 * n.y + 0.34 * max(n.z, 0.0) + 0.42 * max(dot(n, to_light), 0.0);
+return vec3(light + shine * 0.10 * pow(max(dot(n, normalize(to_light + vec3(0, 0, 1))), 0.0), 40.0));
+}
 void main() {
-for (int k = 0; k < 4; ++k)
-if ((cuts >> k & 1) == 1 && dot(planes[k].xyz, place) >= planes[k].w) discard;
+float to_cut = distance_to_cut();
 if (picking > 0) {
 result = vec4(float(picking), float(triangle & 255), float(triangle >> 8 & 255), float(triangle >> 16 & 255)) / 255.0;
 return;
 }
-vec3 n;
-if (flat_shading || dot(direction, direction) < 0.01) {
-n = normalize(turn * cross(dFdx(place), dFdy(place)));
-if (dot(n, parallel ? vec3(0, 0, -1) : turn * (place - eye)) > 0.0) n = -n;
-} else {
-n = normalize(direction);
-if (!gl_FrontFacing) n = -n;
-}
-vec3 base = (bits & 8u) != 0u ? exposed_color : color;
-vec3 slope = fwidth(inside);
-if (coloring == 1) base = linear(painted.rgb);
-if (coloring >= 2) {
-base = color_of(number);
-float t = position_of(number);
-if (coloring == 2 && abs(number) < 1e30) {
-if (bands > 0.0) {
-float x = t * bands, w = max(fwidth(x), 1e-6), far = abs(fract(x) - 0.5);
-base = mix(base, vec3(1.0), clamp((0.06 - far) / w + 0.5, 0.0, 1.0));
-}
-if (lines > 0.0) {
-float x = t * lines, w = max(fwidth(x), 1e-6), far = abs(fract(x) - 0.5);
-base = mix(base, edge_color, clamp(1.25 - far / w, 0.0, 1.0));
-}
-}
-}
-vec3 light;
-if (has_ball) {
-light = linear(texture(ball, n.xy * vec2(0.49, -0.49) + 0.5).rgb);
-} else {
-vec3 to_light = normalize(vec3(-0.55, 0.9, 0.75));
-light = vec3(0.34 + 0.14 * n.y + 0.34 * max(n.z, 0.0) + 0.42 * max(dot(n, to_light), 0.0));
-vec3 half_way = normalize(to_light + vec3(0, 0, 1));
-light += shine * 0.10 * pow(max(dot(n, half_way), 0.0), 40.0);
-}
-vec3 lit = base * light;
+vec3 lit = color_of_surface() * light_at(normal_to_viewer()), slope = fwidth(inside);
 float cover = opacity;
-if (edge_width > 0.0)
 for (int k = 0; k < 3; ++k) {
-if ((bits >> k & 1u) == 0u) continue;
+if (edge_width == 0.0 || (bits >> k & 1u) == 0u) continue;
 int opposite = (k + 2) % 3;
-float away = inside[opposite] / max(slope[opposite], 1e-9);
-float drawn = clamp(edge_width * 0.5 + 0.5 - away, 0.0, 1.0);
+float drawn = clamp(edge_width * 0.5 + 0.5 - inside[opposite] / max(slope[opposite], 1e-9), 0.0, 1.0);
 lit = mix(lit, edges_have_values ? color_of(side_numbers[k]) : edge_color, drawn * (edges_have_values ? 1.0 : 0.6));
 cover = max(cover, drawn * 0.6);
 }
+if (to_cut < 3.0) lit = mix(lit, edge_color, clamp(2.0 - to_cut, 0.0, 1.0));
 result = vec4(screen(lit) * cover, cover);
 }
 ` };
@@ -383,15 +383,15 @@ camera.target = add(camera.target, add(scaled(camera.right, -dx * step), scaled(
 }
 function zoom(factor, x, y) {
 const [u, v] = filmPoint(x, y), h = halfHeight() * (1 - factor);
-camera.target = add(camera.target, add(scaled(camera.right, u * h), scaled(camera.up, v * h)));
+)page"),
+std::string_view(R"page(camera.target = add(camera.target, add(scaled(camera.right, u * h), scaled(camera.up, v * h)));
 camera.distance *= factor;
 camera.half *= factor;
 }
 function projection() {
 const reach = scene.reach, eye = eyeOf(), middle = dot(eye, camera.back);
 const far = Math.max(middle + reach, 1e-3), near = camera.parallel ? middle - reach : Math.max(middle - reach, far * 1e-4);
-)page"),
-std::string_view(R"page(const h = camera.parallel ? camera.half : camera.slope, { right: r, up: u, back: b } = camera;
+const h = camera.parallel ? camera.half : camera.slope, { right: r, up: u, back: b } = camera;
 const x = 1 / (h * aspect()), y = 1 / h;
 const row = (axis, s) => [axis[0] * s, axis[1] * s, axis[2] * s, -dot(axis, eye) * s];
 const rows = [row(r, x), row(u, y)];
@@ -635,14 +635,14 @@ for (let i = 0; i < count; ++i) {
 const p = seen.polygon[i], from = mesh.polygonStarts[p], first = starts[i], n = starts[i + 1] - first, turn = seen.turned[i];
 for (let k = 0; k < n; ++k) corners[first + (turn ? n - 1 - k : k)] = mesh.corners[from + k];
 const put = (a, b, c) => {
-polygonOf[t] = i;
+)page"),
+std::string_view(R"page(polygonOf[t] = i;
 triangles.set(turn ? [first + n - 1 - a, first + n - 1 - c, first + n - 1 - b] : [first + a, first + b, first + c], 3 * t++);
 };
 if (!own) put(0, 1, 2);
 else for (let k = own[p]; k < own[p + 1]; ++k) put(mesh.triangles[3 * k] - from, mesh.triangles[3 * k + 1] - from, mesh.triangles[3 * k + 2] - from);
 }
-)page"),
-std::string_view(R"page(const list = { points: mesh.units, starts, corners, triangles, polygonOf, polys: seen.poly, elements: seen.polygon, bare: seen.bare, count };
+const list = { points: mesh.units, starts, corners, triangles, polygonOf, polys: seen.poly, elements: seen.polygon, bare: seen.bare, count };
 list.normals = smoothNormals(list, mesh.crease);
 return list;
 }
@@ -850,7 +850,8 @@ if (data.edge_values !== undefined) this.fields = [{ name: "values", at: "side",
 if (data.field !== undefined) this.fields[data.field].labels = data.look.labels;
 this.painted = data.colors ? { at: data.colors.at, rgb: numbersOf(data.colors.rgb) } : null;
 if (data.look.map !== undefined) this.ownMap = numbersOf(data.look.map);
-if (data.ball !== undefined) this.ballPixels = numbersOf(data.ball);
+)page"),
+std::string_view(R"page(if (data.ball !== undefined) this.ballPixels = numbersOf(data.ball);
 this.reset();
 }
 reset() {
@@ -865,8 +866,7 @@ this.lines = look.isolines;
 this.filter = { layers: 0, on: false, field: 0, low: 0, high: 1, labels: "" };
 this.arrows = "";
 this.component = "";
-)page"),
-std::string_view(R"page(this.map = this.ownMap ? -1 : 0;
+this.map = this.ownMap ? -1 : 0;
 const field = this.mesh ? this.data.field : this.fields.length ? 0 : undefined;
 this.chosen = this.painted ? "painted" : field === undefined ? "color" : String(field);
 this.scale = look.scale;
@@ -1062,7 +1062,8 @@ gl.uniform3fv(u.color, isArrow ? [0.02, 0.02, 0.025] : thing.color);
 gl.uniform3fv(u.exposed_color, look.exposed_color);
 gl.uniform3fv(u.no_value, look.no_value);
 gl.uniform3fv(u.edge_color, look.edge_color);
-const knots = thing.field ? thing.scale.slice(0, 18).map(([x, t]) => [Math.max(-1e29, Math.min(1e29, fraction(x, thing.baseRange))), t]) : [[0, 0], [1, 1]];
+const [low, high] = thing.field ? thing.baseRange : [0, 0];  // equal: all values are in the middle of the map
+const knots = high > low ? thing.scale.slice(0, 18).map(([x, t]) => [Math.max(-1e29, Math.min(1e29, fraction(x, thing.baseRange))), t]) : [[0, 0], [1, 1]];
 gl.uniform2fv(u.knots, knots.flat());
 gl.uniform1i(u.num_knots, knots.length);
 gl.uniform1f(u.bands, thing.bands);
@@ -1111,7 +1112,8 @@ gl.depthMask(true);
 for (const t of shown) for (const p of t.parts) if (!clear(t) || p.role === "arrows") drawPart(t, p);
 gl.enable(gl.BLEND);
 gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-gl.depthMask(false);
+)page"),
+std::string_view(R"page(gl.depthMask(false);
 gl.enable(gl.CULL_FACE);
 for (const side of [gl.FRONT, gl.BACK]) {  // what is behind first
 gl.cullFace(side);
@@ -1127,8 +1129,7 @@ if (requested) return;
 requested = true;
 requestAnimationFrame(() => { requested = false; if (!gl.isContextLost()) drawScene(); });
 }
-)page"),
-std::string_view(R"page(let picked = null;    // { thing, kind, index, point }
+let picked = null;    // { thing, kind, index, point }
 let measured = [];    // one or two points in units of the page
 function triangleAt(x, y) {
 const box = canvas.getBoundingClientRect(), b = pickBuffer;
@@ -1305,13 +1306,13 @@ checkbox("flat", thing.flat, (x) => { thing.flat = x; changed("view"); })),
 row("opacity", slider(`opacity of ${thing.name}`, thing.opacity, 0, 1, 0.01, (x) => { thing.opacity = x; changed("view"); }))];
 const numeric = thing.fields.map((f, i) => [String(i), nameOfField(f), f]).filter(([, , f]) => f.numbers && f.at !== "mesh");
 const choices = [["color", "one colour"], ...(thing.painted ? [["painted", "own colours"]] : []), ...numeric];
-parts.push(row("colours", select(`colours of ${thing.name}`, choices, thing.chosen, (v) => { thing.choose(v); fill(); changed("colors", thing); })));
+)page"),
+std::string_view(R"page(parts.push(row("colours", select(`colours of ${thing.name}`, choices, thing.chosen, (v) => { thing.choose(v); fill(); changed("colors", thing); })));
 if (thing.chosen === "color") parts.push(row(labelled("colour", make("input", { type: "color", value: hexOf(thing.color),
 oninput: (e) => { thing.color = linearOf(e.target.value); changed("view"); } }))));
 const f = thing.field;
 if (f && f.width > 1) parts.push(row("show", select("component", componentsOf(f).map((c) => [c, c]), thing.component || componentsOf(f)[0],
-)page"),
-std::string_view(R"page((c) => { thing.component = c; thing.fitRange(); fill(); changed("colors", thing); })));
+(c) => { thing.component = c; thing.fitRange(); fill(); changed("colors", thing); })));
 if (f && !f.labels) parts.push(...scaleControls(thing, fill));
 const vectors = thing.fields.map((g, i) => [String(i), nameOfField(g), g]).filter(([, , g]) => g.numbers && (g.width === 2 || g.width === 3) && (g.at === "vert" || g.at === "poly"));
 if (vectors.length) parts.push(row("arrows", select(`arrows of ${thing.name}`, [["", "none"], ...vectors], thing.arrows, (v) => { thing.arrows = v; changed("polygons", thing); })));
@@ -1418,6 +1419,10 @@ const bar = make("canvas", { width: 1, height: 256 }), paint = bar.getContext("2
 for (let y = 0; y < 256; ++y) { paint.fillStyle = `rgb(${colors.slice(3 * (255 - y), 3 * (256 - y)).join()})`; paint.fillRect(0, y, 1, 1); }
 const ticks = scaleTicks(thing.scale, 6).map(([x, text]) => { const s = make("span", {}, text); s.style.top = `${100 - 100 * placeOf(thing.scale, x)}%`; return s; });
 box.replaceChildren(title, bar, make("div", { className: "ticks" }, ...ticks));
+if (thing.numbers.every(Number.isFinite)) return;
+const grey = make("i");
+grey.style.background = hexOf(thing.data.look.no_value);
+box.append(make("p", {}, grey, "no finite value"));
 }
 const say = (text) => { byId("message").textContent = text; };
 let wanted = "any";
@@ -1498,7 +1503,8 @@ const axes = [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1
 const middle = [box.left + box.width / 2, box.top + box.height / 2], axis = axes[Number(key) - 1];
 if (axis) lookFrom(axis, Math.abs(dot(axis, scene.up)) > 0.9 ? [scene.up[2], scene.up[0], scene.up[1]].map((x) => -x) : scene.up);
 else if (key === "p") switchPerspective();
-else if (key === "r") { resetCamera(); picked = null; measured = []; showPicked(); }
+)page"),
+std::string_view(R"page(else if (key === "r") { resetCamera(); picked = null; measured = []; showPicked(); }
 else if (key === "d") setTheme(document.documentElement.dataset.theme !== "dark");
 else if (key === "c") togglePanel();
 else if (key === "s") savePicture();
@@ -1511,8 +1517,7 @@ else return false;
 redraw();
 return true;
 }
-)page"),
-std::string_view(R"page(function togglePanel() {
+function togglePanel() {
 panel.hidden = !panel.hidden;
 document.body.classList.toggle("closed", panel.hidden);
 byId("toggle").setAttribute("aria-expanded", String(!panel.hidden));
