@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# A harmonic field on a real mesh, and its picture:
+# A harmonic field on a real mesh, its picture, and a page to open in a browser, which has the name of the picture:
 #   ./demo.sh [mesh] [picture.png]
-# By default the Stanford bunny of Debian's glmark2-data and demo.png. Installs what it needs and builds the program the first time.
+# By default the Stanford bunny of Debian's glmark2-data, demo.png and demo.html. Installs what it needs and builds the program the first time.
 set -eu
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 . "$here/scripts/packages.sh"

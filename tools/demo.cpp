@@ -1,4 +1,4 @@
-// A harmonic field between two far ends of any mesh, and its picture:  concino_demo mesh picture.png [field.txt]
+// A harmonic field between two far ends of any mesh, its picture and its page:  concino_demo mesh picture.png [field.txt]
 
 #include <concino/fields.hpp>
 #include <concino/geometry.hpp>
@@ -155,9 +155,9 @@ void write_field(const M& m, const U& u, const std::string& path) {
 }
 
 template<class M, class U>
-cn::image picture_of(const M& m, const U& u, const std::vector<far_ends<M>>& ends, const cn::progress& progress) {
+cn::scene scene_of(const M& m, const U& u, const std::vector<far_ends<M>>& ends) {
   cn::scene scene;
-  scene.add(m, {.field = u});
+  scene.add(m, {.field = u, .inspect = cn::num_polys(m) < 300000, .name = "mesh"});  // a browser needs a second for each 100,000 polys
   cn::drawable& surface = scene.last();
   if (surface.polys.empty()) throw cn::invalid_mesh("the mesh has no polygon to draw");
   surface.look.scale = cn::value_scale::equalized(surface.values);
@@ -171,10 +171,13 @@ cn::image picture_of(const M& m, const U& u, const std::vector<far_ends<M>>& end
     high.push_back(cn::to_vec3(cn::point(m, ends[i].second)));
   }
   if (!ends.empty() && ball > 0) {
-    scene.add_points(low, {.radius = ball, .color = cn::srgb(0.13f, 0.13f, 0.15f)});
-    scene.add_points(high, {.radius = ball, .color = cn::srgb(0.84f, 0.13f, 0.14f)});
+    scene.add_points(low, {.radius = ball, .color = cn::srgb(0.13f, 0.13f, 0.15f)}).last().name = "where it is 0";
+    scene.add_points(high, {.radius = ball, .color = cn::srgb(0.84f, 0.13f, 0.14f)}).last().name = "where it is 1";
   }
+  return scene;
+}
 
+cn::image picture_of(const cn::scene& scene, const cn::progress& progress) {
   cn::render_options options;
   options.progress = progress;
   const double aspect = static_cast<double>(options.width) / static_cast<double>(options.height);
@@ -183,7 +186,7 @@ cn::image picture_of(const M& m, const U& u, const std::vector<far_ends<M>>& end
 }
 
 template<class M>
-void run(const M& m, double read, double build, const std::string& picture, const std::string& field) {
+void run(const M& m, double read, double build, const std::string& picture, const std::string& page, const std::string& field) {
   progress_line line;
   stopwatch watch;
   const auto ends = ends_of_components(m);
@@ -198,7 +201,10 @@ void run(const M& m, double read, double build, const std::string& picture, cons
   const double solved = watch.lap();
   write_field(m, u, field);
   const double written = watch.lap();
-  const cn::image image = picture_of(m, u, ends, line);
+  const cn::scene scene = scene_of(m, u, ends);
+  cn::save_html(scene, page, {.title = "A harmonic field"});
+  const double paged = watch.lap();
+  const cn::image image = picture_of(scene, line);
   const double rendered = watch.lap();
   cn::save_png(image, picture);
   const double saved = watch.lap();
@@ -215,10 +221,10 @@ void run(const M& m, double read, double build, const std::string& picture, cons
     fmt::print("{:<12}{} at vert {}, {} at vert {}\n", "extrema", u[low], cn::index_of(m, low), u[high], cn::index_of(m, high));
   }
   const std::pair<const char*, double> stages[] = {{"read", read},      {"build", build},         {"choose ends", choose},
-                                                   {"solve", solved},   {"write field", written}, {"render", rendered},
-                                                   {"write PNG", saved}};
+                                                   {"solve", solved},   {"write field", written}, {"write page", paged},
+                                                   {"render", rendered}, {"write PNG", saved}};
   for (const auto& [stage, time] : stages) fmt::print("{:<12}{:.3f} s\n", stage, time);
-  fmt::print("{:<12}{}\n{:<12}{}\n", "field", field, "picture", picture);
+  fmt::print("{:<12}{}\n{:<12}{}\n{:<12}{}\n", "field", field, "picture", picture, "page", page);
 }
 
 }  // namespace
@@ -244,7 +250,7 @@ int main(int argc, char** argv) {
       return cn::load_any(path, {.progress = on_progress});
     }();
     const double loaded = total.lap();
-    std::visit([&](const auto& m) { run(m, read, loaded - read, picture, field); }, mesh);
+    std::visit([&](const auto& m) { run(m, read, loaded - read, picture, stem + ".html", field); }, mesh);
   } catch (const std::exception& e) {
     fmt::print(stderr, "concino_demo: {}\n", e.what());
     return 1;

@@ -18,6 +18,7 @@
 #include <concino/render/drawable.hpp>
 #include <concino/render/graph_tubes.hpp>
 #include <concino/render/image.hpp>
+#include <concino/render/inspected_mesh.hpp>
 #include <concino/render/label_colors.hpp>
 #include <concino/render/labels.hpp>
 #include <concino/render/legend.hpp>
@@ -33,6 +34,7 @@
 #include <concino/render/render.hpp>
 #include <concino/render/render_options.hpp>
 #include <concino/render/scene.hpp>
+#include <concino/render/scene_html.hpp>
 #include <concino/render/scene_png.hpp>
 #include <concino/render/shapes.hpp>
 #include <concino/render/sheet.hpp>

@@ -4,11 +4,14 @@
 #include <concino/core/vec3.hpp>
 #include <concino/geometry/triangulate_polygon.hpp>
 #include <concino/render/appearance.hpp>
+#include <concino/render/inspected_mesh.hpp>
 #include <concino/render/smooth_normals.hpp>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <string>
 #include <vector>
 
 namespace concino {
@@ -37,6 +40,8 @@ struct drawable {
   std::vector<std::array<std::uint32_t, 3>> triangles;  // the three corners of each
   std::vector<std::uint32_t> polygon_of;                // by triangle
   appearance look;
+  std::string name;                                     // in pages; empty: a number
+  std::shared_ptr<const inspected_mesh> inspected;      // for pages; null: nothing but the polygons is kept
 
   polygon_list polygons() const { return {points, offsets, corners}; }
 };

@@ -5,10 +5,12 @@
 #include <concino/core/mistakes.hpp>
 #include <concino/geometry/outer_polygons.hpp>
 #include <concino/render/detail/colors/drawable_values.hpp>
+#include <concino/render/detail/page/inspect.hpp>
 #include <concino/render/drawable.hpp>
 #include <concino/render/mesh_look.hpp>
 
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 namespace concino {
@@ -122,6 +124,8 @@ drawable make_drawable(const M& m, const mesh_look<M>& look = {}) {
     d.texture_coordinates =
         detail::texture_points_of_corners(d, look.texture_coordinates.at(), look.texture_coordinates.read(m, d));
   if (at != element_kind::mesh) detail::take_values(d, at, values, edge_of_corner, look.scale);
+  d.name = look.name;
+  if (look.inspect) d.inspected = std::make_shared<const inspected_mesh>(detail::inspect(m, look, d, at, values));
   return d;
 }
 

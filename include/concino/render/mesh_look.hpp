@@ -9,6 +9,7 @@
 #include <concino/render/polygon_selection.hpp>
 
 #include <optional>
+#include <string>
 
 namespace concino {
 
@@ -42,6 +43,9 @@ struct mesh_look {
   surface_material material = {};                     // daylight, or one with its own light
   double crease_angle = 60;                           // degrees, in [0, 180]: edges with a larger angle look sharp; 0:
                                                       // flat shading, 180: smooth everywhere
+  bool inspect = false;                               // keeps all elements and named properties of the mesh for
+                                                      // pages, where they are picked and cut: save_html
+  std::string name = {};                              // of the mesh in pages, in UTF-8
 };
 
 }  // namespace concino

@@ -69,6 +69,10 @@ class value_scale {
     return s;
   }
 
+  /// The knots: values that do not decrease, and the position of each, from 0 to 1.
+  std::span<const double> values() const { return values_; }
+  std::span<const double> positions() const { return positions_; }
+
   double low() const { return values_.front(); }
   double high() const { return values_.back(); }
 

@@ -111,6 +111,7 @@ void call_scenes() {
   call("best_view", [&] { cn::best_view(drawn, 1.0); });
   call("render", [&] { cn::render(s, options); });
   call("save_png", [&] { cn::save_png(s, "scene.png", options); });
+  call("save_html", [&] { cn::save_html(s, "scene.html"); });
   call("save_turntable", [&] { cn::save_turntable(s, "turntable_%.png", 2, options); });
 }
 

@@ -1,0 +1,111 @@
+#version 300 es
+precision highp float;
+precision highp int;
+in vec3 place;
+in vec3 direction;
+in vec3 inside;
+in float number;
+in vec4 painted;
+flat in uint bits;
+flat in vec3 side_numbers;
+flat in int triangle;
+uniform vec4 planes[4];
+uniform int cuts;             // bit k: what is above plane k is cut away
+uniform mat3 turn;
+uniform bool flat_shading;
+uniform int coloring;         // 0: one colour, 1: painted, 2: values, 3: labels
+uniform vec3 color, exposed_color, no_value, edge_color;
+uniform vec2 knots[18];
+uniform int num_knots;
+uniform float bands, lines;   // how many
+uniform float edge_width, opacity, shine;
+uniform bool edges_have_values;
+uniform bool has_ball;
+uniform sampler2D map, ball;
+uniform int picking;          // the number of the object, or 0
+uniform bool parallel;        // rays
+uniform vec3 eye;
+out vec4 result;
+
+vec3 linear(vec3 c) { return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c)); }
+vec3 screen(vec3 c) {
+  c = clamp(c, 0.0, 1.0);
+  return mix(c * 12.92, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+}
+
+float position_of(float x) {
+  float t = knots[0].y;
+  for (int i = 0; i + 1 < num_knots; ++i) {
+    vec2 a = knots[i], b = knots[i + 1];
+    if (x >= a.x) t = b.x > a.x ? mix(a.y, b.y, clamp((x - a.x) / (b.x - a.x), 0.0, 1.0)) : mix(a.y, b.y, 0.5);
+  }
+  return t;
+}
+
+vec3 color_of(float x) {
+  if (abs(x) > 1e30) return no_value;
+  if (coloring == 3) return linear(texelFetch(map, ivec2(int(mod(floor(x + 0.5), 256.0)), 0), 0).rgb);
+  return linear(texture(map, vec2((position_of(x) * 255.0 + 0.5) / 256.0, 0.5)).rgb);
+}
+
+/// The distance to the nearest cut, in pixels. What is cut away is not drawn.
+float distance_to_cut() {
+  float nearest = 1e9;
+  for (int k = 0; k < 4; ++k) {
+    float gap = planes[k].w - dot(planes[k].xyz, place), step = fwidth(gap);
+    if ((cuts >> k & 1) == 0) continue;
+    if (gap <= 0.0) discard;
+    nearest = min(nearest, gap / max(step, 1e-9));
+  }
+  return nearest;
+}
+
+/// The normal that points to the viewer, in the frame of the camera.
+vec3 normal_to_viewer() {
+  vec3 n = normalize(direction);
+  if (!flat_shading && dot(direction, direction) > 0.01) return gl_FrontFacing ? n : -n;
+  n = normalize(turn * cross(dFdx(place), dFdy(place)));
+  return dot(n, parallel ? vec3(0, 0, -1) : turn * (place - eye)) > 0.0 ? -n : n;
+}
+
+/// How much of the pixel a line covers that is where x is 1/2, 3/2, 5/2 ...; width in pixels.
+float line_at(float x, float width) {
+  float w = max(fwidth(x), 1e-6);
+  return clamp(width * 0.5 + 0.5 - abs(fract(x) - 0.5) / w, 0.0, 1.0);
+}
+
+vec3 color_of_surface() {
+  if (coloring == 1) return linear(painted.rgb);
+  if (coloring == 0) return (bits & 8u) != 0u ? exposed_color : color;
+  vec3 c = color_of(number);
+  float t = position_of(number), x = t * bands, w = max(fwidth(x), 1e-6), line = line_at(t * lines, 1.5);
+  if (coloring == 3 || abs(number) > 1e30) return c;
+  if (bands > 0.0) c = mix(c, vec3(1.0), clamp((0.06 - abs(fract(x) - 0.5)) / w + 0.5, 0.0, 1.0));
+  return lines > 0.0 ? mix(c, edge_color, line) : c;
+}
+
+vec3 light_at(vec3 n) {
+  if (has_ball) return linear(texture(ball, n.xy * vec2(0.49, -0.49) + 0.5).rgb);
+  vec3 to_light = normalize(vec3(-0.55, 0.9, 0.75));
+  float light = 0.34 + 0.14 * n.y + 0.34 * max(n.z, 0.0) + 0.42 * max(dot(n, to_light), 0.0);
+  return vec3(light + shine * 0.10 * pow(max(dot(n, normalize(to_light + vec3(0, 0, 1))), 0.0), 40.0));
+}
+
+void main() {
+  float to_cut = distance_to_cut();
+  if (picking > 0) {
+    result = vec4(float(picking), float(triangle & 255), float(triangle >> 8 & 255), float(triangle >> 16 & 255)) / 255.0;
+    return;
+  }
+  vec3 lit = color_of_surface() * light_at(normal_to_viewer()), slope = fwidth(inside);
+  float cover = opacity;
+  for (int k = 0; k < 3; ++k) {
+    if (edge_width == 0.0 || (bits >> k & 1u) == 0u) continue;
+    int opposite = (k + 2) % 3;
+    float drawn = clamp(edge_width * 0.5 + 0.5 - inside[opposite] / max(slope[opposite], 1e-9), 0.0, 1.0);
+    lit = mix(lit, edges_have_values ? color_of(side_numbers[k]) : edge_color, drawn * (edges_have_values ? 1.0 : 0.6));
+    cover = max(cover, drawn * 0.6);
+  }
+  if (to_cut < 3.0) lit = mix(lit, edge_color, clamp(2.0 - to_cut, 0.0, 1.0));
+  result = vec4(screen(lit) * cover, cover);
+}
