@@ -64,10 +64,9 @@ polygon_kernel kernel(const M& m, const poly_t<M>& p) {
 /// Needs:  VolumeMesh M, Embedded; faces of p that close, oriented as face_is_outward says.
 /// Result: as that of a polygon. Faces that are not planar are fans of triangles about the means of their verts, as
 ///         elsewhere. An inverted cell has none. metric::star_shapedness is the volume of it, as a part of the cell.
-/// Cost:   O(f k + k log k) for f facets, with k verts of the kernel.
+/// Cost:   O(f k) for f facets and k verts of the kernel, and O(k^2).
 /// Errors: invalid_mesh if a vert is not finite.
-/// Source: as of a polygon, by the planes of all facets; the faces are those of the convex hull of the dual points:
-///         Preparata and Muller 1979, "Finding the intersection of n half-spaces in time O(n log n)".
+/// Source: as of a polygon, by the planes of all facets.
 template<VolumeMesh M>
   requires Embedded<M>
 polyhedron_kernel kernel(const M& m, const poly_t<M>& p) {

@@ -61,7 +61,6 @@ class largest_circle_search {
     std::vector<index> edges;  // that may be the nearest ones to a point of the box
   };
 
-  const std::vector<vec3>& corners_;
   vec3 along_{1, 0, 0}, across_{0, 1, 0};  // the axes of boxes: those of the longest edge
   std::vector<vec3> from_, direction_;     // of edges, turned to these axes
   std::vector<double> length_;
@@ -75,7 +74,7 @@ class largest_circle_search {
   vec3 centre;
   double radius = 0, upper = 0;
 
-  explicit largest_circle_search(const std::vector<vec3>& corners) : corners_(corners) {
+  explicit largest_circle_search(const std::vector<vec3>& corners) {
     const std::size_t n = corners.size();
     double longest = 0;
     for (std::size_t i = 0; i < n; ++i) {

@@ -73,10 +73,11 @@ inline double flat_area(const std::vector<vec3>& loop) {
 class convex_body {
   std::vector<std::vector<vec3>> faces_;
   std::vector<vec3> scratch_, section_;
+  double eps_;  // points at smaller distances from a plane are on it
 
  public:
   /// A box between two corners.
-  convex_body(const vec3& a, const vec3& b) {
+  convex_body(const vec3& a, const vec3& b) : eps_(1e-14 * norm(b - a)) {
     const auto at = [&](unsigned k) { return vec3{k & 1u ? b.x : a.x, k & 2u ? b.y : a.y, k & 4u ? b.z : a.z}; };
     faces_ = {{at(0), at(2), at(3), at(1)}, {at(4), at(5), at(7), at(6)}, {at(0), at(1), at(5), at(4)},
               {at(2), at(6), at(7), at(3)}, {at(0), at(4), at(6), at(2)}, {at(1), at(3), at(7), at(5)}};
@@ -85,15 +86,17 @@ class convex_body {
 
   /// Keeps the part where dot(n, x - origin) <= 0; n has length 1.
   void cut(const vec3& n, const vec3& origin) {
+    const auto depth = [&](const vec3& x) {
+      const double d = dot(n, origin - x);
+      return std::abs(d) <= eps_ ? 0 : d;
+    };
     bool any = false;
     for (const auto& f : faces_)
-      for (const vec3& x : f) any = any || dot(n, x - origin) > 0;
+      for (const vec3& x : f) any = any || depth(x) < 0;
     if (!any) return;
     section_.clear();
     for (auto& f : faces_)
-      cut_convex_loop(
-          f, scratch_, [&](const vec3& x) { return -dot(n, x - origin); },
-          [&](const vec3& x) { section_.push_back(x); });
+      cut_convex_loop(f, scratch_, depth, [&](const vec3& x) { section_.push_back(x); });
     std::erase_if(faces_, [](const auto& f) { return f.size() < 3; });
     if (section_.size() < 3) return;
     // The section is convex: its corners are in the order of their angles about a point inside.
