@@ -26,6 +26,12 @@ struct inscribed_circle_result {
   vec3 normal;            // of the plane, of length 1
 };
 
+namespace detail {
+
+inscribed_circle_result largest_circle_inside(const core::flat_polygon& flat, const inscribed_circle_options& options);
+
+}  // namespace detail
+
 /// The largest circle inside a polygon: corners in cyclic order, or a poly of a surface.
 /// Needs:  SurfaceMesh M, Embedded. The polygon is simple, seen along its vector area; it may be concave, and leave its
 ///         plane.
@@ -40,13 +46,6 @@ struct inscribed_circle_result {
 /// Source: branch and bound; bounds by linear programmes: Seidel 1991, "Small-dimensional linear programming and convex
 ///         hulls made easy".
 inscribed_circle_result inscribed_circle(std::span<const vec3> polygon, const inscribed_circle_options& options = {});
-
-namespace detail {
-
-inscribed_circle_result largest_circle_inside(const core::flat_polygon& flat, const inscribed_circle_options& options);
-
-}  // namespace detail
-
 template<SurfaceMesh M>
   requires Embedded<M>
 inscribed_circle_result inscribed_circle(const M& m, const poly_t<M>& p, const inscribed_circle_options& options = {}) {

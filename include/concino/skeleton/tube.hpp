@@ -24,15 +24,15 @@ surface_arrays tube_around(const flat_curves& g);
 /// A surface around a curve skeleton or another graph in space: subdivide_catmull_clark(tube(k)) is smooth.
 /// Needs:  EmbeddedGraph M. The radius at each vert, of a skeleton its own, is positive.
 /// Result: a closed, manifold, oriented surface of quads for each component; its genus is the number of independent
-///         cycles of the component. Around a vert with two neighbours it has four verts, at the distance of the
-///         radius. Around any other vert it has a cube in a ball of that radius, with as many faces as needed, and
-///         bones begin at those that face them. The surface may intersect itself where bones are closer to one another
-///         than their radii, or shorter.
+///         cycles of the component. Around a vert with two neighbours it has four verts, at the distance of the radius.
+///         Around any other vert it has a cube in a ball of that radius, with as many faces as needed. Bones begin at
+///         those that face them. The surface may intersect itself where bones are closer to one another than their
+///         radii, or shorter.
 /// Cost:   O(verts + edges), and O(n^2) at a vert with n neighbours.
-/// Errors: as bones; invalid_argument if the graph has no verts, if a radius is 0 and options.radius is, too, or if that
-///         is negative or not finite.
-/// Source: a joint is a block of quads, as the branching polyhedra of Baerentzen, Misztal and Welnicka 2012, "Converting
-///         skeletal structures to quad dominant meshes".
+/// Errors: as bones; invalid_argument if the graph has no verts, if a radius is 0 and options.radius is, too, or if
+///         that is negative or not finite.
+/// Source: a joint is a block of quads, as the branching polyhedra of Baerentzen, Misztal and Welnicka 2012,
+///         "Converting skeletal structures to quad dominant meshes".
 template<EmbeddedGraph M>
 quadmesh tube(const M& g, const skeleton_tube_options& options = {}) {
   if (!(options.radius >= 0 && std::isfinite(options.radius)))

@@ -36,12 +36,12 @@ class ball_search {
     }
     // The new centre is the old one, moved along the part of the new direction that is orthogonal to the others.
     const vec3 from_first = x - support_[0];
-    vec3 across = from_first;
+    vec3 orthogonal = from_first;
     for (int twice = 0; twice < 2; ++twice)
-      for (unsigned k = 0; k + 1 < n; ++k) across -= dot(across, axes_[k]) * axes_[k];
-    const double height = norm(across);
+      for (unsigned k = 0; k + 1 < n; ++k) orthogonal -= dot(orthogonal, axes_[k]) * axes_[k];
+    const double height = norm(orthogonal);
     if (!(height > 1e-10 * norm(from_first))) return false;
-    axes_[n - 1] = across / height;
+    axes_[n - 1] = orthogonal / height;
     const vec3 to_centre = centre_of_support(n) - support_[0], to_x = from_first - to_centre;
     const double along = (dot(to_x, to_x) - dot(to_centre, to_centre)) / (2 * height);
     centre_ = support_[0] + to_centre + along * axes_[n - 1];

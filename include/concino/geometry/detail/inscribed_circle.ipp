@@ -1,5 +1,5 @@
-// Defines inscribed_circle.hpp. The plane is divided into boxes. Over a box, the distance from an edge is below a linear
-// function, with an error of the square of the box's size, and a linear programme bounds the smallest of these
+// Defines inscribed_circle.hpp. The plane is divided into boxes. Over a box, the distance from an edge is below a
+// linear function, with an error of the square of the box's size, and a linear programme bounds the smallest of these
 // distances. So a few boxes of each size remain about a largest circle. In a convex polygon one box is enough.
 #pragma once
 
@@ -61,7 +61,7 @@ class largest_circle_search {
     std::vector<index> edges;  // that may be the nearest ones to a point of the box
   };
 
-  vec3 along_{1, 0, 0}, across_{0, 1, 0};  // the axes of boxes: those of the longest edge
+  vec3 along_{1, 0, 0}, upward_{0, 1, 0};  // the axes of boxes: those of the longest edge
   std::vector<vec3> from_, direction_;     // of edges, turned to these axes
   std::vector<double> length_;
   std::vector<box> boxes_;  // a heap, the largest bound first
@@ -81,8 +81,8 @@ class largest_circle_search {
       const vec3 d = corners[i + 1 == n ? 0 : i + 1] - corners[i];
       if (norm(d) > longest) longest = norm(d), along_ = d / longest;
     }
-    across_ = {-along_.y, along_.x, 0};
-    const auto turned = [&](const vec3& x) { return vec3{dot(x, along_), dot(x, across_), 0}; };
+    upward_ = {-along_.y, along_.x, 0};
+    const auto turned = [&](const vec3& x) { return vec3{dot(x, along_), dot(x, upward_), 0}; };
     for (std::size_t i = 0; i < n; ++i) {
       from_.push_back(turned(corners[i]));
       const vec3 d = turned(corners[i + 1 == n ? 0 : i + 1]) - from_[i];
@@ -184,7 +184,7 @@ class largest_circle_search {
     for (index e = 0; e < from_.size() && r > radius; ++e) r = std::min(r, distance_from(x, e));
     if (r <= radius) return;
     radius = r;
-    centre = x.x * along_ + x.y * across_;
+    centre = x.x * along_ + x.y * upward_;
   }
 
   void examine(box b, double least) {
