@@ -12,7 +12,10 @@
 #include <concino/geometry/corner_angles.hpp>
 #include <concino/geometry/dihedral_angles.hpp>
 #include <concino/geometry/edge_length.hpp>
+#include <concino/geometry/enclosing_ball.hpp>
 #include <concino/geometry/hausdorff_distance.hpp>
+#include <concino/geometry/inscribed_circle.hpp>
+#include <concino/geometry/kernel.hpp>
 #include <concino/geometry/lines_and_planes.hpp>
 #include <concino/geometry/lowest_element.hpp>
 #include <concino/geometry/measure.hpp>
@@ -24,3 +27,4 @@
 #include <concino/geometry/self_intersections.hpp>
 #include <concino/geometry/tree_hits.hpp>
 #include <concino/geometry/triangulate_polygon.hpp>
+#include <concino/geometry/width.hpp>

@@ -290,6 +290,25 @@ TEST_CASE("metric: special cases of polygons") {
   CHECK(cn::quality(poly_shape::polygon, regular_polygon(7), metric::planarity) == doctest::Approx(1));
 }
 
+TEST_CASE("metric: circle_ratio and area_perimeter_ratio of polygons") {
+  const auto of = [](const std::vector<cn::vec3>& p, metric what) {
+    return cn::quality(p.size() == 3 ? poly_shape::triangle : p.size() == 4 ? poly_shape::quad : poly_shape::polygon, p, what);
+  };
+  for (const unsigned n : {3u, 4u, 5u, 8u, 40u}) {
+    const double half = std::numbers::pi / n;
+    CHECK(of(regular_polygon(n), metric::circle_ratio) == doctest::Approx(std::cos(half)).epsilon(1e-12));
+    CHECK(of(regular_polygon(n), metric::area_perimeter_ratio) == doctest::Approx(half / std::tan(half)).epsilon(1e-12));
+  }
+  const std::vector<cn::vec3> box = {{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 3, 0}}, crossed = {{0, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 2, 0}};
+  CHECK(of(box, metric::circle_ratio) == doctest::Approx(0.6));
+  CHECK(of(box, metric::area_perimeter_ratio) == doctest::Approx(4 * std::numbers::pi * 12 / 196));
+  CHECK(of(crossed, metric::circle_ratio) == 0);
+  CHECK(of({{0, 0, 0}, {1, 0, 0}, {3, 0, 0}}, metric::circle_ratio) == 0);
+  CHECK(of({{0, 0, 0}, {1, 0, 0}, {3, 0, 0}}, metric::area_perimeter_ratio) == 0);
+  CHECK(cn::metric_named("kernel_ratio") == metric::star_shapedness);
+  CHECK(!cn::is_defined(metric::circle_ratio, poly_shape::tet));
+}
+
 TEST_CASE("metric: names, limits and errors") {
   for (std::size_t i = 0; i < cn::num_metrics; ++i) {
     const auto what = static_cast<metric>(i);

@@ -21,11 +21,14 @@ inline constexpr std::size_t num_poly_shapes = 8;
 /// surfaces, signs refer to the vector area of the poly.
 enum class metric : unsigned char {
   area,                    // of the vector area, in units of length^2
+  area_perimeter_ratio,    // 4 pi area over the squared perimeter: 1 for a circle
   volume,                  // in units of length^3; negative if inverted
   aspect_beta,             // radius_ratio; infinite if inverted
   aspect_frobenius,        // sum of squared edges over area; for tets, of the matrix that maps a regular one to it
   aspect_gamma,            // (root of the mean squared edge)^3 over volume
   aspect_ratio,            // longest edge over inradius
+  circle_ratio,            // radius of the largest circle inside over that of the smallest one around; 0 if the polygon
+                           // touches itself
   collapse_ratio,          // smallest height over the longest edge of the face below
   condition,               // condition number of the corners; infinite if inverted
   diagonal,                // shortest over longest diagonal
@@ -62,8 +65,9 @@ enum class metric : unsigned char {
   taper,                   // largest cross derivative over principal axis
   warpage,                 // 1 - cosine^3 between normals at opposite corners
   aspect = aspect_ratio,   // the short name
+  kernel_ratio = star_shapedness,  // the name of Attene et al.
 };
-inline constexpr std::size_t num_metrics = 38;
+inline constexpr std::size_t num_metrics = 40;
 
 /// A closed interval.
 struct value_range {
@@ -84,7 +88,8 @@ struct metric_limits {
 
 /// Whether `what` is defined for polys of this shape.
 /// Needs:  nothing.      Result: true for scaled_jacobian, mean_ratio, planarity, star_shapedness, edge_ratio, area or
-///         volume and relative_size_squared of all shapes, and for what the Verdict manual defines.      Cost: O(1).   
+///         volume and relative_size_squared of all shapes, circle_ratio and area_perimeter_ratio of all polygons, and for what
+///         the Verdict manual defines.      Cost: O(1).   
 ///           Errors: none.
 bool is_defined(metric what, poly_shape shape);
 
@@ -128,13 +133,15 @@ metric metric_named(std::string_view name);
 ///         full range, mostly infinity (Verdict: 1e30). Inverted cells have negative scaled_jacobian, mean_ratio,
 ///         jacobian, volume, inradius and collapse_ratio. Polys of any magnitude are evaluated as if scaled by a power
 ///         of two.
-/// Cost:   O(points); star_shapedness of polys that are not convex O(points^2).
+/// Cost:   O(points); star_shapedness of polys that are not convex O(points^2), circle_ratio as inscribed_circle.
 /// Errors: unsupported if the metric is not defined for the shape, or for a polyhedron, which needs its faces;
 ///         invalid_argument for a wrong number of points.
 /// Source: as limits_of. Where the manual and the values of Verdict's tests differ, the tests are followed, except for
 ///         warpage, which is that of the manual. mean_ratio of other shapes than triangles and tets: Knupp 2001,
 ///         "Algebraic mesh quality metrics". star_shapedness: Sorgente, Biasotti, Manzini and Spagnuolo 2022, "The role
-///         of mesh quality and mesh quality indicators in the virtual element method".
+///         of mesh quality and mesh quality indicators in the virtual element method". circle_ratio, kernel_ratio and
+///         area_perimeter_ratio: Attene, Biasotti, Bertoluzza, Cabiddu, Livesu, Patane, Pennacchio, Prada and Spagnuolo
+///         2019, "Benchmark of polygon quality metrics for polytopal element methods".
 double quality(poly_shape shape, std::span<const vec3> points, metric what, double mean_size = 0);
 
 }  // namespace concino

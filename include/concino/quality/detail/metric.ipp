@@ -14,11 +14,13 @@ namespace concino {
 namespace detail {
 
 inline constexpr std::string_view metric_names[] = {"area",
+                                                    "area_perimeter_ratio",
                                                     "volume",
                                                     "aspect_beta",
                                                     "aspect_frobenius",
                                                     "aspect_gamma",
                                                     "aspect_ratio",
+                                                    "circle_ratio",
                                                     "collapse_ratio",
                                                     "condition",
                                                     "diagonal",
@@ -183,6 +185,7 @@ CONCINO_INLINE std::string_view name_of(poly_shape shape) {
 
 CONCINO_INLINE metric metric_named(std::string_view name) {
   if (name == "aspect") return metric::aspect;
+  if (name == "kernel_ratio") return metric::kernel_ratio;
   std::string all;
   for (std::size_t i = 0; i < num_metrics; ++i) {
     if (detail::metric_names[i] == name) return static_cast<metric>(i);

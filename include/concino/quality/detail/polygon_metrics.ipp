@@ -1,8 +1,10 @@
 // Defines the quality metrics of all polygons. Those of triangles and quads that have the same names are special cases.
 #pragma once
 
-#include <concino/quality/detail/metric_row.hpp>
+#include <concino/geometry/enclosing_ball.hpp>
+#include <concino/geometry/inscribed_circle.hpp>
 #include <concino/quality/detail/kernel_fraction.hpp>
+#include <concino/quality/detail/metric_row.hpp>
 
 namespace concino::detail {
 
@@ -82,12 +84,24 @@ struct polygon_metrics {
   }
   double planarity() const { return planarity_of_loop(size(), [&](std::size_t i) -> const vec3& { return p[i]; }); }
   double star_shapedness() const { return kernel_fraction_of_polygon(p, area_vector()); }
+  double area_perimeter_ratio() const {
+    double perimeter = 0;
+    for (std::size_t i = 0; i < size(); ++i) perimeter += length_of(edge(i));
+    return perimeter > 0 ? std::min(1.0, 4 * std::numbers::pi * area() / (perimeter * perimeter)) : 0;
+  }
+  double circle_ratio() const {
+    const core::flat_polygon flat(p);
+    if (!(flat.area() > 0) || flat.find_touching_edges()) return 0;
+    return std::min(1.0, ratio_or_zero(inscribed_circle(p, {.tolerance = 1e-11}).radius, enclosing_circle(p).radius));
+  }
 };
 
 CONCINO_INLINE std::span<const metric_row> polygon_rows() {
   using s = polygon_metrics;
   static constexpr metric_row rows[] = {
       {metric::area, metric_of<s, &s::area>, size_of(no_ideal, 2)},
+      {metric::area_perimeter_ratio, metric_of<s, &s::area_perimeter_ratio>, {{0.25, 1}, {0, 1}, no_ideal, 0}},
+      {metric::circle_ratio, metric_of<s, &s::circle_ratio>, {{0.1, 1}, {0, 1}, no_ideal, 0}},
       {metric::edge_ratio, metric_of<s, &s::edge_ratio>, ratio_to(3)},
       {metric::equiangle_skew, metric_of<s, &s::equiangle_skew>, deviation_to(0.5, no_limit)},
       {metric::maximum_angle, metric_of<s, &s::maximum_angle>, {{0, 170}, {0, 360}, no_ideal, 0}},

@@ -1,0 +1,7 @@
+// Curve skeletons: their bones, samples of them, tubes around them, and the skeleton of a surface.
+#pragma once
+
+#include <concino/skeleton/bone_curve.hpp>
+#include <concino/skeleton/bones.hpp>
+#include <concino/skeleton/respace.hpp>
+#include <concino/skeleton/tube.hpp>
