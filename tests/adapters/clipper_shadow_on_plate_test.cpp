@@ -73,7 +73,7 @@ TEST_CASE_TEMPLATE("shadow_on_plate: a box and a table, in any position", M, CON
 
 TEST_CASE_TEMPLATE("shadow_on_plate: random solids cover what their columns cover", M, trimesh, quadmesh, tetmesh) {
   std::mt19937 random(3);
-  for (int round = 0; round < 20; ++round) {
+  for (int round = 0; round < 8; ++round) {
     std::set<voxel> v;
     std::set<std::pair<int, int>> columns, rows;
     for (int i = 0; i < 20; ++i) {
@@ -145,7 +145,7 @@ TEST_CASE("shadow_on_plate: a bunny covers a point if a line through it meets th
   std::uniform_real_distribution<double> across(left, right), up(bottom, top);
   const auto in_plane = [&](vert_id v) { return vec3{dot(point(m, v) - s.origin, s.step_x), dot(point(m, v) - s.origin, s.step_y), 0}; };
   int differ = 0;
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 60; ++i) {
     const vec3 x{across(random), up(random), 0};
     bool is_covered = false;
     for (const poly_id p : polys(m)) {

@@ -4,6 +4,7 @@
 #include <concino/core/parallel.hpp>
 #include <concino/geometry/bounding_box.hpp>
 #include <concino/print/detail/supports/overhang_search.hpp>
+#include <concino/print/detail/supports/support_finder.hpp>
 
 #include <algorithm>
 #include <cmath>
