@@ -11,9 +11,13 @@
 #include <concino/print/shadow_on_plate.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace concino::detail {
 
