@@ -12,6 +12,7 @@
 #include <concino/print/planar_regions.hpp>
 #include <concino/print/polygon_clipper.hpp>
 #include <concino/print/region_offset.hpp>
+#include <concino/print/shadow_on_plate.hpp>
 #include <concino/print/slice_mesh.hpp>
 #include <concino/print/slice_report.hpp>
 #include <concino/print/slices_to_mesh.hpp>

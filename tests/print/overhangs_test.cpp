@@ -6,6 +6,7 @@
 #include <concino/generate/sphere.hpp>
 #include <concino/geometry/measure.hpp>
 
+#include <support/corpus.hpp>
 #include <support/kinds.hpp>
 #include <support/motions.hpp>
 #include <support/printed_parts.hpp>
@@ -145,6 +146,47 @@ TEST_CASE("overhangs: supports end at the part, below coarse and fine polys") {
     CHECK(wave.polys.size() == 2);
     CHECK(wave.support_volume == doctest::Approx(2 - mean).epsilon(1e-12));
     CHECK(wave.contact_area > 2);
+  }
+}
+
+TEST_CASE("overhangs: long slender polys, parallel in any direction, are found fast") {
+  // a lying pipe of radii 1 and 1/2 and length 8, of long quads; all of its lower polys within 45 degrees of straight down hang
+  const unsigned n = testing::long_run() ? 50'000 : 4'000;
+  const double last = 2 * pi / n, length = 8;
+  double area = 0, volume = 0;  // per unit of length
+  for (unsigned i = 0; i < n; ++i) {
+    const double angle = (i + 1) * last;  // of the normal of quad i; corners at (i + 1/2) and (i + 3/2)
+    const double y0 = std::cos(angle - last / 2), y1 = std::cos(angle + last / 2), z0 = std::sin(angle - last / 2), z1 = std::sin(angle + last / 2);
+    if (-std::sin(angle) > std::cos((45 - 1e-6) * pi / 180)) {  // outside: down to the plate
+      area += std::hypot(y1 - y0, z1 - z0);
+      volume += std::abs(y1 - y0) * ((z0 + z1) / 2 + 2);
+    }
+    if (std::sin(angle) > std::cos((45 - 1e-6) * pi / 180)) {  // inside: down to the pipe, which is as far below the middle
+      area += std::hypot(y1 - y0, z1 - z0) / 2;
+      volume += std::abs(y1 - y0) / 2 * (z0 + z1) / 2;
+    }
+  }
+  for (const double turn : {0.0, 0.4, 2.0}) {
+    surface_arrays a{{}, {}, {}, 4};
+    for (const double r : {1.0, 0.5})
+      for (const double x : {0.0, length})
+        for (unsigned i = 0; i < n; ++i) {
+          const double y = r * std::cos((i + 0.5) * last);
+          a.points.push_back({std::cos(turn) * x - std::sin(turn) * y, std::sin(turn) * x + std::cos(turn) * y, r * std::sin((i + 0.5) * last)});
+        }
+    const auto add = [&](unsigned v0, unsigned v1, unsigned v2, unsigned v3) {
+      for (const unsigned v : {v0, v1, v2, v3}) a.verts.push_back(vert_id{v});
+    };
+    for (unsigned i = 0; i < n; ++i) {
+      const unsigned j = (i + 1) % n;
+      add(i, j, n + j, n + i);
+      add(2 * n + i, 3 * n + i, 3 * n + j, 2 * n + j);
+      add(i, 2 * n + i, 2 * n + j, j);
+      add(n + i, n + j, 3 * n + j, 3 * n + i);
+    }
+    const auto o = overhangs(quadmesh(a), {.plate = -2});
+    CHECK(o.area == doctest::Approx(area * length).epsilon(1e-9));
+    CHECK(o.support_volume == doctest::Approx(volume * length).epsilon(1e-9));
   }
 }
 

@@ -51,7 +51,8 @@ struct overhang_report {
 ///         It is the exact integral of the heights over the projection of the overhanging polys, up to rounding: about
 ///         1e-12 of the cube of the diameter. Verts and edges that hang with steep polys around them, such as the tip
 ///         of a cone, need supports too, but have no area.
-/// Cost:   O(n log n) for n polys of similar size; parallel.
+/// Cost:   O(n log n) for n polys of similar size, also where most are long and parallel; O(n^2) for long polys in many
+///         directions; parallel.
 /// Errors: invalid_mesh if a vert of a poly is not finite, or if a closed surface is inside out; invalid_argument if an
 ///         option is out of its range.
 template<EmbeddedMesh M>

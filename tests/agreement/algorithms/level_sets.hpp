@@ -1,4 +1,4 @@
-// Compares isolines, isosurface, split, and the embedding of level sets in copies of meshes that can be edited.
+// Compares isolines, isosurface, layers, split, and the embedding of level sets in copies of meshes that can be edited.
 #pragma once
 
 #include <agreement/matched.hpp>
@@ -8,6 +8,9 @@
 #include <concino/level_sets/embed.hpp>
 #include <concino/level_sets/isolines.hpp>
 #include <concino/level_sets/isosurface.hpp>
+#include <concino/print/heights.hpp>
+#include <concino/print/planar_regions.hpp>
+#include <concino/print/slice_mesh.hpp>
 #include <concino/validate/check_laws.hpp>
 
 #include <array>
@@ -72,6 +75,42 @@ auto unless_refused(const F& make) -> std::optional<decltype(make())> {
   }
 }
 
+/// The contours of a layer, and the native numbers of the polys that they pass.
+template<class M, class Back>
+std::pair<double, std::multiset<numbers>> layer_of(const mesh_slices<M>& s, std::size_t layer, const Back& back) {
+  std::pair<double, std::multiset<numbers>> result{0, {}};
+  for (const auto kind : {slice_lines_kind::outer, slice_lines_kind::inner, slice_lines_kind::open}) {
+    const slice_lines& lines = kind == slice_lines_kind::outer ? s.layers[layer].outer : kind == slice_lines_kind::inner ? s.layers[layer].inner : s.layers[layer].open;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (kind != slice_lines_kind::open) result.first += contour_area(lines[i]);
+      numbers passed;
+      for (const poly_t<M>& p : s.polys_of(layer, kind, i)) passed.push_back(back(p));
+      result.second.insert(sorted(passed));
+    }
+  }
+  return result;
+}
+
+/// Compares the layers of slice_mesh.
+template<class B>
+void compare_layers(const B& both) {
+  const box b = bounding_box(both.native);
+  if (!(b.max.z > b.min.z)) return;
+  const double thickness = (b.max.z - b.min.z) / 3;
+  expect(heights(both.native, thickness) == heights(both.other, thickness), "the same heights");
+  const slice_mesh_options any{.accept_open = true, .accept_intersections = true};
+  const auto expected = unless_refused([&] { return slice_mesh(both.native, heights(both.native, thickness), any); });
+  const auto found = unless_refused([&] { return slice_mesh(both.other, heights(both.native, thickness), any); });
+  expect(expected.has_value() == found.has_value(), "both meshes are refused or neither");
+  if (!found) return;
+  for (std::size_t i = 0; i < expected->layers.size(); ++i) {
+    const auto here = layer_of(*expected, i, [](const auto& p) { return p.raw(); });
+    const auto there = layer_of(*found, i, [&](const auto& p) { return both.polys.back(p).raw(); });
+    expect_close(here.first, there.first, b.diagonal() * b.diagonal(), "the areas of layers");
+    expect(here.second == there.second, "contours pass the same polys");
+  }
+}
+
 struct level_lines_of {
   static constexpr const char* name = "isolines";
   template<class M> static constexpr bool runs_on = SurfaceMesh<M> && Embedded<M>;
@@ -94,6 +133,7 @@ struct level_lines_of {
     }
     expect(closed == closed_there, "as many closed lines");
     expect(a == b, "the same points");
+    compare_layers(both);
     return true;
   }
 };
@@ -116,6 +156,7 @@ struct level_surfaces_of {
     expect(sorted(raw_numbers(expected->polys)) == sorted(native_numbers(both.polys, found->polys)), "in the same polys");
     const double area = total_measure(expected->mesh);
     expect_close(area, total_measure(found->mesh), area, "the area");
+    compare_layers(both);
     return true;
   }
 };

@@ -45,6 +45,7 @@ void call_print() {
   call("thin_walls", [](auto& m) { cn::thin_walls(m, 0.1); }, all);
   call("narrow_gaps", [](auto& m) { cn::narrow_gaps(m, 0.1); }, all);
   call("height_map", [](auto& m) { cn::height_map(m, {.resolution = 8}); }, all);
+  call("shadow_on_plate", [&](auto& m) { cn::shadow_on_plate(m, back_end); }, all);
   call("overhangs", [](auto& m) { cn::overhangs(m); }, all);
   call("best_build_direction", [](auto& m) { cn::best_build_direction(m); }, all);
 }

@@ -149,6 +149,7 @@ void no_adapter(const stranger& other) {
   cn::overhangs(other);  // refused
   cn::best_build_direction(other);  // refused
   cn::height_map(other);  // refused
+  cn::shadow_on_plate(other);  // refused
   cn::thin_walls(other, 1);  // refused
   cn::narrow_gaps(other, 1);  // refused
   cn::validate(other);  // refused
@@ -336,6 +337,7 @@ void no_points(const cn::trimesh& m) {
   cn::overhangs(pure);  // refused
   cn::best_build_direction(pure);  // refused
   cn::height_map(pure);  // refused
+  cn::shadow_on_plate(pure);  // refused
   cn::thin_walls(pure, 1);  // refused
   cn::narrow_gaps(pure, 1);  // refused
   cn::self_intersections(pure);  // refused
@@ -502,7 +504,7 @@ void no_format(const cn::trimesh& m, const stranger& other) {
 }
 
 // No back end.
-void no_clipper(const cn::slices& s, const cn::slice_layer& layer, const cn::planar_regions& r) {
+void no_clipper(const cn::slices& s, const cn::slice_layer& layer, const cn::planar_regions& r, const cn::trimesh& m) {
   cn::layer_regions(layer);  // refused
   cn::region_union(r, r);  // refused
   cn::region_difference(r, r);  // refused
@@ -511,4 +513,5 @@ void no_clipper(const cn::slices& s, const cn::slice_layer& layer, const cn::pla
   cn::thicken(layer.open, 1);  // refused
   cn::slices_to_mesh(s);  // refused
   cn::slices_to_volume(s);  // refused
+  cn::shadow_on_plate(m);  // refused
 }

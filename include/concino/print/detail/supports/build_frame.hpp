@@ -3,9 +3,11 @@
 
 #include <concino/core/error.hpp>
 #include <concino/core/vec3.hpp>
+#include <concino/print/detail/supports/part_surface.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace concino::detail {
 
@@ -32,6 +34,18 @@ inline vec3 checked_direction(const vec3& direction, const char* caller) {
     core::throw_joined<invalid_argument>({caller, ": options.direction must be finite and not 0"});
   const vec3 d = direction / size;
   return d / norm(d);
+}
+
+/// The height of the plate, which is given in units of the mesh, in those of the part; without it, that of the lowest
+/// point. It may be above that by `near`.
+inline double plate_height(const part_surface& part, const std::optional<double>& plate, const vec3& up, double lowest,
+                           double near, const char* caller) {
+  if (!plate) return lowest;
+  if (!std::isfinite(*plate)) core::throw_joined<invalid_argument>({caller, ": options.plate is not finite"});
+  const double height = part.height_from_mesh(*plate, up);
+  if (!part.points.empty() && height > lowest + near)
+    core::throw_joined<invalid_argument>({caller, ": options.plate is above the lowest point of the part"});
+  return height;
 }
 
 }  // namespace concino::detail

@@ -37,10 +37,7 @@ CONCINO_INLINE height_map_result fill_height_map(const part_surface& part, const
   const build_frame frame(checked_direction(options.direction, "height_map"));
   if (options.resolution < 1 || options.resolution > 16384)
     throw invalid_argument("height_map: options.resolution must be in [1, 16384]");
-  if (options.plate && !std::isfinite(*options.plate))
-    throw invalid_argument("height_map: options.plate is not finite");
   height_map_result map;
-  if (part.points.empty()) return map;
   std::vector<vec3> points;
   box bounds;
   for (const vec3& x : part.points) {
@@ -48,11 +45,8 @@ CONCINO_INLINE height_map_result fill_height_map(const part_surface& part, const
     bounds.add(points.back());
   }
   vec3 low = bounds.min;
-  if (options.plate) {
-    low.z = part.height_from_mesh(*options.plate, frame.up);
-    if (low.z > bounds.min.z + part.tolerance)
-      throw invalid_argument("height_map: options.plate is above the lowest point of the part");
-  }
+  low.z = plate_height(part, options.plate, frame.up, low.z, part.tolerance, "height_map");
+  if (part.points.empty()) return map;
   const vec3 extent = bounds.max - bounds.min;
   const double longer = std::max(extent.x, extent.y), cell = longer / static_cast<double>(options.resolution);
   const auto count = [&](double length) {

@@ -4,6 +4,7 @@
 #include <concino/core/parallel.hpp>
 #include <concino/geometry/bounding_box.hpp>
 #include <concino/print/detail/supports/overhang_search.hpp>
+#include <concino/print/detail/supports/support_finder.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +18,6 @@ CONCINO_INLINE void check_limits(const overhang_limits& limits, const char* call
     core::throw_joined<invalid_argument>({caller, ": options.max_angle_deg must be in [0, 90]"});
   if (!(limits.plate_tolerance >= 0 && limits.plate_tolerance <= 0.1))
     core::throw_joined<invalid_argument>({caller, ": options.plate_tolerance must be in [0, 0.1]"});
-  if (limits.plate && !std::isfinite(*limits.plate))
-    core::throw_joined<invalid_argument>({caller, ": options.plate is not finite"});
 }
 
 CONCINO_INLINE overhang_figures find_overhangs(const part_surface& part, const vec3& up, const overhang_limits& limits,
@@ -26,7 +25,7 @@ CONCINO_INLINE overhang_figures find_overhangs(const part_surface& part, const v
   check_limits(limits, caller);
   overhang_figures found;
   if (part.points.empty()) {
-    found.plate = limits.plate ? part.height_from_mesh(*limits.plate, up) : 0;
+    found.plate = plate_height(part, limits.plate, up, 0, 0, caller);
     return found;
   }
   std::vector<double> heights(part.points.size());
@@ -37,13 +36,7 @@ CONCINO_INLINE overhang_figures find_overhangs(const part_surface& part, const v
   }
   const auto [lowest, highest] = std::minmax_element(heights.begin(), heights.end());
   const double near = std::max(limits.plate_tolerance * bounds.diagonal(), part.tolerance);
-  found.plate = *lowest;
-  if (limits.plate) {
-    found.plate = part.height_from_mesh(*limits.plate, up);
-    if (found.plate > *lowest + near)
-      core::throw_joined<invalid_argument>({caller, ": options.plate is above the lowest point of the part"});
-    found.plate = std::min(found.plate, *lowest);
-  }
+  found.plate = std::min(*lowest, plate_height(part, limits.plate, up, *lowest, near, caller));
   found.height = *highest - found.plate;
 
   std::vector<bool> on_plate(part.areas.size(), true);

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace concino::detail {
@@ -29,26 +28,9 @@ struct supports_size {
   double contact_area = 0;  // of the triangles above and below with the supports, without the plate
 };
 
-/// Finds the triangles that face up by the place in the plane.
-class support_finder {
-  std::vector<height_triangle> floors_;
-  std::vector<std::uint32_t> cell_offsets_, cells_;
-  std::size_t columns_ = 1, lines_ = 1;
-  double left_ = 0, bottom_ = 0, cell_ = 1;
-  double plate_, tolerance_;
-
-  struct cell_range {
-    std::size_t i0, i1, j0, j1;
-  };
-  cell_range cells_of(const height_triangle& t) const;
-  void build_grid();
-
- public:
-  /// Coordinates are those of a build_frame, of a size of about 1. All triangles are above the plate.
-  support_finder(std::vector<height_triangle> floors, double plate, double tolerance);
-
-  supports_size below(const height_triangle& ceiling) const;
-};
+/// The supports below a ceiling, above the highest of the candidates or the plate.
+supports_size measure_supports(const height_triangle& ceiling, std::vector<const height_triangle*> candidates,
+                               double plate, double tolerance);
 
 /// The triangle as a function, if it is not vertical: 1 if it faces up, -1 down, else 0.
 int make_height_triangle(const std::array<vec3, 3>& corners, height_triangle& result);

@@ -208,71 +208,10 @@ CONCINO_INLINE int make_height_triangle(const std::array<vec3, 3>& corners, heig
   return doubled.z > 0 ? 1 : -1;
 }
 
-CONCINO_INLINE support_finder::support_finder(std::vector<height_triangle> floors, double plate, double tolerance)
-    : floors_(std::move(floors)), plate_(plate), tolerance_(tolerance) {
-  build_grid();
-}
-
-CONCINO_INLINE support_finder::cell_range support_finder::cells_of(const height_triangle& t) const {
-  const auto& c = t.corners;
-  const auto cell = [&](double x, double low, std::size_t count) {
-    const double at = (x - low) / cell_;
-    return !(at > 0) ? 0 : at >= static_cast<double>(count) ? count - 1 : static_cast<std::size_t>(at);
-  };
-  return {cell(std::min({c[0].x, c[1].x, c[2].x}), left_, columns_),
-          cell(std::max({c[0].x, c[1].x, c[2].x}), left_, columns_),
-          cell(std::min({c[0].y, c[1].y, c[2].y}), bottom_, lines_),
-          cell(std::max({c[0].y, c[1].y, c[2].y}), bottom_, lines_)};
-}
-
-/// Cells are so large that the triangles have at most some eight entries on average.
-CONCINO_INLINE void support_finder::build_grid() {
-  if (floors_.empty()) return;
-  double right = -std::numeric_limits<double>::infinity(), top = right, extents = 0, boxes = 0;
-  left_ = bottom_ = -right;
-  for (const height_triangle& t : floors_) {
-    const auto [x0, x1] = std::minmax({t.corners[0].x, t.corners[1].x, t.corners[2].x});
-    const auto [y0, y1] = std::minmax({t.corners[0].y, t.corners[1].y, t.corners[2].y});
-    left_ = std::min(left_, x0), right = std::max(right, x1);
-    bottom_ = std::min(bottom_, y0), top = std::max(top, y1);
-    extents += x1 - x0 + y1 - y0;
-    boxes += (x1 - x0) * (y1 - y0);
-  }
-  const double n = static_cast<double>(floors_.size()), width = right - left_, height = top - bottom_;
-  cell_ = std::max(std::sqrt(width * height / n), std::max(width, height) / 4096);
-  while (extents / cell_ + boxes / (cell_ * cell_) > 7 * n) cell_ *= 1.5;
-  columns_ = static_cast<std::size_t>(width / cell_) + 1;
-  lines_ = static_cast<std::size_t>(height / cell_) + 1;
-  cell_offsets_.assign(columns_ * lines_ + 1, 0);
-  const auto for_each_cell = [&](const auto& visit) {
-    for (std::uint32_t t = 0; t < floors_.size(); ++t) {
-      const cell_range r = cells_of(floors_[t]);
-      for (std::size_t j = r.j0; j <= r.j1; ++j)
-        for (std::size_t i = r.i0; i <= r.i1; ++i) visit(j * columns_ + i, t);
-    }
-  };
-  for_each_cell([&](std::size_t c, std::uint32_t) { ++cell_offsets_[c + 1]; });
-  for (std::size_t c = 0; c + 1 < cell_offsets_.size(); ++c) cell_offsets_[c + 1] += cell_offsets_[c];
-  cells_.resize(cell_offsets_.back());
-  std::vector<std::uint32_t> next(cell_offsets_.begin(), cell_offsets_.end() - 1);
-  for_each_cell([&](std::size_t c, std::uint32_t t) { cells_[next[c]++] = t; });
-}
-
-CONCINO_INLINE supports_size support_finder::below(const height_triangle& ceiling) const {
-  std::vector<std::uint32_t> near;
-  if (!floors_.empty()) {
-    const cell_range r = cells_of(ceiling);
-    for (std::size_t j = r.j0; j <= r.j1; ++j)
-      for (std::size_t i = r.i0; i <= r.i1; ++i)
-        for (std::uint32_t k = cell_offsets_[j * columns_ + i]; k < cell_offsets_[j * columns_ + i + 1]; ++k)
-          if (floors_[cells_[k]].low <= ceiling.high + tolerance_) near.push_back(cells_[k]);
-    std::sort(near.begin(), near.end());
-    near.erase(std::unique(near.begin(), near.end()), near.end());
-  }
-  std::vector<const height_triangle*> candidates;
-  candidates.reserve(near.size());
-  for (const std::uint32_t t : near) candidates.push_back(&floors_[t]);
-  return support_pieces(ceiling, plate_, tolerance_)(std::move(candidates));
+CONCINO_INLINE supports_size measure_supports(const height_triangle& ceiling,
+                                              std::vector<const height_triangle*> candidates, double plate,
+                                              double tolerance) {
+  return support_pieces(ceiling, plate, tolerance)(std::move(candidates));
 }
 
 }  // namespace concino::detail
