@@ -4,7 +4,9 @@
 #include <concino/graph.hpp>
 #include <concino/graph/boost.hpp>
 #include <concino/graph/boundary_verts.hpp>
+#include <concino/graph/min_cut.hpp>
 #include <concino/graph/property_map.hpp>
+#include <concino/graph/segment.hpp>
 
 void call_graph() {
   const cn::vert_id a{0}, b{3};
@@ -21,6 +23,9 @@ void call_graph() {
     cn::path_to(from, b);
   }, all);
   call("grow_regions", [&](auto& m) { cn::grow_regions(m, {a, b}, [](auto&&...) { return 1.0; }); }, all);
+  call("min_cut", [&](auto& m) { cn::min_cut(m, a, b, [](auto&&...) { return 1.0; }); }, all);
+  call("segment_polys", [&](auto& m) { cn::segment_polys(m, [](auto, int l) { return l; }, {.labels = 3}); }, all);
+  call("segment_verts", [&](auto& m) { cn::segment_verts(m, [](auto, int l) { return l; }); }, all);
   call("connected_components", [&](auto& m) { cn::connected_components(m); }, all);
   call("spanning_tree", [&](auto& m) { cn::spanning_tree(m); }, all);
   call("boundary_verts", [&](auto& m) { cn::boundary_verts(m); }, all);

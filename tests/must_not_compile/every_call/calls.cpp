@@ -6,6 +6,8 @@
 #include <concino/generate.hpp>
 #include <concino/geometry.hpp>
 #include <concino/graph.hpp>
+#include <concino/graph/min_cut.hpp>
+#include <concino/graph/segment.hpp>
 #include <concino/io.hpp>
 #include <concino/level_sets.hpp>
 #include <concino/lines.hpp>
@@ -29,6 +31,9 @@ void no_adapter(const stranger& other) {
   cn::dijkstra(other);  // refused
   cn::shortest_path(other);  // refused
   cn::grow_regions(other);  // refused
+  cn::min_cut(other);  // refused
+  cn::segment_polys(other);  // refused
+  cn::segment_verts(other);  // refused
   cn::connected_components(other);  // refused
   cn::spanning_tree(other);  // refused
   cn::tree_cotree(other);  // refused
@@ -205,6 +210,9 @@ void temporary() {
   cn::bfs_forest(made());  // refused
   cn::dijkstra(made());  // refused
   cn::grow_regions(made());  // refused
+  cn::min_cut(made());  // refused
+  cn::segment_polys(made());  // refused
+  cn::segment_verts(made());  // refused
   cn::connected_components(made());  // refused
   cn::prepare_harmonic_map(made());  // refused
   cn::harmonic_map(made());  // refused
@@ -438,6 +446,7 @@ void numbers(const cn::trimesh& m) {
   cn::dijkstra(m, 0);  // refused
   cn::shortest_path(m, 0);  // refused
   cn::grow_regions(m, 0);  // refused
+  cn::min_cut(m, 0);  // refused
   cn::prepare_harmonic_map(m, 0);  // refused
   cn::harmonic_map(m, 0);  // refused
   cn::prepare_poisson(m, 0);  // refused
