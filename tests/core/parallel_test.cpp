@@ -274,11 +274,17 @@ TEST_CASE("parallel: what stop throws reaches the caller, and the next loop is c
     const with_num_threads now(n);
     for (int repeat = 0; repeat < 20; ++repeat) {
       std::atomic<std::size_t> calls{0};
-      const auto wait = [&](std::size_t) {
+      std::atomic<bool> has_stopped{false};
+      const auto wait = [&, caller = std::this_thread::get_id()](std::size_t) {
         ++calls;
         std::this_thread::sleep_for(std::chrono::microseconds(50));
+        while (std::this_thread::get_id() != caller && !has_stopped) std::this_thread::yield();  // however slow the caller is
       };
-      const auto stop = [&](double) -> bool { return calls >= 10 ? throw std::domain_error("stop") : false; };
+      const auto stop = [&](double) -> bool {
+        if (calls < 10) return false;
+        has_stopped = true;
+        throw std::domain_error("stop");
+      };
       CHECK_THROWS_AS(parallel_for(1000, wait, 1, stop), std::domain_error);
       CHECK(calls >= 10);
       CHECK(calls < 1000);
