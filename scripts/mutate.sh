@@ -45,6 +45,7 @@ mesh/correspondence   mesh/correspondence_edges mesh/correspondence_corners mesh
 mesh/detail/properties/correspondence   mesh/correspondence_edges mesh/correspondence_corners mesh/correspondence
 mesh/corner_property  mesh/corner_property
 mesh/property_set     mesh/detail/properties/property_set mesh/property mesh/correspondence
+mesh/detail/properties/column mesh/detail/properties/property_set mesh/property mesh/correspondence
 mesh/detail/properties/property_set     mesh/detail/properties/property_set mesh/property mesh/correspondence
 io/detail/formats/choose_format   io/format io/load
 io/detail/values/name_runs       io/detail/obj/read_obj io/detail/obj/read_mtl io/load
@@ -120,21 +121,28 @@ mesh/cell_tables       mesh/cell_tables mesh/native_mesh edit/elements mesh/supp
 mesh/detail/tables/cell_tables_build mesh/cell_tables mesh/native_mesh edit/elements mesh/support/standard_cells validate/check_laws validate/dense_meshes
 mesh/detail/tables/cell_tables_edit mesh/cell_tables mesh/native_mesh edit/elements mesh/support/standard_cells validate/check_laws validate/dense_meshes
 mesh/detail/tables/cell_tables_fans mesh/cell_tables mesh/native_mesh edit/elements mesh/support/standard_cells validate/check_laws validate/dense_meshes
-mesh/detail/tables/met_faces mesh/cell_tables mesh/native_mesh edit/elements mesh/support/standard_cells validate/check_laws validate/dense_meshes
+mesh/detail/tables/visited_faces mesh/cell_tables mesh/native_mesh edit/elements mesh/support/standard_cells validate/check_laws validate/dense_meshes
 mesh/detail/edits/cell_tables_rewire mesh/cell_tables_rewire
 mesh/detail/edits/cell_cavity mesh/cell_tables_rewire
+mesh/detail/edits/new_poly_links mesh/cell_tables_rewire
 mesh/detail/edits/cavity_faces mesh/cell_tables_rewire
 mesh/detail/edits/cavity_edges mesh/surface_rewire mesh/cell_tables_rewire mesh/polyhedra_tables_rewire
 mesh/detail/edits/cavity_changes mesh/surface_rewire mesh/cell_tables_rewire mesh/polyhedra_tables_rewire
 mesh/detail/edits/cavity_input mesh/surface_rewire mesh/cell_tables_rewire mesh/polyhedra_tables_rewire
 mesh/detail/edits/surface_rewire mesh/surface_rewire
+mesh/detail/edits/surface_cavity mesh/surface_rewire
 mesh/detail/edits/polyhedra_cavity mesh/polyhedra_tables_rewire
 mesh/detail/edits/polyhedra_tables_rewire mesh/polyhedra_tables_rewire
 mesh/polyhedra_tables  mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws validate/dense_meshes
-mesh/detail/tables/polyhedra_tables mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws validate/dense_meshes
-mesh/detail/tables/facet_adjacency             mesh/detail/tables/facet_adjacency mesh/cell_tables mesh/native_mesh edit/elements validate/check_laws validate/dense_meshes
-mesh/detail/tables/facet_adjacency_ranges       mesh/detail/tables/facet_adjacency validate/dense_meshes
-mesh/detail/rows/row_lookup        mesh/detail/rows/row_lookup mesh/detail/tables/facet_adjacency validate/dense_meshes
+mesh/detail/tables/polyhedra_tables_build mesh/native_mesh edit/elements mesh/indexed_base validate/check_laws validate/dense_meshes
+mesh/detail/tables/polyhedra_tables_edit mesh/native_mesh edit/elements mesh/indexed_base
+mesh/detail/facets/facet_adjacency mesh/detail/facets/facet_adjacency mesh/cell_tables mesh/native_mesh edit/elements validate/check_laws validate/dense_meshes
+mesh/detail/facets/facet_incidence mesh/detail/facets/facet_adjacency mesh/cell_tables mesh/native_mesh edit/elements validate/check_laws validate/dense_meshes
+mesh/detail/facets/facet_edits mesh/detail/facets/facet_adjacency mesh/surface_rewire mesh/cell_tables_rewire mesh/polyhedra_tables_rewire
+mesh/detail/facets/facet_marks mesh/detail/facets/facet_adjacency validate/dense_meshes
+mesh/detail/facets/non_manifold_facets mesh/detail/facets/facet_adjacency validate/dense_meshes
+mesh/detail/facets/adjacent_polys mesh/detail/facets/facet_adjacency validate/dense_meshes
+mesh/detail/rows/row_lookup        mesh/detail/rows/row_lookup mesh/detail/facets/facet_adjacency validate/dense_meshes
 mesh/detail/rows/jagged_array              mesh/detail/rows/jagged_array mesh/native_mesh edit/elements
 mesh/detail/tables/compaction           edit/garbage_collect
 mesh/detail/tables/surface_compact      edit/garbage_collect
@@ -167,7 +175,10 @@ lines/detail/cells/polyhedron_reader lines/detail/cells/flat_cell lines/integral
 lines/detail/cells/surface_exits  lines/integral_line
 lines/detail/cells/volume_exits   lines/integral_line
 lines/detail/follow/surface_line_walker lines/integral_line
+lines/detail/follow/surface_line_crossing lines/integral_line
 lines/detail/follow/volume_line_walker  lines/integral_line
+lines/detail/follow/volume_line_crossing lines/integral_line
+lines/detail/follow/volume_line_position lines/integral_line
 lines/detail/follow/vert_field_walker   lines/field_at_verts
 lines/detail/geodesics/geodesic_walker     lines/trace_geodesic lines/straighten
 lines/detail/geodesics/geodesic_start      lines/trace_geodesic

@@ -20,6 +20,7 @@
 #include <concino/mesh/polyhedra_tables.hpp>
 #include <concino/mesh/polyhedralmesh.hpp>
 #include <concino/mesh/property.hpp>
+#include <concino/mesh/property_kinds.hpp>
 #include <concino/mesh/property_set.hpp>
 #include <concino/mesh/quadmesh.hpp>
 #include <concino/mesh/submesh.hpp>

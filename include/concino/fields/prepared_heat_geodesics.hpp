@@ -6,6 +6,7 @@
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/fields/detail/heat/euclidean_distance.hpp>
+#include <concino/fields/detail/heat/geodesic_preparation.hpp>
 #include <concino/fields/detail/heat/geodesic_sources.hpp>
 #include <concino/fields/detail/heat/heat_matrix.hpp>
 #include <concino/fields/detail/heat/heat_preparation.hpp>
@@ -29,28 +30,7 @@ namespace concino {
 template<class M, class Solver>
 class prepared_heat_geodesics {
   using scaled_mesh = views::scaled<M>;
-  struct preparation {  // all lengths are those of the scaled mesh
-    detail::heat_system<Solver> system;
-    detail::distance_graph graph;
-    std::vector<double> mass;
-    double time;
-    int exponent;
-    bool clamp;
-
-    bool is_heat_negative() const {
-      const auto position = [&](int v) { return graph.position(static_cast<std::size_t>(v)); };
-      const auto sources = system.one_source_per_component(
-          [&](int v, int w) { return core::is_lexicographically_less(position(v), position(w)); });
-      std::vector<double> guess;
-      if (system.is_iterative()) {
-        std::vector<detail::distance_graph::start> starts;
-        for (const detail::heat_source& s : sources) starts.push_back({s.vert, 0, 0, 0});
-        guess = graph.path_lengths_from(starts, std::numeric_limits<double>::infinity());
-        for (double& x : guess) x /= -std::sqrt(time);
-      }
-      return system.is_heat_negative(sources, guess);
-    }
-  };
+  using preparation = detail::geodesic_preparation<Solver>;
   struct query {
     std::vector<detail::distance_source> sources;
     std::vector<detail::distance_graph::start> starts;
@@ -58,64 +38,6 @@ class prepared_heat_geodesics {
 
   detail::mesh_ref<M> mesh_;
   std::shared_ptr<const preparation> prepared_;
-
-  template<class D>
-  static preparation prepare(const M& mesh_in, const D& discretisation, const heat_geodesics_options& options,
-                             const Solver& solver) {
-    if (!(options.time >= 0 && options.time <= std::numeric_limits<double>::max()))
-      core::throw_joined<invalid_argument>(
-          {"heat_geodesics: time is ", core::number_text(options.time), "; it must be finite and 0 or more"});
-    detail::report_progress(options.progress, 0, "heat geodesics");
-    const scaled_mesh m = detail::scaled_to_unit(mesh_in);
-    detail::corner_fluxes corners = detail::fluxes_of(m);
-    const double edge = detail::mean_edge_length(m);
-    const double time = options.time > 0 ? std::ldexp(options.time, -2 * m.exponent())
-                                         : 2 * detail::mean_square_width(m) / dimension_v<M>;
-    constexpr bool along_edges = requirement::has_masses<D, M>;  // lengths are still those of the mesh
-    Eigen::SparseMatrix<double> stiffness;
-    if constexpr (along_edges) stiffness = detail::with_diagonal(lower_stiffness(m, virtual_elements));
-    else stiffness = detail::with_diagonal(detail::lower_stiffness_at(m, mesh_in, discretisation));
-    const auto mass = vert_masses(m);
-    double sum = 0;
-    for (const double x : mass.values()) sum += x;
-    const double mean = num_verts(m) > 0 ? sum / static_cast<double>(num_verts(m)) : 0;
-    // Along edges: the mean mass at every vert, and at every edge the conductance of a grid with edges of mean length.
-    const double flow = along_edges ? (edge > 0 ? mean / (edge * edge) : 0) * time : time;
-    std::vector<double> own;
-    if constexpr (along_edges) own = detail::lumped_masses(mesh_in, discretisation, "heat_geodesics");
-    const auto heat_by = [&](Eigen::SparseMatrix<double> a) {
-      return detail::lower_heat_matrix(detail::with_diagonal(std::move(a)), flow, [&](int c) {
-        const double here = mass.values()[static_cast<std::size_t>(c)];
-        return along_edges && here > 0 ? mean * own[static_cast<std::size_t>(c)] : here;
-      });
-    };
-    Eigen::SparseMatrix<double> heat =
-        along_edges ? heat_by(lower_stiffness(mesh_in, discretisation)) : heat_by(stiffness);
-    detail::report_progress(options.progress, 0.1, "factorising");
-    preparation r{{std::move(stiffness), std::move(corners), mean, solver},
-                  detail::distance_graph_of(m),
-                  {mass.values().begin(), mass.values().end()},
-                  time,
-                  m.exponent(),
-                  options.clamp};
-    detail::report_progress(options.progress, 0.4, "factorising");
-    const auto is_dirichlet_vert =
-        options.boundary == heat_boundary::neumann ? make_vert_map<bool>(m, false) : boundary_verts(m);
-    const std::span<const unsigned char> is_dirichlet = is_dirichlet_vert.values();
-    const bool has_boundary = std::find(is_dirichlet.begin(), is_dirichlet.end(), 1) != is_dirichlet.end();
-    if (!has_boundary || options.boundary != heat_boundary::dirichlet) {
-      r.system.add_heat(Eigen::SparseMatrix<double>(heat), solver);
-      if (!along_edges && r.is_heat_negative()) {
-        r.system.forget_heat();
-        heat = heat_by(detail::lower_positive_stiffness(m));
-        r.system.add_heat(Eigen::SparseMatrix<double>(heat), solver);
-      }
-    }
-    detail::report_progress(options.progress, 0.7, "factorising");
-    if (has_boundary) r.system.add_heat(detail::with_dirichlet_verts(std::move(heat), is_dirichlet), solver);
-    detail::report_progress(options.progress, 1, "heat geodesics");
-    return r;
-  }
 
   int number(const vert_t<M>& v) const { return static_cast<int>(index_of(mesh_.get(), v)); }
 
@@ -146,7 +68,8 @@ class prepared_heat_geodesics {
   template<class D>
   prepared_heat_geodesics(const M& m, const D& discretisation, const heat_geodesics_options& options,
                           const Solver& solver)
-      : mesh_(m), prepared_(std::make_shared<const preparation>(prepare(m, discretisation, options, solver))) {}
+      : mesh_(m), prepared_(std::make_shared<const preparation>(
+                         detail::prepare_geodesics(m, discretisation, options, solver))) {}
 
   const M& mesh() const { return mesh_.get(); }
   /// How long heat flows, in units of length^2.

@@ -90,7 +90,7 @@ tetrahedralization<M> tetrahedralize(const M& m, const BackEnd& back_end, const 
     result.labels.push_back(r == tets.no_region ? result.no_label : options.regions[r].label);
   result.report.not_planar = std::move(surface.not_planar);
   detail::list_poor_tets(result.mesh, tets.region_of_poly, options, result.report);
-  detail::say_what_is_not_met(num_polys(result.mesh),
+  detail::describe_missed_bounds(num_polys(result.mesh),
                               options.keep_boundary && !requirement::approximates_surface<BackEnd>, result.report);
   steps.end_of_verification(result.report);
   return result;

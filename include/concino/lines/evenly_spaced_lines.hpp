@@ -43,7 +43,7 @@ std::vector<field_line<M>> find_spaced_lines(const M& m, const G& g, const std::
   for (const poly_t<M>& p : seeds) {
     if (done++ % 1024 == 0)
       report_progress(o.progress, static_cast<double>(done - 1) / static_cast<double>(seeds.size()), caller);
-    all.fill_from({p, nearest_place(m, p, centroid(m, p), caller).position});
+    all.fill_from({p, nearest_mesh_point(m, p, centroid(m, p), caller).position});
   }
   return all.take();
 }

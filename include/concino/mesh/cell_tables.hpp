@@ -10,6 +10,7 @@
 #include <concino/mesh/corner_orders.hpp>
 #include <concino/mesh/detail/edits/cavity_input.hpp>
 #include <concino/mesh/detail/edits/edit_log.hpp>
+#include <concino/mesh/detail/tables/cell_adjacency.hpp>
 #include <concino/mesh/detail/tables/cell_ranges.hpp>
 #include <concino/mesh/detail/tables/checks.hpp>
 #include <concino/mesh/detail/tables/vertex_incidence.hpp>
@@ -23,27 +24,21 @@ template<class Shape> class cell_cavity;
 /// Lists: where the verts of polys are stored, either in rows of these tables, which can be edited, or in an array of
 /// the user.
 template<class Shape, class Lists = detail::jagged_array<vert_id, Shape::verts>>
-class cell_tables {
+class cell_tables : public detail::cell_adjacency<Shape, Lists> {
   template<class, class> friend class cell_tables;
   friend class detail::cell_cavity<Shape>;
+  using base = detail::cell_adjacency<Shape, Lists>;
   template<class T> using jagged = detail::jagged_array<T, 0>;
-  static constexpr const auto& shape = detail::shape_v<Shape>;
-
-  detail::alive_elements<vert_id> verts_;
-  detail::alive_elements<edge_id> edges_;
-  detail::alive_elements<face_id> faces_;
-  detail::alive_elements<poly_id> polys_;
-  Lists p2v_;
-  detail::jagged_array<edge_id, Shape::edges> p2e_;
-  detail::facet_adjacency<face_id, Shape::faces> facet_adjacency_;
-  detail::jagged_array<vert_id, 2> e2v_;
-  core::flat_array<std::uint32_t> e2p_;  // one poly at the edge, or `special` and the number of its list in poly_lists_
-  jagged<poly_id> poly_lists_;
-  detail::incident_edges incident_edges_;
-  jagged<poly_id> v2p_;
+  using base::shape, base::verts_, base::edges_, base::faces_, base::polys_, base::p2v_, base::p2e_,
+      base::facet_adjacency_, base::e2v_, base::e2p_, base::poly_lists_, base::incident_edges_, base::v2p_;
+  using base::poly_list_number;
 
  public:
   static constexpr unsigned arity = Shape::verts;
+  using base::verts, base::edges, base::faces, base::polys;
+  using base::adj_e2f, base::adj_e2p, base::adj_e2v, base::adj_f2e, base::adj_f2p, base::adj_f2v, base::adj_p2e,
+      base::adj_p2f, base::adj_p2v, base::adj_v2e, base::adj_v2f, base::adj_v2p, base::adj_v2v;
+  using base::faces_at, base::first_poly, base::is_non_manifold, base::neighbour_at_face, base::poly_list;
 
   cell_tables() = default;
   cell_tables(const cell_tables&) = default;
@@ -54,7 +49,7 @@ class cell_tables {
   /// From the verts of every poly in the standard order. Linear time and memory.
   /// Errors: invalid_mesh that names the poly with a bad or a repeated vert.
   cell_tables(std::size_t vert_count, std::vector<vert_id> polys)
-      : p2v_(detail::checked_lists<Shape::verts>(std::move(polys), "cell_tables: poly")) {
+      : base(detail::checked_lists<Shape::verts>(std::move(polys), "cell_tables: poly")) {
     detail::check_counts("cell_tables", vert_count, p2v_.size(), p2v_.num_values());
     build(vert_count);
   }
@@ -66,70 +61,8 @@ class cell_tables {
   /// From lists stored elsewhere, and from tables that were built from a copy of these lists.
   cell_tables(cell_tables<Shape>&& built,
               Lists elsewhere) requires(!std::same_as<Lists, detail::jagged_array<vert_id, Shape::verts>>)
-      : verts_(std::move(built.verts_)), edges_(std::move(built.edges_)), faces_(std::move(built.faces_)),
-        polys_(std::move(built.polys_)), p2v_(std::move(elsewhere)), p2e_(std::move(built.p2e_)),
-        facet_adjacency_(std::move(built.facet_adjacency_)), e2v_(std::move(built.e2v_)), e2p_(std::move(built.e2p_)),
-        poly_lists_(std::move(built.poly_lists_)), incident_edges_(std::move(built.incident_edges_)),
-        v2p_(std::move(built.v2p_)) {}
-
-  const detail::alive_elements<vert_id>& verts() const { return verts_; }
-  const detail::alive_elements<edge_id>& edges() const { return edges_; }
-  const detail::alive_elements<face_id>& faces() const { return faces_; }
-  const detail::alive_elements<poly_id>& polys() const { return polys_; }
-
-  id_span<vert_id> adj_v2v(vert_id v) const { return incident_edges_.verts(v); }
-  id_span<edge_id> adj_v2e(vert_id v) const { return incident_edges_.edges(v); }
-  auto adj_v2f(vert_id v) const {
-    return detail::owned_faces<cell_tables, id_span<poly_id>, detail::faces_at_vert,
-                               detail::shape_tables<Shape>::valence>(this, adj_v2p(v), {v});
-  }
-  id_span<poly_id> adj_v2p(vert_id v) const { return v2p_[v.raw()]; }
-  id_span<vert_id> adj_e2v(edge_id e) const { return e2v_[e.raw()]; }
-  auto adj_e2f(edge_id e) const {
-    return detail::owned_faces<cell_tables, detail::polys_around_edge<cell_tables>, detail::faces_at_edge, 2>(
-        this, adj_e2p(e), {e});
-  }
-  detail::polys_around_edge<cell_tables> adj_e2p(edge_id e) const { return {this, e}; }
-  detail::inline_array<vert_id, Shape::face_verts> adj_f2v(face_id f) const {
-    const auto [p, k] = facet_adjacency_.owner(f);
-    const auto v = p2v_[p];
-    detail::inline_array<vert_id, Shape::face_verts> all;
-    for (unsigned i = 0; i < Shape::face_verts; ++i) all[i] = v[Shape::face_vert[k][i]];
-    return all;
-  }
-  detail::inline_array<edge_id, Shape::face_verts> adj_f2e(face_id f) const {
-    const auto [p, k] = facet_adjacency_.owner(f);
-    const edge_id* const e = p2e_.begin(p);
-    detail::inline_array<edge_id, Shape::face_verts> all;
-    for (unsigned i = 0; i < Shape::face_verts; ++i) all[i] = e[shape.face_edge[k][i]];
-    return all;
-  }
-  detail::polys_of_facet adj_f2p(face_id f) const { return facet_adjacency_.polys_of(f); }
-  auto adj_p2v(poly_id p) const { return p2v_[p.raw()]; }
-  id_span<edge_id> adj_p2e(poly_id p) const { return p2e_[p.raw()]; }
-  id_span<face_id> adj_p2f(poly_id p) const { return facet_adjacency_.facets(p); }
-  detail::adjacent_polys adj_p2p(poly_id p) const { return facet_adjacency_.polys(p); }
-
-  /// The number of the first corner of p; the other corners of p follow. All corner numbers are below corner_bound().
-  /// Edits do not change them.
-  std::size_t first_corner(poly_id p) const { return p2v_.first(p.raw()); }
-  std::size_t corner_bound() const { return p2v_.num_values(); }
-
-  /// Whether the verts of f run counter-clockwise seen from outside p. This holds for the owner of f; for another poly
-  /// the orders are compared.
-  bool face_is_outward(poly_id p, face_id f) const {
-    if (facet_adjacency_.owner(f).poly == p.raw()) return true;
-    const auto verts = adj_f2v(f);
-    const id_span<face_id> faces = adj_p2f(p);
-    for (unsigned k = 0; k < Shape::faces; ++k) {
-      if (faces[k] != f) continue;
-      const auto v = p2v_[p.raw()];
-      for (unsigned i = 0; i < Shape::face_verts; ++i)
-        if (v[Shape::face_vert[k][i]] == verts[0])
-          return v[Shape::face_vert[k][(i + 1) % Shape::face_verts]] == verts[1];
-    }
-    return false;
-  }
+      : base(static_cast<detail::cell_adjacency<Shape, detail::jagged_array<vert_id, Shape::verts>>&&>(built),
+             std::move(elsewhere)) {}
 
   // Edits have the strong exception guarantee: they allocate all memory first, which changes no element, and cannot
   // fail afterwards. Before the change they call `grow` with the index bounds after the edit; `grow` may throw too.
@@ -171,36 +104,6 @@ class cell_tables {
   /// These tables without gaps, as packed as new ones. Elements and the entries of all lists keep their order.
   cell_tables compacted(const detail::compaction& kept) const;
 
-  // Used by the ranges of cell_ranges.hpp.
-  poly_id neighbour_at_face(poly_id p, std::uint32_t k) const {
-    const detail::encoded_neighbour x = facet_adjacency_.neighbours_of(p)[k];
-    return x.is_none() || x.is_non_manifold() ? poly_id{} : poly_id{x.poly()};
-  }
-  poly_id first_poly(edge_id e) const { return poly_id{e2p_[e.raw()]}; }
-  bool is_non_manifold(edge_id e) const { return e2p_[e.raw()] & detail::encoded_neighbour::special; }
-  id_span<poly_id> poly_list(edge_id e) const { return poly_lists_[poly_list_number(e)]; }
-  bool owns(poly_id p, std::uint32_t k) const {
-    const auto s = facet_adjacency_.owner(facet_adjacency_.facets(p)[k]);
-    return s.poly == p.raw() && s.k == k;
-  }
-  detail::inline_array<std::uint8_t, 2> faces_at(poly_id p, edge_id e) const {
-    const edge_id* const all = p2e_.begin(p.raw());
-    unsigned i = 0;
-    while (i + 1 < Shape::edges && all[i] != e) ++i;
-    detail::inline_array<std::uint8_t, 2> two;
-    two[0] = shape.edge_face[i][0];
-    two[1] = shape.edge_face[i][1];
-    return two;
-  }
-  detail::inline_array<std::uint8_t, detail::shape_tables<Shape>::valence> faces_at(poly_id p, vert_id v) const {
-    const auto all = p2v_[p.raw()];
-    unsigned i = 0;
-    while (i + 1 < Shape::verts && all[i] != v) ++i;
-    detail::inline_array<std::uint8_t, detail::shape_tables<Shape>::valence> faces;
-    for (unsigned k = 0; k < faces.size(); ++k) faces[k] = shape.vert_face[i][k];
-    return faces;
-  }
-
  private:
   class rewiring;
 
@@ -218,8 +121,6 @@ class cell_tables {
 
   /// The face that would be facet k of a poly with these corners; none if it does not exist yet.
   face_id face_on(std::span<const vert_id> corners, unsigned k) const;
-
-  std::size_t poly_list_number(edge_id e) const { return e2p_[e.raw()] & ~detail::encoded_neighbour::special; }
 
   /// Calls f(p) for every poly at e, in the order of adj_v2p of the first vert of e.
   template<class F>

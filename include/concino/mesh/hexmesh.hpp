@@ -3,6 +3,7 @@
 
 #include <concino/core/message.hpp>
 #include <concino/mesh/cell_tables.hpp>
+#include <concino/mesh/detail/meshes/native_traits.hpp>
 #include <concino/mesh/native_mesh.hpp>
 
 namespace concino {

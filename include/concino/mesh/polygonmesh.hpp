@@ -1,6 +1,7 @@
 // polygonmesh: a surface of polygons of any size.
 #pragma once
 
+#include <concino/mesh/detail/meshes/native_traits.hpp>
 #include <concino/mesh/native_mesh.hpp>
 
 namespace concino {

@@ -235,5 +235,6 @@ using polyhedra_tables = basic_polyhedra_tables<detail::jagged_array<vert_id, 0>
 #ifndef CONCINO_COMPILED
 #include <concino/mesh/detail/edits/polyhedra_tables_rewire.ipp>
 #include <concino/mesh/detail/tables/polyhedra_compact.ipp>
-#include <concino/mesh/detail/tables/polyhedra_tables.ipp>
+#include <concino/mesh/detail/tables/polyhedra_tables_build.ipp>
+#include <concino/mesh/detail/tables/polyhedra_tables_edit.ipp>
 #endif

@@ -1,6 +1,7 @@
 // polyhedralmesh: a volume of general polyhedra.
 #pragma once
 
+#include <concino/mesh/detail/meshes/native_traits.hpp>
 #include <concino/mesh/native_mesh.hpp>
 #include <concino/mesh/polyhedra_tables.hpp>
 

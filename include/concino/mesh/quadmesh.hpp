@@ -1,6 +1,7 @@
 // quadmesh: a surface of quadrilaterals.
 #pragma once
 
+#include <concino/mesh/detail/meshes/native_traits.hpp>
 #include <concino/mesh/native_mesh.hpp>
 
 namespace concino {

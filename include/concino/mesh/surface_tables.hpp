@@ -9,16 +9,21 @@
 #include <concino/mesh/detail/edits/edit_log.hpp>
 #include <concino/mesh/detail/rows/alive_elements.hpp>
 #include <concino/mesh/detail/tables/checks.hpp>
-#include <concino/mesh/detail/tables/facet_adjacency.hpp>
+#include <concino/mesh/detail/facets/facet_adjacency.hpp>
 #include <concino/mesh/detail/tables/vertex_incidence.hpp>
 
 namespace concino {
+
+namespace detail {
+template<unsigned Arity> class surface_cavity;
+}
 
 /// Arity: the number of verts of every polygon, or 0 if polygons differ. Lists: where the verts of polygons are stored,
 /// either in rows of these tables, which can be edited, or in an array of the user.
 template<unsigned Arity, class Lists = detail::jagged_array<vert_id, Arity>>
 class surface_tables {
   template<unsigned, class> friend class surface_tables;
+  friend class detail::surface_cavity<Arity>;
   template<class T> using per_poly = detail::jagged_array<T, Arity>;
   template<class T> using jagged = detail::jagged_array<T, 0>;
 

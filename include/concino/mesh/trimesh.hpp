@@ -1,6 +1,7 @@
 // trimesh: a surface of triangles.
 #pragma once
 
+#include <concino/mesh/detail/meshes/native_traits.hpp>
 #include <concino/mesh/native_mesh.hpp>
 
 namespace concino {

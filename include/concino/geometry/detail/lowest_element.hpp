@@ -70,7 +70,7 @@ mesh_point<M> lowest_element_of(const M& m, const mesh_point<M>& x, const char* 
 /// The point of poly p that is nearest to x, at the lowest element that contains it.
 /// Errors: invalid_mesh if p has points that are not finite.
 template<EmbeddedMesh M>
-mesh_point<M> nearest_place(const M& m, const poly_t<M>& p, const vec3& x, const char* caller) {
+mesh_point<M> nearest_mesh_point(const M& m, const poly_t<M>& p, const vec3& x, const char* caller) {
   return lowest_element_search<M>(m, caller)(p, x).place;
 }
 

@@ -29,9 +29,9 @@ T number_at(const std::string& bytes, std::size_t at) {
 std::string medit_headers(std::uint64_t vertices, std::uint64_t tets) {
   text_sink out;
   medit_output medit(out, true);
-  medit.announce(nullptr, vertices);
-  medit.announce(&medit_section_of("Tetrahedra"), tets);
-  medit.announce(&medit_section_of("Edges"), 0);
+  medit.add_section(nullptr, vertices);
+  medit.add_section(&medit_section_of("Tetrahedra"), tets);
+  medit.add_section(&medit_section_of("Edges"), 0);
   medit.begin_file();
   CHECK(medit.begin() == nullptr);
   CHECK(medit.begin() == &medit_section_of("Tetrahedra"));
@@ -85,7 +85,7 @@ TEST_CASE("medit_output: more than 2^31 - 1 elements take version 4, with all in
 TEST_CASE("medit_output: text has one row per line") {
   text_sink out;
   medit_output medit(out, false);
-  medit.announce(&medit_section_of("Edges"), 1);
+  medit.add_section(&medit_section_of("Edges"), 1);
   medit.begin_file();
   medit.begin();
   medit.index(0), medit.index(7), medit.integer(-3);

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <concino/core/unfolded_triangles.hpp>
+#include <concino/fields/detail/exact/exact_window.hpp>
 #include <concino/fields/detail/exact/path_tree.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -16,53 +16,32 @@
 
 namespace concino::detail {
 
-/// One query: distances of all verts from the added sources, in the units of the triangles.
-///
-/// A window is dropped only if a known path is shorter, by more than rounding, to everything the window sees. So
-/// windows on shortest paths remain.
+/// One query: distances of all verts from the added sources, in the units of the triangles. A window is dropped only if
+/// a known path is shorter, by more than rounding, to everything the window sees. So windows on shortest paths remain.
 class exact_windows {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double safe_factor = 1 - 1e-12;   // a < safe_factor * b implies that a is less than b in spite of
                                                      // rounding
   static constexpr double smallest_part = 1e-14;  // shortest window, as a fraction of its edge
 
-  struct window {
-    double begin, end;        // along the side, from its start
-    double x, y;              // position of the source: along the side, and perpendicular to it, away from the triangle
-                              // to be crossed next
-    double before;            // the path length at the source
-    int side, source;         // source: a vert, or -1
-  };
-  struct arrival {
-    double distance = infinity, crossing = 0;
-  };
-  using event = std::pair<double, int>;  // distance; a window, or -1 - a vert
-  static constexpr auto later = [](const event& a, const event& b) { return a > b; };
-
+  using window = exact_window;
   const core::unfolded_triangles& t_;
   path_tree* const paths_;                    // where paths are recorded, if requested
   int from_ = path_tree::none;                // the node of this tree from which the current windows and arrivals come
   std::vector<int> node_;                     // the node of each window in this tree
   std::vector<double> distance_, direction_;  // by vert; angle in the fan at which the shortest known path arrives,
                                               // NaN: paths leave in all directions
-  std::vector<arrival> first_at_apex_;        // by side: the first arrival at the apex of its triangle through this
+  std::vector<exact_arrival> first_at_apex_;  // by side: the first arrival at the apex of its triangle through this
                                               // side
   std::vector<window> windows_;
   std::vector<int> unused_, excluded_;          // excluded_: triangles that contain the source; no shortest path
                                                 // returns to them
-  std::vector<event> events_;
+  exact_events events_;
 
   double& at(int v) { return distance_[static_cast<std::size_t>(v)]; }
   double length(int s) const { return t_.length[static_cast<std::size_t>(s)]; }
   core::unfolded_triangles::plane_point apex(int s) const { return t_.apex[static_cast<std::size_t>(s)]; }
   double angle(int c) const { return t_.angle[static_cast<std::size_t>(c)]; }
-
-  static double norm(double x, double y) { return std::sqrt(x * x + y * y); }
-
-  void push(double when, int what) {
-    events_.push_back({when, what});
-    std::push_heap(events_.begin(), events_.end(), later);
-  }
 
   /// A path of that length arrives at vert v in corner c, at an angle of from_side from the side that starts there.
   void relax_vert(int v, double length_of_path, int c, double from_side) {
@@ -71,14 +50,14 @@ class exact_windows {
     if (paths_) paths_->arrive(v, from_);
     if (!t_.may_be_passed(v)) return;
     direction_[static_cast<std::size_t>(v)] = t_.fan_angle(c, from_side);
-    push(length_of_path, -1 - v);
+    events_.push(length_of_path, -1 - v);
   }
 
   /// Whether, for all points of a window on side s, a path through one end of the side is shorter. The window is
   /// measured from the start of the side.
   bool is_dominated(int s, const window& w) {
-    return at(t_.start(s)) + w.end < safe_factor * (w.before + norm(w.x - w.end, w.y)) ||
-           at(t_.end(s)) + (length(s) - w.begin) < safe_factor * (w.before + norm(w.x - w.begin, w.y));
+    return at(t_.start(s)) + w.end < safe_factor * (w.before + plane_norm(w.x - w.end, w.y)) ||
+           at(t_.end(s)) + (length(s) - w.begin) < safe_factor * (w.before + plane_norm(w.x - w.begin, w.y));
   }
 
   /// Continues a window on side s of a crossed triangle into the triangles on the other side of the edge.
@@ -88,7 +67,7 @@ class exact_windows {
     for (int other = t_.twin[static_cast<std::size_t>(s)]; other != s;
          other = t_.twin[static_cast<std::size_t>(other)]) {
       if (std::find(excluded_.begin(), excluded_.end(), other / 3) != excluded_.end()) continue;
-      window next = t_.start(other) == t_.start(s) ? w : reversed(w, size);
+      window next = t_.start(other) == t_.start(s) ? w : w.reversed(size);
       next.side = other;
       const double nearest = std::clamp(next.x, next.begin, next.end);
       int index = static_cast<int>(windows_.size());
@@ -103,22 +82,8 @@ class exact_windows {
         node_.resize(windows_.size());
         node_[static_cast<std::size_t>(index)] = paths_->add({next.x, next.y, other, from_});
       }
-      push(next.before + norm(next.x - nearest, next.y), index);
+      events_.push(next.before + plane_norm(next.x - nearest, next.y), index);
     }
-  }
-
-  static window reversed(window w, double size) {
-    w.x = size - w.x;
-    w.begin = std::exchange(w.end, size - w.begin);
-    w.begin = size - w.begin;
-    return w;
-  }
-
-  /// Where the line from the source through the base at `through` meets a side of direction (x, y) and length `size`:
-  /// the distance from their common start.
-  static double intersect_side(const window& w, double through, double x, double y, double size) {
-    const double slope = w.y * x - (through - w.x) * y;
-    return slope > 0 ? std::min(through * w.y / slope, size) : size;
   }
 
   void cross_triangle(const window& w) {
@@ -131,14 +96,14 @@ class exact_windows {
     const bool meets_left = w.begin < middle, meets_right = w.end > middle;
     bool left = meets_left, right = meets_right;
     if (left && right) {
-      const double there = w.before + norm(top.x - w.x, top.y + w.y);
+      const double there = w.before + plane_norm(top.x - w.x, top.y + w.y);
       const double sine = w.y * top.x + top.y * w.x, cosine = top.y * (w.y + top.y) - top.x * (w.x - top.x);
       if (there < at(t_.start(to_left)))
         relax_vert(t_.start(to_left), there, to_left, std::clamp(std::atan2(sine, cosine), 0.0, angle(to_left)));
       // Of the windows that see the apex, only the first goes on to both sides. The path from it to the apex cuts off
       // one side of all others, because they have come through the same triangles. This needs an edge with at most two
       // triangles.
-      arrival& first = first_at_apex_[static_cast<std::size_t>(s)];
+      exact_arrival& first = first_at_apex_[static_cast<std::size_t>(s)];
       if (there < first.distance) {
         first = {there, middle};
       } else if (t_.is_manifold && first.distance < safe_factor * there) {
@@ -149,24 +114,25 @@ class exact_windows {
     if (left) {
       const double along = length(to_left), cx = top.x / along, cy = top.y / along;
       window next = w;  // measured from the start of side s
-      next.begin = intersect_side(w, w.begin, cx, cy, along);
-      next.end = meets_right ? along : intersect_side(w, w.end, cx, cy, along);
+      next.begin = w.intersect_side(w.begin, cx, cy, along);
+      next.end = meets_right ? along : w.intersect_side(w.end, cx, cy, along);
       next.x = cx * w.x - cy * w.y;
       next.y = cx * w.y + cy * w.x;
       const double px = next.begin * cx, py = next.begin * cy;
-      if (!(at(t_.end(s)) + norm(size - px, py) < safe_factor * (w.before + norm(px - w.x, py + w.y))))
-        propagate(to_left, reversed(next, along));
+      if (!(at(t_.end(s)) + plane_norm(size - px, py) < safe_factor * (w.before + plane_norm(px - w.x, py + w.y))))
+        propagate(to_left, next.reversed(along));
     }
     if (right) {
-      const window mirrored = reversed(w, size);
+      const window mirrored = w.reversed(size);
       const double along = length(to_right), cx = (size - top.x) / along, cy = top.y / along;
       window next = w;
-      next.begin = intersect_side(mirrored, mirrored.begin, cx, cy, along);
-      next.end = meets_left ? along : intersect_side(mirrored, mirrored.end, cx, cy, along);
+      next.begin = mirrored.intersect_side(mirrored.begin, cx, cy, along);
+      next.end = meets_left ? along : mirrored.intersect_side(mirrored.end, cx, cy, along);
       next.x = cx * mirrored.x - cy * w.y;
       next.y = cx * w.y + cy * mirrored.x;
       const double px = next.begin * cx, py = next.begin * cy;
-      if (!(at(t_.start(s)) + norm(size - px, py) < safe_factor * (w.before + norm(px - mirrored.x, py + w.y))))
+      if (!(at(t_.start(s)) + plane_norm(size - px, py) <
+            safe_factor * (w.before + plane_norm(px - mirrored.x, py + w.y))))
         propagate(to_right, next);
     }
   }
@@ -214,28 +180,14 @@ class exact_windows {
     }
   }
 
-  /// The sides of a triangle, and a point in it relative to each side: along the side and perpendicular to it.
-  struct in_triangle {
-    std::array<int, 3> side;
-    std::array<core::unfolded_triangles::plane_point, 3> from;
-  };
-  in_triangle seen_from_edges(int s, core::unfolded_triangles::plane_point p) const {
-    const int right = core::unfolded_triangles::next(s), left = core::unfolded_triangles::previous(s);
-    const double back = length(s) - p.x, lx = apex(s).x / length(left), ly = apex(s).y / length(left);
-    const double rx = (length(s) - apex(s).x) / length(right), ry = apex(s).y / length(right);
-    return {{s, right, left},
-            {{p,
-              {rx * back + ry * p.y, ry * back - rx * p.y},
-              {length(left) - (lx * p.x + ly * p.y), ly * p.x - lx * p.y}}}};
-  }
   bool is_off(int s, core::unfolded_triangles::plane_point p) const { return p.y > smallest_part * length(s); }
 
   /// Starts straight paths from that point through the triangle.
-  void start_in(const in_triangle& t) {
+  void start_in(const point_in_triangle& t) {
     for (std::size_t k = 0; k < 3; ++k) {
       const core::unfolded_triangles::plane_point p = t.from[k];
       const int s = t.side[k];
-      relax_vert(t_.start(s), norm(p.x, p.y), s, std::clamp(std::atan2(p.y, p.x), 0.0, angle(s)));
+      relax_vert(t_.start(s), plane_norm(p.x, p.y), s, std::clamp(std::atan2(p.y, p.x), 0.0, angle(s)));
       if (is_off(s, p)) propagate(s, {0, length(s), p.x, p.y, 0, s, -1});
     }
   }
@@ -252,35 +204,34 @@ class exact_windows {
     at(v) = length_before;
     if (paths_) paths_->arrive(v, path_tree::none);
     direction_[static_cast<std::size_t>(v)] = std::numeric_limits<double>::quiet_NaN();
-    push(length_before, -1 - v);
+    events_.push(length_before, -1 - v);
   }
 
   /// Adds the only source, in the triangle of side s: x along the side, y perpendicular to it.
   void add_point(int s, double x, double y) {
-    std::vector<in_triangle> all{seen_from_edges(s, {x, y})};
+    std::vector<point_in_triangle> all{seen_from_edges(t_, s, {x, y})};
     for (std::size_t k = 0; k < 3; ++k) {
       const int side = all[0].side[k];
       const core::unfolded_triangles::plane_point p = all[0].from[k];
-      if (norm(p.x, p.y) <= smallest_part * length(side)) return add_vert(t_.start(side), norm(p.x, p.y));
+      if (plane_norm(p.x, p.y) <= smallest_part * length(side)) return add_vert(t_.start(side), plane_norm(p.x, p.y));
       if (is_off(side, p)) continue;
       if (paths_) paths_->start_on(side, std::clamp(p.x / length(side), 0.0, 1.0));
       for (int other = t_.twin[static_cast<std::size_t>(side)]; other != side;
            other = t_.twin[static_cast<std::size_t>(other)])
-        all.push_back(seen_from_edges(other, {t_.start(other) == t_.start(side) ? p.x : length(side) - p.x, 0}));
+        all.push_back(seen_from_edges(t_, other, {t_.start(other) == t_.start(side) ? p.x : length(side) - p.x, 0}));
     }
-    for (const in_triangle& t : all) excluded_.push_back(t.side[0] / 3);
+    for (const point_in_triangle& t : all) excluded_.push_back(t.side[0] / 3);
     from_ = path_tree::at_point;
-    for (const in_triangle& t : all) start_in(t);
+    for (const point_in_triangle& t : all) start_in(t);
   }
 
   /// The distances of all verts, +inf where no path exists. With a target only distances up to that of the target are
   /// final.
   const std::vector<double>& run(int target = -1) {
     while (!events_.empty()) {
-      const auto [when, what] = events_.front();
+      const auto [when, what] = events_.first();
       if (target >= 0 && safe_factor * when > at(target)) break;
-      std::pop_heap(events_.begin(), events_.end(), later);
-      events_.pop_back();
+      events_.pop();
       if (what < 0) {
         if (when == at(-1 - what)) propagate_from_vert(-1 - what);
         continue;

@@ -80,5 +80,6 @@ diffused diffuse(const affine_heat& equations, core::solver_ref scalar_solver, c
 }  // namespace concino::detail
 
 #ifndef CONCINO_COMPILED
+#include <concino/fields/detail/heat/affine_diffusion.ipp>
 #include <concino/fields/detail/heat/affine_heat.ipp>
 #endif

@@ -32,7 +32,7 @@ void list_poor_tets(const tetmesh& m, std::span<const std::uint32_t> regions, co
                     tetrahedralize_report& report);
 
 /// Sets report.not_met from its lists.
-void say_what_is_not_met(std::size_t num_tets, bool is_boundary_kept, tetrahedralize_report& report);
+void describe_missed_bounds(std::size_t num_tets, bool is_boundary_kept, tetrahedralize_report& report);
 
 }  // namespace concino::detail
 

@@ -79,7 +79,7 @@ CONCINO_INLINE void list_poor_tets(const tetmesh& m, std::span<const std::uint32
   }
 }
 
-CONCINO_INLINE void say_what_is_not_met(std::size_t num_tets, bool is_boundary_kept, tetrahedralize_report& report) {
+CONCINO_INLINE void describe_missed_bounds(std::size_t num_tets, bool is_boundary_kept, tetrahedralize_report& report) {
   const auto add = [&](const std::vector<poly_id>& tets, const char* one, const char* several, const char* what) {
     if (tets.empty()) return;
     if (report.not_met.empty()) report.not_met = core::joined({"Of ", num_tets, num_tets == 1 ? " tet, " : " tets, "});

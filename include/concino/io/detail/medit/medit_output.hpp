@@ -11,7 +11,7 @@
 
 namespace concino::detail {
 
-/// Output of MEDIT sections: announce() all of them, then for each begin() and its rows. Binary files are
+/// Output of MEDIT sections: add_section() all of them, then for each begin() and its rows. Binary files are
 /// little-endian.
 class medit_output {
   struct entry {
@@ -75,7 +75,7 @@ class medit_output {
   medit_output(text_sink& out, bool binary) : out_(out), binary_(binary) {}
 
   /// Plans a section, unless it is empty.
-  void announce(const medit_section* section, std::uint64_t count) {
+  void add_section(const medit_section* section, std::uint64_t count) {
     if (count > 0 || !section) plan_.push_back({section, count});
   }
 

@@ -3,11 +3,10 @@
 #pragma once
 
 #include <concino/io/cell_builder.hpp>
-#include <concino/io/detail/cells/element_nodes.hpp>
 #include <concino/io/detail/formats/contents.hpp>
 #include <concino/io/detail/medit/medit_binary.hpp>
 #include <concino/io/detail/medit/medit_format.hpp>
-#include <concino/io/detail/medit/medit_marks.hpp>
+#include <concino/io/detail/medit/medit_listed_reader.hpp>
 #include <concino/io/detail/medit/medit_text.hpp>
 
 namespace concino::detail {
@@ -15,25 +14,23 @@ namespace concino::detail {
 /// Reads a MEDIT file. Programs that read only surfaces need not compile the code for volumes. Cursor is medit_text or
 /// medit_binary.
 template<bool Volumes, class Cursor>
-class medit_reader : Cursor {
-  using Cursor::at, Cursor::end, Cursor::fail, Cursor::position, Cursor::index, Cursor::reference;
+class medit_reader : medit_listed_reader<Cursor> {
+  using base = medit_listed_reader<Cursor>;
+  using base::at, base::end, base::fail, base::position, base::reference;
+  using base::edges_, base::marks_, base::nodes_, base::points_, base::scratch_;
+  using base::list, base::mark, base::next_element, base::next_reference, base::next_vector, base::numbers_of,
+      base::takes_repeated;
 
   const wanted_mesh& wanted_;
   load_report& report_;
   contents_of<Volumes>& out_;
   bool has_verts_ = false;
-  std::vector<vec3> points_, normals_;
   std::vector<int> vert_labels_, poly_labels_;
   medit_polygons surface_;
   std::size_t polys_ = 0;
   std::vector<medit_part> deferred_;  // all sections but cells after the verts: their meaning depends on whether there
                                       // are cells
-  row_numbers triangles_, quads_, edges_;
-  medit_marks marks_;
   bool corners_only_;
-  element_nodes nodes_;
-  std::vector<vert_id> nodes_of_element_;
-  std::vector<std::uint64_t> scratch_;
 
   struct no_cells {
     no_cells(const read_context&, std::vector<vec3>&, std::size_t) {}
@@ -42,7 +39,7 @@ class medit_reader : Cursor {
 
  public:
   medit_reader(const read_context& c, contents_of<Volumes>& out)
-      : Cursor(c), wanted_(c.wanted), report_(*c.report), out_(out), corners_only_(c.corners_only),
+      : base(c, out), wanted_(c.wanted), report_(*c.report), out_(out), corners_only_(c.corners_only),
         cells_(c, points_, 1) {}
 
   void read() {
@@ -87,14 +84,6 @@ class medit_reader : Cursor {
     labels.push_back(label);
   }
 
-  vec3 next_vector(const char* x, const char* y, const char* z) {
-    vec3 p;
-    p.x = this->coordinate(x);
-    p.y = this->coordinate(y);
-    if (this->dimension_ == 3) p.z = this->coordinate(z);
-    return p;
-  }
-
   void vertices(const medit_part& part) {
     if (has_verts_) fail(part.at, {"one section Vertices"}, {"another"});
     points_.reserve(this->room_for(part, static_cast<std::uint64_t>(this->dimension_) + 1));
@@ -105,20 +94,6 @@ class medit_reader : Cursor {
     }
     has_verts_ = true;
   }
-
-  /// Reads the verts of an element. Returns its position.
-  const char* next_element(const medit_section& s, vert_id* corners) {
-    const char* const from = position();
-    for (std::uint32_t k = 0; k < s.arity; ++k) corners[k] = vert_id{index(points_.size(), "a vertex index")};
-    if (s.nodes) read_nodes(s);
-    return from;
-  }
-  void read_nodes(const medit_section& s) {
-    nodes_of_element_.resize(s.nodes);
-    for (vert_id& v : nodes_of_element_) v = vert_id{index(points_.size(), "a vertex index")};
-    nodes_.add(nodes_of_element_.data(), s.nodes);
-  }
-  int next_reference() { return reference("the reference of an element, an integer"); }
 
   /// Reads polys.
   void elements(const medit_part& part) {
@@ -150,22 +125,6 @@ class medit_reader : Cursor {
     polys_ += part.count;
   }
 
-  /// Of the rows of triangles or quads, which a section lists or marks.
-  row_numbers& numbers_of(const medit_section& s) { return s.arity == 3 || s.code == 17 ? triangles_ : quads_; }
-
-  /// Whether elements with a vert twice become others, or none, so that what the mesh can hold depends on each of them.
-  bool takes_repeated() const { return out_.repeated.policy != repeated_verts::refuse; }
-
-  /// The number of verts of an edge or face that is listed. Without options.repeated_verts they have to be different;
-  /// with it, equal neighbours become one.
-  std::uint32_t collapse_listed(const char* from, vert_id* corners, std::uint32_t n) {
-    const std::size_t k = first_repeated(corners, n, scratch_);
-    if (k == n) return n;
-    if (!takes_repeated())
-      fail(from, {"different verts in an element", repeated_verts_hint}, {"vert ", corners[k].raw() + 1, " twice"});
-    return collapse_verts(corners, n);
-  }
-
   void add_polygon(const char* from, const vert_id* corners, std::uint32_t n, std::size_t poly) {
     check_read_polygon(
         out_, wanted_, corners, n, {.different = "different verts in an element", .first = 1}, scratch_,
@@ -180,50 +139,6 @@ class medit_reader : Cursor {
          {name_of_poly(s.is_volume(), arity), s.is_volume() ? " (polyhedralmesh and load_any take any cell)"
                                                             : " (polygonmesh and load_any take any polygon)"},
          {"an element of section ", s.keyword});
-  }
-
-  /// Reads edges, or faces of a volume: elements that the mesh has, and to which the file gives references.
-  void list(const medit_part& part, element_kind kind, listed_elements& listed, row_numbers& numbers) {
-    const medit_section& s = *part.section;
-    numbers.add(part.count, listed.size());
-    for (std::uint64_t i = 0; i < part.count; ++i) {
-      vert_id corners[8];
-      const std::uint32_t n = collapse_listed(next_element(s, corners), corners, s.arity);
-      listed.verts.insert(listed.verts.end(), corners, corners + n);
-      if (listed.verts.size() > max_ids) this->fail_to_count("corners of edges or faces");
-      listed.end_element();
-      marks_.set(kind, "label", listed.size() - 1, next_reference());
-      this->report_progress();
-    }
-  }
-
-  void read_normals(const medit_part& part) {
-    for (std::uint64_t i = 0; i < part.count; ++i)
-      normals_.push_back(next_vector("the x of a normal", "the y of a normal", "the z of a normal"));
-  }
-
-  void read_normals_at_verts(const medit_part& part) {
-    out_.vert_normals.resize(points_.size());
-    for (std::uint64_t i = 0; i < part.count; ++i) {
-      const std::uint32_t v = index(points_.size(), "a vertex index");
-      out_.vert_normals[v] = normals_[index(normals_.size(), "the index of a normal")];
-    }
-  }
-
-  /// Reads the numbers of marked elements. Those of a section refer to the rows of others.
-  void mark(const medit_part& part, bool is_volume) {
-    const medit_section& s = *part.section;
-    for (std::uint64_t i = 0; i < part.count; ++i) {
-      if (s.rows == medit_rows::marked_verts) {
-        marks_.set(element_kind::vert, s.mark, index(points_.size(), "a vertex index"), 1);
-      } else if (s.rows == medit_rows::marked_edges) {
-        marks_.set(element_kind::edge, s.mark, edges_[index(edges_.size(), "the index of an edge")], 1);
-      } else {
-        const row_numbers& numbers = numbers_of(s);
-        marks_.set(is_volume ? element_kind::face : element_kind::poly, s.mark,
-                   numbers[index(numbers.size(), "the index of a triangle or quad")], 1);
-      }
-    }
   }
 
   /// Whether a section of this kind waits that is not empty.
@@ -249,7 +164,7 @@ class medit_reader : Cursor {
       } else if (rows == medit_rows::edges) {
         list(p, element_kind::edge, out_.edges, edges_);
       } else if (rows == medit_rows::normals) {
-        read_normals(p);
+        this->read_normals(p);
       }
     }
     bool uses_normals = false;
@@ -258,7 +173,7 @@ class medit_reader : Cursor {
       at = p.at;
       if (p.section->rows == medit_rows::normals_at_verts) {
         uses_normals = true;
-        read_normals_at_verts(p);
+        this->read_normals_at_verts(p);
       } else if (p.section->mark) {
         mark(p, has_cells);
       }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/io/detail/formats/contents.hpp>
+#include <concino/io/detail/obj/assign_materials.hpp>
 #include <concino/io/detail/obj/read_mtl.hpp>
 #include <concino/io/detail/values/name_runs.hpp>
 

@@ -7,7 +7,9 @@
 #include <concino/io/detail/obj/obj_cursor.hpp>
 #include <concino/io/detail/obj/obj_format.hpp>
 #include <concino/io/detail/obj/obj_names.hpp>
-#include <concino/io/detail/text/text_sample.hpp>
+#include <concino/io/detail/obj/obj_sizes.hpp>
+#include <concino/io/detail/obj/obj_skipped.hpp>
+#include <concino/io/detail/obj/obj_vert_colors.hpp>
 
 namespace concino::detail {
 
@@ -21,22 +23,15 @@ class obj_reader : obj_cursor {
   corner_value_list<vec3> normal_;
   std::uint64_t points_ = max_ids, textures_ = max_ids, normals_ = max_ids;  // the final numbers, once they are known
   std::uint64_t max_point_ = 0, max_texture_ = 0, max_normal_ = 0;           // the largest index so far
-  std::uint64_t num_extra_ = 0, num_lines_ = 0, num_smooth_ = 0, num_other_ = 0;
-  std::uint64_t num_zero_ = 0, num_bad_colors_ = 0;
-  std::uint64_t num_third_ = 0, num_invalid_ = 0;  // texture coordinates with a third number; those and normals that
-                                                   // are not finite numbers
-  double largest_color_ = 0;              // component of a colour
-  bool are_bytes_ = true;                 // all of them are whole numbers up to 255
-  std::vector<std::uint32_t> uncolored_;  // verts without a colour before the last one that has one
-  std::size_t first_other_ = 0, first_invalid_ = 0;
-  std::string other_;
+  obj_skipped skipped_;
+  obj_vert_colors colors_;
   std::uint32_t arity_ = 0;
   std::vector<std::uint64_t> scratch_;
 
  public:
   obj_reader(const read_context& c, file_contents& out)
       : obj_cursor(text_without_padding(c.text), c.name, c.progress), context_(c), wanted_(c.wanted), extra_(out),
-        out_(out.surface) {}
+        out_(out.surface), colors_(out.vert_colors) {}
 
   void read(load_report& report) {
     const std::string_view all{at, static_cast<std::size_t>(end() - at)};
@@ -49,32 +44,27 @@ class obj_reader : obj_cursor {
       points_ = out_.points.size(), textures_ = texture_.size(), normals_ = normal_.size();
       restart(all.data());
     }
-    if (out_.points.empty() && num_other_ > 0)
+    if (out_.points.empty() && skipped_.num_other > 0)
       fail(end(), {"verts (v x y z)"},
-           {"none, and ", num_other_, " lines that are not of an OBJ file, the first '", other_, "'"});
+           {"none, and ", skipped_.num_other, " lines that are not of an OBJ file, the first '", skipped_.other, "'"});
     if (out_.offsets.empty()) out_.arity = arity_;
     if (out_.arity == 0 && out_.offsets.empty()) out_.offsets.push_back(0);
-    report_skipped(report);
-    if (!extra_.vert_colors.empty()) finish_colors(report);
+    skipped_.num_textures = texture_.store("texture", out_.verts.size(), extra_);
+    skipped_.num_normals = normal_.store("normal", out_.verts.size(), extra_);
+    skipped_.report(report, [this](std::size_t position) { return line_of(begin() + position); });
+    if (colors_.finish(out_.points.size()))
+      report.notes.push_back(
+          "colours of verts: all numbers are whole and one is larger than 1, so they were read as components from 0 to 255");
     end_obj_names(context_, libraries_, extra_);
   }
 
  private:
   void make_room(std::string_view all) {
-    std::size_t points = 0, corners = 0, textures = 0, normals = 0;
-    const double scale = sample_lines(all, [&](const char* line, const char* last) {
-      if (last - line < 2) return;
-      textures += *line == 'v' && line[1] == 't';
-      normals += *line == 'v' && line[1] == 'n';
-      if (!is_blank(line[1])) return;
-      if (*line == 'v') ++points;
-      else if (*line == 'f') corners += words_of_line(line, last) - 1;
-    });
-    out_.points.reserve(with_margin(scale * static_cast<double>(points)));
-    out_.verts.reserve(with_margin(scale * static_cast<double>(corners)));
-    const std::size_t room = with_margin(scale * static_cast<double>(corners));
-    if (textures) texture_.reserve(with_margin(scale * static_cast<double>(textures)), room);
-    if (normals) normal_.reserve(with_margin(scale * static_cast<double>(normals)), room);
+    const obj_sizes expected = expected_sizes_of_obj(all);
+    out_.points.reserve(expected.points);
+    out_.verts.reserve(expected.corners);
+    if (expected.textures) texture_.reserve(expected.textures, expected.corners);
+    if (expected.normals) normal_.reserve(expected.normals, expected.corners);
   }
 
   /// Reads the file again to throw the error. Members that do not influence the error are not reset.
@@ -111,11 +101,8 @@ class obj_reader : obj_cursor {
     p.z = coordinate("the z of a vert");
     out_.points.push_back(p);
     blanks();
-    if (line_is_over()) {
-      text_cursor::skip_line();
-      return;
-    }
-    after_point();
+    if (line_is_over()) text_cursor::skip_line();
+    else after_point();
   }
 
   /// Reads a texture coordinate u [v [w]] or a normal. If it has no finite numbers, as some programs write, it is no
@@ -131,8 +118,8 @@ class obj_reader : obj_cursor {
       at = p;
     }
     const bool is_valid = is_texture ? n > 0 && (n == 3 || line_is_over()) : n == 3;
-    if (!is_valid && num_invalid_++ == 0) first_invalid_ = static_cast<std::size_t>(line - begin());
-    if (is_texture && is_valid) num_third_ += x[2] != 0;
+    if (!is_valid && skipped_.num_invalid++ == 0) skipped_.first_invalid = static_cast<std::size_t>(line - begin());
+    if (is_texture && is_valid) skipped_.num_third += x[2] != 0;
     if (is_texture) texture_.add(is_valid ? texture_point{x[0], x[1]} : no_corner_value<texture_point>());
     else normal_.add(is_valid ? vec3{x[0], x[1], x[2]} : no_corner_value<vec3>());
     skip_joined_line();
@@ -155,21 +142,9 @@ class obj_reader : obj_cursor {
     }
     if (not_finite && n != 3) fail(not_finite, {expected, ", a finite number"});
     text_cursor::skip_line();
-    if (n != 3) {
-      ++num_extra_;
-      return;
-    }
-    if (not_finite) {
-      ++num_bad_colors_;
-      return;
-    }
-    const double largest = std::max({x[0], x[1], x[2]});
-    are_bytes_ = are_bytes_ && is_whole && largest <= 255;
-    largest_color_ = std::max(largest_color_, largest);
-    const std::size_t first = extra_.vert_colors.size(), vert = out_.points.size() - 1;
-    for (std::size_t v = first; v < vert; ++v) uncolored_.push_back(static_cast<std::uint32_t>(v));
-    extra_.vert_colors.resize(vert);
-    extra_.vert_colors.push_back(rgba{static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2])});
+    if (n != 3) ++skipped_.num_extra;
+    else if (not_finite) ++skipped_.num_bad_colors;
+    else colors_.add(out_.points.size() - 1, x, is_whole);
   }
 
   void face() {
@@ -195,29 +170,23 @@ class obj_reader : obj_cursor {
   /// Reads the indices of a texture coordinate and a normal, each of which may be missing. Some programs write 0 for
   /// none.
   const char* attributes(const char* corner, const char* p) {
+    p = attribute(corner, p + 1, texture_, textures_, max_texture_, "a texture coordinate");
+    return p != end() && *p == '/' ? attribute(corner, p + 1, normal_, normals_, max_normal_, "a normal") : p;
+  }
+  template<class T>
+  const char* attribute(const char* corner, const char* p, corner_value_list<T>& values, std::uint64_t bound,
+                        std::uint64_t& largest, const char* what) {
     std::int64_t i = 0;
-    if (const char* q = parse_integer(++p, end(), i)) {
-      if (i == 0) {
-        ++num_zero_;
-      } else {
-        const std::uint64_t t = absolute(corner, i, texture_.size(), textures_, "a texture coordinate");
-        texture_.set(out_.verts.size(), t - 1);
-        if (t > max_texture_) max_texture_ = t;
-      }
-      p = q;
+    const char* const q = parse_integer(p, end(), i);
+    if (!q) return p;
+    if (i == 0) {
+      ++skipped_.num_zero;
+    } else {
+      const std::uint64_t k = absolute(corner, i, values.size(), bound, what);
+      values.set(out_.verts.size(), k - 1);
+      if (k > largest) largest = k;
     }
-    if (p == end() || *p != '/') return p;
-    if (const char* q = parse_integer(++p, end(), i)) {
-      if (i == 0) {
-        ++num_zero_;
-      } else {
-        const std::uint64_t n = absolute(corner, i, normal_.size(), normals_, "a normal");
-        normal_.set(out_.verts.size(), n - 1);
-        if (n > max_normal_) max_normal_ = n;
-      }
-      p = q;
-    }
-    return p;
+    return q;
   }
 
   void end_face(const char* line, std::size_t first) {
@@ -225,20 +194,6 @@ class obj_reader : obj_cursor {
     if (size < 3) fail(line, {"a face of at least three corners"}, {"one of ", size});
     end_checked_poly(*this, line, first, scratch_, wanted_, extra_, arity_,
                      {.different = "different verts at the corners of a face", .first = 1});
-  }
-
-  void finish_colors(load_report& report) {
-    if (are_bytes_ && largest_color_ > 1) {
-      std::size_t next = 0;
-      for (std::size_t v = 0; v < extra_.vert_colors.size(); ++v) {
-        rgba& c = extra_.vert_colors[v];
-        if (next < uncolored_.size() && uncolored_[next] == v) ++next;
-        else c = {c.r / 255, c.g / 255, c.b / 255};
-      }
-      report.notes.push_back(
-          "colours of verts: all numbers are whole and one is larger than 1, so they were read as components from 0 to 255");
-    }
-    extra_.vert_colors.resize(out_.points.size());
   }
 
   std::size_t num_polys() const {
@@ -250,41 +205,17 @@ class obj_reader : obj_cursor {
     while (at != end() && (is_letter(*at) || is_digit(*at) || *at == '_')) ++at;
     const std::string_view word{from, static_cast<std::size_t>(at - from)};
     if (!is_letter(*from) || !(ends_token(at, '#'))) fail(from, "a keyword of OBJ such as v or f");
-    if (word == "l" || word == "p") ++num_lines_;
+    if (word == "l" || word == "p") ++skipped_.num_lines;
     else if (word == "g") return extra_.groups.change(num_polys(), name_to_end_of_line());
     else if (word == "o") return extra_.objects.change(num_polys(), name_to_end_of_line());
     else if (word == "usemtl") return extra_.materials.change(num_polys(), name_to_end_of_line());
     else if (word == "mtllib") return libraries_.push_back(name_to_end_of_line());
-    else if (word == "s") ++num_smooth_;
-    else if (num_other_++ == 0) {
-      other_ = std::string(word.substr(0, 40));
-      first_other_ = static_cast<std::size_t>(from - begin());
+    else if (word == "s") ++skipped_.num_smooth;
+    else if (skipped_.num_other++ == 0) {
+      skipped_.other = std::string(word.substr(0, 40));
+      skipped_.first_other = static_cast<std::size_t>(from - begin());
     }
     skip_joined_line();
-  }
-
-  void report_skipped(load_report& report) {
-    const auto skipped = [&](std::uint64_t n, const char* what) {
-      if (n) report.skipped.push_back(core::joined({n, " ", what}));
-    };
-    skipped(num_third_, "texture coordinates with a third number other than 0: the number");
-    skipped(texture_.store("texture", out_.verts.size(), extra_), "texture coordinates (vt) that no corner has");
-    skipped(normal_.store("normal", out_.verts.size(), extra_), "normals (vn) that no corner has");
-    if (num_invalid_)
-      report.notes.push_back(core::joined(
-          {num_invalid_,
-           " texture coordinates (vt) or normals (vn) are not finite numbers, so that their corners have no value; the first on line ",
-           line_of(begin() + first_invalid_)}));
-    skipped(num_bad_colors_, "colours of verts with a number that is not finite");
-    if (num_zero_)
-      report.notes.push_back(
-          core::joined({num_zero_, " indices of texture coordinates or normals are 0: the corners have none"}));
-    skipped(num_extra_, "weights of verts, or other numbers after x y z that are not r g b");
-    skipped(num_lines_, "points and lines (p, l)");
-    skipped(num_smooth_, "smoothing groups (s)");
-    if (num_other_)
-      report.skipped.push_back(core::joined({num_other_, " lines with other keywords, the first '", other_,
-                                             "' on line ", line_of(begin() + first_other_)}));
   }
 };
 

@@ -4,7 +4,12 @@
 #include <concino/io/detail/off/off_binary.hpp>
 #include <concino/io/text_cursor.hpp>
 
+#include <string_view>
+
 namespace concino::detail {
+
+/// Whether the text may be a binary file.
+inline bool is_off_binary(std::string_view text) { return text.substr(0, 4096).find("BINARY") != text.npos; }
 
 class off_cursor : protected text_cursor {
  protected:

@@ -3,13 +3,11 @@
 #pragma once
 
 #include <concino/io/detail/formats/contents.hpp>
+#include <concino/io/detail/off/off_colors.hpp>
 #include <concino/io/detail/off/off_cursor.hpp>
 #include <concino/io/detail/off/off_format.hpp>
 
 namespace concino::detail {
-
-/// Whether the text may be a binary file.
-inline bool is_off_binary(std::string_view text) { return text.substr(0, 4096).find("BINARY") != text.npos; }
 
 class off_reader : off_cursor {
   const wanted_mesh& wanted_;
@@ -18,16 +16,16 @@ class off_reader : off_cursor {
   surface_arrays& out_;
   std::uint32_t arity_ = 0;
   std::vector<std::uint64_t> scratch_;
-  bool colors_of_polys_ = true;              // the numbers after the corners on a line are a colour
+  bool colors_of_polys_ = true;  // the numbers after the corners on a line are a colour
   bool wraps_ = false;                       // polys may continue on the next line
-  std::vector<std::uint32_t> whole_colors_;  // verts whose colours are integers, all 0 or 1
-  std::uint64_t largest_part_ = 0;           // the largest integer of the verts' colours
+  off_vert_colors vert_colors_;
   std::uint64_t num_extra_ = 0, num_odd_ = 0;
 
  public:
   off_reader(const read_context& c, file_contents& out)
       : off_cursor(is_off_binary(c.text) ? c.text : text_without_padding(c.text), c.name, c.progress),
-        wanted_(c.wanted), report_(*c.report), extra_(out), out_(out.surface) {}
+        wanted_(c.wanted), report_(*c.report), extra_(out), out_(out.surface),
+        vert_colors_(out.vert_colors) {}
 
   void read() {
     skip_space('#');
@@ -107,46 +105,28 @@ class off_reader : off_cursor {
     }
   }
 
-  /// The numbers of a colour: integers from 0 to 255, or reals from 0 to 1.
-  struct color_parts {
-    double x[4] = {0, 0, 0, 0};
-    std::uint32_t size = 0;
-    bool whole = true;
-
-    double largest() const { return std::max({x[0], x[1], x[2], x[3]}); }
-    rgba color() const {
-      rgba c;
-      float* const parts[] = {&c.r, &c.g, &c.b, &c.a};
-      for (std::uint32_t i = 0; i < size; ++i) *parts[i] = static_cast<float>(whole ? x[i] / 255 : x[i]);
-      return c;
-    }
-  };
-  void add_part(color_parts& c) {
+  void add_component(off_color& c) {
     const char* const from = at;
     const double x = real("a component of a colour");
     if (c.size < 4) c.x[c.size] = x;
     ++c.size;
     for (const char* p = from; p != at; ++p) c.whole = c.whole && (is_digit(*p) || *p == '-' || *p == '+');
   }
-  void check_bytes(const char* position, const color_parts& c) const {
-    if (c.whole && (c.largest() > 255 || std::min({c.x[0], c.x[1], c.x[2], c.x[3]}) < 0))
+  void check_bytes(const char* position, const off_color& c) const {
+    if (c.whole && (c.largest() > 255 || c.smallest() < 0))
       fail(position, "a colour of integers from 0 to 255, or of reals from 0 to 1");
   }
 
   void vert_color() {
     gap();
     const char* const position = at;
-    color_parts c;
+    off_color c;
     while (c.size < color_size_) {
       gap();
-      add_part(c);
+      add_component(c);
     }
     check_bytes(position, c);
-    if (c.whole) {
-      largest_part_ = std::max(largest_part_, static_cast<std::uint64_t>(c.largest()));
-      if (largest_part_ < 2) whole_colors_.push_back(static_cast<std::uint32_t>(extra_.vert_colors.size()));
-    }
-    extra_.vert_colors.push_back(c.color());
+    vert_colors_.add(c);
   }
 
   void extra_numbers() {
@@ -214,8 +194,8 @@ class off_reader : off_cursor {
 
   void poly_attributes(std::uint64_t f) {
     const char* const position = at;
-    color_parts c;
-    for (; !line_is_over(); blanks()) add_part(c);
+    off_color c;
+    for (; !line_is_over(); blanks()) add_component(c);
     if (c.size == 1 && c.whole) {
       if (c.x[0] < std::numeric_limits<int>::min() || c.x[0] > std::numeric_limits<int>::max())
         fail(position, "the index of a colour, an integer of 32 bits");
@@ -235,14 +215,9 @@ class off_reader : off_cursor {
   void finish_attributes() {
     if (!extra_.poly_labels.empty()) extra_.poly_labels.resize(out_.num_polys());
     if (!extra_.poly_colors.empty()) extra_.poly_colors.resize(out_.num_polys());
-    if (largest_part_ < 2 && !whole_colors_.empty()) {
-      for (const std::uint32_t v : whole_colors_) {
-        rgba& c = extra_.vert_colors[v];
-        for (float* const part : {&c.r, &c.g, &c.b, &c.a}) *part = *part > 0 ? 1.0f : 0.0f;
-      }
+    if (vert_colors_.rescale())
       report_.notes.push_back(
           "colours of verts: no integer is larger than 1, so they were read as components from 0 to 1");
-    }
     const auto skipped = [&](std::uint64_t n, const char* what) {
       if (n) report_.skipped.push_back(core::joined({n, " ", what}));
     };

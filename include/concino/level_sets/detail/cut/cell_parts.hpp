@@ -83,6 +83,7 @@ class cell_parts {
 }  // namespace concino::detail
 
 #ifndef CONCINO_COMPILED
+#include <concino/level_sets/detail/cut/cell_part_faces.ipp>
 #include <concino/level_sets/detail/cut/cell_parts.ipp>
 #include <concino/level_sets/detail/cut/cell_pieces.ipp>
 #endif

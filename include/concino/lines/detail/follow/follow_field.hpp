@@ -107,7 +107,7 @@ class field_follower {
   mesh_point<M> place_of(const vert_t<M>& v) const { return place_of(mesh_point<M>{v, {}}); }
   mesh_point<M> place_of(const poly_t<M>& p) const {
     if (!contains(*m_, p)) return place_of(mesh_point<M>{p, {}});
-    return nearest_place(*m_, p, centroid(*m_, p), caller_);
+    return nearest_mesh_point(*m_, p, centroid(*m_, p), caller_);
   }
   mesh_point<M> place_of(const mesh_point<M>& x) const { return lowest_element_of(*m_, x, caller_, "start"); }
 

@@ -56,7 +56,7 @@ class line_watch {
   /// Of a finding: the number of points once round, the fixed place on the side where the round began, the factor by
   /// which it shrinks, and the vert.
   std::size_t period() const { return period_; }
-  double fixed_place() const { return fixed_; }
+  double fixed_parameter() const { return fixed_; }
   double shrinks_by() const { return mark_.map.scale; }
   std::size_t vert() const { return pivot_; }
 

@@ -97,7 +97,7 @@ class spaced_lines {
   /// closed.
   field_line<M> follow(const mesh_point<M>& seed, double sense) {
     field_line<M> line;
-    double arc = 0, met_itself = std::numeric_limits<double>::infinity();
+    double arc = 0, distance_to_itself = std::numeric_limits<double>::infinity();
     const auto limit = [&](const vec3& a, const vec3& b, const poly_t<M>& p) {
       const double step = concino::distance(a, b);
       const auto n = static_cast<std::size_t>(std::ceil(step / longest_sample()));
@@ -127,15 +127,15 @@ class spaced_lines {
           add_up_to(to);
           continue;
         }
-        met_itself = std::min(met_itself, here);
-        if (here > met_itself + 2 * distance_) return to;
+        distance_to_itself = std::min(distance_to_itself, here);
+        if (here > distance_to_itself + 2 * distance_) return to;
       }
       arc += step;
       return 1.0;
     };
     line_recorder<M> to(line, max_steps_, limit);
     run(walker_, seed, sense, to);
-    if (line.stopped_by != line_end::closed && line.length > met_itself) to.shorten(met_itself);
+    if (line.stopped_by != line_end::closed && line.length > distance_to_itself) to.shorten(distance_to_itself);
     return line;
   }
 

@@ -5,7 +5,7 @@
 #include <concino/concepts/descriptors.hpp>
 #include <concino/core/small_array.hpp>
 #include <concino/mesh/detail/cells/shapes.hpp>
-#include <concino/mesh/detail/tables/met_faces.hpp>
+#include <concino/mesh/detail/tables/visited_faces.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -32,7 +32,7 @@ struct cavity_face {
 /// number, which is the last one that was added: few faces are listed there, and they were used recently.
 template<unsigned N>
 class cavity_faces {
-  using met = met_faces<N, 80, 112>;
+  using met = visited_faces<N, 80, 112>;
 
   core::small_array<cavity_face<N>, 112> faces_;
   met met_;

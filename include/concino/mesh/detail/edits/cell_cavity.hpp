@@ -7,6 +7,7 @@
 #include <concino/mesh/detail/edits/cavity_edges.hpp>
 #include <concino/mesh/detail/edits/cavity_faces.hpp>
 #include <concino/mesh/detail/edits/cavity_input.hpp>
+#include <concino/mesh/detail/edits/new_poly_links.hpp>
 
 #include <array>
 
@@ -56,8 +57,9 @@ class cell_cavity {
   static bool has_no_others(const face& x) { return x.num_polys == x.old_polys; }
   /// The other use of a face that connects two new polys, as numbered in new_uses; no_mate if it has one new poly only,
   /// has_others if it has any others.
-  static constexpr std::uint32_t no_mate = ~0u, has_others = ~0u - 1;
-  std::uint32_t mate(std::size_t use) const { return mates_[use]; }
+  static constexpr std::uint32_t no_mate = new_poly_links<Shape>::no_mate,
+                                 has_others = new_poly_links<Shape>::has_others;
+  std::uint32_t mate(std::size_t use) const { return links_.mate(use); }
   bool share_all_but_one(const face& x, const face& y) const {
     const auto a = corners_of(x), b = corners_of(y);
     unsigned common = 0;
@@ -93,6 +95,7 @@ class cell_cavity {
 
  private:
   static constexpr const auto& shape = shape_v<Shape>;
+  new_poly_links<Shape> links_{c.ends.size()};
 
   /// Numbers the edges and faces of poly k, counted with old ones.
   void find(std::size_t k) {
@@ -202,10 +205,10 @@ class cell_cavity {
         fan.new_joints += is_new_joint;
       }
       if (is_new_joint) {
-        mates_[x.new_uses[0]] = x.new_uses[1], mates_[x.new_uses[1]] = x.new_uses[0];
-        if (Shape::verts == 4 && opposite(x.new_uses[0]) == opposite(x.new_uses[1])) shortest_ring_ = 2;
+        links_.join(x.new_uses[0], x.new_uses[1]);
+        if (Shape::verts == 4 && opposite(x.new_uses[0]) == opposite(x.new_uses[1])) links_.allow_rings_of_two();
       } else if (x.new_polys == 1 && others == 0) {
-        mates_[x.new_uses[0]] = no_mate;
+        links_.set_alone(x.new_uses[0]);
       }
     }
   }
@@ -216,40 +219,6 @@ class cell_cavity {
   }
   /// Whether face x connects two new polys.
   static bool is_joint(const face& x) { return x.new_polys == 2 && has_no_others(x); }
-
-  core::small_array<std::uint32_t, 16 * Shape::faces> mates_{Shape::faces * c.ends.size(), has_others};  // see mate()
-  unsigned shortest_ring_ = Shape::verts == 4 ? 3 : 2;  // of new polys around an edge: two tets that have two faces in
-                                                        // common have all
-
-  /// Whether the new polys at edge e are connected by faces at e.
-  bool is_connected(unsigned e) const {
-    const std::uint32_t n = edges[e].new_polys, first = edges[e].first_new;
-    const fan_change& fan = fans[e];
-    if (fan.new_joints + 1 < n) return false;
-    // too few for a ring and others
-    if (n <= (fan.new_joints < n ? shortest_ring_ : 2 * shortest_ring_ - 1)) return true;
-    const bool is_ring = fan.new_joints == n;  // or some, so that the others are too few for another one after a part
-                                               // of the walk
-    std::uint32_t met = 1;
-    for (const unsigned side : {0u, 1u}) {
-      std::uint32_t use = first / Shape::edges * Shape::faces + shape.edge_face[first % Shape::edges][side];
-      while ((use = mates_[use]) < has_others) {
-        const std::uint32_t k = use / Shape::faces;
-        if (k == first / Shape::edges) return met == n;
-        if (++met + shortest_ring_ > n && is_ring) return true;
-        use = k * Shape::faces + other_face_at(e, k, use % Shape::faces);
-      }
-    }
-    return met == n;
-  }
-  /// The other face of new poly k at edge e.
-  std::uint32_t other_face_at(unsigned e, std::uint32_t k, std::uint32_t j) const {
-    const std::uint32_t* const at = edges_of_new(k);
-    unsigned i = 0;
-    for (unsigned l = 1; l < Shape::edges; ++l) i = at[l] == e ? l : i;
-    const std::uint8_t* const two = shape.edge_face[i];
-    return two[two[0] == j];
-  }
 
   /// Counts polys at edges. Those of an edge that is one fan are not counted: it is enough that it has a poly besides
   /// the old ones.
@@ -267,7 +236,7 @@ class cell_cavity {
         fan.is_irregular |= is_non_manifold || x.old_polys == 0 || x.old_polys > fan.old_joints + 1;
         if (x.is_left_over()) ++left_over_edges, ++changes[x.a].edges_lost, ++changes[x.b].edges_lost;
       }
-      fan.is_irregular |= x.new_polys > 0 && !is_connected(edges.number(x));
+      fan.is_irregular |= x.new_polys > 0 && !links_.connect(edges.number(x), x, fan.new_joints, edges_of_new(0));
     }
   }
 };

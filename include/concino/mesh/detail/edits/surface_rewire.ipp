@@ -4,71 +4,35 @@
 
 #include <concino/mesh/detail/edits/cavity_changes.hpp>
 #include <concino/mesh/detail/edits/cavity_edges.hpp>
+#include <concino/mesh/detail/edits/surface_cavity.hpp>
 #include <concino/mesh/surface_tables.hpp>
 
 namespace concino {
 
 template<unsigned Arity, class Lists>
-class surface_tables<Arity, Lists>::rewiring {
+class surface_tables<Arity, Lists>::rewiring : detail::surface_cavity<Arity> {
+  using base = detail::surface_cavity<Arity>;
+  using base::c_, base::verts_, base::num_old_verts_, base::num_verts_, base::edges_, base::changes_,
+      base::edges_of_new_, base::of_lists_, base::fresh_, base::left_over_;
+  using base::corners, base::next, base::num_added, base::num_corners, base::num_new, base::old_corners;
+
   surface_tables& t_;
-  const detail::native_cavity& c_;
-  const detail::cavity_verts verts_;
-  const unsigned num_old_verts_ = static_cast<unsigned>(c_.verts.size()),
-                 num_verts_ = num_old_verts_ + static_cast<unsigned>(c_.points.size());
-  detail::cavity_edges edges_;
-  core::small_array<detail::vert_change, 24> changes_;
-  core::small_array<unsigned, 48> old_corners_;     // of the old polys, as local numbers
-  core::small_array<unsigned, 12> old_ends_;        // where those of each end, if polys differ in size
-  core::small_array<unsigned, 48> edges_of_new_;    // of the new polys: the number of the edge after each corner
-  core::small_array<poly_id, 8> of_lists_;  // polys in lists of old polys
   core::small_array<std::uint64_t, 1> scratch_;
-  std::size_t fresh_ = 0, left_over_ = 0;   // numbers of edges that the mesh did not have, and of those that it loses
   const std::size_t first_vert_ = t_.verts_.bound(), first_poly_ = t_.polys_.bound();  // the first added ones
 
-  id_span<unsigned> corners(std::size_t k) const {
-    const unsigned* const all = c_.corners.begin();
-    return {all + (k == 0 ? 0 : c_.ends[k - 1]), all + c_.ends[k]};
-  }
-  id_span<unsigned> old_corners(std::size_t k) const {
-    const unsigned* const all = old_corners_.begin();
-    if constexpr (Arity > 0) return {all + Arity * k, all + Arity * k + Arity};
-    else return {all + (k == 0 ? 0 : old_ends_[k - 1]), all + old_ends_[k]};
-  }
-  std::size_t num_new() const { return c_.ends.size(); }
-  std::size_t num_added() const { return num_new() - c_.kept; }
-  std::size_t num_corners() const { return c_.ends.empty() ? 0 : c_.ends[num_new() - 1]; }
   vert_id vert(unsigned local) const {
     return local < num_old_verts_ ? verts_[local] : vert_id{first_vert_ + (local - num_old_verts_)};
   }
   poly_id new_poly(std::size_t k) const { return k < c_.kept ? c_.polys[k] : poly_id{first_poly_ + (k - c_.kept)}; }
-  static std::size_t next(std::size_t i, std::size_t n) { return i + 1 == n ? 0 : i + 1; }
-
-  static std::size_t count_corners(const surface_tables& t, const detail::native_cavity& c) {
-    std::size_t n = c.ends.empty() ? 0 : c.ends[c.ends.size() - 1];
-    for (const poly_id p : c.polys)
-      if (t.polys_.contains(p)) n += t.p2v_.length(p.raw());
-    return n;
-  }
 
  public:
-  rewiring(surface_tables& t, const detail::native_cavity& c)
-      : t_(t), c_(c), verts_(c.verts), edges_(count_corners(t, c)), changes_(num_verts_, detail::vert_change{}) {
-    detail::check_cavity(c, verts_, t.verts_, t.polys_, Arity);
-    find_old_edges();
-    find_new_edges();
-    count_edges();
-    for (unsigned v = num_old_verts_ - static_cast<unsigned>(c.removed); v < num_old_verts_; ++v)
-      if (t_.incident_.num_polys(verts_[v]) != changes_[v].polys_before) detail::removed_vert_in_use(verts_[v]);
-  }
+  rewiring(surface_tables& t, const detail::native_cavity& c) : base(t, c), t_(t) {}
 
   void save(detail::edit_log& log) const;
   void reserve(function_ref<void(const detail::index_bounds&)> grow);
   void commit(const detail::native_cavity_result& made);
 
  private:
-  void find_old_edges();
-  void find_new_edges();
-  void count_edges();
   void reserve_poly_lists();
   std::size_t values_of_rows() const;
 
@@ -79,56 +43,6 @@ class surface_tables<Arity, Lists>::rewiring {
 
   using cavity_edge = detail::cavity_edge;
 };
-
-template<unsigned Arity, class Lists>
-void surface_tables<Arity, Lists>::rewiring::find_old_edges() {
-  for (const poly_id p : c_.polys) {
-    const auto v = t_.p2v_[p.raw()];
-    const id_span<edge_id> e = t_.facet_adjacency_.facets(p);
-    const auto n = static_cast<std::uint32_t>(v.size());
-    const std::size_t first = old_corners_.size();
-    for (const vert_id w : v) {
-      old_corners_.push_back(verts_.local(w));
-      if (old_corners_.back() == detail::cavity_verts::none) detail::missing_cavity_vert(p, w);
-    }
-    if constexpr (Arity == 0) old_ends_.push_back(static_cast<unsigned>(old_corners_.size()));
-    for (std::uint32_t k = 0; k < n; ++k) {
-      const unsigned a = old_corners_[first + k], b = old_corners_[first + next(k, n)];
-      cavity_edge& x = edges_.at(a, b);
-      x.id = e[k];
-      ++x.old_polys;
-      x.num_polys = t_.facet_adjacency_.num_polys_at(p, k);
-      if (x.num_polys == 2) x.first_poly = poly_id{t_.facet_adjacency_.owner(e[k]).poly};
-      ++changes_[a].polys_before;
-      if (t_.facet_adjacency_.neighbour(p, k).is_non_manifold())
-        for (const poly_id q : t_.adj_e2p(e[k])) of_lists_.push_back(q);
-    }
-  }
-}
-
-template<unsigned Arity, class Lists>
-void surface_tables<Arity, Lists>::rewiring::find_new_edges() {
-  for (std::size_t k = 0; k < num_new(); ++k) {
-    const id_span<unsigned> v = corners(k);
-    for (std::size_t i = 0; i < v.size(); ++i) {
-      const unsigned a = v[i], b = v[next(i, v.size())];
-      ++changes_[a].polys_after;
-      cavity_edge& x = edges_.at(a, b);
-      edges_of_new_.push_back(edges_.number(x));
-      if (++x.new_polys > 1 || !x.id.is_none() || a >= num_old_verts_ || b >= num_old_verts_) continue;
-      x.id = t_.incident_.edge_between(verts_[a], verts_[b]);
-      if (!x.id.is_none()) x.num_polys = static_cast<std::uint32_t>(num_elements(t_.adj_e2p(x.id)));
-    }
-  }
-}
-
-template<unsigned Arity, class Lists>
-void surface_tables<Arity, Lists>::rewiring::count_edges() {
-  for (const cavity_edge& x : edges_) {
-    if (x.id.is_none()) ++fresh_, ++changes_[x.a].edges_gained, ++changes_[x.b].edges_gained;
-    else if (x.is_left_over()) ++left_over_, ++changes_[x.a].edges_lost, ++changes_[x.b].edges_lost;
-  }
-}
 
 /// Saves all rows that reserve() and commit() may change. The arrays are numbered as for_each_array() visits them.
 template<unsigned Arity, class Lists>

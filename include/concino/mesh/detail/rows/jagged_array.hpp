@@ -20,7 +20,7 @@
 
 namespace concino::detail {
 
-/// Rows of any lengths, packed before the first edit and loose afterwards (row_places.hpp). A row that exceeds its
+/// Rows of any lengths, packed before the first edit and editable afterwards (row_places.hpp). A row that exceeds its
 /// capacity moves to the end.
 template<class T>
 class jagged_array<T, 0> {
@@ -90,7 +90,7 @@ class jagged_array<T, 0> {
   // Edits allocate their memory first, which changes no row, and cannot fail afterwards.
 
   /// After this call remove() and clear_row() cannot fail. Rows stay where they are.
-  void make_editable() { places_.make_loose(); }
+  void make_editable() { places_.make_editable(); }
   /// The same, but most rows get room for more values, so that they need not move soon.
   void make_growable() {
     if (places_.is_packed()) spread_rows();

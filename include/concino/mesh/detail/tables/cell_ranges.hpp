@@ -3,7 +3,7 @@
 #pragma once
 
 #include <concino/mesh/detail/cells/shapes.hpp>
-#include <concino/mesh/detail/tables/facet_adjacency.hpp>
+#include <concino/mesh/detail/facets/facet_adjacency.hpp>
 
 namespace concino::detail {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/mesh/cell_tables.hpp>
-#include <concino/mesh/detail/tables/met_faces.hpp>
+#include <concino/mesh/detail/tables/visited_faces.hpp>
 
 namespace concino {
 
@@ -27,7 +27,7 @@ class cell_tables<Shape, Lists>::builder {
   core::flat_array<std::uint8_t> uses_;  // number of polys of each edge; `many` means `many` or more
   std::vector<edge_use> used_often_;     // sorted by edge
   detail::offsets vert_offsets_;
-  detail::met_faces<Shape::face_verts> met_faces_;  // at a
+  detail::visited_faces<Shape::face_verts> visited_faces_;  // at a
 
   /// The write positions for the next edge of a and its next neighbour.
   struct cursor {
@@ -52,15 +52,6 @@ class cell_tables<Shape, Lists>::builder {
   void mark_edges_met_since(std::uint32_t first_edge, std::uint32_t a);
   void hand_over();
   void check_fans();
-
-  static bool are_distinct_verts(const vert_id* v, std::size_t vert_count) {
-    bool good = v[0].raw() < vert_count;
-    for (unsigned i = 1; i < Shape::verts; ++i) {
-      good &= v[i].raw() < vert_count;
-      for (unsigned j = 0; j < i; ++j) good &= v[i] != v[j];
-    }
-    return good;
-  }
 
   /// The number of polys at edge e, of which `met` were counted.
   std::uint32_t polys_at(std::uint32_t e, std::uint8_t met) const {
@@ -93,7 +84,7 @@ void cell_tables<Shape, Lists>::builder::list_corners() {
   const vert_id* const corner_vert = t_.p2v_.begin(0);
   detail::offsets counts(vert_count_ + 1, 0);
   for (std::uint32_t p = 0; p < poly_count_; ++p) {
-    if (!are_distinct_verts(t_.p2v_.begin(p), vert_count_)) {
+    if (!detail::are_distinct_verts<Shape::verts>(t_.p2v_.begin(p), vert_count_)) {
       std::vector<std::uint32_t> met;
       detail::check_verts(t_.p2v_[p], vert_count_, "cell_tables: poly", p, met);
     }
@@ -125,7 +116,7 @@ void cell_tables<Shape, Lists>::builder::reserve() {
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::builder::visit(std::uint32_t a) {
   const std::uint32_t first_edge = edge_count_, first_face = face_count_;
-  met_faces_.clear();
+  visited_faces_.clear();
   const std::size_t most = std::size_t{valence} * t_.v2p_.length(a);
   cursor at{ends_.reserve_back(2 * most), v2v_.reserve_back(most), v2e_.reserve_back(most), edge_count_};
   t_.e2p_.reserve_back(most);
@@ -172,7 +163,7 @@ inline void cell_tables<Shape, Lists>::builder::meet_edges(std::uint32_t a, std:
       *at.end++ = vert_id{b};
       t_.e2p_.data()[e] = x.poly;
       uses_.data()[e] = 1;
-      met_faces_.add_edge();
+      visited_faces_.add_edge();
     }
     *at.near++ = vert_id{b};
     *at.near_edge++ = edge_id{e};
@@ -194,10 +185,10 @@ inline void cell_tables<Shape, Lists>::builder::meet_faces(std::uint32_t a, std:
     if constexpr (Shape::face_verts == 4)
       if (pv[along[1]].raw() < a) continue;
     if (at.far[x] > at.far[y]) std::swap(x, y);
-    typename detail::met_faces<Shape::face_verts>::face wanted;
+    typename detail::visited_faces<Shape::face_verts>::face wanted;
     wanted.other[0] = at.far[y];
     if constexpr (Shape::face_verts == 4) wanted.other[1] = pv[along[1]].raw();
-    const auto [f, is_new] = met_faces_.find_or_add(at.met[x], wanted);
+    const auto [f, is_new] = visited_faces_.find_or_add(at.met[x], wanted);
     if (is_new) t_.facet_adjacency_.add_facet(at.poly, shape.vert_face[at.i][k], face_id{face_count_++});
     else t_.facet_adjacency_.link(at.poly, shape.vert_face[at.i][k], face_id{first_face + f});
   }

@@ -4,7 +4,7 @@
 #include <concino/core/compiled.hpp>
 #include <concino/core/message.hpp>
 #include <concino/mesh/detail/rows/alive_elements.hpp>
-#include <concino/mesh/detail/tables/facet_adjacency.hpp>
+#include <concino/mesh/detail/facets/facet_adjacency.hpp>
 #include <concino/mesh/support/limits.hpp>
 
 namespace concino::detail {
@@ -32,6 +32,17 @@ jagged_array<T, 0> checked_lists(offsets first, std::vector<T> values, const cha
   shrink_if_wasteful(first);
   shrink_if_wasteful(values);
   return {std::make_shared<const offsets>(std::move(first)), std::move(values)};
+}
+
+/// Whether N verts are different, and below vert_count.
+template<unsigned N>
+bool are_distinct_verts(const vert_id* v, std::size_t vert_count) {
+  bool good = v[0].raw() < vert_count;
+  for (unsigned i = 1; i < N; ++i) {
+    good &= v[i].raw() < vert_count;
+    for (unsigned j = 0; j < i; ++j) good &= v[i] != v[j];
+  }
+  return good;
 }
 
 /// Throws if a list of verts cannot be a polygon.

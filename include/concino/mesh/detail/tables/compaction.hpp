@@ -4,7 +4,7 @@
 
 #include <concino/mesh/detail/rows/alive_elements.hpp>
 #include <concino/mesh/detail/rows/incident_lists.hpp>
-#include <concino/mesh/detail/tables/facet_adjacency.hpp>
+#include <concino/mesh/detail/facets/facet_adjacency.hpp>
 
 #include <cstdint>
 #include <utility>

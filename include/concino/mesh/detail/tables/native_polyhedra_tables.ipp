@@ -7,7 +7,8 @@
 #ifdef CONCINO_COMPILED
 #include <concino/mesh/detail/edits/polyhedra_tables_rewire.ipp>
 #include <concino/mesh/detail/tables/polyhedra_compact.ipp>
-#include <concino/mesh/detail/tables/polyhedra_tables.ipp>
+#include <concino/mesh/detail/tables/polyhedra_tables_build.ipp>
+#include <concino/mesh/detail/tables/polyhedra_tables_edit.ipp>
 
 namespace concino {
 

@@ -2,7 +2,7 @@
 // edges of a face. The cost of each is about the total size of the elements that it visits.
 #pragma once
 
-#include <concino/mesh/detail/tables/facet_adjacency_ranges.hpp>
+#include <concino/mesh/detail/facets/adjacent_polys.hpp>
 
 namespace concino::detail {
 

@@ -1,7 +1,7 @@
 // Construction of the incidence of polys and facets; see facet_adjacency.hpp.
 #pragma once
 
-#include <concino/mesh/detail/tables/facet_adjacency.hpp>
+#include <concino/mesh/detail/facets/facet_adjacency.hpp>
 
 namespace concino::detail {
 

@@ -1,12 +1,17 @@
-// Marks of the incidences of a poly whose neighbour is already behind another of its facets; see facet_adjacency.hpp.
+// Marks of the incidences of a poly whose neighbour is already behind another of its facets; see facet_marks.hpp.
 #pragma once
 
-#include <concino/mesh/detail/tables/facet_adjacency.hpp>
+#include <concino/mesh/detail/facets/facet_marks.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace concino::detail {
 
 template<class Facet, unsigned N>
-void facet_adjacency<Facet, N>::update_marks(std::uint32_t p, std::vector<std::uint64_t> scratch) {
+void facet_marks<Facet, N>::update_marks(std::uint32_t p, std::vector<std::uint64_t> scratch) {
   encoded_neighbour* const s = neighbours_.begin(p);
   const std::uint32_t n = facets_.length(p);
   if (n <= max_scanned_facets) {
@@ -30,7 +35,7 @@ void facet_adjacency<Facet, N>::update_marks(std::uint32_t p, std::vector<std::u
 
 template<class Facet, unsigned N>
 template<class Scratch>
-void facet_adjacency<Facet, N>::refresh_marks(poly_id p, Scratch& scratch) {
+void facet_marks<Facet, N>::refresh_marks(poly_id p, Scratch& scratch) {
   encoded_neighbour* const s = neighbours_.begin(p.raw());
   const std::uint32_t n = facets_.length(p.raw());
   if (N > 0 && !is_marked(p.raw()) && !may_repeat(p.raw())) return;
@@ -52,7 +57,7 @@ void facet_adjacency<Facet, N>::refresh_marks(poly_id p, Scratch& scratch) {
 }
 
 template<class Facet, unsigned N>
-void facet_adjacency<Facet, N>::mark_repeats(std::uint32_t p, std::vector<std::uint32_t>& met) {
+void facet_marks<Facet, N>::mark_repeats(std::uint32_t p, std::vector<std::uint32_t>& met) {
   encoded_neighbour* const s = neighbours_.begin(p);
   const std::uint32_t n = facets_.length(p);
   if (n <= max_scanned_facets) {
@@ -92,7 +97,7 @@ void facet_adjacency<Facet, N>::mark_repeats(std::uint32_t p, std::vector<std::u
 
 template<class Facet, unsigned N>
 template<class Scratch>
-void facet_adjacency<Facet, N>::mark_repeats_in(Scratch& sorted, encoded_neighbour* s) {
+void facet_marks<Facet, N>::mark_repeats_in(Scratch& sorted, encoded_neighbour* s) {
   std::sort(sorted.data(), sorted.data() + sorted.size());
   for (std::size_t i = 1; i < sorted.size(); ++i)
     if (sorted[i] >> 32 == sorted[i - 1] >> 32)
@@ -100,7 +105,7 @@ void facet_adjacency<Facet, N>::mark_repeats_in(Scratch& sorted, encoded_neighbo
 }
 
 template<class Facet, unsigned N>
-void facet_adjacency<Facet, N>::mark_by_scanning(std::uint32_t p) {
+void facet_marks<Facet, N>::mark_by_scanning(std::uint32_t p) {
   encoded_neighbour* const s = neighbours_.begin(p);
   for (std::uint32_t k = 1; k < facets_.length(p); ++k)
     if (!s[k].is_none() && !s[k].is_non_manifold())
@@ -112,7 +117,7 @@ void facet_adjacency<Facet, N>::mark_by_scanning(std::uint32_t p) {
 }
 
 template<class Facet, unsigned N>
-void facet_adjacency<Facet, N>::mark_in_poly_lists(std::uint32_t p) {
+void facet_marks<Facet, N>::mark_in_poly_lists(std::uint32_t p) {
   encoded_neighbour* const s = neighbours_.begin(p);
   const std::uint32_t n = facets_.length(p);
   for (std::uint32_t j = 0; j < n; ++j)
@@ -123,7 +128,7 @@ void facet_adjacency<Facet, N>::mark_in_poly_lists(std::uint32_t p) {
 }
 
 template<class Facet, unsigned N>
-void facet_adjacency<Facet, N>::mark_repeats_of(std::uint32_t p, std::uint32_t q) {
+void facet_marks<Facet, N>::mark_repeats_of(std::uint32_t p, std::uint32_t q) {
   encoded_neighbour* const s = neighbours_.begin(q);
   const std::uint32_t n = facets_.length(q);
   bool met = false;
@@ -137,14 +142,14 @@ void facet_adjacency<Facet, N>::mark_repeats_of(std::uint32_t p, std::uint32_t q
 }
 
 template<class Facet, unsigned N>
-void facet_adjacency<Facet, N>::mark_facets_to(std::uint32_t p, std::uint32_t q) {
+void facet_marks<Facet, N>::mark_facets_to(std::uint32_t p, std::uint32_t q) {
   encoded_neighbour* const s = neighbours_.begin(q);
   for (std::uint32_t k = 0; k < facets_.length(q); ++k)
     if (s[k].is_first_occurrence() && s[k].poly() == p) s[k].raw |= encoded_neighbour::special;
 }
 
 template<class Facet, unsigned N>
-void facet_adjacency<Facet, N>::mark_if_in_poly_list(std::uint32_t p, std::uint32_t k) {
+void facet_marks<Facet, N>::mark_if_in_poly_list(std::uint32_t p, std::uint32_t k) {
   encoded_neighbour* const s = neighbours_.begin(p);
   for (std::uint32_t j = 0; j < facets_.length(p); ++j)
     if (s[j].is_non_manifold() && poly_lists_.holds(s[j].poly_list(), poly_id{s[k].poly()})) {

@@ -1,5 +1,5 @@
 // The neighbours of polys that share several facets, or facets with many polys.
-#include <concino/mesh/detail/tables/facet_adjacency.hpp>
+#include <concino/mesh/detail/facets/facet_adjacency.hpp>
 
 #include <doctest/doctest.h>
 

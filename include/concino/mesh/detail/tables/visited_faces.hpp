@@ -1,4 +1,4 @@
-// met_faces: the faces at one vert of a mesh of tets or hexes, found by their other verts while the tables are built.
+// The faces at one vert of a mesh of tets or hexes, found by their other verts while the tables are built.
 #pragma once
 
 #include <concino/core/index_table.hpp>
@@ -17,7 +17,7 @@ namespace concino::detail {
 /// in the face; edges are numbered in the order of add_edge(). FewEdges and FewFaces: up to so many need no allocation;
 /// 0: vectors, for a builder.
 template<unsigned FaceVerts, std::size_t FewEdges = 0, std::size_t FewFaces = 0>
-class met_faces {
+class visited_faces {
  public:
   /// The verts of a face, except a and the smaller neighbour of a, and the next face at the same edge.
   struct face {
