@@ -105,7 +105,7 @@ function textureOf(width, height, rgb, filter) {
   const t = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, t);
   gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
-  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGB8, width, height, 0, gl.RGB, gl.UNSIGNED_BYTE, rgb);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.SRGB8, width, height, 0, gl.RGB, gl.UNSIGNED_BYTE, rgb);
   for (const [name, value] of [[gl.TEXTURE_MIN_FILTER, filter], [gl.TEXTURE_MAG_FILTER, filter], [gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE],
     [gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE]]) gl.texParameteri(gl.TEXTURE_2D, name, value);
   return t;
@@ -145,7 +145,7 @@ function drawPart(thing, part, pick) {
   gl.uniform1i(u.num_knots, knots.length);
   gl.uniform1f(u.bands, thing.bands);
   gl.uniform1f(u.lines, thing.lines);
-  gl.uniform1f(u.edge_width, thing.wire && !isArrow ? (look.edge_width || 1.3) * devicePixelRatio : 0);
+  gl.uniform1f(u.edge_width, thing.wire && !isArrow ? (look.edge_width || 1.3) * pixelScale() : 0);
   gl.uniform1i(u.edges_have_values, thing.edgesHaveValues && part.role === "surface" ? 1 : 0);
   gl.uniform1f(u.opacity, isArrow ? 1 : thing.opacity);
   gl.uniform1f(u.shine, look.shine);
@@ -176,8 +176,11 @@ function setCamera() {
 
 const paper = () => (document.documentElement.dataset.theme === "dark" ? [0.09, 0.094, 0.11] : [1, 1, 1]);
 
+/// Pixels of the drawing for each of the page: fewer while the view moves if drawing is slow.
+const pixelScale = () => devicePixelRatio * (motion.coarse ? 0.4 : 1);
+
 function drawScene() {
-  const width = Math.max(1, Math.round(canvas.clientWidth * devicePixelRatio)), height = Math.max(1, Math.round(canvas.clientHeight * devicePixelRatio));
+  const width = Math.max(1, Math.round(canvas.clientWidth * pixelScale())), height = Math.max(1, Math.round(canvas.clientHeight * pixelScale()));
   if (canvas.width !== width || canvas.height !== height) { canvas.width = width; canvas.height = height; }
   gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   gl.viewport(0, 0, width, height);
@@ -201,6 +204,18 @@ function drawScene() {
   gl.disable(gl.CULL_FACE);
   gl.depthMask(true);
   drawMarks();
+}
+
+const motion = { coarse: false, last: 0, slow: 0, timer: 0 };
+/// The view moves: when pictures take longer than 80 ms, they are coarse until it rests.
+function redrawMoving() {
+  const now = performance.now(), time = now - motion.last;
+  motion.last = now;
+  if (time < 2000 && !motion.coarse) motion.slow = time > 80 ? motion.slow + 1 : 0;
+  if (motion.slow >= 3) motion.coarse = true;
+  clearTimeout(motion.timer);
+  motion.timer = setTimeout(() => { motion.coarse = false; redraw(); }, 300);
+  redraw();
 }
 
 let requested = false;

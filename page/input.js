@@ -26,7 +26,7 @@ canvas.addEventListener("pointermove", (e) => {
     pinch = size;
   } else if (button0 === 0 && !e.shiftKey) rotate(dx, dy);
   else pan(dx, dy);
-  redraw();
+  redrawMoving();
 });
 const release = (e) => {
   if (!pointers.delete(e.pointerId) || e.type === "pointercancel") return;
@@ -38,7 +38,7 @@ canvas.addEventListener("pointercancel", release);
 canvas.addEventListener("wheel", (e) => {
   e.preventDefault();
   zoom(Math.exp(Math.max(-1, Math.min(1, e.deltaY * (e.deltaMode === 1 ? 0.05 : 0.0015)))), e.clientX, e.clientY);
-  redraw();
+  redrawMoving();
 }, { passive: false });
 canvas.addEventListener("dblclick", (e) => {
   const hit = triangleAt(e.clientX, e.clientY);

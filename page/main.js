@@ -34,4 +34,4 @@ canvas.addEventListener("webglcontextrestored", () => {
 
 start();
 /// For programs that drive the page, such as tests.
-window.concino = { scene, camera, slicing, things: () => things, press, pickAt, describe, goTo, changed, drawScene, planeOf, setTheme, gl };
+window.concino = { scene, camera, slicing, things: () => things, press, pickAt, describe, goTo, changed, drawScene, planeOf, setTheme, motion, gl };

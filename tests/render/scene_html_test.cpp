@@ -101,7 +101,7 @@ TEST_CASE("save_html: texts end no script, and their control characters are esca
 }
 
 TEST_CASE("save_html: coordinates and values of any size") {
-  for (const double size : {1e30, 1e-30}) {
+  for (const double size : {1e30, 1e-30, 1e300, 1e-300}) {
     trimesh m = testing::grid<trimesh>(1);
     for (const auto v : verts(m)) set_point(m, v, point(m, v) * size);
     auto u = make_vert_map<double>(m, std::numeric_limits<double>::quiet_NaN());

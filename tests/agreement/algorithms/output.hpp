@@ -81,7 +81,9 @@ struct drawing {
     struct number_itself {
       double operator[](vert_t<typename B::native_mesh> v) const { return v.raw(); }
     };
-    const drawable a = make_drawable(both.native, {.field = number_itself{}}), b = make_drawable(both.other, {.field = through{both}});
+    const drawable a = make_drawable(both.native, {.field = number_itself{}, .inspect = true}),
+                   b = make_drawable(both.other, {.field = through{both}, .inspect = true});
+    compare_picked(both, *a.inspected, *b.inspected);
     expect(a.triangles.size() == b.triangles.size() && a.points.size() == b.points.size(), "as many triangles and points");
     std::vector<unsigned> native_poly(poly_index_bound(both.other));
     for (const auto p : both.polys.all) native_poly[index_of(both.other, both.polys.to(p))] = p.raw();
@@ -108,6 +110,16 @@ struct drawing {
   }
 
  private:
+  /// What a page tells of a picked element.
+  template<class B>
+  static void compare_picked(const B& both, const inspected_mesh& here, const inspected_mesh& there) {
+    for (const auto v : both.verts.all) {
+      const std::size_t i = index_of(both.native, v), j = index_of(both.other, both.verts.to(v));
+      expect(here.points[i] == there.points[j] && here.values[0].numbers[i] == there.values[0].numbers[j], "the same points and values");
+    }
+    expect(here.polygon_verts.size() == there.polygon_verts.size() && here.poly_faces.size() == there.poly_faces.size(), "as many corners and faces");
+  }
+
   template<class B>
   static void compare_slices(const B& both) {
     const auto number = [](const auto& p) { return p.raw() % 4 > 0; };

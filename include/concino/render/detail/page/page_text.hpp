@@ -155,10 +155,11 @@ uniform vec3 eye;
 out vec4 result;
 vec3 linear(vec3 c) { return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c)); }
 vec3 screen(vec3 c) {
-c = clamp(c, 0.0, 1.0);
-return mix(c * 12.92, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+vec3 a = sqrt(clamp(c, 0.0, 1.0)), b = sqrt(a);
+return clamp(0.585122381 * a + 0.783140355 * b - 0.368262736 * sqrt(b), 0.0, 1.0);
 }
 float position_of(float x) {
+if (num_knots == 2) return mix(knots[0].y, knots[1].y, clamp((x - knots[0].x) / (knots[1].x - knots[0].x), 0.0, 1.0));
 float t = knots[0].y;
 for (int i = 0; i + 1 < num_knots; ++i) {
 vec2 a = knots[i], b = knots[i + 1];
@@ -168,10 +169,11 @@ return t;
 }
 vec3 color_of(float x) {
 if (abs(x) > 1e30) return no_value;
-if (coloring == 3) return linear(texelFetch(map, ivec2(int(mod(floor(x + 0.5), 256.0)), 0), 0).rgb);
-return linear(texture(map, vec2((position_of(x) * 255.0 + 0.5) / 256.0, 0.5)).rgb);
+if (coloring == 3) return texelFetch(map, ivec2(int(mod(floor(x + 0.5), 256.0)), 0), 0).rgb;
+return texture(map, vec2((position_of(x) * 255.0 + 0.5) / 256.0, 0.5)).rgb;
 }
 float distance_to_cut() {
+if (cuts == 0) return 1e9;
 float nearest = 1e9;
 for (int k = 0; k < 4; ++k) {
 float gap = planes[k].w - dot(planes[k].xyz, place), step = fwidth(gap);
@@ -195,16 +197,28 @@ vec3 color_of_surface() {
 if (coloring == 1) return linear(painted.rgb);
 if (coloring == 0) return (bits & 8u) != 0u ? exposed_color : color;
 vec3 c = color_of(number);
+if (coloring == 3 || bands + lines == 0.0) return c;
 float t = position_of(number), x = t * bands, w = max(fwidth(x), 1e-6), line = line_at(t * lines, 1.5);
-if (coloring == 3 || abs(number) > 1e30) return c;
+if (abs(number) > 1e30) return c;
 if (bands > 0.0) c = mix(c, vec3(1.0), clamp((0.06 - abs(fract(x) - 0.5)) / w + 0.5, 0.0, 1.0));
 return lines > 0.0 ? mix(c, edge_color, line) : c;
 }
 vec3 light_at(vec3 n) {
-if (has_ball) return linear(texture(ball, n.xy * vec2(0.49, -0.49) + 0.5).rgb);
+if (has_ball) return texture(ball, n.xy * vec2(0.49, -0.49) + 0.5).rgb;
 vec3 to_light = normalize(vec3(-0.55, 0.9, 0.75));
 float light = 0.34 + 0.14 * n.y + 0.34 * max(n.z, 0.0) + 0.42 * max(dot(n, to_light), 0.0);
-return vec3(light + shine * 0.10 * pow(max(dot(n, normalize(to_light + vec3(0, 0, 1))), 0.0), 40.0));
+float x = max(dot(n, normalize(to_light + vec3(0, 0, 1))), 0.0), y = x * x * x * x, z = y * y * y;
+return vec3(light + shine * 0.10 * z * z * z * y);
+}
+void draw_edges(inout vec3 lit, inout float cover) {
+vec3 slope = fwidth(inside);
+for (int k = 0; k < 3; ++k) {
+if ((bits >> k & 1u) == 0u) continue;
+int opposite = (k + 2) % 3;
+float drawn = clamp(edge_width * 0.5 + 0.5 - inside[opposite] / max(slope[opposite], 1e-9), 0.0, 1.0);
+lit = mix(lit, edges_have_values ? color_of(side_numbers[k]) : edge_color, drawn * (edges_have_values ? 1.0 : 0.6));
+cover = max(cover, drawn * 0.6);
+}
 }
 void main() {
 float to_cut = distance_to_cut();
@@ -212,15 +226,9 @@ if (picking > 0) {
 result = vec4(float(picking), float(triangle & 255), float(triangle >> 8 & 255), float(triangle >> 16 & 255)) / 255.0;
 return;
 }
-vec3 lit = color_of_surface() * light_at(normal_to_viewer()), slope = fwidth(inside);
+vec3 lit = color_of_surface() * light_at(normal_to_viewer());
 float cover = opacity;
-for (int k = 0; k < 3; ++k) {
-if (edge_width == 0.0 || (bits >> k & 1u) == 0u) continue;
-int opposite = (k + 2) % 3;
-float drawn = clamp(edge_width * 0.5 + 0.5 - inside[opposite] / max(slope[opposite], 1e-9), 0.0, 1.0);
-lit = mix(lit, edges_have_values ? color_of(side_numbers[k]) : edge_color, drawn * (edges_have_values ? 1.0 : 0.6));
-cover = max(cover, drawn * 0.6);
-}
+if (edge_width > 0.0) draw_edges(lit, cover);
 if (to_cut < 3.0) lit = mix(lit, edge_color, clamp(2.0 - to_cut, 0.0, 1.0));
 result = vec4(screen(lit) * cover, cover);
 }
@@ -378,13 +386,13 @@ const eyeBack = turned(camera.back, axis, angle), up = turned(camera.up, axis, a
 orient(eyeBack, up);
 }
 function pan(dx, dy) {
-const step = 2 * halfHeight() / canvas.clientHeight;
+)page"),
+std::string_view(R"page(const step = 2 * halfHeight() / canvas.clientHeight;
 camera.target = add(camera.target, add(scaled(camera.right, -dx * step), scaled(camera.up, dy * step)));
 }
 function zoom(factor, x, y) {
 const [u, v] = filmPoint(x, y), h = halfHeight() * (1 - factor);
-)page"),
-std::string_view(R"page(camera.target = add(camera.target, add(scaled(camera.right, u * h), scaled(camera.up, v * h)));
+camera.target = add(camera.target, add(scaled(camera.right, u * h), scaled(camera.up, v * h)));
 camera.distance *= factor;
 camera.half *= factor;
 }
@@ -630,13 +638,13 @@ starts[i + 1] = starts[i] + mesh.polygonStarts[p + 1] - mesh.polygonStarts[p];
 numTriangles += own ? own[p + 1] - own[p] : 1;
 });
 const corners = new Uint32Array(starts[count]), triangles = new Uint32Array(3 * numTriangles), polygonOf = new Uint32Array(numTriangles);
-let t = 0;
+)page"),
+std::string_view(R"page(let t = 0;
 for (let i = 0; i < count; ++i) {
 const p = seen.polygon[i], from = mesh.polygonStarts[p], first = starts[i], n = starts[i + 1] - first, turn = seen.turned[i];
 for (let k = 0; k < n; ++k) corners[first + (turn ? n - 1 - k : k)] = mesh.corners[from + k];
 const put = (a, b, c) => {
-)page"),
-std::string_view(R"page(polygonOf[t] = i;
+polygonOf[t] = i;
 triangles.set(turn ? [first + n - 1 - a, first + n - 1 - c, first + n - 1 - b] : [first + a, first + b, first + c], 3 * t++);
 };
 if (!own) put(0, 1, 2);
@@ -846,12 +854,12 @@ this.prepared = this.mesh ? null : preparedPolygons(data);
 this.data = data;
 this.fields = this.mesh ? this.mesh.values : [];
 if (data.values) this.fields = [{ name: data.values.name, at: data.values.at, width: 1, numbers: numbersOf(data.values.numbers), labels: data.look.labels }];
-if (data.edge_values !== undefined) this.fields = [{ name: "values", at: "side", width: 1, numbers: numbersOf(data.edge_values) }];
+)page"),
+std::string_view(R"page(if (data.edge_values !== undefined) this.fields = [{ name: "values", at: "side", width: 1, numbers: numbersOf(data.edge_values) }];
 if (data.field !== undefined) this.fields[data.field].labels = data.look.labels;
 this.painted = data.colors ? { at: data.colors.at, rgb: numbersOf(data.colors.rgb) } : null;
 if (data.look.map !== undefined) this.ownMap = numbersOf(data.look.map);
-)page"),
-std::string_view(R"page(if (data.ball !== undefined) this.ballPixels = numbersOf(data.ball);
+if (data.ball !== undefined) this.ballPixels = numbersOf(data.ball);
 this.reset();
 }
 reset() {
@@ -1031,7 +1039,7 @@ function textureOf(width, height, rgb, filter) {
 const t = gl.createTexture();
 gl.bindTexture(gl.TEXTURE_2D, t);
 gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
-gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGB8, width, height, 0, gl.RGB, gl.UNSIGNED_BYTE, rgb);
+gl.texImage2D(gl.TEXTURE_2D, 0, gl.SRGB8, width, height, 0, gl.RGB, gl.UNSIGNED_BYTE, rgb);
 for (const [name, value] of [[gl.TEXTURE_MIN_FILTER, filter], [gl.TEXTURE_MAG_FILTER, filter], [gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE],
 [gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE]]) gl.texParameteri(gl.TEXTURE_2D, name, value);
 return t;
@@ -1068,7 +1076,7 @@ gl.uniform2fv(u.knots, knots.flat());
 gl.uniform1i(u.num_knots, knots.length);
 gl.uniform1f(u.bands, thing.bands);
 gl.uniform1f(u.lines, thing.lines);
-gl.uniform1f(u.edge_width, thing.wire && !isArrow ? (look.edge_width || 1.3) * devicePixelRatio : 0);
+gl.uniform1f(u.edge_width, thing.wire && !isArrow ? (look.edge_width || 1.3) * pixelScale() : 0);
 gl.uniform1i(u.edges_have_values, thing.edgesHaveValues && part.role === "surface" ? 1 : 0);
 gl.uniform1f(u.opacity, isArrow ? 1 : thing.opacity);
 gl.uniform1f(u.shine, look.shine);
@@ -1096,13 +1104,15 @@ gl.uniform1i(uniforms.ball, 1);
 gl.vertexAttrib3f(5, noValue, noValue, noValue);
 }
 const paper = () => (document.documentElement.dataset.theme === "dark" ? [0.09, 0.094, 0.11] : [1, 1, 1]);
+const pixelScale = () => devicePixelRatio * (motion.coarse ? 0.4 : 1);
 function drawScene() {
-const width = Math.max(1, Math.round(canvas.clientWidth * devicePixelRatio)), height = Math.max(1, Math.round(canvas.clientHeight * devicePixelRatio));
+const width = Math.max(1, Math.round(canvas.clientWidth * pixelScale())), height = Math.max(1, Math.round(canvas.clientHeight * pixelScale()));
 if (canvas.width !== width || canvas.height !== height) { canvas.width = width; canvas.height = height; }
 gl.bindFramebuffer(gl.FRAMEBUFFER, null);
 gl.viewport(0, 0, width, height);
 gl.clearColor(...paper(), 1);
-gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+)page"),
+std::string_view(R"page(gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
 gl.enable(gl.DEPTH_TEST);
 gl.disable(gl.CULL_FACE);
 setCamera();
@@ -1112,8 +1122,7 @@ gl.depthMask(true);
 for (const t of shown) for (const p of t.parts) if (!clear(t) || p.role === "arrows") drawPart(t, p);
 gl.enable(gl.BLEND);
 gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-)page"),
-std::string_view(R"page(gl.depthMask(false);
+gl.depthMask(false);
 gl.enable(gl.CULL_FACE);
 for (const side of [gl.FRONT, gl.BACK]) {  // what is behind first
 gl.cullFace(side);
@@ -1122,6 +1131,16 @@ for (const t of shown) for (const p of t.parts) if (clear(t) && p.role !== "arro
 gl.disable(gl.CULL_FACE);
 gl.depthMask(true);
 drawMarks();
+}
+const motion = { coarse: false, last: 0, slow: 0, timer: 0 };
+function redrawMoving() {
+const now = performance.now(), time = now - motion.last;
+motion.last = now;
+if (time < 2000 && !motion.coarse) motion.slow = time > 80 ? motion.slow + 1 : 0;
+if (motion.slow >= 3) motion.coarse = true;
+clearTimeout(motion.timer);
+motion.timer = setTimeout(() => { motion.coarse = false; redraw(); }, 300);
+redraw();
 }
 let requested = false;
 function redraw() {
@@ -1297,7 +1316,8 @@ const hexOf = (c) => `#${c.map((x) => byteOf(x).toString(16).padStart(2, "0")).j
 const linearOf = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255).map((x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4));
 const nameOfField = (f) => (f.at === "edge" || f.at === "vert" || f.at === "poly" || f.at === "face" ? `${f.name} (${f.at}s)` : f.name);
 function thingControls(thing) {
-const box = make("fieldset", { id: `thing${thing.index}` }), fill = () => box.replaceChildren(...content());
+)page"),
+std::string_view(R"page(const box = make("fieldset", { id: `thing${thing.index}` }), fill = () => box.replaceChildren(...content());
 const content = () => {
 const parts = [make("legend", { dir: "auto" }, thing.name),
 row(checkbox("shown", thing.visible, (x) => { thing.visible = x; changed("view"); }),
@@ -1306,8 +1326,7 @@ checkbox("flat", thing.flat, (x) => { thing.flat = x; changed("view"); })),
 row("opacity", slider(`opacity of ${thing.name}`, thing.opacity, 0, 1, 0.01, (x) => { thing.opacity = x; changed("view"); }))];
 const numeric = thing.fields.map((f, i) => [String(i), nameOfField(f), f]).filter(([, , f]) => f.numbers && f.at !== "mesh");
 const choices = [["color", "one colour"], ...(thing.painted ? [["painted", "own colours"]] : []), ...numeric];
-)page"),
-std::string_view(R"page(parts.push(row("colours", select(`colours of ${thing.name}`, choices, thing.chosen, (v) => { thing.choose(v); fill(); changed("colors", thing); })));
+parts.push(row("colours", select(`colours of ${thing.name}`, choices, thing.chosen, (v) => { thing.choose(v); fill(); changed("colors", thing); })));
 if (thing.chosen === "color") parts.push(row(labelled("colour", make("input", { type: "color", value: hexOf(thing.color),
 oninput: (e) => { thing.color = linearOf(e.target.value); changed("view"); } }))));
 const f = thing.field;
@@ -1450,7 +1469,7 @@ if (pinch > 0 && size > 0) zoom(pinch / size, (a[0] + b[0]) / 2, (a[1] + b[1]) /
 pinch = size;
 } else if (button0 === 0 && !e.shiftKey) rotate(dx, dy);
 else pan(dx, dy);
-redraw();
+redrawMoving();
 });
 const release = (e) => {
 if (!pointers.delete(e.pointerId) || e.type === "pointercancel") return;
@@ -1462,7 +1481,7 @@ canvas.addEventListener("pointercancel", release);
 canvas.addEventListener("wheel", (e) => {
 e.preventDefault();
 zoom(Math.exp(Math.max(-1, Math.min(1, e.deltaY * (e.deltaMode === 1 ? 0.05 : 0.0015)))), e.clientX, e.clientY);
-redraw();
+redrawMoving();
 }, { passive: false });
 canvas.addEventListener("dblclick", (e) => {
 const hit = triangleAt(e.clientX, e.clientY);
@@ -1488,7 +1507,8 @@ redraw();
 function savePicture() {
 drawScene();
 canvas.toBlob((blob) => {
-const link = make("a", { href: URL.createObjectURL(blob), download: "picture.png" });
+)page"),
+std::string_view(R"page(const link = make("a", { href: URL.createObjectURL(blob), download: "picture.png" });
 link.click();
 setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 });
@@ -1503,8 +1523,7 @@ const axes = [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1
 const middle = [box.left + box.width / 2, box.top + box.height / 2], axis = axes[Number(key) - 1];
 if (axis) lookFrom(axis, Math.abs(dot(axis, scene.up)) > 0.9 ? [scene.up[2], scene.up[0], scene.up[1]].map((x) => -x) : scene.up);
 else if (key === "p") switchPerspective();
-)page"),
-std::string_view(R"page(else if (key === "r") { resetCamera(); picked = null; measured = []; showPicked(); }
+else if (key === "r") { resetCamera(); picked = null; measured = []; showPicked(); }
 else if (key === "d") setTheme(document.documentElement.dataset.theme !== "dark");
 else if (key === "c") togglePanel();
 else if (key === "s") savePicture();
@@ -1566,7 +1585,7 @@ for (const t of things) { t.ball = null; t.mapTexture = null; t.parts = []; send
 redraw();
 });
 start();
-window.concino = { scene, camera, slicing, things: () => things, press, pickAt, describe, goTo, changed, drawScene, planeOf, setTheme, gl };
+window.concino = { scene, camera, slicing, things: () => things, press, pickAt, describe, goTo, changed, drawScene, planeOf, setTheme, motion, gl };
 })();
 </script>
 </body>
