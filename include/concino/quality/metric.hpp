@@ -87,10 +87,11 @@ struct metric_limits {
 };
 
 /// Whether `what` is defined for polys of this shape.
-/// Needs:  nothing.      Result: true for scaled_jacobian, mean_ratio, planarity, star_shapedness, edge_ratio, area or
-///         volume and relative_size_squared of all shapes, circle_ratio and area_perimeter_ratio of all polygons, and for what
-///         the Verdict manual defines.      Cost: O(1).   
-///           Errors: none.
+/// Needs:  nothing.
+/// Result: true for scaled_jacobian, mean_ratio, planarity, star_shapedness, edge_ratio, area or volume and
+///         relative_size_squared of all shapes, circle_ratio and area_perimeter_ratio of all polygons, and for what the
+///         Verdict manual defines.
+/// Cost:   O(1).      Errors: none.
 bool is_defined(metric what, poly_shape shape);
 
 /// The ranges of a metric.

@@ -62,6 +62,20 @@ void call_places() {
   }, all);
   call("bounding_box", [](auto& m) { cn::bounding_box(m, face(m)); }, volumes);
   call("convex_hull", [] { cn::convex_hull(std::vector<cn::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}); });
+  const std::vector<cn::vec3> polygon{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  call("enclosing_ball", [&] { cn::enclosing_ball(polygon); });
+  call("enclosing_ball", [](auto& m) {
+    cn::enclosing_ball(m);
+    cn::enclosing_ball(m, poly(m));
+  }, all);
+  call("enclosing_circle", [&] { cn::enclosing_circle(polygon); });
+  call("enclosing_circle", [](auto& m) { cn::enclosing_circle(m, poly(m)); }, surfaces);
+  call("inscribed_circle", [&] { cn::inscribed_circle(polygon); });
+  call("inscribed_circle", [](auto& m) { cn::inscribed_circle(m, poly(m)); }, surfaces);
+  call("kernel", [&] { cn::kernel(polygon); });
+  call("kernel", [](auto& m) { cn::kernel(m, poly(m)); }, all);
+  call("width", [&] { cn::width(polygon); });
+  call("width", [](auto& m) { cn::width(m, poly(m)); }, all);
   call("bounding_tree", [](auto& m) { cn::bounding_tree(m).closest({3, 3, 3}); }, all);
   call("vert_mean", [](auto& m) { cn::vert_mean(m, poly(m)); }, all);
   call("centroid", [](auto& m) { cn::centroid(m, poly(m)); }, all);

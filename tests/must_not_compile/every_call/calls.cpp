@@ -17,6 +17,7 @@
 #include <concino/quality.hpp>
 #include <concino/remesh.hpp>
 #include <concino/render.hpp>
+#include <concino/skeleton.hpp>
 #include <concino/validate.hpp>
 
 namespace cn = concino;
@@ -80,6 +81,11 @@ void no_adapter(const stranger& other) {
   cn::bounding_tree(other);  // refused
   cn::centroid(other);  // refused
   cn::circumcentre(other);  // refused
+  cn::enclosing_ball(other);  // refused
+  cn::enclosing_circle(other);  // refused
+  cn::inscribed_circle(other);  // refused
+  cn::kernel(other);  // refused
+  cn::width(other);  // refused
   cn::centroids(other);  // refused
   cn::corner_angle(other);  // refused
   cn::angle_defects(other);  // refused
@@ -152,6 +158,13 @@ void no_adapter(const stranger& other) {
   cn::visible_faces(other);  // refused
   cn::exposed_facets(other);  // refused
   cn::overhangs(other);  // refused
+  cn::leaves(other);  // refused
+  cn::joints(other);  // refused
+  cn::bones(other);  // refused
+  cn::respace(other);  // refused
+  cn::tube(other);  // refused
+  cn::nearest_bone(other);  // refused
+  cn::skeleton_of(other);  // refused
   cn::best_build_direction(other);  // refused
   cn::height_map(other);  // refused
   cn::shadow_on_plate(other);  // refused
@@ -319,6 +332,11 @@ void no_points(const cn::trimesh& m) {
   cn::bounding_tree(pure);  // refused
   cn::centroid(pure);  // refused
   cn::circumcentre(pure);  // refused
+  cn::enclosing_ball(pure);  // refused
+  cn::enclosing_circle(pure);  // refused
+  cn::inscribed_circle(pure);  // refused
+  cn::kernel(pure);  // refused
+  cn::width(pure);  // refused
   cn::centroids(pure);  // refused
   cn::corner_angle(pure);  // refused
   cn::angle_defects(pure);  // refused
@@ -343,6 +361,11 @@ void no_points(const cn::trimesh& m) {
   cn::vert_normals(pure);  // refused
   cn::surface_normals(pure);  // refused
   cn::overhangs(pure);  // refused
+  cn::bones(pure);  // refused
+  cn::respace(pure);  // refused
+  cn::tube(pure);  // refused
+  cn::nearest_bone(pure);  // refused
+  cn::skeleton_of(pure);  // refused
   cn::best_build_direction(pure);  // refused
   cn::height_map(pure);  // refused
   cn::shadow_on_plate(pure);  // refused
@@ -452,6 +475,11 @@ void numbers(const cn::trimesh& m) {
   cn::prepare_poisson(m, 0);  // refused
   cn::centroid(m, 0);  // refused
   cn::circumcentre(m, 0);  // refused
+  cn::enclosing_ball(m, 0);  // refused
+  cn::enclosing_circle(m, 0);  // refused
+  cn::inscribed_circle(m, 0);  // refused
+  cn::kernel(m, 0);  // refused
+  cn::width(m, 0);  // refused
   cn::corner_angle(m, 0);  // refused
   cn::dihedral_angle(m, 0);  // refused
   cn::edge_length(m, 0);  // refused
