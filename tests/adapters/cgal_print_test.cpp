@@ -14,7 +14,7 @@
 
 using namespace concino;
 
-TEST_CASE("CGAL: overhangs, thin walls, height map and build direction") {
+TEST_CASE("CGAL: overhangs, thin walls, height map, layers and build direction") {
   const auto native = testing::voxel_part<quadmesh>(testing::table());
   auto m = testing::cgal_surface<CGAL::Simple_cartesian<double>::Point_3>(testing::voxel_skin(testing::table()));
   const auto o = overhangs(m);
@@ -30,6 +30,12 @@ TEST_CASE("CGAL: overhangs, thin walls, height map and build direction") {
     CHECK(walls[i].thickness == expected[i].thickness);
   }
   CHECK(narrow_gaps(m, 10).size() == narrow_gaps(native, 10).size());
+  CHECK(heights(m, 0.5) == heights(native, 0.5));
+  const auto layers = slice_mesh(m, {0, 1.5, 3, 4});
+  const auto same = slice_mesh(native, {0, 1.5, 3, 4});
+  CHECK(layers.layers == same.layers);
+  CHECK(layers.layers[1].outer.size() == 4);  // the legs
+  CHECK(layers.polys_of(1, slice_lines_kind::outer, 3).size() == same.polys_of(1, slice_lines_kind::outer, 3).size());
   const poly_t<decltype(m)> first = o.polys.front();
   CGAL::Euler::remove_face(m.halfedge(CGAL::SM_Face_index(static_cast<CGAL::SM_Face_index::size_type>(index_of(m, first)))), m);
   CHECK(overhangs(m).polys.size() == o.polys.size() - 1);

@@ -12,7 +12,7 @@
 
 using namespace concino;
 
-TEST_CASE("OpenMesh: overhangs, thin walls, height map and build direction") {
+TEST_CASE("OpenMesh: overhangs, thin walls, height map, layers and build direction") {
   const auto native = testing::voxel_part<quadmesh>(testing::table());
   testing::om::poly_status m;
   testing::om::fill(m, testing::voxel_skin(testing::table()));
@@ -30,6 +30,12 @@ TEST_CASE("OpenMesh: overhangs, thin walls, height map and build direction") {
     CHECK(walls[i].thickness == expected[i].thickness);
   }
   CHECK(narrow_gaps(m, 10).size() == narrow_gaps(native, 10).size());
+  CHECK(heights(m, 0.5) == heights(native, 0.5));
+  const auto layers = slice_mesh(m, {0, 1.5, 3, 4});
+  const auto same = slice_mesh(native, {0, 1.5, 3, 4});
+  CHECK(layers.layers == same.layers);
+  CHECK(layers.layers[1].outer.size() == 4);  // the legs
+  CHECK(layers.polys_of(1, slice_lines_kind::outer, 3).size() == same.polys_of(1, slice_lines_kind::outer, 3).size());
   // an open surface, after deletion without garbage collection
   const auto first = o.polys.front();
   m.delete_face(first, true);

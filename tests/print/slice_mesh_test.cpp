@@ -1,5 +1,6 @@
 #include <concino/print/slice_mesh.hpp>
 
+#include <concino/concepts/archetypes.hpp>
 #include <concino/convert/convert.hpp>
 #include <concino/edit/elements.hpp>
 #include <concino/edit/flip_winding.hpp>
@@ -257,6 +258,27 @@ TEST_CASE("slice_mesh: planes through verts of closed surfaces of the corpus giv
     }, load_any(path.string()));
   }
   if (planes == 0) return skip("no closed surfaces");
+}
+
+TEST_CASE("slice_mesh: archetypes have the layers of the meshes") {
+  const auto ring = make_torus<quadmesh>({.cells = {12, 8}});
+  const auto grid = make_grid<polyhedralmesh>({.cells = {2, 3, 4}, .max = {1, 1, 1}});
+  const auto check = [](const auto& m, const std::vector<double>& zs) {
+    const auto weak = only_embedded_mesh(m);
+    const auto expected = slice_mesh(m, zs);
+    const auto found = slice_mesh(weak, zs);
+    CHECK(found.layers == expected.layers);
+    CHECK(heights(weak, 0.1) == heights(m, 0.1));
+    for (std::size_t i = 0; i < zs.size(); ++i) {
+      REQUIRE(!expected.layers[i].outer.empty());
+      const auto here = expected.polys_of(i, slice_lines_kind::outer, 0);
+      const auto there = found.polys_of(i, slice_lines_kind::outer, 0);
+      REQUIRE(here.size() == there.size());
+      for (std::size_t k = 0; k < here.size(); ++k) CHECK(index_of(weak, there[k]) == index_of(m, here[k]));
+    }
+  };
+  check(ring, {-0.3, 0, 0.1});
+  check(grid, {0, 0.3, 0.5});
 }
 
 TEST_CASE("slice_mesh: slices are saved and loaded again") {

@@ -19,7 +19,7 @@ struct layer_regions_options {
 /// Result: regions that do not overlap. Coordinates are snapped to a unit, a power of two with 2^40 units or more in
 ///         the size of the layer, or their last digit. Contours without area on this lattice are dropped. Open lines
 ///         and hatches are left out: thicken makes regions of them.
-/// Cost:   that of the back end, and O(n log n) for n points.
+/// Cost:   that of the back end, and O(n log n) for n points; more where many long segments lie close to one another.
 /// Errors: invalid_argument that names a contour with a point that is not finite. unsupported if the back end cannot
 ///         hold the coordinates.
 planar_regions layer_regions(const slice_layer& layer, const polygon_clipper& back_end,

@@ -54,7 +54,8 @@ layer_polygons polygons_of_layers(const slices& s, const polygon_clipper& back_e
 ///         holes is one polygon; one with holes is cut into simple polygons. Coordinates are snapped to a unit with
 ///         2^40 units or more in the size of the slices. The report names each contour that was left out, turned,
 ///         closed or crosses itself, by layer and number.
-/// Cost:   O(n log n) for n points and crossings of a layer, and that of the back end.
+/// Cost:   O(n log n) for n points and crossings of a layer, more where many long segments lie close to one another;
+///         and that of the back end.
 /// Errors: invalid_argument that names layer and contour of a point that is not finite, or a group of hatches with an
 ///         odd number of points, or an option out of its range; if there would be too many elements. unsupported if the
 ///         back end cannot hold the coordinates. cancelled.

@@ -57,7 +57,8 @@ CONCINO_INLINE height_map_result fill_height_map(const part_surface& part, const
   map.heights.assign(map.columns * map.rows, 0.0);
   for (const auto& v : part.triangles) {
     height_triangle t;
-    if (make_height_triangle({points[v[0]], points[v[1]], points[v[2]]}, t) != 0) raise_heights(map, t, low, cell);
+    const int facing = make_height_triangle({points[v[0]], points[v[1]], points[v[2]]}, part.tolerance, t);
+    if (facing != 0) raise_heights(map, t, low, cell);
   }
   for (double& h : map.heights) h = part.to_mesh(h, 1);
   map.origin = part.to_mesh(frame.to_world({low.x + 0.5 * cell, low.y + 0.5 * cell, low.z}));

@@ -69,7 +69,7 @@ CONCINO_INLINE supports_size supports_below(const part_surface& part, const vec3
   for (std::size_t t = 0; t < part.triangles.size(); ++t) {
     const auto& v = part.triangles[t];
     height_triangle h;
-    const int facing = make_height_triangle({points[v[0]], points[v[1]], points[v[2]]}, h);
+    const int facing = make_height_triangle({points[v[0]], points[v[1]], points[v[2]]}, part.tolerance, h);
     if (facing > 0) floors.push_back(h);
     else if (facing < 0 && overhangs[part.owners[t]]) ceilings.push_back(h);
   }

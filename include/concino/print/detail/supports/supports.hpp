@@ -32,8 +32,9 @@ struct supports_size {
 supports_size measure_supports(const height_triangle& ceiling, std::vector<const height_triangle*> candidates,
                                double plate, double tolerance);
 
-/// The triangle as a function, if it is not vertical: 1 if it faces up, -1 down, else 0.
-int make_height_triangle(const std::array<vec3, 3>& corners, height_triangle& result);
+/// The triangle as a function, if it is not vertical: 1 if it faces up, -1 down, else 0. What seems no wider than the
+/// tolerance from above is vertical up to rounding.
+int make_height_triangle(const std::array<vec3, 3>& corners, double tolerance, height_triangle& result);
 
 }  // namespace concino::detail
 

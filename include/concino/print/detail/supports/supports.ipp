@@ -194,10 +194,16 @@ class support_pieces {
   }
 };
 
-CONCINO_INLINE int make_height_triangle(const std::array<vec3, 3>& corners, height_triangle& t) {
+CONCINO_INLINE int make_height_triangle(const std::array<vec3, 3>& corners, double tolerance, height_triangle& t) {
   const vec3 doubled = cross(corners[1] - corners[0], corners[2] - corners[0]);
   const double size = norm(doubled), flat = std::abs(doubled.z);
   if (!(flat > 1e-12 * size)) return 0;
+  double longest = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const vec3 &a = corners[k], &b = corners[k < 2 ? k + 1 : 0];
+    longest = std::max(longest, std::hypot(b.x - a.x, b.y - a.y));
+  }
+  if (!(flat > tolerance * longest)) return 0;
   t.corners = corners;
   if (doubled.z < 0) std::swap(t.corners[1], t.corners[2]);
   t.slope_x = -doubled.x / doubled.z;
