@@ -10,6 +10,8 @@ BEGIN {
   allow("standard_files.ipp", "filesystem")
   # threads, the processors that a process may use
   allow("parallel.ipp", "thread latch sched.h")
+  # whether a terminal is there, and how wide it is
+  allow("terminal.ipp", "sys/ioctl.h unistd.h")
   # a child process with limits, in which another library may crash
   allow("tetgen_child.hpp", "csignal fcntl.h sys/mman.h sys/prctl.h sys/resource.h sys/wait.h time.h unistd.h")
   # what CGAL's mesher looks at, to stop

@@ -6,6 +6,7 @@
 #include <concino/convert/detail/arrays_of.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/mistakes.hpp>
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/edit/elements.hpp>
 #include <concino/mesh/correspondence.hpp>
@@ -24,6 +25,7 @@ struct convert_options {
   bool properties = true;                // whether named properties are transferred, if both meshes can have them
   convert_report* report = nullptr;      // unless null, cleared and then filled in
   concino::progress progress = nullptr;  // called with the fraction done and "converting"
+  concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
 
 namespace requirement {
@@ -145,7 +147,9 @@ void convert_properties(conversion<To, From>& c, convert_report& report) {
 /// Errors: as convert.
 template<class To, class M>
   requires requirement::is_lvalue_or_view<M> && requirement::can_be_converted_from<To, std::remove_cvref_t<M>>
-conversion<To, std::remove_cvref_t<M>> convert_with_correspondence(M&& m, const convert_options& options = {}) {
+conversion<To, std::remove_cvref_t<M>> convert_with_correspondence(M&& m, const convert_options& input_options = {}) {
+  const core::profiled_options profiled(input_options, "convert");
+  const convert_options& options = *profiled;
   detail::report_progress(options.progress, 0, "converting");
   convert_report unused_report, &report = options.report ? *options.report : unused_report;
   report = {};

@@ -8,6 +8,8 @@
 
 namespace concino {
 
+class profiler;  // <concino/core/profiler.hpp>
+
 /// A callback with the fraction done, in [0, 1] and never decreasing within one label, and a label for the current
 /// step. It is called now and then. Returning false stops the operation: it throws `cancelled` and leaves its targets
 /// as they were. Empty: no progress is reported.

@@ -4,6 +4,7 @@
 #include <concino/concepts/sparse_solver.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/fields/detail/problems/dirichlet.hpp>
 #include <concino/fields/detail/problems/laplace_system.hpp>
@@ -23,6 +24,7 @@ struct harmonic_map_options {
   double isolated_value = 0;             // at verts without edges and without a prescribed value, in each component;
                                          // any number, NaN too
   concino::progress progress = nullptr;  // called with "harmonic map", "factorising", "solving"
+  concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
 
 namespace detail {
@@ -86,9 +88,11 @@ class prepared_harmonic_map {
 
  public:
   template<class V, class D>
-  prepared_harmonic_map(const M& m, const V& fixed, const D& discretisation, const harmonic_map_options& options,
+  prepared_harmonic_map(const M& m, const V& fixed, const D& discretisation, const harmonic_map_options& input_options,
                         const Solver& solver)
       : mesh_(m) {
+    const core::profiled_options profiled(input_options, "prepare_harmonic_map");
+    const harmonic_map_options& options = *profiled;
     auto own = detail::make_similar_solver(solver);
     detail::harmonic_problem<M> problem(m, fixed, discretisation, options);
     problem.factorize(*own, options.progress);
@@ -179,7 +183,9 @@ template<class T = double, class M, class V = std::initializer_list<std::pair<ve
   requires requirement::is_lvalue_or_view<M> && Discretisation<D, M> && detail::field_value<T> &&
       detail::gives_values<V, vert_t<M>> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
           vert_map<M, T> harmonic_map(M&& m, const V& values, const D& discretisation,
-                                      const harmonic_map_options& options = {}, Solver&& solver = {}) {
+                                      const harmonic_map_options& input_options = {}, Solver&& solver = {}) {
+    const core::profiled_options profiled(input_options, "harmonic_map");
+    const harmonic_map_options& options = *profiled;
     const std::remove_cvref_t<M>& mesh_in = m;
     const detail::harmonic_problem<std::remove_cvref_t<M>> problem(mesh_in, values, discretisation, options);
     auto u = problem.template prescribe<T>(mesh_in, values);

@@ -5,6 +5,7 @@
 #include <concino/concepts/maps.hpp>
 #include <concino/concepts/sparse_solver.hpp>
 #include <concino/core/mistakes.hpp>
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/fields/detail/problems/hodge_problem.hpp>
 #include <concino/mesh/element_map.hpp>
@@ -17,6 +18,7 @@ namespace concino {
 
 struct hodge_options {
   concino::progress progress = nullptr;  // called with "Hodge decomposition", "factorising", "solving"
+  concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
 
 /// The parts of a field, and the function whose gradient the first one is.
@@ -49,8 +51,10 @@ template<class M, class Field, class Solver = auto_solver>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && Discretisation<cotangent_t, M> &&
       requirement::gives_points<Field, poly_t<M>> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
           hodge_parts<std::remove_cvref_t<M>> hodge_decomposition(M&& m, const Field& field,
-                                                                  const hodge_options& options = {},
+                                                                  const hodge_options& input_options = {},
                                                                   Solver&& solver = {}) {
+    const core::profiled_options profiled(input_options, "hodge_decomposition");
+    const hodge_options& options = *profiled;
     using mesh = std::remove_cvref_t<M>;
     const mesh& mesh_in = m;
     detail::report_progress(options.progress, 0, "Hodge decomposition");

@@ -5,6 +5,7 @@
 #include <concino/concepts/maps.hpp>
 #include <concino/concepts/sparse_solver.hpp>
 #include <concino/core/mistakes.hpp>
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/fields/detail/problems/dirichlet.hpp>
 #include <concino/fields/detail/problems/laplace_system.hpp>
@@ -34,6 +35,7 @@ struct poisson_options {
   double isolated_value = 0;                           // at verts without edges and without a prescribed value, in each
                                                        // component; any number, NaN too
   concino::progress progress = nullptr;                // called with "Poisson's equation", "factorising", "solving"
+  concino::profiler* profiler = nullptr;               // measures the call and its steps
 };
 struct prepare_poisson_options {
   concino::progress progress = nullptr;  // called with "Poisson's equation", "factorising"
@@ -219,8 +221,11 @@ template<class M, class F, class T = detail::field_value_of<F, M>, class D, clas
   requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && requirement::is_given_field<F, M> &&
       Discretisation<D, M> && SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
           vert_map<M, T> poisson(M&& m, const F& f, const D& discretisation,
-                                 const poisson_options<std::remove_cvref_t<M>, std::type_identity_t<T>>& options = {},
+                                 const poisson_options<std::remove_cvref_t<M>, std::type_identity_t<T>>& input_options =
+                                     {},
                                  Solver&& solver = {}) {
+    const core::profiled_options profiled(input_options, "poisson");
+    const auto& options = *profiled;
     const std::remove_cvref_t<M>& mesh_in = m;
     const auto problem = detail::poisson_problem<std::remove_cvref_t<M>>::make(mesh_in, options.values, discretisation,
                                                                                options.progress);

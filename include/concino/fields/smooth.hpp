@@ -5,6 +5,7 @@
 #include <concino/concepts/sparse_solver.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/fields/detail/problems/implicit.hpp>
 #include <concino/fields/detail/problems/make_similar_solver.hpp>
@@ -26,6 +27,7 @@ struct smooth_options {
   int exponent = 1;                      // n >= 1: energy u . L (M^-1 L)^(n-1) u; 1: of the gradient (Dirichlet
                                          // energy), 2: of the Laplacian
   concino::progress progress = nullptr;  // called with "smoothing", "factorising", "solving"
+  concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
 
 namespace detail {
@@ -155,7 +157,10 @@ template<class M, class F, class T = detail::field_value_of<F, M>, class D, clas
   requires requirement::is_lvalue_or_view<M> && Discretisation<D, M> && requirement::is_given_field<F, M> &&
       SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
           vert_map<M, T> smooth(M&& m, const F& f, double amount, const D& discretisation,
-                                const smooth_options<std::remove_cvref_t<M>>& options = {}, Solver&& solver = {}) {
+                                const smooth_options<std::remove_cvref_t<M>>& input_options = {},
+                                Solver&& solver = {}) {
+    const core::profiled_options profiled(input_options, "smooth");
+    const smooth_options<std::remove_cvref_t<M>>& options = *profiled;
     const std::remove_cvref_t<M>& mesh_in = m;
     const auto system = detail::smoothing_system(mesh_in, amount, discretisation, options);
     auto u = system.template values_of<T>(mesh_in, f);

@@ -135,8 +135,8 @@ template<class C, class N> concept is_capacity = is_length<C, N>;
 
 }  // namespace requirement
 
-/// The minimum cut between sources and sinks, verts or polys: of all ways to divide the nodes so that no source is with
-/// a sink, the one in which the arcs from the sources' part to the other have the smallest sum of capacities.
+/// The minimum cut between sources and sinks, verts or polys. It divides the nodes so that no source is with a sink,
+/// and the arcs from the sources' part to the other have the smallest sum of capacities.
 /// Needs:  PrimalGraph M for verts, DualGraph M for polys; capacity(from, to) >= 0, which may differ from
 ///         capacity(to, from); +inf: never cut.
 /// Result: a graph_cut. Of several minimum cuts, the one with the fewest nodes on the sources' side. It is exact if the
@@ -144,7 +144,7 @@ template<class C, class N> concept is_capacity = is_length<C, N>;
 ///         exceeds the smallest by at most as many of them as the network has arcs: about 2^-60 of the sum of all
 ///         capacities for each arc.
 /// Cost:   O(V^2 E) per augmenting path at worst, on meshes about proportional to E; O(V + E) memory.
-/// Errors: invalid_mesh if a source or sink is not an element of m, or a capacity is negative or not a number;
+/// Errors: invalid_mesh if a source or sink is not an element of m, or a capacity is negative or not a number.
 ///         invalid_argument if there is no source or no sink, if a node is both, or if arcs of infinite capacity lead
 ///         from one to the other.
 /// Source: Boykov, Kolmogorov 2004, by Boost.Graph; paper section 2.2.

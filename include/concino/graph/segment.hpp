@@ -6,6 +6,7 @@
 
 #include <concino/core/message.hpp>
 #include <concino/core/mistakes.hpp>
+#include <concino/core/profiler.hpp>
 #include <concino/graph/detail/cuts/labels.hpp>
 #include <concino/graph/detail/for_each.hpp>
 #include <concino/graph/detail/graph_of.hpp>
@@ -34,7 +35,10 @@ namespace detail {
 struct no_pairwise_costs {};
 
 template<class G, class C, class W>
-auto find_segments(const G& g, const char* caller, const C& cost, const W& pairwise, const segment_options& options) {
+auto find_segments(const G& g, const char* caller, const C& cost, const W& pairwise,
+                   const segment_options& input_options) {
+  const core::profiled_options profiled(input_options, caller);
+  const segment_options& options = *profiled;
   using node = typename G::node;
   label_problem problem{caller, G::element_name, {}, {}, {}, {}};
   std::vector<node> nodes;
@@ -82,8 +86,8 @@ template<class W, class N> concept is_pairwise_cost = requires(const W& pairwise
 
 /// A label for each poly, with small costs: the energy is the sum of cost(p, label of p) over all polys, and of
 /// pairwise(p, q, label of p, label of q) over all pairs of adjacent polys, once for each. Without `pairwise`, a pair
-/// with different labels costs options.smoothness. segment_verts does the same for verts and edges.
-/// Needs:  DualGraph M (PrimalGraph M for verts); cost(p, label) finite, or +inf for a label that p must not have;
+/// with different labels costs options.smoothness.
+/// Needs:  DualGraph M; cost(p, label) finite, or +inf for a label that p must not have;
 ///         pairwise(p, q, a, b) finite, 0 or more, and equal to pairwise(q, p, b, a).
 ///         For two labels: pairwise costs of equal labels are no larger than those of different ones, in sum:
 ///         pairwise(p, q, 0, 0) + pairwise(p, q, 1, 1) <= pairwise(p, q, 0, 1) + pairwise(p, q, 1, 0).
@@ -113,6 +117,11 @@ auto segment_polys(M&& m, const C& cost, const W& pairwise, const segment_option
   return detail::find_segments(detail::dual_graph_of<M>{m}, "segment_polys", cost, pairwise, options);
 }
 
+/// A label for each vert, with small costs, as segment_polys: adjacent verts are joined by edges.
+/// Needs:  PrimalGraph M; costs as of segment_polys.
+/// Result: a segmentation, as of segment_polys.
+/// Cost:   as of segment_polys.
+/// Errors: those of segment_polys, which name verts.
 template<class M, class C>
   requires requirement::is_lvalue_or_view<M> && PrimalGraph<M> && requirement::is_label_cost<C, vert_t<M>>
 auto segment_verts(M&& m, const C& cost, const segment_options& options = {}) {

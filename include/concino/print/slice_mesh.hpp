@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/io/slice_layer.hpp>
 #include <concino/print/detail/slices/mesh_sections.hpp>
@@ -39,13 +40,16 @@ struct slice_mesh_options {
                                       // are then in the layers and in the report
   bool accept_intersections = false;  // whether surfaces may intersect themselves, which is then not looked for
   concino::progress progress = {};    // called with the fraction of the layers
+  concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
 
 namespace detail {
 
 template<class M, class Section>
-mesh_slices<M> slices_at(const M& m, const std::vector<double>& heights, const slice_mesh_options& options,
+mesh_slices<M> slices_at(const M& m, const std::vector<double>& heights, const slice_mesh_options& input_options,
                          const Section& section) {
+  const core::profiled_options profiled(input_options, "slice_mesh");
+  const slice_mesh_options& options = *profiled;
   mesh_slices<M> result;
   mesh_sections<M> sections(m);
   for (std::size_t i = 0; i < heights.size(); ++i) {

@@ -3,6 +3,7 @@
 
 #include <concino/convert/convert.hpp>
 #include <concino/core/mistakes.hpp>
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/geometry/hausdorff_distance.hpp>
 #include <concino/mesh/polygonmesh.hpp>
@@ -31,6 +32,7 @@ struct decimate_options {
   bool measure_error = true;      // computes the error of the result, which takes about as long as the rest
   std::vector<invariant> keep = {no_inversion};  // edits that one of these refuses are not made
   concino::progress progress = {};               // called with "decimating"
+  concino::profiler* profiler = nullptr;         // measures the call and its steps
 };
 
 /// Why a decimation has ended.
@@ -77,7 +79,9 @@ inline void check_decimation(const decimate_options& options) {
 /// Source: Garland and Heckbert 1997, "Surface simplification using quadric error metrics"; memoryless: Hoppe 1999,
 ///         "New quadric metric for simplifying meshes with appearance attributes".
 template<EditableSurfaceMesh M>
-decimation decimate(M& m, const decimate_options& options) {
+decimation decimate(M& m, const decimate_options& input_options) {
+  const core::profiled_options profiled(input_options, "decimate");
+  const decimate_options& options = *profiled;
   detail::check_decimation(options);
   detail::collapse_queue<M> queue(m, {options.feature_angle_deg, options.boundary_weight, options.memoryless});
   const bool is_limited = options.max_error < std::numeric_limits<double>::infinity();

@@ -4,6 +4,7 @@
 #include <concino/concepts/maps.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/remesh/detail/tet_improver.hpp>
 
@@ -17,6 +18,7 @@ struct improve_options {
   unsigned max_rounds = 30;      // it ends sooner where a round changes nothing
   bool adds_verts = true;        // whether there may be new verts
   concino::progress progress = {};  // called with "improving"
+  concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
 
 /// Why an improvement has ended.
@@ -117,7 +119,9 @@ bool find_worst_edge(const improvable_tets<M>& tets, improvement<M>& result) {
 }
 
 template<class M, class F>
-improvement<M> improve(M& m, const improve_options& options, const F& label) {
+improvement<M> improve(M& m, const improve_options& input_options, const F& label) {
+  const core::profiled_options profiled(input_options, "improve");
+  const improve_options& options = *profiled;
   improvement<M> result;
   const unit_points unit(m, "improve");
   if (num_polys(m) == 0) return result;

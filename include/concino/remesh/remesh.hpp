@@ -5,6 +5,7 @@
 #include <concino/concepts/mesh.hpp>
 #include <concino/convert/convert.hpp>
 #include <concino/core/mistakes.hpp>
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/geometry/hausdorff_distance.hpp>
 #include <concino/mesh/polygonmesh.hpp>
@@ -25,6 +26,7 @@ struct remesh_options {
   unsigned max_rounds = 10;       // it ends sooner where a round changes hardly anything
   bool measure_error = true;      // computes the error of the result
   concino::progress progress = {};  // called with "remeshing"
+  concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
 
 struct remeshing {
@@ -63,7 +65,9 @@ std::vector<double> checked_sizes(const M& m, const S& sizes) {
 
 /// sizes: of the verts of m, in their order; none if all edges shall have the length of the options.
 template<class M, class F>
-remeshing remesh(M& m, std::vector<double> sizes, const remesh_options& options, const F& is_feature) {
+remeshing remesh(M& m, std::vector<double> sizes, const remesh_options& input_options, const F& is_feature) {
+  const core::profiled_options profiled(input_options, "remesh");
+  const remesh_options& options = *profiled;
   remeshing result;
   const unit_points unit(m, "remesh");
   if (num_polys(m) == 0) return result;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/remesh/detail/point_smoother.hpp>
 
@@ -14,6 +15,7 @@ struct smooth_points_options {
   unsigned max_rounds = 50;       // it ends sooner where a round changes hardly anything
   double feature_angle_deg = 40;  // of surfaces: verts at edges where the surface turns by more than this stay
   concino::progress progress = {};  // called with "smoothing points"
+  concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
 
 /// The shape of a corner is its mean ratio: 1 where it is as in the regular poly, 0 where it is flat.
@@ -43,7 +45,9 @@ struct points_smoothing {
 ///         tetrahedral meshes".
 template<EmbeddedMesh M, class F>
   requires(MutablePoints<M> && std::is_invocable_r_v<bool, const F&, vert_t<M>>)
-points_smoothing smooth_points(M& m, const smooth_points_options& options, const F& is_fixed) {
+points_smoothing smooth_points(M& m, const smooth_points_options& input_options, const F& is_fixed) {
+  const core::profiled_options profiled(input_options, "smooth_points");
+  const smooth_points_options& options = *profiled;
   if (!(options.feature_angle_deg >= 0))
     core::throw_joined<invalid_argument>(
         {"smooth_points: options.feature_angle_deg is negative or not a number; it must be at least 0"});

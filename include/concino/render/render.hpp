@@ -1,6 +1,7 @@
 // Renders a still picture of a scene in soft daylight on a light ground, in print quality.
 #pragma once
 
+#include <concino/core/profiler.hpp>
 #include <concino/render/box_tree_tracer.hpp>
 #include <concino/render/detail/trace/prepared_scene.hpp>
 
@@ -16,7 +17,9 @@ namespace concino {
 /// Errors: invalid_argument if an option is out of its range, or the scene is empty; as view::of; cancelled if progress
 ///         says so.
 template<RayTracer T = box_tree_tracer>
-image render(const scene& s, const render_options& options = {}, const T& tracer = {}) {
+image render(const scene& s, const render_options& input_options = {}, const T& tracer = {}) {
+  const core::profiled_options profiled(input_options, "render");
+  const render_options& options = *profiled;
   detail::check_render_options(options);
   return detail::prepared_scene<T>(s, tracer).picture(detail::camera_of(s.drawables(), s, options), options);
 }

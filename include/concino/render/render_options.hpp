@@ -39,6 +39,7 @@ struct render_options {
   std::optional<axes_options> axes = {};    // drawn if given: axes_options{}
   label_options labels = {};                // of the texts at points of the scene
   concino::progress progress = {};          // called with the fraction done and "rendering"
+  concino::profiler* profiler = nullptr;    // measures the call and its steps
 };
 
 }  // namespace concino

@@ -7,6 +7,7 @@
 #include <concino/graph/min_cut.hpp>
 #include <concino/graph/property_map.hpp>
 #include <concino/graph/segment.hpp>
+#include <concino/graph/segment_by_shape.hpp>
 
 void call_graph() {
   const cn::vert_id a{0}, b{3};
@@ -26,6 +27,7 @@ void call_graph() {
   call("min_cut", [&](auto& m) { cn::min_cut(m, a, b, [](auto&&...) { return 1.0; }); }, all);
   call("segment_polys", [&](auto& m) { cn::segment_polys(m, [](auto, int l) { return l; }, {.labels = 3}); }, all);
   call("segment_verts", [&](auto& m) { cn::segment_verts(m, [](auto, int l) { return l; }); }, all);
+  call("segment_by_shape", [&](auto& m) { cn::segment_by_shape(m, {.labels = 2, .likeness = cn::part_likeness::distance}); }, all);
   call("connected_components", [&](auto& m) { cn::connected_components(m); }, all);
   call("spanning_tree", [&](auto& m) { cn::spanning_tree(m); }, all);
   call("boundary_verts", [&](auto& m) { cn::boundary_verts(m); }, all);

@@ -8,6 +8,7 @@
 #include <concino/graph.hpp>
 #include <concino/graph/min_cut.hpp>
 #include <concino/graph/segment.hpp>
+#include <concino/graph/segment_by_shape.hpp>
 #include <concino/io.hpp>
 #include <concino/level_sets.hpp>
 #include <concino/lines.hpp>
@@ -35,6 +36,7 @@ void no_adapter(const stranger& other) {
   cn::min_cut(other);  // refused
   cn::segment_polys(other);  // refused
   cn::segment_verts(other);  // refused
+  cn::segment_by_shape(other);  // refused
   cn::connected_components(other);  // refused
   cn::spanning_tree(other);  // refused
   cn::tree_cotree(other);  // refused
@@ -226,6 +228,7 @@ void temporary() {
   cn::min_cut(made());  // refused
   cn::segment_polys(made());  // refused
   cn::segment_verts(made());  // refused
+  cn::segment_by_shape(made());  // refused
   cn::connected_components(made());  // refused
   cn::prepare_harmonic_map(made());  // refused
   cn::harmonic_map(made());  // refused
@@ -302,6 +305,7 @@ void no_points(const cn::trimesh& m) {
   cn::shortest_path(pure, pure.vert(cn::vert_id{0}), pure.vert(cn::vert_id{1}));  // refused
   cn::spanning_tree(pure);  // refused
   cn::cut_along(pure);  // refused
+  cn::segment_by_shape(pure);  // refused
   cn::prepare_poisson(pure);  // refused
   cn::poisson(pure);  // refused
   cn::agglomerate(pure);  // refused

@@ -23,6 +23,7 @@ struct segment_options {
                           // not used if the call has pairwise costs
   label_moves moves = label_moves::expansion;  // how the energy is reduced if there are three labels or more
   concino::progress progress = nullptr;        // called before each cut, with the fraction of the round's cuts
+  concino::profiler* profiler = nullptr;       // measures the call and its steps
 };
 
 namespace detail {
