@@ -28,6 +28,7 @@
 #include <concino/io/skeleton_graph.hpp>
 #include <concino/io/slice_layer.hpp>
 #include <concino/io/slices.hpp>
+#include <concino/io/stl.hpp>
 #include <concino/io/tet.hpp>
 #include <concino/io/text_cursor.hpp>
 #include <concino/io/text_sink.hpp>

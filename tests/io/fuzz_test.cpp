@@ -128,6 +128,9 @@ const seed seeds[] = {
     {file_format::ply, std::string("ply\r\nformat binary_big_endian 1.0\r\nelement vertex 3\r\nproperty float x\r\nproperty float y\r\nproperty short z\r\nelement face 1\r\n"
                                    "property list uchar ushort vertex_index\r\nproperty list uchar double w\r\nend_header\r\n") +
                            std::string("\0\0\0\0\0\0\0\0\0\0\x3f\x80\0\0\0\0\0\0\0\0\0\0\0\0\x3f\x80\0\0\0\1\3\0\0\0\1\0\2\1\x3f\xf0\0\0\0\0\0\0", 46)},
+    {file_format::stl, "solid a b\nfacet normal 0 0 nan\nouter loop\nvertex 0 0 0\nvertex 1.5 0 0\nvertex 0 1e0 .25\nendloop\nendfacet\nendsolid\nsolid\nfacet normal 0 0 1\nouter loop\n"
+                       "vertex -0 0 0\nvertex 1.5 0 0\nvertex 5 5 5\nendloop\nendfacet\nendsolid\n"},
+    {file_format::stl, "solid" + std::string(75, ' ') + std::string("\1\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0\7\1", 54)},
 };
 
 bool holds_together(const surface_arrays& a) {
@@ -182,9 +185,9 @@ bool survives_all(const std::string& text, format_id format) {
 
 }  // namespace
 
-TEST_CASE("fuzz: the files of .vtk, .vtu, .vtp and .ply that are changed below are valid") {
+TEST_CASE("fuzz: the files of .vtk, .vtu, .vtp, .ply and .stl that are changed below are valid") {
   for (const seed& s : seeds)
-    for (const format_id f : {format_id(file_format::vtk), format_id(file_format::vtu), format_id(file_format::vtp), format_id(file_format::ply)})
+    for (const format_id f : {format_id(file_format::vtk), format_id(file_format::vtu), format_id(file_format::vtp), format_id(file_format::ply), format_id(file_format::stl)})
       if (s.format == f) CHECK_NOTHROW(load_any_arrays(s.text, f));
 }
 

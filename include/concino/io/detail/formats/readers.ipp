@@ -9,6 +9,7 @@
 #include <concino/io/detail/obj/read_obj.hpp>
 #include <concino/io/detail/off/read_off.hpp>
 #include <concino/io/detail/ply/read_ply.hpp>
+#include <concino/io/detail/stl/read_stl.hpp>
 #include <concino/io/detail/tet/read_tet.hpp>
 #include <concino/io/detail/vtk/read_vtk.hpp>
 #include <concino/io/detail/vtk_xml/read_vtp.hpp>
@@ -31,7 +32,7 @@ template void vtu_format::read<volume_contents>(const read_context&, volume_cont
 namespace {
 [[gnu::used]] void (*const readers[])(const read_context&, file_contents&) = {&iv_format::read, &obj_format::read,
                                                                               &off_format::read, &ply_format::read,
-                                                                              &vtp_format::read};
+                                                                              &stl_format::read, &vtp_format::read};
 }  // namespace
 
 }  // namespace concino
