@@ -26,7 +26,7 @@ M with_values(unsigned n, bool bytes) {
   M m = grid<M>(n);
   std::mt19937 random(11);
   const auto real = [&] { return static_cast<double>(random()) / 3 - 1e9; };
-  const auto part = [&] { return bytes ? static_cast<float>(random() % 256 / 255.0) : static_cast<float>(random()) / 4294967296.0f; };
+  const auto part = [&] { return bytes ? static_cast<float>(static_cast<double>(random() % 256) / 255.0) : static_cast<float>(random()) / 4294967296.0f; };
   const auto x = vert_property<double>(m, "x"), nx = vert_property<double>(m, "nx"), end = vert_property<double>(m, "end_x"), other_end = vert_property<double>(m, "end_y");
   const auto color = vert_property<rgba>(m, "color");
   const auto paint = vert_property<rgba>(m, "a paint%");
