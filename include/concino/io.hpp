@@ -22,11 +22,13 @@
 #include <concino/io/obj.hpp>
 #include <concino/io/off.hpp>
 #include <concino/io/options.hpp>
+#include <concino/io/ply.hpp>
 #include <concino/io/save.hpp>
 #include <concino/io/skeleton.hpp>
 #include <concino/io/skeleton_graph.hpp>
 #include <concino/io/slice_layer.hpp>
 #include <concino/io/slices.hpp>
+#include <concino/io/stl.hpp>
 #include <concino/io/tet.hpp>
 #include <concino/io/text_cursor.hpp>
 #include <concino/io/text_sink.hpp>

@@ -66,7 +66,8 @@ void check_mesh(const M& m) {
       if (!succeeds([&] { first = save_text(m, f, {.report = &report, .binary = binary}); })) continue;
       try {
         const M back = load_text<M>(first, f);
-        if (num_verts(back) != num_verts(m) || num_polys(back) != num_polys(m)) finding("another number of elements in " + std::string(f.name()), first);
+        const bool is_same = num_verts(back) == num_verts(m) && num_polys(back) == num_polys(m);
+        if (!is_same && (f != file_format::stl || report.lost.empty())) finding("another number of elements in " + std::string(f.name()), first);
         if constexpr (dimension_v<M> == 3)  // only volumes have faces
           if (report.lost.empty() && num_faces(back) != num_faces(m)) finding("other faces, and nothing is lost, in " + std::string(f.name()), first);
         second = save_text(back, f, {.binary = binary});

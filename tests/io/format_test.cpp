@@ -165,6 +165,10 @@ TEST_CASE("format: a format argument takes precedence over the extension") {
   CHECK(num_polys(load_vtu<tetmesh>(dir / "c")) == 1);
   save_vtp(triangle, dir / "c", {.binary = true});
   CHECK(num_polys(load_vtp<trimesh>(dir / "c")) == 1);
+  save_ply(triangle, dir / "c", {.binary = true});
+  CHECK(num_polys(load_ply<trimesh>(dir / "c")) == 1);
+  save_stl(triangle, dir / "c", {.binary = true});
+  CHECK(num_polys(load_stl<trimesh>(dir / "c")) == 1);
   save_vtk(tet, dir / "c");
   CHECK(num_polys(load_vtk<tetmesh>(dir / "c")) == 1);
   save_hedra(tet, dir / "c");

@@ -120,6 +120,17 @@ const seed seeds[] = {
                                    "offset=\"61\"/></Polys></Piece></PolyData><AppendedData encoding=\"raw\">_") +
                            std::string("\x24\0\0\0" "\0\0\0\0\0\0\0\0\0\0\0\0" "\0\0\x80\x3f\0\0\0\0\0\0\0\0" "\0\0\0\0\0\0\x80\x3f\0\0\0\0" "abcd" "\6\0\0\0" "\1\2\3\4\5\6" "\3\0\0\0" "\0\1\2" "\1\0\0\0" "\3", 66) +
                            "</AppendedData></VTKFile>"},
+    {file_format::ply,
+     "ply\nformat ascii 1.0\ncomment TextureFile a.png\nelement vertex 5\nproperty float x\nproperty float y\nproperty double z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+     "property float v_x\nproperty float v_y\nelement face 2\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\nproperty list short char tags\nelement edge 1\n"
+     "property int vertex1\nproperty int vertex2\nproperty short k\nelement tristrips 1\nproperty list int int vertex_indices\nelement x 1\nproperty list char int a%62\nend_header\n"
+     "0 0 0 1 2 3 .5 nan\n1 0 0 1 2 3 1 2\n1 1 0 0 0 0 0 0\n0 1e0 0 9 9 9 1 1\n.5 .5 2 255 0 0 1 1\n4 0 1 2 3 8 0 0 1 0 1 1 0 1 1 -5\n3 0 1 4 0 2 7 8\n1 0 9\n6 0 1 4 -1 2 3\n1 5\n"},
+    {file_format::ply, std::string("ply\r\nformat binary_big_endian 1.0\r\nelement vertex 3\r\nproperty float x\r\nproperty float y\r\nproperty short z\r\nelement face 1\r\n"
+                                   "property list uchar ushort vertex_index\r\nproperty list uchar double w\r\nend_header\r\n") +
+                           std::string("\0\0\0\0\0\0\0\0\0\0\x3f\x80\0\0\0\0\0\0\0\0\0\0\0\0\x3f\x80\0\0\0\1\3\0\0\0\1\0\2\1\x3f\xf0\0\0\0\0\0\0", 46)},
+    {file_format::stl, "solid a b\nfacet normal 0 0 nan\nouter loop\nvertex 0 0 0\nvertex 1.5 0 0\nvertex 0 1e0 .25\nendloop\nendfacet\nendsolid\nsolid\nfacet normal 0 0 1\nouter loop\n"
+                       "vertex -0 0 0\nvertex 1.5 0 0\nvertex 5 5 5\nendloop\nendfacet\nendsolid\n"},
+    {file_format::stl, "solid" + std::string(75, ' ') + std::string("\1\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0\7\1", 54)},
 };
 
 bool holds_together(const surface_arrays& a) {
@@ -174,9 +185,10 @@ bool survives_all(const std::string& text, format_id format) {
 
 }  // namespace
 
-TEST_CASE("fuzz: the files of .vtk, .vtu and .vtp that are changed below are valid") {
+TEST_CASE("fuzz: the files of .vtk, .vtu, .vtp, .ply and .stl that are changed below are valid") {
   for (const seed& s : seeds)
-    if (const format_id f = s.format; f == file_format::vtk || f == file_format::vtu || f == file_format::vtp) CHECK_NOTHROW(load_any_arrays(s.text, f));
+    for (const format_id f : {format_id(file_format::vtk), format_id(file_format::vtu), format_id(file_format::vtp), format_id(file_format::ply), format_id(file_format::stl)})
+      if (s.format == f) CHECK_NOTHROW(load_any_arrays(s.text, f));
 }
 
 TEST_CASE("fuzz: every truncation of a file is read or is an error") {

@@ -178,7 +178,7 @@ TEST_CASE("save: the error names the first poly that does not fit, and other for
   refuses(polygonmesh(with_offsets(polygon_grid(1))), "a.mesh", ": .mesh cannot hold poly 0, a polygon of 8 verts; save it as .obj");
   refuses(grid<polyhedralmesh>(1), "a.mesh",
           ": .mesh cannot hold poly 0, a polyhedron of 10 faces that is not a tet, hex, prism or pyramid; save it as .hedra");
-  CHECK_THROWS_AS(save(grid<trimesh>(1), dir / "a.stl"), unsupported);
+  CHECK_THROWS_AS(save(grid<trimesh>(1), dir / "a.3ds"), unsupported);
   CHECK_THROWS_AS(save_text(grid<trimesh>(1), file_format::by_extension), invalid_argument);
 }
 

@@ -1,5 +1,5 @@
 // Exchanges files with meshio, which second_opinion.py runs:
-//   exchange write FOLDER   writes meshes of several kinds to VTK files in FOLDER, and prints each name and what the file holds
+//   exchange write FOLDER   writes meshes of several kinds to VTK, PLY and STL files in FOLDER, and prints each name and what the file holds
 //   exchange read FILE...   reads files, and prints the same
 // A description has lines of words: file NAME, point X Y Z, cell NUMBER_OF_FACES VERT..., and for each property: vert NAME or poly NAME, and all its numbers.
 #include <concino/io.hpp>
@@ -55,6 +55,15 @@ void write_mesh(const std::string& folder, const std::string& name, M m) {
     heat[v] = x *= -1.7;
     velocity[v] = {x / 3, 1e-30 * x, 0};
   }
+  if constexpr (cn::dimension_v<M> == 2)  // of surfaces; without values of polys, which meshio does not read from binary PLY files
+    for (const bool binary : {false, true}) {
+      const std::string file = name + (binary ? "_binary" : "_text");
+      cn::save(m, folder + "/" + file + ".ply", {.binary = binary});
+      print_mesh(file + ".ply", m);
+      if (cn::arity_v<M> != 3) continue;
+      cn::save(m, folder + "/" + file + ".stl", {.binary = binary});
+      print_mesh(file + ".stl", m);
+    }
   auto number = cn::poly_property<std::int64_t>(m, "number");
   auto pressure = cn::poly_property<double>(m, "pressure");
   for (const auto p : cn::polys(m)) {

@@ -1,4 +1,4 @@
-"""Compares VTK and VTU files with meshio: it has to read from our files what we wrote, and we have to read from its files what it wrote.
+"""Compares VTK, VTU, PLY and STL files with meshio: it has to read from our files what we wrote, and we have to read from its files what it wrote.
 
     second_opinion.py EXCHANGE FOLDER     EXCHANGE: the program built from exchange.cpp; FOLDER: for the files
 
@@ -65,6 +65,46 @@ def compare(name, ours, theirs, digits=None):
     return wrong
 
 
+def joined(mesh):
+    """A description of a PLY file, with the components of a vector in three columns made one."""
+    parts = [mesh["vert"].pop(f"velocity_{x}") for x in "xyz" if f"velocity_{x}" in mesh["vert"]]
+    if parts:
+        mesh["vert"]["velocity"] = np.stack(parts, axis=1).ravel().tolist()
+    return mesh
+
+
+def triangles(mesh, binary):
+    """The triangles of an STL file, by the points of their corners, which binary files round to floats."""
+    points = np.asarray(mesh["points"], dtype=np.float32 if binary else float).tolist()
+    return [frozenset(tuple(points[v]) for v in verts) for _, verts in mesh["cells"]]
+
+
+def compare_stl(name, ours, theirs):
+    a, b = triangles(ours, "binary" in name), triangles(theirs, "binary" in name)
+    return [] if a == b else [f"{name}: ours {a}, meshio's {b}"]
+
+
+def compare_surfaces(program, folder):
+    """PLY and STL files that meshio writes. Result: the differences, and how many files there are."""
+    wrong, compared = [], 0
+    name, points, cells = [m for m in meshes_of_meshio() if m[0] == "surface"][0]
+    blocks = [(kind, np.array(block)) for kind, block in cells]
+    for kind in ("ply", "stl"):
+        mesh = meshio.Mesh(points, blocks if kind == "ply" else blocks[:1], point_data={"heat": np.linspace(0, 1, len(points)) / 3} if kind == "ply" else {})
+        for binary in (False, True):
+            path = os.path.join(folder, f"meshio_{name}_{'binary' if binary else 'text'}.{kind}")
+            meshio.write(path, mesh, file_format=kind, binary=binary)
+            read = subprocess.run([program, "read", path], capture_output=True, text=True)
+            compared += 1
+            if read.returncode != 0:
+                wrong.append(f"{path}: {read.stderr}")
+            elif kind == "ply":
+                wrong += compare(path, descriptions(read.stdout)[path], description_of(mesh))
+            else:
+                wrong += compare_stl(path, descriptions(read.stdout)[path], description_of(mesh))
+    return wrong, compared
+
+
 def meshes_of_meshio():
     points = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1.25], [1, 0, 1], [1, 1, 1], [0, 1, 1], [0.5, 0.5, 2], [2, 0, 1 / 3], [2, 1, 0.5]])
     yield "tets", points, [("tetra", [[0, 1, 2, 5], [0, 2, 3, 7]])]
@@ -77,7 +117,8 @@ def main(program, folder):
     os.makedirs(folder, exist_ok=True)
     written = subprocess.run([program, "write", folder], check=True, capture_output=True, text=True).stdout
     for name, ours in descriptions(written).items():
-        wrong += compare(name, ours, description_of(meshio.read(os.path.join(folder, name))))
+        theirs = description_of(meshio.read(os.path.join(folder, name)))
+        wrong += compare_stl(name, ours, theirs) if name.endswith(".stl") else compare(name, ours, joined(theirs))
         compared += 1
 
     for name, points, cells in meshes_of_meshio():
@@ -101,9 +142,12 @@ def main(program, folder):
             digits = 11 if kind == "vtu" and not options["binary"] else None  # meshio writes no more
             wrong += compare(path, descriptions(read.stdout)[path], description_of(mesh), digits)
             compared += 1
+    of_surfaces, num_surfaces = compare_surfaces(program, folder)
+    wrong += of_surfaces
+    compared += num_surfaces
     print(f"{compared} files compared, {len(wrong)} differences")
     print("\n".join(wrong))
-    return 1 if wrong or compared != 45 else 0
+    return 1 if wrong or compared != 57 else 0
 
 
 if __name__ == "__main__":

@@ -134,6 +134,8 @@ class flat_mesh {
   /// passes those that it stores to write_context::declare_stored.      Cost: calls polyhedra() if there is a property
   /// of faces.
   std::vector<flat_property> property_list();
+  /// The same of edges.      Cost: calls edge_verts() if there is one.
+  std::vector<flat_property> edge_property_list();
   /// The value of a property of the mesh as a whole; null if there is none.
   template<class T>
   const T* mesh_value(std::string_view name) const { return values<T>(element_kind::mesh, name); }
@@ -175,6 +177,18 @@ inline std::vector<flat_property> flat_mesh::property_list() {
     if (p.kind == element_kind::poly) indices = poly_indices;
     list.push_back({p.kind, p.name, p.type, properties->values_if_any(p.kind, p.name, *p.type),
                     indices.empty() ? nullptr : indices.data()});
+  }
+  return list;
+}
+
+inline std::vector<flat_property> flat_mesh::edge_property_list() {
+  std::vector<flat_property> list;
+  for (std::size_t i = 0; properties && i < properties->size(); ++i) {
+    const property_info p = properties->info(i);
+    if (p.kind != element_kind::edge) continue;
+    edge_verts();
+    list.push_back({p.kind, p.name, p.type, properties->values_if_any(p.kind, p.name, *p.type),
+                    edge_indices_.empty() ? nullptr : edge_indices_.data()});
   }
   return list;
 }

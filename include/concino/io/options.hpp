@@ -67,6 +67,8 @@ struct save_options {
   concino::progress progress = {};         // called with the fraction of the elements that have been written
   bool binary = false;                     // .off: 32-bit numbers, so coordinates are rounded to floats; .mesh: as
                                            // .meshb; unsupported by formats without a binary form
+  bool as_triangles = false;               // .stl: cuts polygons into triangles, which the report counts as lost;
+                                           // otherwise they are unsupported
   bool strict = false;                     // throws unsupported, before the file is touched, if anything would be lost;
                                            // costs a second pass
   bool sync = false;                       // the new data reaches the disk before it replaces a file; otherwise the

@@ -12,6 +12,8 @@
 #include <concino/io/detail/medit/write_medit.hpp>
 #include <concino/io/detail/obj/write_obj.hpp>
 #include <concino/io/detail/off/write_off.hpp>
+#include <concino/io/detail/ply/write_ply.hpp>
+#include <concino/io/detail/stl/write_stl.hpp>
 #include <concino/io/detail/tet/write_tet.hpp>
 #include <concino/io/detail/vtk/write_vtk.hpp>
 #include <concino/io/detail/vtk_xml/write_vtp.hpp>
@@ -23,7 +25,7 @@ namespace concino {
 /// Writes a mesh to a file. The extension determines which of standard_formats is used. For surfaces: .obj, .off, and
 /// .mesh for triangles and quads. For volumes: .hedra and .hybrid for any, .mesh and .tet for tets, hexes, prisms and
 /// pyramids, which are recognised by their faces. .meshb, the binary .mesh, for the same; .vtk and .vtu for any mesh,
-/// .vtp for any surface.
+/// .vtp and .ply for any surface, .stl for triangles.
 /// Needs:  a surface or volume mesh with points, of any type.
 /// Result: the complete file, which replaces an existing one; coordinates read back as the same numbers. Verts (and
 ///         faces) are numbered in the order of verts(m) (and faces(m)). These properties are written:
@@ -40,6 +42,11 @@ namespace concino {
 ///           4, 6 or 9 numbers, such as double, int, vec3 or std::array<float, 4>. Faces are written if a value is not
 ///           the default one. std::array<double, 3> reads back as vec3, and an rgba that is not called "color" as
 ///           std::array<float, 4>.
+///         - to .ply: all of verts, edges and polys that consist of 1, 2, 3, 4, 6 or 9 numbers of at most 32 bits, or
+///           doubles, or of a std::vector of such numbers; "texture" (std::array<double, 2>) of corners. Edges are
+///           written if a value is not the default one. Types read back as from .vtk;
+///         - to .stl: "object" (std::string) of polys as text, "attribute" (std::uint16_t) of polys in binary files.
+///           Verts are numbered anew, and those at one point become one.
 ///         An .obj uses the material libraries that the mesh's file named, if they are in the folder of the new file
 ///         and hold the same colours and materials. Otherwise a new library is written there, with the same name and
 ///         .mtl, or _1.mtl and so on. Existing libraries are not changed, but those that earlier saves created for this

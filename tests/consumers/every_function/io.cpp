@@ -31,6 +31,10 @@ void call_formats() {
   call("load_vtk", [](auto& m) { cn::save_vtk(m, "m.vtk"), cn::load_vtk<std::remove_reference_t<decltype(m)>>("m.vtk"); }, all);
   call("save_vtp", [](auto& m) { cn::save_vtp(m, "m.vtp"); }, surfaces);
   call("load_vtp", [](auto& m) { cn::save_vtp(m, "m.vtp"), cn::load_vtp<std::remove_reference_t<decltype(m)>>("m.vtp"); }, surfaces);
+  call("save_ply", [](auto& m) { cn::save_ply(m, "m.ply"); }, surfaces);
+  call("load_ply", [](auto& m) { cn::save_ply(m, "m.ply"), cn::load_ply<std::remove_reference_t<decltype(m)>>("m.ply"); }, surfaces);
+  call("save_stl", [](auto& m) { cn::save_stl(m, "m.stl"); }, kinds<cn::trimesh>());
+  call("load_stl", [](auto& m) { cn::save_stl(m, "m.stl"), cn::load_stl<std::remove_reference_t<decltype(m)>>("m.stl"); }, kinds<cn::trimesh>());
   call("save_vtu", [](auto& m) { cn::save_vtu(m, "m.vtu"); }, all);
   call("load_vtu", [](auto& m) { cn::save_vtu(m, "m.vtu"), cn::load_vtu<std::remove_reference_t<decltype(m)>>("m.vtu"); }, all);
 }

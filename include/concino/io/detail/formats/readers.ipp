@@ -8,6 +8,8 @@
 #include <concino/io/detail/medit/read_medit.hpp>
 #include <concino/io/detail/obj/read_obj.hpp>
 #include <concino/io/detail/off/read_off.hpp>
+#include <concino/io/detail/ply/read_ply.hpp>
+#include <concino/io/detail/stl/read_stl.hpp>
 #include <concino/io/detail/tet/read_tet.hpp>
 #include <concino/io/detail/vtk/read_vtk.hpp>
 #include <concino/io/detail/vtk_xml/read_vtp.hpp>
@@ -29,7 +31,8 @@ template void vtu_format::read<volume_contents>(const read_context&, volume_cont
 // The readers are inline. Taking their addresses makes the compiler emit them here.
 namespace {
 [[gnu::used]] void (*const readers[])(const read_context&, file_contents&) = {&iv_format::read, &obj_format::read,
-                                                                              &off_format::read, &vtp_format::read};
+                                                                              &off_format::read, &ply_format::read,
+                                                                              &stl_format::read, &vtp_format::read};
 }  // namespace
 
 }  // namespace concino

@@ -7,6 +7,8 @@
 #include <concino/io/detail/medit/write_medit.hpp>
 #include <concino/io/detail/obj/write_obj.hpp>
 #include <concino/io/detail/off/write_off.hpp>
+#include <concino/io/detail/ply/write_ply.hpp>
+#include <concino/io/detail/stl/write_stl.hpp>
 #include <concino/io/detail/tet/write_tet.hpp>
 #include <concino/io/detail/vtk/write_vtk.hpp>
 #include <concino/io/detail/vtk_xml/write_vtp.hpp>
@@ -22,6 +24,8 @@ namespace {
                                                                      &medit_format::write,
                                                                      &obj_format::write,
                                                                      &off_format::write,
+                                                                     &ply_format::write,
+                                                                     &stl_format::write,
                                                                      &tet_format::write,
                                                                      &vtk_format::write<write_context>,
                                                                      &vtu_format::write<write_context>,

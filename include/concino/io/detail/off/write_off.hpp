@@ -1,7 +1,6 @@
 // The writer of Geomview OFF: surfaces, as text, or as binary on request.
 #pragma once
 
-#include <concino/core/rgba.hpp>
 #include <concino/io/detail/off/off_format.hpp>
 #include <concino/io/detail/text/write_common.hpp>
 
@@ -11,17 +10,6 @@
 #include <cmath>
 
 namespace concino::detail {
-
-/// Finds the integers from 0 to 255 from which a reader obtains this colour. Returns false if there are none.
-inline bool bytes_of(const rgba& c, int (&bytes)[4]) {
-  const float parts[] = {c.r, c.g, c.b, c.a};
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (!(parts[i] >= 0 && parts[i] <= 1)) return false;
-    bytes[i] = static_cast<int>(std::lround(static_cast<double>(parts[i]) * 255));
-    if (static_cast<float>(bytes[i] / 255.0) != parts[i]) return false;
-  }
-  return true;
-}
 
 /// Writes numbers, as text with a blank before each, or as 32 bits, big-endian.
 class off_numbers {

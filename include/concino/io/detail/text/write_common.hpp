@@ -1,12 +1,15 @@
 // Formats numbers for the writers of all formats.
 #pragma once
 
+#include <concino/core/rgba.hpp>
 #include <concino/core/vec3.hpp>
 #include <concino/io/flat_mesh.hpp>
 #include <concino/io/numbers.hpp>
 #include <concino/io/write_context.hpp>
 
 #include <charconv>
+#include <cmath>
+#include <cstddef>
 #include <string_view>
 
 namespace concino::detail {
@@ -25,6 +28,17 @@ inline void write_part(text_sink& out, float x, bool is_real) {
   const std::string_view text(digits, static_cast<std::size_t>(end - digits));
   out << text;
   if (is_real && text.find_first_of(".e") == text.npos) out << ".0";
+}
+
+/// Finds the integers from 0 to 255 from which a reader obtains this colour. Returns false if there are none.
+inline bool bytes_of(const rgba& c, int (&bytes)[4]) {
+  const float parts[] = {c.r, c.g, c.b, c.a};
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (!(parts[i] >= 0 && parts[i] <= 1)) return false;
+    bytes[i] = static_cast<int>(std::lround(static_cast<double>(parts[i]) * 255));
+    if (static_cast<float>(bytes[i] / 255.0) != parts[i]) return false;
+  }
+  return true;
 }
 
 }  // namespace concino::detail

@@ -1,6 +1,7 @@
 // The writer of legacy VTK files, version 3.0: an UNSTRUCTURED_GRID, as text or big-endian.
 #pragma once
 
+#include <concino/io/detail/text/encoded_name.hpp>
 #include <concino/io/detail/vtk/vtk_format.hpp>
 #include <concino/io/detail/vtk/vtk_output.hpp>
 
@@ -50,8 +51,8 @@ class vtk_writer {
     std::string r;
     for (const char c : name) {
       const bool is_first_of_keyword = r.empty() && name == "METADATA";
-      if (c > 32 && c < 127 && c != '"' && c != '%' && !is_first_of_keyword) r += c;
-      else ((r += '%') += "0123456789ABCDEF"[static_cast<unsigned char>(c) >> 4]) += "0123456789ABCDEF"[c & 15];
+      if (is_plain_in_name(c) && !is_first_of_keyword) r += c;
+      else append_encoded(r, c);
     }
     return r;
   }
