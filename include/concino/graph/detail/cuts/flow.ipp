@@ -107,28 +107,30 @@ CONCINO_INLINE std::vector<unsigned char> source_side(const flow_network& networ
   std::vector<std::uint32_t> predecessor(nodes + 2);
   std::vector<std::uint32_t> distance(nodes + 2);
   const auto from = static_cast<std::uint32_t>(nodes);
+  // Types of Boost, not pointers: where other headers of Boost come first, those hide the functions for pointers.
+  const boost::typed_identity_property_map<std::uint32_t> index;
+  const auto map_of = [&](auto& values) { return boost::make_iterator_property_map(values.data(), index); };
   // The capacities are their own residuals: the algorithm first copies the one to the other.
-  boost::boykov_kolmogorov_max_flow(g, g.residual.data(), g.residual.data(), g.reverse.data(), predecessor.data(),
-                                    color.data(), distance.data(), boost::typed_identity_property_map<std::uint32_t>(),
-                                    from, from + 1);
+  boost::boykov_kolmogorov_max_flow(g, map_of(g.residual), map_of(g.residual), map_of(g.reverse), map_of(predecessor),
+                                    map_of(color), map_of(distance), index, from, from + 1);
   std::vector<unsigned char> on_source_side(nodes);
   for (std::size_t i = 0; i < nodes; ++i) on_source_side[i] = color[i] == boost::black_color;
   return on_source_side;
 }
 
-CONCINO_INLINE std::size_t end_of_unlimited_path(const flow_network& network, std::int64_t unlimited) {
+CONCINO_INLINE std::size_t end_of_unlimited_path(const flow_network& network, std::int64_t capacity) {
   const std::size_t nodes = network.terminals.size();
   std::vector<std::size_t> first(nodes + 1);
   for (const flow_edge& e : network.edges) {
-    first[e.a + 1] += e.forth >= unlimited;
-    first[e.b + 1] += e.back >= unlimited;
+    first[e.a + 1] += e.forth >= capacity;
+    first[e.b + 1] += e.back >= capacity;
   }
   for (std::size_t i = 0; i < nodes; ++i) first[i + 1] += first[i];
   std::vector<std::uint32_t> targets(first.back());
   std::vector<std::size_t> next(first.begin(), first.end() - 1);
   for (const flow_edge& e : network.edges) {
-    if (e.forth >= unlimited) targets[next[e.a]++] = e.b;
-    if (e.back >= unlimited) targets[next[e.b]++] = e.a;
+    if (e.forth >= capacity) targets[next[e.a]++] = e.b;
+    if (e.back >= capacity) targets[next[e.b]++] = e.a;
   }
   std::vector<std::size_t> open;
   std::vector<unsigned char> is_reached(nodes);
@@ -136,11 +138,11 @@ CONCINO_INLINE std::size_t end_of_unlimited_path(const flow_network& network, st
     if (!std::exchange(is_reached[i], 1)) open.push_back(i);
   };
   for (std::size_t i = 0; i < nodes; ++i)
-    if (network.terminals[i] >= unlimited) enter(i);
+    if (network.terminals[i] >= capacity) enter(i);
   while (!open.empty()) {
     const std::size_t i = open.back();
     open.pop_back();
-    if (network.terminals[i] <= -unlimited) return i;
+    if (network.terminals[i] <= -capacity) return i;
     for (std::size_t k = first[i]; k < first[i + 1]; ++k) enter(targets[k]);
   }
   return nodes;
