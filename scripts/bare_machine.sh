@@ -74,6 +74,6 @@ say "a program with the installed library"
 inside root consumer '
   . scripts/packages.sh && CXX=$(find_gcc || find_clang) && export CXX &&
   cmake --preset release -B build/installed -D CONCINO_BUILD_TOOLS=OFF && cmake --build build/installed && cmake --install build/installed --prefix /opt/concino &&
-  cmake -S tests/consumers/find_package -B build/consumer -D CMAKE_PREFIX_PATH=/opt/concino -D CONCINO_LINK=compiled -D CONCINO_SOURCE="$PWD" &&
+  cmake -G Ninja -S tests/consumers/find_package -B build/consumer -D CMAKE_PREFIX_PATH=/opt/concino -D CONCINO_LINK=compiled -D CONCINO_SOURCE="$PWD" &&
   cmake --build build/consumer && build/consumer/consumer' || { show consumer; fail "the program of a user"; }
 say "done"

@@ -3,7 +3,7 @@
 BEGIN {
   if (!most) most = 250
   longer["font_table.hpp"] = 1  # the outlines of the letters
-  longer["supports.ipp"] = 1    # no table: to be cut
+  longer["page_text.hpp"] = 1   # a web page, assembled from page/
 }
 function report(    name) {
   name = file

@@ -39,8 +39,8 @@ inscribed_circle_result largest_circle_inside(const core::flat_polygon& flat, co
 ///         of the polygon. Its radius is at least (1 - tolerance) max_radius, up to rounding errors of 1e-14 of the
 ///         size of the polygon. If max_parts is too small for that, max_radius is larger, but right. Where there are
 ///         several largest circles, it is one of them. Scales exactly with powers of 2.
-/// Cost:   O(n) for the n corners of a convex polygon. For others O(n) times the number of parts, some hundred, and more
-///         for long and thin polygons.
+/// Cost:   O(n) for the n corners of a convex polygon. For others O(n) times the number of parts, some hundred, and
+///         more for long and thin polygons.
 /// Errors: invalid_argument, of a poly of a mesh invalid_mesh, if a corner is not finite, if two edges touch other than
 ///         at their corner, or if there is no area; invalid_argument if an option is out of range.
 /// Source: branch and bound; bounds by linear programmes: Seidel 1991, "Small-dimensional linear programming and convex
