@@ -4,7 +4,7 @@
 #include <concino/core/error.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/core/small_array.hpp>
-#include <concino/geometry/detail/circumsphere.hpp>
+#include <concino/geometry/detail/circles/circumsphere.hpp>
 
 namespace concino {
 

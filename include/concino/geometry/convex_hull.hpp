@@ -38,5 +38,5 @@ convex_hull_result convex_hull(std::span<const vec3> points);
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/geometry/detail/convex_hull.ipp>
+#include <concino/geometry/detail/hull/convex_hull.ipp>
 #endif

@@ -74,5 +74,5 @@ template<class... T> void enclosing_circle(mistake::any_mesh, mistake::number<mi
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/geometry/detail/enclosing_ball.ipp>
+#include <concino/geometry/detail/circles/enclosing_ball.ipp>
 #endif

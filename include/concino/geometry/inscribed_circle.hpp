@@ -63,5 +63,5 @@ template<class... T> void inscribed_circle(mistake::any_mesh, mistake::number<mi
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/geometry/detail/inscribed_circle.ipp>
+#include <concino/geometry/detail/circles/inscribed_circle.ipp>
 #endif

@@ -52,5 +52,5 @@ template<class... T> void width(mistake::any_mesh, mistake::number<mistake::name
 }  // namespace concino
 
 #ifndef CONCINO_COMPILED
-#include <concino/geometry/detail/width.ipp>
+#include <concino/geometry/detail/hull/width.ipp>
 #endif

@@ -14,5 +14,5 @@ vec3 centre_of_circumsphere(std::span<const vec3> points);
 }  // namespace concino::detail
 
 #ifndef CONCINO_COMPILED
-#include <concino/geometry/detail/circumsphere.ipp>
+#include <concino/geometry/detail/circles/circumsphere.ipp>
 #endif

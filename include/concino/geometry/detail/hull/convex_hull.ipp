@@ -6,7 +6,7 @@
 #include <concino/core/error.hpp>
 #include <concino/core/lexicographic.hpp>
 #include <concino/geometry/convex_hull.hpp>
-#include <concino/geometry/detail/hull_builder.hpp>
+#include <concino/geometry/detail/hull/hull_builder.hpp>
 #include <concino/geometry/orientation.hpp>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/geometry/detail/any_scale.hpp>
-#include <concino/geometry/detail/circumsphere.hpp>
+#include <concino/geometry/detail/circles/circumsphere.hpp>
 
 namespace concino::detail {
 
