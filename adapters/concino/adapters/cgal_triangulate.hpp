@@ -124,15 +124,15 @@ class triangulator {
   void add_inner_verts(const triangulation& before, surface_arrays& a) {
     const triangulation& t = mesh_.cgal();
     CGAL::Unique_hash_map<vertex, std::uint8_t> is_met(std::uint8_t{0});
-    std::vector<std::pair<vertex, face>> met;
+    std::vector<std::pair<vertex, face>> moved;
     const auto meet = [&](const vertex& v, const face& hint) {
       if (t.is_infinite(v) || is_met[v]) return;
       is_met[v] = 1;
-      met.emplace_back(v, before.locate(v->point(), hint));
+      moved.emplace_back(v, before.locate(v->point(), hint));
     };
     if (t.dimension() == 2) meet(t.finite_vertices_begin(), before.infinite_face());
-    for (std::size_t i = 0; i < met.size(); ++i) {
-      const auto [v, at] = met[i];
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+      const auto [v, at] = moved[i];
       if (is_added(v)) add_vert(v, a, in_space(v->point().x(), v->point().y(), height_in(before, at, v->point())));
       auto next = t.incident_vertices(v);
       const auto first = next;

@@ -84,12 +84,12 @@ class conversion {
     std::vector<vert_t<To>> wanted;
     for (const vert_t<From> v : adj_f2v(from(), f)) wanted.push_back(vert_of(v));
     for (const face x : adj_v2f(mesh, wanted[0])) {
-      std::size_t met = 0, n = 0;
+      std::size_t found_verts = 0, n = 0;
       for (const vert_t<To> v : adj_f2v(mesh, x)) {
         ++n;
-        for (const vert_t<To>& w : wanted) met += w == v;
+        for (const vert_t<To>& w : wanted) found_verts += w == v;
       }
-      if (n == wanted.size() && met == n) return x;
+      if (n == wanted.size() && found_verts == n) return x;
     }
     assert(false && "every face of a mesh is a face of what it was converted to");
     return face();

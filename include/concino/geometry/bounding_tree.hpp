@@ -97,10 +97,10 @@ class poly_tree {
   /// All polys that have a point in common with the box, including its boundary, in the order of polys(m). Exact.
   /// Result: none for an empty box; bounds may be infinite.      Errors: none.
   std::vector<poly_t<M>> in_box(const box& wanted) const {
-    std::vector<poly_t<M>> met;
+    std::vector<poly_t<M>> hit_polys;
     for (const std::size_t rank : detail::pieces_in_box(pieces_, boxes_, pieces_.to_tree(wanted)))
-      met.push_back(pieces_.poly(rank));
-    return met;
+      hit_polys.push_back(pieces_.poly(rank));
+    return hit_polys;
   }
 
   /// The poly that contains x. Exact. If polys tile a domain, every point of it has a result, always the same poly,

@@ -103,17 +103,17 @@ void sum_areas_of_boundary(const M& m, Normals& sum) {
   std::vector<signed char> sign(face_index_bound(m));
   parallel_for_each(faces(m),
                     [&](const face_t<M>& f) { sign[index_of(m, f)] = static_cast<signed char>(outward_sign(m, f)); });
-  std::vector<unsigned char> met(vert_index_bound(m));
+  std::vector<unsigned char> visited(vert_index_bound(m));
   for (const face_t<M> f : faces(m)) {
     if (sign[index_of(m, f)] == 0) continue;
     const vec3 a = static_cast<double>(sign[index_of(m, f)]) * area_vector_of(m, adj_f2v(m, f));
     for (const vert_t<M> v : adj_f2v(m, f)) {
-      met[index_of(m, v)] = 1;
+      visited[index_of(m, v)] = 1;
       sum[v] += a;
     }
   }
   parallel_for_each(verts(m), [&](const vert_t<M>& v) {
-    if (met[index_of(m, v)]) sum[v] = unit_or(sum[v], [&] { return vert_normal(m, v); });
+    if (visited[index_of(m, v)]) sum[v] = unit_or(sum[v], [&] { return vert_normal(m, v); });
   });
 }
 

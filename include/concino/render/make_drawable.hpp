@@ -67,11 +67,11 @@ drawable visible_polygons(const M& m, const Visible& visible, std::vector<std::u
 
 /// The polys that meet a criterion, as a map.
 template<class Prepared>
-struct met_polys {
+struct accepted_polys {
   Prepared meets;
   bool operator[](const auto& p) const { return meets(p); }
 };
-template<class Prepared> met_polys(Prepared) -> met_polys<Prepared>;
+template<class Prepared> accepted_polys(Prepared) -> accepted_polys<Prepared>;
 
 }  // namespace detail
 
@@ -94,7 +94,7 @@ drawable make_drawable(const M& m, const mesh_look<M>& look = {}) {
   else if (look.field) look.field.fill(m, values);
   const element_kind at = look.labels ? look.labels.at() : look.field.at();
   std::vector<std::uint32_t> edge_of_corner;
-  drawable d = detail::visible_polygons(m, detail::met_polys{look.visible.prepare(m)},
+  drawable d = detail::visible_polygons(m, detail::accepted_polys{look.visible.prepare(m)},
                                         at == element_kind::edge ? &edge_of_corner : nullptr);
   if (look.exposed) {
     std::vector<unsigned char> selected;

@@ -87,7 +87,7 @@ class halfedge_plan : public halfedge_edge_plan<K> {
   /// Whether new polys fill, between the same edges, the same parts of the ring round v as old ones. Then the ring is
   /// otherwise as before.
   bool keeps_ring(unsigned v) const {
-    unsigned sectors = 0, met = 0;  // of old and of new polys, and those that a walk from one edge to another meets
+    unsigned sectors = 0, visited = 0;  // of old and of new polys, and those that a walk from one edge to another meets
     for (unsigned k = first_edge_at_[v]; k < first_edge_at_[v + 1]; ++k) {
       const planned_edge& e = edges[edges_at_[k]];
       const unsigned in = e.verts[0] == v;  // the direction towards v
@@ -99,7 +99,7 @@ class halfedge_plan : public halfedge_edge_plan<K> {
       const auto end = [&](const auto& next_of, const auto& goes_on) {
         for (unsigned g = e.halfedge ^ in;;) {
           const unsigned h = next_of(g);
-          ++met;
+          ++visited;
           if (!goes_on(h ^ 1)) return h;
           g = h ^ 1;
         }
@@ -116,7 +116,7 @@ class halfedge_plan : public halfedge_edge_plan<K> {
           end([&](unsigned g) { return next_in_poly(g); }, is_new))
         return false;
     }
-    return met == sectors;
+    return visited == sectors;
   }
   /// Links the fans of polys at v along the border, in the order of their first half-edges.
   bool plan_vert(unsigned v) {
@@ -131,13 +131,13 @@ class halfedge_plan : public halfedge_edge_plan<K> {
     }
     list_ring(v);
     if (c_.is_removed(v) && !ring_.empty()) c_.refuse_removal(v);
-    std::size_t met = 0;
+    std::size_t visited = 0;
     unsigned at_border = none;
     const auto follow = [&](unsigned h) {  // round the vert, to the end of the fan or back to h
       for (unsigned g = h;;) {
-        ++met;
+        ++visited;
         const unsigned after = next_in_poly(g ^ 1);
-        if (after == none || after == h || met > ring_.size()) return g ^ 1;
+        if (after == none || after == h || visited > ring_.size()) return g ^ 1;
         g = after;
       }
     };
@@ -148,7 +148,7 @@ class halfedge_plan : public halfedge_edge_plan<K> {
       border_links.push_back({follow(h), at_border});
     }
     if (at_border == none && !ring_.empty()) follow(ring_[0]);
-    if (met != ring_.size()) return this->refuse(K::one_closed_fan, v);
+    if (visited != ring_.size()) return this->refuse(K::one_closed_fan, v);
     leaving.push_back({v, ring_.empty() ? none : at_border == none ? ring_[0] : at_border});
     return true;
   }

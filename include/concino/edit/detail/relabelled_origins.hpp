@@ -70,7 +70,7 @@ class relabelled_origins {
   }
   /// An edge or face at a vert that remains, which others may become.
   template<class X, class Verts, class Polys>
-  void add_if_met(parts& all, const X& x, const Verts& its_verts, const Polys& its_polys) {
+  void add_if_listed(parts& all, const X& x, const Verts& its_verts, const Polys& its_polys) {
     key_.clear();
     for (const vert_t<M> v : its_verts) key_.push_back(c_.find_number(index_of(c_.mesh(), v)));
     std::sort(key_.begin(), key_.end());
@@ -93,10 +93,10 @@ class relabelled_origins {
       if (c_.num_removed() == 0) break;
       const vert_t<M> v = c_.vert_at(x.label);
       if (wants_edges)
-        for (const edge_t<M> e : adj_v2e(m, v)) add_if_met(edges_, e, adj_e2v(m, e), adj_e2p(m, e));
+        for (const edge_t<M> e : adj_v2e(m, v)) add_if_listed(edges_, e, adj_e2v(m, e), adj_e2p(m, e));
       if constexpr (VolumeMesh<M>)  // surfaces have no faces
         if (wants_faces)
-          for (const face_t<M> f : adj_v2f(m, v)) add_if_met(faces_, f, adj_f2v(m, f), adj_f2p(m, f));
+          for (const face_t<M> f : adj_v2f(m, v)) add_if_listed(faces_, f, adj_f2v(m, f), adj_f2p(m, f));
     }
   }
   void add_parts(const parts& all) {

@@ -78,16 +78,16 @@ class tree_ray {
 
   /// The first hit of every poly, sorted by parameter and then by rank.
   std::vector<std::pair<std::size_t, crossing>> all() const {
-    std::vector<std::pair<std::size_t, crossing>> met;
-    search(end_, [&](std::size_t rank, const crossing& c) { met.push_back({rank, c}); });
-    std::sort(met.begin(), met.end(), [](const auto& a, const auto& b) {
+    std::vector<std::pair<std::size_t, crossing>> hits;
+    search(end_, [&](std::size_t rank, const crossing& c) { hits.push_back({rank, c}); });
+    std::sort(hits.begin(), hits.end(), [](const auto& a, const auto& b) {
       return a.first < b.first || (a.first == b.first && a.second.parameter < b.second.parameter);
     });
-    met.erase(std::unique(met.begin(), met.end(), [](const auto& a, const auto& b) { return a.first == b.first; }),
-              met.end());
-    std::stable_sort(met.begin(), met.end(),
+    const auto is_same_poly = [](const auto& a, const auto& b) { return a.first == b.first; };
+    hits.erase(std::unique(hits.begin(), hits.end(), is_same_poly), hits.end());
+    std::stable_sort(hits.begin(), hits.end(),
                      [](const auto& a, const auto& b) { return a.second.parameter < b.second.parameter; });
-    return met;
+    return hits;
   }
 
   template<class M>

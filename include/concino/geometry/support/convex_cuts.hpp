@@ -11,18 +11,19 @@
 namespace concino::core {
 
 /// The part of a convex loop where height(x) >= 0. Calls met(x) for the points where it is cut.
-template<class Height, class Met>
-void cut_convex_loop(std::vector<vec3>& loop, std::vector<vec3>& scratch, const Height& height, const Met& met) {
+template<class Height, class OnPlane>
+void cut_convex_loop(std::vector<vec3>& loop, std::vector<vec3>& scratch, const Height& height,
+                     const OnPlane& on_plane) {
   scratch.clear();
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const vec3 a = loop[i], b = loop[i + 1 == loop.size() ? 0 : i + 1];
     const double ha = height(a), hb = height(b);
     if (ha >= 0) scratch.push_back(a);
-    if (ha == 0) met(a);
+    if (ha == 0) on_plane(a);
     if ((ha > 0 && hb < 0) || (ha < 0 && hb > 0)) {
       const vec3 x = a + (ha / (ha - hb)) * (b - a);
       scratch.push_back(x);
-      met(x);
+      on_plane(x);
     }
   }
   loop.swap(scratch);

@@ -19,19 +19,19 @@ template<class X, class M, class R, class Ring, class Found>
 void find_duplicates(const M& m, const R& all, std::size_t count, const Ring& ring, const Found& found) {
   std::unordered_multimap<std::uint64_t, X> by_hash;
   by_hash.reserve(count);
-  std::vector<std::uint64_t> met(vert_index_bound(m));  // by vert: 2 c and 2 c + 1 mark the verts of the sets of
+  std::vector<std::uint64_t> visited(vert_index_bound(m));  // by vert: 2 c and 2 c + 1 mark the verts of the sets of
                                                         // comparison c
   std::uint64_t comparison = 0;
   const auto same_verts = [&](const X& x, const X& y) {
     const std::uint64_t in_x = 2 * ++comparison, in_both = in_x + 1;
     std::size_t left = 0;
     for (const vert_t<M> v : ring(x)) {
-      std::uint64_t& at = met[index_of(m, v)];
+      std::uint64_t& at = visited[index_of(m, v)];
       left += at != in_x;
       at = in_x;
     }
     for (const vert_t<M> v : ring(y)) {
-      std::uint64_t& at = met[index_of(m, v)];
+      std::uint64_t& at = visited[index_of(m, v)];
       if (at != in_x && at != in_both) return false;
       left -= at == in_x;
       at = in_both;

@@ -151,15 +151,16 @@ class halfedge_laws : halfedge_polygon_laws<M> {
   /// Marks and counts the half-edges around v, beginning with start, and counts those at the border.
   /// Result: null, or a text why it failed.
   struct counts { std::size_t all = 0, at_border = 0; };
-  const char* walk_around(order_index v, const halfedge& start, std::vector<std::uint8_t>& met, counts& count) const {
+  const char* walk_around(order_index v, const halfedge& start, std::vector<std::uint8_t>& visited,
+                          counts& count) const {
     halfedge h = start;
     do {
       const halfedge o = K::opposite(m_, h);
       if (vs_.find(m_, K::target(m_, o)) != v) return " leads to a half-edge that leaves another vert";
       const std::size_t i = slot(h);
       if (i == none) return " leads to a half-edge of no edge of the mesh";
-      if (met[i]) return " does not come back to the first half-edge";
-      met[i] = 1;
+      if (visited[i]) return " does not come back to the first half-edge";
+      visited[i] = 1;
       ++count.all;
       count.at_border += K::is_border(m_, h);
       h = K::next(m_, o);
@@ -181,7 +182,7 @@ class halfedge_laws : halfedge_polygon_laws<M> {
     }
     if (!sound("HE3")) return false;
 
-    std::vector<std::uint8_t> met(halves_.size());
+    std::vector<std::uint8_t> visited(halves_.size());
     std::vector<order_index> torn;  // verts with half-edges that were not visited
     for (order_index v = 0; v < vs_.size() && !log_.full("HE4"); ++v) {
       if (K::is_isolated(m_, vs_.items[v])) {
@@ -190,7 +191,7 @@ class halfedge_laws : halfedge_polygon_laws<M> {
       }
       counts count;
       if (!leaving[v]) fault("HE4", {vert_name(v), ": is_isolated is false, but no half-edge leaves it"}, vs_.name(v));
-      else if (const char* why = walk_around(v, K::halfedge_of(m_, vs_.items[v]), met, count))
+      else if (const char* why = walk_around(v, K::halfedge_of(m_, vs_.items[v]), visited, count))
         fault("HE4", {vert_name(v), ": stepping from halfedge_of to next(opposite(h))", why}, vs_.name(v));
       else if (count.all < leaving[v]) torn.push_back(v);
     }
@@ -198,11 +199,11 @@ class halfedge_laws : halfedge_polygon_laws<M> {
     if (torn.empty()) return true;
     // An open fan has one border half-edge that leaves its vert; a closed fan is a cycle without any.
     std::vector<std::size_t> fans(vs_.items.size());
-    std::fill(met.begin(), met.end(), 0);
+    std::fill(visited.begin(), visited.end(), 0);
     for (std::size_t i = 0; i < halves_.size(); ++i) {
       fans[from[i]] += K::is_border(m_, halves_[i]);
       counts count;
-      if (!met[i] && !walk_around(from[i], halves_[i], met, count) && count.at_border == 0) ++fans[from[i]];
+      if (!visited[i] && !walk_around(from[i], halves_[i], visited, count) && count.at_border == 0) ++fans[from[i]];
     }
     for (const order_index v : torn) {
       const char* const words[] = {"two", "three", "four"};

@@ -41,7 +41,7 @@ void check_standard_order(const element_table<P>& ps, const element_table<V>& vs
   for (order_index p = 0; p < ps.size() && !log.full("VM7"); ++p) {
     const auto ring = p2v[p];
     bool good = ring.size() == Arity && p2f[p].size() == standard_faces<Arity>.size();
-    unsigned met = 0;
+    unsigned visited = 0;
     for (std::size_t k = 0; good && k < p2f[p].size(); ++k) {
       const auto cycle = f2v[p2f[p][k]];
       local.clear();
@@ -51,8 +51,8 @@ void check_standard_order(const element_table<P>& ps, const element_table<V>& vs
       }
       if (!outward[p2f.offsets[p] + k]) std::reverse(local.begin(), local.end());
       const int which = standard_face<Arity>(local);
-      good = which >= 0 && !(met >> which & 1u);
-      if (good) met |= 1u << which;
+      good = which >= 0 && !(visited >> which & 1u);
+      if (good) visited |= 1u << which;
     }
     if (!good && vs.sound)
       log.add("VM7",

@@ -27,14 +27,14 @@ void are_right(const std::vector<list>& polys, bool first_is_known) {
   }
   facet_adjacency<edge_id, 0> all(make_jagged_array<edge_id>(lengths), make_jagged_array<encoded_neighbour>(lengths));
   for (unsigned f = 0; f < facets; ++f) all.add_facet();
-  std::vector<facet_adjacency<edge_id, 0>::incidence> met_first(facets);
+  std::vector<facet_adjacency<edge_id, 0>::incidence> first_incidence(facets);
   for (unsigned p = 0; p < polys.size(); ++p)
     for (unsigned k = 0; k < polys[p].size(); ++k) {
       const edge_id f{polys[p][k]};
       if (first_is_known && all.is_owned(f)) {
-        all.link(p, k, f, met_first[f.raw()]);
+        all.link(p, k, f, first_incidence[f.raw()]);
       } else {
-        met_first[f.raw()] = {p, k};
+        first_incidence[f.raw()] = {p, k};
         all.link(p, k, f);
       }
     }

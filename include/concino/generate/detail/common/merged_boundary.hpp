@@ -86,13 +86,14 @@ class merged_boundary<M> {
   merged_polys<M> members_;
   stamped_array<std::uint32_t> leaving_, first_from_;  // by vert: the boundary edge from it; by interior edge: its
                                                        // first vert in the first poly
-  stamped_array<unsigned char> met_;
+  stamped_array<unsigned char> visited_;
   std::vector<boundary_edge> edges_;
   std::vector<vert_t<M>> ring_;
 
  public:
   explicit merged_boundary(const M& m)
-      : m_(m), members_(m), leaving_(vert_index_bound(m)), first_from_(edge_index_bound(m)), met_(vert_index_bound(m)) {
+      : m_(m), members_(m), leaving_(vert_index_bound(m)), first_from_(edge_index_bound(m)),
+        visited_(vert_index_bound(m)) {
   }
 
   const std::vector<vert_t<M>>& ring() const { return ring_; }
@@ -105,12 +106,12 @@ class merged_boundary<M> {
       return {};
     }
     if (!members_.set(polys)) return {"they are not connected across edges"};
-    leaving_.clear(), first_from_.clear(), met_.clear(), edges_.clear();
-    std::ptrdiff_t inside = 0, met = 0;
+    leaving_.clear(), first_from_.clear(), visited_.clear(), edges_.clear();
+    std::ptrdiff_t inside = 0, visited = 0;
     merge_fault fault;
     for (const poly_t<M>& p : polys) {
       for (const auto& [e, from, to] : oriented_edges(m_, p)) {
-        met += met_.add(index_of(m_, from), 1);
+        visited += visited_.add(index_of(m_, from), 1);
         const std::size_t n = members_.count(adj_e2p(m_, e)), at = index_of(m_, from);
         if (n > 2) fault = {"more than two of them meet at edge", index_of(m_, e)};
         if (n == 1) {
@@ -134,7 +135,7 @@ class merged_boundary<M> {
     }
     if (ring_.size() != edges_.size()) return {"they have more than one boundary"};
     const std::ptrdiff_t chi =
-        met - inside - static_cast<std::ptrdiff_t>(edges_.size()) + static_cast<std::ptrdiff_t>(polys.size());
+        visited - inside - static_cast<std::ptrdiff_t>(edges_.size()) + static_cast<std::ptrdiff_t>(polys.size());
     if (chi != 1) return {"they have a handle, or touch themselves at a vert"};
     return {};
   }

@@ -13,10 +13,10 @@ CONCINO_INLINE element_origins origins_through(const element_origins& first, con
   std::vector<origin> list;
   for (std::size_t i = 0; i < second.size(); ++i) {
     list.clear();
-    core::local_numbers met;
+    core::local_numbers visited;
     for (const origin middle : second[i])
       for (const origin x : first[middle.index]) {
-        const unsigned k = met.add(x.index);
+        const unsigned k = visited.add(x.index);
         if (k == list.size()) list.push_back({x.index, 0});
         list[k].weight += middle.weight * x.weight;
       }

@@ -140,10 +140,10 @@ element_origins refined_origins(const refined_verts<M, kinds>& refined, const Ru
   std::vector<origin> list;
   refined.for_each([&](const auto& x) {
     list.clear();
-    core::local_numbers met;
+    core::local_numbers visited;
     rule(x, [&](const vert_t<M>& v, double weight) {
       const auto index = static_cast<std::uint32_t>(index_of(refined.mesh(), v));
-      const unsigned k = met.add(index);
+      const unsigned k = visited.add(index);
       if (k == list.size()) list.push_back({index, weight});
       else list[k].weight += weight;
     });

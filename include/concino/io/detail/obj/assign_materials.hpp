@@ -61,8 +61,8 @@ class material_library_reader {
     if (path.empty()) return result::absent;
     if (const file_status status = status_of(path); status.kind != file_kind::none) {
       const std::uint64_t file[] = {status.device, status.number};
-      const std::size_t met = seen_.size();
-      if (seen_.add(std::string_view(reinterpret_cast<const char*>(file), sizeof file)) != met) return result::read;
+      const std::size_t seen = seen_.size();
+      if (seen_.add(std::string_view(reinterpret_cast<const char*>(file), sizeof file)) != seen) return result::read;
     }
     try {
       const file_text file(path);

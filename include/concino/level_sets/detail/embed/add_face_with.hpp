@@ -12,12 +12,12 @@ namespace concino::detail {
 /// Whether these are all the corners and no others.
 template<class M, class Verts>
 bool are_corners(const Verts& verts, const std::vector<vert_t<M>>& corners) {
-  std::size_t n = 0, met = 0;
+  std::size_t n = 0, common = 0;
   for (const vert_t<M> v : verts) {
     ++n;
-    met += std::find(corners.begin(), corners.end(), v) != corners.end();
+    common += std::find(corners.begin(), corners.end(), v) != corners.end();
   }
-  return n == corners.size() && met == n;
+  return n == corners.size() && common == n;
 }
 
 /// Adds the face with these corners, which exists, to a list.

@@ -188,9 +188,9 @@ CONCINO_INLINE cell_exit flat_cell::find_exit(const vec3& x, const vec3& g, std:
   std::uint32_t found = 0, best = 0;
   double best_distance = 0;
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    std::size_t met = 0;
-    for (const std::uint32_t k : triangles[t].corner) met += seen_[k].is_entry;
-    if ((!entry.empty() && met == entry.size()) || !leaves_through(triangles[t], x, g, entry)) continue;
+    std::size_t entries = 0;
+    for (const std::uint32_t k : triangles[t].corner) entries += seen_[k].is_entry;
+    if ((!entry.empty() && entries == entry.size()) || !leaves_through(triangles[t], x, g, entry)) continue;
     if (found++ == 0) {
       best = t;
       continue;

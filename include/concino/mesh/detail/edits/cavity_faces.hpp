@@ -32,21 +32,21 @@ struct cavity_face {
 /// number, which is the last one that was added: few faces are listed there, and they were used recently.
 template<unsigned N>
 class cavity_faces {
-  using met = visited_faces<N, 80, 112>;
+  using face_numbers = visited_faces<N, 80, 112>;
 
   core::small_array<cavity_face<N>, 112> faces_;
-  met met_;
+  face_numbers visited_;
 
  public:
   /// Room for the faces of old and new polys that have `uses` faces in all, and for so many edges.
   cavity_faces(std::size_t uses, std::size_t edges) {
     const std::size_t n = uses / 2 + uses / 8;  // most faces are between two polys
-    faces_.reserve(n), met_.reserve(edges, n);
+    faces_.reserve(n), visited_.reserve(edges, n);
   }
 
   /// Makes the first n edges known.
   void add_edges(std::size_t n) {
-    while (met_.num_edges() < n) met_.add_edge();
+    while (visited_.num_edges() < n) visited_.add_edge();
   }
   /// The edge where a face is listed, and its other verts.
   struct face_key {
@@ -70,9 +70,9 @@ class cavity_faces {
   }
   /// The number of the face with this key. It is added if it is new.
   unsigned number(const face_key& x, std::uint32_t use) {
-    typename met::face wanted;
+    typename face_numbers::face wanted;
     std::copy_n(x.other, N - 2, wanted.other);
-    const auto [number, is_new] = met_.find_or_add(x.edge, wanted);
+    const auto [number, is_new] = visited_.find_or_add(x.edge, wanted);
     if (is_new) faces_.push_back({use, {}});
     return number;
   }

@@ -46,17 +46,17 @@ class new_poly_links {
     if (n <= (joints < n ? shortest_ring_ : 2 * shortest_ring_ - 1)) return true;
     const bool is_ring = joints == n;  // or some, so that the others are too few for another one after a part of
                                        // the walk
-    std::uint32_t met = 1;
+    std::uint32_t visited = 1;
     for (const unsigned side : {0u, 1u}) {
       std::uint32_t use = first / Shape::edges * Shape::faces + shape.edge_face[first % Shape::edges][side];
       while ((use = mates_[use]) < has_others) {
         const std::uint32_t k = use / Shape::faces;
-        if (k == first / Shape::edges) return met == n;
-        if (++met + shortest_ring_ > n && is_ring) return true;
+        if (k == first / Shape::edges) return visited == n;
+        if (++visited + shortest_ring_ > n && is_ring) return true;
         use = k * Shape::faces + other_face_at(e, edges_of_new + k * Shape::edges, use % Shape::faces);
       }
     }
-    return met == n;
+    return visited == n;
   }
 };
 

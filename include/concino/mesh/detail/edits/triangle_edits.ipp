@@ -117,17 +117,17 @@ bool surface_tables<Arity, Lists>::is_closed_fan(vert_id b, const side_of_edge* 
   const std::uint32_t n = incident_.num_polys(b);
   if (n < 4) return false;
   poly_id p = s[0].p;
-  std::uint32_t k = s[0].at_b, met = 0;
+  std::uint32_t k = s[0].at_b, visited = 0;
   do {
     const detail::encoded_neighbour x = facet_adjacency_.neighbour(p, k);
-    if (++met > n || x.is_none()) return false;
+    if (++visited > n || x.is_none()) return false;
     const edge_id e = facet_adjacency_.facets(p)[k];
     p = poly_id{x.poly()};
     if (facet_adjacency_.is_marked(p.raw())) return false;
     const std::uint32_t j = facet_adjacency_.position_of(p, e), next = side_of_edge::next(j);
     k = p2v_.begin(p.raw())[j] == b ? side_of_edge::next(next) : next;
   } while (p != s[0].p);
-  return met == n;
+  return visited == n;
 }
 
 template<unsigned Arity, class Lists>

@@ -29,9 +29,9 @@ void facet_adjacency<Facet, N>::finish() {
     set_poly_lists();
     poly_lists_.index_poly_lists(neighbours_, few_facets);
   }
-  std::vector<std::uint32_t> met;
+  std::vector<std::uint32_t> visited;
   for (std::uint32_t p = 0; p < num_polys(); ++p)
-    if (may_repeat(p)) mark_repeats(p, met);
+    if (may_repeat(p)) mark_repeats(p, visited);
 }
 
 template<class Facet, unsigned N>

@@ -55,7 +55,7 @@ class facet_marks : public facet_incidence<Facet, N> {
   }
 
   /// Marks the incidences of p whose neighbour is already behind an earlier facet or a non-manifold facet of p.
-  void mark_repeats(std::uint32_t p, std::vector<std::uint32_t>& met);
+  void mark_repeats(std::uint32_t p, std::vector<std::uint32_t>& visited);
 
  protected:
   /// Marks facet k of p, which has one neighbour, if that is also at a non-manifold facet of p.

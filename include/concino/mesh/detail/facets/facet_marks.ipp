@@ -57,23 +57,23 @@ void facet_marks<Facet, N>::refresh_marks(poly_id p, Scratch& scratch) {
 }
 
 template<class Facet, unsigned N>
-void facet_marks<Facet, N>::mark_repeats(std::uint32_t p, std::vector<std::uint32_t>& met) {
+void facet_marks<Facet, N>::mark_repeats(std::uint32_t p, std::vector<std::uint32_t>& visited) {
   encoded_neighbour* const s = neighbours_.begin(p);
   const std::uint32_t n = facets_.length(p);
   if (n <= max_scanned_facets) {
     mark_by_scanning(p);
     return mark_in_poly_lists(p);
   }
-  if (met.size() < num_polys()) met.assign(num_polys(), ~0u);
+  if (visited.size() < num_polys()) visited.assign(num_polys(), ~0u);
   std::size_t different = 0;
   bool has_poly_list = false;
   for (std::uint32_t k = 0; k < n; ++k) {
     has_poly_list = has_poly_list || s[k].is_non_manifold();
     if (s[k].is_none() || s[k].is_non_manifold()) continue;
     const std::uint32_t q = s[k].poly();
-    if (met[q] == p) s[k].raw |= encoded_neighbour::special;
+    if (visited[q] == p) s[k].raw |= encoded_neighbour::special;
     else ++different;
-    met[q] = p;
+    visited[q] = p;
   }
   if (!has_poly_list || different == 0) return;
   // met[q] becomes more than p where q is at a non-manifold facet. The shorter list is searched: the polys of that
@@ -83,7 +83,7 @@ void facet_marks<Facet, N>::mark_repeats(std::uint32_t p, std::vector<std::uint3
     const id_span<poly_id> poly_list = poly_lists_[s[j].poly_list()];
     if (poly_list.size() <= 16 * different) {
       for (const poly_id q : poly_list)
-        if (met[q.raw()] == p) met[q.raw()] = p | encoded_neighbour::special;
+        if (visited[q.raw()] == p) visited[q.raw()] = p | encoded_neighbour::special;
     } else {
       for (std::uint32_t k = 0; k < n; ++k)
         if (s[k].is_first_occurrence() && poly_lists_.holds(s[j].poly_list(), poly_id{s[k].poly()}))
@@ -91,7 +91,7 @@ void facet_marks<Facet, N>::mark_repeats(std::uint32_t p, std::vector<std::uint3
     }
   }
   for (std::uint32_t k = 0; k < n; ++k)
-    if (s[k].is_first_occurrence() && met[s[k].poly()] == (p | encoded_neighbour::special))
+    if (s[k].is_first_occurrence() && visited[s[k].poly()] == (p | encoded_neighbour::special))
       s[k].raw |= encoded_neighbour::special;
 }
 
@@ -131,13 +131,13 @@ template<class Facet, unsigned N>
 void facet_marks<Facet, N>::mark_repeats_of(std::uint32_t p, std::uint32_t q) {
   encoded_neighbour* const s = neighbours_.begin(q);
   const std::uint32_t n = facets_.length(q);
-  bool met = false;
+  bool visited = false;
   for (std::uint32_t k = 0; k < n; ++k)
-    met = met || (s[k].is_non_manifold() && *(poly_lists_.end(s[k].poly_list()) - 1) == poly_id{p});
+    visited = visited || (s[k].is_non_manifold() && *(poly_lists_.end(s[k].poly_list()) - 1) == poly_id{p});
   for (std::uint32_t k = 0; k < n; ++k) {
     if (s[k].is_none() || s[k].is_non_manifold() || s[k].poly() != p) continue;
-    if (met) s[k].raw |= encoded_neighbour::special;
-    met = true;
+    if (visited) s[k].raw |= encoded_neighbour::special;
+    visited = true;
   }
 }
 

@@ -101,7 +101,7 @@ class non_manifold_facets : private jagged_array<poly_id, 0> {
   template<class FacetLists>
   void index_poly_lists(const FacetLists& facets, std::uint32_t few) {
     if (size() == 0) return;
-    std::vector<std::uint32_t> order(size()), same(size()), met(size(), ~0u);
+    std::vector<std::uint32_t> order(size()), same(size()), visited(size(), ~0u);
     for (std::uint32_t c = 0; c < size(); ++c) order[c] = c;
     const auto poly_list = [this](std::uint32_t c) { return (*this)[c]; };
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -120,8 +120,8 @@ class non_manifold_facets : private jagged_array<poly_id, 0> {
       const std::size_t before = poly_lists_.size();
       std::size_t polys = 0;
       for (const encoded_neighbour* s = facets.begin(p); s != facets.end(p); ++s)
-        if (s->is_non_manifold() && met[same[s->poly_list()]] != p) {
-          met[same[s->poly_list()]] = p;
+        if (s->is_non_manifold() && visited[same[s->poly_list()]] != p) {
+          visited[same[s->poly_list()]] = p;
           poly_lists_.push_back(same[s->poly_list()]);
           polys += (*this)[s->poly_list()].size();
         }

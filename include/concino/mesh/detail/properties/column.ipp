@@ -110,18 +110,18 @@ CONCINO_INLINE void column::sum(const column& o, const element_origins& from) {
     double total = 0, largest = -1;
     std::size_t count = 0, owner = 0;
   };
-  std::vector<std::uint32_t> met;  // sorted: the origins, if they are few
+  std::vector<std::uint32_t> few;  // sorted: the origins, if they are few
   const bool are_few = from.size() < o.size_ / 8;
   if (are_few) {
     for (std::size_t i = 0; i < from.size(); ++i)
-      for (const origin x : from[i]) met.push_back(x.index);
-    std::sort(met.begin(), met.end());
-    met.erase(std::unique(met.begin(), met.end()), met.end());
+      for (const origin x : from[i]) few.push_back(x.index);
+    std::sort(few.begin(), few.end());
+    few.erase(std::unique(few.begin(), few.end()), few.end());
   }
   const auto number = [&](std::uint32_t i) {
-    return are_few ? static_cast<std::size_t>(std::lower_bound(met.begin(), met.end(), i) - met.begin()) : i;
+    return are_few ? static_cast<std::size_t>(std::lower_bound(few.begin(), few.end(), i) - few.begin()) : i;
   };
-  std::vector<parts> all(are_few ? met.size() : o.size_);
+  std::vector<parts> all(are_few ? few.size() : o.size_);
   for (std::size_t i = 0; i < from.size(); ++i)
     for (const origin x : from[i]) {
       parts& p = all[number(x.index)];

@@ -69,13 +69,13 @@ std::uint32_t face_around(const M& m, const elements_by_index<vert_t<M>>& by_ind
   std::uint32_t found = element_origins::none;
   if (!by_index.exists[wanted[0]]) return found;
   for (const face_t<M> f : adj_v2f(m, by_index.elements[wanted[0]])) {
-    std::size_t size = 0, met = 0;
+    std::size_t size = 0, common = 0;
     for (const vert_t<M> v : adj_f2v(m, f)) {
       ++size;
-      met += std::find(wanted.begin(), wanted.end(), index_of(m, v)) != wanted.end();
+      common += std::find(wanted.begin(), wanted.end(), index_of(m, v)) != wanted.end();
     }
-    if (met != wanted.size()) continue;
-    if (size == met) return static_cast<std::uint32_t>(index_of(m, f));
+    if (common != wanted.size()) continue;
+    if (size == common) return static_cast<std::uint32_t>(index_of(m, f));
     if (found == element_origins::none) found = static_cast<std::uint32_t>(index_of(m, f));
   }
   return found;

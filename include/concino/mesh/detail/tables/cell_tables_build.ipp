@@ -41,7 +41,7 @@ class cell_tables<Shape, Lists>::builder {
   /// that leads there.
   struct corner {
     std::uint32_t poly, i;
-    std::uint32_t far[valence], met[valence];
+    std::uint32_t far[valence], visited[valence];
   };
 
   void list_corners();
@@ -49,13 +49,13 @@ class cell_tables<Shape, Lists>::builder {
   void visit(std::uint32_t a);
   void meet_edges(std::uint32_t a, std::uint32_t first_edge, corner& x, cursor& at);
   void meet_faces(std::uint32_t a, std::uint32_t first_face, const corner& x);
-  void mark_edges_met_since(std::uint32_t first_edge, std::uint32_t a);
+  void mark_edges_added_since(std::uint32_t first_edge, std::uint32_t a);
   void hand_over();
   void check_fans();
 
   /// The number of polys at edge e, of which `met` were counted.
-  std::uint32_t polys_at(std::uint32_t e, std::uint8_t met) const {
-    if (met != many) return met;
+  std::uint32_t polys_at(std::uint32_t e, std::uint8_t visited) const {
+    if (visited != many) return visited;
     return std::lower_bound(used_often_.begin(), used_often_.end(), e,
                             [](const edge_use& x, std::uint32_t y) { return x.edge < y; })
         ->polys;
@@ -85,8 +85,8 @@ void cell_tables<Shape, Lists>::builder::list_corners() {
   detail::offsets counts(vert_count_ + 1, 0);
   for (std::uint32_t p = 0; p < poly_count_; ++p) {
     if (!detail::are_distinct_verts<Shape::verts>(t_.p2v_.begin(p), vert_count_)) {
-      std::vector<std::uint32_t> met;
-      detail::check_verts(t_.p2v_[p], vert_count_, "cell_tables: poly", p, met);
+      std::vector<std::uint32_t> visited;
+      detail::check_verts(t_.p2v_[p], vert_count_, "cell_tables: poly", p, visited);
     }
     for (unsigned i = 0; i < Shape::verts; ++i) ++counts[t_.p2v_.begin(p)[i].raw() + 1];
   }
@@ -135,7 +135,7 @@ void cell_tables<Shape, Lists>::builder::visit(std::uint32_t a) {
   v2e_.resize(v2v_.size());
   if (v2v_.size() >= ~0u) throw unsupported("cell_tables: the mesh has more than 2^32 adjacencies of one kind");
   vert_offsets_[a + 1] = static_cast<std::uint32_t>(v2v_.size());
-  mark_edges_met_since(first_edge, a);
+  mark_edges_added_since(first_edge, a);
 }
 
 template<class Shape, class Lists>
@@ -151,13 +151,13 @@ inline void cell_tables<Shape, Lists>::builder::meet_edges(std::uint32_t a, std:
       if (e == named.raw()) continue;
       e = edge_to_[b] = named.raw();
     } else if (e - first_edge < at.edge_count - first_edge) {
-      x.met[j] = e - first_edge;
+      x.visited[j] = e - first_edge;
       named = edge_id{e};
       uses_.data()[e] += uses_.data()[e] < many;
       continue;
     } else {
       e = edge_to_[b] = at.edge_count++;
-      x.met[j] = e - first_edge;
+      x.visited[j] = e - first_edge;
       named = edge_id{e};
       *at.end++ = vert_id{a};
       *at.end++ = vert_id{b};
@@ -188,7 +188,7 @@ inline void cell_tables<Shape, Lists>::builder::meet_faces(std::uint32_t a, std:
     typename detail::visited_faces<Shape::face_verts>::face wanted;
     wanted.other[0] = at.far[y];
     if constexpr (Shape::face_verts == 4) wanted.other[1] = pv[along[1]].raw();
-    const auto [f, is_new] = visited_faces_.find_or_add(at.met[x], wanted);
+    const auto [f, is_new] = visited_faces_.find_or_add(at.visited[x], wanted);
     if (is_new) t_.facet_adjacency_.add_facet(at.poly, shape.vert_face[at.i][k], face_id{face_count_++});
     else t_.facet_adjacency_.link(at.poly, shape.vert_face[at.i][k], face_id{first_face + f});
   }
@@ -197,7 +197,7 @@ inline void cell_tables<Shape, Lists>::builder::meet_faces(std::uint32_t a, std:
 /// Marks those edges of a, met since `first_edge`, around which a walk would not meet all polys. All faces at these
 /// edges are linked already: the smallest vert of each face is a or was visited before a.
 template<class Shape, class Lists>
-inline void cell_tables<Shape, Lists>::builder::mark_edges_met_since(std::uint32_t first_edge, std::uint32_t a) {
+inline void cell_tables<Shape, Lists>::builder::mark_edges_added_since(std::uint32_t first_edge, std::uint32_t a) {
   if (std::find(uses_.begin() + first_edge, uses_.end(), many) != uses_.end()) {
     std::vector<std::uint32_t> uses_since(edge_count_ - first_edge);
     for (const poly_id p : t_.v2p_[a])
@@ -231,8 +231,8 @@ void cell_tables<Shape, Lists>::builder::hand_over() {
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::builder::check_fans() {
   const auto check = [&](edge_id e) {
-    const std::uint8_t met = std::exchange(uses_.data()[e.raw()], 0);
-    if (met > 0 && !t_.is_non_manifold(e)) t_.check_fan(e, polys_at(e.raw(), met));
+    const std::uint8_t visited = std::exchange(uses_.data()[e.raw()], 0);
+    if (visited > 0 && !t_.is_non_manifold(e)) t_.check_fan(e, polys_at(e.raw(), visited));
   };
   t_.facet_adjacency_.finish();
   for (std::uint32_t f = 0; f < face_count_; ++f)

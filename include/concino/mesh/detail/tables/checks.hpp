@@ -47,7 +47,7 @@ bool are_distinct_verts(const vert_id* v, std::size_t vert_count) {
 
 /// Throws if a list of verts cannot be a polygon.
 void check_verts(id_span<vert_id> verts, std::size_t vert_count, const char* what, std::size_t which,
-                 std::vector<std::uint32_t>& met);
+                 std::vector<std::uint32_t>& visited);
 
 /// The same for a new poly or face of a mesh in which verts may be deleted.
 void check_new_verts(id_span<vert_id> list, const alive_elements<vert_id>& all, const char* what, std::size_t which);

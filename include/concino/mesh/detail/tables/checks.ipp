@@ -9,7 +9,7 @@
 namespace concino::detail {
 
 CONCINO_INLINE void check_verts(id_span<vert_id> verts, std::size_t vert_count, const char* what, std::size_t which,
-                                std::vector<std::uint32_t>& met) {
+                                std::vector<std::uint32_t>& visited) {
   const auto name = [&] { return core::joined({what, " ", which}); };
   if (verts.size() < 3)
     core::throw_joined<invalid_mesh>({name(), " has ", verts.size(), " verts; it needs at least 3"});
@@ -24,10 +24,10 @@ CONCINO_INLINE void check_verts(id_span<vert_id> verts, std::size_t vert_count, 
       for (std::size_t j = 0; j < i; ++j)
         if (verts[i] == verts[j]) twice = i;
   } else {
-    if (met.size() < vert_count) met.assign(vert_count, ~0u);
+    if (visited.size() < vert_count) visited.assign(vert_count, ~0u);
     for (std::size_t i = 0; i < verts.size(); ++i) {
-      if (met[verts[i].raw()] == which) twice = i;
-      met[verts[i].raw()] = static_cast<std::uint32_t>(which);
+      if (visited[verts[i].raw()] == which) twice = i;
+      visited[verts[i].raw()] = static_cast<std::uint32_t>(which);
     }
   }
   if (twice != verts.size())
@@ -36,8 +36,8 @@ CONCINO_INLINE void check_verts(id_span<vert_id> verts, std::size_t vert_count, 
 
 CONCINO_INLINE void check_new_verts(id_span<vert_id> list, const alive_elements<vert_id>& all, const char* what,
                                     std::size_t which) {
-  std::vector<std::uint32_t> met;
-  check_verts(list, all.bound(), what, which, met);
+  std::vector<std::uint32_t> visited;
+  check_verts(list, all.bound(), what, which, visited);
   for (const vert_id v : list)
     if (!all.contains(v))
       core::throw_joined<invalid_mesh>({what, " ", which, " names vert ", v.raw(), ", which was deleted"});

@@ -20,24 +20,24 @@ class polys_of_faces {
     polys_of_facet now_{};
     std::uint32_t i_ = 0;
 
-    bool met_before(poly_id q) const {
+    bool visited_before(poly_id q) const {
       if (at_ - first_ > 64)
         if (const auto faces = tables_->adj_p2f(q); 16 * faces.size() < static_cast<std::size_t>(at_ - first_))
-          return met_before(faces);
+          return visited_before(faces);
       for (const face_id* f = first_; f != at_; ++f)
         for (const poly_id r : tables_->adj_f2p(*f))
           if (r == q) return true;
       return false;
     }
     /// The faces at an edge are in ascending order.
-    bool met_before(id_span<face_id> faces) const {
+    bool visited_before(id_span<face_id> faces) const {
       return std::any_of(faces.begin(), faces.end(), [this](face_id f) { return std::binary_search(first_, at_, f); });
     }
     void skip_invalid() {
       for (; at_ != last_; ++at_, i_ = 0) {
         if (i_ == 0) now_ = tables_->adj_f2p(*at_);
         for (; i_ < now_.size(); ++i_)
-          if (!met_before(now_[i_])) return;
+          if (!visited_before(now_[i_])) return;
       }
     }
 

@@ -27,9 +27,9 @@ basic_polyhedra_tables<Lists>::basic_polyhedra_tables(std::size_t vert_count, st
 template<class Lists>
 std::size_t basic_polyhedra_tables<Lists>::check(std::size_t vert_count, const jagged<face_id>& polys) const {
   detail::check_counts("polyhedra_tables", vert_count, polys.size(), f2v_.num_values());
-  std::vector<std::uint32_t> met;
+  std::vector<std::uint32_t> visited;
   for (std::size_t f = 0; f < f2v_.size(); ++f)
-    detail::check_verts(f2v_[f], vert_count, "polyhedra_tables: face", f, met);
+    detail::check_verts(f2v_[f], vert_count, "polyhedra_tables: face", f, visited);
   const std::size_t poly_corners = check_polys(polys);
   check_poly_corners(poly_corners, f2v_.num_values(), polys.num_values(), "polyhedra_tables: ");
   return poly_corners;
@@ -37,7 +37,7 @@ std::size_t basic_polyhedra_tables<Lists>::check(std::size_t vert_count, const j
 
 template<class Lists>
 std::size_t basic_polyhedra_tables<Lists>::check_polys(const jagged<face_id>& polys) const {
-  std::vector<std::uint32_t> met(f2v_.size(), ~0u);
+  std::vector<std::uint32_t> visited(f2v_.size(), ~0u);
   std::size_t corners = 0;
   for (std::size_t p = 0; p < polys.size(); ++p) {
     if (polys.length(p) == 0)
@@ -46,10 +46,10 @@ std::size_t basic_polyhedra_tables<Lists>::check_polys(const jagged<face_id>& po
       if (f.raw() >= f2v_.size())
         core::throw_joined<invalid_mesh>({"polyhedra_tables: poly ", p, " names face ", f.raw(), ", but the mesh has ",
                                           f2v_.size(), " faces, numbered from 0"});
-      if (met[f.raw()] == p)
+      if (visited[f.raw()] == p)
         core::throw_joined<invalid_mesh>(
             {"polyhedra_tables: poly ", p, " has face ", f.raw(), " twice; its faces must differ"});
-      met[f.raw()] = static_cast<std::uint32_t>(p);
+      visited[f.raw()] = static_cast<std::uint32_t>(p);
       corners += f2v_.length(f.raw());
     }
   }
@@ -92,14 +92,14 @@ void basic_polyhedra_tables<Lists>::link_polys(const jagged<face_id>& polys) {
   facet_adjacency_ = {{polys.shared_offsets(), core::flat_array<face_id>(polys.num_values(), face_id{})},
                       {polys.shared_offsets(), core::flat_array<detail::encoded_neighbour>(polys.num_values())}};
   facet_adjacency_.set_facets(f2v_.size());
-  core::flat_array<detail::facet_adjacency<face_id, 0>::incidence> met_first(f2v_.size());
+  core::flat_array<detail::facet_adjacency<face_id, 0>::incidence> first_incidence(f2v_.size());
   for (std::uint32_t p = 0; p < polys.size(); ++p)
     for (std::uint32_t k = 0; k < polys.length(p); ++k) {
       const face_id f = polys.begin(p)[k];
       if (facet_adjacency_.is_owned(f)) {
-        facet_adjacency_.link(p, k, f, met_first[f.raw()]);
+        facet_adjacency_.link(p, k, f, first_incidence[f.raw()]);
       } else {
-        met_first[f.raw()] = {p, k};
+        first_incidence[f.raw()] = {p, k};
         facet_adjacency_.link(p, k, f);
       }
     }
@@ -156,7 +156,7 @@ template<class Lists>
 void basic_polyhedra_tables<Lists>::list_edges_of_polys(const core::flat_array<edge_id>& f2e,
                                                         const jagged<face_id>& polys, std::size_t poly_corners) {
   const vert_id* const corner_vert = f2v_.begin(0);
-  core::flat_array<std::uint32_t> met(e2v_.size(), ~0u);
+  core::flat_array<std::uint32_t> visited(e2v_.size(), ~0u);
   core::flat_array<edge_id> edges;
   edges.reserve(poly_corners / 2);  // in a closed poly every edge has two faces
   detail::offsets first;
@@ -166,8 +166,8 @@ void basic_polyhedra_tables<Lists>::list_edges_of_polys(const core::flat_array<e
     for (const face_id f : polys[p]) {
       const edge_id* const of_face = f2e.data() + (f2v_.begin(f.raw()) - corner_vert);
       for (const edge_id* e = of_face; e != of_face + f2v_.length(f.raw()); ++e) {
-        if (met[e->raw()] == p) continue;
-        met[e->raw()] = p;
+        if (visited[e->raw()] == p) continue;
+        visited[e->raw()] = p;
         edges.push_back(*e);
       }
     }
@@ -181,7 +181,7 @@ void basic_polyhedra_tables<Lists>::list_edges_of_polys(const core::flat_array<e
 template<class Lists>
 void basic_polyhedra_tables<Lists>::list_verts_of_polys(std::size_t vert_count, const jagged<face_id>& polys,
                                                         std::size_t poly_corners) {
-  core::flat_array<std::uint32_t> met(vert_count, ~0u);
+  core::flat_array<std::uint32_t> visited(vert_count, ~0u);
   core::flat_array<vert_id> verts;
   // In a closed poly every edge has two faces, and verts + faces = edges + 2: this memory is exact for most meshes.
   const std::size_t incidence_count = polys.num_values();
@@ -193,8 +193,8 @@ void basic_polyhedra_tables<Lists>::list_verts_of_polys(std::size_t vert_count, 
   for (std::uint32_t p = 0; p < polys.size(); ++p) {
     for (const face_id f : polys[p])
       for (const vert_id v : f2v_[f.raw()]) {
-        if (met[v.raw()] == p) continue;
-        met[v.raw()] = p;
+        if (visited[v.raw()] == p) continue;
+        visited[v.raw()] = p;
         verts.push_back(v);
         ++degrees[v.raw() + 1];
       }
@@ -204,10 +204,10 @@ void basic_polyhedra_tables<Lists>::list_verts_of_polys(std::size_t vert_count, 
   p2v_ = {std::make_shared<const detail::offsets>(std::move(first)), std::move(verts)};
 
   v2p_ = detail::make_jagged_array<poly_id>(std::move(degrees));
-  std::copy_n(v2p_.shared_offsets()->begin(), vert_count, met.data());
+  std::copy_n(v2p_.shared_offsets()->begin(), vert_count, visited.data());
   poly_id* const polys_of_verts = v2p_.begin(0);
   for (std::uint32_t p = 0; p < polys.size(); ++p)
-    for (const vert_id v : p2v_[p]) polys_of_verts[met[v.raw()]++] = poly_id{p};
+    for (const vert_id v : p2v_[p]) polys_of_verts[visited[v.raw()]++] = poly_id{p};
 }
 
 }  // namespace concino

@@ -86,9 +86,9 @@ void surface_tables<Arity, Lists>::remove_vert(vert_id v) {
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::check(std::size_t vert_count) const {
   detail::check_counts("surface_tables", vert_count, p2v_.size(), p2v_.num_values());
-  std::vector<std::uint32_t> met;
+  std::vector<std::uint32_t> visited;
   for (std::size_t p = 0; p < p2v_.size(); ++p)
-    detail::check_verts(p2v_[p], vert_count, "surface_tables: poly", p, met);
+    detail::check_verts(p2v_[p], vert_count, "surface_tables: poly", p, visited);
 }
 
 template<unsigned Arity, class Lists>
@@ -155,7 +155,7 @@ void surface_tables<Arity, Lists>::find_edges(found_edges& found, jagged<poly_id
   std::fill_n(edge_to.data(), edge_to.size(), ~0u);
   std::uint32_t edge_count = 0;
   // per edge of a, if polygons may be long
-  std::vector<typename detail::facet_adjacency<edge_id, Arity>::incidence> met_first;
+  std::vector<typename detail::facet_adjacency<edge_id, Arity>::incidence> first_incidence;
   const auto visit = [&](std::uint32_t a, vert_id b, std::uint32_t first_edge, std::uint32_t p, std::uint32_t k) {
     if (b.raw() < a) return;
     std::uint32_t e = edge_to[b.raw()];
@@ -167,14 +167,14 @@ void surface_tables<Arity, Lists>::find_edges(found_edges& found, jagged<poly_id
       ++found.degrees[a + 1];
       ++found.degrees[b.raw() + 1];
       facet_adjacency_.add_facet();
-      if constexpr (Arity == 0) met_first.push_back({p, k});
+      if constexpr (Arity == 0) first_incidence.push_back({p, k});
     }
-    if (Arity == 0 && !is_new) facet_adjacency_.link(p, k, edge_id{e}, met_first[e - first_edge]);
+    if (Arity == 0 && !is_new) facet_adjacency_.link(p, k, edge_id{e}, first_incidence[e - first_edge]);
     else facet_adjacency_.link(p, k, edge_id{e});
   };
   for (std::uint32_t a = 0; a < edge_to.size(); ++a) {
     const std::uint32_t first_edge = edge_count;
-    met_first.clear();
+    first_incidence.clear();
     for (poly_id *c = v2p.begin(a), *last = c + v2p.length(a); c != last; ++c) {
       const auto [p, k, n] = find_corner(*c, a, poly_of);
       const vert_id* const pv = p2v_.begin(p);
