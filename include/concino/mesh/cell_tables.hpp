@@ -48,16 +48,16 @@ class cell_tables : public detail::cell_adjacency<Shape, Lists> {
 
   /// From the verts of every poly in the standard order. Linear time and memory.
   /// Errors: invalid_mesh that names the poly with a bad or a repeated vert.
-  cell_tables(std::size_t vert_count, std::vector<vert_id> polys)
-      : base(detail::checked_lists<Shape::verts>(std::move(polys), "cell_tables: poly")) {
+  cell_tables(std::size_t vert_count, std::vector<vert_id> poly_verts)
+      : base(detail::checked_lists<Shape::verts>(std::move(poly_verts), "cell_tables: poly")) {
     detail::check_counts("cell_tables", vert_count, p2v_.size(), p2v_.num_values());
     build(vert_count);
   }
   /// From lists in another corner order: a tet_order or hex_order.
   template<class Order>
     requires(detail::corners_in(Order{}) == Shape::verts)
-  cell_tables(std::size_t vert_count, std::vector<vert_id> polys, Order order)
-      : cell_tables(vert_count, detail::to_standard_order(std::move(polys), order)) {}
+  cell_tables(std::size_t vert_count, std::vector<vert_id> poly_verts, Order order)
+      : cell_tables(vert_count, detail::to_standard_order(std::move(poly_verts), order)) {}
   /// From lists stored elsewhere, and from tables that were built from a copy of these lists.
   cell_tables(cell_tables<Shape>&& built,
               Lists elsewhere) requires(!std::same_as<Lists, detail::jagged_array<vert_id, Shape::verts>>)

@@ -89,18 +89,18 @@ auto cell_tables<Shape, Lists>::find_edges(const vert_id* corners) const -> edge
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::reserve_poly_lists_at(const edges_of_new_poly& at) {
   std::uint32_t more = 0;
-  std::size_t polys = 0;
+  std::size_t num_listed = 0;
   poly_lists_.make_editable();
   for (unsigned j = 0; j < Shape::edges; ++j) {
     if (at.edges[j].is_none()) continue;
     if (is_non_manifold(at.edges[j])) poly_lists_.reserve_in_row(poly_list_number(at.edges[j]), 1);
-    else ++more, polys += at.num_polys[j];
+    else ++more, num_listed += at.num_polys[j];
   }
-  if (more > 0) poly_lists_.reserve_rows(more, polys);
+  if (more > 0) poly_lists_.reserve_rows(more, num_listed);
 }
 
 template<class Shape, class Lists>
-void cell_tables<Shape, Lists>::reserve_removal(std::span<const poly_id> polys) {
+void cell_tables<Shape, Lists>::reserve_removal(std::span<const poly_id> removed) {
   detail::make_vertex_incidence_growable(incident_edges_, v2p_);
   poly_lists_.make_editable();
   facet_adjacency_.reserve_removal();
@@ -109,7 +109,7 @@ void cell_tables<Shape, Lists>::reserve_removal(std::span<const poly_id> polys) 
   faces_.reserve_removal();
   polys_.reserve_removal();
   std::size_t num_poly_lists = 0, num_listed = 0;
-  for (const poly_id p : polys)
+  for (const poly_id p : removed)
     for (const edge_id e : adj_p2e(p)) ++num_poly_lists, num_listed += count_polys(e) - 1;
   if (num_poly_lists > 0) poly_lists_.reserve_rows(num_poly_lists, num_listed);
 }

@@ -15,8 +15,8 @@ std::uint32_t cell_tables<Shape, Lists>::count_polys(edge_id e) const {
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::update_fan(edge_id e, std::uint32_t n) {
   const bool was_non_manifold = is_non_manifold(e);
-  const std::size_t poly_list = was_non_manifold ? poly_list_number(e) : poly_lists_.size();
-  if (was_non_manifold) poly_lists_.clear_row(poly_list);
+  const std::size_t list = was_non_manifold ? poly_list_number(e) : poly_lists_.size();
+  if (was_non_manifold) poly_lists_.clear_row(list);
   if (n == 0) {
     detail::remove_edge(edges_, e2v_, incident_edges_, e);
     return;
@@ -26,9 +26,9 @@ void cell_tables<Shape, Lists>::update_fan(edge_id e, std::uint32_t n) {
   e2p_[e.raw()] = first.raw();
   check_fan(e, n);
   if (e2p_[e.raw()] != detail::encoded_neighbour::special) return;
-  e2p_[e.raw()] |= static_cast<std::uint32_t>(poly_list);
+  e2p_[e.raw()] |= static_cast<std::uint32_t>(list);
   if (!was_non_manifold) poly_lists_.add_row(&first, &first, n);
-  for_each_poly_at(e, [&](poly_id p) { poly_lists_.push(poly_list, p); });
+  for_each_poly_at(e, [&](poly_id p) { poly_lists_.push(list, p); });
 }
 template<class Shape, class Lists>
 bool cell_tables<Shape, Lists>::closes_early(edge_id e, std::uint32_t n) const {
@@ -67,11 +67,11 @@ void cell_tables<Shape, Lists>::list_polys_of_edges() {
         if (is_non_manifold(e)) use(poly_list_number(e), poly_id{p});
   };
   detail::offsets sizes(num + std::size_t{1}, 0);
-  for_each_use([&](std::size_t poly_list, poly_id) { ++sizes[poly_list + 1]; });
+  for_each_use([&](std::size_t list, poly_id) { ++sizes[list + 1]; });
   poly_lists_ = detail::make_jagged_array<poly_id>(std::move(sizes));
   detail::offsets next(poly_lists_.shared_offsets()->begin(), poly_lists_.shared_offsets()->end() - 1);
-  poly_id* const polys = poly_lists_.begin(0);
-  for_each_use([&](std::size_t poly_list, poly_id p) { polys[next[poly_list]++] = p; });
+  poly_id* const listed = poly_lists_.begin(0);
+  for_each_use([&](std::size_t list, poly_id p) { listed[next[list]++] = p; });
 }
 
 }  // namespace concino

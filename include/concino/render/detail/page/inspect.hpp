@@ -18,15 +18,15 @@ namespace concino::detail {
 
 /// Lists by index, whatever the order in which their elements are visited: list_of(x) is a range of items.
 template<class M, class R, class ListOf, class Item>
-void fill_lists(const M& m, const R& all, std::size_t bound, std::vector<std::uint32_t>& offsets,
+void fill_lists(const M& m, const R& all, std::size_t bound, std::vector<std::uint32_t>& starts,
                 std::vector<std::uint32_t>& items, const ListOf& list_of, const Item& item) {
-  offsets.assign(bound + 1, 0);
+  starts.assign(bound + 1, 0);
   for (const auto x : all)
-    for ([[maybe_unused]] const auto y : list_of(x)) ++offsets[index_of(m, x) + 1];
-  for (std::size_t i = 0; i < bound; ++i) offsets[i + 1] += offsets[i];
-  items.resize(offsets.back());
+    for ([[maybe_unused]] const auto y : list_of(x)) ++starts[index_of(m, x) + 1];
+  for (std::size_t i = 0; i < bound; ++i) starts[i + 1] += starts[i];
+  items.resize(starts.back());
   for (const auto x : all) {
-    std::uint32_t at = offsets[index_of(m, x)];
+    std::uint32_t at = starts[index_of(m, x)];
     for (const auto y : list_of(x)) items[at++] = item(x, y);
   }
 }
