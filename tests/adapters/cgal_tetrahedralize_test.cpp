@@ -10,6 +10,7 @@
 #include <concino/validate/check_laws.hpp>
 
 #include <support/corpus_meshes.hpp>
+#include <support/profiled.hpp>
 
 #include <doctest/doctest.h>
 
@@ -80,6 +81,9 @@ TEST_CASE("cgal: lengths of edges, and ways to end") {
   std::size_t calls = 0;
   CHECK_THROWS_AS(tetrahedralize(m, cgal, {.max_volume = 1e-3, .progress = [&](double, const char*) { return ++calls < 3; }}), cancelled);
   CHECK(calls == 3);
+  profiler p;
+  tetrahedralize(m, cgal, {.facet_distance = 0.1, .profiler = &p});
+  CHECK(names_of(p) == std::vector<std::string>{"tetrahedralize", "-tetrahedralizing"});
 }
 
 TEST_CASE("cgal: what cannot be filled is refused") {

@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 #include <support/corpus.hpp>
+#include <support/profiled.hpp>
 
 #include <numbers>
 #include <random>
@@ -319,4 +320,7 @@ TEST_CASE("triangulate with cgal: errors") {
         "triangulate: refinement needs more than options.max_verts = 1000 verts; allow more, larger triangles, or smaller angles (it is known to end up to 20.7 degrees)");
   CHECK(error_of(loop{{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 2, 0}}) == "triangulate: segments 0 (points 0 and 1) and 2 (points 3 and 2) cross; divide them by a common point");
   CHECK_THROWS_AS(triangulate(g, cgal, {.max_length = 0.01, .progress = [](double, const char*) { return false; }}), cancelled);
+  profiler p;
+  triangulate(g, cgal, {.max_length = 0.5, .profiler = &p});
+  CHECK(names_of(p).at(0) == "triangulate");
 }

@@ -118,6 +118,20 @@ TEST_CASE("profiler: functions open a scope and one for each label of progress; 
   CHECK(p.entries()[0].calls == 2);
 }
 
+TEST_CASE("profiler: functions that a function calls with its options are steps of it") {
+  cn::profiler p;
+  const some_options input{.profiler = &p};
+  {
+    const cn::core::profiled_options options(input, "whole");
+    CHECK(!options->profiler);
+    cn::detail::report_progress(options->progress, 0, "start");
+    work(*options);
+  }
+  std::vector<std::string> names;
+  for (const auto& e : p.entries()) names.push_back(std::string(e.depth, '-') + e.name);
+  CHECK(names == std::vector<std::string>{"whole", "-start", "-first", "-second"});
+}
+
 TEST_CASE("profiler: traces are JSON, and are saved") {
   cn::profiler p;
   { const auto s = p.scope("say \"1\\2\"\n"); }

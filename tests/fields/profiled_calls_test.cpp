@@ -5,6 +5,7 @@
 #include <concino/fields/smooth.hpp>
 
 #include <support/kinds.hpp>
+#include <support/profiled.hpp>
 
 #include <doctest/doctest.h>
 
@@ -15,17 +16,6 @@
 
 using namespace concino;
 using namespace concino::testing;
-
-namespace {
-
-/// The names of entries, each with a dash for every scope around it.
-std::vector<std::string> names_of(const profiler& p) {
-  std::vector<std::string> names;
-  for (const auto& e : p.entries()) names.push_back(std::string(e.depth, '-') + e.name);
-  return names;
-}
-
-}  // namespace
 
 TEST_CASE("profiler: harmonic_map, poisson and smooth open scopes, and give the same results") {
   const auto m = grid<trimesh>(4);

@@ -11,6 +11,8 @@
 #include <concino/mesh/trimesh.hpp>
 #include <concino/validate/check_laws.hpp>
 
+#include <support/profiled.hpp>
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -19,8 +21,10 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <vector>
 
 using namespace concino;
+using concino::testing::names_of;
 
 namespace {
 
@@ -269,4 +273,7 @@ TEST_CASE("tetrahedralize: progress is reported, and can stop it") {
   }});
   CHECK(last == 1);
   CHECK_THROWS_AS(tetrahedralize(m, in_corner, {.progress = [](double, const char*) { return false; }}), cancelled);
+  profiler p;
+  tetrahedralize(m, in_corner, {.profiler = &p});
+  CHECK(names_of(p) == std::vector<std::string>{"tetrahedralize", "-tetrahedralizing"});
 }

@@ -45,7 +45,9 @@ struct cgal_mesher {
 /// Source: Jamin, Alliez, Yvinec, Boissonnat 2015, "CGALmesh: a generic framework for Delaunay mesh generation".
 template<SurfaceMesh M>
   requires Embedded<M>
-tetrahedralization<M> tetrahedralize(const M& m, cgal_t, const cgal_tetrahedralize_options& options = {}) {
+tetrahedralization<M> tetrahedralize(const M& m, cgal_t, const cgal_tetrahedralize_options& input_options = {}) {
+    const core::profiled_options profiled(input_options, "tetrahedralize");
+    const cgal_tetrahedralize_options& options = *profiled;
     const auto check = [](const char* name, double x, bool is_allowed, const char* range) {
       if (!is_allowed)
         core::throw_joined<invalid_argument>(

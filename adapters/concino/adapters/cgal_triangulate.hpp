@@ -232,8 +232,9 @@ inline planar_triangulation triangulate_divided(const planar_graph& g, cgal_tria
 /// Source: Chew 1989; Ruppert 1995; Shewchuk 2002, "Delaunay refinement algorithms for triangular mesh generation",
 ///         through CGAL's 2D mesher.
 inline planar_triangulation triangulate(const planar_graph& g, cgal_t, const cgal_triangulate_options& options = {}) {
-  return options.divide_segments ? detail::cgal_planar::triangulate_divided(g, options)
-                                 : detail::cgal_planar::triangulator(g, options)();
+  const core::profiled_options profiled(options, "triangulate");
+  return options.divide_segments ? detail::cgal_planar::triangulate_divided(g, *profiled)
+                                 : detail::cgal_planar::triangulator(g, *profiled)();
 }
 
 }  // namespace concino

@@ -6,6 +6,7 @@
 #include <concino/core/function_ref.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/number_text.hpp>
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/core/vec3.hpp>
 
@@ -31,6 +32,7 @@ struct cgal_triangulate_options {
                                        // otherwise they are an error
   std::size_t max_verts = 10'000'000;  // of the result; more are an error, so that refinement ends
   concino::progress progress = {};     // may stop the refinement; the fraction is always 0
+  concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
 
 namespace detail::cgal_planar {

@@ -97,6 +97,7 @@ class progress_scopes {
 };
 
 /// The options of a function that takes progress and a profiler. If there is a profiler, progress opens scopes in it.
+/// These options have no profiler, so that functions to which they are passed are steps of this one.
 /// Needs:  lives as long as the call; `options` has members progress and profiler.
 template<class Options>
 class profiled_options {
@@ -107,6 +108,7 @@ class profiled_options {
   profiled_options(const Options& options, const char* name)
       : scopes_(options.profiler, options.progress, name), options_(options) {
     if (options.profiler) options_.progress = scopes_;
+    options_.profiler = nullptr;
   }
   profiled_options(const profiled_options&) = delete;
   profiled_options& operator=(const profiled_options&) = delete;

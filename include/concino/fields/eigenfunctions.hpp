@@ -2,6 +2,7 @@
 // header-only use it takes seconds to compile, for Eigen's dense eigenvalue solver.
 #pragma once
 
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/fields/detail/problems/laplace_system.hpp>
 #include <concino/fields/eigenfunctions_result.hpp>
@@ -21,6 +22,7 @@ struct lobpcg_eigenfunctions_options {
   int max_iterations = 1000;              // as in lobpcg_options
   bool accept_missed_tolerance = false;   // as in lobpcg_options
   concino::progress progress = nullptr;  // called with "eigenpairs"
+  concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
 
 /// The Laplacian eigenfunctions of a surface or a volume, with Neumann boundary conditions: minus the Laplacian of each
@@ -42,12 +44,13 @@ template<class M, class D>
       eigenfunctions_result<std::remove_cvref_t<M>> eigenfunctions(M&& m, std::size_t count, const D& discretisation,
                                                                    lobpcg_method,
                                                                    const lobpcg_eigenfunctions_options& options = {}) {
+    const core::profiled_options profiled(options, "eigenfunctions");
     return core::eigenfunctions_from(m, eigenpairs(detail::minus_laplacian(m, discretisation),
                                                    mass_matrix(m, {.lumped = options.lumped}), count, lobpcg,
                                                    {.tolerance = options.tolerance,
                                                     .max_iterations = options.max_iterations,
                                                     .accept_missed_tolerance = options.accept_missed_tolerance,
-                                                    .progress = options.progress}));
+                                                    .progress = profiled->progress}));
   }
 template<class M>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> eigenfunctions_result<std::remove_cvref_t<M>>

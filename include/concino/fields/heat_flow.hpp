@@ -5,6 +5,7 @@
 #include <concino/concepts/sparse_solver.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/fields/detail/problems/implicit.hpp>
 #include <concino/fields/detail/problems/make_similar_solver.hpp>
@@ -36,6 +37,7 @@ struct heat_flow_options {
   bool lumped = false;                    // lumped masses: see backward_euler; otherwise the Galerkin mass, of second
                                           // order in the size of the polys
   concino::progress progress = nullptr;   // called with "heat flow", "factorising"
+  concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
 
 namespace detail {
@@ -109,9 +111,11 @@ class prepared_heat_flow {
 
  public:
   template<class D>
-  prepared_heat_flow(const M& m, double time, const D& discretisation, const heat_flow_options<M>& options,
+  prepared_heat_flow(const M& m, double time, const D& discretisation, const heat_flow_options<M>& input_options,
                      const Solver& solver)
       : mesh_(m) {
+    const core::profiled_options profiled(input_options, "prepare_heat_flow");
+    const heat_flow_options<M>& options = *profiled;
     auto system = detail::heat_flow_system(m, time, discretisation, options);
     auto own = detail::make_similar_solver(solver);
     system.factorize(*own, options.progress);
@@ -198,7 +202,9 @@ template<class M, class F, class T = detail::field_value_of<F, M>, class D, clas
   requires requirement::is_lvalue_or_view<M> && Discretisation<D, M> && requirement::is_given_field<F, M> &&
            SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
 vert_map<M, T> heat_flow(M&& m, const F& initial, double time, const D& discretisation,
-                         const heat_flow_options<std::remove_cvref_t<M>>& options = {}, Solver&& solver = {}) {
+                         const heat_flow_options<std::remove_cvref_t<M>>& input_options = {}, Solver&& solver = {}) {
+  const core::profiled_options profiled(input_options, "heat_flow");
+  const heat_flow_options<std::remove_cvref_t<M>>& options = *profiled;
   const std::remove_cvref_t<M>& mesh_in = m;
   const auto system = detail::heat_flow_system(mesh_in, time, discretisation, options);
   auto u = system.template values_of<T>(mesh_in, initial);

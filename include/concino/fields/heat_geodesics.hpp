@@ -94,7 +94,8 @@ template<class M, class S, class Solver = auto_solver>
           Eigen::VectorXd> vert_map<M, double> heat_geodesics(M&& m, const S& sources,
                                                               const heat_geodesics_options& options = {},
                                                               Solver&& solver = {}) {
-    return prepare_heat_geodesics(m, options, solver).distance_from(sources);
+    const core::profiled_options profiled(options, "heat_geodesics");
+    return prepare_heat_geodesics(m, *profiled, solver).distance_from(sources);
   }
 template<class M, class S, class D, class Solver = auto_solver>
   requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> &&
@@ -103,28 +104,32 @@ template<class M, class S, class D, class Solver = auto_solver>
           Eigen::VectorXd> vert_map<M, double> heat_geodesics(M&& m, const S& sources, const D& discretisation,
                                                               const heat_geodesics_options& options = {},
                                                               Solver&& solver = {}) {
-    return prepare_heat_geodesics(m, discretisation, options, solver).distance_from(sources);
+    const core::profiled_options profiled(options, "heat_geodesics");
+    return prepare_heat_geodesics(m, discretisation, *profiled, solver).distance_from(sources);
   }
 template<class M, class Solver = auto_solver>
   requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> &&
       SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
           vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<vert_t<M>> sources,
                                              const heat_geodesics_options& options = {}, Solver&& solver = {}) {
-    return prepare_heat_geodesics(m, options, solver).distance_from(sources);
+    const core::profiled_options profiled(options, "heat_geodesics");
+    return prepare_heat_geodesics(m, *profiled, solver).distance_from(sources);
   }
 template<class M, class D, class Solver = auto_solver>
   requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && Discretisation<D, M> &&
       SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
           vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<vert_t<M>> sources, const D& discretisation,
                                              const heat_geodesics_options& options = {}, Solver&& solver = {}) {
-    return prepare_heat_geodesics(m, discretisation, options, solver).distance_from(sources);
+    const core::profiled_options profiled(options, "heat_geodesics");
+    return prepare_heat_geodesics(m, discretisation, *profiled, solver).distance_from(sources);
   }
 template<class M, class Solver = auto_solver>
   requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> &&
       SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
           vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<std::pair<vert_t<M>, double>> sources,
                                              const heat_geodesics_options& options = {}, Solver&& solver = {}) {
-    return prepare_heat_geodesics(m, options, solver).distance_from(sources);
+    const core::profiled_options profiled(options, "heat_geodesics");
+    return prepare_heat_geodesics(m, *profiled, solver).distance_from(sources);
   }
 template<class M, class D, class Solver = auto_solver>
   requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && Discretisation<D, M> &&
@@ -132,7 +137,8 @@ template<class M, class D, class Solver = auto_solver>
           vert_map<M, double> heat_geodesics(M&& m, std::initializer_list<std::pair<vert_t<M>, double>> sources,
                                              const D& discretisation, const heat_geodesics_options& options = {},
                                              Solver&& solver = {}) {
-    return prepare_heat_geodesics(m, discretisation, options, solver).distance_from(sources);
+    const core::profiled_options profiled(options, "heat_geodesics");
+    return prepare_heat_geodesics(m, discretisation, *profiled, solver).distance_from(sources);
   }
 
 /// Geodesic distances of all verts from a point of poly p, by the heat method.
@@ -146,14 +152,16 @@ template<class M, class Solver = auto_solver>
       SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
           vert_map<M, double> heat_geodesics(M&& m, const poly_t<M>& p, const vec3& x,
                                              const heat_geodesics_options& options = {}, Solver&& solver = {}) {
-    return prepare_heat_geodesics(m, options, solver).distance_from(p, x);
+    const core::profiled_options profiled(options, "heat_geodesics");
+    return prepare_heat_geodesics(m, *profiled, solver).distance_from(p, x);
   }
 template<class M, class D, class Solver = auto_solver>
   requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && Discretisation<D, M> &&
       SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
           vert_map<M, double> heat_geodesics(M&& m, const poly_t<M>& p, const vec3& x, const D& discretisation,
                                              const heat_geodesics_options& options = {}, Solver&& solver = {}) {
-    return prepare_heat_geodesics(m, discretisation, options, solver).distance_from(p, x);
+    const core::profiled_options profiled(options, "heat_geodesics");
+    return prepare_heat_geodesics(m, discretisation, *profiled, solver).distance_from(p, x);
   }
 
 // What to write instead of calls that cannot compile.

@@ -1,6 +1,7 @@
 // The options of heat geodesics.
 #pragma once
 
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 
 namespace concino {
@@ -17,6 +18,7 @@ struct heat_geodesics_options {
   bool clamp = false;                                     // to the range between straight lines and paths over the
                                                           // mesh, see heat_geodesics
   concino::progress progress = nullptr;                   // called with "heat geodesics" and "factorising"
+  concino::profiler* profiler = nullptr;                  // measures the call and its steps
 };
 
 }  // namespace concino

@@ -3,6 +3,7 @@
 
 #include <concino/concepts/sparse_solver.hpp>
 #include <concino/core/mistakes.hpp>
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/core/tangent_vector.hpp>
 #include <concino/fields/detail/heat/vector_heat.hpp>
@@ -23,6 +24,7 @@ struct log_map_options {
   double time = 0;                       // how long heat flows, in units of length^2, finite; 0: the square of the
                                          // length of edges, averaged by area
   concino::progress progress = nullptr;  // called with "log map" and "factorising"
+  concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
 
 /// distance: of the vert from the source, in units of length, in the plane into which the surface unfolds; 0 at the
@@ -48,9 +50,10 @@ class prepared_log_map {
 
  public:
   prepared_log_map(const M& m, const log_map_options& options, const Solver& solver) : mesh_(m) {
-    detail::report_progress(options.progress, 0, "log map");
+    const core::profiled_options profiled(options, "prepare_log_map");
+    detail::report_progress(profiled->progress, 0, "log map");
     heat_ = detail::vector_heat<Solver>::make(m, options.time, solver, caller);
-    detail::report_progress(options.progress, 1, "log map");
+    detail::report_progress(profiled->progress, 1, "log map");
   }
 
   const M& mesh() const { return mesh_.get(); }
@@ -126,7 +129,8 @@ template<class M, class Solver = ldlt>
       SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
           log_map_result<std::remove_cvref_t<M>> log_map(M&& m, const vert_t<M>& source,
                                                          const log_map_options& options = {}, Solver&& solver = {}) {
-    return prepare_log_map(m, options, solver).log_map_from(source);
+    const core::profiled_options profiled(options, "log_map");
+    return prepare_log_map(m, *profiled, solver).log_map_from(source);
   }
 
 // What to write instead of calls that cannot compile.

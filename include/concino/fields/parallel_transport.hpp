@@ -3,6 +3,7 @@
 
 #include <concino/concepts/sparse_solver.hpp>
 #include <concino/core/mistakes.hpp>
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/core/tangent_vector.hpp>
 #include <concino/fields/detail/heat/vector_heat.hpp>
@@ -25,6 +26,7 @@ struct parallel_transport_options {
   double time = 0;                       // how long heat flows, in units of length^2, finite; 0: the square of the
                                          // length of edges, averaged by area
   concino::progress progress = nullptr;  // called with "parallel transport"
+  concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
 
 namespace detail {
@@ -48,9 +50,10 @@ class prepared_parallel_transport {
 
  public:
   prepared_parallel_transport(const M& m, const parallel_transport_options& options, const Solver& solver) : mesh_(m) {
-    detail::report_progress(options.progress, 0, "parallel transport");
+    const core::profiled_options profiled(options, "prepare_parallel_transport");
+    detail::report_progress(profiled->progress, 0, "parallel transport");
     heat_ = detail::vector_heat<Solver>::make(m, options.time, solver, caller);
-    detail::report_progress(options.progress, 1, "parallel transport");
+    detail::report_progress(profiled->progress, 1, "parallel transport");
   }
 
   const M& mesh() const { return mesh_.get(); }
@@ -139,7 +142,8 @@ template<class M, class S, class Solver = ldlt>
           vert_map<M, tangent_vector> parallel_transport(M&& m, const S& sources,
                                                          const parallel_transport_options& options = {},
                                                          Solver&& solver = {}) {
-    return prepare_parallel_transport(m, options, solver).transport_from(sources);
+    const core::profiled_options profiled(options, "parallel_transport");
+    return prepare_parallel_transport(m, *profiled, solver).transport_from(sources);
   }
 template<class M, class Solver = ldlt>
   requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M> &&
@@ -147,7 +151,8 @@ template<class M, class Solver = ldlt>
           vert_map<M, tangent_vector> parallel_transport(
               M&& m, std::initializer_list<std::pair<vert_t<M>, tangent_vector>> sources,
               const parallel_transport_options& options = {}, Solver&& solver = {}) {
-    return prepare_parallel_transport(m, options, solver).transport_from(sources);
+    const core::profiled_options profiled(options, "parallel_transport");
+    return prepare_parallel_transport(m, *profiled, solver).transport_from(sources);
   }
 
 // What to write instead of calls that cannot compile.

@@ -39,6 +39,7 @@ struct poisson_options {
 };
 struct prepare_poisson_options {
   concino::progress progress = nullptr;  // called with "Poisson's equation", "factorising"
+  concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
 
 namespace detail {
@@ -129,14 +130,14 @@ class prepared_poisson {
 
  public:
   template<class V, class D>
-  prepared_poisson(const M& m, const V& fixed, const D& discretisation, const prepare_poisson_options& options,
-                   const Solver& solver)
-      : mesh_(m) {
+  prepared_poisson(const M& m, const V& fixed, const D& discretisation, const prepare_poisson_options& input_options,
+                   const Solver& solver) : mesh_(m) {
+    const core::profiled_options options(input_options, "prepare_poisson");
     auto own = detail::make_similar_solver(solver);
-    auto problem = detail::poisson_problem<M>::make(m, fixed, discretisation, options.progress);
-    problem.factorize(*own, options.progress);
+    auto problem = detail::poisson_problem<M>::make(m, fixed, discretisation, options->progress);
+    problem.factorize(*own, options->progress);
     prepared_ = std::make_shared<const preparation>(preparation{std::move(problem), std::move(own)});
-    detail::report_progress(options.progress, 1, "Poisson's equation");
+    detail::report_progress(options->progress, 1, "Poisson's equation");
   }
 
   const M& mesh() const { return mesh_.get(); }

@@ -73,9 +73,11 @@ class prepared_smooth {
 
  public:
   template<class D>
-  prepared_smooth(const M& m, double amount, const D& discretisation, const smooth_options<M>& options,
+  prepared_smooth(const M& m, double amount, const D& discretisation, const smooth_options<M>& input_options,
                   const Solver& solver)
       : mesh_(m) {
+    const core::profiled_options profiled(input_options, "prepare_smooth");
+    const smooth_options<M>& options = *profiled;
     auto system = detail::smoothing_system(m, amount, discretisation, options);
     auto own = detail::make_similar_solver(solver);
     system.factorize(*own, options.progress);

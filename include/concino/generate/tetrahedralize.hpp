@@ -55,7 +55,10 @@ struct tetrahedralization {
 ///         crashed, took longer than allowed, or returned something else than promised. cancelled.
 template<SurfaceMesh M, requirement::is_tet_back_end BackEnd>
   requires Embedded<M>
-tetrahedralization<M> tetrahedralize(const M& m, const BackEnd& back_end, const tetrahedralize_options& options = {}) {
+tetrahedralization<M> tetrahedralize(const M& m, const BackEnd& back_end,
+                                  const tetrahedralize_options& input_options = {}) {
+  const core::profiled_options profiled(input_options, "tetrahedralize");
+  const tetrahedralize_options& options = *profiled;
   detail::tetrahedralize_steps steps(options);
   detail::polygon_arrays polygons = detail::polygons_of(m);
   const std::vector<std::uint32_t> point_of_vert = polygons.point_of_vert;

@@ -3,6 +3,7 @@
 
 #include <concino/concepts/descriptors.hpp>
 #include <concino/core/function_ref.hpp>
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/core/vec3.hpp>
 
@@ -43,6 +44,7 @@ struct tetrahedralize_options {
   double max_seconds = 600;     // of a child process, which is ended then
   std::size_t max_bytes = 0;    // of memory that a child process may take; 0: any
   concino::progress progress = nullptr;  // called with 0, 1 and, while a child process runs, something between
+  concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
 
 /// What was noticed. Polys and tets that have no place in the promise of the call are listed here.

@@ -44,15 +44,17 @@ Variant any_mesh_of(volume_contents& contents, const std::string& path, load_rep
 /// Errors: as load, except for polys that do not fit the mesh: every kind of poly is accepted.
 template<class Variant = any_mesh>  // a template only so that programs that do not call it need not compile six meshes
 Variant load_any(const std::string& path, const load_options& options = {}) {
+  const core::profiled_options profiled(options, "load_any");
   volume_contents contents;
-  detail::read_standard_file<true, true>(path, {}, options, contents);
+  detail::read_standard_file<true, true>(path, {}, *profiled, contents);
   return detail::any_mesh_of<Variant>(contents, path, options.report);
 }
 /// `formats` as in load.
 template<class Variant = any_mesh, Formats F>
 Variant load_any(const std::string& path, F formats, const load_options& options = {}) {
+  const core::profiled_options profiled(options, "load_any");
   volume_contents contents;
-  detail::read_file<true, true>(path, formats, {}, options, contents);
+  detail::read_file<true, true>(path, formats, {}, *profiled, contents);
   return detail::any_mesh_of<Variant>(contents, path, options.report);
 }
 

@@ -1,6 +1,7 @@
 // Options and reports of load and save.
 #pragma once
 
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/io/format_id.hpp>
 
@@ -46,6 +47,7 @@ struct load_options {
                                            // file or its extension
   concino::load_report* report = nullptr;  // unless null, cleared and then filled in
   concino::progress progress = {};         // called with the fraction of the file that has been read
+  concino::profiler* profiler = nullptr;   // measures the call and its steps; load_obj and the like are "load"
   /// Maps the file into memory instead of reading it. Loading is about a tenth faster, but a file that shrinks
   /// meanwhile may terminate the program by SIGBUS; without `map` it cannot. In both cases a file whose size has
   /// changed at the end is an io_error.
@@ -65,6 +67,7 @@ struct save_options {
                                            // determines it
   concino::save_report* report = nullptr;  // unless null, cleared and then filled in
   concino::progress progress = {};         // called with the fraction of the elements that have been written
+  concino::profiler* profiler = nullptr;   // measures the call and its steps; save_obj and the like are "save"
   bool binary = false;                     // .off: 32-bit numbers, so coordinates are rounded to floats; .mesh: as
                                            // .meshb; unsupported by formats without a binary form
   bool as_triangles = false;               // .stl: cuts polygons into triangles, which the report counts as lost;

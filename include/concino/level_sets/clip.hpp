@@ -12,7 +12,10 @@ namespace concino {
 namespace detail {
 
 template<class M, class U>
-auto clip_mesh(const M& m, const U& u, double level, bool both, const clip_options& options, const char* caller) {
+auto clip_mesh(const M& m, const U& u, double level, bool both, const clip_options& input_options,
+               const char* caller) {
+  const core::profiled_options profiled(input_options, caller);
+  const clip_options& options = *profiled;
   check_vert_values(m, u, caller);
   sort_levels({level}, caller);
   report_progress(options.progress, 0, "clipping");

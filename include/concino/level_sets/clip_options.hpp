@@ -1,6 +1,7 @@
 // Options and results of clip and split.
 #pragma once
 
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/mesh/element_origins.hpp>
 #include <concino/mesh/polygonmesh.hpp>
@@ -16,6 +17,7 @@ struct clip_options {
                                          // verts, inherited by parts
   bool convex_only = false;              // whether a poly that would be cut, but is not convex, is an error
   concino::progress progress = nullptr;  // called with the fraction done and "clipping"
+  concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
 
 /// What a cut has made of polys of a mesh of type M.

@@ -3,6 +3,7 @@
 
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
+#include <concino/core/profiler.hpp>
 #include <concino/lines/detail/follow/spaced_lines.hpp>
 
 #include <algorithm>
@@ -19,14 +20,17 @@ struct evenly_spaced_lines_options {
   double min_length = 0;              // shorter lines are left out; 0 means the distance
   std::size_t max_steps = 0;          // of each line both ways from its first point, as in integral_line_options
   concino::progress progress = {};    // called now and then with the part of the seeds that were tried
+  concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
 
 namespace detail {
 
 template<class M, class G>
 std::vector<field_line<M>> find_spaced_lines(const M& m, const G& g, const std::vector<poly_t<M>>& seeds,
-                                             const evenly_spaced_lines_options& o) {
+                                             const evenly_spaced_lines_options& options) {
   constexpr const char* caller = "evenly_spaced_lines";
+  const core::profiled_options profiled(options, caller);
+  const evenly_spaced_lines_options& o = *profiled;
   if (!(o.distance > 0) || !std::isfinite(o.distance))
     core::throw_joined<invalid_argument>(
         {caller, ": distance is ", core::number_text(o.distance), "; it must be above 0 and finite"});

@@ -45,8 +45,9 @@ template<class M, class H, class R>
       requirement::gives_line_starts<M, R>
 auto integral_lines(M&& m, const field_at_verts<H>& h, const R& starts, const integral_line_options& options = {}) {
   using mesh = std::remove_cvref_t<M>;
+  const core::profiled_options profiled(options, "integral_lines");
   const detail::field_follower<mesh, detail::vert_field_reader<mesh, H>, detail::vert_field_walker<mesh, H>> follow(
-      m, h, options, "integral_lines");
+      m, h, *profiled, "integral_lines");
   return follow.lines(starts);
 }
 

@@ -1,6 +1,7 @@
 // field_line: a line that follows a vector field, with the reason why it stopped.
 #pragma once
 
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/lines/line_end.hpp>
 #include <concino/mesh/mesh_point.hpp>
@@ -33,6 +34,7 @@ struct integral_line_options {
   bool backward = false;                                        // against the field
   bool both_ways = false;                                       // backward, then forward: one line through the start
   concino::progress progress = {};                              // of integral_lines
+  concino::profiler* profiler = nullptr;                        // measures a call of integral_lines
 };
 
 }  // namespace concino

@@ -59,7 +59,8 @@ template<class M, class G, class R>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && requirement::gives_points<G, poly_t<M>> &&
       requirement::gives_line_starts<M, R>
 auto integral_lines(M&& m, const G& g, const R& starts, const integral_line_options& options = {}) {
-  const detail::poly_field_follower<std::remove_cvref_t<M>, G> follow(m, g, options, "integral_lines");
+  const core::profiled_options profiled(options, "integral_lines");
+  const detail::poly_field_follower<std::remove_cvref_t<M>, G> follow(m, g, *profiled, "integral_lines");
   return follow.lines(starts);
 }
 

@@ -25,7 +25,9 @@ namespace concino {
 ///         paper section 4.
 inline qp_result solve_qp(const Eigen::SparseMatrix<double>& h, const Eigen::VectorXd& g,
                           const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& low, const Eigen::VectorXd& high,
-                          const qp_options& options = {}) {
+                          const qp_options& input_options = {}) {
+  const core::profiled_options profiled(input_options, "solve_qp");
+  const qp_options& options = *profiled;
   const auto refuse = [](const char* what) { core::throw_joined<invalid_argument>({"quadratic program: ", what}); };
   const auto finite = [](const Eigen::SparseMatrix<double>& m) {
     for (int c = 0; c < m.outerSize(); ++c)

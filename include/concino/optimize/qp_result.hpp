@@ -1,6 +1,7 @@
 // Options and results of quadratic programs.
 #pragma once
 
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 
 #include <Eigen/Core>
@@ -14,6 +15,7 @@ struct qp_options {
                                           // rounding errors
   Eigen::VectorXd x = {}, multipliers = {};  // the start, such as the solution of a similar program; empty: 0
   concino::progress progress = nullptr;   // called occasionally
+  concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
 
 enum class qp_status { solved, infeasible, unbounded, not_converged };

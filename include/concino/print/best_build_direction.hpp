@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/mistakes.hpp>
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/print/detail/supports/part_surface.hpp>
 
@@ -25,6 +26,7 @@ struct build_direction_options {
   double plate_tolerance = 1e-6;       // in [0, 0.1]: polys lie on the plate if they are this close, as a fraction of
                                        // the diagonal of the part
   concino::progress progress = {};     // called with the fraction done and "best build direction"
+  concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
 
 /// The best direction, and what overhangs if the part is built in it, in units of the mesh as overhang_report.
@@ -71,8 +73,9 @@ build_direction_found find_build_direction(const part_surface& part, const build
 /// Errors: as overhangs; invalid_mesh if no poly has an area; cancelled.
 template<EmbeddedMesh M>
 build_direction_result<M> best_build_direction(const M& m, const build_direction_options& options = {}) {
+  const core::profiled_options profiled(options, "best_build_direction");
   const detail::printed_part<M> part = detail::outer_surface(m, "best_build_direction");
-  const auto found = detail::find_build_direction(part.surface, options);
+  const auto found = detail::find_build_direction(part.surface, *profiled);
   const auto& s = part.surface;
   return {found.direction,
           found.cost,

@@ -1,6 +1,7 @@
 // What functions from slices to meshes share: kinds of material, and options.
 #pragma once
 
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 
 namespace concino {
@@ -16,6 +17,7 @@ struct layer_options {
   double chord_error = 0;            // the largest distance between the round ends of lines and their chords, in units
                                      // of length; 0: 1/100 of the radius
   concino::progress progress = {};   // called with the fraction of the layers
+  concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
 
 }  // namespace concino

@@ -63,7 +63,8 @@ layer_polygons polygons_of_layers(const slices& s, const polygon_clipper& back_e
 template<class To = polygonmesh>
   requires requirement::is_layer_mesh<To>
 layer_mesh<To> slices_to_mesh(const slices& s, const polygon_clipper& back_end, const layer_options& options = {}) {
-  detail::layer_polygons all = detail::polygons_of_layers(s, back_end, options, std::same_as<To, trimesh>);
+  const core::profiled_options profiled(options, "slices_to_mesh");
+  detail::layer_polygons all = detail::polygons_of_layers(s, back_end, *profiled, std::same_as<To, trimesh>);
   layer_mesh<To> result{To(std::move(all.arrays)), std::move(all.report)};
   const auto layer = poly_property<int>(result.mesh, "layer"), kind = poly_property<int>(result.mesh, "kind");
   for (std::size_t i = 0; i < all.layers.size(); ++i) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/io/slice_layer.hpp>
 #include <concino/mesh/tetmesh.hpp>
@@ -22,6 +23,7 @@ struct slices_to_volume_options {
   double chord_error = 0;            // the largest distance between the round ends of lines and their chords, in units
                                      // of length; 0: 1/100 of the radius
   concino::progress progress = {};   // called with the fraction of the layers
+  concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
 
 /// Tets of slices. Their properties of polys "layer" and "kind" are int: the number of the layer, and a slice_kind.

@@ -4,6 +4,7 @@
 
 #include <concino/core/mistakes.hpp>
 #include <concino/core/parallel.hpp>
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/mesh/element_map.hpp>
 #include <concino/render/box_tree_tracer.hpp>
@@ -25,6 +26,7 @@ struct ambient_occlusion_options {
   double distance = std::numeric_limits<double>::infinity();  // above 0, in units of the mesh: surfaces farther away do
                                                               // not occlude
   concino::progress progress = {};                            // called with the fraction done and "ambient occlusion"
+  concino::profiler* profiler = nullptr;                      // measures the call and its steps
 };
 
 namespace detail {
@@ -100,11 +102,12 @@ void add_visible_sky(const drawable& d, std::span<const place_in_triangle> place
 template<class M, RayTracer T = box_tree_tracer>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M>
 poly_map<M, double> ambient_occlusion(M&& m, const ambient_occlusion_options& options = {}, const T& tracer = {}) {
+  const core::profiled_options profiled(options, "ambient_occlusion");
   const drawable d = make_drawable(m, {.crease_angle = 0});
   auto result = make_poly_map<double>(m, 0.0);
   const detail::place_in_triangle middle[] = {{1.0 / 3, 1.0 / 3, 1.0 / 3}};
   detail::add_visible_sky(
-      d, middle, options, tracer, d.polys.size(), [&](std::size_t t, std::size_t) { return d.polygon_of[t]; },
+      d, middle, *profiled, tracer, d.polys.size(), [&](std::size_t t, std::size_t) { return d.polygon_of[t]; },
       [&](std::size_t t, std::size_t) { return d.polys[d.polygon_of[t]]; }, result.values());
   return result;
 }
@@ -120,13 +123,14 @@ poly_map<M, double> ambient_occlusion(M&& m, const ambient_occlusion_options& op
 template<class M, RayTracer T = box_tree_tracer>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> vert_map<M, double> ambient_occlusion_at_verts(
       M&& m, const ambient_occlusion_options& options = {}, const T& tracer = {}) {
+    const core::profiled_options profiled(options, "ambient_occlusion_at_verts");
     const drawable d = make_drawable(m, {.crease_angle = 0});
     auto result = make_vert_map<double>(m, 0.0);
     constexpr double near = 1 - 1.0 / 12, other = 1.0 / 24;
     const detail::place_in_triangle near_corners[] = {{near, other, other}, {other, near, other}, {other, other, near}};
     const auto point_of = [&](std::size_t t, std::size_t k) { return d.corners[d.triangles[t][k]]; };
     detail::add_visible_sky(
-        d, near_corners, options, tracer, d.points.size(), point_of,
+        d, near_corners, *profiled, tracer, d.points.size(), point_of,
         [&](std::size_t t, std::size_t k) { return d.verts[point_of(t, k)]; }, result.values());
     return result;
   }

@@ -3,6 +3,7 @@
 
 #include <concino/core/error.hpp>
 #include <concino/core/mistakes.hpp>
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/io/skeleton_graph.hpp>
 
@@ -19,6 +20,7 @@ struct skeleton_of_options {
   int max_steps = 40;        // of the flow; >= 1
   bool keep_short = false;   // keep bones with a leaf that are shorter than the radius at their joint
   concino::progress progress = nullptr;  // called with "contracting", "collapsing edges"
+  concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
 
 /// A curve skeleton of a surface, and the verts that each of its nodes came from.
@@ -64,6 +66,7 @@ collapsed_curve collapsed_to_curve(const closed_triangles& surface, const skelet
 template<SurfaceMesh M>
   requires Embedded<M>
 skeleton_of_result<M> skeleton_of(const M& m, const skeleton_of_options& options = {}) {
+  const core::profiled_options profiled(options, "skeleton_of");
   detail::closed_triangles flat;
   std::vector<vert_t<M>> of_number;
   constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
@@ -89,7 +92,7 @@ skeleton_of_result<M> skeleton_of(const M& m, const skeleton_of_options& options
           {"skeleton_of: poly ", index_of(m, p), " has ", n, " verts; pass to_triangles(m)"});
     flat.triangles.push_back(corners);
   }
-  detail::collapsed_curve curve = detail::collapsed_to_curve(flat, options);
+  detail::collapsed_curve curve = detail::collapsed_to_curve(flat, *profiled);
   skeleton_of_result<M> result{std::move(curve.skeleton), {}, curve.area};
   for (const auto& some : curve.from) {
     result.from.emplace_back();

@@ -4,6 +4,7 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/core/eigenproblem.hpp>
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 
 #include <Eigen/SparseCore>
@@ -30,6 +31,7 @@ struct lobpcg_options {
   bool accept_missed_tolerance = false;   // true: returns the best pairs so far; has_converged says whether all meet
                                           // the tolerance
   concino::progress progress = nullptr;  // called with "eigenpairs"
+  concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
 
 /// The smallest eigenvalues lambda of K u = lambda M u, and their vectors, by LOBPCG with a cycle of multigrid as

@@ -50,7 +50,9 @@ void check_duplicates(const M& m, const R& all, std::size_t count, const Ring& r
 /// Source: Tarjan 1975 for fans, components and windings; the definitions of manifolds are those of Hoffmann 1989,
 ///         "Geometric and Solid Modeling".
 template<AnyMesh M>
-validation_report<M> validate(const M& m, const validate_options& options = {}) {
+validation_report<M> validate(const M& m, const validate_options& input_options = {}) {
+  const core::profiled_options profiled(input_options, "validate");
+  const validate_options& options = *profiled;
   detail::check_options(options);
   validation_report<M> report;
   detail::defect_log<M> log(m, report, options);

@@ -3,6 +3,7 @@
 
 #include <concino/core/error.hpp>
 #include <concino/core/function_ref.hpp>
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/generate/tetrahedralize_options.hpp>
 
@@ -43,6 +44,7 @@ struct cgal_tetrahedralize_options {
   std::size_t max_verts = 10'000'000;                       // more are an error, so that refinement ends
   concino::progress progress = nullptr;                     // may stop the mesher; the fraction does not change while
                                                             // it runs
+  concino::profiler* profiler = nullptr;                    // measures the call and its steps
 };
 
 namespace detail {

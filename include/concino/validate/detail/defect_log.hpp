@@ -3,6 +3,7 @@
 
 #include <concino/core/message.hpp>
 #include <concino/core/number_text.hpp>
+#include <concino/core/profiler.hpp>
 #include <concino/core/progress.hpp>
 #include <concino/validate/defect.hpp>
 
@@ -22,6 +23,7 @@ struct validate_options {
   double planarity_tolerance = 0.05; // >= 0, times the diagonal of a polygon's box: allowed distance of verts from its
                                      // plane
   concino::progress progress = {};   // called with "validate"
+  concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
 
 namespace detail {

@@ -47,7 +47,9 @@ struct geodesic_preparation {
 
 template<class M, class D, class Solver>
 geodesic_preparation<Solver> prepare_geodesics(const M& mesh_in, const D& discretisation,
-                                               const heat_geodesics_options& options, const Solver& solver) {
+                                               const heat_geodesics_options& input_options, const Solver& solver) {
+  const core::profiled_options profiled(input_options, "prepare_heat_geodesics");
+  const heat_geodesics_options& options = *profiled;
   if (!(options.time >= 0 && options.time <= std::numeric_limits<double>::max()))
     core::throw_joined<invalid_argument>(
         {"heat_geodesics: time is ", core::number_text(options.time), "; it must be finite and 0 or more"});

@@ -45,13 +45,15 @@ M make_precompiled_from_text(std::string_view text, std::string_view name, const
 
 template<class M>
 M load_standard(const std::string& path, const load_options& options) {
-  if constexpr (core::is_precompiled<M>) return make_precompiled_from_file<M>(path, options);
-  else return make_from_standard_file<M>(path, options);
+  const core::profiled_options profiled(options, "load");
+  if constexpr (core::is_precompiled<M>) return make_precompiled_from_file<M>(path, *profiled);
+  else return make_from_standard_file<M>(path, *profiled);
 }
 template<class M>
 M load_standard_text(std::string_view text, std::string_view name, const load_options& options) {
-  if constexpr (core::is_precompiled<M>) return make_precompiled_from_text<M>(text, name, options);
-  else return make_from_standard_text<M>(text, name, options);
+  const core::profiled_options profiled(options, "load_text");
+  if constexpr (core::is_precompiled<M>) return make_precompiled_from_text<M>(text, name, *profiled);
+  else return make_from_standard_text<M>(text, name, *profiled);
 }
 
 }  // namespace concino::detail

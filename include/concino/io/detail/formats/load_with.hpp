@@ -140,7 +140,9 @@ void read_file(const std::string& path, F formats, const wanted_mesh& wanted, co
 }
 
 template<class M, Formats F>
-M load_text_with(std::string_view text, std::string_view name, F formats, const load_options& options) {
+M load_text_with(std::string_view text, std::string_view name, F formats, const load_options& input_options) {
+  const core::profiled_options profiled(input_options, "load_text");
+  const load_options& options = *profiled;
   const auto known = list_of(formats);
   contents_for<M, F> contents;
   const std::size_t chosen = choose_format(candidates_for({}, formats, options.format), format_rows_of(known), &text);
@@ -150,8 +152,9 @@ M load_text_with(std::string_view text, std::string_view name, F formats, const 
 
 template<class M, Formats F>
 M load_with(const std::string& path, F formats, const load_options& options) {
+  const core::profiled_options profiled(options, "load");
   contents_for<M, F> contents;
-  read_file<from_surface<M>, wants_volumes<M>>(path, formats, wanted_for<M>, options, contents);
+  read_file<from_surface<M>, wants_volumes<M>>(path, formats, wanted_for<M>, *profiled, contents);
   return mesh_of<M, only_properties<F>>(contents, path, options.report);
 }
 

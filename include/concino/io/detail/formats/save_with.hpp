@@ -79,7 +79,9 @@ void require_lossless(flat_mesh_source mesh, std::string_view name, std::string_
 }
 
 template<int Dimension, Formats F>
-void save_flat(flat_mesh_source mesh, const std::string& path, F formats, const save_options& options) {
+void save_flat(flat_mesh_source mesh, const std::string& path, F formats, const save_options& input_options) {
+  const core::profiled_options profiled(input_options, "save");
+  const save_options& options = *profiled;
   const std::size_t chosen = chosen_for(path, formats, options.format);
   if (options.strict) require_lossless<Dimension>(mesh, path, path, list_of(formats), chosen, options);
   atomic_file file(path, {.sync = options.sync});
@@ -94,7 +96,9 @@ void save_flat(flat_mesh_source mesh, const std::string& path, F formats, const 
 }
 
 template<int Dimension, Formats F>
-std::string flat_text(flat_mesh_source mesh, F formats, const save_options& options) {
+std::string flat_text(flat_mesh_source mesh, F formats, const save_options& input_options) {
+  const core::profiled_options profiled(input_options, "save_text");
+  const save_options& options = *profiled;
   const std::size_t chosen = chosen_for({}, formats, options.format);
   if (options.strict) require_lossless<Dimension>(mesh, "text", {}, list_of(formats), chosen, options);
   text_sink out;

@@ -104,18 +104,22 @@ inline void write_skeleton(const skeleton& k, text_sink& out, std::string_view n
 }  // namespace detail
 
 CONCINO_INLINE skeleton load_skeleton_text(std::string_view text, const load_options& options, std::string_view name) {
-  return detail::read_skeleton(text, name, false, options);
+  const core::profiled_options profiled(options, "load_skeleton_text");
+  return detail::read_skeleton(text, name, false, *profiled);
 }
 
 CONCINO_INLINE skeleton load_skeleton(const std::string& path, const load_options& options) {
+  const core::profiled_options profiled(options, "load_skeleton");
   detail::check_path(path);
   file_text file(path, {.map = options.map, .pipes = true});
-  skeleton k = detail::read_skeleton(file.text(), path, true, options);
+  skeleton k = detail::read_skeleton(file.text(), path, true, *profiled);
   file.close(path);
   return k;
 }
 
-CONCINO_INLINE void save_skeleton(const skeleton& k, const std::string& path, const save_options& options) {
+CONCINO_INLINE void save_skeleton(const skeleton& k, const std::string& path, const save_options& input_options) {
+  const core::profiled_options profiled(input_options, "save_skeleton");
+  const save_options& options = *profiled;
   atomic_file file(path, {.sync = options.sync});
   text_sink out(file.descriptor(), path);
   detail::write_skeleton(k, out, path, options);
@@ -126,8 +130,9 @@ CONCINO_INLINE void save_skeleton(const skeleton& k, const std::string& path, co
 }
 
 CONCINO_INLINE std::string save_skeleton_text(const skeleton& k, const save_options& options) {
+  const core::profiled_options profiled(options, "save_skeleton_text");
   text_sink out;
-  detail::write_skeleton(k, out, "text", options);
+  detail::write_skeleton(k, out, "text", *profiled);
   return std::move(out).release();
 }
 

@@ -28,7 +28,10 @@ CONCINO_INLINE void write_slices(const slices& s, text_sink& out, std::string_vi
 
 }  // namespace detail
 
-CONCINO_INLINE slices load_slices_text(std::string_view text, const load_options& options, std::string_view name) {
+CONCINO_INLINE slices load_slices_text(std::string_view text, const load_options& input_options,
+                                       std::string_view name) {
+  const core::profiled_options profiled(input_options, "load_slices_text");
+  const load_options& options = *profiled;
   detail::check_cli(name, options.format);
   load_report unused_report, &report = options.report ? *options.report : unused_report;
   report = {};
@@ -39,14 +42,17 @@ CONCINO_INLINE slices load_slices_text(std::string_view text, const load_options
 }
 
 CONCINO_INLINE slices load_slices(const std::string& path, const load_options& options) {
+  const core::profiled_options profiled(options, "load_slices");
   detail::check_path(path);
   file_text file(path, {.map = options.map, .pipes = true});
-  slices s = load_slices_text(file.text(), options, path);
+  slices s = load_slices_text(file.text(), *profiled, path);
   file.close(path);
   return s;
 }
 
-CONCINO_INLINE void save_slices(const slices& s, const std::string& path, const save_options& options) {
+CONCINO_INLINE void save_slices(const slices& s, const std::string& path, const save_options& input_options) {
+  const core::profiled_options profiled(input_options, "save_slices");
+  const save_options& options = *profiled;
   atomic_file file(path, {.sync = options.sync});
   text_sink out(file.descriptor(), path);
   detail::write_slices(s, out, path, options);
@@ -57,8 +63,9 @@ CONCINO_INLINE void save_slices(const slices& s, const std::string& path, const 
 }
 
 CONCINO_INLINE std::string save_slices_text(const slices& s, const save_options& options) {
+  const core::profiled_options profiled(options, "save_slices_text");
   text_sink out;
-  detail::write_slices(s, out, "text", options);
+  detail::write_slices(s, out, "text", *profiled);
   return std::move(out).release();
 }
 

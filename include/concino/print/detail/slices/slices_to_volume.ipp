@@ -39,9 +39,12 @@ inline std::vector<double> heights_of_layers(const slices& s, double last_height
 namespace concino {
 
 CONCINO_INLINE layer_volume slices_to_volume(const slices& s, const polygon_clipper& back_end,
-                                             const slices_to_volume_options& options) {
+                                             const slices_to_volume_options& input_options) {
   const char* const caller = "slices_to_volume";
-  const layer_options shared{options.thicken, options.thicken_hatches, options.chord_error, options.progress};
+  const core::profiled_options profiled(input_options, caller);
+  const slices_to_volume_options& options = *profiled;
+  const layer_options shared{
+      .thicken = options.thicken, .thicken_hatches = options.thicken_hatches, .chord_error = options.chord_error};
   constexpr int finer = 20, crossings = 18;  // 2^finer units of the back end in each unit, and 2^crossings of points
                                              // where contours cross
   const detail::lattice units = detail::lattice_of(caller, s, shared, 20);

@@ -170,7 +170,9 @@ CONCINO_INLINE eigenpairs_result iterate_for_pairs(core::eigenproblem& problem, 
 }  // namespace detail
 
 CONCINO_INLINE eigenpairs_result eigenpairs(const Eigen::SparseMatrix<double>& k, const Eigen::SparseMatrix<double>& m,
-                                            std::size_t count, lobpcg_method, const lobpcg_options& options) {
+                                            std::size_t count, lobpcg_method, const lobpcg_options& input_options) {
+  const core::profiled_options profiled(input_options, "eigenpairs");
+  const lobpcg_options& options = *profiled;
   detail::check_lobpcg_options(options);
   core::eigenproblem problem(k, m);
   const std::size_t rows = problem.row.size();
