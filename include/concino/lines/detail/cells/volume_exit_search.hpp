@@ -42,8 +42,8 @@ class volume_exit_search {
 
   const volume_exit& best() const { return best_; }
 
-  void offer(volume_exit::kind to, std::size_t cell, std::size_t triangle, double speed, const vec3& velocity,
-             bool along_a = false) {
+  void keep_if_faster(volume_exit::kind to, std::size_t cell, std::size_t triangle, double speed, const vec3& velocity,
+                      bool along_a = false) {
     if (!(speed > 0)) return;
     if (best_.to != volume_exit::kind::none &&
         (speed < best_speed_ || (speed == best_speed_ && !lies_before(velocity, best_.velocity))))
@@ -65,7 +65,7 @@ class volume_exit_search {
       const incident_triangle& t = triangle(one);
       const vec3 normal = cross(t.a - from_, t.b - from_);
       if (n == 2 && one.outward >= 0 && two.outward >= 0) {
-        f(one, sliding_velocity(push(one), field(one), push(two), field(two), normal));
+        f(one, sliding_velocity(exit_speed(one), field(one), exit_speed(two), field(two), normal));
         continue;
       }
       if (one.outward == 0) f(one, field(one));
@@ -75,7 +75,9 @@ class volume_exit_search {
 
   const incident_triangle& triangle(const incident_facet& f) const { return cells_[f.cell].triangles[f.triangle]; }
   const vec3& field(const incident_facet& f) const { return cells_[f.cell].field; }
-  double push(const incident_facet& f) const { return push_through(field(f), from_, triangle(f).a, triangle(f).b); }
+  double exit_speed(const incident_facet& f) const {
+    return speed_through(field(f), from_, triangle(f).a, triangle(f).b);
+  }
 
   bool leads_along_triangle(const incident_triangle& t, const vec3& velocity) const {
     const vec3 normal = cross(t.a - from_, t.b - from_);
