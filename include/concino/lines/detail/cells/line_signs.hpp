@@ -57,7 +57,7 @@ inline double max_abs_component(const vec3& a) {
   return std::max(std::max(std::abs(a.x), std::abs(a.y)), std::abs(a.z));
 }
 
-/// The order of points by x, y, z: it decides ties, so that results do not depend on the order of elements.
+/// The lexicographic order of points. It decides ties, so that results do not depend on the order of elements.
 inline bool lies_before(const vec3& a, const vec3& b) {
   return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
 }

@@ -29,8 +29,8 @@ vec3 value_in_poly(const polygon_reader<M>& polygon, const vec3& x, const H& val
   return sum > 0 ? value / sum : values[t.verts[0]];
 }
 
-/// values[v] of the verts at x in the cell that was read last, linear in each tet between the mean of the corners,
-/// which has their mean value, and a triangle of the surface.
+/// values[v] of the verts at x in the cell that was read last: linear in each tet between a triangle of the surface and
+/// the mean of the corners, where it is their mean.
 template<class M, class H>
 vec3 value_in_poly(polyhedron_reader<M>& cell, const vec3& x, const H& values) {
   cell.cut_faces();

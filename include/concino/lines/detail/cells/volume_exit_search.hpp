@@ -20,7 +20,7 @@ struct incident_facet {
   int outward = 0;  // the sign of the field's part out of the cell
 };
 
-/// What leads away from a vert or from an edge.
+/// The ways on which a line can leave a vert or an edge, and the fastest of them.
 class volume_exit_search {
   vec3 from_;
   std::span<const incident_cell> cells_;
@@ -52,7 +52,7 @@ class volume_exit_search {
     best_speed_ = speed;
   }
 
-  /// Calls f(facet, velocity) for each triangle, with the key of its side, along which the fields lead.
+  /// Calls f(facet, velocity) for each triangle along which the fields on its sides lead.
   template<class F>
   void for_each_slide(const F& f) const {
     for (std::size_t i = 0; i < facets_.size();) {

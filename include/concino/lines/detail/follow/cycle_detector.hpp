@@ -1,4 +1,4 @@
-// Recognises that a line on a surface closes, runs round a cycle, or winds to a cycle or into a vert.
+// Recognises that a line closes, repeats a cycle, or winds to a cycle or into a vert.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -34,9 +34,9 @@ class return_map {
 };
 
 /// Follows the sides and verts that a line passes. The place on a side depends on the place when the line passed it
-/// before by an affine map x -> a x + b: a line that comes back to where it was is closed, and the line is drawn to a
-/// fixed point if |a| < 1. It compares with one of the sides or verts passed, the mark, which moves on after 1, 2, 4,
-/// 8, ... steps (Brent 1980, "An improved Monte Carlo factorization algorithm"): no list of what was passed is
+/// before by an affine map x -> a x + b: a line that returns to the same place is closed, and it converges to the
+/// fixed point if |a| < 1. The place is compared with one of the sides or verts passed, the mark, which moves on after
+/// 1, 2, 4, 8, ... steps (Brent 1980, "An improved Monte Carlo factorization algorithm"): no list of what was passed is
 /// searched, and a cycle is noticed after at most three times the steps that the line takes to it and once round it.
 class cycle_detector {
  public:

@@ -144,7 +144,7 @@ class surface_line_walker : surface_line_crossing<M, G> {
     reach_corner(dot(h.in.field, h.to() - h.from()) > 0 ? (h.side + 1) % 3 : h.side, to);
   }
 
-  /// The line is drawn to a cycle: the cycle is followed once round.
+  /// The line converges to a cycle, which is followed once.
   void follow_cycle_once(line_recorder<M>& to) {
     field_line<M> once;
     line_recorder<M> cycle(once, std::numeric_limits<double>::infinity(), cycles_.period());
@@ -160,7 +160,7 @@ class surface_line_walker : surface_line_crossing<M, G> {
     to.end_in_cycle(std::move(once.points));
   }
 
-  /// The line goes round a vert for ever, nearer by the same factor each time: it ends there after a finite length.
+  /// The line spirals into a vert; the distance decreases by the same factor in each round, so the length is finite.
   void end_in_vert(line_recorder<M>& to) {
     const auto& x = to.line().points;
     double once = 0;
