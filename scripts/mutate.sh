@@ -168,7 +168,7 @@ graph/detail/corners   graph/cut_along graph/boundary_loops
 graph/disjoint_sets   graph/disjoint_sets graph/spanning_tree
 lines/detail/cells/flat_cell      lines/detail/cells/flat_cell lines/integral_line
 lines/detail/cells/line_signs     lines/integral_line
-lines/detail/follow/line_watch     lines/integral_line
+lines/detail/follow/cycle_detector lines/integral_line
 lines/detail/follow/line_recorder  lines/integral_line lines/evenly_spaced_lines
 lines/detail/cells/polygon_reader lines/integral_line lines/field_at_verts
 lines/detail/cells/polyhedron_reader lines/detail/cells/flat_cell lines/integral_line lines/field_at_verts

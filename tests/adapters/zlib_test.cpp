@@ -63,7 +63,7 @@ std::string compressed_tet(std::size_t block) {
 
 }  // namespace
 
-TEST_CASE("zlib: inflates data of exactly the announced size") {
+TEST_CASE("zlib: inflates data of exactly the stated size") {
   std::string text;
   for (unsigned i = 0; i < 100000; ++i) text += static_cast<char>(i * i >> 3);
   const std::string small = deflated(text);
@@ -102,7 +102,7 @@ TEST_CASE("zlib: refuses what zlib refuses, whichever bit is wrong") {
   }
 }
 
-TEST_CASE("zlib: the announced size of blocks can be any number, if there is one block only") {
+TEST_CASE("zlib: the stated size of blocks can be any number, if there is one block only") {
   const auto m = load_text<tetmesh>(compressed_tet<std::uint64_t>(~std::size_t{0}), file_format::vtu, {.inflate = zlib_inflate});
   CHECK(num_polys(m) == 1);
 }

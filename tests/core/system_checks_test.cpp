@@ -39,7 +39,7 @@ TEST_CASE("system_checks: compares patterns by sizes and positions of entries") 
   for (const sparse& m : {sparse(0, 0), sparse(1, 1), a}) {
     pattern.remember(m);
     CHECK(pattern.is_of(m));
-    pattern.forget();
+    pattern.invalidate();
     CHECK(!pattern.is_of(m));
   }
   int analysed = 0;

@@ -176,7 +176,7 @@ TEST_CASE("heat_bands: heat has correct digits where it underflows, whatever the
     }
     a.makeCompressed();
     load[0] = 1;
-    const auto order = concino::detail::heat_bands::order_by(guess);
+    const auto order = concino::detail::heat_bands::order_by_guess(guess);
     concino::detail::heat_bands bands(a, load, guess, order);
     REQUIRE(bands.run(1e-6, nullptr));
     const auto log_u = bands.log_heat();

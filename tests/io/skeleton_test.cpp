@@ -168,7 +168,7 @@ TEST_CASE("skeletons: .cg has indices from 0 or 1, and radii or none") {
   CHECK(report.notes.empty());
   CHECK(report.skipped == std::vector<std::string>{"1 edges from a vert to itself", "1 edges that the file lists again", "1 lines that are neither verts nor edges"});
   CHECK(skeleton_of("# D:3 NV:1 NE:0\nv 1 2 3\nv 4 5 6\n", {}, &report).num_verts() == 2);
-  CHECK(report.notes == std::vector<std::string>{"the file announces 1 verts and 0 edges, but has 2 and 0"});
+  CHECK(report.notes == std::vector<std::string>{"the file states 1 verts and 0 edges, but has 2 and 0"});
   CHECK(skeleton_of("# D:3 NV:0 NE:0\n", {}).num_verts() == 0);
 }
 

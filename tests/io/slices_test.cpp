@@ -257,7 +257,7 @@ TEST_CASE("slices: dialects are read and reported") {
                                                  "the geometry begins without $$GEOMETRYSTART", "the header has no $$LAYERS"});
   load_slices_text(cli_text("$$LAYER/1\n", "$$LAYERS/3\n"), {.report = &report});
   CHECK(report.notes ==
-        std::vector<std::string>{"the header has no $$UNITS; coordinates were read as millimetres", "$$LAYERS announces 3 layers, but the file has 1"});
+        std::vector<std::string>{"the header has no $$UNITS; coordinates were read as millimetres", "$$LAYERS states 3 layers, but the file has 1"});
   CHECK(load_slices_text(cli_text("")).layers.empty());
 }
 
@@ -407,7 +407,7 @@ TEST_CASE("slices: errors in binary files name the byte") {
   bad.replace(begin + 2, 4, std::string("\0\0\x80\x7F", 4));  // an infinite z
   CHECK(error_line(bad, &message) == 5);
   CHECK(message.find("finite") != std::string::npos);
-  CHECK(error_line(text.substr(0, begin), &message) == 5);  // two layers are announced
+  CHECK(error_line(text.substr(0, begin), &message) == 5);  // two layers are stated
   CHECK(error_line("$$HEADERSTART $$BINARY $$HEADEREND") == 0);
 }
 

@@ -57,7 +57,7 @@ Eigen::MatrixXd by_definition(std::vector<vec3> x, bool has_square, const std::v
   const auto column = [](const vec3& a) { return Eigen::Vector3d(a.x, a.y, a.z); };
   const auto n = static_cast<unsigned>(x.size()), last = has_square ? n + 1 : n;
   if (has_square) x.push_back((x[0] + x[1] + x[2] + x[3]) / 4);
-  Eigen::Matrix3d volumes = Eigen::Matrix3d::Zero(), spread = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d volumes = Eigen::Matrix3d::Zero(), scatter = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero(), mean = Eigen::Vector3d::Zero();
   for (const auto& [a, b, c] : triangles) {
     const Eigen::Vector3d d = column(cross(x[b] - x[a], x[c] - x[a]));
@@ -65,8 +65,8 @@ Eigen::MatrixXd by_definition(std::vector<vec3> x, bool has_square, const std::v
     right += d * d.dot(column(x[a]));
   }
   for (unsigned i = 0; i < n; ++i) mean += column(x[i]) / n;
-  for (unsigned i = 0; i < n; ++i) spread += (column(x[i]) - mean) * (column(x[i]) - mean).transpose();
-  const Eigen::Vector3d within = volumes.inverse() * right, slope = spread.inverse() * (within - mean);
+  for (unsigned i = 0; i < n; ++i) scatter += (column(x[i]) - mean) * (column(x[i]) - mean).transpose();
+  const Eigen::Vector3d within = volumes.inverse() * right, slope = scatter.inverse() * (within - mean);
   Eigen::MatrixXd values = Eigen::MatrixXd::Identity(last + 1, n), cotangents = Eigen::MatrixXd::Zero(last + 1, last + 1);
   for (unsigned i = 0; i < n; ++i) {
     if (has_square) values(n, i) = i < 4 ? 0.25 : 0;

@@ -47,7 +47,7 @@ class sparsity_pattern {
   Eigen::Index height_ = -1;
 
  public:
-  void forget() { height_ = -1; }
+  void invalidate() { height_ = -1; }
 
   /// a: compressed, as below.
   void remember(const Eigen::SparseMatrix<double>& a);
@@ -58,7 +58,7 @@ class sparsity_pattern {
   template<class F>
   void update(const Eigen::SparseMatrix<double>& a, F analyse) {
     if (is_of(a)) return;
-    forget();  // in case analyse throws
+    invalidate();  // in case analyse throws
     analyse(a);
     remember(a);
   }

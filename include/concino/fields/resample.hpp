@@ -3,7 +3,7 @@
 
 #include <concino/concepts/maps.hpp>
 #include <concino/core/mistakes.hpp>
-#include <concino/fields/detail/values/shared_polys.hpp>
+#include <concino/fields/detail/values/conservative_transfer.hpp>
 #include <concino/fields/detail/values/value_in_poly.hpp>
 #include <concino/geometry/bounding_tree.hpp>
 #include <concino/geometry/centroid.hpp>
@@ -98,7 +98,7 @@ poly_map<To, double> resample(const From& from, const Q& q, To&& to,
   if ((num_polys(from) == 0) != (num_polys(to) == 0)) detail::throw_nothing_to_resample();
   if (num_polys(to) == 0) return result;
   if (method == poly_resampling::conservative) {
-    detail::share_polys(from, q, to, result);
+    detail::transfer_conservatively(from, q, to, result);
     return result;
   }
   const auto tree = bounding_tree(from);

@@ -39,7 +39,7 @@ polygonmesh dual_mesh_of(const M& m, const Creases& creases, const dual_mesh_opt
   dual_maps* const wanted = o.maps || o.inverted ? &maps : nullptr;
   const boundary_creases<M, Creases> at(m, creases, o);
   surface_arrays a = surface_dual(m, at, o.points, wanted);
-  if (!at.clips()) drop_unused_dual_verts(a.points, a.verts, wanted);
+  if (!at.has_boundary_cells()) drop_unused_dual_verts(a.points, a.verts, wanted);
   polygonmesh dual(std::move(a));
   if (o.inverted) *o.inverted = inverted_cells(m, maps, dual);
   if (o.maps) *o.maps = std::move(maps);
@@ -52,7 +52,7 @@ polyhedralmesh dual_mesh_of(const M& m, const Creases& creases, const dual_mesh_
   volume_dual<M> builder(m, at, o.points);
   polyhedra_arrays a = builder.build();
   if (o.maps) maps = builder.maps();
-  if (!at.clips()) drop_unused_dual_verts(a.points, a.face_verts, o.maps ? &maps : nullptr);
+  if (!at.has_boundary_cells()) drop_unused_dual_verts(a.points, a.face_verts, o.maps ? &maps : nullptr);
   polyhedralmesh dual(std::move(a));
   if (o.inverted) *o.inverted = inverted_cells(dual);
   if (o.maps) *o.maps = std::move(maps);

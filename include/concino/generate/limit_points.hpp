@@ -29,7 +29,7 @@ template<class M>
   requires SurfaceMesh<M> && Embedded<M> && requirement::is_lvalue_or_view<M>
 limit_surface<std::remove_cvref_t<M>> loop_limit(M&& m) {
   using mesh = std::remove_cvref_t<M>;
-  for (const poly_t<mesh> p : polys(m)) detail::triangle_parts<mesh>("loop_limit", m, p);
+  for (const poly_t<mesh> p : polys(m)) detail::triangle_elements<mesh>("loop_limit", m, p);
   return detail::limit_of<detail::smooth_scheme::loop, limit_surface<mesh>>(
       m, detail::loop_rule<mesh, detail::no_creases>{m, detail::no_creases()});
 }

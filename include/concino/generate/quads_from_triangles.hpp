@@ -35,7 +35,7 @@ triangle_list triangles_of(const char* caller, const M& m) {
   list.verts.reserve(3 * num_polys(m));
   list.edges.reserve(3 * num_polys(m));
   for (const poly_t<M> p : polys(m)) {
-    const triangle_parts<M> t(caller, m, p);
+    const triangle_elements<M> t(caller, m, p);
     list.polys.push_back(static_cast<std::uint32_t>(index_of(m, p)));
     for (const std::size_t k : {0u, 1u, 2u}) {
       list.verts.push_back(vert_id{number[index_of(m, t.verts[k])]});

@@ -21,8 +21,8 @@ inline double angle_at_corner(const vec3& before, const vec3& at, const vec3& af
   vec3 out = after - at, back = before - at, turn = cross(out, back);
   double cosine = dot(out, back);
   if (!keeps_digits(dot(turn, turn) + cosine * cosine)) {
-    out = step_about_one(at, after);
-    back = step_about_one(at, before);
+    out = rescaled_step(at, after);
+    back = rescaled_step(at, before);
     turn = cross(out, back);
     cosine = dot(out, back);
   }

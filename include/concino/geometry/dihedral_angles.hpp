@@ -25,7 +25,7 @@ struct directed_edge {
     from = *it;
     ++it;
     to = *it;
-    direction = unit_vector(step_about_one(to_vec3(point(m, from)), to_vec3(point(m, to))));
+    direction = unit_vector(rescaled_step(to_vec3(point(m, from)), to_vec3(point(m, to))));
   }
 
   /// 1 if the loop traverses the edge in its direction, -1 if in the opposite one, 0 if neither.

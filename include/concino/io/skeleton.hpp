@@ -54,7 +54,7 @@ inline constexpr csv_format csv{};
 ///         and whether verts have been renumbered.
 /// Cost:   O(size of the file); O(n log n) for n nodes of a .skel file with ids other than 0, 1, 2 ...
 /// Errors: io_error if the file cannot be read. parse_error with the line if it breaks its format: a number that is not
-///         finite, an edge or a neighbour that does not exist, an id twice, fewer elements than it announces.
+///         finite, an edge or a neighbour that does not exist, an id twice, fewer elements than it states.
 ///         unsupported if the format cannot be determined. cancelled.
 skeleton load_skeleton(const std::string& path, const load_options& options = {});
 

@@ -99,11 +99,11 @@ std::vector<double> measure_between(const M& m, const U& u, const V& values) {
   levels.back() = std::nextafter(levels.back(), std::numeric_limits<double>::infinity());
   std::vector<double> between(levels.size() - 1);
   const auto ranks = detail::level_ranks(m, u, levels, "measure_between");
-  struct part {
+  struct chunk_result {
     std::vector<std::pair<std::size_t, double>> whole;  // an interval, and what is between it and the last level
     std::vector<poly_t<M>> crossed;
   };
-  const auto parts = core::poly_chunks<M>(m).template results<part>([&](part& x, const poly_t<M>& p) {
+  const auto parts = core::poly_chunks<M>(m).template results<chunk_result>([&](chunk_result& x, const poly_t<M>& p) {
     const auto [first, last] = detail::crossing_levels_of(m, ranks, p);
     if (first < last) x.crossed.push_back(p);
     if (first == 0 || first > between.size()) return;
@@ -111,7 +111,7 @@ std::vector<double> measure_between(const M& m, const U& u, const V& values) {
     x.whole.back().second += measure(m, p);
   });
   std::vector<std::vector<poly_t<M>>> crossed(levels.size());
-  for (const part& x : parts) {
+  for (const chunk_result& x : parts) {
     for (const auto& [interval, whole] : x.whole) between[interval] += whole;
     for (const poly_t<M>& p : x.crossed) {
       const auto [first, last] = detail::crossing_levels_of(m, ranks, p);

@@ -96,24 +96,25 @@ Eigen::SparseMatrix<double> vert_gradient_matrix(const M& m) {
 
   // Column v: the contribution of v to the gradient of each poly around it is added to the rows of all verts of that
   // poly.
-  struct part {
+  struct contribution {
     std::size_t vert, corner;  // corners ascend with the polys, so the order of summation is fixed
-    bool operator<(const part& o) const { return vert != o.vert ? vert < o.vert : corner < o.corner; }
+    bool operator<(const contribution& o) const { return vert != o.vert ? vert < o.vert : corner < o.corner; }
   };
   constexpr std::size_t chunk = 512;
   parallel_for(
       nv / chunk + (nv % chunk != 0),
       [&](std::size_t c) {
-        std::vector<part> parts;
+        std::vector<contribution> contributions;
         for (std::size_t v = c * chunk; v < std::min(nv, (c + 1) * chunk); ++v) {
-          parts.clear();
-          for_each_around(v, [&](std::size_t w, std::size_t corner) { parts.push_back({w, corner}); });
-          std::sort(parts.begin(), parts.end());
+          contributions.clear();
+          for_each_around(v, [&](std::size_t w, std::size_t corner) { contributions.push_back({w, corner}); });
+          std::sort(contributions.begin(), contributions.end());
           int at = begin[v];
-          for (std::size_t i = 0; i < parts.size();) {
-            const std::size_t w = parts[i].vert;
+          for (std::size_t i = 0; i < contributions.size();) {
+            const std::size_t w = contributions[i].vert;
             vec3 sum;
-            for (; i < parts.size() && parts[i].vert == w; ++i) sum += lists.gradient[parts[i].corner];
+            for (; i < contributions.size() && contributions[i].vert == w; ++i)
+              sum += lists.gradient[contributions[i].corner];
             sum /= size_around[w];
             for (std::size_t k = 0; k < 3; ++k, ++at) {
               g.innerIndexPtr()[at] = static_cast<int>(3 * w + k);

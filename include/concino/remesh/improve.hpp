@@ -61,7 +61,7 @@ double quality_at_edge(const improvable_tets<M>& tets, const poly_t<M>& p, const
   unsigned other[2] = {}, n = 0;
   for (unsigned i = 0; i < 4; ++i)
     if (i != a && i != b && n < 2) other[n++] = i;
-  return of.of_angle(of.between(other[0], other[1]));
+  return of.signed_quality(of.between(other[0], other[1]));
 }
 
 /// Whether the tets that lie around e between two fixed faces, p among them, all have the same angle there: then none

@@ -68,7 +68,7 @@ void add_visible_sky(const drawable& d, std::span<const place_in_triangle> place
       const unsigned rays = std::max(1u, static_cast<unsigned>(options.rays) / num_places[group_of(t, k)]);
       unsigned open = 0;
       for (unsigned r = 0; r < rays; ++r)
-        open += !caster.occluded(start, cosine_direction(around, spread_point(r, shift)), 0, far);
+        open += !caster.occluded(start, cosine_direction(around, low_discrepancy_point(r, shift)), 0, far);
       visible[t * each + k] = static_cast<double>(open) / rays;
     }
   };

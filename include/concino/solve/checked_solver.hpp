@@ -56,7 +56,7 @@ class checked_solver {
   }
   void forget_pattern() {
     rows_ = -1;
-    pattern_.forget();
+    pattern_.invalidate();
   }
 
   void accept(Eigen::Index rows) { rows_ = rows; }

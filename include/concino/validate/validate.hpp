@@ -56,11 +56,11 @@ validation_report<M> validate(const M& m, const validate_options& input_options 
   detail::check_options(options);
   validation_report<M> report;
   detail::defect_log<M> log(m, report, options);
-  std::vector<std::uint8_t> sound(VolumeMesh<M> ? poly_index_bound(m) : 0);
+  std::vector<std::uint8_t> encloses_volume(VolumeMesh<M> ? poly_index_bound(m) : 0);
   // surfaces and volumes have different defects
   if constexpr (SurfaceMesh<M>) report.facts = detail::check_surface<M>(m, detail::surface_scope<M, M>{}, log);
-  else report.facts = detail::check_volume(m, sound, log);
-  log.stage(0.7, 1);
+  else report.facts = detail::check_volume(m, encloses_volume, log);
+  log.begin_stage(0.7, 1);
   if (log.wants(defect_kind::duplicated_element)) {
     detail::check_duplicates<poly_t<M>>(
         m, polys(m), num_polys(m), [&](const poly_t<M>& p) -> decltype(auto) { return adj_p2v(m, p); }, log);
@@ -68,7 +68,7 @@ validation_report<M> validate(const M& m, const validate_options& input_options 
       detail::check_duplicates<face_t<M>>(
           m, faces(m), num_faces(m), [&](const face_t<M>& f) -> decltype(auto) { return adj_f2v(m, f); }, log);
   }
-  if constexpr (Embedded<M>) detail::check_geometry(m, sound, log);
+  if constexpr (Embedded<M>) detail::check_geometry(m, encloses_volume, log);
   report.sort();
   detail::report_progress(options.progress, 1, "validate");
   return report;

@@ -23,9 +23,9 @@ struct merged_faces {
   explicit merged_faces(std::size_t bound) : merger(bound) {}
   void add(const std::vector<unsigned>& numbers) {
     const std::vector<vert_id> face = ids(numbers);
-    const auto place = merger.add(face.data(), face.size());
-    m.poly_faces.push_back(place.face);
-    m.outward.push_back(place.order > 0);
+    const auto merged = merger.add(face.data(), face.size());
+    m.poly_faces.push_back(merged.face);
+    m.outward.push_back(merged.order > 0);
   }
   const polyhedra_arrays& finish() {
     m.poly_offsets = {0, static_cast<std::uint32_t>(m.poly_faces.size())};

@@ -82,7 +82,7 @@ TEST_CASE_TEMPLATE("stiffness of a polyhedron: the stabilisation has the scale o
     poly.visit(m, p);
     const std::size_t n = poly.verts.size();
     Eigen::Matrix<double, 4, Eigen::Dynamic> seen(4, n);
-    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
     Eigen::VectorXd u(n);
     double squares = 0;
     for (std::size_t i = 0; i < n; ++i) {
@@ -90,14 +90,14 @@ TEST_CASE_TEMPLATE("stiffness of a polyhedron: the stabilisation has the scale o
       const vec3 &g = poly.gradient[i], &y = poly.points[i];
       seen.col(c) << 1, g.x, g.y, g.z;
       const Eigen::Vector3d place(y.x, y.y, y.z);
-      spread += place * place.transpose();
+      scatter += place * place.transpose();
       u[c] = std::sin(5.0 * static_cast<double>(i));
       squares += dot(g, g);
     }
     const Eigen::Matrix4d products = seen * seen.transpose();
     const Eigen::Vector4d linear = products.inverse() * (seen * u);
     u -= seen.transpose() * linear;
-    const double least = spread.inverse().trace(), factor = std::abs(measure(m, p)) * least * std::sqrt(static_cast<double>(n) / 162);
+    const double least = scatter.inverse().trace(), factor = std::abs(measure(m, p)) * least * std::sqrt(static_cast<double>(n) / 162);
     CHECK(u.dot(matrix_of(m, concino::detail::virtual_stiffness<M>(m), p) * u) == doctest::Approx(factor * u.squaredNorm()).epsilon(1e-10));
     most = std::max(most, squares / least);
   }

@@ -37,11 +37,11 @@ class edit_values {
   static constexpr std::size_t nowhere = ~std::size_t{0};
 
  private:
-  struct part {
+  struct edge_or_face {
     std::size_t number, stays_at;
     bool is_written = false;
   };
-  using parts = std::map<key, part>;
+  using edge_or_face_map = std::map<key, edge_or_face>;
 
   core::local_numbers numbers_;  // of existing verts
   const unsigned first_new_;
@@ -50,7 +50,7 @@ class edit_values {
   std::vector<unsigned> changed_verts_;
   std::vector<unsigned> corner_verts_;                       // of the new polys, one after another
   std::vector<std::size_t> corner_ends_;
-  parts edges_, faces_;
+  edge_or_face_map edges_, faces_;
   std::vector<std::pair<element_kind, std::size_t>> replaced_;
   correspondence origins_, of_sums_;
   key scratch_;
@@ -60,11 +60,12 @@ class edit_values {
     if (const unsigned i = numbers_.find(index); i != core::local_numbers::none) return i;
     return std::lower_bound(new_verts_.begin(), new_verts_.end(), std::pair{index, 0u})->second;
   }
-  void write_part(element_kind kind, part& x, std::size_t index) {
+  void write_edge_or_face(element_kind kind, edge_or_face& x, std::size_t index) {
     if (!std::exchange(x.is_written, true)) values_->write(kind, x.number, index);  // a value can be moved once only
   }
   template<class Verts>
-  void write_part(const M& m, element_kind kind, parts& all, std::size_t index, const Verts& its_verts) {
+  void write_edge_or_face(const M& m, element_kind kind, edge_or_face_map& all, std::size_t index,
+                          const Verts& its_verts) {
     scratch_.clear();
     for (const vert_t<M> v : its_verts) {
       if (scratch_.size() == scratch_.capacity()) return;  // larger than all that have values
@@ -72,7 +73,7 @@ class edit_values {
     }
     std::sort(scratch_.begin(), scratch_.end());
     const auto at = all.find(scratch_);
-    if (at != all.end()) write_part(kind, at->second, index);
+    if (at != all.end()) write_edge_or_face(kind, at->second, index);
   }
   void write_corners(const M& m, std::size_t k, const poly_t<M>& p) {
     const auto first = corner_verts_.begin() + static_cast<std::ptrdiff_t>(k == 0 ? 0 : corner_ends_[k - 1]);
@@ -109,11 +110,11 @@ class edit_values {
   }
   void end_corners() { corner_ends_.push_back(corner_verts_.size()); }
   /// A new edge or face. stays_at: its index, if it remains where it is.
-  void add_part(element_kind kind, const key& verts, origin_list from, origin_list of_sums,
-                std::size_t stays_at = nowhere) {
+  void add_edge_or_face(element_kind kind, const key& verts, origin_list from, origin_list of_sums,
+                        std::size_t stays_at = nowhere) {
     const bool is_edge = kind == element_kind::edge;
     element_origins& all = is_edge ? origins_.edges : origins_.faces;
-    (is_edge ? edges_ : faces_).emplace(verts, part{all.size(), stays_at});
+    (is_edge ? edges_ : faces_).emplace(verts, edge_or_face{all.size(), stays_at});
     all.add(from), (is_edge ? of_sums_.edges : of_sums_.faces).add(of_sums);
     if (scratch_.capacity() < verts.size() + 1) scratch_.reserve(verts.size() + 1);
   }
@@ -141,20 +142,20 @@ class edit_values {
       values_->write(element_kind::vert, i, v < first_new_ ? numbers_[v] : new_index_[v - first_new_]);
     }
     for (auto& [verts, x] : edges_)
-      if (x.stays_at != nowhere) write_part(element_kind::edge, x, x.stays_at);
+      if (x.stays_at != nowhere) write_edge_or_face(element_kind::edge, x, x.stays_at);
     for (auto& [verts, x] : faces_)
-      if (x.stays_at != nowhere) write_part(element_kind::face, x, x.stays_at);
+      if (x.stays_at != nowhere) write_edge_or_face(element_kind::face, x, x.stays_at);
     for (std::size_t k = 0; k < new_polys.size(); ++k) {
       const poly_t<M>& p = new_polys[k];
       if (origins_.polys.size() > 0) values_->write(element_kind::poly, k, index_of(m, p));
       if (!corner_ends_.empty()) write_corners(m, k, p);
       if (!edges_.empty())
         for (const edge_t<M> e : adj_p2e(m, p))
-          write_part(m, element_kind::edge, edges_, index_of(m, e), adj_e2v(m, e));
+          write_edge_or_face(m, element_kind::edge, edges_, index_of(m, e), adj_e2v(m, e));
       if constexpr (VolumeMesh<M>)  // surfaces have no faces
         if (!faces_.empty())
           for (const face_t<M> f : adj_p2f(m, p))
-            write_part(m, element_kind::face, faces_, index_of(m, f), adj_f2v(m, f));
+            write_edge_or_face(m, element_kind::face, faces_, index_of(m, f), adj_f2v(m, f));
     }
   }
 };

@@ -34,8 +34,8 @@ struct facet_flip {
   explicit facet_flip(const M& m) : cavity(m) {}
 };
 
-/// The two polys at the facet are replaced by one for each vert of the facet, which lacks this vert and has both
-/// opposite ones.
+/// The two polys at the facet are replaced by one poly for each vert of the facet: it has the other verts of the facet
+/// and both opposite verts.
 template<class M>
 permission facet_flip_cavity(const M& m, const facet_t<M>& x, facet_flip<M>& f) {
   cavity_builder<M>& c = f.cavity;

@@ -19,48 +19,48 @@ struct relabelled_vert {
 
 template<class M>
 class relabelled_origins {
-  struct part {
+  struct edge_or_face {
     std::vector<origin> from;
     std::size_t stays_at = edit_values<M>::nowhere;  // the index of one that polys outside the cavity have too
   };
   /// Edges or faces, by the sorted labels of their verts.
-  struct parts {
+  struct edges_or_faces {
     element_kind kind;
-    std::map<std::vector<unsigned>, part> by_verts = {};
+    std::map<std::vector<unsigned>, edge_or_face> by_verts = {};
   };
 
   relabelled_cavity<M>& c_;
   const std::vector<relabelled_vert>& verts_;
   edit_values<M>& to_;
-  parts edges_{element_kind::edge}, faces_{element_kind::face};
+  edges_or_faces edges_{element_kind::edge}, faces_{element_kind::face};
   std::vector<unsigned> key_;
 
   /// The edge or face with the labels key_ comes from the one with this index.
-  part* add_origin(parts& all, std::size_t index) {
+  edge_or_face* add_origin(edges_or_faces& all, std::size_t index) {
     std::sort(key_.begin(), key_.end());
     key_.erase(std::unique(key_.begin(), key_.end()), key_.end());
     if (key_.size() < (all.kind == element_kind::edge ? 2u : 3u)) return nullptr;
-    part& x = all.by_verts[key_];
+    edge_or_face& x = all.by_verts[key_];
     const origin one{static_cast<std::uint32_t>(index)};
     if (std::find(x.from.begin(), x.from.end(), one) == x.from.end()) x.from.push_back(one);
     return &x;
   }
   /// The same for one that remains where it is, if polys outside the cavity have it.
   template<class Verts, class Polys>
-  void add_itself(parts& all, std::size_t index, const Verts& its_verts, const Polys& its_polys) {
+  void add_itself(edges_or_faces& all, std::size_t index, const Verts& its_verts, const Polys& its_polys) {
     bool stays = false;
     for (const poly_t<M> p : its_polys) stays = stays || !c_.has(p);
     if (!stays) return;
     key_.clear();
     for (const vert_t<M> v : its_verts) key_.push_back(c_.find_number(index_of(c_.mesh(), v)));
-    part& x = *add_origin(all, index);
+    edge_or_face& x = *add_origin(all, index);
     x.stays_at = index;
     // a copy takes the first value
     std::iter_swap(x.from.begin(), std::find(x.from.begin(), x.from.end(), origin{static_cast<std::uint32_t>(index)}));
   }
   /// Edge or face x of the selected poly becomes the one with the labels of its verts.
   template<class X, class Verts, class Polys>
-  void add_part(parts& all, const X& x, const Verts& its_verts, const Polys& its_polys) {
+  void add_selected(edges_or_faces& all, const X& x, const Verts& its_verts, const Polys& its_polys) {
     const std::size_t index = index_of(c_.mesh(), x);
     to_.replaces(all.kind, index);
     key_.clear();
@@ -70,7 +70,7 @@ class relabelled_origins {
   }
   /// An edge or face at a vert that remains, which others may become.
   template<class X, class Verts, class Polys>
-  void add_if_listed(parts& all, const X& x, const Verts& its_verts, const Polys& its_polys) {
+  void add_remaining(edges_or_faces& all, const X& x, const Verts& its_verts, const Polys& its_polys) {
     key_.clear();
     for (const vert_t<M> v : its_verts) key_.push_back(c_.find_number(index_of(c_.mesh(), v)));
     std::sort(key_.begin(), key_.end());
@@ -79,28 +79,28 @@ class relabelled_origins {
     add_itself(all, index_of(c_.mesh(), x), its_verts, its_polys);
   }
 
-  void find_parts(bool wants_edges, bool wants_faces) {
+  void find_edges_and_faces(bool wants_edges, bool wants_faces) {
     const M& m = c_.mesh();
     for (unsigned k = 0; k < c_.polys().size(); ++k) {
       c_.select(k);
       if (wants_edges)
-        for (const edge_t<M> e : adj_p2e(m, c_.polys()[k])) add_part(edges_, e, adj_e2v(m, e), adj_e2p(m, e));
+        for (const edge_t<M> e : adj_p2e(m, c_.polys()[k])) add_selected(edges_, e, adj_e2v(m, e), adj_e2p(m, e));
       if constexpr (VolumeMesh<M>)  // surfaces have no faces
         if (wants_faces)
-          for (const face_t<M> f : adj_p2f(m, c_.polys()[k])) add_part(faces_, f, adj_f2v(m, f), adj_f2p(m, f));
+          for (const face_t<M> f : adj_p2f(m, c_.polys()[k])) add_selected(faces_, f, adj_f2v(m, f), adj_f2p(m, f));
     }
     for (const relabelled_vert& x : verts_) {
       if (c_.num_removed() == 0) break;
       const vert_t<M> v = c_.vert_at(x.label);
       if (wants_edges)
-        for (const edge_t<M> e : adj_v2e(m, v)) add_if_listed(edges_, e, adj_e2v(m, e), adj_e2p(m, e));
+        for (const edge_t<M> e : adj_v2e(m, v)) add_remaining(edges_, e, adj_e2v(m, e), adj_e2p(m, e));
       if constexpr (VolumeMesh<M>)  // surfaces have no faces
         if (wants_faces)
-          for (const face_t<M> f : adj_v2f(m, v)) add_if_listed(faces_, f, adj_f2v(m, f), adj_f2p(m, f));
+          for (const face_t<M> f : adj_v2f(m, v)) add_remaining(faces_, f, adj_f2v(m, f), adj_f2p(m, f));
     }
   }
-  void add_parts(const parts& all) {
-    for (const auto& [key, x] : all.by_verts) to_.add_part(all.kind, key, x.from, x.from, x.stays_at);
+  void add_edges_or_faces(const edges_or_faces& all) {
+    for (const auto& [key, x] : all.by_verts) to_.add_edge_or_face(all.kind, key, x.from, x.from, x.stays_at);
   }
 
   /// Corners of survivors, each label once.
@@ -151,8 +151,8 @@ class relabelled_origins {
     for (const relabelled_vert& x : verts_) to_.add_vert(x.label, x.from, x.of_sums);
     if (all.has(element_kind::poly)) add_polys();
     if (all.has(element_kind::corner)) add_corners();
-    find_parts(all.has(element_kind::edge), all.has(element_kind::face));
-    add_parts(edges_), add_parts(faces_);
+    find_edges_and_faces(all.has(element_kind::edge), all.has(element_kind::face));
+    add_edges_or_faces(edges_), add_edges_or_faces(faces_);
   }
 };
 

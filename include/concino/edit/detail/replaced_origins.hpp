@@ -36,7 +36,7 @@ class replaced_origins {
   }
   /// Calls f for the edges (n = 2) or the faces (n = 3) of new poly k, as lists of verts.
   template<class F>
-  void for_each_part(std::size_t k, unsigned n, const F& f) const {
+  void for_each_edge_or_face(std::size_t k, unsigned n, const F& f) const {
     for_each_list(k, [&](const unsigned* first, const unsigned* last) {
       const auto size = static_cast<std::size_t>(last - first);
       if constexpr (dimension_v<M> == 3 && arity_v<M> == 4) {  // one list is a tet, whose parts are all of its pairs
@@ -71,7 +71,7 @@ class replaced_origins {
 
   /// Finds the new edges or faces, and their origins among those of the old polys.
   template<class Old>
-  void add_parts(element_kind kind, unsigned n, const Old& for_each_old) {
+  void add_edges_or_faces(element_kind kind, unsigned n, const Old& for_each_old) {
     std::vector<std::pair<std::vector<std::uint32_t>, std::size_t>> old;  // verts and index
     for_each_old([&](const auto& its_verts, std::size_t index) {
       std::vector<std::uint32_t> list;
@@ -87,7 +87,8 @@ class replaced_origins {
       for (const std::uint32_t v : old[i].first) old_at.emplace_back(v, i);
     std::sort(old_at.begin(), old_at.end());
     std::vector<key> keys;  // of new ones
-    for (std::size_t k = 0; k < num_polys(); ++k) for_each_part(k, n, [&](const key& x) { keys.push_back(sorted(x)); });
+    for (std::size_t k = 0; k < num_polys(); ++k)
+      for_each_edge_or_face(k, n, [&](const key& x) { keys.push_back(sorted(x)); });
     std::sort(keys.begin(), keys.end());
     keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
     for (const key& x : keys) {
@@ -102,7 +103,7 @@ class replaced_origins {
         if (const auto& list = old[i->second];
             std::includes(list.first.begin(), list.first.end(), wanted.begin(), wanted.end()))
           found.push_back({static_cast<std::uint32_t>(list.second)});
-      to_.add_part(kind, x, found, found);
+      to_.add_edge_or_face(kind, x, found, found);
     }
   }
 
@@ -156,13 +157,13 @@ class replaced_origins {
     add_verts_and_polys();
     if (all.has(element_kind::corner)) add_corners();
     if (all.has(element_kind::edge))
-      add_parts(element_kind::edge, 2, [&](const auto& add) {
+      add_edges_or_faces(element_kind::edge, 2, [&](const auto& add) {
         for (const poly_t<M>& p : c_.polys)
           for (const edge_t<M> e : adj_p2e(m_, p)) add(adj_e2v(m_, e), index_of(m_, e));
       });
     if constexpr (VolumeMesh<M>)  // surfaces have no faces
       if (all.has(element_kind::face))
-        add_parts(element_kind::face, 3, [&](const auto& add) {
+        add_edges_or_faces(element_kind::face, 3, [&](const auto& add) {
           for (const poly_t<M>& p : c_.polys)
             for (const face_t<M> f : adj_p2f(m_, p)) add(adj_f2v(m_, f), index_of(m_, f));
         });

@@ -59,7 +59,7 @@ double simplex_measure(const vec3* corners, unsigned size);
 
 /// The edges (n = 2) or faces (n = 3) of a simplex.
 template<class F>
-void for_each_part(const unsigned* corners, unsigned size, unsigned n, const F& f) {
+void for_each_subsimplex(const unsigned* corners, unsigned size, unsigned n, const F& f) {
   for (unsigned bits = 0; bits < 1u << size; ++bits) {
     simplex_key key;
     for (unsigned i = 0; i < size; ++i)
@@ -83,7 +83,7 @@ element_origins corner_origins(const edit_outline& e, const std::size_t* first_c
 template<class M>
 class simplex_origins {
   /// Edges or faces.
-  struct parts {
+  struct edges_or_faces {
     unsigned n;
     element_kind kind;
     std::vector<simplex_key> old = {};
@@ -143,7 +143,7 @@ class simplex_origins {
   }
 
   template<class X, class Verts>
-  void add_old(parts& p, const X& x, const Verts& its_verts) {
+  void add_old(edges_or_faces& p, const X& x, const Verts& its_verts) {
     simplex_key key;
     for (const vert_t<M> v : its_verts)
       key.add(static_cast<unsigned>(std::find(verts_.begin(), verts_.end(), v) - verts_.begin()));
@@ -153,7 +153,7 @@ class simplex_origins {
     to_.replaces(p.kind, p.old_index.back());
   }
   /// Whether the mesh has this edge or face, which is not one of the old polys.
-  bool exists_outside(const parts& p, const simplex_key& key) const {
+  bool exists_outside(const edges_or_faces& p, const simplex_key& key) const {
     if (key.has(edit_outline::added) || std::find(p.old.begin(), p.old.end(), key) != p.old.end()) return false;
     for (const poly_t<M> q : adj_v2p(m_, verts_[key.v[0]])) {
       bool all = true;
@@ -166,10 +166,10 @@ class simplex_origins {
     }
     return false;
   }
-  void add_parts(const parts& p) {
+  void add_edges_or_faces(const edges_or_faces& p) {
     std::vector<simplex_key> changed;  // those with values to write
     for (unsigned k = 0; k < e_.num_new; ++k)
-      for_each_part(e_.new_corners + k * e_.size, e_.size, p.n, [&](const simplex_key& key) {
+      for_each_subsimplex(e_.new_corners + k * e_.size, e_.size, p.n, [&](const simplex_key& key) {
         if (std::find(changed.begin(), changed.end(), key) == changed.end() && !exists_outside(p, key))
           changed.push_back(key);
       });
@@ -188,7 +188,7 @@ class simplex_origins {
       sums = from;
       while (lists[i].empty() && lost < p.old.size() && has_successor[lost]) ++lost;
       if (lists[i].empty() && lost < p.old.size()) sums.push_back({static_cast<std::uint32_t>(p.old_index[lost++]), 1});
-      to_.add_part(p.kind, {changed[i].v.begin(), changed[i].v.begin() + p.n}, from, sums);
+      to_.add_edge_or_face(p.kind, {changed[i].v.begin(), changed[i].v.begin() + p.n}, from, sums);
     }
   }
 
@@ -209,17 +209,17 @@ class simplex_origins {
     if (all.has(element_kind::poly)) add_polys();
     if (all.has(element_kind::corner)) add_corners();
     if (all.has(element_kind::edge)) {
-      parts old{2, element_kind::edge};
+      edges_or_faces old{2, element_kind::edge};
       for (const poly_t<M>& p : polys_)
         for (const edge_t<M> x : adj_p2e(m_, p)) add_old(old, x, adj_e2v(m_, x));
-      add_parts(old);
+      add_edges_or_faces(old);
     }
     if constexpr (VolumeMesh<M>)  // surfaces have no faces
       if (all.has(element_kind::face)) {
-        parts old{3, element_kind::face};
+        edges_or_faces old{3, element_kind::face};
         for (const poly_t<M>& p : polys_)
           for (const face_t<M> x : adj_p2f(m_, p)) add_old(old, x, adj_f2v(m_, x));
-        add_parts(old);
+        add_edges_or_faces(old);
       }
   }
 };

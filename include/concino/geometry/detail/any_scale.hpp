@@ -20,15 +20,15 @@ inline vec3 times_power_of_two(const vec3& a, int exponent) {
 }
 
 /// A multiple of a with a length of about 1; unchanged if a is 0 or not finite.
-inline vec3 about_one(const vec3& a) {
+inline vec3 rescaled(const vec3& a) {
   const double size = largest_component(a);
   return size > 0 && std::isfinite(size) ? times_power_of_two(a, -std::ilogb(size)) : a;
 }
 
 /// A multiple of b - a that cannot overflow, for points of any size.
-inline vec3 step_about_one(const vec3& a, const vec3& b) {
+inline vec3 rescaled_step(const vec3& a, const vec3& b) {
   const vec3 step = b - a;
-  return is_finite(step) ? about_one(step) : about_one(0.25 * b - 0.25 * a);
+  return is_finite(step) ? rescaled(step) : rescaled(0.25 * b - 0.25 * a);
 }
 
 /// a scaled to length 1, or the result of `otherwise` if a is 0 or not accurate to all digits.
@@ -42,7 +42,7 @@ vec3 unit_or(const vec3& a, F&& otherwise) {
 /// a scaled to length 1; 0 remains 0, and vectors that are not finite give NaN.
 inline vec3 unit_vector(const vec3& a) {
   return unit_or(a, [&] {
-    const vec3 b = about_one(a);
+    const vec3 b = rescaled(a);
     const double squared = dot(b, b);
     return squared == 0 ? vec3{} : b / std::sqrt(squared);
   });

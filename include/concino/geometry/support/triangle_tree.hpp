@@ -38,13 +38,13 @@ class triangle_tree {
     return dot(d, d);
   }
 
-  struct place {
+  struct nearest_result {
     std::size_t triangle;
     double squared;
   };
   /// The triangle nearest to x. The search is quick if `guess` is near.
-  place nearest(const vec3& x, std::size_t guess) const {
-    place best{guess, squared_distance(x, guess)};
+  nearest_result nearest(const vec3& x, std::size_t guess) const {
+    nearest_result best{guess, squared_distance(x, guess)};
     boxes_.search([&](const detail::box_node& n) { return n.squared_distance(x); }, best.squared, [&](std::size_t i) {
       const detail::triangle_points& t = triangles_[i];
       if (detail::squared_distance_to_box(x, t[0], t[1], t[2]) >= best.squared) return;

@@ -115,8 +115,9 @@ class basic_face_merger {
   }
 
  public:
-  /// Where a listed face is: the face that equals it, and 1 if both have the same direction, -1 if opposite directions.
-  struct place {
+  /// What a face that was added became: the face that equals it, and 1 if both have the same direction, -1 if opposite
+  /// directions.
+  struct merged_face {
     face_id face;
     int order;
   };
@@ -135,7 +136,7 @@ class basic_face_merger {
   /// Adds a face, unless an equal one is there already.
   /// Needs: at least three different verts; the smallest one, and the sum of their number and of all of them modulo
   ///        2^32.
-  place add(const Vert* v, std::size_t n, std::uint32_t smallest, std::uint32_t sum) {
+  merged_face add(const Vert* v, std::size_t n, std::uint32_t smallest, std::uint32_t sum) {
     const std::uint32_t before = last_[smallest];
     unsigned compared = 0;
     if (before != too_many)
@@ -148,7 +149,7 @@ class basic_face_merger {
     if (before != too_many) last_[smallest] = compared < max_compared ? f.raw() : too_many;
     return {f, 1};
   }
-  place add(const Vert* v, std::size_t n) {
+  merged_face add(const Vert* v, std::size_t n) {
     std::uint32_t smallest = none, sum = static_cast<std::uint32_t>(n);
     for (std::size_t i = 0; i < n; ++i) {
       smallest = std::min(smallest, v[i].raw());

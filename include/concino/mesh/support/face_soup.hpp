@@ -48,9 +48,9 @@ struct basic_face_soup {
     m.poly_faces.reserve(n);
     for (std::size_t f = 0; f < n; ++f) {
       const std::size_t size = face_offsets[f + 1] - face_offsets[f];
-      const auto place = merger.add(face_verts.data() + face_offsets[f], size);
-      m.poly_faces.push_back(place.face);
-      if (place.order < 0) outward[f] ^= 1;
+      const auto merged = merger.add(face_verts.data() + face_offsets[f], size);
+      m.poly_faces.push_back(merged.face);
+      if (merged.order < 0) outward[f] ^= 1;
     }
     m.points = std::move(points);
     m.poly_offsets = std::move(poly_offsets);

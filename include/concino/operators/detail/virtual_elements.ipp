@@ -134,15 +134,15 @@ void stiffness_of_poly<Dimension>::fill(const corner_gradient_arrays& poly, std:
     const auto n = static_cast<double>(poly.points.size());
     double squares = 0;
     for (const vec3& g : poly.gradient) squares += dot(g, g);
-    symmetric3 spread;
-    for (const vec3& y : poly.points) spread.add(1, y);
-    if (squares * spread.trace() > thin && fill_thin(poly, size, entries)) return;
-    if constexpr (Dimension == 3) {  // in polygons the spread along the normal is 0
-      const double least = spread.trace_of_inverse();
+    symmetric3 scatter;
+    for (const vec3& y : poly.points) scatter.add(1, y);
+    if (squares * scatter.trace() > thin && fill_thin(poly, size, entries)) return;
+    if constexpr (Dimension == 3) {  // in polygons the scatter along the normal is 0
+      const double least = scatter.trace_of_inverse();
       if (least > 0 && least < squares) squares = least;  // in nearly flat polys this difference is only rounding
     }
     factor = size * squares * stabilisation_factor(n);
-    form.add(factor, spread);
+    form.add(factor, scatter);
   }
   fill_projected(poly, form, factor, 0, image_, entries);
 }

@@ -88,10 +88,10 @@ class virtual_refinement_element {
     vec3 mean;
     for (const std::size_t i : around_) mean += points_[i];
     mean /= static_cast<double>(around_.size());
-    sum_of_squares spread = {};
-    for (const std::size_t i : around_) spread.add(points_[i] - mean, {});
-    spread.right = make_energy(mean).minimum();
-    const vec3 slope = spread.minimum();  // the weights with smallest squares for these sums are linear in position
+    sum_of_squares scatter = {};
+    for (const std::size_t i : around_) scatter.add(points_[i] - mean, {});
+    scatter.right = make_energy(mean).minimum();
+    const vec3 slope = scatter.minimum();  // the weights with smallest squares for these sums are linear in position
     vec3 x;
     for (const std::size_t i : around_) {
       const double w = 1 / static_cast<double>(around_.size()) + dot(slope, points_[i] - mean);

@@ -97,7 +97,7 @@ class collapse_queue {
   }
   /// Where the vert of an edge from a to b shall lie. An end that is clearly better is an end of a crease that is too
   /// shallow for min_near.
-  vec3 place(const quadric& q, const vec3& a, const vec3& b) const {
+  vec3 best_point(const quadric& q, const vec3& a, const vec3& b) const {
     const vec3 x = q.min_near(0.5 * (a + b));
     const double cost = 0.5 * q(x), at_a = q(a), at_b = q(b);
     if (at_a < cost && at_a <= at_b) return a;
@@ -110,7 +110,7 @@ class collapse_queue {
                b = static_cast<std::uint32_t>(index_of(m, ends.second));
     const vec3 x = unit_point(m, ends.first), y = unit_point(m, ends.second);
     const quadric q = sum_at(a, b);
-    return {q(place(q, x, y)) + shape_weight * q.trace() * dot(x - y, x - y), e, std::min(a, b), std::max(a, b),
+    return {q(best_point(q, x, y)) + shape_weight * q.trace() * dot(x - y, x - y), e, std::min(a, b), std::max(a, b),
             stamps_[a] + stamps_[b]};
   }
   bool is_current(const entry& x) const {
@@ -181,7 +181,7 @@ class collapse_queue {
       if (!is_current(x)) continue;
       const auto ends = end_verts(m, x.edge);
       const vec3 a = unit_point(m, ends.first), b = unit_point(m, ends.second);
-      const vec3 at = place(sum_at(x.a, x.b), a, b);
+      const vec3 at = best_point(sum_at(x.a, x.b), a, b);
       const double along = dot(at - a, b - a), whole = dot(b - a, b - a);
       options.at = along > 0 && whole > 0 ? std::min(along / whole, 1.0) : 0;
       options.point = unit_.to_mesh(at);

@@ -1,10 +1,10 @@
 // A mesh of tets that is being improved: points, qualities, what is fixed, and which verts have changed last.
 #pragma once
 
-#include <concino/remesh/detail/fixed_parts.hpp>
+#include <concino/remesh/detail/fixed_elements.hpp>
+#include <concino/remesh/detail/moving_vert.hpp>
 #include <concino/remesh/detail/tet_quality.hpp>
 #include <concino/remesh/detail/unit_points.hpp>
-#include <concino/remesh/detail/moving_vert.hpp>
 
 #include <algorithm>
 #include <vector>
@@ -29,7 +29,7 @@ class improvable_tets {
 
  public:
   M& mesh;
-  const fixed_parts<M> fixed;
+  const fixed_elements<M> fixed;
   unsigned round = 1;
 
   template<class F>

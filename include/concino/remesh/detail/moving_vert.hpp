@@ -24,8 +24,8 @@ class moving_vert {
     return t.is_positive ? sum : -1.0 * sum;
   }
 
-  /// The shortest vector in the convex hull: the direction in which the least of functions with these gradients grows
-  /// most.
+  /// The shortest vector in the convex hull: the direction of steepest ascent of the minimum of functions with these
+  /// gradients.
   static vec3 shortest_in_hull(const vec3* g, unsigned n) {
     vec3 x = g[0];
     for (unsigned step = 0; step < 40; ++step) {
@@ -33,9 +33,9 @@ class moving_vert {
       for (unsigned i = 1; i < n; ++i)
         if (dot(x, g[i]) < dot(x, g[best])) best = i;
       const vec3 d = x - g[best];
-      const double fall = dot(x, d), squared = dot(d, d);
-      if (!(fall > 1e-3 * dot(x, x)) || squared == 0) break;
-      x = x - std::min(1.0, fall / squared) * d;
+      const double decrease = dot(x, d), squared = dot(d, d);
+      if (!(decrease > 1e-3 * dot(x, x)) || squared == 0) break;
+      x = x - std::min(1.0, decrease / squared) * d;
     }
     return x;
   }
@@ -47,7 +47,7 @@ class moving_vert {
     for (const auto& f : faces_) {
       const tet_faces t(x, f[0], f[1], f[2]);
       for (const auto& [i, j] : tet_faces::pairs)
-        if (n < max_active && t.of_angle(t.between(i, j)) <= limit) active[n++] = gradient(t, f, i, j);
+        if (n < max_active && t.signed_quality(t.between(i, j)) <= limit) active[n++] = gradient(t, f, i, j);
     }
     return n == 0 ? vec3{} : shortest_in_hull(active, n);
   }
@@ -57,12 +57,13 @@ class moving_vert {
   void add(const vec3& a, const vec3& b, const vec3& c) { faces_.push_back({a, b, c}); }
   std::size_t size() const { return faces_.size(); }
 
-  /// The least quality of the tets if the vert lies at x. If it is not above `enough`, any value that is not.
-  double quality_at(const vec3& x, double enough = -std::numeric_limits<double>::infinity()) const {
+  /// The least quality of the tets if the vert lies at x. If it is at most `threshold`, the result is some value up to
+  /// `threshold`.
+  double quality_at(const vec3& x, double threshold = -std::numeric_limits<double>::infinity()) const {
     double least = 1;
     for (const auto& f : faces_) {
       least = std::min(least, tet_quality(x, f[0], f[1], f[2]));
-      if (least <= enough) break;
+      if (least <= threshold) break;
     }
     return least;
   }

@@ -115,7 +115,7 @@ class remesher : sized_surface<M> {
   }
 
   /// Where v shall move: to the mean of the triangles at it within the tangent plane, and from there to the input.
-  surface_sizes::place wanted_place(const vert_t<M>& v, bool tangential) const {
+  surface_sizes::sample wanted_sample(const vert_t<M>& v, bool tangential) const {
     vec3 x = at(v), area, mean;
     if (tangential) {
       double weights = 0;
@@ -209,13 +209,13 @@ class remesher : sized_surface<M> {
     std::vector<vert_t<M>> moving;
     for (const vert_t<M> v : verts(m_))
       if (lines.freedom(m_, v) == vert_freedom::surface) moving.push_back(v);
-    std::vector<surface_sizes::place> places(moving.size());
-    parallel_for(moving.size(), [&](std::size_t i) { places[i] = wanted_place(moving[i], true); }, 256);
+    std::vector<surface_sizes::sample> places(moving.size());
+    parallel_for(moving.size(), [&](std::size_t i) { places[i] = wanted_sample(moving[i], true); }, 256);
     for (std::size_t i = 0; i < moving.size(); ++i) {
       const vert_t<M>& v = moving[i];
       const auto is_possible = [&] { return !would_break(v, places[i].point, places[i].normal, v); };
       if (!is_possible()) {
-        places[i] = wanted_place(v, false);
+        places[i] = wanted_sample(v, false);
         if (!is_possible()) continue;
       }
       set_point(m_, v, this->to_mesh(places[i].point));

@@ -61,9 +61,9 @@ class sized_surface {
     if (i >= verts_.size()) verts_.resize(std::max(i + 1, 2 * verts_.size()));
     verts_[i] = {size, lines.freedom(m_, v) == vert_freedom::surface ? normal : vec3{}};
   }
-  void set(const vert_t<M>& v, const surface_sizes::place& x) { set(v, x.size, x.normal); }
+  void set(const vert_t<M>& v, const surface_sizes::sample& x) { set(v, x.size, x.normal); }
   vec3 to_mesh(const vec3& x) const { return unit_.to_mesh(x); }
-  surface_sizes::place nearest(const vec3& x) const { return input_.nearest(x); }
+  surface_sizes::sample nearest(const vec3& x) const { return input_.nearest(x); }
   /// The length of an edge, as a multiple of that which it shall have.
   double ratio(const vert_t<M>& a, const vert_t<M>& b) const {
     return distance(at(a), at(b)) / (0.5 * (size_at(a) + size_at(b)));

@@ -22,7 +22,7 @@ class surface_sizes {
   double size_ = 0;
 
  public:
-  struct place {
+  struct sample {
     vec3 point;
     vec3 normal;  // the mean of those around; zero if they cancel
     double size = 0;
@@ -42,12 +42,12 @@ class surface_sizes {
 
   /// The nearest point of the input. Normal and size are means of those of the corners there, weighted by the inverses
   /// of their squared distances.
-  place nearest(const vec3& x) const {
+  sample nearest(const vec3& x) const {
     const auto hit = tree_.closest(x);
     double longest = 0;
     for (const vert_id v : adj_p2v(input_, hit.poly))
       longest = std::max(longest, distance(hit.point, point(input_, v)));
-    place sum{hit.point, {}, 0};
+    sample sum{hit.point, {}, 0};
     double weights = 0;
     for (const vert_id v : adj_p2v(input_, hit.poly)) {
       const double d = longest > 0 ? distance(hit.point, point(input_, v)) / longest : 0;

@@ -75,9 +75,9 @@ class tet_flips {
     return next == r.verts[0];
   }
 
-  /// The quality of the best triangulation of the ring, which it writes; if it is no better than `enough`, a value that
-  /// is not.
-  double triangulate_ring(double enough) {
+  /// The quality of the best triangulation of the ring, which it writes; if it is at most `threshold`, some value up to
+  /// `threshold`.
+  double triangulate_ring(double threshold) {
     ring& r = ring_;
     const unsigned n = r.size;
     vec3 x[max_ring];
@@ -92,12 +92,12 @@ class tet_flips {
         best[i][k] = -3, between[i][k] = i + 1;
         for (unsigned j = i + 1; j < k; ++j) {
           double q = std::min(best[i][j], best[j][k]);
-          if (q <= enough || q <= best[i][k]) continue;
+          if (q <= threshold || q <= best[i][k]) continue;
           q = std::min({q, tet_quality(a, x[i], x[j], x[k]), tet_quality(b, x[i], x[k], x[j])});
           if (q > best[i][k]) best[i][k] = q, between[i][k] = j;
         }
       }
-    if (best[0][n - 1] <= enough) return best[0][n - 1];
+    if (best[0][n - 1] <= threshold) return best[0][n - 1];
     unsigned made = 0;
     std::array<unsigned, 2> open[max_ring] = {{0, n - 1}};
     for (unsigned depth = 1; depth > 0;) {
@@ -164,10 +164,10 @@ class tet_flips {
     return !is_even(t, reversed.verts[0], reversed.verts[1], reversed.verts[2]);
   }
 
-  double quality_of_pair(double enough) const {
+  double quality_of_pair(double threshold) const {
     const vec3 x = tets_.at(pair_.opposite);
     double q = 1;
-    for (unsigned i = 0; i < 4 && q > enough; ++i)
+    for (unsigned i = 0; i < 4 && q > threshold; ++i)
       if (i != pair_.place) q = std::min(q, tets_.quality(pair_.first, i, x));
     return q;
   }

@@ -33,11 +33,12 @@ struct tet_faces {
   double between(unsigned i, unsigned j) const {
     return length[i] > 0 && length[j] > 0 ? std::clamp(dot(normal[i], normal[j]), -1.0, 1.0) : -1;
   }
-  double of_angle(double value) const { return is_positive ? value : -2 - value; }
+  /// The quality of a tet with this value of `between`, which depends on its orientation.
+  double signed_quality(double value) const { return is_positive ? value : -2 - value; }
   double quality() const {
     double least = 1;
     for (const auto& x : pairs) least = std::min(least, between(x[0], x[1]));
-    return of_angle(least);
+    return signed_quality(least);
   }
 };
 

@@ -16,8 +16,8 @@ struct few_triangles {
     const vec3 d = x - closest_point(x, all[i][0], all[i][1], all[i][2]);
     return dot(d, d);
   }
-  core::triangle_tree::place nearest(const vec3& x, std::size_t guess) const {
-    core::triangle_tree::place best{guess, squared_distance(x, guess)};
+  core::triangle_tree::nearest_result nearest(const vec3& x, std::size_t guess) const {
+    core::triangle_tree::nearest_result best{guess, squared_distance(x, guess)};
     for (std::size_t i = 0; i < all.size(); ++i)
       if (const double d = squared_distance(x, i); d < best.squared) best = {i, d};
     return best;

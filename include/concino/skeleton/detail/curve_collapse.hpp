@@ -55,7 +55,7 @@ class curve_nodes {
   void join(index a, index b);
 
  public:
-  struct parts {
+  struct graph_arrays {
     std::vector<vec3> points;
     std::vector<double> radii;
     std::vector<std::array<vert_id, 2>> edges;
@@ -66,7 +66,7 @@ class curve_nodes {
   curve_nodes(const curve_collapse& collapse, const std::vector<vec3>& at, const std::vector<double>& weights);
   /// Joins bones that end at a leaf within the radius of their joint to it.
   void join_short_bones();
-  parts result() const;
+  graph_arrays result() const;
 };
 
 }  // namespace concino::detail

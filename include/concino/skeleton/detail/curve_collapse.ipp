@@ -164,8 +164,8 @@ CONCINO_INLINE void curve_nodes::join_short_bones() {
   }
 }
 
-CONCINO_INLINE curve_nodes::parts curve_nodes::result() const {
-  parts r;
+CONCINO_INLINE curve_nodes::graph_arrays curve_nodes::result() const {
+  graph_arrays r;
   std::vector<index> number(from_.size());
   for (index n = 0; n < from_.size(); ++n) {
     if (from_[n].empty()) continue;

@@ -86,7 +86,7 @@ class defect_log {
   }
 
   /// The next `work` calls of step() advance the progress to `to`.
-  void stage(double to, std::size_t work) {
+  void begin_stage(double to, std::size_t work) {
     from_ = to_;
     to_ = to;
     done_ = 0;

@@ -24,9 +24,9 @@ template<class D>
 struct element_table {
   char letter;
   std::vector<D> items;
-  std::vector<std::size_t> index;  // by position
-  std::vector<order_index> slot;      // by index
-  bool sound = true;               // no element was left out
+  std::vector<std::size_t> index;    // by position
+  std::vector<order_index> slot;     // by index
+  bool is_complete = true;            // no element was left out
 
   order_index size() const { return static_cast<order_index>(items.size()); }
   std::string name(order_index i) const { return core::joined({letter, index[i]}); }
@@ -56,7 +56,7 @@ class element_reader {
 
   void fault(const char* law, std::string what, std::size_t i) {
     log_.add(law, std::move(what), core::joined({table_.letter, i}));
-    table_.sound = false;
+    table_.is_complete = false;
     ++faults_;
   }
 
@@ -106,13 +106,13 @@ class element_reader {
                core::joined({"the range of ", kind_, "s has ", walked_, ended ? "" : " or more", ", but num_", kind_,
                              "s is ", num_}),
                "");
-    if (!ended) table_.sound = false;
+    if (!ended) table_.is_complete = false;
   }
 
   /// Checks that the range is multi-pass and keeps its order while the mesh does not change.
   template<class R>
   void walk_again(R&& range) {
-    if (!table_.sound) return;
+    if (!table_.is_complete) return;
     order_index i = 0;
     bool same = true;
     for (auto again = range.begin(); same && again != range.end(); ++again, ++i)
@@ -136,7 +136,7 @@ element_table<D> read_elements(const M& m, char letter, const Walk& walk, const 
     throw;
   } catch (const std::exception& e) {
     log.add(indices, core::joined({"num_", kind, "s or ", t.index_bound(), " throws: ", e.what()}), "");
-    t.sound = false;
+    t.is_complete = false;
     return t;
   }
   try {
@@ -148,7 +148,7 @@ element_table<D> read_elements(const M& m, char letter, const Walk& walk, const 
     throw;
   } catch (const std::exception& e) {
     log.add(counting, core::joined({"iterating over the ", kind, "s throws: ", e.what()}), "");
-    t.sound = false;
+    t.is_complete = false;
   }
   return t;
 }

@@ -186,10 +186,10 @@ std::vector<std::uint8_t> check_hex_orders(const M& m, defect_log<M>& log) {
   return other;
 }
 
-/// `sound`, by index: the polys of a volume that are closed and wound consistently; others enclose no volume.
+/// `encloses_volume`, by index: the polys of a volume that are closed and wound consistently; others enclose no volume.
 template<AnyMesh M>
-void check_geometry(const M& m, [[maybe_unused]] const std::vector<std::uint8_t>& sound, defect_log<M>& log) {
-  log.stage(1, num_verts(m) + num_edges(m) + num_polys(m));
+void check_geometry(const M& m, [[maybe_unused]] const std::vector<std::uint8_t>& encloses_volume, defect_log<M>& log) {
+  log.begin_stage(1, num_verts(m) + num_edges(m) + num_polys(m));
   box all;
   for (const vert_t<M> v : verts(m)) {
     log.step();
@@ -240,7 +240,7 @@ void check_geometry(const M& m, [[maybe_unused]] const std::vector<std::uint8_t>
     std::vector<std::pair<std::size_t, bool>> ends;
     for (const poly_t<M> p : polys(m)) {
       log.step();
-      if (sound[index_of(m, p)] && !is_misread(p)) check_cell_size(m, p, local, ends, log);
+      if (encloses_volume[index_of(m, p)] && !is_misread(p)) check_cell_size(m, p, local, ends, log);
     }
   }
 }

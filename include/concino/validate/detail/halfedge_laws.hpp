@@ -11,8 +11,8 @@
 
 namespace concino::detail {
 
-/// Checks the laws HE1 .. HE4 in order. A half-edge is queried only if its source was found to be sound, because wrong
-/// links may lead to half-edges that do not exist.
+/// Checks the laws HE1 .. HE4 in order. Only half-edges to which links lead that were found to be right are queried,
+/// because wrong links may lead to half-edges that do not exist.
 template<halfedge_mesh M>
 class halfedge_laws : halfedge_polygon_laws<M> {
   using base = halfedge_polygon_laws<M>;
@@ -20,10 +20,10 @@ class halfedge_laws : halfedge_polygon_laws<M> {
   using typename base::halfedge, typename base::step;
   using base::m_, base::log_, base::vs_, base::ps_, base::steps_;
   using base::number, base::vert_name, base::poly_name, base::describe_direction, base::witness, base::same_verts,
-      base::fault, base::sound;
+      base::fault, base::law_holds;
 
   element_table<edge_t<M>> es_;
-  std::vector<halfedge> halves_;  // 2 e and 2 e + 1: the half-edges of the edge at position e
+  std::vector<halfedge> halfedges_;  // 2 e and 2 e + 1: the half-edges of the edge at position e
 
   std::string edge_name(order_index e) const { return number("edge", es_.index[e]); }
 
@@ -102,12 +102,12 @@ class halfedge_laws : halfedge_polygon_laws<M> {
               witness(s));
       }
     }
-    if (!sound("HE3")) return false;
-    halves_.reserve(2 * es_.items.size());
+    if (!law_holds("HE3")) return false;
+    halfedges_.reserve(2 * es_.items.size());
     for (order_index e = 0; e < es_.size(); ++e) {
-      halves_.push_back(K::halfedge_of(m_, es_.items[e]));
-      halves_.push_back(K::opposite(m_, halves_.back()));
-      const halfedge &h = halves_[2 * std::size_t{e}], &o = halves_.back();
+      halfedges_.push_back(K::halfedge_of(m_, es_.items[e]));
+      halfedges_.push_back(K::opposite(m_, halfedges_.back()));
+      const halfedge &h = halfedges_[2 * std::size_t{e}], &o = halfedges_.back();
       const bool good = !(o == h) && K::opposite(m_, o) == h && K::edge_of(m_, h) == es_.items[e] &&
                         K::edge_of(m_, o) == es_.items[e];
       if (!good &&
@@ -117,39 +117,39 @@ class halfedge_laws : halfedge_polygon_laws<M> {
                 es_.name(e)))
         break;
     }
-    if (!sound("HE3")) return false;
-    for (std::size_t i = 0; i < halves_.size(); ++i)
-      if (K::is_border(m_, halves_[i]) && !K::is_border(m_, K::next(m_, halves_[i])) &&
+    if (!law_holds("HE3")) return false;
+    for (std::size_t i = 0; i < halfedges_.size(); ++i)
+      if (K::is_border(m_, halfedges_[i]) && !K::is_border(m_, K::next(m_, halfedges_[i])) &&
           fault(
               "HE1",
               {edge_name(static_cast<order_index>(i / 2)), ": next leads from its half-edge at the border into a poly"},
               es_.name(static_cast<order_index>(i / 2))))
         break;
-    if (!sound("HE1")) return false;
-    return each_is_of_its_edge();
+    if (!law_holds("HE1")) return false;
+    return check_edges_of_halfedges();
   }
 
   /// Whether each half-edge of a poly is one of the two of its edge.
-  bool each_is_of_its_edge() {
+  bool check_edges_of_halfedges() {
     for (const step& s : steps_)
-      if (slot(s.h) == none && fault("HE3",
-                                     {"the half-edge ", describe_direction(s), " of ", poly_name(s.poly),
-                                      ": its edge_of has other half-edges"},
-                                     ps_.name(s.poly)))
+      if (number_of_halfedge(s.h) == none && fault("HE3",
+                                                   {"the half-edge ", describe_direction(s), " of ", poly_name(s.poly),
+                                                    ": its edge_of has other half-edges"},
+                                                   ps_.name(s.poly)))
         break;
-    return sound("HE3");
+    return law_holds("HE3");
   }
 
   static constexpr std::size_t none = ~std::size_t{0};
-  std::size_t slot(const halfedge& h) const {
+  std::size_t number_of_halfedge(const halfedge& h) const {
     const order_index e = es_.find(m_, K::edge_of(m_, h));
     if (e == no_order_index) return none;
     const std::size_t i = 2 * std::size_t{e};
-    return halves_[i] == h ? i : halves_[i + 1] == h ? i + 1 : none;
+    return halfedges_[i] == h ? i : halfedges_[i + 1] == h ? i + 1 : none;
   }
 
   /// Marks and counts the half-edges around v, beginning with start, and counts those at the border.
-  /// Result: null, or a text why it failed.
+  /// Result: null, or a text that says why the walk failed.
   struct counts { std::size_t all = 0, at_border = 0; };
   const char* walk_around(order_index v, const halfedge& start, std::vector<std::uint8_t>& visited,
                           counts& count) const {
@@ -157,7 +157,7 @@ class halfedge_laws : halfedge_polygon_laws<M> {
     do {
       const halfedge o = K::opposite(m_, h);
       if (vs_.find(m_, K::target(m_, o)) != v) return " leads to a half-edge that leaves another vert";
-      const std::size_t i = slot(h);
+      const std::size_t i = number_of_halfedge(h);
       if (i == none) return " leads to a half-edge of no edge of the mesh";
       if (visited[i]) return " does not come back to the first half-edge";
       visited[i] = 1;
@@ -170,9 +170,9 @@ class halfedge_laws : halfedge_polygon_laws<M> {
 
   bool walk_around_verts() {
     std::vector<std::size_t> leaving(vs_.items.size());
-    std::vector<order_index> from(halves_.size());
-    for (std::size_t i = 0; i < halves_.size(); ++i) {
-      from[i] = vs_.find(m_, K::target(m_, halves_[i ^ 1]));
+    std::vector<order_index> from(halfedges_.size());
+    for (std::size_t i = 0; i < halfedges_.size(); ++i) {
+      from[i] = vs_.find(m_, K::target(m_, halfedges_[i ^ 1]));
       if (from[i] != no_order_index) ++leaving[from[i]];
       else if (fault("HE3",
                      {edge_name(static_cast<order_index>(i / 2)),
@@ -180,10 +180,10 @@ class halfedge_laws : halfedge_polygon_laws<M> {
                      es_.name(static_cast<order_index>(i / 2))))
         return false;
     }
-    if (!sound("HE3")) return false;
+    if (!law_holds("HE3")) return false;
 
-    std::vector<std::uint8_t> visited(halves_.size());
-    std::vector<order_index> torn;  // verts with half-edges that were not visited
+    std::vector<std::uint8_t> visited(halfedges_.size());
+    std::vector<order_index> with_several_fans;  // verts with half-edges that were not visited
     for (order_index v = 0; v < vs_.size() && !log_.full("HE4"); ++v) {
       if (K::is_isolated(m_, vs_.items[v])) {
         if (leaving[v]) fault("HE4", {vert_name(v), ": is_isolated is true, but half-edges leave it"}, vs_.name(v));
@@ -193,19 +193,19 @@ class halfedge_laws : halfedge_polygon_laws<M> {
       if (!leaving[v]) fault("HE4", {vert_name(v), ": is_isolated is false, but no half-edge leaves it"}, vs_.name(v));
       else if (const char* why = walk_around(v, K::halfedge_of(m_, vs_.items[v]), visited, count))
         fault("HE4", {vert_name(v), ": stepping from halfedge_of to next(opposite(h))", why}, vs_.name(v));
-      else if (count.all < leaving[v]) torn.push_back(v);
+      else if (count.all < leaving[v]) with_several_fans.push_back(v);
     }
-    if (!sound("HE4")) return false;
-    if (torn.empty()) return true;
+    if (!law_holds("HE4")) return false;
+    if (with_several_fans.empty()) return true;
     // An open fan has one border half-edge that leaves its vert; a closed fan is a cycle without any.
     std::vector<std::size_t> fans(vs_.items.size());
     std::fill(visited.begin(), visited.end(), 0);
-    for (std::size_t i = 0; i < halves_.size(); ++i) {
-      fans[from[i]] += K::is_border(m_, halves_[i]);
+    for (std::size_t i = 0; i < halfedges_.size(); ++i) {
+      fans[from[i]] += K::is_border(m_, halfedges_[i]);
       counts count;
-      if (!visited[i] && !walk_around(from[i], halves_[i], visited, count) && count.at_border == 0) ++fans[from[i]];
+      if (!visited[i] && !walk_around(from[i], halfedges_[i], visited, count) && count.at_border == 0) ++fans[from[i]];
     }
-    for (const order_index v : torn) {
+    for (const order_index v : with_several_fans) {
       const char* const words[] = {"two", "three", "four"};
       const std::string n = fans[v] >= 2 && fans[v] < 5 ? words[fans[v] - 2] : core::joined({fans[v]});
       if (fault("HE4",

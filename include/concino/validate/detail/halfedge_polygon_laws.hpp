@@ -56,7 +56,7 @@ class halfedge_polygon_laws {
     log_.add(law, core::joined(what), std::move(witness));
     return log_.full(law);
   }
-  bool sound(const char* law) const { return log_.count(law) == 0; }
+  bool law_holds(const char* law) const { return log_.count(law) == 0; }
 
   static bool same_verts(const step& a, const step& b) {
     return (a.from == b.from && a.to == b.to) || (a.from == b.to && a.to == b.from);
@@ -101,7 +101,7 @@ class halfedge_polygon_laws {
       } while (true);
       if (steps_.size() > first) steps_[first].from = steps_.back().to;
     }
-    return sound("HE1");
+    return law_holds("HE1");
   }
 
   bool check_polys_of_edges() {
@@ -127,7 +127,7 @@ class halfedge_polygon_laws {
               witness(s));
       }
     }
-    return sound("HE2");
+    return law_holds("HE2");
   }
 
  private:

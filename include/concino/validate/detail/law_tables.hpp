@@ -56,7 +56,7 @@ adjacency_lists read_adjacency(const M& m, const element_table<A>& from, const e
         if (b != no_order_index)
           log.add(law, core::joined({call(), " holds ", to.name(b), " twice"}),
                   core::joined({from.name(a), " ", to.name(b)}));
-        else if (to.sound)  // otherwise it may have been left out of the table, and reported before
+        else if (to.is_complete)  // otherwise it may have been left out of the table, and reported before
           log.add(law, core::joined({call(), " holds something that is not a ", to.kind(), " of the mesh"}),
                   core::joined({from.name(a), " ", to.letter, index_of(m, x)}));
       }

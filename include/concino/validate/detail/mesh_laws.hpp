@@ -21,7 +21,7 @@ edge_tables<M> check_edges(const M& m, const graph_tables<vert_t<M>>& primal, la
   t.e2v = read_adjacency(m, t.edges, vs, adj_e2v, "SM2", "adj_e2v", log);
   t.v2e = read_adjacency(m, vs, t.edges, adj_v2e, "SM2", "adj_v2e", log);
   for (order_index e = 0; e < t.edges.size() && !log.full("SM2"); ++e)
-    if (t.e2v[e].size() != 2 && vs.sound)
+    if (t.e2v[e].size() != 2 && vs.is_complete)
       log.add("SM2", core::joined({"adj_e2v(", t.edges.name(e), ") is not two different verts"}), t.edges.name(e));
   check_mirror(t.edges, vs, t.e2v, t.v2e, "SM2", "adj_e2v", "adj_v2e", log);
   adjacency_lists far;
@@ -37,7 +37,7 @@ edge_tables<M> check_edges(const M& m, const graph_tables<vert_t<M>>& primal, la
 }
 
 /// How a polygon traverses one of its edges: in the direction of adj_e2v, in the opposite one, or not at all.
-enum class sense : std::uint8_t { along, against, astray };
+enum class sense : std::uint8_t { along, against, inconsistent };
 
 /// Checks that each polygon's verts, in their order, follow its edges and meet each edge once. Returns the sense of
 /// each entry of `edges_of`.
@@ -46,7 +46,7 @@ std::vector<sense> check_cycles(const element_table<A>& polygons, const element_
                                 const element_table<E>& es, const adjacency_lists& verts_of,
                                 const adjacency_lists& edges_of, const adjacency_lists& e2v, const char* law,
                                 const char* a2v, const char* a2e, law_log& log) {
-  std::vector<sense> senses(edges_of.items.size(), sense::astray);
+  std::vector<sense> senses(edges_of.items.size(), sense::inconsistent);
   std::vector<order_index> at(vs.items.size()), owner(vs.items.size(), no_order_index),
       walked(vs.items.size(), no_order_index);
   for (order_index a = 0; a < polygons.size(); ++a) {
@@ -57,7 +57,7 @@ std::vector<sense> check_cycles(const element_table<A>& polygons, const element_
       owner[ring[i]] = a;
     }
     const std::string args = core::joined({"(", polygons.name(a), ")"});
-    if (edges_of[a].size() != n && vs.sound && es.sound)
+    if (edges_of[a].size() != n && vs.is_complete && es.is_complete)
       log.add(
           law,
           core::joined({a2e, args, " has ", edges_of[a].size(), " edges, but ", a2v, args, " has ", n, " verts"}),
@@ -81,12 +81,12 @@ std::vector<sense> check_cycles(const element_table<A>& polygons, const element_
           in_cycle = true;
         }
       }
-      if (!in_cycle && vs.sound)
+      if (!in_cycle && vs.is_complete)
         log.add(law,
                 core::joined({a2e, args, " holds ", es.name(e), ", whose ends are not consecutive in ", a2v, args}),
                 core::joined({polygons.name(a), " ", es.name(e)}));
     }
-    for (order_index i = 0; i < n && es.sound; ++i)
+    for (order_index i = 0; i < n && es.is_complete; ++i)
       if (walked[ring[i]] != a) {
         const std::string here = vs.name(ring[i]), next = vs.name(ring[(i + 1) % n]);
         log.add(

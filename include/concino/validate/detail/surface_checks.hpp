@@ -201,7 +201,7 @@ class surface_checker {
         loops_(vert_index_bound(s)), edge_use_(edge_index_bound(s)), on_border_(vert_index_bound(s)) {}
 
   mesh_facts check() {
-    log_.stage(is_boundary ? 0.55 : 0.3, num_polys(s_) + num_edges(s_));
+    log_.begin_stage(is_boundary ? 0.55 : 0.3, num_polys(s_) + num_edges(s_));
     join_polys();
     check_edges();
     check_verts();

@@ -27,7 +27,7 @@ void check_surface_mesh(const M& m, const graph_tables<vert_t<M>>& primal, const
 
   if constexpr (arity_v<M> > 0) {  // law SM6 needs a fixed number of verts
     for (order_index p = 0; p < ps.size() && !log.full("SM6"); ++p)
-      if (p2v[p].size() != static_cast<std::size_t>(arity_v<M>) && vs.sound)
+      if (p2v[p].size() != static_cast<std::size_t>(arity_v<M>) && vs.is_complete)
         log.add("SM6",
                 core::joined({"adj_p2v(", ps.name(p), ") has ", p2v[p].size(), " verts, but the arity of the type is ",
                               arity_v<M>}),

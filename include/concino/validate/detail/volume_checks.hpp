@@ -18,7 +18,7 @@ struct edge_in_poly {
 template<VolumeMesh M>
 class volume_checker {
   const M& m_;
-  std::vector<std::uint8_t>& sound_;  // by poly index
+  std::vector<std::uint8_t>& encloses_volume_;  // by poly index
   defect_log<M>& log_;
   disjoint_sets pieces_;  // of polys that share faces
   std::vector<shared_by> face_use_;
@@ -84,10 +84,10 @@ class volume_checker {
     if (face_count < 4)
       if (defect<M>* d = log_.add(defect_kind::degenerate_element, p))
         d->what = core::joined({log_.name(p), " has ", face_count, " faces; a polyhedron has at least 4"});
-    const bool is_sound = open.empty() && !clash && !pinched && face_count >= 4;
-    sound_[index_of(m_, p)] = is_sound;
+    const bool is_valid = open.empty() && !clash && !pinched && face_count >= 4;
+    encloses_volume_[index_of(m_, p)] = is_valid;
     facts_.closed = facts_.closed && open.empty();
-    facts_.manifold = facts_.manifold && is_sound;
+    facts_.manifold = facts_.manifold && is_valid;
   }
 
   void add_pinched_edge(const edge_t<M>& e, std::uint32_t face_count, const poly_t<M>& p) {
@@ -187,13 +187,13 @@ class volume_checker {
   }
 
  public:
-  volume_checker(const M& m, std::vector<std::uint8_t>& sound, defect_log<M>& log)
-      : m_(m), sound_(sound), log_(log), pieces_(poly_index_bound(m)), face_use_(face_index_bound(m)),
-        edge_use_(edge_index_bound(m)), vert_used_(vert_index_bound(m)), reported_edges_(edge_index_bound(m)),
-        edge_walker_(m) {}
+  volume_checker(const M& m, std::vector<std::uint8_t>& encloses_volume, defect_log<M>& log)
+      : m_(m), encloses_volume_(encloses_volume), log_(log), pieces_(poly_index_bound(m)),
+        face_use_(face_index_bound(m)), edge_use_(edge_index_bound(m)), vert_used_(vert_index_bound(m)),
+        reported_edges_(edge_index_bound(m)), edge_walker_(m) {}
 
   mesh_facts check() {
-    log_.stage(0.3, num_polys(m_) + num_faces(m_));
+    log_.begin_stage(0.3, num_polys(m_) + num_faces(m_));
     check_polys();
     check_faces();
     check_edges();
@@ -205,11 +205,11 @@ class volume_checker {
   }
 };
 
-/// Result: the facts about the volume. Sets `sound`, by index: polys that are closed and wound consistently, so that
-///         they have a volume.
+/// Result: the facts about the volume. Sets `encloses_volume`, by index: polys that are closed and wound consistently,
+///         so that they have a volume.
 template<VolumeMesh M>
-mesh_facts check_volume(const M& m, std::vector<std::uint8_t>& sound, defect_log<M>& log) {
-  return volume_checker<M>(m, sound, log).check();
+mesh_facts check_volume(const M& m, std::vector<std::uint8_t>& encloses_volume, defect_log<M>& log) {
+  return volume_checker<M>(m, encloses_volume, log).check();
 }
 
 }  // namespace concino::detail

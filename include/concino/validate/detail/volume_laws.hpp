@@ -54,7 +54,7 @@ void check_standard_order(const element_table<P>& ps, const element_table<V>& vs
       good = which >= 0 && !(visited >> which & 1u);
       if (good) visited |= 1u << which;
     }
-    if (!good && vs.sound)
+    if (!good && vs.is_complete)
       log.add("VM7",
               core::joined({"adj_p2v(", ps.name(p), ") is not the standard order of a ", Arity == 4 ? "tet" : "hex",
                       " with the faces adj_p2f gives, turned outward"}),
@@ -81,7 +81,7 @@ void check_winding(const element_table<P>& ps, const element_table<E>& es, const
     each([&](std::size_t k, std::size_t j) {
       tally& t = at[f2e.items[j]];
       if (t.poly != p) t = {p, 0, 0};
-      closed = closed && senses[j] != sense::astray;
+      closed = closed && senses[j] != sense::inconsistent;
       ++t.faces;
       t.sum += (senses[j] == sense::along) == outward[k] ? 1 : -1;
     });

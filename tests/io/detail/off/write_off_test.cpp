@@ -170,7 +170,7 @@ TEST_CASE("write_off: components of colours read back as the same floats") {
     const float x = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
     if (!std::isfinite(x)) continue;
     written.push_back(x);
-    concino::detail::write_part(out, x, true);
+    concino::detail::write_float(out, x, true);
     out << '\n';
   }
   std::istringstream lines(std::move(out).release());

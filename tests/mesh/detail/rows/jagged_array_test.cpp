@@ -73,7 +73,7 @@ TEST_CASE("jagged_array: random edits agree with vectors of vectors") {
   std::mt19937 random(1);
   jagged_array<int, 0> r = three_rows();
   SUBCASE("where the rows were") {}
-  SUBCASE("spread") { r.make_growable(); }
+  SUBCASE("growable") { r.make_growable(); }
   std::vector<std::vector<int>> oracle{{0, 1}, {}, {2, 3, 4}};
   for (int step = 0; step < 3000; ++step) {
     const std::size_t i = random() % oracle.size();

@@ -170,12 +170,12 @@ class diffusion {
 
  public:
   diffusion(const affine_heat& equations, core::solver_ref scalar_solver, core::solver_ref vector_solver,
-            const diffused_parts& parts, const char* caller)
+            const diffusion_outputs& extra, const char* caller)
       : equations_(equations), scalar_solver_(scalar_solver), vector_solver_(vector_solver), caller_(caller),
         round_(equations.size(), -1) {
-    second_heat_.is_wanted = parts.second_heat;
-    second_.is_wanted = parts.second;
-    offset_.is_wanted = square_.is_wanted = parts.offset;
+    second_heat_.is_wanted = extra.second_heat;
+    second_.is_wanted = extra.second;
+    offset_.is_wanted = square_.is_wanted = extra.offset;
   }
 
   diffused run(const std::vector<vector_source>& sources) {
@@ -223,8 +223,8 @@ class diffusion {
 
 CONCINO_INLINE diffused diffuse(const affine_heat& equations, core::solver_ref scalar_solver,
                                 core::solver_ref vector_solver, const std::vector<vector_source>& sources,
-                                const diffused_parts& parts, const char* caller) {
-  return diffusion(equations, scalar_solver, vector_solver, parts, caller).run(sources);
+                                const diffusion_outputs& extra, const char* caller) {
+  return diffusion(equations, scalar_solver, vector_solver, extra, caller).run(sources);
 }
 
 }  // namespace concino::detail

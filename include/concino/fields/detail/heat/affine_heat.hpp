@@ -68,14 +68,14 @@ struct vector_source {
   tangent_vector vector;
 };
 /// What to compute besides the heat and the first vectors.
-struct diffused_parts {
+struct diffusion_outputs {
   bool second_heat = false, second = false, offset = false;  // second: of vectors that are turned by a right angle;
                                                              // offset: and squares
 };
 
 /// Errors: invalid_argument if the time is so short that heat vanishes from one vert to the next; solver_error.
 diffused diffuse(const affine_heat& equations, core::solver_ref scalar_solver, core::solver_ref vector_solver,
-                 const std::vector<vector_source>& sources, const diffused_parts& parts, const char* caller);
+                 const std::vector<vector_source>& sources, const diffusion_outputs& extra, const char* caller);
 
 }  // namespace concino::detail
 

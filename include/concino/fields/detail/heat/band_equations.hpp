@@ -20,8 +20,8 @@ namespace concino::detail {
 /// pivots. Thus one iteration needs no product with the matrix, and costs one pass over the entries forward and one
 /// back. Positive entries off the diagonal, as obtuse angles cause, may make pivots too small or negative. Therefore a
 /// pivot is at least the sum of the absolute entries right of it: with an M-matrix it always is, and substitution then
-/// amplifies nothing. The preconditioner is positive definite for any signs of the entries, so the iteration cannot
-/// diverge.
+/// does not amplify errors. The preconditioner is positive definite for any signs of the entries, so the iteration
+/// cannot diverge.
 /// Source: Eisenstat 1981, "Efficient implementation of a class of preconditioned conjugate gradient methods";
 ///         Axelsson, Lindskog 1986, "On the eigenvalue distribution of a class of preconditioning methods" (the
 ///         pivots).
@@ -41,23 +41,23 @@ class band_equations {
   void substitute_back(std::vector<double>& y) const;
   double find_residual(bool measures);
   double iterate_once(double square);
-  bool iterate(int max_iterations, bool may_give_up);
+  bool iterate(int max_iterations, bool may_stop_early);
 
  public:
   /// x is set to an approximate solution of the equations with the matrix `lower`, of which only the lower triangle is
   /// there; false if there is none.
-  using other_solver =
+  using fallback_solver =
       function_ref<bool(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& load, Eigen::VectorXd& x)>;
 
   void assign(const heat_rows& rows, std::size_t first, std::size_t end);
 
   /// Solves until the heat that each of the first num_accepted equations lacks or has in excess is at most the
-  /// tolerance times its own heat. So heat is accurate relative to itself, however small it is beside that of others in
-  /// the band. x: an approximation, set to the solution. other: is used once where more than some 100 iterations are
-  /// expected; they continue where it has no solution.
+  /// tolerance times its own heat. So every value has the same relative accuracy, however small it is in comparison
+  /// with others in the band. x: an approximation, set to the solution. fallback: is used once where more than some 100
+  /// iterations are expected; they continue where it has no solution.
   /// Result: false if the tolerance was missed; x is then the best approximation.
   bool solve(std::span<const double> load, std::span<double> x, std::size_t num_accepted, double tolerance,
-             other_solver other);
+             fallback_solver fallback);
 
   /// The lower triangle of the matrix, not scaled.
   Eigen::SparseMatrix<double> lower() const;

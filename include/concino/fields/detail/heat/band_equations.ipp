@@ -146,9 +146,9 @@ CONCINO_INLINE double band_equations::iterate_once(double square) {
   return next;
 }
 
-/// Conjugate gradients from x_. Returns false if the tolerance is missed, or, with may_give_up, as soon as that is to
-/// be expected.
-CONCINO_INLINE bool band_equations::iterate(int max_iterations, bool may_give_up) {
+/// Conjugate gradients from x_. Returns false if the tolerance is missed, or, with may_stop_early, as soon as that is
+/// to be expected.
+CONCINO_INLINE bool band_equations::iterate(int max_iterations, bool may_stop_early) {
   find_residual(false);
   substitute_forward(residual_);
   direction_ = residual_;
@@ -170,14 +170,14 @@ CONCINO_INLINE bool band_equations::iterate(int max_iterations, bool may_give_up
     if (wrong <= 1) return true;
     const double speed = std::log(first / square) / (2 * n),
                  left = speed > 0 ? std::log(wrong) / speed : max_iterations;
-    if (may_give_up && n >= 15 && n + 0.6 * left > max_iterations) return false;
+    if (may_stop_early && n >= 15 && n + 0.6 * left > max_iterations) return false;
     check = n + static_cast<int>(std::clamp(0.6 * left, 1.0, 10.0));
   }
   return find_residual(true) <= 1;
 }
 
 CONCINO_INLINE bool band_equations::solve(std::span<const double> load, std::span<double> x, std::size_t num_accepted,
-                                          double tolerance, other_solver other) {
+                                          double tolerance, fallback_solver fallback) {
   constexpr int usual = 100, max_iterations = 3000;
   const std::size_t size = scale_.size();
   num_accepted_ = num_accepted;
@@ -193,7 +193,7 @@ CONCINO_INLINE bool band_equations::solve(std::span<const double> load, std::spa
     find_residual(false);
     Eigen::VectorXd lacking(static_cast<Eigen::Index>(size)), correction(lacking.size());
     for (std::size_t i = 0; i < size; ++i) lacking[static_cast<Eigen::Index>(i)] = residual_[i] / scale_[i];
-    if (other && other(lower(), lacking, correction))
+    if (fallback && fallback(lower(), lacking, correction))
       for (std::size_t i = 0; i < size; ++i) x_[i] += correction[static_cast<Eigen::Index>(i)] / scale_[i];
     is_solved = find_residual(true) <= 1 || iterate(max_iterations, false);
   }

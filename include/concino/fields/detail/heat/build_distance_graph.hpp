@@ -18,14 +18,15 @@
 namespace concino::detail {
 
 /// Collects triangles or tets in poly p as indices of its verts. Polygons are triangulated. Tets of a polyhedron are
-/// the cones from verts that see all triangles of its faces from inside. They overlap: those of one vert alone have too
-/// few directions. Up to 16 verts are tried, first in the lexicographic order of their points.
+/// the cones from verts that see all triangles of its faces from inside. Those of several
+/// verts overlap, but the edges of those of one vert have too few directions. Up to 16 verts are tried, first in the
+/// lexicographic order of their points.
 template<AnyMesh M>
 class simplex_collector {
   polygon_triangulator triangulate_;
   std::vector<vec3> x_;
   std::vector<int> number_;
-  std::vector<vert_t<M>> tops_;
+  std::vector<vert_t<M>> apexes_;
   std::vector<std::array<int, 4>> cones_;
 
   void read(const M& m, const auto& verts) {
@@ -37,35 +38,36 @@ class simplex_collector {
     }
   }
 
-  /// Adds the tets between vert `top` and the triangles, if it sees them all.
-  void add_cone(const M& m, const poly_t<M>& p, const vert_t<M>& top) {
-    const int apex = static_cast<int>(index_of(m, top));
-    const vec3 from = to_vec3(point(m, top));
+  /// Adds the tets between vert `apex` and the triangles, if it sees them all.
+  void add_cone(const M& m, const poly_t<M>& p, const vert_t<M>& apex) {
+    const int apex_index = static_cast<int>(index_of(m, apex));
+    const vec3 from = to_vec3(point(m, apex));
     const std::size_t before = cones_.size();
     for (const face_t<M> f : adj_p2f(m, p)) {
       read(m, adj_f2v(m, f));
-      if (std::find(number_.begin(), number_.end(), apex) != number_.end()) continue;
+      if (std::find(number_.begin(), number_.end(), apex_index) != number_.end()) continue;
       const double sign = face_is_outward(m, p, f) ? 1 : -1;
       for (const auto& [i, j, k] : triangulate_(x_)) {
         const vec3 a = x_[i] - from, b = x_[j] - from, c = x_[k] - from;
-        const double six = sign * dot(a, cross(b, c)), box = norm(a) * norm(b) * norm(c);
-        if (six < -0.05 * box) return cones_.resize(before);  // a tolerance: faces need not be quite planar
-        if (!(six > 1e-9 * box)) continue;
-        std::array<int, 4>& tet = cones_.emplace_back(std::array<int, 4>{apex, number_[i], number_[j], number_[k]});
+        const double volume6 = sign * dot(a, cross(b, c)), scale = norm(a) * norm(b) * norm(c);
+        if (volume6 < -0.05 * scale) return cones_.resize(before);  // a tolerance: faces need not be quite planar
+        if (!(volume6 > 1e-9 * scale)) continue;
+        std::array<int, 4>& tet =
+            cones_.emplace_back(std::array<int, 4>{apex_index, number_[i], number_[j], number_[k]});
         std::sort(tet.begin(), tet.end());
       }
     }
   }
 
   void add_cones(const M& m, const poly_t<M>& p, std::vector<int>& simplices) {
-    tops_.clear();
+    apexes_.clear();
     cones_.clear();
-    for (const vert_t<M> v : adj_p2v(m, p)) tops_.push_back(v);
-    const auto end = tops_.begin() + std::min(std::ptrdiff_t{16}, std::ssize(tops_));
-    std::partial_sort(tops_.begin(), end, tops_.end(), [&](const vert_t<M>& v, const vert_t<M>& w) {
+    for (const vert_t<M> v : adj_p2v(m, p)) apexes_.push_back(v);
+    const auto end = apexes_.begin() + std::min(std::ptrdiff_t{16}, std::ssize(apexes_));
+    std::partial_sort(apexes_.begin(), end, apexes_.end(), [&](const vert_t<M>& v, const vert_t<M>& w) {
       return core::is_lexicographically_less(to_vec3(point(m, v)), to_vec3(point(m, w)));
     });
-    for (auto v = tops_.begin(); v != end; ++v) add_cone(m, p, *v);
+    for (auto v = apexes_.begin(); v != end; ++v) add_cone(m, p, *v);
     std::sort(cones_.begin(), cones_.end());
     const auto last = std::unique(cones_.begin(), cones_.end());
     for (auto tet = cones_.begin(); tet != last; ++tet) simplices.insert(simplices.end(), tet->begin(), tet->end());

@@ -80,15 +80,15 @@ class distance_graph::search {
   const distance_node& at(int v) const { return nodes_[static_cast<std::size_t>(v)]; }
   const vec3& position(int v) const { return graph_.positions_[static_cast<std::size_t>(v)]; }
 
-  void offer(int vert, double length, const distance_node& from) {
+  void relax(int vert, double length, const distance_node& from) {
     distance_node& n = at(vert);
     n.path_length = length;
     n.source = from.source;
     n.before = from.before;
     offered_.push_back(vert);
   }
-  void offer(int vert, double length, const distance_node& from, double curvature_deficit, double radius, double step) {
-    offer(vert, length, from);
+  void relax(int vert, double length, const distance_node& from, double curvature_deficit, double radius, double step) {
+    relax(vert, length, from);
     distance_node& n = at(vert);
     n.curvature_deficit = curvature_deficit;
     n.radius = radius;
@@ -147,7 +147,7 @@ class distance_graph::search {
       const int vert = c.triangle->ends[c.last];
       if (!c.is_seen || !improves(at(vert), there + c.path_length)) continue;
       const double path_length = there + c.path_length, mean = (from.path_length - there + c.near) / 2;
-      offer(vert, path_length, from, c.curvature_deficit, mean,
+      relax(vert, path_length, from, c.curvature_deficit, mean,
             std::max(c.path_length - mean, 0.25 * c.triangle->lengths[c.last]));
     }
   }
@@ -172,7 +172,7 @@ class distance_graph::search {
       const neighbour& n = graph_.neighbour_[k];
       const double path_length = from.path_length + n.length;
       if (path_length < at(n.vert).path_length)
-        offer(n.vert, path_length, from, from.curvature_deficit, from.path_length - from.before, n.length);
+        relax(n.vert, path_length, from, from.curvature_deficit, from.path_length - from.before, n.length);
     }
     cross_triangles(v);
   }
@@ -182,7 +182,7 @@ class distance_graph::search {
     for (std::size_t k = graph_.neighbour_begin_[v]; k < graph_.neighbour_begin_[v + 1]; ++k) {
       const neighbour& n = graph_.neighbour_[k];
       const double path_length = from.path_length + n.length;
-      if (path_length < at(n.vert).path_length) offer(n.vert, path_length, from);
+      if (path_length < at(n.vert).path_length) relax(n.vert, path_length, from);
     }
     for (std::size_t k = graph_.simplex_begin_[v]; k < graph_.simplex_begin_[v + 1]; ++k) {
       const auto i = static_cast<std::size_t>(graph_.tet_at_[k]), first = i / 4 * 4;
@@ -192,7 +192,7 @@ class distance_graph::search {
         if (first + last != i && (known | 1u << last) == 15) cross(from, &graph_.tet_[first], last);
     }
     for (const auto& [to, path_length] : tet_paths_)  // only now, so that they do not depend on the order of the tets
-      if (improves(at(to), path_length)) offer(to, path_length, from);
+      if (improves(at(to), path_length)) relax(to, path_length, from);
     tet_paths_.clear();
   }
 

@@ -1,5 +1,5 @@
-// Heat of any smallness: its equations are solved band by band, from the sources outwards. Independent of the mesh type
-// and of solvers.
+// Solves heat equations for values of any order of magnitude, band by band, from the sources outwards. Independent of
+// the mesh type and of solvers.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -15,16 +15,16 @@
 
 namespace concino::detail {
 
-/// Solves A u = b for a heat matrix A. Each vert has a relative accuracy of its own, however small its heat is beside
-/// that of others.
+/// Solves A u = b for a heat matrix A. The relative accuracy is the same at each vert, however small its heat is in
+/// comparison with that of others.
 ///
 /// An iterative solver is accurate relative to the largest values only, and heat decreases by many orders of magnitude.
-/// But at one vert it hardly depends on what is further out: what comes back from there has decreased on both ways. So
-/// verts are ordered by expected heat and solved in bands, in which heat decreases by a factor of about e^12. The
-/// equations of a band get the heat of the verts before it, which is known, and end e^-8 behind it, as if there were no
-/// heat after that; the last part is only solved to be solved again. This is one pass of Schwarz' alternating method,
-/// with subdomains that overlap in the direction in which heat flows. Each band has a unit of its own, so that nothing
-/// underflows.
+/// But at one vert it hardly depends on the verts further out: heat decreases on the way there, and again on the way
+/// back. So verts are ordered by expected heat and solved in bands, in which heat decreases by a factor of about e^12.
+/// The equations of a band get the heat of the verts before it, which is known, and end where heat is e^-8 of that at
+/// its end, as if there were none beyond; the next band solves this overlap again. This is one pass of Schwarz'
+/// alternating method, with subdomains that overlap in the direction in which heat flows. Each band is scaled
+/// separately, so that no value underflows.
 ///
 /// Equations are symmetric and positive definite, and conjugate gradients solve them whatever the signs of the entries:
 /// neither obtuse angles nor negative heat can make this diverge, as they made Gauss-Seidel sweeps in the same order.
@@ -49,23 +49,23 @@ class heat_bands {
  public:
   /// x is set to an approximate solution of the equations of these verts, with the matrix `lower`, of which only the
   /// lower triangle is there; false if there is none. Rows are in the order of verts.
-  using other_solver = function_ref<bool(std::span<const int> verts, const Eigen::SparseMatrix<double>& lower,
-                                         const Eigen::VectorXd& load, Eigen::VectorXd& x)>;
+  using fallback_solver = function_ref<bool(std::span<const int> verts, const Eigen::SparseMatrix<double>& lower,
+                                            const Eigen::VectorXd& load, Eigen::VectorXd& x)>;
 
   /// The verts in the order of decreasing log_guess, which has no NaN; equal ones in the order of their numbers.
-  static std::vector<int> order_by(std::span<const double> log_guess);
+  static std::vector<int> order_by_guess(std::span<const double> log_guess);
 
   /// lower: the lower triangle of A, with positive diagonal entries. load: b, 0 or more. log_guess: approximates the
   /// logarithm of u, up to a constant; -inf where nothing is known, and no heat is found there. order:
-  /// order_by(log_guess), which must outlive this object.
+  /// order_by_guess(log_guess), which must outlive this object.
   heat_bands(const Eigen::SparseMatrix<double>& lower, std::span<const double> load, std::span<const double> log_guess,
              std::span<const int> order);
 
   /// Solves until the heat that the equation of each vert lacks or has in excess is at most the tolerance times its own
-  /// heat. other: is used for bands in which more than some 100 iterations are expected, as where edges are far shorter
-  /// than the square root of the time.
+  /// heat. fallback: is used for bands in which more than some 100 iterations are expected, as where edges are far
+  /// shorter than the square root of the time.
   /// Result: false if the tolerance was missed somewhere.
-  bool run(double tolerance, other_solver other);
+  bool run(double tolerance, fallback_solver fallback);
 
   /// Iterations, as a mean over the verts.
   double num_iterations() const { return order_.empty() ? 0 : iterations_ / static_cast<double>(order_.size()); }

@@ -14,7 +14,7 @@
 namespace concino::detail {
 
 /// Sorts by one byte of the numbers after the other, which takes less than half of the time of comparisons.
-CONCINO_INLINE std::vector<int> heat_bands::order_by(std::span<const double> log_guess) {
+CONCINO_INLINE std::vector<int> heat_bands::order_by_guess(std::span<const double> log_guess) {
   struct numbered {
     std::uint64_t key;  // increases as the guess decreases
     int vert;
@@ -76,7 +76,7 @@ CONCINO_INLINE int heat_bands::find_load(std::size_t first, std::size_t end) {
   return largest;
 }
 
-CONCINO_INLINE bool heat_bands::run(double tolerance, other_solver other) {
+CONCINO_INLINE bool heat_bands::run(double tolerance, fallback_solver fallback) {
   const auto is_known = [](double guess) { return guess > -std::numeric_limits<double>::infinity(); };
   const auto last =
       static_cast<std::size_t>(std::partition_point(guess_.begin(), guess_.end(), is_known) - guess_.begin());
@@ -99,7 +99,7 @@ CONCINO_INLINE bool heat_bands::run(double tolerance, other_solver other) {
     equations.assign(rows_, first, end);
     is_solved &= equations.solve(band_load_, band_heat_, next - first, tolerance,
                                  [&](const auto& lower, const auto& load, auto& x) {
-                                   return other && other(order_.subspan(first, end - first), lower, load, x);
+                                   return fallback && fallback(order_.subspan(first, end - first), lower, load, x);
                                  });
     iterations_ += static_cast<double>(equations.num_iterations()) * static_cast<double>(end - first);
     for (std::size_t i = first; i < end; ++i) {

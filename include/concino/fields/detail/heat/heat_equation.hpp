@@ -117,7 +117,7 @@ class heat_equation {
 
   /// The logarithm of heat, by iterations; see heat_bands. like: a solver of the type that bands with many small polys
   /// need. log_guess: about what is returned, up to a constant in each component. order:
-  /// heat_bands::order_by(log_guess).
+  /// heat_bands::order_by_guess(log_guess).
   std::vector<double> solve_in_bands(const Solver& like, const std::vector<heat_source>& sources,
                                      std::span<const int> component, std::span<const double> log_guess,
                                      std::span<const int> order) const {

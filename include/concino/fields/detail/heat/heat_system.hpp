@@ -121,7 +121,7 @@ class heat_system {
   /// Iterative solvers are accurate relative to the largest values only, so heat is found in bands.
   std::vector<double> log_heat(const std::vector<heat_source>& sources, std::span<const double> log_guess) const {
     if (is_iterative()) {
-      const std::vector<int> order = heat_bands::order_by(log_guess);
+      const std::vector<int> order = heat_bands::order_by_guess(log_guess);
       const auto solve = [&](const heat_equation<Solver>& heat) {
         return heat.solve_in_bands(*poisson_solver_, sources, component_, log_guess, order);
       };

@@ -42,8 +42,8 @@ struct vector_heat {
     return std::make_shared<const vector_heat>(std::move(r));
   }
 
-  diffused run(const std::vector<vector_source>& sources, const diffused_parts& parts, const char* caller) const {
-    return diffuse(equations, *scalar_solver, *vector_solver, sources, parts, caller);
+  diffused run(const std::vector<vector_source>& sources, const diffusion_outputs& extra, const char* caller) const {
+    return diffuse(equations, *scalar_solver, *vector_solver, sources, extra, caller);
   }
 
   template<SurfaceMesh M>

@@ -67,7 +67,7 @@ class cochain_search {
     set_known(edge);
   }
 
-  void spread() {
+  void propagate_values() {
     while (!waiting_.empty()) {
       const std::uint32_t edge = waiting_.back();
       waiting_.pop_back();
@@ -118,13 +118,13 @@ class cochain_search {
       if (a == b || corners_of_[e].empty()) is_known_[e] = 1;  // edges without polygons have no part in fields
       else if (sets.unite(a, b)) set_known(e);
     }
-    spread();
+    propagate_values();
     for (std::uint32_t e = 0; e < complex_.edges.size(); ++e) {
       if (is_known_[e]) continue;
       value_[e].resize(++symbols_);
       value_[e].back() = 1;
       set_known(e);
-      spread();
+      propagate_values();
     }
     std::vector<std::vector<double>> cochains;
     for (const combination& x : independent_symbols()) {

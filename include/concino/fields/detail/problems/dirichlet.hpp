@@ -28,12 +28,12 @@ namespace concino::detail {
 
 /// One right-hand side for each component of T.
 template<field_value T>
-using right_hand_sides = std::array<Eigen::VectorXd, parts_of<T>>;
+using right_hand_sides = std::array<Eigen::VectorXd, component_count<T>>;
 
 template<field_value T>
 right_hand_sides<T> zeros(std::size_t size) {
   right_hand_sides<T> b;
-  for (Eigen::VectorXd& part_of_b : b) part_of_b.setZero(static_cast<Eigen::Index>(size));
+  for (Eigen::VectorXd& component : b) component.setZero(static_cast<Eigen::Index>(size));
   return b;
 }
 
@@ -118,12 +118,12 @@ struct constrained_verts {
 };
 
 /// A map with the prescribed values at the constrained verts and isolated_value at all others.
-/// Errors: invalid_mesh if a value is given at what is no vert of m; invalid_argument if a value is not finite, a vert
-///         gets two, or the verts are not the constrained ones.
+/// Errors: invalid_mesh if a value is given at an element that is no vert of m; invalid_argument if a value is not
+///         finite, a vert gets two, or the verts are not the constrained ones.
 template<class T, class M, class D>
 vert_map<M, T> prescribed_values(const M& m, const constrained_verts<M>& verts, const D& pairs, double isolated_value,
                                  const char* caller) {
-  auto value = make_vert_map<T>(m, same_in_all_parts<T>(isolated_value));
+  auto value = make_vert_map<T>(m, same_in_all_components<T>(isolated_value));
   // no value yet
   for (const vert_t<M>& v : verts.prescribed) field_component(value[v], 0) = std::numeric_limits<double>::quiet_NaN();
   std::size_t known = 0;
@@ -133,7 +133,7 @@ vert_map<M, T> prescribed_values(const M& m, const constrained_verts<M>& verts, 
     if (!contains(m, v)) throw_no_vert(caller, "a value is given at");
     if (verts.unknown[v] != constrained_verts<M>::constrained) throw_not_constrained(caller, index_of(m, v));
     const bool again = !std::isnan(field_component(value[v], 0));
-    for (std::size_t k = 0; k < parts_of<T>; ++k) {
+    for (std::size_t k = 0; k < component_count<T>; ++k) {
       if (!std::isfinite(field_component(x, k))) throw_not_finite(caller, index_of(m, v));
       if (again && field_component(value[v], k) != field_component(x, k))
         throw_two_values(caller, index_of(m, v), field_component(value[v], k), field_component(x, k));
@@ -158,13 +158,13 @@ struct coupling {
 void restrict_to_unknowns(const Eigen::SparseMatrix<double>& whole, const int* unknown, const std::vector<int>& index,
                           Eigen::SparseMatrix<double>& lower, std::vector<coupling>& couplings);
 
-/// Solves for `parts` right-hand sides. value(k, index): component k of the value at a vert, prescribed or unknown.
-/// load: see constrained_system::solve.
+/// Solves for one right-hand side per component. value(k, index): component k of the value at a vert, prescribed or
+/// unknown. load: see constrained_system::solve.
 /// Errors: solver_error with the reason.
-void solve_parts(core::solver_ref solver, const Eigen::SparseMatrix<double>& lower, const std::vector<int>& index,
-                 const std::vector<coupling>& couplings, std::size_t parts,
-                 function_ref<double(std::size_t k, int index)> load,
-                 function_ref<double&(std::size_t k, int index)> value, const char* caller);
+void solve_components(core::solver_ref solver, const Eigen::SparseMatrix<double>& lower, const std::vector<int>& index,
+                      const std::vector<coupling>& couplings, std::size_t num_right_hand_sides,
+                      function_ref<double(std::size_t k, int index)> load,
+                      function_ref<double&(std::size_t k, int index)> value, const char* caller);
 
 /// A x = b for the unknowns of a symmetric system over all verts. The contributions of constrained verts are on the
 /// right-hand side.
@@ -195,8 +195,9 @@ struct constrained_system {
   void solve(core::solver_ref solver, const Load& load, vert_map<M, T>& value, const char* caller) const {
     if (verts.unknowns == 0) return;
     T* const at = value.data();
-    solve_parts(solver, lower, verts.index, couplings, parts_of<T>, load,
-                [at](std::size_t k, int index) -> double& { return field_component(at[index], k); }, caller);
+    solve_components(
+        solver, lower, verts.index, couplings, component_count<T>, load,
+        [at](std::size_t k, int index) -> double& { return field_component(at[index], k); }, caller);
   }
 
   void restrict_to_unknowns(const Eigen::SparseMatrix<double>& whole) {

@@ -62,13 +62,14 @@ CONCINO_INLINE void restrict_to_unknowns(const Eigen::SparseMatrix<double>& whol
   lower.resizeNonZeros(at);
 }
 
-CONCINO_INLINE void solve_parts(core::solver_ref solver, const Eigen::SparseMatrix<double>& lower,
-                                const std::vector<int>& index, const std::vector<coupling>& couplings,
-                                std::size_t parts, function_ref<double(std::size_t k, int index)> load,
-                                function_ref<double&(std::size_t k, int index)> value, const char* caller) {
+CONCINO_INLINE void solve_components(core::solver_ref solver, const Eigen::SparseMatrix<double>& lower,
+                                     const std::vector<int>& index, const std::vector<coupling>& couplings,
+                                     std::size_t num_right_hand_sides,
+                                     function_ref<double(std::size_t k, int index)> load,
+                                     function_ref<double&(std::size_t k, int index)> value, const char* caller) {
   const std::size_t n = index.size();
   Eigen::VectorXd b(static_cast<Eigen::Index>(n));
-  for (std::size_t k = 0; k < parts; ++k) {
+  for (std::size_t k = 0; k < num_right_hand_sides; ++k) {
     for (std::size_t i = 0; i < n; ++i) b[static_cast<Eigen::Index>(i)] = load(k, index[i]);
     for (std::size_t i = 0; i < couplings.size(); ++i)
       b[couplings[i].row] += couplings[i].weight * value(k, couplings[i].vert);

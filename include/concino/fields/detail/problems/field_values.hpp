@@ -36,7 +36,7 @@ template<class T>
 concept field_value = std::same_as<T, double> || std::same_as<T, vec3>;
 
 template<field_value T>
-inline constexpr std::size_t parts_of = std::same_as<T, double> ? 1 : 3;
+inline constexpr std::size_t component_count = std::same_as<T, double> ? 1 : 3;
 inline double& field_component(double& x, std::size_t) { return x; }
 inline double field_component(const double& x, std::size_t) { return x; }
 inline double& field_component(vec3& x, std::size_t k) { return x[k]; }
@@ -48,7 +48,7 @@ T as_field_value(const X& x) {
   else return to_vec3(x);
 }
 template<field_value T>
-T same_in_all_parts(double x) {
+T same_in_all_components(double x) {
   if constexpr (std::same_as<T, double>) return x;
   else return {x, x, x};
 }

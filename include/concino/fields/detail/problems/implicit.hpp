@@ -85,7 +85,7 @@ class implicit_system {
     for (const vert_t<M> v : verts(m)) {
       const T x = u[v] = as_field_value<T>(value_at(m, f, v));
       if (system_.verts.unknown[v] == constrained_verts<M>::isolated) continue;
-      for (std::size_t k = 0; k < parts_of<T>; ++k)
+      for (std::size_t k = 0; k < component_count<T>; ++k)
         if (!std::isfinite(field_component(x, k)))
           core::throw_joined<invalid_argument>({caller_, ": the value at vert ", index_of(m, v), " is not finite"});
     }

@@ -36,14 +36,14 @@ right_hand_sides<T> mass_times(const M& m, const Eigen::SparseMatrix<double>& ma
     const auto i = index_of(m, v);
     if (!has_mass(mass, i)) continue;
     const T value = as_field_value<T>(value_at(m, f, v));
-    for (std::size_t k = 0; k < parts_of<T>; ++k) {
+    for (std::size_t k = 0; k < component_count<T>; ++k) {
       if (!std::isfinite(field_component(value, k)))
         core::throw_joined<invalid_argument>({what, " at vert ", i, " is not finite"});
       x[k][static_cast<Eigen::Index>(i)] = field_component(value, k);
     }
   }
   right_hand_sides<T> y;
-  for (std::size_t k = 0; k < parts_of<T>; ++k) symmetric_times(mass, x[k], y[k]);
+  for (std::size_t k = 0; k < component_count<T>; ++k) symmetric_times(mass, x[k], y[k]);
   return y;
 }
 

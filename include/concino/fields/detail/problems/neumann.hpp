@@ -52,7 +52,7 @@ void add_fluxes(const M& m, const N& fluxes, right_hand_sides<T>& load, const ch
   constexpr bool is_surface = dimension_v<M> == 2;
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   if (!(fluxes.begin() != fluxes.end())) return;
-  auto known = make_facet_map<T>(m, same_in_all_parts<T>(none));
+  auto known = make_facet_map<T>(m, same_in_all_components<T>(none));
   for (const auto& [facet, number] : fluxes) {
     const facet_t<M> x = facet;
     const T flux = as_field_value<T>(number);
@@ -68,7 +68,7 @@ void add_fluxes(const M& m, const N& fluxes, right_hand_sides<T>& load, const ch
                                         " polys; give fluxes on the boundary only, where there is one poly"});
     T& before = known[x];
     const bool again = !std::isnan(field_component(before, 0));
-    for (std::size_t k = 0; k < parts_of<T>; ++k) {
+    for (std::size_t k = 0; k < component_count<T>; ++k) {
       if (!std::isfinite(field_component(flux, k))) throw_bad_flux(caller, m, x, " is not finite");
       if (again && field_component(before, k) != field_component(flux, k))
         throw_bad_flux(caller, m, x, " differs from another one given there; keep one");
@@ -76,7 +76,7 @@ void add_fluxes(const M& m, const N& fluxes, right_hand_sides<T>& load, const ch
     if (again) continue;
     before = flux;
     integrate_over(m, x, [&](const vert_t<M>& v, double size) {
-      for (std::size_t k = 0; k < parts_of<T>; ++k)
+      for (std::size_t k = 0; k < component_count<T>; ++k)
         load[k][static_cast<Eigen::Index>(index_of(m, v))] += size * field_component(flux, k);
     });
   }

@@ -20,7 +20,7 @@ struct surface_cells {
 
 struct simplified_cells {
   std::vector<double> verts, edges, polys;  // by rank and by number
-  std::array<std::size_t, 3> critical{};    // how many critical cells of each dimension are left
+  std::array<std::size_t, 3> critical{};    // how many critical cells of each dimension remain
 };
 
 /// values: by rank. At edges and polys, the function has the value of the highest vert.

@@ -74,12 +74,12 @@ class cell_simplification {
   }
 
   void pair_maxima() {
-    std::vector<std::uint32_t> falling(cells_.polys), place(cells_.polys);
-    std::iota(falling.begin(), falling.end(), 0u);
-    std::sort(falling.begin(), falling.end(), [&](std::uint32_t a, std::uint32_t b) {
+    std::vector<std::uint32_t> by_descending_value(cells_.polys), place(cells_.polys);
+    std::iota(by_descending_value.begin(), by_descending_value.end(), 0u);
+    std::sort(by_descending_value.begin(), by_descending_value.end(), [&](std::uint32_t a, std::uint32_t b) {
       return poly_top_[a] > poly_top_[b] || (poly_top_[a] == poly_top_[b] && a > b);
     });
-    for (std::uint32_t k = 0; k < falling.size(); ++k) place[falling[k]] = k + 1;
+    for (std::uint32_t k = 0; k < by_descending_value.size(); ++k) place[by_descending_value[k]] = k + 1;
     disjoint_sets sets(cells_.polys + 1);  // 0 is what lies beyond the boundary, higher than all
     for (std::size_t k = sorted_edges_.size(); k-- > 0;) {
       const std::uint32_t e = sorted_edges_[k];
@@ -87,7 +87,7 @@ class cell_simplification {
       if (is_tree_[e] || p == no_rank) continue;
       const std::size_t a = sets.root(place[p]), b = q == no_rank ? sets.root(0) : sets.root(place[q]);
       if (a == b) continue;
-      if (at_poly(falling[std::max(a, b) - 1]) - at_edge(e) < threshold_) part_[e] = of_polys;
+      if (at_poly(by_descending_value[std::max(a, b) - 1]) - at_edge(e) < threshold_) part_[e] = of_polys;
       sets.unite_roots(a, b);
     }
   }
@@ -106,20 +106,20 @@ class cell_simplification {
   void raise_verts() {
     const grouped_numbers ends(values_.size(), 2 * edge_top_.size(),
                                [&](std::size_t k) { return cells_.edge_verts[k / 2][k % 2]; });
-    std::vector<unsigned char> is_met(values_.size());
+    std::vector<unsigned char> is_visited(values_.size());
     std::vector<std::uint32_t> waiting;
     for (std::uint32_t root = 0; root < values_.size(); ++root) {
-      if (is_met[root]) continue;
+      if (is_visited[root]) continue;
       ++result_.critical[0];
-      is_met[root] = 1;
+      is_visited[root] = 1;
       result_.verts[root] = values_[root] - threshold_ / 2;
       for (waiting.push_back(root); !waiting.empty();) {
         const std::uint32_t v = waiting.back();
         waiting.pop_back();
         for (const std::uint32_t end : ends[v]) {
           const std::uint32_t e = end / 2, w = other_end(e, v);
-          if (part_[e] != of_verts || is_met[w]) continue;
-          is_met[w] = 1;
+          if (part_[e] != of_verts || is_visited[w]) continue;
+          is_visited[w] = 1;
           result_.edges[e] = raised(at_edge(e), result_.verts[v]);
           result_.verts[w] = raised(values_[w], result_.edges[e]);
           waiting.push_back(w);
@@ -139,13 +139,13 @@ class cell_simplification {
       return std::min<std::size_t>(cells_.edge_polys[k / 2][k % 2], cells_.polys);
     });
     std::vector<std::uint32_t> parent(cells_.polys, no_rank), order;
-    std::vector<unsigned char> is_met(cells_.polys);
-    const auto spread = [&](std::size_t from) {
+    std::vector<unsigned char> is_visited(cells_.polys);
+    const auto add_descendants = [&](std::size_t from) {
       for (std::size_t k = from; k < order.size(); ++k)
         for (const std::uint32_t side : sides[order[k]]) {
           const std::uint32_t e = side / 2, q = other_poly(e, order[k]);
-          if (part_[e] != of_polys || q == no_rank || is_met[q]) continue;
-          is_met[q] = 1;
+          if (part_[e] != of_polys || q == no_rank || is_visited[q]) continue;
+          is_visited[q] = 1;
           parent[q] = e;
           order.push_back(q);
         }
@@ -153,23 +153,23 @@ class cell_simplification {
     for (std::uint32_t e = 0; e < edge_top_.size(); ++e) {  // trees that end at the boundary
       if (part_[e] != of_polys || cells_.edge_polys[e][1] != no_rank) continue;
       const std::uint32_t p = cells_.edge_polys[e][0];
-      is_met[p] = 1;
+      is_visited[p] = 1;
       parent[p] = e;
       order.push_back(p);
     }
-    spread(0);
-    std::vector<std::uint32_t> falling(cells_.polys);
-    std::iota(falling.begin(), falling.end(), 0u);
-    std::sort(falling.begin(), falling.end(), [&](std::uint32_t a, std::uint32_t b) {
+    add_descendants(0);
+    std::vector<std::uint32_t> by_descending_value(cells_.polys);
+    std::iota(by_descending_value.begin(), by_descending_value.end(), 0u);
+    std::sort(by_descending_value.begin(), by_descending_value.end(), [&](std::uint32_t a, std::uint32_t b) {
       return poly_top_[a] > poly_top_[b] || (poly_top_[a] == poly_top_[b] && a > b);
     });
-    for (const std::uint32_t root : falling) {
-      if (is_met[root]) continue;
+    for (const std::uint32_t root : by_descending_value) {
+      if (is_visited[root]) continue;
       ++result_.critical[2];
-      is_met[root] = 1;
+      is_visited[root] = 1;
       const std::size_t from = order.size();
       order.push_back(root);
-      spread(from);
+      add_descendants(from);
     }
     for (std::size_t k = order.size(); k-- > 0;) {
       const std::uint32_t p = order[k], e = parent[p];

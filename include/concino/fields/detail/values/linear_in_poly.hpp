@@ -8,7 +8,7 @@
 namespace concino::detail {
 
 /// The mean of the values at the mean of the verts, with the mean gradient. On triangles and tets it is the linear
-/// interpolant; on all polys it is linear functions themselves.
+/// interpolant; on all polys it reproduces linear functions.
 struct linear_function {
   vec3 origin, gradient;
   double value = 0;
@@ -29,8 +29,7 @@ linear_function linear_in_poly(Local& local, const M& m, const poly_t<M>& p, con
   double values = 0;
   for (std::size_t k = 1; k < n; ++k) {
     sum += to_vec3(point(m, local.verts[k])) - first;
-    values += static_cast<double>(u[local.verts[k]]) - first_value;  // differences, so that constants stay what they
-                                                                     // are
+    values += static_cast<double>(u[local.verts[k]]) - first_value;  // differences, so that constants are exact
   }
   f.origin = first + sum / static_cast<double>(n);
   f.value = first_value + values / static_cast<double>(n);

@@ -11,7 +11,7 @@ namespace concino::detail {
       "resample: one of the meshes has no polys, so there are no values to take or no polys to give them to");
 }
 
-[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_no_measure_to_share(std::size_t poly) {
+[[noreturn, gnu::noinline, gnu::cold]] CONCINO_INLINE void throw_target_without_measure(std::size_t poly) {
   core::throw_joined<invalid_mesh>(
       {"resample: poly ", poly,
        " of the new mesh has no area or volume, but would get a part of the integral; remove it"});

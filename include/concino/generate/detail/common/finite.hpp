@@ -1,4 +1,4 @@
-// Checks the points of a mesh.
+// Checks that the points of a mesh are finite.
 #pragma once
 
 #include <concino/concepts/mesh.hpp>

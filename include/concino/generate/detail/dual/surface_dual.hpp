@@ -13,7 +13,7 @@ namespace concino::detail {
 template<SurfaceMesh M, class Creases>
   requires Embedded<M> surface_arrays surface_dual(const M& m, const boundary_creases<M, Creases>& creases,
                                                    dual_points where, dual_maps* maps) {
-    dual_parts<M> parts(m, creases.clips(), where);
+    dual_parts<M> parts(m, creases.has_boundary_cells(), where);
     std::vector<std::uint32_t> cell_of, own_of;
     if (maps) cell_of.assign(vert_index_bound(m), parts.none), own_of = cell_of;
     surface_arrays a;
@@ -25,7 +25,7 @@ template<SurfaceMesh M, class Creases>
       if (!parts.has_polys(i)) continue;
       std::uint32_t own = parts.none;
       if (parts.is_border_centre(i)) {
-        if (!creases.clips()) continue;
+        if (!creases.has_boundary_cells()) continue;
         if (creases(v)) own = parts.add_vert(to_vec3(point(m, v)));
       }
       if (maps) cell_of[i] = static_cast<std::uint32_t>(a.offsets.size() - 1), own_of[i] = own;

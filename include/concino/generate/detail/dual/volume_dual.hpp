@@ -22,7 +22,7 @@ class volume_dual {
   };
 
   const M& m_;
-  bool clips_, creases_everywhere_;
+  bool has_boundary_cells_, all_are_creases_;
   oriented_edge_table<M> oriented_edges_;
   dual_parts<M> parts_;
   vertex_link_checker<M> link_checker_;
@@ -72,7 +72,7 @@ class volume_dual {
     for (const edge_t<M> e : edges(m_)) {
       const std::size_t i = index_of(m_, e);
       if (!parts_.has_polys(i)) continue;
-      bool wanted = clips_;
+      bool wanted = has_boundary_cells_;
       vec3 middle;
       for (const vert_t<M> v : adj_e2v(m_, e)) {
         wanted = wanted || !on_border_[index_of(m_, v)];
@@ -91,7 +91,7 @@ class volume_dual {
       const std::size_t i = index_of(m_, v);
       bool any = false;
       for (const edge_t<M> e : adj_v2e(m_, v)) any = any || parts_.has_polys(index_of(m_, e));
-      if (!any || (on_border_[i] && !clips_)) continue;
+      if (!any || (on_border_[i] && !has_boundary_cells_)) continue;
       link_checker_.check(v, on_border_[i]);
       add_cell(v);
     }
@@ -164,15 +164,16 @@ class volume_dual {
  public:
   template<class Creases>
   volume_dual(const M& m, const boundary_creases<M, Creases>& creases, dual_points where)
-      : m_(m), clips_(creases.clips()), creases_everywhere_(creases.everywhere()), oriented_edges_(m),
-        parts_(m, clips_, where, oriented_edges_), link_checker_(m, parts_), on_border_(vert_index_bound(m)),
-        is_crease_(creases.at_edges()), face_of_(edge_index_bound(m), none), middle_of_(edge_index_bound(m), none),
-        cell_of_(vert_index_bound(m), none), own_of_(vert_index_bound(m), none) {}
+      : m_(m), has_boundary_cells_(creases.has_boundary_cells()), all_are_creases_(creases.all_are_creases()),
+        oriented_edges_(m), parts_(m, has_boundary_cells_, where, oriented_edges_), link_checker_(m, parts_),
+        on_border_(vert_index_bound(m)), is_crease_(creases.at_edges()), face_of_(edge_index_bound(m), none),
+        middle_of_(edge_index_bound(m), none), cell_of_(vert_index_bound(m), none), own_of_(vert_index_bound(m), none) {
+  }
 
   /// Builds the arrays of the dual mesh. If cells are not clipped, some points may belong to no face.
   polyhedra_arrays build() {
     find_border_verts();
-    if (clips_ && !creases_everywhere_) add_needed_creases();
+    if (has_boundary_cells_ && !all_are_creases_) add_needed_creases();
     arrays_.face_verts.reserve(parts_.num_corners());
     arrays_.face_offsets.push_back(0);
     arrays_.poly_offsets.push_back(0);

@@ -11,8 +11,8 @@
 
 namespace concino::detail {
 
-/// Directed edge 2e leads from the first point of edge e to its second one, 2e + 1 back. Edges are the segments, then
-/// the bridges. Regions are on the left.
+/// Directed edge 2e leads from the first point of edge e to its second one, and 2e + 1 leads back. Edges are the
+/// segments, then the bridges. Regions are on the left.
 class planar_faces {
   const core::planar_segments& g_;
   const std::vector<std::array<std::uint32_t, 2>>& bridges_;

@@ -31,8 +31,8 @@ class augmenting_paths {
   std::vector<std::uint32_t>& mate_;
   std::vector<std::uint32_t> reached_;  // the number of the last search that reached a vertex. The other arrays have
                                         // values for vertices of the current search
-  std::vector<std::uint32_t> before_;   // of an odd vertex, and of those in blossoms: the vertex from which a path
-                                        // continues to it
+  std::vector<std::uint32_t> predecessor_;  // of an odd vertex, and of those in blossoms: the vertex from which a
+                                            // path continues to it
   std::vector<std::uint32_t> base_;     // towards the base of the blossom
   std::vector<std::uint32_t> passed_;   // the number of the last walk to a common base that passed a vertex
   std::vector<std::uint8_t> even_;      // whether a path of even length leads to the vertex
@@ -42,8 +42,8 @@ class augmenting_paths {
   void visit(std::uint32_t v, bool even);
   std::uint32_t base(std::uint32_t v);
   std::uint32_t common_base(std::uint32_t v, std::uint32_t w);
-  void shrink(std::uint32_t v, std::uint32_t w, std::uint32_t base);
-  void change_along(std::uint32_t last);
+  void contract_blossom(std::uint32_t v, std::uint32_t w, std::uint32_t base);
+  void augment_along(std::uint32_t last);
   bool find_path(std::uint32_t root);
 };
 

@@ -11,7 +11,7 @@ namespace concino::detail {
 
 CONCINO_INLINE augmenting_paths::augmenting_paths(std::span<const std::uint32_t> neighbours,
                                                   std::vector<std::uint32_t>& mate)
-    : neighbours_(neighbours), mate_(mate), reached_(mate.size()), before_(mate.size()), base_(mate.size()),
+    : neighbours_(neighbours), mate_(mate), reached_(mate.size()), predecessor_(mate.size()), base_(mate.size()),
       passed_(mate.size()), even_(mate.size()) {}
 
 CONCINO_INLINE void augmenting_paths::visit(std::uint32_t v, bool even) {
@@ -34,15 +34,15 @@ CONCINO_INLINE std::uint32_t augmenting_paths::common_base(std::uint32_t v, std:
     v = base(v);
     if (passed_[v] == walk_) return v;
     passed_[v] = walk_;
-    v = mate_[v] == none ? none : before_[mate_[v]];
+    v = mate_[v] == none ? none : predecessor_[mate_[v]];
   }
 }
 
 // Adds the path from v to the base to a blossom, which the edge from v to w closes. Its odd vertices become even: paths
 // reach them through that edge.
-CONCINO_INLINE void augmenting_paths::shrink(std::uint32_t v, std::uint32_t w, std::uint32_t base_of_both) {
+CONCINO_INLINE void augmenting_paths::contract_blossom(std::uint32_t v, std::uint32_t w, std::uint32_t base_of_both) {
   while (base(v) != base_of_both) {
-    before_[v] = w;
+    predecessor_[v] = w;
     w = mate_[v];
     if (!even_[w]) {
       even_[w] = true;
@@ -50,13 +50,13 @@ CONCINO_INLINE void augmenting_paths::shrink(std::uint32_t v, std::uint32_t w, s
     }
     if (base_[v] == v) base_[v] = base_of_both;
     if (base_[w] == w) base_[w] = base_of_both;
-    v = before_[w];
+    v = predecessor_[w];
   }
 }
 
-CONCINO_INLINE void augmenting_paths::change_along(std::uint32_t last) {
+CONCINO_INLINE void augmenting_paths::augment_along(std::uint32_t last) {
   while (last != none) {
-    const std::uint32_t v = before_[last], next = mate_[v];
+    const std::uint32_t v = predecessor_[last], next = mate_[v];
     mate_[v] = last;
     mate_[last] = v;
     last = next;
@@ -74,16 +74,16 @@ CONCINO_INLINE bool augmenting_paths::find_path(std::uint32_t root) {
       if (w == none || reached_[w] == left_out) continue;
       if (reached_[w] != search_) {
         visit(w, false);
-        before_[w] = v;
+        predecessor_[w] = v;
         if (mate_[w] == none) {
-          change_along(w);
+          augment_along(w);
           return true;
         }
         visit(mate_[w], true);
       } else if (even_[w] && base(w) != base(v)) {
         const std::uint32_t common = common_base(v, w);
-        shrink(v, w, common);
-        shrink(w, v, common);
+        contract_blossom(v, w, common);
+        contract_blossom(w, v, common);
       }
     }
   }

@@ -38,12 +38,12 @@ class root3_stepper {
 
   /// Where a triangle ends towards each of its edges: at its centre, or at one of the thirds of its divided edge.
   struct triangle {
-    triangle_parts<M> parts;
+    triangle_elements<M> parts;
     std::array<vert_id, 3> ends{};
     std::size_t divided = 3;  // which edge
   };
   triangle read(const poly_t<M>& p) const {
-    triangle t{triangle_parts<M>(caller_, m_, p)};
+    triangle t{triangle_elements<M>(caller_, m_, p)};
     for (std::size_t k = 0; k < 3; ++k)
       if (slot_[index(t.parts.edges[k])] != none) t.divided = k;
     t.ends.fill(centre_[index(p)]);
@@ -123,7 +123,7 @@ class root3_stepper {
         }
     centre_.resize(poly_index_bound(m_));
     for (const poly_t<M> p : polys(m_)) {
-      const triangle_parts<M> t(caller_, m_, p);
+      const triangle_elements<M> t(caller_, m_, p);
       bool is_divided = false;
       for (const edge_t<M>& e : t.edges) is_divided = is_divided || slot_[index(e)] != none;
       if (is_divided) continue;

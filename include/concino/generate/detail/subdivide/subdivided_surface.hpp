@@ -18,7 +18,7 @@ subdivided<trimesh> subdivide_in_four(const char* caller, const M& m, const Crea
   surface_arrays a{{}, {}, {}, 3};
   a.verts.reserve(12 * num_polys(m));
   for (const poly_t<M> p : polys(m)) {
-    const triangle_parts<M> parts(caller, m, p);
+    const triangle_elements<M> parts(caller, m, p);
     const vert_id middles[] = {refined[parts.edges[0]], refined[parts.edges[1]], refined[parts.edges[2]]};
     for (unsigned k = 0; k < 3; ++k)
       a.verts.insert(a.verts.end(), {refined[parts.verts[k]], middles[k], middles[(k + 2) % 3]});

@@ -152,12 +152,12 @@ std::vector<unsigned char> halved_creases(const refined_verts<M, kinds>& refined
 
 /// The three verts of a poly, and its edges, of which edge k joins verts k and k + 1.
 template<class M>
-struct triangle_parts {
+struct triangle_elements {
   vert_t<M> verts[3];
   edge_t<M> edges[3];
 
   /// Errors: unsupported that names the poly if it is no triangle.
-  triangle_parts(const char* caller, const M& m, const poly_t<M>& p) {
+  triangle_elements(const char* caller, const M& m, const poly_t<M>& p) {
     std::size_t n = 0;
     for (const auto& [e, from, to] : oriented_edges(m, p)) {
       if (n < 3) verts[n] = from, edges[n] = e;

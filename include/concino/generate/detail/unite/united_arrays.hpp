@@ -73,16 +73,16 @@ void append_polys(const M& m, const std::vector<std::uint32_t>& number, Arrays& 
 }
 template<class M>
 void append_polyhedra(const M& m, const std::vector<std::uint32_t>& number, face_merger& merger, polyhedra_arrays& a) {
-  std::vector<face_merger::place> places(face_index_bound(m));
+  std::vector<face_merger::merged_face> merged(face_index_bound(m));
   std::vector<vert_id> corners;
   for (const face_t<M> f : faces(m)) {
     corners.clear();
     for (const vert_t<M> v : adj_f2v(m, f)) corners.push_back(vert_id{number[index_of(m, v)]});
-    places[index_of(m, f)] = merger.add(corners.data(), corners.size());
+    merged[index_of(m, f)] = merger.add(corners.data(), corners.size());
   }
   for (const poly_t<M> p : polys(m)) {
     for (const face_t<M> f : adj_p2f(m, p)) {
-      const face_merger::place at = places[index_of(m, f)];
+      const face_merger::merged_face at = merged[index_of(m, f)];
       a.poly_faces.push_back(at.face);
       a.outward.push_back(face_is_outward(m, p, f) == (at.order > 0));
     }

@@ -21,7 +21,7 @@ class voronoi_complex : private cell_loops<D> {
   explicit voronoi_complex(const site_lattice<D>& sites, std::span<const lattice_plane<D>> domain = {})
       : sites_(sites), domain_(domain) {
     const std::size_t n = sites.size(), chunk = 256, chunks = (n + chunk - 1) / chunk;
-    std::vector<part> parts(chunks);
+    std::vector<cell_chunk> parts(chunks);
     parallel_for(
         chunks,
         [&](std::size_t c) {
@@ -53,7 +53,7 @@ class voronoi_complex : private cell_loops<D> {
 
  private:
   /// The verts and loops of a chunk of cells, cell after cell.
-  struct part {
+  struct cell_chunk {
     std::vector<key> keys;
     std::vector<position> positions;            // of verts for which the cell's site is the lowest in their key
     std::vector<std::uint32_t> num_verts;        // by cell
@@ -78,7 +78,7 @@ class voronoi_complex : private cell_loops<D> {
   const site_lattice<D>& sites_;
   std::span<const lattice_plane<D>> domain_;
 
-  void add_cell(voronoi_cell<D>& cell, std::uint32_t i, scratch& s, part& out) const {
+  void add_cell(voronoi_cell<D>& cell, std::uint32_t i, scratch& s, cell_chunk& out) const {
     cell.begin(sites_, i);
     sites_.for_each_near(i, [&] { return cell.security_radius(); }, s.ring, [&](std::uint32_t j, double squared) {
       if (squared <= cell.security_radius() * cell.security_radius()) cell.cut(sites_, j);
@@ -132,13 +132,13 @@ class voronoi_complex : private cell_loops<D> {
 
   /// Merges the verts of all cells. The first cell in the key of a vert creates it, and the other cells look it up
   /// there.
-  void glue(const std::vector<part>& parts) {
+  void glue(const std::vector<cell_chunk>& parts) {
     std::vector<std::size_t> first_vert{0};
     std::vector<key> keys;
     std::vector<std::uint32_t> name;
     loop_offsets = {0};
     vert_offsets = {0};
-    for (const part& p : parts) {
+    for (const cell_chunk& p : parts) {
       keys.insert(keys.end(), p.keys.begin(), p.keys.end());
       std::size_t v = 0, l = 0, c = 0;
       for (std::size_t i = 0; i < p.num_verts.size(); ++i) {

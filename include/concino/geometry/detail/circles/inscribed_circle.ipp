@@ -178,7 +178,7 @@ class largest_circle_search {
     return {(low + high) / 2, range > 0 ? (high - low) / (2 * range) * n : vec3{}};
   }
 
-  void offer(const vec3& x) {
+  void keep_if_larger(const vec3& x) {
     if (!is_inside(x)) return;
     double r = std::numeric_limits<double>::infinity();
     for (index e = 0; e < from_.size() && r > radius; ++e) r = std::min(r, distance_from(x, e));
@@ -208,8 +208,8 @@ class largest_circle_search {
       excluded_ = std::max(excluded_, b.bound);
       return;
     }
-    offer(b.centre);
-    offer(b.centre + bound_.place);
+    keep_if_larger(b.centre);
+    keep_if_larger(b.centre + bound_.place);
     boxes_.push_back(std::move(b));
     std::push_heap(boxes_.begin(), boxes_.end(), has_smaller_bound);
   }

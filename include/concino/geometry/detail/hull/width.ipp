@@ -19,12 +19,12 @@ struct hull_edge {
 };
 
 /// The edges of a hull, each once, and the unit normals of its faces.
-class hull_parts {
+class hull_edges_and_normals {
  public:
   std::vector<hull_edge> edges;
   std::vector<vec3> normals;
 
-  explicit hull_parts(const surface_arrays& s) {
+  explicit hull_edges_and_normals(const surface_arrays& s) {
     std::vector<hull_edge> half;
     for (std::size_t f = 0; f < s.num_polys(); ++f) {
       const auto loop = std::span(s.verts).subspan(s.offsets[f], s.offsets[f + 1] - s.offsets[f]);
@@ -59,12 +59,12 @@ CONCINO_INLINE width_result width_of_points(std::span<const vec3> points) {
   surface_arrays local = hull.surface;
   for (vec3& x : local.points) x = frame(x);
   if (hull.dimension < 3) {
-    const vec3 n = hull.dimension == 2 ? hull_parts(local).normals[0] : vec3{};
+    const vec3 n = hull.dimension == 2 ? hull_edges_and_normals(local).normals[0] : vec3{};
     if (hull.dimension == 2) return {0, n};
     const vec3 along = hull.dimension == 1 ? unit_vector(local.points[1] - local.points[0]) : vec3{1, 0, 0};
     return {0, unit_vector(cross(along, std::abs(along.x) < 0.6 ? vec3{1, 0, 0} : vec3{0, 1, 0}))};
   }
-  const hull_parts parts(local);
+  const hull_edges_and_normals parts(local);
   double width = std::numeric_limits<double>::infinity();
   vec3 direction;
   const auto consider = [&](double w, const vec3& n) {

@@ -34,7 +34,7 @@ class node_counts {
 /// of their own.
 class iv_cursor : protected text_cursor {
   static bool is_separator(char c) { return is_space(c) || c == ','; }
-  static bool is_mark(char c) { return c == '{' || c == '}' || c == '[' || c == ']' || c == '"' || c == '#'; }
+  static bool is_punctuation(char c) { return c == '{' || c == '}' || c == '[' || c == ']' || c == '"' || c == '#'; }
 
  protected:
   using text_cursor::text_cursor;
@@ -64,7 +64,7 @@ class iv_cursor : protected text_cursor {
            ": binary Open Inventor files cannot be read; convert it to ASCII, with ivcat of Coin or Open Inventor"});
   }
 
-  bool ends_word(const char* p) const { return p == end() || is_separator(*p) || is_mark(*p); }
+  bool ends_word(const char* p) const { return p == end() || is_separator(*p) || is_punctuation(*p); }
 
   std::string_view word() {
     const char* const from = at;
@@ -72,7 +72,7 @@ class iv_cursor : protected text_cursor {
     return {from, static_cast<std::size_t>(at - from)};
   }
 
-  /// Skips a string. A backslash keeps a quotation mark from ending it.
+  /// Skips a string. A backslash escapes the character after it.
   void skip_string() {
     const char* const from = at++;
     for (; at != end() && *at != '"'; ++at)

@@ -55,11 +55,11 @@ class medit_binary : protected text_cursor {
   }
 
   /// Finds the next section of the table, or Vertices, and moves to its first row. Returns false if there is none.
-  bool next_section(medit_part& part) {
+  bool next_section(medit_section_header& header) {
     while (next_ && next_ != end()) {
       at = next_;
       limit_ = end();
-      const auto code = header<std::int32_t>("the code of a keyword");
+      const auto code = read_header<std::int32_t>("the code of a keyword");
       if (code == medit_end_code) {
         ended_ = true;
         return false;
@@ -67,9 +67,9 @@ class medit_binary : protected text_cursor {
       next_position();
       report_progress();
       if (code == medit_dimension_code) {
-        dimension_ = header<std::int32_t>("the dimension, 2 or 3");
+        dimension_ = read_header<std::int32_t>("the dimension, 2 or 3");
         if (dimension_ != 2 && dimension_ != 3) fail(at - 4, {"the dimension, 2 or 3"});
-      } else if (find(code, part)) {
+      } else if (find(code, header)) {
         return true;
       } else {
         report_.skipped.push_back(
@@ -81,7 +81,7 @@ class medit_binary : protected text_cursor {
 
   void skip_rows() {}
 
-  std::string place_of(const char* p) const {
+  std::string describe_position(const char* p) const {
     return core::joined({"at byte ", static_cast<std::uint64_t>(p - begin())});
   }
   const char* position() const { return at; }
@@ -101,7 +101,9 @@ class medit_binary : protected text_cursor {
     return static_cast<int>(i);
   }
   // compared with the size of the file
-  std::size_t room_for(const medit_part& part, std::uint64_t) const { return static_cast<std::size_t>(part.count); }
+  std::size_t room_for(const medit_section_header& header, std::uint64_t) const {
+    return static_cast<std::size_t>(header.count);
+  }
 
   void end_file() {
     if (!ended_) report_.notes.push_back("the file has no End: it may be cut off");
@@ -128,7 +130,7 @@ class medit_binary : protected text_cursor {
   std::int64_t integer() { return version_ == 4 ? take<std::int64_t>() : take<std::int32_t>(); }
 
   template<class T>
-  T header(const char* expected) {
+  T read_header(const char* expected) {
     if (static_cast<std::size_t>(limit_ - at) < sizeof(T)) fail(limit_, {expected});
     return take<T>();
   }
@@ -136,8 +138,8 @@ class medit_binary : protected text_cursor {
   /// Reads the position of the next keyword; 0 if there is none.
   void next_position() {
     const char* const from = at;
-    const std::int64_t position = version_ < 3 ? header<std::int32_t>("the position of the next keyword")
-                                               : header<std::int64_t>("the position of the next keyword");
+    const std::int64_t position = version_ < 3 ? read_header<std::int32_t>("the position of the next keyword")
+                                               : read_header<std::int64_t>("the position of the next keyword");
     next_ = nullptr;
     if (position == 0) return;
     if (position < at - begin() || position > end() - begin())
@@ -148,33 +150,33 @@ class medit_binary : protected text_cursor {
     limit_ = next_ = begin() + position;
   }
 
-  bool find(std::int32_t code, medit_part& part) {
-    part = {};
+  bool find(std::int32_t code, medit_section_header& header) {
+    header = {};
     const char* const from = at - (version_ < 3 ? 8 : 12);
     std::size_t row = 0;
     if (code == medit_vertices_code) {
       if (dimension_ == 0) fail(from, {"the dimension before the vertices"});
       row = static_cast<std::size_t>(dimension_) * real_size() + integer_size();
     } else {
-      part.section = find_medit_section(&medit_section::code, code);
+      header.section = find_medit_section(&medit_section::code, code);
       has_ordering_ = has_ordering_ || is_medit_ordering(code);
-      if (!part.section) return false;
-      if (part.section->rows == medit_rows::normals && dimension_ == 0)
+      if (!header.section) return false;
+      if (header.section->rows == medit_rows::normals && dimension_ == 0)
         fail(from, {"the dimension before the normals"});
-      row = part.section->rows == medit_rows::normals
+      row = header.section->rows == medit_rows::normals
                 ? static_cast<std::size_t>(dimension_) * real_size()
-                : (part.section->num_indices() + part.section->has_reference()) * integer_size();
+                : (header.section->num_indices() + header.section->has_reference()) * integer_size();
     }
     const char* const number = at;
-    const std::int64_t n =
-        version_ == 4 ? header<std::int64_t>("the number of rows") : header<std::int32_t>("the number of rows");
+    const std::int64_t n = version_ == 4 ? read_header<std::int64_t>("the number of rows")
+                                         : read_header<std::int32_t>("the number of rows");
     const std::uint64_t most = static_cast<std::uint64_t>(limit_ - at) / row;
     if (n < 0 || static_cast<std::uint64_t>(n) > most)
       fail(number, {"the number of rows of the section, at most ", most, " up to the next one or the end of the file"},
            {n});
-    part.count = static_cast<std::uint64_t>(n);
-    if (part.count > max_ids) fail_to_count("elements of one kind");
-    part.at = at;
+    header.count = static_cast<std::uint64_t>(n);
+    if (header.count > max_ids) fail_to_count("elements of one kind");
+    header.at = at;
     return true;
   }
 };

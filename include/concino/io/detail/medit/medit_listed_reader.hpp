@@ -60,10 +60,10 @@ class medit_listed_reader : protected Cursor {
   bool takes_repeated() const { return contents_.repeated.policy != repeated_verts::refuse; }
 
   /// Reads edges, or faces of a volume: elements that the mesh has, and to which the file gives references.
-  void list(const medit_part& part, element_kind kind, listed_elements& listed, row_numbers& numbers) {
-    const medit_section& s = *part.section;
-    numbers.add(part.count, listed.size());
-    for (std::uint64_t i = 0; i < part.count; ++i) {
+  void list(const medit_section_header& header, element_kind kind, listed_elements& listed, row_numbers& numbers) {
+    const medit_section& s = *header.section;
+    numbers.add(header.count, listed.size());
+    for (std::uint64_t i = 0; i < header.count; ++i) {
       vert_id corners[8];
       const std::uint32_t n = collapse_listed(next_element(s, corners), corners, s.arity);
       listed.verts.insert(listed.verts.end(), corners, corners + n);
@@ -74,23 +74,23 @@ class medit_listed_reader : protected Cursor {
     }
   }
 
-  void read_normals(const medit_part& part) {
-    for (std::uint64_t i = 0; i < part.count; ++i)
+  void read_normals(const medit_section_header& header) {
+    for (std::uint64_t i = 0; i < header.count; ++i)
       normals_.push_back(next_vector("the x of a normal", "the y of a normal", "the z of a normal"));
   }
 
-  void read_normals_at_verts(const medit_part& part) {
+  void read_normals_at_verts(const medit_section_header& header) {
     contents_.vert_normals.resize(points_.size());
-    for (std::uint64_t i = 0; i < part.count; ++i) {
+    for (std::uint64_t i = 0; i < header.count; ++i) {
       const std::uint32_t v = index(points_.size(), "a vertex index");
       contents_.vert_normals[v] = normals_[index(normals_.size(), "the index of a normal")];
     }
   }
 
   /// Reads the numbers of marked elements. Those of a section refer to the rows of others.
-  void mark(const medit_part& part, bool is_volume) {
-    const medit_section& s = *part.section;
-    for (std::uint64_t i = 0; i < part.count; ++i) {
+  void mark(const medit_section_header& header, bool is_volume) {
+    const medit_section& s = *header.section;
+    for (std::uint64_t i = 0; i < header.count; ++i) {
       if (s.rows == medit_rows::marked_verts) {
         marks_.set(element_kind::vert, s.mark, index(points_.size(), "a vertex index"), 1);
       } else if (s.rows == medit_rows::marked_edges) {

@@ -96,8 +96,8 @@ inline bool is_medit_ordering(std::int32_t code) { return code >= 127 && code <=
 /// Codes of binary files that are not in the table.
 inline constexpr std::int32_t medit_dimension_code = 3, medit_vertices_code = 4, medit_end_code = 54;
 
-/// A section that was found in a file.
-struct medit_part {
+/// Which section of a file it is, and where its rows are.
+struct medit_section_header {
   const medit_section* section = nullptr;  // null: Vertices
   const char* at = nullptr;                // its first row
   std::uint64_t count = 0;                 // of its rows

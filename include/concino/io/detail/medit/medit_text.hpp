@@ -29,7 +29,7 @@ class medit_text : protected token_cursor {
   }
 
   /// Finds the next section of the table, or Vertices, and moves to its first row. Returns false if there is none.
-  bool next_section(medit_part& part) {
+  bool next_section(medit_section_header& header) {
     for (skip(); !at_end(); skip()) {
       const char* const from = at;
       const std::string_view keyword = is_letter(*at) ? word() : std::string_view{};
@@ -39,7 +39,7 @@ class medit_text : protected token_cursor {
       }
       if (keyword.empty()) fail(from, "a keyword, such as Tetrahedra or End");
       if (keyword == "Dimension") dimension();
-      else if (find(keyword, from, part)) return true;
+      else if (find(keyword, from, header)) return true;
     }
     return false;
   }
@@ -61,7 +61,7 @@ class medit_text : protected token_cursor {
     }
   }
 
-  std::string place_of(const char* p) const { return core::joined({"on line ", line_of(p)}); }
+  std::string describe_position(const char* p) const { return core::joined({"on line ", line_of(p)}); }
   const char* position() {
     skip();
     return at;
@@ -69,8 +69,8 @@ class medit_text : protected token_cursor {
   std::uint32_t index(std::uint64_t bound, const char* what) { return next_index(bound, what); }
   double coordinate(const char* what) { return next_real(what); }
   /// How many rows of a section there is room for, of so many numbers each.
-  std::size_t room_for(const medit_part& part, std::uint64_t numbers) const {
-    return reservable(part.count, 2 * numbers);
+  std::size_t room_for(const medit_section_header& header, std::uint64_t numbers) const {
+    return reservable(header.count, 2 * numbers);
   }
 
   int reference(const char* what) {
@@ -104,18 +104,18 @@ class medit_text : protected token_cursor {
   }
 
   /// Finds the section of a keyword and reads the number of its rows. Skips one that is unknown, and returns false.
-  bool find(std::string_view keyword, const char* from, medit_part& part) {
-    part = {};
+  bool find(std::string_view keyword, const char* from, medit_section_header& header) {
+    header = {};
     if (keyword == "Vertices") {
       if (dimension_ == 0) fail(from, "Dimension before Vertices");
-      part.count = next_count("the number of vertices", static_cast<std::uint64_t>(2 * dimension_ + 2));
-      part.at = at;
+      header.count = next_count("the number of vertices", static_cast<std::uint64_t>(2 * dimension_ + 2));
+      header.at = at;
       return true;
     }
-    part.section = find_medit_section(&medit_section::keyword, keyword);
-    if (part.section) {
-      part.count = next_count("the number of elements", 2 * part.section->num_indices() + 2);
-      part.at = at;
+    header.section = find_medit_section(&medit_section::keyword, keyword);
+    if (header.section) {
+      header.count = next_count("the number of elements", 2 * header.section->num_indices() + 2);
+      header.at = at;
       return true;
     }
     has_ordering_ = has_ordering_ || is_medit_ordering(keyword);

@@ -28,8 +28,8 @@ class medit_reader : medit_listed_reader<Cursor> {
   std::vector<int> vert_labels_, poly_labels_;
   medit_polygons surface_;
   std::size_t polys_ = 0;
-  std::vector<medit_part> deferred_;  // all sections but cells after the verts: their meaning depends on whether there
-                                      // are cells
+  std::vector<medit_section_header> deferred_;  // all sections but cells after the verts: their meaning depends on
+                                                // whether there are cells
   bool corners_only_;
 
   struct no_cells {
@@ -44,16 +44,16 @@ class medit_reader : medit_listed_reader<Cursor> {
 
   void read() {
     this->begin_file();
-    for (medit_part part; this->next_section(part);) {
-      if (!part.section) {
-        vertices(part);
-      } else if (part.section->nodes && !corners_only_) {
-        reject_nodes(part);
+    for (medit_section_header header; this->next_section(header);) {
+      if (!header.section) {
+        vertices(header);
+      } else if (header.section->nodes && !corners_only_) {
+        reject_nodes(header);
         this->skip_rows();
-      } else if (Volumes && part.section->is_volume() && has_verts_) {
-        elements(part);
+      } else if (Volumes && header.section->is_volume() && has_verts_) {
+        elements(header);
       } else {
-        deferred_.push_back(part);
+        deferred_.push_back(header);
         this->skip_rows();
       }
     }
@@ -63,16 +63,16 @@ class medit_reader : medit_listed_reader<Cursor> {
   }
 
  private:
-  void report_skipped(const medit_part& part) {
-    if (part.count > 0)
-      report_.skipped.push_back(core::joined({"section ", part.section->keyword, ", ", part.count, " rows"}));
+  void report_skipped(const medit_section_header& header) {
+    if (header.count > 0)
+      report_.skipped.push_back(core::joined({"section ", header.section->keyword, ", ", header.count, " rows"}));
   }
 
   /// Errors: unsupported for elements of second or higher order, but for edges, which are skipped.
-  void reject_nodes(const medit_part& part) {
-    const medit_section& s = *part.section;
-    if (part.count == 0 || s.rows == medit_rows::edges) return report_skipped(part);
-    core::throw_joined<unsupported>({this->name(), ": section ", s.keyword, " has ", part.count,
+  void reject_nodes(const medit_section_header& header) {
+    const medit_section& s = *header.section;
+    if (header.count == 0 || s.rows == medit_rows::edges) return report_skipped(header);
+    core::throw_joined<unsupported>({this->name(), ": section ", s.keyword, " has ", header.count,
                                      s.keyword.back() == '2' ? " second-order" : " higher-order",
                                      " elements, with nodes on edges; ", read_corners_instead});
   }
@@ -84,10 +84,10 @@ class medit_reader : medit_listed_reader<Cursor> {
     labels.push_back(label);
   }
 
-  void vertices(const medit_part& part) {
-    if (has_verts_) fail(part.at, {"one section Vertices"}, {"another"});
-    points_.reserve(this->room_for(part, static_cast<std::uint64_t>(this->dimension_) + 1));
-    for (std::uint64_t i = 0; i < part.count; ++i) {
+  void vertices(const medit_section_header& header) {
+    if (has_verts_) fail(header.at, {"one section Vertices"}, {"another"});
+    points_.reserve(this->room_for(header, static_cast<std::uint64_t>(this->dimension_) + 1));
+    for (std::uint64_t i = 0; i < header.count; ++i) {
       points_.push_back(next_vector("the x of a vertex", "the y of a vertex", "the z of a vertex"));
       add_label(vert_labels_, i, reference("the reference of a vertex, an integer"));
       this->report_progress();
@@ -96,11 +96,11 @@ class medit_reader : medit_listed_reader<Cursor> {
   }
 
   /// Reads polys.
-  void elements(const medit_part& part) {
-    const medit_section& s = *part.section;
-    if (part.count == 0) return;
+  void elements(const medit_section_header& header) {
+    const medit_section& s = *header.section;
+    if (header.count == 0) return;
     position();
-    const std::size_t room = this->room_for(part, s.num_indices() + 1);
+    const std::size_t room = this->room_for(header, s.num_indices() + 1);
     if constexpr (Volumes)
       if (s.is_volume()) {
         if (!cells_.can_hold(s.shape) && !takes_repeated())
@@ -111,9 +111,9 @@ class medit_reader : medit_listed_reader<Cursor> {
       if (wanted_.surface && wanted_.arity && s.arity != wanted_.arity && !takes_repeated())
         throw_wrong_arity_of(s, wanted_.arity);
       surface_.reserve(room * s.arity);
-      numbers_of(s).add(part.count, polys_);
+      numbers_of(s).add(header.count, polys_);
     }
-    for (std::uint64_t i = 0; i < part.count; ++i) {
+    for (std::uint64_t i = 0; i < header.count; ++i) {
       vert_id corners[8];
       const char* const from = next_element(s, corners);
       if constexpr (Volumes)
@@ -122,14 +122,14 @@ class medit_reader : medit_listed_reader<Cursor> {
       add_label(poly_labels_, polys_ + i, next_reference());
       this->report_progress();
     }
-    polys_ += part.count;
+    polys_ += header.count;
   }
 
   void add_polygon(const char* from, const vert_id* corners, std::uint32_t n, std::size_t poly) {
     check_read_polygon(
         out_, wanted_, corners, n, {.different = "different verts in an element", .first = 1}, scratch_,
         [&](core::message expected, core::message found) { fail(from, expected, found); }, [&] { return poly; },
-        [&] { return this->place_of(from); });
+        [&] { return this->describe_position(from); });
     surface_.add(corners, n);
     if (surface_.size_of_lists() > max_ids) this->fail_to_count("corners");
   }
@@ -144,14 +144,14 @@ class medit_reader : medit_listed_reader<Cursor> {
   /// Whether a section of this kind waits that is not empty.
   bool has_deferred(medit_rows rows) const {
     return std::any_of(deferred_.begin(), deferred_.end(),
-                       [&](const medit_part& p) { return p.section->rows == rows && p.count > 0; });
+                       [&](const medit_section_header& p) { return p.section->rows == rows && p.count > 0; });
   }
 
   /// Reads the sections that waited until the verts were read and it was known whether there are cells.
   void read_deferred(bool has_cells) {
     // If the file has the wrong kind of mesh, the error that load() throws is clearer than the line of one element.
     const bool is_wanted = has_cells ? Volumes : wanted_.surface || !has_deferred(medit_rows::polygons);
-    for (const medit_part& p : deferred_) {
+    for (const medit_section_header& p : deferred_) {
       const medit_rows rows = p.section->rows;
       at = p.at;
       if (rows == medit_rows::cells || (rows == medit_rows::polygons && !has_cells)) {
@@ -168,7 +168,7 @@ class medit_reader : medit_listed_reader<Cursor> {
       }
     }
     bool uses_normals = false;
-    for (const medit_part& p : deferred_) {
+    for (const medit_section_header& p : deferred_) {
       if (!is_wanted) continue;
       at = p.at;
       if (p.section->rows == medit_rows::normals_at_verts) {
@@ -178,7 +178,7 @@ class medit_reader : medit_listed_reader<Cursor> {
         mark(p, has_cells);
       }
     }
-    for (const medit_part& p : deferred_)
+    for (const medit_section_header& p : deferred_)
       if (p.section->rows == medit_rows::normals && !uses_normals) report_skipped(p);
   }
 

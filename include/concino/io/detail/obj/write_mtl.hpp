@@ -211,7 +211,7 @@ class mtl_names {
     line << keyword;
     for (const float x : numbers) {
       line << ' ';
-      write_part(line, c_.finite(x), false);
+      write_float(line, c_.finite(x), false);
     }
     return std::move(line).release();
   }

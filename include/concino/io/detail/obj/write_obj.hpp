@@ -133,7 +133,7 @@ inline bool write_obj_verts(write_context& c, const flat_mesh& m, const flat_val
       transparent = transparent || x.a != 1;
       for (const float part : {x.r, x.g, x.b}) {
         c.out << ' ';
-        write_part(c.out, c.finite(part), has_large);
+        write_float(c.out, c.finite(part), has_large);
       }
     }
     c.out << '\n';

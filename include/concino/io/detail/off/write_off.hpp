@@ -46,7 +46,7 @@ class off_numbers {
       return;
     }
     c_.out << ' ';
-    write_part(c_.out, c_.finite(x), true);
+    write_float(c_.out, c_.finite(x), true);
   }
   void color(const rgba& x) {
     for (const float p : {x.r, x.g, x.b, x.a}) part(p);

@@ -110,11 +110,11 @@ class cg_reader : skeleton_reader {
     if (!has_counts_) return;
     const std::uint64_t v = out_.points.size(), e = out_.edges.size();
     if (v < num_verts_ || e < num_edges_)
-      fail(end(), {num_verts_, " verts and ", num_edges_, " edges, as announced"},
+      fail(end(), {num_verts_, " verts and ", num_edges_, " edges, as the file states"},
            {v, " verts and ", e, " edges, and then the end of the file"});
     if (v != num_verts_ || e != num_edges_)
       report_.notes.push_back(core::joined(
-          {"the file announces ", num_verts_, " verts and ", num_edges_, " edges, but has ", v, " and ", e}));
+          {"the file states ", num_verts_, " verts and ", num_edges_, " edges, but has ", v, " and ", e}));
   }
 
   void number_from_0() {

@@ -171,11 +171,11 @@ class cli_binary_reader {
     const char* const position = in_.at;
     const std::uint32_t direction = is_polyline ? next(size, "a direction") : 2;
     if (direction > 2) fail(position, {"a direction: 0 for inner, 1 for outer, 2 for open lines"});
-    const char* const announced = in_.at;
+    const char* const count_position = in_.at;
     std::uint64_t n = next(size, is_polyline ? "the number of points" : "the number of hatches");
     if (!is_polyline) n *= 2;
     if (n > in_.left() / (2 * size))
-      fail(announced,
+      fail(count_position,
            {"at most ", in_.left() / (2 * size), " points, as many as the rest of the file can hold, instead of ", n});
     slice_lines& lines = !is_polyline     ? layer.hatches
                          : direction == 0 ? layer.inner

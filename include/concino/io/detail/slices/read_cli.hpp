@@ -144,7 +144,7 @@ class cli_reader : cli_header_reader {
            {n, " layers, and then the end of the file at byte ", end() - begin()});
     else if (n != *num_layers_)
       report_.notes.push_back(
-          core::joined({"$$LAYERS announces ", *num_layers_, " layers, but the file has ", n}));
+          core::joined({"$$LAYERS states ", *num_layers_, " layers, but the file has ", n}));
   }
 
   void report_skipped() {

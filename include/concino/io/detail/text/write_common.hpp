@@ -18,7 +18,7 @@ inline void write_point(text_sink& out, const vec3& p) { out << p.x << ' ' << p.
 
 /// Writes the shortest decimal number that becomes the same float when it is read as a double. If is_real, it has a
 /// decimal point.
-inline void write_part(text_sink& out, float x, bool is_real) {
+inline void write_float(text_sink& out, float x, bool is_real) {
   char digits[32];
   const char* end = std::to_chars(digits, digits + 32, x).ptr;
   double back = 0;

@@ -13,10 +13,10 @@
 namespace concino::detail {
 
 class point_numbers {
-  static constexpr std::uint32_t free_place = ~0u;
+  static constexpr std::uint32_t free_slot = ~0u;
   std::vector<vec3>& points_;
-  std::vector<std::uint32_t> table_ = std::vector<std::uint32_t>(64, free_place);  // of numbers, by their hashes; the
-                                                                                   // size is a power of two
+  std::vector<std::uint32_t> table_ = std::vector<std::uint32_t>(64, free_slot);  // of numbers, by their hashes; the
+                                                                                  // size is a power of two
 
   /// -0 and 0 are equal, so they have the same hash.
   static std::uint64_t hash(const vec3& p) {
@@ -25,14 +25,14 @@ class point_numbers {
     return h;
   }
   /// Where the point is, or can be put.
-  std::size_t place_of(const vec3& p) const {
+  std::size_t slot_of(const vec3& p) const {
     std::size_t at = hash(p) & (table_.size() - 1);
-    while (table_[at] != free_place && !(points_[table_[at]] == p)) at = (at + 1) & (table_.size() - 1);
+    while (table_[at] != free_slot && !(points_[table_[at]] == p)) at = (at + 1) & (table_.size() - 1);
     return at;
   }
   void grow() {
-    table_.assign(2 * table_.size(), free_place);
-    for (std::uint32_t i = 0; i < points_.size(); ++i) table_[place_of(points_[i])] = i;
+    table_.assign(2 * table_.size(), free_slot);
+    for (std::uint32_t i = 0; i < points_.size(); ++i) table_[slot_of(points_[i])] = i;
   }
 
  public:
@@ -42,8 +42,8 @@ class point_numbers {
   /// Needs: finite coordinates, and less than 2^32 - 1 different points.
   vert_id operator()(const vec3& p) {
     if (2 * points_.size() >= table_.size()) grow();
-    const std::size_t at = place_of(p);
-    if (table_[at] == free_place) {
+    const std::size_t at = slot_of(p);
+    if (table_[at] == free_slot) {
       table_[at] = static_cast<std::uint32_t>(points_.size());
       points_.push_back(p);
     }

@@ -41,9 +41,9 @@ class field_text_reader : token_cursor {
     const std::string_view keyword = wanted_.size == 3 ? "VECTOR_FIELD" : "SCALAR_FIELD";
     if (word() != keyword) fail(from, {keyword, ", or just the values"});
     skip();
-    const char* const announced = at;
+    const char* const count_position = at;
     const std::uint64_t n = next_count("the number of values", 2);
-    if (n != wanted_.count) fail_at_count(announced, n);
+    if (n != wanted_.count) fail_at_count(count_position, n);
   }
 
   [[noreturn, gnu::cold]] void fail_at_count(const char* position, std::uint64_t n) const {

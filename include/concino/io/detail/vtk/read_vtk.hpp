@@ -65,9 +65,9 @@ class vtk_reader : public vtk_values_reader {
       if (kind_ == element_kind::poly) finish_cells();
       tuples_ = next_number("the number of values");
     } else if (keyword == "metadata") {
-      metadata();
+      skip_metadata();
     } else if (keyword == "field") {
-      field();
+      read_field_data();
     } else if (keyword == "lookup_table") {
       next_name();
       const std::uint64_t n = next_number("the size of the table");
@@ -76,7 +76,7 @@ class vtk_reader : public vtk_values_reader {
       skip_values(vtk_number::uint8, 4 * n);
       ++num_tables_;
     } else {
-      attribute(keyword, from);
+      read_attribute(keyword, from);
     }
   }
 

@@ -25,7 +25,7 @@ class vtk_cell_verts {
   vtk_cell_verts(vtk_grid& grid, const read_context& in, vtk_places& places)
       : grid_(grid), in_(in), places_(places) {}
 
-  /// Call it first.
+  /// Needs: a call before those of the other functions.
   void find_largest() {
     if (grid_.largest == vtk_grid::unknown) {
       grid_.largest = 0;

@@ -10,7 +10,7 @@ namespace concino::detail {
 
 class vtk_cells_reader : public vtk_index_cursor, public vtk_places {
   /// Cells that stand together in the file.
-  struct part {
+  struct cell_block {
     std::uint8_t type = 0;  // of polydata
     const char* at = nullptr;  // the first number; where errors begin to look for a cell
     bool rows = true;
@@ -20,7 +20,7 @@ class vtk_cells_reader : public vtk_index_cursor, public vtk_places {
     std::uint32_t largest = vtk_grid::unknown;  // number in verts
   };
   static constexpr std::string_view polydata_sections[] = {"vertices", "lines", "polygons", "triangle_strips"};
-  part parts_[4];  // of polydata, in VTK's order of cells; else the first one
+  cell_block blocks_[4];  // of polydata, in VTK's order of cells; else the first one
   const char* types_at_ = nullptr;
   bool has_cells_ = false, finished_ = false;
 
@@ -48,10 +48,10 @@ class vtk_cells_reader : public vtk_index_cursor, public vtk_places {
     if (is_polydata_) {
       for (std::size_t i = 0; i < 4; ++i) {
         if (polydata_sections[i] != keyword) continue;
-        if (parts_[i].at || finished_) reject(from, {"one such section, before CELL_DATA"}, {"another"});
+        if (blocks_[i].at || finished_) reject(from, {"one such section, before CELL_DATA"}, {"another"});
         constexpr std::uint8_t types[] = {2, 4, 7, 6};
-        parts_[i].type = types[i];
-        lists(parts_[i], from);
+        blocks_[i].type = types[i];
+        lists(blocks_[i], from);
         return true;
       }
       return false;
@@ -60,13 +60,13 @@ class vtk_cells_reader : public vtk_index_cursor, public vtk_places {
       if (finished_) reject(from, {"one section CELLS, before CELL_DATA"});
       if (has_cells_) reject(from, {"one section CELLS"}, {"another"});
       has_cells_ = true;
-      lists(parts_[0], from);
+      lists(blocks_[0], from);
       return true;
     }
     if (keyword != "cell_types") return false;
     if (!has_cells_ || types_at_) reject(from, {"CELLS, then one section CELL_TYPES"});
     const std::uint64_t n = next_number("the number of cells");
-    if (n != parts_[0].ends.size()) reject(from, {"the types of ", parts_[0].ends.size(), " cells"}, {n});
+    if (n != blocks_[0].ends.size()) reject(from, {"the types of ", blocks_[0].ends.size(), " cells"}, {n});
     begin_numbers();
     require_room(from, n, vtk_number::int32);
     types_at_ = at;
@@ -87,12 +87,12 @@ class vtk_cells_reader : public vtk_index_cursor, public vtk_places {
     if (std::exchange(finished_, true)) return;
     if (has_cells_ && !types_at_) reject(end(), {"a section CELL_TYPES"});
     if (!is_polydata_) {
-      grid_.verts = std::move(parts_[0].verts);
-      grid_.cell_ends = std::move(parts_[0].ends);
-      grid_.largest = parts_[0].largest;
+      grid_.verts = std::move(blocks_[0].verts);
+      grid_.cell_ends = std::move(blocks_[0].ends);
+      grid_.largest = blocks_[0].largest;
       return;
     }
-    for (part& p : parts_) {
+    for (cell_block& p : blocks_) {
       const std::size_t before = grid_.verts.size();
       if (before + p.verts.size() > max_ids) fail_to_count("corners");
       if (before == 0) grid_.verts = std::move(p.verts);
@@ -104,7 +104,7 @@ class vtk_cells_reader : public vtk_index_cursor, public vtk_places {
   }
 
  private:
-  void lists(part& p, const char* from) {
+  void lists(cell_block& p, const char* from) {
     const std::uint64_t n = next_number("the number of cells"), size = next_number("the size of the list");
     if (size > max_count) fail_to_count("corners");
     const char* const back = at;
@@ -133,7 +133,7 @@ class vtk_cells_reader : public vtk_index_cursor, public vtk_places {
     if (used != size) reject(last, {"cells of ", size, " numbers"}, {n, " cells of ", used});
   }
   /// The same in binary files, in one pass over the file.
-  void binary_rows(part& p, std::uint64_t n, std::uint64_t size, const char* from) {
+  void binary_rows(cell_block& p, std::uint64_t n, std::uint64_t size, const char* from) {
     constexpr std::size_t step = 4096;  // verts by which the list grows, which stay in the cache until they are
                                         // overwritten
     const std::uint64_t total = size - n;
@@ -156,7 +156,7 @@ class vtk_cells_reader : public vtk_index_cursor, public vtk_places {
     if (left > 0) reject(last, {"cells of ", size, " numbers"}, {n, " cells of ", size - left});
   }
   /// OFFSETS type, n numbers, the first 0; CONNECTIVITY type, `size` numbers.
-  void offsets(part& p, std::uint64_t n, std::uint64_t size, const char* from) {
+  void offsets(cell_block& p, std::uint64_t n, std::uint64_t size, const char* from) {
     const auto type = [&] {
       const char* const here = at;
       const vtk_number t = vtk_number_of_legacy(next_keyword());
@@ -199,7 +199,7 @@ class vtk_cells_reader : public vtk_index_cursor, public vtk_places {
   }
   /// Where a cell stands in the file. Reads its section again.
   const char* position_of(std::size_t cell) {
-    const part* p = parts_;
+    const cell_block* p = blocks_;
     std::size_t before = is_polydata_ ? 0 : grid_.first(cell);  // verts of the section before those of the cell
     for (; is_polydata_ && cell >= p->ends.size(); ++p) cell -= p->ends.size();
     if (is_polydata_ && cell > 0) before = p->ends[cell - 1];

@@ -227,7 +227,7 @@ inline void write_vtk_number(text_sink& out, vtk_number type, const unsigned cha
   with_number_type(type, [&]<class T>(std::type_identity<T>) {
     T x;
     std::memcpy(&x, bytes, sizeof x);
-    if constexpr (std::is_same_v<T, float>) write_part(out, x, false);
+    if constexpr (std::is_same_v<T, float>) write_float(out, x, false);
     else if constexpr (std::is_same_v<T, double>) out << x;
     else if constexpr (std::is_same_v<T, bool>) out << int{x};
     else out << x;

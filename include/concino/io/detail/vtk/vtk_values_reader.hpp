@@ -28,8 +28,8 @@ class vtk_values_reader : public vtk_cells_reader {
     return t;
   }
 
-  /// SCALARS, VECTORS and their like: a name, a type, and values for every point or cell.
-  void attribute(const std::string& keyword, const char* from) {
+  /// SCALARS, VECTORS and similar sections: a name, a type, and values for every point or cell.
+  void read_attribute(const std::string& keyword, const char* from) {
     struct row {
       std::string_view keyword;
       std::size_t components;  // 0: in the file
@@ -44,7 +44,7 @@ class vtk_values_reader : public vtk_cells_reader {
       std::size_t components = r.components;
       if (keyword == "texture_coordinates" || keyword == "color_scalars")
         components = next_number("the number of values per element");
-      if (keyword == "color_scalars") return colors(array, components, from);
+      if (keyword == "color_scalars") return read_colors(array, components, from);
       const vtk_number type = number_type();
       if (keyword == "scalars") {
         components = number_on_line(1);
@@ -53,15 +53,15 @@ class vtk_values_reader : public vtk_cells_reader {
         if (next_keyword() == "lookup_table") next_name();
         else at = table;
       }
-      if (keyword == "normals") rename(array, "normal");
-      if (keyword == "texture_coordinates" && components == 2) rename(array, "texture");
+      if (keyword == "normals") use_reserved_name(array, "normal");
+      if (keyword == "texture_coordinates" && components == 2) use_reserved_name(array, "texture");
       begin_numbers();
-      return column(array, type, components, tuples_, from, keyword == "normals" || array == "texture");
+      return read_column(array, type, components, tuples_, from, keyword == "normals" || array == "texture");
     }
     reject(from, {"a section, such as POINTS, CELLS, POINT_DATA or SCALARS"});
   }
 
-  void field() {
+  void read_field_data() {
     next_name();
     std::uint64_t arrays = next_number("the number of arrays");
     for (; arrays > 0; --arrays) {
@@ -70,7 +70,7 @@ class vtk_values_reader : public vtk_cells_reader {
       if (at_end()) reject(at, {"the name of an array"});
       const std::string array = next_name();
       if (std::string_view(from, static_cast<std::size_t>(at - from)) == "METADATA") {
-        metadata();
+        skip_metadata();
         ++arrays;
         continue;
       }
@@ -89,12 +89,12 @@ class vtk_values_reader : public vtk_cells_reader {
       }
       const vtk_number number = vtk_number_of_legacy(type);
       if (number == vtk_number::none) reject(type_name, {"a type of numbers, such as double or int"});
-      column(array, number, components, tuples, from, false);
+      read_column(array, number, components, tuples, from, false);
     }
   }
 
   /// Skips a block that ends with an empty line.
-  void metadata() {
+  void skip_metadata() {
     for (skip_line(); !at_end(); skip_line()) {
       at += *at == '\r' && left() > 1 && at[1] == '\n' ? 2 : 1;
       const char* const from = at;
@@ -110,15 +110,15 @@ class vtk_values_reader : public vtk_cells_reader {
     return kind_ == element_kind::vert ? grid_.points.size() : kind_ == element_kind::poly ? grid_.size() : 1;
   }
 
-  void rename(std::string& array, const char* reserved) {
+  void use_reserved_name(std::string& array, const char* reserved) {
     if (array != reserved)
       report_.notes.push_back(core::joined({"the array \"", array, "\" is the property \"", reserved, "\""}));
     array = reserved;
   }
 
   /// Reads the values of a column, or skips them. `as_doubles`: stores numbers of any type as doubles.
-  void column(const std::string& array, vtk_number type, std::size_t components, std::uint64_t tuples, const char* from,
-              bool as_doubles) {
+  void read_column(const std::string& array, vtk_number type, std::size_t components, std::uint64_t tuples,
+                   const char* from, bool as_doubles) {
     if (components > max_count || tuples > max_count)
       reject(from, {"a count that fits into the file"}, {components > max_count ? components : tuples});
     const std::uint64_t n = tuples * components;
@@ -149,20 +149,20 @@ class vtk_values_reader : public vtk_cells_reader {
   }
 
   /// COLOR_SCALARS: reals from 0 to 1 in text files, bytes in binary ones.
-  void colors(std::string& array, std::size_t components, const char* from) {
+  void read_colors(std::string& array, std::size_t components, const char* from) {
     begin_numbers();
     const vtk_number type = binary_ ? vtk_number::uint8 : vtk_number::float32;
     if ((components != 3 && components != 4) || tuples_ != num_elements())
-      return column(array, type, components, tuples_, from, false);
+      return read_column(array, type, components, tuples_, from, false);
     require_room(from, tuples_ * components, type);
-    rename(array, "color");
+    use_reserved_name(array, "color");
     grid_.columns.push_back({kind_, array, make_column(values_of<rgba>, tuples_)});
     auto* const to = static_cast<rgba*>(grid_.columns.back().values->data());
     for (std::uint64_t i = 0; i < tuples_; ++i) {
-      float rgba_part[4] = {1, 1, 1, 1};
+      float channels[4] = {1, 1, 1, 1};
       for (std::size_t k = 0; k < components; ++k)
-        rgba_part[k] = binary_ ? static_cast<float>(static_cast<unsigned char>(*at++) / 255.0) : next_value<float>();
-      to[i] = {rgba_part[0], rgba_part[1], rgba_part[2], rgba_part[3]};
+        channels[k] = binary_ ? static_cast<float>(static_cast<unsigned char>(*at++) / 255.0) : next_value<float>();
+      to[i] = {channels[0], channels[1], channels[2], channels[3]};
     }
   }
 };

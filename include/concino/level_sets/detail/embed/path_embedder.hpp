@@ -6,7 +6,7 @@
 #include <concino/level_sets/detail/embed/add_edge_between.hpp>
 #include <concino/level_sets/detail/embed/path_places.hpp>
 #include <concino/level_sets/detail/embed/polygon_splitter.hpp>
-#include <concino/level_sets/detail/embed/triangle_piece.hpp>
+#include <concino/level_sets/detail/embed/triangle_part.hpp>
 
 #include <algorithm>
 #include <array>
@@ -36,9 +36,9 @@ class path_embedder {
   std::vector<std::uint32_t> number_;       // of the vert at each place
   std::vector<vec3> points_;
   correspondence from_;
-  std::vector<unsigned> corners_, ends_, more_corners_, more_ends_;  // of the first piece of each poly, and of the
+  std::vector<unsigned> corners_, ends_, more_corners_, more_ends_;  // of the first part of each poly, and of the
                                                                      // others
-  std::vector<std::uint32_t> more_polys_;                            // by other piece: its poly
+  std::vector<std::uint32_t> more_polys_;                            // by other part: its poly
 
  public:
   explicit path_embedder(M& m) : m_(m), path_(m) {}
@@ -149,7 +149,7 @@ class path_embedder {
     polygon_splitter splitter;
     std::vector<std::uint32_t> corners;
     std::vector<unsigned char> on_edges;
-    std::vector<piece_corner> piece_corners;
+    std::vector<part_corner> part_corners;
     for (std::uint32_t k = 0; k < polys_.size(); ++k) {
       read_corners(k, corners, on_edges);
       splitter.start(corners);
@@ -158,17 +158,17 @@ class path_embedder {
           core::throw_joined<invalid_argument>({"embed_path: the path crosses itself inside poly ",
                                                 index_of(m_, polys_[k]), "; embed its parts one after another"});
       bool is_first = true;
-      for (std::size_t i = 0; i < splitter.num_pieces(); ++i) {
-        if constexpr (arity_v<M> == 0) {  // a piece of a triangle is cut to triangles
-          add_poly(k, splitter.piece(i), is_first);
+      for (std::size_t i = 0; i < splitter.num_parts(); ++i) {
+        if constexpr (arity_v<M> == 0) {  // a part of a triangle is cut to triangles
+          add_poly(k, splitter.part(i), is_first);
         } else {
-          piece_corners.clear();
-          for (const std::uint32_t n : splitter.piece(i))
-            piece_corners.push_back(
+          part_corners.clear();
+          for (const std::uint32_t n : splitter.part(i))
+            part_corners.push_back(
                 {n, on_edges[static_cast<std::size_t>(std::find(corners.begin(), corners.end(), n) - corners.begin())],
                  position(n)});
-          triangulate_piece(piece_corners,
-                            [&](const std::array<std::uint32_t, 3>& triangle) { add_poly(k, triangle, is_first); });
+          triangulate_part(part_corners,
+                           [&](const std::array<std::uint32_t, 3>& triangle) { add_poly(k, triangle, is_first); });
         }
       }
       from_.polys.add(static_cast<std::uint32_t>(index_of(m_, polys_[k])));
@@ -179,9 +179,9 @@ class path_embedder {
     for (unsigned& n : corners_)
       if (n & is_new) n = (n ^ is_new) + static_cast<unsigned>(verts_.size());
   }
-  void add_poly(std::uint32_t old, std::span<const std::uint32_t> piece, bool& is_first) {
+  void add_poly(std::uint32_t old, std::span<const std::uint32_t> part, bool& is_first) {
     std::vector<unsigned>& corners = is_first ? corners_ : more_corners_;
-    corners.insert(corners.end(), piece.begin(), piece.end());
+    corners.insert(corners.end(), part.begin(), part.end());
     (is_first ? ends_ : more_ends_).push_back(static_cast<unsigned>(corners.size()));
     if (!is_first) more_polys_.push_back(old);
     is_first = false;

@@ -37,7 +37,7 @@ class field_reader {
   /// For a field that is known to be finite, and near 1.
   explicit field_reader(const G& g) : g_(&g) {}
   /// 1: forward, -1: backward.
-  void sense(double s) { factor_ = s * scale_; }
+  void set_sense(double s) { factor_ = s * scale_; }
   vec3 of(const poly_t<M>& p) const { return factor_ * to_vec3((*g_)[p]); }
 };
 

@@ -95,7 +95,7 @@ class flat_cell {
   cell_exit leave_through(std::uint32_t face, const vec3& x, const vec3& g, std::span<const std::uint32_t> entry);
 
  private:
-  struct place {  // of a corner seen along g, from x
+  struct projected_corner {  // a corner in the plane across g, relative to x
     double u, v;
     bool is_entry = false;
   };
@@ -109,11 +109,11 @@ class flat_cell {
   std::vector<std::uint32_t> corners_, ring_;
   std::vector<vec3> ring_points_;
   vec3 x_, u_, v_;  // of the line: a point on it, and two directions across it
-  std::vector<place> seen_;
-  std::vector<place> face_seen_ = std::vector<place>(16);
-  double nearly_ = 0;  // more than the errors of products of seen_
+  std::vector<projected_corner> projected_;
+  std::vector<projected_corner> projected_face_ = std::vector<projected_corner>(16);
+  double product_error_ = 0;  // more than the errors of products of projected_
 
-  void see_corners(std::span<const std::uint32_t> entry);
+  void project_corners(std::span<const std::uint32_t> entry);
   int quick_side(std::uint32_t a, std::uint32_t b) const;
   signed_value side(std::uint32_t a, std::uint32_t b, const vec3& x, const vec3& g,
                     std::span<const std::uint32_t> entry) const;
@@ -129,13 +129,13 @@ inline bool flat_cell::may_cross(const R& corners, const P& point_of) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const vec3 x = x_, a = u_, b = v_;
   double squares = 0, least_u = infinity, most_u = -infinity, least_v = infinity, most_v = -infinity;
-  place sum = {0, 0};
+  projected_corner sum = {0, 0};
   std::size_t n = 0;
   for (const auto& c : corners) {
     const vec3 d = point_of(c) - x;
-    const place p = {dot(d, a), dot(d, b)};
-    if (n == face_seen_.size()) face_seen_.resize(2 * n);
-    face_seen_[n++] = p;
+    const projected_corner p = {dot(d, a), dot(d, b)};
+    if (n == projected_face_.size()) projected_face_.resize(2 * n);
+    projected_face_[n++] = p;
     squares += dot(d, d);
     least_u = std::min(least_u, p.u);
     most_u = std::max(most_u, p.u);
@@ -148,7 +148,8 @@ inline bool flat_cell::may_cross(const R& corners, const P& point_of) {
   const double off = std::max(std::max(least_u, -most_u), std::max(least_v, -most_v));
   if (off > 0 && off * off > 1e-28 * squares) return false;
   double least = infinity;  // the parts of the corners along the direction to their mean
-  for (std::size_t i = 0; i < n; ++i) least = std::min(least, face_seen_[i].u * sum.u + face_seen_[i].v * sum.v);
+  for (std::size_t i = 0; i < n; ++i)
+    least = std::min(least, projected_face_[i].u * sum.u + projected_face_[i].v * sum.v);
   return !(least > 0 && least * least > 1e-28 * squares * (sum.u * sum.u + sum.v * sum.v));
 }
 

@@ -81,22 +81,22 @@ CONCINO_INLINE void flat_cell::look(const vec3& x, const vec3& g) {
   v_ = cross(along, u_);
 }
 
-CONCINO_INLINE void flat_cell::see_corners(std::span<const std::uint32_t> entry) {
-  if (seen_.size() < points.size()) seen_.resize(points.size());
+CONCINO_INLINE void flat_cell::project_corners(std::span<const std::uint32_t> entry) {
+  if (projected_.size() < points.size()) projected_.resize(points.size());
   double farthest = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const vec3 d = points[i] - x_;
-    seen_[i] = {dot(d, u_), dot(d, v_), false};
+    projected_[i] = {dot(d, u_), dot(d, v_), false};
     farthest = std::max(farthest, dot(d, d));
   }
-  for (const std::uint32_t c : entry) seen_[c].is_entry = true;
-  nearly_ = 1e-14 * farthest;
+  for (const std::uint32_t c : entry) projected_[c].is_entry = true;
+  product_error_ = 1e-14 * farthest;
 }
 
 /// The sign of side_of_line where it is certain, else 0.
 CONCINO_INLINE int flat_cell::quick_side(std::uint32_t a, std::uint32_t b) const {
-  const double turn = seen_[a].u * seen_[b].v - seen_[a].v * seen_[b].u;
-  return turn > nearly_ ? 1 : turn < -nearly_ ? -1 : 0;
+  const double turn = projected_[a].u * projected_[b].v - projected_[a].v * projected_[b].u;
+  return turn > product_error_ ? 1 : turn < -product_error_ ? -1 : 0;
 }
 
 /// The side of the line on which a to b passes. A side of the triangle of entry is known: the line enters between its
@@ -117,7 +117,7 @@ CONCINO_INLINE bool flat_cell::leaves_through(const cell_triangle& t, const vec3
   bool turns = false;
   for (unsigned k = 0; k < 3; ++k) {
     const std::uint32_t a = t.corner[k], b = t.corner[(k + 1) % 3];
-    const bool at_entry = entry.size() == 3 && seen_[a].is_entry && seen_[b].is_entry;
+    const bool at_entry = entry.size() == 3 && projected_[a].is_entry && projected_[b].is_entry;
     int sign = at_entry ? 0 : quick_side(a, b);
     if (sign == 0) sign = side(a, b, x, g, entry).sign;
     if (sign < 0) return false;
@@ -184,12 +184,12 @@ CONCINO_INLINE cell_exit flat_cell::leave(const vec3& x, const vec3& g, std::spa
 }
 
 CONCINO_INLINE cell_exit flat_cell::find_exit(const vec3& x, const vec3& g, std::span<const std::uint32_t> entry) {
-  see_corners(entry);
+  project_corners(entry);
   std::uint32_t found = 0, best = 0;
   double best_distance = 0;
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     std::size_t entries = 0;
-    for (const std::uint32_t k : triangles[t].corner) entries += seen_[k].is_entry;
+    for (const std::uint32_t k : triangles[t].corner) entries += projected_[k].is_entry;
     if ((!entry.empty() && entries == entry.size()) || !leaves_through(triangles[t], x, g, entry)) continue;
     if (found++ == 0) {
       best = t;

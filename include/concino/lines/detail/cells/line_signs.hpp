@@ -53,18 +53,11 @@ inline signed_value side_in_plane(const vec3& g, const vec3& a, const vec3& n, c
   return line_sign(g, a - x, n, a, x, n, {});
 }
 
-inline double max_part(const vec3& a) { return std::max(std::max(std::abs(a.x), std::abs(a.y)), std::abs(a.z)); }
-
-/// The vector times a power of two, if its parts are so large or small that products of three such vectors might
-/// overflow or underflow.
-inline vec3 in_range(const vec3& g) {
-  const double most = max_part(g);
-  if ((most > 1e-30 && most < 1e30) || most == 0) return g;
-  const int e = std::ilogb(most);
-  return {std::ldexp(g.x, -e), std::ldexp(g.y, -e), std::ldexp(g.z, -e)};
+inline double max_abs_component(const vec3& a) {
+  return std::max(std::max(std::abs(a.x), std::abs(a.y)), std::abs(a.z));
 }
 
-/// The order of points by x, y, z: it decides ties, so that results do not depend on the order of elements.
+/// The lexicographic order of points. It decides ties, so that results do not depend on the order of elements.
 inline bool lies_before(const vec3& a, const vec3& b) {
   return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
 }

@@ -91,7 +91,7 @@ class polygon_reader {
   }
 
   /// The field has changed.
-  void forget() { is_read_ = false; }
+  void invalidate() { is_read_ = false; }
 
   const vert_t<M>& vert(unsigned triangle, unsigned k) const { return verts[triangles_[triangle][k]]; }
   unsigned num_pieces() const { return static_cast<unsigned>(triangles_.size()); }

@@ -40,7 +40,7 @@ class polyhedron_reader {
   flat_cell flat;
   vec3 field;  // set by the caller
 
-  void forget() { is_read_ = false; }
+  void invalidate() { is_read_ = false; }
   const poly_t<M>& poly() const { return poly_; }
 
   /// False if p is the poly read last. Only the faces are read, and of tets the verts: a line needs the corners of few

@@ -29,10 +29,9 @@ surface_exit steepest_exit(const vec3& from, std::span<const surface_sector> sec
 
 /// The speed along a side from a to b, if the fields of its two triangles push against each other there: the mean of
 /// both whose part across the side is 0.
-/// Needs: push, the speeds towards the side, 0 or more; along: the speeds along it.      Source: Filippov 1988,
-///         "Differential equations with discontinuous
-/// righthand sides".
-double sliding_speed(double push1, double along1, double push2, double along2);
+/// Needs: speed1 and speed2, the speeds towards the side, 0 or more; along1 and along2, those along it.
+/// Source: Filippov 1988, "Differential equations with discontinuous righthand sides".
+double sliding_speed(double speed1, double along1, double speed2, double along2);
 
 /// The length of the part of a field in the plane with this normal.
 double speed_in_plane(const vec3& field, const vec3& normal);

@@ -11,9 +11,9 @@
 
 namespace concino::detail {
 
-CONCINO_INLINE double sliding_speed(double push1, double along1, double push2, double along2) {
-  const double push = push1 + push2;
-  return push > 0 ? (push2 * along1 + push1 * along2) / push : (along1 + along2) / 2;
+CONCINO_INLINE double sliding_speed(double speed1, double along1, double speed2, double along2) {
+  const double exit_speed = speed1 + speed2;
+  return exit_speed > 0 ? (speed2 * along1 + speed1 * along2) / exit_speed : (along1 + along2) / 2;
 }
 
 CONCINO_INLINE double speed_in_plane(const vec3& field, const vec3& normal) {
@@ -26,7 +26,7 @@ struct incident_side {
   std::size_t key = 0, sector = 0;
   vec3 to;
   int inward = 0;  // the sign of the field's part into the triangle
-  double push = 0, along = 0;
+  double exit_speed = 0, along = 0;
   bool is_a = false;
 };
 
@@ -35,7 +35,7 @@ CONCINO_INLINE surface_exit steepest_exit(const vec3& from, std::span<const surf
   surface_exit best;
   double best_speed = 0;
   vec3 best_target;
-  const auto offer = [&](surface_exit::kind to, std::size_t sector, double speed, const vec3& target) {
+  const auto keep_if_faster = [&](surface_exit::kind to, std::size_t sector, double speed, const vec3& target) {
     if (best.to != surface_exit::kind::none &&
         (speed < best_speed || (speed == best_speed && !lies_before(target, best_target))))
       return;
@@ -47,8 +47,8 @@ CONCINO_INLINE surface_exit steepest_exit(const vec3& from, std::span<const surf
     const surface_sector& s = sectors[i];
     const signed_value a = side_in_plane(s.field, s.a, s.normal, from), b = side_in_plane(s.field, s.b, s.normal, from);
     if (a.sign < 0 && b.sign > 0) {  // a to the right, b to the left
-      offer(surface_exit::kind::sector, i, speed_in_plane(s.field, s.normal),
-            (a.value * s.b - b.value * s.a) / (a.value - b.value));
+      keep_if_faster(surface_exit::kind::sector, i, speed_in_plane(s.field, s.normal),
+                     (a.value * s.b - b.value * s.a) / (a.value - b.value));
     }
     const double n = norm(s.normal), to_a = distance(s.a, from), to_b = distance(s.b, from);
     if (!(n > 0) || !(to_a > 0) || !(to_b > 0)) continue;
@@ -66,15 +66,16 @@ CONCINO_INLINE surface_exit steepest_exit(const vec3& from, std::span<const surf
     const incident_side &one = sides[i], &two = sides[last - 1];
     const std::size_t n = last - i;
     i = last;
-    const auto offer_side = [&](const incident_side& x, double speed) {
-      if (speed > 0) offer(x.is_a ? surface_exit::kind::side_a : surface_exit::kind::side_b, x.sector, speed, x.to);
+    const auto keep_side_if_faster = [&](const incident_side& x, double speed) {
+      if (speed > 0)
+        keep_if_faster(x.is_a ? surface_exit::kind::side_a : surface_exit::kind::side_b, x.sector, speed, x.to);
     };
     if (n == 2 && one.inward <= 0 && two.inward <= 0) {
-      const bool first = one.push != two.push ? one.push > two.push : one.sector < two.sector;
-      offer_side(first ? one : two, sliding_speed(one.push, one.along, two.push, two.along));
+      const bool first = one.exit_speed != two.exit_speed ? one.exit_speed > two.exit_speed : one.sector < two.sector;
+      keep_side_if_faster(first ? one : two, sliding_speed(one.exit_speed, one.along, two.exit_speed, two.along));
     } else if (n <= 2) {  // a field exactly along a side leads along it, also at the boundary
-      if (one.inward == 0) offer_side(one, one.along);
-      if (n == 2 && two.inward == 0) offer_side(two, two.along);
+      if (one.inward == 0) keep_side_if_faster(one, one.along);
+      if (n == 2 && two.inward == 0) keep_side_if_faster(two, two.along);
     }
   }
   return best;

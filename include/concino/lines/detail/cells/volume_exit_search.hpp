@@ -20,7 +20,7 @@ struct incident_facet {
   int outward = 0;  // the sign of the field's part out of the cell
 };
 
-/// What leads away from a vert or from an edge.
+/// The ways on which a line can leave a vert or an edge, and the fastest of them.
 class volume_exit_search {
   vec3 from_;
   std::span<const incident_cell> cells_;
@@ -42,8 +42,8 @@ class volume_exit_search {
 
   const volume_exit& best() const { return best_; }
 
-  void offer(volume_exit::kind to, std::size_t cell, std::size_t triangle, double speed, const vec3& velocity,
-             bool along_a = false) {
+  void keep_if_faster(volume_exit::kind to, std::size_t cell, std::size_t triangle, double speed, const vec3& velocity,
+                      bool along_a = false) {
     if (!(speed > 0)) return;
     if (best_.to != volume_exit::kind::none &&
         (speed < best_speed_ || (speed == best_speed_ && !lies_before(velocity, best_.velocity))))
@@ -52,7 +52,7 @@ class volume_exit_search {
     best_speed_ = speed;
   }
 
-  /// Calls f(facet, velocity) for each triangle, with the key of its side, along which the fields lead.
+  /// Calls f(facet, velocity) for each triangle along which the fields on its sides lead.
   template<class F>
   void for_each_slide(const F& f) const {
     for (std::size_t i = 0; i < facets_.size();) {
@@ -65,7 +65,7 @@ class volume_exit_search {
       const incident_triangle& t = triangle(one);
       const vec3 normal = cross(t.a - from_, t.b - from_);
       if (n == 2 && one.outward >= 0 && two.outward >= 0) {
-        f(one, sliding_velocity(push(one), field(one), push(two), field(two), normal));
+        f(one, sliding_velocity(exit_speed(one), field(one), exit_speed(two), field(two), normal));
         continue;
       }
       if (one.outward == 0) f(one, field(one));
@@ -75,7 +75,9 @@ class volume_exit_search {
 
   const incident_triangle& triangle(const incident_facet& f) const { return cells_[f.cell].triangles[f.triangle]; }
   const vec3& field(const incident_facet& f) const { return cells_[f.cell].field; }
-  double push(const incident_facet& f) const { return push_through(field(f), from_, triangle(f).a, triangle(f).b); }
+  double exit_speed(const incident_facet& f) const {
+    return speed_through(field(f), from_, triangle(f).a, triangle(f).b);
+  }
 
   bool leads_along_triangle(const incident_triangle& t, const vec3& velocity) const {
     const vec3 normal = cross(t.a - from_, t.b - from_);

@@ -114,13 +114,13 @@ CONCINO_INLINE volume_exit exit_from_edge(const vec3& from, const vec3& to, cons
   volume_exit_search search(from, cells);
   for (std::size_t c = 0; c < cells.size(); ++c)
     if (const vec3& g = cells[c].field; leads_between(from, edge, cells[c]))
-      search.offer(volume_exit::kind::cell, c, 0, norm(g), g);
+      search.keep_if_faster(volume_exit::kind::cell, c, 0, norm(g), g);
   search.for_each_slide([&](const incident_facet& f, const vec3& velocity) {
     const incident_triangle& t = search.triangle(f);
     const bool edge_is_a = t.side_a == edge;
     const int s = side_in_plane(velocity, edge_is_a ? t.a : t.b, cross(t.a - from, t.b - from), from).sign;
     if (edge_is_a ? s < 0 : s > 0)
-      search.offer(volume_exit::kind::triangle, f.cell, f.triangle, norm(velocity), velocity);
+      search.keep_if_faster(volume_exit::kind::triangle, f.cell, f.triangle, norm(velocity), velocity);
   });
   volume_exit best = search.best();
   if (best.to != volume_exit::kind::none) return around.among_all(best);
@@ -141,10 +141,11 @@ CONCINO_INLINE volume_exit steepest_exit(const vec3& from, const vec3& to, const
 CONCINO_INLINE volume_exit steepest_exit(const vec3& from, std::span<const incident_cell> cells) {
   volume_exit_search search(from, cells);
   for (std::size_t c = 0; c < cells.size(); ++c)
-    if (search.leads_into(cells[c])) search.offer(volume_exit::kind::cell, c, 0, norm(cells[c].field), cells[c].field);
+    if (search.leads_into(cells[c]))
+      search.keep_if_faster(volume_exit::kind::cell, c, 0, norm(cells[c].field), cells[c].field);
   search.for_each_slide([&](const incident_facet& f, const vec3& velocity) {
     if (search.leads_along_triangle(search.triangle(f), velocity))
-      search.offer(volume_exit::kind::triangle, f.cell, f.triangle, norm(velocity), velocity);
+      search.keep_if_faster(volume_exit::kind::triangle, f.cell, f.triangle, norm(velocity), velocity);
   });
   std::vector<incident_key> asked;
   cells_around_edge around;
@@ -155,7 +156,7 @@ CONCINO_INLINE volume_exit steepest_exit(const vec3& from, std::span<const incid
         asked.push_back(edge);
         const volume_exit x = exit_from_edge(from, to, edge, cells, around);
         if (x.to == volume_exit::kind::edge)
-          search.offer(x.to, x.cell, x.triangle, norm(x.velocity), x.velocity, x.along_a);
+          search.keep_if_faster(x.to, x.cell, x.triangle, norm(x.velocity), x.velocity, x.along_a);
       }
   return search.best();
 }

@@ -89,12 +89,12 @@ class line_recorder {
     stop(line_end::winds_to_cycle);
   }
 
-  void wind(std::vector<mesh_point<M>> cycle) {
+  void end_in_cycle(std::vector<mesh_point<M>> cycle) {
     line_->cycle = std::move(cycle);
     stop(line_end::winds_to_cycle);
   }
 
-  /// Of a line that goes round and round into a vert, `more` long.
+  /// Of a line that spirals into a vert, `more` long.
   void end_at(const mesh_point<M>& x, const poly_t<M>& p, double more) {
     line_->polys.push_back(p);
     start(x);
@@ -114,7 +114,7 @@ class line_recorder {
     line_->points.back() = {line_->polys.back(), end};
     line_->length = length;
   }
-  double room() const { return max_length_ - line_->length; }
+  double remaining_length() const { return max_length_ - line_->length; }
 
  private:
   field_line<M>* line_;

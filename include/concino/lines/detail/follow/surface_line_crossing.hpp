@@ -7,8 +7,8 @@
 #include <concino/lines/detail/cells/line_signs.hpp>
 #include <concino/lines/detail/cells/polygon_reader.hpp>
 #include <concino/lines/detail/cells/surface_exits.hpp>
+#include <concino/lines/detail/follow/cycle_detector.hpp>
 #include <concino/lines/detail/follow/line_recorder.hpp>
-#include <concino/lines/detail/follow/line_watch.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ class surface_line_crossing {
   const M* m_;
   field_reader<M, G> field_;
   polygon_reader<M> polygon_;
-  line_watch watch_;
+  cycle_detector cycles_;
 
   // The state of a line: in a triangle, inside, at a side or at a corner of it; at a vert; or at an edge by which it
   // leaves a triangle.
@@ -46,7 +46,7 @@ class surface_line_crossing {
   edge_t<M> edge_ = edge_t<M>();
   double edge_parameter_ = 0;               // on the edge
   entry_step entry_;               // what the place depends on
-  line_watch::finding found_ = line_watch::finding::none;  // where the line entered its triangle
+  cycle_detector::finding found_ = cycle_detector::finding::none;  // where the line entered its triangle
 
   surface_line_crossing(const M& m, const field_reader<M, G>& field) : m_(&m), field_(field) {}
 
@@ -101,7 +101,8 @@ class surface_line_crossing {
   void reach_vert(const vert_t<M>& v, line_recorder<M>& to) {
     vert_ = v;
     where_ = where::vert;
-    if (watch_.at_vert(index_of(*m_, v), to.num_points()) == line_watch::finding::repeats) to.repeat(watch_.period());
+    if (cycles_.at_vert(index_of(*m_, v), to.num_points()) == cycle_detector::finding::repeats)
+      to.repeat(cycles_.period());
   }
 
   /// The line leaves the triangle through side k, whose first end lies to its right and second one to its left.
@@ -156,12 +157,12 @@ class surface_line_crossing {
     const bool pivots_at_b = k == b;
     const double whole = side_in_plane(t.field, t.at[c], t.normal, t.at[pivots_at_b ? b : a]).value;
     const double q = whole != 0 ? std::abs(inward_ / whole) : 0;
-    const double size = max_part(t.at[c]);
+    const double size = max_abs_component(t.at[c]);
     const vec3 d = t.at[(k + 1) % 3] - t.at[k];
-    const double noise = 0x1p-50 * (1 + size / std::max(max_part(d), 1e-300));
+    const double error_bound = 0x1p-50 * (1 + size / std::max(max_abs_component(d), 1e-300));
     const std::size_t pivot = index_of(*m_, t.verts[pivots_at_b ? b : a]);
-    if (pivots_at_b) return {-q, q, noise, pivot};  // q (1 - s), from b to c
-    return {-q, 1, noise, pivot};                   // q s from a to c, so 1 - q s from c to a
+    if (pivots_at_b) return {-q, q, error_bound, pivot};  // q (1 - s), from b to c
+    return {-q, 1, error_bound, pivot};                   // q s from a to c, so 1 - q s from c to a
   }
 
   /// Enters a triangle of the polygon at place s of its side, or slides along the side, if the field there pushes back.
@@ -174,26 +175,27 @@ class surface_line_crossing {
     const signed_value inward = side_in_plane(next.in.field, next.to(), next.in.normal, next.from());
     if (inward.sign >= 0) return slide(next, out, to);
     // step.scale, step.shift give the place from the first to the second end of the side as `out` sees it
-    if (!(next.in.verts[side] == out.in.verts[out.side])) step = {-step.scale, 1 - step.shift, step.noise, step.pivot};
+    if (!(next.in.verts[side] == out.in.verts[out.side]))
+      step = {-step.scale, 1 - step.shift, step.error_bound, step.pivot};
     const bool gets_no_point = out.in.edge[out.side] == piece::diagonal && polygon_.is_flat;
     now_ = 1 - now_;
     inward_ = inward.value;
     where_ = where::side;
-    if (gets_no_point) return watch_.follow(step);
+    if (gets_no_point) return cycles_.follow(step);
     const std::size_t key = index_of(*m_, next.in.poly);
-    found_ = watch_.at_side({key, std::size_t{3} * next.in.number + next.side}, s, x_, step, to.num_points());
+    found_ = cycles_.at_side({key, std::size_t{3} * next.in.number + next.side}, s, x_, step, to.num_points());
   }
 
   void slide(const triangle_side& next, const triangle_side& out, line_recorder<M>& to) {
     const vec3 along = out.to() - out.from();
     const double length = norm(along);
     if (!(length > 0)) return to.stop(line_end::sink);
-    const auto push = [&](const triangle_side& h) {
+    const auto exit_speed = [&](const triangle_side& h) {
       return std::max(0.0,
                       side_in_plane(h.in.field, h.to(), h.in.normal, h.from()).value / (norm(h.in.normal) * length));
     };
-    const double speed =
-        sliding_speed(push(out), dot(out.in.field, along) / length, push(next), dot(next.in.field, along) / length);
+    const double speed = sliding_speed(exit_speed(out), dot(out.in.field, along) / length, exit_speed(next),
+                                       dot(next.in.field, along) / length);
     if (!(speed != 0)) return to.stop(line_end::sink);
     if (&out != &at()) at() = out;
     reach_corner(speed > 0 ? (out.side + 1) % 3 : out.side, to);

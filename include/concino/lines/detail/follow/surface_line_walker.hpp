@@ -7,10 +7,10 @@
 #include <concino/lines/detail/cells/field_reader.hpp>
 #include <concino/lines/detail/cells/line_signs.hpp>
 #include <concino/lines/detail/cells/polygon_reader.hpp>
-#include <concino/lines/detail/cells/surface_exits.hpp>
 #include <concino/lines/detail/cells/reason_of_end.hpp>
+#include <concino/lines/detail/cells/surface_exits.hpp>
+#include <concino/lines/detail/follow/cycle_detector.hpp>
 #include <concino/lines/detail/follow/line_recorder.hpp>
-#include <concino/lines/detail/follow/line_watch.hpp>
 #include <concino/lines/detail/follow/surface_line_crossing.hpp>
 
 #include <algorithm>
@@ -25,11 +25,11 @@ namespace concino::detail {
 template<class M, class G>
 class surface_line_walker : surface_line_crossing<M, G> {
   using base = surface_line_crossing<M, G>;
-  using typename base::piece, typename base::triangle_side, typename base::where;
-  using base::m_, base::field_, base::polygon_, base::watch_, base::where_, base::x_, base::edge_, base::vert_,
-      base::inward_, base::found_;
   using base::at, base::cross_edge, base::leave_triangle, base::on_edge, base::reach_corner, base::reach_vert,
       base::read, base::slide;
+  using base::m_, base::field_, base::polygon_, base::cycles_, base::where_, base::x_, base::edge_, base::vert_,
+      base::inward_, base::found_;
+  using typename base::piece, typename base::triangle_side, typename base::where;
 
   std::vector<surface_sector> sectors_;
   std::vector<piece> sector_pieces_;
@@ -39,9 +39,9 @@ class surface_line_walker : surface_line_crossing<M, G> {
 
   /// Starts a line along the field times `sense`, 1 or -1, from a point. It is followed by calls of step().
   void start(const mesh_point<M>& start, double sense, line_recorder<M>& to) {
-    field_.sense(sense);
-    watch_.start();
-    polygon_.forget();
+    field_.set_sense(sense);
+    cycles_.start();
+    polygon_.invalidate();
     x_ = start.position;
     to.start(start);
     if (const auto* v = std::get_if<vert_t<M>>(&start.element)) reach_vert(*v, to);
@@ -54,11 +54,11 @@ class surface_line_walker : surface_line_crossing<M, G> {
     if (where_ == where::vert) return leave_vert(to);
     if (where_ == where::edge) cross_edge(to);
     else leave_triangle(to);
-    switch (std::exchange(found_, line_watch::finding::none)) {
-      case line_watch::finding::none: return;
-      case line_watch::finding::repeats: return to.repeat(watch_.period());
-      case line_watch::finding::winds: return wind(to);
-      case line_watch::finding::winds_into_vert: return wind_into_vert(to);
+    switch (std::exchange(found_, cycle_detector::finding::none)) {
+      case cycle_detector::finding::none: return;
+      case cycle_detector::finding::repeats: return to.repeat(cycles_.period());
+      case cycle_detector::finding::winds_to_cycle: return follow_cycle_once(to);
+      case cycle_detector::finding::winds_into_vert: return end_in_vert(to);
     }
   }
 
@@ -107,17 +107,17 @@ class surface_line_walker : surface_line_crossing<M, G> {
 
   /// From an edge: into the poly whose field leads into it fastest, or along the edge.
   void start_on(const edge_point<M>& x, line_recorder<M>& to) {
-    std::vector<triangle_side> halves;
+    std::vector<triangle_side> triangle_sides;
     for (const poly_t<M> p : adj_e2p(*m_, x.edge)) {
       read(p);
       const auto [triangle, side] = polygon_.with_edge(x.edge);
-      halves.push_back({polygon_.piece(triangle), side});
+      triangle_sides.push_back({polygon_.piece(triangle), side});
     }
-    if (halves.empty()) return to.stop(line_end::boundary);
+    if (triangle_sides.empty()) return to.stop(line_end::boundary);
     const triangle_side* best = nullptr;
     double best_speed = 0;
     bool all_zero = true;
-    for (const triangle_side& h : halves) {
+    for (const triangle_side& h : triangle_sides) {
       all_zero = all_zero && h.in.is_zero;
       if (side_in_plane(h.in.field, h.to(), h.in.normal, h.from()).sign >= 0) continue;
       const double speed = speed_in_plane(h.in.field, h.in.normal);
@@ -132,44 +132,44 @@ class surface_line_walker : surface_line_crossing<M, G> {
       inward_ = side_in_plane(best->in.field, best->to(), best->in.normal, best->from()).value;
       where_ = where::side;
       const double s = best->in.verts[best->side] == end_verts(*m_, x.edge).first ? x.parameter : 1 - x.parameter;
-      watch_.at_side({index_of(*m_, best->in.poly), std::size_t{3} * best->in.number + best->side}, s, x_, {}, 1);
+      cycles_.at_side({index_of(*m_, best->in.poly), std::size_t{3} * best->in.number + best->side}, s, x_, {}, 1);
       return;
     }
     if (all_zero) return to.stop(line_end::zero);
-    if (halves.size() > 2) return to.stop(line_end::non_manifold);
-    if (halves.size() == 2) return slide(halves[1], halves[0], to);
-    const triangle_side& h = halves[0];
+    if (triangle_sides.size() > 2) return to.stop(line_end::non_manifold);
+    if (triangle_sides.size() == 2) return slide(triangle_sides[1], triangle_sides[0], to);
+    const triangle_side& h = triangle_sides[0];
     if (side_in_plane(h.in.field, h.to(), h.in.normal, h.from()).sign != 0) return to.stop(line_end::boundary);
     at() = h;
     reach_corner(dot(h.in.field, h.to() - h.from()) > 0 ? (h.side + 1) % 3 : h.side, to);
   }
 
-  /// The line is drawn to a cycle: the cycle is followed once round.
-  void wind(line_recorder<M>& to) {
+  /// The line converges to a cycle, which is followed once.
+  void follow_cycle_once(line_recorder<M>& to) {
     field_line<M> once;
-    line_recorder<M> cycle(once, std::numeric_limits<double>::infinity(), watch_.period());
-    const double s = watch_.fixed_parameter();
+    line_recorder<M> cycle(once, std::numeric_limits<double>::infinity(), cycles_.period());
+    const double s = cycles_.fixed_parameter();
     const triangle_side& from = at();
     x_ = from.from() + s * (from.to() - from.from());
-    watch_.start();
+    cycles_.start();
     read(from.in.poly);
     const std::size_t edge = from.in.edge[from.side];
     cycle.start(edge == piece::diagonal ? mesh_point<M>{from.in.poly, x_} : on_edge(polygon_.edges[edge], from, s));
     while (!cycle.done()) step(cycle);
     if (once.stopped_by != line_end::closed) once.points.pop_back();
-    to.wind(std::move(once.points));
+    to.end_in_cycle(std::move(once.points));
   }
 
-  /// The line goes round a vert for ever, nearer by the same factor each time: it ends there after a finite length.
-  void wind_into_vert(line_recorder<M>& to) {
+  /// The line spirals into a vert; the distance decreases by the same factor in each round, so the length is finite.
+  void end_in_vert(line_recorder<M>& to) {
     const auto& x = to.line().points;
     double once = 0;
-    for (std::size_t i = 0; i < watch_.period(); ++i)
+    for (std::size_t i = 0; i < cycles_.period(); ++i)
       once += distance(x[x.size() - 2 - i].position, x[x.size() - 1 - i].position);
-    const double shrinks = watch_.shrinks_by(), more = once * shrinks / (1 - shrinks);
-    if (more >= to.room()) return;  // the line is cut before
+    const double factor = cycles_.contraction_factor(), more = once * factor / (1 - factor);
+    if (more >= to.remaining_length()) return;  // the line is cut before
     for (unsigned k = 0; k < 3; ++k)
-      if (const piece& in = at().in; index_of(*m_, in.verts[k]) == watch_.vert())
+      if (const piece& in = at().in; index_of(*m_, in.verts[k]) == cycles_.vert())
         return to.end_at({in.verts[k], in.at[k]}, in.poly, more);
   }
 };

@@ -22,11 +22,11 @@ class volume_line_crossing : protected volume_line_position<M, G> {
   using base = volume_line_position<M, G>;
 
  protected:
-  using typename base::where;
-  using base::m_, base::field_, base::cell_, base::watch_, base::where_, base::x_, base::entry_, base::entry_size_,
-      base::ridge_, base::vert_;
   using base::add_ridge, base::add_vert, base::enter, base::reach_ridge, base::reach_vert, base::read, base::slide,
       base::watch;
+  using base::m_, base::field_, base::cell_, base::cycles_, base::where_, base::x_, base::entry_, base::entry_size_,
+      base::ridge_, base::vert_;
+  using typename base::where;
 
   // From tet to tet, the line is behind one when it has left it.
   static constexpr bool all_tets = arity_v<M> == 4;
@@ -169,9 +169,9 @@ class volume_line_crossing : protected volume_line_position<M, G> {
       return;
     }
     const vec3 normal = triangle_normal(at[0], at[1], at[2]);
-    const double push =
-        push_through(cell_.field, points[next.corner[0]], points[next.corner[1]], points[next.corner[2]]);
-    slide(next, sliding_velocity(push_through(g, at[0], at[1], at[2]), g, push, cell_.field, normal), {}, to);
+    const double exit_speed =
+        speed_through(cell_.field, points[next.corner[0]], points[next.corner[1]], points[next.corner[2]]);
+    slide(next, sliding_velocity(speed_through(g, at[0], at[1], at[2]), g, exit_speed, cell_.field, normal), {}, to);
   }
 };
 

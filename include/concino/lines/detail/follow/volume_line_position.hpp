@@ -6,8 +6,8 @@
 #include <concino/lines/detail/cells/line_ridge.hpp>
 #include <concino/lines/detail/cells/line_signs.hpp>
 #include <concino/lines/detail/cells/polyhedron_reader.hpp>
+#include <concino/lines/detail/follow/cycle_detector.hpp>
 #include <concino/lines/detail/follow/line_recorder.hpp>
-#include <concino/lines/detail/follow/line_watch.hpp>
 
 #include <algorithm>
 #include <array>
@@ -25,7 +25,7 @@ class volume_line_position {
   const M* m_;
   field_reader<M, G> field_;
   polyhedron_reader<M> cell_;
-  line_watch watch_;
+  cycle_detector cycles_;
 
   enum class where { cell, ridge, vert, behind_tet } where_ = where::cell;
   vec3 x_;
@@ -53,7 +53,8 @@ class volume_line_position {
   void reach_vert(const vert_t<M>& v, line_recorder<M>& to) {
     vert_ = v;
     where_ = where::vert;
-    if (watch_.at_vert(index_of(*m_, v), to.num_points()) == line_watch::finding::repeats) to.repeat(watch_.period());
+    if (cycles_.at_vert(index_of(*m_, v), to.num_points()) == cycle_detector::finding::repeats)
+      to.repeat(cycles_.period());
   }
 
   void add_ridge(const cell_triangle& t, std::uint32_t k, double parameter, line_recorder<M>& to) {
@@ -72,7 +73,7 @@ class volume_line_position {
   /// The line enters poly p through the triangle of face f with this number.
   void watch(const poly_t<M>& p, const face_t<M>& f, std::uint32_t number, line_recorder<M>& to) {
     const entry_key key = {index_of(*m_, p), index_of(*m_, f) << 32 | number};
-    if (watch_.at_face(key, x_, to.num_points()) == line_watch::finding::repeats) to.repeat(watch_.period());
+    if (cycles_.at_face(key, x_, to.num_points()) == cycle_detector::finding::repeats) to.repeat(cycles_.period());
   }
 
   /// Moves in a triangle of the cell that was read last from x, which is inside (no entry), on the side with corners

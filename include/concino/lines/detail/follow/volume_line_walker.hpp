@@ -25,12 +25,12 @@ namespace concino::detail {
 template<class M, class G>
 class volume_line_walker : volume_line_crossing<M, G> {
   using base = volume_line_crossing<M, G>;
-  using typename base::where;
-  using base::m_, base::field_, base::cell_, base::watch_, base::where_, base::x_, base::entry_, base::entry_size_,
-      base::ridge_, base::vert_;
   using base::add_ridge, base::add_vert, base::enter, base::reach_ridge, base::reach_vert, base::read, base::slide,
       base::watch;
   using base::all_tets, base::cross, base::enter_tet, base::leave_cell;
+  using base::m_, base::field_, base::cell_, base::cycles_, base::where_, base::x_, base::entry_, base::entry_size_,
+      base::ridge_, base::vert_;
+  using typename base::where;
 
   incident_cells<M> incident_;  // of the vert or the ridge
 
@@ -39,9 +39,9 @@ class volume_line_walker : volume_line_crossing<M, G> {
 
   /// Starts a line along the field times `sense`, 1 or -1, from a point. It is followed by calls of step().
   void start(const mesh_point<M>& start, double sense, line_recorder<M>& to) {
-    field_.sense(sense);
-    watch_.start();
-    cell_.forget();
+    field_.set_sense(sense);
+    cycles_.start();
+    cell_.invalidate();
     x_ = start.position;
     to.start(start);
     if (const auto* v = std::get_if<vert_t<M>>(&start.element)) reach_vert(*v, to);
@@ -121,7 +121,7 @@ class volume_line_walker : volume_line_crossing<M, G> {
       for (unsigned k = 0; k < 3; ++k) {
         if (!(cell_.faces[t.face] == f) || !t.is_diagonal(k)) continue;
         const vec3 &a = cell_.flat.points[t.corner[k]], &b = cell_.flat.points[t.corner[(k + 1) % 3]];
-        if (distance(closest_point(x_, a, b), x_) <= 1e-12 * distance(a, b) + 0x1p-49 * max_part(x_))
+        if (distance(closest_point(x_, a, b), x_) <= 1e-12 * distance(a, b) + 0x1p-49 * max_abs_component(x_))
           return ridge_of(*m_, cell_, t, k);
       }
     return {};

@@ -61,7 +61,7 @@ class geodesic_start {
       if (along <= best.along) continue;
       const int side = is_before ? c : core::unfolded_triangles::previous(c);
       const double beyond = std::remainder(wanted - turn, 2 * std::numbers::pi);
-      best = {{c, 0, 0, cosine, sine, walk_state::place::at_start}, along, false};
+      best = {{c, 0, 0, cosine, sine, walk_state::location::at_start}, along, false};
       best.leads_out = triangles().twin[static_cast<std::size_t>(side)] == side && std::abs(beyond) > nearly_along &&
                        std::hypot(x, y) > nearly_along;
     }
@@ -122,7 +122,7 @@ class geodesic_start {
     const bool forward = is_along(e.edge, side);
     walk_state w{side, (forward ? e.parameter : 1 - e.parameter) * triangles().length[static_cast<std::size_t>(side)],
                  0,    forward ? along : -along,
-                 into, walk_state::place::on_side};
+                 into, walk_state::location::on_side};
     turn_to_unit_length(w);
     return w;
   }
@@ -171,7 +171,8 @@ class geodesic_start {
     const vec3 to =
         closest_point(x, s_.start_of(best), s_.end_of(best), s_.start_of(core::unfolded_triangles::previous(best))) -
         s_.start_of(best);
-    walk_state w{best, dot(to, axis[0]), dot(to, axis[1]), dot(d, axis[0]), dot(d, axis[1]), walk_state::place::inside};
+    walk_state w{
+        best, dot(to, axis[0]), dot(to, axis[1]), dot(d, axis[0]), dot(d, axis[1]), walk_state::location::inside};
     if (!(std::hypot(w.dx, w.dy) > 0)) throw_perpendicular();
     turn_to_unit_length(w);
     return w;

@@ -76,7 +76,7 @@ struct geodesic_surface {
 
   mesh_point<M> point_of(const M& m, const walk_stop& s) const {
     if (s.vert >= 0) return at_vert(s.vert);
-    return s.is_inside ? inside(s.side, s.along, s.beside) : on_side(m, s.side, s.along);
+    return s.is_inside ? inside(s.side, s.along, s.inward) : on_side(m, s.side, s.along);
   }
 
   vec3 direction_of(const walk_state& s) const {

@@ -15,7 +15,7 @@ struct walk_stop {
   int vert = -1;      // or -1
   int side = -1;      // or -1; inside triangle side / 3 if is_inside
   double along = 0;   // on a side: from its start, as a fraction; inside: along the side, in units of the triangles
-  double beside = 0;  // inside: perpendicular to the side
+  double inward = 0;  // inside: perpendicular to the side
   bool is_inside = false;
 };
 
@@ -24,7 +24,7 @@ struct walk_stop {
 struct walk_state {
   int side = -1;
   double x = 0, y = 0, dx = 1, dy = 0;
-  enum class place { inside, on_side, at_start } where = place::inside;  // at_start: of the side
+  enum class location { inside, on_side, at_start } where = location::inside;  // at_start: of the side
 };
 
 struct walk_result {

@@ -34,7 +34,7 @@ CONCINO_INLINE walk_state leave_vert(const core::unfolded_triangles& t, int v, d
   const auto at = static_cast<std::size_t>(best);
   const double within = std::clamp(angle - t.turn[at], 0.0, t.angle[at]),
                from_side = t.is_backward[at] ? t.angle[at] - within : within;
-  return {best, 0, 0, std::cos(from_side), std::sin(from_side), walk_state::place::at_start};
+  return {best, 0, 0, std::cos(from_side), std::sin(from_side), walk_state::location::at_start};
 }
 
 /// One walk. Points are in the frame of the side that was crossed last.
@@ -73,13 +73,13 @@ class straight_walk {
     const point a{0, 0}, b{t_.length[static_cast<std::size_t>(s)], 0}, c = t_.apex[static_cast<std::size_t>(s)];
     crossing best;
     consider(unfolded_triangles::next(s), b, c, best);
-    if (at_.where == walk_state::place::at_start) {
+    if (at_.where == walk_state::location::at_start) {
       // cannot happen but by rounding
       if (best.side < 0) best = {unfolded_triangles::next(s), at_.dy > 0 ? 1.0 : 0.0, 0, 0, 1};
       return best;
     }
     consider(unfolded_triangles::previous(s), c, a, best);
-    if (at_.where == walk_state::place::inside) consider(s, a, b, best);
+    if (at_.where == walk_state::location::inside) consider(s, a, b, best);
     return best;
   }
 
@@ -131,7 +131,7 @@ class straight_walk {
            0,
            is_reversed ? -c.direction_along : c.direction_along,
            c.direction_out,
-           walk_state::place::on_side};
+           walk_state::location::on_side};
     turn_to_unit_length();
     return true;
   }
@@ -143,7 +143,7 @@ class straight_walk {
     if (c.side < 0 || c.distance >= left) {
       at_.x += left * at_.dx;
       at_.y += left * at_.dy;
-      at_.where = walk_state::place::inside;
+      at_.where = walk_state::location::inside;
       result_.length = length;
       result_.stops.push_back({-1, at_.side, at_.x, at_.y, true});
       return stop(line_end::max_length);

@@ -20,42 +20,42 @@ struct vert_change {
   std::uint32_t polys_before = 0, polys_after = 0, edges_lost = 0, edges_gained = 0;
 };
 
-/// New edges or faces take the descriptors of old ones that are left over: first of those with which they share all
-/// verts but one, then of any. `fresh` are new to the mesh, `left_over` have no poly afterwards. It may run out of
+/// New edges or faces take the descriptors of old ones that are unused: first of those with which they share all
+/// verts but one, then of any. `num_new` are new to the mesh, `num_unused` have no poly afterwards. It may run out of
 /// memory, so it comes before anything changes. share_all_but_one(x, y): whether these two share all verts but one.
 template<class Elements, class Compare>
-void pair_with_left_over(Elements& all, std::size_t fresh, std::size_t left_over, const Compare& share_all_but_one) {
+void reuse_descriptors(Elements& all, std::size_t num_new, std::size_t num_unused, const Compare& share_all_but_one) {
   constexpr std::size_t most_pairs = 4096;  // more take too long to compare
-  if (fresh == 0 || left_over == 0) return;
+  if (num_new == 0 || num_unused == 0) return;
   using element = std::remove_reference_t<decltype(*all.begin())>;
-  core::small_array<element*, 64> left;
+  core::small_array<element*, 64> unused;
   for (element& x : all)
-    if (x.is_left_over()) left.push_back(&x);
+    if (x.is_unused()) unused.push_back(&x);
   const auto join = [&all](element* x, element* y) {
     x->partner = static_cast<std::uint32_t>(y - all.begin()), y->partner = static_cast<std::uint32_t>(x - all.begin());
   };
-  const auto pair = [&left, &join](element* x, std::size_t i) {
-    join(x, left[i]);
-    std::copy(left.begin() + i + 1, left.end(), left.begin() + i);
-    left.resize(left.size() - 1, nullptr);
+  const auto pair = [&unused, &join](element* x, std::size_t i) {
+    join(x, unused[i]);
+    std::copy(unused.begin() + i + 1, unused.end(), unused.begin() + i);
+    unused.resize(unused.size() - 1, nullptr);
   };
-  if (fresh * left_over <= most_pairs)
-    for (element* x = all.begin(); x != all.end() && !left.empty(); ++x) {
+  if (num_new * num_unused <= most_pairs)
+    for (element* x = all.begin(); x != all.end() && !unused.empty(); ++x) {
       if (!x->id.is_none()) continue;
       std::size_t i = 0;
-      while (i < left.size() && !share_all_but_one(*x, *left[i])) ++i;
-      if (i < left.size()) pair(x, i);
+      while (i < unused.size() && !share_all_but_one(*x, *unused[i])) ++i;
+      if (i < unused.size()) pair(x, i);
     }
   std::size_t next = 0;
-  for (element* x = all.begin(); x != all.end() && next < left.size(); ++x) {
+  for (element* x = all.begin(); x != all.end() && next < unused.size(); ++x) {
     if (!x->id.is_none() || x->has_partner()) continue;
-    join(x, left[next]);
+    join(x, unused[next]);
     ++next;
   }
 }
 template<class Elements>
-void pair_with_left_over(Elements& all, std::size_t fresh, std::size_t left_over) {
-  pair_with_left_over(all, fresh, left_over, [](const auto& x, const auto& y) { return x.shares_all_but_one(y); });
+void reuse_descriptors(Elements& all, std::size_t num_new, std::size_t num_unused) {
+  reuse_descriptors(all, num_new, num_unused, [](const auto& x, const auto& y) { return x.shares_all_but_one(y); });
 }
 
 /// The numbers of edges and of polys of the new verts.
@@ -98,13 +98,13 @@ void reserve_lists_of_verts(incident_edges_and_polys& lists, const Changes& chan
   lists.reserve_verts(changes.size() - num_old, edges + polys);
 }
 
-/// Removes the edges that are left over, and gives all new ones their descriptors.
+/// Removes the unused edges, and gives all new ones their descriptors.
 template<bool WithPolys, class Verts>
 void change_edges(cavity_edges& all, alive_elements<edge_id>& edges, jagged_array<vert_id, 2>& ends,
                   incident_lists<WithPolys>& edges_at, const Verts& vert) {
   const auto has = [](const cavity_edge& x, unsigned v) { return x.a == v || x.b == v; };
   for (const cavity_edge& old : all) {
-    if (!old.is_left_over()) continue;
+    if (!old.is_unused()) continue;
     for (const unsigned v : {old.a, old.b}) {
       const cavity_edge* const x = old.has_partner() ? &all[old.partner] : nullptr;
       if (x && has(*x, v)) edges_at.set_other_end(vert(v), old.id, vert(x->a == v ? x->b : x->a));

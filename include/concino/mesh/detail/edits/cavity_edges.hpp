@@ -23,7 +23,7 @@ struct cavity_edge {
   std::uint32_t first_new = ~0u;  // the place of the edge in the first new poly, if new_polys > 0
 
   bool has_partner() const { return partner != ~0u; }
-  bool is_left_over() const { return !id.is_none() && new_polys == 0 && old_polys == num_polys; }
+  bool is_unused() const { return !id.is_none() && new_polys == 0 && old_polys == num_polys; }
   bool shares_all_but_one(const cavity_edge& x) const { return a == x.a || a == x.b || b == x.a || b == x.b; }
 };
 

@@ -25,7 +25,7 @@ struct cavity_face {
                                 // way round
 
   bool has_partner() const { return partner != ~0u; }
-  bool is_left_over() const { return !id.is_none() && new_polys == 0 && old_polys == num_polys; }
+  bool is_unused() const { return !id.is_none() && new_polys == 0 && old_polys == num_polys; }
 };
 
 /// The faces of a cavity by the numbers of their edges and verts. The search starts at the edge with the largest

@@ -40,7 +40,7 @@ class cell_cavity {
   core::small_array<std::uint32_t, 24 * Shape::edges> edges_of_polys;  // of the old polys, then of the new ones
   core::small_array<std::uint32_t, 24 * Shape::faces> faces_of_polys;  // the same
   // those the mesh did not have, and those it loses
-  std::size_t fresh_edges = 0, left_over_edges = 0, fresh_faces = 0, left_over_faces = 0;
+  std::size_t num_new_edges = 0, num_unused_edges = 0, num_new_faces = 0, num_unused_faces = 0;
 
   std::size_t num_old() const { return c.polys.size(); }
   std::size_t num_new() const { return c.ends.size(); }
@@ -173,10 +173,11 @@ class cell_cavity {
   }
   /// Finds face x of new polys among those of other polys. The mesh can only have it if it has all its edges.
   template<class Tables>
-  void look_for(const Tables& t, face& x, const std::array<std::uint32_t, Shape::face_verts>& edges_of_x) const {
-    bool is_fresh = false;
-    for (const std::uint32_t e : edges_of_x) is_fresh |= edges[e].id.is_none();
-    if (is_fresh) return;
+  void find_outside_cavity(const Tables& t, face& x,
+                           const std::array<std::uint32_t, Shape::face_verts>& edges_of_x) const {
+    bool is_new = false;
+    for (const std::uint32_t e : edges_of_x) is_new |= edges[e].id.is_none();
+    if (is_new) return;
     const unsigned* const v = corners_of_poly(x.first_use / Shape::faces);
     vert_id all[Shape::verts];
     for (unsigned i = 0; i < Shape::verts; ++i) all[i] = v[i] < num_old_verts ? verts[v[i]] : vert_id{};
@@ -190,9 +191,9 @@ class cell_cavity {
   void compare_faces(const Tables& t) {
     for (face& x : faces) {
       const auto edges_of_x = edges_of(x);
-      if (x.id.is_none()) look_for(t, x, edges_of_x);
-      fresh_faces += x.id.is_none();
-      left_over_faces += x.is_left_over();
+      if (x.id.is_none()) find_outside_cavity(t, x, edges_of_x);
+      num_new_faces += x.id.is_none();
+      num_unused_faces += x.is_unused();
       const std::uint32_t others = x.num_polys - x.old_polys;
       const bool is_irregular =
           others == 0 ? x.old_polys > 2 || x.new_polys > 2 : others > 1 || x.old_polys != 1 || x.new_polys != 1;
@@ -227,14 +228,14 @@ class cell_cavity {
     for (cavity_edge& x : edges) {
       fan_change& fan = fans[edges.number(x)];
       if (x.id.is_none()) {
-        ++fresh_edges, ++changes[x.a].edges_gained, ++changes[x.b].edges_gained;
+        ++num_new_edges, ++changes[x.a].edges_gained, ++changes[x.b].edges_gained;
       } else {
         x.num_polys = x.old_polys + fan.has_others;
         const bool is_non_manifold = t.is_non_manifold(x.id);
         if (is_non_manifold) x.num_polys = static_cast<std::uint32_t>(t.poly_list(x.id).size());
         else if (x.old_polys == 0) x.num_polys = 1;
         fan.is_irregular |= is_non_manifold || x.old_polys == 0 || x.old_polys > fan.old_joints + 1;
-        if (x.is_left_over()) ++left_over_edges, ++changes[x.a].edges_lost, ++changes[x.b].edges_lost;
+        if (x.is_unused()) ++num_unused_edges, ++changes[x.a].edges_lost, ++changes[x.b].edges_lost;
       }
       fan.is_irregular |= x.new_polys > 0 && !links_.connect(edges.number(x), x, fan.new_joints, edges_of_new(0));
     }

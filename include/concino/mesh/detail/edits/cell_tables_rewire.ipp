@@ -78,12 +78,12 @@ void cell_tables<Shape, Lists>::rewiring::save(detail::edit_log& log) const {
 
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::rewiring::reserve(function_ref<void(const detail::index_bounds&)> grow) {
-  detail::pair_with_left_over(x_.edges, x_.fresh_edges, x_.left_over_edges);
-  detail::pair_with_left_over(x_.faces, x_.fresh_faces, x_.left_over_faces,
-                              [this](const face& x, const face& y) { return x_.share_all_but_one(x, y); });
+  detail::reuse_descriptors(x_.edges, x_.num_new_edges, x_.num_unused_edges);
+  detail::reuse_descriptors(x_.faces, x_.num_new_faces, x_.num_unused_faces,
+                            [this](const face& x, const face& y) { return x_.share_all_but_one(x, y); });
   edge_ids_.reserve(x_.edges.size()), face_ids_.reserve(x_.faces.size());
-  const std::size_t more_edges = x_.fresh_edges - std::min(x_.fresh_edges, x_.left_over_edges);
-  const std::size_t more_faces = x_.fresh_faces - std::min(x_.fresh_faces, x_.left_over_faces);
+  const std::size_t more_edges = x_.num_new_edges - std::min(x_.num_new_edges, x_.num_unused_edges);
+  const std::size_t more_faces = x_.num_new_faces - std::min(x_.num_new_faces, x_.num_unused_faces);
   detail::reserve_lists_of_verts(t_.incident_edges_, t_.v2p_, x_.changes, x_.num_old_verts,
                                  [this](unsigned v) { return vert(v); });
   reserve_poly_lists();
@@ -93,8 +93,8 @@ void cell_tables<Shape, Lists>::rewiring::reserve(function_ref<void(const detail
   t_.e2v_.reserve_rows(more_edges);
   t_.e2p_.reserve_back(more_edges);
   t_.verts_.reserve_change(c_.removed, c_.points.size());
-  t_.edges_.reserve_change(x_.left_over_edges - std::min(x_.fresh_edges, x_.left_over_edges), more_edges);
-  t_.faces_.reserve_change(x_.left_over_faces - std::min(x_.fresh_faces, x_.left_over_faces), more_faces);
+  t_.edges_.reserve_change(x_.num_unused_edges - std::min(x_.num_new_edges, x_.num_unused_edges), more_edges);
+  t_.faces_.reserve_change(x_.num_unused_faces - std::min(x_.num_new_faces, x_.num_unused_faces), more_faces);
   t_.polys_.reserve_change(c_.polys.size() - c_.kept, x_.num_added());
   if (grow)
     grow({t_.verts_.bound() + c_.points.size(), t_.edges_.bound() + more_edges, t_.faces_.bound() + more_faces,
@@ -130,7 +130,7 @@ void cell_tables<Shape, Lists>::rewiring::commit(const detail::native_cavity_res
   for (const poly_id p : c_.polys) t_.facet_adjacency_.detach(p);
   change_polys_of_verts();
   for (const detail::cavity_edge& x : x_.edges)
-    if (x.is_left_over() && t_.is_non_manifold(x.id)) t_.poly_lists_.clear_row(t_.poly_list_number(x.id));
+    if (x.is_unused() && t_.is_non_manifold(x.id)) t_.poly_lists_.clear_row(t_.poly_list_number(x.id));
   detail::change_edges(x_.edges, t_.edges_, t_.e2v_, t_.incident_edges_, [this](unsigned v) { return vert(v); });
   for (const detail::cavity_edge& x : x_.edges) edge_ids_.push_back(x.id);
   t_.e2p_.resize(t_.edges_.bound());
@@ -170,7 +170,7 @@ void cell_tables<Shape, Lists>::rewiring::change_polys_of_verts() {
 template<class Shape, class Lists>
 void cell_tables<Shape, Lists>::rewiring::change_faces() {
   for (face& x : x_.faces) {
-    if (x.is_left_over() && !x.has_partner()) t_.faces_.remove(x.id);
+    if (x.is_unused() && !x.has_partner()) t_.faces_.remove(x.id);
     if (x.id.is_none()) {
       if (x.has_partner()) {
         x.id = x_.faces[x.partner].id;
@@ -211,8 +211,8 @@ void cell_tables<Shape, Lists>::rewiring::change_fans() {
   for (const detail::cavity_edge& x : x_.edges) {
     const detail::fan_change& fan = x_.fans[x_.edges.number(x)];
     if (x.num_polys - x.old_polys + x.new_polys == 0) continue;
-    const bool is_fresh = x.num_polys == 0;
-    if (is_fresh || (!fan.is_irregular && fan.starts_at_old))
+    const bool is_new = x.num_polys == 0;
+    if (is_new || (!fan.is_irregular && fan.starts_at_old))
       t_.e2p_[x.id.raw()] = new_poly(x.first_new / Shape::edges).raw();
     if (fan.is_irregular) t_.update_fan(x.id, t_.count_polys(x.id));
   }

@@ -43,7 +43,7 @@ struct saved_rows {
   static void sizes(const array& a, std::uint64_t* two) { two[0] = a.size(), two[1] = a.values_to_restore(); }
   static void resize(array& a, const std::uint64_t* two) { a.restore_size(two[0], two[1]); }
   static void put(const array& a, std::size_t row, std::vector<unsigned char>& bytes) {
-    const auto where = a.place_of(row);
+    const auto where = a.extent_of(row);
     const auto append = [&bytes](const void* first, const void* last) {
       bytes.insert(bytes.end(), static_cast<const unsigned char*>(first), static_cast<const unsigned char*>(last));
     };
@@ -51,9 +51,9 @@ struct saved_rows {
     a.for_each_array_at(row, append);
   }
   static void restore(array& a, std::size_t row, const unsigned char* bytes, std::size_t) {
-    decltype(a.place_of(row)) where;
+    decltype(a.extent_of(row)) where;
     std::memcpy(&where, bytes, sizeof where);
-    a.restore_place(row, where);
+    a.restore_extent(row, where);
     bytes += sizeof where;
     a.for_each_array_at(row, [&bytes](void* first, void* last) {
       const auto n = static_cast<std::size_t>(static_cast<unsigned char*>(last) - static_cast<unsigned char*>(first));

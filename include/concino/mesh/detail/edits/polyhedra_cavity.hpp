@@ -17,11 +17,11 @@ struct polyhedra_cavity_face {
   std::uint32_t num_polys = 0;  // of the mesh, at it before
   std::uint32_t last_poly = ~0u;       // the last new poly that has it
   const unsigned* corners = nullptr;  // set when all faces are known
-  std::uint32_t partner = ~0u;         // the number, of a new face, of the old one whose descriptor it takes, and the
-                                       // other way round
+  std::uint32_t partner = ~0u;         // of a new face: the number of the unused face whose descriptor it takes; of
+                                       // that one: the number of the new face
 
   bool has_partner() const { return partner != ~0u; }
-  bool is_left_over() const { return !id.is_none() && new_polys == 0 && old_polys > 0 && old_polys == num_polys; }
+  bool is_unused() const { return !id.is_none() && new_polys == 0 && old_polys > 0 && old_polys == num_polys; }
   bool shares_all_but_one(const polyhedra_cavity_face& x) const {
     if (size > longest_compared || x.size > longest_compared) return false;
     unsigned common = 0;
@@ -52,14 +52,14 @@ class polyhedra_cavity {
   const cavity_verts verts;
   const unsigned num_old_verts = static_cast<unsigned>(c.verts.size()),
                  num_verts = num_old_verts + static_cast<unsigned>(c.points.size());
-  cavity_edges edges;  // polys of an edge mean: old faces that are left over, new faces, all faces before
+  cavity_edges edges;  // old_polys, new_polys and num_polys count: unused old faces, new faces, all faces before
   core::small_array<face, 32> faces;
   core::small_array<vert_change, 32> changes;  // of verts
   // of the new polys, one after another
   core::small_array<unsigned, 32> faces_of_new, verts_of_new, verts_end, edges_of_new, edges_end;
   core::small_array<std::uint8_t, 32> outward_of_new;  // parallel to faces_of_new
-  // those the mesh did not have, and those it loses
-  std::size_t fresh_edges = 0, left_over_edges = 0, fresh_faces = 0, left_over_faces = 0;
+  // of those that the mesh did not have, and of those that it loses
+  std::size_t num_new_edges = 0, num_unused_edges = 0, num_new_faces = 0, num_unused_faces = 0;
 
   std::size_t num_new() const { return c.poly_ends.size(); }
   std::size_t num_added() const { return num_new() - c.kept; }
@@ -67,8 +67,8 @@ class polyhedra_cavity {
   std::size_t num_faces_of(std::size_t k) const { return c.poly_ends[k] - first_face(k); }
   std::size_t num_verts_of(std::size_t k) const { return verts_end[k] - begin_of(verts_end, k); }
   std::size_t num_edges_of(std::size_t k) const { return edges_end[k] - begin_of(edges_end, k); }
-  std::size_t more_edges() const { return fresh_edges - std::min(fresh_edges, left_over_edges); }
-  std::size_t more_faces() const { return fresh_faces - std::min(fresh_faces, left_over_faces); }
+  std::size_t more_edges() const { return num_new_edges - std::min(num_new_edges, num_unused_edges); }
+  std::size_t more_faces() const { return num_new_faces - std::min(num_new_faces, num_unused_faces); }
   /// Calls f(edge) for all edges of a face.
   template<class F>
   void for_each_edge(const face& x, const F& f) {
@@ -84,8 +84,8 @@ class polyhedra_cavity {
     changes.resize(num_verts, {});
     check_cavity_of_polyhedra(c, verts, t.verts(), t.polys());
     last_poly_of_vert_.resize(num_verts, ~0u);
-    for (const poly_id p : c.polys) find_old(t, p);
-    for (std::size_t k = 0; k < num_new(); ++k) find_new(t, k);
+    for (const poly_id p : c.polys) read_old_poly(t, p);
+    for (std::size_t k = 0; k < num_new(); ++k) read_new_poly(t, k);
     for (face& x : faces) x.corners = corners_.begin() + x.first;
     compare_faces();
     compare_edges(t);
@@ -93,8 +93,8 @@ class polyhedra_cavity {
       if (t.adj_v2p(verts[v]).size() != changes[v].polys_before) removed_vert_in_use(verts[v]);
       if (t.adj_v2e(verts[v]).size() != changes[v].edges_lost) removed_vert_with_face(verts[v]);
     }
-    pair_with_left_over(edges, fresh_edges, left_over_edges);
-    pair_with_left_over(faces, fresh_faces, left_over_faces);
+    reuse_descriptors(edges, num_new_edges, num_unused_edges);
+    reuse_descriptors(faces, num_new_faces, num_unused_faces);
   }
 
  private:
@@ -113,7 +113,7 @@ class polyhedra_cavity {
 
   /// The face with the corners since `first`, which are the last ones. It has this id if it is not none. It is added if
   /// it is new; otherwise these corners are removed. `is_forward`: whether the face has them in this order.
-  face& find_last(std::uint32_t first, face_id id, bool& is_forward) {
+  face& find_or_add_last(std::uint32_t first, face_id id, bool& is_forward) {
     const auto n = static_cast<std::uint32_t>(corners_.size()) - first;
     std::uint32_t hash = n;
     // the same in any order
@@ -140,7 +140,7 @@ class polyhedra_cavity {
   }
 
   template<class Tables>
-  void find_old(const Tables& t, poly_id p) {
+  void read_old_poly(const Tables& t, poly_id p) {
     const auto local = [&](vert_id v) {
       const unsigned i = verts.local(v);
       if (i == cavity_verts::none) missing_cavity_vert(p, v);
@@ -152,13 +152,13 @@ class polyhedra_cavity {
       const auto first = static_cast<std::uint32_t>(corners_.size());
       for (const vert_id v : t.adj_f2v(all[k])) corners_.push_back(local(v));
       bool is_forward = false;
-      face& x = find_last(first, all[k], is_forward);
+      face& x = find_or_add_last(first, all[k], is_forward);
       if (x.old_polys++ == 0) x.num_polys = t.facet_adjacency_.num_polys_at(p, k);
     }
   }
 
   template<class Tables>
-  void find_new(const Tables& t, std::size_t k) {
+  void read_new_poly(const Tables& t, std::size_t k) {
     const auto poly = static_cast<std::uint32_t>(k);
     for (unsigned j = first_face(k); j < c.poly_ends[k]; ++j) {
       const auto first = static_cast<std::uint32_t>(corners_.size());
@@ -178,10 +178,10 @@ class polyhedra_cavity {
         }
       }
       bool is_forward = false;
-      face& x = find_last(first, {}, is_forward);
+      face& x = find_or_add_last(first, {}, is_forward);
       if (x.last_poly == poly) repeated_cavity_face(k, j - first_face(k));
       x.last_poly = poly;
-      if (x.new_polys++ == 0 && x.id.is_none()) is_forward = look_for(t, x);
+      if (x.new_polys++ == 0 && x.id.is_none()) is_forward = find_outside_cavity(t, x);
       faces_of_new.push_back(static_cast<unsigned>(&x - faces.begin()));
       outward_of_new.push_back(is_forward);
     }
@@ -189,10 +189,10 @@ class polyhedra_cavity {
     edges_end.push_back(static_cast<unsigned>(edges_of_new.size()));
   }
 
-  /// Finds face x among those of other polys and those without polys. Result: whether it has its corners in the order
-  /// of x before.
+  /// Finds face x among those of other polys and those without polys, and takes over the order of its corners. Result:
+  /// whether that is the direction that x had.
   template<class Tables>
-  bool look_for(const Tables& t, face& x) {
+  bool find_outside_cavity(const Tables& t, face& x) {
     unsigned* const v = corners_.begin() + x.first;
     if (std::any_of(v, v + x.size, [this](unsigned i) { return i >= num_old_verts; })) return true;
     const edge_id e = t.edge_between(verts[v[0]], verts[v[1]]);
@@ -214,11 +214,11 @@ class polyhedra_cavity {
 
   void compare_faces() {
     for (const face& x : faces) {
-      const bool is_fresh = x.id.is_none();
-      fresh_faces += is_fresh;
-      left_over_faces += x.is_left_over();
-      if (!is_fresh && !x.is_left_over()) continue;
-      for_each_edge(x, [&](cavity_edge& e) { ++(is_fresh ? e.new_polys : e.old_polys); });
+      const bool is_new = x.id.is_none();
+      num_new_faces += is_new;
+      num_unused_faces += x.is_unused();
+      if (!is_new && !x.is_unused()) continue;
+      for_each_edge(x, [&](cavity_edge& e) { ++(is_new ? e.new_polys : e.old_polys); });
     }
   }
   template<class Tables>
@@ -226,11 +226,11 @@ class polyhedra_cavity {
     for (cavity_edge& x : edges) {
       if (x.b < num_old_verts) x.id = t.edge_between(verts[x.a], verts[x.b]);
       if (x.id.is_none()) {
-        ++fresh_edges, ++changes[x.a].edges_gained, ++changes[x.b].edges_gained;
+        ++num_new_edges, ++changes[x.a].edges_gained, ++changes[x.b].edges_gained;
         continue;
       }
       x.num_polys = static_cast<std::uint32_t>(t.adj_e2f(x.id).size());
-      if (x.is_left_over()) ++left_over_edges, ++changes[x.a].edges_lost, ++changes[x.b].edges_lost;
+      if (x.is_unused()) ++num_unused_edges, ++changes[x.a].edges_lost, ++changes[x.b].edges_lost;
     }
   }
 };

@@ -73,8 +73,8 @@ void basic_polyhedra_tables<Lists>::rewiring::reserve(function_ref<void(const de
   reserve_scratch();
   t_.e2v_.reserve_rows(x_.more_edges());
   t_.verts_.reserve_change(c_.removed, c_.points.size());
-  t_.edges_.reserve_change(x_.left_over_edges - std::min(x_.fresh_edges, x_.left_over_edges), x_.more_edges());
-  t_.faces_.reserve_change(x_.left_over_faces - std::min(x_.fresh_faces, x_.left_over_faces), x_.more_faces());
+  t_.edges_.reserve_change(x_.num_unused_edges - std::min(x_.num_new_edges, x_.num_unused_edges), x_.more_edges());
+  t_.faces_.reserve_change(x_.num_unused_faces - std::min(x_.num_new_faces, x_.num_unused_faces), x_.more_faces());
   t_.polys_.reserve_change(c_.polys.size() - c_.kept, x_.num_added());
   if (grow)
     grow({t_.verts_.bound() + c_.points.size(), t_.edges_.bound() + x_.more_edges(),
@@ -87,13 +87,13 @@ void basic_polyhedra_tables<Lists>::rewiring::reserve_faces_of_edges() {
   std::size_t values = 0;
   t_.e2f_.make_editable();
   for (const detail::cavity_edge& x : x_.edges) {
-    const bool is_fresh = x.id.is_none();
-    if (is_fresh && !x.has_partner()) {
+    const bool is_new = x.id.is_none();
+    if (is_new && !x.has_partner()) {
       values += std::max<std::size_t>(x.new_polys, faces_of_new_edge);
       continue;
     }
-    const edge_id e = is_fresh ? x_.edges[x.partner].id : x.id;
-    const std::uint32_t lost = is_fresh ? t_.e2f_.length(e.raw()) : x.old_polys;
+    const edge_id e = is_new ? x_.edges[x.partner].id : x.id;
+    const std::uint32_t lost = is_new ? t_.e2f_.length(e.raw()) : x.old_polys;
     if (x.new_polys > lost) t_.e2f_.reserve_in_row(e.raw(), x.new_polys - lost);
   }
   t_.e2f_.reserve_rows(x_.more_edges(), values);
@@ -172,7 +172,7 @@ void basic_polyhedra_tables<Lists>::rewiring::commit(const detail::native_cavity
 template<class Lists>
 void basic_polyhedra_tables<Lists>::rewiring::remove_faces() {
   for (const face& x : x_.faces) {
-    if (!x.is_left_over()) continue;
+    if (!x.is_unused()) continue;
     x_.for_each_edge(x, [&](const detail::cavity_edge& e) { t_.e2f_.remove(e.id.raw(), x.id); });
     if (!x.has_partner()) t_.faces_.remove(x.id);
   }

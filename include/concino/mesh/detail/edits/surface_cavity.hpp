@@ -26,7 +26,7 @@ class surface_cavity {
   core::small_array<unsigned, 12> old_ends_;        // where those of each end, if polys differ in size
   core::small_array<unsigned, 48> edges_of_new_;    // of the new polys: the number of the edge after each corner
   core::small_array<poly_id, 8> of_lists_;  // polys in lists of old polys
-  std::size_t fresh_ = 0, left_over_ = 0;   // numbers of edges that the mesh did not have, and of those that it loses
+  std::size_t num_new_edges_ = 0, num_unused_edges_ = 0;  // edges that the mesh did not have, and those that it loses
 
   template<class Tables>
   surface_cavity(const Tables& t, const native_cavity& c)
@@ -106,8 +106,8 @@ class surface_cavity {
 
   void count_edges() {
     for (const cavity_edge& x : edges_) {
-      if (x.id.is_none()) ++fresh_, ++changes_[x.a].edges_gained, ++changes_[x.b].edges_gained;
-      else if (x.is_left_over()) ++left_over_, ++changes_[x.a].edges_lost, ++changes_[x.b].edges_lost;
+      if (x.id.is_none()) ++num_new_edges_, ++changes_[x.a].edges_gained, ++changes_[x.b].edges_gained;
+      else if (x.is_unused()) ++num_unused_edges_, ++changes_[x.a].edges_lost, ++changes_[x.b].edges_lost;
     }
   }
 };

@@ -13,7 +13,7 @@ template<unsigned Arity, class Lists>
 class surface_tables<Arity, Lists>::rewiring : detail::surface_cavity<Arity> {
   using base = detail::surface_cavity<Arity>;
   using base::c_, base::verts_, base::num_old_verts_, base::num_verts_, base::edges_, base::changes_,
-      base::edges_of_new_, base::of_lists_, base::fresh_, base::left_over_;
+      base::edges_of_new_, base::of_lists_, base::num_new_edges_, base::num_unused_edges_;
   using base::corners, base::next, base::num_added, base::num_corners, base::num_new, base::old_corners;
 
   surface_tables& t_;
@@ -86,8 +86,8 @@ std::size_t surface_tables<Arity, Lists>::rewiring::values_of_rows() const {
 
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::rewiring::reserve(function_ref<void(const detail::index_bounds&)> grow) {
-  detail::pair_with_left_over(edges_, fresh_, left_over_);
-  const std::size_t more_edges = fresh_ > left_over_ ? fresh_ - left_over_ : 0;
+  detail::reuse_descriptors(edges_, num_new_edges_, num_unused_edges_);
+  const std::size_t more_edges = num_new_edges_ > num_unused_edges_ ? num_new_edges_ - num_unused_edges_ : 0;
   detail::reserve_lists_of_verts(t_.incident_, changes_, num_old_verts_, [this](unsigned v) { return vert(v); });
   reserve_poly_lists();
   const std::size_t values = values_of_rows();
@@ -96,7 +96,7 @@ void surface_tables<Arity, Lists>::rewiring::reserve(function_ref<void(const det
                                     more_edges);
   t_.e2v_.reserve_rows(more_edges);
   t_.verts_.reserve_change(c_.removed, c_.points.size());
-  t_.edges_.reserve_change(left_over_ - std::min(fresh_, left_over_), more_edges);
+  t_.edges_.reserve_change(num_unused_edges_ - std::min(num_new_edges_, num_unused_edges_), more_edges);
   t_.polys_.reserve_change(c_.polys.size() - c_.kept, num_added());
   if constexpr (Arity == 0) {
     std::size_t most = 0;
@@ -181,7 +181,7 @@ void surface_tables<Arity, Lists>::rewiring::replace_polys() {
 template<unsigned Arity, class Lists>
 void surface_tables<Arity, Lists>::rewiring::restore_order() {
   for (const cavity_edge& x : edges_)
-    if (!x.first_poly.is_none() && !x.is_left_over()) t_.facet_adjacency_.keep_first(x.id, x.first_poly);
+    if (!x.first_poly.is_none() && !x.is_unused()) t_.facet_adjacency_.keep_first(x.id, x.first_poly);
 }
 
 template<unsigned Arity, class Lists>

@@ -1,5 +1,5 @@
-// Incidence of polys and facets, as it is built: the facets of each poly, the polys of each facet, and the neighbour of
-// each poly behind each of its facets. Facets are the edges of a surface and the faces of a volume. The dual graph is
+// Builds the incidence of polys and facets: the facets of each poly, the polys of each facet, and the neighbour of each
+// poly at each of its facets. Facets are the edges of a surface and the faces of a volume. The dual graph is
 // traversed in this table.
 #pragma once
 

@@ -36,7 +36,7 @@ class non_manifold_facets : private jagged_array<poly_id, 0> {
     poly_lists_.push_back(static_cast<std::uint32_t>(size() + united_first_.size() - 1));
     united_first_.push_back(static_cast<std::uint32_t>(united_.size()));
   }
-  void forget() noexcept {
+  void invalidate() noexcept {
     polys_.clear();
     first_.clear();
     poly_lists_.clear();
@@ -57,31 +57,31 @@ class non_manifold_facets : private jagged_array<poly_id, 0> {
 
   /// The lists as rows, which the caller may change.
   base& rows() {
-    forget();
+    invalidate();
     return *this;
   }
   const base& rows() const { return *this; }
 
   template<class It>
   void add_row(It from, It to, std::size_t room = 0) {
-    forget();
+    invalidate();
     base::add_row(from, to, room);
   }
   void push(std::size_t i, const poly_id& p) {
-    forget();
+    invalidate();
     base::push(i, p);
   }
   /// Adds p to list i, which remains sorted.
   void insert(std::size_t i, const poly_id& p) {
-    forget();
+    invalidate();
     base::insert_sorted(i, p);
   }
   void remove(std::size_t i, const poly_id& p) {
-    forget();
+    invalidate();
     base::remove(i, p);
   }
   void clear_row(std::size_t i) {
-    forget();
+    invalidate();
     base::clear_row(i);
   }
   bool holds(std::uint32_t poly_list, poly_id p) const {

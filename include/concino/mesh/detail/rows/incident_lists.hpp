@@ -53,13 +53,13 @@ class incident_lists {
     });
     places_.move_row(i, to, room);
   }
-  void spread_rows() {
-    incident_lists spread;
-    spread.places_ = places_.spread();
-    spread.places_.copy_rows(places_, verts_, spread.verts_);
-    spread.places_.copy_rows(places_, edges_, spread.edges_);
-    if constexpr (WithPolys) spread.places_.copy_second_rows(places_, polys_, spread.polys_);
-    *this = std::move(spread);
+  void add_spare_capacity() {
+    incident_lists growable;
+    growable.places_ = places_.with_spare_capacity();
+    growable.places_.copy_rows(places_, verts_, growable.verts_);
+    growable.places_.copy_rows(places_, edges_, growable.edges_);
+    if constexpr (WithPolys) growable.places_.copy_second_rows(places_, polys_, growable.polys_);
+    *this = std::move(growable);
   }
   void enlarge_row(vert_id v, std::uint32_t edges, std::uint32_t polys) {
     make_growable();
@@ -124,7 +124,7 @@ class incident_lists {
   /// After this call rows can become shorter, which cannot fail. Most rows get room for more values, so that they need
   /// not move soon.
   void make_growable() {
-    if (places_.is_packed()) spread_rows();
+    if (places_.is_packed()) add_spare_capacity();
   }
   /// After this call, n calls of add_vert() with that room in all cannot fail.
   void reserve_verts(std::size_t n, std::size_t room) {
@@ -182,12 +182,14 @@ class incident_lists {
 
   // For undoing, as in jagged_array.
   std::size_t size() const { return places_.size(); }
-  auto place_of(std::size_t i) const { return places_.place_of(i); }
+  auto extent_of(std::size_t i) const { return places_.extent_of(i); }
   template<class F>
   void for_each_array_at(std::size_t i, const F& f) const { visit_row(*this, i, f); }
   template<class F>
   void for_each_array_at(std::size_t i, const F& f) { visit_row(*this, i, f); }
-  void restore_place(std::size_t i, const typename row_places<WithPolys>::place& x) { places_.restore_place(i, x); }
+  void restore_extent(std::size_t i, const typename row_places<WithPolys>::row_extent& x) {
+    places_.restore_extent(i, x);
+  }
   std::size_t values_to_restore() const {
     return places_.is_packed() ? jagged_array<vert_id, 0>::any_number : verts_.size();
   }

@@ -42,11 +42,11 @@ class jagged_array<T, 0> {
     std::fill_n(data_.data() + to + n, room - n, T{});
     places_.move_row(i, to, room);
   }
-  void spread_rows() {
-    row_places<> spread = places_.spread();
+  void add_spare_capacity() {
+    row_places<> growable = places_.with_spare_capacity();
     core::flat_array<T> data;
-    spread.copy_rows(places_, data_, data);
-    places_.swap(spread);
+    growable.copy_rows(places_, data_, data);
+    places_.swap(growable);
     data_.swap(data);
   }
   void enlarge_row(std::size_t i, std::uint32_t n) {
@@ -93,7 +93,7 @@ class jagged_array<T, 0> {
   void make_editable() { places_.make_editable(); }
   /// The same, but most rows get room for more values, so that they need not move soon.
   void make_growable() {
-    if (places_.is_packed()) spread_rows();
+    if (places_.is_packed()) add_spare_capacity();
   }
   /// After this call, n calls of add_row() with that many values in all cannot fail.
   void reserve_rows(std::size_t n, std::size_t values) {
@@ -179,12 +179,12 @@ class jagged_array<T, 0> {
   /// For undoing: where row i is, and the numbers of rows and of values in memory, which is `any_number` of packed
   /// rows.
   static constexpr std::size_t any_number = static_cast<std::size_t>(-1);
-  row_places<>::place place_of(std::size_t i) const { return places_.place_of(i); }
+  row_places<>::row_extent extent_of(std::size_t i) const { return places_.extent_of(i); }
   template<class F>
   void for_each_array_at(std::size_t i, const F& f) const { f(begin(i), end(i)); }
   template<class F>
   void for_each_array_at(std::size_t i, const F& f) { f(begin(i), begin(i) + length(i)); }
-  void restore_place(std::size_t i, const row_places<>::place& x) { places_.restore_place(i, x); }
+  void restore_extent(std::size_t i, const row_places<>::row_extent& x) { places_.restore_extent(i, x); }
   std::size_t values_to_restore() const { return places_.is_packed() ? any_number : data_.size(); }
   void restore_size(std::size_t rows, std::size_t values) {
     if (places_.is_packed()) return;

@@ -105,14 +105,15 @@ class row_places {
 
   // Edits allocate their memory first, which changes no row, and cannot fail afterwards.
 
-  /// The same rows, with a capacity of their own, where they are. Needs: no second rows, or spread() before.
+  /// The same rows, with a capacity of their own, where they are. Needs: no second rows, or with_spare_capacity()
+  /// before.
   void make_editable() {
     assert(!WithSecond || !packed_);
     if (packed_) *this = editable([](std::uint32_t n) { return n; });
   }
-  /// The same rows, apart from each other, so that most of them can grow where they are. Without room to grow if the
-  /// places were more than 32 bits can count.
-  row_places spread() const {
+  /// The same rows with unused memory after each, so that most of them can grow without being moved. Without that if
+  /// the values were more than 32 bits can count.
+  row_places with_spare_capacity() const {
     std::uint64_t values = 0;
     for (std::size_t i = 0; i < size_; ++i) values += room_for(longest(i) + 1);
     if (values > std::numeric_limits<std::uint32_t>::max()) return editable([](std::uint32_t n) { return n; });
@@ -182,18 +183,18 @@ class row_places {
     return --editable_rows_[i].last;
   }
 
-  /// Where the values of a row are, for undoing. A row that was packed remains where it was moved since, where it has
-  /// at least as much room.
-  struct place {
+  /// Where the values of a row are, for undoing. A row that was packed then, and was moved since, is not moved back: it
+  /// has at least as much room now.
+  struct row_extent {
     std::uint32_t first, length, room, second_length;
     bool is_packed;
   };
-  place place_of(std::size_t i) const {
-    place x{first(i), length(i), room(i), 0, is_packed()};
+  row_extent extent_of(std::size_t i) const {
+    row_extent x{first(i), length(i), room(i), 0, is_packed()};
     if constexpr (WithSecond) x.second_length = second_length(i);
     return x;
   }
-  void restore_place(std::size_t i, const place& x) {
+  void restore_extent(std::size_t i, const row_extent& x) {
     if (packed_) return;
     const std::uint32_t first = x.is_packed ? editable_rows_[i].first : x.first;
     editable_rows_[i] = {first, first + x.length, x.is_packed ? editable_rows_[i].room : x.room,

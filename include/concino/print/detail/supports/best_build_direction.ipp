@@ -78,7 +78,7 @@ inline std::vector<vec3> hull_directions(const part_surface& part, std::size_t m
 }
 
 /// 24 n^2 + 2 directions, mirror images of one another in the planes between the axes.
-inline std::vector<vec3> spread_directions(const std::array<vec3, 3>& axes, int n) {
+inline std::vector<vec3> lattice_directions(const std::array<vec3, 3>& axes, int n) {
   std::vector<vec3> directions;
   for (int i = -n; i <= n; ++i)
     for (int j = -n; j <= n; ++j)
@@ -191,7 +191,7 @@ class build_direction_search {
     report(0);
     const auto axes = principal_axes(part_);
     std::vector<candidate> starts = cheapest(hull_directions(part_, options_.max_hull_faces), 2, 0.2);
-    for (candidate& c : cheapest(spread_directions(axes, static_cast<int>(options_.samples)), 6, 0.4))
+    for (candidate& c : cheapest(lattice_directions(axes, static_cast<int>(options_.samples)), 6, 0.4))
       starts.push_back(std::move(c));
     build_direction_found best;
     for (std::size_t i = 0; i < starts.size(); ++i) {

@@ -23,7 +23,7 @@ struct surface_point {
 /// Computes surface_points of hits in a scene. Each thread needs its own, for its working memory.
 class surface_reader {
   /// The triangle of a hit, its drawable and the polygon that it is part of.
-  struct place {
+  struct hit_triangle {
     std::size_t which;
     const drawable& d;
     std::uint32_t polygon, first, n;     // the corners of the polygon are first .. first+n-1
@@ -54,12 +54,13 @@ class surface_reader {
   vec3 corner(std::size_t which, std::uint32_t i) const {
     return scene_.point(scene_.first_point(which) + scene_[which].corners[i]);
   }
-  place place_of(const ray_hit& hit);
-  interpolation interpolate(const place& at, const std::array<double, 3>& bary, const vec3& position,
+  hit_triangle read_hit(const ray_hit& hit);
+  interpolation interpolate(const hit_triangle& at, const std::array<double, 3>& bary, const vec3& position,
                             std::vector<double>& weights) const;
-  void add_neighbours(sampled_interpolation& mean, const place& at, const vec3& position, const image_point& film);
-  void read_color(surface_point& s, sampled_interpolation& mean, const place& at, const image_point& film);
-  void read_edges(surface_point& s, const place& at, const image_point& film);
+  void add_neighbours(sampled_interpolation& mean, const hit_triangle& at, const vec3& position,
+                      const image_point& film);
+  void read_color(surface_point& s, sampled_interpolation& mean, const hit_triangle& at, const image_point& film);
+  void read_edges(surface_point& s, const hit_triangle& at, const image_point& film);
 };
 
 }  // namespace concino::detail

@@ -20,7 +20,7 @@ CONCINO_INLINE double segment_distance(const image_point& p, const image_point& 
   return std::hypot(p.x - a.x - t * x, p.y - a.y - t * y);
 }
 
-CONCINO_INLINE surface_reader::place surface_reader::place_of(const ray_hit& hit) {
+CONCINO_INLINE surface_reader::hit_triangle surface_reader::read_hit(const ray_hit& hit) {
   const auto [which, local] = scene_.owner(hit.triangle);
   const drawable& d = scene_[which];
   const auto& t = d.triangles[local];
@@ -39,7 +39,7 @@ CONCINO_INLINE surface_reader::place surface_reader::place_of(const ray_hit& hit
   return {which, d, p, first, n, t, points, area_vector};
 }
 
-CONCINO_INLINE interpolation surface_reader::interpolate(const place& at, const std::array<double, 3>& bary,
+CONCINO_INLINE interpolation surface_reader::interpolate(const hit_triangle& at, const std::array<double, 3>& bary,
                                                          const vec3& position, std::vector<double>& weights) const {
   if (polygon_.empty()) return {at.first, {}, at.corners, bary};
   polygon_weights(polygon_, polygon_normal_, position, weights);
@@ -48,8 +48,8 @@ CONCINO_INLINE interpolation surface_reader::interpolate(const place& at, const 
 
 /// Intersects the rays of the neighbouring samples with the plane of the triangle. Far points are moved towards the
 /// sample, so that values there are nearly linear between the two.
-CONCINO_INLINE void surface_reader::add_neighbours(sampled_interpolation& mean, const place& at, const vec3& position,
-                                                   const image_point& film) {
+CONCINO_INLINE void surface_reader::add_neighbours(sampled_interpolation& mean, const hit_triangle& at,
+                                                   const vec3& position, const image_point& film) {
   const vec3 a = at.points[0], e = at.points[1] - a, f = at.points[2] - a;
   const double nn = dot(at.area_vector, at.area_vector), size = std::sqrt(std::max(dot(e, e), dot(f, f)));
   if (!(nn > 0)) return;
@@ -68,7 +68,7 @@ CONCINO_INLINE void surface_reader::add_neighbours(sampled_interpolation& mean, 
   mean.up = neighbour(0, pixel_ / fineness_, up_weights_, mean.up_part);
 }
 
-CONCINO_INLINE void surface_reader::read_color(surface_point& s, sampled_interpolation& mean, const place& at,
+CONCINO_INLINE void surface_reader::read_color(surface_point& s, sampled_interpolation& mean, const hit_triangle& at,
                                                const image_point& film) {
   if (needs_steps(at.d)) add_neighbours(mean, at, s.position, film);
   s.color = unlit_color(at.d, {at.polygon, mean, fineness_, 2 / pixel_ * fineness_});
@@ -76,7 +76,7 @@ CONCINO_INLINE void surface_reader::read_color(surface_point& s, sampled_interpo
   if (at.d.look.edge_width > 0) read_edges(s, at, film);
 }
 
-CONCINO_INLINE void surface_reader::read_edges(surface_point& s, const place& at, const image_point& film) {
+CONCINO_INLINE void surface_reader::read_edges(surface_point& s, const hit_triangle& at, const image_point& film) {
   const drawable& d = at.d;
   double nearest = std::numeric_limits<double>::infinity();
   std::uint32_t nearest_corner = at.first;
@@ -107,7 +107,7 @@ CONCINO_INLINE void surface_reader::read_edges(surface_point& s, const place& at
 
 CONCINO_INLINE surface_point surface_reader::operator()(const ray_hit& hit, const view_ray& ray,
                                                         const image_point& film) {
-  const place at = place_of(hit);
+  const hit_triangle at = read_hit(hit);
   const std::array<double, 3> bary{1 - hit.u - hit.v, hit.u, hit.v};
   surface_point s;
   s.position = at.points[0] * bary[0] + at.points[1] * bary[1] + at.points[2] * bary[2];

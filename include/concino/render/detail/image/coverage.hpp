@@ -1,4 +1,4 @@
-// The part of each pixel that polygons cover, exactly.
+// The fraction of each pixel that polygons cover, computed exactly.
 #pragma once
 
 #include <concino/core/compiled.hpp>

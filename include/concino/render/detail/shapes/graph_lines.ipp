@@ -7,7 +7,7 @@
 
 namespace concino::detail {
 
-/// The edges at each vert that no trail has taken yet.
+/// The edges at each vert that no line has taken yet.
 class free_edges {
   const flat_graph& g_;
   std::vector<std::uint32_t> first_, last_, edges_;  // vert v has those of edges_ from first_[v] to last_[v]; taken
@@ -101,7 +101,7 @@ CONCINO_INLINE graph_lines graph_lines_of(const flat_graph& g) {
 CONCINO_INLINE drawable tubes_of(const flat_graph& g, const tube_options& options, const char* caller) {
   const graph_lines t = graph_lines_of(g);
   tube_options by_point = options;
-  const auto spread = [&](std::span<const double> by_vert, const char* what) {
+  const auto for_line_points = [&](std::span<const double> by_vert, const char* what) {
     std::vector<double> all;
     if (by_vert.empty()) return all;
     if (by_vert.size() != g.points.size())
@@ -111,8 +111,8 @@ CONCINO_INLINE drawable tubes_of(const flat_graph& g, const tube_options& option
     for (const std::uint32_t v : t.verts) all.push_back(by_vert[v]);
     return all;
   };
-  const std::vector<double> values = spread(options.values, " values for "),
-                            radii = spread(options.radii, " radii for ");
+  const std::vector<double> values = for_line_points(options.values, " values for "),
+                            radii = for_line_points(options.radii, " radii for ");
   by_point.values = values;
   by_point.radii = radii;
   return tubes_along(t.lines, by_point, caller);

@@ -95,7 +95,8 @@ class painter {
     if (dot(normal, light_) <= -light_sine_) return 0;
     double sum = 0;
     for (std::size_t k = 0; k < light_rays_; ++k) {
-      const vec3 d = cone_direction(light_frame_, light_cosine_, spread_point(sample * light_rays_ + k, shift));
+      const vec3 d =
+          cone_direction(light_frame_, light_cosine_, low_discrepancy_point(sample * light_rays_ + k, shift));
       const double cosine = dot(normal, d);
       if (cosine > 0 && dot(flat, d) > 0 && (misses_all(position, d) || !opaque_.occluded(position, d, 0, far_)))
         sum += cosine;

@@ -23,7 +23,7 @@ constexpr unit_point random_point(std::uint64_t seed) {
 /// Point i of a low-discrepancy sequence: consecutive points are evenly distributed over the unit square. It is moved
 /// by `shift`, modulo 1.
 /// Source: R2, Roberts 2018; the shift is that of Cranley and Patterson 1976.
-inline unit_point spread_point(std::uint64_t i, const unit_point& shift) {
+inline unit_point low_discrepancy_point(std::uint64_t i, const unit_point& shift) {
   const double n = static_cast<double>(i);
   const double x = shift.x + n * 0.75487766624669276005, y = shift.y + n * 0.56984029099805326591;
   return {x - std::floor(x), y - std::floor(y)};
@@ -57,7 +57,7 @@ class cosine_directions {
  public:
   explicit cosine_directions(std::size_t n) : rays_(n) {
     for (std::size_t i = 0; i < n; ++i) {
-      const unit_point u = spread_point(i, {});
+      const unit_point u = low_discrepancy_point(i, {});
       rays_[i] = {u.x, std::cos(6.28318530717958647693 * u.y), std::sin(6.28318530717958647693 * u.y)};
     }
   }

@@ -89,7 +89,7 @@ class lobpcg_iteration {
     values = images_.topRows(size_).diagonal();
     if (!values.allFinite()) throw_not_finite();
     if (!(values.minCoeff() > 0)) throw_indefinite();
-    const Eigen::MatrixXd squares = row_parts(n_).sum(3, size_, [&](Eigen::Index first, Eigen::Index last) {
+    const Eigen::MatrixXd squares = row_blocks(n_).sum(3, size_, [&](Eigen::Index first, Eigen::Index last) {
       Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(3, size_);
       for (Eigen::Index i = first; i < last; ++i) {
         const double bound = row_sum_[static_cast<std::size_t>(i)];

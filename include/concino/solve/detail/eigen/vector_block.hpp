@@ -52,10 +52,10 @@ inline vector_block::view rows_between(const column_range& x, Eigen::Index first
 }
 
 /// The rows in at most 64 parts, which do not depend on the number of threads.
-struct row_parts {
+struct row_blocks {
   Eigen::Index rows, size;
 
-  explicit row_parts(Eigen::Index n) : rows(n), size(std::max<Eigen::Index>(1024, (n + 63) / 64)) {}
+  explicit row_blocks(Eigen::Index n) : rows(n), size(std::max<Eigen::Index>(1024, (n + 63) / 64)) {}
   std::size_t number() const { return static_cast<std::size_t>((rows + size - 1) / size); }
 
   /// Calls f(part, first row, end of rows).
@@ -80,7 +80,7 @@ struct row_parts {
 
 /// x^T y, of n rows.
 inline Eigen::MatrixXd gram_matrix(Eigen::Index n, const column_range& x, const column_range& y) {
-  return row_parts(n).sum(x.columns, y.columns, [&](Eigen::Index first, Eigen::Index last) -> Eigen::MatrixXd {
+  return row_blocks(n).sum(x.columns, y.columns, [&](Eigen::Index first, Eigen::Index last) -> Eigen::MatrixXd {
     return rows_between(x, first, last).transpose() * rows_between(y, first, last);
   });
 }
@@ -88,7 +88,7 @@ inline Eigen::MatrixXd gram_matrix(Eigen::Index n, const column_range& x, const 
 /// Replaces the first columns of x by x c. If there are vectors v, by x c - v d.
 inline void combine(Eigen::Index n, const column_range& x, const Eigen::MatrixXd& c,
                     const column_range& v = {nullptr, 0, 0}, const Eigen::MatrixXd& d = {}) {
-  row_parts(n).for_each([&](std::size_t, Eigen::Index first, Eigen::Index last) {
+  row_blocks(n).for_each([&](std::size_t, Eigen::Index first, Eigen::Index last) {
     constexpr Eigen::Index at_once = 256;
     vector_block::row_major sum(at_once, c.cols());
     for (Eigen::Index i = first; i < last; i += at_once) {
@@ -129,7 +129,7 @@ inline void multiply_panel(const lower_entries& m, const column_range& x, const 
 inline void multiply_columns(const Eigen::SparseMatrix<double>& a, const column_range& x, const column_range& y) {
   const lower_entries m(a);
   if (a.nonZeros() == a.cols()) {
-    row_parts(a.cols()).for_each([&](std::size_t, Eigen::Index first, Eigen::Index last) {
+    row_blocks(a.cols()).for_each([&](std::size_t, Eigen::Index first, Eigen::Index last) {
       for (Eigen::Index i = first; i < last; ++i)
         for (Eigen::Index j = 0; j < x.columns; ++j) y.row(i)[j] = m.a[i] * x.row(i)[j];
     });

@@ -1,6 +1,6 @@
 // The steps of a cycle of multigrid on one level: smoothing, residuals, and transfer to and from the next level. A
-// template argument says for how many right-hand sides at once; the entries of a row are then next to each other. All
-// are computed as if they were alone, but the matrix is read only once.
+// template argument says for how many right-hand sides at once; the entries of a row are then next to each other. The
+// results are those of one right-hand side after another, but the matrix is read only once.
 #pragma once
 
 #include <concino/solve/detail/multigrid/aggregates.hpp>
@@ -29,9 +29,9 @@ inline const double* row_of(const double* x, int i) { return x + static_cast<std
 
 /// Gauss-Seidel from 0, last to first row. inverse: of the diagonal. r: the residual afterwards.
 template<int W>
-void smooth_first(const lower_entries& m, const double* inverse, const double* b, double* x, double* r) {
+void pre_smooth(const lower_entries& m, const double* inverse, const double* b, double* x, double* r) {
   for (int c = m.n - 1; c >= 0; --c) {  // x_c = (b - L^T x)_c / d_c for the x known so far; r = -L x
-    double xc[W], *const at = row_of<W>(x, c), *const left = row_of<W>(r, c);
+    double xc[W], *const at = row_of<W>(x, c), *const residual = row_of<W>(r, c);
     for (int l = 0; l < W; ++l) xc[l] = row_of<W>(b, c)[l];
     for (int k = m.starts[c] + 1; k < m.starts[c + 1]; ++k) {
       const double a = m.a[k];
@@ -40,7 +40,7 @@ void smooth_first(const lower_entries& m, const double* inverse, const double* b
     }
     for (int l = 0; l < W; ++l) {
       at[l] = xc[l] *= inverse[c];
-      left[l] = 0;
+      residual[l] = 0;
     }
     for (int k = m.starts[c] + 1; k < m.starts[c + 1]; ++k) {
       const double a = m.a[k];
@@ -52,10 +52,10 @@ void smooth_first(const lower_entries& m, const double* inverse, const double* b
 
 /// Gauss-Seidel from x, first to last row. Afterwards A x = y + L^T x.
 template<int W>
-void smooth_last(const lower_entries& m, const double* inverse, const double* b, double* x, double* y) {
+void post_smooth(const lower_entries& m, const double* inverse, const double* b, double* x, double* y) {
   for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(m.n) * W; ++i) y[i] = 0;
   for (int c = 0; c < m.n; ++c) {  // y is L x from row c, and b - L^T x, with the x before, above it
-    double sum[W], xc[W], *const at = row_of<W>(x, c), *const known = row_of<W>(y, c);
+    double sum[W], xc[W], *const at = row_of<W>(x, c), *const lower_product = row_of<W>(y, c);
     for (int l = 0; l < W; ++l) sum[l] = row_of<W>(b, c)[l];
     for (int k = m.starts[c] + 1; k < m.starts[c + 1]; ++k) {
       const double a = m.a[k];
@@ -63,8 +63,8 @@ void smooth_last(const lower_entries& m, const double* inverse, const double* b,
       for (int l = 0; l < W; ++l) sum[l] -= a * from[l];
     }
     for (int l = 0; l < W; ++l) {
-      at[l] = xc[l] = (sum[l] - known[l]) * inverse[c];
-      known[l] = sum[l];
+      at[l] = xc[l] = (sum[l] - lower_product[l]) * inverse[c];
+      lower_product[l] = sum[l];
     }
     for (int k = m.starts[c] + 1; k < m.starts[c + 1]; ++k) {
       const double a = m.a[k];
@@ -74,7 +74,7 @@ void smooth_last(const lower_entries& m, const double* inverse, const double* b,
   }
 }
 
-/// y += L^T x, the rest of A x after smooth_last.
+/// y += L^T x, the rest of A x after post_smooth.
 template<int W>
 void add_upper_product(const lower_entries& m, const double* x, double* y) {
   for (int c = 0; c < m.n; ++c) {

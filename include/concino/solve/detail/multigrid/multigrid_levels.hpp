@@ -72,7 +72,7 @@ class multigrid_levels {
   }
 
   /// x = M b for a symmetric positive definite M that approximates the inverse of the matrix of this level. For W
-  /// vectors at once; the W entries of a row are next to each other. y: as many numbers; see smooth_last for what they
+  /// vectors at once; the W entries of a row are next to each other. y: as many numbers; see post_smooth for what they
   /// are afterwards.
   template<int W>
   void cycle(std::size_t at, const double* b, double* x, double* y, workspace& w) const {
@@ -83,7 +83,7 @@ class multigrid_levels {
       bottom_.solve<W>(b, x, w.e[at].data());
       return;
     }
-    smooth_first<W>(a, l.inverse.data(), b, x, y);
+    pre_smooth<W>(a, l.inverse.data(), b, x, y);
     if (!is_last) {
       double *const coarse_b = w.b[at + 1].data(), *const coarse_x = w.x[at + 1].data(),
                     *const coarse_y = w.y[at + 1].data();
@@ -98,7 +98,7 @@ class multigrid_levels {
       }
       add_interpolated<W>(l.to_next, coarse_x, x);
     }
-    smooth_last<W>(a, l.inverse.data(), b, x, y);
+    post_smooth<W>(a, l.inverse.data(), b, x, y);
   }
 
   /// x = M b for one vector, and y = A x unless there is one level only. Returns whether it has set y.

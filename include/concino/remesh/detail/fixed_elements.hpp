@@ -12,7 +12,7 @@ namespace concino::detail {
 /// None of them ever vanishes while their faces are kept, so their indices remain theirs; elements that are made later
 /// are free.
 template<class M>
-class fixed_parts {
+class fixed_elements {
   std::vector<std::uint8_t> verts_, edges_, faces_;  // by index
 
   static bool has(const std::vector<std::uint8_t>& flags, std::size_t i) { return i < flags.size() && flags[i]; }
@@ -20,7 +20,7 @@ class fixed_parts {
  public:
   /// label(p): anything with ==.
   template<class F>
-  fixed_parts(const M& m, const F& label)
+  fixed_elements(const M& m, const F& label)
       : verts_(vert_index_bound(m)), edges_(edge_index_bound(m)), faces_(face_index_bound(m)) {
     for (const face_t<M> f : faces(m)) {
       poly_t<M> at[2];

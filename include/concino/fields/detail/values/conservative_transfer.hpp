@@ -1,4 +1,4 @@
-// Divides what the polys of one mesh have among the polys of another one.
+// Conservative transfer of a density from the polys of one mesh to those of another one: the integral remains.
 #pragma once
 
 #include <concino/core/parallel.hpp>
@@ -13,10 +13,10 @@
 
 namespace concino::detail {
 
-[[noreturn]] void throw_no_measure_to_share(std::size_t poly);
+[[noreturn]] void throw_target_without_measure(std::size_t poly);
 
 template<class From, class To>
-class poly_sharing {
+class conservative_transfer {
   struct share {
     poly_t<To> poly;
     double amount;
@@ -26,7 +26,7 @@ class poly_sharing {
   const To& to_;
   const poly_tree<To> tree_;
 
-  /// Of a surface, polys near to p that are not in its plane count too.
+  /// The box in which polys of `to` may overlap p: for a surface, also those near p that are not in its plane.
   box surroundings(const poly_t<From>& p) const {
     box b = bounding_box(from_, p);
     if constexpr (dimension_v<From> == 2) {  // a volume has common parts only within the box
@@ -37,17 +37,18 @@ class poly_sharing {
   }
 
  public:
-  poly_sharing(const From& from, const To& to) : from_(from), to_(to), tree_(to) {}
+  conservative_transfer(const From& from, const To& to) : from_(from), to_(to), tree_(to) {}
 
-  /// Adds the parts of an amount that the polys of `to` get of poly p.
-  void divide(const poly_t<From>& p, double amount, signed_simplices& mine, signed_simplices& other,
-              std::vector<share>& shares) const {
-    read_simplices(from_, p, mine);
+  /// Distributes the amount of poly p over the polys of `to`, in proportion to the measures that they have in common
+  /// with p. Adds them to `shares`.
+  void distribute(const poly_t<From>& p, double amount, signed_simplices& source_simplices,
+                  signed_simplices& target_simplices, std::vector<share>& shares) const {
+    read_simplices(from_, p, source_simplices);
     const std::size_t first = shares.size();
     double sum = 0;
     for (const poly_t<To>& q : tree_.in_box(surroundings(p))) {
-      read_simplices(to_, q, other);
-      const double common = common_measure<From>(mine, other);
+      read_simplices(to_, q, target_simplices);
+      const double common = common_measure<From>(source_simplices, target_simplices);
       if (!(common > 0)) continue;
       sum += common;
       shares.push_back({q, common});
@@ -57,7 +58,7 @@ class poly_sharing {
   }
 
   template<class Q, class Result>
-  void divide_all(const Q& q, Result& result) const {
+  void distribute_all(const Q& q, Result& result) const {
     std::vector<poly_t<From>> all;
     for (const poly_t<From> p : polys(from_)) all.push_back(p);
     constexpr std::size_t chunk = 64;
@@ -65,9 +66,10 @@ class poly_sharing {
     parallel_for(
         shares.size(),
         [&](std::size_t c) {
-          signed_simplices mine, other;
+          signed_simplices source_simplices, target_simplices;
           for (std::size_t i = c * chunk; i < all.size() && i < (c + 1) * chunk; ++i)
-            divide(all[i], static_cast<double>(q[all[i]]) * std::abs(measure(from_, all[i])), mine, other, shares[c]);
+            distribute(all[i], static_cast<double>(q[all[i]]) * std::abs(measure(from_, all[i])), source_simplices,
+                       target_simplices, shares[c]);
         },
         1);
     for (const auto& of_chunk : shares)
@@ -75,15 +77,15 @@ class poly_sharing {
     for (const poly_t<To> p : polys(to_)) {
       const double size = std::abs(measure(to_, p));
       if (result[p] == 0) continue;
-      if (!(size > 0)) throw_no_measure_to_share(index_of(to_, p));
+      if (!(size > 0)) throw_target_without_measure(index_of(to_, p));
       result[p] /= size;
     }
   }
 };
 
 template<class From, class Q, class To, class Result>
-void share_polys(const From& from, const Q& q, const To& to, Result& result) {
-  poly_sharing<From, To>(from, to).divide_all(q, result);
+void transfer_conservatively(const From& from, const Q& q, const To& to, Result& result) {
+  conservative_transfer<From, To>(from, to).distribute_all(q, result);
 }
 
 }  // namespace concino::detail

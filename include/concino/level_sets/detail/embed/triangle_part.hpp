@@ -11,19 +11,19 @@
 
 namespace concino::detail {
 
-/// A corner of the part. on_edges: a bit for each edge of the triangle on which it is, so that no rounding decides what
-/// is flat.
-struct piece_corner {
+/// A corner of the part. on_edges: a bit for each edge of the triangle on which it is, so that it does not depend on
+/// rounding whether a triangle is flat.
+struct part_corner {
   std::uint32_t number;
   unsigned char on_edges;
   vec3 position;
 };
 
-/// Calls f(numbers) for each triangle. Of those that can be cut off next, the one of the best shape is. Changes the
-/// corners.
+/// Calls f(numbers) for each triangle. Of the triangles that can be cut off, the one of the best shape comes next.
+/// Changes the corners.
 /// Needs: three corners or more, not all on one edge.
 template<class F>
-void triangulate_piece(std::vector<piece_corner>& corners, const F& f) {
+void triangulate_part(std::vector<part_corner>& corners, const F& f) {
   const auto shape = [](const vec3& a, const vec3& b, const vec3& c) {
     const vec3 x = b - a, y = c - b, z = a - c;
     const double size = dot(x, x) + dot(y, y) + dot(z, z);
@@ -34,12 +34,12 @@ void triangulate_piece(std::vector<piece_corner>& corners, const F& f) {
     std::size_t best = n;
     double best_shape = -1;
     for (std::size_t i = 0; i < n; ++i) {
-      const piece_corner &before = corners[(i + n - 1) % n], &corner = corners[i], &after = corners[(i + 1) % n];
+      const part_corner &before = corners[(i + n - 1) % n], &corner = corners[i], &after = corners[(i + 1) % n];
       if (before.on_edges & corner.on_edges & after.on_edges) continue;
       unsigned char others = 0xff;
       for (std::size_t k = 0; k < n; ++k)
         if (k != i) others &= corners[k].on_edges;
-      if (others != 0) continue;  // nothing but a line would be left
+      if (others != 0) continue;  // the rest would be a line
       const double s = shape(before.position, corner.position, after.position);
       if (!(s > best_shape) && best < n) continue;
       best = i;

@@ -1,4 +1,4 @@
-// Recognises that a line on a surface closes, runs round a cycle, or winds to a cycle or into a vert.
+// Recognises that a line closes, repeats a cycle, or winds to a cycle or into a vert.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -18,9 +18,9 @@ struct entry_key {
 };
 
 /// How the place s on an entered side, in [0, 1], depends on the place on the side entered before: scale * s + shift,
-/// off by at most `noise`.
+/// off by at most `error_bound`.
 struct entry_step {
-  double scale = 1, shift = 0, noise = 0;
+  double scale = 1, shift = 0, error_bound = 0;
   std::size_t pivot = SIZE_MAX;  // the index of the vert in which both sides meet
 };
 
@@ -34,13 +34,13 @@ class return_map {
 };
 
 /// Follows the sides and verts that a line passes. The place on a side depends on the place when the line passed it
-/// before by an affine map x -> a x + b: a line that comes back to where it was is closed, and the line is drawn to a
-/// fixed point if |a| < 1. It compares with one of the sides or verts passed, the mark, which moves on after 1, 2, 4,
-/// 8, ... steps (Brent 1980, "An improved Monte Carlo factorization algorithm"): no list of what was passed is
+/// before by an affine map x -> a x + b: a line that returns to the same place is closed, and it converges to the
+/// fixed point if |a| < 1. The place is compared with one of the sides or verts passed, the mark, which moves on after
+/// 1, 2, 4, 8, ... steps (Brent 1980, "An improved Monte Carlo factorization algorithm"): no list of what was passed is
 /// searched, and a cycle is noticed after at most three times the steps that the line takes to it and once round it.
-class line_watch {
+class cycle_detector {
  public:
-  enum class finding { none, repeats, winds, winds_into_vert };
+  enum class finding { none, repeats, winds_to_cycle, winds_into_vert };
 
   void start() { *this = {}; }
 
@@ -53,11 +53,11 @@ class line_watch {
   /// Called at each vert.
   finding at_vert(std::size_t vert, std::size_t num_points);
 
-  /// Of a finding: the number of points once round, the fixed place on the side where the round began, the factor by
-  /// which it shrinks, and the vert.
+  /// Of a finding: the number of points once round, the fixed place on the side where the round began, the factor
+  /// of the map of one round, and the vert.
   std::size_t period() const { return period_; }
   double fixed_parameter() const { return fixed_; }
-  double shrinks_by() const { return mark_.map.scale; }
+  double contraction_factor() const { return mark_.map.scale; }
   std::size_t vert() const { return pivot_; }
 
  private:
@@ -81,5 +81,5 @@ class line_watch {
 }  // namespace concino::detail
 
 #ifndef CONCINO_COMPILED
-#include <concino/lines/detail/follow/line_watch.ipp>
+#include <concino/lines/detail/follow/cycle_detector.ipp>
 #endif

@@ -1,8 +1,8 @@
-// Bodies of line_watch.hpp: recognises that a line on a surface closes, runs round a cycle, or winds to a cycle or into
-// a vert.
+// Bodies of cycle_detector.hpp: recognises that a line on a surface closes, runs round a cycle, or winds to a cycle or
+// into a vert.
 #pragma once
 
-#include <concino/lines/detail/follow/line_watch.hpp>
+#include <concino/lines/detail/follow/cycle_detector.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace concino::detail {
 CONCINO_INLINE void return_map::follow(const entry_step& next) {
   constexpr double roundoff = 0x1p-52;
   error = std::abs(next.scale) * (error + 2 * roundoff * (std::abs(scale) + std::abs(shift))) +
-          roundoff * std::abs(next.shift) + next.noise;
+          roundoff * std::abs(next.shift) + next.error_bound;
   shift = next.scale * shift + next.shift;
   scale *= next.scale;
   if (scale == 0) return;
@@ -23,7 +23,7 @@ CONCINO_INLINE void return_map::follow(const entry_step& next) {
   high = std::min(high, to);
 }
 
-CONCINO_INLINE void line_watch::set_mark(const entry_key& key, double s, const vec3& x, std::size_t num_points) {
+CONCINO_INLINE void cycle_detector::set_mark(const entry_key& key, double s, const vec3& x, std::size_t num_points) {
   mark_ = {key, s, x, {}, num_points};
   steps_ = 0;
   passed_vert_ = false;
@@ -32,15 +32,15 @@ CONCINO_INLINE void line_watch::set_mark(const entry_key& key, double s, const v
   next_move_ *= 2;
 }
 
-CONCINO_INLINE void line_watch::follow(const entry_step& step) {
+CONCINO_INLINE void cycle_detector::follow(const entry_step& step) {
   ++steps_;
   mark_.map.follow(step);
   if (steps_ == 1) pivot_ = step.pivot;
   else if (pivot_ != step.pivot) same_pivot_ = false;
 }
 
-CONCINO_INLINE line_watch::finding line_watch::at_side(const entry_key& key, double s, const vec3& x,
-                                                       const entry_step& step, std::size_t num_points) {
+CONCINO_INLINE cycle_detector::finding cycle_detector::at_side(const entry_key& key, double s, const vec3& x,
+                                                               const entry_step& step, std::size_t num_points) {
   if (mark_.key.element == SIZE_MAX) {
     set_mark(key, s, x, num_points);
     return finding::none;
@@ -53,14 +53,15 @@ CONCINO_INLINE line_watch::finding line_watch::at_side(const entry_key& key, dou
     if (!passed_vert_ && std::abs(map.scale) + map.error < 1) {
       if (same_pivot_ && pivot_ != SIZE_MAX) return finding::winds_into_vert;
       fixed_ = map.shift / (1 - map.scale);
-      if (fixed_ > map.low && fixed_ < map.high && s >= map.low && s <= map.high) return finding::winds;
+      if (fixed_ > map.low && fixed_ < map.high && s >= map.low && s <= map.high) return finding::winds_to_cycle;
     }
   }
   if (steps_ >= next_move_) set_mark(key, s, x, num_points);
   return finding::none;
 }
 
-CONCINO_INLINE line_watch::finding line_watch::at_face(const entry_key& key, const vec3& x, std::size_t num_points) {
+CONCINO_INLINE cycle_detector::finding cycle_detector::at_face(const entry_key& key, const vec3& x,
+                                                               std::size_t num_points) {
   ++steps_;
   if (key == mark_.key) {
     const double size = std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)});
@@ -71,7 +72,7 @@ CONCINO_INLINE line_watch::finding line_watch::at_face(const entry_key& key, con
   return finding::none;
 }
 
-CONCINO_INLINE line_watch::finding line_watch::at_vert(std::size_t vert, std::size_t num_points) {
+CONCINO_INLINE cycle_detector::finding cycle_detector::at_vert(std::size_t vert, std::size_t num_points) {
   const entry_key key = {vert, entry_key::at_vert};
   mark_.map = {};  // what comes does not depend on the place where the line was at the mark
   mark_.map.scale = 0;
