@@ -3,7 +3,7 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/graph/detail/cuts/flow.hpp>
-#include <concino/graph/detail/cuts/labels.hpp>
+#include <concino/graph/detail/cuts/label_problem.hpp>
 
 #include <cstddef>
 #include <cstdint>
