@@ -139,8 +139,8 @@ batches=(-D CONCINO_TEST_BATCHES=ON)  # a batch of files at a time
 # without <folder...>: the option that leaves these folders of tests out.
 without() { local IFS=';'; echo "-DCONCINO_TEST_WITHOUT=$*"; }
 
-# What only --full builds: the matrix of algorithms and models, the paper's figures, an allocation that fails at every place, and checks of what headers define.
-quick=$(without agreement compiled gallery out_of_memory headers/twice_and_linked)
+# What only --full builds: the matrix of algorithms and models, pages in a browser, the figures of the paper, an allocation that fails at every place, and checks of what headers define.
+quick=$(without agreement browser compiled gallery out_of_memory headers/twice_and_linked)
 
 # In --full, all tests are built with clang++ and sanitizers. g++, which takes more than twice as long, builds the tests of the modules on which all others
 # stand, for two kinds of mesh, and projects of users, one of which calls every public function.
