@@ -1,5 +1,6 @@
 // A harmonic field between two far ends of any mesh, its picture and its page:  concino_demo mesh picture.png [field.txt]
 
+#include <concino/core/terminal_progress.hpp>
 #include <concino/fields.hpp>
 #include <concino/geometry.hpp>
 #include <concino/graph.hpp>
@@ -11,10 +12,6 @@
 #endif
 
 #include <fmt/format.h>
-
-#if defined(__unix__) || defined(__APPLE__)
-#include <unistd.h>
-#endif
 
 #include <chrono>
 #include <cstdio>
@@ -45,32 +42,6 @@ class stopwatch {
   double lap() {
     const auto now = std::chrono::steady_clock::now();
     return seconds(now - std::exchange(last_, now)).count();
-  }
-};
-
-/// Whether stderr is a terminal; false where the system is not POSIX.
-bool has_terminal() {
-#if defined(__unix__) || defined(__APPLE__)
-  return isatty(STDERR_FILENO) == 1;
-#else
-  return false;
-#endif
-}
-
-/// Shows progress in one line of the terminal; prints nothing if stderr is a file or a pipe.
-class progress_line {
-  bool is_terminal_ = has_terminal();
-  std::string text_;
-
- public:
-  bool operator()(double fraction, const char* label) {
-    if (!is_terminal_) return true;
-    std::string text = fmt::format("{} {:3.0f} %", label, 100 * fraction);
-    if (text != text_) fmt::print(stderr, "\r\033[K{}", text_ = std::move(text));
-    return true;
-  }
-  ~progress_line() {
-    if (is_terminal_) fmt::print(stderr, "\r\033[K");
   }
 };
 
@@ -187,7 +158,7 @@ cn::image picture_of(const cn::scene& scene, const cn::progress& progress) {
 
 template<class M>
 void run(const M& m, double read, double build, const std::string& picture, const std::string& page, const std::string& field) {
-  progress_line line;
+  cn::terminal_progress line;
   stopwatch watch;
   const auto ends = ends_of_components(m);
   std::vector<std::pair<cn::vert_t<M>, double>> values;
@@ -242,7 +213,7 @@ int main(int argc, char** argv) {
     stopwatch watch, total;
     double read = 0;
     const auto mesh = [&] {
-      progress_line line;
+      cn::terminal_progress line;
       const auto on_progress = [&](double fraction, const char* label) {
         read += watch.lap();  // the last call comes when the whole file is read
         return line(fraction, label);

@@ -67,7 +67,7 @@ integer_scale scale_of_capacities(const std::vector<capacity_pair<Node>>& pairs)
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto finite = [](double c) { return c < infinity ? c : 0; };
   integer_scale::sum sum;
-  for (const auto& p : pairs) sum.see(std::max(finite(p.forth), finite(p.back)));
+  for (const auto& p : pairs) sum.raise_largest(std::max(finite(p.forth), finite(p.back)));
   for (const auto& p : pairs) {
     sum.add(finite(p.forth));
     sum.add(finite(p.back));

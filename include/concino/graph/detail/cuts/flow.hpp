@@ -31,7 +31,7 @@ std::vector<unsigned char> source_side(const flow_network& network, const char* 
 
 /// A node joined to the sink that the source reaches by arcs of at least this capacity, or the number of nodes if there
 /// is none.
-std::size_t end_of_unlimited_path(const flow_network& network, std::int64_t unlimited);
+std::size_t end_of_unlimited_path(const flow_network& network, std::int64_t capacity);
 
 /// Capacities as 64-bit integers: capacity times 2^exponent, rounded.
 struct integer_scale {
@@ -43,7 +43,7 @@ struct integer_scale {
     double largest_ = 0, total_ = 0;
 
    public:
-    void see(double value) { largest_ = value > largest_ ? value : largest_; }
+    void raise_largest(double value) { largest_ = value > largest_ ? value : largest_; }
     void add(double value) { total_ += largest_ > 0 ? value / largest_ : 0; }
     integer_scale scale() const;
   };

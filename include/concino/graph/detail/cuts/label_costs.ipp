@@ -20,7 +20,7 @@ CONCINO_INLINE label_costs::label_costs(const label_problem& problem, const segm
     core::throw_joined<invalid_argument>({problem.caller, ": smoothness must be finite and 0 or more"});
   check_element_costs();
   integer_scale::sum sum;
-  for_each_largest_cost([&](double c) { sum.see(c); });
+  for_each_largest_cost([&](double c) { sum.raise_largest(c); });
   for_each_largest_cost([&](double c) { sum.add(c); });
   scale_ = sum.scale();
 }
