@@ -58,7 +58,8 @@ struct planar_arrangement {
 /// Source: iterated snap rounding, Halperin and Packer 2002.
 planar_arrangement arrange(const char* caller, const stepped_segments& s);
 
-/// Whether closed paths meet themselves or each other, other than at common ends of neighbours.
+/// Whether closed paths meet themselves or each other, other than at common ends of neighbours, or come within half a
+/// unit of it.
 bool meet(const lattice_paths& paths);
 
 }  // namespace concino::detail

@@ -2,19 +2,16 @@
 #pragma once
 
 #include <concino/core/error.hpp>
-#include <concino/geometry/orientation.hpp>
 #include <concino/print/detail/regions/arrangement.hpp>
-#include <concino/print/detail/regions/segment_tree.hpp>
+#include <concino/print/detail/regions/segment_cuts.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace concino::detail {
 
 /// Cuts segments in rounds.
 class segment_cutter {
-  using pair = std::array<std::uint32_t, 2>;
+  using pair = numbered_segment;
   struct cut {
     pair edge;
     std::uint32_t point;
@@ -28,25 +25,6 @@ class segment_cutter {
 
   vec3 at(std::uint32_t p) const { return as_vec3(a_.points[p]); }
   static pair sorted(std::uint32_t p, std::uint32_t q) { return p < q ? pair{p, q} : pair{q, p}; }
-
-  /// Whether point p is at most half a unit away from the inner part of an edge.
-  bool is_near(const pair& e, std::uint32_t p) const {
-    const vec3 a = at(e[0]), step = at(e[1]) - a, x = at(p) - a;
-    const double along = dot(x, step), length2 = dot(step, step);
-    if (!(along > 0 && along < length2)) return false;
-    const double across = step.x * x.y - step.y * x.x;
-    return across * across <= 0.25 * length2;
-  }
-  bool cross(const pair& e, const pair& f) const {
-    const vec3 a = at(e[0]), b = at(e[1]), c = at(f[0]), d = at(f[1]);
-    return orient2d(a, b, c) * orient2d(a, b, d) < 0 && orient2d(c, d, a) * orient2d(c, d, b) < 0;
-  }
-  snapped_point crossing(const pair& e, const pair& f) const {
-    const vec3 a = at(e[0]), u = at(e[1]) - a, c = at(f[0]), v = at(f[1]) - c, w = c - a;
-    const double t = std::clamp((w.x * v.y - w.y * v.x) / (u.x * v.y - u.y * v.x), 0.0, 1.0);
-    return {static_cast<std::int64_t>(std::nearbyint(a.x + t * u.x)),
-            static_cast<std::int64_t>(std::nearbyint(a.y + t * u.y))};
-  }
 
   void list_edges() {
     edges_.clear();
@@ -62,23 +40,7 @@ class segment_cutter {
 
   void find_cuts() {
     cuts_.clear();
-    std::vector<lattice_segment> segments;
-    segments.reserve(edges_.size());
-    for (const pair& e : edges_) segments.push_back({a_.points[e[0]], a_.points[e[1]]});
-    segment_tree(segments).for_each_pair([&](std::uint32_t i, std::uint32_t j) {
-      const pair &e = edges_[i], &f = edges_[j];
-      for (const std::uint32_t p : f)
-        if (p != e[0] && p != e[1] && is_near(e, p)) cuts_.push_back({e, p});
-      for (const std::uint32_t p : e)
-        if (p != f[0] && p != f[1] && is_near(f, p)) cuts_.push_back({f, p});
-      if (cross(e, f)) {
-        const auto p = static_cast<std::uint32_t>(a_.points.size());
-        a_.points.push_back(crossing(e, f));
-        cuts_.push_back({e, p});
-        cuts_.push_back({f, p});
-      }
-      return true;
-    });
+    for (const auto& [segment, point] : detail::find_cuts(a_.points, edges_)) cuts_.push_back({edges_[segment], point});
   }
 
   /// The cuts of an edge in the direction from p to q.
@@ -176,35 +138,19 @@ CONCINO_INLINE planar_arrangement arrange(const char* caller, const stepped_segm
   return result;
 }
 
-/// Whether segments a b and c d have a common point.
-inline bool segments_meet(const vec3& a, const vec3& b, const vec3& c, const vec3& d) {
-  const int ac = orient2d(a, b, c), ad = orient2d(a, b, d);
-  if (ac != 0 || ad != 0) return ac * ad <= 0 && orient2d(c, d, a) * orient2d(c, d, b) <= 0;
-  return std::max(std::min(a.x, b.x), std::min(c.x, d.x)) <= std::min(std::max(a.x, b.x), std::max(c.x, d.x)) &&
-         std::max(std::min(a.y, b.y), std::min(c.y, d.y)) <= std::min(std::max(a.y, b.y), std::max(c.y, d.y));
-}
-
 CONCINO_INLINE bool meet(const lattice_paths& paths) {
-  std::vector<lattice_segment> segments;
-  std::vector<std::uint32_t> next;  // by segment: the next one of its path
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    const auto path = paths[i];
-    const auto first = static_cast<std::uint32_t>(segments.size());
-    for (std::size_t k = 0; k < path.size(); ++k) {
-      segments.push_back({path[k], path[(k + 1) % path.size()]});
-      next.push_back(k + 1 < path.size() ? static_cast<std::uint32_t>(segments.size()) : first);
-    }
+  std::vector<snapped_point> points = paths.points;
+  std::vector<numbered_segment> segments;
+  for (std::uint32_t i = 0, first = 0; i < paths.size(); ++i) {
+    const auto last = static_cast<std::uint32_t>(paths.ends[i]) - 1;
+    if (last < first + 2) return true;
+    for (std::uint32_t p = first; p <= last; ++p) segments.push_back({p, p == last ? first : p + 1});
+    first = last + 1;
   }
-  bool found = false;
-  segment_tree(segments).for_each_pair([&](std::uint32_t i, std::uint32_t j) {
-    const vec3 a = as_vec3(segments[i][0]), b = as_vec3(segments[i][1]), c = as_vec3(segments[j][0]),
-               d = as_vec3(segments[j][1]);
-    if (next[i] == j) found = orient2d(a, b, d) == 0 && dot(a - b, d - b) > 0;  // doubled back
-    else if (next[j] == i) found = orient2d(a, b, c) == 0 && dot(b - a, c - a) > 0;
-    else found = segments_meet(a, b, c, d);
-    return !found;
-  });
-  return found;
+  std::sort(points.begin(), points.end());
+  if (std::adjacent_find(points.begin(), points.end()) != points.end()) return true;
+  points = paths.points;
+  return !detail::find_cuts(points, segments, true).empty();
 }
 
 }  // namespace concino::detail

@@ -6,7 +6,7 @@
 #include <concino/generate/triangulate.hpp>
 #include <concino/geometry/orientation.hpp>
 #include <concino/print/detail/regions/cell_triangles.hpp>
-#include <concino/print/detail/regions/segment_tree.hpp>
+#include <concino/print/detail/regions/segment_cuts.hpp>
 
 #include <algorithm>
 #include <utility>

@@ -36,8 +36,6 @@ CONCINO_INLINE std::optional<lattice_regions> disjoint_regions(const lattice_pat
   stepped_segments all;
   all.add_paths(paths, {1, 0});
   const planar_arrangement a = arrange("disjoint_regions", all);
-  // less than a unit apart
-  if (a.points.size() != all.points.size() || a.chain_points.size() != 2 * all.segments.size()) return std::nullopt;
   const cell_triangles cells = triangulate_cells(a);
   if (std::any_of(cells.values.begin(), cells.values.end(), [](const auto& v) { return v[0] != 1; }))
     return std::nullopt;
