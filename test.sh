@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Builds and runs the tests, after installing what they need. The last line says how many passed, failed and were skipped. On two cores:
 #   ./test.sh          the tests, with clang++ and without sanitizers: 12 minutes
-#   ./test.sh --full   all tests with clang++ and sanitizers, and with each algorithm on each model of mesh; g++; users' projects, every header alone,
-#                      fuzzing, the benchmarks on tiny data, the demo on a bare machine: up to 45 minutes. What continuous integration runs
-#   ./test.sh --long   all tests with both compilers, and libc++, Windows, clang-tidy, the reference, mutations, runs of many steps, all of
-#                      scripts/bare_machine.sh: hours
+#   ./test.sh --full   all tests with clang++ and sanitizers, lessons and programs too, and each algorithm on each model of mesh; g++; users' projects,
+#                      every header alone, fuzzing, the demo on a bare machine: up to 45 minutes. What continuous integration runs
+#   ./test.sh --long   all tests with both compilers, and libc++, Windows, clang-tidy, the reference, mutations, runs of many steps, the benchmarks on
+#                      tiny data, all of scripts/bare_machine.sh: hours
 # Environment: CONCINO_CORPUS (folder of real mesh files; default ../shared/data), CONCINO_TEST_BUILD (default build/test), CONCINO_JOBS (2).
 set -u
 cd "$(dirname "${BASH_SOURCE[0]}")" || exit 1
@@ -139,12 +139,14 @@ batches=(-D CONCINO_TEST_BATCHES=ON)  # a batch of files at a time
 # without <folder...>: the option that leaves these folders of tests out.
 without() { local IFS=';'; echo "-DCONCINO_TEST_WITHOUT=$*"; }
 
-# What only --full builds: the matrix of algorithms and models, pages in a browser, the figures of the paper, an allocation that fails at every place, and checks of what headers define.
-quick=$(without agreement browser compiled gallery out_of_memory headers/twice_and_linked)
+# What only --full builds: lessons and programs, the matrix of algorithms and models, pages in a browser, the figures of the paper, an allocation that
+# fails at every place, calls that must not compile, and checks of what headers define.
+quick=(-D CONCINO_BUILD_EXAMPLES=OFF -D CONCINO_BUILD_TOOLS=OFF
+  "$(without agreement browser compiled gallery must_not_compile out_of_memory program headers/twice_and_linked)")
 
-# In --full, all tests are built with clang++ and sanitizers. g++, which takes more than twice as long, builds the tests of the modules on which all others
-# stand, for two kinds of mesh, and projects of users, one of which calls every public function.
-with_gcc=" archetypes concepts consumers core geometry headers mesh "
+# In --full, all tests are built with clang++ and sanitizers. g++, which takes more than twice as long, builds the tests of the concepts, and projects of
+# users, one of which calls every public function.
+with_gcc=" archetypes concepts consumers headers "
 left_out=(gallery headers/twice_and_linked)
 for folder in tests/*/; do
   folder=$(basename "$folder")
@@ -182,12 +184,11 @@ with_both() {
   # Who allocated a block is not recorded, and freed blocks are kept back by the megabyte, not by hundreds: a third of the time of many tests.
   ASAN_OPTIONS=malloc_context_size=1:quarantine_size_mb=16 check sanitized "$clang: run (sanitized)" "${selection[@]}"
 }
-# benchmarks <compiler> [option...]: builds them and runs them on tiny data, where each compares its results with those of its peers.
+
+# benchmarks <compiler>: builds them and runs them on tiny data, where each compares its results with those of its peers.
 benchmarks() {
-  local compiler=$1
-  shift
-  say "$compiler: benchmarks on tiny data"
-  if CXX=$compiler CMAKE_BUILD_PARALLEL_LEVEL=$jobs benchmarks/run.sh --build "$build/benchmarks" --tiny --rounds 1 "$@" >"$build/benchmarks.log" 2>&1; then
+  say "$1: benchmarks on tiny data"
+  if CXX=$1 CMAKE_BUILD_PARALLEL_LEVEL=$jobs benchmarks/run.sh --build "$build/benchmarks" --tiny --rounds 1 >"$build/benchmarks.log" 2>&1; then
     passed=$((passed + 1))
   else
     grep -E 'error|FAILED' "$build/benchmarks.log" | head -n 50
@@ -241,10 +242,9 @@ if [ $long -eq 1 ]; then
 elif [ $full -eq 1 ]; then
   with_both
   fuzz 5
-  benchmarks "$clang" --unoptimised
   bare_machine --demo
 else
-  whole plain dev-clang "$clang" "${batches[@]}" -D CONCINO_TEST_FEW_KINDS=ON "$quick"
+  whole plain dev-clang "$clang" "${batches[@]}" -D CONCINO_TEST_FEW_KINDS=ON "${quick[@]}"
 fi
 say "done"
 finished=1

@@ -39,7 +39,8 @@ TEST_CASE_TEMPLATE("thin_walls, narrow_gaps: a slotted block, in any position an
     const double unit = motion == 2 ? 0x1p-200 : 1;
     const auto moved = [&](const vec3& x) { return motion == 1 ? testing::rotated(x) + vec3{5, 6, 7} : unit * x; };
     const M m = voxel_part<M>(slotted(), moved);
-    const auto thin = thin_walls(m, 1.5 * unit);
+    const wall_options rays{.spacing = 0.3 * unit};
+    const auto thin = thin_walls(m, 1.5 * unit, rays);
     double area_of_thin = 0;
     for (const auto& w : thin) {
       CHECK(w.thickness == doctest::Approx(unit).epsilon(1e-12));
@@ -49,18 +50,18 @@ TEST_CASE_TEMPLATE("thin_walls, narrow_gaps: a slotted block, in any position an
     }
     CHECK(area_of_thin == doctest::Approx(16 * unit * unit));  // 4 x 2 on either face of the thin wall
     double area_of_gap = 0;
-    for (const auto& g : narrow_gaps(m, 1.5 * unit)) {
+    for (const auto& g : narrow_gaps(m, 1.5 * unit, rays)) {
       CHECK(g.thickness == doctest::Approx(unit).epsilon(1e-12));
       area_of_gap += area(m, g.poly);
     }
     CHECK(area_of_gap == doctest::Approx(16 * unit * unit));
     // what is exactly as thick as the limit is thick enough
-    CHECK(thin_walls(m, unit).empty());
-    CHECK(narrow_gaps(m, unit).empty());
-    CHECK(narrow_gaps(m, std::numeric_limits<double>::infinity()).size() == narrow_gaps(m, 2 * unit).size());  // no other gaps
+    CHECK(thin_walls(m, unit, rays).empty());
+    CHECK(narrow_gaps(m, unit, rays).empty());
+    CHECK(narrow_gaps(m, std::numeric_limits<double>::infinity(), rays).size() == narrow_gaps(m, 2 * unit, rays).size());  // no other gaps
     std::size_t outer = 0;
     for_each_outer_polygon(m, [&](const auto&, const auto&, bool) { ++outer; });
-    const auto all = thin_walls(m, std::numeric_limits<double>::infinity());
+    const auto all = thin_walls(m, std::numeric_limits<double>::infinity(), rays);
     CHECK(all.size() == outer);  // each poly has a thickness
     for (std::size_t i = 1; i < all.size(); ++i) CHECK(index_of(m, all[i - 1].poly) < index_of(m, all[i].poly));
   }

@@ -5,6 +5,7 @@
 
 #include <concino/core/error.hpp>
 #include <concino/geometry/inscribed_circle.hpp>
+#include <concino/geometry/orientation.hpp>
 #include <concino/geometry/support/convex_cuts.hpp>
 
 #include <algorithm>
