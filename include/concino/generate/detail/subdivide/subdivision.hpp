@@ -47,14 +47,17 @@ bool wants_origins(const M& m, const subdivide_options& o) {
 
 /// Sets the origins of the elements of a subdivided mesh, given those of its polys, and transfers the properties of m.
 /// `linear` are the origins of verts without smoothing, which edges, faces and corners have too; `smooth` are those
-/// with the weights of their points, empty if they are the same.
+/// with the weights of their points, empty if they are the same. Without a caller who wants them, those of edges, faces
+/// and corners are found only if there are properties of such.
 template<class M, class To>
 void set_origins(const M& m, element_origins linear, element_origins smooth, const subdivide_options& o,
                  subdivided<To>& result) {
   correspondence& c = result.from;
   c.verts = std::move(linear);
-  match_edges_and_faces(m, result.mesh, c);
-  if constexpr (NumbersCorners<M>) c.corners = match_corners(m, result.mesh, c.verts, c.polys);
+  if (o.correspondence || smooth.size() > 0) {
+    match_edges_and_faces(m, result.mesh, c);
+    if constexpr (NumbersCorners<M>) c.corners = match_corners(m, result.mesh, c.verts, c.polys);
+  }
   if (smooth.size() > 0) c.verts = std::move(smooth);
   if constexpr (ShowsProperties<M>)
     if (o.properties && traits<M>::properties(m).size() > 0) transfer_properties(m, result.mesh, c);
