@@ -1,0 +1,132 @@
+// The program `concino`: what is in a mesh file, what is wrong with it, and what it looks like.
+#include "commands.hpp"
+
+#include <concino/core/error.hpp>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <map>
+#include <new>
+
+namespace {
+
+using namespace program;
+
+constexpr const char* codes =
+    "Exit codes: 0 done, 1 defects found, 2 wrong usage, 3 unreadable or unsupported input, 4 could not write.";
+
+CLI::App* add_command(CLI::App& app, const char* name, const char* what, const char* example) {
+  CLI::App* const command = app.add_subcommand(name, what);
+  command->footer(fmt::format("Example:\n  concino {}\n\n{}", example, codes));
+  return command;
+}
+
+/// A size such as 800x600.
+void set_size(const std::string& text, render_options& options) {
+  int used = 0;
+  unsigned width = 0, height = 0;
+  if (std::sscanf(text.c_str(), "%5ux%5u%n", &width, &height, &used) != 2 || text.size() != static_cast<std::size_t>(used))
+    throw CLI::ValidationError("--size", text + " is not a width and a height, such as 800x600");
+  options.width = width;
+  options.height = height;
+}
+
+void add_look(CLI::App* command, render_options& options) {
+  command->add_option("file", options.file, "the mesh")->required();
+  command->add_option("--field", options.field, "colours by this property of the verts or polys");
+  command->add_option("--slice", options.slice, "shows the polys below this fraction of the box, such as x=0.3");
+  command->add_flag("--edges", options.edges, "draws the edges");
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Looks at meshes of polygons and polyhedra, checks, converts and draws them.", "concino");
+  app.set_version_flag("--version", std::string("concino ") + CONCINO_PROGRAM_VERSION);
+  app.require_subcommand(1);
+  app.footer(codes);
+  int code = done;
+
+  info_options of_info;
+  CLI::App* command = add_command(app, "info", "What is in a file: counts, topology, sizes, properties", "info bunny.obj");
+  command->add_option("file", of_info.file, "the mesh")->required();
+  command->add_flag("--json", of_info.json, "prints one JSON object");
+  command->callback([&] { code = info(of_info); });
+
+  validate_options of_validate;
+  command = add_command(app, "validate", "What is wrong with a mesh; exit code 1 if anything is", "validate bunny.obj");
+  command->add_option("file", of_validate.file, "the mesh")->required();
+  command->add_flag("--all", of_validate.all, "prints all defects, not five of each kind");
+  command->callback([&] { code = validate(of_validate); });
+
+  convert_options of_convert;
+  command = add_command(app, "convert", "Writes a mesh in another format", "convert bunny.obj bunny.vtu");
+  command->add_option("in", of_convert.from, "the mesh")->required();
+  command->add_option("out", of_convert.to, "the new file, whose extension names the format")->required();
+  command
+      ->add_option("--kind", of_convert.kind,
+                   "the kind of mesh: polygons become triangles by trimesh, polyhedra tets by tetmesh")
+      ->check(CLI::IsMember({"trimesh", "quadmesh", "polygonmesh", "tetmesh", "hexmesh", "polyhedralmesh"}));
+  command->add_flag("--strict", of_convert.strict, "refuses if the format cannot hold everything");
+  command->add_flag("--binary", of_convert.binary, "writes the binary form of the format");
+  command->add_flag("--as-triangles", of_convert.as_triangles, "cuts polygons into triangles where the format needs it");
+  command->add_flag("--corners-only", of_convert.corners_only, "reads elements of higher order by their corners");
+  command->callback([&] { code = convert(of_convert); });
+
+  render_options of_render;
+  std::string size;
+  command = add_command(app, "render", "Draws a picture (.png), or a page for web browsers (.html)",
+                        "render bunny.obj -o bunny.png --edges");
+  add_look(command, of_render);
+  command->add_option("-o,--output", of_render.to, "the picture or page")->required();
+  command->add_option("--size", size, "of the picture in pixels, such as 800x600");
+  const std::map<std::string, picture_quality> qualities = {
+      {"draft", picture_quality::draft}, {"normal", picture_quality::normal}, {"print", picture_quality::print}};
+  command->add_option("--quality", of_render.quality, "draft, normal or print")
+      ->transform(CLI::CheckedTransformer(qualities, CLI::ignore_case));
+  command->callback([&] {
+    if (!size.empty()) set_size(size, of_render);
+    code = render(of_render);
+  });
+
+  render_options of_view;
+  command = add_command(app, "view", "Writes a page to a temporary file, prints its path and opens it in the browser",
+                        "view bunny.obj");
+  add_look(command, of_view);
+  command->callback([&] { code = view(of_view); });
+
+  geodesic_options of_geodesic;
+  command = add_command(app, "geodesic",
+                        "Distances from verts: exact on triangles, by the heat method on other meshes; a line each",
+                        "geodesic bunny.obj --from 0 -o distances.vtu");
+  command->add_option("file", of_geodesic.file, "the mesh")->required();
+  command->add_option("--from", of_geodesic.from, "verts, by number")->required()->delimiter(',');
+  command->add_option("-o,--output", of_geodesic.to, "a mesh with the property distance, or a .txt");
+  command->callback([&] { code = geodesic(of_geodesic); });
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& e) {
+    return app.exit(e);
+  } catch (const CLI::ParseError& e) {
+    app.exit(e);
+    return wrong_usage;
+  }
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const program::failure& e) {
+    fmt::print(stderr, "concino: {}\n", e.message);
+    return e.code;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "concino: not enough memory\n");
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "concino: {}\n", e.what());
+  }
+  return unreadable_input;
+}
