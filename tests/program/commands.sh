@@ -1,0 +1,137 @@
+#!/usr/bin/env bash
+# Runs every command of the program on good, bad and missing files:  commands.sh <program> <source folder>
+set -u
+program=$1 small=$2/tests/small_corpus
+corpus=${CONCINO_CORPUS:-$2/../shared/data}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failures=0
+fail() {
+  echo "FAILED: $*"
+  failures=$((failures + 1))
+}
+
+# expect <code> <argument...>: runs the program; its output is in $work/out and $work/err.
+expect() {
+  local code=$1 got
+  shift
+  "$program" "$@" >"$work/out" 2>"$work/err" </dev/null
+  got=$?
+  [ "$got" -eq "$code" ] || fail "concino $*: exit code $got, expected $code: $(head -c 500 "$work/err")"
+}
+# says <out|err> <regular expression>: what the last command wrote.
+says() { grep -qE -- "$2" "$work/$1" || fail "standard $1 lacks '$2': $(head -c 500 "$work/$1")"; }
+# value <name>: a number in the JSON object of the last command.
+value() { sed -n "s/^  \"$1\": \([^,]*\),*$/\1/p" "$work/out"; }
+equal() { [ "$2" = "$3" ] || fail "$1 is $2, expected $3"; }
+
+# info: the figures of INDEX.tsv
+files=()
+declare -A kinds=([tri]=trimesh [quad]=quadmesh [polygon]=polygonmesh [tet]=tetmesh [hex]=hexmesh [polyhedral]=polyhedralmesh)
+while IFS=$'\t' read -r file kind verts _ edges faces cells euler components loops _ _ _ area _; do
+  expect 0 info --json "$small/$file"
+  equal "kind of $file" "$(value kind)" "\"${kinds[$kind]}\""
+  equal "verts of $file" "$(value verts)" "$verts"
+  equal "edges of $file" "$(value edges)" "$edges"
+  equal "components of $file" "$(value components)" "$components"
+  if [ "$cells" = 0 ]; then
+    equal "polys of $file" "$(value polys)" "$faces"
+    equal "Euler characteristic of $file" "$(value euler)" "$euler"
+    case $kind in tri) awk -v x="$(value area)" -v y="$area" 'BEGIN { exit !((x - y) ^ 2 <= 1e-16 * y ^ 2) }' || fail "area of $file" ;; esac
+  else
+    equal "faces of $file" "$(value faces)" "$faces"
+    equal "polys of $file" "$(value polys)" "$cells"
+  fi
+  files+=("$file")
+done < <(tail -n +2 "$small/INDEX.tsv")
+[ ${#files[@]} -gt 20 ] || fail "only ${#files[@]} files"
+expect 0 info "$small/tri/ball.obj"
+says out '^kind +trimesh$'
+
+# validate
+expect 0 validate "$small/tri/ball.obj"
+says out '^no defects$'
+printf 'OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 2 1 3\n3 0 1 2\n' >"$work/double.off"
+expect 1 validate "$work/double.off"
+says out '^duplicated element: poly 2 has the same verts as poly 0'
+expect 1 validate --all "$work/double.off"
+
+# convert: to formats that hold the mesh and back; what cannot be held is said, or refused
+for file in "${files[@]}"; do
+  for extension in vtu vtk; do
+    expect 0 convert "$small/$file" "$work/to.$extension"
+    "$program" info --json "$work/to.$extension" 2>/dev/null | sed -n '/"verts"/,/"orientable"/p' >"$work/there"
+    "$program" info --json "$small/$file" 2>/dev/null | sed -n '/"verts"/,/"orientable"/p' >"$work/here"
+    cmp -s "$work/here" "$work/there" || fail "$file differs after its way through .$extension"
+  done
+done
+expect 0 convert "$small/quad/tube.off" "$work/triangles.stl" --as-triangles
+says err 'lost: '
+expect 4 convert "$small/quad/tube.off" "$work/quads.stl"
+says err 'STL'
+expect 4 convert "$small/quad/tube.off" "$work/triangles.stl" --as-triangles --strict
+expect 0 convert "$small/quad/tube.off" "$work/tube.obj" --kind trimesh
+expect 0 info --json "$work/tube.obj"
+equal "kind after --kind trimesh" "$(value kind)" '"trimesh"'
+expect 0 convert "$small/hex/block.mesh" "$work/block.vtu" --kind tetmesh
+expect 4 convert "$small/hex/block.mesh" "$work/block.vtu" --kind trimesh
+says err 'volume'
+expect 4 convert "$small/tri/ball.obj" "$work/no/such/folder.obj"
+expect 2 convert "$small/tri/ball.obj" "$work/x.obj" --kind trimeshes
+
+# render and view
+expect 0 render "$small/polyhedral/kelvin_cells.hedra" -o "$work/x.png" --size 80x60 --quality draft --slice x=0.5 --edges
+[ "$(head -c 4 "$work/x.png" | tail -c 3)" = PNG ] || fail "render wrote no picture"
+expect 0 geodesic "$small/tri/ball.obj" --from 0,5 -o "$work/distance.vtu"
+expect 0 render "$work/distance.vtu" -o "$work/x.html" --field distance
+grep -q '<canvas' "$work/x.html" || fail "render wrote no page"
+expect 2 render "$work/distance.vtu" -o "$work/y.png" --field nothing
+says err 'no property nothing'
+expect 2 render "$small/tri/ball.obj" -o "$work/x.jpeg"
+for size in 80 80x 80x0 80x60x 0x0 70000x3; do expect 2 render "$small/tri/ball.obj" -o "$work/z.png" --size $size; done
+for slice in x x=a w=0.1 x=; do expect 2 render "$small/tri/ball.obj" -o "$work/z.png" --slice "$slice"; done
+[ ! -e "$work/z.png" ] || fail "a refused command wrote a picture"
+expect 4 render "$small/tri/ball.obj" -o "$work/no/such/folder.png" --size 8x6 --quality draft
+unset DISPLAY WAYLAND_DISPLAY
+TMPDIR=$work expect 0 view "$small/tri/ball.obj"
+grep -q '<canvas' "$(cat "$work/out")" || fail "view wrote no page"
+
+# geodesic
+expect 0 geodesic "$small/tri/ball.obj" --from 0
+equal "distances" "$(grep -c . "$work/out")" "$("$program" info --json "$small/tri/ball.obj" | sed -n 's/^  "verts": \(.*\),/\1/p')"
+equal "the distance from itself" "$(head -n 1 "$work/out")" 0
+expect 0 geodesic "$small/tet/cube.mesh" --from 0 -o "$work/distance.txt"
+expect 2 geodesic "$small/tri/ball.obj" --from 1000000
+says err 'there is no vert 1000000'
+expect 4 geodesic "$small/tri/ball.obj" --from 0 -o "$work/distance.obj"
+
+# usage, and files that cannot be read
+expect 0 --version
+says out '^concino [0-9]+\.[0-9]+'
+expect 0 --help
+for command in info validate convert render view geodesic; do
+  expect 0 $command --help
+  says out 'Example:'
+  expect 2 $command
+  expect 2 $command --nonsense
+done
+expect 2
+expect 2 nonsense
+for command in "info" "validate" "view" "geodesic --from 0"; do
+  # shellcheck disable=SC2086  # words
+  expect 3 $command "$work/nothing.obj"
+  says err '^concino: .*nothing\.obj'
+  [ "$(grep -c . "$work/err")" -eq 1 ] || fail "$command says more than a sentence of a missing file"
+done
+expect 3 info "$work"
+[ -d "$corpus/bad" ] || echo "SKIPPED: program/commands: files of bad/: $corpus/bad is absent"
+for file in "$corpus"/bad/*; do
+  [ -f "$file" ] || continue
+  for command in info validate; do
+    "$program" $command "$file" >"$work/out" 2>"$work/err"
+    case $? in 0 | 1 | 3) ;; *) fail "concino $command $file: $(head -c 300 "$work/err")" ;; esac
+  done
+done
+
+[ $failures -eq 0 ] || exit 1
+echo "all commands do what they should"
