@@ -10,7 +10,7 @@
 #include <concepts>
 #include <string>
 
-namespace concino::detail {
+namespace concino::core {
 
 /// Numbers elements from 0 in the order of their range. The result is by index of the element.
 template<class M, class R>
@@ -122,4 +122,4 @@ void for_each_cell(const M& m, const std::vector<std::uint32_t>& vert_number, st
   }
 }
 
-}  // namespace concino::detail
+}  // namespace concino::core
