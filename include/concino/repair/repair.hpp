@@ -35,8 +35,7 @@ using repaired_mesh_of = typename core::native_mesh_of<dimension_v<M>, static_ca
 namespace requirement {
 
 /// A native mesh.
-template<class M>
-concept is_native_mesh = AnyMesh<M> && std::is_same_v<M, repaired_mesh_of<M>>;
+template<class M> concept is_native_mesh = AnyMesh<M> && std::is_same_v<M, repaired_mesh_of<M>>;
 
 }  // namespace requirement
 
@@ -144,7 +143,11 @@ repaired_mesh<repaired_mesh_of<M>> repaired(const M& m, const repair_options& op
 }
 
 // What to write instead of calls that cannot compile.
-template<class... T> void repaired(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
-template<class... T> void repaired(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class... T>
+void repaired(mistake::no_mesh<mistake::adapt_the_mesh>, ...) =
+    delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T>
+void repaired(mistake::no_points<mistake::give_points>,
+              ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

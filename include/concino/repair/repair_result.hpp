@@ -13,25 +13,25 @@ namespace concino {
 
 /// What repair did, or left. The elements of a record are indices in the mesh before, of verts or polys.
 enum class repair_kind : std::uint8_t {
-  merged_verts,         // verts that became one with others
-  collapsed_corners,    // polys that lost corners because verts were merged
-  removed_degenerate,   // polys without area or volume that were removed
-  collapsed_degenerate, // triangles without area that were collapsed
-  removed_duplicates,   // polys with the same verts as earlier ones
-  removed_intersecting, // polys that intersected others
-  split_verts,          // verts of several fans, or at edges of several polys
-  turned_polys,         // polys that are wound the other way now
-  filled_holes,         // holes: a vert of each
-  united_faces,         // faces that have become one with others: a vert of each
-  removed_verts,        // verts without polys
-  removed_faces,        // faces without polys: a vert of each
+  merged_verts,          // verts that became one with others
+  collapsed_corners,     // polys that lost corners because verts were merged
+  removed_degenerate,    // polys without area or volume that were removed
+  collapsed_degenerate,  // triangles without area that were collapsed
+  removed_duplicates,    // polys with the same verts as earlier ones
+  removed_intersecting,  // polys that intersected others
+  split_verts,           // verts of several fans, or at edges of several polys
+  turned_polys,          // polys that are wound the other way now
+  filled_holes,          // holes: a vert of each
+  united_faces,          // faces that have become one with others: a vert of each
+  removed_verts,         // verts without polys
+  removed_faces,         // faces without polys: a vert of each
   // left
-  degenerate,           // triangles without area
-  one_sided,            // components that cannot be oriented: a poly of each
-  left_hole,            // holes that could not be filled: a vert of each
-  intersecting,         // polys that intersect others
-  open_cell,            // polyhedra with missing faces
-  inverted_cell,        // cells of negative volume that are wound like their neighbours
+  degenerate,     // triangles without area
+  one_sided,      // components that cannot be oriented: a poly of each
+  left_hole,      // holes that could not be filled: a vert of each
+  intersecting,   // polys that intersect others
+  open_cell,      // polyhedra with missing faces
+  inverted_cell,  // cells of negative volume that are wound like their neighbours
 };
 inline constexpr std::size_t num_repair_kinds = 18;
 

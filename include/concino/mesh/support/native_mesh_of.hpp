@@ -17,9 +17,21 @@ template<int dimension, int arity>
 struct native_mesh_of {
   using type = std::conditional_t<dimension == 2, polygonmesh, polyhedralmesh>;
 };
-template<> struct native_mesh_of<2, 3> { using type = trimesh; };
-template<> struct native_mesh_of<2, 4> { using type = quadmesh; };
-template<> struct native_mesh_of<3, 4> { using type = tetmesh; };
-template<> struct native_mesh_of<3, 8> { using type = hexmesh; };
+template<>
+struct native_mesh_of<2, 3> {
+  using type = trimesh;
+};
+template<>
+struct native_mesh_of<2, 4> {
+  using type = quadmesh;
+};
+template<>
+struct native_mesh_of<3, 4> {
+  using type = tetmesh;
+};
+template<>
+struct native_mesh_of<3, 8> {
+  using type = hexmesh;
+};
 
 }  // namespace concino::core

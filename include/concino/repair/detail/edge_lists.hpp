@@ -13,11 +13,11 @@ namespace concino::detail {
 /// Corner c, by its position in the lists, begins the edge to the next corner of its poly.
 class edge_lists {
   std::vector<std::uint32_t> edge_of_, poly_of_, next_;  // by corner
-  std::vector<std::uint32_t> first_, corners_;           // by edge
+  std::vector<std::uint32_t> first_{0}, corners_;        // by edge
 
  public:
-  edge_lists(const std::vector<std::uint32_t>& offsets, const std::vector<std::uint32_t>& verts,
-             std::size_t num_verts);
+  edge_lists() = default;
+  edge_lists(const std::vector<std::uint32_t>& offsets, const std::vector<std::uint32_t>& verts, std::size_t num_verts);
 
   std::size_t num_edges() const { return first_.size() - 1; }
   std::uint32_t edge_of(std::size_t corner) const { return edge_of_[corner]; }

@@ -9,7 +9,7 @@ namespace concino::detail {
 
 CONCINO_INLINE edge_lists::edge_lists(const std::vector<std::uint32_t>& offsets,
                                       const std::vector<std::uint32_t>& verts, std::size_t num_verts)
-    : edge_of_(verts.size()), poly_of_(verts.size()), next_(verts.size()), first_{0} {
+    : edge_of_(verts.size()), poly_of_(verts.size()), next_(verts.size()) {
   struct half_edge {
     std::uint32_t to, corner;
   };

@@ -17,11 +17,11 @@ namespace concino::detail {
 /// Fills one hole after another. Triangles of a filling have area, and edges that are new.
 class hole_filler {
   surface_lists& s_;
-  const polygonmesh mesh_;  // before the first filling
-  std::vector<std::uint32_t> place_;  // by vert: in the hole
+  const polygonmesh mesh_;                                   // before the first filling
+  std::vector<std::uint32_t> place_;                         // by vert: in the hole
   std::set<std::pair<std::uint32_t, std::uint32_t>> added_;  // edges of fillings, the smaller vert first
-  std::vector<std::uint32_t> hole_;  // in the direction of the filling
-  std::vector<std::uint8_t> is_edge_;  // by two places in the hole: they cannot be joined
+  std::vector<std::uint32_t> hole_;                          // in the direction of the filling
+  std::vector<std::uint8_t> is_edge_;                        // by two places in the hole: they cannot be joined
   core::local_points local_;
 
   static polygonmesh mesh_of(const surface_lists& s) {

@@ -78,9 +78,7 @@ class cells_of_points {
   std::int64_t position(double x, double low) const {
     return static_cast<std::int64_t>(std::floor((0.25 * x - 0.25 * low) / size_));
   }
-  cell cell_of(const vec3& x) const {
-    return {position(x.x, low_.x), position(x.y, low_.y), position(x.z, low_.z)};
-  }
+  cell cell_of(const vec3& x) const { return {position(x.x, low_.x), position(x.y, low_.y), position(x.z, low_.z)}; }
   static cell block_of(const cell& c, std::int64_t by = 0) {
     return {(c[0] + by) >> 2, (c[1] + by) >> 2, (c[2] + by) >> 2};
   }

@@ -91,7 +91,9 @@ CONCINO_INLINE repaired_arrays<cell_arrays> repair_cells(cell_arrays a, const re
   if (options.turn_inverted) turn_cells(s, arity == 4 ? cell_shape::tet : cell_shape::hex, log);
   repaired_arrays<surface_arrays> r = arrays_of(std::move(s), arity, options.remove_unreferenced, log);
   return {{std::move(r.arrays.points), std::move(r.arrays.verts), arity},
-          std::move(r.verts), std::move(r.polys), std::move(r.cluster)};
+          std::move(r.verts),
+          std::move(r.polys),
+          std::move(r.cluster)};
 }
 
 }  // namespace concino::detail

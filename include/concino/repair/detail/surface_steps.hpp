@@ -37,8 +37,8 @@ bool fill_holes(surface_lists& s, std::size_t max_edges, const std::vector<std::
 }  // namespace concino::detail
 
 #ifndef CONCINO_COMPILED
-#include <concino/repair/detail/surface_steps.ipp>
-#include <concino/repair/detail/orient_polys.ipp>
 #include <concino/repair/detail/fill_holes.ipp>
 #include <concino/repair/detail/mend_shapes.ipp>
+#include <concino/repair/detail/orient_polys.ipp>
+#include <concino/repair/detail/surface_steps.ipp>
 #endif

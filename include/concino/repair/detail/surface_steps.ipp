@@ -59,9 +59,9 @@ CONCINO_INLINE void cut_at_repeated_verts(surface_lists& s, std::uint32_t arity,
       for (const std::uint32_t v : part) place[v] = surface_lists::none;
       if (part.size() < 3) return;
       if (arity > 0 && part.size() != arity)
-        core::throw_joined<unsupported>(
-            {"repair: poly ", log.poly_index()[origin], " of ", arity, " verts would become one of ", part.size(),
-             ", as verts of it are merged; convert the mesh to a polygonmesh first"});
+        core::throw_joined<unsupported>({"repair: poly ", log.poly_index()[origin], " of ", arity,
+                                         " verts would become one of ", part.size(),
+                                         ", as verts of it are merged; convert the mesh to a polygonmesh first"});
       cut.add_poly(part, origin);
       ++kept;
     };
@@ -136,8 +136,7 @@ CONCINO_INLINE void split_into_fans(surface_lists& s, repair_log& log) {
 
 CONCINO_INLINE void log_turned(const surface_lists& s, repair_log& log) {
   for (std::size_t p = 0; p < s.num_polys(); ++p)
-    if (s.is_turned[p] && s.poly_origin[p] != surface_lists::none)
-      log.add(repair_kind::turned_polys, s.poly_origin[p]);
+    if (s.is_turned[p] && s.poly_origin[p] != surface_lists::none) log.add(repair_kind::turned_polys, s.poly_origin[p]);
 }
 
 }  // namespace concino::detail

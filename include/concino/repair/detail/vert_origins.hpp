@@ -19,7 +19,8 @@ std::vector<std::uint32_t> number_verts(const std::vector<vec3>& points, const s
                                         repair_log& log);
 
 /// The origins of the verts that remain: all verts before of their clusters, or those that are listed for new verts.
-element_origins origins_of_verts(const std::vector<std::uint32_t>& number, const std::vector<std::uint32_t>& vert_origin,
+element_origins origins_of_verts(const std::vector<std::uint32_t>& number,
+                                 const std::vector<std::uint32_t>& vert_origin,
                                  const std::vector<std::uint32_t>& cluster,
                                  const std::vector<std::vector<std::uint32_t>>& of_new_verts);
 
