@@ -1,11 +1,11 @@
 // Repairs give the same mesh.
 #pragma once
 
+#include <agreement/algorithms/generated.hpp>
+
 #include <concino/repair/repair.hpp>
 
-#include "generated.hpp"
-
-namespace concino::testing::agreement {
+namespace concino::agreement {
 
 struct repairs {
   static constexpr const char* name = "repair";
@@ -20,4 +20,4 @@ struct repairs {
   }
 };
 
-}  // namespace concino::testing::agreement
+}  // namespace concino::agreement
