@@ -64,7 +64,7 @@ auto repaired_arrays_of(const M& m, const repair_options& options, repair_log& l
   constexpr auto arity = static_cast<std::uint32_t>(arity_v<To>);
   if constexpr (dimension_v<M> == 2) {  // each kind of arrays has repairs of its own
     return repair_surface(core::arrays_of(m, number, 0), arity, options, log);
-  } else if constexpr (arity > 0) {
+  } else if constexpr (arity > 0) {  // cells of one shape are lists of verts
     cell_arrays a{core::copy_points(m), {}, arity};
     a.verts.reserve(arity * num_polys(m));
     core::for_each_cell(m, number, arity, [&](const poly_t<M>&, const vert_id* corners) {
@@ -113,9 +113,9 @@ std::optional<To> repair_to(const M& m, const repair_options& input_options, rep
 ///         are not valid any more: result.from has the origins of elements, and handles are found anew.
 /// Cost:   O(elements) for merging, duplicates, orientation, fans; O(k^3) to fill a hole of k edges; that of
 ///         self_intersections, if these are looked for.
-/// Errors: invalid_argument if the tolerance is negative, infinite or not a number, or a transaction of m is open;
-///         unsupported that names a poly which a mesh of fixed arity cannot hold once its verts are merged;
-///         invalid_mesh if intersections are looked for and a point is not finite; cancelled. m is unchanged then, also
+/// Errors: invalid_argument if the tolerance is negative, infinite or not a number, or a transaction of m is open.
+///         unsupported that names a poly which a mesh of fixed arity cannot hold once its verts are merged.
+///         invalid_mesh if intersections are looked for and a point is not finite. cancelled. m is unchanged then, also
 ///         if memory runs out.
 /// Source: Barequet, Sharir 1995, "Filling gaps in the boundary of a polyhedron", for fillings of minimal area;
 ///         Gueziec, Taubin, Lazarus, Horn 2001, "Cutting and stitching", for fans.
@@ -143,11 +143,7 @@ repaired_mesh<repaired_mesh_of<M>> repaired(const M& m, const repair_options& op
 }
 
 // What to write instead of calls that cannot compile.
-template<class... T>
-void repaired(mistake::no_mesh<mistake::adapt_the_mesh>, ...) =
-    delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
-template<class... T>
-void repaired(mistake::no_points<mistake::give_points>,
-              ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class... T> void repaired(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void repaired(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 
 }  // namespace concino

@@ -14,8 +14,8 @@ namespace concino {
 enum class degenerate_elements : std::uint8_t {
   keep,
   remove,    // they are removed, which may leave holes
-  collapse,  // their shortest edges are collapsed if their ends coincide; else the vert between the other two splits the
-             // edge of these, so that neighbours meet there. No point moves.
+  collapse,  // edges are collapsed whose ends coincide; else the vert between the other two splits the edge of these,
+             // so that neighbours meet there. No point moves.
 };
 
 /// How repair fills holes of surfaces.
