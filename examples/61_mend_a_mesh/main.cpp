@@ -36,7 +36,7 @@ int main() {
   fmt::print("{} verts, {} components, closed: {}\n", cn::num_verts(m), facts.components, facts.closed);
 
   // Labels and other properties stay with their elements.
-  auto label = cn::poly_property<int>(m, "label");
+  const auto label = cn::poly_property<int>(m, "label");
   for (const auto p : cn::polys(m)) label[p] = cn::centroid(m, p).z > 0 ? 1 : 2;
 
   // By default, repair does what has one right answer. All else is asked for: how close verts are that are the same, the size of holes.
@@ -44,9 +44,9 @@ int main() {
   say(fix);
   facts = cn::validate(m).facts;
   fmt::print("{} verts, {} component, closed: {}, {} defects\n", cn::num_verts(m), facts.components, facts.closed, cn::validate(m).count());
-  label = cn::find_poly_property<int>(m, "label");
+  const auto kept = cn::find_poly_property<int>(m, "label");
   std::size_t above = 0;
-  for (const auto p : cn::polys(m)) above += label[p] == 1;
+  for (const auto p : cn::polys(m)) above += kept[p] == 1;
   fmt::print("{} polys have label 1; {} elements of the mesh before are in the records of merged verts\n", above, fix.count(cn::repair_kind::merged_verts));
 
   // A mended mesh comes back as it is.

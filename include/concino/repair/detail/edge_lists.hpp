@@ -17,7 +17,8 @@ class edge_lists {
 
  public:
   edge_lists() = default;
-  edge_lists(const std::vector<std::uint32_t>& offsets, const std::vector<std::uint32_t>& verts, std::size_t num_verts);
+  edge_lists(const std::vector<std::uint32_t>& poly_offsets, const std::vector<std::uint32_t>& verts,
+             std::size_t num_verts);
 
   std::size_t num_edges() const { return first_.size() - 1; }
   std::uint32_t edge_of(std::size_t corner) const { return edge_of_[corner]; }

@@ -7,17 +7,17 @@
 
 namespace concino::detail {
 
-CONCINO_INLINE edge_lists::edge_lists(const std::vector<std::uint32_t>& offsets,
+CONCINO_INLINE edge_lists::edge_lists(const std::vector<std::uint32_t>& poly_offsets,
                                       const std::vector<std::uint32_t>& verts, std::size_t num_verts)
     : edge_of_(verts.size()), poly_of_(verts.size()), next_(verts.size()) {
   struct half_edge {
     std::uint32_t to, corner;
   };
   std::vector<std::uint32_t> end(num_verts + 1);  // of the half-edges at each smaller vert
-  for (std::size_t p = 0; p + 1 < offsets.size(); ++p)
-    for (std::uint32_t c = offsets[p]; c < offsets[p + 1]; ++c) {
+  for (std::size_t p = 0; p + 1 < poly_offsets.size(); ++p)
+    for (std::uint32_t c = poly_offsets[p]; c < poly_offsets[p + 1]; ++c) {
       poly_of_[c] = static_cast<std::uint32_t>(p);
-      next_[c] = c + 1 < offsets[p + 1] ? c + 1 : offsets[p];
+      next_[c] = c + 1 < poly_offsets[p + 1] ? c + 1 : poly_offsets[p];
       ++end[std::min(verts[c], verts[next_[c]]) + 1];
     }
   for (std::size_t v = 0; v < num_verts; ++v) end[v + 1] += end[v];

@@ -52,15 +52,18 @@ class chains_by_cell {
 
 /// Unites equal points.
 inline void unite_equal(const std::vector<vec3>& points, disjoint_sets& sets) {
-  chains_by_cell by_bits(points.size());
+  constexpr std::uint32_t none = ~0u;
+  std::vector<std::uint32_t> slots(std::bit_ceil(2 * points.size() + 2), none);  // the first one of equal points
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     const vec3& x = points[i];
     if (!is_finite(x)) continue;
-    const chains_by_cell::cell key{std::bit_cast<std::int64_t>(x.x + 0.0), std::bit_cast<std::int64_t>(x.y + 0.0),
-                                   std::bit_cast<std::int64_t>(x.z + 0.0)};  // -0 is 0
-    const std::uint32_t earlier = by_bits.last(key);
-    if (earlier == chains_by_cell::none) by_bits.add(key, i);
-    else sets.unite(earlier, i);
+    std::uint64_t h = 0;
+    for (const std::size_t k : {0u, 1u, 2u})
+      h = core::scrambled(h ^ std::bit_cast<std::uint64_t>(x[k] + 0.0));  // -0 is 0
+    std::size_t at = static_cast<std::size_t>(h) & (slots.size() - 1);
+    while (slots[at] != none && !(points[slots[at]] == x)) at = (at + 1) & (slots.size() - 1);
+    if (slots[at] == none) slots[at] = i;
+    else sets.unite(slots[at], i);
   }
 }
 

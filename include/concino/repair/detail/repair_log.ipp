@@ -58,7 +58,7 @@ CONCINO_INLINE void repair_log::write(repair_result& to) {
     if (all.empty()) continue;
     const repair_sentence& s = repair_sentences[k];
     const auto kind = static_cast<repair_kind>(k);
-    std::sort(all.begin(), all.end());
+    if (!std::is_sorted(all.begin(), all.end())) std::sort(all.begin(), all.end());
     if (names_elements_themselves(kind)) all.erase(std::unique(all.begin(), all.end()), all.end());
     rename(all, s.names_verts ? vert_index_ : poly_index_);
     std::string what =

@@ -14,14 +14,13 @@ namespace concino::detail {
 
 CONCINO_INLINE void merge_verts_within(surface_lists& s, double tolerance, repair_log& log) {
   point_clusters clusters = find_clusters(s.points, tolerance);
+  std::vector<std::uint8_t> is_merged(s.points.size());
   bool any = false;
   for (std::uint32_t v = 0; v < clusters.first.size(); ++v)
-    if (clusters.first[v] != v) {
-      any = true;
-      log.add(repair_kind::merged_verts, v);
-      log.add(repair_kind::merged_verts, clusters.first[v]);
-    }
+    if (clusters.first[v] != v) is_merged[v] = is_merged[clusters.first[v]] = 1, any = true;
   if (!any) return;
+  for (std::uint32_t v = 0; v < is_merged.size(); ++v)
+    if (is_merged[v]) log.add(repair_kind::merged_verts, v);
   for (std::uint32_t& v : s.verts) v = clusters.first[v];
   s.points = std::move(clusters.mean);
   for (std::uint32_t v = 0; v < s.vert_origin.size(); ++v) s.vert_origin[v] = clusters.first[v];
