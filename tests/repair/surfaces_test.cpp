@@ -59,6 +59,12 @@ TEST_CASE("repair: polys are wound like most of their component, and outward whe
   CHECK(repair(m).done.empty());
   CHECK(repair(m, {.orient = true}).count(repair_kind::turned_polys) == num_polys(m));
   CHECK(volume_in(m) == doctest::Approx(volume));
+  for (const double scale : {1e-200, 1e200}) {
+    trimesh scaled = moved(m, {0, 0, 0}, scale);
+    CHECK(repair(scaled, {.orient = true}).done.empty());
+    flip_winding(scaled);
+    CHECK(repair(scaled, {.orient = true}).count(repair_kind::turned_polys) == num_polys(m));
+  }
   // open ones stay as most of their polys are
   trimesh open = grid<trimesh>(3);
   flip_winding(open);

@@ -8,6 +8,7 @@
 #include <concino/repair/detail/surface_steps.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace concino::detail {
@@ -41,6 +42,7 @@ class surface_orienter {
   std::vector<std::uint32_t> component_of_;  // by poly
   std::vector<std::uint8_t> turns_;          // by poly
   std::vector<oriented_component> components_;
+  double scale_ = 1;
 
   bool runs_forward(std::uint32_t corner) const {
     const bool is_up = s_.verts[corner] < s_.verts[edges_.next(corner)];
@@ -99,19 +101,28 @@ class surface_orienter {
     }
   }
 
+  /// Scaled by a power of two, so that volumes neither overflow nor underflow.
+  vec3 scaled(std::uint32_t v) const { return scale_ * s_.points[v]; }
+  void find_scale() {
+    double largest = 0;
+    for (const vec3& x : s_.points)
+      if (is_finite(x)) largest = std::max({largest, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
+    if (largest > 0) scale_ = std::ldexp(1, -std::clamp(std::ilogb(largest), -1000, 1000));
+  }
+
   void measure() {
-    for (oriented_component& c : components_) c.low = c.high = s_.points[s_.poly(c.first_poly)[0]];
+    find_scale();
+    for (oriented_component& c : components_) c.low = c.high = scaled(s_.poly(c.first_poly)[0]);
     for (std::size_t p = 0; p < s_.num_polys(); ++p) {
       oriented_component& c = components_[component_of_[p]];
       if (!c.is_closed) continue;
       const auto list = s_.poly(p);
       for (const std::uint32_t v : list) {
-        c.add(s_.points[v]);
+        c.add(scaled(v));
         c.is_closed = c.is_closed && is_finite(s_.points[v]);
       }
       const double part = six_times_volume_under(
-          list.size(), [&](std::size_t i) -> const vec3& { return s_.points[list[i]]; },
-          s_.points[s_.poly(c.first_poly)[0]]);
+          list.size(), [&](std::size_t i) { return scaled(list[i]); }, scaled(s_.poly(c.first_poly)[0]));
       c.volume += turns_[p] ? -part : part;
     }
   }
