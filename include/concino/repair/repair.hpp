@@ -143,6 +143,13 @@ repaired_mesh<repaired_mesh_of<M>> repaired(const M& m, const repair_options& op
 }
 
 // What to write instead of calls that cannot compile.
+namespace mistake {
+inline constexpr sentence call_repaired(
+    "repair changes native meshes only; repaired makes one of any other mesh: auto [mesh, fix] = repaired(m);");
+}
+template<class M, class R = mistake::remedy<mistake::call_repaired>>
+  requires(!requirement::is_native_mesh<M>)
+void repair(M&, const repair_options& = {}) = delete;  // auto [mesh, fix] = repaired(m);
 template<class... T> void repaired(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
 template<class... T> void repaired(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
 

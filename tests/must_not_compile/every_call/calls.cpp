@@ -76,6 +76,7 @@ void no_adapter(const stranger& other) {
   cn::revolve(other);  // refused
   cn::unite(other);  // refused
   cn::repaired(other);  // refused
+  cn::repair(other);  // refused
   cn::voxel_hexes(other);  // refused
   cn::offset_shell(other);  // refused
   cn::grade(other);  // refused
@@ -331,6 +332,7 @@ void no_points(const cn::trimesh& m) {
   cn::revolve(pure);  // refused
   cn::unite(pure);  // refused
   cn::repaired(pure);  // refused
+  cn::repair(pure);  // refused
   cn::voxel_hexes(pure);  // refused
   cn::offset_shell(pure);  // refused
   cn::grade(pure);  // refused
