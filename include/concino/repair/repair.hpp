@@ -52,8 +52,9 @@ inline void check_options(const repair_options& options, bool has_transaction) {
 
 /// The elements of a range, by their numbers without gaps.
 template<class M, class R>
-std::vector<std::uint32_t> indices_of(const M& m, const R& elements) {
+std::vector<std::uint32_t> indices_of(const M& m, const R& elements, std::size_t count) {
   std::vector<std::uint32_t> all;
+  all.reserve(count);
   for (const auto x : elements) all.push_back(static_cast<std::uint32_t>(index_of(m, x)));
   return all;
 }
@@ -83,14 +84,14 @@ std::optional<To> repair_to(const M& m, const repair_options& input_options, rep
   const core::profiled_options profiled(input_options, "repair");
   const repair_options& options = *profiled;
   report_progress(options.progress, 0, "repair");
-  repair_log log(indices_of(m, verts(m)), indices_of(m, polys(m)));
+  repair_log log(indices_of(m, verts(m), num_verts(m)), indices_of(m, polys(m), num_polys(m)));
   auto repaired = repaired_arrays_of<To>(m, options, log);
   report_progress(options.progress, 0.8, "repair");
   std::optional<To> mesh;
   if (!std::is_same_v<To, M> || log.has_changes()) mesh.emplace(std::move(repaired.arrays));
   if (mesh) {
-    result.from.verts = renamed(repaired.verts, log.vert_index());
-    result.from.polys = renamed(repaired.polys, log.poly_index());
+    result.from.verts = renamed(std::move(repaired.verts), log.vert_index());
+    result.from.polys = renamed(std::move(repaired.polys), log.poly_index());
     carry_properties(m, *mesh, result.from, repaired.cluster, log.vert_index());
   } else {
     result.from.verts = origins_of_themselves(log.vert_index(), vert_index_bound(m));

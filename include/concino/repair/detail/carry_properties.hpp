@@ -11,7 +11,10 @@
 namespace concino::detail {
 
 /// The origins by other numbers: index[number].
-inline element_origins renamed(const element_origins& from, const std::vector<std::uint32_t>& index) {
+inline element_origins renamed(element_origins from, const std::vector<std::uint32_t>& index) {
+  std::uint32_t same = 0;
+  while (same < index.size() && index[same] == same) ++same;
+  if (same == index.size()) return from;
   element_origins result;
   std::vector<origin> all;
   for (std::size_t i = 0; i < from.size(); ++i) {

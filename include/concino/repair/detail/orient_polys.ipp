@@ -39,6 +39,8 @@ struct oriented_component {
 class surface_orienter {
   surface_lists& s_;
   const edge_lists edges_;
+  std::vector<std::uint32_t> opposite_;      // by corner: the other corner of an edge of exactly two
+  std::vector<std::uint8_t> clashes_;        // by corner: whether the opposite one runs in the same direction
   std::vector<std::uint32_t> component_of_;  // by poly
   std::vector<std::uint8_t> turns_;          // by poly
   std::vector<oriented_component> components_;
@@ -47,6 +49,17 @@ class surface_orienter {
   bool runs_forward(std::uint32_t corner) const {
     const bool is_up = s_.verts[corner] < s_.verts[edges_.next(corner)];
     return is_up != (turns_[edges_.poly_of(corner)] != 0);
+  }
+
+  void find_opposites() {
+    opposite_.assign(s_.verts.size(), surface_lists::none);
+    clashes_.assign(s_.verts.size(), 0);
+    for (std::size_t e = 0; e < edges_.num_edges(); ++e) {
+      const auto at = edges_.corners(e);
+      if (at.size() != 2) continue;
+      opposite_[at[0]] = at[1], opposite_[at[1]] = at[0];
+      clashes_[at[0]] = clashes_[at[1]] = s_.verts[at[0]] == s_.verts[at[1]];
+    }
   }
 
   void flood(std::uint32_t start, std::vector<std::uint32_t>& stack) {
@@ -61,14 +74,14 @@ class surface_orienter {
       ++c.polys;
       c.turned += turns_[p];
       for (std::uint32_t corner = s_.offsets[p]; corner < s_.offsets[p + 1]; ++corner) {
-        const auto at = edges_.corners(edges_.edge_of(corner));
-        if (at.size() != 2) continue;
-        const std::uint32_t other = at[0] == corner ? at[1] : at[0], q = edges_.poly_of(other);
+        if (opposite_[corner] == surface_lists::none) continue;
+        const std::uint32_t q = edges_.poly_of(opposite_[corner]);
+        const auto wanted = static_cast<std::uint8_t>(turns_[p] ^ clashes_[corner]);
         if (component_of_[q] == surface_lists::none) {
           component_of_[q] = number;
-          if (runs_forward(other) == runs_forward(corner)) turns_[q] = 1;
+          turns_[q] = wanted;
           stack.push_back(q);
-        } else if (runs_forward(other) == runs_forward(corner)) {
+        } else if (turns_[q] != wanted) {
           c.is_one_sided = true;
         }
       }
@@ -87,16 +100,16 @@ class surface_orienter {
 
   /// A component is closed if it passes each edge as often in one direction as in the other.
   void find_closed() {
+    for (oriented_component& c : components_) c.is_closed = !c.is_one_sided;
     for (std::size_t e = 0; e < edges_.num_edges(); ++e) {
       const auto at = edges_.corners(e);
+      if (at.size() == 2) continue;  // they run in opposite directions, unless the component is one-sided
       for (const std::uint32_t corner : at) {
-        oriented_component& c = components_[component_of_[edges_.poly_of(corner)]];
+        const std::uint32_t number = component_of_[edges_.poly_of(corner)];
         int sum = 0;
         for (const std::uint32_t other : at)
-          if (component_of_[edges_.poly_of(other)] == component_of_[edges_.poly_of(corner)])
-            sum += runs_forward(other) ? 1 : -1;
-        c.is_closed = c.is_closed && sum == 0 && !c.is_one_sided;
-        if (at.size() == 2) break;  // the other one is of the same component
+          if (component_of_[edges_.poly_of(other)] == number) sum += runs_forward(other) ? 1 : -1;
+        components_[number].is_closed = components_[number].is_closed && sum == 0;
       }
     }
   }
@@ -174,6 +187,7 @@ class surface_orienter {
         turns_(s.num_polys()) {}
 
   void orient(repair_log& log) {
+    find_opposites();
     std::vector<std::uint32_t> stack;
     for (std::uint32_t p = 0; p < s_.num_polys(); ++p)
       if (component_of_[p] == surface_lists::none) flood(p, stack);

@@ -18,7 +18,7 @@ struct point_clusters {
 /// The connected components of the points where two are connected if they are at most `tolerance` apart. Points that
 /// are not finite are alone. The clusters and their means do not depend on the order of the points.
 /// Cost:   linear, unless two dense parts of one component are closer than three tolerances, but not connected there.
-point_clusters find_clusters(const std::vector<vec3>& points, double tolerance);
+point_clusters find_clusters(std::vector<vec3> points, double tolerance);
 
 }  // namespace concino::detail
 

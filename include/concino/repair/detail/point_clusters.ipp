@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <utility>
 
 namespace concino::detail {
 
@@ -50,21 +51,24 @@ class chains_by_cell {
   }
 };
 
-/// Unites equal points.
-inline void unite_equal(const std::vector<vec3>& points, disjoint_sets& sets) {
+/// For each point, the first one that equals it.
+inline std::vector<std::uint32_t> first_equal_points(const std::vector<vec3>& points) {
   constexpr std::uint32_t none = ~0u;
-  std::vector<std::uint32_t> slots(std::bit_ceil(2 * points.size() + 2), none);  // the first one of equal points
+  std::vector<std::uint32_t> first(points.size());
+  std::vector<std::uint32_t> slots(std::bit_ceil(2 * points.size() + 2), none);      // the first one of equal points
+  const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x + 0.0); };  // -0 is 0
   for (std::uint32_t i = 0; i < points.size(); ++i) {
+    first[i] = i;
     const vec3& x = points[i];
     if (!is_finite(x)) continue;
-    std::uint64_t h = 0;
-    for (const std::size_t k : {0u, 1u, 2u})
-      h = core::scrambled(h ^ std::bit_cast<std::uint64_t>(x[k] + 0.0));  // -0 is 0
+    const std::uint64_t h =
+        core::scrambled(bits(x.x) + 0x9e3779b97f4a7c15u * bits(x.y) + 0xc2b2ae3d27d4eb4fu * bits(x.z));
     std::size_t at = static_cast<std::size_t>(h) & (slots.size() - 1);
     while (slots[at] != none && !(points[slots[at]] == x)) at = (at + 1) & (slots.size() - 1);
     if (slots[at] == none) slots[at] = i;
-    else sets.unite(slots[at], i);
+    first[i] = slots[at];
   }
+  return first;
 }
 
 /// Points in small cells, all of whose points are close to each other, and the cells in blocks.
@@ -171,34 +175,36 @@ inline vec3 mean_of(std::vector<vec3>& points) {
   return mean;
 }
 
-CONCINO_INLINE point_clusters find_clusters(const std::vector<vec3>& points, double tolerance) {
-  disjoint_sets sets(points.size());
-  unite_equal(points, sets);
-  if (tolerance > 0) {
-    std::vector<std::uint32_t> different;
+CONCINO_INLINE point_clusters find_clusters(std::vector<vec3> points, double tolerance) {
+  point_clusters result{first_equal_points(points), {}};
+  std::vector<std::uint32_t> different;
+  if (tolerance > 0)
     for (std::uint32_t i = 0; i < points.size(); ++i)
-      if (sets.root(i) == i && is_finite(points[i])) different.push_back(i);
-    if (!different.empty()) cells_of_points(points, different, tolerance).unite(sets);
+      if (result.first[i] == i && is_finite(points[i])) different.push_back(i);
+  if (different.empty()) {
+    result.mean = std::move(points);
+    return result;
   }
-  point_clusters result{std::vector<std::uint32_t>(points.size()), points};
-  std::vector<std::uint32_t> next(points.size(), ~0u);  // the points of a cluster that differ from the first one follow
-                                                        // each other from there
+  disjoint_sets sets(points.size());
+  cells_of_points(points, different, tolerance).unite(sets);
+  std::vector<std::uint32_t> next(points.size(), ~0u);  // the points of a cluster, in a ring
   std::vector<std::uint32_t> mixed;                     // clusters of different points
   for (std::uint32_t i = 0; i < points.size(); ++i) {
-    const auto root = static_cast<std::uint32_t>(sets.root(i));
-    result.first[i] = root;
+    const auto root = static_cast<std::uint32_t>(sets.root(result.first[i]));
     if (root == i) continue;
     if (next[root] == ~0u) next[i] = root, mixed.push_back(root);
     else next[i] = next[root];
     next[root] = i;
+    result.first[i] = root;
   }
+  result.mean = std::move(points);
   std::vector<vec3> members;
   for (const std::uint32_t root : mixed) {
-    members.assign(1, points[root]);
+    members.assign(1, result.mean[root]);
     bool differs = false;
     for (std::uint32_t i = next[root]; i != root; i = next[i]) {
-      members.push_back(points[i]);
-      differs = differs || !(points[i] == points[root]);
+      members.push_back(result.mean[i]);
+      differs = differs || !(result.mean[i] == result.mean[root]);
     }
     if (differs) result.mean[root] = mean_of(members);
   }

@@ -13,7 +13,8 @@
 namespace concino::detail {
 
 CONCINO_INLINE void merge_verts_within(surface_lists& s, double tolerance, repair_log& log) {
-  point_clusters clusters = find_clusters(s.points, tolerance);
+  point_clusters clusters = find_clusters(std::move(s.points), tolerance);
+  s.points = std::move(clusters.mean);
   std::vector<std::uint8_t> is_merged(s.points.size());
   bool any = false;
   for (std::uint32_t v = 0; v < clusters.first.size(); ++v)
@@ -22,7 +23,6 @@ CONCINO_INLINE void merge_verts_within(surface_lists& s, double tolerance, repai
   for (std::uint32_t v = 0; v < is_merged.size(); ++v)
     if (is_merged[v]) log.add(repair_kind::merged_verts, v);
   for (std::uint32_t& v : s.verts) v = clusters.first[v];
-  s.points = std::move(clusters.mean);
   for (std::uint32_t v = 0; v < s.vert_origin.size(); ++v) s.vert_origin[v] = clusters.first[v];
   s.cluster = std::move(clusters.first);
 }
