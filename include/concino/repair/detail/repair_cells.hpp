@@ -3,7 +3,8 @@
 
 #include <concino/core/compiled.hpp>
 #include <concino/mesh/arrays.hpp>
-#include <concino/repair/detail/repair_surface.hpp>
+#include <concino/repair/detail/repaired_arrays.hpp>
+#include <concino/repair/repair_options.hpp>
 
 namespace concino::detail {
 

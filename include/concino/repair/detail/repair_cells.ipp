@@ -7,7 +7,6 @@
 #include <concino/repair/detail/cell_windings.hpp>
 #include <concino/repair/detail/repair_cells.hpp>
 #include <concino/repair/detail/surface_steps.hpp>
-#include <concino/repair/detail/vert_origins.hpp>
 
 #include <algorithm>
 #include <numeric>
@@ -89,7 +88,7 @@ CONCINO_INLINE repaired_arrays<cell_arrays> repair_cells(cell_arrays a, const re
   if (options.remove_duplicates) remove_duplicate_polys(s, log);
   report_progress(options.progress, 0.4, "repair");
   if (options.turn_inverted) turn_cells(s, arity == 4 ? cell_shape::tet : cell_shape::hex, log);
-  repaired_arrays<surface_arrays> r = arrays_of(std::move(s), arity, options.remove_unreferenced, log);
+  repaired_arrays<surface_arrays> r = arrays_of_lists(std::move(s), arity, options.remove_unreferenced, log);
   return {{std::move(r.arrays.points), std::move(r.arrays.verts), arity},
           std::move(r.verts),
           std::move(r.polys),

@@ -8,7 +8,6 @@
 #include <concino/repair/detail/polyhedron_shell.hpp>
 #include <concino/repair/detail/repair_polyhedra.hpp>
 #include <concino/repair/detail/surface_steps.hpp>
-#include <concino/repair/detail/vert_origins.hpp>
 
 #include <algorithm>
 #include <numeric>
@@ -195,7 +194,7 @@ class polyhedra_mender {
   repaired_arrays<polyhedra_arrays> finish(bool remove_unreferenced) {
     cells_.num_faces = faces_.num_polys();
     if (remove_unreferenced) remove_faces();
-    repaired_arrays<surface_arrays> r = arrays_of(std::move(faces_), 0, remove_unreferenced, log_);
+    repaired_arrays<surface_arrays> r = arrays_of_lists(std::move(faces_), 0, remove_unreferenced, log_);
     polyhedra_arrays a{std::move(r.arrays.points),
                        std::move(r.arrays.offsets),
                        std::move(r.arrays.verts),
