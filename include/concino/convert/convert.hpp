@@ -3,7 +3,7 @@
 #pragma once
 
 #include <concino/convert/conversion.hpp>
-#include <concino/convert/detail/arrays_of.hpp>
+#include <concino/mesh/support/arrays_of.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/core/profiler.hpp>
@@ -54,20 +54,20 @@ Map numbered_as_walked(Map names, const R& elements) {
 
 template<class To, class From>
 conversion<To, From> convert_by_arrays(const From& m) {
-  const std::vector<std::uint32_t> vert_number = numbered(m, verts(m), vert_index_bound(m));
+  const std::vector<std::uint32_t> vert_number = core::numbered(m, verts(m), vert_index_bound(m));
   std::vector<std::uint32_t> face_number;
   const auto construct = [&]() -> To {
     if constexpr (from_surface<To>) {
-      return To(arrays_of(m, vert_number, static_cast<std::uint32_t>(arity_v<To>)));
+      return To(core::arrays_of(m, vert_number, static_cast<std::uint32_t>(arity_v<To>)));
     } else if constexpr (from_polyhedra<To>) {
-      face_number = numbered(m, faces(m), face_index_bound(m));
-      return To(polyhedra_of(m, vert_number, face_number));
+      face_number = core::numbered(m, faces(m), face_index_bound(m));
+      return To(core::polyhedra_of(m, vert_number, face_number));
     } else {
       cell_arrays a;
       a.arity = static_cast<std::uint32_t>(arity_v<To>);
-      a.points = copy_points(m);
+      a.points = core::copy_points(m);
       a.verts.reserve(a.arity * num_polys(m));
-      for_each_cell(m, vert_number, a.arity, [&](const poly_t<From>&, const vert_id* corners) {
+      core::for_each_cell(m, vert_number, a.arity, [&](const poly_t<From>&, const vert_id* corners) {
         a.verts.insert(a.verts.end(), corners, corners + a.arity);
       });
       return To(std::move(a));
@@ -99,11 +99,11 @@ conversion<To, From> convert_by_adding(const From& m) {
       corners.clear();
       for (const vert_t<From> v : adj_p2v(m, p)) corners.push_back(vert_names[v]);
       if (arity != 0 && corners.size() != arity)
-        throw_wrong_arity(false, index_of(m, p), core::joined({"has ", corners.size(), " verts"}), arity);
+        core::throw_wrong_arity(false, index_of(m, p), core::joined({"has ", corners.size(), " verts"}), arity);
       add(p);
     }
   } else {
-    for_each_cell(m, numbered(m, verts(m), vert_index_bound(m)), arity,
+    core::for_each_cell(m, core::numbered(m, verts(m), vert_index_bound(m)), arity,
                   [&](const poly_t<From>& p, const vert_id* known) {
                     corners.clear();
                     for (std::uint32_t i = 0; i < arity; ++i) corners.push_back(by_number[known[i].raw()]);

@@ -28,8 +28,8 @@ template<class M>
 triangle_list triangles_of(const char* caller, const M& m) {
   triangle_list list;
   check_points_finite(caller, m, "validate() lists all such verts");
-  const std::vector<std::uint32_t> number = numbered(m, verts(m), vert_index_bound(m));
-  list.points = copy_points(m);
+  const std::vector<std::uint32_t> number = core::numbered(m, verts(m), vert_index_bound(m));
+  list.points = core::copy_points(m);
   list.num_edges = edge_index_bound(m);
   list.polys.reserve(num_polys(m));
   list.verts.reserve(3 * num_polys(m));

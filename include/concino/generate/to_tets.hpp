@@ -59,8 +59,8 @@ template<VolumeMesh M>
   requires Embedded<M>
 tetmesh to_tets(const M& m, const to_tets_options& options = {}) {
   detail::check_points_finite("to_tets", m, "validate() lists all such verts");
-  const std::vector<std::uint32_t> vert_number = detail::numbered(m, verts(m), vert_index_bound(m));
-  detail::cell_cutter cutter(detail::copy_points(m));
+  const std::vector<std::uint32_t> vert_number = core::numbered(m, verts(m), vert_index_bound(m));
+  detail::cell_cutter cutter(core::copy_points(m));
   const detail::face_triangles triangles = detail::triangles_of_faces(m, vert_number, cutter.tets.points);
   cutter.tets.verts.reserve(4 * 6 * num_polys(m));
   element_origins of_verts = detail::copied_verts(m);

@@ -52,10 +52,10 @@ trimesh to_triangles(const M& m, const to_triangles_options& options = {}) {
   detail::check_points_finite("to_triangles", m, "validate() lists all such verts");
   detail::check_element_counts<trimesh>("to_triangles", "the mesh", static_cast<double>(num_verts(m)),
                                         static_cast<double>(detail::num_poly_corners(m)) / 2);
-  const std::vector<std::uint32_t> vert_number = detail::numbered(m, verts(m), vert_index_bound(m));
+  const std::vector<std::uint32_t> vert_number = core::numbered(m, verts(m), vert_index_bound(m));
   const subdivide_options shared{1, options.properties, options.correspondence};
   const bool wanted = detail::wants_origins(m, shared);
-  surface_arrays a{detail::copy_points(m), {}, {}, 3};
+  surface_arrays a{core::copy_points(m), {}, {}, 3};
   a.verts.reserve(6 * num_polys(m));
   element_origins from;
   detail::polygon_cutter cut;

@@ -17,6 +17,7 @@
 #include <concino/print.hpp>
 #include <concino/quality.hpp>
 #include <concino/remesh.hpp>
+#include <concino/repair.hpp>
 #include <concino/render.hpp>
 #include <concino/skeleton.hpp>
 #include <concino/validate.hpp>
@@ -74,6 +75,8 @@ void no_adapter(const stranger& other) {
   cn::extrude(other);  // refused
   cn::revolve(other);  // refused
   cn::unite(other);  // refused
+  cn::repaired(other);  // refused
+  cn::repair(other);  // refused
   cn::voxel_hexes(other);  // refused
   cn::offset_shell(other);  // refused
   cn::grade(other);  // refused
@@ -328,6 +331,8 @@ void no_points(const cn::trimesh& m) {
   cn::extrude(pure);  // refused
   cn::revolve(pure);  // refused
   cn::unite(pure);  // refused
+  cn::repaired(pure);  // refused
+  cn::repair(pure);  // refused
   cn::voxel_hexes(pure);  // refused
   cn::offset_shell(pure);  // refused
   cn::grade(pure);  // refused

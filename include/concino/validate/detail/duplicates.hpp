@@ -2,10 +2,10 @@
 #pragma once
 
 #include <concino/core/hash_bytes.hpp>
+#include <concino/core/index_table.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include <concino/concepts/mesh.hpp>
@@ -14,11 +14,12 @@ namespace concino::detail {
 
 /// Calls found(x, y) for each x of the range `all` whose verts, ring(x), form the same set as those of an earlier
 /// element y.
-/// Cost: expected linear in the verts of all rings: sets are compared only if 64-bit hashes agree.
+/// Cost: expected linear in the verts of all rings: sets are compared only if 32-bit hashes agree.
 template<class X, class M, class R, class Ring, class Found>
 void find_duplicates(const M& m, const R& all, std::size_t count, const Ring& ring, const Found& found) {
-  std::unordered_multimap<std::uint64_t, X> by_hash;
-  by_hash.reserve(count);
+  core::index_table by_hash;
+  std::vector<X> different;
+  different.reserve(count);
   std::vector<std::uint64_t> visited(vert_index_bound(m));  // by vert: 2 c and 2 c + 1 mark the verts of the sets of
                                                         // comparison c
   std::uint64_t comparison = 0;
@@ -45,11 +46,14 @@ void find_duplicates(const M& m, const R& all, std::size_t count, const Ring& ri
       hash += core::scrambled(index_of(m, v));
       ++n;
     }
-    hash = core::scrambled(hash ^ n);
-    auto [at, end] = by_hash.equal_range(hash);
-    while (at != end && !same_verts(x, at->second)) ++at;
-    if (at != end) found(x, at->second);
-    else by_hash.emplace(hash, x);
+    const std::uint32_t key = core::index_table::hash(core::scrambled(hash ^ n));
+    const std::uint32_t earlier = by_hash.find(key, [&](std::uint32_t i) { return same_verts(x, different[i]); });
+    if (earlier != core::index_table::none) {
+      found(x, different[earlier]);
+    } else {
+      by_hash.add(key, static_cast<std::uint32_t>(different.size()));
+      different.push_back(x);
+    }
   }
 }
 

@@ -3,13 +3,8 @@
 
 #include <concino/core/message.hpp>
 #include <concino/mesh/correspondence.hpp>
-#include <concino/mesh/hexmesh.hpp>
-#include <concino/mesh/polygonmesh.hpp>
-#include <concino/mesh/polyhedralmesh.hpp>
-#include <concino/mesh/quadmesh.hpp>
 #include <concino/mesh/support/face_merger.hpp>
-#include <concino/mesh/tetmesh.hpp>
-#include <concino/mesh/trimesh.hpp>
+#include <concino/mesh/support/native_mesh_of.hpp>
 
 #include <cstdint>
 #include <type_traits>
@@ -17,19 +12,9 @@
 
 namespace concino::detail {
 
-/// The native mesh of this dimension for polys of this arity, 0 for any.
-template<int dimension, int arity>
-struct native_mesh_of {
-  using type = std::conditional_t<dimension == 2, polygonmesh, polyhedralmesh>;
-};
-template<> struct native_mesh_of<2, 3> { using type = trimesh; };
-template<> struct native_mesh_of<2, 4> { using type = quadmesh; };
-template<> struct native_mesh_of<3, 4> { using type = tetmesh; };
-template<> struct native_mesh_of<3, 8> { using type = hexmesh; };
-
 template<class A, class B>
 using united_mesh =
-    typename native_mesh_of<dimension_v<A>, arity_v<A> == arity_v<B> ? static_cast<int>(arity_v<A>) : 0>::type;
+    typename core::native_mesh_of<dimension_v<A>, arity_v<A> == arity_v<B> ? static_cast<int>(arity_v<A>) : 0>::type;
 
 /// The points of a mesh, and by index of a vert its position in the order of verts(m).
 template<class M>

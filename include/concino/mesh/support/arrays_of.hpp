@@ -10,7 +10,7 @@
 #include <concepts>
 #include <string>
 
-namespace concino::detail {
+namespace concino::core {
 
 /// Numbers elements from 0 in the order of their range. The result is by index of the element.
 template<class M, class R>
@@ -35,7 +35,7 @@ std::vector<vec3> copy_points(const M& m) {
     core::throw_joined<unsupported>({"convert: poly ", p, " ", has, "; the wanted mesh holds ",
                                      arity == 4 ? "tets" : "hexes", " only (a polyhedralmesh takes any cell)"});
   core::throw_joined<unsupported>({"convert: poly ", p, " ", has, "; every poly of the wanted mesh has ", arity,
-                             " verts (a polygonmesh takes any polygon)"});
+                                   " verts (a polygonmesh takes any polygon)"});
 }
 
 /// The arrays of a surface. `vert_number` is by index of the vert. With arity 0 polys have any size, otherwise all have
@@ -122,4 +122,4 @@ void for_each_cell(const M& m, const std::vector<std::uint32_t>& vert_number, st
   }
 }
 
-}  // namespace concino::detail
+}  // namespace concino::core
