@@ -12,7 +12,7 @@ function makeProgram() {
     if (!gl.getShaderParameter(s, gl.COMPILE_STATUS) && !gl.isContextLost()) throw new Error(gl.getShaderInfoLog(s));
     gl.attachShader(program, s);
   }
-  ["position", "normal", "flags", "value", "paint", "sides"].forEach((name, i) => gl.bindAttribLocation(program, i, name));
+  ["position", "normal", "flags", "value", "paint", "sides", "texture_place"].forEach((name, i) => gl.bindAttribLocation(program, i, name));
   gl.linkProgram(program);
   if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost()) throw new Error(gl.getProgramInfoLog(program));
   uniforms = {};
@@ -68,7 +68,7 @@ class Part {
   color(thing) {
     gl.bindVertexArray(this.array);
     for (const b of this.buffers.splice(3)) gl.deleteBuffer(b);
-    for (const place of [3, 4, 5]) gl.disableVertexAttribArray(place);
+    for (const place of [3, 4, 5, 6]) gl.disableVertexAttribArray(place);
     const { list } = this, f = this.role === "arrows" ? null : thing.field;
     if (f && thing.edgesHaveValues) {
       const next = (c) => { const p = this.polygonOfCorner(c); return c + 1 === list.starts[p + 1] ? list.starts[p] : c + 1; };
@@ -83,11 +83,12 @@ class Part {
       const { at, rgb } = thing.painted, bytes = new Uint8Array(4 * this.count);
       for (let i = 0; i < this.count; ++i) {
         const c = list.triangles[i], p = list.polygonOf[Math.floor(i / 3)];
-        const k = at === "corner" ? c : at === "point" || at === "vert" ? list.corners[c] : at === "element" ? list.elements[p] : p;
+        const k = at === "corner" ? (list.mesh ? list.mesh.cornerAt(list.polys[p], list.corners[c]) : c) : at === "point" || at === "vert" ? list.corners[c] : at === "element" ? list.elements[p] : p;
         bytes.set(rgb.subarray(3 * k, 3 * k + 3), 4 * i);
       }
       this.attribute(4, bytes, 4, gl.UNSIGNED_BYTE, true);
     }
+    if (thing.texture && this.role === "surface") this.attribute(6, texturePlaces(list, thing.texture), 2, gl.FLOAT);
     gl.bindVertexArray(null);
   }
   polygonOfCorner(c) {
@@ -99,6 +100,31 @@ class Part {
     for (const b of this.buffers) gl.deleteBuffer(b);
     gl.deleteVertexArray(this.array);
   }
+}
+
+/// By corner of the triangles: texture coordinates.
+function texturePlaces(list, { at, numbers }) {
+  const places = new Float32Array(2 * list.triangles.length);
+  for (let i = 0; i < list.triangles.length; ++i) {
+    const c = list.triangles[i], v = list.corners[c];
+    const k = at === "vert" ? v : list.mesh ? list.mesh.cornerAt(list.polys[list.polygonOf[Math.floor(i / 3)]], v) : c;
+    for (let j = 0; j < 2; ++j) places[2 * i + j] = Number.isFinite(numbers[2 * k + j]) ? numbers[2 * k + j] : noValue;
+  }
+  return places;
+}
+
+/// A picture for a texture, with smaller ones for where it is small. Colours are times their opacities.
+function pictureOf({ width, height, pixels, repeats }) {
+  const t = gl.createTexture(), channels = pixels.length / (width * height), rgba = new Uint8Array(4 * width * height).fill(255);
+  for (let i = 0; i < width * height; ++i) rgba.set(pixels.subarray(channels * i, channels * i + channels), 4 * i);
+  gl.bindTexture(gl.TEXTURE_2D, t);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.SRGB8_ALPHA8, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, rgba);
+  gl.generateMipmap(gl.TEXTURE_2D);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+  const sharp = gl.getExtension("EXT_texture_filter_anisotropic");
+  if (sharp) gl.texParameterf(gl.TEXTURE_2D, sharp.TEXTURE_MAX_ANISOTROPY_EXT, Math.min(8, gl.getParameter(sharp.MAX_TEXTURE_MAX_ANISOTROPY_EXT)));
+  for (const axis of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, axis, repeats ? gl.REPEAT : gl.CLAMP_TO_EDGE);
+  return t;
 }
 
 function textureOf(width, height, rgb, filter) {
@@ -117,6 +143,7 @@ function sendThing(thing) {
   thing.parts = thing.lists().map(({ list, role, plane }) => new Part(list, role, plane));
   sendColors(thing);
   thing.ball ??= thing.ballPixels ? textureOf(64, 64, thing.ballPixels, gl.LINEAR) : null;
+  thing.picture ??= thing.texture?.pixels ? pictureOf(thing.texture) : null;
 }
 function sendColors(thing) {
   for (const p of thing.parts) p.color(thing);
@@ -151,6 +178,15 @@ function drawPart(thing, part, pick) {
   gl.uniform1f(u.shine, look.shine);
   gl.uniform1i(u.has_ball, thing.ball ? 1 : 0);
   gl.uniform1i(u.picking, pick ? pick : 0);
+  const texture = thing.textured && part.role === "surface" ? thing.texture : null;
+  gl.uniform1i(u.texture_kind, texture ? texture.kind : 0);
+  if (texture) {
+    gl.uniform2f(u.texture_size, texture.count, texture.width * pixelScale());
+    gl.uniform3fv(u.texture_first, texture.first);
+    gl.uniform3fv(u.texture_second, texture.second);
+  }
+  gl.activeTexture(gl.TEXTURE2);
+  gl.bindTexture(gl.TEXTURE_2D, thing.picture ?? thing.mapTexture);
   gl.activeTexture(gl.TEXTURE0);
   gl.bindTexture(gl.TEXTURE_2D, thing.mapTexture);
   gl.activeTexture(gl.TEXTURE1);
@@ -171,6 +207,7 @@ function setCamera() {
   gl.uniform4fv(uniforms.planes, planes);
   gl.uniform1i(uniforms.map, 0);
   gl.uniform1i(uniforms.ball, 1);
+  gl.uniform1i(uniforms.picture, 2);
   gl.vertexAttrib3f(5, noValue, noValue, noValue);
 }
 
@@ -223,5 +260,5 @@ let requested = false;
 function redraw() {
   if (requested) return;
   requested = true;
-  requestAnimationFrame(() => { requested = false; if (!gl.isContextLost()) drawScene(); });
+  requestAnimationFrame(() => { requested = false; followFingers(); if (!gl.isContextLost()) drawScene(); });
 }

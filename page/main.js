@@ -28,10 +28,11 @@ function start() {
 canvas.addEventListener("webglcontextlost", (e) => e.preventDefault());
 canvas.addEventListener("webglcontextrestored", () => {
   makeProgram();
-  for (const t of things) { t.ball = null; t.mapTexture = null; t.parts = []; sendThing(t); }
+  for (const t of things) { t.ball = null; t.picture = null; t.mapTexture = null; t.parts = []; sendThing(t); }
   redraw();
 });
 
 start();
 /// For programs that drive the page, such as tests.
-window.concino = { scene, camera, slicing, things: () => things, press, pickAt, describe, goTo, changed, drawScene, planeOf, setTheme, motion, gl };
+window.concino = { scene, camera, slicing, things: () => things, press, rotate, pickAt, pixelOf, halfHeight, describe, goTo, changed, drawScene,
+  planeOf, setTheme, motion, gl };

@@ -32,7 +32,7 @@ const hexOf = (c) => `#${c.map((x) => byteOf(x).toString(16).padStart(2, "0")).j
 const linearOf = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255).map((x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4));
 
 /// Where the values of a field are, as the choice of colours names it.
-const nameOfField = (f) => (f.at === "edge" || f.at === "vert" || f.at === "poly" || f.at === "face" ? `${f.name} (${f.at}s)` : f.name);
+const nameOfField = (f) => (["vert", "edge", "face", "poly", "corner"].includes(f.at) ? `${f.name} (${f.at}s)` : f.name);
 
 function thingControls(thing) {
   const box = make("fieldset", { id: `thing${thing.index}` }), fill = () => box.replaceChildren(...content());
@@ -40,7 +40,8 @@ function thingControls(thing) {
     const parts = [make("legend", { dir: "auto" }, thing.name),
       row(checkbox("shown", thing.visible, (x) => { thing.visible = x; changed("view"); }),
         checkbox("edges", thing.wire, (x) => { thing.wire = x; changed("view"); }),
-        checkbox("flat", thing.flat, (x) => { thing.flat = x; changed("view"); })),
+        checkbox("flat", thing.flat, (x) => { thing.flat = x; changed("view"); }),
+        ...(thing.texture ? [checkbox("texture", thing.textured, (x) => { thing.textured = x; changed("view"); })] : [])),
       row("opacity", slider(`opacity of ${thing.name}`, thing.opacity, 0, 1, 0.01, (x) => { thing.opacity = x; changed("view"); }))];
     const numeric = thing.fields.map((f, i) => [String(i), nameOfField(f), f]).filter(([, , f]) => f.numbers && f.at !== "mesh");
     const choices = [["color", "one colour"], ...(thing.painted ? [["painted", "own colours"]] : []), ...numeric];

@@ -105,8 +105,7 @@ function describe({ thing, kind, index, face, point }) {
     rows.push(["position", at3(mesh.points, index).map(textOf).join(", ")]);
     const edges = listOf(mesh.edgesOfVert, index);
     rows.push(["verts beside it", few([...edges].map((e) => mesh.edges[2 * e] + mesh.edges[2 * e + 1] - index))], ["edges", few(edges)]);
-    const polygons = [...new Set(listOf(mesh.polygonsOfVert, index))];
-    rows.push(["polys", few([...new Set(polygons.flatMap((p) => mesh.polysOfPolygon(p)))])]);
+    rows.push(["polys", few(mesh.polysOfVert(index))]);
   } else if (kind === "edge") {
     const [a, b] = mesh.edges.subarray(2 * index, 2 * index + 2), polygons = mesh.polygonsOfEdge(index);
     rows.push(["verts", `${a} ${b}`], ["length", textOf(norm(sub(mesh.point(a), mesh.point(b))) * scene.radius)]);
@@ -121,10 +120,15 @@ function describe({ thing, kind, index, face, point }) {
   return [...rows, ...valueRows(thing, kind, index)];
 }
 function valueRows(thing, kind, index) {
-  return thing.fields.filter((f) => f.at === kind || f.at === "mesh").map((f) => {
-    const i = f.at === "mesh" ? 0 : index;
-    return [f.name, f.texts ? f.texts[i] : [...f.numbers.subarray(f.width * i, f.width * i + f.width)].map(textOf).join(", ")];
-  });
+  const textAt = (f, i) => (f.texts ? f.texts[i] : [...f.numbers.subarray(f.width * i, f.width * i + f.width)].map(textOf).join(", "));
+  const rows = thing.fields.filter((f) => f.at === kind || f.at === "mesh").map((f) => [f.name, textAt(f, f.at === "mesh" ? 0 : index)]);
+  if (!thing.mesh || (kind !== "poly" && kind !== "vert")) return rows;
+  const beside = kind === "poly" ? thing.mesh.vertsOfPoly(index) : thing.mesh.polysOfVert(index);
+  for (const f of thing.fields.filter((g) => g.at === "corner")) {
+    const texts = beside.slice(0, 24).map((x) => `${x}: ${textAt(f, kind === "poly" ? thing.mesh.cornerAt(index, x) : thing.mesh.cornerAt(x, index))}`);
+    rows.push([`${f.name}, by ${kind === "poly" ? "vert" : "poly"}`, texts.join("; ")]);
+  }
+  return rows;
 }
 
 /// Marks what is picked and measured, and places texts.

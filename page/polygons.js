@@ -1,6 +1,6 @@
 // Polygons to draw, whether of a mesh or prepared by the program: flat lists of corners, their triangles and normals.
 //   points: coordinates in units of the page; starts, corners: the points of each polygon; triangles: three corners each;
-//   polygonOf: by triangle; normals: by corner; polys, elements: by polygon, indices in the mesh; bare: by polygon, laid bare by a cut
+//   mesh: if they are those of one; polygonOf: by triangle; normals: by corner; polys, elements: by polygon, indices in the mesh; bare: by polygon, laid bare by a cut
 
 /// What a program prepared.
 function preparedPolygons(data) {
@@ -44,7 +44,7 @@ function polygonsOfMesh(mesh, mask) {
     if (!own) put(0, 1, 2);
     else for (let k = own[p]; k < own[p + 1]; ++k) put(mesh.triangles[3 * k] - from, mesh.triangles[3 * k + 1] - from, mesh.triangles[3 * k + 2] - from);
   }
-  const list = { points: mesh.units, starts, corners, triangles, polygonOf, polys: seen.poly, elements: seen.polygon, bare: seen.bare, count };
+  const list = { mesh, points: mesh.units, starts, corners, triangles, polygonOf, polys: seen.poly, elements: seen.polygon, bare: seen.bare, count };
   list.normals = smoothNormals(list, mesh.crease);
   return list;
 }
@@ -100,7 +100,7 @@ function polygonsOfCut(mesh, cut) {
     starts.push(corners.length);
     for (const t of trianglesOf(loop.map((i) => at3(points, i)))) triangles.push(...t.map((k) => first + k));
   }
-  const list = { points, starts: Uint32Array.from(starts), corners: Uint32Array.from(corners), triangles: Uint32Array.from(triangles),
+  const list = { mesh, points, starts: Uint32Array.from(starts), corners: Uint32Array.from(corners), triangles: Uint32Array.from(triangles),
     polys: cut.sections.map((s) => s.poly), elements: null, bare: new Array(count).fill(true), between: cut.points, count };
   list.polygonOf = polygonsOfTriangles(list.starts, list.triangles);
   list.normals = new Float32Array(3 * corners.length);  // flat: the shader takes the plane of the triangle

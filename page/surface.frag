@@ -9,6 +9,7 @@ in vec4 painted;
 flat in uint bits;
 flat in vec3 side_numbers;
 flat in int triangle;
+in vec2 uv;
 uniform vec4 planes[4];
 uniform int cuts;             // bit k: what is above plane k is cut away
 uniform mat3 turn;
@@ -22,6 +23,10 @@ uniform float edge_width, opacity, shine;
 uniform bool edges_have_values;
 uniform bool has_ball;
 uniform sampler2D map, ball;
+uniform int texture_kind;     // 0: none, 1: squares, 2: lines, 3: a picture
+uniform vec2 texture_size;    // squares or lines in a unit, and the width of lines in pixels
+uniform vec3 texture_first, texture_second;
+uniform sampler2D picture;
 uniform int picking;          // the number of the object, or 0
 uniform bool parallel;        // rays
 uniform vec3 eye;
@@ -77,6 +82,27 @@ float line_at(float x, float width) {
   return clamp(width * 0.5 + 0.5 - abs(fract(x) - 0.5) / w, 0.0, 1.0);
 }
 
+/// The mean over a pixel of 1 in even intervals and -1 in odd ones: differences of its integral.
+float mean_sign(float x) {
+  float w = max(fwidth(x), 1e-6);
+  vec2 ends = abs(mod(x + vec2(0.5, -0.5) * w, 2.0) - 1.0);
+  return w > 2.0 ? 0.0 : (ends.y - ends.x) / w;
+}
+
+vec3 with_texture(vec3 below) {
+  if (texture_kind == 3) {
+    vec4 t = texture(picture, vec2(uv.x, 1.0 - uv.y));
+    if (max(abs(uv.x), abs(uv.y)) > 1e30) return no_value;
+    return below * (1.0 - t.a) + t.rgb;
+  }
+  vec2 x = uv * texture_size.x;
+  if (texture_kind == 1) {
+    float share = 0.5 - 0.5 * mean_sign(x.x) * mean_sign(x.y);
+    below = mix(texture_first, texture_second, share);
+  } else below = mix(texture_first, below, (1.0 - line_at(x.x + 0.5, texture_size.y)) * (1.0 - line_at(x.y + 0.5, texture_size.y)));
+  return max(abs(uv.x), abs(uv.y)) > 1e30 ? no_value : below;
+}
+
 vec3 color_of_surface() {
   if (coloring == 1) return linear(painted.rgb);
   if (coloring == 0) return (bits & 8u) != 0u ? exposed_color : color;
@@ -113,7 +139,9 @@ void main() {
     result = vec4(float(picking), float(triangle & 255), float(triangle >> 8 & 255), float(triangle >> 16 & 255)) / 255.0;
     return;
   }
-  vec3 lit = color_of_surface() * light_at(normal_to_viewer());
+  vec3 base = color_of_surface();
+  if (texture_kind > 0) base = with_texture(base);
+  vec3 lit = base * light_at(normal_to_viewer());
   float cover = opacity;
   if (edge_width > 0.0) draw_edges(lit, cover);
   if (to_cut < 3.0) lit = mix(lit, edge_color, clamp(2.0 - to_cut, 0.0, 1.0));

@@ -6,6 +6,7 @@ in uint flags;  // bits 0 to 2: the side from this corner on is an edge; 3: laid
 in float value;
 in vec4 paint;
 in vec3 sides;
+in vec2 texture_place;
 uniform mat4 project;
 uniform mat3 turn;
 out vec3 place;
@@ -16,6 +17,7 @@ out vec4 painted;
 flat out uint bits;
 flat out vec3 side_numbers;
 flat out int triangle;
+out vec2 uv;
 
 void main() {
   gl_Position = project * vec4(position, 1.0);
@@ -28,4 +30,5 @@ void main() {
   bits = flags;
   side_numbers = sides;
   triangle = gl_VertexID / 3;
+  uv = texture_place;
 }

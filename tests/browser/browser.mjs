@@ -62,6 +62,10 @@ export async function startBrowser(program) {
         async picture() { return Buffer.from((await call("Page.captureScreenshot", { format: "png" })).data, "base64"); },
         async mouse(type, x, y, more = {}) { await call("Input.dispatchMouseEvent", { type, x, y, button: "left", clickCount: 1, ...more }); },
         async click(x, y, more = {}) { await page.mouse("mousePressed", x, y, more); await page.mouse("mouseReleased", x, y, more); },
+        /// Fingers at [x, y] each; none: they leave.
+        async touch(type, ...fingers) {
+          await call("Input.dispatchTouchEvent", { type, touchPoints: fingers.map(([x, y], id) => ({ x, y, id })) });
+        },
         async key(key) { await call("Input.dispatchKeyEvent", { type: "keyDown", key, text: key.length === 1 ? key : undefined }); await call("Input.dispatchKeyEvent", { type: "keyUp", key }); },
         async close() { await send("Target.closeTarget", { targetId }); },
       };

@@ -103,6 +103,7 @@ in uint flags;
 in float value;
 in vec4 paint;
 in vec3 sides;
+in vec2 texture_place;
 uniform mat4 project;
 uniform mat3 turn;
 out vec3 place;
@@ -113,6 +114,7 @@ out vec4 painted;
 flat out uint bits;
 flat out vec3 side_numbers;
 flat out int triangle;
+out vec2 uv;
 void main() {
 gl_Position = project * vec4(position, 1.0);
 place = position;
@@ -124,6 +126,7 @@ painted = paint;
 bits = flags;
 side_numbers = sides;
 triangle = gl_VertexID / 3;
+uv = texture_place;
 }
 `, surface_frag: `#version 300 es
 precision highp float;
@@ -136,6 +139,7 @@ in vec4 painted;
 flat in uint bits;
 flat in vec3 side_numbers;
 flat in int triangle;
+in vec2 uv;
 uniform vec4 planes[4];
 uniform int cuts;
 uniform mat3 turn;
@@ -149,6 +153,10 @@ uniform float edge_width, opacity, shine;
 uniform bool edges_have_values;
 uniform bool has_ball;
 uniform sampler2D map, ball;
+uniform int texture_kind;
+uniform vec2 texture_size;
+uniform vec3 texture_first, texture_second;
+uniform sampler2D picture;
 uniform int picking;
 uniform bool parallel;
 uniform vec3 eye;
@@ -193,6 +201,24 @@ float line_at(float x, float width) {
 float w = max(fwidth(x), 1e-6);
 return clamp(width * 0.5 + 0.5 - abs(fract(x) - 0.5) / w, 0.0, 1.0);
 }
+float mean_sign(float x) {
+float w = max(fwidth(x), 1e-6);
+vec2 ends = abs(mod(x + vec2(0.5, -0.5) * w, 2.0) - 1.0);
+return w > 2.0 ? 0.0 : (ends.y - ends.x) / w;
+}
+vec3 with_texture(vec3 below) {
+if (texture_kind == 3) {
+vec4 t = texture(picture, vec2(uv.x, 1.0 - uv.y));
+if (max(abs(uv.x), abs(uv.y)) > 1e30) return no_value;
+return below * (1.0 - t.a) + t.rgb;
+}
+vec2 x = uv * texture_size.x;
+if (texture_kind == 1) {
+float share = 0.5 - 0.5 * mean_sign(x.x) * mean_sign(x.y);
+below = mix(texture_first, texture_second, share);
+} else below = mix(texture_first, below, (1.0 - line_at(x.x + 0.5, texture_size.y)) * (1.0 - line_at(x.y + 0.5, texture_size.y)));
+return max(abs(uv.x), abs(uv.y)) > 1e30 ? no_value : below;
+}
 vec3 color_of_surface() {
 if (coloring == 1) return linear(painted.rgb);
 if (coloring == 0) return (bits & 8u) != 0u ? exposed_color : color;
@@ -226,7 +252,9 @@ if (picking > 0) {
 result = vec4(float(picking), float(triangle & 255), float(triangle >> 8 & 255), float(triangle >> 16 & 255)) / 255.0;
 return;
 }
-vec3 lit = color_of_surface() * light_at(normal_to_viewer());
+vec3 base = color_of_surface();
+if (texture_kind > 0) base = with_texture(base);
+vec3 lit = base * light_at(normal_to_viewer());
 float cover = opacity;
 if (edge_width > 0.0) draw_edges(lit, cover);
 if (to_cut < 3.0) lit = mix(lit, edge_color, clamp(2.0 - to_cut, 0.0, 1.0));
@@ -367,7 +395,8 @@ return [(x - box.left - box.width / 2) / (box.height / 2), (box.top + box.height
 };
 function rayThrough(x, y) {
 const [u, v] = filmPoint(x, y), h = camera.parallel ? camera.half : camera.slope;
-const offset = add(scaled(camera.right, u * h), scaled(camera.up, v * h));
+)page"),
+std::string_view(R"page(const offset = add(scaled(camera.right, u * h), scaled(camera.up, v * h));
 return camera.parallel ? { origin: add(eyeOf(), offset), direction: scaled(camera.back, -1) }
 : { origin: eyeOf(), direction: unit(sub(offset, camera.back)) };
 }
@@ -386,8 +415,7 @@ const eyeBack = turned(camera.back, axis, angle), up = turned(camera.up, axis, a
 orient(eyeBack, up);
 }
 function pan(dx, dy) {
-)page"),
-std::string_view(R"page(const step = 2 * halfHeight() / canvas.clientHeight;
+const step = 2 * halfHeight() / canvas.clientHeight;
 camera.target = add(camera.target, add(scaled(camera.right, -dx * step), scaled(camera.up, dy * step)));
 }
 function zoom(factor, x, y) {
@@ -435,6 +463,7 @@ const a = readArrays(data.arrays);
 Object.assign(this, { isVolume: data.volume, crease: data.crease, points: a.points, edges: a.edges, polygonStarts: a.polygon_starts,
 corners: a.corners, triangles: a.triangles, centroids: a.centroids, shown: a.shown, laidBare: a.laid_bare });
 this.faces = data.volume ? { starts: a.poly_starts, items: a.poly_faces } : null;  // items: 2 * face + (0 if outward)
+this.polyCorners = data.volume ? { starts: a.corner_starts, items: a.corner_verts } : { starts: a.polygon_starts, items: a.corners };
 this.values = data.values.map((v) => ({ ...v, numbers: v.texts ? null : numbersOf(v.numbers) }));
 this.numVerts = this.points.length / 3;
 this.numPolygons = this.polygonStarts.length - 1;
@@ -457,11 +486,16 @@ return this.once("polygonsOfVert", () => inverted(this.numVerts, this.polygonSta
 get polysOfFace() {
 return this.once("polysOfFace", () => inverted(this.numPolygons, this.faces.starts, this.faces.items, (x) => x >> 1));
 }
+cornerAt(poly, vert) {
+const { starts, items } = this.polyCorners, i = starts.length ? items.subarray(starts[poly], starts[poly + 1]).indexOf(vert) : -1;
+return i < 0 ? -1 : starts[poly] + i;
+}
 edgeBetween(a, b) {
 for (const e of listOf(this.edgesOfVert, a)) if (this.edges[2 * e] === b || this.edges[2 * e + 1] === b) return e;
 return -1;
 }
 polysOfPolygon(polygon) { return this.isVolume ? [...listOf(this.polysOfFace, polygon)] : [polygon]; }
+polysOfVert(v) { return [...new Set([...listOf(this.polygonsOfVert, v)].flatMap((p) => this.polysOfPolygon(p)))]; }
 vertsOfPoly(poly) {
 return this.isVolume ? [...new Set(this.facesOf(poly).flatMap((f) => [...this.cornersOf(f)]))] : [...this.cornersOf(poly)];
 }
@@ -613,7 +647,8 @@ return Math.abs(dot(sum, unit(n))) / 2;
 }
 function preparedPolygons(data) {
 const a = readArrays(data.arrays), count = a.starts.length - 1, starts = a.starts;
-const triangles = a.triangles.length ? a.triangles : Uint32Array.from({ length: a.corners.length }, (_, i) => i);
+)page"),
+std::string_view(R"page(const triangles = a.triangles.length ? a.triangles : Uint32Array.from({ length: a.corners.length }, (_, i) => i);
 return { ...a, triangles, polygonOf: polygonsOfTriangles(starts, triangles), polys: null, elements: null, bare: a.exposed.length ? a.exposed : null, count };
 }
 function polygonsOfTriangles(starts, triangles) {
@@ -638,8 +673,7 @@ starts[i + 1] = starts[i] + mesh.polygonStarts[p + 1] - mesh.polygonStarts[p];
 numTriangles += own ? own[p + 1] - own[p] : 1;
 });
 const corners = new Uint32Array(starts[count]), triangles = new Uint32Array(3 * numTriangles), polygonOf = new Uint32Array(numTriangles);
-)page"),
-std::string_view(R"page(let t = 0;
+let t = 0;
 for (let i = 0; i < count; ++i) {
 const p = seen.polygon[i], from = mesh.polygonStarts[p], first = starts[i], n = starts[i + 1] - first, turn = seen.turned[i];
 for (let k = 0; k < n; ++k) corners[first + (turn ? n - 1 - k : k)] = mesh.corners[from + k];
@@ -650,7 +684,7 @@ triangles.set(turn ? [first + n - 1 - a, first + n - 1 - c, first + n - 1 - b] :
 if (!own) put(0, 1, 2);
 else for (let k = own[p]; k < own[p + 1]; ++k) put(mesh.triangles[3 * k] - from, mesh.triangles[3 * k + 1] - from, mesh.triangles[3 * k + 2] - from);
 }
-const list = { points: mesh.units, starts, corners, triangles, polygonOf, polys: seen.poly, elements: seen.polygon, bare: seen.bare, count };
+const list = { mesh, points: mesh.units, starts, corners, triangles, polygonOf, polys: seen.poly, elements: seen.polygon, bare: seen.bare, count };
 list.normals = smoothNormals(list, mesh.crease);
 return list;
 }
@@ -702,7 +736,7 @@ corners.push(...loop);
 starts.push(corners.length);
 for (const t of trianglesOf(loop.map((i) => at3(points, i)))) triangles.push(...t.map((k) => first + k));
 }
-const list = { points, starts: Uint32Array.from(starts), corners: Uint32Array.from(corners), triangles: Uint32Array.from(triangles),
+const list = { mesh, points, starts: Uint32Array.from(starts), corners: Uint32Array.from(corners), triangles: Uint32Array.from(triangles),
 polys: cut.sections.map((s) => s.poly), elements: null, bare: new Array(count).fill(true), between: cut.points, count };
 list.polygonOf = polygonsOfTriangles(list.starts, list.triangles);
 list.normals = new Float32Array(3 * corners.length);  // flat: the shader takes the plane of the triangle
@@ -759,17 +793,18 @@ function cornerNumbers(list, at, numbers, range, labels) {
 const result = new Float32Array(list.triangles.length);
 const shaderNumber = labels ? (x) => (Number.isNaN(labelOf(x)) ? noValue : labelOf(x) % 20)
 : (x) => (Number.isFinite(x) ? Math.max(-1e29, Math.min(1e29, fraction(x, range))) : noValue);
-const perPolygon = at === "poly" ? list.polys : at === "face" ? list.elements : null;
+const perPolygon = at === "poly" ? list.polys : at === "face" ? list.elements : null, atCorners = at === "corner" && list.mesh;
+const placeOf = (vert, p) => (atCorners ? list.mesh.cornerAt(list.polys[p], vert) : vert);
 for (let i = 0; i < result.length; ++i) {
 const c = list.triangles[i], p = list.polygonOf[Math.floor(i / 3)];
 let x = NaN;
 if (at === "polygon") x = numbers[p];
-else if (at === "corner") x = numbers[c];
+else if (at === "corner" && !atCorners) x = numbers[c];
 else if (perPolygon) x = numbers[perPolygon[p]];
-else if (at === "vert" && list.between) {
-const [a, b, t] = list.between[list.corners[c]];
-x = t === 0 ? numbers[a] : t === 1 ? numbers[b] : numbers[a] * (1 - t) + numbers[b] * t;
-} else if (at === "vert" || at === "point") x = numbers[list.corners[c]];
+else if ((at === "vert" || atCorners) && list.between) {
+const [v, w, t] = list.between[list.corners[c]], a = numbers[placeOf(v, p)], b = numbers[placeOf(w, p)];
+x = t === 0 ? a : t === 1 ? b : a * (1 - t) + b * t;
+} else if (at === "vert" || at === "point" || atCorners) x = numbers[placeOf(list.corners[c], p)];
 result[i] = shaderNumber(x);
 }
 return result;
@@ -824,7 +859,8 @@ for (const m of [10, 5, 2, 1]) {
 const inside = multiples(a, b, m * power);
 if (!inside.length) continue;
 const x = inside[Math.floor(inside.length / 2)];
-ticks.push([x, tickText(x, m * power)]);
+)page"),
+std::string_view(R"page(ticks.push([x, tickText(x, m * power)]);
 break;
 }
 }
@@ -854,11 +890,15 @@ this.prepared = this.mesh ? null : preparedPolygons(data);
 this.data = data;
 this.fields = this.mesh ? this.mesh.values : [];
 if (data.values) this.fields = [{ name: data.values.name, at: data.values.at, width: 1, numbers: numbersOf(data.values.numbers), labels: data.look.labels }];
-)page"),
-std::string_view(R"page(if (data.edge_values !== undefined) this.fields = [{ name: "values", at: "side", width: 1, numbers: numbersOf(data.edge_values) }];
+if (data.edge_values !== undefined) this.fields = [{ name: "values", at: "side", width: 1, numbers: numbersOf(data.edge_values) }];
 if (data.field !== undefined) this.fields[data.field].labels = data.look.labels;
 this.painted = data.colors ? { at: data.colors.at, rgb: numbersOf(data.colors.rgb) } : null;
 if (data.look.map !== undefined) this.ownMap = numbersOf(data.look.map);
+if (data.texture) {
+const { picture, values, coordinates } = data.texture, field = this.fields[values];
+this.texture = { ...data.texture, at: field ? field.at : "corner", numbers: field ? field.numbers : numbersOf(coordinates) };
+if (picture) Object.assign(this.texture, { width: picture.width, height: picture.height, pixels: numbersOf(picture.pixels) });
+}
 if (data.ball !== undefined) this.ballPixels = numbersOf(data.ball);
 this.reset();
 }
@@ -867,6 +907,7 @@ const look = this.data.look;
 this.visible = true;
 this.wire = look.edge_width > 0;
 this.flat = false;
+this.textured = Boolean(this.texture);
 this.opacity = look.opacity;
 this.color = look.color;
 this.bands = look.isobands;
@@ -951,7 +992,7 @@ gl.compileShader(s);
 if (!gl.getShaderParameter(s, gl.COMPILE_STATUS) && !gl.isContextLost()) throw new Error(gl.getShaderInfoLog(s));
 gl.attachShader(program, s);
 }
-["position", "normal", "flags", "value", "paint", "sides"].forEach((name, i) => gl.bindAttribLocation(program, i, name));
+["position", "normal", "flags", "value", "paint", "sides", "texture_place"].forEach((name, i) => gl.bindAttribLocation(program, i, name));
 gl.linkProgram(program);
 if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost()) throw new Error(gl.getProgramInfoLog(program));
 uniforms = {};
@@ -1003,7 +1044,7 @@ gl.vertexAttribPointer(place, size, type, normalized, stride, 0);
 color(thing) {
 gl.bindVertexArray(this.array);
 for (const b of this.buffers.splice(3)) gl.deleteBuffer(b);
-for (const place of [3, 4, 5]) gl.disableVertexAttribArray(place);
+for (const place of [3, 4, 5, 6]) gl.disableVertexAttribArray(place);
 const { list } = this, f = this.role === "arrows" ? null : thing.field;
 if (f && thing.edgesHaveValues) {
 const next = (c) => { const p = this.polygonOfCorner(c); return c + 1 === list.starts[p + 1] ? list.starts[p] : c + 1; };
@@ -1018,11 +1059,12 @@ this.attribute(3, cornerNumbers(list, f.at, thing.numbers, thing.baseRange, thin
 const { at, rgb } = thing.painted, bytes = new Uint8Array(4 * this.count);
 for (let i = 0; i < this.count; ++i) {
 const c = list.triangles[i], p = list.polygonOf[Math.floor(i / 3)];
-const k = at === "corner" ? c : at === "point" || at === "vert" ? list.corners[c] : at === "element" ? list.elements[p] : p;
+const k = at === "corner" ? (list.mesh ? list.mesh.cornerAt(list.polys[p], list.corners[c]) : c) : at === "point" || at === "vert" ? list.corners[c] : at === "element" ? list.elements[p] : p;
 bytes.set(rgb.subarray(3 * k, 3 * k + 3), 4 * i);
 }
 this.attribute(4, bytes, 4, gl.UNSIGNED_BYTE, true);
 }
+if (thing.texture && this.role === "surface") this.attribute(6, texturePlaces(list, thing.texture), 2, gl.FLOAT);
 gl.bindVertexArray(null);
 }
 polygonOfCorner(c) {
@@ -1035,6 +1077,27 @@ for (const b of this.buffers) gl.deleteBuffer(b);
 gl.deleteVertexArray(this.array);
 }
 }
+function texturePlaces(list, { at, numbers }) {
+const places = new Float32Array(2 * list.triangles.length);
+for (let i = 0; i < list.triangles.length; ++i) {
+const c = list.triangles[i], v = list.corners[c];
+const k = at === "vert" ? v : list.mesh ? list.mesh.cornerAt(list.polys[list.polygonOf[Math.floor(i / 3)]], v) : c;
+for (let j = 0; j < 2; ++j) places[2 * i + j] = Number.isFinite(numbers[2 * k + j]) ? numbers[2 * k + j] : noValue;
+}
+return places;
+}
+function pictureOf({ width, height, pixels, repeats }) {
+const t = gl.createTexture(), channels = pixels.length / (width * height), rgba = new Uint8Array(4 * width * height).fill(255);
+for (let i = 0; i < width * height; ++i) rgba.set(pixels.subarray(channels * i, channels * i + channels), 4 * i);
+gl.bindTexture(gl.TEXTURE_2D, t);
+gl.texImage2D(gl.TEXTURE_2D, 0, gl.SRGB8_ALPHA8, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, rgba);
+gl.generateMipmap(gl.TEXTURE_2D);
+gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+const sharp = gl.getExtension("EXT_texture_filter_anisotropic");
+if (sharp) gl.texParameterf(gl.TEXTURE_2D, sharp.TEXTURE_MAX_ANISOTROPY_EXT, Math.min(8, gl.getParameter(sharp.MAX_TEXTURE_MAX_ANISOTROPY_EXT)));
+for (const axis of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, axis, repeats ? gl.REPEAT : gl.CLAMP_TO_EDGE);
+return t;
+}
 function textureOf(width, height, rgb, filter) {
 const t = gl.createTexture();
 gl.bindTexture(gl.TEXTURE_2D, t);
@@ -1046,9 +1109,11 @@ return t;
 }
 function sendThing(thing) {
 for (const p of thing.parts ?? []) p.free();
-thing.parts = thing.lists().map(({ list, role, plane }) => new Part(list, role, plane));
+)page"),
+std::string_view(R"page(thing.parts = thing.lists().map(({ list, role, plane }) => new Part(list, role, plane));
 sendColors(thing);
 thing.ball ??= thing.ballPixels ? textureOf(64, 64, thing.ballPixels, gl.LINEAR) : null;
+thing.picture ??= thing.texture?.pixels ? pictureOf(thing.texture) : null;
 }
 function sendColors(thing) {
 for (const p of thing.parts) p.color(thing);
@@ -1082,6 +1147,15 @@ gl.uniform1f(u.opacity, isArrow ? 1 : thing.opacity);
 gl.uniform1f(u.shine, look.shine);
 gl.uniform1i(u.has_ball, thing.ball ? 1 : 0);
 gl.uniform1i(u.picking, pick ? pick : 0);
+const texture = thing.textured && part.role === "surface" ? thing.texture : null;
+gl.uniform1i(u.texture_kind, texture ? texture.kind : 0);
+if (texture) {
+gl.uniform2f(u.texture_size, texture.count, texture.width * pixelScale());
+gl.uniform3fv(u.texture_first, texture.first);
+gl.uniform3fv(u.texture_second, texture.second);
+}
+gl.activeTexture(gl.TEXTURE2);
+gl.bindTexture(gl.TEXTURE_2D, thing.picture ?? thing.mapTexture);
 gl.activeTexture(gl.TEXTURE0);
 gl.bindTexture(gl.TEXTURE_2D, thing.mapTexture);
 gl.activeTexture(gl.TEXTURE1);
@@ -1101,6 +1175,7 @@ for (const p of planesOn()) planes.set(unitPlane(p), 4 * p.k);
 gl.uniform4fv(uniforms.planes, planes);
 gl.uniform1i(uniforms.map, 0);
 gl.uniform1i(uniforms.ball, 1);
+gl.uniform1i(uniforms.picture, 2);
 gl.vertexAttrib3f(5, noValue, noValue, noValue);
 }
 const paper = () => (document.documentElement.dataset.theme === "dark" ? [0.09, 0.094, 0.11] : [1, 1, 1]);
@@ -1111,8 +1186,7 @@ if (canvas.width !== width || canvas.height !== height) { canvas.width = width; 
 gl.bindFramebuffer(gl.FRAMEBUFFER, null);
 gl.viewport(0, 0, width, height);
 gl.clearColor(...paper(), 1);
-)page"),
-std::string_view(R"page(gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
 gl.enable(gl.DEPTH_TEST);
 gl.disable(gl.CULL_FACE);
 setCamera();
@@ -1146,7 +1220,7 @@ let requested = false;
 function redraw() {
 if (requested) return;
 requested = true;
-requestAnimationFrame(() => { requested = false; if (!gl.isContextLost()) drawScene(); });
+requestAnimationFrame(() => { requested = false; followFingers(); if (!gl.isContextLost()) drawScene(); });
 }
 let picked = null;    // { thing, kind, index, point }
 let measured = [];    // one or two points in units of the page
@@ -1240,8 +1314,7 @@ if (kind === "vert") {
 rows.push(["position", at3(mesh.points, index).map(textOf).join(", ")]);
 const edges = listOf(mesh.edgesOfVert, index);
 rows.push(["verts beside it", few([...edges].map((e) => mesh.edges[2 * e] + mesh.edges[2 * e + 1] - index))], ["edges", few(edges)]);
-const polygons = [...new Set(listOf(mesh.polygonsOfVert, index))];
-rows.push(["polys", few([...new Set(polygons.flatMap((p) => mesh.polysOfPolygon(p)))])]);
+rows.push(["polys", few(mesh.polysOfVert(index))]);
 } else if (kind === "edge") {
 const [a, b] = mesh.edges.subarray(2 * index, 2 * index + 2), polygons = mesh.polygonsOfEdge(index);
 rows.push(["verts", `${a} ${b}`], ["length", textOf(norm(sub(mesh.point(a), mesh.point(b))) * scene.radius)]);
@@ -1256,10 +1329,16 @@ rows.push(["centroid", at3(mesh.centroids, index).map(textOf).join(", ")]);
 return [...rows, ...valueRows(thing, kind, index)];
 }
 function valueRows(thing, kind, index) {
-return thing.fields.filter((f) => f.at === kind || f.at === "mesh").map((f) => {
-const i = f.at === "mesh" ? 0 : index;
-return [f.name, f.texts ? f.texts[i] : [...f.numbers.subarray(f.width * i, f.width * i + f.width)].map(textOf).join(", ")];
-});
+)page"),
+std::string_view(R"page(const textAt = (f, i) => (f.texts ? f.texts[i] : [...f.numbers.subarray(f.width * i, f.width * i + f.width)].map(textOf).join(", "));
+const rows = thing.fields.filter((f) => f.at === kind || f.at === "mesh").map((f) => [f.name, textAt(f, f.at === "mesh" ? 0 : index)]);
+if (!thing.mesh || (kind !== "poly" && kind !== "vert")) return rows;
+const beside = kind === "poly" ? thing.mesh.vertsOfPoly(index) : thing.mesh.polysOfVert(index);
+for (const f of thing.fields.filter((g) => g.at === "corner")) {
+const texts = beside.slice(0, 24).map((x) => `${x}: ${textAt(f, kind === "poly" ? thing.mesh.cornerAt(index, x) : thing.mesh.cornerAt(x, index))}`);
+rows.push([`${f.name}, by ${kind === "poly" ? "vert" : "poly"}`, texts.join("; ")]);
+}
+return rows;
 }
 function drawMarks() {
 const svg = byId("marks"), shape = (name, attributes) => {
@@ -1314,15 +1393,15 @@ const section = (name, open, ...content) => make("details", { open }, make("summ
 const byteOf = (x) => Math.round(255 * Math.min(1, Math.max(0, x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055)));
 const hexOf = (c) => `#${c.map((x) => byteOf(x).toString(16).padStart(2, "0")).join("")}`;
 const linearOf = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255).map((x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4));
-const nameOfField = (f) => (f.at === "edge" || f.at === "vert" || f.at === "poly" || f.at === "face" ? `${f.name} (${f.at}s)` : f.name);
+const nameOfField = (f) => (["vert", "edge", "face", "poly", "corner"].includes(f.at) ? `${f.name} (${f.at}s)` : f.name);
 function thingControls(thing) {
-)page"),
-std::string_view(R"page(const box = make("fieldset", { id: `thing${thing.index}` }), fill = () => box.replaceChildren(...content());
+const box = make("fieldset", { id: `thing${thing.index}` }), fill = () => box.replaceChildren(...content());
 const content = () => {
 const parts = [make("legend", { dir: "auto" }, thing.name),
 row(checkbox("shown", thing.visible, (x) => { thing.visible = x; changed("view"); }),
 checkbox("edges", thing.wire, (x) => { thing.wire = x; changed("view"); }),
-checkbox("flat", thing.flat, (x) => { thing.flat = x; changed("view"); })),
+checkbox("flat", thing.flat, (x) => { thing.flat = x; changed("view"); }),
+...(thing.texture ? [checkbox("texture", thing.textured, (x) => { thing.textured = x; changed("view"); })] : [])),
 row("opacity", slider(`opacity of ${thing.name}`, thing.opacity, 0, 1, 0.01, (x) => { thing.opacity = x; changed("view"); }))];
 const numeric = thing.fields.map((f, i) => [String(i), nameOfField(f), f]).filter(([, , f]) => f.numbers && f.at !== "mesh");
 const choices = [["color", "one colour"], ...(thing.painted ? [["painted", "own colours"]] : []), ...numeric];
@@ -1410,7 +1489,8 @@ function viewControls() {
 return [row(...["+x", "−x", "+y", "−y", "+z", "−z"].map((name, i) => button(name, () => press(String(i + 1)), `Looks along the axis (${i + 1})`))),
 row(button("perspective", () => press("p"), "Perspective or orthographic (P)"), button("reset", () => press("r"), "The first view (R)"),
 button("dark", () => press("d"), "Light or dark (D)")),
-row(button("picture", () => press("s"), "Saves a PNG file (S)"), button("copy view", () => press("v"), "An address that shows this view (V)"))];
+)page"),
+std::string_view(R"page(row(button("picture", () => press("s"), "Saves a PNG file (S)"), button("copy view", () => press("v"), "An address that shows this view (V)"))];
 }
 function showPanel() {
 const meshes = things.filter((t) => t.mesh);
@@ -1446,15 +1526,17 @@ box.append(make("p", {}, grey, "no finite value"));
 const say = (text) => { byId("message").textContent = text; };
 let wanted = "any";
 const pointers = new Map();
-let moved = 0, pinch = 0, button0 = 0;
+let moved = 0, grip = null, button0 = 0, byTouch = false;
+let lastTap = { time: -Infinity, x: 0, y: 0 };
 canvas.addEventListener("contextmenu", (e) => e.preventDefault());
 canvas.addEventListener("pointerdown", (e) => {
 canvas.focus({ preventScroll: true });
 try { canvas.setPointerCapture(e.pointerId); } catch { /* a pointer that is already gone */ }
 pointers.set(e.pointerId, [e.clientX, e.clientY]);
 button0 = e.button;
+byTouch = e.pointerType === "touch";
 if (pointers.size === 1) moved = 0;
-pinch = 0;
+grip = gripOf();
 });
 canvas.addEventListener("pointermove", (e) => {
 const before = pointers.get(e.pointerId);
@@ -1462,19 +1544,22 @@ if (!before) return;
 const dx = e.clientX - before[0], dy = e.clientY - before[1];
 moved += Math.abs(dx) + Math.abs(dy);
 pointers.set(e.pointerId, [e.clientX, e.clientY]);
-if (pointers.size === 2) {
-const [a, b] = [...pointers.values()], size = Math.hypot(a[0] - b[0], a[1] - b[1]);
-pan(dx / 2, dy / 2);
-if (pinch > 0 && size > 0) zoom(pinch / size, (a[0] + b[0]) / 2, (a[1] + b[1]) / 2);
-pinch = size;
-} else if (button0 === 0 && !e.shiftKey) rotate(dx, dy);
-else pan(dx, dy);
+if (pointers.size === 1) (button0 === 0 && !e.shiftKey ? rotate : pan)(dx, dy);
 redrawMoving();
 });
 const release = (e) => {
-if (!pointers.delete(e.pointerId) || e.type === "pointercancel") return;
-if (moved < 5 && e.button === 0 && pointers.size === 0) click(e.clientX, e.clientY, e.shiftKey);
-pinch = 0;
+followFingers();
+const wasDown = pointers.delete(e.pointerId);
+grip = gripOf();
+if (!wasDown || e.type === "pointercancel") return;
+if (moved >= (byTouch ? 12 : 5) || e.button !== 0 || pointers.size > 0) return;
+const { clientX: x, clientY: y, timeStamp: time } = e;
+if (byTouch && time - lastTap.time < 400 && Math.hypot(x - lastTap.x, y - lastTap.y) < 30) {
+lastTap.time = -Infinity;
+return center(x, y);
+}
+lastTap = { time, x, y };
+click(x, y, e.shiftKey);
 };
 canvas.addEventListener("pointerup", release);
 canvas.addEventListener("pointercancel", release);
@@ -1483,11 +1568,23 @@ e.preventDefault();
 zoom(Math.exp(Math.max(-1, Math.min(1, e.deltaY * (e.deltaMode === 1 ? 0.05 : 0.0015)))), e.clientX, e.clientY);
 redrawMoving();
 }, { passive: false });
-canvas.addEventListener("dblclick", (e) => {
-const hit = triangleAt(e.clientX, e.clientY);
-if (hit) camera.target = pointOn(hit, e.clientX, e.clientY);
+canvas.addEventListener("dblclick", (e) => { if (!byTouch) center(e.clientX, e.clientY); });
+function gripOf() {
+const [a, b] = [...pointers.values()];
+return b ? { x: (a[0] + b[0]) / 2, y: (a[1] + b[1]) / 2, size: Math.hypot(a[0] - b[0], a[1] - b[1]) } : null;
+}
+function followFingers() {
+if (!grip) return;
+const now = gripOf();
+pan(now.x - grip.x, now.y - grip.y);
+if (grip.size > 0 && now.size > 0) zoom(grip.size / now.size, now.x, now.y);
+grip = now;
+}
+function center(x, y) {
+const hit = triangleAt(x, y);
+if (hit) camera.target = pointOn(hit, x, y);
 redraw();
-});
+}
 function click(x, y, measures) {
 const found = pickAt(x, y, wanted);
 if (measures) {
@@ -1507,8 +1604,7 @@ redraw();
 function savePicture() {
 drawScene();
 canvas.toBlob((blob) => {
-)page"),
-std::string_view(R"page(const link = make("a", { href: URL.createObjectURL(blob), download: "picture.png" });
+const link = make("a", { href: URL.createObjectURL(blob), download: "picture.png" });
 link.click();
 setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 });
@@ -1581,11 +1677,12 @@ redraw();
 canvas.addEventListener("webglcontextlost", (e) => e.preventDefault());
 canvas.addEventListener("webglcontextrestored", () => {
 makeProgram();
-for (const t of things) { t.ball = null; t.mapTexture = null; t.parts = []; sendThing(t); }
+for (const t of things) { t.ball = null; t.picture = null; t.mapTexture = null; t.parts = []; sendThing(t); }
 redraw();
 });
 start();
-window.concino = { scene, camera, slicing, things: () => things, press, pickAt, describe, goTo, changed, drawScene, planeOf, setTheme, motion, gl };
+window.concino = { scene, camera, slicing, things: () => things, press, rotate, pickAt, pixelOf, halfHeight, describe, goTo, changed, drawScene,
+planeOf, setTheme, motion, gl };
 })();
 </script>
 </body>
