@@ -20,8 +20,14 @@ function makeProgram() {
     const name = gl.getActiveUniform(program, i).name.replace(/\[0\]$/, "");
     uniforms[name] = gl.getUniformLocation(program, name);
   }
-  const texture = gl.createTexture(), depth = gl.createRenderbuffer();
-  pickBuffer = { frame: gl.createFramebuffer(), texture, depth, width: 0, height: 0 };
+  const color = gl.createRenderbuffer(), depth = gl.createRenderbuffer();
+  pickBuffer = gl.createFramebuffer();  // of one pixel
+  gl.bindFramebuffer(gl.FRAMEBUFFER, pickBuffer);
+  for (const [buffer, format, place] of [[color, gl.RGBA8, gl.COLOR_ATTACHMENT0], [depth, gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]]) {
+    gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
+    gl.renderbufferStorage(gl.RENDERBUFFER, format, 1, 1);
+    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, buffer);
+  }
 }
 
 /// What is sent to the graphics processor for a list of polygons.

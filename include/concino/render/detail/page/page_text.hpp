@@ -1000,8 +1000,14 @@ for (let i = gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS) - 1; i >= 0; --
 const name = gl.getActiveUniform(program, i).name.replace(/\[0\]$/, "");
 uniforms[name] = gl.getUniformLocation(program, name);
 }
-const texture = gl.createTexture(), depth = gl.createRenderbuffer();
-pickBuffer = { frame: gl.createFramebuffer(), texture, depth, width: 0, height: 0 };
+const color = gl.createRenderbuffer(), depth = gl.createRenderbuffer();
+pickBuffer = gl.createFramebuffer();  // of one pixel
+gl.bindFramebuffer(gl.FRAMEBUFFER, pickBuffer);
+for (const [buffer, format, place] of [[color, gl.RGBA8, gl.COLOR_ATTACHMENT0], [depth, gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]]) {
+gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
+gl.renderbufferStorage(gl.RENDERBUFFER, format, 1, 1);
+gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, buffer);
+}
 }
 class Part {
 constructor(list, role, plane) {
@@ -1103,14 +1109,14 @@ const t = gl.createTexture();
 gl.bindTexture(gl.TEXTURE_2D, t);
 gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
 gl.texImage2D(gl.TEXTURE_2D, 0, gl.SRGB8, width, height, 0, gl.RGB, gl.UNSIGNED_BYTE, rgb);
-for (const [name, value] of [[gl.TEXTURE_MIN_FILTER, filter], [gl.TEXTURE_MAG_FILTER, filter], [gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE],
+)page"),
+std::string_view(R"page(for (const [name, value] of [[gl.TEXTURE_MIN_FILTER, filter], [gl.TEXTURE_MAG_FILTER, filter], [gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE],
 [gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE]]) gl.texParameteri(gl.TEXTURE_2D, name, value);
 return t;
 }
 function sendThing(thing) {
 for (const p of thing.parts ?? []) p.free();
-)page"),
-std::string_view(R"page(thing.parts = thing.lists().map(({ list, role, plane }) => new Part(list, role, plane));
+thing.parts = thing.lists().map(({ list, role, plane }) => new Part(list, role, plane));
 sendColors(thing);
 thing.ball ??= thing.ballPixels ? textureOf(64, 64, thing.ballPixels, gl.LINEAR) : null;
 thing.picture ??= thing.texture?.pixels ? pictureOf(thing.texture) : null;
@@ -1225,22 +1231,9 @@ requestAnimationFrame(() => { requested = false; followFingers(); if (!gl.isCont
 let picked = null;    // { thing, kind, index, point }
 let measured = [];    // one or two points in units of the page
 function triangleAt(x, y) {
-const box = canvas.getBoundingClientRect(), b = pickBuffer;
-const px = Math.floor((x - box.left) * canvas.width / box.width), py = canvas.height - 1 - Math.floor((y - box.top) * canvas.height / box.height);
-gl.bindFramebuffer(gl.FRAMEBUFFER, b.frame);
-if (b.width !== canvas.width || b.height !== canvas.height) {
-b.width = canvas.width; b.height = canvas.height;
-gl.bindTexture(gl.TEXTURE_2D, b.texture);
-gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, b.width, b.height, 0, gl.RGBA, gl.UNSIGNED_BYTE, null);
-gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-gl.bindRenderbuffer(gl.RENDERBUFFER, b.depth);
-gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT24, b.width, b.height);
-gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, b.texture, 0);
-gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, b.depth);
-}
-gl.viewport(0, 0, b.width, b.height);
-gl.enable(gl.SCISSOR_TEST);
-gl.scissor(px, py, 1, 1);
+const box = canvas.getBoundingClientRect();
+gl.bindFramebuffer(gl.FRAMEBUFFER, pickBuffer);
+gl.viewport(-Math.floor(x - box.left), Math.floor(y - box.top) + 1 - canvas.clientHeight, canvas.clientWidth, canvas.clientHeight);
 gl.clearColor(0, 0, 0, 0);
 gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
 gl.enable(gl.DEPTH_TEST);
@@ -1249,8 +1242,7 @@ setCamera();
 const candidates = things.filter((t) => t.visible).flatMap((thing) => thing.parts.filter((p) => p.role !== "arrows").map((part) => ({ thing, part })));
 candidates.slice(0, 255).forEach(({ thing, part }, i) => drawPart(thing, part, i + 1));
 const rgba = new Uint8Array(4);
-gl.readPixels(px, py, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, rgba);
-gl.disable(gl.SCISSOR_TEST);
+gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, rgba);
 gl.bindFramebuffer(gl.FRAMEBUFFER, null);
 return rgba[0] === 0 ? null : { ...candidates[rgba[0] - 1], triangle: rgba[1] + 256 * rgba[2] + 65536 * rgba[3] };
 }
@@ -1329,13 +1321,13 @@ rows.push(["centroid", at3(mesh.centroids, index).map(textOf).join(", ")]);
 return [...rows, ...valueRows(thing, kind, index)];
 }
 function valueRows(thing, kind, index) {
-)page"),
-std::string_view(R"page(const textAt = (f, i) => (f.texts ? f.texts[i] : [...f.numbers.subarray(f.width * i, f.width * i + f.width)].map(textOf).join(", "));
+const textAt = (f, i) => (f.texts ? f.texts[i] : [...f.numbers.subarray(f.width * i, f.width * i + f.width)].map(textOf).join(", "));
 const rows = thing.fields.filter((f) => f.at === kind || f.at === "mesh").map((f) => [f.name, textAt(f, f.at === "mesh" ? 0 : index)]);
 if (!thing.mesh || (kind !== "poly" && kind !== "vert")) return rows;
 const beside = kind === "poly" ? thing.mesh.vertsOfPoly(index) : thing.mesh.polysOfVert(index);
 for (const f of thing.fields.filter((g) => g.at === "corner")) {
-const texts = beside.slice(0, 24).map((x) => `${x}: ${textAt(f, kind === "poly" ? thing.mesh.cornerAt(index, x) : thing.mesh.cornerAt(x, index))}`);
+)page"),
+std::string_view(R"page(const texts = beside.slice(0, 24).map((x) => `${x}: ${textAt(f, kind === "poly" ? thing.mesh.cornerAt(index, x) : thing.mesh.cornerAt(x, index))}`);
 rows.push([`${f.name}, by ${kind === "poly" ? "vert" : "poly"}`, texts.join("; ")]);
 }
 return rows;
@@ -1489,15 +1481,15 @@ function viewControls() {
 return [row(...["+x", "−x", "+y", "−y", "+z", "−z"].map((name, i) => button(name, () => press(String(i + 1)), `Looks along the axis (${i + 1})`))),
 row(button("perspective", () => press("p"), "Perspective or orthographic (P)"), button("reset", () => press("r"), "The first view (R)"),
 button("dark", () => press("d"), "Light or dark (D)")),
-)page"),
-std::string_view(R"page(row(button("picture", () => press("s"), "Saves a PNG file (S)"), button("copy view", () => press("v"), "An address that shows this view (V)"))];
+row(button("picture", () => press("s"), "Saves a PNG file (S)"), button("copy view", () => press("v"), "An address that shows this view (V)"))];
 }
 function showPanel() {
 const meshes = things.filter((t) => t.mesh);
 panel.replaceChildren(
 section("Objects", true, ...(things.length ? things.map(thingControls) : [make("p", { className: "soft" }, "The scene is empty.")])),
 ...(meshes.length ? [section("Cuts", innerWidth > 700, row(select("kind of cut", [["", "whole polys"], ["exact", "cut exactly"]], slicing.exact ? "exact" : "",
-(v) => { slicing.exact = v !== ""; changed("polygons"); })), ...[0, 1, 2, 3].flatMap(planeControls), make("p", { id: "areas", className: "soft" }), ...meshes.map(filterControls))] : []),
+)page"),
+std::string_view(R"page((v) => { slicing.exact = v !== ""; changed("polygons"); })), ...[0, 1, 2, 3].flatMap(planeControls), make("p", { id: "areas", className: "soft" }), ...meshes.map(filterControls))] : []),
 section("Inspect", true, ...pickControls(), make("dl", { id: "picked" })),
 section("View", innerWidth > 700, ...viewControls()));
 showAreas();
