@@ -16,7 +16,7 @@ function start() {
   scene.labelColors = numbersOf(scene.label_colors);
   scene.reach = 1.2;
   things = scene.objects.map((data, i) => new Thing(data, i));
-  makeProgram();
+  startDrawing();
   if (innerWidth <= 700) togglePanel();
   resetCamera();
   takeView(location.hash);
@@ -27,7 +27,7 @@ function start() {
 }
 canvas.addEventListener("webglcontextlost", (e) => e.preventDefault());
 canvas.addEventListener("webglcontextrestored", () => {
-  makeProgram();
+  startDrawing();
   for (const t of things) { t.ball = null; t.picture = null; t.mapTexture = null; t.parts = []; sendThing(t); }
   redraw();
 });

@@ -13,11 +13,12 @@ function changed(what, thing) {
 }
 
 const row = (...content) => make("div", { className: "row" }, ...content);
+const fittedRow = (...content) => make("div", { className: "row fitted" }, ...content);
 const labelled = (text, input) => make("label", {}, text, input);
 const checkbox = (text, value, set) => make("label", {}, make("input", { type: "checkbox", checked: value, onchange: (e) => set(e.target.checked) }), text);
 const slider = (text, value, low, high, step, set) => make("input", { type: "range", min: low, max: high, step, value, "aria-label": text,
   oninput: (e) => set(Number(e.target.value)) });
-const number = (text, value, set, step = "any") => make("input", { type: "number", step, value: Number.isFinite(value) ? Number(value.toPrecision(7)) : value, "aria-label": text,
+const number = (text, value, set, step = "any") => make("input", { type: "number", step, value: Number.isFinite(value) ? Number(value.toPrecision(5)) : value, "aria-label": text,
   onchange: (e) => { if (e.target.value !== "" && Number.isFinite(Number(e.target.value))) set(Number(e.target.value)); } });
 const select = (text, choices, value, set) => {
   const s = make("select", { "aria-label": text, onchange: (e) => set(e.target.value) }, ...choices.map(([v, name]) => make("option", { value: v, textContent: name, dir: "auto" })));
@@ -65,7 +66,7 @@ function scaleControls(thing, fill) {
   const low = thing.scale[0][0], high = thing.scale[thing.scale.length - 1][0];
   const range = (a, b) => { thing.setRange(a, b); fill(); changed("colors", thing); };
   return [row("map", select(`colour map of ${thing.name}`, maps, String(thing.map), (v) => { thing.map = Number(v); changed("map", thing); })),
-    row("from", number("lowest value", low, (x) => range(x, Math.max(x, high))), "to", number("highest value", high, (x) => range(Math.min(low, x), x)),
+    fittedRow("from", number("lowest value", low, (x) => range(x, Math.max(x, high))), "to", number("highest value", high, (x) => range(Math.min(low, x), x)),
       button("all", () => { thing.fitRange(); fill(); changed("colors", thing); }, "The range of all values")),
     row("bands", number("white bands", thing.bands, (x) => { thing.bands = Math.max(0, Math.round(x)); changed("view"); }, 1),
       "lines", number("iso-lines", thing.lines, (x) => { thing.lines = Math.max(0, Math.round(x)); changed("view"); }, 1))];
@@ -80,7 +81,7 @@ function planeControls(k) {
   const parts = [row(checkbox(name, p.on, (x) => { p.on = x; redo(); }),
     slider(`place of the cut along ${name}`, p.t, 0, 1, 0.001, (x) => { p.t = x; p.on = true; parts[0].querySelector("input").checked = true; show(); redo(); }),
     value, checkbox("above", p.keepsAbove, (x) => { p.keepsAbove = x; redo(); }))];
-  if (k === 3) parts.push(row(...[0, 1, 2].map((i) => number(`direction ${"xyz"[i]}`, slicing.direction[i], (x) => { slicing.direction[i] = x; show(); redo(); })),
+  if (k === 3) parts.push(fittedRow(...[0, 1, 2].map((i) => number(`direction ${"xyz"[i]}`, slicing.direction[i], (x) => { slicing.direction[i] = x; show(); redo(); })),
     button("from view", () => { slicing.direction = camera.back.map((x) => Number(x.toPrecision(4))); showPanel(); redo(); }, "The direction to the viewer")));
   return parts;
 }
@@ -94,7 +95,7 @@ function filterControls(thing) {
     if (!f.on) fit();
     const box = make("div"), fill = () => box.replaceChildren(
       row(checkbox("only polys with", f.on, (x) => { f.on = x; redo(); }), select("value of polys", fields.map((g, i) => [String(i), g.name]), String(f.field), (v) => { f.field = Number(v); fit(); fill(); redo(); })),
-      row("from", number("lowest shown", f.low, (x) => { f.low = x; redo(); }), "to", number("highest shown", f.high, (x) => { f.high = x; redo(); })),
+      fittedRow("from", number("lowest shown", f.low, (x) => { f.low = x; redo(); }), "to", number("highest shown", f.high, (x) => { f.high = x; redo(); })),
       row("or labels", make("input", { type: "text", value: f.labels, placeholder: "1 2 5", "aria-label": "labels shown", onchange: (e) => { f.labels = e.target.value; f.on = f.on || f.labels !== ""; fill(); redo(); } })));
     fill();
     parts.push(box);

@@ -12,7 +12,7 @@ function triangleAt(x, y) {
   gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   gl.enable(gl.DEPTH_TEST);
   gl.disable(gl.BLEND);
-  setCamera();
+  ++cameraChanges.count;
   const candidates = things.filter((t) => t.visible).flatMap((thing) => thing.parts.filter((p) => p.role !== "arrows").map((part) => ({ thing, part })));
   candidates.slice(0, 255).forEach(({ thing, part }, i) => drawPart(thing, part, i + 1));
   const rgba = new Uint8Array(4);

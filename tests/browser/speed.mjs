@@ -14,8 +14,8 @@ const print = (step, seconds) => console.log(`${step} ${seconds.toFixed(4)}`);
 print("load", (performance.now() - begin) / 1000);
 
 /// The median time of a picture while the view turns.
-const frame = (coarse) => page.run(`(() => {
-  concino.motion.coarse = ${coarse};
+const frame = (level) => page.run(`(() => {
+  concino.motion.level = ${level};
   const times = [], begin = performance.now();
   while (times.length < 41 && (times.length < 4 || performance.now() - begin < 10000)) {
     const start = performance.now();
@@ -23,11 +23,11 @@ const frame = (coarse) => page.run(`(() => {
     ${draw};
     times.push((performance.now() - start) / 1000);
   }
-  concino.motion.coarse = false;
+  concino.motion.level = 0;
   return times.slice(1).sort((a, b) => a - b)[Math.floor((times.length - 1) / 2)];
 })()`);
-print("frame", await frame(false));
-print("moving", await frame(true));
+print("frame", await frame(0));
+print("moving", await frame(2));
 print("cut", await page.run(`(() => { const begin = performance.now(); concino.slicing.exact = true; concino.slicing.planes[0].on = true;
   concino.changed("polygons"); return (performance.now() - begin) / 1000; })()`));
 for (const m of page.messages) console.error(m);

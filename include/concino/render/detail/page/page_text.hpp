@@ -47,8 +47,8 @@ vertical-align: middle; }
 #legend p { position: absolute; top: 100%; margin: 4px 0 0; white-space: nowrap; }
 #legend li i, #legend p i { display: inline-block; width: 12px; height: 12px; margin-right: 6px; vertical-align: -1px; }
 #toggle { position: absolute; top: 10px; right: 14px; z-index: 2; }
-#panel { position: absolute; top: 0; right: 0; bottom: 0; width: 300px; padding: 48px 14px 14px; overflow: auto; background: var(--box);
-border-left: 1px solid var(--line); }
+#panel { position: absolute; top: 0; right: 0; bottom: 0; width: 300px; padding: 0 14px 14px; overflow: auto; background: var(--box);
+border-left: 1px solid var(--line); border-top: 48px solid var(--box); }
 #panel[hidden] { display: none; }
 #panel details { border-top: 1px solid var(--line); padding: 6px 0; }
 #panel summary { font-weight: 600; cursor: pointer; padding: 2px 0; }
@@ -61,9 +61,11 @@ label { display: inline-flex; align-items: center; gap: 6px; }
 .row select, .row input[type="text"] { flex: 1; min-width: 0; }
 input, select, button { font: inherit; color: var(--ink); }
 input[type="number"], input[type="text"], select { background: var(--paper); border: 1px solid var(--line); border-radius: 4px; padding: 2px 4px; }
-input[type="number"] { width: 74px; }
+input[type="number"] { width: 74px; appearance: textfield; }
+input[type="number"]::-webkit-inner-spin-button { display: none; }
+.fitted input[type="number"] { flex: 1; min-width: 0; }
 input[type="color"] { width: 32px; height: 24px; padding: 0; border: 1px solid var(--line); background: none; }
-button { background: var(--paper); border: 1px solid var(--line); border-radius: 4px; padding: 3px 9px; cursor: pointer; }
+button { background: var(--paper); border: 1px solid var(--line); border-radius: 4px; padding: 3px 7px; cursor: pointer; }
 button:hover { border-color: var(--accent); }
 :focus-visible { outline: 2px solid var(--accent); outline-offset: 1px; }
 .soft { color: var(--soft); }
@@ -98,74 +100,125 @@ std::string_view(R"page(<script>
 "use strict";
 const shaders = { surface_vert: `#version 300 es
 in vec3 position;
-in vec3 normal;
-in uint flags;
-in float value;
-in vec4 paint;
-in vec3 sides;
-in vec2 texture_place;
 uniform mat4 project;
 uniform mat3 turn;
+#ifdef PLACE
 out vec3 place;
+#endif
+#ifdef SMOOTH
+in vec3 normal;
 out vec3 direction;
-out vec3 inside;
-out float number;
-out vec4 painted;
+#endif
+#ifdef BITS
+in uint flags;
 flat out uint bits;
+#endif
+#ifdef VALUES
+in float value;
+out float number;
+#endif
+#ifdef PAINT
+in vec4 paint;
+out vec4 painted;
+#endif
+#ifdef EDGES
+out vec3 inside;
+#endif
+#ifdef SIDES
+in vec3 sides;
 flat out vec3 side_numbers;
-flat out int triangle;
+#endif
+#ifdef TEXTURE
+in vec2 texture_place;
 out vec2 uv;
+#endif
+#ifdef PICK
+flat out int triangle;
+#endif
 void main() {
 gl_Position = project * vec4(position, 1.0);
+#ifdef PLACE
 place = position;
+#endif
+#ifdef SMOOTH
 direction = turn * normal;
+#endif
+#ifdef BITS
+bits = flags;
+#endif
+#ifdef VALUES
+number = value;
+#endif
+#ifdef PAINT
+painted = paint;
+#endif
+#ifdef EDGES
 int corner = gl_VertexID % 3;
 inside = vec3(corner == 0, corner == 1, corner == 2);
-number = value;
-painted = paint;
-bits = flags;
+#endif
+#ifdef SIDES
 side_numbers = sides;
-triangle = gl_VertexID / 3;
+#endif
+#ifdef TEXTURE
 uv = texture_place;
+#endif
+#ifdef PICK
+triangle = gl_VertexID / 3;
+#endif
 }
 `, surface_frag: `#version 300 es
 precision highp float;
 precision highp int;
-in vec3 place;
-in vec3 direction;
-in vec3 inside;
-in float number;
-in vec4 painted;
-flat in uint bits;
-flat in vec3 side_numbers;
-flat in int triangle;
-in vec2 uv;
-uniform vec4 planes[4];
-uniform int cuts;
 uniform mat3 turn;
-uniform bool flat_shading;
-uniform int coloring;
-uniform vec3 color, exposed_color, no_value, edge_color;
-uniform vec2 knots[18];
-uniform int num_knots;
-uniform float bands, lines;
-uniform float edge_width, opacity, shine;
-uniform bool edges_have_values;
-uniform bool has_ball;
-uniform sampler2D map, ball;
-uniform int texture_kind;
-uniform vec2 texture_size;
-uniform vec3 texture_first, texture_second;
-uniform sampler2D picture;
-uniform int picking;
 uniform bool parallel;
 uniform vec3 eye;
 out vec4 result;
+#ifdef PLACE
+in vec3 place;
+#endif
+#ifdef BITS
+flat in uint bits;
+#endif
+#ifdef CUTS
+uniform vec4 planes[4];
+uniform int cuts;
+float distance_to_cut() {
+float nearest = 1e9;
+for (int k = 0; k < 4; ++k) {
+float gap = planes[k].w - dot(planes[k].xyz, place), step = fwidth(gap);
+if ((cuts >> k & 1) == 0) continue;
+if (gap <= 0.0) discard;
+nearest = min(nearest, gap / max(step, 1e-9));
+}
+return nearest;
+}
+#endif
+#ifdef PICK
+flat in int triangle;
+uniform int picking;
+void main() {
+#ifdef CUTS
+distance_to_cut();
+#endif
+result = vec4(float(picking), float(triangle & 255), float(triangle >> 8 & 255), float(triangle >> 16 & 255)) / 255.0;
+}
+#else
+uniform vec3 color, exposed_color, no_value, edge_color;
+uniform float opacity, shine;
+uniform sampler2D map;
 vec3 linear(vec3 c) { return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c)); }
 vec3 screen(vec3 c) {
 vec3 a = sqrt(clamp(c, 0.0, 1.0)), b = sqrt(a);
 return clamp(0.585122381 * a + 0.783140355 * b - 0.368262736 * sqrt(b), 0.0, 1.0);
 }
+float line_at(float x, float width) {
+float w = max(fwidth(x), 1e-6);
+return clamp(width * 0.5 + 0.5 - abs(fract(x) - 0.5) / w, 0.0, 1.0);
+}
+#if defined(VALUES) || defined(SIDES)
+uniform vec2 knots[18];
+uniform int num_knots;
+uniform bool are_labels;
 float position_of(float x) {
 if (num_knots == 2) return mix(knots[0].y, knots[1].y, clamp((x - knots[0].x) / (knots[1].x - knots[0].x), 0.0, 1.0));
 float t = knots[0].y;
@@ -177,89 +230,118 @@ return t;
 }
 vec3 color_of(float x) {
 if (abs(x) > 1e30) return no_value;
-if (coloring == 3) return texelFetch(map, ivec2(int(mod(floor(x + 0.5), 256.0)), 0), 0).rgb;
+if (are_labels) return texelFetch(map, ivec2(int(mod(floor(x + 0.5), 256.0)), 0), 0).rgb;
 return texture(map, vec2((position_of(x) * 255.0 + 0.5) / 256.0, 0.5)).rgb;
 }
-float distance_to_cut() {
-if (cuts == 0) return 1e9;
-float nearest = 1e9;
-for (int k = 0; k < 4; ++k) {
-float gap = planes[k].w - dot(planes[k].xyz, place), step = fwidth(gap);
-if ((cuts >> k & 1) == 0) continue;
-if (gap <= 0.0) discard;
-nearest = min(nearest, gap / max(step, 1e-9));
+#endif
+#ifdef VALUES
+in float number;
+#ifdef LINES
+uniform float bands, lines;
+vec3 color_of_surface() {
+vec3 c = color_of(number);
+float t = position_of(number), x = t * bands, w = max(fwidth(x), 1e-6), line = line_at(t * lines, 1.5);
+if (abs(number) > 1e30) return c;
+if (bands > 0.0) c = mix(c, vec3(1.0), clamp((0.06 - abs(fract(x) - 0.5)) / w + 0.5, 0.0, 1.0));
+return lines > 0.0 ? mix(c, edge_color, line) : c;
 }
-return nearest;
-}
-vec3 normal_to_viewer() {
-vec3 n = normalize(direction);
-if (!flat_shading && dot(direction, direction) > 0.01) return gl_FrontFacing ? n : -n;
-n = normalize(turn * cross(dFdx(place), dFdy(place)));
-return dot(n, parallel ? vec3(0, 0, -1) : turn * (place - eye)) > 0.0 ? -n : n;
-}
-float line_at(float x, float width) {
-float w = max(fwidth(x), 1e-6);
-return clamp(width * 0.5 + 0.5 - abs(fract(x) - 0.5) / w, 0.0, 1.0);
-}
+#else
+vec3 color_of_surface() { return color_of(number); }
+#endif
+#elif defined(PAINT)
+in vec4 painted;
+vec3 color_of_surface() { return linear(painted.rgb); }
+#else
+vec3 color_of_surface() { return (bits & 8u) != 0u ? exposed_color : color; }
+#endif
+#ifdef TEXTURE
+in vec2 uv;
+uniform int texture_kind;
+uniform vec2 texture_size;
+uniform vec3 texture_first, texture_second;
+uniform sampler2D picture;
 float mean_sign(float x) {
 float w = max(fwidth(x), 1e-6);
 vec2 ends = abs(mod(x + vec2(0.5, -0.5) * w, 2.0) - 1.0);
 return w > 2.0 ? 0.0 : (ends.y - ends.x) / w;
 }
 vec3 with_texture(vec3 below) {
+bool has_no_place = max(abs(uv.x), abs(uv.y)) > 1e30;
 if (texture_kind == 3) {
 vec4 t = texture(picture, vec2(uv.x, 1.0 - uv.y));
-if (max(abs(uv.x), abs(uv.y)) > 1e30) return no_value;
-return below * (1.0 - t.a) + t.rgb;
+return has_no_place ? no_value : below * (1.0 - t.a) + t.rgb;
 }
 vec2 x = uv * texture_size.x;
 if (texture_kind == 1) {
 float share = 0.5 - 0.5 * mean_sign(x.x) * mean_sign(x.y);
 below = mix(texture_first, texture_second, share);
 } else below = mix(texture_first, below, (1.0 - line_at(x.x + 0.5, texture_size.y)) * (1.0 - line_at(x.y + 0.5, texture_size.y)));
-return max(abs(uv.x), abs(uv.y)) > 1e30 ? no_value : below;
+return has_no_place ? no_value : below;
 }
-vec3 color_of_surface() {
-if (coloring == 1) return linear(painted.rgb);
-if (coloring == 0) return (bits & 8u) != 0u ? exposed_color : color;
-vec3 c = color_of(number);
-if (coloring == 3 || bands + lines == 0.0) return c;
-float t = position_of(number), x = t * bands, w = max(fwidth(x), 1e-6), line = line_at(t * lines, 1.5);
-if (abs(number) > 1e30) return c;
-if (bands > 0.0) c = mix(c, vec3(1.0), clamp((0.06 - abs(fract(x) - 0.5)) / w + 0.5, 0.0, 1.0));
-return lines > 0.0 ? mix(c, edge_color, line) : c;
+#endif
+#ifdef SMOOTH
+in vec3 direction;
+vec3 normal_to_viewer() {
+vec3 n = direction * inversesqrt(max(dot(direction, direction), 1e-12));
+return gl_FrontFacing ? n : -n;
 }
+#else
+vec3 normal_to_viewer() {
+vec3 n = normalize(turn * cross(dFdx(place), dFdy(place)));
+return dot(n, parallel ? vec3(0, 0, -1) : turn * (place - eye)) > 0.0 ? -n : n;
+}
+#endif
+#ifdef BALL
+uniform sampler2D ball;
+vec3 light_at(vec3 n) { return texture(ball, n.xy * vec2(0.49, -0.49) + 0.5).rgb; }
+#else
 vec3 light_at(vec3 n) {
-if (has_ball) return texture(ball, n.xy * vec2(0.49, -0.49) + 0.5).rgb;
 vec3 to_light = normalize(vec3(-0.55, 0.9, 0.75));
 float light = 0.34 + 0.14 * n.y + 0.34 * max(n.z, 0.0) + 0.42 * max(dot(n, to_light), 0.0);
 float x = max(dot(n, normalize(to_light + vec3(0, 0, 1))), 0.0), y = x * x * x * x, z = y * y * y;
 return vec3(light + shine * 0.10 * z * z * z * y);
 }
+#endif
+#ifdef EDGES
+in vec3 inside;
+uniform float edge_width;
+#ifdef SIDES
+flat in vec3 side_numbers;
+#endif
 void draw_edges(inout vec3 lit, inout float cover) {
 vec3 slope = fwidth(inside);
 for (int k = 0; k < 3; ++k) {
 if ((bits >> k & 1u) == 0u) continue;
 int opposite = (k + 2) % 3;
 float drawn = clamp(edge_width * 0.5 + 0.5 - inside[opposite] / max(slope[opposite], 1e-9), 0.0, 1.0);
-lit = mix(lit, edges_have_values ? color_of(side_numbers[k]) : edge_color, drawn * (edges_have_values ? 1.0 : 0.6));
+#ifdef SIDES
+lit = mix(lit, color_of(side_numbers[k]), drawn);
+#else
+lit = mix(lit, edge_color, drawn * 0.6);
+#endif
 cover = max(cover, drawn * 0.6);
 }
 }
+#endif
 void main() {
+#ifdef CUTS
 float to_cut = distance_to_cut();
-if (picking > 0) {
-result = vec4(float(picking), float(triangle & 255), float(triangle >> 8 & 255), float(triangle >> 16 & 255)) / 255.0;
-return;
-}
+#endif
 vec3 base = color_of_surface();
-if (texture_kind > 0) base = with_texture(base);
+#ifdef TEXTURE
+base = with_texture(base);
+#endif
 vec3 lit = base * light_at(normal_to_viewer());
 float cover = opacity;
-if (edge_width > 0.0) draw_edges(lit, cover);
+#ifdef EDGES
+draw_edges(lit, cover);
+#endif
+#ifdef CUTS
 if (to_cut < 3.0) lit = mix(lit, edge_color, clamp(2.0 - to_cut, 0.0, 1.0));
+#endif
 result = vec4(screen(lit) * cover, cover);
 }
+#endif
 ` };
 const byId = (id) => document.getElementById(id);
 const scene = JSON.parse(byId("scene").textContent);
@@ -376,7 +458,8 @@ const eye = toUnit(c.eye);
 camera.distance = Math.max(dot(eye, c.back), 1e-3);
 camera.target = sub(eye, scaled(c.back, camera.distance));
 if (c.parallel) camera.half = c.half_height / scene.radius;
-const narrow = Math.max(1, 4 / 3 / aspect());  // a narrow screen shows no less to the left and right than a picture does
+)page"),
+std::string_view(R"page(const narrow = Math.max(1, 4 / 3 / aspect());  // a narrow screen shows no less to the left and right than a picture does
 camera.half *= narrow;
 camera.slope *= narrow;
 }
@@ -395,8 +478,7 @@ return [(x - box.left - box.width / 2) / (box.height / 2), (box.top + box.height
 };
 function rayThrough(x, y) {
 const [u, v] = filmPoint(x, y), h = camera.parallel ? camera.half : camera.slope;
-)page"),
-std::string_view(R"page(const offset = add(scaled(camera.right, u * h), scaled(camera.up, v * h));
+const offset = add(scaled(camera.right, u * h), scaled(camera.up, v * h));
 return camera.parallel ? { origin: add(eyeOf(), offset), direction: scaled(camera.back, -1) }
 : { origin: eyeOf(), direction: unit(sub(offset, camera.back)) };
 }
@@ -625,7 +707,8 @@ next.set(c.place, d.place);
 }
 }
 while (next.size) {
-const [first] = next.keys(), loop = [];
+)page"),
+std::string_view(R"page(const [first] = next.keys(), loop = [];
 for (let at = first; at !== undefined && next.has(at); ) {
 loop.push(at);
 const to = next.get(at);
@@ -647,8 +730,7 @@ return Math.abs(dot(sum, unit(n))) / 2;
 }
 function preparedPolygons(data) {
 const a = readArrays(data.arrays), count = a.starts.length - 1, starts = a.starts;
-)page"),
-std::string_view(R"page(const triangles = a.triangles.length ? a.triangles : Uint32Array.from({ length: a.corners.length }, (_, i) => i);
+const triangles = a.triangles.length ? a.triangles : Uint32Array.from({ length: a.corners.length }, (_, i) => i);
 return { ...a, triangles, polygonOf: polygonsOfTriangles(starts, triangles), polys: null, elements: null, bare: a.exposed.length ? a.exposed : null, count };
 }
 function polygonsOfTriangles(starts, triangles) {
@@ -843,7 +925,8 @@ const takesFew = few.length >= 2 && Math.abs(few.length - count) <= Math.abs(man
 return (takesFew ? few : many).map((x) => [x, tickText(x, takesFew ? step : finer)]);
 }
 function scaleTicks(scale, count) {
-const low = scale[0][0], high = scale[scale.length - 1][0];
+)page"),
+std::string_view(R"page(const low = scale[0][0], high = scale[scale.length - 1][0];
 if (scale.length === 2 || !(high > low)) return roundTicks(low, high, count);
 const valueAt = (place) => {
 let a = 0, b = 1;
@@ -859,8 +942,7 @@ for (const m of [10, 5, 2, 1]) {
 const inside = multiples(a, b, m * power);
 if (!inside.length) continue;
 const x = inside[Math.floor(inside.length / 2)];
-)page"),
-std::string_view(R"page(ticks.push([x, tickText(x, m * power)]);
+ticks.push([x, tickText(x, m * power)]);
 break;
 }
 }
@@ -981,13 +1063,33 @@ const all = thing.mesh ? thing.mesh.units : thing.prepared.points;
 for (let i = 0; i < all.length; i += 3) if (Number.isFinite(all[i] + all[i + 1] + all[i + 2])) visit([all[i], all[i + 1], all[i + 2]]);
 }
 }
-const gl = canvas.getContext("webgl2", { alpha: false, antialias: true, preserveDrawingBuffer: true });
-let program, uniforms, pickBuffer;
-function makeProgram() {
-program = gl.createProgram();
+const gl = canvas.getContext("webgl2", { antialias: false, preserveDrawingBuffer: true });
+let programs, pickBuffer, smoothBuffer;  // programs: by what they draw
+const cameraChanges = { count: 0 };
+function framebuffer(samples, width, height) {
+const frame = gl.createFramebuffer(), buffers = [];
+gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+for (const [format, place] of [[gl.RGBA8, gl.COLOR_ATTACHMENT0], [gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]]) {
+const buffer = gl.createRenderbuffer();
+buffers.push(buffer);
+gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
+gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, format, width, height);
+gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, buffer);
+}
+return { frame, buffers, width, height };
+}
+function startDrawing() {
+programs = new Map();
+pickBuffer = framebuffer(0, 1, 1).frame;
+smoothBuffer = null;
+}
+function programFor(names) {
+const known = programs.get(names);
+if (known) return known;
+const program = gl.createProgram(), defines = names.split(" ").map((n) => `#define ${n}`).join("\n");
 for (const [type, text] of [[gl.VERTEX_SHADER, shaders.surface_vert], [gl.FRAGMENT_SHADER, shaders.surface_frag]]) {
 const s = gl.createShader(type);
-gl.shaderSource(s, text.trim());
+gl.shaderSource(s, text.trim().replace("\n", `\n${defines}\n`));
 gl.compileShader(s);
 if (!gl.getShaderParameter(s, gl.COMPILE_STATUS) && !gl.isContextLost()) throw new Error(gl.getShaderInfoLog(s));
 gl.attachShader(program, s);
@@ -995,19 +1097,29 @@ gl.attachShader(program, s);
 ["position", "normal", "flags", "value", "paint", "sides", "texture_place"].forEach((name, i) => gl.bindAttribLocation(program, i, name));
 gl.linkProgram(program);
 if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost()) throw new Error(gl.getProgramInfoLog(program));
-uniforms = {};
+const made = { program, uniforms: {}, camera: -1 };
 for (let i = gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS) - 1; i >= 0; --i) {
 const name = gl.getActiveUniform(program, i).name.replace(/\[0\]$/, "");
-uniforms[name] = gl.getUniformLocation(program, name);
+made.uniforms[name] = gl.getUniformLocation(program, name);
 }
-const color = gl.createRenderbuffer(), depth = gl.createRenderbuffer();
-pickBuffer = gl.createFramebuffer();  // of one pixel
-gl.bindFramebuffer(gl.FRAMEBUFFER, pickBuffer);
-for (const [buffer, format, place] of [[color, gl.RGBA8, gl.COLOR_ATTACHMENT0], [depth, gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]]) {
-gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
-gl.renderbufferStorage(gl.RENDERBUFFER, format, 1, 1);
-gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, buffer);
+programs.set(names, made);
+return made;
 }
+function usedProgram(names) {
+const used = programFor(names), { program, uniforms: u } = used;
+gl.useProgram(program);
+if (used.camera === cameraChanges.count) return used;
+used.camera = cameraChanges.count;
+gl.uniformMatrix4fv(u.project, false, projection());
+const { right: r, up, back: b } = camera;
+gl.uniformMatrix3fv(u.turn, false, [r[0], up[0], b[0], r[1], up[1], b[1], r[2], up[2], b[2]]);
+gl.uniform1i(u.parallel, camera.parallel ? 1 : 0);
+gl.uniform3fv(u.eye, eyeOf());
+const planes = new Float32Array(16);
+for (const p of planesOn()) planes.set(unitPlane(p), 4 * p.k);
+gl.uniform4fv(u.planes ?? null, planes);
+["map", "ball", "picture"].forEach((name, i) => gl.uniform1i(u[name] ?? null, i));
+return used;
 }
 class Part {
 constructor(list, role, plane) {
@@ -1070,7 +1182,8 @@ bytes.set(rgb.subarray(3 * k, 3 * k + 3), 4 * i);
 }
 this.attribute(4, bytes, 4, gl.UNSIGNED_BYTE, true);
 }
-if (thing.texture && this.role === "surface") this.attribute(6, texturePlaces(list, thing.texture), 2, gl.FLOAT);
+)page"),
+std::string_view(R"page(if (thing.texture && this.role === "surface") this.attribute(6, texturePlaces(list, thing.texture), 2, gl.FLOAT);
 gl.bindVertexArray(null);
 }
 polygonOfCorner(c) {
@@ -1109,8 +1222,7 @@ const t = gl.createTexture();
 gl.bindTexture(gl.TEXTURE_2D, t);
 gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
 gl.texImage2D(gl.TEXTURE_2D, 0, gl.SRGB8, width, height, 0, gl.RGB, gl.UNSIGNED_BYTE, rgb);
-)page"),
-std::string_view(R"page(for (const [name, value] of [[gl.TEXTURE_MIN_FILTER, filter], [gl.TEXTURE_MAG_FILTER, filter], [gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE],
+for (const [name, value] of [[gl.TEXTURE_MIN_FILTER, filter], [gl.TEXTURE_MAG_FILTER, filter], [gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE],
 [gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE]]) gl.texParameteri(gl.TEXTURE_2D, name, value);
 return t;
 }
@@ -1132,70 +1244,64 @@ if (thing.isLabels) palette.set(scene.labelColors);
 thing.mapTexture = textureOf(256, 1, thing.isLabels ? palette : thing.mapColors, thing.isLabels ? gl.NEAREST : gl.LINEAR);
 }
 function drawPart(thing, part, pick) {
-const u = uniforms, look = thing.data.look, isArrow = part.role === "arrows";
-const hasValues = thing.field && !isArrow && !thing.edgesHaveValues;
-gl.uniform1i(u.cuts, slicing.exact ? planesOn().reduce((bits, { k }) => bits | (k === part.plane ? 0 : 1 << k), 0) : 0);
-gl.uniform1i(u.flat_shading, thing.flat || part.role !== "surface" ? 1 : 0);
-gl.uniform1i(u.coloring, hasValues ? (thing.isLabels ? 3 : 2) : thing.chosen === "painted" && part.role === "surface" ? 1 : 0);
+const look = thing.data.look, isArrow = part.role === "arrows", isSurface = part.role === "surface";
+const cuts = slicing.exact ? planesOn().reduce((bits, { k }) => bits | (k === part.plane ? 0 : 1 << k), 0) : 0;
+const hasValues = thing.field && !isArrow && !thing.edgesHaveValues, isPainted = thing.chosen === "painted" && isSurface;
+const isFlat = thing.flat || !isSurface, hasEdges = thing.wire && !isArrow, hasSides = hasEdges && isSurface && thing.edgesHaveValues;
+const texture = thing.textured && isSurface ? thing.texture : null;
+const needed = pick ? { PICK: true, CUTS: cuts, PLACE: cuts } : { CUTS: cuts, PLACE: cuts || isFlat, SMOOTH: !isFlat, VALUES: hasValues, PAINT: !hasValues && isPainted,
+LINES: hasValues && !thing.isLabels && thing.bands + thing.lines > 0, EDGES: hasEdges, SIDES: hasSides, BITS: hasEdges || !(hasValues || isPainted),
+TEXTURE: texture, BALL: thing.ball };
+const { program, uniforms: u } = usedProgram(Object.keys(needed).filter((name) => needed[name]).join(" "));
+gl.uniform1i(u.cuts, cuts);
+gl.uniform1i(u.picking, pick ? pick : 0);
+if (!pick) {
+gl.uniform1i(u.are_labels, thing.isLabels ? 1 : 0);
 gl.uniform3fv(u.color, isArrow ? [0.02, 0.02, 0.025] : thing.color);
 gl.uniform3fv(u.exposed_color, look.exposed_color);
 gl.uniform3fv(u.no_value, look.no_value);
 gl.uniform3fv(u.edge_color, look.edge_color);
 const [low, high] = thing.field ? thing.baseRange : [0, 0];  // equal: all values are in the middle of the map
 const knots = high > low ? thing.scale.slice(0, 18).map(([x, t]) => [Math.max(-1e29, Math.min(1e29, fraction(x, thing.baseRange))), t]) : [[0, 0], [1, 1]];
-gl.uniform2fv(u.knots, knots.flat());
+if (u.knots) gl.uniform2fv(u.knots, knots.flat());
 gl.uniform1i(u.num_knots, knots.length);
 gl.uniform1f(u.bands, thing.bands);
 gl.uniform1f(u.lines, thing.lines);
-gl.uniform1f(u.edge_width, thing.wire && !isArrow ? (look.edge_width || 1.3) * pixelScale() : 0);
-gl.uniform1i(u.edges_have_values, thing.edgesHaveValues && part.role === "surface" ? 1 : 0);
+gl.uniform1f(u.edge_width, (look.edge_width || 1.3) * pixelScale());
 gl.uniform1f(u.opacity, isArrow ? 1 : thing.opacity);
 gl.uniform1f(u.shine, look.shine);
-gl.uniform1i(u.has_ball, thing.ball ? 1 : 0);
-gl.uniform1i(u.picking, pick ? pick : 0);
-const texture = thing.textured && part.role === "surface" ? thing.texture : null;
-gl.uniform1i(u.texture_kind, texture ? texture.kind : 0);
 if (texture) {
+gl.uniform1i(u.texture_kind, texture.kind);
 gl.uniform2f(u.texture_size, texture.count, texture.width * pixelScale());
 gl.uniform3fv(u.texture_first, texture.first);
 gl.uniform3fv(u.texture_second, texture.second);
 }
-gl.activeTexture(gl.TEXTURE2);
-gl.bindTexture(gl.TEXTURE_2D, thing.picture ?? thing.mapTexture);
+[thing.mapTexture, thing.ball, thing.picture].forEach((t, i) => {
+gl.activeTexture(gl.TEXTURE0 + i);
+gl.bindTexture(gl.TEXTURE_2D, t ?? null);
+});
 gl.activeTexture(gl.TEXTURE0);
-gl.bindTexture(gl.TEXTURE_2D, thing.mapTexture);
-gl.activeTexture(gl.TEXTURE1);
-gl.bindTexture(gl.TEXTURE_2D, thing.ball ?? thing.mapTexture);
+}
 gl.bindVertexArray(part.array);
 gl.drawArrays(gl.TRIANGLES, 0, part.count);
 }
-function setCamera() {
-gl.useProgram(program);
-gl.uniformMatrix4fv(uniforms.project, false, projection());
-const { right: r, up, back: b } = camera;
-gl.uniformMatrix3fv(uniforms.turn, false, [r[0], up[0], b[0], r[1], up[1], b[1], r[2], up[2], b[2]]);
-gl.uniform1i(uniforms.parallel, camera.parallel ? 1 : 0);
-gl.uniform3fv(uniforms.eye, eyeOf());
-const planes = new Float32Array(16);
-for (const p of planesOn()) planes.set(unitPlane(p), 4 * p.k);
-gl.uniform4fv(uniforms.planes, planes);
-gl.uniform1i(uniforms.map, 0);
-gl.uniform1i(uniforms.ball, 1);
-gl.uniform1i(uniforms.picture, 2);
-gl.vertexAttrib3f(5, noValue, noValue, noValue);
-}
 const paper = () => (document.documentElement.dataset.theme === "dark" ? [0.09, 0.094, 0.11] : [1, 1, 1]);
-const pixelScale = () => devicePixelRatio * (motion.coarse ? 0.4 : 1);
+const pixelScale = () => devicePixelRatio * (motion.level === 2 ? 0.4 : 1);
 function drawScene() {
 const width = Math.max(1, Math.round(canvas.clientWidth * pixelScale())), height = Math.max(1, Math.round(canvas.clientHeight * pixelScale()));
 if (canvas.width !== width || canvas.height !== height) { canvas.width = width; canvas.height = height; }
-gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+const isSmooth = motion.level === 0;  // four samples a pixel
+if (isSmooth && (smoothBuffer?.width !== width || smoothBuffer.height !== height)) {
+if (smoothBuffer) { gl.deleteFramebuffer(smoothBuffer.frame); smoothBuffer.buffers.forEach((b) => gl.deleteRenderbuffer(b)); }
+smoothBuffer = framebuffer(Math.min(4, gl.getParameter(gl.MAX_SAMPLES)), width, height);
+}
+gl.bindFramebuffer(gl.FRAMEBUFFER, isSmooth ? smoothBuffer.frame : null);
 gl.viewport(0, 0, width, height);
 gl.clearColor(...paper(), 1);
 gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
 gl.enable(gl.DEPTH_TEST);
 gl.disable(gl.CULL_FACE);
-setCamera();
+++cameraChanges.count;
 const shown = things.filter((t) => t.visible), clear = (t) => t.opacity < 1;
 gl.disable(gl.BLEND);
 gl.depthMask(true);
@@ -1210,23 +1316,40 @@ for (const t of shown) for (const p of t.parts) if (clear(t) && p.role !== "arro
 }
 gl.disable(gl.CULL_FACE);
 gl.depthMask(true);
+if (isSmooth) {
+gl.bindFramebuffer(gl.READ_FRAMEBUFFER, smoothBuffer.frame);
+gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
+gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+}
 drawMarks();
 }
-const motion = { coarse: false, last: 0, slow: 0, timer: 0 };
+const motion = { level: 0, moving: 0, slow: 0, fast: 0, timer: 0 };
 function redrawMoving() {
-const now = performance.now(), time = now - motion.last;
-motion.last = now;
-if (time < 2000 && !motion.coarse) motion.slow = time > 80 ? motion.slow + 1 : 0;
-if (motion.slow >= 3) motion.coarse = true;
+motion.level = motion.moving;
 clearTimeout(motion.timer);
-motion.timer = setTimeout(() => { motion.coarse = false; redraw(); }, 300);
+motion.timer = setTimeout(() => { Object.assign(motion, { level: 0, timer: 0, slow: 0, fast: 0 }); redraw(); }, 300);
 redraw();
+}
+function adaptTo(time) {
+motion.slow = time > 80 ? motion.slow + 1 : 0;
+motion.fast = time < 25 ? motion.fast + 1 : 0;
+if (motion.slow < 3 && motion.fast < 60) return;
+motion.moving = Math.min(2, Math.max(0, motion.moving + (motion.slow ? 1 : -1)));
+motion.slow = motion.fast = 0;
 }
 let requested = false;
 function redraw() {
 if (requested) return;
 requested = true;
-requestAnimationFrame(() => { requested = false; followFingers(); if (!gl.isContextLost()) drawScene(); });
+requestAnimationFrame(() => {
+requested = false;
+followFingers();
+if (gl.isContextLost()) return;
+const begin = performance.now();
+drawScene();
+if (motion.timer) requestAnimationFrame(() => adaptTo(performance.now() - begin));
+});
 }
 let picked = null;    // { thing, kind, index, point }
 let measured = [];    // one or two points in units of the page
@@ -1238,7 +1361,7 @@ gl.clearColor(0, 0, 0, 0);
 gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
 gl.enable(gl.DEPTH_TEST);
 gl.disable(gl.BLEND);
-setCamera();
+++cameraChanges.count;
 const candidates = things.filter((t) => t.visible).flatMap((thing) => thing.parts.filter((p) => p.role !== "arrows").map((part) => ({ thing, part })));
 candidates.slice(0, 255).forEach(({ thing, part }, i) => drawPart(thing, part, i + 1));
 const rgba = new Uint8Array(4);
@@ -1286,7 +1409,8 @@ if (kind === "edge") return mesh.edges[2 * i] !== mesh.edges[2 * i + 1];
 return kind === "poly" ? mesh.hasPoly(i) : mesh.polygonStarts[i + 1] > mesh.polygonStarts[i];
 }
 function middleOf(mesh, kind, i) {
-const verts = kind === "vert" ? [i] : kind === "edge" ? [...mesh.edges.subarray(2 * i, 2 * i + 2)] : kind === "poly" ? mesh.vertsOfPoly(i) : [...mesh.cornersOf(i)];
+)page"),
+std::string_view(R"page(const verts = kind === "vert" ? [i] : kind === "edge" ? [...mesh.edges.subarray(2 * i, 2 * i + 2)] : kind === "poly" ? mesh.vertsOfPoly(i) : [...mesh.cornersOf(i)];
 return scaled(verts.map((v) => mesh.point(v)).reduce(add), 1 / verts.length);
 }
 function goTo(thing, kind, index) {
@@ -1326,8 +1450,7 @@ const rows = thing.fields.filter((f) => f.at === kind || f.at === "mesh").map((f
 if (!thing.mesh || (kind !== "poly" && kind !== "vert")) return rows;
 const beside = kind === "poly" ? thing.mesh.vertsOfPoly(index) : thing.mesh.polysOfVert(index);
 for (const f of thing.fields.filter((g) => g.at === "corner")) {
-)page"),
-std::string_view(R"page(const texts = beside.slice(0, 24).map((x) => `${x}: ${textAt(f, kind === "poly" ? thing.mesh.cornerAt(index, x) : thing.mesh.cornerAt(x, index))}`);
+const texts = beside.slice(0, 24).map((x) => `${x}: ${textAt(f, kind === "poly" ? thing.mesh.cornerAt(index, x) : thing.mesh.cornerAt(x, index))}`);
 rows.push([`${f.name}, by ${kind === "poly" ? "vert" : "poly"}`, texts.join("; ")]);
 }
 return rows;
@@ -1369,11 +1492,12 @@ showAreas();
 redraw();
 }
 const row = (...content) => make("div", { className: "row" }, ...content);
+const fittedRow = (...content) => make("div", { className: "row fitted" }, ...content);
 const labelled = (text, input) => make("label", {}, text, input);
 const checkbox = (text, value, set) => make("label", {}, make("input", { type: "checkbox", checked: value, onchange: (e) => set(e.target.checked) }), text);
 const slider = (text, value, low, high, step, set) => make("input", { type: "range", min: low, max: high, step, value, "aria-label": text,
 oninput: (e) => set(Number(e.target.value)) });
-const number = (text, value, set, step = "any") => make("input", { type: "number", step, value: Number.isFinite(value) ? Number(value.toPrecision(7)) : value, "aria-label": text,
+const number = (text, value, set, step = "any") => make("input", { type: "number", step, value: Number.isFinite(value) ? Number(value.toPrecision(5)) : value, "aria-label": text,
 onchange: (e) => { if (e.target.value !== "" && Number.isFinite(Number(e.target.value))) set(Number(e.target.value)); } });
 const select = (text, choices, value, set) => {
 const s = make("select", { "aria-label": text, onchange: (e) => set(e.target.value) }, ...choices.map(([v, name]) => make("option", { value: v, textContent: name, dir: "auto" })));
@@ -1416,7 +1540,7 @@ const maps = [...(thing.ownMap ? [["-1", "as in the program"]] : []), ...scene.m
 const low = thing.scale[0][0], high = thing.scale[thing.scale.length - 1][0];
 const range = (a, b) => { thing.setRange(a, b); fill(); changed("colors", thing); };
 return [row("map", select(`colour map of ${thing.name}`, maps, String(thing.map), (v) => { thing.map = Number(v); changed("map", thing); })),
-row("from", number("lowest value", low, (x) => range(x, Math.max(x, high))), "to", number("highest value", high, (x) => range(Math.min(low, x), x)),
+fittedRow("from", number("lowest value", low, (x) => range(x, Math.max(x, high))), "to", number("highest value", high, (x) => range(Math.min(low, x), x)),
 button("all", () => { thing.fitRange(); fill(); changed("colors", thing); }, "The range of all values")),
 row("bands", number("white bands", thing.bands, (x) => { thing.bands = Math.max(0, Math.round(x)); changed("view"); }, 1),
 "lines", number("iso-lines", thing.lines, (x) => { thing.lines = Math.max(0, Math.round(x)); changed("view"); }, 1))];
@@ -1430,7 +1554,7 @@ show();
 const parts = [row(checkbox(name, p.on, (x) => { p.on = x; redo(); }),
 slider(`place of the cut along ${name}`, p.t, 0, 1, 0.001, (x) => { p.t = x; p.on = true; parts[0].querySelector("input").checked = true; show(); redo(); }),
 value, checkbox("above", p.keepsAbove, (x) => { p.keepsAbove = x; redo(); }))];
-if (k === 3) parts.push(row(...[0, 1, 2].map((i) => number(`direction ${"xyz"[i]}`, slicing.direction[i], (x) => { slicing.direction[i] = x; show(); redo(); })),
+if (k === 3) parts.push(fittedRow(...[0, 1, 2].map((i) => number(`direction ${"xyz"[i]}`, slicing.direction[i], (x) => { slicing.direction[i] = x; show(); redo(); })),
 button("from view", () => { slicing.direction = camera.back.map((x) => Number(x.toPrecision(4))); showPanel(); redo(); }, "The direction to the viewer")));
 return parts;
 }
@@ -1443,7 +1567,7 @@ const fit = () => { [f.low, f.high] = rangeOf(fields[f.field].numbers); };
 if (!f.on) fit();
 const box = make("div"), fill = () => box.replaceChildren(
 row(checkbox("only polys with", f.on, (x) => { f.on = x; redo(); }), select("value of polys", fields.map((g, i) => [String(i), g.name]), String(f.field), (v) => { f.field = Number(v); fit(); fill(); redo(); })),
-row("from", number("lowest shown", f.low, (x) => { f.low = x; redo(); }), "to", number("highest shown", f.high, (x) => { f.high = x; redo(); })),
+fittedRow("from", number("lowest shown", f.low, (x) => { f.low = x; redo(); }), "to", number("highest shown", f.high, (x) => { f.high = x; redo(); })),
 row("or labels", make("input", { type: "text", value: f.labels, placeholder: "1 2 5", "aria-label": "labels shown", onchange: (e) => { f.labels = e.target.value; f.on = f.on || f.labels !== ""; fill(); redo(); } })));
 fill();
 parts.push(box);
@@ -1454,7 +1578,8 @@ function showAreas() {
 const areas = things.flatMap((t) => t.cutAreas ?? []), hidden = things.filter((t) => t.mesh && t.numShown !== undefined);
 const texts = hidden.map((t) => `${t.numShown} polys shown`);
 if (areas.length) texts.push(`area of the cut: ${areas.map((a) => textOf(a)).join(", ")}`);
-byId("areas")?.replaceChildren(texts.join("; "));
+)page"),
+std::string_view(R"page(byId("areas")?.replaceChildren(texts.join("; "));
 }
 function showPicked() {
 const box = byId("picked");
@@ -1488,8 +1613,7 @@ const meshes = things.filter((t) => t.mesh);
 panel.replaceChildren(
 section("Objects", true, ...(things.length ? things.map(thingControls) : [make("p", { className: "soft" }, "The scene is empty.")])),
 ...(meshes.length ? [section("Cuts", innerWidth > 700, row(select("kind of cut", [["", "whole polys"], ["exact", "cut exactly"]], slicing.exact ? "exact" : "",
-)page"),
-std::string_view(R"page((v) => { slicing.exact = v !== ""; changed("polygons"); })), ...[0, 1, 2, 3].flatMap(planeControls), make("p", { id: "areas", className: "soft" }), ...meshes.map(filterControls))] : []),
+(v) => { slicing.exact = v !== ""; changed("polygons"); })), ...[0, 1, 2, 3].flatMap(planeControls), make("p", { id: "areas", className: "soft" }), ...meshes.map(filterControls))] : []),
 section("Inspect", true, ...pickControls(), make("dl", { id: "picked" })),
 section("View", innerWidth > 700, ...viewControls()));
 showAreas();
@@ -1657,7 +1781,7 @@ for (const m of scene.maps) m.colors = numbersOf(m.colors);
 scene.labelColors = numbersOf(scene.label_colors);
 scene.reach = 1.2;
 things = scene.objects.map((data, i) => new Thing(data, i));
-makeProgram();
+startDrawing();
 if (innerWidth <= 700) togglePanel();
 resetCamera();
 takeView(location.hash);
@@ -1668,7 +1792,7 @@ redraw();
 }
 canvas.addEventListener("webglcontextlost", (e) => e.preventDefault());
 canvas.addEventListener("webglcontextrestored", () => {
-makeProgram();
+startDrawing();
 for (const t of things) { t.ball = null; t.picture = null; t.mapTexture = null; t.parts = []; sendThing(t); }
 redraw();
 });
