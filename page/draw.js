@@ -46,7 +46,7 @@ function drawPart(thing, part, pick) {
 const paper = () => (document.documentElement.dataset.theme === "dark" ? [0.09, 0.094, 0.11] : [1, 1, 1]);
 
 /// Pixels of the drawing for each of the page: fewer while the view moves if drawing is slow.
-const pixelScale = () => devicePixelRatio * (motion.level === 2 ? 0.4 : 1);
+const pixelScale = () => Math.min(2, devicePixelRatio) * (motion.level === 2 ? 0.4 : 1);
 
 function drawScene() {
   const width = Math.max(1, Math.round(canvas.clientWidth * pixelScale())), height = Math.max(1, Math.round(canvas.clientHeight * pixelScale()));
@@ -86,20 +86,25 @@ function drawScene() {
   drawMarks();
 }
 
-/// level 0: smooth edges; 1: one sample a pixel; 2: also fewer pixels. moving: the level while the view moves.
-const motion = { level: 0, moving: 0, slow: 0, fast: 0, timer: 0 };
+/// level 0: smooth edges; 1: one sample a pixel; 2: also fewer pixels. moving, rest: the level while the view moves, and when it rests.
+const motion = { level: 0, moving: 0, rest: 0, slow: 0, fast: 0, pictures: 0, timer: 0 };
 function redrawMoving() {
   motion.level = motion.moving;
   clearTimeout(motion.timer);
-  motion.timer = setTimeout(() => { Object.assign(motion, { level: 0, timer: 0, slow: 0, fast: 0 }); redraw(); }, 300);
+  motion.timer = setTimeout(() => { Object.assign(motion, { level: motion.rest, timer: 0, slow: 0, fast: 0 }); redraw(); }, 300);
   redraw();
 }
-/// Pictures that take longer than 80 ms are drawn at the next level while the view moves, until they take less than 25.
+/// While the view moves, pictures that take longer than 80 ms are drawn at the next level, until they take less than 25; at rest, those that
+/// take longer than a second. The first ones wait for programs.
 function adaptTo(time) {
+  if (++motion.pictures < 3) return;
+  if (motion.level === 0 && time > 1000) motion.rest = 1;
+  if (!motion.timer) return;
   motion.slow = time > 80 ? motion.slow + 1 : 0;
   motion.fast = time < 25 ? motion.fast + 1 : 0;
-  if (motion.slow < 3 && motion.fast < 60) return;
-  motion.moving = Math.min(2, Math.max(0, motion.moving + (motion.slow ? 1 : -1)));
+  if (motion.slow > 2 || time > 400) motion.moving = time > 400 ? 2 : Math.min(2, motion.moving + 1);
+  else if (motion.fast > 60) motion.moving = Math.max(0, motion.moving - 1);
+  else return;
   motion.slow = motion.fast = 0;
 }
 
@@ -114,6 +119,6 @@ function redraw() {
     if (gl.isContextLost()) return;
     const begin = performance.now();
     drawScene();
-    if (motion.timer) requestAnimationFrame(() => adaptTo(performance.now() - begin));
+    requestAnimationFrame(() => adaptTo(performance.now() - begin));
   });
 }

@@ -35,4 +35,4 @@ canvas.addEventListener("webglcontextrestored", () => {
 start();
 /// For programs that drive the page, such as tests.
 window.concino = { scene, camera, slicing, things: () => things, press, rotate, pickAt, pixelOf, halfHeight, describe, goTo, changed, drawScene,
-  planeOf, setTheme, motion, gl };
+  planeOf, setTheme, motion, redrawMoving, gl };

@@ -142,6 +142,15 @@ for (const e of expected.filter((x) => !process.argv[4] || x.page === process.ar
     await page.run(silhouette);
   });
 
+  await check(`${e.page}: fewer pixels while the view moves, all when it rests`, async () => {
+    await page.run(`concino.motion.moving = 2; concino.redrawMoving()`);
+    const width = () => page.run("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(concino.gl.drawingBufferWidth))))");
+    assert.equal(await width(), 256);
+    for (let i = 0; i < 100 && (await width()) !== 640; ++i) await new Promise((done) => setTimeout(done, 50));
+    assert.equal(await width(), 640);
+    assert.ok((await page.run(silhouette)).includes("1"));
+  });
+
   await check(`${e.page}: nothing on the console, no request`, async () => assert.deepEqual(page.messages, []));
   await page.close();
 }

@@ -1286,7 +1286,7 @@ gl.bindVertexArray(part.array);
 gl.drawArrays(gl.TRIANGLES, 0, part.count);
 }
 const paper = () => (document.documentElement.dataset.theme === "dark" ? [0.09, 0.094, 0.11] : [1, 1, 1]);
-const pixelScale = () => devicePixelRatio * (motion.level === 2 ? 0.4 : 1);
+const pixelScale = () => Math.min(2, devicePixelRatio) * (motion.level === 2 ? 0.4 : 1);
 function drawScene() {
 const width = Math.max(1, Math.round(canvas.clientWidth * pixelScale())), height = Math.max(1, Math.round(canvas.clientHeight * pixelScale()));
 if (canvas.width !== width || canvas.height !== height) { canvas.width = width; canvas.height = height; }
@@ -1324,18 +1324,22 @@ gl.bindFramebuffer(gl.FRAMEBUFFER, null);
 }
 drawMarks();
 }
-const motion = { level: 0, moving: 0, slow: 0, fast: 0, timer: 0 };
+const motion = { level: 0, moving: 0, rest: 0, slow: 0, fast: 0, pictures: 0, timer: 0 };
 function redrawMoving() {
 motion.level = motion.moving;
 clearTimeout(motion.timer);
-motion.timer = setTimeout(() => { Object.assign(motion, { level: 0, timer: 0, slow: 0, fast: 0 }); redraw(); }, 300);
+motion.timer = setTimeout(() => { Object.assign(motion, { level: motion.rest, timer: 0, slow: 0, fast: 0 }); redraw(); }, 300);
 redraw();
 }
 function adaptTo(time) {
+if (++motion.pictures < 3) return;
+if (motion.level === 0 && time > 1000) motion.rest = 1;
+if (!motion.timer) return;
 motion.slow = time > 80 ? motion.slow + 1 : 0;
 motion.fast = time < 25 ? motion.fast + 1 : 0;
-if (motion.slow < 3 && motion.fast < 60) return;
-motion.moving = Math.min(2, Math.max(0, motion.moving + (motion.slow ? 1 : -1)));
+if (motion.slow > 2 || time > 400) motion.moving = time > 400 ? 2 : Math.min(2, motion.moving + 1);
+else if (motion.fast > 60) motion.moving = Math.max(0, motion.moving - 1);
+else return;
 motion.slow = motion.fast = 0;
 }
 let requested = false;
@@ -1348,7 +1352,7 @@ followFingers();
 if (gl.isContextLost()) return;
 const begin = performance.now();
 drawScene();
-if (motion.timer) requestAnimationFrame(() => adaptTo(performance.now() - begin));
+requestAnimationFrame(() => adaptTo(performance.now() - begin));
 });
 }
 let picked = null;    // { thing, kind, index, point }
@@ -1406,11 +1410,11 @@ function hasElement(mesh, kind, i) {
 if (!(Number.isInteger(i) && i >= 0 && i < boundOf(mesh, kind))) return false;
 if (kind === "vert") return Number.isFinite(mesh.points[3 * i]);
 if (kind === "edge") return mesh.edges[2 * i] !== mesh.edges[2 * i + 1];
-return kind === "poly" ? mesh.hasPoly(i) : mesh.polygonStarts[i + 1] > mesh.polygonStarts[i];
+)page"),
+std::string_view(R"page(return kind === "poly" ? mesh.hasPoly(i) : mesh.polygonStarts[i + 1] > mesh.polygonStarts[i];
 }
 function middleOf(mesh, kind, i) {
-)page"),
-std::string_view(R"page(const verts = kind === "vert" ? [i] : kind === "edge" ? [...mesh.edges.subarray(2 * i, 2 * i + 2)] : kind === "poly" ? mesh.vertsOfPoly(i) : [...mesh.cornersOf(i)];
+const verts = kind === "vert" ? [i] : kind === "edge" ? [...mesh.edges.subarray(2 * i, 2 * i + 2)] : kind === "poly" ? mesh.vertsOfPoly(i) : [...mesh.cornersOf(i)];
 return scaled(verts.map((v) => mesh.point(v)).reduce(add), 1 / verts.length);
 }
 function goTo(thing, kind, index) {
@@ -1575,11 +1579,11 @@ parts.push(box);
 return make("fieldset", {}, ...parts);
 }
 function showAreas() {
-const areas = things.flatMap((t) => t.cutAreas ?? []), hidden = things.filter((t) => t.mesh && t.numShown !== undefined);
+)page"),
+std::string_view(R"page(const areas = things.flatMap((t) => t.cutAreas ?? []), hidden = things.filter((t) => t.mesh && t.numShown !== undefined);
 const texts = hidden.map((t) => `${t.numShown} polys shown`);
 if (areas.length) texts.push(`area of the cut: ${areas.map((a) => textOf(a)).join(", ")}`);
-)page"),
-std::string_view(R"page(byId("areas")?.replaceChildren(texts.join("; "));
+byId("areas")?.replaceChildren(texts.join("; "));
 }
 function showPicked() {
 const box = byId("picked");
@@ -1798,7 +1802,7 @@ redraw();
 });
 start();
 window.concino = { scene, camera, slicing, things: () => things, press, rotate, pickAt, pixelOf, halfHeight, describe, goTo, changed, drawScene,
-planeOf, setTheme, motion, gl };
+planeOf, setTheme, motion, redrawMoving, gl };
 })();
 </script>
 </body>
