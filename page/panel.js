@@ -53,7 +53,7 @@ function thingControls(thing) {
     if (f && f.width > 1) parts.push(row("show", select("component", componentsOf(f).map((c) => [c, c]), thing.component || componentsOf(f)[0],
       (c) => { thing.component = c; thing.fitRange(); fill(); changed("colors", thing); })));
     if (f && !f.labels) parts.push(...scaleControls(thing, fill));
-    const vectors = thing.fields.map((g, i) => [String(i), nameOfField(g), g]).filter(([, , g]) => g.numbers && (g.width === 2 || g.width === 3) && (g.at === "vert" || g.at === "poly"));
+    const vectors = thing.fields.map((g, i) => [String(i), nameOfField(g), g]).filter(([, , g]) => g.numbers && (g.width === 2 || g.width === 3) && (g.at === "vert" || g.at === "poly") && g.numbers !== thing.texture?.numbers);
     if (vectors.length) parts.push(row("arrows", select(`arrows of ${thing.name}`, [["", "none"], ...vectors], thing.arrows, (v) => { thing.arrows = v; changed("polygons", thing); })));
     return parts;
   };
@@ -116,7 +116,9 @@ function showPicked() {
   const rows = picked ? describe(picked) : [];
   if (measured.length === 2) rows.push(["distance", textOf(norm(sub(measured[0], measured[1])) * scene.radius)]);
   box.replaceChildren(...rows.flatMap(([name, value]) => [make("dt", { dir: "auto" }, name), make("dd", { dir: "auto" }, value)]));
-  say(picked ? rows.slice(0, 2).map(([, value]) => value).join(", ") : measured.length === 2 ? `${rows.at(-1)[0]} ${rows.at(-1)[1]}` : "");
+  const isolated = (text) => `\u2068${text.slice(0, 60)}\u2069`;  // its direction does not change that of the others
+  const values = picked ? valueRows(picked.thing, picked.kind, picked.index).slice(0, 4).map((r) => `, ${r.map(isolated).join(" ")}`) : [];
+  say(picked ? rows.slice(0, 2).map(([, value]) => isolated(value)).join(", ") + values.join("") : measured.length === 2 ? `${rows.at(-1)[0]} ${rows.at(-1)[1]}` : "");
 }
 
 function pickControls() {

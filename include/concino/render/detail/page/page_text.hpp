@@ -17,8 +17,8 @@ inline constexpr std::string_view page_start = R"page(
 <title>)page";
 inline constexpr std::string_view page_middle = R"page(</title>
 <style>
-:root { --paper: #ffffff; --ink: #1a1b1f; --soft: #5c5f68; --line: #d4d6dc; --box: #f6f7f9; --accent: #1c62b9; color-scheme: light; }
-:root[data-theme="dark"] { --paper: #17181c; --ink: #eceef2; --soft: #a4a8b3; --line: #3b3e47; --box: #22242a; --accent: #7db4ff;
+:root { --paper: #ffffff; --ink: #1a1b1f; --soft: #5c5f68; --line: #d4d6dc; --box: #f6f7f9; --accent: #1c62b9; --veil: #ffffffc0; color-scheme: light; }
+:root[data-theme="dark"] { --paper: #17181c; --ink: #eceef2; --soft: #a4a8b3; --line: #3b3e47; --box: #22242a; --accent: #7db4ff; --veil: #17181cc0;
 color-scheme: dark; }
 * { box-sizing: border-box; }
 html, body { margin: 0; height: 100%; overflow: hidden; background: var(--paper); color: var(--ink);
@@ -35,17 +35,18 @@ unicode-bidi: isolate; max-width: 60%; overflow: hidden; text-overflow: ellipsis
 #title { position: absolute; top: 10px; left: 14px; margin: 0; font-size: 18px; font-weight: 600; max-width: calc(100% - 28px);
 overflow: hidden; text-overflow: ellipsis; white-space: nowrap; pointer-events: none; unicode-bidi: isolate; }
 #message { position: absolute; left: 14px; bottom: 10px; margin: 0; color: var(--soft); max-width: calc(100% - 28px); pointer-events: none; }
-#legend { position: absolute; left: 14px; top: 46px; margin: 0; display: flex; gap: 6px; pointer-events: none; }
+#legend { position: absolute; left: 14px; top: 46px; margin: 0; display: grid; grid-template-columns: auto 1fr; gap: 6px; pointer-events: none; }
 #legend[hidden] { display: none; }
-#legend figcaption { position: absolute; top: -2px; left: 0; white-space: nowrap; unicode-bidi: isolate; }
-#legend canvas { margin-top: 24px; width: 16px; height: 200px; border: 1px solid var(--line); }
-#legend .ticks { position: relative; margin-top: 24px; height: 200px; min-width: 64px; }
+#legend figcaption, #legend ul, #legend p { grid-column: 1 / -1; margin: 0; max-width: 40vw; overflow: hidden; text-overflow: ellipsis;
+white-space: nowrap; unicode-bidi: isolate; }
+#legend canvas { width: 16px; height: 200px; border: 1px solid var(--line); }
+#legend .ticks { position: relative; height: 200px; min-width: 64px; }
 #legend .ticks span { position: absolute; transform: translateY(-50%); white-space: nowrap; }
 #legend .ticks span::before { content: ""; display: inline-block; width: 5px; height: 1px; margin-right: 4px; background: var(--ink);
 vertical-align: middle; }
-#legend ul { list-style: none; margin: 24px 0 0; padding: 0; max-height: 50vh; overflow: hidden; }
-#legend p { position: absolute; top: 100%; margin: 4px 0 0; white-space: nowrap; }
+#legend ul { list-style: none; padding: 0; max-height: 50vh; }
 #legend li i, #legend p i { display: inline-block; width: 12px; height: 12px; margin-right: 6px; vertical-align: -1px; }
+#legend, #title:not(:empty), #message:not(:empty) { background: var(--veil); box-shadow: 0 0 0 5px var(--veil); border-radius: 2px; }
 #toggle { position: absolute; top: 10px; right: 14px; z-index: 2; }
 #panel { position: absolute; top: 0; right: 0; bottom: 0; width: 300px; padding: 0 14px 14px; overflow: auto; background: var(--box);
 border-left: 1px solid var(--line); border-top: 48px solid var(--box); }
@@ -1532,7 +1533,7 @@ const f = thing.field;
 if (f && f.width > 1) parts.push(row("show", select("component", componentsOf(f).map((c) => [c, c]), thing.component || componentsOf(f)[0],
 (c) => { thing.component = c; thing.fitRange(); fill(); changed("colors", thing); })));
 if (f && !f.labels) parts.push(...scaleControls(thing, fill));
-const vectors = thing.fields.map((g, i) => [String(i), nameOfField(g), g]).filter(([, , g]) => g.numbers && (g.width === 2 || g.width === 3) && (g.at === "vert" || g.at === "poly"));
+const vectors = thing.fields.map((g, i) => [String(i), nameOfField(g), g]).filter(([, , g]) => g.numbers && (g.width === 2 || g.width === 3) && (g.at === "vert" || g.at === "poly") && g.numbers !== thing.texture?.numbers);
 if (vectors.length) parts.push(row("arrows", select(`arrows of ${thing.name}`, [["", "none"], ...vectors], thing.arrows, (v) => { thing.arrows = v; changed("polygons", thing); })));
 return parts;
 };
@@ -1591,7 +1592,9 @@ if (!box) return;
 const rows = picked ? describe(picked) : [];
 if (measured.length === 2) rows.push(["distance", textOf(norm(sub(measured[0], measured[1])) * scene.radius)]);
 box.replaceChildren(...rows.flatMap(([name, value]) => [make("dt", { dir: "auto" }, name), make("dd", { dir: "auto" }, value)]));
-say(picked ? rows.slice(0, 2).map(([, value]) => value).join(", ") : measured.length === 2 ? `${rows.at(-1)[0]} ${rows.at(-1)[1]}` : "");
+const isolated = (text) => `\u2068${text.slice(0, 60)}\u2069`;  // its direction does not change that of the others
+const values = picked ? valueRows(picked.thing, picked.kind, picked.index).slice(0, 4).map((r) => `, ${r.map(isolated).join(" ")}`) : [];
+say(picked ? rows.slice(0, 2).map(([, value]) => isolated(value)).join(", ") + values.join("") : measured.length === 2 ? `${rows.at(-1)[0]} ${rows.at(-1)[1]}` : "");
 }
 function pickControls() {
 const meshes = things.filter((t) => t.mesh);
