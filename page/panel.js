@@ -76,9 +76,9 @@ function planeControls(k) {
   const p = slicing.planes[k], name = ["x", "y", "z", "any"][k];
   const redo = () => changed(slicing.exact && !things.some((t) => t.mesh?.isVolume) ? "view" : "polygons");
   const value = make("output", { className: "soft", id: `offset${k}` });
-  const show = () => { const { offset } = planeOf(k); value.textContent = textOf(Number((p.keepsAbove ? -offset : offset).toPrecision(5))); };
+  const show = () => { const { offset } = planeOf(k); value.textContent = textOf(Math.abs(offset) < 1e-9 * scene.radius ? 0 : Number((p.keepsAbove ? -offset : offset).toPrecision(5))); };
   show();
-  const parts = [row(checkbox(name, p.on, (x) => { p.on = x; redo(); }),
+  const parts = [fittedRow(checkbox(name, p.on, (x) => { p.on = x; redo(); }),
     slider(`place of the cut along ${name}`, p.t, 0, 1, 0.001, (x) => { p.t = x; p.on = true; parts[0].querySelector("input").checked = true; show(); redo(); }),
     value, checkbox("above", p.keepsAbove, (x) => { p.keepsAbove = x; redo(); }))];
   if (k === 3) parts.push(fittedRow(...[0, 1, 2].map((i) => number(`direction ${"xyz"[i]}`, slicing.direction[i], (x) => { slicing.direction[i] = x; show(); redo(); })),

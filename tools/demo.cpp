@@ -1,5 +1,5 @@
 // A harmonic field between two far ends of any mesh, its picture and its page:  concino_demo [--print] mesh picture.png [field.txt]
-// With --print, the picture has 9 samples a pixel and soft light; without, 4 samples, in a few seconds.
+// With --print, the picture has 9 samples a pixel; without, 4, in a few seconds.
 
 #include <concino/core/terminal_progress.hpp>
 #include <concino/fields.hpp>
@@ -151,7 +151,7 @@ cn::scene scene_of(const M& m, const U& u, const std::vector<far_ends<M>>& ends)
 
 cn::image picture_of(const cn::scene& scene, bool for_print, const cn::progress& progress) {
   cn::render_options options;
-  if (!for_print) options.samples = 2, options.occlusion_rays = 12;
+  if (!for_print) options.samples = 2, options.occlusion_rays = 8;
   options.progress = progress;
   const double aspect = static_cast<double>(options.width) / static_cast<double>(options.height);
   options.camera = cn::best_view(scene.drawables(), aspect, {}, ray_tracer{});
