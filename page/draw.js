@@ -116,7 +116,7 @@ function redraw() {
   requestAnimationFrame(() => {
     requested = false;
     followFingers();
-    if (gl.isContextLost()) return;
+    if (!gl || gl.isContextLost()) return;
     const begin = performance.now();
     drawScene();
     requestAnimationFrame(() => adaptTo(performance.now() - begin));

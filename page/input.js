@@ -63,13 +63,13 @@ function followFingers() {
 
 /// Moves what is at a pixel to the middle.
 function center(x, y) {
-  const hit = triangleAt(x, y);
+  const hit = gl && triangleAt(x, y);
   if (hit) camera.target = pointOn(hit, x, y);
   redraw();
 }
 
 function click(x, y, measures) {
-  const found = pickAt(x, y, wanted);
+  const found = gl && pickAt(x, y, wanted);
   if (measures) {
     if (found) measured = measured.length === 1 ? [measured[0], found.point] : [found.point];
     if (measured.length === 1) say("Shift and click on another point");
@@ -87,6 +87,7 @@ function setTheme(dark) {
 }
 
 function savePicture() {
+  if (!gl) return;
   drawScene();
   canvas.toBlob((blob) => {
     const link = make("a", { href: URL.createObjectURL(blob), download: "picture.png" });

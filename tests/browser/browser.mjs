@@ -34,7 +34,8 @@ export async function startBrowser(program) {
   });
 
   return {
-    async open(url, width = 640, height = 480) {
+    /// before: a script that runs before those of the page.
+    async open(url, width = 640, height = 480, before = "") {
       const { targetId } = await send("Target.createTarget", { url: "about:blank" });
       const { sessionId } = await send("Target.attachToTarget", { targetId, flatten: true });
       const messages = [], call = (method, params) => send(method, params, sessionId);
@@ -50,6 +51,7 @@ export async function startBrowser(program) {
       });
       for (const domain of ["Page", "Runtime", "Log", "Network"]) await call(`${domain}.enable`);
       await call("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: 1, mobile: width < 500 });
+      if (before) await call("Page.addScriptToEvaluateOnNewDocument", { source: before });
       await call("Page.navigate", { url });
       await isLoaded;
       const page = {

@@ -18,7 +18,9 @@ export async function check(name, body) {
   }
 }
 
-export const open = (name, width, height) => browser.open(pathToFileURL(resolve(folder, `${name}.html`)).href, width, height);
+/// more: { hash, before }
+export const open = (name, width, height, more = {}) =>
+  browser.open(pathToFileURL(resolve(folder, `${name}.html`)).href + (more.hash ?? ""), width, height, more.before);
 
 /// Which pixels of the drawing are not background: rows of 0 and 1, as pages.cpp writes them.
 export const silhouette = `(() => {

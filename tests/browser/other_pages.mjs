@@ -37,6 +37,18 @@ for (const name of ["strings", "empty", "large", "small", "one", "no_values"]) {
   await page.close();
 }
 
+{
+  const page = await open("one", 640, 480, { before: "HTMLCanvasElement.prototype.getContext = () => null" });
+  await check("without WebGL 2, the page says so", async () => {
+    assert.ok((await page.run(`document.getElementById("message").textContent`)).includes("WebGL 2"));
+    for (const key of ["1", "p", "r", "ArrowLeft", "s", "d"]) await page.key(key);
+    await page.click(320, 240);
+    await page.run("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))");
+    assert.deepEqual(page.messages, []);
+  });
+  await page.close();
+}
+
 // Textures: of red, green and blue the same is strongest, but at pixels beside others.
 for (const name of ["squares", "lines", "picture", "clamped", "volume"]) {
   const page = await open(`texture_${name}`), traced = readFileSync(join(folder, `texture_${name}.txt`), "utf8").trim().split("\n");

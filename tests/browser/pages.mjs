@@ -55,6 +55,26 @@ for (const e of expected.filter((x) => !process.argv[4] || x.page === process.ar
     assert.equal(await page.run(`${thing}.numShown`), e.polys);
   });
 
+  await check(`${e.page}: polys by label and by value`, async () => {
+    const shown = (isShown) => Array.from({ length: e.polys }, (_, i) => i % 7).filter(isShown).length;
+    await page.run(set("labels shown", "1 2"));
+    assert.equal(await page.run(`${thing}.numShown`), shown((x) => x === 1 || x === 2));
+    await page.run(set("labels shown", ""));
+    await page.run(set("lowest shown", 4));
+    assert.equal(await page.run(`${thing}.numShown`), shown((x) => x >= 4));
+    await page.run(`${thing}.filter.on = false; concino.changed("polygons")`);
+  });
+
+  await check(`${e.page}: Shift and clicks measure a distance`, async () => {
+    const [from, to, length] = await page.run(`(() => { const { mesh } = ${thing}, verts = [...mesh.cornersOf(${e.element})].map((v) => mesh.point(v));
+      const mean = [0, 1, 2].map((k) => verts.reduce((sum, v) => sum + v[k], 0) / verts.length), half = mean.map((x, k) => x / 2 + verts[0][k] / 2);
+      return [concino.pixelOf(mean), concino.pixelOf(half), Math.hypot(...mean.map((x, k) => x - half[k])) * concino.scene.radius]; })()`);
+    for (const [x, y] of [from, to]) await page.click(x, y, { modifiers: 8 });
+    const text = await page.run(`document.getElementById("picked").textContent`), distance = Number(/distance([-.0-9e]+)$/.exec(text)?.[1]);
+    assert.ok(Math.abs(distance / length - 1) < 0.06, `${text}, not ${length}`);
+    await page.key("Escape");
+  });
+
   await check(`${e.page}: an exact cut has the area of slice`, async () => {
     await page.run(set("kind of cut", "exact"));
     await page.run(set("place of the cut along z", 0.3));
@@ -76,6 +96,11 @@ for (const e of expected.filter((x) => !process.argv[4] || x.page === process.ar
     const before = await page.run("concino.camera.distance");
     await page.key("+");
     assert.ok((await page.run("concino.camera.distance")) < before);
+    await page.key("v");
+    const hash = await page.run("location.hash"), copy = await open(e.page, 640, 480, { hash });
+    const backs = [await page.run("concino.camera.back"), await copy.run("concino.camera.back")];
+    assert.ok([0, 1, 2].every((k) => Math.abs(backs[0][k] - backs[1][k]) < 1e-6), hash);
+    await copy.close();
     await page.key("r");
     assert.equal(await page.run("concino.camera.parallel"), parallel);
   });

@@ -6,6 +6,7 @@ import { pathToFileURL } from "node:url";
 import { startBrowser } from "./browser.mjs";
 
 const [, , program, file] = process.argv, browser = await startBrowser(program);
+await (await browser.open("about:blank")).close();  // the browser has started
 const begin = performance.now(), page = await browser.open(pathToFileURL(resolve(file)).href, 1280, 800);
 // Reading a pixel waits for the picture.
 const draw = `(() => { concino.drawScene(); concino.gl.readPixels(0, 0, 1, 1, concino.gl.RGBA, concino.gl.UNSIGNED_BYTE, new Uint8Array(4)); })()`;

@@ -1351,7 +1351,7 @@ requested = true;
 requestAnimationFrame(() => {
 requested = false;
 followFingers();
-if (gl.isContextLost()) return;
+if (!gl || gl.isContextLost()) return;
 const begin = performance.now();
 drawScene();
 requestAnimationFrame(() => adaptTo(performance.now() - begin));
@@ -1705,12 +1705,12 @@ if (grip.size > 0 && now.size > 0) zoom(grip.size / now.size, now.x, now.y);
 grip = now;
 }
 function center(x, y) {
-const hit = triangleAt(x, y);
+const hit = gl && triangleAt(x, y);
 if (hit) camera.target = pointOn(hit, x, y);
 redraw();
 }
 function click(x, y, measures) {
-const found = pickAt(x, y, wanted);
+const found = gl && pickAt(x, y, wanted);
 if (measures) {
 if (found) measured = measured.length === 1 ? [measured[0], found.point] : [found.point];
 if (measured.length === 1) say("Shift and click on another point");
@@ -1726,6 +1726,7 @@ document.documentElement.dataset.theme = dark ? "dark" : "light";
 redraw();
 }
 function savePicture() {
+if (!gl) return;
 drawScene();
 canvas.toBlob((blob) => {
 const link = make("a", { href: URL.createObjectURL(blob), download: "picture.png" });
