@@ -6,9 +6,9 @@ function drawPart(thing, part, pick) {
   const hasValues = thing.field && !isArrow && !thing.edgesHaveValues, isPainted = thing.chosen === "painted" && isSurface;
   const isFlat = thing.flat || !isSurface, hasEdges = thing.wire && !isArrow, hasSides = hasEdges && isSurface && thing.edgesHaveValues;
   const texture = thing.textured && isSurface ? thing.texture : null;
-  const needed = pick ? { PICK: true, CUTS: cuts, PLACE: cuts } : { CUTS: cuts, PLACE: cuts || isFlat, SMOOTH: !isFlat, VALUES: hasValues, PAINT: !hasValues && isPainted,
-    LINES: hasValues && !thing.isLabels && thing.bands + thing.lines > 0, EDGES: hasEdges, SIDES: hasSides, BITS: hasEdges || !(hasValues || isPainted),
-    TEXTURE: texture, BALL: thing.ball };
+  const needed = pick ? { PICK: true, CUTS: cuts, PLACE: cuts } : { CUTS: cuts, PLACE: cuts || isFlat, SMOOTH: !isFlat, VALUES: hasValues,
+    PAINT: !hasValues && isPainted, LINES: hasValues && !thing.isLabels && thing.bands + thing.lines > 0, EDGES: hasEdges, SIDES: hasSides,
+    BITS: hasEdges || !(hasValues || isPainted), TEXTURE: texture, BALL: thing.ball };
   const { program, uniforms: u } = usedProgram(Object.keys(needed).filter((name) => needed[name]).join(" "));
   gl.uniform1i(u.cuts, cuts);
   gl.uniform1i(u.picking, pick ? pick : 0);
@@ -39,8 +39,7 @@ function drawPart(thing, part, pick) {
     });
     gl.activeTexture(gl.TEXTURE0);
   }
-  gl.bindVertexArray(part.array);
-  gl.drawArrays(gl.TRIANGLES, 0, part.count);
+  part.draw(!pick && motion.level === 2 && isSurface && part.count > motion.manyCorners);
 }
 
 const paper = () => (document.documentElement.dataset.theme === "dark" ? [0.09, 0.094, 0.11] : [1, 1, 1]);
@@ -86,8 +85,9 @@ function drawScene() {
   drawMarks();
 }
 
-/// level 0: smooth edges; 1: one sample a pixel; 2: also fewer pixels. moving, rest: the level while the view moves, and when it rests.
-const motion = { level: 0, moving: 0, rest: 0, slow: 0, fast: 0, pictures: 0, timer: 0 };
+/// level 0: smooth edges; 1: one sample a pixel; 2: also fewer pixels, and of many triangles fewer.
+/// moving, rest: the level while the view moves, and when it rests.
+const motion = { level: 0, moving: 0, rest: 0, slow: 0, fast: 0, pictures: 0, timer: 0, manyCorners: 60000 };
 function redrawMoving() {
   motion.level = motion.moving;
   clearTimeout(motion.timer);

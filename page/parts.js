@@ -72,8 +72,49 @@ class Part {
     while (high - low > 1) { const m = (low + high) >> 1; if (this.list.starts[m] <= c) low = m; else high = m; }
     return low;
   }
+  /// For pictures while the view moves: points at the first one in each cell of a grid, and the triangles whose points remain three.
+  get coarse() {
+    if (this.coarseBuffers) return this.coarseBuffers;
+    const { list, count } = this, firstIn = new Int32Array(65 ** 3).fill(-1), moved = new Int32Array(list.points.length / 3).fill(-1);
+    const cell = (x) => Math.min(64, Math.max(0, Math.floor(32 * x + 32)));
+    const pointAt = (v) => {
+      const key = (cell(list.points[3 * v]) * 65 + cell(list.points[3 * v + 1])) * 65 + cell(list.points[3 * v + 2]);
+      return (firstIn[key] = firstIn[key] < 0 ? v : firstIn[key]);
+    };
+    const position = new Float32Array(3 * count), left = [], at = [0, 0, 0];
+    for (let i = 0; i < count; i += 3) {
+      for (let k = i; k < i + 3; ++k) {
+        const v = list.corners[list.triangles[k]];
+        if (moved[v] < 0) moved[v] = pointAt(v);
+        at[k - i] = moved[v];
+        for (let j = 0; j < 3; ++j) position[3 * k + j] = list.points[3 * moved[v] + j];
+      }
+      if (at[0] !== at[1] && at[1] !== at[2] && at[2] !== at[0]) left.push(i, i + 1, i + 2);
+    }
+    const [points, corners] = [gl.createBuffer(), gl.createBuffer()];
+    gl.bindVertexArray(null);
+    gl.bindBuffer(gl.ARRAY_BUFFER, points);
+    gl.bufferData(gl.ARRAY_BUFFER, position, gl.STATIC_DRAW);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, corners);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, Uint32Array.from(left), gl.STATIC_DRAW);
+    return (this.coarseBuffers = { points, corners, count: left.length });
+  }
+  /// isCoarse: few triangles are enough.
+  draw(isCoarse) {
+    const coarse = isCoarse ? this.coarse : null, place = (buffer) => {
+      gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+      gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
+    };
+    gl.bindVertexArray(this.array);
+    if (!coarse) return gl.drawArrays(gl.TRIANGLES, 0, this.count);
+    place(coarse.points);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, coarse.corners);
+    gl.drawElements(gl.TRIANGLES, coarse.count, gl.UNSIGNED_INT, 0);
+    place(this.buffers[0]);
+  }
   free() {
     for (const b of this.buffers) gl.deleteBuffer(b);
+    if (this.coarseBuffers) for (const b of [this.coarseBuffers.points, this.coarseBuffers.corners]) gl.deleteBuffer(b);
     gl.deleteVertexArray(this.array);
   }
 }

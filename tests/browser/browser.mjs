@@ -68,6 +68,11 @@ export async function startBrowser(program) {
         async touch(type, ...fingers) {
           await call("Input.dispatchTouchEvent", { type, touchPoints: fingers.map(([x, y], id) => ({ x, y, id })) });
         },
+        /// Two taps a tenth of a second after each other.
+        async doubleTap(x, y) {
+          const now = Date.now() / 1000, at = (type, after, touchPoints) => call("Input.dispatchTouchEvent", { type, touchPoints, timestamp: now + after });
+          await Promise.all([0, 0.1].flatMap((t) => [at("touchStart", t, [{ x, y }]), at("touchEnd", t + 0.05, [])]));
+        },
         async key(key) { await call("Input.dispatchKeyEvent", { type: "keyDown", key, text: key.length === 1 ? key : undefined }); await call("Input.dispatchKeyEvent", { type: "keyUp", key }); },
         async close() { await send("Target.closeTarget", { targetId }); },
       };

@@ -148,7 +148,7 @@ for (const e of expected.filter((x) => !process.argv[4] || x.page === process.ar
     await page.touch("touchEnd");
 
     await page.key("r");
-    for (const type of ["touchStart", "touchEnd", "touchStart", "touchEnd"]) await page.touch(type, ...(type === "touchStart" ? [[e.x, e.y]] : []));
+    await page.doubleTap(e.x, e.y);
     const centred = await changed(start), back = await page.run(`concino.pixelOf(${JSON.stringify(centred.target)})`);
     assert.notDeepEqual(centred.target, start.target);
     assert.ok(Math.hypot(back[0] - 320, back[1] - 240) < 1e-6);
@@ -168,6 +168,12 @@ for (const e of expected.filter((x) => !process.argv[4] || x.page === process.ar
   });
 
   await check(`${e.page}: fewer pixels while the view moves, all when it rests`, async () => {
+    const count = async () => (await page.run(silhouette)).split("1").length, all = await count();
+    for (const corners of [60000, 0]) {  // all triangles, and fewer
+      await page.run(`concino.motion.level = 2; concino.motion.manyCorners = ${corners}`);
+      const few = (await count()) / 0.16;
+      assert.ok(Math.abs(few / all - 1) < 0.06, `${few} instead of ${all}`);
+    }
     await page.run(`concino.motion.moving = 2; concino.redrawMoving()`);
     const width = () => page.run("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(concino.gl.drawingBufferWidth))))");
     assert.equal(await width(), 256);

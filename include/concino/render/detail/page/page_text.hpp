@@ -1193,8 +1193,47 @@ let low = 0, high = this.list.count;
 while (high - low > 1) { const m = (low + high) >> 1; if (this.list.starts[m] <= c) low = m; else high = m; }
 return low;
 }
+get coarse() {
+if (this.coarseBuffers) return this.coarseBuffers;
+const { list, count } = this, firstIn = new Int32Array(65 ** 3).fill(-1), moved = new Int32Array(list.points.length / 3).fill(-1);
+const cell = (x) => Math.min(64, Math.max(0, Math.floor(32 * x + 32)));
+const pointAt = (v) => {
+const key = (cell(list.points[3 * v]) * 65 + cell(list.points[3 * v + 1])) * 65 + cell(list.points[3 * v + 2]);
+return (firstIn[key] = firstIn[key] < 0 ? v : firstIn[key]);
+};
+const position = new Float32Array(3 * count), left = [], at = [0, 0, 0];
+for (let i = 0; i < count; i += 3) {
+for (let k = i; k < i + 3; ++k) {
+const v = list.corners[list.triangles[k]];
+if (moved[v] < 0) moved[v] = pointAt(v);
+at[k - i] = moved[v];
+for (let j = 0; j < 3; ++j) position[3 * k + j] = list.points[3 * moved[v] + j];
+}
+if (at[0] !== at[1] && at[1] !== at[2] && at[2] !== at[0]) left.push(i, i + 1, i + 2);
+}
+const [points, corners] = [gl.createBuffer(), gl.createBuffer()];
+gl.bindVertexArray(null);
+gl.bindBuffer(gl.ARRAY_BUFFER, points);
+gl.bufferData(gl.ARRAY_BUFFER, position, gl.STATIC_DRAW);
+gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, corners);
+gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, Uint32Array.from(left), gl.STATIC_DRAW);
+return (this.coarseBuffers = { points, corners, count: left.length });
+}
+draw(isCoarse) {
+const coarse = isCoarse ? this.coarse : null, place = (buffer) => {
+gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
+};
+gl.bindVertexArray(this.array);
+if (!coarse) return gl.drawArrays(gl.TRIANGLES, 0, this.count);
+place(coarse.points);
+gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, coarse.corners);
+gl.drawElements(gl.TRIANGLES, coarse.count, gl.UNSIGNED_INT, 0);
+place(this.buffers[0]);
+}
 free() {
 for (const b of this.buffers) gl.deleteBuffer(b);
+if (this.coarseBuffers) for (const b of [this.coarseBuffers.points, this.coarseBuffers.corners]) gl.deleteBuffer(b);
 gl.deleteVertexArray(this.array);
 }
 }
@@ -1251,9 +1290,9 @@ const cuts = slicing.exact ? planesOn().reduce((bits, { k }) => bits | (k === pa
 const hasValues = thing.field && !isArrow && !thing.edgesHaveValues, isPainted = thing.chosen === "painted" && isSurface;
 const isFlat = thing.flat || !isSurface, hasEdges = thing.wire && !isArrow, hasSides = hasEdges && isSurface && thing.edgesHaveValues;
 const texture = thing.textured && isSurface ? thing.texture : null;
-const needed = pick ? { PICK: true, CUTS: cuts, PLACE: cuts } : { CUTS: cuts, PLACE: cuts || isFlat, SMOOTH: !isFlat, VALUES: hasValues, PAINT: !hasValues && isPainted,
-LINES: hasValues && !thing.isLabels && thing.bands + thing.lines > 0, EDGES: hasEdges, SIDES: hasSides, BITS: hasEdges || !(hasValues || isPainted),
-TEXTURE: texture, BALL: thing.ball };
+const needed = pick ? { PICK: true, CUTS: cuts, PLACE: cuts } : { CUTS: cuts, PLACE: cuts || isFlat, SMOOTH: !isFlat, VALUES: hasValues,
+PAINT: !hasValues && isPainted, LINES: hasValues && !thing.isLabels && thing.bands + thing.lines > 0, EDGES: hasEdges, SIDES: hasSides,
+BITS: hasEdges || !(hasValues || isPainted), TEXTURE: texture, BALL: thing.ball };
 const { program, uniforms: u } = usedProgram(Object.keys(needed).filter((name) => needed[name]).join(" "));
 gl.uniform1i(u.cuts, cuts);
 gl.uniform1i(u.picking, pick ? pick : 0);
@@ -1284,8 +1323,7 @@ gl.bindTexture(gl.TEXTURE_2D, t ?? null);
 });
 gl.activeTexture(gl.TEXTURE0);
 }
-gl.bindVertexArray(part.array);
-gl.drawArrays(gl.TRIANGLES, 0, part.count);
+part.draw(!pick && motion.level === 2 && isSurface && part.count > motion.manyCorners);
 }
 const paper = () => (document.documentElement.dataset.theme === "dark" ? [0.09, 0.094, 0.11] : [1, 1, 1]);
 const pixelScale = () => Math.min(2, devicePixelRatio) * (motion.level === 2 ? 0.4 : 1);
@@ -1326,7 +1364,7 @@ gl.bindFramebuffer(gl.FRAMEBUFFER, null);
 }
 drawMarks();
 }
-const motion = { level: 0, moving: 0, rest: 0, slow: 0, fast: 0, pictures: 0, timer: 0 };
+const motion = { level: 0, moving: 0, rest: 0, slow: 0, fast: 0, pictures: 0, timer: 0, manyCorners: 60000 };
 function redrawMoving() {
 motion.level = motion.moving;
 clearTimeout(motion.timer);
@@ -1388,7 +1426,8 @@ function nearestOnEdge(a, b, p) {
 const d = sub(b, a), t = dot(d, d) > 0 ? Math.min(1, Math.max(0, dot(sub(p, a), d) / dot(d, d))) : 0;
 return mix(a, b, t);
 }
-function pickAt(x, y, wanted = "any") {
+)page"),
+std::string_view(R"page(function pickAt(x, y, wanted = "any") {
 const hit = triangleAt(x, y);
 if (!hit) return null;
 const { thing, part } = hit, { list } = part, mesh = thing.mesh, point = pointOn(hit, x, y), polygon = list.polygonOf[hit.triangle];
@@ -1412,8 +1451,7 @@ function hasElement(mesh, kind, i) {
 if (!(Number.isInteger(i) && i >= 0 && i < boundOf(mesh, kind))) return false;
 if (kind === "vert") return Number.isFinite(mesh.points[3 * i]);
 if (kind === "edge") return mesh.edges[2 * i] !== mesh.edges[2 * i + 1];
-)page"),
-std::string_view(R"page(return kind === "poly" ? mesh.hasPoly(i) : mesh.polygonStarts[i + 1] > mesh.polygonStarts[i];
+return kind === "poly" ? mesh.hasPoly(i) : mesh.polygonStarts[i + 1] > mesh.polygonStarts[i];
 }
 function middleOf(mesh, kind, i) {
 const verts = kind === "vert" ? [i] : kind === "edge" ? [...mesh.edges.subarray(2 * i, 2 * i + 2)] : kind === "poly" ? mesh.vertsOfPoly(i) : [...mesh.cornersOf(i)];
@@ -1555,7 +1593,8 @@ function planeControls(k) {
 const p = slicing.planes[k], name = ["x", "y", "z", "any"][k];
 const redo = () => changed(slicing.exact && !things.some((t) => t.mesh?.isVolume) ? "view" : "polygons");
 const value = make("output", { className: "soft", id: `offset${k}` });
-const show = () => { const { offset } = planeOf(k); value.textContent = textOf(Math.abs(offset) < 1e-9 * scene.radius ? 0 : Number((p.keepsAbove ? -offset : offset).toPrecision(5))); };
+)page"),
+std::string_view(R"page(const show = () => { const { offset } = planeOf(k); value.textContent = textOf(Math.abs(offset) < 1e-9 * scene.radius ? 0 : Number((p.keepsAbove ? -offset : offset).toPrecision(5))); };
 show();
 const parts = [fittedRow(checkbox(name, p.on, (x) => { p.on = x; redo(); }),
 slider(`place of the cut along ${name}`, p.t, 0, 1, 0.001, (x) => { p.t = x; p.on = true; parts[0].querySelector("input").checked = true; show(); redo(); }),
@@ -1581,8 +1620,7 @@ parts.push(box);
 return make("fieldset", {}, ...parts);
 }
 function showAreas() {
-)page"),
-std::string_view(R"page(const areas = things.flatMap((t) => t.cutAreas ?? []), hidden = things.filter((t) => t.mesh && t.numShown !== undefined);
+const areas = things.flatMap((t) => t.cutAreas ?? []), hidden = things.filter((t) => t.mesh && t.numShown !== undefined);
 const texts = hidden.map((t) => `${t.numShown} polys shown`);
 if (areas.length) texts.push(`area of the cut: ${areas.map((a) => textOf(a)).join(", ")}`);
 byId("areas")?.replaceChildren(texts.join("; "));
@@ -1773,7 +1811,8 @@ e.preventDefault();
 redraw();
 });
 byId("toggle").addEventListener("click", togglePanel);
-addEventListener("resize", redraw);
+)page"),
+std::string_view(R"page(addEventListener("resize", redraw);
 addEventListener("hashchange", () => { if (takeView(location.hash)) redraw(); });
 let things = [];
 function start() {
