@@ -24,6 +24,7 @@ function drawPart(thing, part, pick) {
     gl.uniform1i(u.num_knots, knots.length);
     gl.uniform1f(u.bands, thing.bands);
     gl.uniform1f(u.lines, thing.lines);
+    gl.uniform2f(u.band_widths ?? null, look.band_width / 2, look.band_limit / 2 * canvas.height);
     gl.uniform1f(u.edge_width, (look.edge_width || 1.3) * pixelScale());
     gl.uniform1f(u.opacity, isArrow ? 1 : thing.opacity);
     gl.uniform1f(u.shine, look.shine);

@@ -82,11 +82,12 @@ vec3 color_of(float x) {
 in float number;
 #ifdef LINES
 uniform float bands, lines;   // how many
+uniform vec2 band_widths;     // half of it, in distances between bands, and at most in pixels
 vec3 color_of_surface() {
   vec3 c = color_of(number);
   float t = position_of(number), x = t * bands, w = max(fwidth(x), 1e-6), line = line_at(t * lines, 1.5);
   if (abs(number) > 1e30) return c;
-  if (bands > 0.0) c = mix(c, vec3(1.0), clamp((0.06 - abs(fract(x) - 0.5)) / w + 0.5, 0.0, 1.0));
+  if (bands > 0.0) c = mix(c, vec3(1.0), clamp((min(band_widths.x, band_widths.y * w) - abs(fract(x) - 0.5)) / w + 0.5, 0.0, 1.0));
   return lines > 0.0 ? mix(c, edge_color, line) : c;
 }
 #else

@@ -47,6 +47,8 @@ inline void write_look(page_writer& out, const appearance& look, bool has_values
   out.add("edge_color", numbers_of_color(look.edge_color));
   out.add("labels", look.labels);
   out.add("isobands", static_cast<double>(look.isobands));
+  out.add("band_width", look.band_width);
+  out.add("band_limit", look.band_limit);
   out.add("isolines", static_cast<double>(look.isolines));
   out.add("edge_width", look.edge_width);
   out.add("opacity", look.opacity);

@@ -240,11 +240,12 @@ return texture(map, vec2((position_of(x) * 255.0 + 0.5) / 256.0, 0.5)).rgb;
 in float number;
 #ifdef LINES
 uniform float bands, lines;
+uniform vec2 band_widths;
 vec3 color_of_surface() {
 vec3 c = color_of(number);
 float t = position_of(number), x = t * bands, w = max(fwidth(x), 1e-6), line = line_at(t * lines, 1.5);
 if (abs(number) > 1e30) return c;
-if (bands > 0.0) c = mix(c, vec3(1.0), clamp((0.06 - abs(fract(x) - 0.5)) / w + 0.5, 0.0, 1.0));
+if (bands > 0.0) c = mix(c, vec3(1.0), clamp((min(band_widths.x, band_widths.y * w) - abs(fract(x) - 0.5)) / w + 0.5, 0.0, 1.0));
 return lines > 0.0 ? mix(c, edge_color, line) : c;
 }
 #else
@@ -459,9 +460,9 @@ if (!c.fixed) return frameScene(c.margin);
 const eye = toUnit(c.eye);
 camera.distance = Math.max(dot(eye, c.back), 1e-3);
 camera.target = sub(eye, scaled(c.back, camera.distance));
-if (c.parallel) camera.half = c.half_height / scene.radius;
 )page"),
-std::string_view(R"page(const narrow = Math.max(1, 4 / 3 / aspect());  // a narrow screen shows no less to the left and right than a picture does
+std::string_view(R"page(if (c.parallel) camera.half = c.half_height / scene.radius;
+const narrow = Math.max(1, 4 / 3 / aspect());  // a narrow screen shows no less to the left and right than a picture does
 camera.half *= narrow;
 camera.slope *= narrow;
 }
@@ -704,13 +705,13 @@ for (const c of crossings) { const d = sub(position(c.place), first); if (norm(d
 crossings.sort((c, d) => dot(along, position(c.place)) - dot(along, position(d.place)));
 }
 for (let i = 0; i + 1 < crossings.length; i += 2) {
-const [c, d] = crossings[i].up ? [crossings[i], crossings[i + 1]] : [crossings[i + 1], crossings[i]];
+)page"),
+std::string_view(R"page(const [c, d] = crossings[i].up ? [crossings[i], crossings[i + 1]] : [crossings[i + 1], crossings[i]];
 next.set(c.place, d.place);
 }
 }
 while (next.size) {
-)page"),
-std::string_view(R"page(const [first] = next.keys(), loop = [];
+const [first] = next.keys(), loop = [];
 for (let at = first; at !== undefined && next.has(at); ) {
 loop.push(at);
 const to = next.get(at);
@@ -924,11 +925,11 @@ const part = high / count - low / count, size = Math.max(Math.abs(low), Math.abs
 if (!(part > size * 1e-12) || part < 1e-300) return [[low / 2 + high / 2, textOf(Number((low / 2 + high / 2).toPrecision(6)))]];
 const step = roundStep(part), finer = roundStep(0.4 * step), few = multiples(low, high, step), many = multiples(low, high, finer);
 const takesFew = few.length >= 2 && Math.abs(few.length - count) <= Math.abs(many.length - count);
-return (takesFew ? few : many).map((x) => [x, tickText(x, takesFew ? step : finer)]);
+)page"),
+std::string_view(R"page(return (takesFew ? few : many).map((x) => [x, tickText(x, takesFew ? step : finer)]);
 }
 function scaleTicks(scale, count) {
-)page"),
-std::string_view(R"page(const low = scale[0][0], high = scale[scale.length - 1][0];
+const low = scale[0][0], high = scale[scale.length - 1][0];
 if (scale.length === 2 || !(high > low)) return roundTicks(low, high, count);
 const valueAt = (place) => {
 let a = 0, b = 1;
@@ -1182,10 +1183,10 @@ const c = list.triangles[i], p = list.polygonOf[Math.floor(i / 3)];
 const k = at === "corner" ? (list.mesh ? list.mesh.cornerAt(list.polys[p], list.corners[c]) : c) : at === "point" || at === "vert" ? list.corners[c] : at === "element" ? list.elements[p] : p;
 bytes.set(rgb.subarray(3 * k, 3 * k + 3), 4 * i);
 }
-this.attribute(4, bytes, 4, gl.UNSIGNED_BYTE, true);
-}
 )page"),
-std::string_view(R"page(if (thing.texture && this.role === "surface") this.attribute(6, texturePlaces(list, thing.texture), 2, gl.FLOAT);
+std::string_view(R"page(this.attribute(4, bytes, 4, gl.UNSIGNED_BYTE, true);
+}
+if (thing.texture && this.role === "surface") this.attribute(6, texturePlaces(list, thing.texture), 2, gl.FLOAT);
 gl.bindVertexArray(null);
 }
 polygonOfCorner(c) {
@@ -1308,6 +1309,7 @@ if (u.knots) gl.uniform2fv(u.knots, knots.flat());
 gl.uniform1i(u.num_knots, knots.length);
 gl.uniform1f(u.bands, thing.bands);
 gl.uniform1f(u.lines, thing.lines);
+gl.uniform2f(u.band_widths ?? null, look.band_width / 2, look.band_limit / 2 * canvas.height);
 gl.uniform1f(u.edge_width, (look.edge_width || 1.3) * pixelScale());
 gl.uniform1f(u.opacity, isArrow ? 1 : thing.opacity);
 gl.uniform1f(u.shine, look.shine);
@@ -1420,14 +1422,14 @@ return slope === 0 ? a : add(ray.origin, scaled(ray.direction, dot(n, sub(a, ray
 }
 const pixelDistance = (p, x, y) => {
 const box = canvas.getBoundingClientRect(), q = pixelOf(p);
-return q ? Math.hypot(q[0] - (x - box.left), q[1] - (y - box.top)) : Infinity;
+)page"),
+std::string_view(R"page(return q ? Math.hypot(q[0] - (x - box.left), q[1] - (y - box.top)) : Infinity;
 };
 function nearestOnEdge(a, b, p) {
 const d = sub(b, a), t = dot(d, d) > 0 ? Math.min(1, Math.max(0, dot(sub(p, a), d) / dot(d, d))) : 0;
 return mix(a, b, t);
 }
-)page"),
-std::string_view(R"page(function pickAt(x, y, wanted = "any") {
+function pickAt(x, y, wanted = "any") {
 const hit = triangleAt(x, y);
 if (!hit) return null;
 const { thing, part } = hit, { list } = part, mesh = thing.mesh, point = pointOn(hit, x, y), polygon = list.polygonOf[hit.triangle];
@@ -1591,10 +1593,10 @@ row("bands", number("white bands", thing.bands, (x) => { thing.bands = Math.max(
 }
 function planeControls(k) {
 const p = slicing.planes[k], name = ["x", "y", "z", "any"][k];
-const redo = () => changed(slicing.exact && !things.some((t) => t.mesh?.isVolume) ? "view" : "polygons");
-const value = make("output", { className: "soft", id: `offset${k}` });
 )page"),
-std::string_view(R"page(const show = () => { const { offset } = planeOf(k); value.textContent = textOf(Math.abs(offset) < 1e-9 * scene.radius ? 0 : Number((p.keepsAbove ? -offset : offset).toPrecision(5))); };
+std::string_view(R"page(const redo = () => changed(slicing.exact && !things.some((t) => t.mesh?.isVolume) ? "view" : "polygons");
+const value = make("output", { className: "soft", id: `offset${k}` });
+const show = () => { const { offset } = planeOf(k); value.textContent = textOf(Math.abs(offset) < 1e-9 * scene.radius ? 0 : Number((p.keepsAbove ? -offset : offset).toPrecision(5))); };
 show();
 const parts = [fittedRow(checkbox(name, p.on, (x) => { p.on = x; redo(); }),
 slider(`place of the cut along ${name}`, p.t, 0, 1, 0.001, (x) => { p.t = x; p.on = true; parts[0].querySelector("input").checked = true; show(); redo(); }),
@@ -1804,15 +1806,15 @@ redraw();
 document.addEventListener("keydown", (e) => {
 if (e.ctrlKey || e.metaKey || e.altKey || /^(INPUT|SELECT|TEXTAREA|SUMMARY)$/.test(e.target.tagName)) return;
 if (e.target.tagName === "BUTTON" && (e.key === "Enter" || e.key === " ")) return;
-const step = 24, arrow = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, -step], ArrowDown: [0, step] }[e.key];
+)page"),
+std::string_view(R"page(const step = 24, arrow = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, -step], ArrowDown: [0, step] }[e.key];
 if (arrow) (e.shiftKey ? pan : rotate)(...arrow);
 else if (!press(e.key.toLowerCase())) return;
 e.preventDefault();
 redraw();
 });
 byId("toggle").addEventListener("click", togglePanel);
-)page"),
-std::string_view(R"page(addEventListener("resize", redraw);
+addEventListener("resize", redraw);
 addEventListener("hashchange", () => { if (takeView(location.hash)) redraw(); });
 let things = [];
 function start() {
