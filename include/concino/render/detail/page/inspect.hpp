@@ -93,10 +93,10 @@ void inspect_properties(const M& m, inspected_mesh& to) {
     if constexpr (NumbersCorners<M>)
       if (has_corner_properties(all)) {
         list_corners(m, to);
-        const auto& offsets = to.is_volume ? to.corner_offsets : to.polygon_offsets;
-        corners.resize(offsets.back());
+        const auto& starts = to.is_volume ? to.corner_offsets : to.polygon_offsets;
+        corners.resize(starts.back());
         for (const poly_t<M> p : polys(m))
-          for (std::size_t c = offsets[index_of(m, p)], k = 0; c < offsets[index_of(m, p) + 1]; ++c, ++k)
+          for (std::size_t c = starts[index_of(m, p)], k = 0; c < starts[index_of(m, p) + 1]; ++c, ++k)
             corners[c] = traits<M>::first_corner(m, p) + k;
       }
     add_properties(to.values, all, corners);
