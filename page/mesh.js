@@ -1,13 +1,13 @@
 // The mesh that an object keeps if it was added with `inspect`: its elements, who touches whom, and which polys are shown.
 
-/// Lists of lists as two arrays: list i is items[starts[i]] ... items[starts[i + 1] - 1].
+/// Lists of lists as two arrays: list i is items[starts[i]] ... items[starts[i + 1] - 1]. Of starts null, each list has one item.
 function inverted(count, starts, items, itemOf = (x) => x) {
   const sizes = new Uint32Array(count + 1);
   for (let i = 0; i < items.length; ++i) ++sizes[itemOf(items[i]) + 1];
   for (let i = 0; i < count; ++i) sizes[i + 1] += sizes[i];
   const next = sizes.slice(), lists = new Uint32Array(items.length);
-  for (let i = 0; i + 1 < starts.length; ++i)
-    for (let k = starts[i]; k < starts[i + 1]; ++k) lists[next[itemOf(items[k])]++] = i;
+  if (!starts) for (let i = 0; i < items.length; ++i) lists[next[itemOf(items[i])]++] = i;
+  else for (let i = 0; i + 1 < starts.length; ++i) for (let k = starts[i]; k < starts[i + 1]; ++k) lists[next[itemOf(items[k])]++] = i;
   return { starts: sizes, items: lists };
 }
 const listOf = (lists, i) => lists.items.subarray(lists.starts[i], lists.starts[i + 1]);

@@ -60,16 +60,16 @@ function smoothNormals({ points, starts, corners, count }, crease) {
       const ax = points[before] - points[v], ay = points[before + 1] - points[v + 1], az = points[before + 2] - points[v + 2];
       const bx = points[after] - points[v], by = points[after + 1] - points[v + 1], bz = points[after + 2] - points[v + 2];
       const x = ay * bz - az * by, y = az * bx - ax * bz, z = ax * by - ay * bx;
-      angles[c] = Math.atan2(Math.hypot(x, y, z), ax * bx + ay * by + az * bz);
+      angles[c] = Math.atan2(Math.sqrt(x * x + y * y + z * z), ax * bx + ay * by + az * bz);
       if (c < first + 2) continue;
       const px = points[before] - points[o], py = points[before + 1] - points[o + 1], pz = points[before + 2] - points[o + 2];
       const qx = points[v] - points[o], qy = points[v + 1] - points[o + 1], qz = points[v + 2] - points[o + 2];
       nx += py * qz - pz * qy; ny += pz * qx - px * qz; nz += px * qy - py * qx;
     }
-    const length = Math.hypot(nx, ny, nz);
+    const length = Math.sqrt(nx * nx + ny * ny + nz * nz);
     if (length > 0) { own[3 * p] = nx / length; own[3 * p + 1] = ny / length; own[3 * p + 2] = nz / length; }
   }
-  const around = inverted(points.length / 3, Uint32Array.from({ length: corners.length + 1 }, (_, i) => i), corners);
+  const around = inverted(points.length / 3, null, corners);
   const polygon = new Uint32Array(corners.length), cosine = Math.cos(crease * Math.PI / 180);
   for (let p = 0; p < count; ++p) polygon.fill(p, starts[p], starts[p + 1]);
   for (let c = 0; c < corners.length; ++c) {
@@ -80,7 +80,7 @@ function smoothNormals({ points, starts, corners, count }, crease) {
       if (own[p] * own[q] + own[p + 1] * own[q + 1] + own[p + 2] * own[q + 2] < cosine) continue;
       x += own[q] * angles[d]; y += own[q + 1] * angles[d]; z += own[q + 2] * angles[d];
     }
-    const length = Math.hypot(x, y, z);
+    const length = Math.sqrt(x * x + y * y + z * z);
     const fits = length > 0;
     normals[3 * c] = fits ? x / length : own[p];
     normals[3 * c + 1] = fits ? y / length : own[p + 1];

@@ -537,8 +537,8 @@ const sizes = new Uint32Array(count + 1);
 for (let i = 0; i < items.length; ++i) ++sizes[itemOf(items[i]) + 1];
 for (let i = 0; i < count; ++i) sizes[i + 1] += sizes[i];
 const next = sizes.slice(), lists = new Uint32Array(items.length);
-for (let i = 0; i + 1 < starts.length; ++i)
-for (let k = starts[i]; k < starts[i + 1]; ++k) lists[next[itemOf(items[k])]++] = i;
+if (!starts) for (let i = 0; i < items.length; ++i) lists[next[itemOf(items[i])]++] = i;
+else for (let i = 0; i + 1 < starts.length; ++i) for (let k = starts[i]; k < starts[i + 1]; ++k) lists[next[itemOf(items[k])]++] = i;
 return { starts: sizes, items: lists };
 }
 const listOf = (lists, i) => lists.items.subarray(lists.starts[i], lists.starts[i + 1]);
@@ -704,9 +704,9 @@ let along = [0, 0, 0];
 for (const c of crossings) { const d = sub(position(c.place), first); if (norm(d) > norm(along)) along = d; }
 crossings.sort((c, d) => dot(along, position(c.place)) - dot(along, position(d.place)));
 }
-for (let i = 0; i + 1 < crossings.length; i += 2) {
 )page"),
-std::string_view(R"page(const [c, d] = crossings[i].up ? [crossings[i], crossings[i + 1]] : [crossings[i + 1], crossings[i]];
+std::string_view(R"page(for (let i = 0; i + 1 < crossings.length; i += 2) {
+const [c, d] = crossings[i].up ? [crossings[i], crossings[i + 1]] : [crossings[i + 1], crossings[i]];
 next.set(c.place, d.place);
 }
 }
@@ -783,16 +783,16 @@ const v = 3 * corners[c], before = 3 * corners[c === first ? last - 1 : c - 1], 
 const ax = points[before] - points[v], ay = points[before + 1] - points[v + 1], az = points[before + 2] - points[v + 2];
 const bx = points[after] - points[v], by = points[after + 1] - points[v + 1], bz = points[after + 2] - points[v + 2];
 const x = ay * bz - az * by, y = az * bx - ax * bz, z = ax * by - ay * bx;
-angles[c] = Math.atan2(Math.hypot(x, y, z), ax * bx + ay * by + az * bz);
+angles[c] = Math.atan2(Math.sqrt(x * x + y * y + z * z), ax * bx + ay * by + az * bz);
 if (c < first + 2) continue;
 const px = points[before] - points[o], py = points[before + 1] - points[o + 1], pz = points[before + 2] - points[o + 2];
 const qx = points[v] - points[o], qy = points[v + 1] - points[o + 1], qz = points[v + 2] - points[o + 2];
 nx += py * qz - pz * qy; ny += pz * qx - px * qz; nz += px * qy - py * qx;
 }
-const length = Math.hypot(nx, ny, nz);
+const length = Math.sqrt(nx * nx + ny * ny + nz * nz);
 if (length > 0) { own[3 * p] = nx / length; own[3 * p + 1] = ny / length; own[3 * p + 2] = nz / length; }
 }
-const around = inverted(points.length / 3, Uint32Array.from({ length: corners.length + 1 }, (_, i) => i), corners);
+const around = inverted(points.length / 3, null, corners);
 const polygon = new Uint32Array(corners.length), cosine = Math.cos(crease * Math.PI / 180);
 for (let p = 0; p < count; ++p) polygon.fill(p, starts[p], starts[p + 1]);
 for (let c = 0; c < corners.length; ++c) {
@@ -803,7 +803,7 @@ const q = 3 * polygon[d];
 if (own[p] * own[q] + own[p + 1] * own[q + 1] + own[p + 2] * own[q + 2] < cosine) continue;
 x += own[q] * angles[d]; y += own[q + 1] * angles[d]; z += own[q + 2] * angles[d];
 }
-const length = Math.hypot(x, y, z);
+const length = Math.sqrt(x * x + y * y + z * z);
 const fits = length > 0;
 normals[3 * c] = fits ? x / length : own[p];
 normals[3 * c + 1] = fits ? y / length : own[p + 1];
@@ -924,9 +924,9 @@ function roundTicks(low, high, count) {
 const part = high / count - low / count, size = Math.max(Math.abs(low), Math.abs(high));
 if (!(part > size * 1e-12) || part < 1e-300) return [[low / 2 + high / 2, textOf(Number((low / 2 + high / 2).toPrecision(6)))]];
 const step = roundStep(part), finer = roundStep(0.4 * step), few = multiples(low, high, step), many = multiples(low, high, finer);
-const takesFew = few.length >= 2 && Math.abs(few.length - count) <= Math.abs(many.length - count);
 )page"),
-std::string_view(R"page(return (takesFew ? few : many).map((x) => [x, tickText(x, takesFew ? step : finer)]);
+std::string_view(R"page(const takesFew = few.length >= 2 && Math.abs(few.length - count) <= Math.abs(many.length - count);
+return (takesFew ? few : many).map((x) => [x, tickText(x, takesFew ? step : finer)]);
 }
 function scaleTicks(scale, count) {
 const low = scale[0][0], high = scale[scale.length - 1][0];
@@ -1181,10 +1181,10 @@ const { at, rgb } = thing.painted, bytes = new Uint8Array(4 * this.count);
 for (let i = 0; i < this.count; ++i) {
 const c = list.triangles[i], p = list.polygonOf[Math.floor(i / 3)];
 const k = at === "corner" ? (list.mesh ? list.mesh.cornerAt(list.polys[p], list.corners[c]) : c) : at === "point" || at === "vert" ? list.corners[c] : at === "element" ? list.elements[p] : p;
-bytes.set(rgb.subarray(3 * k, 3 * k + 3), 4 * i);
-}
 )page"),
-std::string_view(R"page(this.attribute(4, bytes, 4, gl.UNSIGNED_BYTE, true);
+std::string_view(R"page(bytes.set(rgb.subarray(3 * k, 3 * k + 3), 4 * i);
+}
+this.attribute(4, bytes, 4, gl.UNSIGNED_BYTE, true);
 }
 if (thing.texture && this.role === "surface") this.attribute(6, texturePlaces(list, thing.texture), 2, gl.FLOAT);
 gl.bindVertexArray(null);
