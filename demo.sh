@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
 # A harmonic field on a real mesh, its picture, and a page to open in a browser, which has the name of the picture:
-#   ./demo.sh [mesh] [picture.png]
-# By default the Stanford bunny of Debian's glmark2-data, demo.png and demo.html. Installs what it needs and builds the program the first time.
+#   ./demo.sh [--print] [mesh] [picture.png]
+# By default the Stanford bunny of Debian's glmark2-data, demo.png and demo.html. With --print the picture takes more time and has more samples. Installs what it needs and builds the program the first time.
 set -eu
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 . "$here/scripts/packages.sh"
 
+print=
+if [ "${1:-}" = --print ]; then print=--print; shift; fi
 mesh=${1:-/usr/share/glmark2/models/bunny.obj}
 picture=${2:-demo.png}
 build=${CONCINO_DEMO_BUILD:-$here/build/demo}
@@ -23,4 +25,5 @@ if ! (cd "$here" && cmake --preset release -B "$build" -D CMAKE_CXX_COMPILER="$c
   cat "$log" >&2
   exit 1
 fi
-"$build/tools/concino_demo" "$mesh" "$picture"
+# shellcheck disable=SC2086  # no word if it is empty
+"$build/tools/concino_demo" $print "$mesh" "$picture"

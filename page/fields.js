@@ -40,17 +40,18 @@ function cornerNumbers(list, at, numbers, range, labels) {
   const result = new Float32Array(list.triangles.length);
   const shaderNumber = labels ? (x) => (Number.isNaN(labelOf(x)) ? noValue : labelOf(x) % 20)
     : (x) => (Number.isFinite(x) ? Math.max(-1e29, Math.min(1e29, fraction(x, range))) : noValue);
-  const perPolygon = at === "poly" ? list.polys : at === "face" ? list.elements : null;
+  const perPolygon = at === "poly" ? list.polys : at === "face" ? list.elements : null, atCorners = at === "corner" && list.mesh;
+  const placeOf = (vert, p) => (atCorners ? list.mesh.cornerAt(list.polys[p], vert) : vert);
   for (let i = 0; i < result.length; ++i) {
     const c = list.triangles[i], p = list.polygonOf[Math.floor(i / 3)];
     let x = NaN;
     if (at === "polygon") x = numbers[p];
-    else if (at === "corner") x = numbers[c];
+    else if (at === "corner" && !atCorners) x = numbers[c];
     else if (perPolygon) x = numbers[perPolygon[p]];
-    else if (at === "vert" && list.between) {
-      const [a, b, t] = list.between[list.corners[c]];
-      x = t === 0 ? numbers[a] : t === 1 ? numbers[b] : numbers[a] * (1 - t) + numbers[b] * t;
-    } else if (at === "vert" || at === "point") x = numbers[list.corners[c]];
+    else if ((at === "vert" || atCorners) && list.between) {
+      const [v, w, t] = list.between[list.corners[c]], a = numbers[placeOf(v, p)], b = numbers[placeOf(w, p)];
+      x = t === 0 ? a : t === 1 ? b : a * (1 - t) + b * t;
+    } else if (at === "vert" || at === "point" || atCorners) x = numbers[placeOf(list.corners[c], p)];
     result[i] = shaderNumber(x);
   }
   return result;

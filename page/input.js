@@ -2,7 +2,8 @@
 
 let wanted = "any";
 const pointers = new Map();
-let moved = 0, pinch = 0, button0 = 0;
+let moved = 0, grip = null, button0 = 0, byTouch = false;
+let lastTap = { time: -Infinity, x: 0, y: 0 };
 
 canvas.addEventListener("contextmenu", (e) => e.preventDefault());
 canvas.addEventListener("pointerdown", (e) => {
@@ -10,8 +11,9 @@ canvas.addEventListener("pointerdown", (e) => {
   try { canvas.setPointerCapture(e.pointerId); } catch { /* a pointer that is already gone */ }
   pointers.set(e.pointerId, [e.clientX, e.clientY]);
   button0 = e.button;
+  byTouch = e.pointerType === "touch";
   if (pointers.size === 1) moved = 0;
-  pinch = 0;
+  grip = gripOf();
 });
 canvas.addEventListener("pointermove", (e) => {
   const before = pointers.get(e.pointerId);
@@ -19,19 +21,22 @@ canvas.addEventListener("pointermove", (e) => {
   const dx = e.clientX - before[0], dy = e.clientY - before[1];
   moved += Math.abs(dx) + Math.abs(dy);
   pointers.set(e.pointerId, [e.clientX, e.clientY]);
-  if (pointers.size === 2) {
-    const [a, b] = [...pointers.values()], size = Math.hypot(a[0] - b[0], a[1] - b[1]);
-    pan(dx / 2, dy / 2);
-    if (pinch > 0 && size > 0) zoom(pinch / size, (a[0] + b[0]) / 2, (a[1] + b[1]) / 2);
-    pinch = size;
-  } else if (button0 === 0 && !e.shiftKey) rotate(dx, dy);
-  else pan(dx, dy);
+  if (pointers.size === 1) (button0 === 0 && !e.shiftKey ? rotate : pan)(dx, dy);
   redrawMoving();
 });
 const release = (e) => {
-  if (!pointers.delete(e.pointerId) || e.type === "pointercancel") return;
-  if (moved < 5 && e.button === 0 && pointers.size === 0) click(e.clientX, e.clientY, e.shiftKey);
-  pinch = 0;
+  followFingers();
+  const wasDown = pointers.delete(e.pointerId);
+  grip = gripOf();
+  if (!wasDown || e.type === "pointercancel") return;
+  if (moved >= (byTouch ? 12 : 5) || e.button !== 0 || pointers.size > 0) return;
+  const { clientX: x, clientY: y, timeStamp: time } = e;
+  if (byTouch && time - lastTap.time < 400 && Math.hypot(x - lastTap.x, y - lastTap.y) < 30) {
+    lastTap.time = -Infinity;
+    return center(x, y);
+  }
+  lastTap = { time, x, y };
+  click(x, y, e.shiftKey);
 };
 canvas.addEventListener("pointerup", release);
 canvas.addEventListener("pointercancel", release);
@@ -40,14 +45,31 @@ canvas.addEventListener("wheel", (e) => {
   zoom(Math.exp(Math.max(-1, Math.min(1, e.deltaY * (e.deltaMode === 1 ? 0.05 : 0.0015)))), e.clientX, e.clientY);
   redrawMoving();
 }, { passive: false });
-canvas.addEventListener("dblclick", (e) => {
-  const hit = triangleAt(e.clientX, e.clientY);
-  if (hit) camera.target = pointOn(hit, e.clientX, e.clientY);
+canvas.addEventListener("dblclick", (e) => { if (!byTouch) center(e.clientX, e.clientY); });
+
+/// The middle of two fingers and their distance; null if there are fewer.
+function gripOf() {
+  const [a, b] = [...pointers.values()];
+  return b ? { x: (a[0] + b[0]) / 2, y: (a[1] + b[1]) / 2, size: Math.hypot(a[0] - b[0], a[1] - b[1]) } : null;
+}
+/// Moves and zooms as two fingers did since the last picture. Their events come one after the other.
+function followFingers() {
+  if (!grip) return;
+  const now = gripOf();
+  pan(now.x - grip.x, now.y - grip.y);
+  if (grip.size > 0 && now.size > 0) zoom(grip.size / now.size, now.x, now.y);
+  grip = now;
+}
+
+/// Moves what is at a pixel to the middle.
+function center(x, y) {
+  const hit = gl && triangleAt(x, y);
+  if (hit) camera.target = pointOn(hit, x, y);
   redraw();
-});
+}
 
 function click(x, y, measures) {
-  const found = pickAt(x, y, wanted);
+  const found = gl && pickAt(x, y, wanted);
   if (measures) {
     if (found) measured = measured.length === 1 ? [measured[0], found.point] : [found.point];
     if (measured.length === 1) say("Shift and click on another point");
@@ -65,6 +87,7 @@ function setTheme(dark) {
 }
 
 function savePicture() {
+  if (!gl) return;
   drawScene();
   canvas.toBlob((blob) => {
     const link = make("a", { href: URL.createObjectURL(blob), download: "picture.png" });

@@ -16,7 +16,7 @@ function start() {
   scene.labelColors = numbersOf(scene.label_colors);
   scene.reach = 1.2;
   things = scene.objects.map((data, i) => new Thing(data, i));
-  makeProgram();
+  startDrawing();
   if (innerWidth <= 700) togglePanel();
   resetCamera();
   takeView(location.hash);
@@ -27,11 +27,12 @@ function start() {
 }
 canvas.addEventListener("webglcontextlost", (e) => e.preventDefault());
 canvas.addEventListener("webglcontextrestored", () => {
-  makeProgram();
-  for (const t of things) { t.ball = null; t.mapTexture = null; t.parts = []; sendThing(t); }
+  startDrawing();
+  for (const t of things) { t.ball = null; t.picture = null; t.mapTexture = null; t.parts = []; sendThing(t); }
   redraw();
 });
 
 start();
 /// For programs that drive the page, such as tests.
-window.concino = { scene, camera, slicing, things: () => things, press, pickAt, describe, goTo, changed, drawScene, planeOf, setTheme, motion, gl };
+window.concino = { scene, camera, slicing, things: () => things, press, rotate, pickAt, pixelOf, halfHeight, describe, goTo, changed, drawScene,
+  planeOf, setTheme, motion, redrawMoving, gl };

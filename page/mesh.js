@@ -1,13 +1,13 @@
 // The mesh that an object keeps if it was added with `inspect`: its elements, who touches whom, and which polys are shown.
 
-/// Lists of lists as two arrays: list i is items[starts[i]] ... items[starts[i + 1] - 1].
+/// Lists of lists as two arrays: list i is items[starts[i]] ... items[starts[i + 1] - 1]. Of starts null, each list has one item.
 function inverted(count, starts, items, itemOf = (x) => x) {
   const sizes = new Uint32Array(count + 1);
   for (let i = 0; i < items.length; ++i) ++sizes[itemOf(items[i]) + 1];
   for (let i = 0; i < count; ++i) sizes[i + 1] += sizes[i];
   const next = sizes.slice(), lists = new Uint32Array(items.length);
-  for (let i = 0; i + 1 < starts.length; ++i)
-    for (let k = starts[i]; k < starts[i + 1]; ++k) lists[next[itemOf(items[k])]++] = i;
+  if (!starts) for (let i = 0; i < items.length; ++i) lists[next[itemOf(items[i])]++] = i;
+  else for (let i = 0; i + 1 < starts.length; ++i) for (let k = starts[i]; k < starts[i + 1]; ++k) lists[next[itemOf(items[k])]++] = i;
   return { starts: sizes, items: lists };
 }
 const listOf = (lists, i) => lists.items.subarray(lists.starts[i], lists.starts[i + 1]);
@@ -18,6 +18,7 @@ class Mesh {
     Object.assign(this, { isVolume: data.volume, crease: data.crease, points: a.points, edges: a.edges, polygonStarts: a.polygon_starts,
       corners: a.corners, triangles: a.triangles, centroids: a.centroids, shown: a.shown, laidBare: a.laid_bare });
     this.faces = data.volume ? { starts: a.poly_starts, items: a.poly_faces } : null;  // items: 2 * face + (0 if outward)
+    this.polyCorners = data.volume ? { starts: a.corner_starts, items: a.corner_verts } : { starts: a.polygon_starts, items: a.corners };
     this.values = data.values.map((v) => ({ ...v, numbers: v.texts ? null : numbersOf(v.numbers) }));
     this.numVerts = this.points.length / 3;
     this.numPolygons = this.polygonStarts.length - 1;
@@ -42,11 +43,17 @@ class Mesh {
   get polysOfFace() {
     return this.once("polysOfFace", () => inverted(this.numPolygons, this.faces.starts, this.faces.items, (x) => x >> 1));
   }
+  /// The place of the corner of a poly at a vert in the lists of corners, by which values at corners are numbered; -1: there is none.
+  cornerAt(poly, vert) {
+    const { starts, items } = this.polyCorners, i = starts.length ? items.subarray(starts[poly], starts[poly + 1]).indexOf(vert) : -1;
+    return i < 0 ? -1 : starts[poly] + i;
+  }
   edgeBetween(a, b) {
     for (const e of listOf(this.edgesOfVert, a)) if (this.edges[2 * e] === b || this.edges[2 * e + 1] === b) return e;
     return -1;
   }
   polysOfPolygon(polygon) { return this.isVolume ? [...listOf(this.polysOfFace, polygon)] : [polygon]; }
+  polysOfVert(v) { return [...new Set([...listOf(this.polygonsOfVert, v)].flatMap((p) => this.polysOfPolygon(p)))]; }
   vertsOfPoly(poly) {
     return this.isVolume ? [...new Set(this.facesOf(poly).flatMap((f) => [...this.cornersOf(f)]))] : [...this.cornersOf(poly)];
   }

@@ -13,11 +13,12 @@ function changed(what, thing) {
 }
 
 const row = (...content) => make("div", { className: "row" }, ...content);
+const fittedRow = (...content) => make("div", { className: "row fitted" }, ...content);
 const labelled = (text, input) => make("label", {}, text, input);
 const checkbox = (text, value, set) => make("label", {}, make("input", { type: "checkbox", checked: value, onchange: (e) => set(e.target.checked) }), text);
 const slider = (text, value, low, high, step, set) => make("input", { type: "range", min: low, max: high, step, value, "aria-label": text,
   oninput: (e) => set(Number(e.target.value)) });
-const number = (text, value, set, step = "any") => make("input", { type: "number", step, value: Number.isFinite(value) ? Number(value.toPrecision(7)) : value, "aria-label": text,
+const number = (text, value, set, step = "any") => make("input", { type: "number", step, value: Number.isFinite(value) ? Number(value.toPrecision(5)) : value, "aria-label": text,
   onchange: (e) => { if (e.target.value !== "" && Number.isFinite(Number(e.target.value))) set(Number(e.target.value)); } });
 const select = (text, choices, value, set) => {
   const s = make("select", { "aria-label": text, onchange: (e) => set(e.target.value) }, ...choices.map(([v, name]) => make("option", { value: v, textContent: name, dir: "auto" })));
@@ -32,7 +33,7 @@ const hexOf = (c) => `#${c.map((x) => byteOf(x).toString(16).padStart(2, "0")).j
 const linearOf = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255).map((x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4));
 
 /// Where the values of a field are, as the choice of colours names it.
-const nameOfField = (f) => (f.at === "edge" || f.at === "vert" || f.at === "poly" || f.at === "face" ? `${f.name} (${f.at}s)` : f.name);
+const nameOfField = (f) => (["vert", "edge", "face", "poly", "corner"].includes(f.at) ? `${f.name} (${f.at}s)` : f.name);
 
 function thingControls(thing) {
   const box = make("fieldset", { id: `thing${thing.index}` }), fill = () => box.replaceChildren(...content());
@@ -40,7 +41,8 @@ function thingControls(thing) {
     const parts = [make("legend", { dir: "auto" }, thing.name),
       row(checkbox("shown", thing.visible, (x) => { thing.visible = x; changed("view"); }),
         checkbox("edges", thing.wire, (x) => { thing.wire = x; changed("view"); }),
-        checkbox("flat", thing.flat, (x) => { thing.flat = x; changed("view"); })),
+        checkbox("flat", thing.flat, (x) => { thing.flat = x; changed("view"); }),
+        ...(thing.texture ? [checkbox("texture", thing.textured, (x) => { thing.textured = x; changed("view"); })] : [])),
       row("opacity", slider(`opacity of ${thing.name}`, thing.opacity, 0, 1, 0.01, (x) => { thing.opacity = x; changed("view"); }))];
     const numeric = thing.fields.map((f, i) => [String(i), nameOfField(f), f]).filter(([, , f]) => f.numbers && f.at !== "mesh");
     const choices = [["color", "one colour"], ...(thing.painted ? [["painted", "own colours"]] : []), ...numeric];
@@ -51,7 +53,7 @@ function thingControls(thing) {
     if (f && f.width > 1) parts.push(row("show", select("component", componentsOf(f).map((c) => [c, c]), thing.component || componentsOf(f)[0],
       (c) => { thing.component = c; thing.fitRange(); fill(); changed("colors", thing); })));
     if (f && !f.labels) parts.push(...scaleControls(thing, fill));
-    const vectors = thing.fields.map((g, i) => [String(i), nameOfField(g), g]).filter(([, , g]) => g.numbers && (g.width === 2 || g.width === 3) && (g.at === "vert" || g.at === "poly"));
+    const vectors = thing.fields.map((g, i) => [String(i), nameOfField(g), g]).filter(([, , g]) => g.numbers && (g.width === 2 || g.width === 3) && (g.at === "vert" || g.at === "poly") && g.numbers !== thing.texture?.numbers);
     if (vectors.length) parts.push(row("arrows", select(`arrows of ${thing.name}`, [["", "none"], ...vectors], thing.arrows, (v) => { thing.arrows = v; changed("polygons", thing); })));
     return parts;
   };
@@ -64,7 +66,7 @@ function scaleControls(thing, fill) {
   const low = thing.scale[0][0], high = thing.scale[thing.scale.length - 1][0];
   const range = (a, b) => { thing.setRange(a, b); fill(); changed("colors", thing); };
   return [row("map", select(`colour map of ${thing.name}`, maps, String(thing.map), (v) => { thing.map = Number(v); changed("map", thing); })),
-    row("from", number("lowest value", low, (x) => range(x, Math.max(x, high))), "to", number("highest value", high, (x) => range(Math.min(low, x), x)),
+    fittedRow("from", number("lowest value", low, (x) => range(x, Math.max(x, high))), "to", number("highest value", high, (x) => range(Math.min(low, x), x)),
       button("all", () => { thing.fitRange(); fill(); changed("colors", thing); }, "The range of all values")),
     row("bands", number("white bands", thing.bands, (x) => { thing.bands = Math.max(0, Math.round(x)); changed("view"); }, 1),
       "lines", number("iso-lines", thing.lines, (x) => { thing.lines = Math.max(0, Math.round(x)); changed("view"); }, 1))];
@@ -74,12 +76,12 @@ function planeControls(k) {
   const p = slicing.planes[k], name = ["x", "y", "z", "any"][k];
   const redo = () => changed(slicing.exact && !things.some((t) => t.mesh?.isVolume) ? "view" : "polygons");
   const value = make("output", { className: "soft", id: `offset${k}` });
-  const show = () => { const { offset } = planeOf(k); value.textContent = textOf(Number((p.keepsAbove ? -offset : offset).toPrecision(5))); };
+  const show = () => { const { offset } = planeOf(k); value.textContent = textOf(Math.abs(offset) < 1e-9 * scene.radius ? 0 : Number((p.keepsAbove ? -offset : offset).toPrecision(5))); };
   show();
-  const parts = [row(checkbox(name, p.on, (x) => { p.on = x; redo(); }),
+  const parts = [fittedRow(checkbox(name, p.on, (x) => { p.on = x; redo(); }),
     slider(`place of the cut along ${name}`, p.t, 0, 1, 0.001, (x) => { p.t = x; p.on = true; parts[0].querySelector("input").checked = true; show(); redo(); }),
     value, checkbox("above", p.keepsAbove, (x) => { p.keepsAbove = x; redo(); }))];
-  if (k === 3) parts.push(row(...[0, 1, 2].map((i) => number(`direction ${"xyz"[i]}`, slicing.direction[i], (x) => { slicing.direction[i] = x; show(); redo(); })),
+  if (k === 3) parts.push(fittedRow(...[0, 1, 2].map((i) => number(`direction ${"xyz"[i]}`, slicing.direction[i], (x) => { slicing.direction[i] = x; show(); redo(); })),
     button("from view", () => { slicing.direction = camera.back.map((x) => Number(x.toPrecision(4))); showPanel(); redo(); }, "The direction to the viewer")));
   return parts;
 }
@@ -93,7 +95,7 @@ function filterControls(thing) {
     if (!f.on) fit();
     const box = make("div"), fill = () => box.replaceChildren(
       row(checkbox("only polys with", f.on, (x) => { f.on = x; redo(); }), select("value of polys", fields.map((g, i) => [String(i), g.name]), String(f.field), (v) => { f.field = Number(v); fit(); fill(); redo(); })),
-      row("from", number("lowest shown", f.low, (x) => { f.low = x; redo(); }), "to", number("highest shown", f.high, (x) => { f.high = x; redo(); })),
+      fittedRow("from", number("lowest shown", f.low, (x) => { f.low = x; redo(); }), "to", number("highest shown", f.high, (x) => { f.high = x; redo(); })),
       row("or labels", make("input", { type: "text", value: f.labels, placeholder: "1 2 5", "aria-label": "labels shown", onchange: (e) => { f.labels = e.target.value; f.on = f.on || f.labels !== ""; fill(); redo(); } })));
     fill();
     parts.push(box);
@@ -114,7 +116,9 @@ function showPicked() {
   const rows = picked ? describe(picked) : [];
   if (measured.length === 2) rows.push(["distance", textOf(norm(sub(measured[0], measured[1])) * scene.radius)]);
   box.replaceChildren(...rows.flatMap(([name, value]) => [make("dt", { dir: "auto" }, name), make("dd", { dir: "auto" }, value)]));
-  say(picked ? rows.slice(0, 2).map(([, value]) => value).join(", ") : measured.length === 2 ? `${rows.at(-1)[0]} ${rows.at(-1)[1]}` : "");
+  const isolated = (text) => `\u2068${text.slice(0, 60)}\u2069`;  // its direction does not change that of the others
+  const values = picked ? valueRows(picked.thing, picked.kind, picked.index).slice(0, 4).map((r) => `, ${r.map(isolated).join(" ")}`) : [];
+  say(picked ? rows.slice(0, 2).map(([, value]) => isolated(value)).join(", ") + values.join("") : measured.length === 2 ? `${rows.at(-1)[0]} ${rows.at(-1)[1]}` : "");
 }
 
 function pickControls() {

@@ -3,34 +3,20 @@
 let picked = null;    // { thing, kind, index, point }
 let measured = [];    // one or two points in units of the page
 
-/// The triangle at a pixel: { thing, part, triangle }, or null.
+/// The triangle at a pixel of the page: { thing, part, triangle }, or null. Only this pixel is drawn.
 function triangleAt(x, y) {
-  const box = canvas.getBoundingClientRect(), b = pickBuffer;
-  const px = Math.floor((x - box.left) * canvas.width / box.width), py = canvas.height - 1 - Math.floor((y - box.top) * canvas.height / box.height);
-  gl.bindFramebuffer(gl.FRAMEBUFFER, b.frame);
-  if (b.width !== canvas.width || b.height !== canvas.height) {
-    b.width = canvas.width; b.height = canvas.height;
-    gl.bindTexture(gl.TEXTURE_2D, b.texture);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, b.width, b.height, 0, gl.RGBA, gl.UNSIGNED_BYTE, null);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-    gl.bindRenderbuffer(gl.RENDERBUFFER, b.depth);
-    gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT24, b.width, b.height);
-    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, b.texture, 0);
-    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, b.depth);
-  }
-  gl.viewport(0, 0, b.width, b.height);
-  gl.enable(gl.SCISSOR_TEST);
-  gl.scissor(px, py, 1, 1);
+  const box = canvas.getBoundingClientRect();
+  gl.bindFramebuffer(gl.FRAMEBUFFER, pickBuffer);
+  gl.viewport(-Math.floor(x - box.left), Math.floor(y - box.top) + 1 - canvas.clientHeight, canvas.clientWidth, canvas.clientHeight);
   gl.clearColor(0, 0, 0, 0);
   gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
   gl.enable(gl.DEPTH_TEST);
   gl.disable(gl.BLEND);
-  setCamera();
+  ++cameraChanges.count;
   const candidates = things.filter((t) => t.visible).flatMap((thing) => thing.parts.filter((p) => p.role !== "arrows").map((part) => ({ thing, part })));
   candidates.slice(0, 255).forEach(({ thing, part }, i) => drawPart(thing, part, i + 1));
   const rgba = new Uint8Array(4);
-  gl.readPixels(px, py, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, rgba);
-  gl.disable(gl.SCISSOR_TEST);
+  gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, rgba);
   gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   return rgba[0] === 0 ? null : { ...candidates[rgba[0] - 1], triangle: rgba[1] + 256 * rgba[2] + 65536 * rgba[3] };
 }
@@ -105,8 +91,7 @@ function describe({ thing, kind, index, face, point }) {
     rows.push(["position", at3(mesh.points, index).map(textOf).join(", ")]);
     const edges = listOf(mesh.edgesOfVert, index);
     rows.push(["verts beside it", few([...edges].map((e) => mesh.edges[2 * e] + mesh.edges[2 * e + 1] - index))], ["edges", few(edges)]);
-    const polygons = [...new Set(listOf(mesh.polygonsOfVert, index))];
-    rows.push(["polys", few([...new Set(polygons.flatMap((p) => mesh.polysOfPolygon(p)))])]);
+    rows.push(["polys", few(mesh.polysOfVert(index))]);
   } else if (kind === "edge") {
     const [a, b] = mesh.edges.subarray(2 * index, 2 * index + 2), polygons = mesh.polygonsOfEdge(index);
     rows.push(["verts", `${a} ${b}`], ["length", textOf(norm(sub(mesh.point(a), mesh.point(b))) * scene.radius)]);
@@ -121,10 +106,15 @@ function describe({ thing, kind, index, face, point }) {
   return [...rows, ...valueRows(thing, kind, index)];
 }
 function valueRows(thing, kind, index) {
-  return thing.fields.filter((f) => f.at === kind || f.at === "mesh").map((f) => {
-    const i = f.at === "mesh" ? 0 : index;
-    return [f.name, f.texts ? f.texts[i] : [...f.numbers.subarray(f.width * i, f.width * i + f.width)].map(textOf).join(", ")];
-  });
+  const textAt = (f, i) => (f.texts ? f.texts[i] : [...f.numbers.subarray(f.width * i, f.width * i + f.width)].map(textOf).join(", "));
+  const rows = thing.fields.filter((f) => f.at === kind || f.at === "mesh").map((f) => [f.name, textAt(f, f.at === "mesh" ? 0 : index)]);
+  if (!thing.mesh || (kind !== "poly" && kind !== "vert")) return rows;
+  const beside = kind === "poly" ? thing.mesh.vertsOfPoly(index) : thing.mesh.polysOfVert(index);
+  for (const f of thing.fields.filter((g) => g.at === "corner")) {
+    const texts = beside.slice(0, 24).map((x) => `${x}: ${textAt(f, kind === "poly" ? thing.mesh.cornerAt(index, x) : thing.mesh.cornerAt(x, index))}`);
+    rows.push([`${f.name}, by ${kind === "poly" ? "vert" : "poly"}`, texts.join("; ")]);
+  }
+  return rows;
 }
 
 /// Marks what is picked and measured, and places texts.

@@ -1,6 +1,6 @@
 // Polygons to draw, whether of a mesh or prepared by the program: flat lists of corners, their triangles and normals.
 //   points: coordinates in units of the page; starts, corners: the points of each polygon; triangles: three corners each;
-//   polygonOf: by triangle; normals: by corner; polys, elements: by polygon, indices in the mesh; bare: by polygon, laid bare by a cut
+//   mesh: if they are those of one; polygonOf: by triangle; normals: by corner; polys, elements: by polygon, indices in the mesh; bare: by polygon, laid bare by a cut
 
 /// What a program prepared.
 function preparedPolygons(data) {
@@ -44,7 +44,7 @@ function polygonsOfMesh(mesh, mask) {
     if (!own) put(0, 1, 2);
     else for (let k = own[p]; k < own[p + 1]; ++k) put(mesh.triangles[3 * k] - from, mesh.triangles[3 * k + 1] - from, mesh.triangles[3 * k + 2] - from);
   }
-  const list = { points: mesh.units, starts, corners, triangles, polygonOf, polys: seen.poly, elements: seen.polygon, bare: seen.bare, count };
+  const list = { mesh, points: mesh.units, starts, corners, triangles, polygonOf, polys: seen.poly, elements: seen.polygon, bare: seen.bare, count };
   list.normals = smoothNormals(list, mesh.crease);
   return list;
 }
@@ -60,16 +60,16 @@ function smoothNormals({ points, starts, corners, count }, crease) {
       const ax = points[before] - points[v], ay = points[before + 1] - points[v + 1], az = points[before + 2] - points[v + 2];
       const bx = points[after] - points[v], by = points[after + 1] - points[v + 1], bz = points[after + 2] - points[v + 2];
       const x = ay * bz - az * by, y = az * bx - ax * bz, z = ax * by - ay * bx;
-      angles[c] = Math.atan2(Math.hypot(x, y, z), ax * bx + ay * by + az * bz);
+      angles[c] = Math.atan2(Math.sqrt(x * x + y * y + z * z), ax * bx + ay * by + az * bz);
       if (c < first + 2) continue;
       const px = points[before] - points[o], py = points[before + 1] - points[o + 1], pz = points[before + 2] - points[o + 2];
       const qx = points[v] - points[o], qy = points[v + 1] - points[o + 1], qz = points[v + 2] - points[o + 2];
       nx += py * qz - pz * qy; ny += pz * qx - px * qz; nz += px * qy - py * qx;
     }
-    const length = Math.hypot(nx, ny, nz);
+    const length = Math.sqrt(nx * nx + ny * ny + nz * nz);
     if (length > 0) { own[3 * p] = nx / length; own[3 * p + 1] = ny / length; own[3 * p + 2] = nz / length; }
   }
-  const around = inverted(points.length / 3, Uint32Array.from({ length: corners.length + 1 }, (_, i) => i), corners);
+  const around = inverted(points.length / 3, null, corners);
   const polygon = new Uint32Array(corners.length), cosine = Math.cos(crease * Math.PI / 180);
   for (let p = 0; p < count; ++p) polygon.fill(p, starts[p], starts[p + 1]);
   for (let c = 0; c < corners.length; ++c) {
@@ -80,7 +80,7 @@ function smoothNormals({ points, starts, corners, count }, crease) {
       if (own[p] * own[q] + own[p + 1] * own[q + 1] + own[p + 2] * own[q + 2] < cosine) continue;
       x += own[q] * angles[d]; y += own[q + 1] * angles[d]; z += own[q + 2] * angles[d];
     }
-    const length = Math.hypot(x, y, z);
+    const length = Math.sqrt(x * x + y * y + z * z);
     const fits = length > 0;
     normals[3 * c] = fits ? x / length : own[p];
     normals[3 * c + 1] = fits ? y / length : own[p + 1];
@@ -100,7 +100,7 @@ function polygonsOfCut(mesh, cut) {
     starts.push(corners.length);
     for (const t of trianglesOf(loop.map((i) => at3(points, i)))) triangles.push(...t.map((k) => first + k));
   }
-  const list = { points, starts: Uint32Array.from(starts), corners: Uint32Array.from(corners), triangles: Uint32Array.from(triangles),
+  const list = { mesh, points, starts: Uint32Array.from(starts), corners: Uint32Array.from(corners), triangles: Uint32Array.from(triangles),
     polys: cut.sections.map((s) => s.poly), elements: null, bare: new Array(count).fill(true), between: cut.points, count };
   list.polygonOf = polygonsOfTriangles(list.starts, list.triangles);
   list.normals = new Float32Array(3 * corners.length);  // flat: the shader takes the plane of the triangle

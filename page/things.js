@@ -32,6 +32,11 @@ class Thing {
     if (data.field !== undefined) this.fields[data.field].labels = data.look.labels;
     this.painted = data.colors ? { at: data.colors.at, rgb: numbersOf(data.colors.rgb) } : null;
     if (data.look.map !== undefined) this.ownMap = numbersOf(data.look.map);
+    if (data.texture) {
+      const { picture, values, coordinates } = data.texture, field = this.fields[values];
+      this.texture = { ...data.texture, at: field ? field.at : "corner", numbers: field ? field.numbers : numbersOf(coordinates) };
+      if (picture) Object.assign(this.texture, { width: picture.width, height: picture.height, pixels: numbersOf(picture.pixels) });
+    }
     if (data.ball !== undefined) this.ballPixels = numbersOf(data.ball);
     this.reset();
   }
@@ -41,6 +46,7 @@ class Thing {
     this.visible = true;
     this.wire = look.edge_width > 0;
     this.flat = false;
+    this.textured = Boolean(this.texture);
     this.opacity = look.opacity;
     this.color = look.color;
     this.bands = look.isobands;

@@ -5,7 +5,7 @@
 set -eu
 export LC_ALL=C
 cd "$1"
-scripts="data vectors camera mesh cut polygons fields things draw pick panel input main"
+scripts="data vectors camera mesh cut polygons fields things programs parts draw pick panel input main"
 
 without_comments() { sed -e 's|^[[:space:]]*||' -e '/^\/\//d' -e '/^$/d' "$@"; }
 without_glsl_comments() { without_comments "$1" | sed 's|[[:space:]]*//.*||'; }

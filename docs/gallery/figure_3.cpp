@@ -1,4 +1,6 @@
-// Figure 3: level sets on a surface and in a volume. Close up, they are edges and faces of the mesh.   figure_3 picture.png [width]
+// Figure 3: level sets on a surface and in a volume. Close up, they are edges and faces of the mesh.   figure_3 picture.png [width] [--pages]
+#include "figure.hpp"
+
 #include <concino/generate.hpp>
 #include <concino/geometry.hpp>
 #include <concino/level_sets.hpp>
@@ -6,8 +8,6 @@
 #include <concino/render.hpp>
 
 #include <cmath>
-#include <cstdlib>
-#include <string>
 #include <vector>
 
 namespace cn = concino;
@@ -22,21 +22,18 @@ auto heights_at_verts(M& m) {
 }
 
 int main(int argc, char** argv) {
-  const std::size_t width = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1200;
-  std::vector<cn::image> pictures;
-  const auto draw = [&](const cn::scene& s, const cn::view& camera) {
-    pictures.push_back(cn::render(s, {.width = width / 2, .height = width * 3 / 8, .camera = camera, .up = {0, 0, 1}}));
-  };
+  figure f(argc, argv, 2);
+  const auto draw = [&](const cn::scene& s, const char* caption, const cn::view& camera) { f.add(s, caption, {.camera = camera, .up = {0, 0, 1}}); };
   const auto close_up = cn::perspective_camera({0.9, -2.6, 1.3}, {0.35, -0.9, 0.3}, {0, 0, 1}, 22);
   const std::vector<double> levels{-0.9, -0.6, -0.3, 0, 0.3, 0.6, 0.9};
 
   auto surface = cn::icosphere(3);
   const auto u = heights_at_verts(surface);
   cn::scene lines;
-  lines.add(surface, {.field = u, .edges = true, .edge_width = 0.5});
-  draw(lines.add_lines(cn::isolines(surface, u, levels), {.radius = 0.012, .color = cn::srgb(1, 1, 1)}), {});
+  lines.add(surface, {.field = u, .edges = true, .edge_width = 0.5, .inspect = true});
+  draw(lines.add_lines(cn::isolines(surface, u, levels), {.radius = 0.012, .color = cn::srgb(1, 1, 1)}), "level sets of a surface", {});
   for (const double level : levels) cn::embed_isolines(surface, "u", level, {.snap = 0.1});
-  draw(cn::scene().add(surface, {.field = u, .edges = true}), close_up);
+  draw(cn::scene().add(surface, {.field = u, .edges = true, .inspect = true}), "embedded, close up", close_up);
 
   auto volume = cn::make_sphere<cn::tetmesh>({.cells = 7});
   const auto w = heights_at_verts(volume);
@@ -46,12 +43,11 @@ int main(int argc, char** argv) {
     const auto s = cn::isosurface<cn::trimesh>(volume, w, level);
     surfaces.add(s.mesh, {.color = cn::colormap::blue_to_yellow((level + 1) / 2)});
   }
-  draw(surfaces, {});
+  draw(surfaces, "level sets in a volume", {});
   cn::embed_isosurface(volume, "u", 0, {.snap = 0.1});
   auto side = cn::make_poly_map<int>(volume);
   for (const auto p : cn::polys(volume)) side[p] = height(cn::centroid(volume, p)) < 0;
-  draw(cn::scene().add(volume, {.labels = side, .edges = true, .visible = cn::below('x', 0.2)}), {});
+  draw(cn::scene().add(volume, {.labels = side, .edges = true, .visible = cn::below('x', 0.2), .inspect = true}), "one embedded, and cut", {});
 
-  const std::vector<std::string> captions{"level sets of a surface", "embedded, close up", "level sets in a volume", "one embedded, and cut"};
-  if (argc > 1) cn::save_png(cn::make_sheet(pictures, {.columns = 2, .captions = captions}), argv[1]);
+  f.save();
 }

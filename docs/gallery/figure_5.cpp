@@ -1,4 +1,6 @@
-// Figure 5: a shortest path along the edges of general polygons, and geodesic distances by heat.   figure_5 picture.png [width [surface.obj]]
+// Figure 5: a shortest path along the edges of general polygons, and geodesic distances by heat.   figure_5 picture.png [width [surface.obj]] [--pages]
+#include "figure.hpp"
+
 #include <concino/fields.hpp>
 #include <concino/generate.hpp>
 #include <concino/geometry.hpp>
@@ -8,20 +10,12 @@
 #include <concino/render.hpp>
 
 #include <algorithm>
-#include <cstdlib>
-#include <string>
-#include <vector>
 
 namespace cn = concino;
 
 int main(int argc, char** argv) {
-  const std::size_t width = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1200;
-  const auto triangles = argc > 3 ? cn::load<cn::trimesh>(argv[3]) : cn::make_torus<cn::trimesh>({.cells = {40, 20}});
-
-  std::vector<cn::image> pictures;
-  const auto draw = [&](const cn::scene& s) {
-    pictures.push_back(cn::render(s, {.width = width / 2, .height = width * 3 / 8}));
-  };
+  figure f(argc, argv, 2);
+  const auto triangles = !f.surface().empty() ? cn::load<cn::trimesh>(f.surface()) : cn::make_torus<cn::trimesh>({.cells = {40, 20}});
 
   const auto polygons = cn::dual_mesh(triangles);
   const auto is_left = [&](cn::vert_id v, cn::vert_id w) { return cn::point(polygons, v).x < cn::point(polygons, w).x; };
@@ -29,12 +23,11 @@ int main(int argc, char** argv) {
   const cn::vert_id a = *std::min_element(all.begin(), all.end(), is_left), b = *std::max_element(all.begin(), all.end(), is_left);
   const auto path = cn::shortest_path(polygons, a, b);
   cn::scene s;
-  s.add(polygons, {.edges = true, .edge_width = 0.6}).add_lines(polygons, path, {.radius = 0.006 * cn::bounding_box(polygons).diagonal()});
-  draw(s.add_points({cn::point(polygons, a), cn::point(polygons, b)}));
+  s.add(polygons, {.edges = true, .edge_width = 0.6, .inspect = true}).add_lines(polygons, path, {.radius = 0.006 * cn::bounding_box(polygons).diagonal()});
+  f.add(s.add_points({cn::point(polygons, a), cn::point(polygons, b)}), "Dijkstra's path on polygons");
 
   const auto distance = cn::heat_geodesics(triangles, cn::vert_id{0});
-  draw(cn::scene().add(triangles, {.field = distance, .isobands = 20}));
+  f.add(cn::scene().add(triangles, {.field = distance, .isobands = 20, .inspect = true}), "geodesic distances by heat");
 
-  const std::vector<std::string> captions{"Dijkstra's path on polygons", "geodesic distances by heat"};
-  if (argc > 1) cn::save_png(cn::make_sheet(pictures, {.columns = 2, .captions = captions}), argv[1]);
+  f.save();
 }

@@ -1,4 +1,6 @@
-// Figure 6: textures show how two coordinates are distorted: squares, lines, and a picture.   figure_6 picture.png [width]
+// Figure 6: textures show how two coordinates are distorted: squares, lines, and a picture.   figure_6 picture.png [width] [--pages]
+#include "figure.hpp"
+
 #include <concino/fields.hpp>
 #include <concino/generate.hpp>
 #include <concino/mesh.hpp>
@@ -6,14 +8,11 @@
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
-#include <string>
-#include <vector>
 
 namespace cn = concino;
 
 int main(int argc, char** argv) {
-  const std::size_t width = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1200;
+  figure f(argc, argv, 3);
 
   // A hill, and two coordinates of each vert: those of the logarithmic map at the top, which keeps the distances from there.
   auto m = cn::make_grid<cn::trimesh>({.cells = {40, 40}, .max = {2, 2, 1}});
@@ -31,15 +30,15 @@ int main(int argc, char** argv) {
 
   cn::scene flower;
   flower.add(cn::make_torus<cn::quadmesh>({.cells = {40, 20}}), {.edges = true, .color = cn::srgb(0.9f, 0.4f, 0.3f)});
-  const auto picture = cn::render(flower, {.width = width / 3, .height = width / 3, .camera = cn::view_options{.towards = {0, 0, 1}, .margin = 0}, .ground = false});
+  const auto picture = cn::render(flower, {.width = f.width() / 3, .height = f.width() / 3, .camera = cn::view_options{.towards = {0, 0, 1}, .margin = 0}, .ground = false});
 
-  std::vector<cn::image> pictures;
-  const std::vector<cn::texture> textures{cn::texture::checkerboard(16), cn::texture::isolines(20, cn::srgb(0.7f, 0.1f, 0.1f)), cn::texture::from(picture)};
-  for (const auto& texture : textures) {
+  const auto draw = [&](const char* caption, const cn::texture& texture) {
     cn::scene s;
-    s.add(m, {.color = cn::srgb(0.95f, 0.95f, 0.95f), .texture = texture, .texture_coordinates = uv});
-    pictures.push_back(cn::render(s, {.width = width / 3, .height = width / 4, .up = {0, 0, 1}}));
-  }
-  const std::vector<std::string> captions{"squares", "lines of equal coordinates", "a picture"};
-  if (argc > 1) cn::save_png(cn::make_sheet(pictures, {.columns = 3, .captions = captions}), argv[1]);
+    s.add(m, {.color = cn::srgb(0.95f, 0.95f, 0.95f), .texture = texture, .texture_coordinates = uv, .inspect = true});
+    f.add(s, caption, {.up = {0, 0, 1}});
+  };
+  draw("squares", cn::texture::checkerboard(16));
+  draw("lines of equal coordinates", cn::texture::isolines(20, cn::srgb(0.7f, 0.1f, 0.1f)));
+  draw("a picture", cn::texture::from(picture));
+  f.save();
 }

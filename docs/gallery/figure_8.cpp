@@ -1,10 +1,11 @@
-// Figure 8: the slices of a T on four columns of supports, which are lines, and thickened by two radii.   figure_8 picture.png [width]
+// Figure 8: the slices of a T on four columns of supports, which are lines, and thickened by two radii.   figure_8 picture.png [width] [--pages]
+#include "figure.hpp"
+
 #include <concino/adapters/clipper.hpp>
 #include <concino/mesh.hpp>
 #include <concino/print.hpp>
 #include <concino/render.hpp>
 
-#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace cn = concino;
 using line = std::vector<cn::slice_point>;
 
 int main(int argc, char** argv) {
-  const std::size_t width = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1200;
+  figure f(argc, argv, 2, 1);
 
   cn::slices t;
   for (int i = 0; i < 60; ++i) {
@@ -31,14 +32,12 @@ int main(int argc, char** argv) {
     t.layers.push_back(layer);
   }
 
-  std::vector<cn::image> pictures;
-  for (const double radius : {0.03, 0.12}) {
-    const auto printed = cn::slices_to_mesh(t, cn::clipper, {.thicken = radius});
+  for (const char* radius : {"0.03", "0.12"}) {
+    const auto printed = cn::slices_to_mesh(t, cn::clipper, {.thicken = std::stod(radius)});
     cn::scene s;
-    s.add(printed.mesh, {.labels = cn::find_poly_property<int>(printed.mesh, "kind"), .edges = true, .edge_width = 0.5});
+    s.add(printed.mesh, {.labels = cn::find_poly_property<int>(printed.mesh, "kind"), .edges = true, .edge_width = 0.5, .inspect = true});
     const cn::view_options from{.towards = {0.45, -1, 0.35}, .up = {0, 0, 1}};
-    pictures.push_back(cn::render(s, {.width = width / 2, .height = width / 2, .camera = from, .occlusion_rays = 0, .ground = false}));
+    f.add(s, std::string("radius ") + radius, {.camera = from, .occlusion_rays = 0, .ground = false});
   }
-  const std::vector<std::string> captions{"radius 0.03", "radius 0.12"};
-  if (argc > 1) cn::save_png(cn::make_sheet(pictures, {.columns = 2, .captions = captions}), argv[1]);
+  f.save();
 }

@@ -1,4 +1,6 @@
-// Figure 9: a harmonic function on general polygons, its extrema, an iso-line in red, and close up its gradient.   figure_9 picture.png [width [surface.obj]]
+// Figure 9: a harmonic function on general polygons, its extrema, an iso-line in red, and close up its gradient.   figure_9 picture.png [width [surface.obj]] [--pages]
+#include "figure.hpp"
+
 #include <concino/fields.hpp>
 #include <concino/generate.hpp>
 #include <concino/geometry.hpp>
@@ -9,15 +11,12 @@
 #include <concino/render.hpp>
 
 #include <algorithm>
-#include <cstdlib>
-#include <string>
-#include <vector>
 
 namespace cn = concino;
 
 int main(int argc, char** argv) {
-  const std::size_t width = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1200;
-  const auto m = cn::dual_mesh(argc > 3 ? cn::load<cn::trimesh>(argv[3]) : cn::make_torus<cn::trimesh>({.cells = {40, 20}}));
+  figure f(argc, argv, 2, 1);
+  const auto m = cn::dual_mesh(!f.surface().empty() ? cn::load<cn::trimesh>(f.surface()) : cn::make_torus<cn::trimesh>({.cells = {40, 20}}));
 
   // From the lowest vert to the highest one.
   const auto is_lower = [&](cn::vert_id v, cn::vert_id w) { return cn::point(m, v).y < cn::point(m, w).y; };
@@ -26,18 +25,17 @@ int main(int argc, char** argv) {
   const auto u = cn::harmonic_map(m, {{low, 0.0}, {high, 1.0}});
 
   cn::scene s;
-  s.add(m, {.field = u, .isobands = 12, .edges = true, .edge_width = 0.4});
+  s.add(m, {.field = u, .isobands = 12, .edges = true, .edge_width = 0.4, .inspect = true});
   const auto line = cn::isolines(m, u, 0.5);
   const double size = cn::bounding_box(m).diagonal();
   s.add_lines(line, {.radius = 0.006 * size}).add_points({cn::point(m, low), cn::point(m, high)}, {.radius = 0.015 * size});
-  std::vector<cn::image> pictures{cn::render(s, {.width = width / 2, .height = width / 2})};
+  f.add(s, "a harmonic function");
 
   s.add_arrows(m, cn::gradient(m, u), {.equal_lengths = true, .count = 0});
   const cn::vec3 at = line.front().points.front();
   const cn::vec3 away = at - cn::bounding_box(m).centre();
   const auto close = cn::perspective_camera(at + 0.6 * size / cn::norm(away) * away, at, {0, 1, 0}, 20);
-  pictures.push_back(cn::render(s, {.width = width / 2, .height = width / 2, .camera = close, .ground = false}));
+  f.add(s, "its normalised gradient", {.camera = close, .ground = false});
 
-  const std::vector<std::string> captions{"a harmonic function", "its normalised gradient"};
-  if (argc > 1) cn::save_png(cn::make_sheet(pictures, {.columns = 2, .captions = captions}), argv[1]);
+  f.save();
 }

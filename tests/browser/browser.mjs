@@ -34,7 +34,8 @@ export async function startBrowser(program) {
   });
 
   return {
-    async open(url, width = 640, height = 480) {
+    /// before: a script that runs before those of the page.
+    async open(url, width = 640, height = 480, before = "") {
       const { targetId } = await send("Target.createTarget", { url: "about:blank" });
       const { sessionId } = await send("Target.attachToTarget", { targetId, flatten: true });
       const messages = [], call = (method, params) => send(method, params, sessionId);
@@ -50,6 +51,7 @@ export async function startBrowser(program) {
       });
       for (const domain of ["Page", "Runtime", "Log", "Network"]) await call(`${domain}.enable`);
       await call("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: 1, mobile: width < 500 });
+      if (before) await call("Page.addScriptToEvaluateOnNewDocument", { source: before });
       await call("Page.navigate", { url });
       await isLoaded;
       const page = {
@@ -62,6 +64,15 @@ export async function startBrowser(program) {
         async picture() { return Buffer.from((await call("Page.captureScreenshot", { format: "png" })).data, "base64"); },
         async mouse(type, x, y, more = {}) { await call("Input.dispatchMouseEvent", { type, x, y, button: "left", clickCount: 1, ...more }); },
         async click(x, y, more = {}) { await page.mouse("mousePressed", x, y, more); await page.mouse("mouseReleased", x, y, more); },
+        /// Fingers at [x, y] each; none: they leave.
+        async touch(type, ...fingers) {
+          await call("Input.dispatchTouchEvent", { type, touchPoints: fingers.map(([x, y], id) => ({ x, y, id })) });
+        },
+        /// Two taps a tenth of a second after each other.
+        async doubleTap(x, y) {
+          const now = Date.now() / 1000, at = (type, after, touchPoints) => call("Input.dispatchTouchEvent", { type, touchPoints, timestamp: now + after });
+          await Promise.all([0, 0.1].flatMap((t) => [at("touchStart", t, [{ x, y }]), at("touchEnd", t + 0.05, [])]));
+        },
         async key(key) { await call("Input.dispatchKeyEvent", { type: "keyDown", key, text: key.length === 1 ? key : undefined }); await call("Input.dispatchKeyEvent", { type: "keyUp", key }); },
         async close() { await send("Target.closeTarget", { targetId }); },
       };

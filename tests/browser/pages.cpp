@@ -1,7 +1,5 @@
 // Writes the pages that pages.mjs opens in a browser, and what it should find there:  browser_pages <folder>
-// Or those whose speed speed.mjs measures:  browser_pages <folder> large
 
-#include <concino/convert.hpp>
 #include <concino/generate.hpp>
 #include <concino/geometry.hpp>
 #include <concino/level_sets.hpp>
@@ -11,7 +9,9 @@
 #include <fmt/core.h>
 #include <fmt/os.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 
@@ -126,27 +126,55 @@ void write_odd(const std::string& folder) {
   cn::save_html(no_values, folder + "/no_values.html", {.theme = cn::page_theme::dark});
 }
 
-/// A page of a large mesh with a field.
-template<class M>
-void write_large(const M& m, const std::string& path) {
-  auto u = cn::make_vert_map<double>(m, 0.0);
-  for (const auto v : cn::verts(m)) u[v] = std::sin(5 * cn::to_vec3(cn::point(m, v)).x);
+/// A page of a textured mesh, and which of red, green and blue is strongest at each pixel of its picture.
+template<class M, class Coordinates>
+void write_textured(const M& m, const cn::texture& texture, const Coordinates& at, bool inspect, const std::string& path) {
   cn::scene s;
-  s.add(m, {.field = u, .inspect = true});
-  cn::save_html(s, path);
+  s.add(m, {.color = cn::srgb(0.2f, 0.2f, 0.9f), .texture = texture, .texture_coordinates = at, .inspect = inspect});
+  const cn::camera from = cn::frame(s.drawables(), static_cast<double>(width) / height, {.towards = {0.3, 0.4, 1}});
+  cn::save_html(s, path + ".html", {.camera = from});
+  const cn::image picture = cn::render(s, {.width = width, .height = height, .camera = from, .samples = 2, .occlusion_rays = 0, .ground = false});
+  auto out = fmt::output_file(path + ".txt");
+  for (std::size_t y = 0; y < height; ++y) {
+    for (std::size_t x = 0; x < width; ++x) {
+      const cn::rgb c = picture(x, y);
+      out.print("{}", c.r > 2 * c.g && c.r > 2 * c.b ? 'r' : c.g > 2 * c.r && c.g > 2 * c.b ? 'g' : c.b > 2 * c.r && c.b > 2 * c.g ? 'b' : '.');
+    }
+    out.print("\n");
+  }
+}
+
+void write_textures(const std::string& folder) {
+  const cn::rgb red = cn::srgb(0.9f, 0.1f, 0.1f), green = cn::srgb(0.1f, 0.8f, 0.1f);
+  cn::image picture(8, 8, green);
+  picture.add_opacity();
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 8; ++j) picture(i, j) = red, picture.opacity(j, 7 - i) = 0;  // red to the left, and clear below
+  const auto square = cn::make_grid<cn::quadmesh>({.cells = {6, 6}});
+  auto at_verts = cn::make_vert_map<std::array<double, 2>>(square);
+  for (const auto v : cn::verts(square)) at_verts[v] = {2 * cn::point(square, v).x, 2 * cn::point(square, v).y};
+  auto at_corners = cn::make_corner_map<std::array<double, 2>>(square);
+  for (const auto p : cn::polys(square))
+    for (std::uint32_t k = 0; k < 4; ++k) at_corners[{p, k}] = {static_cast<double>(k == 1 || k == 2), static_cast<double>(k > 1)};
+  auto cubes = cn::make_grid<cn::hexmesh>({.cells = {3, 3, 3}});
+  auto uv = cn::corner_property<std::array<double, 2>>(cubes, "uv");
+  for (const auto p : cn::polys(cubes))
+    for (std::uint32_t k = 0; k < 8; ++k) {
+      const cn::vec3 x = cn::point(cubes, cn::vert_at(cubes, {p, k}));
+      uv[{p, k}] = {x.x + x.z + 0.1 * static_cast<double>(p.raw() % 2), x.y};
+    }
+  write_textured(square, cn::texture::checkerboard(3, red, green), at_verts, true, folder + "/texture_squares");
+  write_textured(square, cn::texture::isolines(4, red, 8), at_verts, false, folder + "/texture_lines");
+  write_textured(square, cn::texture::from(picture), at_corners, false, folder + "/texture_picture");
+  write_textured(square, cn::texture::from(picture, cn::texture::outside::clamp), at_verts, true, folder + "/texture_clamped");
+  write_textured(cubes, cn::texture::checkerboard(4, red, green), uv, true, folder + "/texture_volume");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2 && argc != 3) return 2;
+  if (argc != 2) return 2;
   const std::string folder = argv[1];
-  if (argc == 3) {
-    write_large(cn::make_torus<cn::trimesh>({.cells = {316, 158}}), folder + "/triangles_100000.html");
-    write_large(cn::make_torus<cn::trimesh>({.cells = {1000, 500}}), folder + "/triangles_1000000.html");
-    write_large(cn::convert<cn::polyhedralmesh>(cn::make_grid<cn::hexmesh>({.cells = {46, 46, 47}})), folder + "/polyhedra_100000.html");
-    return 0;
-  }
   auto out = fmt::output_file(folder + "/expected.json");
   out.print("[\n");
   write_kind(cn::make_torus<cn::trimesh>({.cells = {24, 12}}), "trimesh", folder, out);
@@ -158,4 +186,5 @@ int main(int argc, char** argv) {
   write_kind(cn::voronoi_polyhedra(cn::random_points(200, unit), unit, {.relax = 2}), "polyhedralmesh", folder, out);
   out.print("  null]\n");
   write_odd(folder);
+  write_textures(folder);
 }

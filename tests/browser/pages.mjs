@@ -1,39 +1,11 @@
-// Opens the pages of pages.cpp in headless Chromium and checks what they show:  node pages.mjs <chromium> <folder>
+// Opens the pages of the six kinds of mesh that pages.cpp writes, and checks what they show:  node pages.mjs <chromium> <folder>
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { join, resolve } from "node:path";
-import { pathToFileURL } from "node:url";
-import { startBrowser } from "./browser.mjs";
+import { join } from "node:path";
+import { check, finish, folder, open, set, silhouette } from "./checks.mjs";
 
-const [, , program, folder] = process.argv, browser = await startBrowser(program);
 const expected = JSON.parse(readFileSync(join(folder, "expected.json"), "utf8")).filter(Boolean);
-let passed = 0, failed = 0;
-
-async function check(name, body) {
-  try {
-    await body();
-    ++passed;
-  } catch (e) {
-    ++failed;
-    console.log(`${name}: ${e.message}`);
-  }
-}
-
-const open = (name, width, height) => browser.open(pathToFileURL(resolve(folder, `${name}.html`)).href, width, height);
-
-/// Which pixels of the drawing are not background: rows of 0 and 1, as pages.cpp writes them.
-const silhouette = `(() => {
-  concino.drawScene();
-  const gl = concino.gl, w = gl.drawingBufferWidth, h = gl.drawingBufferHeight, rgba = new Uint8Array(4 * w * h), rows = [];
-  gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, rgba);
-  for (let y = h - 1; y >= 0; --y) {
-    let row = "";
-    for (let x = 0; x < w; ++x) row += rgba[4 * (y * w + x)] + rgba[4 * (y * w + x) + 1] + rgba[4 * (y * w + x) + 2] < 765 ? "1" : "0";
-    rows.push(row);
-  }
-  return rows.join("\\n");
-})()`;
 
 /// The pixels of a that are farther than two pixels from those of b.
 function farther(a, b) {
@@ -48,14 +20,7 @@ function farther(a, b) {
   return count;
 }
 
-/// Sets an input as a user does.
-const set = (label, value) => `(() => {
-  const e = document.querySelector('[aria-label="${label}"]');
-  if (e.type === "checkbox") e.checked = ${JSON.stringify(value)}; else e.value = ${JSON.stringify(String(value))};
-  for (const type of ["input", "change"]) e.dispatchEvent(new Event(type));
-})()`;
-
-for (const e of expected) {
+for (const e of expected.filter((x) => !process.argv[4] || x.page === process.argv[4])) {
   const page = await open(e.page);
   const thing = "concino.things()[0]";
   await page.run(`document.getElementById("panel").hidden || concino.press("c")`);
@@ -90,6 +55,26 @@ for (const e of expected) {
     assert.equal(await page.run(`${thing}.numShown`), e.polys);
   });
 
+  await check(`${e.page}: polys by label and by value`, async () => {
+    const shown = (isShown) => Array.from({ length: e.polys }, (_, i) => i % 7).filter(isShown).length;
+    await page.run(set("labels shown", "1 2"));
+    assert.equal(await page.run(`${thing}.numShown`), shown((x) => x === 1 || x === 2));
+    await page.run(set("labels shown", ""));
+    await page.run(set("lowest shown", 4));
+    assert.equal(await page.run(`${thing}.numShown`), shown((x) => x >= 4));
+    await page.run(`${thing}.filter.on = false; concino.changed("polygons")`);
+  });
+
+  await check(`${e.page}: Shift and clicks measure a distance`, async () => {
+    const [from, to, length] = await page.run(`(() => { const { mesh } = ${thing}, verts = [...mesh.cornersOf(${e.element})].map((v) => mesh.point(v));
+      const mean = [0, 1, 2].map((k) => verts.reduce((sum, v) => sum + v[k], 0) / verts.length), half = mean.map((x, k) => x / 2 + verts[0][k] / 2);
+      return [concino.pixelOf(mean), concino.pixelOf(half), Math.hypot(...mean.map((x, k) => x - half[k])) * concino.scene.radius]; })()`);
+    for (const [x, y] of [from, to]) await page.click(x, y, { modifiers: 8 });
+    const text = await page.run(`document.getElementById("picked").textContent`), distance = Number(/distance([-.0-9e]+)$/.exec(text)?.[1]);
+    assert.ok(Math.abs(distance / length - 1) < 0.06, `${text}, not ${length}`);
+    await page.key("Escape");
+  });
+
   await check(`${e.page}: an exact cut has the area of slice`, async () => {
     await page.run(set("kind of cut", "exact"));
     await page.run(set("place of the cut along z", 0.3));
@@ -111,6 +96,11 @@ for (const e of expected) {
     const before = await page.run("concino.camera.distance");
     await page.key("+");
     assert.ok((await page.run("concino.camera.distance")) < before);
+    await page.key("v");
+    const hash = await page.run("location.hash"), copy = await open(e.page, 640, 480, { hash });
+    const backs = [await page.run("concino.camera.back"), await copy.run("concino.camera.back")];
+    assert.ok([0, 1, 2].every((k) => Math.abs(backs[0][k] - backs[1][k]) < 1e-6), hash);
+    await copy.close();
     await page.key("r");
     assert.equal(await page.run("concino.camera.parallel"), parallel);
   });
@@ -126,6 +116,46 @@ for (const e of expected) {
     assert.ok(after[1] < before[1]);
   });
 
+  await check(`${e.page}: fingers rotate, move, zoom and centre`, async () => {
+    await page.key("r");
+    const state = () => page.run("({ ...concino.camera, half: concino.halfHeight() })");
+    const start = await state();
+    /// The state when it is another one, at the latest after 5 seconds: events come with the pictures.
+    const changed = async (from) => {
+      for (let i = 0; i < 100; ++i) {
+        const now = await state();
+        if (JSON.stringify(now) !== JSON.stringify(from)) return now;
+        await new Promise((done) => setTimeout(done, 50));
+      }
+      return state();
+    };
+    await page.touch("touchStart", [320, 240]);
+    await page.touch("touchMove", [360, 260]);
+    await page.touch("touchEnd");
+    const rotated = await changed(start);
+    assert.notDeepEqual(rotated.back, start.back);
+    assert.deepEqual([rotated.target, rotated.half], [start.target, start.half]);
+
+    await page.key("r");
+    await page.touch("touchStart", [280, 240], [360, 240]);
+    await page.touch("touchMove", [310, 260], [390, 260]);  // 30 to the right, 20 down
+    const moved = await changed(start), step = 2 * start.half / 480, by = (axis) => [0, 1, 2].reduce((sum, k) => sum + (moved.target[k] - start.target[k]) * start[axis][k], 0);
+    assert.deepEqual(moved.back, start.back);
+    assert.ok(Math.abs(moved.half / start.half - 1) < 1e-6 && Math.abs(by("right") + 30 * step) < 1e-6 && Math.abs(by("up") - 20 * step) < 1e-6, `${by("right") / step} ${by("up") / step}`);
+    await page.touch("touchMove", [270, 260], [430, 260]);  // twice as far from each other
+    const zoomed = await changed(moved);
+    assert.ok(Math.abs(zoomed.half / moved.half - 0.5) < 1e-6, String(zoomed.half / moved.half));
+    await page.touch("touchEnd");
+
+    await page.key("r");
+    await page.doubleTap(e.x, e.y);
+    const centred = await changed(start), back = await page.run(`concino.pixelOf(${JSON.stringify(centred.target)})`);
+    assert.notDeepEqual(centred.target, start.target);
+    assert.ok(Math.hypot(back[0] - 320, back[1] - 240) < 1e-6);
+    const picked = await page.run(`concino.pickAt(320, 240, "poly").index`);
+    assert.equal(picked, e.poly);
+  });
+
   await check(`${e.page}: colours, maps, arrows and elements by index`, async () => {
     const name = e.page.replace("_orthographic", "");
     for (const chosen of ["0", "1", "2", "3", "color"]) await page.run(set(`colours of ${name}`, chosen));
@@ -137,43 +167,23 @@ for (const e of expected) {
     await page.run(silhouette);
   });
 
+  await check(`${e.page}: fewer pixels while the view moves, all when it rests`, async () => {
+    const count = async () => (await page.run(silhouette)).split("1").length, all = await count();
+    for (const corners of [60000, 0]) {  // all triangles, and fewer
+      await page.run(`concino.motion.level = 2; concino.motion.manyCorners = ${corners}`);
+      const few = (await count()) / 0.16;
+      assert.ok(Math.abs(few / all - 1) < 0.06, `${few} instead of ${all}`);
+    }
+    await page.run(`concino.motion.moving = 2; concino.redrawMoving()`);
+    const width = () => page.run("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => done(concino.gl.drawingBufferWidth))))");
+    assert.equal(await width(), 256);
+    for (let i = 0; i < 100 && (await width()) !== 640; ++i) await new Promise((done) => setTimeout(done, 50));
+    assert.equal(await width(), 640);
+    assert.ok((await page.run(silhouette)).includes("1"));
+  });
+
   await check(`${e.page}: nothing on the console, no request`, async () => assert.deepEqual(page.messages, []));
   await page.close();
 }
 
-for (const name of ["strings", "empty", "large", "small", "one", "no_values"]) {
-  const page = await open(name, 1000, 700);
-  await check(`${name}: is shown`, async () => {
-    const shown = name === "no_values" ? true : (await page.run(silhouette)).includes("1");
-    assert.equal(shown, name !== "empty");
-    assert.deepEqual(page.messages, []);
-  });
-  if (name === "strings") await check("texts run nothing and are shown as they are", async () => {
-    assert.equal(await page.run("window.broken"), undefined);
-    assert.equal(await page.run("document.images.length"), 0);
-    const evil = "</script><script>window.broken = 1</script><img src=x onerror='window.broken = 2'>\"'\\\u0001 \u202eabc";
-    assert.equal(await page.run(`document.getElementById("title").textContent`), evil);
-    assert.equal(await page.run(`concino.things()[0].name`), evil);
-    await page.run(`concino.goTo(concino.things()[0], "vert", 0)`);
-    const rows = await page.run(`concino.describe({ thing: concino.things()[0], kind: "vert", index: 0 })`);
-    assert.deepEqual(rows.at(-1), [evil, evil]);
-  });
-  if (name === "no_values") await check("values that are no numbers have their colour and say so", async () => {
-    const rows = await page.run(`[0, 1, 2, 3, 4, 5, 6, 7, 8, 9].map((i) => i * 5).map((i) => concino.describe({ thing: concino.things()[0], kind: "vert", index: i }).find(([name]) => name === "field")[1])`);
-    assert.ok(rows.includes("not a number") && rows.includes("1"), rows.join());
-    const greys = await page.run(`(() => { concino.setTheme(false); concino.drawScene(); const gl = concino.gl, w = gl.drawingBufferWidth, h = gl.drawingBufferHeight, rgba = new Uint8Array(4 * w * h);
-      gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, rgba); let grey = 0, other = 0;
-      for (let i = 0; i < rgba.length; i += 4) { const s = rgba[i] + rgba[i + 1] + rgba[i + 2]; if (s === 765) continue; if (rgba[i] === rgba[i + 1] && rgba[i] === rgba[i + 2]) ++grey; else ++other; }
-      return [grey, other]; })()`);
-    assert.ok(greys[0] > 1000 && greys[1] > 1000, greys.join());
-  });
-  if (name === "large" || name === "small") await check(`${name}: coordinates`, async () => {
-    const x = await page.run(`(() => { const t = concino.things()[0]; return Math.max(...t.mesh.points); })()`);
-    assert.ok(Math.abs(x / (name === "large" ? 1e30 : 1e-30) - 1) < 1e-6, String(x));
-  });
-  await page.close();
-}
-
-await browser.close();
-console.log(`${passed} passed, ${failed} failed`);
-process.exit(failed ? 1 : 0);
+await finish();

@@ -1,3 +1,5 @@
+#include <concino/edit/elements.hpp>
+#include <concino/mesh/corner_property.hpp>
 #include <concino/mesh/property.hpp>
 #include <concino/render/inspected_mesh.hpp>
 #include <concino/render/make_drawable.hpp>
@@ -124,4 +126,40 @@ TEST_CASE_TEMPLATE("inspected_mesh: hidden polys, polygons laid bare, and colour
   CHECK(kept.exposed.empty());
   CHECK(kept_of(m).visible.empty());
   CHECK(!make_drawable(m).inspected);
+}
+
+TEST_CASE_TEMPLATE("inspected_mesh: values, colours and texture coordinates at corners", M, CONCINO_ALL_KINDS) {
+  M m = testing::grid<M>(2);
+  remove_poly(m, poly_id{1});  // leaves a gap in the numbers of corners
+  auto uv = corner_property<std::array<double, 2>>(m, "uv");
+  auto text = corner_property<std::string>(m, "text");
+  auto colors = make_corner_map<rgb>(m);
+  const auto for_each_corner = [&m](const auto& f) {
+    for (const auto p : polys(m)) {
+      std::uint32_t k = 0;
+      for (const auto v : adj_p2v(m, p)) f(corner<M>{p, k++}, v);
+    }
+  };
+  for_each_corner([&](const corner<M>& c, const vert_t<M>& v) {
+    uv[c] = {static_cast<double>(index_of(m, c.poly)), static_cast<double>(index_of(m, v))};
+    text[c] = std::to_string(c.k);
+    colors[c] = {static_cast<float>(c.k), 0, 0};
+  });
+  const inspected_mesh kept = kept_of(m, {.colors = colors, .texture = texture::checkerboard(2), .texture_coordinates = uv});
+  CHECK(kept.colors_at == element_kind::corner);
+  REQUIRE(kept.has_texture);
+  const inspected_values& points = kept.values.back();
+  CHECK(points.at == element_kind::corner);
+  CHECK(points.numbers == find(kept, "uv")->numbers);
+  const auto& offsets = kept.is_volume ? kept.corner_offsets : kept.polygon_offsets;
+  for_each_corner([&](const corner<M>& c, const vert_t<M>& v) {
+    const std::size_t at = offsets[index_of(m, c.poly)] + c.k;
+    CHECK((kept.is_volume ? kept.corner_verts : kept.polygon_verts)[at] == index_of(m, v));
+    CHECK(points.numbers[2 * at] == uv[c][0]);
+    CHECK(points.numbers[2 * at + 1] == uv[c][1]);
+    CHECK(find(kept, "text")->texts[at] == text[c]);
+    CHECK(kept.colors[at] == colors[c]);
+  });
+  CHECK(kept_of(m).values.size() == 2);
+  CHECK(!kept_of(m).has_texture);
 }

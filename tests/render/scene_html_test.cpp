@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cstring>
 #include <limits>
 #include <string>
@@ -88,6 +89,27 @@ TEST_CASE("save_html: without inspect, the polygons of the picture") {
   CHECK(count(page, "\"normals\":") == 2);
   const auto normals = numbers<std::int8_t>(page, "normals", "i1");
   CHECK(normals.size() == 3 * s.drawables()[0].corners.size());
+}
+
+TEST_CASE("save_html: textures, with the pixels of a picture") {
+  const trimesh m = testing::grid<trimesh>(2);
+  auto at = make_vert_map<std::array<double, 2>>(m);
+  for (const auto v : verts(m)) at[v] = {point(m, v).x, point(m, v).y};
+  image picture(3, 2, {1, 0, 0});
+  picture(2, 1) = {0, 0, 1};
+  for (const bool inspect : {false, true}) {
+    scene s;
+    s.add(m, {.texture = texture::from(picture, texture::outside::clamp), .texture_coordinates = at, .inspect = inspect});
+    const std::string page = page_of(s);
+    const auto pixels = numbers<std::uint8_t>(page, "pixels", "u1");
+    CHECK(pixels == srgb_bytes(picture));
+    CHECK(count(page, "\"repeats\":false") == 1);
+    if (inspect) CHECK(count(page, "\"name\":\"texture coordinates\"") == 1);
+    else CHECK(numbers<float>(page, "coordinates", "f4").size() == 2 * s.drawables()[0].corners.size());
+  }
+  scene s;
+  s.add(m, {.texture = texture::isolines(5, {0, 1, 0}, 2), .texture_coordinates = at});
+  CHECK(page_of(s).find("\"texture\":{\"kind\":2,\"count\":5,\"width\":2,\"first\":[0,1,0]") != std::string::npos);
 }
 
 TEST_CASE("save_html: texts end no script, and their control characters are escaped") {

@@ -125,7 +125,7 @@ drawable make_drawable(const M& m, const mesh_look<M>& look = {}) {
         detail::texture_points_of_corners(d, look.texture_coordinates.at(), look.texture_coordinates.read(m, d));
   if (at != element_kind::mesh) detail::take_values(d, at, values, edge_of_corner, look.scale);
   d.name = look.name;
-  if (look.inspect) d.inspected = std::make_shared<const inspected_mesh>(detail::inspect(m, look, d, at, values));
+  if (look.inspect) d.inspected = std::make_shared<const inspected_mesh>(detail::inspect(m, look, at, values));
   return d;
 }
 

@@ -27,7 +27,8 @@ struct html_options {
 /// it is turned, cut and coloured. Meshes that were added with `inspect` can be cut and picked from element by element.
 /// Needs:  a scene, which may be empty. Texts in UTF-8: they are shown as text, whatever they hold. Points that are
 ///         finite.
-/// Result: the file at `path` is the old one or the whole new one, never a part. Textures are left out.
+/// Result: the file at `path` is the old one or the whole new one, never a part. Textures are drawn as in pictures, but
+///         not on cross-sections. While the view moves, a slow browser draws fewer pixels and triangles.
 /// Cost:   O(bytes of the arrays); about 100 kB, and 1.4 times these bytes. Numbers that single precision holds exactly
 ///         have 4 bytes, others 8.
 /// Errors: invalid_argument as view::of; io_error if the file cannot be written.

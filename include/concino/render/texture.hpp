@@ -10,6 +10,10 @@
 
 namespace concino {
 
+namespace detail {
+struct texture_page;
+}
+
 /// How texture coordinates change from one sample of a picture to the next one to the right, and to the next one above.
 struct texture_steps {
   double u_right = 0, v_right = 0, u_up = 0, v_up = 0;
@@ -57,6 +61,7 @@ class texture {
   texture_color operator()(double u, double v, const texture_steps& steps = {}) const;
 
  private:
+  friend struct detail::texture_page;
   enum class kind : std::uint8_t { none, checkerboard, isolines, picture };
 
   texture_color of_picture(double u, double v, const texture_steps& steps) const;

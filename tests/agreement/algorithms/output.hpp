@@ -111,14 +111,48 @@ struct drawing {
   }
 
  private:
-  /// What a page tells of a picked element.
+  /// What a page keeps of the elements: all that is shown when one is picked.
   template<class B>
   static void compare_picked(const B& both, const inspected_mesh& here, const inspected_mesh& there) {
+    numbers vert_of(there.points.size());
     for (const auto v : both.verts.all) {
       const std::size_t i = index_of(both.native, v), j = index_of(both.other, both.verts.to(v));
       expect(here.points[i] == there.points[j] && here.values[0].numbers[i] == there.values[0].numbers[j], "the same points and values");
+      vert_of[j] = static_cast<unsigned>(i);
     }
-    expect(here.polygon_verts.size() == there.polygon_verts.size() && here.poly_faces.size() == there.poly_faces.size(), "as many corners and faces");
+    const auto itself = [](std::uint32_t v) { return v; };
+    const auto native = [&vert_of](std::uint32_t v) { return v < vert_of.size() ? vert_of[v] : ~0u; };
+    expect(edges_of(here, itself) == edges_of(there, native), "the same edges");
+    for (const auto p : both.polys.all) {
+      const std::size_t i = index_of(both.native, p), j = index_of(both.other, both.polys.to(p));
+      expect(polygons_of(here, i, itself) == polygons_of(there, j, native), "the same corners of polys");
+      expect(distance(here.centroids[i], there.centroids[j]) <= 1e-12 * (1 + norm(here.centroids[i])), "the same centroids");
+    }
+  }
+
+  /// The ends of all edges, sorted.
+  template<class F>
+  static std::multiset<numbers> edges_of(const inspected_mesh& m, const F& number) {
+    std::multiset<numbers> all;
+    for (std::size_t e = 0; e + 1 < m.edge_verts.size(); e += 2)
+      if (m.edge_verts[e] != m.edge_verts[e + 1]) all.insert(sorted({number(m.edge_verts[e]), number(m.edge_verts[e + 1])}));
+    return all;
+  }
+  /// The polygons of a poly, which begin anywhere: itself, or its faces seen from outside.
+  template<class F>
+  static std::multiset<numbers> polygons_of(const inspected_mesh& m, std::size_t poly, const F& number) {
+    const auto ring = [&](std::size_t polygon) {
+      numbers r;
+      for (std::size_t c = m.polygon_offsets[polygon]; c < m.polygon_offsets[polygon + 1]; ++c) r.push_back(number(m.polygon_verts[c]));
+      return r;
+    };
+    if (!m.is_volume) return {rotated(ring(poly))};
+    std::multiset<numbers> all;
+    for (std::size_t k = m.poly_offsets[poly]; k < m.poly_offsets[poly + 1]; ++k) {
+      const std::uint32_t face = m.poly_faces[k];
+      all.insert(rotated(face % 2 ? reversed(ring(face / 2)) : ring(face / 2)));
+    }
+    return all;
   }
 
   template<class B>

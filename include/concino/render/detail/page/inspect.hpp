@@ -6,6 +6,7 @@
 #include <concino/core/parallel.hpp>
 #include <concino/geometry/centroid.hpp>
 #include <concino/geometry/triangulate_polygon.hpp>
+#include <concino/mesh/corner_property.hpp>
 #include <concino/mesh/property.hpp>
 #include <concino/render/detail/page/property_values.hpp>
 #include <concino/render/polygon_selection.hpp>
@@ -72,6 +73,55 @@ inline void triangulate_inspected(inspected_mesh& to) {
   }
 }
 
+/// The corners of polys in the order of adj_p2v: lists of a volume, those of the polygons of a surface.
+template<SurfaceMesh M>
+void list_corners(const M&, inspected_mesh&) {}
+template<VolumeMesh M>
+void list_corners(const M& m, inspected_mesh& to) {
+  if (!to.corner_offsets.empty()) return;
+  fill_lists(
+      m, polys(m), poly_index_bound(m), to.corner_offsets, to.corner_verts,
+      [&m](const poly_t<M>& p) -> decltype(auto) { return adj_p2v(m, p); },
+      [&m](const poly_t<M>&, const vert_t<M>& v) { return static_cast<std::uint32_t>(index_of(m, v)); });
+}
+
+template<AnyMesh M>
+void inspect_properties(const M& m, inspected_mesh& to) {
+  if constexpr (ShowsProperties<M>) {
+    const property_set& all = traits<M>::properties(m);
+    std::vector<std::size_t> corners;
+    if constexpr (NumbersCorners<M>)
+      if (has_corner_properties(all)) {
+        list_corners(m, to);
+        const auto& starts = to.is_volume ? to.corner_offsets : to.polygon_offsets;
+        corners.resize(starts.back());
+        for (const poly_t<M> p : polys(m))
+          for (std::size_t c = starts[index_of(m, p)], k = 0; c < starts[index_of(m, p) + 1]; ++c, ++k)
+            corners[c] = traits<M>::first_corner(m, p) + k;
+      }
+    add_properties(to.values, all, corners);
+  }
+}
+
+/// All elements by index, and the corners of all polys, to read maps of colours and texture coordinates.
+template<EmbeddedMesh M>
+drawable all_elements(const M& m, inspected_mesh& to, element_kind at) {
+  const auto numbers = [](std::size_t n) {
+    std::vector<std::uint32_t> list(n);
+    for (std::size_t i = 0; i < n; ++i) list[i] = static_cast<std::uint32_t>(i);
+    return list;
+  };
+  drawable all;
+  all.verts = numbers(to.points.size());
+  all.polys = numbers(poly_index_bound(m));
+  all.mesh_polygons = numbers(polygon_index_bound(m));
+  if (at != element_kind::corner) return all;
+  list_corners(m, to);
+  all.offsets = to.is_volume ? to.corner_offsets : to.polygon_offsets;
+  all.corners = to.is_volume ? to.corner_verts : to.polygon_verts;
+  return all;
+}
+
 /// Everything but what a mesh_look says.
 template<EmbeddedMesh M>
 inspected_mesh inspect(const M& m) {
@@ -90,13 +140,13 @@ inspected_mesh inspect(const M& m) {
   to.centroids.assign(poly_index_bound(m), vec3{nan, nan, nan});
   vec3* const centroids = to.centroids.data();
   parallel_for_each(polys(m), [&m, centroids](const poly_t<M>& p) { centroids[index_of(m, p)] = centroid(m, p); });
-  if constexpr (ShowsProperties<M>) add_properties(to.values, traits<M>::properties(m));
+  inspect_properties(m, to);
   return to;
 }
 
-/// Adds what a mesh_look says. d: the drawable made of it; values: of the field or the labels, by index.
+/// Adds what a mesh_look says. values: of the field or the labels, by index.
 template<EmbeddedMesh M, class Look>
-inspected_mesh inspect(const M& m, const Look& look, const drawable& d, element_kind at, std::vector<double>& values) {
+inspected_mesh inspect(const M& m, const Look& look, element_kind at, std::vector<double>& values) {
   inspected_mesh to = inspect(m);
   to.crease_angle = look.crease_angle;
   if (at != element_kind::mesh) {
@@ -109,23 +159,17 @@ inspected_mesh inspect(const M& m, const Look& look, const drawable& d, element_
     look.exposed.fill(m, selected);
     to.exposed.assign(selected.begin(), selected.end());
   }
-  if (!look.colors) return to;
-  to.colors_at = look.colors.at() == element_kind::corner ? element_kind::vert : look.colors.at();
-  if (look.colors.at() == element_kind::corner) {  // of each vert that is drawn, the colour at one of its corners
-    to.colors.assign(to.points.size(), look.color);
-    for (std::size_t c = 0; c < d.corners.size(); ++c) to.colors[d.verts[d.corners[c]]] = d.colors[c];
-    return to;
+  if (look.colors) {
+    to.colors_at = look.colors.at();
+    to.colors = look.colors.read(m, all_elements(m, to, to.colors_at));
   }
-  drawable all;  // of all elements by index
-  const auto numbers = [](std::size_t n) {
-    std::vector<std::uint32_t> list(n);
-    for (std::size_t i = 0; i < n; ++i) list[i] = static_cast<std::uint32_t>(i);
-    return list;
-  };
-  all.verts = numbers(to.points.size());
-  all.polys = numbers(poly_index_bound(m));
-  all.mesh_polygons = numbers(polygon_index_bound(m));
-  to.colors = look.colors.read(m, all);
+  if (look.texture) {
+    const element_kind where = look.texture_coordinates.at();
+    to.has_texture = true;
+    to.values.push_back({"texture coordinates", where, 2, {}, {}});
+    for (const auto& t : look.texture_coordinates.read(m, all_elements(m, to, where)))
+      to.values.back().numbers.insert(to.values.back().numbers.end(), {t[0], t[1]});
+  }
   return to;
 }
 

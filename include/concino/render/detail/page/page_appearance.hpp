@@ -8,6 +8,7 @@
 #include <concino/render/detail/page/page_writer.hpp>
 #include <concino/render/label_colors.hpp>
 #include <concino/render/surface_material.hpp>
+#include <concino/render/texture.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -46,6 +47,8 @@ inline void write_look(page_writer& out, const appearance& look, bool has_values
   out.add("edge_color", numbers_of_color(look.edge_color));
   out.add("labels", look.labels);
   out.add("isobands", static_cast<double>(look.isobands));
+  out.add("band_width", look.band_width);
+  out.add("band_limit", look.band_limit);
   out.add("isolines", static_cast<double>(look.isolines));
   out.add("edge_width", look.edge_width);
   out.add("opacity", look.opacity);
@@ -77,10 +80,33 @@ inline void write_material(page_writer& out, const surface_material& material) {
   out.add_bytes("ball", bytes_of_colors(ball));
 }
 
+/// Writes what a texture consists of.
+struct texture_page {
+  static void write(page_writer& out, const texture& t) {
+    using kind = texture::kind;
+    out.add("kind", t.kind_ == kind::checkerboard ? 1.0 : t.kind_ == kind::isolines ? 2.0 : 3.0);
+    out.add("count", t.count_);
+    out.add("width", t.width_);
+    out.add("first", numbers_of_color(t.first_));
+    out.add("second", numbers_of_color(t.second_));
+    if (t.kind_ != kind::picture) return;
+    const image& picture = t.levels_->front();
+    out.add("repeats", t.border_ == texture::outside::repeat);
+    out.begin("picture", '{');
+    out.add("width", static_cast<double>(picture.width()));
+    out.add("height", static_cast<double>(picture.height()));
+    out.add_bytes("pixels", srgb_bytes(picture));  // four bytes if it has opacities, else three
+    out.end('}');
+  }
+};
+
 inline void write_maps(page_writer& out) {
-  constexpr std::pair<const char*, const colormap*> maps[] = {
-      {"blue to yellow", &colormap::blue_to_yellow}, {"viridis", &colormap::viridis}, {"cividis", &colormap::cividis},
-      {"turbo", &colormap::turbo},                   {"cool warm", &colormap::cool_warm}, {"hsv", &colormap::hsv}};
+  constexpr std::pair<const char*, const colormap*> maps[] = {{"blue to yellow", &colormap::blue_to_yellow},
+                                                              {"viridis", &colormap::viridis},
+                                                              {"cividis", &colormap::cividis},
+                                                              {"turbo", &colormap::turbo},
+                                                              {"cool warm", &colormap::cool_warm},
+                                                              {"hsv", &colormap::hsv}};
   out.begin("maps", '[');
   for (const auto& [name, map] : maps) {
     out.begin('{');

@@ -17,8 +17,8 @@ inline constexpr std::string_view page_start = R"page(
 <title>)page";
 inline constexpr std::string_view page_middle = R"page(</title>
 <style>
-:root { --paper: #ffffff; --ink: #1a1b1f; --soft: #5c5f68; --line: #d4d6dc; --box: #f6f7f9; --accent: #1c62b9; color-scheme: light; }
-:root[data-theme="dark"] { --paper: #17181c; --ink: #eceef2; --soft: #a4a8b3; --line: #3b3e47; --box: #22242a; --accent: #7db4ff;
+:root { --paper: #ffffff; --ink: #1a1b1f; --soft: #5c5f68; --line: #d4d6dc; --box: #f6f7f9; --accent: #1c62b9; --veil: #ffffffc0; color-scheme: light; }
+:root[data-theme="dark"] { --paper: #17181c; --ink: #eceef2; --soft: #a4a8b3; --line: #3b3e47; --box: #22242a; --accent: #7db4ff; --veil: #17181cc0;
 color-scheme: dark; }
 * { box-sizing: border-box; }
 html, body { margin: 0; height: 100%; overflow: hidden; background: var(--paper); color: var(--ink);
@@ -35,20 +35,21 @@ unicode-bidi: isolate; max-width: 60%; overflow: hidden; text-overflow: ellipsis
 #title { position: absolute; top: 10px; left: 14px; margin: 0; font-size: 18px; font-weight: 600; max-width: calc(100% - 28px);
 overflow: hidden; text-overflow: ellipsis; white-space: nowrap; pointer-events: none; unicode-bidi: isolate; }
 #message { position: absolute; left: 14px; bottom: 10px; margin: 0; color: var(--soft); max-width: calc(100% - 28px); pointer-events: none; }
-#legend { position: absolute; left: 14px; top: 46px; margin: 0; display: flex; gap: 6px; pointer-events: none; }
+#legend { position: absolute; left: 14px; top: 46px; margin: 0; display: grid; grid-template-columns: auto 1fr; gap: 6px; pointer-events: none; }
 #legend[hidden] { display: none; }
-#legend figcaption { position: absolute; top: -2px; left: 0; white-space: nowrap; unicode-bidi: isolate; }
-#legend canvas { margin-top: 24px; width: 16px; height: 200px; border: 1px solid var(--line); }
-#legend .ticks { position: relative; margin-top: 24px; height: 200px; min-width: 64px; }
+#legend figcaption, #legend ul, #legend p { grid-column: 1 / -1; margin: 0; max-width: 40vw; overflow: hidden; text-overflow: ellipsis;
+white-space: nowrap; unicode-bidi: isolate; }
+#legend canvas { width: 16px; height: 200px; border: 1px solid var(--line); }
+#legend .ticks { position: relative; height: 200px; min-width: 64px; }
 #legend .ticks span { position: absolute; transform: translateY(-50%); white-space: nowrap; }
 #legend .ticks span::before { content: ""; display: inline-block; width: 5px; height: 1px; margin-right: 4px; background: var(--ink);
 vertical-align: middle; }
-#legend ul { list-style: none; margin: 24px 0 0; padding: 0; max-height: 50vh; overflow: hidden; }
-#legend p { position: absolute; top: 100%; margin: 4px 0 0; white-space: nowrap; }
+#legend ul { list-style: none; padding: 0; max-height: 50vh; }
 #legend li i, #legend p i { display: inline-block; width: 12px; height: 12px; margin-right: 6px; vertical-align: -1px; }
+#legend, #title:not(:empty), #message:not(:empty) { background: var(--veil); box-shadow: 0 0 0 5px var(--veil); border-radius: 2px; }
 #toggle { position: absolute; top: 10px; right: 14px; z-index: 2; }
-#panel { position: absolute; top: 0; right: 0; bottom: 0; width: 300px; padding: 48px 14px 14px; overflow: auto; background: var(--box);
-border-left: 1px solid var(--line); }
+#panel { position: absolute; top: 0; right: 0; bottom: 0; width: 300px; padding: 0 14px 14px; overflow: auto; background: var(--box);
+border-left: 1px solid var(--line); border-top: 48px solid var(--box); }
 #panel[hidden] { display: none; }
 #panel details { border-top: 1px solid var(--line); padding: 6px 0; }
 #panel summary { font-weight: 600; cursor: pointer; padding: 2px 0; }
@@ -61,9 +62,12 @@ label { display: inline-flex; align-items: center; gap: 6px; }
 .row select, .row input[type="text"] { flex: 1; min-width: 0; }
 input, select, button { font: inherit; color: var(--ink); }
 input[type="number"], input[type="text"], select { background: var(--paper); border: 1px solid var(--line); border-radius: 4px; padding: 2px 4px; }
-input[type="number"] { width: 74px; }
+input[type="number"] { width: 74px; appearance: textfield; }
+input[type="number"]::-webkit-inner-spin-button { display: none; }
+.fitted { flex-wrap: nowrap; }
+.fitted input[type="number"] { flex: 1; min-width: 0; }
 input[type="color"] { width: 32px; height: 24px; padding: 0; border: 1px solid var(--line); background: none; }
-button { background: var(--paper); border: 1px solid var(--line); border-radius: 4px; padding: 3px 9px; cursor: pointer; }
+button { background: var(--paper); border: 1px solid var(--line); border-radius: 4px; padding: 3px 7px; cursor: pointer; }
 button:hover { border-color: var(--accent); }
 :focus-visible { outline: 2px solid var(--accent); outline-offset: 1px; }
 .soft { color: var(--soft); }
@@ -98,66 +102,125 @@ std::string_view(R"page(<script>
 "use strict";
 const shaders = { surface_vert: `#version 300 es
 in vec3 position;
-in vec3 normal;
-in uint flags;
-in float value;
-in vec4 paint;
-in vec3 sides;
 uniform mat4 project;
 uniform mat3 turn;
+#ifdef PLACE
 out vec3 place;
+#endif
+#ifdef SMOOTH
+in vec3 normal;
 out vec3 direction;
-out vec3 inside;
-out float number;
-out vec4 painted;
+#endif
+#ifdef BITS
+in uint flags;
 flat out uint bits;
+#endif
+#ifdef VALUES
+in float value;
+out float number;
+#endif
+#ifdef PAINT
+in vec4 paint;
+out vec4 painted;
+#endif
+#ifdef EDGES
+out vec3 inside;
+#endif
+#ifdef SIDES
+in vec3 sides;
 flat out vec3 side_numbers;
+#endif
+#ifdef TEXTURE
+in vec2 texture_place;
+out vec2 uv;
+#endif
+#ifdef PICK
 flat out int triangle;
+#endif
 void main() {
 gl_Position = project * vec4(position, 1.0);
+#ifdef PLACE
 place = position;
+#endif
+#ifdef SMOOTH
 direction = turn * normal;
+#endif
+#ifdef BITS
+bits = flags;
+#endif
+#ifdef VALUES
+number = value;
+#endif
+#ifdef PAINT
+painted = paint;
+#endif
+#ifdef EDGES
 int corner = gl_VertexID % 3;
 inside = vec3(corner == 0, corner == 1, corner == 2);
-number = value;
-painted = paint;
-bits = flags;
+#endif
+#ifdef SIDES
 side_numbers = sides;
+#endif
+#ifdef TEXTURE
+uv = texture_place;
+#endif
+#ifdef PICK
 triangle = gl_VertexID / 3;
+#endif
 }
 `, surface_frag: `#version 300 es
 precision highp float;
 precision highp int;
-in vec3 place;
-in vec3 direction;
-in vec3 inside;
-in float number;
-in vec4 painted;
-flat in uint bits;
-flat in vec3 side_numbers;
-flat in int triangle;
-uniform vec4 planes[4];
-uniform int cuts;
 uniform mat3 turn;
-uniform bool flat_shading;
-uniform int coloring;
-uniform vec3 color, exposed_color, no_value, edge_color;
-uniform vec2 knots[18];
-uniform int num_knots;
-uniform float bands, lines;
-uniform float edge_width, opacity, shine;
-uniform bool edges_have_values;
-uniform bool has_ball;
-uniform sampler2D map, ball;
-uniform int picking;
 uniform bool parallel;
 uniform vec3 eye;
 out vec4 result;
+#ifdef PLACE
+in vec3 place;
+#endif
+#ifdef BITS
+flat in uint bits;
+#endif
+#ifdef CUTS
+uniform vec4 planes[4];
+uniform int cuts;
+float distance_to_cut() {
+float nearest = 1e9;
+for (int k = 0; k < 4; ++k) {
+float gap = planes[k].w - dot(planes[k].xyz, place), step = fwidth(gap);
+if ((cuts >> k & 1) == 0) continue;
+if (gap <= 0.0) discard;
+nearest = min(nearest, gap / max(step, 1e-9));
+}
+return nearest;
+}
+#endif
+#ifdef PICK
+flat in int triangle;
+uniform int picking;
+void main() {
+#ifdef CUTS
+distance_to_cut();
+#endif
+result = vec4(float(picking), float(triangle & 255), float(triangle >> 8 & 255), float(triangle >> 16 & 255)) / 255.0;
+}
+#else
+uniform vec3 color, exposed_color, no_value, edge_color;
+uniform float opacity, shine;
+uniform sampler2D map;
 vec3 linear(vec3 c) { return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c)); }
 vec3 screen(vec3 c) {
 vec3 a = sqrt(clamp(c, 0.0, 1.0)), b = sqrt(a);
 return clamp(0.585122381 * a + 0.783140355 * b - 0.368262736 * sqrt(b), 0.0, 1.0);
 }
+float line_at(float x, float width) {
+float w = max(fwidth(x), 1e-6);
+return clamp(width * 0.5 + 0.5 - abs(fract(x) - 0.5) / w, 0.0, 1.0);
+}
+#if defined(VALUES) || defined(SIDES)
+uniform vec2 knots[18];
+uniform int num_knots;
+uniform bool are_labels;
 float position_of(float x) {
 if (num_knots == 2) return mix(knots[0].y, knots[1].y, clamp((x - knots[0].x) / (knots[1].x - knots[0].x), 0.0, 1.0));
 float t = knots[0].y;
@@ -169,69 +232,119 @@ return t;
 }
 vec3 color_of(float x) {
 if (abs(x) > 1e30) return no_value;
-if (coloring == 3) return texelFetch(map, ivec2(int(mod(floor(x + 0.5), 256.0)), 0), 0).rgb;
+if (are_labels) return texelFetch(map, ivec2(int(mod(floor(x + 0.5), 256.0)), 0), 0).rgb;
 return texture(map, vec2((position_of(x) * 255.0 + 0.5) / 256.0, 0.5)).rgb;
 }
-float distance_to_cut() {
-if (cuts == 0) return 1e9;
-float nearest = 1e9;
-for (int k = 0; k < 4; ++k) {
-float gap = planes[k].w - dot(planes[k].xyz, place), step = fwidth(gap);
-if ((cuts >> k & 1) == 0) continue;
-if (gap <= 0.0) discard;
-nearest = min(nearest, gap / max(step, 1e-9));
-}
-return nearest;
-}
-vec3 normal_to_viewer() {
-vec3 n = normalize(direction);
-if (!flat_shading && dot(direction, direction) > 0.01) return gl_FrontFacing ? n : -n;
-n = normalize(turn * cross(dFdx(place), dFdy(place)));
-return dot(n, parallel ? vec3(0, 0, -1) : turn * (place - eye)) > 0.0 ? -n : n;
-}
-float line_at(float x, float width) {
-float w = max(fwidth(x), 1e-6);
-return clamp(width * 0.5 + 0.5 - abs(fract(x) - 0.5) / w, 0.0, 1.0);
-}
+#endif
+#ifdef VALUES
+in float number;
+#ifdef LINES
+uniform float bands, lines;
+uniform vec2 band_widths;
 vec3 color_of_surface() {
-if (coloring == 1) return linear(painted.rgb);
-if (coloring == 0) return (bits & 8u) != 0u ? exposed_color : color;
 vec3 c = color_of(number);
-if (coloring == 3 || bands + lines == 0.0) return c;
 float t = position_of(number), x = t * bands, w = max(fwidth(x), 1e-6), line = line_at(t * lines, 1.5);
 if (abs(number) > 1e30) return c;
-if (bands > 0.0) c = mix(c, vec3(1.0), clamp((0.06 - abs(fract(x) - 0.5)) / w + 0.5, 0.0, 1.0));
+if (bands > 0.0) c = mix(c, vec3(1.0), clamp((min(band_widths.x, band_widths.y * w) - abs(fract(x) - 0.5)) / w + 0.5, 0.0, 1.0));
 return lines > 0.0 ? mix(c, edge_color, line) : c;
 }
+#else
+vec3 color_of_surface() { return color_of(number); }
+#endif
+#elif defined(PAINT)
+in vec4 painted;
+vec3 color_of_surface() { return linear(painted.rgb); }
+#else
+vec3 color_of_surface() { return (bits & 8u) != 0u ? exposed_color : color; }
+#endif
+#ifdef TEXTURE
+in vec2 uv;
+uniform int texture_kind;
+uniform vec2 texture_size;
+uniform vec3 texture_first, texture_second;
+uniform sampler2D picture;
+float mean_sign(float x) {
+float w = max(fwidth(x), 1e-6);
+vec2 ends = abs(mod(x + vec2(0.5, -0.5) * w, 2.0) - 1.0);
+return w > 2.0 ? 0.0 : (ends.y - ends.x) / w;
+}
+vec3 with_texture(vec3 below) {
+bool has_no_place = max(abs(uv.x), abs(uv.y)) > 1e30;
+if (texture_kind == 3) {
+vec4 t = texture(picture, vec2(uv.x, 1.0 - uv.y));
+return has_no_place ? no_value : below * (1.0 - t.a) + t.rgb;
+}
+vec2 x = uv * texture_size.x;
+if (texture_kind == 1) {
+float share = 0.5 - 0.5 * mean_sign(x.x) * mean_sign(x.y);
+below = mix(texture_first, texture_second, share);
+} else below = mix(texture_first, below, (1.0 - line_at(x.x + 0.5, texture_size.y)) * (1.0 - line_at(x.y + 0.5, texture_size.y)));
+return has_no_place ? no_value : below;
+}
+#endif
+#ifdef SMOOTH
+in vec3 direction;
+vec3 normal_to_viewer() {
+vec3 n = direction * inversesqrt(max(dot(direction, direction), 1e-12));
+return gl_FrontFacing ? n : -n;
+}
+#else
+vec3 normal_to_viewer() {
+vec3 n = normalize(turn * cross(dFdx(place), dFdy(place)));
+return dot(n, parallel ? vec3(0, 0, -1) : turn * (place - eye)) > 0.0 ? -n : n;
+}
+#endif
+#ifdef BALL
+uniform sampler2D ball;
+vec3 light_at(vec3 n) { return texture(ball, n.xy * vec2(0.49, -0.49) + 0.5).rgb; }
+#else
 vec3 light_at(vec3 n) {
-if (has_ball) return texture(ball, n.xy * vec2(0.49, -0.49) + 0.5).rgb;
 vec3 to_light = normalize(vec3(-0.55, 0.9, 0.75));
 float light = 0.34 + 0.14 * n.y + 0.34 * max(n.z, 0.0) + 0.42 * max(dot(n, to_light), 0.0);
 float x = max(dot(n, normalize(to_light + vec3(0, 0, 1))), 0.0), y = x * x * x * x, z = y * y * y;
 return vec3(light + shine * 0.10 * z * z * z * y);
 }
+#endif
+#ifdef EDGES
+in vec3 inside;
+uniform float edge_width;
+#ifdef SIDES
+flat in vec3 side_numbers;
+#endif
 void draw_edges(inout vec3 lit, inout float cover) {
 vec3 slope = fwidth(inside);
 for (int k = 0; k < 3; ++k) {
 if ((bits >> k & 1u) == 0u) continue;
 int opposite = (k + 2) % 3;
 float drawn = clamp(edge_width * 0.5 + 0.5 - inside[opposite] / max(slope[opposite], 1e-9), 0.0, 1.0);
-lit = mix(lit, edges_have_values ? color_of(side_numbers[k]) : edge_color, drawn * (edges_have_values ? 1.0 : 0.6));
+#ifdef SIDES
+lit = mix(lit, color_of(side_numbers[k]), drawn);
+#else
+lit = mix(lit, edge_color, drawn * 0.6);
+#endif
 cover = max(cover, drawn * 0.6);
 }
 }
+#endif
 void main() {
+#ifdef CUTS
 float to_cut = distance_to_cut();
-if (picking > 0) {
-result = vec4(float(picking), float(triangle & 255), float(triangle >> 8 & 255), float(triangle >> 16 & 255)) / 255.0;
-return;
-}
-vec3 lit = color_of_surface() * light_at(normal_to_viewer());
+#endif
+vec3 base = color_of_surface();
+#ifdef TEXTURE
+base = with_texture(base);
+#endif
+vec3 lit = base * light_at(normal_to_viewer());
 float cover = opacity;
-if (edge_width > 0.0) draw_edges(lit, cover);
+#ifdef EDGES
+draw_edges(lit, cover);
+#endif
+#ifdef CUTS
 if (to_cut < 3.0) lit = mix(lit, edge_color, clamp(2.0 - to_cut, 0.0, 1.0));
+#endif
 result = vec4(screen(lit) * cover, cover);
 }
+#endif
 ` };
 const byId = (id) => document.getElementById(id);
 const scene = JSON.parse(byId("scene").textContent);
@@ -347,7 +460,8 @@ if (!c.fixed) return frameScene(c.margin);
 const eye = toUnit(c.eye);
 camera.distance = Math.max(dot(eye, c.back), 1e-3);
 camera.target = sub(eye, scaled(c.back, camera.distance));
-if (c.parallel) camera.half = c.half_height / scene.radius;
+)page"),
+std::string_view(R"page(if (c.parallel) camera.half = c.half_height / scene.radius;
 const narrow = Math.max(1, 4 / 3 / aspect());  // a narrow screen shows no less to the left and right than a picture does
 camera.half *= narrow;
 camera.slope *= narrow;
@@ -386,8 +500,7 @@ const eyeBack = turned(camera.back, axis, angle), up = turned(camera.up, axis, a
 orient(eyeBack, up);
 }
 function pan(dx, dy) {
-)page"),
-std::string_view(R"page(const step = 2 * halfHeight() / canvas.clientHeight;
+const step = 2 * halfHeight() / canvas.clientHeight;
 camera.target = add(camera.target, add(scaled(camera.right, -dx * step), scaled(camera.up, dy * step)));
 }
 function zoom(factor, x, y) {
@@ -424,8 +537,8 @@ const sizes = new Uint32Array(count + 1);
 for (let i = 0; i < items.length; ++i) ++sizes[itemOf(items[i]) + 1];
 for (let i = 0; i < count; ++i) sizes[i + 1] += sizes[i];
 const next = sizes.slice(), lists = new Uint32Array(items.length);
-for (let i = 0; i + 1 < starts.length; ++i)
-for (let k = starts[i]; k < starts[i + 1]; ++k) lists[next[itemOf(items[k])]++] = i;
+if (!starts) for (let i = 0; i < items.length; ++i) lists[next[itemOf(items[i])]++] = i;
+else for (let i = 0; i + 1 < starts.length; ++i) for (let k = starts[i]; k < starts[i + 1]; ++k) lists[next[itemOf(items[k])]++] = i;
 return { starts: sizes, items: lists };
 }
 const listOf = (lists, i) => lists.items.subarray(lists.starts[i], lists.starts[i + 1]);
@@ -435,6 +548,7 @@ const a = readArrays(data.arrays);
 Object.assign(this, { isVolume: data.volume, crease: data.crease, points: a.points, edges: a.edges, polygonStarts: a.polygon_starts,
 corners: a.corners, triangles: a.triangles, centroids: a.centroids, shown: a.shown, laidBare: a.laid_bare });
 this.faces = data.volume ? { starts: a.poly_starts, items: a.poly_faces } : null;  // items: 2 * face + (0 if outward)
+this.polyCorners = data.volume ? { starts: a.corner_starts, items: a.corner_verts } : { starts: a.polygon_starts, items: a.corners };
 this.values = data.values.map((v) => ({ ...v, numbers: v.texts ? null : numbersOf(v.numbers) }));
 this.numVerts = this.points.length / 3;
 this.numPolygons = this.polygonStarts.length - 1;
@@ -457,11 +571,16 @@ return this.once("polygonsOfVert", () => inverted(this.numVerts, this.polygonSta
 get polysOfFace() {
 return this.once("polysOfFace", () => inverted(this.numPolygons, this.faces.starts, this.faces.items, (x) => x >> 1));
 }
+cornerAt(poly, vert) {
+const { starts, items } = this.polyCorners, i = starts.length ? items.subarray(starts[poly], starts[poly + 1]).indexOf(vert) : -1;
+return i < 0 ? -1 : starts[poly] + i;
+}
 edgeBetween(a, b) {
 for (const e of listOf(this.edgesOfVert, a)) if (this.edges[2 * e] === b || this.edges[2 * e + 1] === b) return e;
 return -1;
 }
 polysOfPolygon(polygon) { return this.isVolume ? [...listOf(this.polysOfFace, polygon)] : [polygon]; }
+polysOfVert(v) { return [...new Set([...listOf(this.polygonsOfVert, v)].flatMap((p) => this.polysOfPolygon(p)))]; }
 vertsOfPoly(poly) {
 return this.isVolume ? [...new Set(this.facesOf(poly).flatMap((f) => [...this.cornersOf(f)]))] : [...this.cornersOf(poly)];
 }
@@ -585,7 +704,8 @@ let along = [0, 0, 0];
 for (const c of crossings) { const d = sub(position(c.place), first); if (norm(d) > norm(along)) along = d; }
 crossings.sort((c, d) => dot(along, position(c.place)) - dot(along, position(d.place)));
 }
-for (let i = 0; i + 1 < crossings.length; i += 2) {
+)page"),
+std::string_view(R"page(for (let i = 0; i + 1 < crossings.length; i += 2) {
 const [c, d] = crossings[i].up ? [crossings[i], crossings[i + 1]] : [crossings[i + 1], crossings[i]];
 next.set(c.place, d.place);
 }
@@ -638,8 +758,7 @@ starts[i + 1] = starts[i] + mesh.polygonStarts[p + 1] - mesh.polygonStarts[p];
 numTriangles += own ? own[p + 1] - own[p] : 1;
 });
 const corners = new Uint32Array(starts[count]), triangles = new Uint32Array(3 * numTriangles), polygonOf = new Uint32Array(numTriangles);
-)page"),
-std::string_view(R"page(let t = 0;
+let t = 0;
 for (let i = 0; i < count; ++i) {
 const p = seen.polygon[i], from = mesh.polygonStarts[p], first = starts[i], n = starts[i + 1] - first, turn = seen.turned[i];
 for (let k = 0; k < n; ++k) corners[first + (turn ? n - 1 - k : k)] = mesh.corners[from + k];
@@ -650,7 +769,7 @@ triangles.set(turn ? [first + n - 1 - a, first + n - 1 - c, first + n - 1 - b] :
 if (!own) put(0, 1, 2);
 else for (let k = own[p]; k < own[p + 1]; ++k) put(mesh.triangles[3 * k] - from, mesh.triangles[3 * k + 1] - from, mesh.triangles[3 * k + 2] - from);
 }
-const list = { points: mesh.units, starts, corners, triangles, polygonOf, polys: seen.poly, elements: seen.polygon, bare: seen.bare, count };
+const list = { mesh, points: mesh.units, starts, corners, triangles, polygonOf, polys: seen.poly, elements: seen.polygon, bare: seen.bare, count };
 list.normals = smoothNormals(list, mesh.crease);
 return list;
 }
@@ -664,16 +783,16 @@ const v = 3 * corners[c], before = 3 * corners[c === first ? last - 1 : c - 1], 
 const ax = points[before] - points[v], ay = points[before + 1] - points[v + 1], az = points[before + 2] - points[v + 2];
 const bx = points[after] - points[v], by = points[after + 1] - points[v + 1], bz = points[after + 2] - points[v + 2];
 const x = ay * bz - az * by, y = az * bx - ax * bz, z = ax * by - ay * bx;
-angles[c] = Math.atan2(Math.hypot(x, y, z), ax * bx + ay * by + az * bz);
+angles[c] = Math.atan2(Math.sqrt(x * x + y * y + z * z), ax * bx + ay * by + az * bz);
 if (c < first + 2) continue;
 const px = points[before] - points[o], py = points[before + 1] - points[o + 1], pz = points[before + 2] - points[o + 2];
 const qx = points[v] - points[o], qy = points[v + 1] - points[o + 1], qz = points[v + 2] - points[o + 2];
 nx += py * qz - pz * qy; ny += pz * qx - px * qz; nz += px * qy - py * qx;
 }
-const length = Math.hypot(nx, ny, nz);
+const length = Math.sqrt(nx * nx + ny * ny + nz * nz);
 if (length > 0) { own[3 * p] = nx / length; own[3 * p + 1] = ny / length; own[3 * p + 2] = nz / length; }
 }
-const around = inverted(points.length / 3, Uint32Array.from({ length: corners.length + 1 }, (_, i) => i), corners);
+const around = inverted(points.length / 3, null, corners);
 const polygon = new Uint32Array(corners.length), cosine = Math.cos(crease * Math.PI / 180);
 for (let p = 0; p < count; ++p) polygon.fill(p, starts[p], starts[p + 1]);
 for (let c = 0; c < corners.length; ++c) {
@@ -684,7 +803,7 @@ const q = 3 * polygon[d];
 if (own[p] * own[q] + own[p + 1] * own[q + 1] + own[p + 2] * own[q + 2] < cosine) continue;
 x += own[q] * angles[d]; y += own[q + 1] * angles[d]; z += own[q + 2] * angles[d];
 }
-const length = Math.hypot(x, y, z);
+const length = Math.sqrt(x * x + y * y + z * z);
 const fits = length > 0;
 normals[3 * c] = fits ? x / length : own[p];
 normals[3 * c + 1] = fits ? y / length : own[p + 1];
@@ -702,7 +821,7 @@ corners.push(...loop);
 starts.push(corners.length);
 for (const t of trianglesOf(loop.map((i) => at3(points, i)))) triangles.push(...t.map((k) => first + k));
 }
-const list = { points, starts: Uint32Array.from(starts), corners: Uint32Array.from(corners), triangles: Uint32Array.from(triangles),
+const list = { mesh, points, starts: Uint32Array.from(starts), corners: Uint32Array.from(corners), triangles: Uint32Array.from(triangles),
 polys: cut.sections.map((s) => s.poly), elements: null, bare: new Array(count).fill(true), between: cut.points, count };
 list.polygonOf = polygonsOfTriangles(list.starts, list.triangles);
 list.normals = new Float32Array(3 * corners.length);  // flat: the shader takes the plane of the triangle
@@ -759,17 +878,18 @@ function cornerNumbers(list, at, numbers, range, labels) {
 const result = new Float32Array(list.triangles.length);
 const shaderNumber = labels ? (x) => (Number.isNaN(labelOf(x)) ? noValue : labelOf(x) % 20)
 : (x) => (Number.isFinite(x) ? Math.max(-1e29, Math.min(1e29, fraction(x, range))) : noValue);
-const perPolygon = at === "poly" ? list.polys : at === "face" ? list.elements : null;
+const perPolygon = at === "poly" ? list.polys : at === "face" ? list.elements : null, atCorners = at === "corner" && list.mesh;
+const placeOf = (vert, p) => (atCorners ? list.mesh.cornerAt(list.polys[p], vert) : vert);
 for (let i = 0; i < result.length; ++i) {
 const c = list.triangles[i], p = list.polygonOf[Math.floor(i / 3)];
 let x = NaN;
 if (at === "polygon") x = numbers[p];
-else if (at === "corner") x = numbers[c];
+else if (at === "corner" && !atCorners) x = numbers[c];
 else if (perPolygon) x = numbers[perPolygon[p]];
-else if (at === "vert" && list.between) {
-const [a, b, t] = list.between[list.corners[c]];
-x = t === 0 ? numbers[a] : t === 1 ? numbers[b] : numbers[a] * (1 - t) + numbers[b] * t;
-} else if (at === "vert" || at === "point") x = numbers[list.corners[c]];
+else if ((at === "vert" || atCorners) && list.between) {
+const [v, w, t] = list.between[list.corners[c]], a = numbers[placeOf(v, p)], b = numbers[placeOf(w, p)];
+x = t === 0 ? a : t === 1 ? b : a * (1 - t) + b * t;
+} else if (at === "vert" || at === "point" || atCorners) x = numbers[placeOf(list.corners[c], p)];
 result[i] = shaderNumber(x);
 }
 return result;
@@ -804,7 +924,8 @@ function roundTicks(low, high, count) {
 const part = high / count - low / count, size = Math.max(Math.abs(low), Math.abs(high));
 if (!(part > size * 1e-12) || part < 1e-300) return [[low / 2 + high / 2, textOf(Number((low / 2 + high / 2).toPrecision(6)))]];
 const step = roundStep(part), finer = roundStep(0.4 * step), few = multiples(low, high, step), many = multiples(low, high, finer);
-const takesFew = few.length >= 2 && Math.abs(few.length - count) <= Math.abs(many.length - count);
+)page"),
+std::string_view(R"page(const takesFew = few.length >= 2 && Math.abs(few.length - count) <= Math.abs(many.length - count);
 return (takesFew ? few : many).map((x) => [x, tickText(x, takesFew ? step : finer)]);
 }
 function scaleTicks(scale, count) {
@@ -854,11 +975,15 @@ this.prepared = this.mesh ? null : preparedPolygons(data);
 this.data = data;
 this.fields = this.mesh ? this.mesh.values : [];
 if (data.values) this.fields = [{ name: data.values.name, at: data.values.at, width: 1, numbers: numbersOf(data.values.numbers), labels: data.look.labels }];
-)page"),
-std::string_view(R"page(if (data.edge_values !== undefined) this.fields = [{ name: "values", at: "side", width: 1, numbers: numbersOf(data.edge_values) }];
+if (data.edge_values !== undefined) this.fields = [{ name: "values", at: "side", width: 1, numbers: numbersOf(data.edge_values) }];
 if (data.field !== undefined) this.fields[data.field].labels = data.look.labels;
 this.painted = data.colors ? { at: data.colors.at, rgb: numbersOf(data.colors.rgb) } : null;
 if (data.look.map !== undefined) this.ownMap = numbersOf(data.look.map);
+if (data.texture) {
+const { picture, values, coordinates } = data.texture, field = this.fields[values];
+this.texture = { ...data.texture, at: field ? field.at : "corner", numbers: field ? field.numbers : numbersOf(coordinates) };
+if (picture) Object.assign(this.texture, { width: picture.width, height: picture.height, pixels: numbersOf(picture.pixels) });
+}
 if (data.ball !== undefined) this.ballPixels = numbersOf(data.ball);
 this.reset();
 }
@@ -867,6 +992,7 @@ const look = this.data.look;
 this.visible = true;
 this.wire = look.edge_width > 0;
 this.flat = false;
+this.textured = Boolean(this.texture);
 this.opacity = look.opacity;
 this.color = look.color;
 this.bands = look.isobands;
@@ -940,27 +1066,63 @@ const all = thing.mesh ? thing.mesh.units : thing.prepared.points;
 for (let i = 0; i < all.length; i += 3) if (Number.isFinite(all[i] + all[i + 1] + all[i + 2])) visit([all[i], all[i + 1], all[i + 2]]);
 }
 }
-const gl = canvas.getContext("webgl2", { alpha: false, antialias: true, preserveDrawingBuffer: true });
-let program, uniforms, pickBuffer;
-function makeProgram() {
-program = gl.createProgram();
+const gl = canvas.getContext("webgl2", { antialias: false, preserveDrawingBuffer: true });
+let programs, pickBuffer, smoothBuffer;  // programs: by what they draw
+const cameraChanges = { count: 0 };
+function framebuffer(samples, width, height) {
+const frame = gl.createFramebuffer(), buffers = [];
+gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+for (const [format, place] of [[gl.RGBA8, gl.COLOR_ATTACHMENT0], [gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]]) {
+const buffer = gl.createRenderbuffer();
+buffers.push(buffer);
+gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
+gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, format, width, height);
+gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, buffer);
+}
+return { frame, buffers, width, height };
+}
+function startDrawing() {
+programs = new Map();
+pickBuffer = framebuffer(0, 1, 1).frame;
+smoothBuffer = null;
+}
+function programFor(names) {
+const known = programs.get(names);
+if (known) return known;
+const program = gl.createProgram(), defines = names.split(" ").map((n) => `#define ${n}`).join("\n");
 for (const [type, text] of [[gl.VERTEX_SHADER, shaders.surface_vert], [gl.FRAGMENT_SHADER, shaders.surface_frag]]) {
 const s = gl.createShader(type);
-gl.shaderSource(s, text.trim());
+gl.shaderSource(s, text.trim().replace("\n", `\n${defines}\n`));
 gl.compileShader(s);
 if (!gl.getShaderParameter(s, gl.COMPILE_STATUS) && !gl.isContextLost()) throw new Error(gl.getShaderInfoLog(s));
 gl.attachShader(program, s);
 }
-["position", "normal", "flags", "value", "paint", "sides"].forEach((name, i) => gl.bindAttribLocation(program, i, name));
+["position", "normal", "flags", "value", "paint", "sides", "texture_place"].forEach((name, i) => gl.bindAttribLocation(program, i, name));
 gl.linkProgram(program);
 if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost()) throw new Error(gl.getProgramInfoLog(program));
-uniforms = {};
+const made = { program, uniforms: {}, camera: -1 };
 for (let i = gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS) - 1; i >= 0; --i) {
 const name = gl.getActiveUniform(program, i).name.replace(/\[0\]$/, "");
-uniforms[name] = gl.getUniformLocation(program, name);
+made.uniforms[name] = gl.getUniformLocation(program, name);
 }
-const texture = gl.createTexture(), depth = gl.createRenderbuffer();
-pickBuffer = { frame: gl.createFramebuffer(), texture, depth, width: 0, height: 0 };
+programs.set(names, made);
+return made;
+}
+function usedProgram(names) {
+const used = programFor(names), { program, uniforms: u } = used;
+gl.useProgram(program);
+if (used.camera === cameraChanges.count) return used;
+used.camera = cameraChanges.count;
+gl.uniformMatrix4fv(u.project, false, projection());
+const { right: r, up, back: b } = camera;
+gl.uniformMatrix3fv(u.turn, false, [r[0], up[0], b[0], r[1], up[1], b[1], r[2], up[2], b[2]]);
+gl.uniform1i(u.parallel, camera.parallel ? 1 : 0);
+gl.uniform3fv(u.eye, eyeOf());
+const planes = new Float32Array(16);
+for (const p of planesOn()) planes.set(unitPlane(p), 4 * p.k);
+gl.uniform4fv(u.planes ?? null, planes);
+["map", "ball", "picture"].forEach((name, i) => gl.uniform1i(u[name] ?? null, i));
+return used;
 }
 class Part {
 constructor(list, role, plane) {
@@ -1003,7 +1165,7 @@ gl.vertexAttribPointer(place, size, type, normalized, stride, 0);
 color(thing) {
 gl.bindVertexArray(this.array);
 for (const b of this.buffers.splice(3)) gl.deleteBuffer(b);
-for (const place of [3, 4, 5]) gl.disableVertexAttribArray(place);
+for (const place of [3, 4, 5, 6]) gl.disableVertexAttribArray(place);
 const { list } = this, f = this.role === "arrows" ? null : thing.field;
 if (f && thing.edgesHaveValues) {
 const next = (c) => { const p = this.polygonOfCorner(c); return c + 1 === list.starts[p + 1] ? list.starts[p] : c + 1; };
@@ -1018,11 +1180,13 @@ this.attribute(3, cornerNumbers(list, f.at, thing.numbers, thing.baseRange, thin
 const { at, rgb } = thing.painted, bytes = new Uint8Array(4 * this.count);
 for (let i = 0; i < this.count; ++i) {
 const c = list.triangles[i], p = list.polygonOf[Math.floor(i / 3)];
-const k = at === "corner" ? c : at === "point" || at === "vert" ? list.corners[c] : at === "element" ? list.elements[p] : p;
-bytes.set(rgb.subarray(3 * k, 3 * k + 3), 4 * i);
+const k = at === "corner" ? (list.mesh ? list.mesh.cornerAt(list.polys[p], list.corners[c]) : c) : at === "point" || at === "vert" ? list.corners[c] : at === "element" ? list.elements[p] : p;
+)page"),
+std::string_view(R"page(bytes.set(rgb.subarray(3 * k, 3 * k + 3), 4 * i);
 }
 this.attribute(4, bytes, 4, gl.UNSIGNED_BYTE, true);
 }
+if (thing.texture && this.role === "surface") this.attribute(6, texturePlaces(list, thing.texture), 2, gl.FLOAT);
 gl.bindVertexArray(null);
 }
 polygonOfCorner(c) {
@@ -1030,10 +1194,70 @@ let low = 0, high = this.list.count;
 while (high - low > 1) { const m = (low + high) >> 1; if (this.list.starts[m] <= c) low = m; else high = m; }
 return low;
 }
+get coarse() {
+if (this.coarseBuffers) return this.coarseBuffers;
+const { list, count } = this, firstIn = new Int32Array(65 ** 3).fill(-1), moved = new Int32Array(list.points.length / 3).fill(-1);
+const cell = (x) => Math.min(64, Math.max(0, Math.floor(32 * x + 32)));
+const pointAt = (v) => {
+const key = (cell(list.points[3 * v]) * 65 + cell(list.points[3 * v + 1])) * 65 + cell(list.points[3 * v + 2]);
+return (firstIn[key] = firstIn[key] < 0 ? v : firstIn[key]);
+};
+const position = new Float32Array(3 * count), left = [], at = [0, 0, 0];
+for (let i = 0; i < count; i += 3) {
+for (let k = i; k < i + 3; ++k) {
+const v = list.corners[list.triangles[k]];
+if (moved[v] < 0) moved[v] = pointAt(v);
+at[k - i] = moved[v];
+for (let j = 0; j < 3; ++j) position[3 * k + j] = list.points[3 * moved[v] + j];
+}
+if (at[0] !== at[1] && at[1] !== at[2] && at[2] !== at[0]) left.push(i, i + 1, i + 2);
+}
+const [points, corners] = [gl.createBuffer(), gl.createBuffer()];
+gl.bindVertexArray(null);
+gl.bindBuffer(gl.ARRAY_BUFFER, points);
+gl.bufferData(gl.ARRAY_BUFFER, position, gl.STATIC_DRAW);
+gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, corners);
+gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, Uint32Array.from(left), gl.STATIC_DRAW);
+return (this.coarseBuffers = { points, corners, count: left.length });
+}
+draw(isCoarse) {
+const coarse = isCoarse ? this.coarse : null, place = (buffer) => {
+gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
+};
+gl.bindVertexArray(this.array);
+if (!coarse) return gl.drawArrays(gl.TRIANGLES, 0, this.count);
+place(coarse.points);
+gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, coarse.corners);
+gl.drawElements(gl.TRIANGLES, coarse.count, gl.UNSIGNED_INT, 0);
+place(this.buffers[0]);
+}
 free() {
 for (const b of this.buffers) gl.deleteBuffer(b);
+if (this.coarseBuffers) for (const b of [this.coarseBuffers.points, this.coarseBuffers.corners]) gl.deleteBuffer(b);
 gl.deleteVertexArray(this.array);
 }
+}
+function texturePlaces(list, { at, numbers }) {
+const places = new Float32Array(2 * list.triangles.length);
+for (let i = 0; i < list.triangles.length; ++i) {
+const c = list.triangles[i], v = list.corners[c];
+const k = at === "vert" ? v : list.mesh ? list.mesh.cornerAt(list.polys[list.polygonOf[Math.floor(i / 3)]], v) : c;
+for (let j = 0; j < 2; ++j) places[2 * i + j] = Number.isFinite(numbers[2 * k + j]) ? numbers[2 * k + j] : noValue;
+}
+return places;
+}
+function pictureOf({ width, height, pixels, repeats }) {
+const t = gl.createTexture(), channels = pixels.length / (width * height), rgba = new Uint8Array(4 * width * height).fill(255);
+for (let i = 0; i < width * height; ++i) rgba.set(pixels.subarray(channels * i, channels * i + channels), 4 * i);
+gl.bindTexture(gl.TEXTURE_2D, t);
+gl.texImage2D(gl.TEXTURE_2D, 0, gl.SRGB8_ALPHA8, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, rgba);
+gl.generateMipmap(gl.TEXTURE_2D);
+gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+const sharp = gl.getExtension("EXT_texture_filter_anisotropic");
+if (sharp) gl.texParameterf(gl.TEXTURE_2D, sharp.TEXTURE_MAX_ANISOTROPY_EXT, Math.min(8, gl.getParameter(sharp.MAX_TEXTURE_MAX_ANISOTROPY_EXT)));
+for (const axis of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, axis, repeats ? gl.REPEAT : gl.CLAMP_TO_EDGE);
+return t;
 }
 function textureOf(width, height, rgb, filter) {
 const t = gl.createTexture();
@@ -1049,6 +1273,7 @@ for (const p of thing.parts ?? []) p.free();
 thing.parts = thing.lists().map(({ list, role, plane }) => new Part(list, role, plane));
 sendColors(thing);
 thing.ball ??= thing.ballPixels ? textureOf(64, 64, thing.ballPixels, gl.LINEAR) : null;
+thing.picture ??= thing.texture?.pixels ? pictureOf(thing.texture) : null;
 }
 function sendColors(thing) {
 for (const p of thing.parts) p.color(thing);
@@ -1061,61 +1286,64 @@ if (thing.isLabels) palette.set(scene.labelColors);
 thing.mapTexture = textureOf(256, 1, thing.isLabels ? palette : thing.mapColors, thing.isLabels ? gl.NEAREST : gl.LINEAR);
 }
 function drawPart(thing, part, pick) {
-const u = uniforms, look = thing.data.look, isArrow = part.role === "arrows";
-const hasValues = thing.field && !isArrow && !thing.edgesHaveValues;
-gl.uniform1i(u.cuts, slicing.exact ? planesOn().reduce((bits, { k }) => bits | (k === part.plane ? 0 : 1 << k), 0) : 0);
-gl.uniform1i(u.flat_shading, thing.flat || part.role !== "surface" ? 1 : 0);
-gl.uniform1i(u.coloring, hasValues ? (thing.isLabels ? 3 : 2) : thing.chosen === "painted" && part.role === "surface" ? 1 : 0);
+const look = thing.data.look, isArrow = part.role === "arrows", isSurface = part.role === "surface";
+const cuts = slicing.exact ? planesOn().reduce((bits, { k }) => bits | (k === part.plane ? 0 : 1 << k), 0) : 0;
+const hasValues = thing.field && !isArrow && !thing.edgesHaveValues, isPainted = thing.chosen === "painted" && isSurface;
+const isFlat = thing.flat || !isSurface, hasEdges = thing.wire && !isArrow, hasSides = hasEdges && isSurface && thing.edgesHaveValues;
+const texture = thing.textured && isSurface ? thing.texture : null;
+const needed = pick ? { PICK: true, CUTS: cuts, PLACE: cuts } : { CUTS: cuts, PLACE: cuts || isFlat, SMOOTH: !isFlat, VALUES: hasValues,
+PAINT: !hasValues && isPainted, LINES: hasValues && !thing.isLabels && thing.bands + thing.lines > 0, EDGES: hasEdges, SIDES: hasSides,
+BITS: hasEdges || !(hasValues || isPainted), TEXTURE: texture, BALL: thing.ball };
+const { program, uniforms: u } = usedProgram(Object.keys(needed).filter((name) => needed[name]).join(" "));
+gl.uniform1i(u.cuts, cuts);
+gl.uniform1i(u.picking, pick ? pick : 0);
+if (!pick) {
+gl.uniform1i(u.are_labels, thing.isLabels ? 1 : 0);
 gl.uniform3fv(u.color, isArrow ? [0.02, 0.02, 0.025] : thing.color);
 gl.uniform3fv(u.exposed_color, look.exposed_color);
 gl.uniform3fv(u.no_value, look.no_value);
 gl.uniform3fv(u.edge_color, look.edge_color);
 const [low, high] = thing.field ? thing.baseRange : [0, 0];  // equal: all values are in the middle of the map
 const knots = high > low ? thing.scale.slice(0, 18).map(([x, t]) => [Math.max(-1e29, Math.min(1e29, fraction(x, thing.baseRange))), t]) : [[0, 0], [1, 1]];
-gl.uniform2fv(u.knots, knots.flat());
+if (u.knots) gl.uniform2fv(u.knots, knots.flat());
 gl.uniform1i(u.num_knots, knots.length);
 gl.uniform1f(u.bands, thing.bands);
 gl.uniform1f(u.lines, thing.lines);
-gl.uniform1f(u.edge_width, thing.wire && !isArrow ? (look.edge_width || 1.3) * pixelScale() : 0);
-gl.uniform1i(u.edges_have_values, thing.edgesHaveValues && part.role === "surface" ? 1 : 0);
+gl.uniform2f(u.band_widths ?? null, look.band_width / 2, look.band_limit / 2 * canvas.height);
+gl.uniform1f(u.edge_width, (look.edge_width || 1.3) * pixelScale());
 gl.uniform1f(u.opacity, isArrow ? 1 : thing.opacity);
 gl.uniform1f(u.shine, look.shine);
-gl.uniform1i(u.has_ball, thing.ball ? 1 : 0);
-gl.uniform1i(u.picking, pick ? pick : 0);
-gl.activeTexture(gl.TEXTURE0);
-gl.bindTexture(gl.TEXTURE_2D, thing.mapTexture);
-gl.activeTexture(gl.TEXTURE1);
-gl.bindTexture(gl.TEXTURE_2D, thing.ball ?? thing.mapTexture);
-gl.bindVertexArray(part.array);
-gl.drawArrays(gl.TRIANGLES, 0, part.count);
+if (texture) {
+gl.uniform1i(u.texture_kind, texture.kind);
+gl.uniform2f(u.texture_size, texture.count, texture.width * pixelScale());
+gl.uniform3fv(u.texture_first, texture.first);
+gl.uniform3fv(u.texture_second, texture.second);
 }
-function setCamera() {
-gl.useProgram(program);
-gl.uniformMatrix4fv(uniforms.project, false, projection());
-const { right: r, up, back: b } = camera;
-gl.uniformMatrix3fv(uniforms.turn, false, [r[0], up[0], b[0], r[1], up[1], b[1], r[2], up[2], b[2]]);
-gl.uniform1i(uniforms.parallel, camera.parallel ? 1 : 0);
-gl.uniform3fv(uniforms.eye, eyeOf());
-const planes = new Float32Array(16);
-for (const p of planesOn()) planes.set(unitPlane(p), 4 * p.k);
-gl.uniform4fv(uniforms.planes, planes);
-gl.uniform1i(uniforms.map, 0);
-gl.uniform1i(uniforms.ball, 1);
-gl.vertexAttrib3f(5, noValue, noValue, noValue);
+[thing.mapTexture, thing.ball, thing.picture].forEach((t, i) => {
+gl.activeTexture(gl.TEXTURE0 + i);
+gl.bindTexture(gl.TEXTURE_2D, t ?? null);
+});
+gl.activeTexture(gl.TEXTURE0);
+}
+part.draw(!pick && motion.level === 2 && isSurface && part.count > motion.manyCorners);
 }
 const paper = () => (document.documentElement.dataset.theme === "dark" ? [0.09, 0.094, 0.11] : [1, 1, 1]);
-const pixelScale = () => devicePixelRatio * (motion.coarse ? 0.4 : 1);
+const pixelScale = () => Math.min(2, devicePixelRatio) * (motion.level === 2 ? 0.4 : 1);
 function drawScene() {
 const width = Math.max(1, Math.round(canvas.clientWidth * pixelScale())), height = Math.max(1, Math.round(canvas.clientHeight * pixelScale()));
 if (canvas.width !== width || canvas.height !== height) { canvas.width = width; canvas.height = height; }
-gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+const isSmooth = motion.level === 0;  // four samples a pixel
+if (isSmooth && (smoothBuffer?.width !== width || smoothBuffer.height !== height)) {
+if (smoothBuffer) { gl.deleteFramebuffer(smoothBuffer.frame); smoothBuffer.buffers.forEach((b) => gl.deleteRenderbuffer(b)); }
+smoothBuffer = framebuffer(Math.min(4, gl.getParameter(gl.MAX_SAMPLES)), width, height);
+}
+gl.bindFramebuffer(gl.FRAMEBUFFER, isSmooth ? smoothBuffer.frame : null);
 gl.viewport(0, 0, width, height);
 gl.clearColor(...paper(), 1);
-)page"),
-std::string_view(R"page(gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
 gl.enable(gl.DEPTH_TEST);
 gl.disable(gl.CULL_FACE);
-setCamera();
+++cameraChanges.count;
 const shown = things.filter((t) => t.visible), clear = (t) => t.opacity < 1;
 gl.disable(gl.BLEND);
 gl.depthMask(true);
@@ -1130,53 +1358,60 @@ for (const t of shown) for (const p of t.parts) if (clear(t) && p.role !== "arro
 }
 gl.disable(gl.CULL_FACE);
 gl.depthMask(true);
+if (isSmooth) {
+gl.bindFramebuffer(gl.READ_FRAMEBUFFER, smoothBuffer.frame);
+gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
+gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+}
 drawMarks();
 }
-const motion = { coarse: false, last: 0, slow: 0, timer: 0 };
+const motion = { level: 0, moving: 0, rest: 0, slow: 0, fast: 0, pictures: 0, timer: 0, manyCorners: 60000 };
 function redrawMoving() {
-const now = performance.now(), time = now - motion.last;
-motion.last = now;
-if (time < 2000 && !motion.coarse) motion.slow = time > 80 ? motion.slow + 1 : 0;
-if (motion.slow >= 3) motion.coarse = true;
+motion.level = motion.moving;
 clearTimeout(motion.timer);
-motion.timer = setTimeout(() => { motion.coarse = false; redraw(); }, 300);
+motion.timer = setTimeout(() => { Object.assign(motion, { level: motion.rest, timer: 0, slow: 0, fast: 0 }); redraw(); }, 300);
 redraw();
+}
+function adaptTo(time) {
+if (++motion.pictures < 3) return;
+if (motion.level === 0 && time > 1000) motion.rest = 1;
+if (!motion.timer) return;
+motion.slow = time > 80 ? motion.slow + 1 : 0;
+motion.fast = time < 25 ? motion.fast + 1 : 0;
+if (motion.slow > 2 || time > 400) motion.moving = time > 400 ? 2 : Math.min(2, motion.moving + 1);
+else if (motion.fast > 60) motion.moving = Math.max(0, motion.moving - 1);
+else return;
+motion.slow = motion.fast = 0;
 }
 let requested = false;
 function redraw() {
 if (requested) return;
 requested = true;
-requestAnimationFrame(() => { requested = false; if (!gl.isContextLost()) drawScene(); });
+requestAnimationFrame(() => {
+requested = false;
+followFingers();
+if (!gl || gl.isContextLost()) return;
+const begin = performance.now();
+drawScene();
+requestAnimationFrame(() => adaptTo(performance.now() - begin));
+});
 }
 let picked = null;    // { thing, kind, index, point }
 let measured = [];    // one or two points in units of the page
 function triangleAt(x, y) {
-const box = canvas.getBoundingClientRect(), b = pickBuffer;
-const px = Math.floor((x - box.left) * canvas.width / box.width), py = canvas.height - 1 - Math.floor((y - box.top) * canvas.height / box.height);
-gl.bindFramebuffer(gl.FRAMEBUFFER, b.frame);
-if (b.width !== canvas.width || b.height !== canvas.height) {
-b.width = canvas.width; b.height = canvas.height;
-gl.bindTexture(gl.TEXTURE_2D, b.texture);
-gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, b.width, b.height, 0, gl.RGBA, gl.UNSIGNED_BYTE, null);
-gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-gl.bindRenderbuffer(gl.RENDERBUFFER, b.depth);
-gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT24, b.width, b.height);
-gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, b.texture, 0);
-gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, b.depth);
-}
-gl.viewport(0, 0, b.width, b.height);
-gl.enable(gl.SCISSOR_TEST);
-gl.scissor(px, py, 1, 1);
+const box = canvas.getBoundingClientRect();
+gl.bindFramebuffer(gl.FRAMEBUFFER, pickBuffer);
+gl.viewport(-Math.floor(x - box.left), Math.floor(y - box.top) + 1 - canvas.clientHeight, canvas.clientWidth, canvas.clientHeight);
 gl.clearColor(0, 0, 0, 0);
 gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
 gl.enable(gl.DEPTH_TEST);
 gl.disable(gl.BLEND);
-setCamera();
+++cameraChanges.count;
 const candidates = things.filter((t) => t.visible).flatMap((thing) => thing.parts.filter((p) => p.role !== "arrows").map((part) => ({ thing, part })));
 candidates.slice(0, 255).forEach(({ thing, part }, i) => drawPart(thing, part, i + 1));
 const rgba = new Uint8Array(4);
-gl.readPixels(px, py, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, rgba);
-gl.disable(gl.SCISSOR_TEST);
+gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, rgba);
 gl.bindFramebuffer(gl.FRAMEBUFFER, null);
 return rgba[0] === 0 ? null : { ...candidates[rgba[0] - 1], triangle: rgba[1] + 256 * rgba[2] + 65536 * rgba[3] };
 }
@@ -1187,7 +1422,8 @@ return slope === 0 ? a : add(ray.origin, scaled(ray.direction, dot(n, sub(a, ray
 }
 const pixelDistance = (p, x, y) => {
 const box = canvas.getBoundingClientRect(), q = pixelOf(p);
-return q ? Math.hypot(q[0] - (x - box.left), q[1] - (y - box.top)) : Infinity;
+)page"),
+std::string_view(R"page(return q ? Math.hypot(q[0] - (x - box.left), q[1] - (y - box.top)) : Infinity;
 };
 function nearestOnEdge(a, b, p) {
 const d = sub(b, a), t = dot(d, d) > 0 ? Math.min(1, Math.max(0, dot(sub(p, a), d) / dot(d, d))) : 0;
@@ -1240,8 +1476,7 @@ if (kind === "vert") {
 rows.push(["position", at3(mesh.points, index).map(textOf).join(", ")]);
 const edges = listOf(mesh.edgesOfVert, index);
 rows.push(["verts beside it", few([...edges].map((e) => mesh.edges[2 * e] + mesh.edges[2 * e + 1] - index))], ["edges", few(edges)]);
-const polygons = [...new Set(listOf(mesh.polygonsOfVert, index))];
-rows.push(["polys", few([...new Set(polygons.flatMap((p) => mesh.polysOfPolygon(p)))])]);
+rows.push(["polys", few(mesh.polysOfVert(index))]);
 } else if (kind === "edge") {
 const [a, b] = mesh.edges.subarray(2 * index, 2 * index + 2), polygons = mesh.polygonsOfEdge(index);
 rows.push(["verts", `${a} ${b}`], ["length", textOf(norm(sub(mesh.point(a), mesh.point(b))) * scene.radius)]);
@@ -1256,10 +1491,15 @@ rows.push(["centroid", at3(mesh.centroids, index).map(textOf).join(", ")]);
 return [...rows, ...valueRows(thing, kind, index)];
 }
 function valueRows(thing, kind, index) {
-return thing.fields.filter((f) => f.at === kind || f.at === "mesh").map((f) => {
-const i = f.at === "mesh" ? 0 : index;
-return [f.name, f.texts ? f.texts[i] : [...f.numbers.subarray(f.width * i, f.width * i + f.width)].map(textOf).join(", ")];
-});
+const textAt = (f, i) => (f.texts ? f.texts[i] : [...f.numbers.subarray(f.width * i, f.width * i + f.width)].map(textOf).join(", "));
+const rows = thing.fields.filter((f) => f.at === kind || f.at === "mesh").map((f) => [f.name, textAt(f, f.at === "mesh" ? 0 : index)]);
+if (!thing.mesh || (kind !== "poly" && kind !== "vert")) return rows;
+const beside = kind === "poly" ? thing.mesh.vertsOfPoly(index) : thing.mesh.polysOfVert(index);
+for (const f of thing.fields.filter((g) => g.at === "corner")) {
+const texts = beside.slice(0, 24).map((x) => `${x}: ${textAt(f, kind === "poly" ? thing.mesh.cornerAt(index, x) : thing.mesh.cornerAt(x, index))}`);
+rows.push([`${f.name}, by ${kind === "poly" ? "vert" : "poly"}`, texts.join("; ")]);
+}
+return rows;
 }
 function drawMarks() {
 const svg = byId("marks"), shape = (name, attributes) => {
@@ -1298,11 +1538,12 @@ showAreas();
 redraw();
 }
 const row = (...content) => make("div", { className: "row" }, ...content);
+const fittedRow = (...content) => make("div", { className: "row fitted" }, ...content);
 const labelled = (text, input) => make("label", {}, text, input);
 const checkbox = (text, value, set) => make("label", {}, make("input", { type: "checkbox", checked: value, onchange: (e) => set(e.target.checked) }), text);
 const slider = (text, value, low, high, step, set) => make("input", { type: "range", min: low, max: high, step, value, "aria-label": text,
 oninput: (e) => set(Number(e.target.value)) });
-const number = (text, value, set, step = "any") => make("input", { type: "number", step, value: Number.isFinite(value) ? Number(value.toPrecision(7)) : value, "aria-label": text,
+const number = (text, value, set, step = "any") => make("input", { type: "number", step, value: Number.isFinite(value) ? Number(value.toPrecision(5)) : value, "aria-label": text,
 onchange: (e) => { if (e.target.value !== "" && Number.isFinite(Number(e.target.value))) set(Number(e.target.value)); } });
 const select = (text, choices, value, set) => {
 const s = make("select", { "aria-label": text, onchange: (e) => set(e.target.value) }, ...choices.map(([v, name]) => make("option", { value: v, textContent: name, dir: "auto" })));
@@ -1314,15 +1555,15 @@ const section = (name, open, ...content) => make("details", { open }, make("summ
 const byteOf = (x) => Math.round(255 * Math.min(1, Math.max(0, x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055)));
 const hexOf = (c) => `#${c.map((x) => byteOf(x).toString(16).padStart(2, "0")).join("")}`;
 const linearOf = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255).map((x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4));
-const nameOfField = (f) => (f.at === "edge" || f.at === "vert" || f.at === "poly" || f.at === "face" ? `${f.name} (${f.at}s)` : f.name);
+const nameOfField = (f) => (["vert", "edge", "face", "poly", "corner"].includes(f.at) ? `${f.name} (${f.at}s)` : f.name);
 function thingControls(thing) {
-)page"),
-std::string_view(R"page(const box = make("fieldset", { id: `thing${thing.index}` }), fill = () => box.replaceChildren(...content());
+const box = make("fieldset", { id: `thing${thing.index}` }), fill = () => box.replaceChildren(...content());
 const content = () => {
 const parts = [make("legend", { dir: "auto" }, thing.name),
 row(checkbox("shown", thing.visible, (x) => { thing.visible = x; changed("view"); }),
 checkbox("edges", thing.wire, (x) => { thing.wire = x; changed("view"); }),
-checkbox("flat", thing.flat, (x) => { thing.flat = x; changed("view"); })),
+checkbox("flat", thing.flat, (x) => { thing.flat = x; changed("view"); }),
+...(thing.texture ? [checkbox("texture", thing.textured, (x) => { thing.textured = x; changed("view"); })] : [])),
 row("opacity", slider(`opacity of ${thing.name}`, thing.opacity, 0, 1, 0.01, (x) => { thing.opacity = x; changed("view"); }))];
 const numeric = thing.fields.map((f, i) => [String(i), nameOfField(f), f]).filter(([, , f]) => f.numbers && f.at !== "mesh");
 const choices = [["color", "one colour"], ...(thing.painted ? [["painted", "own colours"]] : []), ...numeric];
@@ -1333,7 +1574,7 @@ const f = thing.field;
 if (f && f.width > 1) parts.push(row("show", select("component", componentsOf(f).map((c) => [c, c]), thing.component || componentsOf(f)[0],
 (c) => { thing.component = c; thing.fitRange(); fill(); changed("colors", thing); })));
 if (f && !f.labels) parts.push(...scaleControls(thing, fill));
-const vectors = thing.fields.map((g, i) => [String(i), nameOfField(g), g]).filter(([, , g]) => g.numbers && (g.width === 2 || g.width === 3) && (g.at === "vert" || g.at === "poly"));
+const vectors = thing.fields.map((g, i) => [String(i), nameOfField(g), g]).filter(([, , g]) => g.numbers && (g.width === 2 || g.width === 3) && (g.at === "vert" || g.at === "poly") && g.numbers !== thing.texture?.numbers);
 if (vectors.length) parts.push(row("arrows", select(`arrows of ${thing.name}`, [["", "none"], ...vectors], thing.arrows, (v) => { thing.arrows = v; changed("polygons", thing); })));
 return parts;
 };
@@ -1345,21 +1586,22 @@ const maps = [...(thing.ownMap ? [["-1", "as in the program"]] : []), ...scene.m
 const low = thing.scale[0][0], high = thing.scale[thing.scale.length - 1][0];
 const range = (a, b) => { thing.setRange(a, b); fill(); changed("colors", thing); };
 return [row("map", select(`colour map of ${thing.name}`, maps, String(thing.map), (v) => { thing.map = Number(v); changed("map", thing); })),
-row("from", number("lowest value", low, (x) => range(x, Math.max(x, high))), "to", number("highest value", high, (x) => range(Math.min(low, x), x)),
+fittedRow("from", number("lowest value", low, (x) => range(x, Math.max(x, high))), "to", number("highest value", high, (x) => range(Math.min(low, x), x)),
 button("all", () => { thing.fitRange(); fill(); changed("colors", thing); }, "The range of all values")),
 row("bands", number("white bands", thing.bands, (x) => { thing.bands = Math.max(0, Math.round(x)); changed("view"); }, 1),
 "lines", number("iso-lines", thing.lines, (x) => { thing.lines = Math.max(0, Math.round(x)); changed("view"); }, 1))];
 }
 function planeControls(k) {
 const p = slicing.planes[k], name = ["x", "y", "z", "any"][k];
-const redo = () => changed(slicing.exact && !things.some((t) => t.mesh?.isVolume) ? "view" : "polygons");
+)page"),
+std::string_view(R"page(const redo = () => changed(slicing.exact && !things.some((t) => t.mesh?.isVolume) ? "view" : "polygons");
 const value = make("output", { className: "soft", id: `offset${k}` });
-const show = () => { const { offset } = planeOf(k); value.textContent = textOf(Number((p.keepsAbove ? -offset : offset).toPrecision(5))); };
+const show = () => { const { offset } = planeOf(k); value.textContent = textOf(Math.abs(offset) < 1e-9 * scene.radius ? 0 : Number((p.keepsAbove ? -offset : offset).toPrecision(5))); };
 show();
-const parts = [row(checkbox(name, p.on, (x) => { p.on = x; redo(); }),
+const parts = [fittedRow(checkbox(name, p.on, (x) => { p.on = x; redo(); }),
 slider(`place of the cut along ${name}`, p.t, 0, 1, 0.001, (x) => { p.t = x; p.on = true; parts[0].querySelector("input").checked = true; show(); redo(); }),
 value, checkbox("above", p.keepsAbove, (x) => { p.keepsAbove = x; redo(); }))];
-if (k === 3) parts.push(row(...[0, 1, 2].map((i) => number(`direction ${"xyz"[i]}`, slicing.direction[i], (x) => { slicing.direction[i] = x; show(); redo(); })),
+if (k === 3) parts.push(fittedRow(...[0, 1, 2].map((i) => number(`direction ${"xyz"[i]}`, slicing.direction[i], (x) => { slicing.direction[i] = x; show(); redo(); })),
 button("from view", () => { slicing.direction = camera.back.map((x) => Number(x.toPrecision(4))); showPanel(); redo(); }, "The direction to the viewer")));
 return parts;
 }
@@ -1372,7 +1614,7 @@ const fit = () => { [f.low, f.high] = rangeOf(fields[f.field].numbers); };
 if (!f.on) fit();
 const box = make("div"), fill = () => box.replaceChildren(
 row(checkbox("only polys with", f.on, (x) => { f.on = x; redo(); }), select("value of polys", fields.map((g, i) => [String(i), g.name]), String(f.field), (v) => { f.field = Number(v); fit(); fill(); redo(); })),
-row("from", number("lowest shown", f.low, (x) => { f.low = x; redo(); }), "to", number("highest shown", f.high, (x) => { f.high = x; redo(); })),
+fittedRow("from", number("lowest shown", f.low, (x) => { f.low = x; redo(); }), "to", number("highest shown", f.high, (x) => { f.high = x; redo(); })),
 row("or labels", make("input", { type: "text", value: f.labels, placeholder: "1 2 5", "aria-label": "labels shown", onchange: (e) => { f.labels = e.target.value; f.on = f.on || f.labels !== ""; fill(); redo(); } })));
 fill();
 parts.push(box);
@@ -1391,7 +1633,9 @@ if (!box) return;
 const rows = picked ? describe(picked) : [];
 if (measured.length === 2) rows.push(["distance", textOf(norm(sub(measured[0], measured[1])) * scene.radius)]);
 box.replaceChildren(...rows.flatMap(([name, value]) => [make("dt", { dir: "auto" }, name), make("dd", { dir: "auto" }, value)]));
-say(picked ? rows.slice(0, 2).map(([, value]) => value).join(", ") : measured.length === 2 ? `${rows.at(-1)[0]} ${rows.at(-1)[1]}` : "");
+const isolated = (text) => `\u2068${text.slice(0, 60)}\u2069`;  // its direction does not change that of the others
+const values = picked ? valueRows(picked.thing, picked.kind, picked.index).slice(0, 4).map((r) => `, ${r.map(isolated).join(" ")}`) : [];
+say(picked ? rows.slice(0, 2).map(([, value]) => isolated(value)).join(", ") + values.join("") : measured.length === 2 ? `${rows.at(-1)[0]} ${rows.at(-1)[1]}` : "");
 }
 function pickControls() {
 const meshes = things.filter((t) => t.mesh);
@@ -1446,15 +1690,17 @@ box.append(make("p", {}, grey, "no finite value"));
 const say = (text) => { byId("message").textContent = text; };
 let wanted = "any";
 const pointers = new Map();
-let moved = 0, pinch = 0, button0 = 0;
+let moved = 0, grip = null, button0 = 0, byTouch = false;
+let lastTap = { time: -Infinity, x: 0, y: 0 };
 canvas.addEventListener("contextmenu", (e) => e.preventDefault());
 canvas.addEventListener("pointerdown", (e) => {
 canvas.focus({ preventScroll: true });
 try { canvas.setPointerCapture(e.pointerId); } catch { /* a pointer that is already gone */ }
 pointers.set(e.pointerId, [e.clientX, e.clientY]);
 button0 = e.button;
+byTouch = e.pointerType === "touch";
 if (pointers.size === 1) moved = 0;
-pinch = 0;
+grip = gripOf();
 });
 canvas.addEventListener("pointermove", (e) => {
 const before = pointers.get(e.pointerId);
@@ -1462,19 +1708,22 @@ if (!before) return;
 const dx = e.clientX - before[0], dy = e.clientY - before[1];
 moved += Math.abs(dx) + Math.abs(dy);
 pointers.set(e.pointerId, [e.clientX, e.clientY]);
-if (pointers.size === 2) {
-const [a, b] = [...pointers.values()], size = Math.hypot(a[0] - b[0], a[1] - b[1]);
-pan(dx / 2, dy / 2);
-if (pinch > 0 && size > 0) zoom(pinch / size, (a[0] + b[0]) / 2, (a[1] + b[1]) / 2);
-pinch = size;
-} else if (button0 === 0 && !e.shiftKey) rotate(dx, dy);
-else pan(dx, dy);
+if (pointers.size === 1) (button0 === 0 && !e.shiftKey ? rotate : pan)(dx, dy);
 redrawMoving();
 });
 const release = (e) => {
-if (!pointers.delete(e.pointerId) || e.type === "pointercancel") return;
-if (moved < 5 && e.button === 0 && pointers.size === 0) click(e.clientX, e.clientY, e.shiftKey);
-pinch = 0;
+followFingers();
+const wasDown = pointers.delete(e.pointerId);
+grip = gripOf();
+if (!wasDown || e.type === "pointercancel") return;
+if (moved >= (byTouch ? 12 : 5) || e.button !== 0 || pointers.size > 0) return;
+const { clientX: x, clientY: y, timeStamp: time } = e;
+if (byTouch && time - lastTap.time < 400 && Math.hypot(x - lastTap.x, y - lastTap.y) < 30) {
+lastTap.time = -Infinity;
+return center(x, y);
+}
+lastTap = { time, x, y };
+click(x, y, e.shiftKey);
 };
 canvas.addEventListener("pointerup", release);
 canvas.addEventListener("pointercancel", release);
@@ -1483,13 +1732,25 @@ e.preventDefault();
 zoom(Math.exp(Math.max(-1, Math.min(1, e.deltaY * (e.deltaMode === 1 ? 0.05 : 0.0015)))), e.clientX, e.clientY);
 redrawMoving();
 }, { passive: false });
-canvas.addEventListener("dblclick", (e) => {
-const hit = triangleAt(e.clientX, e.clientY);
-if (hit) camera.target = pointOn(hit, e.clientX, e.clientY);
+canvas.addEventListener("dblclick", (e) => { if (!byTouch) center(e.clientX, e.clientY); });
+function gripOf() {
+const [a, b] = [...pointers.values()];
+return b ? { x: (a[0] + b[0]) / 2, y: (a[1] + b[1]) / 2, size: Math.hypot(a[0] - b[0], a[1] - b[1]) } : null;
+}
+function followFingers() {
+if (!grip) return;
+const now = gripOf();
+pan(now.x - grip.x, now.y - grip.y);
+if (grip.size > 0 && now.size > 0) zoom(grip.size / now.size, now.x, now.y);
+grip = now;
+}
+function center(x, y) {
+const hit = gl && triangleAt(x, y);
+if (hit) camera.target = pointOn(hit, x, y);
 redraw();
-});
+}
 function click(x, y, measures) {
-const found = pickAt(x, y, wanted);
+const found = gl && pickAt(x, y, wanted);
 if (measures) {
 if (found) measured = measured.length === 1 ? [measured[0], found.point] : [found.point];
 if (measured.length === 1) say("Shift and click on another point");
@@ -1505,10 +1766,10 @@ document.documentElement.dataset.theme = dark ? "dark" : "light";
 redraw();
 }
 function savePicture() {
+if (!gl) return;
 drawScene();
 canvas.toBlob((blob) => {
-)page"),
-std::string_view(R"page(const link = make("a", { href: URL.createObjectURL(blob), download: "picture.png" });
+const link = make("a", { href: URL.createObjectURL(blob), download: "picture.png" });
 link.click();
 setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 });
@@ -1545,7 +1806,8 @@ redraw();
 document.addEventListener("keydown", (e) => {
 if (e.ctrlKey || e.metaKey || e.altKey || /^(INPUT|SELECT|TEXTAREA|SUMMARY)$/.test(e.target.tagName)) return;
 if (e.target.tagName === "BUTTON" && (e.key === "Enter" || e.key === " ")) return;
-const step = 24, arrow = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, -step], ArrowDown: [0, step] }[e.key];
+)page"),
+std::string_view(R"page(const step = 24, arrow = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, -step], ArrowDown: [0, step] }[e.key];
 if (arrow) (e.shiftKey ? pan : rotate)(...arrow);
 else if (!press(e.key.toLowerCase())) return;
 e.preventDefault();
@@ -1569,7 +1831,7 @@ for (const m of scene.maps) m.colors = numbersOf(m.colors);
 scene.labelColors = numbersOf(scene.label_colors);
 scene.reach = 1.2;
 things = scene.objects.map((data, i) => new Thing(data, i));
-makeProgram();
+startDrawing();
 if (innerWidth <= 700) togglePanel();
 resetCamera();
 takeView(location.hash);
@@ -1580,12 +1842,13 @@ redraw();
 }
 canvas.addEventListener("webglcontextlost", (e) => e.preventDefault());
 canvas.addEventListener("webglcontextrestored", () => {
-makeProgram();
-for (const t of things) { t.ball = null; t.mapTexture = null; t.parts = []; sendThing(t); }
+startDrawing();
+for (const t of things) { t.ball = null; t.picture = null; t.mapTexture = null; t.parts = []; sendThing(t); }
 redraw();
 });
 start();
-window.concino = { scene, camera, slicing, things: () => things, press, pickAt, describe, goTo, changed, drawScene, planeOf, setTheme, motion, gl };
+window.concino = { scene, camera, slicing, things: () => things, press, rotate, pickAt, pixelOf, halfHeight, describe, goTo, changed, drawScene,
+planeOf, setTheme, motion, redrawMoving, gl };
 })();
 </script>
 </body>

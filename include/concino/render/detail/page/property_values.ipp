@@ -50,11 +50,29 @@ inline bool take_values_of_column(inspected_values& to, const column& from) {
                           long, unsigned long, long long, unsigned long long>(to, from);
 }
 
-CONCINO_INLINE void add_properties(std::vector<inspected_values>& to, const property_set& all) {
+/// The values with some numbers, in their order.
+inline inspected_values chosen_values(const inspected_values& from, std::span<const std::size_t> numbers) {
+  inspected_values to{from.name, from.at, from.width, {}, {}};
+  for (const std::size_t i : numbers) {
+    if (!from.texts.empty()) to.texts.push_back(from.texts[i]);
+    else
+      for (std::size_t k = 0; k < from.width; ++k) to.numbers.push_back(from.numbers[i * from.width + k]);
+  }
+  return to;
+}
+
+CONCINO_INLINE bool has_corner_properties(const property_set& all) {
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all.kind(i) == element_kind::corner) return true;
+  return false;
+}
+
+CONCINO_INLINE void add_properties(std::vector<inspected_values>& to, const property_set& all,
+                                   std::span<const std::size_t> corners) {
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all.kind(i) == element_kind::corner) continue;
     inspected_values values{all.info(i).name, all.kind(i), 1, {}, {}};
-    if (take_values_of_column(values, *all.values(i))) to.push_back(std::move(values));
+    if (!take_values_of_column(values, *all.values(i))) continue;
+    to.push_back(values.at == element_kind::corner ? chosen_values(values, corners) : std::move(values));
   }
 }
 

@@ -60,6 +60,8 @@ inline void write_inspected(page_writer& out, const inspected_mesh& m) {
   if (m.is_volume) {
     out.add_indices("poly_starts", m.poly_offsets);
     out.add_indices("poly_faces", m.poly_faces);
+    out.add_indices("corner_starts", m.corner_offsets);
+    out.add_indices("corner_verts", m.corner_verts);
   }
   out.end('}');
   out.begin("values", '[');
@@ -126,6 +128,20 @@ inline void write_polygons(page_writer& out, const drawable& d, const page_units
   out.end('}');
 }
 
+inline void write_texture(page_writer& out, const drawable& d) {
+  if (!d.look.texture || d.texture_coordinates.empty()) return;
+  out.begin("texture", '{');
+  texture_page::write(out, d.look.texture);
+  if (d.inspected) {
+    out.add("values", static_cast<double>(d.inspected->values.size() - 1));
+  } else {
+    std::vector<float> coordinates;
+    for (const auto& t : d.texture_coordinates) coordinates.insert(coordinates.end(), t.begin(), t.end());
+    out.add_floats("coordinates", coordinates);  // by corner
+  }
+  out.end('}');
+}
+
 inline void write_things(page_writer& out, const scene& s, const page_units& unit) {
   out.begin("objects", '[');
   for (const drawable& d : s.drawables()) {
@@ -133,6 +149,7 @@ inline void write_things(page_writer& out, const scene& s, const page_units& uni
     out.add("name", d.name);
     if (d.inspected) write_inspected(out, *d.inspected);
     else write_polygons(out, d, unit);
+    write_texture(out, d);
     write_material(out, d.look.material);
     write_look(out, d.look, !d.values.empty() || !d.edge_values.empty());
     out.end('}');
