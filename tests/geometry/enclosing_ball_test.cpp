@@ -96,11 +96,13 @@ TEST_CASE("enclosing_circle: of polygons in any plane") {
   }
   CHECK(enclosing_circle(comb_polygon(4, 3)).radius == doctest::Approx(std::hypot(7, 4) / 2).epsilon(1e-14));
   CHECK(enclosing_circle(star_polygon(6, 0.2)).radius == doctest::Approx(1).epsilon(1e-14));
+  CHECK(enclosing_circle(spiral_polygon(2)).radius == doctest::Approx(1.25 * std::sqrt(2.0)).epsilon(1e-14));
+  CHECK(enclosing_circle(spiral_polygon(3)).radius == doctest::Approx(std::hypot(4.5, 3) / 2).epsilon(1e-14));
   // The distances are those of the projections, and without area those in space.
   CHECK(enclosing_circle(std::vector<vec3>{{0, 0, 1}, {2, 0, -1}, {2, 2, 1}, {0, 2, -1}}).radius == doctest::Approx(std::sqrt(2.0)));
   CHECK(enclosing_circle(std::vector<vec3>{{0, 0, 0}, {2, 0, 0}, {1, 0, 0}}).radius == 1);
   std::mt19937 random(9);
-  for (int round = 0; round < 200; ++round) {
+  for (int round = 0; round < (long_run() ? 10000 : 200); ++round) {
     const auto x = random_polygon(random, 3 + static_cast<std::size_t>(round % 8));
     CHECK(enclosing_circle(x).radius == doctest::Approx(smallest_radius(x)).epsilon(1e-12));
   }

@@ -13,6 +13,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -56,6 +57,28 @@ double area_of(const std::vector<vec3>& x) {
   double doubled = 0;
   for (std::size_t i = 0; i < x.size(); ++i) doubled += cross(x[i], x[(i + 1) % x.size()]).z;
   return doubled / 2;
+}
+
+/// The area of the convex hull of all crossings of two lines that are above all lines, up to 1e-13.
+double area_by_crossings(const std::vector<vec3>& polygon) {
+  const std::size_t n = polygon.size();
+  std::vector<vec3> corners;
+  vec3 sum;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 1; j < n; ++j) {
+      const vec3 d = polygon[(i + 1) % n] - polygon[i], e = polygon[(j + 1) % n] - polygon[j];
+      const double det = cross(d, e).z;
+      if (std::abs(det) < 1e-12) continue;
+      const vec3 x = polygon[i] + cross(polygon[j] - polygon[i], e).z / det * d;
+      double t = std::numeric_limits<double>::infinity();
+      for (std::size_t l = 0; l < n; ++l) t = std::min(t, height_above(polygon, l, x));
+      if (t > -1e-13) corners.push_back(x), sum += x;
+    }
+  if (corners.empty()) return 0;
+  const vec3 mean = sum / static_cast<double>(corners.size());
+  const auto angle = [&](const vec3& x) { return std::atan2(x.y - mean.y, x.x - mean.x); };
+  std::sort(corners.begin(), corners.end(), [&](const vec3& a, const vec3& b) { return angle(a) < angle(b); });
+  return area_of(corners);
 }
 
 /// An L of height h, in cells of a polyhedral mesh: one cell, an extruded polygon.
@@ -139,6 +162,7 @@ TEST_CASE("kernel: is empty where the linear programme says so, else all of the 
       for (const vec3& c : k.corners) CHECK(height_above(x, i, c) > -1e-12);
     }
     CHECK(k.area == doctest::Approx(area_of(k.corners)).epsilon(1e-9));
+    CHECK(std::abs(k.area - area_by_crossings(x)) < 1e-9);
     num_concave += k.area < 0.99 * area_of(x) && !k.is_empty();
     auto turned = x, large = x;
     for (vec3& y : turned) y = rotated(y + vec3{0, 0, 1});

@@ -2,6 +2,7 @@
 
 #include <concino/concepts/archetypes.hpp>
 
+#include <support/corpus.hpp>
 #include <support/kinds.hpp>
 #include <support/motions.hpp>
 #include <support/polygons.hpp>
@@ -69,7 +70,11 @@ TEST_CASE("width: closed forms of polygons and polyhedra") {
     const double half = std::numbers::pi / static_cast<double>(n);
     CHECK(width_of(regular_polygon(n)) == doctest::Approx(n % 2 == 0 ? 2 * std::cos(half) : 1 + std::cos(half)).epsilon(1e-13));
   }
-  CHECK(width_of(comb_polygon(3, 2)) == 3);
+  for (const std::size_t n : std::vector<std::size_t>{2, 3, 8}) CHECK(width_of(comb_polygon(n, 2)) == 3);
+  CHECK(width_of(star_polygon(5, 0.3)) == doctest::Approx(1 + std::cos(std::numbers::pi / 5)).epsilon(1e-13));
+  CHECK(width_of(star_polygon(8, 0.3)) == doctest::Approx(2 * std::cos(std::numbers::pi / 8)).epsilon(1e-13));
+  CHECK(width_of(spiral_polygon(2)) == doctest::Approx(3.5 / std::sqrt(2.0)).epsilon(1e-13));  // an L
+  CHECK(width_of(spiral_polygon(3)) == 3);
   // A regular tet with edges of length 1: between two opposite edges.
   const std::vector<vec3> tet{{0, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}};
   CHECK(width(tet).width == doctest::Approx(1).epsilon(1e-14));
@@ -80,7 +85,7 @@ TEST_CASE("width: closed forms of polygons and polyhedra") {
 
 TEST_CASE("width: of polygons, by all directions of two corners, in any plane") {
   std::mt19937 random(12);
-  for (int round = 0; round < 300; ++round) {
+  for (int round = 0; round < (long_run() ? 10000 : 300); ++round) {
     auto x = random_polygon(random, 3 + static_cast<std::size_t>(round % 9));
     double expected = 1e300;
     for (const vec3& a : x)
