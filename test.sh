@@ -89,7 +89,7 @@ check() {
 needs=(build concino fmt bunny doctest ctags lld meshio boost_graph cgal cholmod clipper eigen embree metis openmesh spectra stb tetgen zlib)
 find_clang >/dev/null || needs+=(clang)
 if [ $((full + long)) -gt 0 ]; then
-  needs+=(sanitizers vtk browser)
+  needs+=(sanitizers vtk browser program)
   find_gcc >/dev/null || needs+=(gcc)
 fi
 [ $long -eq 0 ] || needs+=(tidy reference libcxx windows)

@@ -1,6 +1,6 @@
 # Completion of the program concino for bash: commands, options and files.
 _concino() {
-  local commands="info validate convert render view geodesic"
+  local commands="info validate convert repair render view harmonic geodesic"
   local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} command=${COMP_WORDS[1]} options
   COMPREPLY=()
   if [ "$COMP_CWORD" -eq 1 ]; then
@@ -15,8 +15,10 @@ _concino() {
     info) options="--json" ;;
     validate) options="--all" ;;
     convert) options="--kind --strict --binary --as-triangles --corners-only" ;;
+    repair) options="--merge --fill --orient --split --collapse --remove-intersecting" ;;
     render) options="--output --field --slice --edges --size --quality" ;;
     view) options="--field --slice --edges" ;;
+    harmonic) options="--values --output" ;;
     geodesic) options="--from --output" ;;
   esac
   case "$word" in

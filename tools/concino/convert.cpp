@@ -62,7 +62,7 @@ int convert(const convert_options& options) {
         else if (options.kind == "polyhedralmesh") write_as<cn::polyhedralmesh>(m, options);
         else write(m, options);
       },
-      load_mesh(options.from, options.corners_only));
+      load_mesh(options.from, {.corners_only = options.corners_only}));
   return done;
 }
 

@@ -44,7 +44,7 @@ class row_writer {
   /// A value as it stands in JSON, which is also readable.
   void add(const char* name, const std::string& value) {
     if (json_) text_ += fmt::format("{}\n  \"{}\": {}", text_.empty() ? "{" : ",", name, value);
-    else text_ += fmt::format("{:<16}{}\n", name, value);
+    else text_ += fmt::format("{:<20}{}\n", name, value);
   }
   void add(const char* name, std::size_t value) { add(name, fmt::format("{}", value)); }
   void add_text(const char* name, const std::string& value) { add(name, json_ ? quoted(value) : value); }

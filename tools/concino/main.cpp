@@ -33,6 +33,21 @@ void set_size(const std::string& text, render_options& options) {
   options.height = height;
 }
 
+/// Verts and values such as 0=0 and 100=1.
+std::vector<std::pair<std::size_t, double>> values_of(const std::vector<std::string>& words) {
+  std::vector<std::pair<std::size_t, double>> values;
+  for (const std::string& word : words) {
+    std::size_t vert = 0;
+    double value = 0;
+    const std::size_t middle = word.find('=');
+    if (middle == std::string::npos || !CLI::detail::lexical_cast(word.substr(0, middle), vert) ||
+        !CLI::detail::lexical_cast(word.substr(middle + 1), value))
+      throw CLI::ValidationError("--values", word + " is not a vert and its value, such as 0=1.5");
+    values.push_back({vert, value});
+  }
+  return values;
+}
+
 void add_look(CLI::App* command, render_options& options) {
   command->add_option("file", options.file, "the mesh")->required();
   command->add_option("--field", options.field, "colours by this property of the verts or polys");
@@ -73,6 +88,20 @@ int run(int argc, char** argv) {
   command->add_flag("--corners-only", of_convert.corners_only, "reads elements of higher order by their corners");
   command->callback([&] { code = convert(of_convert); });
 
+  repair_options of_repair;
+  command = add_command(app, "repair", "Mends what can be mended of a mesh, and says what it did",
+                        "repair scan.stl scan.ply --merge 1e-6 --orient --fill 30");
+  command->add_option("in", of_repair.from, "the mesh")->required();
+  command->add_option("out", of_repair.to, "the mended mesh")->required();
+  command->add_option("--merge", of_repair.merge, "verts at most this far apart become one");
+  command->add_option("--fill", of_repair.fill, "fills holes of at most so many edges");
+  command->add_flag("--orient", of_repair.orient, "winds polys alike, and outward where the surface is closed");
+  command->add_flag("--split", of_repair.split, "splits verts and edges where a surface is not manifold");
+  command->add_flag("--collapse", of_repair.collapse, "collapses triangles without area");
+  command->add_flag("--remove-intersecting", of_repair.remove_intersecting,
+                    "removes triangles that intersect others, and fills the holes");
+  command->callback([&] { code = repair(of_repair); });
+
   render_options of_render;
   std::string size;
   command = add_command(app, "render", "Draws a picture (.png), or a page for web browsers (.html)",
@@ -94,6 +123,19 @@ int run(int argc, char** argv) {
                         "view bunny.obj");
   add_look(command, of_view);
   command->callback([&] { code = view(of_view); });
+
+  harmonic_options of_harmonic;
+  std::vector<std::string> values;
+  command = add_command(app, "harmonic",
+                        "A field with given values at some verts, smooth between them; a line for each vert",
+                        "harmonic bunny.obj --values 0=0,100=1 -o field.vtu");
+  command->add_option("file", of_harmonic.file, "the mesh")->required();
+  command->add_option("--values", values, "verts and their values, such as 0=0,100=1")->required()->delimiter(',');
+  command->add_option("-o,--output", of_harmonic.to, "a mesh with the property harmonic, or a .txt");
+  command->callback([&] {
+    of_harmonic.values = values_of(values);
+    code = harmonic(of_harmonic);
+  });
 
   geodesic_options of_geodesic;
   command = add_command(app, "geodesic",

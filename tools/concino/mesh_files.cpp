@@ -22,14 +22,15 @@ bool has_extension(const std::string& path, const char* extension) {
                                        [](char x, char y) { return x == std::tolower(static_cast<unsigned char>(y)); });
 }
 
-concino::any_mesh load_mesh(const std::string& path, bool corners_only) {
+concino::any_mesh load_mesh(const std::string& path, const load_choices& choices) {
   concino::load_report report;
   auto m = or_fail(unreadable_input, [&] {
     concino::terminal_progress line;
     concino::load_options options;
     options.report = &report;
     options.progress = line;
-    options.corners_only = corners_only;
+    options.corners_only = choices.corners_only;
+    if (choices.collapses_repeated_verts) options.repeated_verts = concino::repeated_verts::collapse;
 #ifdef CONCINO_PROGRAM_ZLIB
     options.inflate = concino::zlib_inflate;
 #endif

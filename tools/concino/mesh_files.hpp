@@ -9,8 +9,11 @@
 
 namespace program {
 
+struct load_choices {
+  bool corners_only = false, collapses_repeated_verts = false;
+};
 /// Reads a mesh of any kind. What the reader changed or skipped is written to the standard error stream.
-concino::any_mesh load_mesh(const std::string& path, bool corners_only = false);
+concino::any_mesh load_mesh(const std::string& path, const load_choices& choices = {});
 
 /// Whether a path ends with an extension, such as ".png", in upper or lower case.
 bool has_extension(const std::string& path, const char* extension);
