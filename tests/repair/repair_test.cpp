@@ -76,3 +76,26 @@ TEST_CASE_TEMPLATE("repair: a soup of polys becomes a closed surface", M, CONCIN
   CHECK(validate(m, {.kinds = defect_kinds().without({defect_kind::non_planar})}).is_clean());
   CHECK(validate(m).facts.closed);
 }
+
+TEST_CASE("repair: what is switched off is left as it is") {
+  trimesh m({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {7, 7, 7}}, {{0, 1, 2}, {2, 1, 0}});
+  auto before = record_of(m);
+  CHECK(repair(m, {.remove_duplicates = false, .remove_unreferenced = false}).done.empty());
+  CHECK(record_of(m) == before);
+  CHECK(repair(m).done == std::vector<std::string>{"1 poly with the same verts as an earlier one was removed: poly 1", "1 vert without polys was removed: vert 3"});
+  CHECK(num_verts(m) == 3);
+  CHECK(num_polys(m) == 1);
+  // two tets with a face each on the same three verts, and a face of no cell
+  polyhedralmesh cells({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}},
+                       {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {0, 1, 2}, {0, 4, 1}, {0, 2, 4}, {1, 4, 2}, {0, 3, 4}},
+                       {{{0, true}, {1, true}, {2, true}, {3, true}}, {{4, true}, {5, true}, {6, true}, {7, true}}});
+  REQUIRE(validate(cells).count(defect_kind::duplicated_element) == 1);
+  before = record_of(cells);
+  CHECK(repair(cells, {.remove_unreferenced = false, .unite_faces = false}).done.empty());
+  CHECK(record_of(cells) == before);
+  const auto fix = repair(cells);
+  CHECK(fix.count(repair_kind::united_faces) == 1);
+  CHECK(fix.count(repair_kind::removed_faces) == 1);
+  CHECK(validate(cells).is_clean());
+  CHECK(num_faces(cells) == 7);
+}

@@ -106,7 +106,8 @@ std::optional<To> repair_to(const M& m, const repair_options& input_options, rep
 
 /// Mends a mesh, as the options say. Without options it does what has one right answer: of polys with the same verts
 /// the first remains, verts and faces without polys are removed, inverted cells are turned, equal faces of polyhedra
-/// become one.
+/// become one. The order is: verts are merged, duplicates, degenerate and intersecting polys removed, fans split, polys
+/// turned, holes filled, and unreferenced elements removed.
 /// Needs:  a native mesh.
 /// Result: records and sentences of what was done, and of what was to be mended but is left. If nothing is to be done,
 ///         m is as it was. Otherwise verts and polys keep their order and are numbered without gaps; new ones come
