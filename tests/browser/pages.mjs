@@ -1,4 +1,5 @@
-// Opens the pages of the six kinds of mesh that pages.cpp writes, and checks what they show:  node pages.mjs <chromium> <folder>
+// Opens the pages of the six kinds of mesh that pages.cpp writes, or one of them, and checks what they show:
+//   node pages.mjs <chromium> <folder> [page]
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
