@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # A harmonic field on a real mesh, its picture, and a page to open in a browser, which has the name of the picture:
 #   ./demo.sh [--print] [mesh] [picture.png]
-# By default the Stanford bunny of Debian's glmark2-data, demo.png and demo.html. With --print the picture takes more time and has more samples. Installs what it needs and builds the program the first time.
+# By default the Stanford bunny of Debian's glmark2-data, demo.png and demo.html. Installs what it needs and builds the program the first time.
+# It then takes some seconds; with --print the picture has more samples and takes more time.
 set -eu
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 . "$here/scripts/packages.sh"

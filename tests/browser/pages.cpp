@@ -133,7 +133,7 @@ void write_textured(const M& m, const cn::texture& texture, const Coordinates& a
   s.add(m, {.color = cn::srgb(0.2f, 0.2f, 0.9f), .texture = texture, .texture_coordinates = at, .inspect = inspect});
   const cn::camera from = cn::frame(s.drawables(), static_cast<double>(width) / height, {.towards = {0.3, 0.4, 1}});
   cn::save_html(s, path + ".html", {.camera = from});
-  const cn::image picture = cn::render(s, {.width = width, .height = height, .camera = from, .samples = 2, .occlusion_rays = 0, .ground = false});
+  const cn::image picture = cn::render(s, {.width = width, .height = height, .camera = from, .samples = 1, .occlusion_rays = 0, .ground = false});
   auto out = fmt::output_file(path + ".txt");
   for (std::size_t y = 0; y < height; ++y) {
     for (std::size_t x = 0; x < width; ++x) {
