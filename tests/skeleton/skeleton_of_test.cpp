@@ -98,7 +98,8 @@ TEST_CASE("skeleton_of: finds all limbs, thin ones beside thick ones and a thick
           for (const auto v : leaves(s.skeleton)) nearest = std::min(nearest, distance(s.skeleton.point(v), scale * rotated(tip + vec3{3, 1, 0.5})) / scale);
           CHECK(nearest < 0.1);
         }
-        if (body < 0.2) CHECK(leaves(s.skeleton).size() == k);
+        CHECK(leaves(s.skeleton).size() >= k);
+        if (body < 0.2 && k < 5) CHECK(leaves(s.skeleton).size() == k);  // a lump where many limbs meet may have a bone
       }
 }
 
