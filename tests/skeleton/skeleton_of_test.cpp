@@ -2,19 +2,27 @@
 
 #include <concino/concepts/archetypes.hpp>
 #include <concino/generate/icosphere.hpp>
+#include <concino/generate/subdivide_catmull_clark.hpp>
+#include <concino/generate/to_triangles.hpp>
 #include <concino/generate/torus.hpp>
 #include <concino/graph/components.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 #include <concino/mesh/quadmesh.hpp>
 #include <concino/skeleton/bones.hpp>
+#include <concino/skeleton/tube.hpp>
 
 #include <support/kinds.hpp>
+#include <support/motions.hpp>
+#include <support/skeletons.hpp>
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 using namespace concino;
 using namespace concino::testing;
@@ -25,7 +33,7 @@ long num_cycles(const skeleton& k) {
   return static_cast<long>(k.num_edges()) + connected_components(k).count - static_cast<long>(k.num_verts());
 }
 
-/// Each vert is in one node, which is at the mean of its verts.
+/// Each vert is in one node.
 template<class M>
 void check_origins(const M& m, const skeleton_of_result<M>& s) {
   REQUIRE(s.from.size() == s.skeleton.num_verts());
@@ -56,6 +64,43 @@ TEST_CASE("skeleton_of: a torus has one cycle, in its middle") {
       CHECK(s.skeleton.radius(v) == doctest::Approx(tube).epsilon(0.3));
     }
   }
+}
+
+TEST_CASE("skeleton_of: finds all limbs, thin ones beside thick ones and a thick body too, at any size and position") {
+  for (const std::size_t k : std::vector<std::size_t>{3, 4, 5})
+    for (const double body : {0.1, 0.4})
+      for (const double thin : {0.1, 0.03}) {
+        CAPTURE(k);
+        CAPTURE(body);
+        CAPTURE(thin);
+        std::vector<vec3> points{{0, 0, 0}}, tips;
+        std::vector<std::array<std::uint32_t, 2>> pairs;
+        std::vector<double> radii{body};
+        for (std::size_t i = 0; i < k; ++i) {
+          const double a = 0.2 + 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(k);
+          tips.push_back({std::cos(a), std::sin(a), 0});
+          for (int j = 1; j <= 5; ++j) {
+            const auto id = static_cast<std::uint32_t>(points.size());
+            points.push_back((body + (1 - body) * j / 5.0) * tips.back());
+            radii.push_back(i % 2 ? thin : 0.1);
+            pairs.push_back({j == 1 ? 0 : id - 1, id});
+          }
+        }
+        auto m = to_triangles(subdivide_catmull_clark(tube(skeleton_of_pairs(points, pairs, radii)), {.times = 2}));
+        const double scale = body > 0.2 ? 1e3 : 1e-3;
+        for (const auto v : verts(m)) set_point(m, v, scale * rotated(point(m, v) + vec3{3, 1, 0.5}));
+        const auto s = skeleton_of(m);
+        check_origins(m, s);
+        CHECK(num_cycles(s.skeleton) == 0);
+        CHECK(connected_components(s.skeleton).count == 1);
+        for (const vec3& tip : tips) {
+          double nearest = 1e300;
+          for (const auto v : leaves(s.skeleton)) nearest = std::min(nearest, distance(s.skeleton.point(v), scale * rotated(tip + vec3{3, 1, 0.5})) / scale);
+          CHECK(nearest < 0.1);
+        }
+        CHECK(leaves(s.skeleton).size() >= k);
+        if (body < 0.2 && k < 5) CHECK(leaves(s.skeleton).size() == k);  // a lump where many limbs meet may have a bone
+      }
 }
 
 TEST_CASE("skeleton_of: what is like a ball has no cycles") {

@@ -16,9 +16,10 @@
 namespace concino {
 
 struct skeleton_of_options {
-  double area = 1e-3;        // the flow ends when the area is this part of the first one; from 1e-6 to 0.5
+  double area = 1e-3;        // the flow ends when a step changes the area by less than this part of the first one; from
+                             // 1e-6 to 0.5
   int max_steps = 40;        // of the flow; >= 1
-  bool keep_short = false;   // keep bones with a leaf that are shorter than the radius at their joint
+  bool keep_short = false;   // keep bones with a leaf that are shorter than 1.5 radii of their joint
   concino::progress progress = nullptr;  // called with "contracting", "collapsing edges"
   concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
@@ -52,17 +53,18 @@ collapsed_curve collapsed_to_curve(const closed_triangles& surface, const skelet
 
 /// The curve skeleton of a closed surface of triangles: bones(skeleton_of(m).skeleton).
 /// Needs:  SurfaceMesh M, Embedded, whose polys are triangles; closed, manifold and oriented.
-/// Result: the surface flows by its mean curvature until it is thin, and what is left is collapsed to a curve. A node
-///         is at the mean of its verts, each with a third of the area of its triangles. A surface like a ball has no
-///         cycles, and a handle that is thin against its length gives one. A component gives one component. Bones of
-///         thin parts beside much thicker ones may be too short. Scales exactly with powers of 2.
-/// Cost:   for n verts, some 20 factorisations of a matrix of n rows, O(n^1.5) each, and O(n log n).
+/// Result: the surface flows by its mean curvature, each vert drawn to the centre of a large ball inside that touches
+///         the surface there. Short edges collapse, flat triangles are split, and what is thin stays where it is. What
+///         is left is collapsed to a curve. A node is where its verts have come to. A surface like a ball has no
+///         cycles, and a handle that is thin against its length gives one. A component gives one component. Lumps and
+///         flat parts may have bones of their own. Scales exactly with powers of 2.
+/// Cost:   for n verts, O(n log n), and a factorisation of a matrix of n rows, O(n^1.5), then some of fewer rows.
 /// Errors: unsupported if a poly is no triangle. invalid_mesh if the surface has no polys, an edge without exactly two
 ///         triangles that are oriented alike, a point that is not finite, or no area. invalid_argument if an option is
 ///         out of range. cancelled; solver_error.
-/// Source: Tagliasacchi, Alhashim, Olson and Zhang 2012, "Mean curvature skeletons", for the flow. Au, Tai, Chu,
-///         Cohen-Or and Lee 2008, "Skeleton extraction by mesh contraction", for the collapses, and for verts that
-///         resist more the more their area has shrunk, so that what is thin keeps its place.
+/// Source: Tagliasacchi, Alhashim, Olson and Zhang 2012, "Mean curvature skeletons"; the area that has shrunk resists as
+///         in Au, Tai, Chu, Cohen-Or and Lee 2008, "Skeleton extraction by mesh contraction". Ma, Bae and Choi 2012, "3D
+///         medial axis point approximation using nearest neighbors and the normal field", for the balls.
 template<SurfaceMesh M>
   requires Embedded<M>
 skeleton_of_result<M> skeleton_of(const M& m, const skeleton_of_options& options = {}) {

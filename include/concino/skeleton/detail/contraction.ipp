@@ -148,7 +148,8 @@ CONCINO_INLINE void contraction::freeze_thin_parts() {
   for (index v = 0; v < points_.size(); ++v) {
     if (!mesh_.is_alive(v) || is_frozen_[v]) continue;
     // Before a vert has come to the centre of its ball, edges of triangles that are in no thin part may be short.
-    const bool has_arrived = balls_[v].radius > 0 && distance(points_[v], balls_[v].centre) < shortest_ + 0.1 * balls_[v].radius;
+    const bool has_arrived =
+        balls_[v].radius > 0 && distance(points_[v], balls_[v].centre) < shortest_ + 0.1 * balls_[v].radius;
     const double limit = has_arrived ? shortest_ : 0.1 * shortest_;
     std::size_t count = 0;
     for (const index w : mesh_.neighbours(v)) count += distance(points_[v], points_[w]) < limit;

@@ -47,7 +47,7 @@ class curve_nodes {
   /// verts are joined to those.
   curve_nodes(const triangle_complex& curve, const std::vector<vec3>& contracted, const std::vector<vec3>& at,
               const std::vector<double>& weights, const std::vector<medial_ball>& balls);
-  /// Joins bones that end at a leaf to their joint, if they are shorter than the radius of the medial balls there.
+  /// Joins bones that end at a leaf to their joint, if they are shorter than 1.5 radii of the medial balls there.
   void join_short_bones();
   graph_arrays result() const;
 };

@@ -71,7 +71,8 @@ CONCINO_INLINE void curve_nodes::join_short_bones() {
         length += distance(points_[last], points_[next]);
         last = next;
       }
-      if (neighbours_[last].size() < 3 || length >= mean(last, [&](index v) { return balls_[v].radius; })) continue;
+      if (neighbours_[last].size() < 3 || length >= 1.5 * mean(last, [&](index v) { return balls_[v].radius; }))
+        continue;
       for (const index v : walk) join(v, last);
       any = true;
     }

@@ -29,7 +29,7 @@ void erase_in_order(std::vector<T>& list, const T& x) {
 class triangle_complex {
   using index = std::uint32_t;
 
-  std::vector<std::vector<index>> neighbours_;              // sorted
+  std::vector<std::vector<index>> neighbours_;               // sorted
   std::vector<std::vector<std::array<index, 2>>> opposite_;  // sorted: the other two verts of the triangles
   std::vector<index> joined_to_;
 

@@ -11,7 +11,8 @@
 
 namespace concino::detail {
 
-CONCINO_INLINE triangle_complex::triangle_complex(std::size_t num_verts, const std::vector<std::array<index, 3>>& triangles)
+CONCINO_INLINE triangle_complex::triangle_complex(std::size_t num_verts,
+                                                  const std::vector<std::array<index, 3>>& triangles)
     : neighbours_(num_verts), opposite_(num_verts) {
   for (index v = 0; v < num_verts; ++v) joined_to_.push_back(v);
   for (const auto& t : triangles)
