@@ -1,6 +1,9 @@
 // A harmonic field between two far ends of any mesh, its picture and its page:  concino_demo [--print] mesh picture.png [field.txt]
 // With --print, the picture has 9 samples a pixel; without, 4, in a few seconds.
 
+#include "kind_names.hpp"
+#include "ray_tracer.hpp"
+
 #include <concino/core/terminal_progress.hpp>
 #include <concino/fields.hpp>
 #include <concino/geometry.hpp>
@@ -8,9 +11,6 @@
 #include <concino/io.hpp>
 #include <concino/mesh.hpp>
 #include <concino/render.hpp>
-#ifdef CONCINO_DEMO_EMBREE
-#include <concino/adapters/embree.hpp>
-#endif
 
 #include <fmt/format.h>
 
@@ -27,11 +27,8 @@ namespace cn = concino;
 
 namespace {
 
-#ifdef CONCINO_DEMO_EMBREE
-using ray_tracer = cn::embree;
-#else
-using ray_tracer = cn::box_tree_tracer;  // slower, and needs no package
-#endif
+using program::name_of;
+using program::ray_tracer;
 
 using seconds = std::chrono::duration<double>;
 
@@ -45,13 +42,6 @@ class stopwatch {
     return seconds(now - std::exchange(last_, now)).count();
   }
 };
-
-const char* name_of(const cn::trimesh&) { return "trimesh"; }
-const char* name_of(const cn::quadmesh&) { return "quadmesh"; }
-const char* name_of(const cn::polygonmesh&) { return "polygonmesh"; }
-const char* name_of(const cn::tetmesh&) { return "tetmesh"; }
-const char* name_of(const cn::hexmesh&) { return "hexmesh"; }
-const char* name_of(const cn::polyhedralmesh&) { return "polyhedralmesh"; }
 
 /// Two verts of one component that are far apart, and the number of verts of the component.
 template<class M>

@@ -1,4 +1,5 @@
 // concino info: facts about a mesh, as a table or as one JSON object.
+#include "../kind_names.hpp"
 #include "mesh_files.hpp"
 
 #include <concino/core/terminal_progress.hpp>
@@ -51,13 +52,6 @@ class row_writer {
   void print() const { fmt::print("{}{}", text_, json_ ? "\n}\n" : ""); }
   bool is_json() const { return json_; }
 };
-
-const char* name_of(const cn::trimesh&) { return "trimesh"; }
-const char* name_of(const cn::quadmesh&) { return "quadmesh"; }
-const char* name_of(const cn::polygonmesh&) { return "polygonmesh"; }
-const char* name_of(const cn::tetmesh&) { return "tetmesh"; }
-const char* name_of(const cn::hexmesh&) { return "hexmesh"; }
-const char* name_of(const cn::polyhedralmesh&) { return "polyhedralmesh"; }
 
 std::string name_of_type(const std::type_info& type) {
   const std::pair<const std::type_info*, const char*> known[] = {

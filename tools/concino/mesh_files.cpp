@@ -1,7 +1,7 @@
 #include "mesh_files.hpp"
 
 #include <concino/core/terminal_progress.hpp>
-#ifdef CONCINO_PROGRAM_ZLIB
+#ifdef CONCINO_TOOLS_ZLIB
 #include <concino/adapters/zlib.hpp>
 #endif
 
@@ -31,7 +31,7 @@ concino::any_mesh load_mesh(const std::string& path, const load_choices& choices
     options.progress = line;
     options.corners_only = choices.corners_only;
     if (choices.collapses_repeated_verts) options.repeated_verts = concino::repeated_verts::collapse;
-#ifdef CONCINO_PROGRAM_ZLIB
+#ifdef CONCINO_TOOLS_ZLIB
     options.inflate = concino::zlib_inflate;
 #endif
     return concino::load_any(path, options);

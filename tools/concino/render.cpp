@@ -1,4 +1,5 @@
 // concino render and concino view: a picture or a page of a mesh.
+#include "../ray_tracer.hpp"
 #include "mesh_files.hpp"
 
 #include <concino/core/terminal_progress.hpp>
@@ -9,9 +10,6 @@
 #include <concino/render/render.hpp>
 #include <concino/render/scene.hpp>
 #include <concino/render/scene_html.hpp>
-#ifdef CONCINO_PROGRAM_EMBREE
-#include <concino/adapters/embree.hpp>
-#endif
 
 #include <fmt/format.h>
 
@@ -27,12 +25,6 @@ namespace cn = concino;
 
 namespace program {
 namespace {
-
-#ifdef CONCINO_PROGRAM_EMBREE
-using ray_tracer = cn::embree;
-#else
-using ray_tracer = cn::box_tree_tracer;  // slower, and needs no package
-#endif
 
 /// The property `name` of the verts, else of the polys, if its values are of one of these types.
 template<class... T, class M>
