@@ -30,18 +30,19 @@ class smallest_bound_search {
   std::vector<vec3> loop_, scratch_;
 
  public:
-  vec3 place;  // from the centre of the box
+  vec3 place;           // from the centre of the box
+  double rounding = 0;  // functions that differ by less count as equal: those of the edges at one corner
 
   double operator()(const std::vector<planar_bound>& bounds, const vec3& half) {
     double largest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < bounds.size(); ++i) {
       const planar_bound& b = bounds[i];
-      if (b.value + dot(b.slope, place) >= largest) continue;
+      if (b.value + dot(b.slope, place) >= largest - rounding) continue;
       // The optimum is on the plane of this function, where it is below all of those before it.
       loop_ = {{-half.x, -half.y, 0}, {half.x, -half.y, 0}, {half.x, half.y, 0}, {-half.x, half.y, 0}};
       for (std::size_t j = 0; j < i && !loop_.empty(); ++j) {
         const vec3 slope = bounds[j].slope - b.slope;
-        const double value = bounds[j].value - b.value;
+        const double value = bounds[j].value - b.value + rounding;
         core::cut_convex_loop(
             loop_, scratch_, [&](const vec3& x) { return value + dot(slope, x); }, [](const vec3&) {});
       }
@@ -97,10 +98,11 @@ class largest_circle_search {
   void run(const inscribed_circle_options& options) {
     box whole = box_of_all();
     const double rounding = 1e-15 * (whole.half.x + whole.half.y);
+    bound_.rounding = rounding;
     examine(std::move(whole), 0);
     std::size_t num_parts = 1;
     while (!boxes_.empty()) {
-      const double least = std::max(radius / (1 - options.tolerance), radius + rounding);
+      const double least = std::max(radius / (1 - options.tolerance), radius + 3 * rounding);
       if (boxes_.front().bound <= least || num_parts >= options.max_parts) break;
       std::pop_heap(boxes_.begin(), boxes_.end(), has_smaller_bound);
       const box b = std::move(boxes_.back());
