@@ -26,8 +26,8 @@ struct enclosing_circle_result {
 
 /// The smallest ball around points, all verts of a mesh or graph, or the verts of a poly.
 /// Needs:  Embedded M with verts, or with adj_p2v; points in any order and number, many of which may be equal.
-/// Result: the radius is the largest distance of a point from the centre, up to rounding errors of the coordinates, some
-///         1e-15 of the largest one. No ball is smaller by more than that. Scales exactly with powers of 2.
+/// Result: the radius is the largest distance of a point from the centre, so it is certain that the ball holds all. No
+///         ball is smaller by more than rounding errors, some 1e-15 of the radius. Scales exactly with powers of 2.
 /// Cost:   O(n) for n points, expected over the order in which they are added, which is random and the same each time.
 /// Errors: invalid_argument if a point is not finite.
 /// Source: Welzl 1991, "Smallest enclosing disks (balls and ellipsoids)".

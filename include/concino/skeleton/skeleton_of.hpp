@@ -62,9 +62,9 @@ collapsed_curve collapsed_to_curve(const closed_triangles& surface, const skelet
 /// Errors: unsupported if a poly is no triangle. invalid_mesh if the surface has no polys, an edge without exactly two
 ///         triangles that are oriented alike, a point that is not finite, or no area. invalid_argument if an option is
 ///         out of range. cancelled; solver_error.
-/// Source: Tagliasacchi, Alhashim, Olson and Zhang 2012, "Mean curvature skeletons"; the area that has shrunk resists as
-///         in Au, Tai, Chu, Cohen-Or and Lee 2008, "Skeleton extraction by mesh contraction". Ma, Bae and Choi 2012, "3D
-///         medial axis point approximation using nearest neighbors and the normal field", for the balls.
+/// Source: Tagliasacchi, Alhashim, Olson and Zhang 2012, "Mean curvature skeletons"; the area that has shrunk resists
+///         as in Au, Tai, Chu, Cohen-Or and Lee 2008, "Skeleton extraction by mesh contraction". Ma, Bae and Choi 2012,
+///         "3D medial axis point approximation using nearest neighbors and the normal field", for the balls.
 template<SurfaceMesh M>
   requires Embedded<M>
 skeleton_of_result<M> skeleton_of(const M& m, const skeleton_of_options& options = {}) {

@@ -43,8 +43,8 @@ class curve_nodes {
     std::vector<std::vector<std::uint32_t>> from;
   };
 
-  /// contracted: the points of the verts of the curve. The others are of the verts of the surface, which come first; new
-  /// verts are joined to those.
+  /// contracted: the points of the verts of the curve. The others are of the verts of the surface, which come first;
+  /// new verts are joined to those.
   curve_nodes(const triangle_complex& curve, const std::vector<vec3>& contracted, const std::vector<vec3>& at,
               const std::vector<double>& weights, const std::vector<medial_ball>& balls);
   /// Joins bones that end at a leaf to their joint, if they are shorter than 1.5 radii of the medial balls there.

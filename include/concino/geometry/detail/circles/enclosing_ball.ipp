@@ -113,8 +113,11 @@ CONCINO_INLINE enclosing_ball_result enclosing_ball(std::span<const vec3> points
   });
   std::vector<vec3> local;
   for (const vec3& x : points) local.push_back(frame(x));
-  const detail::ball_search found(std::move(local));
-  return {frame.from_local(found.centre()), frame.from_local(found.radius(), 1)};
+  // The distances are those from the centre as it is returned, which is rounded where coordinates are large.
+  const vec3 centre = frame.from_local(detail::ball_search(std::move(local)).centre()), near = frame(centre);
+  double radius = 0;
+  for (const vec3& x : points) radius = std::max(radius, norm(frame(x) - near));
+  return {centre, frame.from_local(radius, 1)};
 }
 
 CONCINO_INLINE enclosing_circle_result enclosing_circle(std::span<const vec3> polygon) {
