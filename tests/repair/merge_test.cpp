@@ -2,6 +2,7 @@
 
 #include <concino/edit/elements.hpp>
 #include <concino/mesh/property.hpp>
+#include <concino/repair/detail/point_clusters.hpp>
 #include <concino/validate.hpp>
 
 #include <support/kinds.hpp>

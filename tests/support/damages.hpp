@@ -5,6 +5,7 @@
 
 #include <concino/geometry/bounding_box.hpp>
 #include <concino/mesh/support/arrays_of.hpp>
+#include <concino/repair/detail/point_clusters.hpp>
 #include <concino/validate/validate.hpp>
 
 #include <support/corpus_meshes.hpp>
