@@ -2,6 +2,7 @@
 
 #include <concino/concepts/archetypes.hpp>
 #include <concino/io/skeleton.hpp>
+#include <concino/mesh/element_map.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 
 #include <support/corpus.hpp>
@@ -99,11 +100,11 @@ TEST_CASE("bones: of random graphs") {
     std::set<std::array<std::uint32_t, 2>> pairs;
     for (std::size_t i = 0; i < n + n / 4; ++i)
       if (const auto a = vert(random), b = vert(random); a < b) pairs.insert({a, b});
-    std::vector<std::array<vert_id, 2>> edges;
-    for (const auto& [a, b] : pairs) edges.push_back({vert_id{a}, vert_id{b}});
+    std::vector<std::array<vert_id, 2>> pairs_of_verts;
+    for (const auto& [a, b] : pairs) pairs_of_verts.push_back({vert_id{a}, vert_id{b}});
     std::vector<vec3> points;
     for (std::size_t i = 0; i < n; ++i) points.push_back({i, i * i % 7, 0});
-    check_bones(skeleton(points, edges));
+    check_bones(skeleton(points, pairs_of_verts));
   }
 }
 
