@@ -3,6 +3,7 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
+#include <concino/core/error.hpp>
 
 #include <doctest/doctest.h>
 
@@ -12,6 +13,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -194,6 +196,16 @@ inline constexpr auto scrambled_length = [](auto a, auto b) { return scrambled(a
 template<class P>
 auto scrambled_in(const P& pairs) {
   return [&pairs](const auto& a, const auto& b) { return scrambled(pairs.back(a).raw(), pairs.back(b).raw()); };
+}
+
+/// What make() returns; nothing if it throws an E, because it refuses the mesh or the element.
+template<class E = unsupported, class F>
+auto unless_refused(const F& make) -> std::optional<decltype(make())> {
+  try {
+    return make();
+  } catch (const E&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace concino::agreement

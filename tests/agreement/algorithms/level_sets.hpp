@@ -65,16 +65,6 @@ level_point other_point(const B& both, const mesh_point<typename B::other_mesh>&
   return {static_cast<int>(kind), element, x.position.x, x.position.y, x.position.z};
 }
 
-/// What make() returns; nothing if it refuses the mesh.
-template<class F>
-auto unless_refused(const F& make) -> std::optional<decltype(make())> {
-  try {
-    return make();
-  } catch (const unsupported&) {
-    return {};
-  }
-}
-
 /// The contours of a layer, and the native numbers of the polys that they pass.
 template<class M, class Back>
 std::pair<double, std::multiset<numbers>> layer_of(const mesh_slices<M>& s, std::size_t layer, const Back& back) {
