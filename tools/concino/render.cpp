@@ -20,6 +20,7 @@
 #include <fstream>
 #include <random>
 #include <string_view>
+#include <utility>
 
 namespace cn = concino;
 
@@ -29,7 +30,11 @@ namespace {
 /// The property `name` of the verts, else of the polys, if its values are of one of these types.
 template<class... T, class M>
 bool find_field(const M& m, std::string_view name, cn::any_field<M>& field) {
-  const auto is_set = [&](const auto& values) { return values ? (field = values, true) : false; };
+  const auto is_set = [&](auto values) {
+    if (!values) return false;
+    field = cn::any_field<M>(std::move(values));  // which holds it then
+    return true;
+  };
   for (const cn::property_info& p : cn::property_list(m)) {
     if (p.name != name) continue;
     if (p.kind == cn::element_kind::vert &&
