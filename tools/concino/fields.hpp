@@ -29,15 +29,14 @@ concino::vert_t<M> vert_of(const M& m, std::size_t number, const char* option) {
 template<class M, class U>
 void write_field(M& m, const U& u, const char* name, const std::string& path) {
   if (!path.empty() && !has_extension(path, ".txt")) {
+    if (!has_extension(path, ".vtu") && !has_extension(path, ".vtk") && !has_extension(path, ".vtp") &&
+        !has_extension(path, ".ply"))
+      throw failure{not_written, path + ": values at verts are written to .vtu, .vtk, .vtp, .ply and .txt"};
     const auto values = concino::vert_property<double>(m, name);
     for (const auto v : concino::verts(m)) values[v] = u[v];
     or_fail(not_written, [&] {
       concino::terminal_progress line;
       concino::save_report report;
-      if (has_extension(path, ".obj") || has_extension(path, ".off") || has_extension(path, ".stl") ||
-          has_extension(path, ".mesh") || has_extension(path, ".meshb") || has_extension(path, ".tet") ||
-          has_extension(path, ".hedra") || has_extension(path, ".hybrid"))
-        throw failure{not_written, path + ": this format holds no values at verts; write .vtu, .vtk, .ply or .txt"};
       concino::save(m, path, {.report = &report, .progress = line});
       for (const std::string& what : report.lost) say("lost: " + what);
     });

@@ -32,14 +32,9 @@ CONCINO_INLINE edge_lists::edge_lists(const std::vector<std::uint32_t>& poly_off
     const std::size_t to = end[v];
     half_edge* const begin = all.data() + from;
     half_edge* const stop = all.data() + to;
-    if (to - from < 24) {
-      for (half_edge* i = begin; i != stop; ++i)  // a stable insertion sort
-        for (half_edge* k = i; k != begin && k->to < (k - 1)->to; --k) std::swap(*k, *(k - 1));
-    } else {
-      std::sort(begin, stop, [](const half_edge& x, const half_edge& y) {
-        return x.to != y.to ? x.to < y.to : x.corner < y.corner;
-      });
-    }
+    std::sort(begin, stop, [](const half_edge& x, const half_edge& y) {
+      return x.to != y.to ? x.to < y.to : x.corner < y.corner;
+    });
     for (const half_edge* i = begin; i != stop; ++i) {
       if (i != begin && i->to != (i - 1)->to) first_.push_back(static_cast<std::uint32_t>(corners_.size()));
       corners_.push_back(i->corner);

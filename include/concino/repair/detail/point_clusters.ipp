@@ -1,7 +1,7 @@
 // Bodies of point_clusters.hpp: equal points by hashing, close ones by a grid.
 #pragma once
 
-#include <concino/core/hash_bytes.hpp>
+#include <concino/core/index_table.hpp>
 #include <concino/graph/disjoint_sets.hpp>
 #include <concino/repair/detail/point_clusters.hpp>
 
@@ -15,58 +15,63 @@
 
 namespace concino::detail {
 
-/// A hash table from three integers to the chain of numbers that were added with them.
+/// The chains of numbers that were added with the same three integers.
 class chains_by_cell {
  public:
   using cell = std::array<std::int64_t, 3>;
-  static constexpr std::uint32_t none = ~0u;
+  static constexpr std::uint32_t none = core::index_table::none;
 
  private:
-  struct slot {
-    cell key;
-    std::uint32_t last = none;
-  };
-  std::vector<slot> slots_;
+  core::index_table table_;
+  std::vector<cell> cells_;              // by chain
+  std::vector<std::uint32_t> last_;      // by chain
   std::vector<std::uint32_t> previous_;  // by number
 
-  std::size_t place_of(const cell& key) const {
-    std::uint64_t h = 0;
-    for (const std::int64_t x : key) h = core::scrambled(h ^ static_cast<std::uint64_t>(x));
-    std::size_t i = static_cast<std::size_t>(h) & (slots_.size() - 1);
-    while (slots_[i].last != none && slots_[i].key != key) i = (i + 1) & (slots_.size() - 1);
-    return i;
+  static std::uint32_t hash(const cell& key) {
+    std::uint32_t h = 0;
+    for (const std::int64_t x : key) h = core::index_table::hash(static_cast<std::uint64_t>(x), h);
+    return h;
+  }
+  std::uint32_t chain_of(const cell& key) const {
+    return table_.find(hash(key), [&](std::uint32_t chain) { return cells_[chain] == key; });
   }
 
  public:
   /// Numbers below n.
-  explicit chains_by_cell(std::size_t n) : slots_(std::bit_ceil(2 * n + 2)), previous_(n, none) {}
+  explicit chains_by_cell(std::size_t n) : previous_(n, none) {}
 
-  std::uint32_t last(const cell& key) const { return slots_[place_of(key)].last; }
+  std::uint32_t last(const cell& key) const {
+    const std::uint32_t chain = chain_of(key);
+    return chain == none ? none : last_[chain];
+  }
   std::uint32_t previous(std::uint32_t number) const { return previous_[number]; }
   void add(const cell& key, std::uint32_t number) {
-    slot& s = slots_[place_of(key)];
-    s.key = key;
-    previous_[number] = s.last;
-    s.last = number;
+    const std::uint32_t chain = chain_of(key);
+    if (chain == none) {
+      table_.add(hash(key), static_cast<std::uint32_t>(cells_.size()));
+      cells_.push_back(key);
+      last_.push_back(number);
+    } else {
+      previous_[number] = last_[chain];
+      last_[chain] = number;
+    }
   }
 };
 
 /// For each point, the first one that equals it.
 inline std::vector<std::uint32_t> first_equal_points(const std::vector<vec3>& points) {
-  constexpr std::uint32_t none = ~0u;
   std::vector<std::uint32_t> first(points.size());
-  std::vector<std::uint32_t> slots(std::bit_ceil(2 * points.size() + 2), none);      // the first one of equal points
+  core::index_table table;                                                           // the first one of equal points
   const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x + 0.0); };  // -0 is 0
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     first[i] = i;
     const vec3& x = points[i];
     if (!is_finite(x)) continue;
-    const std::uint64_t h =
-        core::scrambled(bits(x.x) + 0x9e3779b97f4a7c15u * bits(x.y) + 0xc2b2ae3d27d4eb4fu * bits(x.z));
-    std::size_t at = static_cast<std::size_t>(h) & (slots.size() - 1);
-    while (slots[at] != none && !(points[slots[at]] == x)) at = (at + 1) & (slots.size() - 1);
-    if (slots[at] == none) slots[at] = i;
-    first[i] = slots[at];
+    std::uint32_t h = 0;
+    for (std::size_t k = 0; k < 3; ++k) h = core::index_table::hash(bits(x[k]), h);
+    const std::uint32_t found = table.find(h, [&](std::uint32_t n) { return points[n] == x; });
+    if (found == core::index_table::none) table.add(h, i);
+    else first[i] = found;
   }
   return first;
 }
