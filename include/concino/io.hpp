@@ -14,6 +14,7 @@
 #include <concino/io/hedra.hpp>
 #include <concino/io/hybrid.hpp>
 #include <concino/io/iv.hpp>
+#include <concino/io/label_names.hpp>
 #include <concino/io/load.hpp>
 #include <concino/io/load_any.hpp>
 #include <concino/io/material_table.hpp>
