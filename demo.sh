@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # A harmonic field on a real mesh, its picture, and a page to open in a browser, which has the name of the picture:
 #   ./demo.sh [--print] [mesh] [picture.png]
-# By default the Stanford bunny of Debian's glmark2-data, demo.png and demo.html. Installs what it needs and builds the program the first time.
-# It then takes some seconds; with --print the picture has more samples and takes more time.
+# By default the Stanford bunny of Debian's glmark2-data, demo.png and demo.html. Installs what it needs and builds the program
+# concino the first time, which takes two minutes on two cores. It then takes some seconds; with --print the picture has more samples
+# and takes more time.
 set -eu
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 . "$here/scripts/packages.sh"
@@ -13,7 +14,7 @@ mesh=${1:-/usr/share/glmark2/models/bunny.obj}
 picture=${2:-demo.png}
 build=${CONCINO_DEMO_BUILD:-$here/build/demo}
 
-needs=(build concino fmt)  # Embree makes the picture faster where it is installed
+needs=(build concino fmt program)  # Embree makes the picture faster where it is installed
 [ $# -gt 0 ] || needs+=(bunny)
 find_gcc >/dev/null || find_clang >/dev/null || needs+=(gcc)
 install_parts "${needs[@]}"
@@ -22,9 +23,9 @@ compiler=$(find_gcc || find_clang) || { echo "no g++ 12 or clang++ 14 or later" 
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 if ! (cd "$here" && cmake --preset release -B "$build" -D CMAKE_CXX_COMPILER="$compiler" &&
-  cmake --build "$build" --target concino_demo) >"$log" 2>&1; then
+  cmake --build "$build" --target concino_program) >"$log" 2>&1; then
   cat "$log" >&2
   exit 1
 fi
 # shellcheck disable=SC2086  # no word if it is empty
-"$build/tools/concino_demo" $print "$mesh" "$picture"
+"$build/tools/concino" demo $print "$mesh" "$picture"

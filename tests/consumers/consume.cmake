@@ -86,7 +86,7 @@ expect_output("${said}")
 # As a subproject, concino adds no tests and no flags.
 if(NOT way STREQUAL "find_package")
   run(${CMAKE_COMMAND} --build ${scratch}/build --target help)
-  if(said MATCHES "tests_|example_|concino_demo|all_headers")
+  if(said MATCHES "tests_|example_|concino_program|all_headers")
     message(FATAL_ERROR "concino builds its own programs in the project of a user:\n${said}")
   endif()
   if(EXISTS ${scratch}/build/compile_commands.json)

@@ -133,11 +133,19 @@ expect 2 geodesic "$small/tri/ball.obj" --from 1000000
 says err 'there is no vert 1000000'
 expect 4 geodesic "$small/tri/ball.obj" --from 0 -o "$work/distance.obj"
 
+# demo
+expect 0 demo "$small/tri/ball.obj" "$work/demo.png"
+says out '^extrema +0 at vert [0-9]+, 1 at vert [0-9]+$'
+for extension in png html txt; do [ -s "$work/demo.$extension" ] || fail "the demo writes no .$extension"; done
+expect 2 demo "$small/tri/ball.obj" "$work/demo.jpg"
+expect 3 demo "$work/nothing.obj" "$work/demo.png"
+expect 4 demo "$small/tri/ball.obj" "$work/no/such/demo.png"
+
 # usage, and files that cannot be read
 expect 0 --version
 says out '^concino [0-9]+\.[0-9]+'
 expect 0 --help
-for command in info validate convert repair render view harmonic geodesic; do
+for command in info validate convert repair render view harmonic geodesic demo; do
   expect 0 $command --help
   says out 'Example:'
   expect 2 $command

@@ -52,6 +52,11 @@ struct geodesic_options {
   std::vector<std::size_t> from;
 };
 
+struct demo_options {
+  std::string file, picture;
+  bool for_print = false;
+};
+
 int info(const info_options& options);
 int validate(const validate_options& options);
 int convert(const convert_options& options);
@@ -60,5 +65,6 @@ int render(const render_options& options);
 int view(const render_options& options);
 int harmonic(const harmonic_options& options);
 int geodesic(const geodesic_options& options);
+int demo(const demo_options& options);
 
 }  // namespace program

@@ -1,6 +1,6 @@
 # Completion of the program concino for bash: commands, options and files.
 _concino() {
-  local commands="info validate convert repair render view harmonic geodesic"
+  local commands="info validate convert repair render view harmonic geodesic demo"
   local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} command=${COMP_WORDS[1]} options
   COMPREPLY=()
   if [ "$COMP_CWORD" -eq 1 ]; then
@@ -20,6 +20,7 @@ _concino() {
     view) options="--field --slice --edges" ;;
     harmonic) options="--values --output" ;;
     geodesic) options="--from --output" ;;
+    demo) options="--print" ;;
   esac
   case "$word" in
     -*) mapfile -t COMPREPLY < <(compgen -W "$options --help" -- "$word") ;;

@@ -1,5 +1,5 @@
 // concino info: facts about a mesh, as a table or as one JSON object.
-#include "../kind_names.hpp"
+#include "kind_names.hpp"
 #include "mesh_files.hpp"
 
 #include <concino/core/terminal_progress.hpp>

@@ -146,6 +146,14 @@ int run(int argc, char** argv) {
   command->add_option("-o,--output", of_geodesic.to, "a mesh with the property distance, or a .txt");
   command->callback([&] { code = geodesic(of_geodesic); });
 
+  demo_options of_demo;
+  command = add_command(app, "demo", "A harmonic field between two far ends of a mesh, its picture and its page",
+                        "demo bunny.obj demo.png");
+  command->add_option("file", of_demo.file, "the mesh")->required();
+  command->add_option("picture", of_demo.picture, "the picture; the page and the values get its name")->required();
+  command->add_flag("--print", of_demo.for_print, "more samples a pixel, which takes more time");
+  command->callback([&] { code = demo(of_demo); });
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& e) {

@@ -1,5 +1,5 @@
 // concino render and concino view: a picture or a page of a mesh.
-#include "../ray_tracer.hpp"
+#include "ray_tracer.hpp"
 #include "mesh_files.hpp"
 
 #include <concino/core/terminal_progress.hpp>

@@ -1,34 +1,24 @@
-// A harmonic field between two far ends of any mesh, its picture and its page:  concino_demo [--print] mesh picture.png [field.txt]
-// With --print, the picture has 9 samples a pixel; without, 4, in a few seconds.
-
+// concino demo: a harmonic field between two far ends of any mesh, its picture and its page.
+#include "fields.hpp"
 #include "kind_names.hpp"
+#include "mesh_files.hpp"
 #include "ray_tracer.hpp"
 
 #include <concino/core/terminal_progress.hpp>
-#include <concino/fields.hpp>
+#include <concino/fields/harmonic_map.hpp>
 #include <concino/geometry.hpp>
 #include <concino/graph.hpp>
-#include <concino/io.hpp>
-#include <concino/mesh.hpp>
 #include <concino/render.hpp>
 
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cstdio>
-#include <iterator>
 #include <limits>
-#include <string>
-#include <utility>
-#include <variant>
-#include <vector>
 
 namespace cn = concino;
 
+namespace program {
 namespace {
-
-using program::name_of;
-using program::ray_tracer;
 
 using seconds = std::chrono::duration<double>;
 
@@ -98,22 +88,10 @@ auto solve(const M& m, const D& values, const cn::progress& progress, std::strin
     weights = "virtual elements";
     return cn::harmonic_map(m, values, {.progress = progress});
   } catch (const cn::invalid_mesh& e) {
-    fmt::print(stderr, "concino_demo: {}; using uniform\n", e.what());
+    say(fmt::format("{}; using uniform weights", e.what()));
   }
   weights = "uniform";
   return cn::harmonic_map(m, values, cn::uniform, {.progress = progress});
-}
-
-/// Writes one number per line, in the order of the verts.
-template<class M, class U>
-void write_field(const M& m, const U& u, const std::string& path) {
-  cn::atomic_file file(path);
-  fmt::memory_buffer text;
-  for (const auto v : cn::verts(m)) fmt::format_to(std::back_inserter(text), "{}\n", u[v]);
-  cn::text_sink out(file.descriptor(), path);
-  out << std::string_view(text.data(), text.size());
-  out.flush();
-  file.commit();
 }
 
 template<class M, class U>
@@ -121,7 +99,7 @@ cn::scene scene_of(const M& m, const U& u, const std::vector<far_ends<M>>& ends)
   cn::scene scene;
   scene.add(m, {.field = u, .inspect = cn::num_polys(m) < 300000, .name = "mesh"});  // a browser needs a second for each 100,000 polys
   cn::drawable& surface = scene.last();
-  if (surface.polys.empty()) throw cn::invalid_mesh("the mesh has no polygon to draw");
+  if (surface.polys.empty()) throw failure{unreadable_input, "the mesh has no polygon to draw"};
   surface.look.scale = cn::value_scale::equalized(surface.values);
   surface.look.isobands = 30;
   if (surface.polys.size() < 12000) surface.look.edge_width = 1.3;
@@ -148,8 +126,34 @@ cn::image picture_of(const cn::scene& scene, bool for_print, const cn::progress&
   return cn::render(scene, options, ray_tracer{});
 }
 
+/// The paths of what is written, and the times of the steps.
+struct demo_files {
+  std::string picture, page, field;
+};
+using step_times = std::vector<std::pair<const char*, double>>;
+
+template<class M, class U>
+void print_facts(const M& m, const U& u, const std::vector<far_ends<M>>& ends, const std::string& weights) {
+  const auto line = [](const char* what, const auto& value) { fmt::print("{:<12}{}\n", what, value); };
+  line("kind", name_of(m));
+  line("verts", cn::num_verts(m));
+  line("edges", cn::num_edges(m));
+  if constexpr (cn::VolumeMesh<M>) line("faces", cn::num_faces(m));
+  line("polys", cn::num_polys(m));
+  line("components", ends.size());
+  line("weights", weights);
+  if (ends.empty()) return;
+  cn::vert_t<M> low = ends[0].first, high = low;
+  for (const auto v : cn::verts(m)) {
+    if (u[v] < u[low]) low = v;
+    if (u[v] > u[high]) high = v;
+  }
+  fmt::print("{:<12}{} at vert {}, {} at vert {}\n", "extrema", u[low], cn::index_of(m, low), u[high],
+             cn::index_of(m, high));
+}
+
 template<class M>
-void run(const M& m, double read, double build, bool for_print, const std::string& picture, const std::string& page, const std::string& field) {
+void run(M& m, bool for_print, const demo_files& files, step_times& times) {
   cn::terminal_progress line;
   stopwatch watch;
   const auto ends = ends_of_components(m);
@@ -158,66 +162,36 @@ void run(const M& m, double read, double build, bool for_print, const std::strin
     values.push_back({e.first, 0.0});
     values.push_back({e.second, 1.0});
   }
-  const double choose = watch.lap();
+  times.push_back({"choose ends", watch.lap()});
   std::string weights;
-  const auto u = solve(m, values, line, weights);
-  const double solved = watch.lap();
-  write_field(m, u, field);
-  const double written = watch.lap();
-  const cn::scene scene = scene_of(m, u, ends);
-  cn::save_html(scene, page, {.title = "A harmonic field"});
-  const double paged = watch.lap();
-  const cn::image image = picture_of(scene, for_print, line);
-  const double rendered = watch.lap();
-  cn::save_png(image, picture);
-  const double saved = watch.lap();
-
-  fmt::print("{:<12}{}\n{:<12}{}\n{:<12}{}\n", "kind", name_of(m), "verts", cn::num_verts(m), "edges", cn::num_edges(m));
-  if constexpr (cn::VolumeMesh<M>) fmt::print("{:<12}{}\n", "faces", cn::num_faces(m));
-  fmt::print("{:<12}{}\n{:<12}{}\n{:<12}{}\n", "polys", cn::num_polys(m), "components", ends.size(), "weights", weights);
-  if (!ends.empty()) {
-    cn::vert_t<M> low = ends[0].first, high = low;
-    for (const auto v : cn::verts(m)) {
-      if (u[v] < u[low]) low = v;
-      if (u[v] > u[high]) high = v;
-    }
-    fmt::print("{:<12}{} at vert {}, {} at vert {}\n", "extrema", u[low], cn::index_of(m, low), u[high], cn::index_of(m, high));
-  }
-  const std::pair<const char*, double> stages[] = {{"read", read},      {"build", build},         {"choose ends", choose},
-                                                   {"solve", solved},   {"write field", written}, {"write page", paged},
-                                                   {"render", rendered}, {"write PNG", saved}};
-  for (const auto& [stage, time] : stages) fmt::print("{:<12}{:.3f} s\n", stage, time);
-  fmt::print("{:<12}{}\n{:<12}{}\n{:<12}{}\n", "field", field, "picture", picture, "page", page);
+  const auto u = or_fail(unreadable_input, [&] { return solve(m, values, line, weights); });
+  times.push_back({"solve", watch.lap()});
+  write_field(m, u, "harmonic", files.field);
+  times.push_back({"write field", watch.lap()});
+  const cn::scene scene = or_fail(unreadable_input, [&] { return scene_of(m, u, ends); });
+  or_fail(not_written, [&] { cn::save_html(scene, files.page, {.title = "A harmonic field"}); });
+  times.push_back({"write page", watch.lap()});
+  const cn::image image = or_fail(unreadable_input, [&] { return picture_of(scene, for_print, line); });
+  times.push_back({"render", watch.lap()});
+  or_fail(not_written, [&] { cn::save_png(image, files.picture); });
+  times.push_back({"write PNG", watch.lap()});
+  print_facts(m, u, ends, weights);
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  std::vector<std::string> words(argv + 1, argv + argc);
-  const bool for_print = std::erase(words, "--print") > 0;
-  if (words.size() != 2 && words.size() != 3) {
-    fmt::print(stderr, "usage: concino_demo [--print] mesh picture.png [field.txt]\n");
-    return 2;
-  }
-  const std::string path = words[0], picture = words[1];
-  const std::size_t dot = picture.find_last_of("./");
-  const std::string stem = dot != std::string::npos && dot > 0 && picture[dot] == '.' ? picture.substr(0, dot) : picture;
-  const std::string field = words.size() == 3 ? words[2] : stem + ".txt";
-  try {
-    stopwatch watch, total;
-    double read = 0;
-    const auto mesh = [&] {
-      cn::terminal_progress line;
-      const auto on_progress = [&](double fraction, const char* label) {
-        read += watch.lap();  // the last call comes when the whole file is read
-        return line(fraction, label);
-      };
-      return cn::load_any(path, {.progress = on_progress});
-    }();
-    const double loaded = total.lap();
-    std::visit([&](const auto& m) { run(m, read, loaded - read, for_print, picture, stem + ".html", field); }, mesh);
-  } catch (const std::exception& e) {
-    fmt::print(stderr, "concino_demo: {}\n", e.what());
-    return 1;
-  }
+int demo(const demo_options& options) {
+  if (!has_extension(options.picture, ".png"))
+    throw failure{wrong_usage, fmt::format("{} does not end with .png", options.picture)};
+  const std::string stem = options.picture.substr(0, options.picture.size() - 4);
+  const demo_files files{options.picture, stem + ".html", stem + ".txt"};
+  stopwatch watch;
+  auto mesh = load_mesh(options.file);
+  step_times times = {{"load", watch.lap()}};
+  std::visit([&](auto& m) { run(m, options.for_print, files, times); }, mesh);
+  for (const auto& [step, time] : times) fmt::print("{:<12}{:.3f} s\n", step, time);
+  fmt::print("{:<12}{}\n{:<12}{}\n{:<12}{}\n", "field", files.field, "picture", files.picture, "page", files.page);
+  return done;
 }
+
+}  // namespace program
