@@ -7,6 +7,7 @@
 #include <concino/io/formats.hpp>
 
 #ifndef CONCINO_COMPILED
+#include <concino/io/detail/gmsh/write_gmsh.hpp>
 #include <concino/io/detail/hedra/write_hedra.hpp>
 #include <concino/io/detail/hybrid/write_hybrid.hpp>
 #include <concino/io/detail/medit/write_medit.hpp>
@@ -25,7 +26,7 @@ namespace concino {
 /// Writes a mesh to a file. The extension determines which of standard_formats is used. For surfaces: .obj, .off, and
 /// .mesh for triangles and quads. For volumes: .hedra and .hybrid for any, .mesh and .tet for tets, hexes, prisms and
 /// pyramids, which are recognised by their faces. .meshb, the binary .mesh, for the same; .vtk and .vtu for any mesh,
-/// .vtp and .ply for any surface, .stl for triangles.
+/// .vtp and .ply for any surface, .stl for triangles. .msh of Gmsh, version 2.2, for what .mesh holds.
 /// Needs:  a surface or volume mesh with points, of any type.
 /// Result: the complete file, which replaces an existing one; coordinates read back as the same numbers. Verts (and
 ///         faces) are numbered in the order of verts(m) (and faces(m)). These properties are written:
@@ -46,7 +47,11 @@ namespace concino {
 ///           doubles, or of a std::vector of such numbers; "texture" (std::array<double, 2>) of corners. Edges are
 ///           written if a value is not the default one. Types read back as from .vtk;
 ///         - to .stl: "object" (std::string) of polys as text, "attribute" (std::uint16_t) of polys in binary files.
-///           Verts are numbered anew, and those at one point become one.
+///           Verts are numbered anew, and those at one point become one;
+///         - to .msh: "label" and "entity_tag" (int) of all elements, "entity" as to .mesh, the mesh property
+///           "label_names" (label_names), and all of verts, edges, faces and polys that consist of 1, 3 or 9 numbers of
+///           at most 32 bits, or doubles, as which they are read again. Edges and faces are written if a value is
+///           not 0.
 ///         An .obj uses the material libraries that the mesh's file named, if they are in the folder of the new file
 ///         and hold the same colours and materials. Otherwise a new library is written there, with the same name and
 ///         .mtl, or _1.mtl and so on. Existing libraries are not changed, but those that earlier saves created for this
@@ -54,7 +59,7 @@ namespace concino {
 ///         its materials. options.report names whatever is lost, changed or renamed.
 /// Cost:   O(size of the mesh) time. Memory: O(corners), or none for arrays that the mesh stores in the form of the
 ///         file, as native meshes do until something is removed. O(faces) for polyhedra in formats that list no faces.
-///         O(corners) for .mesh, O(polys) for .obj with colours or materials.
+///         O(corners) for .mesh and .msh, O(polys) for .obj with colours or materials.
 /// Errors: unsupported if the extension is unknown or that of a format that is only read, or if the format cannot hold
 ///         the mesh: it names the first poly that does not fit, and formats that can hold it. With options.strict, also
 ///         if anything would be lost. invalid_mesh if a coordinate is not finite. io_error if a file cannot be written,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
+#include <concino/io/detail/gmsh/read_gmsh.hpp>
 #include <concino/io/detail/hedra/read_hedra.hpp>
 #include <concino/io/detail/hybrid/read_hybrid.hpp>
 #include <concino/io/detail/iv/read_iv.hpp>
@@ -27,6 +28,8 @@ template void vtk_format::read<file_contents>(const read_context&, file_contents
 template void vtk_format::read<volume_contents>(const read_context&, volume_contents&);
 template void vtu_format::read<file_contents>(const read_context&, file_contents&);
 template void vtu_format::read<volume_contents>(const read_context&, volume_contents&);
+template void gmsh_format::read<file_contents>(const read_context&, file_contents&);
+template void gmsh_format::read<volume_contents>(const read_context&, volume_contents&);
 
 // The readers are inline. Taking their addresses makes the compiler emit them here.
 namespace {

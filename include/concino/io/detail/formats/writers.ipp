@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
+#include <concino/io/detail/gmsh/write_gmsh.hpp>
 #include <concino/io/detail/hedra/write_hedra.hpp>
 #include <concino/io/detail/hybrid/write_hybrid.hpp>
 #include <concino/io/detail/medit/write_medit.hpp>
@@ -29,7 +30,8 @@ namespace {
                                                                      &tet_format::write,
                                                                      &vtk_format::write<write_context>,
                                                                      &vtu_format::write<write_context>,
-                                                                     &vtp_format::write<write_context>};
+                                                                     &vtp_format::write<write_context>,
+                                                                     &gmsh_format::write};
 }  // namespace
 
 }  // namespace concino
