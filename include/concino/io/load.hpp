@@ -13,6 +13,7 @@
 #include <concino/io/detail/medit/read_medit.hpp>
 #include <concino/io/detail/obj/read_obj.hpp>
 #include <concino/io/detail/off/read_off.hpp>
+#include <concino/io/detail/openfoam/read_openfoam.hpp>
 #include <concino/io/detail/ply/read_ply.hpp>
 #include <concino/io/detail/stl/read_stl.hpp>
 #include <concino/io/detail/tet/read_tet.hpp>
