@@ -27,6 +27,7 @@ namespace concino {
 /// .mesh for triangles and quads. For volumes: .hedra and .hybrid for any, .mesh and .tet for tets, hexes, prisms and
 /// pyramids, which are recognised by their faces. .meshb, the binary .mesh, for the same; .vtk and .vtu for any mesh,
 /// .vtp and .ply for any surface, .stl for triangles.
+/// For OpenFOAM: a folder called polyMesh, for volumes of any polyhedra.
 /// Needs:  a surface or volume mesh with points, of any type.
 /// Result: the complete file, which replaces an existing one; coordinates read back as the same numbers. Verts (and
 ///         faces) are numbered in the order of verts(m) (and faces(m)). These properties are written:
@@ -48,6 +49,12 @@ namespace concino {
 ///           written if a value is not the default one. Types read back as from .vtk;
 ///         - to .stl: "object" (std::string) of polys as text, "attribute" (std::uint16_t) of polys in binary files.
 ///           Verts are numbered anew, and those at one point become one.
+///         - to polyMesh: "label" (int) of faces and polys, "label_names" (label_names) of the mesh. Boundary faces of a
+///           label become a patch, in the order of "label_names", others the patch defaultFaces; polys of a label a
+///           cellZone. Faces are numbered anew: inner ones by their polys, then those of each patch in their order.
+///         A polyMesh folder is created if it does not exist, with all that lead to it. All its files change or none
+///         does, unless the program is killed while they get their names. Files that describe elements of the former
+///         mesh, such as faceZones, are removed; other files stay.
 ///         An .obj uses the material libraries that the mesh's file named, if they are in the folder of the new file
 ///         and hold the same colours and materials. Otherwise a new library is written there, with the same name and
 ///         .mtl, or _1.mtl and so on. Existing libraries are not changed, but those that earlier saves created for this
