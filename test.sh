@@ -92,7 +92,7 @@ if [ $((full + long)) -gt 0 ]; then
   needs+=(sanitizers vtk browser program)
   find_gcc >/dev/null || needs+=(gcc)
 fi
-[ $long -eq 0 ] || needs+=(tidy reference libcxx windows)
+[ $long -eq 0 ] || needs+=(tidy reference libcxx windows openfoam)
 install_parts "${needs[@]}" || exit 1
 [ $long -eq 0 ] || install_parts wine || echo "the tests for Windows are compiled, and do not run"
 clang=$(find_clang) || { echo "no clang++ 14 or later"; exit 1; }

@@ -23,6 +23,7 @@
 #include <concino/io/numbers.hpp>
 #include <concino/io/obj.hpp>
 #include <concino/io/off.hpp>
+#include <concino/io/openfoam.hpp>
 #include <concino/io/options.hpp>
 #include <concino/io/ply.hpp>
 #include <concino/io/save.hpp>

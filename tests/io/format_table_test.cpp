@@ -261,7 +261,7 @@ TEST_CASE("formats: the tables of docs/formats.md say what meshes show that are 
   const auto add = [&]<class F>(F format) {
     const std::string extension(*std::begin(F::extensions));
     CAPTURE(extension);
-    const table_row row = row_of<CONCINO_ALL_KINDS>(format, folder / ("mesh" + extension));
+    const table_row row = row_of<CONCINO_ALL_KINDS>(format, folder / (extension[0] == '.' ? "mesh" + extension : extension));  // a file, or a folder of that name
     CHECK(row.kinds.find_first_not_of(" |") != row.kinds.npos);  // else a format that is only read needs samples above
     kinds += "| `" + extension + "` |" + row.kinds + "\n";
     if (row.values.find_first_not_of(" |") != row.values.npos) values += "| `" + extension + "` |" + row.values + "\n";

@@ -96,6 +96,8 @@ struct file_contents {
   /// name, or with the name of a member above, becomes a property with another name, such as "heat_2".
   std::vector<property_column> properties;
   listed_elements edges, faces;
+  bool lists_all_faces = false;  // the values of faces are those of the faces of `polyhedra` in order, and `faces` is
+                                 // empty
   detail::polys_with_repeats repeated;  // with the policy of load_options::repeated_verts, which cell_builder and load
                                         // follow
 

@@ -18,7 +18,12 @@
 //     static constexpr bool has_binary = true;           if it has a binary form, for save_options::binary
 //     static constexpr bool has_only_properties = true;  if its reader stores no values but by add_property, for verts,
 //     faces, polys and the mesh static constexpr bool holds_faces = true;          if files list the faces of volumes;
-//     else save reports equal faces, and faces of no poly, as lost read as a template over the contents              
+//     else save reports equal faces, and faces of no poly, as lost
+//     static constexpr bool is_folder = true;           if a mesh is a folder of files. Its extensions are then names of
+//     folders, like "polyMesh"; folder_file is a file that each of them has, and folder_in_case the path of such a
+//     folder inside of one that is passed instead. read gets the path of the folder as in.name; write writes to the
+//     files of out.folder.
+//     read as a template over the contents
 //     so that programs that read only surfaces, into file_contents, need not compile volumes
 //
 // A reader stores a property of any name and type by out.add_property<double>(element_kind::poly, "temperature", n),
@@ -101,6 +106,7 @@ struct reader_requirement {
   }
 };
 
+template<class F> concept is_folder = requires { requires F::is_folder; };
 template<class F> concept is_read_only = requires { requires F::is_read_only; };
 template<class F> concept has_writer = is_read_only<F> || requires(write_context& out, flat_mesh& m) {
   F::write(out, m);

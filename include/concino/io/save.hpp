@@ -13,6 +13,7 @@
 #include <concino/io/detail/medit/write_medit.hpp>
 #include <concino/io/detail/obj/write_obj.hpp>
 #include <concino/io/detail/off/write_off.hpp>
+#include <concino/io/detail/openfoam/write_openfoam.hpp>
 #include <concino/io/detail/ply/write_ply.hpp>
 #include <concino/io/detail/stl/write_stl.hpp>
 #include <concino/io/detail/tet/write_tet.hpp>
@@ -26,7 +27,8 @@ namespace concino {
 /// Writes a mesh to a file. The extension determines which of standard_formats is used. For surfaces: .obj, .off, and
 /// .mesh for triangles and quads. For volumes: .hedra and .hybrid for any, .mesh and .tet for tets, hexes, prisms and
 /// pyramids, which are recognised by their faces. .meshb, the binary .mesh, for the same; .vtk and .vtu for any mesh,
-/// .vtp and .ply for any surface, .stl for triangles. .msh of Gmsh, version 2.2, for what .mesh holds.
+/// .vtp and .ply for any surface, .stl for triangles. .msh of Gmsh, version 2.2, for what .mesh holds. A folder called
+/// polyMesh, of OpenFOAM, for any volume.
 /// Needs:  a surface or volume mesh with points, of any type.
 /// Result: the complete file, which replaces an existing one; coordinates read back as the same numbers. Verts (and
 ///         faces) are numbered in the order of verts(m) (and faces(m)). These properties are written:
@@ -51,7 +53,13 @@ namespace concino {
 ///         - to .msh: "label" and "entity_tag" (int) of all elements, "entity" as to .mesh, the mesh property
 ///           "label_names" (label_names), and all of verts, edges, faces and polys that consist of 1, 3 or 9 numbers of
 ///           at most 32 bits, or doubles, as which they are read again. Edges and faces are written if a value is
-///           not 0.
+///           not 0;
+///         - to polyMesh: "label" (int) of faces and polys, "label_names" (label_names) of the mesh. Boundary faces of a
+///           label become a patch, in the order of "label_names", others the patch defaultFaces; polys of a label a
+///           cellZone. Faces are numbered anew: inner ones by their polys, then those of each patch in their order.
+///         A polyMesh folder is created if it does not exist, with all that lead to it. All its files change or none
+///         does, unless the program is killed while they get their names. Files that describe elements of the former
+///         mesh, such as faceZones, are removed; other files stay.
 ///         An .obj uses the material libraries that the mesh's file named, if they are in the folder of the new file
 ///         and hold the same colours and materials. Otherwise a new library is written there, with the same name and
 ///         .mtl, or _1.mtl and so on. Existing libraries are not changed, but those that earlier saves created for this

@@ -26,6 +26,15 @@ struct companion_files {
   virtual void commit_with(atomic_file& file) = 0;
 };
 
+/// The files of a format that is a folder, for its writer.
+struct folder_sink {
+  virtual ~folder_sink() = default;
+  /// Where to write the file of that name. It stays valid.
+  virtual text_sink& file(std::string_view name) = 0;
+  /// The folder has no file of that name afterwards.      Result: whether there is one now.
+  virtual bool remove(std::string_view name) = 0;
+};
+
 /// The output text, the options and the report of a writer.
 struct write_context {
   /// A property that the file stores.
@@ -42,6 +51,7 @@ struct write_context {
   save_report& report;
   std::vector<stored_property> stored = {};
   std::unique_ptr<companion_files> companions = {};  // created by the writer, if there are any
+  folder_sink* folder = nullptr;  // of formats that are folders, which write nothing to `out`; else null
   std::size_t num_elements = 0, num_written = 0;        // verts and polys
   std::size_t num_not_finite = 0;
 

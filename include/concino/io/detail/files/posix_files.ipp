@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <climits>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 
 #include <fcntl.h>
@@ -81,6 +82,18 @@ CONCINO_INLINE bool write_all(file_handle file, const char* from, std::size_t n)
 CONCINO_INLINE void close_file(file_handle file) noexcept { ::close(file); }
 
 CONCINO_INLINE bool remove_file(const std::string& path) noexcept { return ::unlink(path.c_str()) == 0; }
+
+CONCINO_INLINE bool link_file(const std::string& path, const std::string& second_path) {
+  return ::link(path.c_str(), second_path.c_str()) == 0;
+}
+
+CONCINO_INLINE bool rename_file(const std::string& path, const std::string& new_path) noexcept {
+  return std::rename(path.c_str(), new_path.c_str()) == 0;
+}
+
+CONCINO_INLINE bool create_folder(const std::string& path) { return ::mkdir(path.c_str(), 0777) == 0; }
+
+CONCINO_INLINE bool remove_folder(const std::string& path) noexcept { return ::rmdir(path.c_str()) == 0; }
 
 CONCINO_INLINE const char* map_file(file_handle file, std::size_t n) {
   void* const p = ::mmap(nullptr, n, PROT_READ, MAP_PRIVATE, file, 0);

@@ -45,6 +45,14 @@ bool write_all(file_handle file, const char* from, std::size_t n);
 void close_file(file_handle file) noexcept;
 /// Removes a file, or a link.
 bool remove_file(const std::string& path) noexcept;
+/// Gives a file a second name in the same folder. Not every file system can.      Result: whether it has it.
+bool link_file(const std::string& path, const std::string& second_path);
+/// Gives a file another name in the same folder; a file of that name is replaced.      Result: whether it has it.
+bool rename_file(const std::string& path, const std::string& new_path) noexcept;
+/// Creates a folder in an existing one.      Result: whether there is a new folder.
+bool create_folder(const std::string& path);
+/// Removes a folder if it is empty.
+bool remove_folder(const std::string& path) noexcept;
 
 /// Maps a file of n > 0 bytes, which stays open. Needs: can_map_files.      Result: its bytes, or null.
 const char* map_file(file_handle file, std::size_t n);

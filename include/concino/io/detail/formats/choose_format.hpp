@@ -21,6 +21,8 @@ struct format_row {
   bool has_binary;
   bool is_read_only;
   std::string_view signature = {};  // for messages: what has_signature looks for
+  bool is_folder = false;
+  std::string_view folder_file = {}, folder_in_case = {};  // of folders, as in the format
 };
 
 template<class F>
@@ -36,6 +38,11 @@ struct format_facts {
     if constexpr (requires { F::has_signature; }) r.has_signature = &F::has_signature;
     if constexpr (requires { F::has_binary; }) r.has_binary = F::has_binary;
     if constexpr (requires { F::signature; }) r.signature = F::signature;
+    if constexpr (requirement::is_folder<F>) {
+      r.is_folder = true;
+      r.folder_file = F::folder_file;
+      r.folder_in_case = F::folder_in_case;
+    }
     return r;
   }
 };
@@ -50,6 +57,9 @@ struct all_format_rows {
 };
 template<class... F>
 constexpr format_rows format_rows_of(format_list<F...>) { return {all_format_rows<F...>::rows.data(), sizeof...(F)}; }
+
+/// Whether the last folder or file of a path has that name; slashes may follow.
+bool ends_in_folder(std::string_view path, std::string_view name);
 
 /// The set of formats with the extension of a path, or with the name `requested`: bit i stands for format i.
 /// Errors: as check_path; unsupported if none has the name.

@@ -21,6 +21,11 @@ inline bool has_extension(std::string_view path, std::string_view extension) {
   return true;
 }
 
+CONCINO_INLINE bool ends_in_folder(std::string_view path, std::string_view name) {
+  while (path.size() > 1 && path.back() == '/') path.remove_suffix(1);
+  return path.ends_with(name) && (path.size() == name.size() || path[path.size() - name.size() - 1] == '/');
+}
+
 CONCINO_INLINE std::uint64_t formats_for(std::string_view path, format_id requested, format_rows known) {
   check_path(path);
   std::uint64_t found = 0;
@@ -33,7 +38,8 @@ CONCINO_INLINE std::uint64_t formats_for(std::string_view path, format_id reques
       all = core::joined({all, all.empty() ? "" : ", ", row.name});
     } else {
       for (std::size_t k = 0; k < row.num_extensions; ++k) {
-        if (has_extension(path, row.extensions[k])) found |= std::uint64_t{1} << i;
+        if (row.is_folder ? ends_in_folder(path, row.extensions[k]) : has_extension(path, row.extensions[k]))
+          found |= std::uint64_t{1} << i;
       }
     }
   }

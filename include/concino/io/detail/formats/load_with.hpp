@@ -4,6 +4,7 @@
 #include <concino/concepts/mesh_traits.hpp>
 #include <concino/io/detail/formats/choose_format.hpp>
 #include <concino/io/detail/formats/contents.hpp>
+#include <concino/io/detail/formats/mesh_folder.hpp>
 #include <concino/io/detail/formats/mend_repeated_verts.hpp>
 #include <concino/io/detail/values/properties.hpp>
 #include <concino/io/file_text.hpp>
@@ -43,6 +44,9 @@ inline constexpr bool reads_surfaces_alone =
 template<Format F, bool Surfaces, bool Volumes, class Contents>
 void read_as(const read_context& context, Contents& out) {
   *context.report = {};
+  if (requirement::is_folder<F> && !context.is_file)
+    core::throw_joined<unsupported>(
+        {context.name, ": a mesh in the format ", F::name, " is a folder of files, no text; load it by its path"});
   out.repeated.policy = context.repeated_verts;
   if constexpr ((Surfaces && F::holds_surfaces) || (Volumes && F::holds_volumes)) F::read(context, out);
   else throw_wrong_dimension(context.name, F::holds_volumes);
@@ -129,10 +133,15 @@ void read_file(const std::string& path, F formats, const wanted_mesh& wanted, co
   const auto known = list_of(formats);
   const format_rows rows = format_rows_of(known);
   const std::uint64_t candidates = candidates_for(path, formats, options.format);
+  const bool by_extension = !Format<F> && options.format == format_id();
+  std::string folder;
+  if (const std::size_t chosen = choose_folder(path, candidates, by_extension, rows, folder); chosen != no_folder) {
+    file_text none;  // the reader opens the files of the folder
+    return read_text<Surfaces, Volumes>({}, folder, known, chosen, wanted, options, contents, &none);
+  }
   file_text file(path, {.map = options.map, .pipes = true});
   const std::string_view text = file.text();
   std::string note;
-  const bool by_extension = !Format<F> && options.format == format_id();
   const std::size_t chosen =
       by_extension ? choose_by_text(path, candidates, rows, text, note) : choose_format(candidates, rows, &text);
   read_text<Surfaces, Volumes>(text, path, known, chosen, wanted, options, contents, &file);

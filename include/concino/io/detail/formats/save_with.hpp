@@ -4,8 +4,10 @@
 #include <concino/core/function_ref.hpp>
 #include <concino/core/precompiled.hpp>
 #include <concino/io/atomic_file.hpp>
+#include <concino/io/detail/files/folder_files.hpp>
 #include <concino/io/detail/formats/choose_format.hpp>
 #include <concino/io/detail/formats/flat_mesh_of.hpp>
+#include <concino/io/detail/formats/mesh_folder.hpp>
 
 #include <cstddef>
 #include <memory>
@@ -36,14 +38,18 @@ using flat_mesh_source = function_ref<void(function_ref<void(flat_mesh&)>)>;
 template<int Dimension, class... F>
 std::unique_ptr<companion_files> write_with(text_sink& out, flat_mesh_source mesh, std::string_view name,
                                             std::string_view path, format_list<F...> known, std::size_t chosen,
-                                            const save_options& options) {
+                                            const save_options& options, folder_sink* folder = nullptr) {
   save_report unused_report, &report = options.report ? *options.report : unused_report;
   report = {};
   const format_row& row = format_rows_of(known).rows[chosen];
   if (options.binary && !row.has_binary)
     core::throw_joined<unsupported>(
         {name, ": ", row.extensions[0], " cannot be written in binary; use binary = false"});
+  if (row.is_folder && !folder)
+    core::throw_joined<unsupported>(
+        {name, ": a mesh in the format ", row.name, " is a folder of files, no text; save it to a path"});
   write_context context{out, name, path, options, report};
+  context.folder = folder;
   with_format(known, chosen, [&]<Format G>(G) {
     if constexpr (requirement::is_read_only<G>) {  // never chosen
     } else if constexpr (Dimension == 2 ? G::holds_surfaces : G::holds_volumes) {  // a format may hold one of them only
@@ -74,7 +80,8 @@ void require_lossless(flat_mesh_source mesh, std::string_view name, std::string_
   dry.report = &report;
   dry.progress = {};
   text_sink out = text_sink::nowhere();
-  write_with<Dimension>(out, mesh, name, path, known, chosen, dry);
+  folder_nowhere folder;
+  write_with<Dimension>(out, mesh, name, path, known, chosen, dry, path.empty() ? nullptr : &folder);
   if (!report.lost.empty()) throw_lossy(name, report);
 }
 
@@ -84,6 +91,14 @@ void save_flat(flat_mesh_source mesh, const std::string& path, F formats, const 
   const save_options& options = *profiled;
   const std::size_t chosen = chosen_for(path, formats, options.format);
   if (options.strict) require_lossless<Dimension>(mesh, path, path, list_of(formats), chosen, options);
+  if (const format_row& row = format_rows_of(list_of(formats)).rows[chosen]; row.is_folder) {
+    folder_files files(folder_to_write(path, row), options.sync);
+    text_sink unused = text_sink::nowhere();
+    write_with<Dimension>(unused, mesh, path, path, list_of(formats), chosen, options, &files);
+    files.finish();
+    if (options.progress) report_progress(options.progress, 1.0, "writing");
+    return files.commit();
+  }
   atomic_file file(path, {.sync = options.sync});
   text_sink out(file.descriptor(), path);
   const std::unique_ptr<companion_files> companions =

@@ -8,6 +8,7 @@
 #include <concino/io/detail/medit/write_medit.hpp>
 #include <concino/io/detail/obj/write_obj.hpp>
 #include <concino/io/detail/off/write_off.hpp>
+#include <concino/io/detail/openfoam/write_openfoam.hpp>
 #include <concino/io/detail/ply/write_ply.hpp>
 #include <concino/io/detail/stl/write_stl.hpp>
 #include <concino/io/detail/tet/write_tet.hpp>
@@ -25,6 +26,7 @@ namespace {
                                                                      &medit_format::write,
                                                                      &obj_format::write,
                                                                      &off_format::write,
+                                                                     &openfoam_format::write,
                                                                      &ply_format::write,
                                                                      &stl_format::write,
                                                                      &tet_format::write,
