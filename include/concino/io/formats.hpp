@@ -10,6 +10,8 @@
 #include <concino/io/detail/ply/ply_format.hpp>
 #include <concino/io/detail/stl/stl_format.hpp>
 #include <concino/io/detail/tet/tet_format.hpp>
+#include <concino/io/detail/tetgen/ele_format.hpp>
+#include <concino/io/detail/tetgen/smesh_format.hpp>
 #include <concino/io/detail/vtk/vtk_format.hpp>
 #include <concino/io/detail/vtk_xml/vtp_format.hpp>
 #include <concino/io/detail/vtk_xml/vtu_format.hpp>
@@ -19,7 +21,7 @@ namespace concino {
 /// The formats that load, load_any and save know by default; save leaves out those that are only read. Add your own:
 /// standard_formats + my_format{}.
 inline constexpr format_list<obj_format, off_format, medit_format, hedra_format, hybrid_format, tet_format, iv_format,
-                             vtk_format, vtu_format, vtp_format, ply_format, stl_format>
+                             vtk_format, vtu_format, vtp_format, ply_format, stl_format, ele_format, smesh_format, poly_format>
     standard_formats{};
 
 }  // namespace concino

@@ -16,6 +16,8 @@
 #include <concino/io/detail/ply/read_ply.hpp>
 #include <concino/io/detail/stl/read_stl.hpp>
 #include <concino/io/detail/tet/read_tet.hpp>
+#include <concino/io/detail/tetgen/read_ele.hpp>
+#include <concino/io/detail/tetgen/read_smesh.hpp>
 #include <concino/io/detail/vtk/read_vtk.hpp>
 #include <concino/io/detail/vtk_xml/read_vtp.hpp>
 #include <concino/io/detail/vtk_xml/read_vtu.hpp>
