@@ -2,6 +2,7 @@
 // on verts or polys as text.
 #pragma once
 
+#include <concino/io/abaqus.hpp>
 #include <concino/io/atomic_file.hpp>
 #include <concino/io/cell_builder.hpp>
 #include <concino/io/ele.hpp>

@@ -7,6 +7,7 @@
 #include <concino/io/formats.hpp>
 
 #ifndef CONCINO_COMPILED
+#include <concino/io/detail/abaqus/read_abaqus.hpp>
 #include <concino/io/detail/hedra/read_hedra.hpp>
 #include <concino/io/detail/hybrid/read_hybrid.hpp>
 #include <concino/io/detail/iv/read_iv.hpp>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
+#include <concino/io/detail/abaqus/read_abaqus.hpp>
 #include <concino/io/detail/hedra/read_hedra.hpp>
 #include <concino/io/detail/hybrid/read_hybrid.hpp>
 #include <concino/io/detail/iv/read_iv.hpp>
@@ -30,6 +31,8 @@ template void vtk_format::read<volume_contents>(const read_context&, volume_cont
 template void vtu_format::read<file_contents>(const read_context&, file_contents&);
 template void vtu_format::read<volume_contents>(const read_context&, volume_contents&);
 template void ele_format::read<volume_contents>(const read_context&, volume_contents&);
+template void abaqus_format::read<file_contents>(const read_context&, file_contents&);
+template void abaqus_format::read<volume_contents>(const read_context&, volume_contents&);
 
 // The readers are inline. Taking their addresses makes the compiler emit them here.
 namespace {

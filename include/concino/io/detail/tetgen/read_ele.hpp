@@ -41,8 +41,9 @@ class ele_reader {
     file_text other;
     const std::string beside = tetgen_path(c_.name, is_node ? ".ele" : ".node");
     if (status_of(beside).kind == file_kind::none)
-      core::throw_joined<io_error>({c_.name, is_node ? ": lists points only; the tets of them are expected in "
-                                                     : ": lists tets only; their points are expected in ",
+      core::throw_joined<io_error>({c_.name,
+                                    is_node ? ": lists points only; the tets of them are expected in "
+                                            : ": lists tets only; their points are expected in ",
                                     beside, ", which does not exist"});
     other = file_text(beside);
     if (is_node) {
@@ -133,8 +134,8 @@ class ele_reader {
     const std::uint64_t n = in.count_of_row("the number of faces or edges", 6);
     if (!in.flag_of_row("the number of markers, 0 or 1")) {
       if (n > 0)
-        c_.report->skipped.push_back(core::joined({path, ": ", n, kind == element_kind::face ? " faces" : " edges",
-                                                   ", as they have no markers"}));
+        c_.report->skipped.push_back(core::joined(
+            {path, ": ", n, kind == element_kind::face ? " faces" : " edges", ", as they have no markers"}));
       return;
     }
     in.end_row();

@@ -109,10 +109,9 @@ class smesh_reader {
       s.verts.resize(first);
       return false;
     }
-    end_checked_poly(in_, from, first, scratch_, c_.wanted, out_, arity_,
-                     {.different = "different points at the corners of a polygon",
-                      .vert = "point ",
-                      .first = nodes_.first});
+    end_checked_poly(
+        in_, from, first, scratch_, c_.wanted, out_, arity_,
+        {.different = "different points at the corners of a polygon", .vert = "point ", .first = nodes_.first});
     return true;
   }
 
@@ -136,8 +135,8 @@ class smesh_reader {
     nodes_.store_values(out_);
     if (num_small_) c_.report->skipped.push_back(core::joined({num_small_, " points and segments in facets"}));
     if (num_several_)
-      c_.report->notes.push_back(core::joined(
-          {num_several_, " facets have several polygons: each is a poly, even if one lies in another"}));
+      c_.report->notes.push_back(
+          core::joined({num_several_, " facets have several polygons: each is a poly, even if one lies in another"}));
   }
 };
 

@@ -18,8 +18,8 @@ class tetgen_files final : public companion_files {
   /// Writes a file: f(out). It gets its name in commit_with().      Errors: io_error, and those of f.
   template<class F>
   void write(const std::string& path, bool sync, const F& f) {
-    atomic_file& file = *files_.emplace_back(
-        std::make_unique<atomic_file>(path, atomic_file_options{.sync = sync, .keep_old = true}));
+    atomic_file& file =
+        *files_.emplace_back(std::make_unique<atomic_file>(path, atomic_file_options{.sync = sync, .keep_old = true}));
     text_sink out(file.descriptor(), path);
     f(out);
     out.flush();
