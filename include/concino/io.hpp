@@ -2,8 +2,10 @@
 // on verts or polys as text.
 #pragma once
 
+#include <concino/io/abaqus.hpp>
 #include <concino/io/atomic_file.hpp>
 #include <concino/io/cell_builder.hpp>
+#include <concino/io/ele.hpp>
 #include <concino/io/field.hpp>
 #include <concino/io/file_contents.hpp>
 #include <concino/io/file_text.hpp>
@@ -31,6 +33,7 @@
 #include <concino/io/skeleton_graph.hpp>
 #include <concino/io/slice_layer.hpp>
 #include <concino/io/slices.hpp>
+#include <concino/io/smesh.hpp>
 #include <concino/io/stl.hpp>
 #include <concino/io/tet.hpp>
 #include <concino/io/text_cursor.hpp>

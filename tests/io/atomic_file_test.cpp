@@ -99,6 +99,34 @@ TEST_CASE("atomic_file: a killed process leaves nothing, or a file that the next
   CHECK(dir.num_files() == 1);
 }
 
+TEST_CASE("atomic_file: with keep_old, undo puts the old file back, and nothing is left behind") {
+  for (const bool unnamed : {true, false}) {
+    const temporary_folder dir;
+    write_file(dir / "f", "old");
+    {
+      atomic_file file(dir / "f", {.unnamed = unnamed, .keep_old = true}), other(dir / "new", {.unnamed = unnamed, .keep_old = true});
+      write(file, "new");
+      file.commit();
+      other.commit();
+      CHECK(read_file(dir / "f") == "new");
+      file.undo();
+      other.undo();
+      CHECK(read_file(dir / "f") == "old");
+    }
+    CHECK(dir.num_files() == 1);
+    in_a_process_that_dies([&] {
+      atomic_file file(dir / "f", {.unnamed = unnamed, .keep_old = true});
+      file.commit();
+    });
+    CHECK(read_file(dir / "f") == "");
+    for (const std::string text : {"newer", "newest"}) {
+      replace(dir / "f", text, {.unnamed = unnamed, .keep_old = true});  // also removes what the process left
+      CHECK(read_file(dir / "f") == text);
+      CHECK(dir.num_files() == 1);
+    }
+  }
+}
+
 TEST_CASE("atomic_file: with must_be_new no file is replaced") {
   for (const bool unnamed : {true, false}) {
     const temporary_folder dir;

@@ -78,6 +78,24 @@ TEST_CASE("standard files: only commit replaces the target, and nothing is left 
   CHECK(dir.num_files() == 2);
 }
 
+TEST_CASE("standard files: with keep_old, undo puts the old file back") {
+  const testing::temporary_folder dir;
+  replace(dir / "f", "old");
+  {
+    atomic_file file(dir / "f", {.keep_old = true}), other(dir / "new", {.keep_old = true});
+    write(file, dir / "f", "new");
+    file.commit();
+    other.commit();
+    CHECK(file_text(dir / "f").text() == "new");
+    file.undo();
+    other.undo();
+    CHECK(file_text(dir / "f").text() == "old");
+  }
+  replace(dir / "f", "newer", {.keep_old = true});
+  CHECK(file_text(dir / "f").text() == "newer");
+  CHECK(dir.num_files() == 1);
+}
+
 TEST_CASE("standard files: with must_be_new no file is replaced, and undo removes") {
   const testing::temporary_folder dir;
   {

@@ -15,6 +15,8 @@ struct atomic_file_options {
   bool must_be_new = false;  // if the target exists, it is kept and commit() fails
   bool unnamed = true;       // the unfinished file has no name, if the system supports that, so that it disappears with
                              // the process
+  bool keep_old = false;     // the file that commit() replaces keeps another name until this object is destroyed, so
+                             // that undo() can put it back
 };
 
 /// A new file in the folder of the target, which replaces the target on commit(). Unless commit() succeeds, the target
@@ -30,10 +32,11 @@ class atomic_file {
   std::string name_;         // the name of the target in this folder
   std::string temporary_;    // the name of the unfinished file in this folder; empty: unnamed
   std::string link_name_;    // the name of an unnamed file after it is linked and before it is renamed
+  std::string old_name_;     // the name of the file that commit() has replaced, with options_.keep_old
   atomic_file_options options_;
   int folder_ = -1;  // POSIX: the descriptor of the folder
   detail::file_handle file_ = detail::no_file;
-  bool finished_ = false, committed_ = false;
+  bool finished_ = false, committed_ = false, has_old_ = false;
 
   struct system;  // what only one kind of system needs
 
@@ -67,7 +70,7 @@ class atomic_file {
   /// Whether the file has its name.
   bool is_committed() const { return committed_; }
 
-  /// Removes the file that commit() has put in place.
+  /// Removes the file that commit() has put in place. With options.keep_old, puts back the one that it has replaced.
   void undo();
 };
 

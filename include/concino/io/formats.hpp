@@ -1,6 +1,7 @@
 // All formats of the library, in the order in which messages name them.
 #pragma once
 
+#include <concino/io/detail/abaqus/abaqus_format.hpp>
 #include <concino/io/detail/gmsh/gmsh_format.hpp>
 #include <concino/io/detail/hedra/hedra_format.hpp>
 #include <concino/io/detail/hybrid/hybrid_format.hpp>
@@ -12,6 +13,8 @@
 #include <concino/io/detail/ply/ply_format.hpp>
 #include <concino/io/detail/stl/stl_format.hpp>
 #include <concino/io/detail/tet/tet_format.hpp>
+#include <concino/io/detail/tetgen/ele_format.hpp>
+#include <concino/io/detail/tetgen/smesh_format.hpp>
 #include <concino/io/detail/vtk/vtk_format.hpp>
 #include <concino/io/detail/vtk_xml/vtp_format.hpp>
 #include <concino/io/detail/vtk_xml/vtu_format.hpp>
@@ -21,8 +24,8 @@ namespace concino {
 /// The formats that load, load_any and save know by default; save leaves out those that are only read. Add your own:
 /// standard_formats + my_format{}.
 inline constexpr format_list<obj_format, off_format, medit_format, hedra_format, hybrid_format, tet_format, iv_format,
-                             vtk_format, vtu_format, vtp_format, ply_format, stl_format,
-                             gmsh_format, openfoam_format>
+                             vtk_format, vtu_format, vtp_format, ply_format, stl_format, gmsh_format, openfoam_format,
+                             ele_format, smesh_format, poly_format, abaqus_format>
     standard_formats{};
 
 }  // namespace concino

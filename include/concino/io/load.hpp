@@ -7,6 +7,7 @@
 #include <concino/io/formats.hpp>
 
 #ifndef CONCINO_COMPILED
+#include <concino/io/detail/abaqus/read_abaqus.hpp>
 #include <concino/io/detail/gmsh/read_gmsh.hpp>
 #include <concino/io/detail/hedra/read_hedra.hpp>
 #include <concino/io/detail/hybrid/read_hybrid.hpp>
@@ -18,6 +19,8 @@
 #include <concino/io/detail/ply/read_ply.hpp>
 #include <concino/io/detail/stl/read_stl.hpp>
 #include <concino/io/detail/tet/read_tet.hpp>
+#include <concino/io/detail/tetgen/read_ele.hpp>
+#include <concino/io/detail/tetgen/read_smesh.hpp>
 #include <concino/io/detail/vtk/read_vtk.hpp>
 #include <concino/io/detail/vtk_xml/read_vtp.hpp>
 #include <concino/io/detail/vtk_xml/read_vtu.hpp>

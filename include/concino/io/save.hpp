@@ -17,6 +17,8 @@
 #include <concino/io/detail/ply/write_ply.hpp>
 #include <concino/io/detail/stl/write_stl.hpp>
 #include <concino/io/detail/tet/write_tet.hpp>
+#include <concino/io/detail/tetgen/write_ele.hpp>
+#include <concino/io/detail/tetgen/write_smesh.hpp>
 #include <concino/io/detail/vtk/write_vtk.hpp>
 #include <concino/io/detail/vtk_xml/write_vtp.hpp>
 #include <concino/io/detail/vtk_xml/write_vtu.hpp>

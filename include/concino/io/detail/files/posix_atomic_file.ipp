@@ -117,6 +117,23 @@ struct atomic_file::system {
     f.temporary_.clear();
     return true;
   }
+
+  /// Gives an existing target a second name, or where the file system has no links, another name.
+  static bool keep_old(atomic_file& f) {
+    for (int tries = 0; tries < 100; ++tries) {
+      f.has_old_ = ::linkat(f.folder_, f.name_.c_str(), f.folder_, f.old_name_.c_str(), 0) == 0;
+      if (f.has_old_ || errno == ENOENT) return true;
+      if (errno != EEXIST) break;
+      ::unlinkat(f.folder_, f.old_name_.c_str(), 0);  // of a process that was killed
+    }
+    f.has_old_ = ::renameat(f.folder_, f.name_.c_str(), f.folder_, f.old_name_.c_str()) == 0;
+    return f.has_old_;
+  }
+
+  /// Gives the old target its name again. If it has both, nothing changes.
+  static void put_back(const atomic_file& f) {
+    ::renameat(f.folder_, f.old_name_.c_str(), f.folder_, f.name_.c_str());
+  }
 };
 
 CONCINO_INLINE void atomic_file::open() {
@@ -129,6 +146,7 @@ CONCINO_INLINE void atomic_file::open() {
   if (exists && ::faccessat(folder_, name_.c_str(), W_OK, 0) != 0) fail();
   const std::string base = temporary_name(name_);
   link_name_ = core::joined({base, ".link"});
+  old_name_ = core::joined({base, ".old"});
   if (!system::open_unnamed(*this)) system::open_named(*this, base);
   if (exists) (void)!::fchmod(file_, old.st_mode & 07777);  // best effort: the new file is correct without it
 }
@@ -136,6 +154,7 @@ CONCINO_INLINE void atomic_file::open() {
 CONCINO_INLINE void atomic_file::close() noexcept {
   if (file_ != detail::no_file) ::close(std::exchange(file_, detail::no_file));
   if (folder_ >= 0 && !temporary_.empty()) ::unlinkat(folder_, temporary_.c_str(), 0);
+  if (folder_ >= 0 && has_old_) ::unlinkat(folder_, old_name_.c_str(), 0);
   if (folder_ >= 0) ::close(std::exchange(folder_, -1));
 }
 
@@ -149,14 +168,22 @@ CONCINO_INLINE void atomic_file::finish() {
 
 CONCINO_INLINE void atomic_file::commit() {
   finish();
-  if (temporary_.empty() ? !system::commit_unnamed(*this) : !system::commit_named(*this))
+  if (options_.keep_old && !system::keep_old(*this)) fail("cannot be replaced");
+  if (temporary_.empty() ? !system::commit_unnamed(*this) : !system::commit_named(*this)) {
+    const int why = errno;
+    if (has_old_) system::put_back(*this);
+    errno = why;
     fail(options_.must_be_new ? "cannot be created" : "cannot be replaced");
+  }
   committed_ = true;
   if (options_.sync && ::fsync(folder_) != 0 && errno != EINVAL)
     fail("is written, but its folder cannot be synchronised to disk");
 }
 
-CONCINO_INLINE void atomic_file::undo() { ::unlinkat(folder_, name_.c_str(), 0); }
+CONCINO_INLINE void atomic_file::undo() {
+  if (std::exchange(has_old_, false)) system::put_back(*this);
+  else ::unlinkat(folder_, name_.c_str(), 0);
+}
 
 }  // namespace concino
 

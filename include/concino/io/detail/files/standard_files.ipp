@@ -204,6 +204,7 @@ CONCINO_INLINE void atomic_file::open() {
     fail();
   }
   const std::string base = temporary_name(name_);
+  old_name_ = core::joined({base, ".old"});
   for (std::uint64_t attempt = 0; file_ == detail::no_file; ++attempt) {
     std::string name = core::joined({base, "-", attempt});
     const std::filesystem::path path = detail::system_path(folder_path_ + name);
@@ -218,9 +219,9 @@ CONCINO_INLINE void atomic_file::open() {
 
 CONCINO_INLINE void atomic_file::close() noexcept {
   if (file_ != detail::no_file) std::fclose(std::exchange(file_, detail::no_file));
-  if (temporary_.empty()) return;
   try {
-    detail::remove_file(folder_path_ + temporary_);
+    if (!temporary_.empty()) detail::remove_file(folder_path_ + temporary_);
+    if (has_old_) detail::remove_file(folder_path_ + old_name_);
   } catch (...) {  // no memory for the path: the file stays
   }
 }
@@ -242,8 +243,15 @@ CONCINO_INLINE void atomic_file::commit() {
     errno = EEXIST;
     fail("cannot be created");
   }
-  std::filesystem::rename(from, to, error);
+  const std::filesystem::path old = detail::system_path(folder_path_ + old_name_);
+  if (options_.keep_old && std::filesystem::exists(to, error)) {
+    std::filesystem::rename(to, old, error);
+    has_old_ = !error;
+  }
+  if (!error) std::filesystem::rename(from, to, error);
   if (error) {
+    std::error_code ignored;
+    if (std::exchange(has_old_, false)) std::filesystem::rename(old, to, ignored);
     detail::set_errno(error);
     fail(options_.must_be_new ? "cannot be created" : "cannot be replaced");
   }
@@ -251,7 +259,13 @@ CONCINO_INLINE void atomic_file::commit() {
   committed_ = true;
 }
 
-CONCINO_INLINE void atomic_file::undo() { detail::remove_file(folder_path_ + name_); }
+CONCINO_INLINE void atomic_file::undo() {
+  std::error_code ignored;
+  if (std::exchange(has_old_, false))
+    std::filesystem::rename(detail::system_path(folder_path_ + old_name_), detail::system_path(folder_path_ + name_),
+                            ignored);
+  else detail::remove_file(folder_path_ + name_);
+}
 
 }  // namespace concino
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
+#include <concino/io/detail/abaqus/read_abaqus.hpp>
 #include <concino/io/detail/gmsh/read_gmsh.hpp>
 #include <concino/io/detail/hedra/read_hedra.hpp>
 #include <concino/io/detail/hybrid/read_hybrid.hpp>
@@ -13,6 +14,8 @@
 #include <concino/io/detail/ply/read_ply.hpp>
 #include <concino/io/detail/stl/read_stl.hpp>
 #include <concino/io/detail/tet/read_tet.hpp>
+#include <concino/io/detail/tetgen/read_ele.hpp>
+#include <concino/io/detail/tetgen/read_smesh.hpp>
 #include <concino/io/detail/vtk/read_vtk.hpp>
 #include <concino/io/detail/vtk_xml/read_vtp.hpp>
 #include <concino/io/detail/vtk_xml/read_vtu.hpp>
@@ -32,12 +35,16 @@ template void vtu_format::read<file_contents>(const read_context&, file_contents
 template void vtu_format::read<volume_contents>(const read_context&, volume_contents&);
 template void gmsh_format::read<file_contents>(const read_context&, file_contents&);
 template void gmsh_format::read<volume_contents>(const read_context&, volume_contents&);
+template void ele_format::read<volume_contents>(const read_context&, volume_contents&);
+template void abaqus_format::read<file_contents>(const read_context&, file_contents&);
+template void abaqus_format::read<volume_contents>(const read_context&, volume_contents&);
 
 // The readers are inline. Taking their addresses makes the compiler emit them here.
 namespace {
 [[gnu::used]] void (*const readers[])(const read_context&, file_contents&) = {&iv_format::read, &obj_format::read,
                                                                               &off_format::read, &ply_format::read,
-                                                                              &stl_format::read, &vtp_format::read};
+                                                                              &stl_format::read, &vtp_format::read,
+                                                                              &smesh_format::read, &poly_format::read};
 }  // namespace
 
 }  // namespace concino

@@ -12,6 +12,8 @@
 #include <concino/io/detail/ply/write_ply.hpp>
 #include <concino/io/detail/stl/write_stl.hpp>
 #include <concino/io/detail/tet/write_tet.hpp>
+#include <concino/io/detail/tetgen/write_ele.hpp>
+#include <concino/io/detail/tetgen/write_smesh.hpp>
 #include <concino/io/detail/vtk/write_vtk.hpp>
 #include <concino/io/detail/vtk_xml/write_vtp.hpp>
 #include <concino/io/detail/vtk_xml/write_vtu.hpp>
@@ -33,7 +35,10 @@ namespace {
                                                                      &vtk_format::write<write_context>,
                                                                      &vtu_format::write<write_context>,
                                                                      &vtp_format::write<write_context>,
-                                                                     &gmsh_format::write};
+                                                                     &gmsh_format::write,
+                                                                     &ele_format::write,
+                                                                     &smesh_format::write,
+                                                                     &poly_format::write};
 }  // namespace
 
 }  // namespace concino
