@@ -23,6 +23,7 @@
 #include <concino/io/obj.hpp>
 #include <concino/io/off.hpp>
 #include <concino/io/options.hpp>
+#include <concino/io/ovm.hpp>
 #include <concino/io/ply.hpp>
 #include <concino/io/save.hpp>
 #include <concino/io/skeleton.hpp>

@@ -7,6 +7,7 @@
 #include <concino/io/detail/medit/medit_format.hpp>
 #include <concino/io/detail/obj/obj_format.hpp>
 #include <concino/io/detail/off/off_format.hpp>
+#include <concino/io/detail/ovm/ovm_format.hpp>
 #include <concino/io/detail/ply/ply_format.hpp>
 #include <concino/io/detail/stl/stl_format.hpp>
 #include <concino/io/detail/tet/tet_format.hpp>
@@ -19,7 +20,7 @@ namespace concino {
 /// The formats that load, load_any and save know by default; save leaves out those that are only read. Add your own:
 /// standard_formats + my_format{}.
 inline constexpr format_list<obj_format, off_format, medit_format, hedra_format, hybrid_format, tet_format, iv_format,
-                             vtk_format, vtu_format, vtp_format, ply_format, stl_format>
+                             vtk_format, vtu_format, vtp_format, ply_format, stl_format, ovm_format>
     standard_formats{};
 
 }  // namespace concino

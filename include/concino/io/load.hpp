@@ -13,6 +13,7 @@
 #include <concino/io/detail/medit/read_medit.hpp>
 #include <concino/io/detail/obj/read_obj.hpp>
 #include <concino/io/detail/off/read_off.hpp>
+#include <concino/io/detail/ovm/read_ovm.hpp>
 #include <concino/io/detail/ply/read_ply.hpp>
 #include <concino/io/detail/stl/read_stl.hpp>
 #include <concino/io/detail/tet/read_tet.hpp>
@@ -24,7 +25,7 @@
 namespace concino {
 
 /// Reads a mesh from a file. The extension determines which of standard_formats it is in: .obj, .off, .mesh, .meshb,
-/// .hedra, .hybrid, .tet, .iv, .vtk, .vtu, .vtp, .ply or .stl, in upper or lower case. A file that begins like a file
+/// .hedra, .hybrid, .tet, .iv, .vtk, .vtu, .vtp, .ply, .stl or .ovm, in upper or lower case. A file that begins like a file
 /// of another of these formats is read as what it is, and the report has a note.
 /// Needs:  Loadable M.
 /// Result: the mesh, with its elements in the order of the file. A polyhedralmesh can hold any volume and a polygonmesh
@@ -39,8 +40,9 @@ namespace concino {
 ///         type, for verts, polys, the mesh, and the faces of a volume that the file lists. An array of cells with
 ///         default values at all polys, or at all these faces, belongs to the others only. From .ply: every number and
 ///         list of verts, edges and polys, "normal" and "texture" of verts, "texture" of corners, as ply_format::read
-///         says. From .stl: "object" of polys, "attribute" (std::uint16_t) of polys. options.report lists what was
-///         skipped, reoriented or worth a remark.
+///         says. From .stl: "object" of polys, "attribute" (std::uint16_t) of polys.
+///         From .ovm: every property of verts, edges, faces, polys and the mesh, by its name and type.
+///         options.report lists what was skipped, reoriented or worth a remark.
 /// Cost:   one pass over the file, which is read into memory as a whole (or mapped: options.map); the arrays are moved
 ///         into the mesh.
 /// Errors: io_error if the file cannot be read, or shrinks or grows meanwhile. parse_error with the line if it breaks

@@ -12,6 +12,7 @@
 #include <concino/io/detail/medit/write_medit.hpp>
 #include <concino/io/detail/obj/write_obj.hpp>
 #include <concino/io/detail/off/write_off.hpp>
+#include <concino/io/detail/ovm/write_ovm.hpp>
 #include <concino/io/detail/ply/write_ply.hpp>
 #include <concino/io/detail/stl/write_stl.hpp>
 #include <concino/io/detail/tet/write_tet.hpp>
@@ -26,6 +27,7 @@ namespace concino {
 /// .mesh for triangles and quads. For volumes: .hedra and .hybrid for any, .mesh and .tet for tets, hexes, prisms and
 /// pyramids, which are recognised by their faces. .meshb, the binary .mesh, for the same; .vtk and .vtu for any mesh,
 /// .vtp and .ply for any surface, .stl for triangles.
+/// .ovm for any volume.
 /// Needs:  a surface or volume mesh with points, of any type.
 /// Result: the complete file, which replaces an existing one; coordinates read back as the same numbers. Verts (and
 ///         faces) are numbered in the order of verts(m) (and faces(m)). These properties are written:
@@ -46,7 +48,10 @@ namespace concino {
 ///           doubles, or of a std::vector of such numbers; "texture" (std::array<double, 2>) of corners. Edges are
 ///           written if a value is not the default one. Types read back as from .vtk;
 ///         - to .stl: "object" (std::string) of polys as text, "attribute" (std::uint16_t) of polys in binary files.
-///           Verts are numbered anew, and those at one point become one.
+///           Verts are numbered anew, and those at one point become one;
+///         - to .ovm: all of verts, edges, faces, polys and the mesh that are strings (std::string), lists of doubles
+///           (std::vector<double>), int, unsigned int, std::int16_t, std::int64_t, std::uint64_t, bool, std::int8_t or
+///           std::uint8_t (as characters, but not blanks), or 1 to 4 numbers of type int, unsigned int, float or double.
 ///         An .obj uses the material libraries that the mesh's file named, if they are in the folder of the new file
 ///         and hold the same colours and materials. Otherwise a new library is written there, with the same name and
 ///         .mtl, or _1.mtl and so on. Existing libraries are not changed, but those that earlier saves created for this

@@ -7,6 +7,7 @@
 #include <concino/io/detail/medit/write_medit.hpp>
 #include <concino/io/detail/obj/write_obj.hpp>
 #include <concino/io/detail/off/write_off.hpp>
+#include <concino/io/detail/ovm/write_ovm.hpp>
 #include <concino/io/detail/ply/write_ply.hpp>
 #include <concino/io/detail/stl/write_stl.hpp>
 #include <concino/io/detail/tet/write_tet.hpp>
@@ -24,6 +25,7 @@ namespace {
                                                                      &medit_format::write,
                                                                      &obj_format::write,
                                                                      &off_format::write,
+                                                                     &ovm_format::write,
                                                                      &ply_format::write,
                                                                      &stl_format::write,
                                                                      &tet_format::write,
