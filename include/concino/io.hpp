@@ -11,6 +11,7 @@
 #include <concino/io/format.hpp>
 #include <concino/io/format_id.hpp>
 #include <concino/io/formats.hpp>
+#include <concino/io/gltf.hpp>
 #include <concino/io/hedra.hpp>
 #include <concino/io/hybrid.hpp>
 #include <concino/io/iv.hpp>

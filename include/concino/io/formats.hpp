@@ -1,6 +1,7 @@
 // All formats of the library, in the order in which messages name them.
 #pragma once
 
+#include <concino/io/detail/gltf/gltf_format.hpp>
 #include <concino/io/detail/hedra/hedra_format.hpp>
 #include <concino/io/detail/hybrid/hybrid_format.hpp>
 #include <concino/io/detail/iv/iv_format.hpp>
@@ -17,10 +18,10 @@
 
 namespace concino {
 
-/// The formats that load, load_any and save know by default; save leaves out those that are only read. Add your own:
-/// standard_formats + my_format{}.
+/// The formats that load, load_any and save know by default; save leaves out those that are only read, and load those
+/// that are only written. Add your own: standard_formats + my_format{}.
 inline constexpr format_list<obj_format, off_format, medit_format, hedra_format, hybrid_format, tet_format, iv_format,
-                             vtk_format, vtu_format, vtp_format, ply_format, stl_format, ovm_format>
+                             vtk_format, vtu_format, vtp_format, ply_format, stl_format, ovm_format, gltf_format>
     standard_formats{};
 
 }  // namespace concino

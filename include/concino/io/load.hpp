@@ -25,8 +25,8 @@
 namespace concino {
 
 /// Reads a mesh from a file. The extension determines which of standard_formats it is in: .obj, .off, .mesh, .meshb,
-/// .hedra, .hybrid, .tet, .iv, .vtk, .vtu, .vtp, .ply, .stl or .ovm, in upper or lower case. A file that begins like a file
-/// of another of these formats is read as what it is, and the report has a note.
+/// .hedra, .hybrid, .tet, .iv, .vtk, .vtu, .vtp, .ply, .stl or .ovm, in upper or lower case. A file that begins like a
+/// file of another of these formats is read as what it is, and the report has a note.
 /// Needs:  Loadable M.
 /// Result: the mesh, with its elements in the order of the file. A polyhedralmesh can hold any volume and a polygonmesh
 ///         any surface; the other kinds accept only what they can hold. Values in the file become properties of the
@@ -49,7 +49,8 @@ namespace concino {
 ///         its format or holds a poly that M cannot hold, or one with a vert twice unless options.repeated_verts takes
 ///         such polys. unsupported if neither extension nor first words are known, if the file holds a volume and M is
 ///         a surface or the reverse, or if faces of more than 16 verts belong to very many polyhedra. unsupported for
-///         elements of second or higher order, unless options.corners_only. cancelled.
+///         elements of second or higher order, unless options.corners_only, and for formats that are only written, such
+///         as .glb. cancelled.
 template<Loadable M>
 M load(const std::string& path, const load_options& options = {}) {
   return detail::load_standard<M>(path, options);

@@ -7,6 +7,7 @@
 #include <concino/io/formats.hpp>
 
 #ifndef CONCINO_COMPILED
+#include <concino/io/detail/gltf/write_gltf.hpp>
 #include <concino/io/detail/hedra/write_hedra.hpp>
 #include <concino/io/detail/hybrid/write_hybrid.hpp>
 #include <concino/io/detail/medit/write_medit.hpp>
@@ -28,7 +29,9 @@ namespace concino {
 /// pyramids, which are recognised by their faces. .meshb, the binary .mesh, for the same; .vtk and .vtu for any mesh,
 /// .vtp and .ply for any surface, .stl for triangles.
 /// .ovm for any volume.
-/// Needs:  a surface or volume mesh with points, of any type.
+/// .glb, the binary glTF 2.0, for triangles.
+/// Needs:  a surface or volume mesh with points, of any type. Of volumes, formats of surfaces hold the boundary, with
+///         options.as_boundary.
 /// Result: the complete file, which replaces an existing one; coordinates read back as the same numbers. Verts (and
 ///         faces) are numbered in the order of verts(m) (and faces(m)). These properties are written:
 ///         - to .mesh and .meshb: "label" (int) of all elements, "normal" (vec3) of verts. Also marks (int, 0 or 1):
@@ -51,7 +54,9 @@ namespace concino {
 ///           Verts are numbered anew, and those at one point become one;
 ///         - to .ovm: all of verts, edges, faces, polys and the mesh that are strings (std::string), lists of doubles
 ///           (std::vector<double>), int, unsigned int, std::int16_t, std::int64_t, std::uint64_t, bool, std::int8_t or
-///           std::uint8_t (as characters, but not blanks), or 1 to 4 numbers of type int, unsigned int, float or double.
+///           std::uint8_t (as characters, but not blanks), or 1 to 4 numbers of type int, unsigned int, float or double;
+///         - to .glb: "normal" (vec3) of verts if all are unit vectors, "texture" (std::array<double, 2>) of verts,
+///           "color" (rgba) of verts, else of polys, and "name" (std::string) of the mesh.
 ///         An .obj uses the material libraries that the mesh's file named, if they are in the folder of the new file
 ///         and hold the same colours and materials. Otherwise a new library is written there, with the same name and
 ///         .mtl, or _1.mtl and so on. Existing libraries are not changed, but those that earlier saves created for this

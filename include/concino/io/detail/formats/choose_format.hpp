@@ -21,6 +21,7 @@ struct format_row {
   bool has_binary;
   bool is_read_only;
   std::string_view signature = {};  // for messages: what has_signature looks for
+  bool is_write_only = false;
 };
 
 template<class F>
@@ -36,6 +37,7 @@ struct format_facts {
     if constexpr (requires { F::has_signature; }) r.has_signature = &F::has_signature;
     if constexpr (requires { F::has_binary; }) r.has_binary = F::has_binary;
     if constexpr (requires { F::signature; }) r.signature = F::signature;
+    r.is_write_only = requirement::is_write_only<F>;
     return r;
   }
 };
@@ -69,6 +71,10 @@ std::size_t choose_by_text(std::string_view path, std::uint64_t candidates, form
 /// The candidates that can be written.
 /// Errors: unsupported if there is none, naming the extensions that are known or can be written.
 std::uint64_t writable(std::string_view path, std::uint64_t candidates, format_rows known);
+
+/// The candidates that can be read.
+/// Errors: unsupported if there are candidates, but none that can be read, naming the extensions that can be.
+std::uint64_t readable(std::string_view path, std::uint64_t candidates, format_rows known);
 
 /// The set of formats that a path may have, among those that a call knows.
 template<Formats F>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
+#include <concino/io/detail/gltf/write_gltf.hpp>
 #include <concino/io/detail/hedra/write_hedra.hpp>
 #include <concino/io/detail/hybrid/write_hybrid.hpp>
 #include <concino/io/detail/medit/write_medit.hpp>
@@ -20,7 +21,8 @@ namespace concino {
 
 // The writers are inline. Taking their addresses makes the compiler emit them here.
 namespace {
-[[gnu::used]] void (*const writers[])(write_context&, flat_mesh&) = {&hedra_format::write,
+[[gnu::used]] void (*const writers[])(write_context&, flat_mesh&) = {&gltf_format::write,
+                                                                     &hedra_format::write,
                                                                      &hybrid_format::write,
                                                                      &medit_format::write,
                                                                      &obj_format::write,
