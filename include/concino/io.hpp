@@ -14,6 +14,7 @@
 #include <concino/io/format_id.hpp>
 #include <concino/io/formats.hpp>
 #include <concino/io/gmsh.hpp>
+#include <concino/io/gltf.hpp>
 #include <concino/io/hedra.hpp>
 #include <concino/io/hybrid.hpp>
 #include <concino/io/iv.hpp>
@@ -27,6 +28,7 @@
 #include <concino/io/off.hpp>
 #include <concino/io/openfoam.hpp>
 #include <concino/io/options.hpp>
+#include <concino/io/ovm.hpp>
 #include <concino/io/ply.hpp>
 #include <concino/io/save.hpp>
 #include <concino/io/skeleton.hpp>

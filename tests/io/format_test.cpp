@@ -121,6 +121,14 @@ struct points_format {
   }
 };
 
+/// A format that is only written: the number of polys.
+struct count_format {
+  static constexpr std::string_view name = "count";
+  static constexpr std::string_view extensions[] = {".count"};
+  static constexpr bool holds_surfaces = true, holds_volumes = false, is_write_only = true;
+  static void write(write_context& out, flat_mesh& m) { out.out << m.num_polys << '\n'; }
+};
+
 constexpr auto known = standard_formats + soup_format{};
 const std::string one = "0 0 0  1 0 0  0 1 0 # one\n";
 const trimesh triangle({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
@@ -132,6 +140,10 @@ struct without_writer : points_format {
   static constexpr bool is_read_only = false;
 };
 static_assert(Format<points_format> && !Format<without_writer>);
+struct without_reader : count_format {
+  static constexpr bool is_write_only = false;
+};
+static_assert(Format<count_format> && !Format<without_reader>);
 static_assert(!Format<nameless> && !Format<int> && !Format<load_options> && !Format<format_id>);
 static_assert(Formats<soup_format> && Formats<std::remove_const_t<decltype(known)>> && !Formats<nameless> && !Formats<load_options>);
 static_assert(format_id(soup_format{}) != file_format::obj && format_id(file_format::obj) == format_id(obj_format{}) && format_id() == file_format::by_extension);
@@ -169,6 +181,8 @@ TEST_CASE("format: a format argument takes precedence over the extension") {
   CHECK(num_polys(load_ply<trimesh>(dir / "c")) == 1);
   save_stl(triangle, dir / "c", {.binary = true});
   CHECK(num_polys(load_stl<trimesh>(dir / "c")) == 1);
+  save_ovm(tet, dir / "c");
+  CHECK(num_polys(load_ovm<tetmesh>(dir / "c")) == 1);
   save_vtk(tet, dir / "c");
   CHECK(num_polys(load_vtk<tetmesh>(dir / "c")) == 1);
   save_hedra(tet, dir / "c");
@@ -199,7 +213,7 @@ TEST_CASE("format: the extension or the options choose from a list") {
 
 TEST_CASE("format: throws if it cannot hold the mesh or be written in binary") {
   const temporary_folder dir;
-  CHECK_THROWS_WITH_AS(save_text(tet, soup_format{}), "text: .soup cannot hold volumes; save it as .mesh or .hedra", unsupported);
+  CHECK_THROWS_WITH_AS(save_text(tet, soup_format{}), "text: .soup cannot hold volumes, unless options.as_boundary is set; save it as .mesh or .hedra", unsupported);
   CHECK_THROWS_WITH_AS(save_text(triangle, soup_format{}, {.binary = true}), "text: .soup cannot be written in binary; use binary = false", unsupported);
   CHECK_THROWS_AS(load_text<tetmesh>(one, soup_format{}), unsupported);
   CHECK_THROWS_AS(load_text<quadmesh>(one, soup_format{}), invalid_mesh);
@@ -231,6 +245,25 @@ TEST_CASE("format: a format that is only read is not offered to save") {
   CHECK(read_file(dir / "a.points") == "0 0 0 1 0 0");
   CHECK(dir.num_files() == 1);
   CHECK_THROWS_WITH_AS(save(triangle, dir / "a.iv"), doctest::Contains("a.iv: .iv can be read, but not written; formats that can be written: .obj, .off, "), unsupported);
+}
+
+TEST_CASE("format: a format can be written only") {
+  const temporary_folder dir;
+  save(triangle, dir / "a.count", known + count_format{});
+  CHECK(read_file(dir / "a.count") == "1\n");
+  CHECK(save_text(triangle, count_format{}) == "1\n");
+  CHECK_THROWS_WITH_AS(load<trimesh>(dir / "a.count", known + count_format{}), doctest::Contains("a.count: .count can be written, but not read; formats that can be read: .obj, .off, "), unsupported);
+  CHECK_THROWS_WITH_AS(load<trimesh>(dir / "a.count", count_format{}), ((dir / "a.count") + ": .count can be written, but not read").c_str(), unsupported);
+  CHECK_THROWS_WITH_AS(load_text<trimesh>("1", count_format{}), "text: .count can be written, but not read", unsupported);
+  CHECK_THROWS_WITH_AS(load_text<polyhedralmesh>("", file_format::gltf), "text: .glb can be written, but not read", unsupported);
+  CHECK_THROWS_WITH_AS(load_text<trimesh>("", format_id(file_format::gltf)), doctest::Contains("text: .glb can be written, but not read; formats that can be read: .obj, "), unsupported);
+  save(triangle, dir / "a.glb");
+  CHECK_THROWS_AS(load<tetmesh>(dir / "a.glb"), unsupported);
+  CHECK_THROWS_AS(load_any(dir / "a.glb"), unsupported);
+  save(triangle, dir / "b.glb", {.format = file_format::off});
+  load_report report;
+  CHECK(num_polys(load<trimesh>(dir / "b.glb", {.report = &report})) == 1);  // it begins like another format
+  CHECK(report.notes.size() == 1);
 }
 
 TEST_CASE("format: a reader of volumes can return surfaces") {

@@ -130,6 +130,9 @@ const seed seeds[] = {
                            std::string("\0\0\0\0\0\0\0\0\0\0\x3f\x80\0\0\0\0\0\0\0\0\0\0\0\0\x3f\x80\0\0\0\1\3\0\0\0\1\0\2\1\x3f\xf0\0\0\0\0\0\0", 46)},
     {file_format::stl, "solid a b\nfacet normal 0 0 nan\nouter loop\nvertex 0 0 0\nvertex 1.5 0 0\nvertex 0 1e0 .25\nendloop\nendfacet\nendsolid\nsolid\nfacet normal 0 0 1\nouter loop\n"
                        "vertex -0 0 0\nvertex 1.5 0 0\nvertex 5 5 5\nendloop\nendfacet\nendsolid\n"},
+    {file_format::ovm, "OVM ASCII # c\nVertices\n4\n0 0 0\n1 0 0\n0 1 0\n0 0 .25\nEdges\n7\n0 1\n1 2\n2 0\n0 3\n1 3\n2 3\n3 0\nFaces\n4\n3 5 3 1\n3 0 8 7\n3 2 10 9\n3 6 11 4\nPolyhedra\n1\n"
+                       "4 0 2 5 6\nVProp string \"a b\"\n0:\n3:#\n:\n1:x\n2:yy\nEProp double \"d\"\n0 1 2 3 4 5 nan\nHEProp bool \"b\"\n0 1 0 1 0 1 0 1 0 1 0 1 0 1\n"
+                       "FProp vec3d \"normal\"\n0 0 1 0 0 1 0 0 1 0 0 1\nCProp vector_double \"v\"\n2 3 4\nCProp vector_vh \"w\"\n1 2\nMProp char \"c\"\n#\n"},
     {file_format::stl, "solid" + std::string(75, ' ') + std::string("\1\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0\7\1", 54)},
 };
 
@@ -185,9 +188,9 @@ bool survives_all(const std::string& text, format_id format) {
 
 }  // namespace
 
-TEST_CASE("fuzz: the files of .vtk, .vtu, .vtp, .ply and .stl that are changed below are valid") {
+TEST_CASE("fuzz: the files of .vtk, .vtu, .vtp, .ply, .stl and .ovm that are changed below are valid") {
   for (const seed& s : seeds)
-    for (const format_id f : {format_id(file_format::vtk), format_id(file_format::vtu), format_id(file_format::vtp), format_id(file_format::ply), format_id(file_format::stl)})
+    for (const format_id f : {format_id(file_format::vtk), format_id(file_format::vtu), format_id(file_format::vtp), format_id(file_format::ply), format_id(file_format::stl), format_id(file_format::ovm)})
       if (s.format == f) CHECK_NOTHROW(load_any_arrays(s.text, f));
 }
 

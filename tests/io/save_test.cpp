@@ -173,7 +173,7 @@ TEST_CASE("save: the error names the first poly that does not fit, and other for
     CHECK(dir.num_files() == 1);
     std::filesystem::remove(dir / file);
   };
-  refuses(grid<tetmesh>(1), "a.obj", ": .obj cannot hold volumes; save it as .mesh or .hedra");
+  refuses(grid<tetmesh>(1), "a.obj", ": .obj cannot hold volumes, unless options.as_boundary is set; save it as .mesh or .hedra");
   refuses(grid<trimesh>(1), "a.hedra", ": .hedra cannot hold surfaces; save it as .obj, or .mesh if it has triangles and quads only");
   refuses(polygonmesh(with_offsets(polygon_grid(1))), "a.mesh", ": .mesh cannot hold poly 0, a polygon of 8 verts; save it as .obj");
   refuses(grid<polyhedralmesh>(1), "a.mesh",

@@ -1,11 +1,20 @@
-// What messages say about a list of formats.
+// The formats of a list that are read, and what messages say about a list.
 #pragma once
 
 #include <concino/io/format.hpp>
 
 #include <string>
+#include <vector>
 
 namespace concino::testing {
+
+/// The formats that can be read: others are written only.
+template<class... F>
+std::vector<format_id> formats_with_reader(format_list<F...>) {
+  std::vector<format_id> all;
+  ((requirement::is_write_only<F> ? void() : all.push_back(F{})), ...);
+  return all;
+}
 
 /// The names of formats, as messages list them.
 template<class... F>

@@ -15,6 +15,7 @@
 //     static bool has_signature(std::string_view text);  whether a file begins like files of this format, which then
 //     decides against the extension static constexpr std::string_view signature = "SOUP";  what has_signature looks
 //     for, for messages static constexpr bool is_read_only = true;         if it has no write: save then refuses it
+//     static constexpr bool is_write_only = true;        if it has no read: load then refuses it
 //     static constexpr bool has_binary = true;           if it has a binary form, for save_options::binary
 //     static constexpr bool has_only_properties = true;  if its reader stores no values but by add_property, for verts,
 //     faces, polys and the mesh static constexpr bool holds_faces = true;          if files list the faces of volumes;
@@ -93,7 +94,10 @@ struct holds_requirement {
   }
 };
 
-template<class F> concept has_reader = requires(const read_context& in, volume_contents& out) { F::read(in, out); };
+template<class F> concept is_write_only = requires { requires F::is_write_only; };
+template<class F> concept has_reader = is_write_only<F> || requires(const read_context& in, volume_contents& out) {
+  F::read(in, out);
+};
 struct reader_requirement {
   template<class F> static constexpr bool holds = has_reader<F>;
   template<class F> static consteval void explain() {
@@ -102,7 +106,7 @@ struct reader_requirement {
         "concino: read is there, but is not static, or takes other arguments");
     static_assert(
         detail::missing<F>,
-        "concino: Format needs read: static void read(const read_context&, file_contents&), or volume_contents&; fills flat arrays from the text of a file");
+        "concino: Format needs read: static void read(const read_context&, file_contents&), or volume_contents&; fills flat arrays from the text of a file; or is_write_only = true");
   }
 };
 

@@ -16,6 +16,7 @@
 #include <concino/io/detail/obj/read_obj.hpp>
 #include <concino/io/detail/off/read_off.hpp>
 #include <concino/io/detail/openfoam/read_openfoam.hpp>
+#include <concino/io/detail/ovm/read_ovm.hpp>
 #include <concino/io/detail/ply/read_ply.hpp>
 #include <concino/io/detail/stl/read_stl.hpp>
 #include <concino/io/detail/tet/read_tet.hpp>
@@ -29,7 +30,7 @@
 namespace concino {
 
 /// Reads a mesh from a file. The extension determines which of standard_formats it is in: .obj, .off, .mesh, .meshb,
-/// .hedra, .hybrid, .tet, .iv, .vtk, .vtu, .vtp, .ply, .stl or .msh, in upper or lower case. A file that begins like a
+/// .hedra, .hybrid, .tet, .iv, .vtk, .vtu, .vtp, .ply, .stl, .msh or .ovm, in upper or lower case. A file that begins like a
 /// file of another of these formats is read as what it is, and the report has a note. A polyMesh folder of OpenFOAM is
 /// read by the path of the folder, or of a case with constant/polyMesh.
 /// Needs:  Loadable M.
@@ -47,7 +48,8 @@ namespace concino {
 ///         list of verts, edges and polys, "normal" and "texture" of verts, "texture" of corners, as ply_format::read
 ///         says. From .stl: "object" of polys, "attribute" (std::uint16_t) of polys. From .msh and polyMesh: "label"
 ///         (int) of elements and the mesh property "label_names" (label_names), which has their names; more as
-///         gmsh_format::read and openfoam_format::read say. options.report lists what was skipped, reoriented or worth
+///         gmsh_format::read and openfoam_format::read say. From .ovm: every property of verts, edges, faces, polys and the
+///         mesh. options.report lists what was skipped, reoriented or worth
 ///         a remark.
 /// Cost:   one pass over the file, which is read into memory as a whole (or mapped: options.map); the arrays are moved
 ///         into the mesh.
@@ -55,7 +57,8 @@ namespace concino {
 ///         its format or holds a poly that M cannot hold, or one with a vert twice unless options.repeated_verts takes
 ///         such polys. unsupported if neither extension nor first words are known, if the file holds a volume and M is
 ///         a surface or the reverse, or if faces of more than 16 verts belong to very many polyhedra. unsupported for
-///         elements of second or higher order, unless options.corners_only. cancelled.
+///         elements of second or higher order, unless options.corners_only, and for formats that are only written, such
+///         as .glb. cancelled.
 template<Loadable M>
 M load(const std::string& path, const load_options& options = {}) {
   return detail::load_standard<M>(path, options);

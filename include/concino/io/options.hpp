@@ -70,8 +70,10 @@ struct save_options {
   concino::profiler* profiler = nullptr;   // measures the call and its steps; save_obj and the like are "save"
   bool binary = false;                     // .off: 32-bit numbers, so coordinates are rounded to floats; .mesh: as
                                            // .meshb; unsupported by formats without a binary form
-  bool as_triangles = false;               // .stl: cuts polygons into triangles, which the report counts as lost;
-                                           // otherwise they are unsupported
+  bool as_triangles = false;               // .stl, .glb, .3mf: cuts polygons into triangles, which the report counts as
+                                           // lost; otherwise they are unsupported
+  bool as_boundary = false;                // of a volume, the boundary surface is written, by any format of surfaces;
+                                           // the report counts the polys as lost. Surfaces are written as they are
   bool strict = false;                     // throws unsupported, before the file is touched, if anything would be lost;
                                            // costs a second pass
   bool sync = false;                       // the new data reaches the disk before it replaces a file; otherwise the

@@ -8,12 +8,14 @@
 
 #ifndef CONCINO_COMPILED
 #include <concino/io/detail/gmsh/write_gmsh.hpp>
+#include <concino/io/detail/gltf/write_gltf.hpp>
 #include <concino/io/detail/hedra/write_hedra.hpp>
 #include <concino/io/detail/hybrid/write_hybrid.hpp>
 #include <concino/io/detail/medit/write_medit.hpp>
 #include <concino/io/detail/obj/write_obj.hpp>
 #include <concino/io/detail/off/write_off.hpp>
 #include <concino/io/detail/openfoam/write_openfoam.hpp>
+#include <concino/io/detail/ovm/write_ovm.hpp>
 #include <concino/io/detail/ply/write_ply.hpp>
 #include <concino/io/detail/stl/write_stl.hpp>
 #include <concino/io/detail/tet/write_tet.hpp>
@@ -29,9 +31,10 @@ namespace concino {
 /// Writes a mesh to a file. The extension determines which of standard_formats is used. For surfaces: .obj, .off, and
 /// .mesh for triangles and quads. For volumes: .hedra and .hybrid for any, .mesh and .tet for tets, hexes, prisms and
 /// pyramids, which are recognised by their faces. .meshb, the binary .mesh, for the same; .vtk and .vtu for any mesh,
-/// .vtp and .ply for any surface, .stl for triangles. .msh of Gmsh, version 2.2, for what .mesh holds. A folder called
-/// polyMesh, of OpenFOAM, for any volume.
-/// Needs:  a surface or volume mesh with points, of any type.
+/// .vtp and .ply for any surface, .stl for triangles. .msh of Gmsh, version 2.2, for what .mesh holds. .ovm, and a folder
+/// called polyMesh, of OpenFOAM, for any volume. .glb, the binary glTF 2.0, for triangles.
+/// Needs:  a surface or volume mesh with points, of any type. Of volumes, formats of surfaces hold the boundary, with
+///         options.as_boundary.
 /// Result: the complete file, which replaces an existing one; coordinates read back as the same numbers. Verts (and
 ///         faces) are numbered in the order of verts(m) (and faces(m)). These properties are written:
 ///         - to .mesh and .meshb: "label" (int) of all elements, "normal" (vec3) of verts. Also marks (int, 0 or 1):
@@ -58,7 +61,12 @@ namespace concino {
 ///           not 0;
 ///         - to polyMesh: "label" (int) of faces and polys, "label_names" (label_names) of the mesh. Boundary faces of a
 ///           label become a patch, in the order of "label_names", others the patch defaultFaces; polys of a label a
-///           cellZone. Faces are numbered anew: inner ones by their polys, then those of each patch in their order.
+///           cellZone. Faces are numbered anew: inner ones by their polys, then those of each patch in their order;
+///         - to .ovm: all of verts, edges, faces, polys and the mesh that are strings (std::string), lists of doubles
+///           (std::vector<double>), int, unsigned int, std::int16_t, std::int64_t, std::uint64_t, bool, std::int8_t or
+///           std::uint8_t (as characters, but not blanks), or 1 to 4 numbers of type int, unsigned int, float or double;
+///         - to .glb: "normal" (vec3) of verts if all are unit vectors, "texture" (std::array<double, 2>) of verts,
+///           "color" (rgba) of verts, else of polys, and "name" (std::string) of the mesh.
 ///         A polyMesh folder is created if it does not exist, with all that lead to it. All its files change or none
 ///         does, unless the program is killed while they get their names. Files that describe elements of the former
 ///         mesh, such as faceZones, are removed; other files stay.

@@ -37,6 +37,9 @@ void call_formats() {
   call("load_stl", [](auto& m) { cn::save_stl(m, "m.stl"), cn::load_stl<std::remove_reference_t<decltype(m)>>("m.stl"); }, kinds<cn::trimesh>());
   call("save_openfoam", [](auto& m) { cn::save_openfoam(m, "polyMesh"); }, volumes);
   call("load_openfoam", [](auto& m) { cn::save_openfoam(m, "polyMesh"), cn::load_openfoam<std::remove_reference_t<decltype(m)>>("polyMesh"); }, volumes);
+  call("save_ovm", [](auto& m) { cn::save_ovm(m, "m.ovm"); }, volumes);
+  call("load_ovm", [](auto& m) { cn::save_ovm(m, "m.ovm"), cn::load_ovm<std::remove_reference_t<decltype(m)>>("m.ovm"); }, volumes);
+  call("save_gltf", [](auto& m) { cn::save_gltf(m, "m.glb", {.as_triangles = true, .as_boundary = true}); }, all);
   call("save_vtu", [](auto& m) { cn::save_vtu(m, "m.vtu"); }, all);
   call("load_vtu", [](auto& m) { cn::save_vtu(m, "m.vtu"), cn::load_vtu<std::remove_reference_t<decltype(m)>>("m.vtu"); }, all);
 }

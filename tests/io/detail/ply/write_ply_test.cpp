@@ -1,6 +1,7 @@
 #include <concino/io/detail/ply/write_ply.hpp>
 
 #include <concino/io/ply.hpp>
+#include <concino/io/save.hpp>
 #include <concino/mesh/corner_property.hpp>
 #include <concino/mesh/property.hpp>
 
@@ -142,6 +143,6 @@ TEST_CASE("write_ply: what PLY does not hold is lost with a word, or refused") {
                        "poly property \"group\": .ply cannot store it", "mesh property \"time\": .ply cannot store it", "corner property \"texture\": .ply cannot store it",
                        "1 numbers of colours and other properties that are not finite: written as 0"});
   CHECK_THROWS_AS(save_text(m, file_format::ply, {.strict = true}), unsupported);
-  CHECK_THROWS_WITH_AS(save_text(tetmesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}), file_format::ply), "text: .ply cannot hold volumes; save it as .mesh or .hedra",
+  CHECK_THROWS_WITH_AS(save_text(tetmesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}), file_format::ply), "text: .ply cannot hold volumes, unless options.as_boundary is set; save it as .mesh or .hedra",
                        unsupported);
 }

@@ -51,6 +51,14 @@ class polyhedra_reader : protected token_cursor {
   }
 
   void faces(std::uint64_t n) {
+    faces(n, [&](std::uint64_t size) {
+      for (std::uint64_t i = 0; i < size; ++i)
+        out_.face_verts.push_back(vert_id{next_index(out_.points.size(), "a vert index", First)});
+    });
+  }
+  /// The same with a function that reads the corners of a face, so many, and adds their verts.
+  template<class ReadCorners>
+  void faces(std::uint64_t n, const ReadCorners& read_corners) {
     std::vector<std::uint64_t> scratch;
     out_.face_offsets.reserve(reservable(n, 8) + 1);
     out_.face_offsets.push_back(0);
@@ -59,8 +67,7 @@ class polyhedra_reader : protected token_cursor {
       const char* const from = at;
       const std::uint64_t size = next_count("the number of verts of a face", 2);
       if (size < 3) fail(from, {"a face of at least three verts"}, {"one of ", size});
-      for (std::uint64_t i = 0; i < size; ++i)
-        out_.face_verts.push_back(vert_id{next_index(out_.points.size(), "a vert index", First)});
+      read_corners(size);
       const vert_id* const corners = out_.face_verts.data() + (out_.face_verts.size() - size);
       if (const std::size_t i = first_repeated(corners, size, scratch); i != size) {
         if (repeated_.policy == repeated_verts::refuse)

@@ -23,6 +23,7 @@ struct format_row {
   std::string_view signature = {};  // for messages: what has_signature looks for
   bool is_folder = false;
   std::string_view folder_file = {}, folder_in_case = {};  // of folders, as in the format
+  bool is_write_only = false;
 };
 
 template<class F>
@@ -43,6 +44,7 @@ struct format_facts {
       r.folder_file = F::folder_file;
       r.folder_in_case = F::folder_in_case;
     }
+    r.is_write_only = requirement::is_write_only<F>;
     return r;
   }
 };
@@ -79,6 +81,10 @@ std::size_t choose_by_text(std::string_view path, std::uint64_t candidates, form
 /// The candidates that can be written.
 /// Errors: unsupported if there is none, naming the extensions that are known or can be written.
 std::uint64_t writable(std::string_view path, std::uint64_t candidates, format_rows known);
+
+/// The candidates that can be read.
+/// Errors: unsupported if there are candidates, but none that can be read, naming the extensions that can be.
+std::uint64_t readable(std::string_view path, std::uint64_t candidates, format_rows known);
 
 /// The set of formats that a path may have, among those that a call knows.
 template<Formats F>

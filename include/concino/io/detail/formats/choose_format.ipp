@@ -90,10 +90,27 @@ CONCINO_INLINE std::uint64_t writable(std::string_view path, std::uint64_t candi
   return left;
 }
 
+CONCINO_INLINE std::uint64_t readable(std::string_view path, std::uint64_t candidates, format_rows known) {
+  std::uint64_t left = 0;
+  std::string_view refused;
+  std::string others;
+  for (std::size_t i = 0; i < known.size; ++i) {
+    const format_row& row = known.rows[i];
+    const bool is_candidate = (candidates >> i & 1) != 0;
+    if (is_candidate && !row.is_write_only) left |= std::uint64_t{1} << i;
+    if (is_candidate && row.is_write_only) refused = row.extensions[0];
+    if (!row.is_write_only) others = core::joined({others, others.empty() ? "" : ", ", row.extensions[0]});
+  }
+  if (candidates != 0 && left == 0)
+    core::throw_joined<unsupported>({path, path.empty() ? "" : ": ", refused, " can be written, but not read",
+                                     others.empty() ? "" : "; formats that can be read: ", others});
+  return left;
+}
+
 CONCINO_INLINE std::size_t choose_by_text(std::string_view path, std::uint64_t candidates, format_rows known,
                                           std::string_view text, std::string& note) {
   const auto has_signature = [&](std::size_t i) {
-    return known.rows[i].has_signature && known.rows[i].has_signature(text);
+    return known.rows[i].has_signature && !known.rows[i].is_write_only && known.rows[i].has_signature(text);
   };
   for (std::size_t i = known.size; i-- > 0;)
     if ((candidates >> i & 1) != 0 && has_signature(i)) return i;
@@ -104,7 +121,7 @@ CONCINO_INLINE std::size_t choose_by_text(std::string_view path, std::uint64_t c
                            ", but the text begins like a file of that format, ", row.name, ", and was read as one"});
       return i;
     }
-  if (candidates != 0) return choose_format(candidates, known, &text);
+  if (candidates != 0) return choose_format(readable(path, candidates, known), known, &text);
   const std::string signatures = listed_in_message(known, true);
   core::throw_joined<unsupported>(
       {path, ": neither the extension nor the first words are those of a known format; known extensions: ",

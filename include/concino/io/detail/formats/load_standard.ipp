@@ -26,8 +26,9 @@ void read_standard_file(const std::string& path, const wanted_mesh& wanted, cons
 template<bool Surfaces, bool Volumes, class Contents>
 void read_standard_text(std::string_view text, std::string_view name, const wanted_mesh& wanted,
                         const load_options& options, Contents& contents) {
+  constexpr format_rows known = format_rows_of(standard_formats);
   const std::size_t chosen =
-      choose_format(candidates_for({}, standard_formats, options.format), format_rows_of(standard_formats), &text);
+      choose_format(readable(name, candidates_for({}, standard_formats, options.format), known), known, &text);
   read_text<Surfaces, Volumes>(text, name, standard_formats, chosen, wanted, options, contents);
 }
 

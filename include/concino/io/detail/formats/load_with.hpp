@@ -10,6 +10,7 @@
 #include <concino/io/file_text.hpp>
 #include <concino/mesh/support/to_polyhedra.hpp>
 
+#include <cassert>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -32,11 +33,11 @@ inline void drop_equal_offsets(surface_arrays& a) {
   a.offsets.clear();
 }
 
-/// Whether a format can be read without the arrays of volumes. True for formats that hold no surfaces, as no surface is
-/// read from them.
+/// Whether a format can be read without the arrays of volumes. True for formats that hold no surfaces or are not read,
+/// as no surface is read from them.
 template<class F>
 inline constexpr bool reads_surfaces_alone =
-    !F::holds_surfaces || requires(const read_context& in, file_contents& out) {
+    !F::holds_surfaces || requirement::is_write_only<F> || requires(const read_context& in, file_contents& out) {
   F::read(in, out);
 };
 
@@ -48,7 +49,8 @@ void read_as(const read_context& context, Contents& out) {
     core::throw_joined<unsupported>(
         {context.name, ": a mesh in the format ", F::name, " is a folder of files, no text; load it by its path"});
   out.repeated.policy = context.repeated_verts;
-  if constexpr ((Surfaces && F::holds_surfaces) || (Volumes && F::holds_volumes)) F::read(context, out);
+  if constexpr (requirement::is_write_only<F>) assert(false);  // never chosen
+  else if constexpr ((Surfaces && F::holds_surfaces) || (Volumes && F::holds_volumes)) F::read(context, out);
   else throw_wrong_dimension(context.name, F::holds_volumes);
   if (context.repeated_verts != repeated_verts::refuse) {
     std::size_t num_polys = 0;
@@ -62,7 +64,9 @@ void read_as(const read_context& context, Contents& out) {
 
 /// Whether formats declare that their files have no other values than properties.
 template<class F>
-inline constexpr bool declares_only_properties = requires { requires F::has_only_properties; };
+inline constexpr bool declares_only_properties = requirement::is_write_only<F> || requires {
+  requires F::has_only_properties;
+};
 template<class... F>
 constexpr bool all_have_only_properties(format_list<F...>) { return (declares_only_properties<F> && ...); }
 template<Formats F>
@@ -143,7 +147,8 @@ void read_file(const std::string& path, F formats, const wanted_mesh& wanted, co
   const std::string_view text = file.text();
   std::string note;
   const std::size_t chosen =
-      by_extension ? choose_by_text(path, candidates, rows, text, note) : choose_format(candidates, rows, &text);
+      by_extension ? choose_by_text(path, candidates, rows, text, note)
+                   : choose_format(readable(path, candidates, rows), rows, &text);
   read_text<Surfaces, Volumes>(text, path, known, chosen, wanted, options, contents, &file);
   if (!note.empty() && options.report) options.report->notes.push_back(std::move(note));
 }
@@ -154,7 +159,9 @@ M load_text_with(std::string_view text, std::string_view name, F formats, const 
   const load_options& options = *profiled;
   const auto known = list_of(formats);
   contents_for<M, F> contents;
-  const std::size_t chosen = choose_format(candidates_for({}, formats, options.format), format_rows_of(known), &text);
+  const format_rows rows = format_rows_of(known);
+  const std::size_t chosen =
+      choose_format(readable(name, candidates_for({}, formats, options.format), rows), rows, &text);
   read_text<from_surface<M>, wants_volumes<M>>(text, name, known, chosen, wanted_for<M>, options, contents);
   return mesh_of<M, only_properties<F>>(contents, name, options.report);
 }

@@ -11,6 +11,7 @@
 #include <concino/io/detail/obj/read_obj.hpp>
 #include <concino/io/detail/off/read_off.hpp>
 #include <concino/io/detail/openfoam/read_openfoam.hpp>
+#include <concino/io/detail/ovm/read_ovm.hpp>
 #include <concino/io/detail/ply/read_ply.hpp>
 #include <concino/io/detail/stl/read_stl.hpp>
 #include <concino/io/detail/tet/read_tet.hpp>
@@ -27,6 +28,7 @@ template void hedra_format::read<volume_contents>(const read_context&, volume_co
 template void openfoam_format::read<volume_contents>(const read_context&, volume_contents&);
 template void tet_format::read<volume_contents>(const read_context&, volume_contents&);
 template void hybrid_format::read<volume_contents>(const read_context&, volume_contents&);
+template void ovm_format::read<volume_contents>(const read_context&, volume_contents&);
 template void medit_format::read<file_contents>(const read_context&, file_contents&);
 template void medit_format::read<volume_contents>(const read_context&, volume_contents&);
 template void vtk_format::read<file_contents>(const read_context&, file_contents&);

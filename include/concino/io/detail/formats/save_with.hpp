@@ -5,6 +5,7 @@
 #include <concino/core/precompiled.hpp>
 #include <concino/io/atomic_file.hpp>
 #include <concino/io/detail/files/folder_files.hpp>
+#include <concino/io/detail/formats/boundary_flat_mesh.hpp>
 #include <concino/io/detail/formats/choose_format.hpp>
 #include <concino/io/detail/formats/flat_mesh_of.hpp>
 #include <concino/io/detail/formats/mesh_folder.hpp>
@@ -33,8 +34,17 @@ void report_lost_faces(save_report& report, flat_mesh& m, std::string_view forma
 /// A function that passes a mesh, as flat arrays, to a writer.
 using flat_mesh_source = function_ref<void(function_ref<void(flat_mesh&)>)>;
 
-/// Writes a mesh in the chosen format. Writers for meshes of the other dimension are not compiled. Returns the
-/// companion files, or null if there are none.
+/// Writes a mesh in format G, which can hold it.
+template<Format G>
+void write_flat(write_context& context, flat_mesh& flat, std::string_view extension) {
+  check_savable_points(context.name, flat);
+  context.num_elements = flat.points.size() + flat.num_polys;
+  G::write(context, flat);
+  report_lost(context, flat, extension);
+}
+
+/// Writes a mesh in the chosen format. Writers of volumes are not compiled for surfaces; those of surfaces are compiled
+/// for volumes, as options.as_boundary asks for them. Returns the companion files, or null if there are none.
 template<int Dimension, class... F>
 std::unique_ptr<companion_files> write_with(text_sink& out, flat_mesh_source mesh, std::string_view name,
                                             std::string_view path, format_list<F...> known, std::size_t chosen,
@@ -51,21 +61,33 @@ std::unique_ptr<companion_files> write_with(text_sink& out, flat_mesh_source mes
   write_context context{out, name, path, options, report};
   context.folder = folder;
   with_format(known, chosen, [&]<Format G>(G) {
-    if constexpr (requirement::is_read_only<G>) {  // never chosen
-    } else if constexpr (Dimension == 2 ? G::holds_surfaces : G::holds_volumes) {  // a format may hold one of them only
-      mesh([&](flat_mesh& flat) {
-        check_savable_points(name, flat);
-        context.num_elements = flat.points.size() + flat.num_polys;
-        G::write(context, flat);
-        report_lost(context, flat, row.extensions[0]);
-        // surfaces have no faces
-        if constexpr (Dimension == 3 && !requires { requires G::holds_faces; })
-          report_lost_faces(report, flat, row.extensions[0]);
-      });
-    } else if constexpr (Dimension == 2) {  // the message names formats that hold surfaces
-      context.throw_cannot_hold(row.extensions[0], {"surfaces"}, ".obj, or .mesh if it has triangles and quads only");
-    } else {
-      context.throw_cannot_hold(row.extensions[0], {"volumes"}, ".mesh or .hedra");
+    const std::string_view extension = row.extensions[0];
+    if constexpr (requirement::is_read_only<G>) return;  // never chosen
+    else {
+      if constexpr (Dimension == 3) {
+        if (options.as_boundary) {
+          if constexpr (!G::holds_surfaces)
+            context.throw_cannot_hold(extension, {"surfaces, such as the boundary of a volume"}, ".obj or .ply");
+          else
+            return mesh([&](flat_mesh& volume) {
+              boundary_flat_mesh surface(volume);
+              write_flat<G>(context, surface, extension);
+              surface.report_lost(report);
+            });
+        }
+      }
+      if constexpr (Dimension == 2 ? G::holds_surfaces : G::holds_volumes) {  // a format may hold one of them only
+        mesh([&](flat_mesh& flat) {
+          write_flat<G>(context, flat, extension);
+          // surfaces have no faces
+          if constexpr (Dimension == 3 && !requires { requires G::holds_faces; })
+            report_lost_faces(report, flat, extension);
+        });
+      } else if constexpr (Dimension == 2) {  // the message names formats that hold surfaces
+        context.throw_cannot_hold(extension, {"surfaces"}, ".obj, or .mesh if it has triangles and quads only");
+      } else {
+        context.throw_cannot_hold(extension, {"volumes, unless options.as_boundary is set"}, ".mesh or .hedra");
+      }
     }
   });
   return std::move(context.companions);

@@ -41,17 +41,23 @@ class element_finder {
   const listed_elements& listed_;
   std::vector<std::pair<std::uint64_t, std::uint32_t>> keys_;  // of the listed elements: face_key and number, sorted
   std::vector<vert_id> sorted_;
+  std::vector<std::uint32_t> where_;
+  std::vector<std::uint32_t> next_;  // by the first listed element with some verts: the entries of keys_ behind it up to
+                                     // the next one to be found
 
   bool is_same(std::uint32_t i);
 
  public:
-  std::vector<std::uint32_t> where;   // the index in the mesh of each listed element; ~0u if it was not found
-  std::vector<vert_id> verts;         // of the element to find, filled by the caller
+  std::vector<vert_id> verts;  // of the element to find, filled by the caller
 
   explicit element_finder(const listed_elements& listed);
 
-  /// Sets where[i] = index for the listed elements with these verts, and clears them.
+  /// Finds the element with these verts, which has this index in the mesh, and clears them. Where several elements of
+  /// the mesh have the same verts, the second one belongs to the second listed element, and so on.
   void match(std::size_t index);
+  /// The index in the mesh of each listed element; ~0u if it was not found. If more elements are listed with some verts
+  /// than the mesh has, the others are the last one.
+  const std::vector<std::uint32_t>& finish();
 };
 
 template<class M>
@@ -90,7 +96,7 @@ void set_all_columns(M& m, file_contents& contents, load_report* report) {
         for (const vert_t<M> v : adj_e2v(m, e)) finder.verts.push_back(vert_id{number_of(v)});
         finder.match(index_of(m, e));
       }
-      set_columns(all, contents, element_kind::edge, finder.where, edge_index_bound(m), report);
+      set_columns(all, contents, element_kind::edge, finder.finish(), edge_index_bound(m), report);
     }
   }
   if constexpr (dimension_v<M> == 3) {  // surfaces have no faces
@@ -104,7 +110,7 @@ void set_all_columns(M& m, file_contents& contents, load_report* report) {
         for (const vert_t<M> v : adj_f2v(m, f)) finder.verts.push_back(vert_id{number_of(v)});
         finder.match(index_of(m, f));
       }
-      set_columns(all, contents, element_kind::face, finder.where, face_index_bound(m), report);
+      set_columns(all, contents, element_kind::face, finder.finish(), face_index_bound(m), report);
     }
   }
   set_columns(all, contents, element_kind::mesh, {0}, 1, report);

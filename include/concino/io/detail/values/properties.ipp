@@ -126,7 +126,7 @@ CONCINO_INLINE void set_columns(property_set& all, file_contents& contents, elem
 }
 
 CONCINO_INLINE element_finder::element_finder(const listed_elements& listed)
-    : listed_(listed), where(listed.size(), ~0u) {
+    : listed_(listed), where_(listed.size(), ~0u), next_(listed.size()) {
   keys_.reserve(listed.size());
   for (std::uint32_t i = 0; i < listed.size(); ++i)
     keys_.emplace_back(face_key(listed.verts.data() + listed.offsets[i], listed.offsets[i + 1] - listed.offsets[i]), i);
@@ -143,10 +143,31 @@ CONCINO_INLINE bool element_finder::is_same(std::uint32_t i) {
 CONCINO_INLINE void element_finder::match(std::size_t index) {
   std::sort(verts.begin(), verts.end());
   const std::uint64_t key = face_key(verts.data(), verts.size());
-  for (auto at = std::lower_bound(keys_.begin(), keys_.end(), std::pair{key, 0u});
-       at != keys_.end() && at->first == key; ++at)
-    if (where[at->second] == ~0u && is_same(at->second)) where[at->second] = static_cast<std::uint32_t>(index);
+  auto at = std::lower_bound(keys_.begin(), keys_.end(), std::pair{key, 0u});
+  const auto skip_others = [&] {
+    while (at != keys_.end() && at->first == key && !is_same(at->second)) ++at;
+    return at != keys_.end() && at->first == key;
+  };
+  if (skip_others()) {
+    const auto first = at;
+    at += next_[first->second];
+    if (skip_others()) {
+      where_[at->second] = static_cast<std::uint32_t>(index);
+      next_[first->second] = static_cast<std::uint32_t>(at - first) + 1;
+    }
+  }
   verts.clear();
+}
+
+CONCINO_INLINE const std::vector<std::uint32_t>& element_finder::finish() {
+  for (std::size_t k = 1; k < keys_.size(); ++k) {
+    const std::uint32_t before = keys_[k - 1].second, i = keys_[k].second;
+    if (keys_[k].first != keys_[k - 1].first || where_[i] != ~0u || where_[before] == ~0u) continue;
+    verts.assign(listed_.verts.begin() + listed_.offsets[before], listed_.verts.begin() + listed_.offsets[before + 1]);
+    std::sort(verts.begin(), verts.end());
+    if (is_same(i)) where_[i] = where_[before];
+  }
+  return where_;
 }
 
 }  // namespace concino::detail
