@@ -93,12 +93,24 @@ struct property_column_of_table {
       for (const auto p : polys(m)) label[p] = 1 + static_cast<int>(index_of(m, p)) % 2;
     }
   }
+  /// Whether the polys have the names that they were given; their labels may be others.
+  template<class M>
+  static bool names_are_in(const M& m, const label_names& names) {
+    const auto label = find_poly_property<int>(m, "label");
+    if (!label) return false;
+    for (const auto p : polys(m)) {
+      const label_name* const name = names.find(element_kind::poly, label[p]);
+      if (!name || name->name != value_of<label_names>(1).names[index_of(m, p) % 2].name) return false;
+    }
+    return true;
+  }
   template<class M>
   bool is_in(const M& m) const {
     try {
       bool all = true;
       const auto values = of(m);
       if (!values) return false;
+      if constexpr (std::is_same_v<T, label_names>) return names_are_in(m, *values);
       for_each(m, [&](const T& value, const T& wanted) { all = all && value == wanted; }, values);
       return all;
     } catch (const invalid_argument&) {  // values of another type
@@ -130,6 +142,9 @@ void for_each_column(const F& f) {
 /// Files of formats that are only read: one for triangles, quads, other polygons, and so on, where the format has them.
 std::vector<std::string> samples_of(format_id format) {
   const std::string iv = "#Inventor V2.1 ascii\nCoordinate3 { point [ 0 0 0, 1 0 0, 1 1 0, 0 1 0, 0 2 0 ] }\nIndexedFaceSet { coordIndex [ ";
+  const std::string nodes = "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 1, 1, 0\n4, 0, 1, 0\n5, 0, 0, 1\n6, 1, 0, 1\n7, 1, 1, 1\n8, 0, 1, 1\n*ELEMENT, TYPE=";
+  if (format == file_format::abaqus)
+    return {nodes + "S3\n1, 1, 2, 3\n", nodes + "S4\n1, 1, 2, 3, 4\n", nodes + "C3D4\n1, 1, 2, 3, 5\n", nodes + "C3D8\n1, 1, 2, 3, 4, 5, 6, 7, 8\n"};
   if (format == file_format::iv) return {iv + "0, 1, 2, -1, 0, 2, 3, -1 ] }\n", iv + "0, 1, 2, 3, -1 ] }\n", iv + "0, 1, 2, 4, 3, -1 ] }\n"};
   return {};
 }

@@ -100,13 +100,12 @@ void set_all_columns(M& m, file_contents& contents, load_report* report) {
     }
   }
   if constexpr (dimension_v<M> == 3) {  // surfaces have no faces
-    if (has_columns(contents, element_kind::face)) {
+    if (has_columns(contents, element_kind::face) && contents.lists_all_faces) {
+      for (const face_t<M> f : faces(m)) where.push_back(number_of(f));
+      set_columns(all, contents, element_kind::face, where, face_index_bound(m), report);
+    } else if (has_columns(contents, element_kind::face)) {
       element_finder finder(contents.faces);
       for (const face_t<M> f : faces(m)) {
-        if (contents.lists_all_faces) {
-          finder.where.push_back(number_of(f));
-          continue;
-        }
         for (const vert_t<M> v : adj_f2v(m, f)) finder.verts.push_back(vert_id{number_of(v)});
         finder.match(index_of(m, f));
       }
