@@ -172,6 +172,34 @@ void save_seeds(M m, const std::string& prefix, format_id format) {
     succeeds([&] { write_seed(prefix + (binary ? "_binary" : "_text"), save_text(m, format, {.binary = binary})); });
 }
 
+/// Files of version 4.1 of the format of Gmsh, which is read and not written, and one of version 2.2 with tags of all kinds.
+void write_gmsh_seeds(const std::string& prefix) {
+  write_seed(prefix + "_4",
+             "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n3 7 \"a b\"\n2 5 \"wall\"\n$EndPhysicalNames\n$Entities\n1 1 1 1\n4 0 0 0 1 5\n"
+             "2 0 0 0 1 0 0 1 -8 2 4 -5\n1 0 0 0 1 1 0 2 5 6 1 2\n7 0 0 0 1 1 1 1 7 2 1 2\n$EndEntities\n$PartitionedEntities\n2\n1\n5 1\n0 0 1 0\n3 2 1 1 2 0 0 0 1 1 1 1 9 0\n"
+             "$EndPartitionedEntities\n$Nodes\n2 5 3 90\n3 7 0 4\n10\n20\n7\n90\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n2 1 1 1\n3\n0 0 -1 .5 .25\n$EndNodes\n"
+             "$Elements\n5 6 1 90\n0 4 15 1\n1 10\n1 2 1 1\n2 20 10\n2 1 2 1\n90 7 20 10\n2 3 2 1\n5 10 20 90\n3 7 4 2\n8 10 20 7 90\n9 10 7 20 3\n$EndElements\n$Periodic\n0\n"
+             "$EndPeriodic\n$NodeData\n1\n\"t\"\n1\n0.5\n3\n0\n3\n2\n10 1 2 3\n3 4 5 6\n$EndNodeData\n$ElementData\n1\n\"e\"\n0\n3\n0\n1\n3\n8 1\n90 2\n2 3\n$EndElementData\n");
+  std::string binary = "$MeshFormat\n4.1 1 8\n";
+  const auto put = [&](unsigned bytes, std::initializer_list<int> numbers) {
+    for (const int x : numbers)
+      for (unsigned k = 0; k < bytes; ++k) binary += static_cast<char>(k < 4 ? x >> 8 * k & 0xff : x < 0 ? -1 : 0);
+  };
+  put(4, {1});
+  binary += "\n$EndMeshFormat\n$Entities\n";
+  put(8, {0, 0, 1, 0}), put(4, {1}), binary.append(48, '\0'), put(8, {1}), put(4, {3}), put(8, {0});
+  binary += "\n$EndEntities\n$Nodes\n";
+  put(8, {1, 3, 1, 3}), put(4, {2, 1, 0}), put(8, {3, 1, 2, 3});
+  for (const char* const point : {"\0\0\0\0\0\0\0", "\0\0\0\0\0\0\xf0\x3f", "\0\0\0\0\0\0\x08\x40"}) binary.append(point, 8).append(8, '\0').append(point, 8);
+  binary += "\n$EndNodes\n$Elements\n";
+  put(8, {1, 1, 1, 1}), put(4, {2, 1, 2}), put(8, {1, 5, 1, 2, 3});
+  binary += "\n$EndElements\n$ElementData\n1\n\"v\"\n0\n3\n0\n1\n1\n";
+  put(4, {5}), binary.append(8, '\0');
+  write_seed(prefix + "_4_binary", binary + "\n$EndElementData\n");
+  write_seed(prefix + "_2", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n9 0 0 1\n$EndNodes\n$Elements\n5\n1 2 2 4 1 1 2 3\n2 2 2 5 1 1 2 3\n"
+                            "3 2 4 6 -2 1 2 1 2 9\n4 1 1 9 1 2\n5 15 0 9\n$EndElements\n");
+}
+
 void write_seeds(const reader& r, const std::string& folder) {
   const std::string prefix = folder + "/" + r.name;
   if (r.fuzz == &fuzz_mesh) {
@@ -187,6 +215,7 @@ void write_seeds(const reader& r, const std::string& folder) {
     if (r.name == "iv")
       write_seed(prefix, "#Inventor V2.1 ascii\nSeparator { VertexProperty { vertex [ 0 0 0, 1 0 0, 0 1 0, 0 0 1 ] } IndexedFaceSet { coordIndex [ 0, 2, 1, -1, 0, 1, 3, -1 ] "
                          "materialIndex [ 0, 1 ] } Coordinate3 { point [ 0 0 0, 1 0 0, 1 1 0, 0 1 0 ] } IndexedFaceSet { coordIndex [ 0, 1, 2, 3, -1 ] } }\n");
+    if (r.name == "gmsh") write_gmsh_seeds(prefix);
   } else if (r.fuzz == &fuzz_skeleton) {
     const skeleton k({{0, 0, 0}, {1, 0, 0.5}, {0, 1e-3, 0}}, {{vert_id{0}, vert_id{1}}, {vert_id{2}, vert_id{1}}}, {0.5, 1, 2});
     succeeds([&] { write_seed(prefix, save_skeleton_text(k, {.format = r.format})); });

@@ -108,6 +108,7 @@ M read_alone(const std::string& path, format_id f, const load_options& options) 
   }
   if (f == file_format::vtk) return load_vtk<M>(path, options);
   if (f == file_format::vtu) return load_vtu<M>(path, options);
+  if (f == file_format::gmsh) return load_gmsh<M>(path, options);
   REQUIRE(f == file_format::medit);
   return load_medit<M>(path, options);
 }

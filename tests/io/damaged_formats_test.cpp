@@ -91,7 +91,7 @@ TEST_CASE("damaged formats: the whole files are read, and every new format is am
     CAPTURE(file.name);
     CHECK_NOTHROW(file.read(file.text, file.format));
   }
-  for (const char* ending : {".vtk", ".vtk binary", ".vtu", ".vtu binary", ".vtp", ".vtp binary", ".ply", ".ply binary", ".stl", ".stl binary", ".ovm", ".tet", ".hybrid", ".medit binary", ".iv", ".skc", ".csv"}) {
+  for (const char* ending : {".vtk", ".vtk binary", ".vtu", ".vtu binary", ".vtp", ".vtp binary", ".ply", ".ply binary", ".stl", ".stl binary", ".ovm", ".gmsh", ".gmsh binary", ".tet", ".hybrid", ".medit binary", ".iv", ".skc", ".csv"}) {
     CAPTURE(ending);
     CHECK(std::any_of(all.begin(), all.end(), [&](const whole_file& f) { return f.name.ends_with(ending); }));
   }

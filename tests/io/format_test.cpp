@@ -183,6 +183,8 @@ TEST_CASE("format: a format argument takes precedence over the extension") {
   CHECK(num_polys(load_stl<trimesh>(dir / "c")) == 1);
   save_ovm(tet, dir / "c");
   CHECK(num_polys(load_ovm<tetmesh>(dir / "c")) == 1);
+  save_gmsh(tet, dir / "c", {.binary = true});
+  CHECK(num_polys(load_gmsh<tetmesh>(dir / "c")) == 1);
   save_vtk(tet, dir / "c");
   CHECK(num_polys(load_vtk<tetmesh>(dir / "c")) == 1);
   save_hedra(tet, dir / "c");

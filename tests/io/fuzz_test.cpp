@@ -51,6 +51,26 @@ std::string binary_medit(bool big) {
   return text;
 }
 
+/// A triangle in a binary file of Gmsh of version 4.1, with an entity of a group and values.
+std::string binary_gmsh(bool big) {
+  std::string text = "$MeshFormat\n4.1 1 4\n";
+  const auto put = [&](unsigned bytes, std::initializer_list<std::uint64_t> numbers) {
+    for (const std::uint64_t x : numbers)
+      for (unsigned k = 0; k < bytes; ++k) text += static_cast<char>(x >> 8 * (big ? bytes - 1 - k : k) & 0xff);
+  };
+  const std::uint64_t one = std::uint64_t{0x3ff} << 52;
+  put(4, {1});
+  text += "\n$EndMeshFormat\n$Entities\n";
+  put(4, {0, 0, 1, 0, 1}), put(8, {0, 0, 0, one, one, 0}), put(4, {1, 3, 0});
+  text += "\n$EndEntities\n$Nodes\n";
+  put(4, {1, 4, 1, 9, 2, 1, 0, 4, 1, 2, 3, 9}), put(8, {0, 0, 0, one, 0, 0, one, one, 0, 0, one, 0});
+  text += "\n$EndNodes\n$Elements\n";
+  put(4, {1, 2, 1, 2, 2, 1, 2, 2, 1, 1, 2, 3, 2, 1, 3, 9});
+  text += "\n$EndElements\n$ElementData\n1\n\"v\"\n0\n3\n0\n1\n1\n";
+  put(4, {2}), put(8, {one});
+  return text + "\n$EndElementData\n";
+}
+
 const seed seeds[] = {
     {file_format::obj,
      "# cube corner\nv 0 0 0\nv 1.5 0 0 1.0\nv 0 1e0 0\nv 0 0 .25\nvt 0 1\nvn 0 0 1\nusemtl a\ng b c\nf 1 3 2\nf 1/1 2/1 4/1\nf -3//1 3//1 "
@@ -134,6 +154,16 @@ const seed seeds[] = {
                        "4 0 2 5 6\nVProp string \"a b\"\n0:\n3:#\n:\n1:x\n2:yy\nEProp double \"d\"\n0 1 2 3 4 5 nan\nHEProp bool \"b\"\n0 1 0 1 0 1 0 1 0 1 0 1 0 1\n"
                        "FProp vec3d \"normal\"\n0 0 1 0 0 1 0 0 1 0 0 1\nCProp vector_double \"v\"\n2 3 4\nCProp vector_vh \"w\"\n1 2\nMProp char \"c\"\n#\n"},
     {file_format::stl, "solid" + std::string(75, ' ') + std::string("\1\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0\7\1", 54)},
+    {file_format::gmsh,
+     "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n3 7 \"a b\"\n$EndPhysicalNames\n$Entities\n1 1 1 1\n4 0 0 0 1 5\n2 0 0 0 1 0 0 1 -8 2 4 -5\n1 0 0 0 1 1 0 2 5 6 1 2\n"
+     "7 0 0 0 1 1 1 1 7 2 1 2\n$EndEntities\n$PartitionedEntities\n2\n1\n5 1\n0 0 1 0\n3 2 1 1 2 0 0 0 1 1 1 1 9 0\n$EndPartitionedEntities\n$Nodes\n2 5 3 90\n3 7 0 4\n10\n20\n7\n90\n"
+     "0 0 0\n1 0 0\n0 1 0\n0 0 1\n2 1 1 1\n3\n0 0 -1 .5 .25\n$EndNodes\n$Elements\n5 6 1 90\n0 4 15 1\n1 10\n1 2 1 1\n2 20 10\n2 1 2 1\n90 7 20 10\n2 3 2 1\n5 10 20 90\n3 7 4 2\n"
+     "8 10 20 7 90\n9 10 7 20 3\n$EndElements\n$NodeData\n1\n\"t\"\n1\n0.5\n3\n0\n3\n2\n10 1 2 3\n3 4 5 6\n$EndNodeData\n$ElementData\n1\n\"e\"\n0\n3\n0\n1\n3\n8 1\n90 2\n2 3\n"
+     "$EndElementData\n$Periodic\n0\n$EndPeriodic\n"},
+    {file_format::gmsh, "$Comments\nx\n$EndComments\n$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n9 0 0 1\n$EndNodes\n$Elements\n5\n1 2 2 4 1 1 2 3\n"
+                        "2 2 2 5 1 1 2 3\n3 3 4 6 2 1 2 1 2 9 3\n4 1 1 9 1 2\n5 15 0 9\n$EndElements\n"},
+    {file_format::gmsh, binary_gmsh(false)},
+    {file_format::gmsh, binary_gmsh(true)},
 };
 
 bool holds_together(const surface_arrays& a) {
@@ -188,9 +218,10 @@ bool survives_all(const std::string& text, format_id format) {
 
 }  // namespace
 
-TEST_CASE("fuzz: the files of .vtk, .vtu, .vtp, .ply, .stl and .ovm that are changed below are valid") {
+TEST_CASE("fuzz: the files of .vtk, .vtu, .vtp, .ply, .stl, .msh and .ovm that are changed below are valid") {
   for (const seed& s : seeds)
-    for (const format_id f : {format_id(file_format::vtk), format_id(file_format::vtu), format_id(file_format::vtp), format_id(file_format::ply), format_id(file_format::stl), format_id(file_format::ovm)})
+    for (const format_id f : {format_id(file_format::vtk), format_id(file_format::vtu), format_id(file_format::vtp), format_id(file_format::ply), format_id(file_format::stl),
+                              format_id(file_format::gmsh), format_id(file_format::ovm)})
       if (s.format == f) CHECK_NOTHROW(load_any_arrays(s.text, f));
 }
 

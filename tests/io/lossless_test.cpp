@@ -103,7 +103,7 @@ TEST_CASE("lossless: verts without polys are written in every format") {
     CHECK(num_verts(back) == num_verts(m));
     CHECK(point(back, vert_id{2}) == point(m, vert_id{2}));
   };
-  for (const format_id f : {format_id(file_format::vtk), format_id(file_format::vtu), format_id(file_format::medit)}) check(volume, f), check(surface, f);
+  for (const format_id f : {format_id(file_format::vtk), format_id(file_format::vtu), format_id(file_format::medit), format_id(file_format::gmsh)}) check(volume, f), check(surface, f);
   for (const format_id f : {format_id(file_format::hedra), format_id(file_format::hybrid), format_id(file_format::tet)}) check(volume, f);
   for (const format_id f : {format_id(file_format::obj), format_id(file_format::off), format_id(file_format::vtp), format_id(file_format::ply)}) check(surface, f);
 }
@@ -111,10 +111,10 @@ TEST_CASE("lossless: verts without polys are written in every format") {
 TEST_CASE("lossless: edges without polys are lost with a word") {
   const with_loose_edges m{trimesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}})};
   for (const format_id f : {format_id(file_format::obj), format_id(file_format::off), format_id(file_format::medit), format_id(file_format::vtk),
-      format_id(file_format::vtp), format_id(file_format::ply)}) {
+      format_id(file_format::vtp), format_id(file_format::ply), format_id(file_format::gmsh)}) {
     save_report r;
     save_text(m, f, {.report = &r});
-    CHECK(r.lost == std::vector<std::string>{"2 edges without polys: ." + std::string(f == format_id(file_format::medit) ? "mesh" : f.name()) + " "
+    CHECK(r.lost == std::vector<std::string>{"2 edges without polys: ." + std::string(f == format_id(file_format::medit) ? "mesh" : f == format_id(file_format::gmsh) ? "msh" : f.name()) + " "
         "cannot store them"});
     CHECK_THROWS_AS(save_text(m, f, {.strict = true}), unsupported);
   }

@@ -30,8 +30,8 @@ template<class M, class U>
 void write_field(M& m, const U& u, const char* name, const std::string& path) {
   if (!path.empty() && !has_extension(path, ".txt")) {
     if (!has_extension(path, ".vtu") && !has_extension(path, ".vtk") && !has_extension(path, ".vtp") &&
-        !has_extension(path, ".ply"))
-      throw failure{not_written, path + ": values at verts are written to .vtu, .vtk, .vtp, .ply and .txt"};
+        !has_extension(path, ".ply") && !has_extension(path, ".msh"))
+      throw failure{not_written, path + ": values at verts are written to .vtu, .vtk, .vtp, .ply, .msh and .txt"};
     const auto values = concino::vert_property<double>(m, name);
     for (const auto v : concino::verts(m)) values[v] = u[v];
     or_fail(not_written, [&] {

@@ -40,6 +40,8 @@ void call_formats() {
   call("save_ovm", [](auto& m) { cn::save_ovm(m, "m.ovm"); }, volumes);
   call("load_ovm", [](auto& m) { cn::save_ovm(m, "m.ovm"), cn::load_ovm<std::remove_reference_t<decltype(m)>>("m.ovm"); }, volumes);
   call("save_gltf", [](auto& m) { cn::save_gltf(m, "m.glb", {.as_triangles = true, .as_boundary = true}); }, all);
+  call("save_gmsh", [](auto& m) { cn::save_gmsh(m, "m.msh"); }, all);
+  call("load_gmsh", [](auto& m) { cn::save_gmsh(m, "m.msh"), cn::load_gmsh<std::remove_reference_t<decltype(m)>>("m.msh"); }, all);
   call("save_vtu", [](auto& m) { cn::save_vtu(m, "m.vtu"); }, all);
   call("load_vtu", [](auto& m) { cn::save_vtu(m, "m.vtu"), cn::load_vtu<std::remove_reference_t<decltype(m)>>("m.vtu"); }, all);
 }

@@ -389,4 +389,10 @@ TEST_CASE("read_vtu: sizes in base64 and appended data are compared with the fil
   CHECK(says(piece("format=\"binary\"", base64(bytes_of<std::uint32_t>({24}) + origin_bytes).replace(20, 1, "!"))).starts_with("7: base64 | '!AAA"));
   CHECK(says(piece("format=\"appended\" offset=\"0\"", "")) == "7: an offset into AppendedData | 0 in the array \"\"");
   CHECK(says(piece("format=\"appended\" offset=\"x\"", "")) == "7: offset, a number | 'x'");
+  const auto values = [&](std::uint32_t bytes) {
+    return says(vtu_file(vtu_piece(1, 0, "<PointData>\n<DataArray type=\"Float64\" Name=\"x\" format=\"binary\">" + base64(bytes_of<std::uint32_t>({bytes}) + std::string(bytes, '\0')) +
+                                             "</DataArray>\n</PointData>\n<Points>\n" + vtu_array("Float64", "", "0 0 0", "NumberOfComponents=\"3\" ") + "</Points>\n")));
+  };
+  CHECK(values(8).empty());
+  CHECK(values(15) == "7: numbers of 8 bytes | 15 bytes in the array \"x\"");
 }

@@ -28,12 +28,14 @@ class vtk_xml_data : public vtk_xml_bytes {
     if (n > max_count * 16 || bytes_ != n * size)
       fail_array(a, {n, " numbers of ", size, " bytes"}, {bytes_, " bytes"});
   }
-  /// How many numbers an array has; if it is text, how many words.
+  /// How many numbers an array has; if it is text, how many words. Errors: parse_error for bytes of no whole number.
   std::uint64_t count_numbers(const vtk_xml_array& a) {
     if (a.format == "ascii") return count_words(a);
     if (is_empty(a)) return 0;
     open(a);
-    return bytes_ / vtk_names_of(a.type).size;
+    const std::uint64_t size = vtk_names_of(a.type).size;
+    if (bytes_ % size != 0) fail_array(a, {"numbers of ", size, " bytes"}, {bytes_, " bytes"});
+    return bytes_ / size;
   }
 
   /// Reads n numbers of the array's own type. Needs: require_numbers(a, n), and room for them.
