@@ -389,4 +389,12 @@ TEST_CASE("read_vtu: sizes in base64 and appended data are compared with the fil
   CHECK(says(piece("format=\"binary\"", base64(bytes_of<std::uint32_t>({24}) + origin_bytes).replace(20, 1, "!"))).starts_with("7: base64 | '!AAA"));
   CHECK(says(piece("format=\"appended\" offset=\"0\"", "")) == "7: an offset into AppendedData | 0 in the array \"\"");
   CHECK(says(piece("format=\"appended\" offset=\"x\"", "")) == "7: offset, a number | 'x'");
+  // an array of a property that ends within a number
+  const std::string points = "<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0</DataArray>\n</Points>\n";
+  const auto column = [&](std::uint32_t size) {
+    return vtu_file(vtu_piece(1, 0, points + "<PointData>\n<DataArray type=\"Float64\" Name=\"a\" format=\"binary\">" + base64(bytes_of<std::uint32_t>({size}) + origin_bytes) +
+                                        "</DataArray>\n</PointData>\n"));
+  };
+  CHECK(says(column(8)).empty());
+  CHECK(says(column(15)) == "10: numbers of 8 bytes | 15 bytes in the array \"a\"");
 }

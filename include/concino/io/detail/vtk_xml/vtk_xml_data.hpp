@@ -33,7 +33,9 @@ class vtk_xml_data : public vtk_xml_bytes {
     if (a.format == "ascii") return count_words(a);
     if (is_empty(a)) return 0;
     open(a);
-    return bytes_ / vtk_names_of(a.type).size;
+    const std::uint64_t size = vtk_names_of(a.type).size;
+    if (bytes_ % size != 0) fail_array(a, {"numbers of ", size, " bytes"}, {bytes_, " bytes"});
+    return bytes_ / size;
   }
 
   /// Reads n numbers of the array's own type. Needs: require_numbers(a, n), and room for them.
