@@ -143,9 +143,9 @@ vert_result<M> edge_collapse(M& m, edge_t<M> e, const edge_collapse_options& opt
   if (options.keep.empty()) allowed = propose();
   if constexpr (EditableGeneralMesh<M>)
     if (allowed.reason == refusal::not_simplices) {
-      auto polys = detail::collapse_at(m, e, options);
-      if (const permission p = polys.propose(options.keep); !p) return {p};
-      polys.apply(m);
+      auto general = detail::collapse_at(m, e, options);
+      if (const permission p = general.propose(options.keep); !p) return {p};
+      general.apply(m);
       return {{}, kept};
     }
   if (!allowed) return {allowed};

@@ -76,9 +76,9 @@ permission can_edge_split(const M& m, edge_t<M> e, double t = 0.5, const edit_op
   const permission p = detail::edge_split_cavity(m, e, t, c);
   if constexpr (EditableGeneralMesh<M>)
     if (detail::adds_corners<M>(p)) {
-      detail::general_cavity<M> polys(m);
-      const permission x = detail::general_split_cavity(m, e, t, polys);
-      return x ? detail::allow_general(options.keep, polys) : x;
+      detail::general_cavity<M> general(m);
+      const permission x = detail::general_split_cavity(m, e, t, general);
+      return x ? detail::allow_general(options.keep, general) : x;
     }
   if (!p) return p;
   return detail::ask(options.keep, m, c);
@@ -108,11 +108,11 @@ vert_result<M> edge_split(M& m, edge_t<M> e, double t = 0.5, const edit_options&
   const permission p = detail::edge_split_cavity(m, e, t, c);
   if constexpr (EditableGeneralMesh<M>)
     if (detail::adds_corners<M>(p)) {
-      detail::general_cavity<M> polys(m);
-      if (const permission x = detail::general_split_cavity(m, e, t, polys); !x) return {x};
-      if (const permission x = detail::allow_general(options.keep, polys); !x) return {x};
+      detail::general_cavity<M> general(m);
+      if (const permission x = detail::general_split_cavity(m, e, t, general); !x) return {x};
+      if (const permission x = detail::allow_general(options.keep, general); !x) return {x};
       typename detail::general_cavity<M>::prepared x;
-      polys.apply(m, x);
+      general.apply(m, x);
       return {{}, x.new_verts.front()};
     }
   if (!p) return {p};
