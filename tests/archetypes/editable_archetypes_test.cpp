@@ -23,7 +23,7 @@ constexpr bool is_editable_and_no_more = cn::EditableMesh<A> && cn::MutablePoint
     !cn::requirement::has_add_poly<A> && !cn::requirement::has_remove_poly<A> && !cn::requirement::has_garbage_collect<A> && !cn::requirement::has_edits<A> &&
     !cn::HasProperties<A>;
 static_assert(is_editable_and_no_more<archetype_of<cn::trimesh>> && is_editable_and_no_more<archetype_of<cn::tetmesh>>);
-static_assert(cn::arity_v<archetype_of<cn::trimesh>> == 0 && cn::arity_v<archetype_of<cn::tetmesh>> == 4);  // see cavity
+static_assert(cn::arity_v<archetype_of<cn::trimesh>> == 3 && cn::arity_v<archetype_of<cn::tetmesh>> == 4);  // see cavity
 static_assert(cn::EditableSurfaceMesh<archetype_of<cn::trimesh>> && !cn::EditableVolumeMesh<archetype_of<cn::trimesh>>);
 static_assert(cn::EditableVolumeMesh<archetype_of<cn::tetmesh>> && !cn::EditableSurfaceMesh<archetype_of<cn::tetmesh>>);
 template<class M> concept strips_temporary = requires { cn::only_editable_mesh(std::declval<M>()); };
