@@ -14,7 +14,7 @@ namespace concino {
 template<class M>
 struct face_cut_result : permission {
   edge_t<M> edge{};
-  std::array<face_t<M>, 2> faces{};
+  std::array<face_t<M>, 2> faces{face_t<M>{}, face_t<M>{}};
 };
 
 namespace detail {
@@ -96,14 +96,15 @@ face_cut_result<M> face_cut(M& m, face_t<M> f, vert_t<M> a, vert_t<M> b, const e
   detail::check_element(m, b, "face_cut", "vert");
   detail::general_cavity<M> c(m);
   std::array<std::vector<vert_t<M>>, 2> its_verts;
-  if (const permission p = detail::face_cut_cavity(m, f, a, b, c, its_verts); !p) return {p, {}, {}};
-  if (const permission p = detail::allow_general(options.keep, c); !p) return {p, {}, {}};
+  face_cut_result<M> r;
+  static_cast<permission&>(r) = detail::face_cut_cavity(m, f, a, b, c, its_verts);
+  if (r) static_cast<permission&>(r) = detail::allow_general(options.keep, c);
+  if (!r) return r;
   typename detail::general_cavity<M>::prepared x;
   c.apply(m, x);
-  const poly_t<M>& p = x.polys.front();
-  return {{},
-          detail::edge_between_verts(m, a, b),
-          {detail::face_with_verts(m, p, its_verts[0]), detail::face_with_verts(m, p, its_verts[1])}};
+  r.edge = detail::edge_between_verts(m, a, b);
+  for (unsigned i = 0; i < 2; ++i) r.faces[i] = detail::face_with_verts(m, x.polys.front(), its_verts[i]);
+  return r;
 }
 
 // What to write instead of calls that cannot compile.

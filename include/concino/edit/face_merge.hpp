@@ -88,7 +88,7 @@ face_t<M> face_with_verts(const M& m, const poly_t<M>& p, const std::vector<vert
       ++n, found += std::find(its_verts.begin(), its_verts.end(), v) != its_verts.end();
     if (n == its_verts.size() && found == n) return f;
   }
-  return {};
+  return face_t<M>{};
 }
 
 }  // namespace detail

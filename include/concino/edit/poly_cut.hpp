@@ -19,12 +19,12 @@ template<class M> struct poly_cut_result;
 template<SurfaceMesh M>
 struct poly_cut_result<M> : permission {
   edge_t<M> edge{};
-  std::array<poly_t<M>, 2> polys{};
+  std::array<poly_t<M>, 2> polys{poly_t<M>{}, poly_t<M>{}};
 };
 template<VolumeMesh M>
 struct poly_cut_result<M> : permission {
   face_t<M> face{};
-  std::array<poly_t<M>, 2> polys{};
+  std::array<poly_t<M>, 2> polys{poly_t<M>{}, poly_t<M>{}};
 };
 
 namespace detail {
@@ -106,7 +106,7 @@ facet_t<M> facet_between(const M& m, const poly_t<M>& p, const poly_t<M>& q) {
   for (const facet_t<M> f : adj_p2facet(m, p))
     for (const poly_t<M> x : adj_facet2p(m, f))
       if (x == q) return f;
-  return {};
+  return facet_t<M>{};
 }
 
 template<class M>
