@@ -97,7 +97,7 @@ class random_poly_editor {
       case p_edge_split: {
         const auto e = some_edge(m, random_);
         shape_may_change = VolumeMesh<M> && is_boundary(m, e);  // faces there may not be plane
-        return edge_split(m, e, 0.25, options());
+        return edge_split(m, e, 0.25, {.keep = options().keep});
       }
       case p_edge_merge: {
         auto v = some_vert(m, random_);

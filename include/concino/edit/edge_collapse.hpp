@@ -20,6 +20,7 @@ struct edge_collapse_options {
   std::optional<vec3> point = {};  // if given, the remaining vert lies here; values of properties are interpolated by
                                    // `at`
   bool keeps_second = false;       // b remains instead of a
+  bool only_simplices = false;     // whether other polys than triangles and tets refuse instead of losing a corner
 };
 
 namespace detail {
@@ -103,7 +104,7 @@ permission can_edge_collapse(const M& m, edge_t<M> e, const edge_collapse_option
   detail::cavity_builder<M> c(m);
   const permission p = detail::edge_collapse_cavity(m, e, options, c);
   if constexpr (EditableGeneralMesh<M>)
-    if (p.reason == refusal::not_simplices) return detail::collapse_at(m, e, options).propose(options.keep);
+    if (!options.only_simplices && p.reason == refusal::not_simplices) return detail::collapse_at(m, e, options).propose(options.keep);
   if (!p) return p;
   return detail::ask(options.keep, m, c);
 }
@@ -142,7 +143,7 @@ vert_result<M> edge_collapse(M& m, edge_t<M> e, const edge_collapse_options& opt
   }
   if (options.keep.empty()) allowed = propose();
   if constexpr (EditableGeneralMesh<M>)
-    if (allowed.reason == refusal::not_simplices) {
+    if (!options.only_simplices && allowed.reason == refusal::not_simplices) {
       auto general = detail::collapse_at(m, e, options);
       if (const permission p = general.propose(options.keep); !p) return {p};
       general.apply(m);

@@ -8,7 +8,14 @@
 #include <concino/concepts/end_verts.hpp>
 #include <concino/core/number_text.hpp>
 
+#include <vector>
+
 namespace concino {
+
+struct edge_split_options {
+  std::vector<invariant> keep = {};  // see edit_options
+  bool only_simplices = false;       // whether other polys than triangles and tets refuse instead of getting a corner
+};
 
 namespace detail {
 
@@ -69,13 +76,13 @@ inline void check_parameter(double t, const char* edit) {
 /// Needs:  EditableMesh M, an edge of m.      Result: true, or the reason.      Cost: O(polys at e).      Errors: as
 ///         edge_split.
 template<EditableMesh M>
-permission can_edge_split(const M& m, edge_t<M> e, double t = 0.5, const edit_options& options = {}) {
+permission can_edge_split(const M& m, edge_t<M> e, double t = 0.5, const edge_split_options& options = {}) {
   detail::check_element(m, e, "can_edge_split", "edge");
   detail::check_parameter(t, "can_edge_split");
   detail::cavity_builder<M> c(m);
   const permission p = detail::edge_split_cavity(m, e, t, c);
   if constexpr (EditableGeneralMesh<M>)
-    if (detail::adds_corners<M>(p)) {
+    if (!options.only_simplices && detail::adds_corners<M>(p)) {
       detail::general_cavity<M> general(m);
       const permission x = detail::general_split_cavity(m, e, t, general);
       return x ? detail::allow_general(options.keep, general) : x;
@@ -94,7 +101,7 @@ permission can_edge_split(const M& m, edge_t<M> e, double t = 0.5, const edit_op
 /// Errors: invalid_mesh if e is not an edge of m; invalid_argument if t is not between 0 and 1. The mesh is unchanged
 ///         then, also if memory runs out.
 template<EditableMesh M>
-vert_result<M> edge_split(M& m, edge_t<M> e, double t = 0.5, const edit_options& options = {}) {
+vert_result<M> edge_split(M& m, edge_t<M> e, double t = 0.5, const edge_split_options& options = {}) {
   detail::check_element(m, e, "edge_split", "edge");
   detail::check_parameter(t, "edge_split");
   if constexpr (detail::splits_edges<M>)
@@ -107,7 +114,7 @@ vert_result<M> edge_split(M& m, edge_t<M> e, double t = 0.5, const edit_options&
   detail::cavity_builder<M> c(m);
   const permission p = detail::edge_split_cavity(m, e, t, c);
   if constexpr (EditableGeneralMesh<M>)
-    if (detail::adds_corners<M>(p)) {
+    if (!options.only_simplices && detail::adds_corners<M>(p)) {
       detail::general_cavity<M> general(m);
       if (const permission x = detail::general_split_cavity(m, e, t, general); !x) return {x};
       if (const permission x = detail::allow_general(options.keep, general); !x) return {x};

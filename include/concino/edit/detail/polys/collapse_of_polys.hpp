@@ -87,11 +87,9 @@ struct collapse_of_polys {
     }
     const unsigned a = c.vert(kept);
     c.merge(a, c.vert(removed));
-    if (moves()) {
-      c.move(a, moved_to());
-      for (const poly_t<M> p : adj_v2p(m, kept))
-        if (!cavity.has(p)) c.add_neighbour(p);
-    }
+    if (moves()) c.move(a, moved_to());
+    for (const poly_t<M> p : adj_v2p(m, kept))
+      if (!cavity.has(p)) c.add_neighbour(p);
     return ask_general(keep, c);
   }
 };

@@ -21,9 +21,9 @@ class general_cavity {
   const M* m_;
   core::local_numbers numbers_, poly_numbers_;
   std::vector<vert_t<M>> verts_;
-  std::vector<poly_t<M>> polys_;        // old polys, then neighbours: polys that only have a vert that moves
+  std::vector<poly_t<M>> polys_;        // old polys, then neighbours: polys that stay, at a vert that remains of two
   std::vector<facet_t<M>> faces_;       // of the lists of these, in volumes
-  poly_lists old_, new_;                // of these; of the new polys, then of neighbours
+  poly_lists old_, new_;                // of these; of the new polys, then, if the vert moves, of neighbours
   std::vector<poly_origin> origins_;    // of new polys
   std::vector<vec3> points_;
   std::vector<std::vector<origin>> vert_origins_;  // of new verts: local numbers
@@ -71,9 +71,10 @@ class general_cavity {
     if (k == num_old_) read(p), ++num_old_;
     return k;
   }
-  /// Adds a poly that stays, but has a vert that moves. Old and new polys come before.
+  /// Adds a poly that stays, at a vert that remains of two; it may move. Old and new polys come before.
   void add_neighbour(const poly_t<M>& p) {
     read(p);
+    if (moved_ == none) return;
     const std::size_t k = polys_.size() - 1;
     for (std::size_t i = old_.first_list(k); i < old_.last_list(k); ++i) new_.add_list(old_.list(i));
     new_.end_poly();
@@ -82,6 +83,8 @@ class general_cavity {
 
   const poly_lists& old_polys() const { return old_; }
   const poly_lists& new_polys() const { return new_; }
+  /// The number of lists of old polys, without those of neighbours.
+  std::size_t num_old_lists() const { return num_old_ == 0 ? 0 : old_.last_list(num_old_ - 1); }
   unsigned num_old() const { return static_cast<unsigned>(num_old_); }
   std::size_t num_new() const { return num_new_; }
   unsigned num_polys() const { return static_cast<unsigned>(polys_.size()); }

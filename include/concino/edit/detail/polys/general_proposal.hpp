@@ -24,7 +24,8 @@ permission ask_general(const std::vector<invariant>& keep, const general_cavity<
     after.push_back(v == c.moved_vert() ? c.moved_to() : before.back());
   }
   after.insert(after.end(), c.points().begin(), c.points().end());
-  for (unsigned k = 0; k < c.num_polys(); ++k) polys.push_back(index_of(m, c.poly(k)));
+  const unsigned num_changed = c.moved_vert() == c.none ? c.num_old() : c.num_polys();
+  for (unsigned k = 0; k < num_changed; ++k) polys.push_back(index_of(m, c.poly(k)));
   poly_lists lists = c.new_polys();
   lists.renumber([&](unsigned v) { return v >= c.new_vert ? c.num_verts() + (v - c.new_vert) : v; });
   proposed_edit e;
