@@ -3,6 +3,7 @@
 
 #include <support/cgal.hpp>
 #include <support/random_edits.hpp>
+#include <support/random_poly_edits.hpp>
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -21,4 +22,11 @@ TEST_CASE("CGAL: random edits by every operator") {
                       x.add_property_map<mesh::Face_index, int>("f:number").first);
   };
   ct::edits_of_all_kinds(m, random, ct::kept_values<decltype(maps_of)>{maps_of});
+}
+
+TEST_CASE("CGAL: random edits of polygons") {
+  std::mt19937 random(13);
+  const mesh m = ct::cgal_surface<mesh::Point>(ct::polygon_grid(3));
+  const auto count = ct::edit_polys_at_random(m, random, ct::long_run() ? 500000 : 5000);
+  for (unsigned what = 0; what <= ct::p_collapse; ++what) CHECK_MESSAGE(count.done[what] > 0, "operator " << what);
 }

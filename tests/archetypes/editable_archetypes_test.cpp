@@ -23,7 +23,7 @@ constexpr bool is_editable_and_no_more = cn::EditableMesh<A> && cn::MutablePoint
     !cn::requirement::has_add_poly<A> && !cn::requirement::has_remove_poly<A> && !cn::requirement::has_garbage_collect<A> && !cn::requirement::has_edits<A> &&
     !cn::HasProperties<A>;
 static_assert(is_editable_and_no_more<archetype_of<cn::trimesh>> && is_editable_and_no_more<archetype_of<cn::tetmesh>>);
-static_assert(cn::arity_v<archetype_of<cn::trimesh>> == 0 && cn::arity_v<archetype_of<cn::tetmesh>> == 4);  // see cavity
+static_assert(cn::arity_v<archetype_of<cn::trimesh>> == 3 && cn::arity_v<archetype_of<cn::tetmesh>> == 4);  // see cavity
 static_assert(cn::EditableSurfaceMesh<archetype_of<cn::trimesh>> && !cn::EditableVolumeMesh<archetype_of<cn::trimesh>>);
 static_assert(cn::EditableVolumeMesh<archetype_of<cn::tetmesh>> && !cn::EditableSurfaceMesh<archetype_of<cn::tetmesh>>);
 template<class M> concept strips_temporary = requires { cn::only_editable_mesh(std::declval<M>()); };
@@ -125,6 +125,57 @@ TEST_CASE_TEMPLATE("editable archetypes: merging and splitting of verts", M, cn:
     CHECK(cn::split_vert_fans(m, named(m, first)).size() == 1);
     CHECK(cn::split_vert_fans(m).empty());
     return made;
+  });
+}
+
+TEST_CASE("editable archetypes: polygons and polyhedra") {
+  const auto surface = cn::testing::grid<cn::polygonmesh>(3);
+  const cn::poly_id p{0};
+  const auto corner = [](const auto& m, const auto& x, std::size_t k) {
+    auto i = cn::adj_p2v(m, x).begin();
+    for (; k > 0; --k) ++i;
+    return *i;
+  };
+  const auto cut = [&](auto& m) { return cn::poly_cut(m, named(m, p), corner(m, named(m, p), 1), corner(m, named(m, p), 4)); };
+  edits_alike(surface, [&](auto& m) -> cn::permission {
+    CHECK(cn::can_poly_cut(m, named(m, p), corner(m, named(m, p), 1), corner(m, named(m, p), 4)));
+    return cut(m);
+  });
+  edits_alike(surface, [&](auto& m) -> cn::permission {
+    const auto made = cut(m);
+    CHECK(cn::can_merge_polys(m, made.edge));
+    cn::merge_polys(m, made.edge);
+    return cn::merge_polys(m, *cn::adj_p2e(m, named(m, cn::poly_id{1})).begin());
+  });
+  const auto volume = cn::testing::grid<cn::polyhedralmesh>(1);
+  const auto in_both = [&](const auto& start) {
+    edits_alike(start, [&](auto& m) -> cn::permission {
+      const auto made = cn::edge_split(m, named(m, cn::edge_id{0}));
+      CHECK(cn::can_edge_merge(m, made.vert));
+      cn::edge_merge(m, made.vert);
+      return cn::edge_split(m, named(m, cn::edge_id{0}));
+    });
+    edits_alike(start, [&](auto& m) -> cn::permission { return cn::edge_collapse(m, named(m, collapsible(start)), {.keep = {cn::no_inversion}}); });
+    edits_alike(start, [&](auto& m) -> cn::permission {
+      const auto all = cn::make_poly_map<int>(m, 0);
+      return cn::merge_polys(m, all);
+    });
+  };
+  in_both(surface);
+  in_both(volume);
+  edits_alike(volume, [&](auto& m) -> cn::permission {
+    const auto f = *cn::adj_p2f(m, named(m, cn::poly_id{1})).begin();
+    std::vector<cn::vert_t<std::remove_cvref_t<decltype(m)>>> v;
+    for (const auto x : cn::adj_f2v(m, f)) v.push_back(x);
+    CHECK(cn::can_face_cut(m, f, v[0], v[2]));
+    const auto made = cn::face_cut(m, f, v[0], v[2]);
+    CHECK(cn::can_face_merge(m, made.faces[0], made.faces[1]));
+    cn::face_merge(m, made.faces[0], made.faces[1]);
+    std::vector<cn::edge_t<std::remove_cvref_t<decltype(m)>>> loop;
+    for (const auto e : cn::adj_f2e(m, *cn::adj_p2f(m, named(m, cn::poly_id{0})).begin())) loop.push_back(e);
+    CHECK_FALSE(cn::can_poly_cut(m, named(m, cn::poly_id{0}), loop));
+    CHECK_FALSE(cn::poly_cut(m, named(m, cn::poly_id{0}), loop));
+    return cn::face_cut(m, *cn::adj_p2f(m, named(m, cn::poly_id{1})).begin(), v[1], v[3]);
   });
 }
 

@@ -72,16 +72,16 @@ TEST_CASE("edge_split: refuses quads, and throws for edges of other meshes and p
   CHECK(cn::testing::whole(m) == old);
 }
 
-TEST_CASE("edge_split: a mesh of general polygons, where all polys at the edge are triangles") {
+TEST_CASE("edge_split: a mesh of general polygons: triangles are divided, if no other polys are at the edge") {
   cn::polygonmesh m({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}}, {{0, 1, 2}, {0, 2, 3}, {1, 4, 5, 2}});
   for (const auto e : cn::edges(m)) {
     cn::polygonmesh copy = m;
-    const bool at_quad = [&] {
-      for (const auto p : cn::adj_e2p(m, e))
-        if (p == cn::poly_id{2}) return true;
-      return false;
-    }();
-    CHECK(bool(cn::edge_split(copy, e)) == !at_quad);
+    std::size_t num_triangles = 0, num_quads = 0;
+    for (const auto p : cn::adj_e2p(m, e)) ++(cn::num_elements(cn::adj_p2v(m, p)) == 3 ? num_triangles : num_quads);
+    REQUIRE(cn::can_edge_split(copy, e));
+    REQUIRE(cn::edge_split(copy, e));
+    CHECK(cn::num_polys(copy) == 3 + (num_quads == 0 ? num_triangles : 0));
+    CHECK(cn::total_measure(copy) == doctest::Approx(2));
     keeps_all_laws(copy);
     equals_rebuilt(copy);
   }
@@ -121,19 +121,25 @@ TEST_CASE("edge_split: tets, inside, at the boundary and around one edge that ha
   }
 }
 
-TEST_CASE("edge_split and other operators refuse general polyhedra, also if they are tetrahedra") {
+TEST_CASE("operators on tets refuse general polyhedra, also if they are tetrahedra; edge_split gives these a vert more") {
   cn::polyhedralmesh m;
   std::vector<cn::vert_id> v;
   for (const cn::vec3& x : {cn::vec3{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) v.push_back(cn::add_vert(m, x));
   const auto a = cn::add_face(m, {v[0], v[2], v[1]}), b = cn::add_face(m, {v[0], v[1], v[3]}), c = cn::add_face(m, {v[1], v[2], v[3]}), d = cn::add_face(m, {v[0], v[3], v[2]});
   const cn::poly_id p = cn::add_poly(m, {{a, true}, {b, true}, {c, true}, {d, true}});
   const auto before = cn::testing::whole(m);
-  CHECK(cn::can_edge_split(m, cn::edge_id{0}).reason == cn::refusal::not_simplices);
-  CHECK(cn::edge_split(m, cn::edge_id{0}).reason == cn::refusal::not_simplices);
-  CHECK(cn::edge_collapse(m, cn::edge_id{0}).reason == cn::refusal::not_simplices);
+  CHECK(cn::edge_collapse(m, cn::edge_id{0}).reason == cn::refusal::link_condition);  // the last tet
   CHECK(cn::poly_split(m, p).reason == cn::refusal::not_simplices);
   CHECK(cn::face_split(m, a, {0.3, 0.3, 0}).reason == cn::refusal::not_simplices);
   CHECK(cn::testing::whole(m) == before);
+  REQUIRE(cn::can_edge_split(m, cn::edge_id{0}));
+  const auto made = cn::edge_split(m, cn::edge_id{0}, 0.25);
+  REQUIRE(made);
+  CHECK(cn::num_polys(m) == 1);
+  CHECK(cn::num_elements(cn::adj_p2v(m, p)) == 5);
+  CHECK(cn::num_elements(cn::adj_v2e(m, made.vert)) == 2);
+  keeps_all_laws(m);
+  equals_rebuilt(m);
 }
 
 TEST_CASE("edge_split: polys on the same verts are refused, as edges would become one") {

@@ -56,6 +56,15 @@ template<class M> concept EditableMesh = AnyMesh<M> && MutablePoints<M> && requi
 template<class M> concept EditableSurfaceMesh = SurfaceMesh<M> && MutablePoints<M> && requirement::has_rewire<M>;
 template<class M> concept EditableVolumeMesh = VolumeMesh<M> && MutablePoints<M> && requirement::has_rewire<M>;
 
+namespace requirement {
+
+template<class M> concept has_polys_of_any_size = arity_v<M> == 0;  // others become a polygonmesh or a polyhedralmesh by convert<polygonmesh>(m) or convert<polyhedralmesh>(m)
+
+}  // namespace requirement
+
+/// An EditableMesh whose polys may have any number of verts, such as polygonmesh and polyhedralmesh.
+template<class M> concept EditableGeneralMesh = EditableMesh<M> && requirement::has_polys_of_any_size<M>;
+
 /// Fails to compile with one sentence that names the first thing M lacks to be an EditableMesh and what to write.
 template<class M>
 consteval void explain_editable_mesh() {

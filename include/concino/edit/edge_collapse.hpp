@@ -1,8 +1,9 @@
-// Collapses an edge of triangles or tets: its two ends become one vert.
+// Collapses an edge: its two ends become one vert.
 #pragma once
 
 #include <concino/edit/detail/direct_edits.hpp>
 #include <concino/edit/detail/link_condition.hpp>
+#include <concino/edit/detail/polys/collapse_of_polys.hpp>
 #include <concino/edit/detail/propose.hpp>
 
 #include <concino/concepts/end_verts.hpp>
@@ -19,12 +20,10 @@ struct edge_collapse_options {
   std::optional<vec3> point = {};  // if given, the remaining vert lies here; values of properties are interpolated by
                                    // `at`
   bool keeps_second = false;       // b remains instead of a
+  bool only_simplices = false;     // whether other polys than triangles and tets refuse instead of losing a corner
 };
 
 namespace detail {
-
-inline constexpr permission breaks_link_condition{
-    refusal::link_condition, "the link condition does not hold: parts of the mesh would touch or vanish"};
 
 /// Old polys are those at the end that is removed, first the ones that the other end lacks; neighbours the other ones
 /// at the end that remains.
@@ -71,6 +70,13 @@ permission edge_collapse_cavity(const M& m, const edge_t<M>& e, const edge_colla
   return {};
 }
 
+template<class M>
+collapse_of_polys<M> collapse_at(const M& m, const edge_t<M>& e, const edge_collapse_options& options) {
+  const auto ends = end_verts(m, e);
+  if (options.keeps_second) return {m, ends.second, ends.first, 1 - options.at, options.point};
+  return {m, ends.first, ends.second, options.at, options.point};
+}
+
 inline void check_collapse(const edge_collapse_options& options, const char* edit) {
   if (!(options.at >= 0 && options.at <= 1))
     core::throw_joined<invalid_argument>(
@@ -84,9 +90,11 @@ inline void check_collapse(const edge_collapse_options& options, const char* edi
 /// Whether e can be collapsed without a change of the topology: the link condition holds. Boundaries, non-manifold
 /// edges and non-manifold verts are kept.
 /// Needs:  EditableMesh M, an edge of m.
-/// Result: true, or the reason: a poly at an end is no simplex, the link condition does not hold, as for the last
-///         triangle or tet of a part, or an invariant does not hold.
-/// Cost:   the polys at the ends, and sorting these.
+/// Result: true, or the reason: the link condition does not hold, as for the last triangle or tet of a part; two faces
+///         or two polys would have the same verts; two polys, each at one end, would share more than a chain of edges
+///         or a disk of faces; a polyhedron that is no tet would keep fewer than four faces; a poly at an end is one of
+///         a quadmesh or hexmesh; or an invariant does not hold.
+/// Cost:   the polys at the ends, and sorting these; of general polys also the pairs of them that share a vert.
 /// Errors: as edge_collapse.
 /// Source: Dey, Edelsbrunner, Guha and Nekhayev 1999, "Topology preserving edge contraction".
 template<EditableMesh M>
@@ -94,12 +102,15 @@ permission can_edge_collapse(const M& m, edge_t<M> e, const edge_collapse_option
   detail::check_element(m, e, "can_edge_collapse", "edge");
   detail::check_collapse(options, "can_edge_collapse");
   detail::cavity_builder<M> c(m);
-  if (const permission p = detail::edge_collapse_cavity(m, e, options, c); !p) return p;
+  const permission p = detail::edge_collapse_cavity(m, e, options, c);
+  if constexpr (EditableGeneralMesh<M>)
+    if (!options.only_simplices && p.reason == refusal::not_simplices) return detail::collapse_at(m, e, options).propose(options.keep);
+  if (!p) return p;
   return detail::ask(options.keep, m, c);
 }
 
-/// Collapses e: its first end remains, or its second one if the options say so; the other end and the polys at e are
-/// removed.
+/// Collapses e: its first end remains, or its second one if the options say so. The other end and the triangles or tets
+/// at e are removed. Other polys at e, and their faces, lose a corner, and triangles at e that are faces vanish.
 /// Needs:  EditableMesh M.
 /// Result: the remaining vert, or the reason why not. The other polys at the removed end keep their descriptors, and
 ///         their corners there are now at the remaining end; they are those that vert_split needs to undo the collapse.
@@ -120,18 +131,25 @@ vert_result<M> edge_collapse(M& m, edge_t<M> e, const edge_collapse_options& opt
     const permission p = detail::edge_collapse_cavity(m, e, options, c);
     return p ? detail::ask(options.keep, m, c) : p;
   };
-  if (!options.keep.empty())
-    if (const permission p = propose(); !p) return {p};
+  permission allowed;
+  if (!options.keep.empty()) allowed = propose();
   if constexpr (detail::collapses_edges<M>) {
-    if (!options.keeps_second) {
+    if (allowed && !options.keeps_second) {
       const vec3 at = options.point ? *options.point
                                     : detail::point_between(to_vec3(point(m, ends.first)),
                                                             to_vec3(point(m, ends.second)), options.at);
       if (traits<M>::collapse_edge(m, e, at)) return {{}, kept};
     }
   }
-  if (options.keep.empty())
-    if (const permission p = propose(); !p) return {p};
+  if (options.keep.empty()) allowed = propose();
+  if constexpr (EditableGeneralMesh<M>)
+    if (!options.only_simplices && allowed.reason == refusal::not_simplices) {
+      auto general = detail::collapse_at(m, e, options);
+      if (const permission p = general.propose(options.keep); !p) return {p};
+      general.apply(m);
+      return {{}, kept};
+    }
+  if (!allowed) return {allowed};
   c.apply(m);
   return {{}, kept};
 }

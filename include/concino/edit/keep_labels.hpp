@@ -8,10 +8,10 @@ namespace concino {
 
 namespace detail {
 
-template<class M, class F>
+template<class M, class Cavity, class F>
 class label_checker {
   const M& m_;
-  const cavity_builder<M>& c_;
+  const Cavity& c_;
   const F& label_;
 
   bool are_equal(unsigned k, unsigned j) const { return label_(c_.poly(k)) == label_(c_.poly(j)); }
@@ -27,7 +27,7 @@ class label_checker {
   }
 
  public:
-  label_checker(const M& m, const cavity_builder<M>& c, const F& label) : m_(m), c_(c), label_(label) {}
+  label_checker(const M& m, const Cavity& c, const F& label) : m_(m), c_(c), label_(label) {}
 
   bool collapse_keeps_labels() const {
     const unsigned a = c_.kept_vert(), b = c_.removed_vert();
@@ -47,8 +47,8 @@ class label_checker {
 
 }  // namespace detail
 
-/// Refuses edits of m that change the regions of polys with equal labels. Those are flips of polys with different
-/// labels, collapses that join two places of the boundary of a region, and collapses that move a vert of the boundary
+/// Refuses edits of m that change the regions of polys with equal labels. Those are flips and merges of polys with
+/// different labels, collapses that join two places of the boundary of a region, and collapses that move a vert of the boundary
 /// between regions, except along it.
 /// Needs:  EditableMesh M; a map of polys, or a function of polys, to anything with ==. One that is large or owns
 ///         memory must be an lvalue that outlives the invariant. New polys take the labels of those that they come from
@@ -60,13 +60,14 @@ template<EditableMesh M, class F>
   requires(core::caller_map<std::remove_cvref_t<F>>::template can_hold<F>)
 invariant keep_labels(const M& m, F&& labels) {
   return [&m, map = core::caller_map<std::remove_cvref_t<F>>(labels)](const proposed_edit& e) -> permission {
-    const auto& c = core::cavity_of_edit(e, m, "keep_labels");
-    const detail::label_checker<M, decltype(map)> checker(m, c, map);
-    if (!checker.new_polys_have_one_label())
-      return {refusal::invariant, "keep_labels: polys of different labels would be mixed"};
-    if (c.removed_vert() != c.none && !checker.collapse_keeps_labels())
-      return {refusal::invariant, "keep_labels: the boundary between labels would change"};
-    return {};
+    return core::with_cavity_of_edit(e, m, "keep_labels", [&]<class Cavity>(const Cavity& c) -> permission {
+      const detail::label_checker<M, Cavity, std::remove_cvref_t<decltype(map)>> checker(m, c, map);
+      if (!checker.new_polys_have_one_label())
+        return {refusal::invariant, "keep_labels: polys of different labels would be mixed"};
+      if (c.removed_vert() != c.none && !checker.collapse_keeps_labels())
+        return {refusal::invariant, "keep_labels: the boundary between labels would change"};
+      return {};
+    });
   };
 }
 

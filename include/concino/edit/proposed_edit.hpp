@@ -1,5 +1,5 @@
-// proposed_edit: an edit of triangles or tets that is about to be made, for invariants, which decide whether it is
-// allowed. `invariant` holds any of them.
+// proposed_edit: an edit of polys that is about to be made, for invariants, which decide whether it is allowed.
+// `invariant` holds any of them.
 //
 //   auto small = [](const cn::proposed_edit& e) {
 //     return e.num_new_polys() < 40 ? cn::permission{} : cn::permission{cn::refusal::invariant, "too many polys"};
@@ -24,12 +24,32 @@ struct poly_origin {
   unsigned first, count;
 };
 
-/// Verts have local numbers: the existing ones, then the new one if there is one. Polys are lists of `corners_per_poly`
-/// of these, in the order of adj_p2v.
+/// The polygon of a poly, or its faces, which run counter-clockwise seen from outside: lists of local numbers of verts.
+class proposed_lists {
+  std::span<const unsigned> corners_, ends_;  // of all polys
+  std::size_t first_, last_;
+
+  std::size_t start(std::size_t i) const { return i == 0 ? 0 : ends_[i - 1]; }
+
+ public:
+  proposed_lists(std::span<const unsigned> corners, std::span<const unsigned> ends, std::size_t first,
+                 std::size_t last)
+      : corners_(corners), ends_(ends), first_(first), last_(last) {}
+  std::size_t size() const { return last_ - first_; }
+  std::span<const unsigned> operator[](std::size_t i) const {
+    return corners_.subspan(start(first_ + i), ends_[first_ + i] - start(first_ + i));
+  }
+  /// The corners of all lists.
+  std::span<const unsigned> all() const { return corners_.subspan(start(first_), start(last_) - start(first_)); }
+};
+
+/// Verts have local numbers: the existing ones, then the new ones. Polys are lists of `corners_per_poly` of these, in
+/// the order of adj_p2v; in edits of polys with any number of verts, see old_lists and new_lists.
 struct proposed_edit {
   static constexpr unsigned none = ~0u;
 
-  unsigned corners_per_poly = 0;               // 3: triangles, 4: tets
+  unsigned corners_per_poly = 0;               // 3: triangles, 4: tets, 0: polys with any number of verts
+  unsigned dimension = 0;                      // if it is 0: of polygons 2, of polyhedra 3
   std::span<const std::size_t> verts;          // index_of the existing verts
   std::span<const vec3> points_before;         // of existing verts
   std::span<const vec3> points_after;          // of all verts
@@ -43,14 +63,26 @@ struct proposed_edit {
   const void* mesh = nullptr;                  // the mesh, and what the invariants of this library ask about it
   const void* cavity = nullptr;
   const void* mesh_type = nullptr;
+  // If corners_per_poly is 0: where lists end in the corners, and polys in the lists.
+  std::span<const unsigned> old_ends, old_poly_ends, new_ends, new_poly_ends;
 
   std::size_t num_old_polys() const { return old_polys.size(); }
   std::size_t num_new_polys() const { return origins.size(); }
+  /// The corners of a poly; if corners_per_poly is 0, those of all its lists.
   std::span<const unsigned> old_poly(std::size_t k) const {
+    if (corners_per_poly == 0) return old_lists(k).all();
     return old_corners.subspan(k * corners_per_poly, corners_per_poly);
   }
   std::span<const unsigned> new_poly(std::size_t k) const {
+    if (corners_per_poly == 0) return new_lists(k).all();
     return new_corners.subspan(k * corners_per_poly, corners_per_poly);
+  }
+  /// If corners_per_poly is 0: the polygon of a poly, or its faces.
+  proposed_lists old_lists(std::size_t k) const {
+    return {old_corners, old_ends, k == 0 ? 0 : old_poly_ends[k - 1], old_poly_ends[k]};
+  }
+  proposed_lists new_lists(std::size_t k) const {
+    return {new_corners, new_ends, k == 0 ? 0 : new_poly_ends[k - 1], new_poly_ends[k]};
   }
 };
 

@@ -89,6 +89,7 @@ decimation decimate(M& m, const decimate_options& input_options) {
   if (options.measure_error) input = convert<polygonmesh>(m);
   std::optional<detail::bounded_collapses<M>> bound;
   edge_collapse_options collapse{options.keep};
+  collapse.only_simplices = true;
   if (is_limited) {
     bound.emplace(m, options.max_error, "decimate");
     collapse.keep.push_back([&bound](const proposed_edit& e) { return bound->ask(e); });

@@ -6,8 +6,8 @@
 
 namespace concino::archetypes {
 
-// In volumes the arity says how a cavity lists new polys, so it is not hidden.
-template<class M> inline constexpr parts editable_parts = dimension_v<M> == 3 ? mesh | points | arity : mesh | points;
+// The arity says which new polys a cavity may list, and how, so it is not hidden.
+template<class M> inline constexpr parts editable_parts = mesh | points | arity;
 
 /// A view of a mesh that changes it.
 template<class M>

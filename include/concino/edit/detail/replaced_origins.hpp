@@ -14,8 +14,9 @@
 
 namespace concino::detail {
 
-/// Verts have local numbers, those of the cavity. Edges and faces that old polys have keep their values; others come
-/// from the one old edge or face that has all verts of which theirs were made, or have none.
+/// Verts have local numbers, those of the cavity. Edges and faces that old polys have keep their values. Others come
+/// from the one old edge or face that has all verts of which theirs were made; else from those that vanish and have no
+/// other verts, apart from removed ones; or they have none.
 template<class M>
 class replaced_origins {
   using key = std::vector<unsigned>;  // sorted numbers of verts
@@ -24,6 +25,7 @@ class replaced_origins {
   const cavity<M>& c_;
   const correspondence& from_;
   edit_values<M>& to_;
+  core::local_numbers number_of_vert_;  // in the cavity
 
   std::size_t num_polys() const { return (c_.poly_ends.size() > 0 ? c_.poly_ends : c_.ends).size(); }
   /// Calls f(first, last) for the corners of each polygon of new poly k: its faces, or itself.
@@ -69,10 +71,38 @@ class replaced_origins {
     return all;
   }
 
+  using old_list = std::vector<std::pair<std::vector<std::uint32_t>, std::size_t>>;  // verts and index
+
+  /// The old edges or faces that vanish, and have only these verts and removed ones. keys: of all new polys.
+  void add_vanished(const old_list& old, const std::vector<std::pair<std::uint32_t, std::size_t>>& old_at,
+                    const std::vector<key>& keys, const std::vector<std::uint32_t>& wanted,
+                    std::vector<origin>& found) const {
+    std::vector<std::uint32_t> allowed = wanted;
+    for (std::size_t i = c_.verts.size() - c_.removed; i < c_.verts.size(); ++i)
+      allowed.push_back(static_cast<std::uint32_t>(index_of(m_, c_.verts[i])));
+    std::sort(allowed.begin(), allowed.end());
+    const auto stays = [&](const std::vector<std::uint32_t>& list) {
+      key local;  // by number in the cavity
+      for (const std::uint32_t v : list) local.push_back(number_of_vert_.find(v));
+      return std::binary_search(keys.begin(), keys.end(), sorted(local));
+    };
+    for (const std::uint32_t v : wanted) {
+      const auto at = std::equal_range(old_at.begin(), old_at.end(), std::pair{v, std::size_t{0}},
+                                       [](const auto& a, const auto& b) { return a.first < b.first; });
+      for (auto i = at.first; i != at.second; ++i) {
+        const auto& [list, index] = old[i->second];
+        const origin one{static_cast<std::uint32_t>(index)};
+        if (std::includes(allowed.begin(), allowed.end(), list.begin(), list.end()) && !stays(list) &&
+            std::find(found.begin(), found.end(), one) == found.end())
+          found.push_back(one);
+      }
+    }
+  }
+
   /// Finds the new edges or faces, and their origins among those of the old polys.
   template<class Old>
   void add_edges_or_faces(element_kind kind, unsigned n, const Old& for_each_old) {
-    std::vector<std::pair<std::vector<std::uint32_t>, std::size_t>> old;  // verts and index
+    old_list old;
     for_each_old([&](const auto& its_verts, std::size_t index) {
       std::vector<std::uint32_t> list;
       for (const vert_t<M> v : its_verts) list.push_back(static_cast<std::uint32_t>(index_of(m_, v)));
@@ -103,12 +133,13 @@ class replaced_origins {
         if (const auto& list = old[i->second];
             std::includes(list.first.begin(), list.first.end(), wanted.begin(), wanted.end()))
           found.push_back({static_cast<std::uint32_t>(list.second)});
+      if (found.empty() && x.back() < c_.verts.size()) add_vanished(old, old_at, keys, wanted, found);
       to_.add_edge_or_face(kind, x, found, found);
     }
   }
 
-  /// A corner at a vert that was there comes from the corner of the same poly there, one at a new vert from those at
-  /// the verts of which that was made.
+  /// A corner at a vert that was there comes from the corners there of the polys of which its own was made, one at a new
+  /// vert from those at the verts of which that was made.
   void add_corners() {
     core::local_numbers old_polys;
     for (const poly_t<M>& p : c_.polys) old_polys.add(index_of(m_, p));
@@ -119,12 +150,14 @@ class replaced_origins {
         for (; first != last; ++first)
           if (std::find(its_verts.begin(), its_verts.end(), *first) == its_verts.end()) its_verts.push_back(*first);
       });
-      const poly_t<M>& p = c_.polys[old_polys.find((*from_.polys[k].begin()).index)];
       const auto add = [&](std::uint32_t vert, double weight, std::vector<origin>& to) {
-        auto corner = static_cast<std::uint32_t>(traits<M>::first_corner(m_, p));
-        for (const vert_t<M> v : adj_p2v(m_, p)) {
-          if (index_of(m_, v) == vert) to.push_back({corner, weight});
-          ++corner;
+        for (const origin o : from_.polys[k]) {
+          const poly_t<M>& p = c_.polys[old_polys.find(o.index)];
+          auto corner = static_cast<std::uint32_t>(traits<M>::first_corner(m_, p));
+          for (const vert_t<M> v : adj_p2v(m_, p)) {
+            if (index_of(m_, v) == vert) to.push_back({corner, weight});
+            ++corner;
+          }
         }
       };
       for (const unsigned v : its_verts) {
@@ -151,7 +184,9 @@ class replaced_origins {
 
  public:
   replaced_origins(const M& m, const cavity<M>& c, const correspondence& from, edit_values<M>& to)
-      : m_(m), c_(c), from_(from), to_(to) {}
+      : m_(m), c_(c), from_(from), to_(to) {
+    for (const vert_t<M>& v : c.verts) number_of_vert_.add(index_of(m, v));
+  }
 
   void add(const property_set& all) {
     add_verts_and_polys();

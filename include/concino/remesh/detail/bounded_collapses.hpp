@@ -103,7 +103,7 @@ class bounded_collapses {
         boundary_(boundary_edges(), unit_.length_to_unit(max_error)) {}
 
   permission ask(const proposed_edit& e) {
-    find_changes(e, core::cavity_of_edit(e, m_, "decimate"));
+    find_changes(e, core::cavity_of_simplices(e, m_, "decimate"));
     if (surface_.stays_near(polys_) && boundary_.stays_near(lines_)) return {};
     return {refusal::invariant, "options.max_error: the surface would be too far from the input"};
   }

@@ -108,7 +108,7 @@ class flat_triangles {
         if (std::find(on_lines.begin(), on_lines.end(), other) != on_lines.end()) return false;
         on_lines.push_back(other);
       }
-    const auto r = edge_collapse(m_, e, {.at = keeps_b ? 1.0 : 0.0});
+    const auto r = edge_collapse(m_, e, {.at = keeps_b ? 1.0 : 0.0, .only_simplices = true});
     if (!r) return false;
     lines_.set(m_, r.vert, std::max(of_a, of_b));
     for (const edge_t<M> f : adj_v2e(m_, r.vert)) {
@@ -143,7 +143,7 @@ class flat_triangles {
     const double whole = dot(along, along), at = whole > 0 ? dot(t.points[t.top] - x, along) / whole : 0;
     if (!(at > 0 && at < 1) || lines_.freedom(m_, t.verts[t.top]) != vert_freedom::surface) return false;
     const bool was_on_line = lines_.has(m_, e);
-    const auto r = edge_split(m_, e, at);
+    const auto r = edge_split(m_, e, at, {.only_simplices = true});
     if (!r) return false;
     lines_.split(m_, was_on_line, r.vert, a, b);
     edge_t<M> back{};
@@ -157,7 +157,7 @@ class flat_triangles {
       if (ends.first == a || ends.second == a) back = f;
     }
     const bool keeps_second = end_verts(m_, back).second == a;
-    edge_collapse(m_, back, {.at = keeps_second ? 1.0 : 0.0, .keeps_second = keeps_second});
+    edge_collapse(m_, back, {.at = keeps_second ? 1.0 : 0.0, .keeps_second = keeps_second, .only_simplices = true});
     for (const edge_t<M> f : adj_v2e(m_, a)) {
       const auto ends = end_verts(m_, f);
       if (ends.first == b || ends.second == b) lines_.set(m_, f, was_on_line);

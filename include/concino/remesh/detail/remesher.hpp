@@ -62,7 +62,7 @@ class remesher : sized_surface<M> {
       for (std::size_t i = 0; i < on_lines.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
           if (on_lines[i] == on_lines[j]) return false;
-    const auto r = edge_collapse(m_, e, {.at = t});
+    const auto r = edge_collapse(m_, e, {.at = t, .only_simplices = true});
     if (!r) return false;
     lines.set(m_, r.vert, std::max(of_a, of_b));
     set(r.vert, size, normal);
@@ -176,7 +176,7 @@ class remesher : sized_surface<M> {
       const bool is_on_line = lines.has(m_, e);
       const double size = 0.5 * (size_at(a) + size_at(b));
       const vec3 normal = direction(normal_at(a) + normal_at(b));
-      const auto r = edge_split(m_, e);
+      const auto r = edge_split(m_, e, 0.5, {.only_simplices = true});
       if (!r) continue;
       ++num_splits;
       lines.split(m_, is_on_line, r.vert, a, b);
