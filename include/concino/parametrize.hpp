@@ -1,0 +1,6 @@
+// UV maps: disks of any polys as parts of the plane, and how much that distorts them.
+#pragma once
+
+#include <concino/parametrize/map_distortion.hpp>
+#include <concino/parametrize/tutte.hpp>
+#include <concino/parametrize/uv_map.hpp>
