@@ -1,7 +1,6 @@
 // map_distortion(m, uv): how much a map of a surface to the plane changes angles and areas, and where it is flipped.
 #pragma once
 
-#include <concino/concepts/maps.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/mesh/corner.hpp>
 #include <concino/parametrize/detail/distortion.hpp>
@@ -27,16 +26,6 @@ struct map_distortion_result {
   double max_stretch = 1;                // of all polys
   double scale = 0;  // the area in the plane, without regard to its sign, divided by that on the surface
 };
-
-namespace detail {
-
-/// u[x] is a point of the plane.
-template<class U, class X> concept gives_uv = requires(const std::remove_cvref_t<U>& u, const X& x) {
-  { u[x][0] } -> std::convertible_to<double>;
-  { u[x][1] } -> std::convertible_to<double>;
-};
-
-}  // namespace detail
 
 /// Measures a map of a surface to the plane, such as lscm(m), poly by poly. Each poly is cut into triangles by
 /// diagonals, and the map is linear on each of these. A value of a poly is the worst one of its triangles.

@@ -6,14 +6,24 @@
 #include <concino/parametrize/detail/flat_polys.hpp>
 #include <concino/parametrize/uv_map.hpp>
 
+#include <cmath>
+#include <concepts>
 #include <limits>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace concino::detail {
 
 /// What a surface must be for maps to the plane.
 template<class M>
 concept can_be_mapped = requirement::is_lvalue_or_view<M> && SurfaceMesh<M> && Embedded<M>;
+
+/// u[x] is a point of the plane.
+template<class U, class X> concept gives_uv = requires(const std::remove_cvref_t<U>& u, const X& x) {
+  { u[x][0] } -> std::convertible_to<double>;
+  { u[x][1] } -> std::convertible_to<double>;
+};
 
 /// Flat arrays and the verts of the mesh by their numbers there. Verts of no poly have none.
 template<class M, class Flat>
