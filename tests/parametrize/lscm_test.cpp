@@ -157,7 +157,8 @@ TEST_CASE("lscm, spectral_conformal: all disks of the corpus, and bad input") {
   CHECK_THROWS_AS((void)lscm(ball), invalid_mesh);
   CHECK_THROWS_AS((void)spectral_conformal(ball), invalid_mesh);
   const trimesh flat({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
-  CHECK_THROWS_WITH_AS((void)lscm(flat), "lscm: poly 0 has no area; repair(m, {.degenerate = degenerate_elements::collapse}) removes such triangles", invalid_mesh);
+  CHECK_THROWS_WITH_AS((void)lscm(flat),
+                       "lscm: poly 0 has no area; repair(m, {.degenerate = degenerate_elements::collapse}) removes such triangles", invalid_mesh);
   CHECK_THROWS_AS((void)spectral_conformal(flat), invalid_mesh);
   const polygonmesh none;
   CHECK_THROWS_AS((void)lscm(none), invalid_mesh);

@@ -176,7 +176,8 @@ TEST_CASE("tutte: pieces that two verts separate from the boundary") {
   CHECK(c.attached[0].verts.size() == 2);
   CHECK(std::set<unsigned>{c.attached[0].at[0].raw(), c.attached[0].at[1].raw()} == std::set<unsigned>{0, 2});
   // Boundary verts that separate pieces with boundary are no trouble.
-  const auto two = polygons({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}), one = polygons({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+  const auto two = polygons({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
+  const auto one = polygons({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
   CHECK(tutte(two).attached.empty());
   CHECK(tutte(one).attached.empty());
 }
