@@ -1,0 +1,5 @@
+// Deformation: cages, skinning, and shapes that bend by handles.
+#pragma once
+
+#include <concino/deform/cage_coordinates.hpp>
+#include <concino/deform/cage_weights.hpp>
