@@ -3,3 +3,5 @@
 
 #include <concino/deform/cage_coordinates.hpp>
 #include <concino/deform/cage_weights.hpp>
+#include <concino/deform/green_coordinates.hpp>
+#include <concino/deform/harmonic_coordinates.hpp>
