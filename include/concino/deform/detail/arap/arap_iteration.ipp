@@ -18,9 +18,13 @@ CONCINO_INLINE double arap_problem::local_step(const std::vector<vec3>& x,
       [&](std::size_t v) {
         if (first_[v] == first_[v + 1]) return;
         moment_matrix moments;
-        for (std::uint32_t k = first_[v]; k < first_[v + 1]; ++k)
-          moments.add(weight_[k], rest_[to_[k]] - rest_[v], x[to_[k]] - x[v]);
-        const auto& r = rotations[v] = best_rotation(moments);
+        double twice_bound = 0;  // what the sum of products would be if all edges were their rest, rotated
+        for (std::uint32_t k = first_[v]; k < first_[v + 1]; ++k) {
+          const vec3 e = rest_[to_[k]] - rest_[v], d = x[to_[k]] - x[v];
+          moments.add(weight_[k], e, d);
+          twice_bound += weight_[k] * (dot(e, e) + dot(d, d));
+        }
+        const auto& r = rotations[v] = best_rotation(moments, 0.5 * twice_bound);
         double sum = 0;
         for (std::uint32_t k = first_[v]; k < first_[v + 1]; ++k) {
           const vec3 e = rest_[to_[k]] - rest_[v], d = x[to_[k]] - x[v] - (e.x * r[0] + e.y * r[1] + e.z * r[2]);

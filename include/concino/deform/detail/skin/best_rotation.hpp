@@ -5,6 +5,7 @@
 #include <concino/core/vec3.hpp>
 
 #include <array>
+#include <limits>
 
 namespace concino::detail {
 
@@ -20,8 +21,9 @@ struct moment_matrix {
 };
 
 /// The images of the unit vectors under the rotation R for which the sum of R a . b is largest.
-/// If several are, the one with the smallest angle.
-std::array<vec3, 3> best_rotation(const moment_matrix& moments);
+/// If several are, the one with the smallest angle. bound: not below that sum; the nearer, the quicker.
+std::array<vec3, 3> best_rotation(const moment_matrix& moments,
+                                  double bound = std::numeric_limits<double>::infinity());
 
 }  // namespace concino::detail
 

@@ -49,7 +49,7 @@ CONCINO_INLINE std::array<vec3, 3> rotation_by_eigenvectors(const double (&k)[4]
   return rotation_of_quaternion(q[0], q[1], q[2], q[3]);
 }
 
-CONCINO_INLINE std::array<vec3, 3> best_rotation(const moment_matrix& input) {
+CONCINO_INLINE std::array<vec3, 3> best_rotation(const moment_matrix& input, double bound) {
   double largest = 0;
   for (const vec3& column : input.of)
     largest = std::max({largest, std::abs(column.x), std::abs(column.y), std::abs(column.z)});
@@ -65,7 +65,7 @@ CONCINO_INLINE std::array<vec3, 3> best_rotation(const moment_matrix& input) {
   const double d = minor(0, 1, 0, 1) * minor(2, 3, 2, 3) - minor(0, 1, 0, 2) * minor(2, 3, 1, 3) +
                    minor(0, 1, 0, 3) * minor(2, 3, 1, 2) + minor(0, 1, 1, 2) * minor(2, 3, 0, 3) -
                    minor(0, 1, 1, 3) * minor(2, 3, 0, 2) + minor(0, 1, 2, 3) * minor(2, 3, 0, 1);
-  double x = std::sqrt(3 * squares);
+  double x = std::min(std::sqrt(3 * squares), bound / largest * (1 + 1e-12));
   bool has_converged = false;
   for (int step = 0; step < 30 && !has_converged; ++step) {
     const double slope = (4 * x * x + 2 * b) * x + c, value = ((x * x + b) * x + c) * x + d;
@@ -75,25 +75,23 @@ CONCINO_INLINE std::array<vec3, 3> best_rotation(const moment_matrix& input) {
     has_converged = std::abs(change) <= 1e-15 * x;
   }
   if (!has_converged) return rotation_by_eigenvectors(k);
-  // The eigenvector: the longest column of the adjugate of K - x.
+  // The eigenvector: a column of the adjugate of K - x. The first one is long enough unless the angle is above 120
+  // degrees, else the longest is taken.
   for (int i = 0; i < 4; ++i) k[i][i] -= x;
   double longest = 0, q[4] = {1, 0, 0, 0};
   for (int column = 0; column < 4; ++column) {
-    int of[3];
-    for (int i = 0, n = 0; i < 4; ++i)
-      if (i != column) of[n++] = i;
+    const int a0 = column == 0 ? 1 : 0, a1 = column <= 1 ? 2 : 1, a2 = column <= 2 ? 3 : 2;
     double v[4];
     for (int row = 0; row < 4; ++row) {
-      int r[3];
-      for (int i = 0, n = 0; i < 4; ++i)
-        if (i != row) r[n++] = i;
-      const double det = k[r[0]][of[0]] * (k[r[1]][of[1]] * k[r[2]][of[2]] - k[r[1]][of[2]] * k[r[2]][of[1]]) -
-                         k[r[0]][of[1]] * (k[r[1]][of[0]] * k[r[2]][of[2]] - k[r[1]][of[2]] * k[r[2]][of[0]]) +
-                         k[r[0]][of[2]] * (k[r[1]][of[0]] * k[r[2]][of[1]] - k[r[1]][of[1]] * k[r[2]][of[0]]);
+      const int r0 = row == 0 ? 1 : 0, r1 = row <= 1 ? 2 : 1, r2 = row <= 2 ? 3 : 2;
+      const double det = k[r0][a0] * (k[r1][a1] * k[r2][a2] - k[r1][a2] * k[r2][a1]) -
+                         k[r0][a1] * (k[r1][a0] * k[r2][a2] - k[r1][a2] * k[r2][a0]) +
+                         k[r0][a2] * (k[r1][a0] * k[r2][a1] - k[r1][a1] * k[r2][a0]);
       v[row] = (row + column) % 2 == 0 ? det : -det;
     }
     const double length = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3];
     if (length > longest) longest = length, std::copy(v, v + 4, q);
+    if (column == 0 && v[0] * v[0] > 0.25 * length) break;
   }
   return rotation_of_quaternion(q[0], q[1], q[2], q[3]);
 }
