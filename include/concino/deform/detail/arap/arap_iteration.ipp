@@ -1,0 +1,106 @@
+// Defines the iteration of arap_problem.hpp.
+#pragma once
+
+#include <concino/core/parallel.hpp>
+#include <concino/deform/detail/arap/arap_problem.hpp>
+#include <concino/deform/detail/skin/best_rotation.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace concino::detail {
+
+CONCINO_INLINE double arap_problem::local_step(const std::vector<vec3>& x,
+                                               std::vector<std::array<vec3, 3>>& rotations) const {
+  std::vector<double> energy(rest_.size());
+  parallel_for(
+      rest_.size(),
+      [&](std::size_t v) {
+        if (first_[v] == first_[v + 1]) return;
+        moment_matrix moments;
+        double twice_bound = 0;  // what the sum of products would be if all edges were their rest, rotated
+        for (std::uint32_t k = first_[v]; k < first_[v + 1]; ++k) {
+          const vec3 e = rest_[to_[k]] - rest_[v], d = x[to_[k]] - x[v];
+          moments.add(weight_[k], e, d);
+          twice_bound += weight_[k] * (dot(e, e) + dot(d, d));
+        }
+        const auto& r = rotations[v] = best_rotation(moments, 0.5 * twice_bound);
+        double sum = 0;
+        for (std::uint32_t k = first_[v]; k < first_[v + 1]; ++k) {
+          const vec3 e = rest_[to_[k]] - rest_[v], d = x[to_[k]] - x[v] - (e.x * r[0] + e.y * r[1] + e.z * r[2]);
+          sum += weight_[k] * dot(d, d);
+        }
+        energy[v] = sum;
+      },
+      256);
+  double whole = 0;
+  for (const double e : energy) whole += e;
+  return whole;
+}
+
+CONCINO_INLINE void arap_problem::global_step(core::solver_ref solver, const Eigen::SparseMatrix<double>& lower,
+                                              const std::vector<std::array<vec3, 3>>& rotations, bool check,
+                                              std::vector<vec3>& x) const {
+  const auto n = static_cast<Eigen::Index>(num_unknowns());
+  if (n == 0) return;
+  std::array<Eigen::VectorXd, 3> b{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n)};
+  parallel_for(
+      num_unknowns(),
+      [&](std::size_t row) {
+        const std::uint32_t v = vert_of_unknown_[row];
+        vec3 sum;
+        for (std::uint32_t k = first_[v]; k < first_[v + 1]; ++k) {
+          const std::uint32_t w = to_[k];
+          const vec3 e = (0.5 * weight_[k]) * (rest_[v] - rest_[w]);
+          const auto &r = rotations[v], &s = rotations[w];
+          sum += e.x * (r[0] + s[0]) + e.y * (r[1] + s[1]) + e.z * (r[2] + s[2]);
+          if (unknown_[w] == not_unknown) sum += weight_[k] * x[w];
+        }
+        for (std::size_t d = 0; d < 3; ++d) b[d][static_cast<Eigen::Index>(row)] = sum[d];
+      },
+      256);
+  for (std::size_t d = 0; d < 3; ++d) {
+    const Eigen::VectorXd solution =
+        check ? core::solve_and_check(solver, lower, b[d], "prepare_deform") : solver.solve(b[d]);
+    for (std::size_t row = 0; row < num_unknowns(); ++row)
+      x[vert_of_unknown_[row]][d] = solution[static_cast<Eigen::Index>(row)];
+  }
+}
+
+CONCINO_INLINE std::vector<double> arap_problem::iterate(core::solver_ref solver,
+                                                         const Eigen::SparseMatrix<double>& lower,
+                                                         const arap_limits& limits, std::vector<vec3>& points,
+                                                         bool& has_converged) const {
+  std::vector<vec3> x(points.size());
+  for (std::size_t v = 0; v < x.size(); ++v) x[v] = points[v] / unit_;
+  std::vector<std::array<vec3, 3>> rotations(x.size());
+  std::vector<double> energies{local_step(x, rotations)};
+  double whole = 0;  // the energy of a shape that shrinks to a point: the measure of rounding errors
+  for (std::size_t v = 0; v < rest_.size(); ++v)
+    for (std::uint32_t k = first_[v]; k < first_[v + 1]; ++k) {
+      const vec3 e = rest_[to_[k]] - rest_[v];
+      whole += weight_[k] * dot(e, e);
+    }
+  const double rounding = 1e-26 * whole;
+  has_converged = num_unknowns() == 0 || energies.back() <= rounding;
+  std::vector<vec3> previous;
+  for (int i = 0; i < limits.max_iterations && !has_converged; ++i) {
+    previous = x;
+    global_step(solver, lower, rotations, i == 0, x);
+    const double energy = local_step(x, rotations), before = energies.back();
+    has_converged = energy <= rounding || before - energy <= limits.tolerance * before;
+    if (energy > before) {  // by rounding: nothing more to gain
+      x = previous;
+      break;
+    }
+    energies.push_back(energy);
+  }
+  for (std::size_t row = 0; row < num_unknowns(); ++row) {
+    const std::uint32_t v = vert_of_unknown_[row];
+    points[v] = unit_ * x[v];
+  }
+  for (double& e : energies) e *= weight_unit_ * unit_ * unit_;
+  return energies;
+}
+
+}  // namespace concino::detail

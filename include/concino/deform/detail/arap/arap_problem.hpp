@@ -1,0 +1,74 @@
+// As rigid as possible: the edges of a shape with their weights, its unknown verts, and the two steps of an iteration.
+#pragma once
+
+#include <concino/core/compiled.hpp>
+#include <concino/core/residual.hpp>
+#include <concino/core/vec3.hpp>
+
+#include <Eigen/SparseCore>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace concino::detail {
+
+/// Options of the iteration, see deform_options.
+struct arap_limits {
+  int max_iterations = 0;
+  double tolerance = 0;
+};
+
+/// Verts are numbers below the index bound of the mesh. Lengths are in units, a power of 2, that make the size near 1.
+class arap_problem {
+  enum : std::uint32_t { not_unknown = static_cast<std::uint32_t>(-1) };
+  std::vector<vec3> rest_;
+  double unit_ = 1, weight_unit_ = 1;
+  std::vector<std::uint32_t> first_{0}, to_;  // edges from each vert
+  std::vector<double> weight_;
+  std::vector<std::uint32_t> component_;      // of each vert; those without edges have one of their own
+  std::vector<std::uint32_t> unknown_, vert_of_unknown_, handles_;  // handles: each once
+  std::vector<bool> is_handle_;
+  std::size_t num_made_positive_ = 0, num_components_ = 0;
+
+  void keep_edges(const Eigen::SparseMatrix<double>& laplacian);
+  void number_components();
+
+ public:
+  /// laplacian: both triangles; points of all indices, those of deleted verts arbitrary.
+  /// Errors: solver_error if a component with edges has no handle.
+  arap_problem(std::vector<vec3> points, const std::vector<std::size_t>& used,
+               const Eigen::SparseMatrix<double>& laplacian, const std::vector<std::size_t>& handles);
+
+  std::size_t num_made_positive() const { return num_made_positive_; }
+  std::size_t num_unknowns() const { return vert_of_unknown_.size(); }
+  std::size_t vert_of_unknown(std::size_t row) const { return vert_of_unknown_[row]; }
+  bool is_handle(std::size_t vert) const { return vert < is_handle_.size() && is_handle_[vert]; }
+  const std::vector<std::uint32_t>& handles() const { return handles_; }
+
+  /// The lower triangle of the system of the unknown verts.
+  Eigen::SparseMatrix<double> lower_triangle() const;
+
+  /// All verts moved by the best rigid motion of the handles of their component.
+  /// position: of each handle, by index of the vert.
+  std::vector<vec3> rigid_start(const std::vector<vec3>& position) const;
+
+  /// Iterates from `points`, which have the positions of the handles, and returns the energies. The first one is that
+  /// of the start.
+  std::vector<double> iterate(core::solver_ref solver, const Eigen::SparseMatrix<double>& lower,
+                              const arap_limits& limits, std::vector<vec3>& points, bool& has_converged) const;
+
+ private:
+  /// The best rotation at each vert, and the energy.
+  double local_step(const std::vector<vec3>& x, std::vector<std::array<vec3, 3>>& rotations) const;
+  void global_step(core::solver_ref solver, const Eigen::SparseMatrix<double>& lower,
+                   const std::vector<std::array<vec3, 3>>& rotations, bool check, std::vector<vec3>& x) const;
+};
+
+}  // namespace concino::detail
+
+#ifndef CONCINO_COMPILED
+#include <concino/deform/detail/arap/arap_iteration.ipp>
+#include <concino/deform/detail/arap/arap_problem.ipp>
+#endif

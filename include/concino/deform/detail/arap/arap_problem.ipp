@@ -1,0 +1,132 @@
+// Defines the preparation of arap_problem.hpp.
+#pragma once
+
+#include <concino/core/error.hpp>
+#include <concino/deform/affine_map.hpp>
+#include <concino/deform/detail/arap/arap_problem.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace concino::detail {
+
+/// The power of 2 next above x, or 1 if x is not positive.
+CONCINO_INLINE double power_of_two_above(double x) {
+  if (!(x > 0)) return 1;
+  int exponent = 0;
+  std::frexp(x, &exponent);
+  return std::ldexp(1.0, std::clamp(exponent, -1000, 1000));
+}
+
+CONCINO_INLINE void arap_problem::keep_edges(const Eigen::SparseMatrix<double>& laplacian) {
+  double largest = 0;
+  for (int c = 0; c < laplacian.outerSize(); ++c)
+    for (Eigen::SparseMatrix<double>::InnerIterator it(laplacian, c); it; ++it)
+      largest = std::max(largest, std::abs(it.value()));
+  weight_unit_ = power_of_two_above(largest);
+  std::vector<double> diagonal(static_cast<std::size_t>(laplacian.outerSize()));
+  for (int c = 0; c < laplacian.outerSize(); ++c)
+    for (Eigen::SparseMatrix<double>::InnerIterator it(laplacian, c); it; ++it)
+      if (it.row() == c) diagonal[static_cast<std::size_t>(c)] = std::abs(it.value());
+  std::size_t twice_negative = 0;
+  for (int c = 0; c < laplacian.outerSize(); ++c) {
+    for (Eigen::SparseMatrix<double>::InnerIterator it(laplacian, c); it; ++it) {
+      // smaller ones are 0 but for rounding
+      const double rounding = 1e-12 * (diagonal[static_cast<std::size_t>(c)] + diagonal[static_cast<std::size_t>(it.row())]);
+      if (it.row() == c || !(std::abs(it.value()) > rounding)) continue;
+      to_.push_back(static_cast<std::uint32_t>(it.row()));
+      weight_.push_back(std::abs(it.value()) / weight_unit_);
+      twice_negative += it.value() < 0;
+    }
+    first_.push_back(static_cast<std::uint32_t>(to_.size()));
+  }
+  num_made_positive_ = twice_negative / 2;
+}
+
+CONCINO_INLINE void arap_problem::number_components() {
+  component_.assign(rest_.size(), not_unknown);
+  std::vector<std::uint32_t> open;
+  for (std::uint32_t v = 0; v < rest_.size(); ++v) {
+    if (component_[v] != not_unknown) continue;
+    component_[v] = static_cast<std::uint32_t>(num_components_);
+    open.push_back(v);
+    while (!open.empty()) {
+      const std::uint32_t w = open.back();
+      open.pop_back();
+      for (std::uint32_t k = first_[w]; k < first_[w + 1]; ++k)
+        if (component_[to_[k]] == not_unknown) component_[to_[k]] = component_[v], open.push_back(to_[k]);
+    }
+    ++num_components_;
+  }
+}
+
+CONCINO_INLINE arap_problem::arap_problem(std::vector<vec3> points, const std::vector<std::size_t>& used,
+                                          const Eigen::SparseMatrix<double>& laplacian,
+                                          const std::vector<std::size_t>& handles)
+    : rest_(std::move(points)), unknown_(rest_.size(), not_unknown), is_handle_(rest_.size(), false) {
+  double size = 0;
+  if (!used.empty())
+    for (const std::size_t v : used) {
+      const vec3 d = rest_[v] - rest_[used.front()];
+      size = std::max({size, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+    }
+  unit_ = power_of_two_above(size);
+  for (vec3& x : rest_) x /= unit_;
+  keep_edges(laplacian);
+  number_components();
+  std::vector<bool> has_handle(num_components_, false);
+  for (const std::size_t v : handles) {
+    if (!is_handle_[v]) handles_.push_back(static_cast<std::uint32_t>(v));
+    is_handle_[v] = true;
+    has_handle[component_[v]] = true;
+  }
+  for (const std::size_t v : used) {
+    if (is_handle_[v] || first_[v] == first_[v + 1]) continue;
+    if (!has_handle[component_[v]]) {
+      const auto n = std::count(component_.begin(), component_.end(), component_[v]);
+      core::throw_joined<solver_error>({"prepare_deform: the component of vert ", v, ", which has ", n,
+                                        " verts, has no handle, so that its place is not determined"});
+    }
+    unknown_[v] = static_cast<std::uint32_t>(vert_of_unknown_.size());
+    vert_of_unknown_.push_back(static_cast<std::uint32_t>(v));
+  }
+}
+
+CONCINO_INLINE Eigen::SparseMatrix<double> arap_problem::lower_triangle() const {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t row = 0; row < num_unknowns(); ++row) {
+    const std::uint32_t v = vert_of_unknown_[row];
+    double sum = 0;
+    for (std::uint32_t k = first_[v]; k < first_[v + 1]; ++k) {
+      sum += weight_[k];
+      const std::uint32_t column = unknown_[to_[k]];
+      if (column != not_unknown && column < row)
+        entries.emplace_back(static_cast<int>(row), static_cast<int>(column), -weight_[k]);
+    }
+    entries.emplace_back(static_cast<int>(row), static_cast<int>(row), sum);
+  }
+  const auto n = static_cast<Eigen::Index>(num_unknowns());
+  Eigen::SparseMatrix<double> lower(n, n);
+  lower.setFromTriplets(entries.begin(), entries.end());
+  return lower;
+}
+
+CONCINO_INLINE std::vector<vec3> arap_problem::rigid_start(const std::vector<vec3>& position) const {
+  std::vector<std::vector<vec3>> from(num_components_), to(num_components_);
+  std::vector<vec3> all_from, all_to;
+  for (const std::uint32_t v : handles_) {
+    from[component_[v]].push_back(rest_[v]), to[component_[v]].push_back(position[v] / unit_);
+    all_from.push_back(rest_[v]), all_to.push_back(position[v] / unit_);
+  }
+  const affine_map of_all = best_rigid_motion(all_from, all_to);
+  std::vector<affine_map> motion(num_components_, of_all);
+  for (std::size_t c = 0; c < num_components_; ++c)
+    if (!from[c].empty()) motion[c] = best_rigid_motion(from[c], to[c]);
+  std::vector<vec3> x(rest_.size());
+  for (std::size_t v = 0; v < rest_.size(); ++v)
+    x[v] = is_handle_[v] ? position[v] : unit_ * motion[component_[v]](rest_[v]);
+  return x;
+}
+
+}  // namespace concino::detail
