@@ -2,36 +2,11 @@
 #pragma once
 
 #include <concino/layout/detail/block_mesh.hpp>
+#include <concino/layout/detail/verts_of_parts.hpp>
 
 #include <algorithm>
-#include <tuple>
 
 namespace concino::detail {
-
-/// Edges and faces of blocks by their verts. Each is known by the first edge or facet of the mesh that it consists of.
-struct block_parts {
-  struct part {
-    std::array<std::uint32_t, 8> verts;  // sorted; unused ones are none
-    std::uint32_t first;
-  };
-  std::vector<part> all;
-
-  void add(const std::uint32_t* verts, std::size_t n, std::uint32_t first) {
-    part& x = all.emplace_back();
-    x.verts.fill(cube_tables::none), x.first = first;
-    std::copy_n(verts, n, x.verts.begin());
-    std::sort(x.verts.begin(), x.verts.end());
-  }
-  /// Whether two of them have the same verts.
-  bool has_two_on_same_verts() {
-    std::sort(all.begin(), all.end(), [](const part& a, const part& b) {
-      return std::tie(a.verts, a.first) < std::tie(b.verts, b.first);
-    });
-    for (std::size_t i = 1; i < all.size(); ++i)
-      if (all[i - 1].verts == all[i].verts && all[i - 1].first != all[i].first) return true;
-    return false;
-  }
-};
 
 /// The corners of blocks, and the first edge or facet of the mesh in each of their edges and faces.
 class block_corners {
@@ -94,15 +69,10 @@ class block_corners {
 inline std::string_view why_no_block_mesh(const cube_tables& t, const block_tables& b, const block_corners& c) {
   if (b.is_periodic) return "a block continues with its own polys, so it has no corners";
   const unsigned n = t.num_corners();
-  block_parts edges, facets, polys;
+  verts_of_parts edges, facets, polys;  // by their first edge, facet or poly of the mesh
   for (std::uint32_t block = 0; block < b.blocks.size(); ++block) {
     const std::uint32_t* const verts = c.verts.data() + block * n;
-    std::array<std::uint32_t, 8> sorted{};
-    std::copy_n(verts, n, sorted.begin());
-    std::sort(sorted.begin(), sorted.begin() + n);
-    if (std::adjacent_find(sorted.begin(), sorted.begin() + n) != sorted.begin() + n)
-      return "a block has one vert at two of its corners";
-    polys.add(verts, n, block);
+    if (!polys.add(verts, n, block)) return "a block has one vert at two of its corners";
     for (unsigned free = 1; free < n; ++free)
       for (unsigned at = 0; at < n; ++at) {
         if (at & free) continue;

@@ -44,6 +44,8 @@ struct cube_tables {
   const std::vector<std::uint32_t>& poly_ridges() const { return dimension == 2 ? poly_verts : poly_edges; }
 
   void prepare();
+  /// The cell of p that extends along some axes, a set of bits, from the corner `place` on: a vert, edge, facet or poly.
+  std::uint32_t cell(std::size_t p, unsigned axes, unsigned place) const;
   /// The two facets of a poly that meet at its ridge k, as places.
   std::pair<unsigned, unsigned> facets_at(unsigned k) const;
   std::uint32_t facet(std::size_t p, unsigned place) const { return poly_facets[p * num_poly_facets() + place]; }
@@ -83,34 +85,44 @@ struct ridge_fans {
   bool walk(const cube_tables& t, std::uint32_t p, std::uint32_t f, std::uint32_t r);
 };
 
+/// Adds polys to t. The functions number their elements; edges and facets of surfaces have the same numbers.
 /// Errors: invalid_mesh if a poly is not a quad or a hex.
-template<class M>
-cube_tables cube_tables_of(const M& m, const char* caller) {
+template<class M, class Polys, class Vert, class Edge, class Facet>
+void add_polys(const M& m, const Polys& all, const Vert& vert, const Edge& edge, const Facet& facet, cube_tables& t,
+               const char* caller) {
   constexpr unsigned d = dimension_v<M>;
-  cube_tables t;
-  t.dimension = d;
-  t.num_verts = num_verts(m), t.num_edges = num_edges(m), t.num_facets = num_facets(m);
-  const auto vert = core::numbered(m, verts(m), vert_index_bound(m));
-  const auto edge = core::numbered(m, edges(m), edge_index_bound(m));
-  const auto facet = core::numbered(m, facets(m), facet_index_bound(m));
-  t.poly_verts.reserve(num_polys(m) << d);
-  t.poly_edges.reserve(num_polys(m) * t.num_poly_edges());
-  t.poly_facets.reserve(num_polys(m) * t.num_poly_facets());
-  for (const poly_t<M> p : polys(m)) {
+  for (const poly_t<M> p : all) {
     const auto corners = corners_by_place(m, p, caller);
-    for (const vert_t<M>& v : corners) t.poly_verts.push_back(vert[index_of(m, v)]);
+    for (const vert_t<M>& v : corners) t.poly_verts.push_back(vert(v));
     const std::size_t first_edge = t.poly_edges.size(), first_facet = t.poly_facets.size();
     t.poly_edges.resize(first_edge + t.num_poly_edges());
     t.poly_facets.resize(first_facet + t.num_poly_facets());
     for (const edge_t<M> e : exactly<(d << (d - 1)), edge_t<M>>(m, p, adj_p2e(m, p), caller)) {
       const place_in_poly at = place_of_edge(m, p, corners, e, caller);
-      t.poly_edges[first_edge + (at.axis << (d - 1)) + at.number] = edge[index_of(m, e)];
+      t.poly_edges[first_edge + (at.axis << (d - 1)) + at.number] = edge(e);
     }
     for (const facet_t<M> f : exactly<2 * d, facet_t<M>>(m, p, adj_p2facet(m, p), caller)) {
       const place_in_poly at = place_of_facet(m, p, corners, f, caller);
-      t.poly_facets[first_facet + 2 * at.axis + at.number] = facet[index_of(m, f)];
+      t.poly_facets[first_facet + 2 * at.axis + at.number] = facet(f);
     }
   }
+}
+
+/// Errors: invalid_mesh if a poly is not a quad or a hex.
+template<class M>
+cube_tables cube_tables_of(const M& m, const char* caller) {
+  cube_tables t;
+  t.dimension = dimension_v<M>;
+  t.num_verts = num_verts(m), t.num_edges = num_edges(m), t.num_facets = num_facets(m);
+  const auto vert = core::numbered(m, verts(m), vert_index_bound(m));
+  const auto edge = core::numbered(m, edges(m), edge_index_bound(m));
+  const auto facet = core::numbered(m, facets(m), facet_index_bound(m));
+  t.poly_verts.reserve(num_polys(m) * t.num_corners());
+  t.poly_edges.reserve(num_polys(m) * t.num_poly_edges());
+  t.poly_facets.reserve(num_polys(m) * t.num_poly_facets());
+  add_polys(m, polys(m), [&](const vert_t<M>& v) { return vert[index_of(m, v)]; },
+            [&](const edge_t<M>& e) { return edge[index_of(m, e)]; },
+            [&](const facet_t<M>& f) { return facet[index_of(m, f)]; }, t, caller);
   t.prepare();
   return t;
 }

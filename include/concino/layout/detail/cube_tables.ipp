@@ -18,6 +18,18 @@ CONCINO_INLINE void cube_tables::prepare() {
   at_ridges = poly_incidence(poly_ridges(), num_ridges());
 }
 
+CONCINO_INLINE std::uint32_t cube_tables::cell(std::size_t p, unsigned axes, unsigned place) const {
+  const unsigned all = num_corners() - 1;
+  if (axes == 0) return poly_verts[p * num_corners() + place];
+  if (axes == all) return static_cast<std::uint32_t>(p);
+  const unsigned other = all ^ axes;
+  if ((axes & (axes - 1)) == 0) {  // an edge
+    const unsigned axis = axes >> 1, low = axes - 1, number = (place & low) | (place >> 1 & ~low);
+    return poly_edges[p * num_poly_edges() + (axis << (dimension - 1)) + number];
+  }
+  return facet(p, 2 * (other >> 1) + ((place & other) != 0));
+}
+
 CONCINO_INLINE std::pair<unsigned, unsigned> cube_tables::facets_at(unsigned k) const {
   if (dimension == 2) return {k & 1, 2 + (k >> 1)};
   const unsigned axis = k >> 2, a = axis == 0 ? 1 : 0, b = axis == 2 ? 1 : 2;
