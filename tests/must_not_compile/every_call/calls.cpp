@@ -10,6 +10,7 @@
 #include <concino/graph/segment.hpp>
 #include <concino/graph/segment_by_shape.hpp>
 #include <concino/io.hpp>
+#include <concino/layout.hpp>
 #include <concino/level_sets.hpp>
 #include <concino/lines.hpp>
 #include <concino/mesh.hpp>
@@ -75,6 +76,14 @@ void no_adapter(const stranger& other) {
   cn::extrude(other);  // refused
   cn::revolve(other);  // refused
   cn::unite(other);  // refused
+  cn::chord_of(other);  // refused
+  cn::chords(other);  // refused
+  cn::sheet_of(other);  // refused
+  cn::sheets(other);  // refused
+  cn::singular_verts(other);  // refused
+  cn::singular_edges(other);  // refused
+  cn::separatrices(other);  // refused
+  cn::coarse_layout(other);  // refused
   cn::repaired(other);  // refused
   cn::repair(other);  // refused
   cn::voxel_hexes(other);  // refused
@@ -232,6 +241,7 @@ void temporary() {
   cn::segment_polys(made());  // refused
   cn::segment_verts(made());  // refused
   cn::segment_by_shape(made());  // refused
+  cn::coarse_layout(made());  // refused
   cn::connected_components(made());  // refused
   cn::prepare_harmonic_map(made());  // refused
   cn::harmonic_map(made());  // refused
@@ -331,6 +341,7 @@ void no_points(const cn::trimesh& m) {
   cn::extrude(pure);  // refused
   cn::revolve(pure);  // refused
   cn::unite(pure);  // refused
+  cn::coarse_layout(pure);  // refused
   cn::repaired(pure);  // refused
   cn::repair(pure);  // refused
   cn::voxel_hexes(pure);  // refused
@@ -494,6 +505,8 @@ void numbers(const cn::trimesh& m) {
   cn::edge_length(m, 0);  // refused
   cn::area(m, 0);  // refused
   cn::quality(m, 0, cn::metric::area);  // refused
+  cn::chord_of(m, 0);  // refused
+  cn::sheet_of(m, 0);  // refused
   cn::volume(m, 0);  // refused
   cn::measure(m, 0);  // refused
   cn::outward_vector(m, 0);  // refused

@@ -1,0 +1,111 @@
+// Makes the edit of a patch of quads or hexes on its mesh, by one replace_polys.
+#pragma once
+
+#include <concino/edit/replace_polys.hpp>
+#include <concino/layout/detail/cell_patch.hpp>
+#include <concino/layout/proposed_polys.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace concino::detail {
+
+/// The lists for `rewire`.
+template<class M>
+class cell_replacement {
+  std::vector<poly_t<M>> polys_;
+  std::vector<vert_t<M>> verts_;
+  std::vector<unsigned> corners_, ends_;
+  std::vector<vec3> points_, points_of_corners_;
+  correspondence from_;
+  std::size_t num_kept_ = 0, num_removed_ = 0;
+
+  template<class T>
+  static id_span<T> span(const std::vector<T>& v) { return {v.data(), v.data() + v.size()}; }
+
+ public:
+  std::vector<vert_t<M>> new_verts;
+  std::vector<poly_t<M>> new_polys;  // those that change, then those that are made
+
+  cell_replacement(const M& m, const cell_patch<M>& patch, const cell_edit& e) {
+    const cube_tables& t = patch.t;
+    const unsigned n = t.num_corners();
+    core::local_numbers numbers;  // of labels
+    std::vector<std::uint32_t> changed, from;
+    const auto changes = [&](std::uint32_t p) {
+      for (unsigned k = 0; k < n; ++k)
+        if (e.labels[p * n + k] != t.poly_verts[p * n + k]) return true;
+      return false;
+    };
+    for (std::uint32_t p = 0; p < t.num_polys(); ++p)
+      if (!e.is_gone[p] && changes(p)) changed.push_back(p), polys_.push_back(patch.polys[p]);
+    num_kept_ = polys_.size();
+    std::vector<unsigned char> is_removed(t.num_verts);
+    for (const std::uint32_t v : e.removed) is_removed[v] = 1;
+    const auto add_verts = [&](std::uint32_t p) {
+      for (unsigned k = 0; k < n; ++k)
+        for (const std::uint32_t v : {t.poly_verts[p * n + k], e.labels[p * n + k]})
+          if (v < t.num_verts && !is_removed[v]) numbers.add(v);
+    };
+    for (const std::uint32_t p : changed) add_verts(p);
+    for (std::uint32_t p = 0; p < t.num_polys(); ++p)
+      if (e.is_gone[p]) polys_.push_back(patch.polys[p]), add_verts(p);
+    for (const std::uint32_t v : e.made)
+      if (v < t.num_verts) numbers.add(v);
+    for (const std::uint32_t v : e.removed) numbers.add(v);
+    num_removed_ = e.removed.size();
+    for (const std::size_t v : numbers) verts_.push_back(patch.verts[v]);
+    for (std::size_t i = 0; i < e.points.size(); ++i) numbers.add(t.num_verts + i);
+    points_ = e.points;
+    const auto add_poly = [&](const std::uint32_t* labels, std::uint32_t old) {
+      for (unsigned k = 0; k < n; ++k) {
+        const std::uint32_t v = labels[corner_places[k]];
+        corners_.push_back(numbers.find(v));
+        points_of_corners_.push_back(v < t.num_verts ? patch.points[v] : e.points[v - t.num_verts]);
+      }
+      ends_.push_back(static_cast<unsigned>(corners_.size()));
+      from.push_back(static_cast<std::uint32_t>(index_of(m, patch.polys[old])));
+    };
+    for (const std::uint32_t p : changed) add_poly(e.labels.data() + p * n, p);
+    for (std::size_t i = 0; i < e.made_from.size(); ++i) add_poly(e.made.data() + i * n, e.made_from[i]);
+    from_.polys = element_origins(std::move(from));
+    std::vector<origin> origins;
+    for (std::size_t i = 0, at = 0; i < e.points.size(); ++i) {
+      origins.clear();
+      for (; at < e.origin_ends[i]; ++at)
+        origins.push_back({static_cast<std::uint32_t>(index_of(m, patch.verts[e.origins[at]]))});
+      from_.verts.add(std::span<const origin>(origins));
+    }
+    new_verts.resize(points_.size()), new_polys.resize(ends_.size());
+  }
+
+  cavity<M> lists() const {
+    return {span(polys_), span(verts_), span(points_), span(corners_), span(ends_), {}, num_kept_, num_removed_};
+  }
+  std::size_t num_kept() const { return num_kept_; }
+  permission ask(const M& m, const shape_condition& keep) const {
+    if (const permission p = can_replace_polys(m, lists()); !p || !keep) return p;
+    return keep({dimension_v<M> == 2 ? poly_shape::quad : poly_shape::hex, points_of_corners_});
+  }
+  void apply(M& m) {
+    replace_polys(m, lists(), cavity_result<M>{new_verts.data(), new_polys.data()}, from_, {}, [] {});
+  }
+};
+
+/// The facet or edge of p at a place.
+template<class M>
+facet_t<M> facet_at(const M& m, const poly_t<M>& p, unsigned place, const char* caller) {
+  const auto corners = corners_by_place(m, p, caller);
+  for (const facet_t<M> f : adj_p2facet(m, p))
+    if (const auto at = place_of_facet(m, p, corners, f, caller); 2 * at.axis + at.number == place) return f;
+  throw_no_quad_or_hex(index_of(m, p), dimension_v<M> == 3, caller);
+}
+template<class M>
+edge_t<M> edge_at(const M& m, const poly_t<M>& p, unsigned axis, const char* caller) {
+  const auto corners = corners_by_place(m, p, caller);
+  for (const edge_t<M> e : adj_p2e(m, p))
+    if (const auto at = place_of_edge(m, p, corners, e, caller); at.axis == axis && at.number == 0) return e;
+  throw_no_quad_or_hex(index_of(m, p), dimension_v<M> == 3, caller);
+}
+
+}  // namespace concino::detail

@@ -1,0 +1,33 @@
+// OpenMesh: chords and blocks of meshes of quads, as of native ones.
+#include <concino/adapters/openmesh.hpp>
+#include <concino/convert/convert.hpp>
+#include <concino/layout.hpp>
+
+#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+
+#include <support/layouts.hpp>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+using namespace concino;
+using namespace concino::testing;
+
+TEST_CASE("OpenMesh: chords, singularities, separatrices and blocks") {
+  using mesh = OpenMesh::PolyMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>;
+  for (const auto& one : meshes_with_layouts<quadmesh>()) {
+    INFO(one.name);
+    if (!one.is_orientable) continue;
+    const auto m = convert<mesh>(one.mesh);
+    CHECK(chords(m).size() == chords(one.mesh).size());
+    const auto l = coarse_layout(m);
+    expect_grids(m, l);
+    CHECK(l.num_blocks == coarse_layout(one.mesh).num_blocks);
+    CHECK(singular_verts(m).size() == singular_verts(one.mesh).size());
+    CHECK(separatrices(m).size() == separatrices(one.mesh).size());
+    const auto f = *facets(m).begin();
+    const auto c = chord_of(m, f);
+    CHECK(std::find(c.facets.begin(), c.facets.end(), f) != c.facets.end());
+  }
+}
