@@ -82,12 +82,12 @@ template<class M, class F>
 bool for_each_removed_face(const detail::general_cavity<M>& c, const F& f) {
   std::vector<std::vector<unsigned>> after;
   for (std::size_t i = 0; i < c.new_polys().num_lists(); ++i)
-    after.push_back(detail::sorted_verts(c.new_polys().list(i)));
+    after.push_back(detail::sorted_list(c.new_polys().list(i)));
   for (std::size_t i = c.num_old_lists(); i < c.old_polys().num_lists(); ++i)
-    after.push_back(detail::sorted_verts(c.old_polys().list(i)));
+    after.push_back(detail::sorted_list(c.old_polys().list(i)));
   std::sort(after.begin(), after.end());
   for (std::size_t i = 0; i < c.num_old_lists(); ++i)
-    if (!std::binary_search(after.begin(), after.end(), detail::sorted_verts(c.old_polys().list(i))) && !f(c.face(i)))
+    if (!std::binary_search(after.begin(), after.end(), detail::sorted_list(c.old_polys().list(i))) && !f(c.face(i)))
       return false;
   return true;
 }

@@ -81,7 +81,7 @@ class merged_cells {
 
 inline constexpr permission not_contractible{
     refusal::link_condition, "parts of the mesh would touch or vanish: what is collapsed has another topology"};
-inline constexpr permission vert_twice{refusal::degenerate, "a poly would have a vert twice"};
+inline constexpr permission poly_with_vert_twice{refusal::degenerate, "a poly would have a vert twice"};
 inline constexpr permission cells_on_same_verts{refusal::same_verts,
                                                 "two edges, faces or polys would have the same verts"};
 
@@ -142,7 +142,7 @@ inline permission check_verts(const cube_tables& t, const cell_edit& e, const ce
         const std::uint32_t x = t.cell(p, axes, place);
         const bool is_poly = axes == last, is_edge = !is_poly && n == 2;
         const std::uint32_t number = is_poly ? x : is_edge ? edges.root(x) : facets.root(x);
-        if (!all[is_poly ? 2 : is_edge ? 0 : 1].add(verts, n, number)) return vert_twice;
+        if (!all[is_poly ? 2 : is_edge ? 0 : 1].add(verts, n, number)) return poly_with_vert_twice;
       }
   }
   for (verts_of_parts& x : all)

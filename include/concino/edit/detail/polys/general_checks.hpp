@@ -12,8 +12,8 @@
 
 namespace concino::detail {
 
-inline constexpr permission too_few_verts{refusal::degenerate, "a polygon or face would have fewer than three verts"};
-inline constexpr permission vert_twice{refusal::degenerate, "a polygon or face would have a vert twice"};
+inline constexpr permission list_too_short{refusal::degenerate, "a polygon or face would have fewer than three verts"};
+inline constexpr permission list_with_vert_twice{refusal::degenerate, "a polygon or face would have a vert twice"};
 inline constexpr permission too_few_faces{refusal::degenerate, "a polyhedron would have fewer than four faces"};
 inline constexpr permission general_same_verts{
     refusal::same_verts, "an edge, face or poly would have the same verts as another one, or as one of the mesh"};
@@ -35,7 +35,7 @@ bool is_any_loose(const M& m, const Faces& all) {
   return false;
 }
 
-inline bool has_repeated_vert(std::span<const unsigned> list) { return sorted_verts(list).size() < list.size(); }
+inline bool has_repeated_vert(std::span<const unsigned> list) { return sorted_list(list).size() < list.size(); }
 
 /// What the lists say by themselves.
 template<class M>
@@ -45,9 +45,9 @@ permission check_lists(const general_cavity<M>& c) {
   for (std::size_t k = 0; k < c.num_new(); ++k) {
     faces.clear();
     for (std::size_t i = all.first_list(k); i < all.last_list(k); ++i) {
-      if (all.list(i).size() < 3) return too_few_verts;
-      if (has_repeated_vert(all.list(i))) return vert_twice;
-      if constexpr (VolumeMesh<M>) faces.push_back(sorted_verts(all.list(i)));  // a polygon is one list
+      if (all.list(i).size() < 3) return list_too_short;
+      if (has_repeated_vert(all.list(i))) return list_with_vert_twice;
+      if constexpr (VolumeMesh<M>) faces.push_back(sorted_list(all.list(i)));  // a polygon is one list
     }
     if constexpr (VolumeMesh<M>) {  // a polygon has no faces
       if (faces.size() < 4) return too_few_faces;
@@ -87,11 +87,11 @@ template<class M>
 bool has_known_face(const general_cavity<M>& c) {
   if constexpr (VolumeMesh<M>) {  // surfaces have no faces
     std::vector<std::vector<unsigned>> old;
-    for (std::size_t i = 0; i < c.old_polys().num_lists(); ++i) old.push_back(sorted_verts(c.old_polys().list(i)));
+    for (std::size_t i = 0; i < c.old_polys().num_lists(); ++i) old.push_back(sorted_list(c.old_polys().list(i)));
     std::sort(old.begin(), old.end());
     const poly_lists& all = c.new_polys();
     for (std::size_t i = 0; c.num_new() > 0 && i < all.last_list(c.num_new() - 1); ++i) {
-      if (std::binary_search(old.begin(), old.end(), sorted_verts(all.list(i)))) continue;
+      if (std::binary_search(old.begin(), old.end(), sorted_list(all.list(i)))) continue;
       const auto wanted = indices_of(c, all.list(i));
       if (wanted.empty()) continue;
       for (const face_t<M> f : adj_v2f(c.mesh(), c.vert_at(all.list(i)[0])))
@@ -106,7 +106,7 @@ template<class M>
 bool has_known_poly(const general_cavity<M>& c) {
   std::vector<std::vector<unsigned>> sets;
   for (std::size_t k = 0; k < c.num_new(); ++k) {
-    sets.push_back(sorted_verts(c.new_polys().corners_of(k)));
+    sets.push_back(sorted_list(c.new_polys().corners_of(k)));
     const auto wanted = indices_of(c, sets.back());
     if (wanted.empty()) continue;
     for (const poly_t<M> p : adj_v2p(c.mesh(), c.vert_at(sets.back()[0])))

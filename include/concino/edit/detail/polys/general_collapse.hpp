@@ -25,7 +25,7 @@ bool is_simplex(const general_cavity<M>& c, std::size_t k) {
   if (all.size_of(k) != num_lists) return false;
   for (std::size_t i = all.first_list(k); i < all.last_list(k); ++i)
     if (all.list(i).size() != 3) return false;
-  return sorted_verts(all.corners_of(k)).size() == dimension_v<M> + 1;
+  return sorted_list(all.corners_of(k)).size() == dimension_v<M> + 1;
 }
 
 /// The link condition of polys that are divided into simplices: triangles and tets are left as they are, other polys
@@ -59,7 +59,7 @@ class divided_links {
   void add_poly(std::size_t k) {
     const poly_lists& all = c_.old_polys();
     if (is_simplex(c_, k)) {
-      const auto corners = sorted_verts(all.corners_of(k));
+      const auto corners = sorted_list(all.corners_of(k));
       return add(corners.data());
     }
     const unsigned middle = num_verts_++;
@@ -109,7 +109,7 @@ bool would_share_more(const general_cavity<M>& c, unsigned a, unsigned b) {
         if (x == end) joined.push_back(y);
         if (y == end) joined.push_back(x);
       });
-    for (const unsigned v : sorted_verts(all.corners_of(k)))
+    for (const unsigned v : sorted_list(all.corners_of(k)))
       if (v != end) to.push_back({v, k, std::find(joined.begin(), joined.end(), v) != joined.end()});
   };
   for (std::size_t k = 0; k < c.num_polys(); ++k) {
@@ -148,7 +148,7 @@ bool has_equal_faces(const general_cavity<M>& c, unsigned a, unsigned b) {
       for (std::size_t i = all.first_list(k); i < all.last_list(k); ++i) {
         std::vector<unsigned> list(all.list(i).begin(), all.list(i).end());
         std::replace(list.begin(), list.end(), b, a);
-        entry x{sorted_verts(list), index_of(c.mesh(), c.face(i)), i};
+        entry x{sorted_list(list), index_of(c.mesh(), c.face(i)), i};
         if (std::find(list.begin(), list.end(), a) == list.end() || x.verts.size() < 3) continue;
         its_faces.push_back(x.face);
         faces.push_back(std::move(x));

@@ -48,7 +48,7 @@ CONCINO_INLINE list_fault merge_lists(std::span<const std::span<const unsigned>>
   std::sort(leaving.begin(), leaving.end());
   std::vector<unsigned> verts;
   for (const auto& list : lists) verts.insert(verts.end(), list.begin(), list.end());
-  verts = sorted_verts(verts);
+  verts = sorted_list(verts);
   const auto chi = static_cast<std::ptrdiff_t>(verts.size()) - num_edges + static_cast<std::ptrdiff_t>(lists.size());
   const auto is_twice = [](const auto& x, const auto& y) { return x.first == y.first; };
   if (leaving.empty() || chi != 1 ||
@@ -72,7 +72,7 @@ CONCINO_INLINE list_fault merge_lists(std::span<const std::span<const unsigned>>
     at = next->second;
   } while (at != first && result.boundary.size() <= leaving.size());
   if (result.boundary.size() != leaving.size()) return list_fault::not_a_disk;
-  const std::vector<unsigned> outside = sorted_verts(result.boundary);
+  const std::vector<unsigned> outside = sorted_list(result.boundary);
   std::set_difference(verts.begin(), verts.end(), outside.begin(), outside.end(), std::back_inserter(result.inside));
   return list_fault::none;
 }
@@ -120,7 +120,7 @@ CONCINO_INLINE list_fault check_sphere(std::span<const std::span<const unsigned>
   if (fault != list_fault::none) return fault;
   std::vector<unsigned> verts, part;
   for (const auto& list : lists) verts.insert(verts.end(), list.begin(), list.end());
-  chi += static_cast<std::ptrdiff_t>(sorted_verts(verts).size());
+  chi += static_cast<std::ptrdiff_t>(sorted_list(verts).size());
   return chi == 2 && find_parts(lists, {}, part) == 1 ? list_fault::none : list_fault::not_a_disk;
 }
 

@@ -63,7 +63,7 @@ void for_each_edge_of(std::span<const unsigned> list, const F& f) {
   for (std::size_t i = 0; i < list.size(); ++i) f(list[i], list[i + 1 < list.size() ? i + 1 : 0]);
 }
 
-inline std::vector<unsigned> sorted_verts(std::span<const unsigned> list) {
+inline std::vector<unsigned> sorted_list(std::span<const unsigned> list) {
   std::vector<unsigned> all(list.begin(), list.end());
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());

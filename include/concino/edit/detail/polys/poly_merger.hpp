@@ -120,7 +120,7 @@ class poly_merger {
     const auto verts_of = [](const auto& lists) {
       std::vector<unsigned> all;
       for (const auto& list : lists) all.insert(all.end(), list.begin(), list.end());
-      return sorted_verts(all);
+      return sorted_list(all);
     };
     const auto edges = edges_of(lists_), outer_edges = edges_of(boundary_);
     const auto verts = verts_of(lists_), outer_verts = verts_of(boundary_);

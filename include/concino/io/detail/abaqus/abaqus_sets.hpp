@@ -49,19 +49,19 @@ class abaqus_sets {
     sets_.push_back({name, part, std::vector<bool>(num_elements_)});
     return at->second;
   }
-  void add(std::size_t set, std::uint32_t element) {
-    if (set == none) return;
-    if (element < num_elements_) sets_[set].is_member[element] = true;
+  void add(std::size_t number, std::uint32_t element) {
+    if (number == none) return;
+    if (element < num_elements_) sets_[number].is_member[element] = true;
     else ++num_missing_;
   }
   /// Adds the members of the set of that name.
-  void add_set(std::size_t set, std::size_t part, std::string_view name) {
+  void add_set(std::size_t number, std::size_t part, std::string_view name) {
     const auto at = numbers_.find({part, upper_case(name)});
     if (at == numbers_.end()) ++num_missing_;
-    if (set == none || at == numbers_.end() || at->second == none) return;
+    if (number == none || at == numbers_.end() || at->second == none) return;
     const std::vector<bool>& from = sets_[at->second].is_member;
     for (std::size_t i = 0; i < num_elements_; ++i)
-      if (from[i]) sets_[set].is_member[i] = true;
+      if (from[i]) sets_[number].is_member[i] = true;
   }
   /// Makes the sets properties. If sets of several parts have the same name, those after the first one have that of
   /// their part and a point before it.

@@ -14,7 +14,7 @@
 namespace concino::detail {
 
 /// The triangles of one poly after another, oriented as the poly.
-class flat_triangles {
+class cut_triangles {
   const write_context& c_;
   const flat_mesh& m_;
   std::string_view format_, instead_;
@@ -25,7 +25,7 @@ class flat_triangles {
 
  public:
   /// `format` and `instead` are the extensions of this format and of others, for messages.
-  flat_triangles(const write_context& c, const flat_mesh& m, std::string_view format, std::string_view instead)
+  cut_triangles(const write_context& c, const flat_mesh& m, std::string_view format, std::string_view instead)
       : c_(c), m_(m), format_(format), instead_(instead) {}
 
   /// The triangles of a poly, valid until the next call.
