@@ -29,15 +29,17 @@ allow() {
 while IFS= read -r file; do
   allow "0 3" info "$file" || continue
   allow "0 1" validate "$file"
-  for extension in obj off ply stl vtu vtk mesh tet hedra hybrid msh; do
-    rm -f "$work/to.$extension"
-    allow "0 4" convert "$file" "$work/to.$extension" || continue
-    allow 0 info "$work/to.$extension"
+  for to in to.{obj,off,ply,stl,vtu,vtk,mesh,tet,hedra,hybrid,msh,ovm,ele,smesh} polyMesh; do
+    rm -rf "${work:?}"/{to.*,polyMesh}
+    allow "0 4" convert "$file" "$work/$to" || continue
+    allow 0 info "$work/$to"
   done
+  allow "0 4" convert "$file" "$work/to.glb" --as-triangles  # which is not read
   allow "0 3 4" repair "$file" "$work/mended.vtu" --merge 0 --orient --fill 8 --collapse
   allow "0 3" render "$file" -o "$work/x.png" --size 64x48 --quality draft --edges
 done < <(find "$corpus" -type f -size -1000k \( -name '*.obj' -o -name '*.off' -o -name '*.mesh' -o -name '*.meshb' -o -name '*.vtk' -o -name '*.vtu' \
-  -o -name '*.vtp' -o -name '*.tet' -o -name '*.hedra' -o -name '*.hybrid' -o -name '*.iv' -o -name '*.ply' -o -name '*.stl' -o -name '*.msh' \) | sort)
+  -o -name '*.vtp' -o -name '*.tet' -o -name '*.hedra' -o -name '*.hybrid' -o -name '*.iv' -o -name '*.ply' -o -name '*.stl' -o -name '*.msh' \
+  -o -name '*.ovm' -o -name '*.ele' -o -name '*.inp' \) | sort)
 echo "$runs calls"
 [ $runs -gt 100 ] || { echo "FAILED: only $runs calls"; exit 1; }
 [ $failures -eq 0 ]
