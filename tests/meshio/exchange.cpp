@@ -1,5 +1,5 @@
 // Exchanges files with meshio, which second_opinion.py runs:
-//   exchange write FOLDER   writes meshes of several kinds to VTK, PLY and STL files in FOLDER, and prints each name and what the file holds
+//   exchange write FOLDER   writes meshes of several kinds to VTK, PLY, STL and Gmsh files in FOLDER, and prints each name and what the file holds
 //   exchange read FILE...   reads files, and prints the same
 // A description has lines of words: file NAME, point X Y Z, cell NUMBER_OF_FACES VERT..., and for each property: vert NAME or poly NAME, and all its numbers.
 #include <concino/io.hpp>
@@ -44,6 +44,30 @@ void print_mesh(const std::string& name, const M& m) {
   print_property<cn::vec3>("vert", "velocity", cn::verts(m), cn::find_vert_property<cn::vec3>(m, "velocity"));
   print_property<std::int64_t>("poly", "number", cn::polys(m), cn::find_poly_property<std::int64_t>(m, "number"));
   print_property<double>("poly", "pressure", cn::polys(m), cn::find_poly_property<double>(m, "pressure"));
+  if (!name.ends_with(".msh")) return;
+  print_property<int>("poly", "gmsh:physical", cn::polys(m), cn::find_poly_property<int>(m, "label"));
+  print_property<int>("poly", "gmsh:geometrical", cn::polys(m), cn::find_poly_property<int>(m, "entity_tag"));
+  if (const auto names = cn::find_mesh_property<cn::label_names>(m, "label_names"))
+    for (const cn::label_name& n : (*names).names) fmt::print("name {} {} {}\n", n.name, n.label, n.kind == cn::element_kind::poly ? cn::dimension_v<M> : 0);
+}
+
+/// Writes Gmsh files, with groups of polys and their names.
+template<class M>
+void write_gmsh(const std::string& folder, const std::string& name, M m) {
+  if (name == "polygons") return;
+  auto label = cn::poly_property<int>(m, "label"), entity = cn::poly_property<int>(m, "entity_tag");
+  for (const auto p : cn::polys(m)) {
+    label[p] = p.raw() % 2 ? 7 : 3;
+    entity[p] = p.raw() % 2 ? 12 : 40;
+    if (name != "mixed") cn::poly_property<double>(m, "pressure")[p] = 1.0 / (3 + p.raw());  // of several shapes meshio divides values wrongly
+  }
+  auto& names = cn::mesh_property<cn::label_names>(m, "label_names")->names;
+  names = {{cn::element_kind::poly, 3, "steel", {}}, {cn::element_kind::poly, 7, "wood", {}}, {cn::element_kind::vert, 1, "corner", {}}};
+  for (const bool binary : {false, true}) {
+    const std::string file = name + (binary ? "_binary" : "_text") + ".msh";
+    cn::save(m, folder + "/" + file, {.binary = binary});
+    print_mesh(file, m);
+  }
 }
 
 template<class M>
@@ -64,6 +88,7 @@ void write_mesh(const std::string& folder, const std::string& name, M m) {
       cn::save(m, folder + "/" + file + ".stl", {.binary = binary});
       print_mesh(file + ".stl", m);
     }
+  write_gmsh(folder, name, m);
   auto number = cn::poly_property<std::int64_t>(m, "number");
   auto pressure = cn::poly_property<double>(m, "pressure");
   for (const auto p : cn::polys(m)) {

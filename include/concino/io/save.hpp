@@ -55,10 +55,9 @@ namespace concino {
 ///           written if a value is not the default one. Types read back as from .vtk;
 ///         - to .stl: "object" (std::string) of polys as text, "attribute" (std::uint16_t) of polys in binary files.
 ///           Verts are numbered anew, and those at one point become one;
-///         - to .msh: "label" and "entity_tag" (int) of all elements, "entity" as to .mesh, the mesh property
-///           "label_names" (label_names), and all of verts, edges, faces and polys that consist of 1, 3 or 9 numbers of
-///           at most 32 bits, or doubles, as which they are read again. Edges and faces are written if a value is
-///           not 0;
+///         - to .msh: "label" and "entity_tag" (int) of all elements, "entity" as to .mesh, and the mesh property
+///           "label_names" (label_names). Also all of verts, edges, faces and polys that consist of 1, 3 or 9 doubles, or
+///           of numbers of at most 32 bits, which become doubles. Edges and faces are written if a value is not 0;
 ///         - to polyMesh: "label" (int) of faces and polys, "label_names" (label_names) of the mesh. Boundary faces of a
 ///           label become a patch, in the order of "label_names", others the patch defaultFaces; polys of a label a
 ///           cellZone. Faces are numbered anew: inner ones by their polys, then those of each patch in their order;

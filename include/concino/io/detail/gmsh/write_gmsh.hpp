@@ -69,7 +69,6 @@ class gmsh_writer {
   void collect_properties() {
     std::vector<flat_property> all = m_.property_list();
     for (flat_property& p : m_.edge_property_list()) all.push_back(std::move(p));
-    std::string changed;
     for (const element_kind kind : {element_kind::vert, element_kind::poly, element_kind::face, element_kind::edge})
       for (const flat_property& p : all) {
         const vtk_property_type t = vtk_type_of(*p.type);
@@ -84,10 +83,9 @@ class gmsh_writer {
                                      t.components * vtk_names_of(t.number).size});
         c_.declare_stored(kind, p.name, *p.type);
         if (t.number != vtk_number::float64)
-          changed = core::joined({changed, changed.empty() ? "" : ", ", to_string(kind), " \"", p.name, "\""});
+          c_.report.lost.push_back(core::joined({to_string(kind), " property \"", p.name,
+                                                 "\": its numbers are written as doubles, and read again as such"}));
       }
-    if (!changed.empty())
-      c_.report.notes.push_back(core::joined({"properties that are read again as doubles: ", changed}));
   }
 
   std::uint64_t num_elements() const {
