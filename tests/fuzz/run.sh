@@ -28,7 +28,7 @@ if [ -z "${CONCINO_FUZZ_PROGRAM:-}" ]; then
   if [ ! -x "$program" ] || [ -n "$newest" ]; then
     cxx=${CXX:-$(find_clang)} || { echo "no clang++ 14 or later"; exit 1; }
     eigen=$(pkg-config --cflags eigen3 2>/dev/null || echo -I/usr/include/eigen3)
-    "$cxx" -std=c++20 $level -g1 -fsanitize=fuzzer,address,undefined -fno-sanitize=function -fno-sanitize-recover=all -Iinclude -Iconcepts -Iadapters ${eigen//-I/-isystem } \
+    "$cxx" -std=c++20 $level -g1 -fsanitize=fuzzer,address,undefined -fno-sanitize=function -fno-sanitize-recover=all -Iinclude -Iconcepts -Iadapters -Itests ${eigen//-I/-isystem } \
       tests/fuzz/fuzz_readers.cpp -lz -o "$program" || exit 1
   fi
 fi

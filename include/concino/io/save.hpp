@@ -49,8 +49,8 @@ namespace concino {
 ///           written if a value is not the default one. Types read back as from .vtk;
 ///         - to .stl: "object" (std::string) of polys as text, "attribute" (std::uint16_t) of polys in binary files.
 ///           Verts are numbered anew, and those at one point become one.
-///         - to polyMesh: "label" (int) of faces and polys, "label_names" (label_names) of the mesh. Boundary faces of a
-///           label become a patch, in the order of "label_names", others the patch defaultFaces; polys of a label a
+///         - to polyMesh: "label" (int) of faces and polys, "label_names" (label_names) of the mesh. Boundary faces of
+///           a label become a patch, in the order of "label_names", others the patch defaultFaces; polys of a label a
 ///           cellZone. Faces are numbered anew: inner ones by their polys, then those of each patch in their order.
 ///         A polyMesh folder is created if it does not exist, with all that lead to it. All its files change or none
 ///         does, unless the program is killed while they get their names. Files that describe elements of the former

@@ -13,7 +13,7 @@
 
 namespace concino::detail {
 
-/// Fills the points and faces of the arrays. A template only so that programs that read no volumes need not compile it.
+/// Fills the points and faces of arrays. A template only so that programs that read no volumes need not compile it.
 template<std::same_as<polyhedra_arrays> Arrays>
 class openfoam_faces {
   const read_context& context_;
@@ -49,8 +49,9 @@ class openfoam_faces {
       in.skip();
       const char* const position = in.at;
       const std::size_t first = mesh.face_verts.size();
-      in.read_labels("the number of points of a face", max_ids, [](std::uint64_t) {},
-                     [&](const char* at, std::int64_t v) { add_corner(in, at, v); });
+      in.read_labels(
+          "the number of points of a face", max_ids, [](std::uint64_t) {},
+          [&](const char* at, std::int64_t v) { add_corner(in, at, v); });
       end_face(in, position, first, scratch);
       in.report_progress();
     }
@@ -78,11 +79,11 @@ class openfoam_faces {
     in.read_labels(
         "the number of corners of all faces", offsets.back(),
         [&](std::uint64_t n) {
-          if (n != offsets.back())
-            in.fail(corners_at, {"as many corners as the faces have, ", offsets.back()}, {n});
+          if (n != offsets.back()) in.fail(corners_at, {"as many corners as the faces have, ", offsets.back()}, {n});
           for (std::size_t f = 0; f + 1 < offsets.size(); ++f)
             if (offsets[f + 1] - offsets[f] < 3)
-              in.fail(offsets_at, {"faces of at least three points"}, {"face ", f, " of ", offsets[f + 1] - offsets[f]});
+              in.fail(offsets_at, {"faces of at least three points"},
+                      {"face ", f, " of ", offsets[f + 1] - offsets[f]});
           mesh.face_verts.reserve(n);
         },
         [&](const char* position, std::int64_t v) {
@@ -105,7 +106,9 @@ class openfoam_faces {
     read_foam_header(in);
     in.read_vectors(
         "the number of points", max_ids, [&](std::uint64_t n) { mesh.points.reserve(std::min(n, in.left() / 6 + 1)); },
-        [&](double x, double y, double z) { mesh.points.push_back({x, y, z}); });
+        [&](double x, double y, double z) {
+          mesh.points.push_back({x, y, z});
+        });
     in.require_end("the end of the file after the list");
   }
 
