@@ -42,8 +42,8 @@ namespace concino {
 ///         default values at all polys, or at all these faces, belongs to the others only. From .ply: every number and
 ///         list of verts, edges and polys, "normal" and "texture" of verts, "texture" of corners, as ply_format::read
 ///         says. From .stl: "object" of polys, "attribute" (std::uint16_t) of polys. From polyMesh: "label" (int) of
-///         faces, the number of the patch from 1, and of polys, that of the cellZone; "label_names" (label_names) of the
-///         mesh. options.report lists what was skipped, reoriented or worth a remark.
+///         faces, the number of the patch from 1, and of polys, that of the cellZone; "label_names" (label_names) of
+///         the mesh. options.report lists what was skipped, reoriented or worth a remark.
 /// Cost:   one pass over the file, which is read into memory as a whole (or mapped: options.map); the arrays are moved
 ///         into the mesh.
 /// Errors: io_error if the file cannot be read, or shrinks or grows meanwhile. parse_error with the line if it breaks

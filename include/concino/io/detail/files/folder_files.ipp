@@ -35,7 +35,8 @@ CONCINO_INLINE folder_files::folder_files(const std::string& path, bool sync) : 
     const std::size_t slash = at.rfind('/');
     at.resize(slash == std::string::npos ? 0 : slash);
   }
-  created_.reserve(missing.size());
+  created_.reserve(missing.size());  // nothing below allocates once there is a new folder
+  folder_.reserve(folder_.size() + 1);
   while (!missing.empty()) {
     if (!create_folder(missing.back())) {
       const int why = errno;

@@ -7,7 +7,6 @@
 #include <concino/io/detail/files/standard_files.ipp>
 #include <concino/io/detail/files/system_files.hpp>
 
-#include <filesystem>
 #include <string>
 #include <system_error>
 

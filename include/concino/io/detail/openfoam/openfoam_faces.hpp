@@ -61,34 +61,34 @@ class openfoam_faces {
   /// The list of the first corner of each face, then that of all corners.
   void compact_faces(foam_cursor& in) {
     std::vector<std::uint64_t> scratch;
-    std::vector<std::uint32_t> offsets;
+    std::vector<std::uint32_t> begins;
     in.skip();
     const char* const offsets_at = in.at;
     in.read_labels(
-        "the number of faces and 1", max_ids, [&](std::uint64_t n) { offsets.reserve(n); },
+        "the number of faces and 1", max_ids, [&](std::uint64_t n) { begins.reserve(n); },
         [&](const char* position, std::int64_t i) {
-          if (i < (offsets.empty() ? 0 : offsets.back()) || i > std::int64_t{max_ids} || (offsets.empty() && i != 0))
+          if (i < (begins.empty() ? 0 : begins.back()) || i > std::int64_t{max_ids} || (begins.empty() && i != 0))
             in.reject(position, {"the first corner of a face, which begins with 0 and does not decrease"}, {i});
-          offsets.push_back(static_cast<std::uint32_t>(i));
+          begins.push_back(static_cast<std::uint32_t>(i));
         });
     in.skip();
     const char* const corners_at = in.at;
-    if (offsets.empty()) offsets.push_back(0);
-    mesh.face_offsets.reserve(offsets.size());
+    if (begins.empty()) begins.push_back(0);
+    mesh.face_offsets.reserve(begins.size());
     std::size_t first = 0;
     in.read_labels(
-        "the number of corners of all faces", offsets.back(),
+        "the number of corners of all faces", begins.back(),
         [&](std::uint64_t n) {
-          if (n != offsets.back()) in.fail(corners_at, {"as many corners as the faces have, ", offsets.back()}, {n});
-          for (std::size_t f = 0; f + 1 < offsets.size(); ++f)
-            if (offsets[f + 1] - offsets[f] < 3)
+          if (n != begins.back()) in.fail(corners_at, {"as many corners as the faces have, ", begins.back()}, {n});
+          for (std::size_t f = 0; f + 1 < begins.size(); ++f)
+            if (begins[f + 1] - begins[f] < 3)
               in.fail(offsets_at, {"faces of at least three points"},
-                      {"face ", f, " of ", offsets[f + 1] - offsets[f]});
+                      {"face ", f, " of ", begins[f + 1] - begins[f]});
           mesh.face_verts.reserve(n);
         },
         [&](const char* position, std::int64_t v) {
           add_corner(in, position, v);
-          if (mesh.face_verts.size() == offsets[mesh.face_offsets.size()])
+          if (mesh.face_verts.size() == begins[mesh.face_offsets.size()])
             end_face(in, position, first, scratch), first = mesh.face_verts.size();
         });
   }
