@@ -2,6 +2,7 @@
 #include <concino/io/load.hpp>
 #include <concino/io/save.hpp>
 #include <concino/io/field.hpp>
+#include <concino/mesh/tetmesh.hpp>
 #include <concino/mesh/trimesh.hpp>
 
 #include <support/materials.hpp>
@@ -126,6 +127,38 @@ TEST_CASE("killed_save: at every step the files on disk are both old or both new
   CHECK(number_of_steps(from_elsewhere, loaded) == 3);   // the mesh
   CHECK(number_of_steps(from_elsewhere, changed) == 4);  // the library, the mesh
   CHECK(number_of_steps(names_missing, other) == 4);
+}
+
+TEST_CASE("killed_save: a folder is the old or the new one, or a mixture; the next save works and leaves nothing behind") {
+  const tetmesh one({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}), two({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}}, {{0, 1, 2, 3}, {1, 2, 3, 4}});
+  for (int steps = 0, code = 77; code == 77; ++steps) {
+    const temporary_folder dir;
+    save(one, dir / "polyMesh");
+    write_file(dir / "polyMesh/faceZones", "old");
+    const ::pid_t child = ::fork();
+    if (child == 0) {
+      calls_left = steps;
+      save(two, dir / "polyMesh");
+      ::_exit(0);
+    }
+    int status = 0;
+    REQUIRE(::waitpid(child, &status, 0) == child);
+    REQUIRE(WIFEXITED(status));
+    code = WEXITSTATUS(status);
+    try {
+      const std::size_t n = num_polys(load<tetmesh>(dir / "polyMesh"));
+      CHECK((n == 1 || n == 2));
+      if (steps == 0) CHECK(n == 1);
+      if (code == 0) CHECK(n == 2);
+    } catch (const parse_error&) {
+      CHECK(code == 77);
+    }
+    save(two, dir / "polyMesh");
+    CHECK(num_polys(load<tetmesh>(dir / "polyMesh")) == 2);
+    std::size_t n = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(dir / "polyMesh")) n += entry.is_regular_file();
+    CHECK(n == 5);
+  }
 }
 
 TEST_CASE("killed_save: with sync the data reaches the disk before the file is replaced, then the folder") {

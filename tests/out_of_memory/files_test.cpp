@@ -10,6 +10,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
 namespace cn = concino;
 using cn::testing::for_each_failing_allocation;
 using cn::testing::read_file;
@@ -67,7 +72,45 @@ M labelled() {
   return m;
 }
 
+/// The names and texts of the files of a folder, one after another; empty if there is none.
+std::string folder_text(const std::string& path) {
+  std::vector<std::string> files;
+  if (std::filesystem::exists(path))
+    for (const auto& entry : std::filesystem::directory_iterator(path)) files.push_back(entry.path().filename().string() + ":" + read_file(entry.path().generic_string()));
+  std::sort(files.begin(), files.end());
+  std::string all;
+  for (const std::string& file : files) all += file;
+  return all;
+}
+
+/// The same as saved_or_not for a polyMesh, which is new or replaces another.
+template<class M>
+void folder_saved_or_not(const M& m, bool is_new, bool binary) {
+  const cn::testing::temporary_folder dir;
+  const std::string path = dir / "case/polyMesh";
+  cn::save(m, path, {.binary = binary});
+  const std::string expected = folder_text(path);
+  cn::save(cn::tetmesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}), dir / "old/polyMesh");
+  cn::testing::write_file(dir / "old/polyMesh/faceZones", "old");
+  const std::string old = is_new ? "" : folder_text(dir / "old/polyMesh");
+  const auto result = for_each_failing_allocation([&](const auto& attempt) {
+    std::filesystem::remove_all(dir / "case");
+    if (!is_new) std::filesystem::create_directory(dir / "case"), std::filesystem::copy(dir / "old/polyMesh", path);
+    cn::save_report report;
+    const bool failed = attempt([&] { cn::save(m, path, {.report = &report, .binary = binary}); });
+    CHECK(folder_text(path) == (failed ? old : expected));
+    if (is_new) CHECK(std::filesystem::exists(dir / "case") == !failed);
+  });
+  CHECK(result.failed > 0);
+  CHECK(result.leaks == 0);
+}
+
 }  // namespace
+
+TEST_CASE("saving a folder replaces all its files or none") {
+  for (const bool is_new : {false, true})
+    for (const bool binary : {false, true}) folder_saved_or_not(labelled<cn::hexmesh>(), is_new, binary);
+}
 
 TEST_CASE("saving replaces the file completely or not at all") {
   saved_or_not(labelled<cn::trimesh>(), "a.obj");
@@ -94,4 +137,6 @@ TEST_CASE("loading into a mesh succeeds or changes nothing") {
   loaded_or_not(labelled<cn::hexmesh>(), "a.hybrid");
   loaded_or_not(labelled<cn::hexmesh>(), "a.hedra");
   loaded_or_not(labelled<cn::polyhedralmesh>(), "a.hedra");
+  loaded_or_not(labelled<cn::polyhedralmesh>(), "polyMesh");
+  loaded_or_not(labelled<cn::hexmesh>(), "polyMesh");
 }

@@ -65,6 +65,17 @@ for file in "${files[@]}"; do
     cmp -s "$work/here" "$work/there" || fail "$file differs after its way through .$extension"
   done
 done
+# folders of OpenFOAM: FILE is the polyMesh or the case
+expect 0 convert "$small/hex/block.mesh" "$work/case/constant/polyMesh"
+for folder in "$work/case" "$work/case/" "$work/case/constant/polyMesh"; do
+  expect 0 info --json "$folder"
+  equal "kind of a case" "$(value kind)" '"hexmesh"'
+  expect 0 validate "$folder"
+done
+expect 0 convert "$work/case" "$work/block.vtu" --kind polyhedralmesh
+expect 4 convert "$small/tri/ball.obj" "$work/other/polyMesh"
+says err 'polyMesh cannot hold surfaces'
+[ ! -e "$work/other" ] || fail "a folder of a mesh that was refused"
 expect 0 convert "$small/quad/tube.off" "$work/triangles.stl" --as-triangles
 says err 'lost: '
 expect 4 convert "$small/quad/tube.off" "$work/quads.stl"

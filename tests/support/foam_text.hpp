@@ -55,7 +55,7 @@ struct foam_text_format {
           std::copy(text.begin(), text.end(), exact.get());
           return use(std::string_view(exact.get(), text.size()), std::string_view(std::string(in.name) + "/" + key));
         }
-      if (is_needed) core::throw_joined<io_error>({in.name, "/", file, ": is missing"});
+      if (is_needed) core::throw_joined<unsupported>({in.name, "/", file, ": is missing"});
     };
     detail::read_openfoam_files(source, in, out);
   }

@@ -77,7 +77,7 @@ int run(int argc, char** argv) {
   convert_options of_convert;
   command = add_command(app, "convert", "Writes a mesh in another format", "convert bunny.obj bunny.vtu");
   command->add_option("in", of_convert.from, "the mesh")->required();
-  command->add_option("out", of_convert.to, "the new file, whose extension names the format")->required();
+  command->add_option("out", of_convert.to, "the new file, whose extension names the format, or a polyMesh folder")->required();
   command
       ->add_option("--kind", of_convert.kind,
                    "the kind of mesh: polygons become triangles by trimesh, polyhedra tets by tetmesh")

@@ -61,6 +61,17 @@ inline std::shared_ptr<column> make_column(const value_type& type, std::size_t n
   return std::make_shared<column>(type, n);
 }
 
+/// Replaces a value that has a copy function. If copying throws, a default value is left.
+inline void replace_value(const value_type& type, void* at, const void* from) {
+  type.destroy(at);
+  try {
+    type.copy(at, from);
+  } catch (...) {
+    type.make(at);
+    throw;
+  }
+}
+
 }  // namespace detail
 
 /// Edges, or faces of a volume, that a file lists by their verts to give them values: element i has verts[offsets[i]]

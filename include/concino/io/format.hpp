@@ -20,8 +20,8 @@
 //     static constexpr bool has_only_properties = true;  if its reader stores no values but by add_property, for verts,
 //     faces, polys and the mesh static constexpr bool holds_faces = true;          if files list the faces of volumes;
 //     else save reports equal faces, and faces of no poly, as lost
-//     static constexpr bool is_folder = true;           if a mesh is a folder of files. Its extensions are then names of
-//     folders, like "polyMesh"; folder_file is a file that each of them has, and folder_in_case the path of such a
+//     static constexpr bool is_folder = true;           if a mesh is a folder of files. Its extensions are then names
+//     of folders, like "polyMesh"; folder_file is a file that each of them has, and folder_in_case the path of such a
 //     folder inside of one that is passed instead. read gets the path of the folder as in.name; write writes to the
 //     files of out.folder.
 //     read as a template over the contents

@@ -47,10 +47,10 @@ namespace concino {
 ///         default values at all polys, or at all these faces, belongs to the others only. From .ply: every number and
 ///         list of verts, edges and polys, "normal" and "texture" of verts, "texture" of corners, as ply_format::read
 ///         says. From .stl: "object" of polys, "attribute" (std::uint16_t) of polys. From .msh and polyMesh: "label"
-///         (int) of elements and the mesh property "label_names" (label_names), which has their names; more as
-///         gmsh_format::read and openfoam_format::read say. From .ovm: every property of verts, edges, faces, polys and the
-///         mesh. options.report lists what was skipped, reoriented or worth
-///         a remark.
+///         (int) of elements, and the mesh property "label_names" (label_names), which has their names; of polyMesh
+///         the number of the patch of a face from 1, and of the cellZone of a poly. From .ovm: every property of verts,
+///         edges, faces, polys and the mesh. The read() of each format says more. options.report lists what was skipped,
+///         reoriented or worth a remark.
 /// Cost:   one pass over the file, which is read into memory as a whole (or mapped: options.map); the arrays are moved
 ///         into the mesh.
 /// Errors: io_error if the file cannot be read, or shrinks or grows meanwhile. parse_error with the line if it breaks

@@ -13,10 +13,10 @@
 
 namespace concino::detail {
 
-/// New files in a folder, which is created if it does not exist, with all that lead to it. Unless commit() succeeds, the
-/// folder stays as it was. Files get their names one after another, so that a process that is killed meanwhile leaves
-/// some old and some new ones. If commit() fails after the first, it puts back the old files; where the file system has
-/// no hard links it cannot.
+/// New files in a folder, which is created if it does not exist, with all that lead to it. Unless commit() succeeds,
+/// the folder stays as it was. Files get their names one after another, so that a process that is killed meanwhile
+/// leaves some old and some new ones. If commit() fails after the first, it puts back the old files; where the file
+/// system has no hard links it cannot.
 class folder_files final : public folder_sink {
   struct part {
     std::string path, backup;  // both with all links followed
@@ -30,8 +30,8 @@ class folder_files final : public folder_sink {
   bool sync_, is_committed_ = false;
   std::vector<std::string> created_;  // folders, the innermost first
   std::vector<std::unique_ptr<part>> parts_;
-  std::vector<std::string> removed_;  // paths
-  std::vector<std::string> removed_backups_;
+  std::vector<std::string> removed_, removed_backups_;  // paths
+  std::vector<std::string> stale_;                      // what processes that were killed may have left
 
   void put_back() noexcept;
 

@@ -35,7 +35,8 @@ CONCINO_INLINE folder_files::folder_files(const std::string& path, bool sync) : 
     const std::size_t slash = at.rfind('/');
     at.resize(slash == std::string::npos ? 0 : slash);
   }
-  created_.reserve(missing.size());
+  created_.reserve(missing.size());  // nothing below allocates once there is a new folder
+  folder_.reserve(folder_.size() + 1);
   while (!missing.empty()) {
     if (!create_folder(missing.back())) {
       const int why = errno;
@@ -61,8 +62,9 @@ CONCINO_INLINE text_sink& folder_files::file(std::string_view name) {
 
 CONCINO_INLINE bool folder_files::remove(std::string_view name) {
   std::string path = core::joined({folder_, name});
+  stale_.push_back(backup_of(path));
   if (status_of_link(path).kind != file_kind::regular) return false;
-  removed_backups_.push_back(backup_of(path));
+  removed_backups_.push_back(stale_.back());
   removed_.push_back(std::move(path));
   return true;
 }
@@ -86,8 +88,8 @@ CONCINO_INLINE void folder_files::commit() {
   finish();
   try {
     for (const std::unique_ptr<part>& p : parts_) {
-      if (status_of(p->path).kind != file_kind::regular) continue;
       remove_file(p->backup);  // of a process that was killed
+      if (status_of(p->path).kind != file_kind::regular) continue;
       p->has_backup = link_file(p->path, p->backup);
     }
     for (const std::unique_ptr<part>& p : parts_) p->file.commit();
@@ -101,7 +103,7 @@ CONCINO_INLINE void folder_files::commit() {
   is_committed_ = true;
   for (const std::unique_ptr<part>& p : parts_)
     if (p->has_backup) remove_file(p->backup);
-  for (const std::string& backup : removed_backups_) remove_file(backup);
+  for (const std::string& backup : stale_) remove_file(backup);
 }
 
 }  // namespace concino::detail

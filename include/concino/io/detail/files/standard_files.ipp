@@ -137,32 +137,6 @@ CONCINO_INLINE bool remove_file(const std::string& path) noexcept {
   }
 }
 
-CONCINO_INLINE bool link_file(const std::string& path, const std::string& second_path) {
-  std::error_code error;
-  std::filesystem::create_hard_link(system_path(path), system_path(second_path), error);
-  if (error) set_errno(error);
-  return !error;
-}
-
-CONCINO_INLINE bool rename_file(const std::string& path, const std::string& new_path) noexcept {
-  try {
-    std::error_code error;
-    std::filesystem::rename(system_path(path), system_path(new_path), error);
-    return !error;
-  } catch (...) {  // no memory for the path
-    return false;
-  }
-}
-
-CONCINO_INLINE bool create_folder(const std::string& path) {
-  std::error_code error;
-  const bool is_new = std::filesystem::create_directory(system_path(path), error);
-  if (error) set_errno(error);
-  return is_new;
-}
-
-CONCINO_INLINE bool remove_folder(const std::string& path) noexcept { return remove_file(path); }
-
 CONCINO_INLINE const char* map_file(file_handle, std::size_t) {
   errno = ENOTSUP;
   return nullptr;

@@ -88,4 +88,5 @@ class open_file {
 #include <concino/io/detail/files/posix_atomic_file.ipp>
 #include <concino/io/detail/files/posix_files.ipp>
 #include <concino/io/detail/files/standard_files.ipp>
+#include <concino/io/detail/files/standard_folders.ipp>
 #endif

@@ -19,7 +19,7 @@ CONCINO_INLINE std::shared_ptr<column> picked(const column& from, const std::vec
   const auto* const values = static_cast<const unsigned char*>(from.data());
   for (const std::uint32_t i : origin) {
     if (i < from.size()) {
-      if (type.copy) type.destroy(value), type.copy(value, values + i * type.size);
+      if (type.copy) replace_value(type, value, values + i * type.size);
       else std::memcpy(value, values + i * type.size, type.size);
     }
     value += type.size;

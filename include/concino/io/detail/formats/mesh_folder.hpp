@@ -21,8 +21,8 @@ std::string folder_to_write(const std::string& path, const format_row& row);
 
 inline constexpr std::size_t no_folder = ~std::size_t{0};
 
-/// The format that reads the folder at a path, the last one among those that can; no_folder if the path is to be read as
-/// a file. `folder` becomes the folder of the mesh. Candidates: the formats that the extension or the call names.
+/// The format that reads the folder at a path, the last one among those that can; no_folder if the path is to be read
+/// as a file. `folder` becomes the folder of the mesh. Candidates: the formats that the extension or the call names.
 std::size_t choose_folder(const std::string& path, std::uint64_t candidates, bool by_extension, format_rows known,
                           std::string& folder);
 

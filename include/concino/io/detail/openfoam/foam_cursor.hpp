@@ -142,7 +142,8 @@ class foam_cursor : public text_cursor {
     const std::uint64_t room = (left() + 1) / 2;
     if (static_cast<std::uint64_t>(n) > most) fail_count(from, static_cast<std::uint64_t>(n), most);
     if (skip(); !at_end() && *at == '{') {
-      if (static_cast<std::uint64_t>(n) > begin_to_end()) fail_count(from, static_cast<std::uint64_t>(n), begin_to_end());
+      if (static_cast<std::uint64_t>(n) > begin_to_end())
+        fail_count(from, static_cast<std::uint64_t>(n), begin_to_end());
     } else if (static_cast<std::uint64_t>(n) > room) {
       fail(from, {"a number of entries that fits into the file"}, {n, " entries, and ", left(), " bytes"});
     }
@@ -204,7 +205,8 @@ class foam_cursor : public text_cursor {
         x[k++] = c;
         if (k == 3) use(x[0], x[1], x[2]), k = 0;
       };
-      if (encoding.scalar_size == 4) take<float>(3 * n, [&](const char* p, float c) { add(p, static_cast<double>(c)); });
+      if (encoding.scalar_size == 4)
+        take<float>(3 * n, [&](const char* p, float c) { add(p, static_cast<double>(c)); });
       else take<double>(3 * n, add);
       end_binary();
       return report_progress();

@@ -50,7 +50,7 @@ inline std::pair<std::string, std::string> foam_entry_of(const std::string& line
 struct foam_group {
   int label = 0;
   std::string name = {};
-  std::vector<std::string> lines = {};  // with the type first, if it was missing
+  std::vector<std::string> lines = {};       // with the type first, if it was missing
   std::vector<std::uint32_t> elements = {};  // faces or polys
 };
 
@@ -58,7 +58,7 @@ struct foam_group {
 /// labels, then what has no label.
 class foam_groups {
   save_report& report_;
-  const char* what_;  // "patch", for messages
+  const char* what_;                                    // "patch", for messages
   std::vector<std::pair<int, std::uint32_t>> numbers_;  // of the group of each label, sorted
 
   void add(int label, std::string_view name) {
@@ -79,7 +79,8 @@ class foam_groups {
     for (const std::string& line : lines) {
       const auto [key, value] = foam_entry_of(line);
       if (key.empty())
-        report_.lost.push_back(core::joined({"the line '", line, "' of the ", what_, " ", g.name, ", which is no entry"}));
+        report_.lost.push_back(
+            core::joined({"the line '", line, "' of the ", what_, " ", g.name, ", which is no entry"}));
       if (key.empty() || key == "nFaces" || key == "startFace" || key == "cellLabels") continue;
       has_type = has_type || key == "type";
       g.lines.push_back(foam_line(key, value));
@@ -127,7 +128,8 @@ class foam_groups {
       if (all[i].label != 0 && all[i].label != static_cast<int>(i + 1))
         changed = core::joined({changed, changed.empty() ? "" : ", ", all[i].label, " as ", i + 1});
     if (!changed.empty())
-      report_.notes.push_back(core::joined({"labels of ", elements, " are numbered anew when the file is read: ", changed}));
+      report_.notes.push_back(
+          core::joined({"labels of ", elements, " are numbered anew when the file is read: ", changed}));
   }
 
   static void write_lines(text_sink& out, const foam_group& g) {

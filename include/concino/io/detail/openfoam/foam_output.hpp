@@ -19,8 +19,8 @@ class foam_output {
   foam_output(text_sink& out, bool binary) : out_(out), binary_(binary) {}
 
   void header(std::string_view class_name, std::string_view object, std::string_view note = {}) {
-    out_ << "FoamFile\n{\n    version     2.0;\n    format      " << (binary_ ? "binary" : "ascii") << ";\n    class       "
-         << class_name << ";\n";
+    out_ << "FoamFile\n{\n    version     2.0;\n    format      " << (binary_ ? "binary" : "ascii")
+         << ";\n    class       " << class_name << ";\n";
     if (binary_)
       out_ << "    arch        \"" << (std::endian::native == std::endian::little ? "LSB" : "MSB")
            << ";label=32;scalar=64\";\n";
@@ -40,7 +40,9 @@ class foam_output {
 
   /// An entry of a list of numbers.
   template<class T>
-  void binary(T x) { out_ << std::string_view(reinterpret_cast<const char*>(&x), sizeof x); }
+  void binary(T x) {
+    out_ << std::string_view(reinterpret_cast<const char*>(&x), sizeof x);
+  }
   void label(std::size_t i) {
     if (binary_) binary(static_cast<std::int32_t>(i));
     else out_ << i << '\n';

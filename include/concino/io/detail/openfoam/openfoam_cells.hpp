@@ -44,11 +44,11 @@ struct cells_of_polyhedra {
   [[noreturn, gnu::noinline, gnu::cold]] void fail(std::string_view name, const Arrays& m) const {
     cell_recogniser known;
     const cell_shape s = recognise(m, num_fitting, known);
-    throw parse_error(std::string(name), 1,
-                      core::joined({name_of_poly(true, arity), " (polyhedralmesh and load_any take any polyhedron)"}),
-                      core::joined({"cell ", num_fitting, ", a ",
-                                    s == cell_shape::general ? "polyhedron" : standard_cell_of(s).name, " of ",
-                                    m.poly_offsets[num_fitting + 1] - m.poly_offsets[num_fitting], " faces"}));
+    throw parse_error(
+        std::string(name), 1,
+        core::joined({name_of_poly(true, arity), " (polyhedralmesh and load_any take any polyhedron)"}),
+        core::joined({"cell ", num_fitting, ", a ", s == cell_shape::general ? "polyhedron" : standard_cell_of(s).name,
+                      " of ", m.poly_offsets[num_fitting + 1] - m.poly_offsets[num_fitting], " faces"}));
   }
 };
 

@@ -13,7 +13,7 @@
 
 namespace concino::detail {
 
-/// Fills the points and faces of the arrays. A template only so that programs that read no volumes need not compile it.
+/// Fills the points and faces of arrays. A template only so that programs that read no volumes need not compile it.
 template<std::same_as<polyhedra_arrays> Arrays>
 class openfoam_faces {
   const read_context& context_;
@@ -49,8 +49,9 @@ class openfoam_faces {
       in.skip();
       const char* const position = in.at;
       const std::size_t first = mesh.face_verts.size();
-      in.read_labels("the number of points of a face", max_ids, [](std::uint64_t) {},
-                     [&](const char* at, std::int64_t v) { add_corner(in, at, v); });
+      in.read_labels(
+          "the number of points of a face", max_ids, [](std::uint64_t) {},
+          [&](const char* at, std::int64_t v) { add_corner(in, at, v); });
       end_face(in, position, first, scratch);
       in.report_progress();
     }
@@ -60,34 +61,34 @@ class openfoam_faces {
   /// The list of the first corner of each face, then that of all corners.
   void compact_faces(foam_cursor& in) {
     std::vector<std::uint64_t> scratch;
-    std::vector<std::uint32_t> starts;
+    std::vector<std::uint32_t> begins;
     in.skip();
-    const char* const starts_at = in.at;
+    const char* const offsets_at = in.at;
     in.read_labels(
-        "the number of faces and 1", max_ids, [&](std::uint64_t n) { starts.reserve(n); },
+        "the number of faces and 1", max_ids, [&](std::uint64_t n) { begins.reserve(n); },
         [&](const char* position, std::int64_t i) {
-          if (i < (starts.empty() ? 0 : starts.back()) || i > std::int64_t{max_ids} || (starts.empty() && i != 0))
+          if (i < (begins.empty() ? 0 : begins.back()) || i > std::int64_t{max_ids} || (begins.empty() && i != 0))
             in.reject(position, {"the first corner of a face, which begins with 0 and does not decrease"}, {i});
-          starts.push_back(static_cast<std::uint32_t>(i));
+          begins.push_back(static_cast<std::uint32_t>(i));
         });
     in.skip();
     const char* const corners_at = in.at;
-    if (starts.empty()) starts.push_back(0);
-    mesh.face_offsets.reserve(starts.size());
+    if (begins.empty()) begins.push_back(0);
+    mesh.face_offsets.reserve(begins.size());
     std::size_t first = 0;
     in.read_labels(
-        "the number of corners of all faces", starts.back(),
+        "the number of corners of all faces", begins.back(),
         [&](std::uint64_t n) {
-          if (n != starts.back())
-            in.fail(corners_at, {"as many corners as the faces have, ", starts.back()}, {n});
-          for (std::size_t f = 0; f + 1 < starts.size(); ++f)
-            if (starts[f + 1] - starts[f] < 3)
-              in.fail(starts_at, {"faces of at least three points"}, {"face ", f, " of ", starts[f + 1] - starts[f]});
+          if (n != begins.back()) in.fail(corners_at, {"as many corners as the faces have, ", begins.back()}, {n});
+          for (std::size_t f = 0; f + 1 < begins.size(); ++f)
+            if (begins[f + 1] - begins[f] < 3)
+              in.fail(offsets_at, {"faces of at least three points"},
+                      {"face ", f, " of ", begins[f + 1] - begins[f]});
           mesh.face_verts.reserve(n);
         },
         [&](const char* position, std::int64_t v) {
           add_corner(in, position, v);
-          if (mesh.face_verts.size() == starts[mesh.face_offsets.size()])
+          if (mesh.face_verts.size() == begins[mesh.face_offsets.size()])
             end_face(in, position, first, scratch), first = mesh.face_verts.size();
         });
   }
@@ -105,7 +106,9 @@ class openfoam_faces {
     read_foam_header(in);
     in.read_vectors(
         "the number of points", max_ids, [&](std::uint64_t n) { mesh.points.reserve(std::min(n, in.left() / 6 + 1)); },
-        [&](double x, double y, double z) { mesh.points.push_back({x, y, z}); });
+        [&](double x, double y, double z) {
+          mesh.points.push_back({x, y, z});
+        });
     in.require_end("the end of the file after the list");
   }
 

@@ -16,12 +16,12 @@ namespace concino::detail {
 class openfoam_order {
   flat_mesh& m_;
   const flat_polyhedra& all_;
-  std::vector<std::uint8_t> outward_;  // whether the verts of a face are counter-clockwise as seen from outside the owner
+  std::vector<std::uint8_t> outward_;  // whether a face is counter-clockwise as seen from outside its owner
 
  public:
   static constexpr std::uint32_t none = ~0u;
   std::vector<std::uint32_t> owner, neighbour;
-  std::vector<std::uint32_t> inner, boundary;  // faces, in the order of the file; boundary has to be divided into patches
+  std::vector<std::uint32_t> inner, boundary;  // faces, in the order of the file within each patch
   std::size_t num_unused = 0;                  // faces of no poly
 
   /// Errors: unsupported if a face has three polys, or a poly no faces.
@@ -38,7 +38,8 @@ class openfoam_order {
         if (owner[i] == none) owner[i] = p, outward_[i] = all_.outward[k];
         else if (neighbour[i] == none) neighbour[i] = p;
         else
-          c.throw_cannot_hold("polyMesh", {"face ", m.face_indices.empty() ? i : m.face_indices[i], ", which has three polys"},
+          c.throw_cannot_hold("polyMesh",
+                              {"face ", m.face_indices.empty() ? i : m.face_indices[i], ", which has three polys"},
                               ".hedra");
         ++k;
       }

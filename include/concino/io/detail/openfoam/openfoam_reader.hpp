@@ -146,14 +146,18 @@ class openfoam_reader {
       for_each_foam_entry(in, [&](std::string_view key, const char*) {
         if (key != "cellLabels") return zone.lines.push_back(foam_line(key, next_foam_value(in)));
         is_found = true;
-        in.read_labels("the number of cells", num_cells_, [&](std::uint64_t n) { if (n) cell_labels_.resize(num_cells_); },
-                       [&](const char* position, std::int64_t c) {
-                         if (c < 0 || c >= static_cast<std::int64_t>(num_cells_))
-                           in.reject(position, {"the number of a cell, below ", num_cells_}, {c});
-                         int& of_cell = cell_labels_[static_cast<std::size_t>(c)];
-                         if (of_cell == 0) of_cell = label;
-                         else ++num_repeated;
-                       });
+        in.read_labels(
+            "the number of cells", num_cells_,
+            [&](std::uint64_t n) {
+              if (n) cell_labels_.resize(num_cells_);
+            },
+            [&](const char* position, std::int64_t c) {
+              if (c < 0 || c >= static_cast<std::int64_t>(num_cells_))
+                in.reject(position, {"the number of a cell, below ", num_cells_}, {c});
+              int& of_cell = cell_labels_[static_cast<std::size_t>(c)];
+              if (of_cell == 0) of_cell = label;
+              else ++num_repeated;
+            });
         in.require(';', "the ';' of an entry");
       });
       if (!is_found) report().skipped.push_back(core::joined({"the zone ", name, ", which lists no cellLabels"}));

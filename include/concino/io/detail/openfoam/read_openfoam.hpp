@@ -19,8 +19,8 @@ inline bool has_foam_zones(std::string_view text, std::string_view name) {
   }
 }
 
-/// Reads the files of a polyMesh folder. source(name, is_needed, use) calls use(text, name for messages) for the file of
-/// that name; a file that is not needed may be missing.
+/// Reads the files of a polyMesh folder. source(name, is_needed, use) calls use(text, name for messages) for the file
+/// of that name; a file that is not needed may be missing.
 template<class Source, class Contents>
 void read_openfoam_files(const Source& source, const read_context& context, Contents& out) {
   openfoam_reader<Contents> reader(context);
@@ -28,7 +28,8 @@ void read_openfoam_files(const Source& source, const read_context& context, Cont
   const auto report = [&](double fraction, const char* label) {
     return (*context.progress)(begin + fraction * (end - begin), label);
   };
-  const concino::progress part = context.progress && *context.progress ? concino::progress(report) : concino::progress();
+  const concino::progress part =
+      context.progress && *context.progress ? concino::progress(report) : concino::progress();
   std::string cells_name;
   const auto read = [&](std::string_view file, bool is_needed, double until, const auto& f) {
     begin = end;
@@ -64,7 +65,7 @@ class openfoam_folder {
   void operator()(std::string_view name, bool is_needed, const Use& use) const {
     const std::string path = core::joined({folder_, name});
     if (status_of(path).kind == file_kind::none) {
-      if (const std::string packed = path + ".gz"; status_of(packed).kind != file_kind::none) {
+      if (const std::string packed = core::joined({path, ".gz"}); status_of(packed).kind != file_kind::none) {
         if (is_needed)
           core::throw_joined<unsupported>({packed, ": files compressed by gzip are not read; unpack them with gunzip"});
         report_.skipped.push_back(core::joined({name, ".gz, which is compressed by gzip"}));
@@ -88,8 +89,8 @@ namespace concino {
 ///         "label" k + 1, others 0. "label_names" of the mesh has the names of patches and zones in order, with all
 ///         other entries of their dictionaries but nFaces, startFace and cellLabels, each on one line. faceZones and
 ///         pointZones are reported as skipped, and so is all but the first zone of a cell.
-/// Cost:   O(size of the files) and sorting the edges of each cell, and for tets and hexes the faces. One file at a time
-///         is in memory.
+/// Cost:   O(size of the files) and sorting the edges of each cell, and for tets and hexes the faces. One file at a
+///         time is in memory.
 /// Errors: io_error if a file is missing. parse_error naming the file, and the line (in binary lists the byte) of what
 ///         breaks the format, of a face with fewer than three verts or with one twice, of a cell without faces, and of
 ///         patches that overlap or contain inner faces. unsupported for files compressed by gzip or of several

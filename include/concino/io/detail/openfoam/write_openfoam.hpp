@@ -32,7 +32,8 @@ class openfoam_writer {
     for (const std::uint32_t f : order_.boundary) patches_.all[patches_.find(label_of(f))].elements.push_back(f);
     if (const std::size_t g = patches_.find(0); g != foam_groups::no_group)
       if (const std::size_t n = patches_.all[g].elements.size())
-        report().notes.push_back(core::joined({n, " boundary faces without a label are in the patch ", patches_.all[g].name}));
+        report().notes.push_back(
+            core::joined({n, " boundary faces without a label are in the patch ", patches_.all[g].name}));
     faces_ = order_.inner;
     for (const foam_group& g : patches_.all) faces_.insert(faces_.end(), g.elements.begin(), g.elements.end());
     std::size_t num_inner_labels = 0;
@@ -112,8 +113,8 @@ class openfoam_writer {
   void write_cells(std::string_view file, const std::vector<std::uint32_t>& faces,
                    const std::vector<std::uint32_t>& cells) {
     foam_output out = begin(file, "labelList",
-                            core::joined({"nPoints:", m_.points.size(), "  nCells:", m_.num_polys, "  nFaces:",
-                                          faces_.size(), "  nInternalFaces:", order_.inner.size()}));
+                            core::joined({"nPoints:", m_.points.size(), "  nCells:", m_.num_polys,
+                                          "  nFaces:", faces_.size(), "  nInternalFaces:", order_.inner.size()}));
     out.begin_list(faces.size());
     for (const std::uint32_t f : faces) out.label(cells[f]);
     out.end_list(faces.size());
@@ -150,13 +151,12 @@ class openfoam_writer {
 
   /// What describes the elements of the mesh that is replaced.
   void remove_old_files() {
-    for (const std::string_view name :
-         {"points", "faces", "owner", "neighbour", "boundary", "cellZones", "faceZones", "pointZones", "meshModifiers",
-          "parallelData"})
+    for (const std::string_view name : {"points", "faces", "owner", "neighbour", "boundary", "cellZones", "faceZones",
+                                        "pointZones", "meshModifiers", "parallelData"})
       for (const std::string_view ending : {"", ".gz"}) {
-        const bool is_new = ending.empty() && (name == "points" || name == "faces" || name == "owner" ||
-                                               name == "neighbour" || name == "boundary" ||
-                                               (name == "cellZones" && !zones_.all.empty()));
+        const bool is_new =
+            ending.empty() && (name == "points" || name == "faces" || name == "owner" || name == "neighbour" ||
+                               name == "boundary" || (name == "cellZones" && !zones_.all.empty()));
         if (!is_new && c_.folder->remove(core::joined({name, ending})))
           report().notes.push_back(core::joined({name, ending, ", which belongs to the former mesh, is removed"}));
       }

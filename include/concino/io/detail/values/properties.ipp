@@ -113,8 +113,7 @@ CONCINO_INLINE void set_columns(property_set& all, file_contents& contents, elem
     auto* const first = static_cast<unsigned char*>(to->data());
     for (std::size_t i = 0, n = std::min(where.size(), c.values->size()); i < n; ++i) {
       if (where[i] == ~0u) continue;
-      if (type.copy)
-        type.destroy(first + where[i] * type.size), type.copy(first + where[i] * type.size, from + i * type.size);
+      if (type.copy) replace_value(type, first + where[i] * type.size, from + i * type.size);
       else std::memcpy(first + where[i] * type.size, from + i * type.size, type.size);
     }
     any = true;
