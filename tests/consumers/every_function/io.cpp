@@ -35,6 +35,12 @@ void call_formats() {
   call("load_ply", [](auto& m) { cn::save_ply(m, "m.ply"), cn::load_ply<std::remove_reference_t<decltype(m)>>("m.ply"); }, surfaces);
   call("save_stl", [](auto& m) { cn::save_stl(m, "m.stl"); }, kinds<cn::trimesh>());
   call("load_stl", [](auto& m) { cn::save_stl(m, "m.stl"), cn::load_stl<std::remove_reference_t<decltype(m)>>("m.stl"); }, kinds<cn::trimesh>());
+  call("save_ele", [](auto& m) { cn::save_ele(m, "m.ele"); }, kinds<cn::tetmesh>());
+  call("load_ele", [](auto& m) { cn::save_ele(m, "m.ele"), cn::load_ele<std::remove_reference_t<decltype(m)>>("m.ele"); }, kinds<cn::tetmesh>());
+  call("save_smesh", [](auto& m) { cn::save_smesh(m, "m.smesh"); }, surfaces);
+  call("load_smesh", [](auto& m) { cn::save_smesh(m, "m.smesh"), cn::load_smesh<std::remove_reference_t<decltype(m)>>("m.smesh"); }, surfaces);
+  call("save_poly", [](auto& m) { cn::save_poly(m, "m.poly"); }, surfaces);
+  call("load_poly", [](auto& m) { cn::save_poly(m, "m.poly"), cn::load_poly<std::remove_reference_t<decltype(m)>>("m.poly"); }, surfaces);
   call("save_vtu", [](auto& m) { cn::save_vtu(m, "m.vtu"); }, all);
   call("load_vtu", [](auto& m) { cn::save_vtu(m, "m.vtu"), cn::load_vtu<std::remove_reference_t<decltype(m)>>("m.vtu"); }, all);
 }
