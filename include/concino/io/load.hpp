@@ -28,7 +28,8 @@ namespace concino {
 
 /// Reads a mesh from a file. The extension determines which of standard_formats it is in: .obj, .off, .mesh, .meshb,
 /// .hedra, .hybrid, .tet, .iv, .vtk, .vtu, .vtp, .ply or .stl, in upper or lower case. A file that begins like a file
-/// of another of these formats is read as what it is, and the report has a note.
+/// of another of these formats is read as what it is, and the report has a note. Others are .ele, .node, .smesh and
+/// .poly of TetGen, and .inp of Abaqus.
 /// Needs:  Loadable M.
 /// Result: the mesh, with its elements in the order of the file. A polyhedralmesh can hold any volume and a polygonmesh
 ///         any surface; the other kinds accept only what they can hold. Values in the file become properties of the
@@ -44,6 +45,9 @@ namespace concino {
 ///         list of verts, edges and polys, "normal" and "texture" of verts, "texture" of corners, as ply_format::read
 ///         says. From .stl: "object" of polys, "attribute" (std::uint16_t) of polys. options.report lists what was
 ///         skipped, reoriented or worth a remark.
+///         From .ele and .node, which are read together, and from .smesh and .poly: "attribute_1", ... (double) of
+///         verts, and of the polys of .ele. If .face and .edge are beside .ele: "label" of faces and edges. From .inp:
+///         each set (int, 0 or 1) of verts or polys, by its name.
 /// Cost:   one pass over the file, which is read into memory as a whole (or mapped: options.map); the arrays are moved
 ///         into the mesh.
 /// Errors: io_error if the file cannot be read, or shrinks or grows meanwhile. parse_error with the line if it breaks

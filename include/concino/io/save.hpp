@@ -27,7 +27,8 @@ namespace concino {
 /// Writes a mesh to a file. The extension determines which of standard_formats is used. For surfaces: .obj, .off, and
 /// .mesh for triangles and quads. For volumes: .hedra and .hybrid for any, .mesh and .tet for tets, hexes, prisms and
 /// pyramids, which are recognised by their faces. .meshb, the binary .mesh, for the same; .vtk and .vtu for any mesh,
-/// .vtp and .ply for any surface, .stl for triangles.
+/// .vtp and .ply for any surface, .stl for triangles. .ele or .node, both with the other, for tets; .smesh and .poly
+/// for any surface.
 /// Needs:  a surface or volume mesh with points, of any type.
 /// Result: the complete file, which replaces an existing one; coordinates read back as the same numbers. Verts (and
 ///         faces) are numbered in the order of verts(m) (and faces(m)). These properties are written:
@@ -48,12 +49,17 @@ namespace concino {
 ///           doubles, or of a std::vector of such numbers; "texture" (std::array<double, 2>) of corners. Edges are
 ///           written if a value is not the default one. Types read back as from .vtk;
 ///         - to .stl: "object" (std::string) of polys as text, "attribute" (std::uint16_t) of polys in binary files.
-///           Verts are numbered anew, and those at one point become one.
+///           Verts are numbered anew, and those at one point become one;
+///         - to .ele and .node: "label" (int) of all elements, that of polys as the region; "attribute_1", ... (double)
+///           of verts and polys. Faces and edges with a label other than 0 are in .face and .edge;
+///         - to .smesh and .poly: "label" (int) of verts and polys, "attribute_1", ... (double) of verts.
 ///         An .obj uses the material libraries that the mesh's file named, if they are in the folder of the new file
 ///         and hold the same colours and materials. Otherwise a new library is written there, with the same name and
 ///         .mtl, or _1.mtl and so on. Existing libraries are not changed, but those that earlier saves created for this
 ///         file are removed. Both files change or neither does; even if the program is killed, the .obj on disk finds
 ///         its materials. options.report names whatever is lost, changed or renamed.
+///         The files .node, .ele, .face and .edge of a mesh are replaced together, or none is. If the program is killed
+///         meanwhile, some may be new and some old. Without labels, old .face and .edge files become empty lists.
 /// Cost:   O(size of the mesh) time. Memory: O(corners), or none for arrays that the mesh stores in the form of the
 ///         file, as native meshes do until something is removed. O(faces) for polyhedra in formats that list no faces.
 ///         O(corners) for .mesh, O(polys) for .obj with colours or materials.
