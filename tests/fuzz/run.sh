@@ -39,6 +39,7 @@ grep -qx "${1:-obj}" <(CONCINO_FUZZ=list "$program") || { echo "no reader ${1:-o
 extensions() {
   case "$1" in
     medit) echo mesh ;;
+    abaqus) echo inp ;;
     slices) echo cli ;;
     fields) echo txt ;;
     hybrid) echo hybrid HYBRID ;;

@@ -35,6 +35,10 @@ void call_formats() {
   call("load_ply", [](auto& m) { cn::save_ply(m, "m.ply"), cn::load_ply<std::remove_reference_t<decltype(m)>>("m.ply"); }, surfaces);
   call("save_stl", [](auto& m) { cn::save_stl(m, "m.stl"); }, kinds<cn::trimesh>());
   call("load_stl", [](auto& m) { cn::save_stl(m, "m.stl"), cn::load_stl<std::remove_reference_t<decltype(m)>>("m.stl"); }, kinds<cn::trimesh>());
+  call("load_abaqus", [](auto& m) {
+    std::ofstream("m.inp") << "*NODE\n1, 0, 0\n2, 1, 0\n3, 1, 1\n*ELEMENT, TYPE=S3\n1, 1, 2, 3\n";
+    cn::load_abaqus<std::remove_reference_t<decltype(m)>>("m.inp");
+  }, kinds<cn::trimesh, cn::polygonmesh>());
   call("save_ele", [](auto& m) { cn::save_ele(m, "m.ele"); }, kinds<cn::tetmesh>());
   call("load_ele", [](auto& m) { cn::save_ele(m, "m.ele"), cn::load_ele<std::remove_reference_t<decltype(m)>>("m.ele"); }, kinds<cn::tetmesh>());
   call("save_smesh", [](auto& m) { cn::save_smesh(m, "m.smesh"); }, surfaces);
