@@ -103,6 +103,28 @@ void fuzz_mesh(std::string_view text, format_id format) {
   succeeds([&] { load_text<cell_arrays>(text, text_formats, {.format = format, .inflate = zlib_inflate}); });
 }
 
+/// The parts of a text between lines of dashes are the files .node, .ele, .face and .edge.
+void fuzz_tetgen(std::string_view text, format_id) {
+  static const std::string base = [] {
+    std::string folder = "/tmp/concino_fuzz_XXXXXX";
+    if (!::mkdtemp(folder.data())) std::abort();
+    return folder + "/m";
+  }();
+  for (const char* const extension : {".node", ".ele", ".face", ".edge"}) {
+    const std::size_t end = std::min(text.find("--\n"), text.size());
+    write_seed(base + extension, text.substr(0, end));
+    text.remove_prefix(std::min(end + 3, text.size()));
+  }
+  succeeds([&] {
+    const auto m = load_ele<polyhedralmesh>(base + ".ele", {.repeated_verts = repeated_verts::collapse, .corners_only = true});
+    check_mesh(m);
+    save_report report;
+    save_ele(m, base + "2.ele", {.report = &report});
+    const auto back = load_ele<polyhedralmesh>(base + "2.node");
+    if (num_verts(back) != num_verts(m) || num_polys(back) != num_polys(m)) finding("another number of elements in .ele");
+  });
+}
+
 void fuzz_skeleton(std::string_view text, format_id format) {
   succeeds([&] {
     load_report report;
@@ -159,7 +181,7 @@ struct reader {
 std::vector<reader> all_readers() {
   std::vector<reader> all;
   for (const format_id f : testing::formats_with_reader(text_formats))
-    if (f != file_format::openfoam) all.push_back({std::string(f.name()), f, &fuzz_mesh});
+    if (f != file_format::openfoam) all.push_back({std::string(f.name()), f, f == file_format::ele ? &fuzz_tetgen : &fuzz_mesh});
   for (const format_id f : {format_id(file_format::cg), format_id(file_format::skc), format_id(file_format::skel), format_id(file_format::csv)})
     all.push_back({std::string(f.name()), f, &fuzz_skeleton});
   all.push_back({"slices", {}, &fuzz_slices});
@@ -231,6 +253,14 @@ void write_seeds(const reader& r, const std::string& folder) {
       write_seed(prefix, "#Inventor V2.1 ascii\nSeparator { VertexProperty { vertex [ 0 0 0, 1 0 0, 0 1 0, 0 0 1 ] } IndexedFaceSet { coordIndex [ 0, 2, 1, -1, 0, 1, 3, -1 ] "
                          "materialIndex [ 0, 1 ] } Coordinate3 { point [ 0 0 0, 1 0 0, 1 1 0, 0 1 0 ] } IndexedFaceSet { coordIndex [ 0, 1, 2, 3, -1 ] } }\n");
     if (r.name == "gmsh") write_gmsh_seeds(prefix);
+    if (r.name == "abaqus") {
+      write_seed(prefix + "_cells", "*HEADING\n** a comment\n*PART, NAME=p\n*NODE, NSET=all\n1, 0, 0, 0\n2, 1, 0, 0\n3, 1, 1, 0\n4, 0, 1, 0\n5, 0, 0, 1\n6, 1, 0, 1\n7, 1, 1, 1\n8, 0, 1, 1\n90, .5, .5, 2\n"
+                                    "*Element, type=C3D8R, elset=\"a hex\"\n10, 1, 2, 3, 4,\n5, 6, 7, 8\n*ELEMENT, TYPE=C3D5\n20, 5, 6, 7, 8, 90\n*NSET, NSET=n, GENERATE\n1, 8, 2\n*ELSET, ELSET=e\n20, a hex\n"
+                                    "*END PART\n*ASSEMBLY\n*INSTANCE, NAME=i, PART=p\n0, 0, 0\n*END INSTANCE\n*NSET, NSET=m, INSTANCE=i\n90,\n*END ASSEMBLY\n");
+      write_seed(prefix + "_shells", "*NODE\n1, 0, 0\n2, 1, 0\n3, 1, 1D0\n4, 0, 1\n*ELEMENT, TYPE=S4R\n1, 1, 2, 3, 4\n*ELEMENT, TYPE=S3, ELSET=t\n2, 1, 2, 3\n");
+    }
+  } else if (r.fuzz == &fuzz_tetgen) {
+    write_seed(prefix, "5 3 1 1\n1 0 0 0 .5 7\n2 1 0 0 -1 0\n3 0 1 0 2 -3\n4 0 0 1 0 0\n5 1 1 1 1e3 2\n--\n2 4 2\n1 1 2 3 4 10 0.5\n2 2 3 4 5 -20 1\n--\n2 1\n1 1 2 3 5\n2 4 3 2 6\n--\n1 1\n1 3 4 9\n");
   } else if (r.fuzz == &fuzz_skeleton) {
     const skeleton k({{0, 0, 0}, {1, 0, 0.5}, {0, 1e-3, 0}}, {{vert_id{0}, vert_id{1}}, {vert_id{2}, vert_id{1}}}, {0.5, 1, 2});
     succeeds([&] { write_seed(prefix, save_skeleton_text(k, {.format = r.format})); });

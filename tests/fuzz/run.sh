@@ -40,6 +40,7 @@ extensions() {
   case "$1" in
     medit) echo mesh ;;
     gmsh) echo msh ;;
+    abaqus) echo inp ;;
     slices) echo cli ;;
     fields) echo txt ;;
     hybrid) echo hybrid HYBRID ;;

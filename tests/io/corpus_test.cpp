@@ -88,7 +88,12 @@ format_id format_of(const std::filesystem::path& file) {
   [&]<class... F>(format_list<F...>) { (look(F{}), ...); }(standard_formats);
   return found;
 }
-bool has_signature(format_id f) { return f != file_format::obj && f != file_format::hedra && f != file_format::hybrid && f != file_format::tet; }
+bool has_signature(format_id f) {
+  for (const format_id other : {format_id(file_format::obj), format_id(file_format::hedra), format_id(file_format::hybrid), format_id(file_format::tet),
+                                format_id(file_format::smesh), format_id(file_format::poly), format_id(file_format::abaqus)})
+    if (f == other) return false;
+  return true;
+}
 
 /// Reads a file through the header of its format.
 template<class M>
@@ -100,15 +105,19 @@ M read_alone(const std::string& path, format_id f, const load_options& options) 
     if (f == file_format::vtp) return load_vtp<M>(path, options);
     if (f == file_format::ply) return load_ply<M>(path, options);
     if (f == file_format::stl) return load_stl<M>(path, options);
+    if (f == file_format::smesh) return load_smesh<M>(path, options);
+    if (f == file_format::poly) return load_poly<M>(path, options);
   } else {
     if (f == file_format::hedra) return load_hedra<M>(path, options);
     if (f == file_format::hybrid) return load_hybrid<M>(path, options);
     if (f == file_format::tet) return load_tet<M>(path, options);
     if (f == file_format::ovm) return load_ovm<M>(path, options);
+    if (f == file_format::ele) return load_ele<M>(path, options);
   }
   if (f == file_format::vtk) return load_vtk<M>(path, options);
   if (f == file_format::vtu) return load_vtu<M>(path, options);
   if (f == file_format::gmsh) return load_gmsh<M>(path, options);
+  if (f == file_format::abaqus) return load_abaqus<M>(path, options);
   REQUIRE(f == file_format::medit);
   return load_medit<M>(path, options);
 }
@@ -199,7 +208,8 @@ figures read_in_all_ways(const std::filesystem::path& file, outcome& by_extensio
   by_extension = outcome_of(file.string(), [&](const load_options& options) { return record_of_any(m = load_any(file.string(), options)); });
   return std::visit(
       [&]<class M>(const M& mesh) {
-        if (long_run() || std::filesystem::file_size(file) < 500'000) check_other_ways<M>(file, by_extension);
+        const bool is_alone = format_of(file) != file_format::ele;  // else the files beside it have to have its name
+        if (is_alone && (long_run() || std::filesystem::file_size(file) < 500'000)) check_other_ways<M>(file, by_extension);
         return measure(mesh);
       },
       m);
@@ -234,13 +244,13 @@ TEST_CASE("corpus: counts, Euler characteristic, components, area and volume of 
     }
     CHECK(read.error.empty());
     CHECK(f.verts == number("n_verts"));
-    CHECK(f.used == number("n_verts_used"));
+    if (!at("n_verts_used").empty()) CHECK(f.used == number("n_verts_used"));
     CHECK(f.edges == number("n_edges"));
     CHECK(f.faces == number("n_faces"));
     CHECK(f.cells == number("n_cells"));
     CHECK(f.components == number("components"));
     CHECK(static_cast<long>(f.used + f.faces) - static_cast<long>(f.edges + f.cells) == std::stol(at("euler_chi")));
-    CHECK(f.area == doctest::Approx(std::stod(at("area_vec"))).epsilon(1e-9));
+    if (!at("area_vec").empty()) CHECK(f.area == doctest::Approx(std::stod(at("area_vec"))).epsilon(1e-9));
     if (!at("volume_ctr").empty()) CHECK(std::abs(f.volume) == doctest::Approx(std::abs(std::stod(at("volume_ctr")))).epsilon(1e-9));
   }
   CHECK(files >= 30);

@@ -64,6 +64,12 @@ std::vector<whole_file> whole_files() {
                  "#Inventor V2.1 ascii\nSeparator { VertexProperty { vertex [ 0 0 0, 1 0 0, 0 1 0, 0 0 1 ] } IndexedFaceSet { coordIndex [ 0, 2, 1, -1, 0, 1, 3, -1 ] "
                  "materialIndex [ 0, 1 ] } Coordinate3 { point [ 0 0 0, 1 0 0, 1 1 0, 0 1 0 ] } IndexedFaceSet { coordIndex [ 0, 1, 2, 3, -1 ] } }\n",
                  file_format::iv, read_surface});
+  all.push_back({"cells.inp",
+                 "*HEADING\n** a comment\n*PART, NAME=p\n*NODE, NSET=all\n1, 0, 0, 0\n2, 1, 0, 0\n3, 1, 1, 0\n4, 0, 1, 0\n5, 0, 0, 1\n6, 1, 0, 1\n7, 1, 1, 1\n8, 0, 1, 1\n90, .5, .5, 2\n"
+                 "*Element, type=C3D8R, elset=\"a hex\"\n10, 1, 2, 3, 4,\n5, 6, 7, 8\n*ELEMENT, TYPE=C3D5\n20, 5, 6, 7, 8, 90\n*ELEMENT, TYPE=B31\n30, 1, 2\n*NSET, NSET=n, GENERATE\n1, 8, 2\n"
+                 "*ELSET, ELSET=e\n20, a hex\n*END PART\n*ASSEMBLY\n*INSTANCE, NAME=i, PART=p\n0, 0, 0\n*END INSTANCE\n*NSET, NSET=m, INSTANCE=i\n90,\n*END ASSEMBLY\n",
+                 file_format::abaqus, read_volume});
+  all.push_back({"shells.inp", "*NODE\n1, 0, 0\n2, 1, 0\n3, 1, 1D0\n4, 0, 1\n*ELEMENT, TYPE=S4R\n1, 1, 2, 3, 4\n*ELEMENT, TYPE=S3, ELSET=t\n2, 1, 2, 3\n", file_format::abaqus, read_surface});
   all.push_back({"curve.skc", "3 2\n0 0 0\n1 0 0\n0 1 0\n0 1 .5 .25 1 2 17 18\n1 2 0 0 0 0\n", file_format::skc, read_skeleton});
   all.push_back({"curve.csv", "x,y,z\n0,0,0,1\n1 0 0 2\n1;1;0\n", file_format::csv, read_skeleton});
   return all;
@@ -91,7 +97,7 @@ TEST_CASE("damaged formats: the whole files are read, and every new format is am
     CAPTURE(file.name);
     CHECK_NOTHROW(file.read(file.text, file.format));
   }
-  for (const char* ending : {".vtk", ".vtk binary", ".vtu", ".vtu binary", ".vtp", ".vtp binary", ".ply", ".ply binary", ".stl", ".stl binary", ".ovm", ".gmsh", ".gmsh binary", ".tet", ".hybrid", ".medit binary", ".iv", ".skc", ".csv"}) {
+  for (const char* ending : {".vtk", ".vtk binary", ".vtu", ".vtu binary", ".vtp", ".vtp binary", ".ply", ".ply binary", ".stl", ".stl binary", ".ovm", ".smesh", ".poly", ".inp", ".gmsh", ".gmsh binary", ".tet", ".hybrid", ".medit binary", ".iv", ".skc", ".csv"}) {
     CAPTURE(ending);
     CHECK(std::any_of(all.begin(), all.end(), [&](const whole_file& f) { return f.name.ends_with(ending); }));
   }

@@ -185,6 +185,12 @@ TEST_CASE("format: a format argument takes precedence over the extension") {
   CHECK(num_polys(load_ovm<tetmesh>(dir / "c")) == 1);
   save_gmsh(tet, dir / "c", {.binary = true});
   CHECK(num_polys(load_gmsh<tetmesh>(dir / "c")) == 1);
+  save_smesh(triangle, dir / "c");
+  CHECK(num_polys(load_smesh<trimesh>(dir / "c")) == 1);
+  save_poly(triangle, dir / "c");
+  CHECK(num_polys(load_poly<trimesh>(dir / "c")) == 1);
+  save_ele(tet, dir / "c");  // and c.node
+  CHECK(num_polys(load_ele<tetmesh>(dir / "c")) == 1);
   save_vtk(tet, dir / "c");
   CHECK(num_polys(load_vtk<tetmesh>(dir / "c")) == 1);
   save_hedra(tet, dir / "c");

@@ -164,6 +164,11 @@ const seed seeds[] = {
                         "2 2 2 5 1 1 2 3\n3 3 4 6 2 1 2 1 2 9 3\n4 1 1 9 1 2\n5 15 0 9\n$EndElements\n"},
     {file_format::gmsh, binary_gmsh(false)},
     {file_format::gmsh, binary_gmsh(true)},
+    {file_format::smesh, "# a tent\n5 3 1 1\n1 0 0 0 .5 1\n2 1 0 0 0 2\n3 1 1 0 0 3\n4 0 1 0 0 4\n5 0 0 1e0 0 -5\n3 1\n4 1 2\n 3 4 -7 # the floor\n3 1 2 5 8\n2 4 1\n1\n1 .5 .5 .1\n1\n1 .2 .2 .2 5 0.1\n"},
+    {file_format::poly, "5 3 0 1\n0 0 0 0 1\n1 1 0 0 2\n2 1 1 0 3\n3 0 1 0 4\n4 0 0 1 5\n3 1\n1 0 -7\n4 0 1 2 3\n2 0 8\n3 0 1 4\n3 3 0 4\n2 0 9\n3 2 1 4\n2 2 4\n0\n"},
+    {file_format::abaqus, "*NODE, NSET=all\n1, 0, 0\n2, 1, 0\n3, 1, 1D0\n 400 , 0, 1,\n*Element, type = s4r,\n elset=\"a b\"\n1, 1, 2,\n3, 400\n** c\n*ELEMENT, TYPE=S3\n2, 1, 2, 3\n*NSET,NSET=n,GENERATE\n1,3,2\n*ELSET,ELSET=e\na b, 2\n"},
+    {file_format::abaqus, "*PART,NAME=p\n*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n5,0,0,1\n6,1,0,1\n7,1,1,1\n8,0,1,1\n*ELEMENT,TYPE=C3D8\n1,1,2,3,4,5,6,7,8\n*END PART\n*ASSEMBLY\n*INSTANCE,NAME=i,PART=P\n"
+                          "0,0,0\n*END INSTANCE\n*NSET,NSET=a,INSTANCE=I\n1\n*ELSET,ELSET=b\ni.1\n"},
 };
 
 bool holds_together(const surface_arrays& a) {
@@ -218,10 +223,11 @@ bool survives_all(const std::string& text, format_id format) {
 
 }  // namespace
 
-TEST_CASE("fuzz: the files of .vtk, .vtu, .vtp, .ply, .stl, .msh and .ovm that are changed below are valid") {
+TEST_CASE("fuzz: the files of .vtk, .vtu, .vtp, .ply, .stl, .msh, .ovm, .smesh, .poly and .inp that are changed below are valid") {
   for (const seed& s : seeds)
     for (const format_id f : {format_id(file_format::vtk), format_id(file_format::vtu), format_id(file_format::vtp), format_id(file_format::ply), format_id(file_format::stl),
-                              format_id(file_format::gmsh), format_id(file_format::ovm)})
+                              format_id(file_format::gmsh), format_id(file_format::ovm), format_id(file_format::smesh), format_id(file_format::poly),
+                              format_id(file_format::abaqus)})
       if (s.format == f) CHECK_NOTHROW(load_any_arrays(s.text, f));
 }
 

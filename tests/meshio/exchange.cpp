@@ -30,7 +30,7 @@ void print_property(const char* kind, const char* name, const Elements& elements
 }
 
 template<class M>
-void print_mesh(const std::string& name, const M& m) {
+void print_points_and_cells(const std::string& name, const M& m) {
   fmt::print("file {}\n", name);
   for (const auto v : cn::verts(m)) fmt::print("point {} {} {}\n", cn::point(m, v).x, cn::point(m, v).y, cn::point(m, v).z);
   for (const auto p : cn::polys(m)) {
@@ -40,6 +40,10 @@ void print_mesh(const std::string& name, const M& m) {
     for (const auto v : cn::adj_p2v(m, p)) fmt::print(" {}", v.raw());
     fmt::print("\n");
   }
+}
+template<class M>
+void print_mesh(const std::string& name, const M& m) {
+  print_points_and_cells(name, m);
   print_property<double>("vert", "heat", cn::verts(m), cn::find_vert_property<double>(m, "heat"));
   print_property<cn::vec3>("vert", "velocity", cn::verts(m), cn::find_vert_property<cn::vec3>(m, "velocity"));
   print_property<std::int64_t>("poly", "number", cn::polys(m), cn::find_poly_property<std::int64_t>(m, "number"));
@@ -89,6 +93,11 @@ void write_mesh(const std::string& folder, const std::string& name, M m) {
       print_mesh(file + ".stl", m);
     }
   write_gmsh(folder, name, m);
+  if constexpr (cn::dimension_v<M> == 3)  // TetGen's files hold tets
+    if (cn::arity_v<M> == 4) {
+      cn::save(m, folder + "/" + name + ".ele");
+      print_points_and_cells(name + ".ele", m);
+    }
   auto number = cn::poly_property<std::int64_t>(m, "number");
   auto pressure = cn::poly_property<double>(m, "pressure");
   for (const auto p : cn::polys(m)) {

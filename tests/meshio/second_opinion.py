@@ -1,4 +1,4 @@
-"""Compares VTK, VTU, PLY, STL and Gmsh files with meshio: it has to read from our files what we wrote, and we have to read from its files what it wrote.
+"""Compares VTK, VTU, PLY, STL, Gmsh, TetGen and Abaqus files with meshio: it has to read from our files what we wrote, and we have to read from its files what it wrote.
 
     second_opinion.py EXCHANGE FOLDER     EXCHANGE: the program built from exchange.cpp; FOLDER: for the files
 
@@ -140,6 +140,26 @@ def compare_gmsh(program, folder):
     return wrong, compared
 
 
+def compare_tetgen_and_abaqus(program, folder):
+    """TetGen and Abaqus files that meshio writes. Result: the differences, and how many files there are."""
+    wrong, compared = [], 0
+    for name, points, cells in meshes_of_meshio():
+        for kind in ("ele", "inp"):
+            blocks = [(shape, np.array(block)) for shape, block in cells if shape != "pyramid"]  # it has no such type of Abaqus
+            if kind == "ele" and name != "tets":
+                continue
+            path = os.path.join(folder, f"meshio_{name}.{kind}")
+            mesh = meshio.Mesh(points, blocks)
+            meshio.write(path, mesh)
+            read = subprocess.run([program, "read", path], capture_output=True, text=True)
+            compared += 1
+            if read.returncode != 0:
+                wrong.append(f"{path}: {read.stderr}")
+            else:
+                wrong += compare(path, descriptions(read.stdout)[path], description_of(mesh))
+    return wrong, compared
+
+
 def meshes_of_meshio():
     points = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1.25], [1, 0, 1], [1, 1, 1], [0, 1, 1], [0.5, 0.5, 2], [2, 0, 1 / 3], [2, 1, 0.5]])
     yield "tets", points, [("tetra", [[0, 1, 2, 5], [0, 2, 3, 7]])]
@@ -177,13 +197,13 @@ def main(program, folder):
             digits = 11 if kind == "vtu" and not options["binary"] else None  # meshio writes no more
             wrong += compare(path, descriptions(read.stdout)[path], description_of(mesh), digits)
             compared += 1
-    for compare_others in (compare_surfaces, compare_gmsh):
+    for compare_others in (compare_surfaces, compare_gmsh, compare_tetgen_and_abaqus):
         others, num_others = compare_others(program, folder)
         wrong += others
         compared += num_others
     print(f"{compared} files compared, {len(wrong)} differences")
     print("\n".join(wrong))
-    return 1 if wrong or compared != 79 else 0
+    return 1 if wrong or compared != 84 else 0
 
 
 if __name__ == "__main__":

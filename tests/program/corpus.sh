@@ -29,7 +29,7 @@ allow() {
 while IFS= read -r file; do
   allow "0 3" info "$file" || continue
   allow "0 1" validate "$file"
-  for to in to.{obj,off,ply,stl,vtu,vtk,mesh,tet,hedra,hybrid,msh,ovm,ele,smesh} polyMesh; do
+  for to in to.{obj,off,ply,stl,vtu,vtk,mesh,tet,hedra,hybrid,msh,ovm,ele,smesh,poly} polyMesh; do
     rm -rf "${work:?}"/{to.*,polyMesh}
     allow "0 4" convert "$file" "$work/$to" || continue
     allow 0 info "$work/$to"
@@ -39,7 +39,7 @@ while IFS= read -r file; do
   allow "0 3" render "$file" -o "$work/x.png" --size 64x48 --quality draft --edges
 done < <(find "$corpus" -type f -size -1000k \( -name '*.obj' -o -name '*.off' -o -name '*.mesh' -o -name '*.meshb' -o -name '*.vtk' -o -name '*.vtu' \
   -o -name '*.vtp' -o -name '*.tet' -o -name '*.hedra' -o -name '*.hybrid' -o -name '*.iv' -o -name '*.ply' -o -name '*.stl' -o -name '*.msh' \
-  -o -name '*.ovm' -o -name '*.ele' -o -name '*.inp' \) | sort)
+  -o -name '*.ovm' -o -name '*.node' -o -name '*.ele' -o -name '*.smesh' -o -name '*.poly' -o -name '*.inp' \) | sort)
 echo "$runs calls"
 [ $runs -gt 100 ] || { echo "FAILED: only $runs calls"; exit 1; }
 [ $failures -eq 0 ]

@@ -33,6 +33,7 @@ namespace concino {
 /// pyramids, which are recognised by their faces. .meshb, the binary .mesh, for the same; .vtk and .vtu for any mesh,
 /// .vtp and .ply for any surface, .stl for triangles. .msh of Gmsh, version 2.2, for what .mesh holds. .ovm, and a folder
 /// called polyMesh, of OpenFOAM, for any volume. .glb, the binary glTF 2.0, for triangles.
+/// .ele or .node, both with the other, for tets; .smesh and .poly for any surface.
 /// Needs:  a surface or volume mesh with points, of any type. Of volumes, formats of surfaces hold the boundary, with
 ///         options.as_boundary.
 /// Result: the complete file, which replaces an existing one; coordinates read back as the same numbers. Verts (and
@@ -65,7 +66,10 @@ namespace concino {
 ///           (std::vector<double>), int, unsigned int, std::int16_t, std::int64_t, std::uint64_t, bool, std::int8_t or
 ///           std::uint8_t (as characters, but not blanks), or 1 to 4 numbers of type int, unsigned int, float or double;
 ///         - to .glb: "normal" (vec3) of verts if all are unit vectors, "texture" (std::array<double, 2>) of verts,
-///           "color" (rgba) of verts, else of polys, and "name" (std::string) of the mesh.
+///           "color" (rgba) of verts, else of polys, and "name" (std::string) of the mesh;
+///         - to .ele and .node: "label" (int) of all elements, that of polys as the region; "attribute_1", ... (double)
+///           of verts and polys. Faces and edges with a label other than 0 are in .face and .edge;
+///         - to .smesh and .poly: "label" (int) of verts and polys, "attribute_1", ... (double) of verts.
 ///         A polyMesh folder is created if it does not exist, with all that lead to it. All its files change or none
 ///         does, unless the program is killed while they get their names. Files that describe elements of the former
 ///         mesh, such as faceZones, are removed; other files stay.
@@ -74,6 +78,8 @@ namespace concino {
 ///         .mtl, or _1.mtl and so on. Existing libraries are not changed, but those that earlier saves created for this
 ///         file are removed. Both files change or neither does; even if the program is killed, the .obj on disk finds
 ///         its materials. options.report names whatever is lost, changed or renamed.
+///         The files .node, .ele, .face and .edge of a mesh are replaced together, or none is. If the program is killed
+///         meanwhile, some may be new and some old. Without labels, old .face and .edge files become empty lists.
 /// Cost:   O(size of the mesh) time. Memory: O(corners), or none for arrays that the mesh stores in the form of the
 ///         file, as native meshes do until something is removed. O(faces) for polyhedra in formats that list no faces.
 ///         O(corners) for .mesh and .msh, O(polys) for .obj with colours or materials.

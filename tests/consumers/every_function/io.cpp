@@ -42,6 +42,16 @@ void call_formats() {
   call("save_gltf", [](auto& m) { cn::save_gltf(m, "m.glb", {.as_triangles = true, .as_boundary = true}); }, all);
   call("save_gmsh", [](auto& m) { cn::save_gmsh(m, "m.msh"); }, all);
   call("load_gmsh", [](auto& m) { cn::save_gmsh(m, "m.msh"), cn::load_gmsh<std::remove_reference_t<decltype(m)>>("m.msh"); }, all);
+  call("load_abaqus", [](auto& m) {
+    std::ofstream("m.inp") << "*NODE\n1, 0, 0\n2, 1, 0\n3, 1, 1\n*ELEMENT, TYPE=S3\n1, 1, 2, 3\n";
+    cn::load_abaqus<std::remove_reference_t<decltype(m)>>("m.inp");
+  }, kinds<cn::trimesh, cn::polygonmesh>());
+  call("save_ele", [](auto& m) { cn::save_ele(m, "m.ele"); }, kinds<cn::tetmesh>());
+  call("load_ele", [](auto& m) { cn::save_ele(m, "m.ele"), cn::load_ele<std::remove_reference_t<decltype(m)>>("m.ele"); }, kinds<cn::tetmesh>());
+  call("save_smesh", [](auto& m) { cn::save_smesh(m, "m.smesh"); }, surfaces);
+  call("load_smesh", [](auto& m) { cn::save_smesh(m, "m.smesh"), cn::load_smesh<std::remove_reference_t<decltype(m)>>("m.smesh"); }, surfaces);
+  call("save_poly", [](auto& m) { cn::save_poly(m, "m.poly"); }, surfaces);
+  call("load_poly", [](auto& m) { cn::save_poly(m, "m.poly"), cn::load_poly<std::remove_reference_t<decltype(m)>>("m.poly"); }, surfaces);
   call("save_vtu", [](auto& m) { cn::save_vtu(m, "m.vtu"); }, all);
   call("load_vtu", [](auto& m) { cn::save_vtu(m, "m.vtu"), cn::load_vtu<std::remove_reference_t<decltype(m)>>("m.vtu"); }, all);
 }

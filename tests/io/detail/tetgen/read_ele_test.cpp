@@ -9,13 +9,15 @@
 #include <concino/mesh/tetmesh.hpp>
 
 #include <support/corpus.hpp>
+#include <support/memory_limit.hpp>
 #include <support/reading.hpp>
 #include <support/same_mesh.hpp>
 #include <support/temporary.hpp>
 
 #include <doctest/doctest.h>
 
-#include <unistd.h>
+#include <limits>
+#include <random>
 
 using namespace concino;
 using namespace concino::testing;
@@ -298,6 +300,54 @@ TEST_CASE("write_ele: all files get their names, or all old ones stay") {
     }
     CHECK(dir.num_files() == (there ? 3 : 1));
   }
+}
+
+TEST_CASE("read_ele: files cut off anywhere, or with changed bytes, are read or refused by typed errors") {
+  files f;
+  write_file(f / "x.face", some_faces);
+  write_file(f / "x.edge", some_edges);
+  const memory_limit one_gib(std::size_t{1} << 30);
+  const auto is_read_or_refused = [&] {
+    try {
+      const auto m = load_ele<polyhedralmesh>(f.path);
+      for (const vec3& p : m.points())
+        if (!is_finite(p)) return false;
+    } catch (const parse_error& e) {
+      return e.line >= 1;
+    } catch (const unsupported&) {
+    }
+    return true;
+  };
+  std::mt19937 random(43);
+  for (const std::string name : {"x.ele", "x.node", "x.face", "x.edge"}) {
+    const std::string whole = read_file(f / name);
+    std::size_t failed = 0;
+    for (std::size_t n = 0; n < whole.size(); ++n) {
+      write_file(f / name, whole.substr(0, n));
+      failed += !is_read_or_refused();
+    }
+    const std::string likely = "0123456789-+.e#\n \r\0x";
+    for (int k = 0; k < 500; ++k) {
+      std::string text = whole;
+      for (int changes = k % 3; changes >= 0; --changes) text[random() % text.size()] = k % 2 ? likely[random() % likely.size()] : static_cast<char>(random());
+      write_file(f / name, text);
+      failed += !is_read_or_refused();
+    }
+    CHECK(failed == 0);
+    write_file(f / name, whole);
+  }
+  for (const std::string count : {"4294967294", "4294967295", "999999999999999999", "-1", "0"}) {
+    write_file(f.node, count + " 3 4096 1\n");
+    CHECK(is_read_or_refused());
+    write_file(f.node, nodes);
+    write_file(f.path, count + " 4 4096\n");
+    CHECK(is_read_or_refused());
+    write_file(f.path, tets);
+    write_file(f / "x.face", count + " 1\n");
+    CHECK(is_read_or_refused());
+    write_file(f / "x.face", some_faces);
+  }
+  CHECK(!one_gib.was_exceeded());
 }
 
 TEST_CASE("read_ele: a mesh of the corpus") {
