@@ -1,4 +1,4 @@
-// The triangles of a surface, for formats that hold triangles only and list verts by their numbers.
+// The triangles of a surface, for writers of formats that hold triangles only.
 #pragma once
 
 #include <concino/geometry/triangulate_polygon.hpp>
@@ -11,9 +11,15 @@
 #include <string_view>
 #include <vector>
 
-namespace concino::detail {
+namespace concino {
 
-/// The triangles of one poly after another, oriented as the poly.
+/// The triangles of one poly after another, oriented as the poly. Triangles of the mesh are taken as they are; other
+/// polygons are cut by polygon_triangulator if save_options::as_triangles is set.
+///
+///   flat_triangles triangles(context, m, ".soup", ".ply or .obj");      // extensions of this format and of others
+///   for (std::size_t p = 0; p < m.num_polys; ++p)
+///     for (const std::array<vert_id, 3>& t : triangles(p)) ...
+///   triangles.report_cut(context.report);
 class flat_triangles {
   const write_context& c_;
   const flat_mesh& m_;
@@ -54,4 +60,4 @@ class flat_triangles {
   }
 };
 
-}  // namespace concino::detail
+}  // namespace concino

@@ -52,9 +52,10 @@ namespace concino {
 ///           written if a value is not the default one. Types read back as from .vtk;
 ///         - to .stl: "object" (std::string) of polys as text, "attribute" (std::uint16_t) of polys in binary files.
 ///           Verts are numbered anew, and those at one point become one;
-///         - to .ovm: all of verts, edges, faces, polys and the mesh that are strings (std::string), lists of doubles
-///           (std::vector<double>), int, unsigned int, std::int16_t, std::int64_t, std::uint64_t, bool, std::int8_t or
-///           std::uint8_t (as characters, but not blanks), or 1 to 4 numbers of type int, unsigned int, float or double;
+///         - to .ovm: all of verts, edges, faces, polys and the mesh that are strings (std::string), lists
+///           (std::vector<double>), integers of 32 and 64 bits, std::int16_t, bool, float or double. Also arrays of 2
+///           to 4 numbers (int, unsigned int, float, double), and std::int8_t and std::uint8_t: as characters, and
+///           only where none is a blank;
 ///         - to .glb: "normal" (vec3) of verts if all are unit vectors, "texture" (std::array<double, 2>) of verts,
 ///           "color" (rgba) of verts, else of polys, and "name" (std::string) of the mesh.
 ///         An .obj uses the material libraries that the mesh's file named, if they are in the folder of the new file

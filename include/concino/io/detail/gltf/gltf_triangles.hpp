@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/rgba.hpp>
-#include <concino/io/detail/values/flat_triangles.hpp>
+#include <concino/io/flat_triangles.hpp>
 
 #include <algorithm>
 #include <bit>
