@@ -29,7 +29,7 @@ allow() {
 while IFS= read -r file; do
   allow "0 3" info "$file" || continue
   allow "0 1" validate "$file"
-  for extension in obj off ply stl vtu vtk mesh tet hedra hybrid; do
+  for extension in obj off ply stl vtu vtk mesh tet hedra hybrid ovm; do
     rm -f "$work/to.$extension"
     allow "0 4" convert "$file" "$work/to.$extension" || continue
     allow 0 info "$work/to.$extension"
@@ -37,7 +37,7 @@ while IFS= read -r file; do
   allow "0 3 4" repair "$file" "$work/mended.vtu" --merge 0 --orient --fill 8 --collapse
   allow "0 3" render "$file" -o "$work/x.png" --size 64x48 --quality draft --edges
 done < <(find "$corpus" -type f -size -1000k \( -name '*.obj' -o -name '*.off' -o -name '*.mesh' -o -name '*.meshb' -o -name '*.vtk' -o -name '*.vtu' \
-  -o -name '*.vtp' -o -name '*.tet' -o -name '*.hedra' -o -name '*.hybrid' -o -name '*.iv' -o -name '*.ply' -o -name '*.stl' \) | sort)
+  -o -name '*.vtp' -o -name '*.tet' -o -name '*.hedra' -o -name '*.hybrid' -o -name '*.iv' -o -name '*.ply' -o -name '*.stl' -o -name '*.ovm' \) | sort)
 echo "$runs calls"
 [ $runs -gt 100 ] || { echo "FAILED: only $runs calls"; exit 1; }
 [ $failures -eq 0 ]
