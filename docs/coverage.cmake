@@ -47,7 +47,7 @@ endforeach()
 
 file(STRINGS ${source}/CMakeLists.txt adapters REGEX "^concino_adapter[(]")
 foreach(adapter IN LISTS adapters)
-  string(REGEX REPLACE "^concino_adapter[(]([a-z_]+).*" "\\1" adapter "${adapter}")
+  string(REGEX REPLACE "^concino_adapter[(]([a-z0-9_]+).*" "\\1" adapter "${adapter}")
   expect(adapters.md "| `concino::${adapter}` |" "an adapter")
 endforeach()
 

@@ -10,6 +10,7 @@
 #include <concino/io/file_contents.hpp>
 #include <concino/io/file_text.hpp>
 #include <concino/io/flat_mesh.hpp>
+#include <concino/io/flat_triangles.hpp>
 #include <concino/io/format.hpp>
 #include <concino/io/format_id.hpp>
 #include <concino/io/formats.hpp>

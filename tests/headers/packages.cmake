@@ -50,7 +50,7 @@ function(required_by folders required)
 endfunction()
 
 file(STRINGS ${source}/CMakeLists.txt adapters REGEX "^concino_adapter[(]")
-list(TRANSFORM adapters REPLACE "^concino_adapter[(]([a-z_]+).*" "\\1")
+list(TRANSFORM adapters REPLACE "^concino_adapter[(]([a-z0-9_]+).*" "\\1")
 list(REMOVE_ITEM adapters span)  # needs nothing
 
 file(GLOB scripts RELATIVE ${source} ${source}/*.sh ${source}/scripts/*.sh ${source}/benchmarks/*.sh ${source}/tests/fuzz/*.sh)

@@ -81,6 +81,14 @@ says err 'lost: '
 expect 4 convert "$small/quad/tube.off" "$work/quads.stl"
 says err 'cannot hold'
 expect 4 convert "$small/quad/tube.off" "$work/triangles.stl" --as-triangles --strict
+volume=$small/hex/block.mesh
+expect 4 convert "$volume" "$work/boundary.off"
+says err 'as_boundary'
+expect 0 convert "$volume" "$work/boundary.off" --as-boundary
+says err 'lost: '
+expect 0 info --json "$work/boundary.off"
+expect 0 convert "$volume" "$work/boundary.glb" --as-boundary --as-triangles
+expect 3 info "$work/boundary.glb"
 expect 0 convert "$small/quad/tube.off" "$work/tube.obj" --kind trimesh
 expect 0 info --json "$work/tube.obj"
 equal "kind after --kind trimesh" "$(value kind)" '"trimesh"'

@@ -28,7 +28,7 @@ struct validate_options {
 };
 struct convert_options {
   std::string from, to, kind;
-  bool strict = false, binary = false, as_triangles = false, corners_only = false;
+  bool strict = false, binary = false, as_triangles = false, as_boundary = false, corners_only = false;
 };
 struct repair_options {
   std::string from, to;

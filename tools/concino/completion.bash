@@ -14,7 +14,7 @@ _concino() {
   case "$command" in
     info) options="--json" ;;
     validate) options="--all" ;;
-    convert) options="--kind --strict --binary --as-triangles --corners-only" ;;
+    convert) options="--kind --strict --binary --as-triangles --as-boundary --corners-only" ;;
     repair) options="--merge --fill --orient --split --collapse --remove-intersecting" ;;
     render) options="--output --field --slice --edges --size --quality" ;;
     view) options="--field --slice --edges" ;;

@@ -26,6 +26,7 @@ void write(const M& m, const convert_options& options) {
               .progress = line,
               .binary = options.binary,
               .as_triangles = options.as_triangles,
+              .as_boundary = options.as_boundary,
               .strict = options.strict});
   });
   for (const std::string& what : report.lost) say("lost: " + what);

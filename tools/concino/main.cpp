@@ -85,6 +85,7 @@ int run(int argc, char** argv) {
   command->add_flag("--strict", of_convert.strict, "refuses if the format cannot hold everything");
   command->add_flag("--binary", of_convert.binary, "writes the binary form of the format");
   command->add_flag("--as-triangles", of_convert.as_triangles, "cuts polygons into triangles where the format needs it");
+  command->add_flag("--as-boundary", of_convert.as_boundary, "writes the boundary of a volume to a format of surfaces");
   command->add_flag("--corners-only", of_convert.corners_only, "reads elements of higher order by their corners");
   command->callback([&] { code = convert(of_convert); });
 

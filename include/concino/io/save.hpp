@@ -62,9 +62,10 @@ namespace concino {
 ///         - to polyMesh: "label" (int) of faces and polys, "label_names" (label_names) of the mesh. Boundary faces of a
 ///           label become a patch, in the order of "label_names", others the patch defaultFaces; polys of a label a
 ///           cellZone. Faces are numbered anew: inner ones by their polys, then those of each patch in their order;
-///         - to .ovm: all of verts, edges, faces, polys and the mesh that are strings (std::string), lists of doubles
-///           (std::vector<double>), int, unsigned int, std::int16_t, std::int64_t, std::uint64_t, bool, std::int8_t or
-///           std::uint8_t (as characters, but not blanks), or 1 to 4 numbers of type int, unsigned int, float or double;
+///         - to .ovm: all of verts, edges, faces, polys and the mesh that are strings (std::string), lists
+///           (std::vector<double>), integers of 32 and 64 bits, std::int16_t, bool, float or double. Also arrays of 2
+///           to 4 numbers (int, unsigned int, float, double), and std::int8_t and std::uint8_t: as characters, and
+///           only where none is a blank;
 ///         - to .glb: "normal" (vec3) of verts if all are unit vectors, "texture" (std::array<double, 2>) of verts,
 ///           "color" (rgba) of verts, else of polys, and "name" (std::string) of the mesh;
 ///         - to .ele and .node: "label" (int) of all elements, that of polys as the region; "attribute_1", ... (double)

@@ -22,7 +22,7 @@
 namespace concino::detail {
 
 template<class M>
-class flat_triangles {
+class flat_triangle_remover {
   static constexpr double thin = 1e-3;          // the height of a flat triangle, as a multiple of its longest edge and
                                                 // of the wanted length
   static constexpr double min_cosine = 0.5;     // between the normals of other triangles before and after a collapse
@@ -196,7 +196,7 @@ class flat_triangles {
  public:
   std::size_t num_splits = 0, num_collapses = 0, num_flips = 0;
 
-  flat_triangles(M& m, const unit_points& unit, feature_lines<M>& lines) : m_(m), unit_(unit), lines_(lines) {}
+  flat_triangle_remover(M& m, const unit_points& unit, feature_lines<M>& lines) : m_(m), unit_(unit), lines_(lines) {}
 
   /// size_at(x): the wanted length of edges at a point.
   template<class F>

@@ -153,7 +153,7 @@ class remesher : sized_surface<M> {
   /// What comes before the first round: flat triangles vanish, and sharp edges become lines. Normals of flat triangles
   /// say nothing about edges.
   void begin(const unit_points& unit, double feature_angle_deg) {
-    flat_triangles<M> flat(m_, unit, lines);
+    flat_triangle_remover<M> flat(m_, unit, lines);
     flat.remove_all([this](const vec3& x) { return nearest(x).size; });
     num_splits += flat.num_splits, num_collapses += flat.num_collapses, num_flips += flat.num_flips;
     if (num_splits + num_collapses + num_flips > 0) this->find_places();

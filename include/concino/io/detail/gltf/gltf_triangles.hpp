@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/core/rgba.hpp>
-#include <concino/io/detail/values/cut_triangles.hpp>
+#include <concino/io/flat_triangles.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -20,9 +20,9 @@ class gltf_triangles {
   std::vector<std::uint32_t> verts;  // three of each triangle
   std::vector<rgba> colors;          // of the verts of the file, once they were split
 
-  /// The triangles of a mesh, with its verts. Errors: as cut_triangles.
+  /// The triangles of a mesh, with its verts. Errors: as flat_triangles.
   gltf_triangles(write_context& c, const flat_mesh& m) {
-    cut_triangles triangles(c, m, ".glb", ".ply or .obj");
+    flat_triangles triangles(c, m, ".glb", ".ply or .obj");
     for (std::size_t p = 0; p < m.num_polys; ++p)
       for (const std::array<vert_id, 3>& t : triangles(p)) {
         for (const vert_id v : t) verts.push_back(v.raw());

@@ -80,7 +80,8 @@ class gltf_writer {
 
   void json(const std::vector<accessor>& all, const std::array<float, 3>& low, const std::array<float, 3>& high) {
     const std::string* const name = m_.mesh_value<std::string>("name");
-    const std::string quoted = name && !name->empty() ? "\"name\":" + json_string(*name) + "," : std::string();
+    const std::string quoted =
+        name && !name->empty() ? core::joined({"\"name\":", json_string(*name), ","}) : std::string();
     if (name) c_.declare_stored<std::string>(element_kind::mesh, "name");
     json_ << R"({"asset":{"version":"2.0","generator":"concino"},"scene":0,"scenes":[{)";
     if (all.empty()) {

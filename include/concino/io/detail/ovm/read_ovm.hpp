@@ -63,6 +63,12 @@ class ovm_reader : polyhedra_reader<Contents, 0> {
       this->report_progress();
     }
     is_used_.resize(edges_.size());
+    require_countable(edges_.size(), "edges");
+  }
+  /// Errors: unsupported if halves of so many elements have no numbers of 32 bits.
+  void require_countable(std::size_t n, const char* what) const {
+    if (n > 0x7FFFFFFF)
+      core::throw_joined<unsupported>({this->name(), ": more than 2147483647 ", what, ", whose halves are numbered"});
   }
 
   /// Reads the half-edges of a face, and adds the first vert of each. Each begins where the one before it ends.
@@ -126,6 +132,7 @@ class ovm_reader : polyhedra_reader<Contents, 0> {
     read_edges(n.edges);
     n.faces = section("faces", "Faces", "the number of faces", 8);
     this->faces(n.faces, [&](std::uint64_t size) { read_half_edges(size); });
+    require_countable(out_.num_faces(), "faces");
     n.polys = section("polyhedra", "Polyhedra", "the number of polyhedra", 4);
     polys(n.polys);
     if (const auto unused = std::count(is_used_.begin(), is_used_.end(), false))

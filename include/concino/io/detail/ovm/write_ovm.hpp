@@ -137,6 +137,7 @@ class ovm_writer {
   void write() {
     const flat_polyhedra& all = m_.polyhedra();
     const ovm_edges edges(all.face_verts);
+    if (edges.verts.size() > 0x7FFFFFFF) c_.throw_cannot_hold(".ovm", {"so many edges"}, ".hedra");
     c_.out << "OVM ASCII\nVertices\n" << m_.points.size() << '\n';
     for (const vec3& p : m_.points) {
       write_point(c_.out, p);

@@ -42,8 +42,8 @@ class element_finder {
   std::vector<std::pair<std::uint64_t, std::uint32_t>> keys_;  // of the listed elements: face_key and number, sorted
   std::vector<vert_id> sorted_;
   std::vector<std::uint32_t> where_;
-  std::vector<std::uint32_t> next_;  // by the first listed element with some verts: the entries of keys_ behind it up to
-                                     // the next one to be found
+  std::vector<std::uint32_t> next_;  // by the first listed element with some verts: the number of entries of keys_
+                                     // behind it up to the next one to be found
 
   bool is_same(std::uint32_t i);
 

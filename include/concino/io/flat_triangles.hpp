@@ -1,4 +1,4 @@
-// The triangles of a surface, for formats that hold triangles only and list verts by their numbers.
+// The triangles of a surface, for writers of formats that hold triangles only.
 #pragma once
 
 #include <concino/geometry/triangulate_polygon.hpp>
@@ -11,10 +11,16 @@
 #include <string_view>
 #include <vector>
 
-namespace concino::detail {
+namespace concino {
 
-/// The triangles of one poly after another, oriented as the poly.
-class cut_triangles {
+/// The triangles of one poly after another, oriented as the poly. Triangles of the mesh are taken as they are; other
+/// polygons are cut by polygon_triangulator if save_options::as_triangles is set.
+///
+///   flat_triangles triangles(context, m, ".soup", ".ply or .obj");      // extensions of this format and of others
+///   for (std::size_t p = 0; p < m.num_polys; ++p)
+///     for (const std::array<vert_id, 3>& t : triangles(p)) ...
+///   triangles.report_cut(context.report);
+class flat_triangles {
   const write_context& c_;
   const flat_mesh& m_;
   std::string_view format_, instead_;
@@ -25,7 +31,7 @@ class cut_triangles {
 
  public:
   /// `format` and `instead` are the extensions of this format and of others, for messages.
-  cut_triangles(const write_context& c, const flat_mesh& m, std::string_view format, std::string_view instead)
+  flat_triangles(const write_context& c, const flat_mesh& m, std::string_view format, std::string_view instead)
       : c_(c), m_(m), format_(format), instead_(instead) {}
 
   /// The triangles of a poly, valid until the next call.
@@ -54,4 +60,4 @@ class cut_triangles {
   }
 };
 
-}  // namespace concino::detail
+}  // namespace concino
