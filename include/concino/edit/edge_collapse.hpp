@@ -104,7 +104,8 @@ permission can_edge_collapse(const M& m, edge_t<M> e, const edge_collapse_option
   detail::cavity_builder<M> c(m);
   const permission p = detail::edge_collapse_cavity(m, e, options, c);
   if constexpr (EditableGeneralMesh<M>)
-    if (!options.only_simplices && p.reason == refusal::not_simplices) return detail::collapse_at(m, e, options).propose(options.keep);
+    if (!options.only_simplices && p.reason == refusal::not_simplices)
+      return detail::collapse_at(m, e, options).propose(options.keep);
   if (!p) return p;
   return detail::ask(options.keep, m, c);
 }

@@ -132,6 +132,6 @@ face_result<M> face_merge(M& m, face_t<M> f, face_t<M> g, const edit_options& op
 // What to write instead of calls that cannot compile.
 template<EditableVolumeMesh M, class... T>
   requires(arity_v<M> > 0)
-void face_merge(const M&, const T&...) = delete;  // polys of this mesh have a fixed number of faces: make it a polyhedralmesh
+void face_merge(const M&, const T&...) = delete;  // fixed number of faces: make m a polyhedralmesh
 
 }  // namespace concino

@@ -43,8 +43,8 @@ permission polygon_cut_cavity(const M& m, const poly_t<M>& p, const vert_t<M>& a
   return are_joined_by_edge(m, a, b) ? general_same_verts : permission{};
 }
 
-/// The new face of one part of the faces, counter-clockwise seen from outside it. Returns false if these do not run once
-/// along each edge of the loop, or it is not one cycle.
+/// The new face of one part of the faces, counter-clockwise seen from outside it. Returns false if these do not run
+/// once along each edge of the loop, or it is not one cycle.
 inline bool close_part(std::span<const std::span<const unsigned>> lists, const std::vector<unsigned>& part,
                        unsigned wanted, std::span<const std::pair<unsigned, unsigned>> loop,
                        std::vector<unsigned>& face) {
@@ -208,6 +208,6 @@ poly_cut_result<M> poly_cut(M& m, poly_t<M> p, std::initializer_list<edge_t<M>> 
 // What to write instead of calls that cannot compile.
 template<EditableMesh M, class... T>
   requires(arity_v<M> > 0)
-void poly_cut(const M&, const T&...) = delete;  // polys of this mesh have a fixed number of verts: make it a polygonmesh or a polyhedralmesh
+void poly_cut(const M&, const T&...) = delete;  // fixed number of verts: make m a polygonmesh or polyhedralmesh
 
 }  // namespace concino

@@ -22,7 +22,7 @@ inline constexpr permission third_poly{
 
 inline permission as_permission(list_fault fault) {
   if (fault == list_fault::none) return {};
-  if (fault == list_fault::winding) return {refusal::winding, "the polys at the element run in contradictory directions"};
+  if (fault == list_fault::winding) return contradictory_winding;
   return fault == list_fault::third_list ? third_poly : no_disk_or_ball;
 }
 
