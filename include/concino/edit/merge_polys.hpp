@@ -17,7 +17,7 @@ namespace concino {
 /// What merge_polys has made of two polys, which is valid only if it was allowed.
 template<class M> struct poly_result : permission { poly_t<M> poly{}; };
 
-/// What merge_polys has made of the polys of each label, in ascending order of the labels; valid only if it was allowed.
+/// What merge_polys has made of the polys of each label, in ascending order of labels; valid only if it was allowed.
 template<class M>
 struct merged_polys_result : permission {
   std::vector<poly_t<M>> polys;

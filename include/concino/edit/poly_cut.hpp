@@ -117,8 +117,8 @@ poly_cut_result<M> cut_poly(M& m, const permission& before, const edit_options& 
   typename general_cavity<M>::prepared x;
   c.apply(m, x);
   r.polys = {x.polys[0], x.polys[1]};
-  if constexpr (SurfaceMesh<M>) r.edge = facet_between(m, x.polys[0], x.polys[1]);
-  else r.face = facet_between(m, x.polys[0], x.polys[1]);  // the result names it by its kind
+  if constexpr (SurfaceMesh<M>) r.edge = facet_between(m, x.polys[0], x.polys[1]);  // the facet by its name
+  else r.face = facet_between(m, x.polys[0], x.polys[1]);
   return r;
 }
 
