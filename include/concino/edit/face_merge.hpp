@@ -93,8 +93,8 @@ face_t<M> face_with_verts(const M& m, const poly_t<M>& p, const std::vector<vert
 
 }  // namespace detail
 
-/// Whether faces f and g can be merged: they have the same one or two polys, what they share is one chain of edges, not
-/// a whole boundary, with no third face inside, each poly keeps four faces, and the invariants hold.
+/// Whether faces f and g can be merged. They have the same one or two polys. What they share is one chain of edges, not
+/// a whole boundary, with no third face inside. Each poly keeps four faces, and the invariants hold.
 /// Needs:  EditableVolumeMesh M that is an EditableGeneralMesh, faces of m.      Result: true, or the reason.
 /// Cost:   the polys at f, and the faces and polys at their verts.      Errors: as face_merge.
 template<EditableVolumeMesh M>

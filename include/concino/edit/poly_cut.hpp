@@ -158,8 +158,8 @@ poly_cut_result<M> poly_cut(M& m, poly_t<M> p, vert_t<M> a, vert_t<M> b, const e
   return detail::cut_poly(m, x, options, c);
 }
 
-/// Whether polyhedron p can be cut along a loop: its edges are different ones of p, in any order, and form one closed
-/// curve that divides the faces of p into two parts of at least three; no face has the verts of the loop; and the
+/// Whether polyhedron p can be cut along a loop. Its edges are different ones of p, in any order. They form one closed
+/// curve that divides the faces of p into two parts of at least three. No face has the verts of the loop, and the
 /// invariants hold.
 /// Needs:  EditableVolumeMesh M that is an EditableGeneralMesh, a poly and edges of m.
 /// Result: true, or the reason.      Cost: sorting the edges of p, and the elements at some of its verts.
