@@ -13,8 +13,8 @@ struct min_stability {
 
   /// Needs:  a ratio, mostly between 0 and 1. It is the smallest over the largest eigenvalue of the matrix that
   ///         `stiffness` computes of a poly by virtual elements, without the constants. That of the regular polygon of
-  ///         as many verts, or of the cube, counts as 1. See stability(m, p) of <concino/operators/stability.hpp>, which
-  ///         has the values of the hexagon and the cube. Polys without area or volume have 0.
+  ///         as many verts, or of the cube, counts as 1. See stability(m, p) of <concino/operators/stability.hpp>,
+  ///         which has the values of the hexagon and the cube. Polys without area or volume have 0.
   /// Result: an invariant for `keep`.
   /// Cost:   O(n^3) for each new poly of n verts, at each edit.
   /// Errors: none.
