@@ -1,5 +1,8 @@
-// Measures edits of triangles and tets, with and without a transaction. The programs of peers measure the same edits of theirs beside ours.
+// Measures edits of triangles and tets, with and without a transaction, and of polygons and polyhedra. The programs of peers measure the same edits of theirs
+// beside ours.
 #include "support/edits.hpp"
+
+#include <concino/generate/dual_mesh.hpp>
 
 #include <stdexcept>
 
@@ -31,11 +34,37 @@ void edits(const bench::program& p, const std::string& name, const Arrays& array
   run("collapse", bench::collapse<M>);
 }
 
+/// The first 20,000 splits of edges, merges of polys and collapses of edges of cells.
+template<class M>
+void poly_edits(const bench::program& p, const std::string& name, const M& m) {
+  const auto run = [&](const char* edit, const auto& range, auto f) {
+    const std::string work = std::string("edit.polys.") + edit + "." + name;
+    if (!p.wants(work)) return;
+    std::vector<std::remove_cvref_t<decltype(*range.begin())>> all;
+    for (const auto x : range)
+      if (all.size() < 20'000) all.push_back(x);
+    p.print(bench::compare(work, p.rounds, {{"concino", [&, f] {
+      auto copy = std::make_unique<M>(m);
+      return bench::seconds_of([&] {
+        std::size_t done = 0;
+        for (const auto x : all)
+          if (concino::contains(*copy, x)) done += f(*copy, x);
+        return done;
+      });
+    }}}));
+  };
+  run("split", concino::edges(m), [](M& x, auto e) { return bool(concino::edge_split(x, e)); });
+  run("merge", concino::facets(m), [](M& x, auto f) { return bool(concino::merge_polys(x, f)); });
+  run("collapse", concino::edges(m), [](M& x, auto e) { return bool(concino::edge_collapse(x, e)); });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   return bench::run_program(argc, argv, [](const bench::program& p) {
     edits<concino::trimesh>(p, "bunny16", p.data.bunny16());
     edits<concino::tetmesh>(p, "tet200k", p.data.tet200k());
+    poly_edits(p, "bunny16", concino::dual_mesh(concino::trimesh(p.data.bunny16())));
+    poly_edits(p, "tet200k", concino::dual_mesh(concino::tetmesh(p.data.tet200k())));
   });
 }

@@ -1,6 +1,7 @@
 // Editing of meshes: adding and removing elements, splitting, collapsing and flipping, undoing edits.
 #pragma once
 
+#include <concino/edit/agglomerate_while.hpp>
 #include <concino/edit/connected_verts.hpp>
 #include <concino/edit/edge_collapse.hpp>
 #include <concino/edit/edge_flip.hpp>

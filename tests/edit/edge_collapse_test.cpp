@@ -175,7 +175,14 @@ TEST_CASE("edge_collapse: verts at which parts of a surface only touch do not be
 TEST_CASE("edge_collapse: is refused at a quad that has both ends, but not the edge") {
   cn::polygonmesh m({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}, {0, 2, 4}});
   const auto before = cn::testing::whole(m);
-  CHECK(cn::edge_collapse(m, cn::testing::edge_between_verts(m, 0, 2)).reason == cn::refusal::not_simplices);
+  const auto e = cn::testing::edge_between_verts(m, 0, 2);
+  CHECK(cn::edge_collapse(m, e).reason == cn::refusal::link_condition);
+  CHECK(cn::edge_collapse(m, e, {.only_simplices = true}).reason == cn::refusal::not_simplices);
+  const auto side = cn::testing::edge_between_verts(m, 0, 1);
+  CHECK(cn::can_edge_collapse(m, side, {.only_simplices = true}).reason == cn::refusal::not_simplices);
+  CHECK(cn::can_edge_collapse(m, side));
+  CHECK(cn::edge_split(m, side, 0.5, {.only_simplices = true}).reason == cn::refusal::not_simplices);
+  CHECK(cn::can_edge_split(m, side, 0.5, {.only_simplices = true}).reason == cn::refusal::not_simplices);
   CHECK(cn::testing::whole(m) == before);
 }
 

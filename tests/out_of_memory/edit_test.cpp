@@ -155,3 +155,51 @@ TEST_CASE_TEMPLATE("a mesh built by edits is valid after running out of memory a
   CHECK(result.failed > 0);
   CHECK(result.leaks == 0);
 }
+
+TEST_CASE_TEMPLATE("an edit of polygons or polyhedra that runs out of memory changes nothing", M, cn::polygonmesh, cn::polyhedralmesh) {
+  M m = cn::testing::grid<M>(cn::VolumeMesh<M> ? 1 : 2);
+  cn::testing::give_properties(m);
+  std::size_t failed = 0;
+  const auto check = [&](const M& start, const auto& edit) {
+    M after = start;
+    CHECK(edit(after));
+    failed += all_or_nothing(start, edit);
+  };
+  const auto first_allowed = [](const M& x, const auto& range, const auto& is_allowed) {
+    for (const auto e : range)
+      if (is_allowed(x, e)) return e;
+    FAIL("none is allowed");
+    return *range.begin();
+  };
+  const auto edge = first_allowed(m, cn::edges(m), [](const M& x, cn::edge_id e) { return bool(cn::can_edge_collapse(x, e)); });
+  check(m, [=](M& x) { return bool(cn::edge_collapse(x, edge, {.keep = {cn::no_inversion}})); });
+  check(m, [=](M& x) { return bool(cn::edge_split(x, edge)); });
+  M with_vert = m;
+  const cn::vert_id v = cn::edge_split(with_vert, edge).vert;
+  check(with_vert, [=](M& x) { return bool(cn::edge_merge(x, v)); });
+  const auto between = first_allowed(m, cn::facets(m), [](const M& x, const auto& f) { return bool(cn::can_merge_polys(x, f)); });
+  check(m, [=](M& x) { return bool(cn::merge_polys(x, between, {.keep = {cn::min_quality(-1, cn::metric::star_shapedness)}})); });
+  const auto all = cn::make_poly_map<int>(m, 0);
+  check(m, [&](M& x) { return bool(cn::merge_polys(x, all)); });
+  if constexpr (cn::VolumeMesh<M>) {
+    const auto f = *cn::faces(m).begin();
+    const auto corners = listed(cn::adj_f2v(m, f));
+    check(m, [=](M& x) { return bool(cn::face_cut(x, f, corners[0], corners[2])); });
+    M cut = m;
+    const auto made = cn::face_cut(cut, f, corners[0], corners[2]);
+    check(cut, [=](M& x) { return bool(cn::face_merge(x, made.faces[0], made.faces[1])); });
+    M boxes(cn::testing::extrude(cn::testing::quad_grid(1), 2));
+    std::vector<cn::edge_id> loop;
+    for (const auto e : cn::edges(boxes)) {
+      const auto ends = cn::end_verts(boxes, e);
+      if (cn::point(boxes, ends.first).z == 0.5 && cn::point(boxes, ends.second).z == 0.5) loop.push_back(e);
+    }
+    CHECK(cn::merge_polys(boxes, first_allowed(boxes, cn::faces(boxes), [](const M& x, cn::face_id g) { return bool(cn::can_merge_polys(x, g)); })));
+    cn::testing::give_properties(boxes);
+    check(boxes, [=](M& x) { return bool(cn::poly_cut(x, cn::poly_id{0}, loop)); });
+  } else {
+    const auto corners = listed(cn::adj_p2v(m, cn::poly_id{0}));
+    check(m, [=](M& x) { return bool(cn::poly_cut(x, cn::poly_id{0}, corners[0], corners[3])); });
+  }
+  CHECK(failed > 100);
+}

@@ -58,7 +58,8 @@ template<class M> concept EditableVolumeMesh = VolumeMesh<M> && MutablePoints<M>
 
 namespace requirement {
 
-template<class M> concept has_polys_of_any_size = arity_v<M> == 0;  // others become a polygonmesh or a polyhedralmesh by convert<polygonmesh>(m) or convert<polyhedralmesh>(m)
+// Compilers print this line: convert<polygonmesh>(m) and convert<polyhedralmesh>(m) make such meshes of others.
+template<class M> concept has_polys_of_any_size = arity_v<M> == 0;  // else convert<polygonmesh>(m), <polyhedralmesh>
 
 }  // namespace requirement
 

@@ -90,10 +90,10 @@ inline void check_collapse(const edge_collapse_options& options, const char* edi
 /// Whether e can be collapsed without a change of the topology: the link condition holds. Boundaries, non-manifold
 /// edges and non-manifold verts are kept.
 /// Needs:  EditableMesh M, an edge of m.
-/// Result: true, or the reason: the link condition does not hold, as for the last triangle or tet of a part; two faces
-///         or two polys would have the same verts; two polys, each at one end, would share more than a chain of edges
-///         or a disk of faces; a polyhedron that is no tet would keep fewer than four faces; a poly at an end is one of
-///         a quadmesh or hexmesh; or an invariant does not hold.
+/// Result: true, or the reason. The link condition does not hold, as for the last triangle or tet of a part. Two faces
+///         or two polys would have the same verts. Two polys, each at one end, would share more than a chain of edges
+///         or a disk of faces. A polyhedron that is no tet would keep fewer than four faces. A poly at an end is one of
+///         a quadmesh or hexmesh. An invariant does not hold.
 /// Cost:   the polys at the ends, and sorting these; of general polys also the pairs of them that share a vert.
 /// Errors: as edge_collapse.
 /// Source: Dey, Edelsbrunner, Guha and Nekhayev 1999, "Topology preserving edge contraction".
@@ -104,7 +104,8 @@ permission can_edge_collapse(const M& m, edge_t<M> e, const edge_collapse_option
   detail::cavity_builder<M> c(m);
   const permission p = detail::edge_collapse_cavity(m, e, options, c);
   if constexpr (EditableGeneralMesh<M>)
-    if (!options.only_simplices && p.reason == refusal::not_simplices) return detail::collapse_at(m, e, options).propose(options.keep);
+    if (!options.only_simplices && p.reason == refusal::not_simplices)
+      return detail::collapse_at(m, e, options).propose(options.keep);
   if (!p) return p;
   return detail::ask(options.keep, m, c);
 }

@@ -11,7 +11,8 @@ namespace concino {
 
 namespace detail {
 
-inline constexpr permission not_two_edges{refusal::wrong_number, "the vert does not have exactly two edges, with polys"};
+inline constexpr permission not_two_edges{refusal::wrong_number,
+                                          "the vert does not have exactly two edges, with polys"};
 
 /// The polys at v lose it. a, b: the other ends of its edges.
 template<class M>
@@ -80,6 +81,6 @@ edge_result<M> edge_merge(M& m, vert_t<M> v, const edit_options& options = {}) {
 // What to write instead of calls that cannot compile.
 template<EditableMesh M, class... T>
   requires(arity_v<M> > 0)
-void edge_merge(const M&, const T&...) = delete;  // polys of this mesh have a fixed number of verts: make it a polygonmesh or a polyhedralmesh
+void edge_merge(const M&, const T&...) = delete;  // fixed number of verts: make m a polygonmesh or polyhedralmesh
 
 }  // namespace concino

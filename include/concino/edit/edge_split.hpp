@@ -61,7 +61,9 @@ permission general_split_cavity(const M& m, const edge_t<M>& e, double t, genera
 /// Whether splitting e adds a corner to the polys at it instead of dividing them. simplices: whether these can be
 /// divided. Tets that are general polyhedra are not.
 template<class M>
-bool adds_corners(const permission& simplices) { return dimension_v<M> == 3 || simplices.reason == refusal::not_simplices; }
+bool adds_corners(const permission& simplices) {
+  return dimension_v<M> == 3 || simplices.reason == refusal::not_simplices;
+}
 
 inline void check_parameter(double t, const char* edit) {
   if (!(t > 0 && t < 1))

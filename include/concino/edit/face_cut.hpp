@@ -68,8 +68,9 @@ permission face_cut_cavity(const M& m, const face_t<M>& f, const vert_t<M>& a, c
 
 /// Whether f can be cut between a and b: they are verts of it, not neighbours and not joined by an edge, no face has
 /// the verts of a part already, and the invariants hold.
-/// Needs:  EditableVolumeMesh M that is an EditableGeneralMesh, a face and verts of m.      Result: true, or the reason.
-/// Cost:   the polys at f, and the faces and polys at their verts.      Errors: as face_cut.
+/// Needs:  EditableVolumeMesh M that is an EditableGeneralMesh, a face and verts of m.
+/// Result: true, or the reason.      Cost: the polys at f, and the faces and polys at their verts.
+/// Errors: as face_cut.
 template<EditableVolumeMesh M>
   requires EditableGeneralMesh<M>
 permission can_face_cut(const M& m, face_t<M> f, vert_t<M> a, vert_t<M> b, const edit_options& options = {}) {
@@ -110,6 +111,6 @@ face_cut_result<M> face_cut(M& m, face_t<M> f, vert_t<M> a, vert_t<M> b, const e
 // What to write instead of calls that cannot compile.
 template<EditableVolumeMesh M, class... T>
   requires(arity_v<M> > 0)
-void face_cut(const M&, const T&...) = delete;  // polys of this mesh have a fixed number of faces: make it a polyhedralmesh
+void face_cut(const M&, const T&...) = delete;  // fixed number of faces: make m a polyhedralmesh
 
 }  // namespace concino

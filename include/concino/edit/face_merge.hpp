@@ -93,8 +93,8 @@ face_t<M> face_with_verts(const M& m, const poly_t<M>& p, const std::vector<vert
 
 }  // namespace detail
 
-/// Whether faces f and g can be merged: they have the same one or two polys, what they share is one chain of edges, not
-/// a whole boundary, with no third face inside, each poly keeps four faces, and the invariants hold.
+/// Whether faces f and g can be merged. They have the same one or two polys. What they share is one chain of edges, not
+/// a whole boundary, with no third face inside. Each poly keeps four faces, and the invariants hold.
 /// Needs:  EditableVolumeMesh M that is an EditableGeneralMesh, faces of m.      Result: true, or the reason.
 /// Cost:   the polys at f, and the faces and polys at their verts.      Errors: as face_merge.
 template<EditableVolumeMesh M>
@@ -132,6 +132,6 @@ face_result<M> face_merge(M& m, face_t<M> f, face_t<M> g, const edit_options& op
 // What to write instead of calls that cannot compile.
 template<EditableVolumeMesh M, class... T>
   requires(arity_v<M> > 0)
-void face_merge(const M&, const T&...) = delete;  // polys of this mesh have a fixed number of faces: make it a polyhedralmesh
+void face_merge(const M&, const T&...) = delete;  // fixed number of faces: make m a polyhedralmesh
 
 }  // namespace concino

@@ -48,8 +48,8 @@ class label_checker {
 }  // namespace detail
 
 /// Refuses edits of m that change the regions of polys with equal labels. Those are flips and merges of polys with
-/// different labels, collapses that join two places of the boundary of a region, and collapses that move a vert of the boundary
-/// between regions, except along it.
+/// different labels, collapses that join two places of the boundary of a region, and collapses that move a vert of the
+/// boundary between regions, except along it.
 /// Needs:  EditableMesh M; a map of polys, or a function of polys, to anything with ==. One that is large or owns
 ///         memory must be an lvalue that outlives the invariant. New polys take the labels of those that they come from
 ///         if the property is carried so.

@@ -46,7 +46,8 @@ inline bool is_near_new(const proposed_edit& e, const vec3& x, double distance_a
 ///         its longest edge. Each edit may take something from an open surface; decimate with max_error bounds all its
 ///         edits together.
 /// Cost:   at each edit, seven queries for each of its new polys, and the distances between its old and its new polys.
-/// Errors: invalid_argument if the distance is negative or not a number, and from an edit of other polys than triangles.
+/// Errors: invalid_argument if the distance is negative or not a number, and from an edit of other polys than
+///         triangles.
 template<SurfaceMesh M>
 invariant max_distance(const poly_tree<M>& tree, double distance) {
   if (!(distance >= 0))
@@ -54,7 +55,8 @@ invariant max_distance(const poly_tree<M>& tree, double distance) {
         {"max_distance: the distance is negative or not a number; it must be at least 0"});
   return [&tree, distance](const proposed_edit& e) -> permission {
     if (e.corners_per_poly != 3)
-      core::throw_joined<invalid_argument>({"max_distance: the edit is one of tets or of larger polys; it must be one of triangles"});
+      core::throw_joined<invalid_argument>(
+          {"max_distance: the edit is one of tets or of larger polys; it must be one of triangles"});
     const auto is_near = [&](const vec3& x) {
       const auto hit = tree.closest(x);
       return hit && hit.distance <= distance;

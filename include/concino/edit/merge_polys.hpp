@@ -17,7 +17,7 @@ namespace concino {
 /// What merge_polys has made of two polys, which is valid only if it was allowed.
 template<class M> struct poly_result : permission { poly_t<M> poly{}; };
 
-/// What merge_polys has made of the polys of each label: in ascending order of the labels, valid only if it was allowed.
+/// What merge_polys has made of the polys of each label, in ascending order of labels; valid only if it was allowed.
 template<class M>
 struct merged_polys_result : permission {
   std::vector<poly_t<M>> polys;
@@ -43,7 +43,10 @@ template<class M, class L>
 permission merge_cavity_by_labels(const M& m, const L& labels, general_cavity<M>& c, merged_polys_result<M>& r) {
   std::vector<poly_t<M>> all;
   std::vector<std::pair<long long, std::size_t>> order;
-  for (const poly_t<M> p : polys(m)) order.emplace_back(static_cast<long long>(labels[p]), all.size()), all.push_back(p);
+  for (const poly_t<M> p : polys(m)) {
+    order.emplace_back(static_cast<long long>(labels[p]), all.size());
+    all.push_back(p);
+  }
   std::sort(order.begin(), order.end());
   for (std::size_t i = 0, j = 0; i < order.size(); i = j) {
     while (j < order.size() && order[j].first == order[i].first) ++j;
@@ -129,6 +132,6 @@ merged_polys_result<M> merge_polys(M& m, const L& labels, const edit_options& op
 // What to write instead of calls that cannot compile.
 template<EditableMesh M, class... T>
   requires(arity_v<M> > 0)
-void merge_polys(const M&, const T&...) = delete;  // polys of this mesh have a fixed number of verts: make it a polygonmesh or a polyhedralmesh
+void merge_polys(const M&, const T&...) = delete;  // fixed number of verts: make m a polygonmesh or polyhedralmesh
 
 }  // namespace concino

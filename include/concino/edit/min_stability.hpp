@@ -11,10 +11,10 @@ namespace concino {
 struct min_stability {
   double limit;
 
-  /// Needs:  a ratio between 0 and 1: the smallest over the largest eigenvalue of the matrix that `stiffness` computes
-  ///         of a poly by virtual elements, without the constants, relative to that of the regular polygon of as many
-  ///         verts, or of the cube. See stability(m, p) of <concino/operators/stability.hpp>, which has the values of
-  ///         the hexagon and the cube. Polys without area or volume have 0.
+  /// Needs:  a ratio, mostly between 0 and 1. It is the smallest over the largest eigenvalue of the matrix that
+  ///         `stiffness` computes of a poly by virtual elements, without the constants. That of the regular polygon of
+  ///         as many verts, or of the cube, counts as 1. See stability(m, p) of <concino/operators/stability.hpp>,
+  ///         which has the values of the hexagon and the cube. Polys without area or volume have 0.
   /// Result: an invariant for `keep`.
   /// Cost:   O(n^3) for each new poly of n verts, at each edit.
   /// Errors: none.

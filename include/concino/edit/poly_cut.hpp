@@ -43,8 +43,8 @@ permission polygon_cut_cavity(const M& m, const poly_t<M>& p, const vert_t<M>& a
   return are_joined_by_edge(m, a, b) ? general_same_verts : permission{};
 }
 
-/// The new face of one part of the faces, counter-clockwise seen from outside it. Returns false if these do not run once
-/// along each edge of the loop, or it is not one cycle.
+/// The new face of one part of the faces, counter-clockwise seen from outside it. Returns false if these do not run
+/// once along each edge of the loop, or it is not one cycle.
 inline bool close_part(std::span<const std::span<const unsigned>> lists, const std::vector<unsigned>& part,
                        unsigned wanted, std::span<const std::pair<unsigned, unsigned>> loop,
                        std::vector<unsigned>& face) {
@@ -117,8 +117,8 @@ poly_cut_result<M> cut_poly(M& m, const permission& before, const edit_options& 
   typename general_cavity<M>::prepared x;
   c.apply(m, x);
   r.polys = {x.polys[0], x.polys[1]};
-  if constexpr (SurfaceMesh<M>) r.edge = facet_between(m, x.polys[0], x.polys[1]);
-  else r.face = facet_between(m, x.polys[0], x.polys[1]);  // the result names it by its kind
+  if constexpr (SurfaceMesh<M>) r.edge = facet_between(m, x.polys[0], x.polys[1]);  // the facet by its name
+  else r.face = facet_between(m, x.polys[0], x.polys[1]);
   return r;
 }
 
@@ -158,8 +158,8 @@ poly_cut_result<M> poly_cut(M& m, poly_t<M> p, vert_t<M> a, vert_t<M> b, const e
   return detail::cut_poly(m, x, options, c);
 }
 
-/// Whether polyhedron p can be cut along a loop: its edges are different ones of p, in any order, and form one closed
-/// curve that divides the faces of p into two parts of at least three; no face has the verts of the loop; and the
+/// Whether polyhedron p can be cut along a loop. Its edges are different ones of p, in any order. They form one closed
+/// curve that divides the faces of p into two parts of at least three. No face has the verts of the loop, and the
 /// invariants hold.
 /// Needs:  EditableVolumeMesh M that is an EditableGeneralMesh, a poly and edges of m.
 /// Result: true, or the reason.      Cost: sorting the edges of p, and the elements at some of its verts.
@@ -208,6 +208,6 @@ poly_cut_result<M> poly_cut(M& m, poly_t<M> p, std::initializer_list<edge_t<M>> 
 // What to write instead of calls that cannot compile.
 template<EditableMesh M, class... T>
   requires(arity_v<M> > 0)
-void poly_cut(const M&, const T&...) = delete;  // polys of this mesh have a fixed number of verts: make it a polygonmesh or a polyhedralmesh
+void poly_cut(const M&, const T&...) = delete;  // fixed number of verts: make m a polygonmesh or polyhedralmesh
 
 }  // namespace concino

@@ -1,6 +1,6 @@
 // How far the virtual elements of a poly are from losing their stability, as polys with short edges or thin parts do.
-// Not part of <concino/operators.hpp>: without concino::compiled it includes the eigenvalues of Eigen, which take long to
-// compile.
+// Not part of <concino/operators.hpp>: without concino::compiled it includes the eigenvalues of Eigen, which take long
+// to compile.
 #pragma once
 
 #include <concino/core/compiled.hpp>

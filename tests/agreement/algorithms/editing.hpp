@@ -1,4 +1,4 @@
-// Compares add_vert, add_poly, remove_poly and remove_vert on copies of meshes that have them, and splits, flips and collapses of edges where polys can be replaced.
+// Compares add_vert, add_poly, remove_poly and remove_vert on copies of meshes that have them, and splits, flips and collapses of edges and merges of polys where polys can be replaced.
 #pragma once
 
 #include <agreement/copies.hpp>
@@ -8,6 +8,7 @@
 #include <concino/edit/edge_flip.hpp>
 #include <concino/edit/edge_split.hpp>
 #include <concino/edit/elements.hpp>
+#include <concino/edit/merge_polys.hpp>
 #include <concino/validate/check_laws.hpp>
 
 #include <algorithm>
@@ -67,6 +68,7 @@ struct edits {
         expect_same_edit(both, e, [](auto& m, const auto& x) -> permission { return edge_split(m, x); });
         expect_same_edit(both, e, [](auto& m, const auto& x) -> permission { return edge_flip(m, x); });
         expect_same_edit(both, e, [](auto& m, const auto& x) -> permission { return edge_collapse(m, x); });
+        if constexpr (EditableGeneralMesh<M> && EditableGeneralMesh<N>) expect_same_edit(both, e, [](auto& m, const auto& x) -> permission { return merge_polys(m, x); });
       }
     }
     return true;

@@ -2,6 +2,7 @@
 
 #include <concino/edit.hpp>
 #include <concino/edit/connected_verts.hpp>
+#include <concino/edit/min_stability.hpp>
 #include <concino/edit/replace_polys.hpp>
 #include <concino/geometry/bounding_tree.hpp>
 
@@ -85,6 +86,42 @@ void call_edge_edits() {
   }, all);
 }
 
+/// Polygons and polyhedra.
+void call_poly_edits() {
+  constexpr auto general = kinds<cn::polygonmesh, cn::polyhedralmesh>();
+  constexpr auto polygons = kinds<cn::polygonmesh>();
+  constexpr auto polyhedra = kinds<cn::polyhedralmesh>();
+  call("can_edge_merge", [](auto& m) { cn::can_edge_merge(m, first(cn::verts(m))); }, general);
+  call("edge_merge", [](auto& m) { cn::edge_merge(m, first(cn::verts(m))); }, general);
+  call("can_merge_polys", [](auto& m) { cn::can_merge_polys(m, first(cn::facets(m))); }, general);
+  call("merge_polys", [](auto& m) { cn::merge_polys(m, first(cn::facets(m))); }, general);
+  call("merge_polys", [](auto& m) {
+    const auto labels = cn::make_poly_map<int>(m);
+    cn::merge_polys(m, labels);
+  }, general);
+  call("agglomerate_while", [](auto& m) { cn::agglomerate_while(m, cn::min_stability(0.1), {.target = 3}); }, general);
+  call("can_poly_cut", [](auto& m) {
+    const auto corners = corners_of_first(m);
+    cn::can_poly_cut(m, first(cn::polys(m)), corners[0], corners[2]);
+  }, polygons);
+  call("poly_cut", [](auto& m) {
+    const auto corners = corners_of_first(m);
+    cn::poly_cut(m, first(cn::polys(m)), corners[0], corners[2]);
+  }, polygons);
+  call("can_poly_cut", [](auto& m) { cn::can_poly_cut(m, first(cn::polys(m)), {first(cn::edges(m))}); }, polyhedra);
+  call("poly_cut", [](auto& m) { cn::poly_cut(m, first(cn::polys(m)), {first(cn::edges(m))}); }, polyhedra);
+  call("can_face_cut", [](auto& m) {
+    const auto f = first(cn::faces(m));
+    cn::can_face_cut(m, f, first(cn::adj_f2v(m, f)), first(cn::verts(m)));
+  }, polyhedra);
+  call("face_cut", [](auto& m) {
+    const auto f = first(cn::faces(m));
+    cn::face_cut(m, f, first(cn::adj_f2v(m, f)), first(cn::verts(m)));
+  }, polyhedra);
+  call("can_face_merge", [](auto& m) { cn::can_face_merge(m, first(cn::faces(m)), first(cn::faces(m))); }, polyhedra);
+  call("face_merge", [](auto& m) { cn::face_merge(m, first(cn::faces(m)), first(cn::faces(m))); }, polyhedra);
+}
+
 void call_vert_edits() {
   call("can_merge_verts", [](auto& m) { cn::can_merge_verts(m, cn::vert_id{0}, {cn::vert_id{1}}); }, all);
   call("merge_verts", [](auto& m) {
@@ -140,6 +177,7 @@ void call_invariants() {
 void call_edit() {
   call_elements();
   call_edge_edits();
+  call_poly_edits();
   call_vert_edits();
   call_invariants();
 }

@@ -1,6 +1,7 @@
 #include "call.hpp"
 
 #include <concino/operators.hpp>
+#include <concino/operators/stability.hpp>
 #include <concino/operators/stiffness.hpp>
 
 void call_operators() {
@@ -23,6 +24,8 @@ void call_operators() {
     const auto nothing = [](const auto&) { return Eigen::SparseMatrix<double>(); };
     cn::with_stiffness(m, cn::virtual_elements, nothing, nothing);
   }, all);
+  call("stability", [](auto& m) { cn::stability(m, first(cn::polys(m))); }, all);
+  call("regular_eigenvalue_ratio", [](auto&) { cn::regular_eigenvalue_ratio(6); }, kinds<cn::polygonmesh>());
   call("vert_masses", [](auto& m) { cn::vert_masses(m); }, all);
   call("mass_matrix", [](auto& m) { cn::mass_matrix(m); }, all);
   call("poly_masses", [](auto& m) { cn::poly_masses(m); }, all);

@@ -61,7 +61,8 @@ inline vec3 polygon_normal(std::span<const unsigned> verts, std::span<const vec3
   bool is_degenerate = false;
   const auto x = fitted_points(verts, points, accuracy, is_degenerate);
   vec3 area;
-  for (std::size_t i = 0; i < x.size() && !is_degenerate; ++i) area += 0.5 * cross(x[i], x[i + 1 < x.size() ? i + 1 : 0]);
+  for (std::size_t i = 0; i < x.size() && !is_degenerate; ++i)
+    area += 0.5 * cross(x[i], x[i + 1 < x.size() ? i + 1 : 0]);
   return is_degenerate || accuracy.is_zero_area(area, x.size()) ? vec3{} : area;
 }
 

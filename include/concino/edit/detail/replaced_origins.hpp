@@ -138,8 +138,8 @@ class replaced_origins {
     }
   }
 
-  /// A corner at a vert that was there comes from the corners there of the polys of which its own was made, one at a new
-  /// vert from those at the verts of which that was made.
+  /// A corner at a vert that was there comes from the corners there of the polys of which its own was made. One at a
+  /// new vert comes from those at the verts of which that was made.
   void add_corners() {
     core::local_numbers old_polys;
     for (const poly_t<M>& p : c_.polys) old_polys.add(index_of(m_, p));

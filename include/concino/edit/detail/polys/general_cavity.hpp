@@ -158,9 +158,12 @@ class general_cavity {
                kept,            removed_.size()};
   }
   permission is_representable() const {
-    prepared x;
-    prepare(x);
-    return detail::is_representable(*m_, x.lists);
+    if constexpr (says_why_not_rewire<M>) {
+      prepared x;
+      prepare(x);
+      return detail::is_representable(*m_, x.lists);
+    }
+    return {};
   }
 
   /// The area or volume of a poly of these lists.

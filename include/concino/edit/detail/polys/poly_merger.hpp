@@ -22,7 +22,7 @@ inline constexpr permission third_poly{
 
 inline permission as_permission(list_fault fault) {
   if (fault == list_fault::none) return {};
-  if (fault == list_fault::winding) return {refusal::winding, "the polys at the element run in contradictory directions"};
+  if (fault == list_fault::winding) return contradictory_winding;
   return fault == list_fault::third_list ? third_poly : no_disk_or_ball;
 }
 
@@ -109,29 +109,29 @@ class poly_merger {
   permission remove_faces(std::ptrdiff_t num_faces)
     requires VolumeMesh<M>
   {
-    const auto edges_of = [](const auto& lists) {
+    const auto edges_of = [](const auto& some) {
       std::vector<std::pair<unsigned, unsigned>> all;
-      for (const auto& list : lists)
+      for (const auto& list : some)
         for_each_edge_of(list, [&](unsigned a, unsigned b) { all.emplace_back(std::min(a, b), std::max(a, b)); });
       std::sort(all.begin(), all.end());
       all.erase(std::unique(all.begin(), all.end()), all.end());
       return all;
     };
-    const auto verts_of = [](const auto& lists) {
+    const auto verts_of = [](const auto& some) {
       std::vector<unsigned> all;
-      for (const auto& list : lists) all.insert(all.end(), list.begin(), list.end());
+      for (const auto& list : some) all.insert(all.end(), list.begin(), list.end());
       return sorted_list(all);
     };
-    const auto edges = edges_of(lists_), outer_edges = edges_of(boundary_);
-    const auto verts = verts_of(lists_), outer_verts = verts_of(boundary_);
+    const auto all_edges = edges_of(lists_), outer_edges = edges_of(boundary_);
+    const auto all_verts = verts_of(lists_), outer_verts = verts_of(boundary_);
     const auto count = [](const auto& all) { return static_cast<std::ptrdiff_t>(all.size()); };
-    if (count(verts) - count(edges) + num_faces - static_cast<std::ptrdiff_t>(last_ - first_) != 1)
+    if (count(all_verts) - count(all_edges) + num_faces - static_cast<std::ptrdiff_t>(last_ - first_) != 1)
       return no_disk_or_ball;
     std::vector<unsigned> inside;
     std::vector<std::pair<unsigned, unsigned>> inner_edges;
-    std::set_difference(verts.begin(), verts.end(), outer_verts.begin(), outer_verts.end(),
+    std::set_difference(all_verts.begin(), all_verts.end(), outer_verts.begin(), outer_verts.end(),
                         std::back_inserter(inside));
-    std::set_difference(edges.begin(), edges.end(), outer_edges.begin(), outer_edges.end(),
+    std::set_difference(all_edges.begin(), all_edges.end(), outer_edges.begin(), outer_edges.end(),
                         std::back_inserter(inner_edges));
     if (const permission p = remove_inside(inside, inner_edges); !p) return p;
     for (const auto& list : boundary_) c_.add_list(list);
