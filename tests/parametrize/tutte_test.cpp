@@ -101,13 +101,12 @@ TEST_CASE("tutte: no flips on random polygons, and on all disks of the corpus") 
     CHECK(t.attached.empty());
     CHECK(map_distortion(m, t.uv).flipped == 0);
   }
-  const std::size_t count = for_each_corpus_disk([](const std::string& name, const auto& m) {
+  for_each_corpus_disk([](const std::string& name, const auto& m) {
     CAPTURE(name);
     const auto t = tutte(m);
     CHECK(t.attached.empty());
     CHECK(map_distortion(m, t.uv).flipped == 0);
   });
-  MESSAGE(count, " disks of the corpus");
 }
 
 TEST_CASE("tutte: random triangles, joined to quads and larger polygons at random, flip only where pieces are attached") {
