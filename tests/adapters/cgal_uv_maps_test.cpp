@@ -51,10 +51,15 @@ TEST_CASE("CGAL: UV maps of its meshes have its descriptors, and leave out remov
   CHECK(map_distortion(m, lscm(m)).flipped == 0);
 }
 
-TEST_CASE("CGAL: its least squares conformal map with the same two verts is the same") {
+TEST_CASE("CGAL: its least squares conformal map with the same two verts is the same of a developable surface, and near of others") {
   namespace smp = CGAL::Surface_mesh_parameterization;
-  for (const unsigned n : {3u, 8u, 15u}) {
-    const auto arrays = hill<trimesh>(n);
+  for (const bool is_developable : {true, false}) {
+    const unsigned n = 8;
+    auto arrays = hill<trimesh>(n);
+    if (is_developable) {
+      arrays = grid_arrays<trimesh>(n);
+      for (vec3& x : arrays.points) x = on_cylinder(x.x, x.y);
+    }
     auto m = cgal_surface<space::Point_3>(arrays);
     using point_map = surface::Property_map<surface::Vertex_index, space::Point_2>;
     const point_map theirs = m.add_property_map<surface::Vertex_index, space::Point_2>("v:uv").first;
@@ -67,7 +72,8 @@ TEST_CASE("CGAL: its least squares conformal map with the same two verts is the 
     REQUIRE(status == smp::OK);
     const auto at = [&](surface::Vertex_index v) { return uv_point{theirs[v].x(), theirs[v].y()}; };
     const auto ours = lscm(m, {{a, at(a)}, {b, at(b)}});
-    for (const auto v : verts(m))  // their solver is iterative
-      for (std::size_t k = 0; k < 2; ++k) CHECK(std::abs(ours[v][k] - at(v)[k]) < 1e-4);
+    // Their solver is iterative, and their equations of triangles are weighted by areas once more, which does not matter where they all hold.
+    for (const auto v : verts(m))
+      for (std::size_t k = 0; k < 2; ++k) CHECK(std::abs(ours[v][k] - at(v)[k]) < (is_developable ? 1e-5 : 0.02));
   }
 }
