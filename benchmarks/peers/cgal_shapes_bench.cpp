@@ -1,8 +1,10 @@
 // Measures the smallest ball around points against CGAL's Min_sphere_of_spheres_d, the smallest circle in the plane against the same, and the skeleton of a
-// surface against its Mean_curvature_flow_skeletonization, with its options as they are by default.
+// surface against its Mean_curvature_flow_skeletonization, with its options as they are by default. Also lscm against its Surface_mesh_parameterization.
 #include "../support/kinds.hpp"
 
+#include <concino/generate/grid.hpp>
 #include <concino/geometry/enclosing_ball.hpp>
+#include <concino/parametrize/lscm.hpp>
 #include <concino/skeleton/skeleton_of.hpp>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -12,6 +14,8 @@
 #include <CGAL/Min_sphere_of_spheres_d.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
 #include <cmath>
 #include <stdexcept>
@@ -75,6 +79,29 @@ int main(int argc, char** argv) {
         flow(k);
         return num_vertices(k);
       };
+      compare(p, work, std::min(p.rounds, 3), ours, theirs);
+    }
+    if (const std::string work = "lscm.hill20k"; p.wants(work)) {
+      auto m = concino::make_grid<concino::trimesh>({.cells = {100, 100}});
+      surface s;
+      std::vector<surface::Vertex_index> v;
+      for (const auto x : verts(m)) {
+        const concino::vec3 at = point(m, x);
+        set_point(m, x, {at.x, at.y, 0.3 * std::sin(3 * at.x) * std::cos(4 * at.y)});
+        v.push_back(s.add_vertex({point(m, x).x, point(m, x).y, point(m, x).z}));
+      }
+      for (const auto t : polys(m)) {
+        std::vector<surface::Vertex_index> corners;
+        for (const auto x : adj_p2v(m, t)) corners.push_back(v[x.raw()]);
+        s.add_face(corners);
+      }
+      const auto uv = s.add_property_map<surface::Vertex_index, kernel::Point_2>("v:uv").first;
+      auto boundary = *s.halfedges().begin();
+      for (const auto h : s.halfedges())
+        if (s.is_border(h)) boundary = h;
+      namespace smp = CGAL::Surface_mesh_parameterization;
+      const auto ours = [&] { return lscm(m)[concino::vert_id{0}][0]; };
+      const auto theirs = [&] { return smp::parameterize(s, smp::LSCM_parameterizer_3<surface>(), boundary, uv); };
       compare(p, work, std::min(p.rounds, 3), ours, theirs);
     }
   });

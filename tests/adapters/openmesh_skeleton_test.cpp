@@ -1,4 +1,4 @@
-// Circles, kernels, widths and curve skeletons of OpenMesh meshes: the same as of native ones, with OpenMesh's own handles, deleted elements left out.
+// Circles, kernels, widths, curve skeletons and UV maps of OpenMesh meshes: the same as of native ones, with OpenMesh's own handles, deleted elements left out.
 #include <concino/adapters/openmesh.hpp>
 #include <concino/generate/torus.hpp>
 #include <concino/geometry/enclosing_ball.hpp>
@@ -7,6 +7,7 @@
 #include <concino/geometry/width.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 #include <concino/mesh/trimesh.hpp>
+#include <concino/parametrize.hpp>
 #include <concino/skeleton.hpp>
 
 #include <support/meshes.hpp>
@@ -54,4 +55,26 @@ TEST_CASE("OpenMesh: bones of its edges, and the skeleton of a surface") {
   m.delete_vertex(*verts(m).begin(), false);
   CHECK(bones(m).size() < all);
   CHECK_THROWS_AS((void)skeleton_of(m), invalid_mesh);
+}
+
+TEST_CASE("OpenMesh: UV maps of its meshes") {
+  auto arrays = testing::polygon_grid(3);
+  for (vec3& x : arrays.points) x.z = x.x * x.y;
+  const polygonmesh native(arrays);
+  testing::om::poly_status m;
+  testing::om::fill(m, arrays);
+  const auto uv = lscm(m), same = arap_map(m, {.max_iterations = 0}).uv;
+  const auto there = lscm(native);
+  static_assert(std::same_as<decltype(tutte(m).attached[0].verts), std::vector<OpenMesh::VertexHandle>>);
+  CHECK(tutte(m).attached.size() == tutte(native).attached.size());
+  for (const auto v : verts(m))
+    for (std::size_t k = 0; k < 2; ++k) {
+      CHECK(uv[v][k] == doctest::Approx(there[vert_id{index_of(m, v)}][k]).epsilon(1e-5).scale(1));
+      CHECK(same[v] == uv[v]);
+    }
+  CHECK(map_distortion(m, uv).flipped == 0);
+  CHECK(map_distortion(m, injective_map(m, uv).uv).flipped == 0);
+  m.delete_face(*polys(m).begin(), true);
+  CHECK(num_polys(m) < num_polys(native));
+  CHECK(map_distortion(m, spectral_conformal(m)).flipped == 0);
 }

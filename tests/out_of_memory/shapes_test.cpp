@@ -1,4 +1,4 @@
-// Circles, kernels, widths, bones, tubes and skeletons of surfaces that run out of memory throw std::bad_alloc and leak nothing.
+// Circles, kernels, widths, bones, tubes, skeletons and UV maps of surfaces that run out of memory throw std::bad_alloc and leak nothing.
 #include <concino/geometry/enclosing_ball.hpp>
 #include <concino/geometry/inscribed_circle.hpp>
 #include <concino/geometry/kernel.hpp>
@@ -7,6 +7,7 @@
 #include <concino/graph/min_cut.hpp>
 #include <concino/graph/segment.hpp>
 #include <concino/mesh.hpp>
+#include <concino/parametrize.hpp>
 #include <concino/skeleton.hpp>
 
 #include <support/failing_allocations.hpp>
@@ -74,4 +75,19 @@ TEST_CASE("curve skeletons that run out of memory") {
   check_failures([&] { return skeleton_of(torus).skeleton.points(); }, 10);
   const auto nodes = bones(y);
   check_failures([&] { return nearest_bone(torus, nodes)[vert_id{3}] + 1; });
+}
+
+TEST_CASE("UV maps that run out of memory") {
+  const testing::with_num_threads one(1);
+  auto arrays = testing::polygon_grid(2);
+  for (vec3& x : arrays.points) x.z = x.x * x.y;
+  const polygonmesh m(arrays);
+  const auto place = [&](const auto& uv) { return uv[vert_id{7}]; };
+  const auto start = lscm(m);
+  check_failures([&] { return place(tutte(m).uv); });
+  check_failures([&] { return place(lscm(m)); });
+  check_failures([&] { return place(spectral_conformal(m)); }, 5);
+  check_failures([&] { return place(arap_map(m, {.max_iterations = 1}).uv); }, 5);
+  check_failures([&] { return place(injective_map(m, start, {.max_iterations = 1}).uv); }, 5);
+  check_failures([&] { return map_distortion(m, start).max_angle; });
 }

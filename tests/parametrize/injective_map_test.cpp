@@ -97,7 +97,6 @@ TEST_CASE("injective_map: random polygons, and all disks of the corpus") {
   for_each_corpus_disk([](const std::string& name, const auto& m) {
     CAPTURE(name);
     const auto r = injective_map(m, {.max_iterations = long_run() ? 300 : 15});
-    MESSAGE(name, ": ", r.energies.size(), " energies from ", r.energies.front(), " to ", r.energies.back());
     CHECK(map_distortion(m, r.uv).flipped == 0);
     check_falls(r.energies);
   });

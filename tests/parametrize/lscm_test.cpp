@@ -150,7 +150,6 @@ TEST_CASE("lscm, spectral_conformal: all disks of the corpus, and bad input") {
   for_each_corpus_disk([](const std::string& name, const auto& m) {
     CAPTURE(name);
     const auto d = map_distortion(m, lscm(m)), s = map_distortion(m, spectral_conformal(m));
-    MESSAGE(name, ": lscm ", d.flipped, " flipped, angle ", d.mean_angle, "; spectral ", s.flipped, " flipped, angle ", s.mean_angle);
     CHECK(d.mean_angle < 0.5);
   });
   const trimesh ball({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});

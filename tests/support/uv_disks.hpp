@@ -56,8 +56,7 @@ inline polygonmesh random_polygons(unsigned seed, std::size_t count, bool bent =
 
 /// Calls f(name, mesh) for each surface of the corpus that is a disk.
 template<class F>
-std::size_t for_each_corpus_disk(const F& f) {
-  std::size_t count = 0;
+void for_each_corpus_disk(const F& f) {
   for (const corpus_row& row : corpus_meshes()) {
     const auto is = [&](const char* name, const char* value) {
       const auto it = row.column.find(name);
@@ -67,14 +66,10 @@ std::size_t for_each_corpus_disk(const F& f) {
     const auto any = load_any(row.file.string());
     std::visit(
         [&](const auto& m) {
-          if constexpr (dimension_v<decltype(m)> == 2) {
-            ++count;
-            f(row.name, m);
-          }
+          if constexpr (dimension_v<decltype(m)> == 2) f(row.name, m);
         },
         any);
   }
-  return count;
 }
 
 }  // namespace concino::testing

@@ -24,19 +24,19 @@ struct arap_map_options {
 template<class M>
 struct arap_map_result {
   uv_map<M> uv;
-  std::vector<double> energies;  // at the start and after each iteration, never increasing: the mean over the surface of
-                                 // the squared distance between the derivative and the nearest rotation; 0: an isometry
+  std::vector<double> energies;  // at the start and after each iteration, never increasing: the mean over the surface
+                                 // of the squared distance from the derivative to the nearest rotation; 0: an isometry
   bool has_converged = false;    // whether it ended before the last iteration
 };
 
-/// The map of a disk to the plane that is as rigid as possible: it keeps angles and areas together. It starts from lscm,
-/// and repeats two steps: rotate each triangle to fit best, and fit the verts to the triangles. Each poly is cut into
-/// triangles by diagonals.
+/// The map of a disk to the plane that is as rigid as possible: it keeps angles and areas together. It starts from
+/// lscm, and repeats two steps: rotate each triangle to fit best, and fit the verts to the triangles. Each poly is cut
+/// into triangles by diagonals.
 /// Needs:  SurfaceMesh M, Embedded, no temporary, with polys of any number of verts. fixed: pairs of a vert and a point
 ///         of the plane, in braces or a container; two or more, at lengths like those of the mesh, or none.
 /// Result: the map, exact at fixed verts, and the energies; a local minimum. Without `fixed` it is placed and turned as
-///         that of lscm. Of a developable surface it is an isometry. Others may be flipped in places, see map_distortion
-///         and injective_map. Verts of no poly are at the origin.
+///         that of lscm. Of a developable surface it is an isometry. Others may be flipped in places, see
+///         map_distortion and injective_map. Verts of no poly are at the origin.
 /// Cost:   that of lscm, one factorisation of a matrix with a row for each vert, and two solves in each iteration.
 /// Errors: as lscm; invalid_argument if an option is out of its range.
 /// Source: Liu, Zhang, Xu, Gotsman, Gortler 2008, "A local/global approach to mesh parameterization".

@@ -27,8 +27,8 @@ struct lscm_options {
 ///         the positive x axis. Of a developable surface it is then an isometry. Others may be flipped in places, see
 ///         map_distortion and injective_map. Verts of no poly are at the origin.
 /// Cost:   one factorisation of a matrix with two rows for each vert.
-/// Errors: invalid_mesh if the surface is no disk, which says why and what to do, a point is not finite, or a poly has a
-///         part without area. invalid_argument if a position is not finite, a vert has two, or only one is fixed.
+/// Errors: invalid_mesh if the surface is no disk, which says why and what to do, a point is not finite, or a poly has
+///         a part without area. invalid_argument if a position is not finite, a vert has two, or only one is fixed.
 ///         solver_error; cancelled.
 /// Source: Levy, Petitjean, Ray, Maillot 2002, "Least squares conformal maps for automatic texture atlas generation";
 ///         the energy as in Desbrun, Meyer, Alliez 2002, "Intrinsic parameterizations of surface meshes".

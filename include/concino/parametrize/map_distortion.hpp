@@ -32,14 +32,14 @@ struct map_distortion_result {
 /// Needs:  SurfaceMesh M, Embedded, no temporary; it need not be a disk. uv: a map from verts to points of the plane,
 ///         or, for surfaces with seams, from corners.
 /// Result: a conformal map has the angles 0; one that preserves areas up to scale has the areas 1; an isometry has the
-///         stretches 1 as well. A mirrored triangle has the angle pi. A triangle that has no area on the surface is
-///         not measured, but for the sign that it has in the plane. Angles, areas and flips do not change if m or uv is
+///         stretches 1 as well. A mirrored triangle has the angle pi. A triangle that has no area on the surface is not
+///         measured, but for the sign that it has in the plane. Angles, areas and flips do not change if m or uv is
 ///         scaled.
 /// Cost:   O(corners) for most polys, see polygon_triangulator.
 /// Errors: invalid_mesh if there are no polys, or a point is not finite; invalid_argument if a point of uv is not
 ///         finite.
-/// Source: Floater, Hormann 2005, "Surface parameterization: a tutorial and survey"; Snyder 1987, "Map projections", for
-///         the largest change of an angle.
+/// Source: Floater, Hormann 2005, "Surface parameterization: a tutorial and survey"; Snyder 1987, "Map projections",
+///         for the largest change of an angle.
 template<class M, class U>
   requires detail::can_be_mapped<M> &&
       (detail::gives_uv<U, vert_t<M>> || detail::gives_uv<U, corner<std::remove_cvref_t<M>>>)

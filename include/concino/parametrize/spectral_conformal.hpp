@@ -20,9 +20,9 @@ struct spectral_conformal_options {
 /// energy of lscm, divided by the integral along the boundary of the squared distance from its mean. No vert is fixed,
 /// so the distortion is not larger around two of them.
 /// Needs:  SurfaceMesh M, Embedded, no temporary, with polys of any number of verts.
-/// Result: the map, scaled to the area of the surface, placed and turned as that of lscm. Of a developable surface it is
-///         an isometry. Others may be flipped in places, see map_distortion and injective_map. Verts of no poly are at
-///         the origin.
+/// Result: the map, scaled to the area of the surface, placed and turned as that of lscm. Of a developable surface it
+///         is an isometry. Others may be flipped in places, see map_distortion and injective_map. Verts of no poly are
+///         at the origin.
 /// Cost:   two factorisations of matrices with two rows for each vert, and some solves.
 /// Errors: invalid_mesh as lscm. solver_error if the smallest eigenvalue is not far enough from the next; cancelled.
 /// Source: Mullen, Tong, Alliez, Desbrun 2008, "Spectral conformal parameterization".

@@ -73,13 +73,14 @@ tutte_result<M> tutte_of(const M& m, const D& boundary, const W& weights, const 
 ///         boundary is at (1, 0). weights: a map with a number above 0 for each edge.
 /// Result: `uv`, without flips: polys are convex, if no vert or piece is attached to the rest at two verts only, and
 ///         none has two edges on one straight line of the boundary. `attached` names the pieces without boundary verts
-///         that are, such as verts of two edges, which are on the segment between these two; one may be part of another.
-///         Verts of no poly are at the origin. Far from the boundary, polys may become smaller than rounding errors: ask map_distortion for flips.
+///         that are, such as verts of two edges, which are on the segment between these two; one may be part of
+///         another. Verts of no poly are at the origin. Far from the boundary, polys may become smaller than rounding
+///         errors: ask map_distortion for flips.
 /// Cost:   one factorisation of a matrix with a row for each interior vert. Pieces: O(corners) if there are none but
 ///         verts of two edges, else O(corners) for each.
-/// Errors: invalid_mesh if the surface is no disk, which says why and what to do; if a point is not finite, or an edge of
-///         the boundary has no length where that is needed. invalid_argument if positions are not finite, missing, or in
-///         no convex position, a vert has two, or a weight is not positive and finite. solver_error; cancelled.
+/// Errors: invalid_mesh if the surface is no disk, which says why and what to do; if a point is not finite, or an edge
+///         of the boundary has no length where that is needed. invalid_argument if positions are not finite, missing,
+///         or in no convex position, a vert has two, or a weight is not positive and finite. solver_error; cancelled.
 /// Source: Tutte 1963, "How to draw a graph"; Floater 1997, "Parametrization and smooth approximation of surface
 ///         triangulations".
 template<class M>

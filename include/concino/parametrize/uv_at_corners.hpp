@@ -6,32 +6,34 @@
 #include <concino/mesh/corner.hpp>
 #include <concino/parametrize/detail/read_polys.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <type_traits>
+#include <vector>
 
 namespace concino {
 
 /// The points that the corners of a surface have by a map of the same surface cut open along seams: auto cut =
 /// cut_along(m, seams); const polygonmesh open(cut.surface); auto uv = uv_at_corners(m, cut.polys, open, lscm(open)).
 /// Verts at seams have several points then.
-/// Needs:  SurfaceMesh M and Open, M no temporary. cut_polys: a container of polys of m; its i-th is poly i of `open`, with
-///         corners in the same order. uv: a map from verts of `open` to points of the plane.
-/// Result: a corner_map on m, which pictures take as texture_coordinates, map_distortion measures, and a corner_property
-///         "texture" saves. Polys of m that are not in `cut_polys` have the origin.
+/// Needs:  SurfaceMesh M and Open, M no temporary. origins: a container of polys of m; its i-th is poly i of `open`,
+///         with corners in the same order. uv: a map from verts of `open` to points of the plane.
+/// Result: a corner_map on m, which pictures take as texture_coordinates, map_distortion measures, and a
+///         corner_property "texture" saves. Polys of m that are not in `origins` have the origin.
 /// Cost:   O(corners).
 /// Errors: invalid_argument if the numbers of polys differ, or those of the corners of a poly; invalid_mesh if one of
-///         `cut_polys` is no poly of m.
+///         `origins` is no poly of m.
 template<class M, class P, class Open, class U>
   requires requirement::is_lvalue_or_view<M> && SurfaceMesh<M> && SurfaceMesh<Open> &&
       detail::gives_uv<U, vert_t<Open>>
-corner_map<std::remove_cvref_t<M>, uv_point> uv_at_corners(M&& m, const P& cut_polys, const Open& open, const U& uv) {
+corner_map<std::remove_cvref_t<M>, uv_point> uv_at_corners(M&& m, const P& origins, const Open& open, const U& uv) {
   using mesh = std::remove_cvref_t<M>;
   auto result = make_corner_map<uv_point>(m, uv_point{0, 0});
-  std::vector<std::uint32_t> size(poly_index_bound(m), 0);
+  std::vector<std::size_t> size(poly_index_bound(m), 0);
   for (const poly_t<mesh> p : polys(m)) size[index_of(m, p)] = num_elements(adj_p2v(m, p));
-  auto at = cut_polys.begin();
+  auto at = origins.begin();
   for (const poly_t<Open> q : polys(open)) {
-    if (at == cut_polys.end())
+    if (at == origins.end())
       throw invalid_argument("uv_at_corners: the open surface has more polys than are given; pass cut.polys");
     const poly_t<mesh> p = *at;
     ++at;
@@ -49,7 +51,7 @@ corner_map<std::remove_cvref_t<M>, uv_point> uv_at_corners(M&& m, const P& cut_p
       core::throw_joined<invalid_argument>({"uv_at_corners: poly ", index_of(m, p), " has ", size[index_of(m, p)],
                                             " corners, and ", k, " in the open surface; cut this mesh"});
   }
-  if (at != cut_polys.end())
+  if (at != origins.end())
     throw invalid_argument("uv_at_corners: the open surface has fewer polys than are given; pass cut.polys");
   return result;
 }

@@ -15,6 +15,7 @@
 #include <concino/lines.hpp>
 #include <concino/mesh.hpp>
 #include <concino/operators.hpp>
+#include <concino/parametrize.hpp>
 #include <concino/print.hpp>
 #include <concino/quality.hpp>
 #include <concino/remesh.hpp>
@@ -179,6 +180,13 @@ void no_adapter(const stranger& other) {
   cn::tube(other);  // refused
   cn::nearest_bone(other);  // refused
   cn::skeleton_of(other);  // refused
+  cn::tutte(other);  // refused
+  cn::lscm(other);  // refused
+  cn::spectral_conformal(other);  // refused
+  cn::arap_map(other);  // refused
+  cn::injective_map(other);  // refused
+  cn::map_distortion(other);  // refused
+  cn::uv_at_corners(other);  // refused
   cn::best_build_direction(other);  // refused
   cn::height_map(other);  // refused
   cn::shadow_on_plate(other);  // refused
@@ -307,6 +315,13 @@ void temporary() {
   cn::make_face_map<int>(made());  // refused
   cn::make_facet_map<int>(made());  // refused
   cn::make_corner_map<int>(made());  // refused
+  cn::tutte(made());  // refused
+  cn::lscm(made());  // refused
+  cn::spectral_conformal(made());  // refused
+  cn::arap_map(made());  // refused
+  cn::injective_map(made());  // refused
+  cn::map_distortion(made());  // refused
+  cn::uv_at_corners(made());  // refused
   cn::make_poly_map<int>(made());  // refused
   cn::convert_with_correspondence<cn::polygonmesh>(made());  // refused
 }
@@ -386,6 +401,12 @@ void no_points(const cn::trimesh& m) {
   cn::tube(pure);  // refused
   cn::nearest_bone(pure);  // refused
   cn::skeleton_of(pure);  // refused
+  cn::tutte(pure);  // refused
+  cn::lscm(pure);  // refused
+  cn::spectral_conformal(pure);  // refused
+  cn::arap_map(pure);  // refused
+  cn::injective_map(pure);  // refused
+  cn::map_distortion(pure);  // refused
   cn::best_build_direction(pure);  // refused
   cn::height_map(pure);  // refused
   cn::shadow_on_plate(pure);  // refused

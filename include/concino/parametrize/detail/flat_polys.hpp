@@ -25,7 +25,7 @@ struct flat_polys {
 struct flat_disk : flat_polys {
   std::vector<std::uint32_t> loop;                   // the verts of the boundary, with the surface on their left
   std::vector<std::array<std::uint32_t, 2>> edges;   // each once, smaller vert first, sorted
-  std::vector<std::uint32_t> other_poly;             // by corner, of the edge that begins there; no_poly at the boundary
+  std::vector<std::uint32_t> other_poly;             // by corner, of the edge that begins there; no_poly: boundary
 
   static constexpr std::uint32_t no_poly = static_cast<std::uint32_t>(-1);
 };

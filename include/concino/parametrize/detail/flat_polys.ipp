@@ -80,7 +80,8 @@ class disk_topology {
             turned[other.poly] = is_turned;
             waiting.push_back(other.poly);
           } else if (turned[other.poly] != is_turned) {
-            core::throw_joined<invalid_mesh>({caller_, ": the surface cannot be oriented, like a Moebius strip: see poly ",
+            core::throw_joined<invalid_mesh>({caller_,
+                                              ": the surface cannot be oriented, like a Moebius strip: see poly ",
                                               poly(other.poly), "; cut it open with cut_along"});
           }
           if (same && against == none) against = other.poly;

@@ -157,7 +157,8 @@ CONCINO_INLINE plane_points smallest_conformal_mode(const flat_disk& f, const po
   solver.factorize(system);
   const plane_points start = conformal_map(f, cut, {}, "spectral_conformal");
   Eigen::VectorXd x(2 * n);
-  for (int v = 0; v < n; ++v) x[v] = start[static_cast<std::size_t>(v)][0], x[n + v] = start[static_cast<std::size_t>(v)][1];
+  for (int v = 0; v < n; ++v)
+    for (std::size_t k = 0; k < 2; ++k) x[static_cast<int>(k) * n + v] = start[static_cast<std::size_t>(v)][k];
   const auto normalise = [&](Eigen::VectorXd& y) {
     for (int k = 0; k < 2; ++k) y.segment(k * n, n).array() -= y.segment(k * n, n).dot(mass) / total;
     const double size = y.head(n).dot(mass.cwiseProduct(y.head(n))) + y.tail(n).dot(mass.cwiseProduct(y.tail(n)));

@@ -121,8 +121,8 @@ CONCINO_INLINE void poly_triangles::check_areas(const flat_polys& f, const char*
   for (std::size_t p = 0; p < f.num_polys(); ++p)
     for (std::uint32_t t = first[p]; t < first[p + 1]; ++t)
       if (!(triangles[t].area > 0))
-        core::throw_joined<invalid_mesh>({caller, ": poly ", f.poly_index[p],
-                                          f.first[p + 1] - f.first[p] == 3 ? " has no area" : " has a part without area",
+        core::throw_joined<invalid_mesh>({caller, ": poly ", f.poly_index[p], " has ",
+                                          f.first[p + 1] - f.first[p] == 3 ? "no area" : "a part without area",
                                           "; repair(m, {.degenerate = degenerate_elements::collapse}) removes such "
                                           "triangles"});
 }

@@ -47,47 +47,45 @@ class nearest_rotations {
   }
 };
 
-CONCINO_INLINE iterated_map local_global_map(const flat_disk& f, const fixed_points& fixed,
-                                           const iteration_limits& limits) {
-  check_limits(limits, "arap_map");
-  const poly_triangles cut(f);
-  cut.check_areas(f, "arap_map");
-  iterated_map result{conformal_map(f, cut, fixed, "arap_map"), {}};
-  nearest_rotations rotations(f, cut);
-  rotations.fit(result.uv);
-  result.energies.push_back(rotations.energy);
-  fixed_points at = fixed;
-  if (at.empty()) at = {{far_pair(f).first, {0, 0}}};
-  const plane_unknowns unknown(f.points.size(), at);
-  if (unknown.count == 0) {
-    result.has_converged = true;
-    return result;
+/// The second step: the verts that fit rotated triangles best.
+class triangle_fit {
+  const flat_disk& f_;
+  const poly_triangles& cut_;
+  plane_unknowns unknown_;
+  Eigen::MatrixXd of_fixed_;  // what fixed verts add to the right-hand side
+  ldlt solver_;
+
+ public:
+  triangle_fit(const flat_disk& f, const poly_triangles& cut, const fixed_points& fixed)
+      : f_(f), cut_(cut), unknown_(f.points.size(), fixed), of_fixed_(Eigen::MatrixXd::Zero(unknown_.count, 2)) {
+    if (unknown_.count == 0) return;
+    plane_points at(f.points.size());
+    for (const auto& [v, x] : fixed) at[v] = x;
+    std::vector<Eigen::Triplet<double>> entries, reduced;
+    add_gradient_terms(f, cut, 0, 0, entries);
+    for (const auto& e : entries) {
+      const int row = unknown_.number[static_cast<std::size_t>(e.row())];
+      const int column = unknown_.number[static_cast<std::size_t>(e.col())];
+      if (row < 0) continue;
+      if (column >= 0) reduced.emplace_back(row, column, e.value());
+      else
+        for (std::size_t k = 0; k < 2; ++k)
+          of_fixed_(row, static_cast<Eigen::Index>(k)) -= e.value() * at[static_cast<std::size_t>(e.col())][k];
+    }
+    Eigen::SparseMatrix<double> system(unknown_.count, unknown_.count);
+    system.setFromTriplets(reduced.begin(), reduced.end());
+    solver_.factorize(system);
   }
-  std::vector<Eigen::Triplet<double>> entries, reduced;
-  add_gradient_terms(f, cut, 0, 0, entries);
-  Eigen::MatrixXd of_fixed = Eigen::MatrixXd::Zero(unknown.count, 2);
-  for (const auto& e : entries) {
-    const int row = unknown.number[static_cast<std::size_t>(e.row())];
-    const int column = unknown.number[static_cast<std::size_t>(e.col())];
-    if (row < 0) continue;
-    if (column >= 0) reduced.emplace_back(row, column, e.value());
-    else
-      for (std::size_t k = 0; k < 2; ++k)
-        of_fixed(row, static_cast<Eigen::Index>(k)) -= e.value() * result.uv[static_cast<std::size_t>(e.col())][k];
-  }
-  Eigen::SparseMatrix<double> system(unknown.count, unknown.count);
-  system.setFromTriplets(reduced.begin(), reduced.end());
-  ldlt solver;
-  solver.factorize(system);
-  plane_points next = result.uv;
-  for (int round = 0; round < limits.max_iterations && !result.has_converged; ++round) {
-    report_progress(limits.on_progress, static_cast<double>(round) / limits.max_iterations, "arap_map");
-    Eigen::MatrixXd right = of_fixed;
-    for (std::size_t i = 0; i < cut.triangles.size(); ++i) {
-      const plane_triangle& t = cut.triangles[i];
+
+  bool has_unknowns() const { return unknown_.count > 0; }
+
+  void fit(const nearest_rotations& rotations, plane_points& uv) const {
+    Eigen::MatrixXd right = of_fixed_;
+    for (std::size_t i = 0; i < cut_.triangles.size(); ++i) {
+      const plane_triangle& t = cut_.triangles[i];
       const auto& [c, s] = rotations.values[i];
       for (std::size_t k = 0; k < 3; ++k) {
-        const int row = unknown.number[f.corners[t.corner[k]]];
+        const int row = unknown_.number[f_.corners[t.corner[k]]];
         if (row < 0) continue;
         const auto& g = t.gradient[k];
         right(row, 0) += t.area * (c * g[0] - s * g[1]);
@@ -95,10 +93,29 @@ CONCINO_INLINE iterated_map local_global_map(const flat_disk& f, const fixed_poi
       }
     }
     for (Eigen::Index k = 0; k < 2; ++k) {
-      const Eigen::VectorXd x = solver.solve(right.col(k));
-      for (std::size_t v = 0; v < next.size(); ++v)
-        if (unknown.number[v] >= 0) next[v][static_cast<std::size_t>(k)] = x[unknown.number[v]];
+      const Eigen::VectorXd x = solver_.solve(right.col(k));
+      for (std::size_t v = 0; v < uv.size(); ++v)
+        if (unknown_.number[v] >= 0) uv[v][static_cast<std::size_t>(k)] = x[unknown_.number[v]];
     }
+  }
+};
+
+CONCINO_INLINE iterated_map local_global_map(const flat_disk& f, const fixed_points& fixed,
+                                             const iteration_limits& limits) {
+  check_limits(limits, "arap_map");
+  const poly_triangles cut(f);
+  cut.check_areas(f, "arap_map");
+  iterated_map result{conformal_map(f, cut, fixed, "arap_map"), {}};
+  nearest_rotations rotations(f, cut);
+  rotations.fit(result.uv);
+  result.energies.push_back(rotations.energy);
+  const fixed_points first_alone{{far_pair(f).first, {0, 0}}};
+  const triangle_fit step(f, cut, fixed.empty() ? first_alone : fixed);
+  result.has_converged = !step.has_unknowns();
+  plane_points next = result.uv;
+  for (int round = 0; round < limits.max_iterations && !result.has_converged; ++round) {
+    report_progress(limits.on_progress, static_cast<double>(round) / limits.max_iterations, "arap_map");
+    step.fit(rotations, next);
     rotations.fit(next);
     const double before = result.energies.back(), fall = before - rotations.energy;
     constexpr double rounding = 1e-26;  // the energy of rounding errors
