@@ -67,16 +67,18 @@ CONCINO_INLINE std::array<vec3, 3> best_rotation(const moment_matrix& input, dou
                    minor(0, 1, 1, 3) * minor(2, 3, 0, 2) + minor(0, 1, 2, 3) * minor(2, 3, 0, 1);
   double x = std::min(std::sqrt(3 * squares), bound / largest * (1 + 1e-12));
   bool has_converged = false;
+  double slope = 0;  // at the root, the product of its distances from the others
   for (int step = 0; step < 30 && !has_converged; ++step) {
-    const double slope = (4 * x * x + 2 * b) * x + c, value = ((x * x + b) * x + c) * x + d;
+    const double value = ((x * x + b) * x + c) * x + d;
+    slope = (4 * x * x + 2 * b) * x + c;
     if (!(slope > 1e-3 * squares * x)) break;  // nearly a double root
     const double change = value / slope;
     x -= change;
     has_converged = std::abs(change) <= 1e-15 * x;
   }
   if (!has_converged) return rotation_by_eigenvectors(k);
-  // The eigenvector: a column of the adjugate of K - x. The first one is long enough unless the angle is above 120
-  // degrees, else the longest is taken.
+  // The eigenvector q: the adjugate of K - x is q q^T times the slope. Its first column is long enough unless the angle
+  // is above 120 degrees; then the longest is taken.
   for (int i = 0; i < 4; ++i) k[i][i] -= x;
   double longest = 0, q[4] = {1, 0, 0, 0};
   for (int column = 0; column < 4; ++column) {
@@ -91,7 +93,7 @@ CONCINO_INLINE std::array<vec3, 3> best_rotation(const moment_matrix& input, dou
     }
     const double length = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3];
     if (length > longest) longest = length, std::copy(v, v + 4, q);
-    if (column == 0 && v[0] * v[0] > 0.25 * length) break;
+    if (column == 0 && std::abs(v[0]) > 0.25 * slope) break;
   }
   return rotation_of_quaternion(q[0], q[1], q[2], q[3]);
 }
