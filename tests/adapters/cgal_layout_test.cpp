@@ -1,4 +1,4 @@
-// CGAL: chords and blocks of meshes of quads, as of native ones.
+// CGAL: chords and blocks of meshes of quads, as of native ones, and edits of chords.
 #include <concino/adapters/cgal_surface_mesh.hpp>
 #include <concino/convert/convert.hpp>
 #include <concino/layout.hpp>
@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <support/layouts.hpp>
+#include <support/sheet_edits.hpp>
 
 #include <doctest/doctest.h>
 
@@ -30,5 +31,18 @@ TEST_CASE("CGAL: chords, singularities, separatrices and blocks") {
     const auto f = *facets(m).begin();
     const auto c = chord_of(m, f);
     CHECK(std::find(c.facets.begin(), c.facets.end(), f) != c.facets.end());
+  }
+}
+
+TEST_CASE("CGAL: chords are collapsed and inserted, at random too") {
+  using mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+  for (const auto& one : meshes_with_layouts<quadmesh>()) {
+    INFO(one.name);
+    if (!one.is_orientable) continue;
+    auto m = convert<mesh>(one.mesh);
+    const auto made = edit_layers_at_random(m, 200, 1, 2 * num_polys(m) + 200);
+    CHECK(made[0] > 0);
+    CHECK(made[2] > 0);
+    expect_grids(m, coarse_layout(m));
   }
 }

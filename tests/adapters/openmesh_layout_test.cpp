@@ -1,4 +1,4 @@
-// OpenMesh: chords and blocks of meshes of quads, as of native ones.
+// OpenMesh: chords and blocks of meshes of quads, as of native ones, and edits of chords.
 #include <concino/adapters/openmesh.hpp>
 #include <concino/convert/convert.hpp>
 #include <concino/layout.hpp>
@@ -6,6 +6,7 @@
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 
 #include <support/layouts.hpp>
+#include <support/sheet_edits.hpp>
 
 #include <doctest/doctest.h>
 
@@ -13,6 +14,17 @@
 
 using namespace concino;
 using namespace concino::testing;
+
+namespace {
+
+struct with_status : OpenMesh::DefaultTraitsDouble {
+  VertexAttributes(OpenMesh::Attributes::Status);
+  HalfedgeAttributes(OpenMesh::Attributes::Status | OpenMesh::Attributes::PrevHalfedge);
+  EdgeAttributes(OpenMesh::Attributes::Status);
+  FaceAttributes(OpenMesh::Attributes::Status);
+};
+
+}  // namespace
 
 TEST_CASE("OpenMesh: chords, singularities, separatrices and blocks") {
   using mesh = OpenMesh::PolyMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>;
@@ -29,5 +41,18 @@ TEST_CASE("OpenMesh: chords, singularities, separatrices and blocks") {
     const auto f = *facets(m).begin();
     const auto c = chord_of(m, f);
     CHECK(std::find(c.facets.begin(), c.facets.end(), f) != c.facets.end());
+  }
+}
+
+TEST_CASE("OpenMesh: chords are collapsed and inserted, at random too") {
+  using mesh = OpenMesh::PolyMesh_ArrayKernelT<with_status>;
+  for (const auto& one : meshes_with_layouts<quadmesh>()) {
+    INFO(one.name);
+    if (!one.is_orientable) continue;
+    auto m = convert<mesh>(one.mesh);
+    const auto made = edit_layers_at_random(m, 200, 1, 2 * num_polys(m) + 200);
+    CHECK(made[0] > 0);
+    CHECK(made[2] > 0);
+    expect_grids(m, coarse_layout(m));
   }
 }

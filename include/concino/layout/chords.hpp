@@ -26,7 +26,8 @@ struct chord {
 
 namespace detail {
 
-/// Walks from `f` into p, until a facet with another number of polys than two, or f again. Returns whether it came back.
+/// Walks from `f` into p, until a facet with another number of polys than two, or f again. Returns whether it came
+/// back.
 template<class M>
 bool walk_chord(const M& m, const facet_t<M>& f, poly_t<M> p, chord<M>& c, const char* caller) {
   facet_t<M> at = f;

@@ -2,7 +2,6 @@
 // vanish.
 #pragma once
 
-#include <concino/core/mistakes.hpp>
 #include <concino/layout/chords.hpp>
 #include <concino/layout/detail/apply_cell_edit.hpp>
 #include <concino/layout/detail/cell_collapse.hpp>
@@ -32,7 +31,8 @@ struct collapsed_sheet : permission {
 
 namespace detail {
 
-inline constexpr permission not_a_chord{refusal::wrong_set, "these are not the edges of one chord or sheet of the mesh"};
+inline constexpr permission not_a_chord{refusal::wrong_set,
+                                        "these are not the edges of one chord or sheet of the mesh"};
 
 /// The collapse of the cells along some edges, which are a whole chord or sheet.
 template<class M>
@@ -42,7 +42,9 @@ struct planned_collapse {
   cell_edit e;
 
   planned_collapse(const M& m, const std::vector<edge_t<M>>& all, const char* caller)
-      : edges(all), patch(m, all, [&](const edge_t<M>& x) { return adj_e2v(m, x); }, caller), e(patch.t) {
+      : edges(all), patch(
+                        m, all, [&](const edge_t<M>& x) { return adj_e2v(m, x); }, caller),
+        e(patch.t) {
     std::vector<unsigned char> is_marked(patch.t.num_edges);
     for (const edge_t<M>& x : all)
       if (const std::uint32_t n = patch.number(m, x); n != patch.t.none) is_marked[n] = 1;
@@ -115,39 +117,39 @@ permission check_sheet(const M& m, const sheet<M>& s, const char* caller) {
 /// Cost:   the polys at the verts of the chord, and sorting these.
 /// Errors: as collapse_chord.
 template<EditableSurfaceMesh M>
-  requires requirement::may_be_quads<M>
-permission can_collapse_chord(const M& m, const chord<M>& c, const collapse_sheet_options& options = {}) {
-  if (const permission p = detail::check_chord(m, c, "can_collapse_chord"); !p) return p;
-  return detail::can_collapse(m, c.facets, options, "can_collapse_chord");
-}
+  requires requirement::may_be_quads<M> permission can_collapse_chord(const M& m, const chord<M>& c,
+                                                                      const collapse_sheet_options& options = {}) {
+    if (const permission p = detail::check_chord(m, c, "can_collapse_chord"); !p) return p;
+    return detail::can_collapse(m, c.facets, options, "can_collapse_chord");
+  }
 
 /// Collapses a chord of quads: the ends of each of its edges become one vert, and its quads vanish.
 /// Needs:  as can_collapse_chord.
-/// Result: the edges to which the chord has become, or the reason why not. Verts that become one lie at the one that is
-///         at a corner of the boundary, else at one on the boundary, else in the middle: several such verts are replaced
-///         by a new one at their mean, with the means of their values. Other verts and quads keep their descriptors.
+/// Result: the edges to which the chord has become, or the reason why not. Of the verts that become one, the one at a
+///         corner of the boundary stays, else the one on the boundary. Several of the same rank are replaced by a new
+///         vert at their mean, with the means of their values. Other verts and quads keep their descriptors.
 /// Cost:   that of can_collapse_chord, but O(mesh) the first time.
 /// Errors: invalid_mesh if an edge of the chord is not one of m, or a poly there is not a quad. The mesh is unchanged
 ///         then, also if memory runs out.
 /// Source: Borden, Benzley, Shepherd 2002, "Hexahedral sheet extraction"; paper section 4.
 template<EditableSurfaceMesh M>
-  requires requirement::may_be_quads<M>
-collapsed_chord<M> collapse_chord(M& m, const chord<M>& c, const collapse_sheet_options& options = {}) {
-  collapsed_chord<M> r{detail::check_chord(m, c, "collapse_chord"), {}};
-  if (r) static_cast<permission&>(r) = detail::collapse(m, c.facets, options, r.edges, "collapse_chord");
-  return r;
-}
+  requires requirement::may_be_quads<M> collapsed_chord<M> collapse_chord(M& m, const chord<M>& c,
+                                                                          const collapse_sheet_options& options = {}) {
+    collapsed_chord<M> r{detail::check_chord(m, c, "collapse_chord"), {}};
+    if (r) static_cast<permission&>(r) = detail::collapse(m, c.facets, options, r.edges, "collapse_chord");
+    return r;
+  }
 
 /// Whether a sheet of hexes can be collapsed.
 /// Needs:  an EditableVolumeMesh of hexes, with points; a sheet of it.
 /// Result: as can_collapse_chord.      Cost: the polys at the verts of the sheet, and sorting these.
 /// Errors: as collapse_sheet.
 template<EditableVolumeMesh M>
-  requires HexMesh<M>
-permission can_collapse_sheet(const M& m, const sheet<M>& s, const collapse_sheet_options& options = {}) {
-  if (const permission p = detail::check_sheet(m, s, "can_collapse_sheet"); !p) return p;
-  return detail::can_collapse(m, s.edges, options, "can_collapse_sheet");
-}
+  requires HexMesh<M> permission can_collapse_sheet(const M& m, const sheet<M>& s,
+                                                    const collapse_sheet_options& options = {}) {
+    if (const permission p = detail::check_sheet(m, s, "can_collapse_sheet"); !p) return p;
+    return detail::can_collapse(m, s.edges, options, "can_collapse_sheet");
+  }
 
 /// Collapses a sheet of hexes, as collapse_chord does with quads.
 /// Needs:  as can_collapse_sheet.
@@ -156,11 +158,11 @@ permission can_collapse_sheet(const M& m, const sheet<M>& s, const collapse_shee
 /// Errors: invalid_mesh if an edge of the sheet is not one of m. The mesh is unchanged then, also if memory runs out.
 /// Source: as collapse_chord.
 template<EditableVolumeMesh M>
-  requires HexMesh<M>
-collapsed_sheet<M> collapse_sheet(M& m, const sheet<M>& s, const collapse_sheet_options& options = {}) {
-  collapsed_sheet<M> r{detail::check_sheet(m, s, "collapse_sheet"), {}};
-  if (r) static_cast<permission&>(r) = detail::collapse(m, s.edges, options, r.faces, "collapse_sheet");
-  return r;
-}
+  requires HexMesh<M> collapsed_sheet<M> collapse_sheet(M& m, const sheet<M>& s,
+                                                        const collapse_sheet_options& options = {}) {
+    collapsed_sheet<M> r{detail::check_sheet(m, s, "collapse_sheet"), {}};
+    if (r) static_cast<permission&>(r) = detail::collapse(m, s.edges, options, r.faces, "collapse_sheet");
+    return r;
+  }
 
 }  // namespace concino

@@ -1,7 +1,6 @@
 // Inserts a chord of quads along edges, or a sheet of hexes along faces. pillow: a layer around some polys.
 #pragma once
 
-#include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/layout/detail/apply_cell_edit.hpp>
 #include <concino/layout/detail/cell_insertion.hpp>
@@ -39,7 +38,9 @@ struct planned_insertion {
   cell_edit e;
 
   planned_insertion(const M& m, const std::vector<facet_t<M>>& along, double thickness, const char* caller)
-      : patch(m, along, [&](const facet_t<M>& x) { return adj_facet2v(m, x); }, caller), e(patch.t) {
+      : patch(
+            m, along, [&](const facet_t<M>& x) { return adj_facet2v(m, x); }, caller),
+        e(patch.t) {
     std::vector<std::uint32_t> numbers;
     for (const facet_t<M>& x : along) {
       numbers.push_back(patch.facet_number(m, x));
@@ -109,36 +110,34 @@ inserted_sheet<M> insert(M& m, const std::vector<facet_t<M>>& along, double thic
 /// Whether a chord of quads can be inserted along edges.
 /// Needs:  an EditableSurfaceMesh whose polys are quads, with points; edges of it.
 /// Result: true, or the reason: the edges are not a closed curve or one from boundary to boundary, meet or touch
-///         themselves, or the condition in the options refuses a quad. Edges at the boundary are allowed: outside of the
-///         mesh is a side of them.
+///         themselves, or the condition in the options refuses a quad. Edges at the boundary are allowed: outside of
+///         the mesh is a side of them.
 /// Cost:   the polys at the verts of the edges, and sorting these.
 /// Errors: as insert_chord.
 template<EditableSurfaceMesh M>
-  requires requirement::may_be_quads<M>
-permission can_insert_chord(const M& m, std::span<const std::type_identity_t<edge_t<M>>> along,
-                            const insert_sheet_options& options = {}) {
-  const auto all = detail::checked_facets<M>(m, along, options.thickness, "can_insert_chord");
-  return detail::can_insert(m, all, options.thickness, options.keep, "can_insert_chord");
-}
+  requires requirement::may_be_quads<M> permission can_insert_chord(
+      const M& m, std::span<const std::type_identity_t<edge_t<M>>> along, const insert_sheet_options& options = {}) {
+    const auto all = detail::checked_facets<M>(m, along, options.thickness, "can_insert_chord");
+    return detail::can_insert(m, all, options.thickness, options.keep, "can_insert_chord");
+  }
 
 /// Inserts a chord of quads along edges: the quads on their two sides get verts of their own, with a new quad between
 /// for each edge. It is the inverse of collapse_chord of a chord that neither crosses nor touches itself.
 /// Needs:  as can_insert_chord.
-/// Result: the new quads, or the reason why not. Verts of the edges are replaced by two new ones, with their values; one
-///         that is outside of the mesh, or at which nothing moves, stays. Values of new quads are those of a quad
+/// Result: the new quads, or the reason why not. Verts of the edges are replaced by two new ones, with their values;
+///         one that is outside of the mesh, or at which nothing moves, stays. Values of new quads are those of a quad
 ///         beside them. Other verts, and all quads that were there, keep their descriptors.
 /// Cost:   that of can_insert_chord, but O(mesh) the first time.
 /// Errors: invalid_mesh if an edge is not one of m, or a poly there is not a quad; invalid_argument if the thickness is
 ///         not in [0, 1). The mesh is unchanged then, also if memory runs out.
-/// Source: Mitchell, Tautges 1995, "Pillowing doublets"; Ledoux, Shepherd 2010, "Topological modifications of hexahedral
-///         meshes via sheet operations".
+/// Source: Mitchell, Tautges 1995, "Pillowing doublets"; Ledoux, Shepherd 2010, "Topological modifications of
+///         hexahedral meshes via sheet operations".
 template<EditableSurfaceMesh M>
-  requires requirement::may_be_quads<M>
-inserted_sheet<M> insert_chord(M& m, std::span<const std::type_identity_t<edge_t<M>>> along,
-                               const insert_sheet_options& options = {}) {
-  const auto all = detail::checked_facets<M>(m, along, options.thickness, "insert_chord");
-  return detail::insert(m, all, options.thickness, options.keep, "insert_chord");
-}
+  requires requirement::may_be_quads<M> inserted_sheet<M> insert_chord(
+      M& m, std::span<const std::type_identity_t<edge_t<M>>> along, const insert_sheet_options& options = {}) {
+    const auto all = detail::checked_facets<M>(m, along, options.thickness, "insert_chord");
+    return detail::insert(m, all, options.thickness, options.keep, "insert_chord");
+  }
 
 /// Whether a sheet of hexes can be inserted along faces.
 /// Needs:  an EditableVolumeMesh of hexes, with points; faces of it.
@@ -147,27 +146,25 @@ inserted_sheet<M> insert_chord(M& m, std::span<const std::type_identity_t<edge_t
 /// Cost:   the polys at the verts of the faces, and sorting these.
 /// Errors: as insert_sheet.
 template<EditableVolumeMesh M>
-  requires HexMesh<M>
-permission can_insert_sheet(const M& m, std::span<const std::type_identity_t<face_t<M>>> along,
-                            const insert_sheet_options& options = {}) {
-  const auto all = detail::checked_facets<M>(m, along, options.thickness, "can_insert_sheet");
-  return detail::can_insert(m, all, options.thickness, options.keep, "can_insert_sheet");
-}
+  requires HexMesh<M> permission can_insert_sheet(const M& m, std::span<const std::type_identity_t<face_t<M>>> along,
+                                                  const insert_sheet_options& options = {}) {
+    const auto all = detail::checked_facets<M>(m, along, options.thickness, "can_insert_sheet");
+    return detail::can_insert(m, all, options.thickness, options.keep, "can_insert_sheet");
+  }
 
-/// Inserts a sheet of hexes along faces, as insert_chord does with quads along edges. It is the inverse of collapse_sheet
-/// of a sheet that neither crosses nor touches itself.
+/// Inserts a sheet of hexes along faces, as insert_chord does with quads along edges. It is the inverse of
+/// collapse_sheet of a sheet that neither crosses nor touches itself.
 /// Needs:  as can_insert_sheet.      Result: as insert_chord.
 /// Cost:   that of can_insert_sheet, but O(mesh) the first time.
 /// Errors: invalid_mesh if a face is not one of m; invalid_argument if the thickness is not in [0, 1). The mesh is
 ///         unchanged then, also if memory runs out.
 /// Source: as insert_chord.
 template<EditableVolumeMesh M>
-  requires HexMesh<M>
-inserted_sheet<M> insert_sheet(M& m, std::span<const std::type_identity_t<face_t<M>>> along,
-                               const insert_sheet_options& options = {}) {
-  const auto all = detail::checked_facets<M>(m, along, options.thickness, "insert_sheet");
-  return detail::insert(m, all, options.thickness, options.keep, "insert_sheet");
-}
+  requires HexMesh<M> inserted_sheet<M> insert_sheet(M& m, std::span<const std::type_identity_t<face_t<M>>> along,
+                                                     const insert_sheet_options& options = {}) {
+    const auto all = detail::checked_facets<M>(m, along, options.thickness, "insert_sheet");
+    return detail::insert(m, all, options.thickness, options.keep, "insert_sheet");
+  }
 
 /// Whether a layer of quads or hexes can be inserted around some of them.
 /// Needs:  an EditableMesh of quads or hexes, with points; polys of it.
@@ -175,13 +172,12 @@ inserted_sheet<M> insert_sheet(M& m, std::span<const std::type_identity_t<face_t
 /// Cost:   the polys at the verts of these facets, and sorting these.
 /// Errors: as pillow.
 template<EditableMesh M>
-  requires requirement::may_be_quads_or_hexes<M>
-permission can_pillow(const M& m, std::span<const std::type_identity_t<poly_t<M>>> inside,
-                      const pillow_options& options = {}) {
-  const auto around = detail::facets_around<M>(m, inside, options.at_boundary, "can_pillow");
-  const auto all = detail::checked_facets<M>(m, around, options.thickness, "can_pillow");
-  return detail::can_insert(m, all, options.thickness, options.keep, "can_pillow");
-}
+  requires requirement::may_be_quads_or_hexes<M> permission
+  can_pillow(const M& m, std::span<const std::type_identity_t<poly_t<M>>> inside, const pillow_options& options = {}) {
+    const auto around = detail::facets_around<M>(m, inside, options.at_boundary, "can_pillow");
+    const auto all = detail::checked_facets<M>(m, around, options.thickness, "can_pillow");
+    return detail::can_insert(m, all, options.thickness, options.keep, "can_pillow");
+  }
 
 /// Inserts a layer of quads or hexes around some of them.
 /// Needs:  as can_pillow.
@@ -191,12 +187,11 @@ permission can_pillow(const M& m, std::span<const std::type_identity_t<poly_t<M>
 ///         [0, 1). The mesh is unchanged then, also if memory runs out.
 /// Source: Mitchell, Tautges 1995, as insert_chord.
 template<EditableMesh M>
-  requires requirement::may_be_quads_or_hexes<M>
-inserted_sheet<M> pillow(M& m, std::span<const std::type_identity_t<poly_t<M>>> inside,
-                         const pillow_options& options = {}) {
-  const auto around = detail::facets_around<M>(m, inside, options.at_boundary, "pillow");
-  const auto all = detail::checked_facets<M>(m, around, options.thickness, "pillow");
-  return detail::insert(m, all, options.thickness, options.keep, "pillow");
-}
+  requires requirement::may_be_quads_or_hexes<M> inserted_sheet<M> pillow(
+      M& m, std::span<const std::type_identity_t<poly_t<M>>> inside, const pillow_options& options = {}) {
+    const auto around = detail::facets_around<M>(m, inside, options.at_boundary, "pillow");
+    const auto all = detail::checked_facets<M>(m, around, options.thickness, "pillow");
+    return detail::insert(m, all, options.thickness, options.keep, "pillow");
+  }
 
 }  // namespace concino

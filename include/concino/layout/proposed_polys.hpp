@@ -19,9 +19,7 @@ struct proposed_polys {
 
   std::size_t corners_per_poly() const { return shape == poly_shape::quad ? 4 : 8; }
   std::size_t num_polys() const { return points.size() / corners_per_poly(); }
-  std::span<const vec3> poly(std::size_t k) const {
-    return points.subspan(k * corners_per_poly(), corners_per_poly());
-  }
+  std::span<const vec3> poly(std::size_t k) const { return points.subspan(k * corners_per_poly(), corners_per_poly()); }
 };
 
 /// Whether an edit that leads to these polys is allowed. It is asked before anything changes.

@@ -14,12 +14,12 @@ namespace concino {
 template<class M>
 struct sheet {
   std::vector<edge_t<M>> edges;
-  std::vector<poly_t<M>> polys;            // each once
-  std::vector<unsigned char> crossings;    // how often, 1 to 3 times, the sheet crosses each of these
-  bool is_closed = false;                  // none of its edges is at the boundary
-  bool crosses_itself = false;             // it crosses a hex more than once
-  bool touches_itself = false;             // two of its edges have a common vert; so have those of one that crosses
-                                           // itself
+  std::vector<poly_t<M>> polys;          // each once
+  std::vector<unsigned char> crossings;  // how often, 1 to 3 times, the sheet crosses each of these
+  bool is_closed = false;                // none of its edges is at the boundary
+  bool crosses_itself = false;           // it crosses a hex more than once
+  bool touches_itself = false;           // two of its edges have a common vert; so have those of one that crosses
+                                         // itself
 };
 
 namespace detail {

@@ -36,9 +36,9 @@ std::vector<singularity<X>> singular_ridges(const cube_tables& t, const R& eleme
 /// The singular verts of a mesh of quads. Regular are verts with four quads around them, boundary verts with two, and
 /// verts without polys. So the corners of a rectangle are singular: one quad. Verts that are not manifold are singular.
 /// Needs:  a surface whose polys are quads.
-/// Result: the singular verts in the order of verts(m), with the numbers of their quads. If the surface is manifold, the
-///         sum of 4 - valence over those in the interior and of 2 - valence over those on the boundary is four times the
-///         Euler characteristic.
+/// Result: the singular verts in the order of verts(m), with the numbers of their quads. If the surface is manifold,
+///         the sum of 4 - valence over those in the interior and of 2 - valence over those on the boundary is four
+///         times the Euler characteristic.
 /// Cost:   O(elements).
 /// Errors: invalid_mesh if a poly is not a quad.
 /// Source: Bommes et al. 2013, "Quad-mesh generation and processing: a survey", section 2.

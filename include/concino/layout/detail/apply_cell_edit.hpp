@@ -21,7 +21,9 @@ class cell_replacement {
   std::size_t num_kept_ = 0, num_removed_ = 0;
 
   template<class T>
-  static id_span<T> span(const std::vector<T>& v) { return {v.data(), v.data() + v.size()}; }
+  static id_span<T> span(const std::vector<T>& v) {
+    return {v.data(), v.data() + v.size()};
+  }
 
  public:
   std::vector<vert_t<M>> new_verts;
@@ -50,7 +52,7 @@ class cell_replacement {
     for (const std::uint32_t p : changed) add_verts(p);
     for (std::uint32_t p = 0; p < t.num_polys(); ++p)
       if (e.is_gone[p]) polys_.push_back(patch.polys[p]), add_verts(p);
-    for (const std::uint32_t v : e.made)
+    for (const std::uint32_t v : e.added)
       if (v < t.num_verts) numbers.add(v);
     for (const std::uint32_t v : e.removed) numbers.add(v);
     num_removed_ = e.removed.size();
@@ -67,7 +69,7 @@ class cell_replacement {
       from.push_back(static_cast<std::uint32_t>(index_of(m, patch.polys[old])));
     };
     for (const std::uint32_t p : changed) add_poly(e.labels.data() + p * n, p);
-    for (std::size_t i = 0; i < e.made_from.size(); ++i) add_poly(e.made.data() + i * n, e.made_from[i]);
+    for (std::size_t i = 0; i < e.added_from.size(); ++i) add_poly(e.added.data() + i * n, e.added_from[i]);
     from_.polys = element_origins(std::move(from));
     std::vector<origin> origins;
     for (std::size_t i = 0, at = 0; i < e.points.size(); ++i) {

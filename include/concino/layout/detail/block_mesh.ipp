@@ -34,15 +34,12 @@ class block_corners {
   }
 
  public:
-  std::vector<std::uint32_t> verts;        // 2^dimension for each block, by place
-  std::vector<std::uint32_t> first_edge;   // by block, then axes that are free and place: 64 for each
+  std::vector<std::uint32_t> verts;       // 2^dimension for each block, by place
+  std::vector<std::uint32_t> first_edge;  // by block, then axes that are free and place: 64 for each
   std::vector<std::uint32_t> first_facet;
 
   block_corners(const cube_tables& t, const block_tables& b)
-      : t_(t),
-        b_(b),
-        verts(b.blocks.size() << t.dimension, t.none),
-        first_edge(b.blocks.size() * 64, t.none),
+      : t_(t), b_(b), verts(b.blocks.size() << t.dimension, t.none), first_edge(b.blocks.size() * 64, t.none),
         first_facet(b.blocks.size() * 64, t.none) {
     const unsigned n = t.num_corners(), d = t.dimension;
     const auto note = [&](std::uint32_t& first, std::uint32_t x) { first = std::min(first, x); };

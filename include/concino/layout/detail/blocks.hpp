@@ -13,8 +13,8 @@ namespace concino {
 /// A block of coarse_layout: a grid of polys.
 struct layout_block {
   std::array<std::uint32_t, 3> size = {0, 0, 1};  // polys along i, j and, in volumes, k
-  std::array<bool, 3> periodic = {};              // whether the block has no end along i, j or k, but continues with its
-                                                  // own polys
+  std::array<bool, 3> periodic = {};  // whether the block has no end along i, j or k, but continues with its
+                                      // own polys
   friend bool operator==(const layout_block&, const layout_block&) = default;
 };
 
@@ -27,9 +27,9 @@ struct block_tables {
   std::vector<std::uint32_t> block;         // by poly
   std::vector<grid_position> positions;     // by poly and place of the corner
   std::vector<layout_block> blocks;
-  std::vector<std::uint32_t> verts;         // those of the mesh of blocks: verts of the mesh
-  std::vector<std::uint32_t> cells;         // its polys: numbers in `verts`, in standard order
-  std::string_view why_no_mesh;             // empty if these are the polys of a mesh
+  std::vector<std::uint32_t> verts;  // those of the mesh of blocks: verts of the mesh
+  std::vector<std::uint32_t> cells;  // its polys: numbers in `verts`, in standard order
+  std::string_view why_no_mesh;      // empty if these are the polys of a mesh
   bool is_periodic = false;
 };
 

@@ -56,9 +56,8 @@ inline bool split_vert(const marked_patch& m, std::uint32_t v, double thickness,
   return true;
 }
 
-CONCINO_INLINE cell_edit inserted(const cube_tables& t, const boundary_flags& boundary,
-                                  const std::vector<vec3>& points, const std::vector<std::uint32_t>& facets,
-                                  double thickness) {
+CONCINO_INLINE cell_edit inserted(const cube_tables& t, const boundary_flags& boundary, const std::vector<vec3>& points,
+                                  const std::vector<std::uint32_t>& facets, double thickness) {
   cell_edit e(t);
   marked_patch m{t,
                  boundary,
@@ -83,16 +82,17 @@ CONCINO_INLINE cell_edit inserted(const cube_tables& t, const boundary_flags& bo
   for (const std::uint32_t f : facets) {
     const std::uint32_t entry = t.at_facets.entry(f, 0), p = entry / t.num_poly_facets();
     const unsigned char* const corners = outward_corners[entry % t.num_poly_facets()];
-    std::uint32_t in_order[8];  // of adj_p2v: first those on the side of p; of a quad backwards, as p runs the other way
+    std::uint32_t
+        in_order[8];  // of adj_p2v: first those on the side of p; of a quad backwards, as p runs the other way
     for (unsigned k = 0; k < half; ++k) {
       const std::uint32_t at = p * n + corners[k];
       in_order[n == 8 ? k : 1 - k] = e.labels[at];
       in_order[n == 8 ? 4 + k : 2 + k] = outer[at];
     }
-    const std::size_t first = e.made.size();
-    e.made.resize(first + n);
-    for (unsigned k = 0; k < n; ++k) e.made[first + corner_places[k]] = in_order[k];
-    e.made_from.push_back(p);
+    const std::size_t first = e.added.size();
+    e.added.resize(first + n);
+    for (unsigned k = 0; k < n; ++k) e.added[first + corner_places[k]] = in_order[k];
+    e.added_from.push_back(p);
   }
   return e;
 }

@@ -38,14 +38,15 @@ struct cell_patch {
       }
     t.dimension = dimension_v<M>;
     core::local_numbers& facets = dimension_v<M> == 2 ? edge_numbers : face_numbers;
-    add_polys(m, polys,
-              [&](const vert_t<M>& v) {
-                const unsigned n = vert_numbers.add(index_of(m, v));
-                if (n == verts.size()) verts.push_back(v), points.push_back(to_vec3(point(m, v)));
-                return n;
-              },
-              [&](const edge_t<M>& e) { return edge_numbers.add(index_of(m, e)); },
-              [&](const facet_t<M>& f) { return facets.add(index_of(m, f)); }, t, caller);
+    add_polys(
+        m, polys,
+        [&](const vert_t<M>& v) {
+          const unsigned n = vert_numbers.add(index_of(m, v));
+          if (n == verts.size()) verts.push_back(v), points.push_back(to_vec3(point(m, v)));
+          return n;
+        },
+        [&](const edge_t<M>& e) { return edge_numbers.add(index_of(m, e)); },
+        [&](const facet_t<M>& f) { return facets.add(index_of(m, f)); }, t, caller);
     t.num_verts = verts.size(), t.num_edges = edge_numbers.size(), t.num_facets = facets.size();
     t.prepare();
   }
@@ -60,14 +61,14 @@ struct boundary_flags {
 /// What becomes of the polys of a patch.
 struct cell_edit {
   permission allowed;
-  std::vector<std::uint32_t> labels;    // of their corners, by poly and place: a vert, or num_verts + a new vert
-  std::vector<unsigned char> is_gone;   // by poly
-  std::vector<std::uint32_t> removed;   // verts
-  std::vector<vec3> points;             // of new verts
+  std::vector<std::uint32_t> labels;   // of their corners, by poly and place: a vert, or num_verts + a new vert
+  std::vector<unsigned char> is_gone;  // by poly
+  std::vector<std::uint32_t> removed;  // verts
+  std::vector<vec3> points;            // of new verts
   std::vector<std::uint32_t> origins, origin_ends;  // the verts of which each new vert is made, one after another
-  std::vector<std::uint32_t> made, made_from;       // corners of additional polys by place; the poly beside each
-  std::vector<std::uint32_t> facets;    // what remains of the polys that are gone: facets of others, as positions in
-                                        // poly_facets
+  std::vector<std::uint32_t> added, added_from;     // corners of additional polys by place; the poly beside each
+  std::vector<std::uint32_t> facets;  // what remains of the polys that are gone: facets of others, as positions in
+                                      // poly_facets
 
   explicit cell_edit(const cube_tables& t) : labels(t.poly_verts), is_gone(t.num_polys()) {}
   /// Adds a new vert. Returns its label.

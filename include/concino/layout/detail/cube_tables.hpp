@@ -1,5 +1,5 @@
-// cube_tables: the quads or hexes of a mesh as squares or cubes with axes, and who meets whom at their ridges, the verts
-// of a surface or the edges of a volume.
+// cube_tables: the quads or hexes of a mesh as squares or cubes with axes, and who meets whom at their ridges, the
+// verts of a surface or the edges of a volume.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -44,7 +44,8 @@ struct cube_tables {
   const std::vector<std::uint32_t>& poly_ridges() const { return dimension == 2 ? poly_verts : poly_edges; }
 
   void prepare();
-  /// The cell of p that extends along some axes, a set of bits, from the corner `place` on: a vert, edge, facet or poly.
+  /// The cell of p that extends along some axes, a set of bits, from the corner `place` on: a vert, edge, facet or
+  /// poly.
   std::uint32_t cell(std::size_t p, unsigned axes, unsigned place) const;
   /// The two facets of a poly that meet at its ridge k, as places.
   std::pair<unsigned, unsigned> facets_at(unsigned k) const;
@@ -71,8 +72,8 @@ struct ridge_shape {
   bool is_regular() const { return valence == 0 || (is_manifold && valence == (on_boundary ? 2u : 4u)); }
 };
 
-/// Fans of polys about ridges, which facets with two polys connect. Regular are those of four polys that are closed, and
-/// open ones of two.
+/// Fans of polys about ridges, which facets with two polys connect. Regular are those of four polys that are closed,
+/// and open ones of two.
 struct ridge_fans {
   std::vector<ridge_shape> shapes;                       // by ridge
   std::vector<unsigned char> is_crossing, is_irregular;  // by place in poly_ridges(): whether the fan there is closed
@@ -120,9 +121,10 @@ cube_tables cube_tables_of(const M& m, const char* caller) {
   t.poly_verts.reserve(num_polys(m) * t.num_corners());
   t.poly_edges.reserve(num_polys(m) * t.num_poly_edges());
   t.poly_facets.reserve(num_polys(m) * t.num_poly_facets());
-  add_polys(m, polys(m), [&](const vert_t<M>& v) { return vert[index_of(m, v)]; },
-            [&](const edge_t<M>& e) { return edge[index_of(m, e)]; },
-            [&](const facet_t<M>& f) { return facet[index_of(m, f)]; }, t, caller);
+  add_polys(
+      m, polys(m), [&](const vert_t<M>& v) { return vert[index_of(m, v)]; },
+      [&](const edge_t<M>& e) { return edge[index_of(m, e)]; },
+      [&](const facet_t<M>& f) { return facet[index_of(m, f)]; }, t, caller);
   t.prepare();
   return t;
 }

@@ -15,10 +15,8 @@ namespace requirement {
 
 /// A surface whose polys are or may be quads, or a volume of hexes. That those of a surface without fixed arity are
 /// quads is checked when they are met.
-template<class M>
-concept may_be_quads = SurfaceMesh<M> && (arity_v<M> == 4 || arity_v<M> == 0);
-template<class M>
-concept may_be_quads_or_hexes = may_be_quads<M> || HexMesh<M>;
+template<class M> concept may_be_quads = SurfaceMesh<M> && (arity_v<M> == 4 || arity_v<M> == 0);
+template<class M> concept may_be_quads_or_hexes = may_be_quads<M> || HexMesh<M>;
 
 }  // namespace requirement
 

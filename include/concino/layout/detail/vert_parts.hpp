@@ -14,14 +14,12 @@ struct marked_patch {
   const cube_tables& t;
   const boundary_flags& boundary;
   const std::vector<vec3>& points;
-  std::vector<unsigned char> is_marked;          // by facet
-  std::vector<std::uint32_t> num_marked_at;      // by ridge
-  poly_incidence at_verts;                       // of corners
+  std::vector<unsigned char> is_marked;      // by facet
+  std::vector<std::uint32_t> num_marked_at;  // by ridge
+  poly_incidence at_verts;                   // of corners
 
   /// Whether an edge belongs to a marked facet.
-  bool has_mark(std::uint32_t edge) const {
-    return t.dimension == 2 ? is_marked[edge] != 0 : num_marked_at[edge] > 0;
-  }
+  bool has_mark(std::uint32_t edge) const { return t.dimension == 2 ? is_marked[edge] != 0 : num_marked_at[edge] > 0; }
 };
 
 /// The polys at a vert, and the places outside of the mesh beyond facets at the boundary, in two parts.
@@ -46,7 +44,7 @@ class vert_parts {
   vec3 inward(const std::vector<std::uint32_t>& polys, bool at_boundary) const;
 
  public:
-  bool are_two = false;             // and each marked facet has one on each side
+  bool are_two = false;                          // and each marked facet has one on each side
   bool has_polys[2] = {}, has_boundary[2] = {};  // polys, and facets at the boundary that are not marked
 
   vert_parts(const marked_patch& m, std::uint32_t v);

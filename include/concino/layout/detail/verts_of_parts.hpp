@@ -30,9 +30,8 @@ class verts_of_parts {
   }
   /// Whether two parts have the same verts.
   bool has_two_on_same_verts() {
-    std::sort(all_.begin(), all_.end(), [](const part& a, const part& b) {
-      return std::tie(a.verts, a.number) < std::tie(b.verts, b.number);
-    });
+    std::sort(all_.begin(), all_.end(),
+              [](const part& a, const part& b) { return std::tie(a.verts, a.number) < std::tie(b.verts, b.number); });
     for (std::size_t i = 1; i < all_.size(); ++i)
       if (all_[i - 1].verts == all_[i].verts && all_[i - 1].number != all_[i].number) return true;
     return false;
