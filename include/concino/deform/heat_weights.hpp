@@ -60,7 +60,7 @@ heat_weights_result heat_weights(const M& m, const skeleton& k, const heat_weigh
     if (!is_finite(k.points()[i])) detail::throw_point_not_finite(caller, "node", i);
   detail::report_progress(profiled->progress, 0, "nearest bones");
   const auto points = detail::points_by_index(m, caller);
-  detail::heat_rows rows{detail::indices_of_points(m), {}, {}, 0};
+  detail::bone_heat_rows rows{detail::indices_of_points(m), {}, {}, 0};
   for (const std::size_t v : rows.used) rows.size = std::max(rows.size, distance(points[v], points[rows.used.front()]));
   rows.nearest.resize(rows.used.size());
   const auto tree = bounding_tree(m);

@@ -22,7 +22,7 @@ struct nearest_bones {
 };
 nearest_bones bones_nearest_to(const std::vector<std::array<vec3, 2>>& bones, const vec3& x);
 
-struct heat_rows {
+struct bone_heat_rows {
   std::vector<std::size_t> used;        // indices of verts
   std::vector<nearest_bones> nearest;   // of each of them; without bones where none is seen
   std::vector<nearest_bones> fallback;  // the same, seen or not, for verts without polys
@@ -35,7 +35,7 @@ struct computed_weights {
 /// laplacian: negative semidefinite, both triangles; mass: of each vert index.
 /// Errors: solver_error if no vert of a component sees a bone.
 computed_weights diffuse_heat(const Eigen::SparseMatrix<double>& laplacian, const std::vector<double>& mass,
-                              const heat_rows& rows, std::size_t num_bones, double amount, double min_weight);
+                              const bone_heat_rows& rows, std::size_t num_bones, double amount, double min_weight);
 
 }  // namespace concino::detail
 

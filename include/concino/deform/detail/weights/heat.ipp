@@ -50,7 +50,7 @@ CONCINO_INLINE void check_heat_of_components(const Eigen::SparseMatrix<double>& 
 }
 
 CONCINO_INLINE computed_weights diffuse_heat(const Eigen::SparseMatrix<double>& laplacian,
-                                             const std::vector<double>& mass, const heat_rows& rows,
+                                             const std::vector<double>& mass, const bone_heat_rows& rows,
                                              std::size_t num_bones, double amount, double min_weight) {
   const std::size_t n = mass.size();
   std::vector<double> heat(n, 0);
