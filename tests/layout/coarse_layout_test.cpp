@@ -49,7 +49,8 @@ TEST_CASE("coarse_layout: known counts do not change by refinement") {
     for (const auto& b : l.sizes) CHECK(b == layout_block{{static_cast<std::uint32_t>(n), static_cast<std::uint32_t>(n), 1}, {}});
   }
   for (const std::size_t n : {3u, 6u}) {
-    const auto l = coarse_layout(make_torus<quadmesh>({.cells = {n, 4}}));
+    const auto torus = make_torus<quadmesh>({.cells = {n, 4}});
+    const auto l = coarse_layout(torus);
     CHECK(l.num_blocks == 1);
     CHECK(l.periodic);
     CHECK_FALSE(l.blocks.has_value());
@@ -67,11 +68,13 @@ TEST_CASE("coarse_layout: known counts do not change by refinement") {
     expect_grids(ball, l);
     ball = subdivide_midpoint(ball);
   }
-  const auto grid = coarse_layout(make_grid<hexmesh>({.cells = {4, 3, 2}}));
+  const auto box = make_grid<hexmesh>({.cells = {4, 3, 2}});
+  const auto grid = coarse_layout(box);
   CHECK(grid.num_blocks == 1);
   CHECK(grid.sizes[0] == layout_block{{4, 3, 2}, {}});
   CHECK(grid.blocks.has_value());
-  const auto l = coarse_layout(concave_quads());
+  const auto bent = concave_quads();
+  const auto l = coarse_layout(bent);
   CHECK(l.num_blocks == 3);
   CHECK(separatrices(concave_quads()).size() == 2);
 }
@@ -154,7 +157,8 @@ TEST_CASE("layouts of meshes that are not manifold, of none, and of polygons tha
   CHECK(summary(singular_edges(edge)).count({2, 1, 0}) == 1);
   CHECK(num_blocks(quadmesh()) == 0);
   CHECK(num_blocks(hexmesh()) == 0);
-  CHECK(coarse_layout(hexmesh()).blocks.has_value());
+  const hexmesh nothing;
+  CHECK(coarse_layout(nothing).blocks.has_value());
   CHECK(singular_verts(hexmesh()).empty());
   CHECK(separatrices(quadmesh()).empty());
   auto gaps = make_grid<quadmesh>({.cells = {3, 3, 1}});
@@ -175,7 +179,8 @@ TEST_CASE("coarse_layout: blocks that touch themselves or each other on the same
   CHECK(l.num_blocks == 2);
   CHECK_FALSE(l.periodic);
   CHECK(l.why_no_blocks == "two blocks have the same verts");
-  const auto fine = coarse_layout(subdivide_midpoint(pillow));
+  const auto subdivided = subdivide_midpoint(pillow);
+  const auto fine = coarse_layout(subdivided);
   CHECK(fine.num_blocks == 2);
   CHECK(fine.why_no_blocks == "two blocks have the same verts");
   const auto path = corpus("quad/moebius.obj");

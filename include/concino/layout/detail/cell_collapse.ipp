@@ -5,8 +5,9 @@
 #include <concino/layout/detail/cell_collapse.hpp>
 #include <concino/layout/detail/verts_of_parts.hpp>
 
-#include <array>
+#include <algorithm>
 #include <bit>
+#include <utility>
 
 namespace concino::detail {
 
@@ -101,25 +102,26 @@ inline std::vector<std::uint32_t> ranks_of_verts(const cube_tables& t, const bou
 inline std::vector<std::uint32_t> label_merged(const cube_tables& t, const boundary_flags& boundary,
                                                const std::vector<vec3>& points, merged_cells& verts, cell_edit& e) {
   const std::vector<std::uint32_t> rank = ranks_of_verts(t, boundary);
-  std::vector<std::vector<std::uint32_t>> members(t.num_verts);
-  std::vector<std::uint32_t> label(t.num_verts);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> merged;  // root and vert
+  std::vector<std::uint32_t> label(t.num_verts), kept;
   for (std::uint32_t v = 0; v < t.num_verts; ++v) {
     label[v] = v;
-    if (verts.is_merged(v)) members[verts.root(v)].push_back(v);
+    if (verts.is_merged(v)) merged.emplace_back(verts.root(v), v);
   }
-  for (const auto& all : members) {
-    if (all.empty()) continue;
+  std::sort(merged.begin(), merged.end());
+  for (std::size_t first = 0, last; first < merged.size(); first = last) {
     std::uint32_t best = 0;
-    for (const std::uint32_t v : all) best = std::max(best, rank[v]);
-    std::vector<std::uint32_t> kept;
+    for (last = first; last < merged.size() && merged[last].first == merged[first].first; ++last)
+      best = std::max(best, rank[merged[last].second]);
+    kept.clear();
     vec3 sum;
-    for (const std::uint32_t v : all)
-      if (rank[v] == best) kept.push_back(v), sum += points[v];
+    for (std::size_t i = first; i < last; ++i)
+      if (const std::uint32_t v = merged[i].second; rank[v] == best) kept.push_back(v), sum += points[v];
     const std::uint32_t becomes =
         kept.size() == 1 ? kept[0] : e.add_vert(t, sum / static_cast<double>(kept.size()), kept);
-    for (const std::uint32_t v : all) {
-      label[v] = becomes;
-      if (v != becomes) e.removed.push_back(v);
+    for (std::size_t i = first; i < last; ++i) {
+      label[merged[i].second] = becomes;
+      if (merged[i].second != becomes) e.removed.push_back(merged[i].second);
     }
   }
   return label;

@@ -1,6 +1,7 @@
 // The two parts into which marked facets divide the polys at one of their verts.
 #pragma once
 
+#include <concino/graph/disjoint_sets.hpp>
 #include <concino/layout/detail/cell_patch.hpp>
 
 #include <array>
@@ -26,17 +27,10 @@ struct marked_patch {
 class vert_parts {
   const marked_patch& m_;
   const std::uint32_t v_;
-  std::vector<std::uint32_t> node_;  // sets: first polys, then places beyond facets
+  disjoint_sets nodes_;                                                   // first polys, then places beyond facets
+  std::vector<std::uint32_t> root_;                                       // of these, once all are united
   std::vector<std::pair<std::uint32_t, std::uint32_t>> facets_, beyond_;  // facets and polys; facets and places
 
-  std::uint32_t root(std::uint32_t i) const {
-    while (node_[i] != i) i = node_[i];
-    return i;
-  }
-  void unite(std::uint32_t a, std::uint32_t b) {
-    a = root(a), b = root(b);
-    node_[a < b ? b : a] = a < b ? a : b;
-  }
   std::uint32_t corner(std::uint32_t n) const { return m_.at_verts.entry(v_, n); }
   void find_facets();
   void unite_through_facets();
@@ -50,7 +44,7 @@ class vert_parts {
   vert_parts(const marked_patch& m, std::uint32_t v);
   std::uint32_t num_polys() const { return static_cast<std::uint32_t>(m_.at_verts.count(v_)); }
   /// The part of the n-th poly at the vert: 0 or 1.
-  unsigned part(std::uint32_t n) const { return root(n) == root(0) ? 0 : 1; }
+  unsigned part(std::uint32_t n) const { return root_[n] == root_[0] ? 0 : 1; }
   /// From the vert into a part: as long as its polys are thick there; along the boundary if it has some.
   vec3 into(unsigned part) const;
 };

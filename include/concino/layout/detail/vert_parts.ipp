@@ -19,12 +19,11 @@ CONCINO_INLINE void vert_parts::unite_through_facets() {
   for (std::size_t i = 0, next; i < facets_.size(); i = next) {
     const std::uint32_t f = facets_[i].first;
     for (next = i + 1; next < facets_.size() && facets_[next].first == f; ++next)
-      if (!m_.is_marked[f]) unite(facets_[i].second, facets_[next].second);
+      if (!m_.is_marked[f]) nodes_.unite(facets_[i].second, facets_[next].second);
     if (next > i + 1) continue;
-    const auto outside = static_cast<std::uint32_t>(node_.size());
-    node_.push_back(outside);
+    const auto outside = static_cast<std::uint32_t>(nodes_.add());
     beyond_.emplace_back(f, outside);
-    if (!m_.is_marked[f]) unite(facets_[i].second, outside);
+    if (!m_.is_marked[f]) nodes_.unite(facets_[i].second, outside);
   }
 }
 
@@ -48,25 +47,26 @@ CONCINO_INLINE void vert_parts::unite_outside() {
   std::sort(at_ridges.begin(), at_ridges.end());
   for (std::size_t i = 0, next; i < at_ridges.size(); i = next) {
     for (next = i + 1; next < at_ridges.size() && at_ridges[next].first == at_ridges[i].first; ++next) {}
-    if (next == i + 2 && m_.num_marked_at[at_ridges[i].first] != 1) unite(at_ridges[i].second, at_ridges[i + 1].second);
+    if (next == i + 2 && m_.num_marked_at[at_ridges[i].first] != 1)
+      nodes_.unite(at_ridges[i].second, at_ridges[i + 1].second);
   }
 }
 
-CONCINO_INLINE vert_parts::vert_parts(const marked_patch& m, std::uint32_t v) : m_(m), v_(v) {
-  for (std::uint32_t i = 0; i < num_polys(); ++i) node_.push_back(i);
+CONCINO_INLINE vert_parts::vert_parts(const marked_patch& m, std::uint32_t v)
+    : m_(m), v_(v), nodes_(m.at_verts.count(v)) {
   find_facets();
   unite_through_facets();
   unite_outside();
   std::uint32_t num_parts = 0;
-  for (std::uint32_t i = 0; i < node_.size(); ++i) {
-    num_parts += node_[i] == i;
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+    root_.push_back(static_cast<std::uint32_t>(nodes_.root(i)));
+    num_parts += root_[i] == i;
     if (i < num_polys()) has_polys[part(i)] = true;
   }
   are_two = num_parts == 2;
-  const auto beyond = [&](std::uint32_t f) {
-    for (const auto& [facet, outside] : beyond_)
-      if (facet == f) return outside;
-    return ~0u;
+  const auto beyond = [&](std::uint32_t f) {  // they are in the order of the facets
+    const auto at = std::lower_bound(beyond_.begin(), beyond_.end(), std::pair{f, 0u});
+    return at != beyond_.end() && at->first == f ? at->second : ~0u;
   };
   for (std::size_t i = 0; i < facets_.size(); ++i) {
     const auto [f, p] = facets_[i];
@@ -76,7 +76,7 @@ CONCINO_INLINE vert_parts::vert_parts(const marked_patch& m, std::uint32_t v) : 
     const bool has_next = i + 1 < facets_.size() && facets_[i + 1].first == f;
     const bool is_second = i > 0 && facets_[i - 1].first == f;
     const std::uint32_t other = outside != ~0u ? outside : facets_[has_next ? i + 1 : i - is_second].second;
-    are_two = are_two && root(p) != root(other);
+    are_two = are_two && root_[p] != root_[other];
   }
 }
 
@@ -106,10 +106,8 @@ CONCINO_INLINE vec3 vert_parts::inward(const std::vector<std::uint32_t>& polys, 
 CONCINO_INLINE vec3 vert_parts::into(unsigned wanted) const {
   const unsigned n = m_.t.num_corners();
   std::vector<std::uint32_t> polys;
-  struct way {
-    std::uint32_t edge, end, num_polys;
-  };
-  std::vector<way> ways;  // along edges that no marked facet has
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ways;  // edges that no marked facet has, once for each poly, and
+                                                              // their ends
   for (std::uint32_t i = 0; i < num_polys(); ++i) {
     if (part(i) != wanted) continue;
     polys.push_back(corner(i));
@@ -117,22 +115,22 @@ CONCINO_INLINE vec3 vert_parts::into(unsigned wanted) const {
     for (unsigned axis = 1; axis < n; axis *= 2) {
       const std::uint32_t e = m_.t.cell(p, axis, place & ~axis);
       if (m_.has_mark(e)) continue;
-      const auto known = std::find_if(ways.begin(), ways.end(), [&](const way& x) { return x.edge == e; });
-      if (known != ways.end()) ++known->num_polys;
-      else ways.push_back({e, m_.t.cell(p, 0, place ^ axis), 1});
+      ways.emplace_back(e, m_.t.cell(p, 0, place ^ axis));
     }
   }
-  const auto rank = [&](const way& x) {  // along edges of the boundary's shape, if there are some; else along it
-    if (!has_boundary[wanted] || !m_.boundary.edges[x.edge]) return 0;
-    return m_.t.dimension == 3 && x.num_polys != 2 ? 2 : 1;
-  };
-  int best = 0;
-  for (const way& x : ways) best = std::max(best, rank(x));
+  std::sort(ways.begin(), ways.end());
+  int best = -1;
   vec3 sum;
   double count = 0;
-  for (const way& x : ways)
-    if (rank(x) == best) sum += m_.points[x.end], ++count;
-  if (count == 0 || (best == 0 && has_boundary[wanted])) return inward(polys, has_boundary[wanted]);
+  for (std::size_t i = 0, next; i < ways.size(); i = next) {
+    for (next = i + 1; next < ways.size() && ways[next].first == ways[i].first; ++next) {}
+    int rank = 0;  // along edges of the boundary's shape, if there are some; else along it
+    if (has_boundary[wanted] && m_.boundary.edges[ways[i].first]) rank = m_.t.dimension == 3 && next != i + 2 ? 2 : 1;
+    if (rank < best) continue;
+    if (rank > best) best = rank, sum = {}, count = 0;
+    sum += m_.points[ways[i].second], ++count;
+  }
+  if (count == 0 || (best <= 0 && has_boundary[wanted])) return inward(polys, has_boundary[wanted]);
   return sum / count - m_.points[v_];
 }
 
