@@ -30,10 +30,10 @@
 namespace concino {
 
 /// Reads a mesh from a file. The extension determines which of standard_formats it is in: .obj, .off, .mesh, .meshb,
-/// .hedra, .hybrid, .tet, .iv, .vtk, .vtu, .vtp, .ply, .stl, .msh or .ovm, in upper or lower case. A file that begins like a
-/// file of another of these formats is read as what it is, and the report has a note. A polyMesh folder of OpenFOAM is
-/// read by the path of the folder, or of a case with constant/polyMesh. Others are .ele, .node,
-/// .smesh and .poly of TetGen, and .inp of Abaqus.
+/// .hedra, .hybrid, .tet, .iv, .vtk, .vtu, .vtp, .ply, .stl, .msh of Gmsh, .ele, .node, .smesh or .poly of TetGen, .inp of
+/// Abaqus, or .ovm, in upper or lower case. A file that begins like a file of another of these formats is read as what
+/// it is, and the report has a note. A polyMesh folder of OpenFOAM is read by the path of the folder, or of a case with
+/// constant/polyMesh.
 /// Needs:  Loadable M.
 /// Result: the mesh, with its elements in the order of the file. A polyhedralmesh can hold any volume and a polygonmesh
 ///         any surface; the other kinds accept only what they can hold. Values in the file become properties of the
@@ -50,11 +50,10 @@ namespace concino {
 ///         says. From .stl: "object" of polys, "attribute" (std::uint16_t) of polys. From .msh and polyMesh: "label"
 ///         (int) of elements, and the mesh property "label_names" (label_names), which has their names; of polyMesh
 ///         the number of the patch of a face from 1, and of the cellZone of a poly. From .ovm: every property of verts,
-///         edges, faces, polys and the mesh.
-///         From .ele and .node, which are read together, and from .smesh and .poly: "attribute_1", ... (double) of
-///         verts, and of the polys of .ele. If .face and .edge are beside .ele: "label" of faces and edges. From .inp:
-///         each set (int, 0 or 1) of verts or polys, by its name. The read() of each format says more. options.report lists what was skipped,
-///         reoriented or worth a remark.
+///         edges, faces, polys and the mesh. From .ele and .node, which are read together, and from .smesh and .poly:
+///         "attribute_1", ... (double) of verts, and of the polys of .ele. If .face and .edge are beside .ele: "label"
+///         of faces and edges. From .inp: each set (int, 0 or 1) of verts or polys, by its name. The read() of each
+///         format says more. options.report lists what was skipped, reoriented or worth a remark.
 /// Cost:   one pass over the file, which is read into memory as a whole (or mapped: options.map); the arrays are moved
 ///         into the mesh.
 /// Errors: io_error if the file cannot be read, or shrinks or grows meanwhile. parse_error with the line if it breaks

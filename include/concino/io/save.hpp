@@ -31,9 +31,9 @@ namespace concino {
 /// Writes a mesh to a file. The extension determines which of standard_formats is used. For surfaces: .obj, .off, and
 /// .mesh for triangles and quads. For volumes: .hedra and .hybrid for any, .mesh and .tet for tets, hexes, prisms and
 /// pyramids, which are recognised by their faces. .meshb, the binary .mesh, for the same; .vtk and .vtu for any mesh,
-/// .vtp and .ply for any surface, .stl for triangles. .msh of Gmsh, version 2.2, for what .mesh holds. .ovm, and a folder
-/// called polyMesh, of OpenFOAM, for any volume. .glb, the binary glTF 2.0, for triangles.
-/// .ele or .node, both with the other, for tets; .smesh and .poly for any surface.
+/// .vtp and .ply for any surface, .stl for triangles. .msh of Gmsh, version 2.2, for what .mesh holds. .ovm, and a
+/// folder called polyMesh, of OpenFOAM, for any volume. .glb, the binary glTF 2.0, for triangles. .ele or .node of
+/// TetGen, each with the other, for tets; .smesh and .poly for any surface.
 /// Needs:  a surface or volume mesh with points, of any type. Of volumes, formats of surfaces hold the boundary, with
 ///         options.as_boundary.
 /// Result: the complete file, which replaces an existing one; coordinates read back as the same numbers. Verts (and
@@ -57,10 +57,10 @@ namespace concino {
 ///         - to .stl: "object" (std::string) of polys as text, "attribute" (std::uint16_t) of polys in binary files.
 ///           Verts are numbered anew, and those at one point become one;
 ///         - to .msh: "label" and "entity_tag" (int) of all elements, "entity" as to .mesh, and the mesh property
-///           "label_names" (label_names). Also all of verts, edges, faces and polys that consist of 1, 3 or 9 doubles, or
-///           of numbers of at most 32 bits, which become doubles. Edges and faces are written if a value is not 0;
-///         - to polyMesh: "label" (int) of faces and polys, "label_names" (label_names) of the mesh. Boundary faces of a
-///           label become a patch, in the order of "label_names", others the patch defaultFaces; polys of a label a
+///           "label_names" (label_names). Also all of verts, edges, faces and polys that consist of 1, 3 or 9 doubles,
+///           or of numbers of at most 32 bits, which become doubles. Edges and faces are written if a value is not 0;
+///         - to polyMesh: "label" (int) of faces and polys, "label_names" (label_names) of the mesh. Boundary faces of
+///           a label become a patch, in the order of "label_names", others the patch defaultFaces; polys of a label a
 ///           cellZone. Faces are numbered anew: inner ones by their polys, then those of each patch in their order;
 ///         - to .ovm: all of verts, edges, faces, polys and the mesh that are strings (std::string), lists
 ///           (std::vector<double>), integers of 32 and 64 bits, std::int16_t, bool, float or double. Also arrays of 2
