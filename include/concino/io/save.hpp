@@ -49,8 +49,8 @@ namespace concino {
 ///         - to .stl: "object" (std::string) of polys as text, "attribute" (std::uint16_t) of polys in binary files.
 ///           Verts are numbered anew, and those at one point become one;
 ///         - to .msh: "label" and "entity_tag" (int) of all elements, "entity" as to .mesh, and the mesh property
-///           "label_names" (label_names). Also all of verts, edges, faces and polys that consist of 1, 3 or 9 doubles, or
-///           of numbers of at most 32 bits, which become doubles. Edges and faces are written if a value is not 0.
+///           "label_names" (label_names). Also all of verts, edges, faces and polys that consist of 1, 3 or 9 doubles,
+///           or of numbers of at most 32 bits, which become doubles. Edges and faces are written if a value is not 0.
 ///         An .obj uses the material libraries that the mesh's file named, if they are in the folder of the new file
 ///         and hold the same colours and materials. Otherwise a new library is written there, with the same name and
 ///         .mtl, or _1.mtl and so on. Existing libraries are not changed, but those that earlier saves created for this
