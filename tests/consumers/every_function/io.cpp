@@ -35,8 +35,9 @@ void call_formats() {
   call("load_ply", [](auto& m) { cn::save_ply(m, "m.ply"), cn::load_ply<std::remove_reference_t<decltype(m)>>("m.ply"); }, surfaces);
   call("save_stl", [](auto& m) { cn::save_stl(m, "m.stl"); }, kinds<cn::trimesh>());
   call("load_stl", [](auto& m) { cn::save_stl(m, "m.stl"), cn::load_stl<std::remove_reference_t<decltype(m)>>("m.stl"); }, kinds<cn::trimesh>());
-  call("save_gmsh", [](auto& m) { cn::save_gmsh(m, "m.msh"); }, all);
-  call("load_gmsh", [](auto& m) { cn::save_gmsh(m, "m.msh"), cn::load_gmsh<std::remove_reference_t<decltype(m)>>("m.msh"); }, all);
+  call("save_gmsh", [](auto& m) { cn::save_gmsh(m, "m.msh"); }, kinds<cn::trimesh, cn::quadmesh, cn::tetmesh, cn::hexmesh>());
+  call("load_gmsh", [](auto& m) { cn::save_gmsh(m, "m.msh"), cn::load_gmsh<std::remove_reference_t<decltype(m)>>("m.msh"); },
+       kinds<cn::trimesh, cn::quadmesh, cn::tetmesh, cn::hexmesh>());
   call("save_vtu", [](auto& m) { cn::save_vtu(m, "m.vtu"); }, all);
   call("load_vtu", [](auto& m) { cn::save_vtu(m, "m.vtu"), cn::load_vtu<std::remove_reference_t<decltype(m)>>("m.vtu"); }, all);
 }
