@@ -40,8 +40,6 @@ void call_formats() {
   call("save_ovm", [](auto& m) { cn::save_ovm(m, "m.ovm"); }, volumes);
   call("load_ovm", [](auto& m) { cn::save_ovm(m, "m.ovm"), cn::load_ovm<std::remove_reference_t<decltype(m)>>("m.ovm"); }, volumes);
   call("save_gltf", [](auto& m) { cn::save_gltf(m, "m.glb", {.as_triangles = true, .as_boundary = true}); }, all);
-  call("save_gmsh", [](auto& m) { cn::save_gmsh(m, "m.msh"); }, all);
-  call("load_gmsh", [](auto& m) { cn::save_gmsh(m, "m.msh"), cn::load_gmsh<std::remove_reference_t<decltype(m)>>("m.msh"); }, all);
   call("load_abaqus", [](auto& m) {
     std::ofstream("m.inp") << "*NODE\n1, 0, 0\n2, 1, 0\n3, 1, 1\n*ELEMENT, TYPE=S3\n1, 1, 2, 3\n";
     cn::load_abaqus<std::remove_reference_t<decltype(m)>>("m.inp");
@@ -52,6 +50,9 @@ void call_formats() {
   call("load_smesh", [](auto& m) { cn::save_smesh(m, "m.smesh"), cn::load_smesh<std::remove_reference_t<decltype(m)>>("m.smesh"); }, surfaces);
   call("save_poly", [](auto& m) { cn::save_poly(m, "m.poly"); }, surfaces);
   call("load_poly", [](auto& m) { cn::save_poly(m, "m.poly"), cn::load_poly<std::remove_reference_t<decltype(m)>>("m.poly"); }, surfaces);
+  call("save_gmsh", [](auto& m) { cn::save_gmsh(m, "m.msh"); }, kinds<cn::trimesh, cn::quadmesh, cn::tetmesh, cn::hexmesh>());
+  call("load_gmsh", [](auto& m) { cn::save_gmsh(m, "m.msh"), cn::load_gmsh<std::remove_reference_t<decltype(m)>>("m.msh"); },
+       kinds<cn::trimesh, cn::quadmesh, cn::tetmesh, cn::hexmesh>());
   call("save_vtu", [](auto& m) { cn::save_vtu(m, "m.vtu"); }, all);
   call("load_vtu", [](auto& m) { cn::save_vtu(m, "m.vtu"), cn::load_vtu<std::remove_reference_t<decltype(m)>>("m.vtu"); }, all);
 }

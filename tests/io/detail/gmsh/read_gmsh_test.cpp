@@ -235,6 +235,14 @@ TEST_CASE("read_gmsh: values of nodes and elements of all dimensions") {
   CHECK(r.skipped == list{"1 values of nodes that the file does not have"});
 }
 
+TEST_CASE("read_gmsh: values of few nodes in very many sections are unsupported") {
+  std::string text = head2 + "$Nodes\n2000\n";
+  for (int i = 1; i <= 2000; ++i) text += std::to_string(i) + " 0 0 0\n";
+  text += "$EndNodes\n$Elements\n0\n$EndElements\n";
+  for (int i = 0; i < 2000; ++i) text += "$NodeData\n1\nx\n0\n3\n" + std::to_string(i) + " 1 1\n1 1\n$EndNodeData\n";
+  CHECK(refuses<trimesh>(text).starts_with("t.msh: very many sections with values of few nodes or elements: properties of "));
+}
+
 TEST_CASE("read_gmsh: other sections are skipped, and comments may come first") {
   load_report r;
   const auto m = gmsh<trimesh>("$Comments\n$MeshFormat is below\n$EndComments\n" + triangles + "$Periodic\n1\n1 2 3\n$EndPeriodic\n$What\n$EndWhat", {.report = &r});

@@ -8,6 +8,7 @@ namespace concino::detail {
 class gmsh_values_reader : protected gmsh_elements_reader {
   std::uint64_t num_unknown_[2] = {};  // values of elements and nodes that the file does not have
   std::uint64_t num_replaced_ = 0;
+  std::uint64_t num_numbers_ = 0;  // of all properties
 
  protected:
   using gmsh_elements_reader::gmsh_elements_reader;
@@ -24,7 +25,7 @@ class gmsh_values_reader : protected gmsh_elements_reader {
           core::joined({"values \"", v.name, "\" of ", v.components, " numbers: properties have 1, 2, 3, 4, 6 or 9"}));
     gmsh_values& to = values_like(v);
     const std::size_t n = of_nodes ? grid_.points.size() : grid_.num_elements;
-    if (type) to.values.resize((n + 1) * v.components);
+    if (type && to.values.empty()) make_room(to, n);
     to.is_set.resize(n);
     for (std::uint64_t i = 0; i < rows; ++i) {
       const std::uint64_t tag = take_row_tag();
@@ -58,6 +59,18 @@ class gmsh_values_reader : protected gmsh_elements_reader {
   }
 
  private:
+  /// Properties have values for all elements, also where the file has few. Errors: unsupported for so many sections of
+  /// few values that the properties would be very much larger than the file.
+  void make_room(gmsh_values& v, std::size_t n) {
+    num_numbers_ += (n + 1) * v.components;
+    if (num_numbers_ / 16 > static_cast<std::uint64_t>(end() - begin()))
+      core::throw_joined<unsupported>({name(),
+                                       ": very many sections with values of few nodes or elements: properties "
+                                       "of ",
+                                       num_numbers_, " numbers"});
+    v.values.resize((n + 1) * v.components);
+  }
+
   /// Result: the number of elements with values.
   std::uint64_t header(gmsh_values& v) {
     const std::uint64_t texts = text_count("the number of texts");

@@ -123,7 +123,7 @@ namespace concino {
 /// Errors: parse_error naming the line (of binary files the byte) of a wrong number, a tag of no node, an element with
 ///         a vert twice, an element that the wanted mesh cannot hold, or the end of a file that is cut off; unsupported
 ///         for other versions and types of elements, if the file holds a volume and a surface was wanted, or the
-///         reverse, or if it has elements of second or higher order.
+///         reverse, if it has elements of second or higher order, or very many sections with values of few elements.
 template<std::derived_from<file_contents> Contents>
 void gmsh_format::read(const read_context& in, Contents& out) {
   detail::gmsh_reader<std::is_same_v<Contents, volume_contents>>(in, out).read();
