@@ -90,7 +90,7 @@ namespace concino {
 ///         other entries of their dictionaries but nFaces, startFace and cellLabels, each on one line. faceZones and
 ///         pointZones are reported as skipped, and so is all but the first zone of a cell.
 /// Cost:   O(size of the files) and sorting the edges of each cell, and for tets and hexes the faces. One file at a
-///         time is in memory.
+///         time is in memory; options.map has no effect.
 /// Errors: io_error if a file is missing. parse_error naming the file, and the line (in binary lists the byte) of what
 ///         breaks the format, of a face with fewer than three verts or with one twice, of a cell without faces, and of
 ///         patches that overlap or contain inner faces. unsupported for files compressed by gzip or of several
