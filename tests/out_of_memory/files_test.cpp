@@ -125,6 +125,25 @@ TEST_CASE("saving replaces the file completely or not at all") {
   saved_or_not(labelled<cn::hexmesh>(), "a.hybrid");
   saved_or_not(labelled<cn::hexmesh>(), "a.hedra");
   saved_or_not(labelled<cn::polyhedralmesh>(), "a.hedra");
+  saved_or_not(labelled<cn::polygonmesh>(), "a.smesh");
+}
+
+TEST_CASE("saving .ele and the files beside it replaces all of them or none") {
+  const cn::testing::temporary_folder dir;
+  auto m = labelled<cn::tetmesh>();
+  for (const auto f : cn::faces(m)) cn::face_property<int>(m, "label")[f] = 1;
+  cn::save(m, dir / "a.ele");
+  const std::vector<std::string> names = {"a.ele", "a.node", "a.face"};
+  std::vector<std::string> expected;
+  for (const std::string& name : names) expected.push_back(read_file(dir / name));
+  const auto result = for_each_failing_allocation([&](const auto& attempt) {
+    for (const std::string& name : names) cn::testing::write_file(dir / name, "old");
+    const bool failed = attempt([&] { cn::save(m, dir / "a.ele"); });
+    for (std::size_t i = 0; i < names.size(); ++i) CHECK(read_file(dir / names[i]) == (failed ? "old" : expected[i]));
+    CHECK(dir.num_files() == 3);
+  });
+  CHECK(result.failed > 0);
+  CHECK(result.leaks == 0);
 }
 
 TEST_CASE("loading into a mesh succeeds or changes nothing") {
@@ -134,6 +153,8 @@ TEST_CASE("loading into a mesh succeeds or changes nothing") {
   loaded_or_not(labelled<cn::tetmesh>(), "a.mesh");
   loaded_or_not(labelled<cn::tetmesh>(), "a.meshb");
   loaded_or_not(labelled<cn::tetmesh>(), "a.tet");
+  loaded_or_not(labelled<cn::tetmesh>(), "a.ele");
+  loaded_or_not(labelled<cn::trimesh>(), "a.poly");
   loaded_or_not(labelled<cn::hexmesh>(), "a.hybrid");
   loaded_or_not(labelled<cn::hexmesh>(), "a.hedra");
   loaded_or_not(labelled<cn::polyhedralmesh>(), "a.hedra");

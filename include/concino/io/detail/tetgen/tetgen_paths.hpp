@@ -20,7 +20,7 @@ inline bool ends_in(std::string_view path, std::string_view extension) {
 
 /// The path of the file beside `path` with another extension, which is in upper case if that of the path is.
 inline std::string tetgen_path(std::string_view path, std::string_view extension) {
-  const std::size_t name = path.rfind('/') == path.npos ? 0 : path.rfind('/') + 1, dot = path.rfind('.');
+  const std::size_t name = path.find_last_of("/\\") + 1, dot = path.rfind('.');  // npos + 1 is 0
   const bool has_extension = dot != path.npos && dot > name;
   std::string other = core::joined({has_extension ? path.substr(0, dot) : path, extension});
   if (has_extension && path.size() > dot + 1 && path[dot + 1] >= 'A' && path[dot + 1] <= 'Z')
