@@ -139,11 +139,11 @@ TEST_CASE("write_gltf: colours of polys split the verts where they meet") {
   CHECK(r.notes == list{"2 verts were added where polys of different colours meet"});
   CHECK(c.json.find("\"count\":8,\"type\":\"VEC4\"") != std::string::npos);
   const std::size_t colors = 8 * 3, indices = 8 * 7;
-  const vec3 points[] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}};
+  const vec3 corners[] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}};
   for (std::size_t i = 0; i < 9; ++i) {
     const std::size_t v = c.integer(indices + i);
     REQUIRE(v < 8);
-    CHECK(vec3{c.real(3 * v), c.real(3 * v + 1), c.real(3 * v + 2)} == points[i]);
+    CHECK(vec3{c.real(3 * v), c.real(3 * v + 1), c.real(3 * v + 2)} == corners[i]);
     CHECK(c.real(colors + 4 * v) == (i / 3 == 1 ? 0.f : 1.f));
   }
   vert_property<rgba>(m, "color");
