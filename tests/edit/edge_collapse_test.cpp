@@ -1,5 +1,6 @@
 // edge_collapse: counts, topology, descriptors and points; refusals are those of the link condition by its definition.
 #include <concino/edit/edge_collapse.hpp>
+#include <concino/edit/edge_split.hpp>
 #include <concino/edit/merge_verts.hpp>
 #include <concino/generate/icosphere.hpp>
 #include <concino/geometry/measure.hpp>
