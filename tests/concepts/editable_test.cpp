@@ -23,6 +23,7 @@ struct concino::mesh_traits<fixed_surface> : concino::indexed_surface<fixed_surf
 };
 
 static_assert(cn::SurfaceMesh<fixed_surface> && !cn::EditableSurfaceMesh<fixed_surface> && !cn::EditableMesh<fixed_surface>);
+static_assert(cn::EditableGeneralMesh<cn::polygonmesh> && cn::EditableGeneralMesh<cn::polyhedralmesh> && !cn::EditableGeneralMesh<cn::quadmesh> && !cn::EditableGeneralMesh<int>);
 static_assert(!cn::EditableSurfaceMesh<int> && !cn::EditableVolumeMesh<int> && !cn::EditableMesh<int>);
 
 TEST_CASE_TEMPLATE("editable: native surfaces", M, CONCINO_ALL_SURFACE_KINDS) {

@@ -32,7 +32,6 @@ class general_cavity {
   std::size_t num_old_ = 0, num_new_ = 0;
   vec3 moved_to_;
 
-  static std::span<const unsigned> span(const std::vector<unsigned>& v) { return v; }
   template<class T>
   static id_span<T> ids(const std::vector<T>& v) { return {v.data(), v.data() + v.size()}; }
 
