@@ -82,7 +82,8 @@ int main(int argc, char** argv) {
       compare(p, work, std::min(p.rounds, 3), ours, theirs);
     }
     if (const std::string work = "lscm.hill20k"; p.wants(work)) {
-      auto m = concino::make_grid<concino::trimesh>({.cells = {100, 100}});
+      const std::size_t n = p.data.tiny ? 10 : 100;
+      auto m = concino::make_grid<concino::trimesh>({.cells = {n, n}});
       surface s;
       std::vector<surface::Vertex_index> v;
       for (const auto x : verts(m)) {
