@@ -82,17 +82,18 @@ int main(int argc, char** argv) {
       compare(p, work, std::min(p.rounds, 3), ours, theirs);
     }
     if (const std::string work = "lscm.hill20k"; p.wants(work)) {
-      auto m = concino::make_grid<concino::trimesh>({.cells = {100, 100}});
+      const std::size_t n = p.data.tiny ? 10 : 100;
+      auto m = concino::make_grid<concino::trimesh>({.cells = {n, n}});
       surface s;
       std::vector<surface::Vertex_index> v;
-      for (const auto x : verts(m)) {
-        const concino::vec3 at = point(m, x);
-        set_point(m, x, {at.x, at.y, 0.3 * std::sin(3 * at.x) * std::cos(4 * at.y)});
-        v.push_back(s.add_vertex({point(m, x).x, point(m, x).y, point(m, x).z}));
+      for (const auto x : concino::verts(m)) {
+        const concino::vec3 at = concino::point(m, x);
+        concino::set_point(m, x, {at.x, at.y, 0.3 * std::sin(3 * at.x) * std::cos(4 * at.y)});
+        v.push_back(s.add_vertex({concino::point(m, x).x, concino::point(m, x).y, concino::point(m, x).z}));
       }
-      for (const auto t : polys(m)) {
+      for (const auto t : concino::polys(m)) {
         std::vector<surface::Vertex_index> corners;
-        for (const auto x : adj_p2v(m, t)) corners.push_back(v[x.raw()]);
+        for (const auto x : concino::adj_p2v(m, t)) corners.push_back(v[x.raw()]);
         s.add_face(corners);
       }
       const auto uv = s.add_property_map<surface::Vertex_index, kernel::Point_2>("v:uv").first;
@@ -100,7 +101,7 @@ int main(int argc, char** argv) {
       for (const auto h : s.halfedges())
         if (s.is_border(h)) boundary = h;
       namespace smp = CGAL::Surface_mesh_parameterization;
-      const auto ours = [&] { return lscm(m)[concino::vert_id{0}][0]; };
+      const auto ours = [&] { return concino::lscm(m)[concino::vert_id{0}][0]; };
       const auto theirs = [&] { return smp::parameterize(s, smp::LSCM_parameterizer_3<surface>(), boundary, uv); };
       compare(p, work, std::min(p.rounds, 3), ours, theirs);
     }

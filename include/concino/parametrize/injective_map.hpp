@@ -35,8 +35,9 @@ struct injective_map_result {
 /// Needs:  SurfaceMesh M, Embedded, no temporary, with polys of any number of verts. start: a map from verts to points
 ///         of the plane without flips, by map_distortion; else that of tutte, scaled to the area of the surface.
 /// Result: the map, without flips, and the energies; a local minimum. Parts that are far from each other on the surface
-///         may overlap in the plane. Without a start and a fixed boundary, it is placed and turned as that of lscm. Of
-///         a developable surface it is an isometry. Verts of no poly are at the origin.
+///         may overlap in the plane. Without a start and a fixed boundary, it is placed and turned as that of lscm;
+///         with a start, the first vert that lscm fixes stays in place. Of a developable surface it is an isometry.
+///         Verts of no poly are at the origin.
 /// Cost:   in each iteration a factorisation of a matrix with two rows for each vert; most maps take 10 to 100.
 /// Errors: invalid_mesh as lscm. invalid_argument if an option is out of its range, or a point of the start is not
 ///         finite, or the start has flips. solver_error that says why, if tutte has flips, because pieces are attached

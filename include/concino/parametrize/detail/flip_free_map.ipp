@@ -179,7 +179,7 @@ CONCINO_INLINE iterated_map flip_free_map(const flat_disk& f, plane_points start
   fixed_points fixed;
   if (fixed_boundary)
     for (const std::uint32_t v : f.loop) fixed.push_back({v, result.uv[v]});
-  else fixed = {{f.loop[0], result.uv[f.loop[0]]}};
+  else fixed = {{far_pair(f).first, result.uv[far_pair(f).first]}};
   flip_free_steps steps(f, cut, fixed);
   result.energies.push_back(steps.energy(result.uv));
   if (!std::isfinite(result.energies[0])) {

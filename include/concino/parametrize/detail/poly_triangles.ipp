@@ -32,16 +32,24 @@ class empty_circle_flips {
   };
   std::span<const vec3> points_;
   std::vector<polygon_triangle> triangles_;
+  struct flip {
+    double angles;    // the sum of those opposite to the diagonal
+    std::size_t use;  // the first of the two
+  };
   std::vector<diagonal> uses_;
+  std::vector<flip> flips_;
+  std::vector<unsigned char> is_changed_;
 
   double angle_at(std::uint32_t at, std::uint32_t a, std::uint32_t b) const {
     const vec3 x = points_[a] - points_[at], y = points_[b] - points_[at];
     return std::atan2(norm(cross(x, y)), dot(x, y));
   }
 
-  // Flips diagonals of triangles that no other flip of this round has changed.
-  bool flip_once() {
+  // The diagonals whose circumcircles are not empty, the worst first, so that the order does not depend on the first
+  // corner.
+  void find_flips() {
     uses_.clear();
+    flips_.clear();
     const auto n = static_cast<std::uint32_t>(points_.size());
     for (std::uint32_t t = 0; t < triangles_.size(); ++t)
       for (std::size_t k = 0; k < 3; ++k) {
@@ -52,23 +60,33 @@ class empty_circle_flips {
     std::sort(uses_.begin(), uses_.end(), [](const diagonal& x, const diagonal& y) {
       return std::array{x.low, x.high, x.triangle} < std::array{y.low, y.high, y.triangle};
     });
-    std::vector<unsigned char> is_changed(triangles_.size());
-    bool any = false;
     for (std::size_t i = 0; i + 1 < uses_.size(); ++i) {
       const diagonal &x = uses_[i], &y = uses_[i + 1];
-      if (x.low != y.low || x.high != y.high || is_changed[x.triangle] || is_changed[y.triangle]) continue;
+      if (x.low != y.low || x.high != y.high) continue;
       constexpr double rounding = 1e-9;
-      if (angle_at(x.opposite, x.low, x.high) + angle_at(y.opposite, x.low, x.high) <= std::numbers::pi + rounding)
-        continue;
+      const double sum = angle_at(x.opposite, x.low, x.high) + angle_at(y.opposite, x.low, x.high);
+      if (sum > std::numbers::pi + rounding) flips_.push_back({sum, i});
+    }
+    std::sort(flips_.begin(), flips_.end(), [](const flip& x, const flip& y) {
+      return x.angles != y.angles ? x.angles > y.angles : x.use < y.use;
+    });
+  }
+
+  // Flips diagonals of triangles that no other flip of this round has changed.
+  bool flip_once() {
+    find_flips();
+    is_changed_.assign(triangles_.size(), 0);
+    for (const flip& f : flips_) {
+      const diagonal &x = uses_[f.use], &y = uses_[f.use + 1];
+      if (is_changed_[x.triangle] || is_changed_[y.triangle]) continue;
       const bool low_first = is_forward(triangles_[x.triangle], x.low, x.high);
       const std::uint32_t from = low_first ? x.low : x.high, to = low_first ? x.high : x.low;
       // from, to, x.opposite become from, y.opposite, x.opposite and y.opposite, to, x.opposite
       triangles_[x.triangle] = {from, y.opposite, x.opposite};
       triangles_[y.triangle] = {y.opposite, to, x.opposite};
-      is_changed[x.triangle] = is_changed[y.triangle] = 1;
-      any = true;
+      is_changed_[x.triangle] = is_changed_[y.triangle] = 1;
     }
-    return any;
+    return !flips_.empty();
   }
   static bool is_forward(const polygon_triangle& t, std::uint32_t a, std::uint32_t b) {
     return (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
@@ -79,8 +97,8 @@ class empty_circle_flips {
     points_ = points;
     triangles_.assign(some.begin(), some.end());
     if (points.size() == 3) return triangles_;
-    // Of a planar poly each diagonal is flipped away once at most. The limit is for others.
-    for (std::size_t round = 0; round < points.size() && flip_once(); ++round) {}
+    constexpr int max_rounds = 100;  // planar polys need few; others may have no such triangles
+    for (int round = 0; round < max_rounds && flip_once(); ++round) {}
     return triangles_;
   }
 };
