@@ -50,9 +50,9 @@ TEST_CASE_TEMPLATE("bounded_biharmonic_weights: of a bar are those of a beam, wi
 }
 
 TEST_CASE("bounded_biharmonic_weights: on voxels are near those on tets") {
-  const tetmesh tets = make_grid<tetmesh>({.cells = {16, 8, 8}, .max = {2, 1, 1}});
+  const tetmesh tets = make_grid<tetmesh>({.cells = {8, 4, 4}, .max = {2, 1, 1}});
   const auto surface = boundary_surface(tets);
-  const hexmesh voxels = voxel_hexes(surface, 16);
+  const hexmesh voxels = voxel_hexes(surface, 8);
   // balls around two corners that are no neighbours, and the middle of an edge
   const auto balls = [](const auto& m) {
     std::vector<std::vector<vert_id>> all(3);

@@ -3,7 +3,9 @@
 
 #include <concino/core/error.hpp>
 #include <concino/deform/detail/weights/bounded.hpp>
+#include <concino/core/residual.hpp>
 #include <concino/optimize/qp.hpp>
+#include <concino/solve/ldlt.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -83,18 +85,31 @@ CONCINO_INLINE skin_weights make_bounded_weights(const Eigen::SparseMatrix<doubl
   h.setFromTriplets(entries.begin(), entries.end());
   identity.setIdentity();
   const Eigen::VectorXd zeros = Eigen::VectorXd::Zero(num_unknowns), ones = Eigen::VectorXd::Ones(num_unknowns);
+  ldlt unbounded;
+  if (num_unknowns > 0) {
+    const Eigen::SparseMatrix<double> lower = h.triangularView<Eigen::Lower>();
+    core::factorize_over_verts(unbounded, lower, caller,
+                               [&](Eigen::Index row) { return vert_of[static_cast<std::size_t>(row)]; });
+  }
   std::vector<skin_weight> all;
   for (std::size_t j = 0; j < handles.size(); ++j) {
     report_progress(on_progress, static_cast<double>(j) / static_cast<double>(handles.size()), "weights of handles");
     for (const std::size_t v : handles[j]) all.push_back({v, j, 1});
     if (num_unknowns == 0) continue;
-    const auto found = solve_qp(h, loads.col(static_cast<Eigen::Index>(j)), identity, zeros, ones,
-                                {.tolerance = limits.tolerance, .max_iterations = limits.max_iterations});
-    if (found.status != qp_status::solved)
-      core::throw_joined<solver_error>({caller, ": the weights of handle ", j, " have not converged after ", found.iterations,
-                                        " iterations; allow more, or a larger tolerance"});
+    // Where the minimum without bounds is within them, it is the result; else it is near.
+    const Eigen::VectorXd load = loads.col(static_cast<Eigen::Index>(j));
+    Eigen::VectorXd w = -unbounded.solve(load);
+    if (w.minCoeff() < 0 || w.maxCoeff() > 1) {
+      const auto found = solve_qp(h, load, identity, zeros, ones,
+                                  {.tolerance = limits.tolerance, .max_iterations = limits.max_iterations,
+                                   .x = w.cwiseMax(0.0).cwiseMin(1.0)});
+      if (found.status != qp_status::solved)
+        core::throw_joined<solver_error>({caller, ": the weights of handle ", j, " have not converged after ",
+                                          found.iterations, " iterations; allow more, or a larger tolerance"});
+      w = found.x;
+    }
     for (Eigen::Index i = 0; i < num_unknowns; ++i) {
-      const double x = std::min(1.0, found.x[i]);
+      const double x = std::min(1.0, w[i]);
       if (x > limits.min_weight) all.push_back({vert_of[static_cast<std::size_t>(i)], j, x});
     }
   }
