@@ -51,7 +51,8 @@ skin_weights bounded_biharmonic_weights(const M& m, const H& handles, const boun
     indices.emplace_back();
     for (const vert_t<M> v : list) {
       if (!contains(m, v))
-        core::throw_joined<invalid_mesh>({caller, ": handle ", indices.size() - 1, " has a vert that is none of the mesh"});
+        core::throw_joined<invalid_mesh>(
+            {caller, ": handle ", indices.size() - 1, " has a vert that is none of the mesh"});
       indices.back().push_back(index_of(m, v));
     }
   }
@@ -59,8 +60,8 @@ skin_weights bounded_biharmonic_weights(const M& m, const H& handles, const boun
   std::vector<double> mass(vert_index_bound(m));
   for (const vert_t<M> v : verts(m))
     mass[index_of(m, v)] = masses.coeff(static_cast<int>(index_of(m, v)), static_cast<int>(index_of(m, v)));
-  return detail::make_bounded_weights(laplacian(m), mass, indices,
-                                      {options.tolerance, options.min_weight, options.max_iterations}, profiled->progress);
+  return detail::make_bounded_weights(
+      laplacian(m), mass, indices, {options.tolerance, options.min_weight, options.max_iterations}, profiled->progress);
 }
 
 /// The weights of the verts of one mesh at those of another: of a volume at the surface of the shape inside.
