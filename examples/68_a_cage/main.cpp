@@ -42,7 +42,9 @@ int main(int argc, char** argv) {
   const auto moved = weights.points_of(bent);
 
   // Green coordinates use the normals of a cage of triangles too, and keep angles better.
-  const auto triangles = cn::to_triangles(cage), bent_triangles = cn::to_triangles(bent);
+  const auto triangles = cn::to_triangles(cage);
+  auto bent_triangles = triangles;  // its verts are those of the cage
+  for (const auto v : cn::verts(cage)) cn::set_point(bent_triangles, v, cn::point(bent, v));
   const auto green = cn::green_coordinates(triangles, shape).points_of(bent_triangles);
 
   // Harmonic coordinates know the inside of the cage: they are computed on a volume that fills it.
@@ -71,7 +73,7 @@ int main(int argc, char** argv) {
     const auto draw = [&](const auto& points, const cn::quadmesh& around) {
       cn::scene s;
       s.add(cn::with_points(shape, points), {.edges = true});
-      s.add_graph(around, {.color = cn::srgb(0.85f, 0.35f, 0.1f), .radius = 0.02});
+      s.add_graph(around, {.radius = 0.02, .color = cn::srgb(0.85f, 0.35f, 0.1f)});
       pictures.push_back(cn::render(s, {.width = 220, .height = 300, .camera = cn::view_options{.towards = {0.5, 1, -0.3}, .up = {0, 0, 1}}, .samples = 3, .ground = false}));
     };
     draw(rest, cage);

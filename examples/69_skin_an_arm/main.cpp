@@ -70,7 +70,7 @@ int main(int argc, char** argv) {
     std::vector<cn::image> pictures;
     const auto draw = [&](const auto& points) {
       cn::scene s;
-      s.add(cn::with_points(skin, points), {.edges = true, .colors = of_bone});
+      s.add(cn::with_points(skin, points), {.colors = of_bone, .edges = true});
       pictures.push_back(cn::render(s, {.width = 330, .height = 240, .camera = cn::view_options{.towards = {0.1, 1, -0.2}, .up = {0, 0, 1}}, .samples = 3, .ground = false}));
     };
     draw(cn::skin(skin, weights, pose(2, 2.8), cn::linear_blend));
