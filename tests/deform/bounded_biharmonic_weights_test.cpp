@@ -50,16 +50,16 @@ TEST_CASE_TEMPLATE("bounded_biharmonic_weights: of a bar are those of a beam, wi
 }
 
 TEST_CASE("bounded_biharmonic_weights: on voxels are near those on tets") {
-  const tetmesh tets = make_grid<tetmesh>({.cells = {8, 4, 4}, .max = {2, 1, 1}});
+  const tetmesh tets = make_grid<tetmesh>({.cells = {12, 6, 6}, .max = {2, 1, 1}});
   const auto surface = boundary_surface(tets);
-  const hexmesh voxels = voxel_hexes(surface, 8);
+  const hexmesh voxels = voxel_hexes(surface, 12);
   // balls around two corners that are no neighbours, and the middle of an edge
   const auto balls = [](const auto& m) {
     std::vector<std::vector<vert_id>> all(3);
     for (const auto v : verts(m)) {
-      if (distance(point(m, v), {0, 0, 0}) < 0.51) all[0].push_back(v);
-      if (distance(point(m, v), {2, 1, 1}) < 0.51) all[1].push_back(v);
-      if (distance(point(m, v), {1, 0, 1}) < 0.3) all[2].push_back(v);
+      if (distance(point(m, v), {0, 0, 0}) < 0.7) all[0].push_back(v);
+      if (distance(point(m, v), {2, 1, 1}) < 0.7) all[1].push_back(v);
+      if (distance(point(m, v), {1, 0, 1}) < 0.4) all[2].push_back(v);
     }
     return all;
   };

@@ -18,7 +18,7 @@
 namespace concino {
 
 struct bounded_biharmonic_options {
-  double tolerance = 1e-5;    // of the quadratic programs, see qp_options
+  double tolerance = 1e-5;    // of the quadratic programs, see qp_options; 1e-12 to 1
   int max_iterations = 20000;  // of each of them, 1 or more
   double min_weight = 1e-4;   // smaller weights become 0; from 0 to 0.1
   concino::progress progress = nullptr;  // called with "weights of handles" before each of them
@@ -46,6 +46,9 @@ skin_weights bounded_biharmonic_weights(const M& m, const H& handles, const boun
   const core::profiled_options profiled(options, caller);
   if (!(options.min_weight >= 0 && options.min_weight <= 0.1))
     core::throw_joined<invalid_argument>({caller, ": min_weight must be from 0 to 0.1"});
+  if (!(options.tolerance >= 1e-12 && options.tolerance <= 1) || options.max_iterations < 1)
+    core::throw_joined<invalid_argument>(
+        {caller, ": tolerance must be from 1e-12 to 1, and max_iterations 1 or more"});
   std::vector<std::vector<std::size_t>> indices;
   for (const auto& list : handles) {
     indices.emplace_back();
