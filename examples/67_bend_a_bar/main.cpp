@@ -66,7 +66,7 @@ int main(int argc, char** argv) {
     const auto draw = [&](const auto& points) {
       cn::scene s;
       s.add(cn::with_points(bar, points), {.field = height, .edges = true});
-      pictures.push_back(cn::render(s, {.width = 300, .height = 220, .camera = cn::view_options{.towards = {0.3, 1, -0.35}, .up = {0, 0, 1}}, .samples = 3, .ground = false}));
+      pictures.push_back(cn::render(s, {.width = 190, .height = 145, .camera = cn::view_options{.towards = {0.3, 1, -0.35}, .up = {0, 0, 1}}, .samples = 3, .ground = false}));
     };
     draw(rest);
     draw(bent.points);

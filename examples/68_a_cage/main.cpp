@@ -74,7 +74,7 @@ int main(int argc, char** argv) {
       cn::scene s;
       s.add(cn::with_points(shape, points), {.edges = true});
       s.add_graph(around, {.radius = 0.02, .color = cn::srgb(0.85f, 0.35f, 0.1f)});
-      pictures.push_back(cn::render(s, {.width = 220, .height = 300, .camera = cn::view_options{.towards = {0.5, 1, -0.3}, .up = {0, 0, 1}}, .samples = 3, .ground = false}));
+      pictures.push_back(cn::render(s, {.width = 150, .height = 205, .camera = cn::view_options{.towards = {0.5, 1, -0.3}, .up = {0, 0, 1}}, .samples = 3, .ground = false}));
     };
     draw(rest, cage);
     draw(moved, bent);
