@@ -33,7 +33,8 @@ affine_map translation(const vec3& v);
 affine_map rotation(const vec3& on_axis, const vec3& axis, double angle);
 
 /// Whether a map keeps lengths and orientation: a rotation and a translation.
-/// Needs:  tolerance of scalar products of the images of unit vectors.      Result: false too if a number is not finite.
+/// Needs:  tolerance of scalar products of the images of unit vectors.      Result: false too if a number is not
+///         finite.
 /// Cost:   O(1).      Errors: none.
 bool is_rigid(const affine_map& f, double tolerance = 1e-9);
 

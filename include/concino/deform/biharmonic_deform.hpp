@@ -13,7 +13,7 @@
 namespace concino {
 
 struct biharmonic_deform_options {
-  int exponent = 2;                      // n >= 1: the displacement is n-harmonic; 1 has kinks at handles, 3 is smoother
+  int exponent = 2;  // n >= 1: the displacement is n-harmonic; 1 has kinks at handles, 3 is smoother
   concino::progress progress = nullptr;  // called with "harmonic map", "factorising", "solving"
   concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
@@ -26,8 +26,8 @@ struct biharmonic_deform_options {
 ///         biharmonic, by virtual elements. Rigid motions of the handles move the mesh likewise. Details are not
 ///         rotated where handles turn against each other; prepare_deform does that.
 /// Cost:   that of harmonic_map<vec3>.
-/// Errors: invalid_argument if there are no handles, or a position is not finite; invalid_mesh if a handle is no vert of
-///         m or a point is not finite; those of harmonic_map.
+/// Errors: invalid_argument if there are no handles, or a position is not finite; invalid_mesh if a handle is no vert
+///         of m or a point is not finite; those of harmonic_map.
 /// Source: Botsch and Kobbelt 2004, "An intuitive framework for real-time freeform modeling".
 template<class M, class D = std::initializer_list<std::pair<vert_t<M>, vec3>>, class Solver = auto_solver>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> &&

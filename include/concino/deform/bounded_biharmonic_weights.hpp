@@ -18,7 +18,7 @@
 namespace concino {
 
 struct bounded_biharmonic_options {
-  double tolerance = 1e-5;    // of the quadratic programs, see qp_options
+  double tolerance = 1e-5;    // of the quadratic programs, see qp_options; 1e-12 to 1
   int max_iterations = 20000;  // of each of them, 1 or more
   double min_weight = 1e-4;   // smaller weights become 0; from 0 to 0.1
   concino::progress progress = nullptr;  // called with "weights of handles" before each of them
@@ -46,12 +46,16 @@ skin_weights bounded_biharmonic_weights(const M& m, const H& handles, const boun
   const core::profiled_options profiled(options, caller);
   if (!(options.min_weight >= 0 && options.min_weight <= 0.1))
     core::throw_joined<invalid_argument>({caller, ": min_weight must be from 0 to 0.1"});
+  if (!(options.tolerance >= 1e-12 && options.tolerance <= 1) || options.max_iterations < 1)
+    core::throw_joined<invalid_argument>(
+        {caller, ": tolerance must be from 1e-12 to 1, and max_iterations 1 or more"});
   std::vector<std::vector<std::size_t>> indices;
   for (const auto& list : handles) {
     indices.emplace_back();
     for (const vert_t<M> v : list) {
       if (!contains(m, v))
-        core::throw_joined<invalid_mesh>({caller, ": handle ", indices.size() - 1, " has a vert that is none of the mesh"});
+        core::throw_joined<invalid_mesh>(
+            {caller, ": handle ", indices.size() - 1, " has a vert that is none of the mesh"});
       indices.back().push_back(index_of(m, v));
     }
   }
@@ -59,8 +63,8 @@ skin_weights bounded_biharmonic_weights(const M& m, const H& handles, const boun
   std::vector<double> mass(vert_index_bound(m));
   for (const vert_t<M> v : verts(m))
     mass[index_of(m, v)] = masses.coeff(static_cast<int>(index_of(m, v)), static_cast<int>(index_of(m, v)));
-  return detail::make_bounded_weights(laplacian(m), mass, indices,
-                                      {options.tolerance, options.min_weight, options.max_iterations}, profiled->progress);
+  return detail::make_bounded_weights(
+      laplacian(m), mass, indices, {options.tolerance, options.min_weight, options.max_iterations}, profiled->progress);
 }
 
 /// The weights of the verts of one mesh at those of another: of a volume at the surface of the shape inside.

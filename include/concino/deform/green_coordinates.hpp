@@ -24,8 +24,8 @@ class green_weights {
   std::size_t num_points() const { return rows_.num_verts == 0 ? 0 : rows_.of_verts.size() / rows_.num_verts; }
   std::size_t num_cage_verts() const { return rows_.num_verts; }
   std::size_t num_cage_polys() const { return rows_.triangles.size(); }
-  /// The weights for point i: of the verts by index_of, without unit, and of the normals in the order of polys(cage), as
-  /// lengths.
+  /// The weights for point i: of the verts by index_of, without unit, and of the normals in the order of polys(cage),
+  /// as lengths.
   std::span<const double> of_verts(std::size_t i) const {
     return {rows_.of_verts.data() + i * num_cage_verts(), num_cage_verts()};
   }

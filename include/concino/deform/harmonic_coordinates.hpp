@@ -28,16 +28,17 @@ struct harmonic_coordinates_result : mesh_cage_weights<M> {
   double min_weight = 0;         // the smallest of all, before they were made non-negative
 };
 
-/// Harmonic coordinates: weights of the verts of a cage for the verts of a volume that fills it. They are positive inside
-/// of concave cages too, where those of cage_coordinates are not, and know the inside: a hand does not move a leg beside
-/// it. auto moved = harmonic_coordinates(volume, cage).points_of(bent_cage);
-/// Needs:  m: an Embedded VolumeMesh, no temporary, whose boundary verts are on the cage. cage: as for cage_coordinates.
-/// Result: weights that sum to 1: on the boundary those of cage_coordinates, linear on each triangle of the cage; inside
-///         the harmonic maps of these, by virtual elements. They reproduce linear functions. Where dihedral angles of
-///         the cells are obtuse, some may come out slightly negative: num_negative counts them. With non_negative they
-///         become 0 and the sums 1 again, by which linear functions change as little.
-/// Cost:   one factorisation for the verts inside, one solve for each vert of the cage, and O(boundary verts x triangles
-///         of the cage).
+/// Harmonic coordinates: weights of the verts of a cage for the verts of a volume that fills it. They are positive
+/// inside of concave cages too, where those of cage_coordinates are not, and know the inside: a hand does not move a
+/// leg beside it. auto moved = harmonic_coordinates(volume, cage).points_of(bent_cage);
+/// Needs:  m: an Embedded VolumeMesh, no temporary, whose boundary verts are on the cage. cage: as for
+///         cage_coordinates.
+/// Result: weights that sum to 1: on the boundary those of cage_coordinates, linear on each triangle of the cage;
+///         inside the harmonic maps of these, by virtual elements. They reproduce linear functions. Where dihedral
+///         angles of the cells are obtuse, some may come out slightly negative: num_negative counts them. With
+///         non_negative they become 0 and the sums 1 again, by which linear functions change as little.
+/// Cost:   one factorisation for the verts inside, one solve for each vert of the cage, and O(boundary verts x
+///         triangles of the cage).
 /// Errors: as cage_coordinates about the cage; invalid_argument if a boundary vert is not on the cage, or tolerance is
 ///         negative or not a number; those of prepare_harmonic_map; cancelled.
 /// Source: Joshi, Meyer, DeRose, Green and Sanocki 2007, "Harmonic coordinates for character articulation".
@@ -59,7 +60,8 @@ harmonic_coordinates_result<std::remove_cvref_t<M>> harmonic_coordinates(
   for (const vert_t<M>& v : on_cage) {
     const std::size_t i = index_of(m, v);
     if (detail::weights_on_cage(flat, points[i] / flat.unit, row) > options.tolerance * flat.size)
-      core::throw_joined<invalid_argument>({caller, ": vert ", i, " is on the boundary of the volume, but not on the cage"});
+      core::throw_joined<invalid_argument>(
+          {caller, ": vert ", i, " is on the boundary of the volume, but not on the cage"});
     std::copy_n(row.begin(), n, all.begin() + static_cast<std::ptrdiff_t>(i * n));
   }
   const auto prepared = prepare_harmonic_map(m, on_cage);

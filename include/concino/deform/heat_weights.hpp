@@ -40,9 +40,9 @@ struct heat_weights_result {
 ///         evenly from those that are as near, in proportion to amount / distance^2, if no poly is between them; and
 ///         along the surface. Verts without polys have the weights of the nearest bones.
 /// Cost:   O(verts x bones), a ray for each vert, one factorisation, and one solve for each bone.
-/// Errors: invalid_argument if the skeleton has no edges, a point of it is not finite, or an option is out of range;
-///         invalid_mesh if a point is not finite; solver_error if no vert of a component sees its nearest bone; those of
-///         laplacian and mass_matrix; cancelled.
+/// Errors: invalid_argument if the skeleton has no edges, a point of it is not finite, or an option is out of range.
+///         invalid_mesh if a point is not finite; solver_error if no vert of a component sees its nearest bone. Those
+///         of laplacian and mass_matrix; cancelled.
 /// Source: Baran and Popovic 2007, "Automatic rigging and animation of 3D characters".
 template<SurfaceMesh M>
   requires Embedded<M>
@@ -77,7 +77,8 @@ heat_weights_result heat_weights(const M& m, const skeleton& k, const heat_weigh
         [&](std::size_t i) {
           auto& nearest = rows.nearest[i];
           const vec3 way = points[rows.used[i]] - nearest.point;
-          if (norm(way) > 1e-9 * rows.size && tree.ray(nearest.point, way, {.max_parameter = 1 - 1e-6})) nearest.bones.clear();
+          if (norm(way) > 1e-9 * rows.size && tree.ray(nearest.point, way, {.max_parameter = 1 - 1e-6}))
+            nearest.bones.clear();
         },
         64);
   const auto masses = mass_matrix(m);

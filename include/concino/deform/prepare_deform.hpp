@@ -103,8 +103,8 @@ class prepared_deform {
 ///         cotangents on triangles and tets. solver: a SparseSolver for symmetric positive definite matrices; a similar
 ///         one is kept.
 /// Result: an object with with_positions(...). Its energy is the sum, over the verts and their edges, of the weight
-///         times the squared difference between the edge and its rest, rotated by the best rotation of the vert: a rigid
-///         motion costs nothing. Edges are pairs of verts with a weight in the Laplacian, diagonals of polys too.
+///         times the squared difference between the edge and its rest, rotated by the best rotation of the vert: a
+///         rigid motion costs nothing. Edges are pairs of verts with a weight in the Laplacian, diagonals of polys too.
 ///         Negative weights are made positive; num_made_positive() counts them.
 /// Cost:   one factorisation for the verts that are no handles.
 /// Errors: solver_error if a component has no handle; it names one of its verts and their number. invalid_mesh if a

@@ -25,13 +25,13 @@ inline constexpr dual_quaternions_method dual_quaternions{};
 ///         each bone, from the rest pose to the new one, in any container. For dual_quaternions they are rotations and
 ///         translations.
 /// Result: a map of points. linear_blend: the sum of weights times the images of the point. It is affine in each
-///         transform, and shrinks where bones are bent or twisted far. dual_quaternions: the image by the normalised sum
-///         of dual quaternions, a rigid motion for each vert, which does not shrink. Of the two signs of each, the one
-///         nearer to the bone of the largest weight.
+///         transform, and shrinks where bones are bent or twisted far. dual_quaternions: the image by the normalised
+///         sum of dual quaternions, a rigid motion for each vert, which does not shrink. Of the two signs of each, the
+///         one nearer to the bone of the largest weight.
 /// Cost:   O(verts + weights), parallel.
-/// Errors: invalid_argument if weights are for another number of verts or transforms for another number of bones, a
-///         vert has no weights, a transform is not finite, or, for dual_quaternions, is not rigid to 1e-6; invalid_mesh
-///         if a point is not finite.
+/// Errors: invalid_argument if weights are for another number of verts or transforms for another number of bones, or a
+///         vert has no weights. The same if a transform is not finite, or, for dual_quaternions, is not rigid to 1e-6;
+///         invalid_mesh if a point is not finite.
 /// Source: Magnenat-Thalmann, Laperriere and Thalmann 1988 for linear blending; Kavan, Collins, Zara and O'Sullivan
 ///         2007, "Skinning with dual quaternions".
 template<class M, class T, class Method>
@@ -43,8 +43,9 @@ vert_map<M, vec3> skin(M&& m, const skin_weights& weights, const T& transforms, 
   for (const affine_map& f : transforms) all.push_back(f);
   const auto used = detail::indices_of_points(m);
   detail::check_skin(weights, points.size(), used, all, std::same_as<Method, dual_quaternions_method>);
-  const auto moved = std::same_as<Method, linear_blend_method> ? detail::blend_linearly(points, used, weights, all)
-                                                               : detail::blend_dual_quaternions(points, used, weights, all);
+  const auto moved = std::same_as<Method, linear_blend_method>
+                         ? detail::blend_linearly(points, used, weights, all)
+                         : detail::blend_dual_quaternions(points, used, weights, all);
   auto result = make_vert_map<vec3>(m);
   for (const vert_t<M> v : verts(m)) result[v] = moved[index_of(m, v)];
   return result;

@@ -1,6 +1,7 @@
 // Each call below has one mistake and is rejected by a deleted overload that says what to write; check.cmake checks each line.
 #include <concino/concepts/archetypes.hpp>
 #include <concino/convert.hpp>
+#include <concino/deform.hpp>
 #include <concino/edit.hpp>
 #include <concino/fields.hpp>
 #include <concino/generate.hpp>
@@ -187,6 +188,15 @@ void no_adapter(const stranger& other) {
   cn::injective_map(other);  // refused
   cn::map_distortion(other);  // refused
   cn::uv_at_corners(other);  // refused
+  cn::cage_coordinates(other);  // refused
+  cn::green_coordinates(other);  // refused
+  cn::harmonic_coordinates(other);  // refused
+  cn::skin(other);  // refused
+  cn::prepare_deform(other);  // refused
+  cn::biharmonic_deform(other);  // refused
+  cn::heat_weights(other);  // refused
+  cn::bounded_biharmonic_weights(other);  // refused
+  cn::transfer_weights(other);  // refused
   cn::best_build_direction(other);  // refused
   cn::height_map(other);  // refused
   cn::shadow_on_plate(other);  // refused
@@ -253,6 +263,10 @@ void temporary() {
   cn::connected_components(made());  // refused
   cn::prepare_harmonic_map(made());  // refused
   cn::harmonic_map(made());  // refused
+  cn::harmonic_coordinates(made());  // refused
+  cn::skin(made());  // refused
+  cn::prepare_deform(made());  // refused
+  cn::biharmonic_deform(made());  // refused
   cn::prepare_poisson(made());  // refused
   cn::poisson(made());  // refused
   cn::prepare_heat_flow(made());  // refused
@@ -407,6 +421,15 @@ void no_points(const cn::trimesh& m) {
   cn::arap_map(pure);  // refused
   cn::injective_map(pure);  // refused
   cn::map_distortion(pure);  // refused
+  cn::cage_coordinates(pure);  // refused
+  cn::green_coordinates(pure);  // refused
+  cn::harmonic_coordinates(pure);  // refused
+  cn::skin(pure);  // refused
+  cn::prepare_deform(pure);  // refused
+  cn::biharmonic_deform(pure);  // refused
+  cn::heat_weights(pure);  // refused
+  cn::bounded_biharmonic_weights(pure);  // refused
+  cn::transfer_weights(pure);  // refused
   cn::best_build_direction(pure);  // refused
   cn::height_map(pure);  // refused
   cn::shadow_on_plate(pure);  // refused
@@ -513,6 +536,7 @@ void numbers(const cn::trimesh& m) {
   cn::min_cut(m, 0);  // refused
   cn::prepare_harmonic_map(m, 0);  // refused
   cn::harmonic_map(m, 0);  // refused
+  cn::prepare_deform(m, 0);  // refused
   cn::prepare_poisson(m, 0);  // refused
   cn::centroid(m, 0);  // refused
   cn::circumcentre(m, 0);  // refused

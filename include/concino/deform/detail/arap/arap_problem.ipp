@@ -33,7 +33,8 @@ CONCINO_INLINE void arap_problem::keep_edges(const Eigen::SparseMatrix<double>& 
   for (int c = 0; c < laplacian.outerSize(); ++c) {
     for (Eigen::SparseMatrix<double>::InnerIterator it(laplacian, c); it; ++it) {
       // smaller ones are 0 but for rounding
-      const double rounding = 1e-12 * (diagonal[static_cast<std::size_t>(c)] + diagonal[static_cast<std::size_t>(it.row())]);
+      const double rounding =
+          1e-12 * (diagonal[static_cast<std::size_t>(c)] + diagonal[static_cast<std::size_t>(it.row())]);
       if (it.row() == c || !(std::abs(it.value()) > rounding)) continue;
       to_.push_back(static_cast<std::uint32_t>(it.row()));
       weight_.push_back(std::abs(it.value()) / weight_unit_);

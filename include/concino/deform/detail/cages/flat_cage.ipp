@@ -32,9 +32,11 @@ CONCINO_INLINE void cut_cage_poly(std::span<const std::uint32_t> poly, polygon_t
   for (std::size_t k = 0; k < n; ++k) area += cross(corners[k] - mean, corners[(k + 1) % n] - mean);
   bool sees_all = true;
   for (std::size_t k = 0; k < n; ++k)
-    sees_all = sees_all && dot(area, cross(corners[k] - mean, corners[(k + 1) % n] - mean)) > 1e-6 * dot(area, area) / static_cast<double>(n);
+    sees_all = sees_all && dot(area, cross(corners[k] - mean, corners[(k + 1) % n] - mean)) >
+                               1e-6 * dot(area, area) / static_cast<double>(n);
   if (!sees_all) {
-    for (const polygon_triangle& t : triangulate(corners)) flat.triangles.push_back({poly[t[0]], poly[t[1]], poly[t[2]]});
+    for (const polygon_triangle& t : triangulate(corners))
+      flat.triangles.push_back({poly[t[0]], poly[t[1]], poly[t[2]]});
     return;
   }
   const auto centre = static_cast<std::uint32_t>(flat.points.size());
@@ -71,7 +73,8 @@ CONCINO_INLINE void number_cage_edges(flat_cage& flat, const char* caller) {
     }
     if (balance != 0 && ends[0] != ends[1])
       core::throw_joined<invalid_mesh>({caller, ": the cage is open or not consistently oriented at the edge of verts ",
-                                        ends[0], " and ", ends[1], "; repair(cage, {.orient = true, .fill_holes = 10}) may help"});
+                                        ends[0], " and ", ends[1],
+                                        "; repair(cage, {.orient = true, .fill_holes = 10}) may help"});
     flat.edges.push_back(ends);
   }
 }

@@ -54,8 +54,8 @@ CONCINO_INLINE green_rows make_green_rows(const cage_polys& cage, const std::vec
   const char* const caller = "green_coordinates";
   for (std::size_t p = 0; p < cage.index.size(); ++p)
     if (cage.poly(p).size() != 3)
-      core::throw_joined<unsupported>(
-          {caller, ": poly ", cage.index[p], " of the cage has ", cage.poly(p).size(), " verts; pass to_triangles(cage)"});
+      core::throw_joined<unsupported>({caller, ": poly ", cage.index[p], " of the cage has ", cage.poly(p).size(),
+                                       " verts; pass to_triangles(cage)"});
   const flat_cage flat = make_flat_cage(cage, caller);
   green_rows result;
   result.num_verts = flat.num_verts;
@@ -64,7 +64,8 @@ CONCINO_INLINE green_rows make_green_rows(const cage_polys& cage, const std::vec
     const auto& [a, b, c] = flat.triangles[t];
     if (!(norm(flat.normals[t]) > 0))
       core::throw_joined<invalid_mesh>({caller, ": poly ", cage.index[t], " of the cage has no area"});
-    result.spans.push_back({flat.unit * (flat.points[b] - flat.points[a]), flat.unit * (flat.points[c] - flat.points[a])});
+    result.spans.push_back(
+        {flat.unit * (flat.points[b] - flat.points[a]), flat.unit * (flat.points[c] - flat.points[a])});
   }
   const std::size_t n = flat.num_verts, f = flat.triangles.size();
   result.of_verts.resize(points.size() * n);
@@ -118,8 +119,9 @@ CONCINO_INLINE std::vector<vec3> green_rows::points_of(const std::vector<vec3>& 
     const auto& [u, v] = spans[t];
     const vec3 p = bent[triangles[t][1]] - bent[triangles[t][0]], q = bent[triangles[t][2]] - bent[triangles[t][0]];
     // the stretch of the triangle: the root of the mean of its squares in all directions
-    const double stretch = std::sqrt(std::max(0.0, dot(p, p) * dot(v, v) - 2 * dot(p, q) * dot(u, v) + dot(q, q) * dot(u, u)) / 2) /
-                           norm(cross(u, v));
+    const double stretch =
+        std::sqrt(std::max(0.0, dot(p, p) * dot(v, v) - 2 * dot(p, q) * dot(u, v) + dot(q, q) * dot(u, u)) / 2) /
+        norm(cross(u, v));
     const vec3 n = cross(p, q);
     const double length = norm(n);
     normals[t] = length > 0 ? (stretch / length) * n : vec3();

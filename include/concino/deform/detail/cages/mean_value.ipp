@@ -26,7 +26,8 @@ CONCINO_INLINE void barycentric_weights(const flat_cage& cage, std::size_t trian
     const vec3* corner[3] = {&a, &b, &c};
     std::size_t longest = 0;
     for (std::size_t k = 1; k < 3; ++k)
-      if (distance(*corner[k], *corner[(k + 1) % 3]) > distance(*corner[longest], *corner[(longest + 1) % 3])) longest = k;
+      if (distance(*corner[k], *corner[(k + 1) % 3]) > distance(*corner[longest], *corner[(longest + 1) % 3]))
+        longest = k;
     double part[3] = {0, 0, 0};
     const double whole = distance(*corner[longest], *corner[(longest + 1) % 3]);
     part[(longest + 1) % 3] = whole > 0 ? std::min(1.0, distance(*corner[longest], y) / whole) : 0;
@@ -117,7 +118,10 @@ class mean_value_point {
       const double length = distance(cage_.points[a], cage_.points[b]);
       if (distance_[a] <= near || distance_[b] <= near ||
           (cosine < 0 && distance_[a] * distance_[b] * sine <= near * length)) {
-        const double t = length > 0 ? std::clamp(dot(x - cage_.points[a], cage_.points[b] - cage_.points[a]) / (length * length), 0.0, 1.0) : 0;
+        const double t =
+            length > 0
+                ? std::clamp(dot(x - cage_.points[a], cage_.points[b] - cage_.points[a]) / (length * length), 0.0, 1.0)
+                : 0;
         weights[a] += 1 - t;
         weights[b] += t;
         return true;

@@ -52,7 +52,8 @@ CONCINO_INLINE std::vector<double> mean_value_weights_of_polygon(const std::vect
                                                                  const std::vector<std::size_t>& rows,
                                                                  const char* caller) {
   if (polygon.size() < 3)
-    core::throw_joined<invalid_argument>({caller, ": the polygon has ", polygon.size(), " corners; it needs 3 or more"});
+    core::throw_joined<invalid_argument>(
+        {caller, ": the polygon has ", polygon.size(), " corners; it needs 3 or more"});
   double largest = 0;
   for (const vec3& p : polygon)
     largest = std::max({largest, std::abs(p.x - polygon[0].x), std::abs(p.y - polygon[0].y)});
@@ -65,7 +66,8 @@ CONCINO_INLINE std::vector<double> mean_value_weights_of_polygon(const std::vect
   for (vec3& p : scaled) p /= unit;
   std::vector<double> all(points.size() * polygon.size()), errors(rows.size());
   parallel_for(rows.size(), [&](std::size_t i) {
-    errors[i] = mean_value_in_polygon(scaled, largest / unit, points[rows[i]] / unit, all.data() + rows[i] * polygon.size());
+    errors[i] =
+        mean_value_in_polygon(scaled, largest / unit, points[rows[i]] / unit, all.data() + rows[i] * polygon.size());
   });
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (!(errors[i] <= 1e-9))

@@ -39,8 +39,9 @@ CONCINO_INLINE quaternion quaternion_of(const affine_map& f) {
   return q;
 }
 
-CONCINO_INLINE void check_skin(const skin_weights& weights, std::size_t num_points, const std::vector<std::size_t>& used,
-                               const std::vector<affine_map>& transforms, bool rigid) {
+CONCINO_INLINE void check_skin(const skin_weights& weights, std::size_t num_points,
+                               const std::vector<std::size_t>& used, const std::vector<affine_map>& transforms,
+                               bool rigid) {
   if (weights.num_verts() != num_points)
     core::throw_joined<invalid_argument>({"skin: the weights are for ", weights.num_verts(),
                                           " verts, and the mesh has an index bound of ", num_points});

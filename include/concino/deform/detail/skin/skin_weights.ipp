@@ -18,8 +18,9 @@ CONCINO_INLINE skin_weights::skin_weights(std::size_t num_verts, std::size_t num
     core::throw_joined<unsupported>({"skin_weights: ", num_bones, " bones are more than 2^32 - 1"});
   for (const skin_weight& w : all) {
     if (w.vert >= num_verts || w.bone >= num_bones)
-      core::throw_joined<invalid_argument>({"skin_weights: vert ", w.vert, " and bone ", w.bone, " have a weight, but there are ",
-                                            num_verts, " verts and ", num_bones, " bones"});
+      core::throw_joined<invalid_argument>({"skin_weights: vert ", w.vert, " and bone ", w.bone,
+                                            " have a weight, but there are ", num_verts, " verts and ", num_bones,
+                                            " bones"});
     if (!(w.weight >= 0) || !std::isfinite(w.weight))
       core::throw_joined<invalid_argument>({"skin_weights: the weight of bone ", w.bone, " at vert ", w.vert, " is ",
                                             core::number_text(w.weight), "; it must be finite and 0 or more"});
@@ -72,7 +73,8 @@ CONCINO_INLINE skin_weights::skin_weights(const Eigen::SparseMatrix<double>& mat
 CONCINO_INLINE double skin_weights::weight(std::size_t vert, std::size_t bone) const {
   const auto all = bones(vert);
   const auto found = std::lower_bound(all.begin(), all.end(), bone);
-  return found == all.end() || *found != bone ? 0 : values_[first_[vert] + static_cast<std::size_t>(found - all.begin())];
+  return found == all.end() || *found != bone ? 0
+                                              : values_[first_[vert] + static_cast<std::size_t>(found - all.begin())];
 }
 
 CONCINO_INLINE skin_weights skin_weights::at_most(std::size_t k) const {

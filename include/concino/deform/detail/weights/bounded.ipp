@@ -3,7 +3,9 @@
 
 #include <concino/core/error.hpp>
 #include <concino/deform/detail/weights/bounded.hpp>
+#include <concino/core/residual.hpp>
 #include <concino/optimize/qp.hpp>
+#include <concino/solve/ldlt.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -44,32 +46,37 @@ CONCINO_INLINE std::vector<int> handles_of_verts(const Eigen::SparseMatrix<doubl
   return handle;
 }
 
-CONCINO_INLINE skin_weights make_bounded_weights(const Eigen::SparseMatrix<double>& laplacian,
-                                                 const std::vector<double>& mass,
-                                                 const std::vector<std::vector<std::size_t>>& handles,
-                                                 const bounded_limits& limits, const progress& on_progress) {
-  constexpr const char* caller = "bounded_biharmonic_weights";
-  if (handles.empty()) core::throw_joined<invalid_argument>({caller, ": there are no handles"});
-  const std::vector<int> handle = handles_of_verts(laplacian, handles);
-  const auto n = static_cast<Eigen::Index>(mass.size());
-  Eigen::VectorXd inverse = Eigen::VectorXd::Zero(n);
+/// The energy of the biharmonic equation for the unknown verts, and the loads of the handles, at a size near 1.
+struct bounded_program {
+  std::vector<std::size_t> vert_of;  // of each unknown
+  Eigen::SparseMatrix<double> h;
+  Eigen::MatrixXd loads;
+};
+
+/// Errors: invalid_mesh if a vert with neighbours has no mass.
+CONCINO_INLINE bounded_program make_bounded_program(const Eigen::SparseMatrix<double>& laplacian,
+                                                    const std::vector<double>& mass, const std::vector<int>& handle,
+                                                    std::size_t num_handles) {
+  Eigen::VectorXd inverse = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mass.size()));
+  bounded_program program;
+  std::vector<int> unknown(mass.size(), -1);
   for (std::size_t v = 0; v < mass.size(); ++v) {
     if (handle[v] == -1) continue;
-    if (!(mass[v] > 0)) core::throw_joined<invalid_mesh>({caller, ": vert ", v, " has no mass"});
-    inverse[static_cast<Eigen::Index>(v)] = 1 / mass[v];
+    if (laplacian.coeff(static_cast<int>(v), static_cast<int>(v)) != 0) {
+      if (!(mass[v] > 0))
+        core::throw_joined<invalid_mesh>({"bounded_biharmonic_weights: vert ", v, " has no mass"});
+      inverse[static_cast<Eigen::Index>(v)] = 1 / mass[v];
+    }
+    if (handle[v] == -2) unknown[v] = static_cast<int>(program.vert_of.size()), program.vert_of.push_back(v);
   }
   const Eigen::SparseMatrix<double> scaled = inverse.asDiagonal() * laplacian;
-  const Eigen::SparseMatrix<double> whole = laplacian * scaled;  // the energy of the biharmonic equation
-  std::vector<int> unknown(mass.size(), -1);
-  std::vector<std::size_t> vert_of;
-  for (std::size_t v = 0; v < mass.size(); ++v)
-    if (handle[v] == -2) unknown[v] = static_cast<int>(vert_of.size()), vert_of.push_back(v);
-  const auto num_unknowns = static_cast<Eigen::Index>(vert_of.size());
+  const Eigen::SparseMatrix<double> whole = laplacian * scaled;
+  const auto n = static_cast<Eigen::Index>(program.vert_of.size());
   double largest = 0;
   for (int c = 0; c < whole.outerSize(); ++c) largest = std::max(largest, whole.coeff(c, c));
   if (!(largest > 0)) largest = 1;
   std::vector<Eigen::Triplet<double>> entries;
-  Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(num_unknowns, static_cast<Eigen::Index>(handles.size()));
+  program.loads = Eigen::MatrixXd::Zero(n, static_cast<Eigen::Index>(num_handles));
   for (int c = 0; c < whole.outerSize(); ++c)
     for (Eigen::SparseMatrix<double>::InnerIterator it(whole, c); it; ++it) {
       const int row = unknown[static_cast<std::size_t>(it.row())], column = unknown[static_cast<std::size_t>(c)];
@@ -77,24 +84,50 @@ CONCINO_INLINE skin_weights make_bounded_weights(const Eigen::SparseMatrix<doubl
       // the mean of both triangles, which differ by rounding
       const double value = 0.5 * (it.value() + whole.coeff(c, it.row())) / largest;
       if (column >= 0) entries.emplace_back(row, column, value);
-      else if (handle[static_cast<std::size_t>(c)] >= 0) loads(row, handle[static_cast<std::size_t>(c)]) += value;
+      else if (const int j = handle[static_cast<std::size_t>(c)]; j >= 0) program.loads(row, j) += value;
     }
-  Eigen::SparseMatrix<double> h(num_unknowns, num_unknowns), identity(num_unknowns, num_unknowns);
-  h.setFromTriplets(entries.begin(), entries.end());
+  program.h.resize(n, n);
+  program.h.setFromTriplets(entries.begin(), entries.end());
+  return program;
+}
+
+CONCINO_INLINE skin_weights make_bounded_weights(const Eigen::SparseMatrix<double>& laplacian,
+                                                 const std::vector<double>& mass,
+                                                 const std::vector<std::vector<std::size_t>>& handles,
+                                                 const bounded_limits& limits, const progress& on_progress) {
+  constexpr const char* caller = "bounded_biharmonic_weights";
+  if (handles.empty()) core::throw_joined<invalid_argument>({caller, ": there are no handles"});
+  const auto [vert_of, h, loads] =
+      make_bounded_program(laplacian, mass, handles_of_verts(laplacian, handles), handles.size());
+  const Eigen::Index num_unknowns = h.rows();
+  Eigen::SparseMatrix<double> identity(num_unknowns, num_unknowns);
   identity.setIdentity();
   const Eigen::VectorXd zeros = Eigen::VectorXd::Zero(num_unknowns), ones = Eigen::VectorXd::Ones(num_unknowns);
+  ldlt unbounded;
+  if (num_unknowns > 0) {
+    const Eigen::SparseMatrix<double> lower = h.triangularView<Eigen::Lower>();
+    core::factorize_over_verts(unbounded, lower, caller,
+                               [&verts = vert_of](Eigen::Index row) { return verts[static_cast<std::size_t>(row)]; });
+  }
   std::vector<skin_weight> all;
   for (std::size_t j = 0; j < handles.size(); ++j) {
     report_progress(on_progress, static_cast<double>(j) / static_cast<double>(handles.size()), "weights of handles");
     for (const std::size_t v : handles[j]) all.push_back({v, j, 1});
     if (num_unknowns == 0) continue;
-    const auto found = solve_qp(h, loads.col(static_cast<Eigen::Index>(j)), identity, zeros, ones,
-                                {.tolerance = limits.tolerance, .max_iterations = limits.max_iterations});
-    if (found.status != qp_status::solved)
-      core::throw_joined<solver_error>({caller, ": the weights of handle ", j, " have not converged after ", found.iterations,
-                                        " iterations; allow more, or a larger tolerance"});
+    // Where the minimum without bounds is within them, it is the result; else it is near.
+    const Eigen::VectorXd load = loads.col(static_cast<Eigen::Index>(j));
+    Eigen::VectorXd w = -unbounded.solve(load);
+    if (w.minCoeff() < 0 || w.maxCoeff() > 1) {
+      const auto found = solve_qp(h, load, identity, zeros, ones,
+                                  {.tolerance = limits.tolerance, .max_iterations = limits.max_iterations,
+                                   .x = w.cwiseMax(0.0).cwiseMin(1.0)});
+      if (found.status != qp_status::solved)
+        core::throw_joined<solver_error>({caller, ": the weights of handle ", j, " have not converged after ",
+                                          found.iterations, " iterations; allow more, or a larger tolerance"});
+      w = found.x;
+    }
     for (Eigen::Index i = 0; i < num_unknowns; ++i) {
-      const double x = std::min(1.0, found.x[i]);
+      const double x = std::min(1.0, w[i]);
       if (x > limits.min_weight) all.push_back({vert_of[static_cast<std::size_t>(i)], j, x});
     }
   }
