@@ -142,15 +142,14 @@ class foam_cursor : public text_cursor {
     const std::uint64_t room = (left() + 1) / 2;
     if (static_cast<std::uint64_t>(n) > most) fail_count(from, static_cast<std::uint64_t>(n), most);
     if (skip(); !at_end() && *at == '{') {
-      if (static_cast<std::uint64_t>(n) > begin_to_end())
-        fail_count(from, static_cast<std::uint64_t>(n), begin_to_end());
+      if (static_cast<std::uint64_t>(n) > file_size()) fail_count(from, static_cast<std::uint64_t>(n), file_size());
     } else if (static_cast<std::uint64_t>(n) > room) {
       fail(from, {"a number of entries that fits into the file"}, {n, " entries, and ", left(), " bytes"});
     }
     return static_cast<std::uint64_t>(n);
   }
-  /// The size of the file.
-  std::uint64_t begin_to_end() const { return static_cast<std::uint64_t>(end() - begin()); }
+  /// The size of the file in bytes.
+  std::uint64_t file_size() const { return static_cast<std::uint64_t>(end() - begin()); }
 
   /// Reads a list of labels: N(1 2 3), N{1}, or in binary N(bytes). Calls size(N), then use(position, label) for each.
   /// Errors: parse_error for more than `most`.

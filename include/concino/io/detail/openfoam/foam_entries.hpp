@@ -80,7 +80,7 @@ void for_each_foam_entry(foam_cursor& in, const Use& use) {
 /// Calls use(name, position) for each dictionary of a list N(name { ... } ...); use reads its entries and the `}`.
 template<class Use>
 void for_each_foam_dictionary(foam_cursor& in, const char* what, const Use& use) {
-  std::uint64_t n = in.next_count(what, in.begin_to_end());
+  std::uint64_t n = in.next_count(what, in.file_size());
   if (n == 0 && in.at_end()) return;
   in.require('(', "the '(' of a list");
   for (; n > 0; --n) {

@@ -82,8 +82,7 @@ class openfoam_faces {
           if (n != begins.back()) in.fail(corners_at, {"as many corners as the faces have, ", begins.back()}, {n});
           for (std::size_t f = 0; f + 1 < begins.size(); ++f)
             if (begins[f + 1] - begins[f] < 3)
-              in.fail(offsets_at, {"faces of at least three points"},
-                      {"face ", f, " of ", begins[f + 1] - begins[f]});
+              in.fail(offsets_at, {"faces of at least three points"}, {"face ", f, " of ", begins[f + 1] - begins[f]});
           mesh.face_verts.reserve(n);
         },
         [&](const char* position, std::int64_t v) {

@@ -13,7 +13,7 @@ inline bool has_foam_zones(std::string_view text, std::string_view name) {
   try {
     foam_cursor in(text, name);
     read_foam_header(in);
-    return in.next_count("the number of zones", in.begin_to_end()) > 0;
+    return in.next_count("the number of zones", in.file_size()) > 0;
   } catch (const error&) {  // what is not read cannot be wrong
     return true;
   }
