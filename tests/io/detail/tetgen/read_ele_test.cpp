@@ -31,8 +31,8 @@ const std::string tets = "2 4 2\n1 1 2 3 4 10 0.5\n2 2 3 4 5 -20 1\n# Generated 
 const std::string some_faces = "2 1\n1 1 2 3 5\n2 4 3 2 6\n", some_edges = "1 1\n1 5 4 9\n";
 
 double volume_of(const tetmesh& m, poly_id p) {
-  const auto list = adj_p2v(m, p);
-  const std::vector<vert_id> v(list.begin(), list.end());
+  const auto corners = adj_p2v(m, p);
+  const std::vector<vert_id> v(corners.begin(), corners.end());
   return six_times_volume(cell_shape::tet, v.data(), m.points()) / 6;
 }
 

@@ -17,7 +17,7 @@ namespace concino::detail {
 
 /// Sets of one kind, verts or polys. Sets of the same name in one part are one set.
 class abaqus_sets {
-  struct set {
+  struct named_set {
     std::string name;
     std::size_t part;
     std::vector<bool> is_member;
@@ -26,7 +26,7 @@ class abaqus_sets {
   element_kind kind_;
   std::size_t num_elements_;
   std::uint64_t room_;  // how many values more may be stored
-  std::vector<set> sets_;
+  std::vector<named_set> sets_;
   std::map<std::pair<std::size_t, std::string>, std::size_t> numbers_;  // by part and name in upper case
   std::uint64_t num_refused_ = 0, num_missing_ = 0;
 
@@ -67,7 +67,7 @@ class abaqus_sets {
   /// their part and a point before it.
   void store(const std::vector<abaqus_part>& parts, file_contents& out, load_report& report) {
     std::map<std::string, std::size_t> used;
-    for (const set& s : sets_) {
+    for (const named_set& s : sets_) {
       const bool is_first = used.try_emplace(upper_case(s.name), 0).second;
       const std::string name = is_first ? s.name : core::joined({parts[s.part].name, ".", s.name});
       int* const values = out.add_property<int>(kind_, name, num_elements_);
