@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
       std::vector<surface::Vertex_index> v;
       for (const auto x : concino::verts(m)) {
         const concino::vec3 at = concino::point(m, x);
-        concino::set_point(m, x, {at.x, at.y, 0.3 * std::sin(3 * at.x) * std::cos(4 * at.y)});
+        concino::set_point(m, x, concino::vec3{at.x, at.y, 0.3 * std::sin(3 * at.x) * std::cos(4 * at.y)});
         v.push_back(s.add_vertex({concino::point(m, x).x, concino::point(m, x).y, concino::point(m, x).z}));
       }
       for (const auto t : concino::polys(m)) {
