@@ -31,9 +31,9 @@ namespace concino {
 
 /// Reads a mesh from a file. The extension, in upper or lower case, determines which of standard_formats it is in:
 /// .obj, .off, .mesh, .meshb, .hedra, .hybrid, .tet, .iv, .vtk, .vtu, .vtp, .ply, .stl or .ovm. Others are .msh of
-/// Gmsh, .ele, .node, .smesh and .poly of TetGen, and .inp of Abaqus. A file that begins like a file of another of these
-/// formats is read as what it is, and the report has a note. A polyMesh folder of OpenFOAM is read by the path of the
-/// folder, or of a case with constant/polyMesh.
+/// Gmsh, .ele, .node, .smesh and .poly of TetGen, and .inp of Abaqus. A file that begins like a file of another of
+/// these formats is read as what it is, and the report has a note. A polyMesh folder of OpenFOAM is read by the path of
+/// the folder, or of a case with constant/polyMesh.
 /// Needs:  Loadable M.
 /// Result: the mesh, with its elements in the order of the file. A polyhedralmesh can hold any volume and a polygonmesh
 ///         any surface; the other kinds accept only what they can hold. Values in the file become properties of the
