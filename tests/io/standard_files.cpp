@@ -3,6 +3,7 @@
 #include <concino/io/atomic_file.hpp>
 #include <concino/io/file_text.hpp>
 #include <concino/io/obj.hpp>
+#include <concino/io/openfoam.hpp>
 #include <concino/io/text_sink.hpp>
 #include <concino/mesh.hpp>
 
@@ -156,4 +157,17 @@ TEST_CASE("standard files: colours of an OBJ file are in a library beside it, an
     CHECK(num_polys(back) == 1);
     CHECK(dir.num_files() == 2);
   }
+}
+
+TEST_CASE("standard files: the folder of a mesh is created, and replaced as a whole or not at all") {
+  const testing::temporary_folder dir;
+  const tetmesh one({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}), none;
+  save_openfoam(one, dir / "a/b/polyMesh");
+  const auto stop = [](double fraction, const char*) { return fraction < 1; };
+  CHECK_THROWS_AS(save_openfoam(none, dir / "a/b/polyMesh", {.progress = stop}), cancelled);
+  CHECK(num_polys(load_openfoam<tetmesh>(dir / "a/b/polyMesh")) == 1);
+  save_openfoam(none, dir / "a/b/polyMesh");
+  CHECK(num_polys(load_openfoam<tetmesh>(dir / "a/b/polyMesh")) == 0);
+  CHECK_THROWS_AS(save_openfoam(one, dir / "c/polyMesh", {.progress = stop}), cancelled);
+  CHECK(dir.num_files() == 1);
 }
