@@ -105,11 +105,8 @@ TEST_CASE_TEMPLATE("lscm, spectral_conformal: rotations, scales and numbers of v
   auto arrays = grid_arrays<M>(5);
   for (vec3& x : arrays.points) x = on_hill(x.x, x.y);
   const M m(arrays), turned(rotated(arrays)), large(scaled(arrays, std::ldexp(1.0, 300))), tiny(scaled(arrays, std::ldexp(1.0, -400)));
-  auto reversed = arrays;
   const auto n = static_cast<unsigned>(arrays.points.size());
-  for (unsigned v = 0; v < n; ++v) reversed.points[v] = arrays.points[n - 1 - v];
-  for (auto& v : reversed.verts) v = vert_id{n - 1 - v.raw()};
-  const M other(reversed);
+  const M other(numbered_backwards(arrays));
   const auto check = [&](const auto& map, double accuracy) {
     const auto a = map(m), b = map(turned), c = map(large), d = map(tiny), e = map(other);
     for (const auto v : verts(m))

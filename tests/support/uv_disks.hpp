@@ -9,7 +9,11 @@
 
 #include <support/corpus_meshes.hpp>
 #include <support/kinds.hpp>
+#include <support/motions.hpp>
 
+#include <doctest/doctest.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
@@ -52,6 +56,30 @@ inline polygonmesh random_polygons(unsigned seed, std::size_t count, bool bent =
     a.offsets.push_back(static_cast<std::uint32_t>(a.verts.size()));
   }
   return polygonmesh(std::move(a));
+}
+
+/// The same surface with its verts numbered backwards: vert v becomes n - 1 - v.
+inline surface_arrays numbered_backwards(surface_arrays a) {
+  const auto n = static_cast<unsigned>(a.points.size());
+  std::reverse(a.points.begin(), a.points.end());
+  for (auto& v : a.verts) v = vert_id{n - 1 - v.raw()};
+  return a;
+}
+
+/// Checks that a map of a hill does not depend on its direction and on numbers of verts, and scales exactly. `map(mesh)` has `uv` and `energies`.
+template<class Map>
+void check_motions_and_numbers(const Map& map, double tolerance) {
+  auto arrays = grid_arrays<trimesh>(5);
+  for (vec3& x : arrays.points) x = on_hill(x.x, x.y);
+  const trimesh m(arrays), turned(rotated(arrays)), large(scaled(arrays, std::ldexp(1.0, 300))), other(numbered_backwards(arrays));
+  const auto a = map(m), b = map(turned), c = map(large), e = map(other);
+  for (const auto v : verts(m))
+    for (std::size_t k = 0; k < 2; ++k) {
+      CHECK(std::abs(b.uv[v][k] - a.uv[v][k]) < tolerance);
+      CHECK(c.uv[v][k] == std::ldexp(a.uv[v][k], 300));
+      CHECK(std::abs(e.uv[vert_id{arrays.points.size() - 1 - v.raw()}][k] - a.uv[v][k]) < tolerance);
+    }
+  CHECK(c.energies == a.energies);
 }
 
 /// Calls f(name, mesh) for each surface of the corpus that is a disk.
