@@ -127,6 +127,19 @@ TEST_CASE("atomic_file: with keep_old, undo puts the old file back, and nothing 
   }
 }
 
+TEST_CASE("atomic_file: with keep_old, a folder that takes the place of the target stays") {
+  for (const bool unnamed : {true, false}) {
+    const temporary_folder dir;
+    {
+      atomic_file file(dir / "f", {.unnamed = unnamed, .keep_old = true});
+      std::filesystem::create_directory(dir / "f");
+      CHECK_THROWS_AS(file.commit(), io_error);
+    }
+    CHECK(std::filesystem::is_directory(dir / "f"));
+    CHECK(dir.num_files() == 1);
+  }
+}
+
 TEST_CASE("atomic_file: with must_be_new no file is replaced") {
   for (const bool unnamed : {true, false}) {
     const temporary_folder dir;

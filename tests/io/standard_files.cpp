@@ -97,6 +97,17 @@ TEST_CASE("standard files: with keep_old, undo puts the old file back") {
   CHECK(dir.num_files() == 1);
 }
 
+TEST_CASE("standard files: with keep_old, a folder that takes the place of the target stays") {
+  const testing::temporary_folder dir;
+  {
+    atomic_file file(dir / "f", {.keep_old = true});
+    std::filesystem::create_directory(dir / "f");
+    CHECK_THROWS_AS(file.commit(), io_error);
+  }
+  CHECK(std::filesystem::is_directory(dir / "f"));
+  CHECK(dir.num_files() == 1);
+}
+
 TEST_CASE("standard files: with must_be_new no file is replaced, and undo removes") {
   const testing::temporary_folder dir;
   {

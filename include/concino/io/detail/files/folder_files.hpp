@@ -6,6 +6,7 @@
 #include <concino/io/text_sink.hpp>
 #include <concino/io/write_context.hpp>
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -15,22 +16,21 @@ namespace concino::detail {
 
 /// New files in a folder, which is created if it does not exist, with all that lead to it. Unless commit() succeeds,
 /// the folder stays as it was. Files get their names one after another, so that a process that is killed meanwhile
-/// leaves some old and some new ones. If commit() fails after the first, it puts back the old files; where the file
-/// system has no hard links it cannot.
+/// leaves some old and some new ones. If commit() fails after the first, it puts back the old files.
 class folder_files final : public folder_sink {
   struct part {
-    std::string path, backup;  // both with all links followed
     atomic_file file;
     text_sink out;
-    bool has_backup = false;
 
-    part(const std::string& path, bool sync);
+    part(const std::string& path, bool sync)
+        : file(path, {.sync = sync, .keep_old = true}), out(file.descriptor(), path) {}
   };
   std::string folder_;  // with a slash
   bool sync_, is_committed_ = false;
   std::vector<std::string> created_;  // folders, the innermost first
   std::vector<std::unique_ptr<part>> parts_;
   std::vector<std::string> removed_, removed_backups_;  // paths
+  std::size_t num_removed_ = 0;
   std::vector<std::string> stale_;                      // what processes that were killed may have left
 
   void put_back() noexcept;

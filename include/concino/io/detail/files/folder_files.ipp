@@ -19,10 +19,6 @@ inline std::string backup_of(const std::string& path) {
                        atomic_file::temporary_name(std::string_view(path).substr(slash)), ".old"});
 }
 
-CONCINO_INLINE folder_files::part::part(const std::string& path_of_file, bool sync)
-    : path(resolve_links(path_of_file)), backup(backup_of(path)), file(path_of_file, {.sync = sync}),
-      out(file.descriptor(), path_of_file) {}
-
 CONCINO_INLINE folder_files::folder_files(const std::string& path, bool sync) : sync_(sync) {
   check_path(path);
   folder_ = with_slashes(path);
@@ -77,32 +73,23 @@ CONCINO_INLINE void folder_files::finish() {
 }
 
 CONCINO_INLINE void folder_files::put_back() noexcept {
-  for (const std::unique_ptr<part>& p : parts_) {
-    if (p->has_backup) p->file.is_committed() ? rename_file(p->backup, p->path) : remove_file(p->backup);
-    else if (p->file.is_committed()) p->file.undo();
-  }
-  for (std::size_t i = 0; i < removed_.size(); ++i) rename_file(removed_backups_[i], removed_[i]);
+  for (const std::unique_ptr<part>& p : parts_)
+    if (p->file.is_committed()) p->file.undo();
+  for (std::size_t i = 0; i < num_removed_; ++i) rename_file(removed_backups_[i], removed_[i]);
 }
 
 CONCINO_INLINE void folder_files::commit() {
   finish();
   try {
-    for (const std::unique_ptr<part>& p : parts_) {
-      remove_file(p->backup);  // of a process that was killed
-      if (status_of(p->path).kind != file_kind::regular) continue;
-      p->has_backup = link_file(p->path, p->backup);
-    }
     for (const std::unique_ptr<part>& p : parts_) p->file.commit();
-    for (std::size_t i = 0; i < removed_.size(); ++i)
-      if (!rename_file(removed_[i], removed_backups_[i]) && errno != ENOENT)
-        throw_io_error(removed_[i], "cannot be removed", errno);
+    for (; num_removed_ < removed_.size(); ++num_removed_)
+      if (!rename_file(removed_[num_removed_], removed_backups_[num_removed_]) && errno != ENOENT)
+        throw_io_error(removed_[num_removed_], "cannot be removed", errno);
   } catch (...) {
     put_back();
     throw;
   }
   is_committed_ = true;
-  for (const std::unique_ptr<part>& p : parts_)
-    if (p->has_backup) remove_file(p->backup);
   for (const std::string& backup : stale_) remove_file(backup);
 }
 

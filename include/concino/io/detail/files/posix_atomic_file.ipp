@@ -120,6 +120,8 @@ struct atomic_file::system {
 
   /// Gives an existing target a second name, or where the file system has no links, another name.
   static bool keep_old(atomic_file& f) {
+    struct ::stat old;
+    if (::fstatat(f.folder_, f.name_.c_str(), &old, 0) != 0 || !S_ISREG(old.st_mode)) return true;  // not replaced
     for (int tries = 0; tries < 100; ++tries) {
       f.has_old_ = ::linkat(f.folder_, f.name_.c_str(), f.folder_, f.old_name_.c_str(), 0) == 0;
       if (f.has_old_ || errno == ENOENT) return true;

@@ -83,10 +83,6 @@ CONCINO_INLINE void close_file(file_handle file) noexcept { ::close(file); }
 
 CONCINO_INLINE bool remove_file(const std::string& path) noexcept { return ::unlink(path.c_str()) == 0; }
 
-CONCINO_INLINE bool link_file(const std::string& path, const std::string& second_path) {
-  return ::link(path.c_str(), second_path.c_str()) == 0;
-}
-
 CONCINO_INLINE bool rename_file(const std::string& path, const std::string& new_path) noexcept {
   return std::rename(path.c_str(), new_path.c_str()) == 0;
 }

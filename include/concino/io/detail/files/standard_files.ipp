@@ -212,19 +212,18 @@ CONCINO_INLINE void atomic_file::commit() {
   finish();
   const std::filesystem::path from = detail::system_path(folder_path_ + temporary_),
                               to = detail::system_path(folder_path_ + name_);
-  std::error_code error;
+  std::error_code error, ignored;
   if (options_.must_be_new && std::filesystem::exists(to, error)) {
     errno = EEXIST;
     fail("cannot be created");
   }
   const std::filesystem::path old = detail::system_path(folder_path_ + old_name_);
-  if (options_.keep_old && std::filesystem::exists(to, error)) {
+  if (options_.keep_old && std::filesystem::is_regular_file(to, ignored)) {
     std::filesystem::rename(to, old, error);
     has_old_ = !error;
   }
   if (!error) std::filesystem::rename(from, to, error);
   if (error) {
-    std::error_code ignored;
     if (std::exchange(has_old_, false)) std::filesystem::rename(old, to, ignored);
     detail::set_errno(error);
     fail(options_.must_be_new ? "cannot be created" : "cannot be replaced");

@@ -12,13 +12,6 @@
 
 namespace concino::detail {
 
-CONCINO_INLINE bool link_file(const std::string& path, const std::string& second_path) {
-  std::error_code error;
-  std::filesystem::create_hard_link(system_path(path), system_path(second_path), error);
-  if (error) set_errno(error);
-  return !error;
-}
-
 CONCINO_INLINE bool rename_file(const std::string& path, const std::string& new_path) noexcept {
   try {
     std::error_code error;

@@ -45,8 +45,6 @@ bool write_all(file_handle file, const char* from, std::size_t n);
 void close_file(file_handle file) noexcept;
 /// Removes a file, or a link.
 bool remove_file(const std::string& path) noexcept;
-/// Gives a file a second name in the same folder. Not every file system can.      Result: whether it has it.
-bool link_file(const std::string& path, const std::string& second_path);
 /// Gives a file another name in the same folder; a file of that name is replaced.      Result: whether it has it.
 bool rename_file(const std::string& path, const std::string& new_path) noexcept;
 /// Creates a folder in an existing one.      Result: whether there is a new folder.
