@@ -57,7 +57,7 @@ struct foam_text_format {
         }
       if (is_needed) core::throw_joined<unsupported>({in.name, "/", file, ": is missing"});
     };
-    detail::read_openfoam_files(source, in, out);
+    concino::detail::read_openfoam_files(source, in, out);
   }
 
   static void write(write_context& out, flat_mesh& m) {
@@ -70,7 +70,7 @@ struct foam_text_format {
       bool remove(std::string_view) override { return false; }
     } folder;
     out.folder = &folder;
-    detail::openfoam_writer(out, m).write();
+    concino::detail::openfoam_writer(out, m).write();
     for (auto& [file_name, sink] : folder.files) out.out << "@@" << file_name << '\n' << std::move(*sink).release();
   }
 };

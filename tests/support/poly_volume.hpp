@@ -5,6 +5,6 @@
 
 namespace concino::testing {
 
-inline double six_times_poly_volume(polyhedra_arrays m, std::size_t p) { return detail::six_times_poly_volume(detail::face_lister<vert_id>()(m, p), m.points); }
+inline double six_times_poly_volume(polyhedra_arrays m, std::size_t p) { return concino::detail::six_times_poly_volume(concino::detail::face_lister<vert_id>()(m, p), m.points); }
 
 }  // namespace concino::testing

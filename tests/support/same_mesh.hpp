@@ -33,8 +33,8 @@ std::string bytes_of_property(const M& m, const property_info& p) {
       (bytes += a.name) += '\0';
       for (const std::string& line : a.lines) (bytes += line) += '\n';
     }
-  } else if (const detail::vtk_property_type type = detail::vtk_type_of(*p.type); type.number != detail::vtk_number::none) {
-    bytes.assign(static_cast<const char*>(values), bound * type.components * detail::vtk_names_of(type.number).size);
+  } else if (const concino::detail::vtk_property_type type = concino::detail::vtk_type_of(*p.type); type.number != concino::detail::vtk_number::none) {
+    bytes.assign(static_cast<const char*>(values), bound * type.components * concino::detail::vtk_names_of(type.number).size);
   } else {
     bytes = "?";
   }

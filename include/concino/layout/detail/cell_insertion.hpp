@@ -5,6 +5,8 @@
 
 namespace concino::detail {
 
+inline constexpr permission facet_of_many{refusal::wrong_number, "a facet has no poly, or more than two"};
+
 /// What becomes of the patch about the marked facets, which are listed too: the polys on one side of them and on the
 /// other have verts of their own, and there is a poly for each facet between. Outside of the mesh is a side as well.
 /// It is refused if the facets do not separate two sides at each of their verts.

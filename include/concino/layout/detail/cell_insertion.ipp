@@ -8,7 +8,6 @@ namespace concino::detail {
 
 inline constexpr permission no_facets{refusal::wrong_set, "there are no facets to insert polys at"};
 inline constexpr permission facet_twice{refusal::wrong_set, "a facet is listed twice"};
-inline constexpr permission facet_of_many{refusal::wrong_number, "a facet has no poly, or more than two"};
 inline constexpr permission open_facets{
     refusal::wrong_set, "the facets end inside the mesh, or more than two of them meet at a vert or edge"};
 inline constexpr permission not_two_parts{refusal::link_condition,
