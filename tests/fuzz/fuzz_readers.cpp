@@ -117,7 +117,7 @@ void fuzz_tetgen(std::string_view text, format_id) {
   }
   succeeds([&] {
     const auto m = load_ele<polyhedralmesh>(base + ".ele", {.repeated_verts = repeated_verts::collapse, .corners_only = true});
-    check_mesh(m);
+    check_mesh(m, file_format::ele);
     save_report report;
     save_ele(m, base + "2.ele", {.report = &report});
     const auto back = load_ele<polyhedralmesh>(base + "2.node");

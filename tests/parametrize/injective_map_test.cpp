@@ -3,6 +3,7 @@
 
 #include <concino/concepts/archetypes.hpp>
 #include <concino/parametrize/arap_map.hpp>
+#include <concino/parametrize/detail/dirichlet_density.hpp>
 #include <concino/parametrize/map_distortion.hpp>
 #include <concino/parametrize/tutte.hpp>
 

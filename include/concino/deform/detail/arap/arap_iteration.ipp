@@ -1,4 +1,5 @@
-// Defines the iteration of arap_problem.hpp.
+// Bodies of arap_problem.hpp: as rigid as possible: the edges of a shape with their weights, its unknown verts, and the
+// two steps of an iteration.
 #pragma once
 
 #include <concino/core/parallel.hpp>

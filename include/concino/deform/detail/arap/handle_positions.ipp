@@ -1,4 +1,5 @@
-// Defines handle_positions.hpp.
+// Bodies of handle_positions.hpp: handles of a deformation and their positions, as arrays by index of verts, with
+// checks.
 #pragma once
 
 #include <concino/core/number_text.hpp>

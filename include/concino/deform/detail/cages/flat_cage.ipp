@@ -1,4 +1,4 @@
-// Defines flat_cage.hpp.
+// Bodies of flat_cage.hpp: a closed cage as triangles: its polys, cut into triangles, with the edges that these share.
 #pragma once
 
 #include <concino/deform/detail/cages/flat_cage.hpp>

@@ -1,4 +1,4 @@
-// Defines green.hpp.
+// Bodies of green.hpp: Green coordinates of points in a cage of triangles: weights of its verts and of its normals.
 #pragma once
 
 #include <concino/core/parallel.hpp>

@@ -1,4 +1,4 @@
-// Defines weighted_sums.hpp.
+// Bodies of weighted_sums.hpp: points of meshes and lists by their index, and sums of weights times such points.
 #pragma once
 
 #include <concino/core/parallel.hpp>
