@@ -1,4 +1,4 @@
-// Bodies of block_mesh.hpp.
+// Bodies of block_mesh.hpp: the mesh of blocks, where they are one.
 #pragma once
 
 #include <concino/layout/detail/block_mesh.hpp>

@@ -1,4 +1,5 @@
-// Bodies of cell_collapse.hpp.
+// Bodies of cell_collapse.hpp: collapses quads or hexes: cells between opposite cells vanish, and what they connect
+// becomes one.
 #pragma once
 
 #include <concino/graph/disjoint_sets.hpp>

@@ -1,4 +1,4 @@
-// Bodies of cell_insertion.hpp.
+// Bodies of cell_insertion.hpp: inserts a layer of quads or hexes between the two sides of some facets.
 #pragma once
 
 #include <concino/layout/detail/cell_insertion.hpp>

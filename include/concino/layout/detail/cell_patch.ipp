@@ -1,4 +1,5 @@
-// Bodies of cell_patch.hpp.
+// Bodies of cell_patch.hpp: cell_patch: the quads or hexes about some elements of a mesh as cube_tables, and cell_edit:
+// what becomes of them.
 #pragma once
 
 #include <concino/layout/detail/cell_patch.hpp>

@@ -1,4 +1,5 @@
-// Bodies of cube_tables.hpp.
+// Bodies of cube_tables.hpp: cube_tables: the quads or hexes of a mesh as squares or cubes with axes, and who meets
+// whom at their ridges, the verts of a surface or the edges of a volume.
 #pragma once
 
 #include <concino/layout/detail/cube_tables.hpp>

@@ -1,4 +1,4 @@
-// Bodies of vert_parts.hpp.
+// Bodies of vert_parts.hpp: the two parts into which marked facets divide the polys at one of their verts.
 #pragma once
 
 #include <concino/layout/detail/vert_parts.hpp>

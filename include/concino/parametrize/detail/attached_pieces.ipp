@@ -1,4 +1,5 @@
-// Defines attached_pieces of disk_embedding.hpp.
+// Bodies of disk_embedding.hpp: Tutte's map of a disk, and the pieces of it that two verts separate from the boundary,
+// from flat arrays.
 #pragma once
 
 #include <concino/parametrize/detail/disk_embedding.hpp>

@@ -1,4 +1,4 @@
-// Defines distortion.hpp.
+// Bodies of distortion.hpp: the distortion of a map to the plane, from flat arrays.
 #pragma once
 
 #include <concino/core/error.hpp>

@@ -1,4 +1,4 @@
-// Defines flat_polys.hpp.
+// Bodies of flat_polys.hpp: the polys of a surface as flat arrays, and those of a disk with its boundary loop.
 #pragma once
 
 #include <concino/core/error.hpp>

@@ -1,4 +1,5 @@
-// Defines flip_free_map.hpp.
+// Bodies of flip_free_map.hpp: maps of disks to the plane without flips, by steps that keep the areas of triangles
+// positive, from flat arrays.
 #pragma once
 
 #include <concino/core/error.hpp>

@@ -1,4 +1,5 @@
-// Defines plane_maps.hpp.
+// Bodies of plane_maps.hpp: maps of disks to the plane by linear systems, from flat arrays: conformal ones, and what
+// all maps share.
 #pragma once
 
 #include <concino/core/error.hpp>

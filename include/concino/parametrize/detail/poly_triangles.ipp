@@ -1,4 +1,5 @@
-// Defines poly_triangles.hpp.
+// Bodies of poly_triangles.hpp: the triangles of polys, each laid into the plane: what maps to the plane are measured
+// and computed with.
 #pragma once
 
 #include <concino/core/error.hpp>

@@ -1,4 +1,4 @@
-// Defines rigid_map.hpp.
+// Bodies of rigid_map.hpp: maps of disks to the plane that are as rigid as possible, from flat arrays.
 #pragma once
 
 #include <concino/core/error.hpp>

@@ -1,4 +1,4 @@
-// Defines affine_map.hpp.
+// Bodies of affine_map.hpp: affine maps of space: rotations, translations and what is composed of them.
 #pragma once
 
 #include <concino/core/error.hpp>

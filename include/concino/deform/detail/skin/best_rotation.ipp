@@ -1,4 +1,4 @@
-// Defines best_rotation.hpp.
+// Bodies of best_rotation.hpp: the rotation nearest to a matrix.
 #pragma once
 
 #include <concino/deform/detail/skin/best_rotation.hpp>

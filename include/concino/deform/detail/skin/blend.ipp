@@ -1,4 +1,4 @@
-// Defines blend.hpp.
+// Bodies of blend.hpp: blending of transforms by weights, for points in an array.
 #pragma once
 
 #include <concino/core/error.hpp>

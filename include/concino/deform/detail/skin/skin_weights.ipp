@@ -1,4 +1,4 @@
-// Defines skin_weights.hpp.
+// Bodies of skin_weights.hpp: weights of bones, or of other handles, at the verts of a mesh.
 #pragma once
 
 #include <concino/core/error.hpp>

@@ -1,4 +1,4 @@
-// Defines bounded.hpp.
+// Bodies of bounded.hpp: bounded biharmonic weights of handles, by quadratic programs.
 #pragma once
 
 #include <concino/core/error.hpp>

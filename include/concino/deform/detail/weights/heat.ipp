@@ -1,4 +1,4 @@
-// Defines heat.hpp.
+// Bodies of heat.hpp: weights of bones by heat: the bones nearest to verts, and the system of equations.
 #pragma once
 
 #include <concino/core/error.hpp>
