@@ -1,6 +1,7 @@
 // Computes docs/convergence.tsv anew and writes it to the file that is named on the command line. Takes minutes.
 #include <concino/solve/ldlt.hpp>
 
+#include <support/agglomeration_table.hpp>
 #include <support/convergence.hpp>
 #include <support/geodesic_table.hpp>
 
@@ -36,21 +37,28 @@ class iterative_solver {
 };
 
 template<class M>
-void add_rows(std::string& table) {
-  for (const family f : families<M>()) {
-    const auto rows = measure_convergence<M>(f, 4, [](double tolerance) {
-      if constexpr (dimension_v<M> == 2) return static_cast<void>(tolerance), ldlt();
-      else return iterative_solver(tolerance);
-    });
-    for (const convergence_row& row : rows) {
-      std::string line = fmt::format("{}\t{}\t{}\t{}", row.what, row.discretisation, row.kind, row.family);
-      for (const double error : row.errors) line += std::isnan(error) ? "\t-" : fmt::format("\t{:.4g}", error);
-      line += '\n';
-      fmt::print(stderr, "{}", line);
-      table += line;
-    }
+auto make_solver(double tolerance) {
+  if constexpr (dimension_v<M> == 2) return static_cast<void>(tolerance), ldlt();
+  else return iterative_solver(tolerance);
+}
+
+void add(std::string& table, const std::vector<convergence_row>& rows) {
+  for (const convergence_row& row : rows) {
+    std::string line = fmt::format("{}\t{}\t{}\t{}", row.what, row.discretisation, row.kind, row.family);
+    for (const double error : row.errors) line += std::isnan(error) ? "\t-" : row.discretisation == "cells" ? fmt::format("\t{}", error) : fmt::format("\t{:.4g}", error);
+    line += '\n';
+    fmt::print(stderr, "{}", line);
+    table += line;
   }
 }
+
+template<class M>
+void add_rows(std::string& table) {
+  for (const family f : families<M>()) add(table, measure_convergence<M>(f, 4, make_solver<M>));
+}
+
+template<class M>
+void add_merged_cells(std::string& table) { add(table, measure_merged_cells<M>(4, make_solver<M>)); }
 
 template<class M>
 void add_geodesics(std::string& table) {
@@ -82,5 +90,7 @@ int main(int argc, char** argv) {
   add_geodesics<tetmesh>(table);
   add_geodesics<hexmesh>(table);
   add_geodesics<polyhedralmesh>(table);
+  add_merged_cells<polygonmesh>(table);
+  add_merged_cells<polyhedralmesh>(table);
   std::ofstream(argv[1]) << table;
 }

@@ -57,11 +57,11 @@ vert_map<M, double> at_verts(const M& m, const F& f) {
   return u;
 }
 
-/// The L2 norm of the error of the gradient per poly of a smooth function, integrated by the mean over the verts.
+/// The L2 norm of the error of the gradient per poly of u, which approximates the smooth function, integrated by the mean over the verts.
 template<class M>
-double gradient_error(const M& m) {
+double gradient_error(const M& m, const vert_map<M, double>& u) {
   using problem = smooth_problem<dimension_v<M>>;
-  const auto g = gradient(m, at_verts(m, problem::value));
+  const auto g = gradient(m, u);
   double sum = 0;
   for (const auto p : polys(m)) {
     double squares = 0, n = 0;
@@ -75,22 +75,34 @@ double gradient_error(const M& m) {
   return std::sqrt(sum);
 }
 
-/// The L2 norm, by the lumped mass, of the error of a Poisson problem with known solution, which is prescribed on the boundary.
+/// The same of the function itself.
+template<class M>
+double gradient_error(const M& m) { return gradient_error(m, at_verts(m, smooth_problem<dimension_v<M>>::value)); }
+
+/// The solution of the Poisson problem of the smooth function, which is prescribed on the boundary.
 template<class M, class Which, class Solver>
-double poisson_error(const M& m, const Which& which, Solver&& solver) {
+vert_map<M, double> solve_poisson(const M& m, const Which& which, Solver&& solver) {
   using problem = smooth_problem<dimension_v<M>>;
-  const auto exact = at_verts(m, problem::value);
   const auto f = at_verts(m, [](const vec3& x) { return problem::load * problem::value(x); });
   const auto on_boundary = boundary_verts(m);
   std::vector<std::pair<vert_t<M>, double>> given;
   for (const auto v : verts(m))
-    if (on_boundary[v]) given.emplace_back(v, exact[v]);
-  const auto u = poisson(m, f, which, {.values = given}, solver);
+    if (on_boundary[v]) given.emplace_back(v, problem::value(to_vec3(point(m, v))));
+  return poisson(m, f, which, {.values = given}, solver);
+}
+
+/// The L2 norm, by the lumped mass, of the difference of u and the smooth function.
+template<class M>
+double value_error(const M& m, const vert_map<M, double>& u) {
+  const auto exact = at_verts(m, smooth_problem<dimension_v<M>>::value);
   const auto mass = vert_masses(m);
   double sum = 0;
   for (const auto v : verts(m)) sum += mass[v] * (u[v] - exact[v]) * (u[v] - exact[v]);
   return std::sqrt(sum);
 }
+
+template<class M, class Which, class Solver>
+double poisson_error(const M& m, const Which& which, Solver&& solver) { return value_error(m, solve_poisson(m, which, solver)); }
 
 /// The eigenvalues, in ascending order, and eigenvectors of the small problem A x = value B x, by Cholesky and Jacobi's rotations. (Eigen's solver
 /// would take longer to compile than all the rest.)

@@ -1,6 +1,7 @@
 // Reads and writes docs/convergence.tsv: the errors that docs/convergence.md shows and that tests compute again. A line has the quantity, the
 // discretisation, the kind of mesh, the family, and the error for each size, or - if the discretisation does not support a poly. For geodesics
-// it has the mesh, with _ for blanks, and the mean and largest error on a coarse mesh and on a fine one.
+// it has the mesh, with _ for blanks, and the mean and largest error on a coarse mesh and on a fine one. For merged cells it has cells (their number), H1 or
+// L2, and how they were merged.
 #pragma once
 
 #include <array>
