@@ -163,7 +163,8 @@ class point_smoother {
       for (const edge_t<M> e : edges(m)) {
         if (runs_both_ways(m, e)) continue;
         const auto [a, b] = end_verts(m, e);
-        stays[features.number(a)] = stays[features.number(b)] = true;
+        named.emplace_back(features.number(a), features.number(b));
+        stays[named.back().first] = stays[named.back().second] = true;
       }
     } else if (!slides) {
       for (const auto& [a, b] : named) stays[a] = stays[b] = true;
