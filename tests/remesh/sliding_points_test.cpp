@@ -262,6 +262,39 @@ TEST_CASE("smooth_points: joints of three walls stay, the line where they meet i
   }
 }
 
+TEST_CASE("smooth_points: a named line inside a volume is kept, and stays where it crosses a wall") {
+  auto before = grid<hexmesh>(4);
+  const auto is_on_line = [](const vec3& x) { return std::abs(x.y - 0.5) < 1e-12 && std::abs(x.z - 0.5) < 1e-12; };
+  add_noise(before, 0.25, 0.3, 3, [&](const vec3& x, unsigned i) {
+    return is_end(coordinate(x, i)) || (i == 0 && x.x == 0.5) || (i > 0 && is_on_line({0, x.y, x.z}));
+  });
+  const auto is_feature = [&](const edge_id& e) {
+    const auto [a, b] = end_verts(before, e);
+    return is_on_line(point(before, a)) && is_on_line(point(before, b));
+  };
+  const auto label = [&](const poly_id& p) {
+    double sum = 0;
+    for (const auto v : adj_p2v(before, p)) sum += point(before, v).x / 8;
+    return sum < 0.5;
+  };
+  auto m = before, without = before;
+  is_no_worse(smooth_points(without, {.slides = true}, none_fixed, is_feature));
+  is_no_worse(smooth_points(m, {.slides = true}, none_fixed, is_feature, label));
+  stays_a_box(before, m);
+  unsigned on_line = 0, moved = 0;
+  for (const auto v : verts(m)) {
+    const vec3 x = point(before, v);
+    if (!is_on_line(x)) continue;
+    ++on_line;
+    CHECK(is_on_line(point(m, v)));
+    CHECK(is_on_line(point(without, v)));
+    if (x.x == 0.5) CHECK(point(m, v) == x);
+    moved += !(point(m, v) == x);
+  }
+  CHECK(on_line == 5);
+  CHECK(moved == 2);
+}
+
 TEST_CASE("smooth_points: sheets that meet in one line, and closed lines") {
   // three sheets at the z axis
   std::vector<vec3> points;
@@ -345,6 +378,14 @@ TEST_CASE("smooth_points: meshes on which hardly anything can slide") {
   CHECK(smooth_points(at_vert, slides).num_moves == 0);
   tetmesh at_edge({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{0, 2, 3, 1}, {0, 4, 5, 1}});
   CHECK(smooth_points(at_edge, slides).num_moves == 0);
+  // the tip of a cone touches the middle of a straight boundary: both fans keep it
+  quadmesh touched({{0, 0, 0}, {0.3, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0}, {0, -1, -1}, {1, -1, -1}, {1, -1, 1}, {0, -1, 1}},
+                   {{0, 1, 4, 3}, {1, 2, 5, 4}});
+  trimesh with_cone({{0, 0, 0}, {0.3, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, -1, -1}, {1, -1, -1}, {1, -1, 1}, {0, -1, 1}},
+                    {{0, 1, 3}, {1, 2, 3}, {1, 4, 5}, {1, 5, 6}, {1, 6, 7}, {1, 7, 4}});
+  CHECK(smooth_points(touched, slides).num_moves > 0);
+  smooth_points(with_cone, {.feature_angle_deg = 170, .slides = true});
+  CHECK(point(with_cone, vert_id{1}) == vec3{0.3, 0, 0});
   // winding that contradicts itself
   auto turned = noisy_box<trimesh>(4, 0.2);
   std::vector<std::vector<unsigned>> triangles;

@@ -34,16 +34,16 @@ struct points_smoothing {
 ///         between polys of different labels; in volumes the same edges of their boundary and of faces between labels.
 ///         labels: a map of polys, or a function of polys, to anything with ==, such as materials.
 /// Result: what has become better. Verts of a surface move over the surface of the input. Verts of lines, and in
-///         volumes those of the boundary and between labels, stay. If options.slides, they move over the boundary and
-///         the faces of the input, from no part between lines to another; those of lines along the lines of the input,
-///         never past each other; ends, joints and sharp bends of lines stay. So planes and straight lines are kept up
-///         to rounding; others lose a little where verts leave the bends. Verts at edges of a surface along which two
-///         polys run in the same direction always stay. The least shape of all
-///         corners never becomes smaller, and no corner is turned inside out, in surfaces as seen along the normal of
-///         the vert that moves, of each part between lines. Inverted ones are turned back where a way is found; a fold
-///         of a flat surface is an edge of 180 degrees, so let the angle be 180 there. In polys with more verts than a
-///         quad or a hex, reflex corners are taken as intended: their verts stay. Corners of cells with more than three
-///         faces, such as the top of a pyramid, are not measured.
+///         volumes those of the boundary and between labels, stay. If options.slides, the latter move over these faces
+///         of the input and cross no line. Verts of lines move along those of the input and never past each other, but
+///         ends, joints and sharp bends stay. So planes and straight lines are kept up to rounding; bent ones lose a
+///         little where verts leave the bends. Verts at edges of a surface along which two polys run in the same
+///         direction always stay. The least shape of all corners never becomes smaller, and no
+///         corner is turned inside out, in surfaces as seen along the normal of the vert that moves, of each part
+///         between lines if it slides. Inverted ones are turned back where a way is found; a fold of a flat surface is
+///         an edge of 180 degrees, so let the angle be 180 there. In polys with more verts than a quad or a hex, reflex
+///         corners are taken as intended: their verts stay. Corners of cells with more than three faces, such as the
+///         top of a pyramid, are not measured.
 /// Cost:   in each round O(corners), and a few closest points for each vert that moves over a surface.
 /// Errors: invalid_argument if the angle is negative or not a number; invalid_mesh if a point is not finite; cancelled.
 ///         m is unchanged then.

@@ -49,7 +49,6 @@ inline ideal_corner ideal_corner_of(const std::array<unsigned, 3>& face_sizes, u
 struct corner_frame {
   unsigned verts[4];  // the tip, and its neighbours; in volumes counter-clockwise seen from outside
   unsigned ideal;
-  unsigned poly;  // its number in polys(m)
   bool is_of_general_poly;  // with more verts than a quad or a hex: a reflex corner is no mistake there
 };
 
@@ -59,10 +58,10 @@ class corner_frames {
 
   std::vector<std::size_t> first_;  // by vert
   std::vector<unsigned> at_;
+  std::vector<std::size_t> end_of_poly_;  // by number of the poly: behind the last of its frames
   core::small_array<std::array<unsigned, 3>, 64> of_faces_;  // the corners of the faces of one poly: vert before, vert,
                                                              // vert after
   core::small_array<unsigned, 64> sizes_;
-  unsigned poly_ = 0;  // that is being read
 
   unsigned ideal(const std::array<unsigned, 3>& face_sizes) {
     for (std::size_t i = 0; i < ideals.size(); ++i)
@@ -98,8 +97,7 @@ class corner_frames {
     if (found != 3 || second == k || third == k || second == third || of_faces_[second][2] != of_faces_[third][0])
       return false;
     frames.push_back(
-        {{tip, before, after, of_faces_[second][2]}, ideal({sizes_[k], sizes_[second], sizes_[third]}), poly_,
-                      false});
+        {{tip, before, after, of_faces_[second][2]}, ideal({sizes_[k], sizes_[second], sizes_[third]}), false});
     return true;
   }
 
@@ -110,7 +108,7 @@ class corner_frames {
       read_cycle(m, adj_p2v(m, p), number, false);
       for (std::size_t k = 0; k < of_faces_.size(); ++k) {
         const auto [before, tip, after] = of_faces_[k];
-        frames.push_back({{tip, after, before, 0}, ideal({sizes_[k], 0, 0}), poly_, false});
+        frames.push_back({{tip, after, before, 0}, ideal({sizes_[k], 0, 0}), false});
         if (of_faces_.size() == 3) break;  // all corners of a simplex have the same matrix, up to rotations
       }
     } else {
@@ -130,7 +128,8 @@ class corner_frames {
     std::vector<unsigned> number(vert_index_bound(m));
     unsigned n = 0;
     for (const vert_t<M> v : verts(m)) number[index_of(m, v)] = n++;
-    for (const poly_t<M> p : polys(m)) read_poly(m, p, number), ++poly_;
+    end_of_poly_.reserve(num_polys(m));
+    for (const poly_t<M> p : polys(m)) read_poly(m, p, number), end_of_poly_.push_back(frames.size());
     first_.assign(n + 1, 0);
     for (const corner_frame& f : frames)
       for (unsigned i = 0; i <= dimension_v<M>; ++i) ++first_[f.verts[i] + 1];
@@ -145,6 +144,11 @@ class corner_frames {
   const unsigned* begin(unsigned v) const { return at_.data() + first_[v]; }
   const unsigned* end(unsigned v) const { return at_.data() + first_[v + 1]; }
   std::size_t place(const unsigned* k) const { return static_cast<std::size_t>(k - at_.data()); }
+  /// The number, in polys(m), of the poly of a frame.
+  unsigned poly_of(unsigned frame) const {
+    const auto at = std::upper_bound(end_of_poly_.begin(), end_of_poly_.end(), frame);
+    return static_cast<unsigned>(at - end_of_poly_.begin());
+  }
   std::size_t num_places() const { return at_.size(); }
 };
 

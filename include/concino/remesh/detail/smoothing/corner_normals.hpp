@@ -15,36 +15,38 @@ namespace concino::detail {
 template<class M>
 class corner_normals {
   const corner_frames<M>& corners_;
-  std::vector<unsigned> sectors_;  // by place of a corner; empty if all corners at a vert are in one
+  std::vector<unsigned> fans_;  // by place of a corner; empty if the corners at each vert are in one
 
  public:
-  using by_sector = core::small_array<vec3, 4>;
+  using by_fan = core::small_array<vec3, 4>;
 
   explicit corner_normals(const corner_frames<M>& corners) : corners_(corners) {}
 
-  /// After this call the corners at a vert of a line are seen with the normals of their parts.
-  void find_sectors(const kept_surface& kept) {
-    sectors_.resize(corners_.num_places());
+  /// After this call lines end fans: the corners at a vert of a line are seen with the normals of the parts between
+  /// lines.
+  void find_fans(const kept_surface& kept) {
+    fans_.resize(corners_.num_places());
     std::vector<poly_id> polys;
-    std::vector<unsigned> sectors;
+    std::vector<unsigned> fans;
     for (const vert_id v : verts(kept.mesh())) {
       polys.clear();
       for (const poly_id p : adj_v2p(kept.mesh(), v)) polys.push_back(p);
-      kept.find_sectors(v, polys, sectors);
+      kept.find_fans(v, polys, fans);
       for (const unsigned* k = corners_.begin(v.raw()); k != corners_.end(v.raw()); ++k) {
-        const auto at = std::find(polys.begin(), polys.end(), poly_id{corners_.frames[*k].poly});
-        sectors_[corners_.place(k)] = sectors[static_cast<std::size_t>(at - polys.begin())];
+        const auto at = std::find(polys.begin(), polys.end(), poly_id{corners_.poly_of(*k)});
+        fans_[corners_.place(k)] = fans[static_cast<std::size_t>(at - polys.begin())];
       }
     }
   }
 
   /// The normals at v. Returns false if one is missing.
-  bool find(unsigned v, const std::vector<vec3>& points, by_sector& n) const {
+  bool find(unsigned v, const std::vector<vec3>& points, by_fan& n) const {
     n.resize(1, vec3{});
+    // the determinants of corners of volumes need no normal
     if constexpr (dimension_v<M> == 3) return true;
     for (const unsigned* k = corners_.begin(v); k != corners_.end(v); ++k) {
       const unsigned* const x = corners_.frames[*k].verts;
-      const unsigned i = sector(k);
+      const unsigned i = fan(k);
       if (i >= n.size()) n.resize(i + 1, vec3{});
       n[i] += cross(points[x[1]] - points[x[0]], points[x[2]] - points[x[0]]);
     }
@@ -57,8 +59,12 @@ class corner_normals {
     return has_all;
   }
 
-  /// The place in by_sector of the normal of the corner that k points to.
-  unsigned sector(const unsigned* k) const { return sectors_.empty() ? 0 : sectors_[corners_.place(k)]; }
+  /// The place in by_fan of the normal of the corner that k points to.
+  unsigned fan(const unsigned* k) const {
+    // volumes have no fans of corners; this is asked for each corner at each step
+    if constexpr (dimension_v<M> == 3) return 0;
+    return fans_.empty() ? 0 : fans_[corners_.place(k)];
+  }
 };
 
 }  // namespace concino::detail

@@ -65,6 +65,7 @@ class kept_features {
   /// The edges that are named or, in surfaces, interfaces.
   vert_pairs edges_of_lines() const {
     vert_pairs found;
+    // only edges that can be kept are visited: the interfaces of volumes are faces
     if constexpr (names_edges || (has_labels && dimension_v<M> == 2))
       for (const edge_t<M> e : edges(m_)) {
         if (!is_kept(e)) continue;

@@ -9,7 +9,9 @@
 #include <concino/remesh/detail/feature_lines.hpp>
 #include <concino/remesh/detail/smoothing/feature_polylines.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -101,13 +103,17 @@ class kept_surface {
     for (auto& [a, b] : named)
       if (b < a) std::swap(a, b);
     std::sort(named.begin(), named.end());
+    named.erase(std::unique(named.begin(), named.end()), named.end());
+    std::vector<bool> is_on_surface(named.size());
     const double least_cosine = angle_deg >= 180 ? -2 : std::cos(angle_deg * std::numbers::pi / 180);
     vert_pairs on_lines = named;
     std::vector<bool> has_line(num_verts(mesh_));
     for (const edge_id e : edges(mesh_)) {
       const auto [a, b] = end_verts(mesh_, e);
-      const auto ends = std::minmax({a.raw(), b.raw()});
-      const bool is_named = std::binary_search(named.begin(), named.end(), std::pair<unsigned, unsigned>(ends));
+      const std::pair<unsigned, unsigned> ends = std::minmax({a.raw(), b.raw()});
+      const auto at = std::lower_bound(named.begin(), named.end(), ends);
+      const bool is_named = at != named.end() && *at == ends;
+      if (is_named) is_on_surface[static_cast<std::size_t>(at - named.begin())] = true;
       is_line_[e.raw()] = is_named || is_sharp(e, least_cosine);
       if (is_line_[e.raw()]) on_lines.emplace_back(ends);
     }
@@ -123,10 +129,14 @@ class kept_surface {
         patch_of_[i] = patches_[p.raw()];
       }
       if (patch_of_[i] == none) continue;
+      if (!feature_lines<polygonmesh>::is_one_fan(mesh_, v)) stays[i] = true;
       const double size = norm(sum);
       if (size > 0) normals_[i] = sum / size;
-      if (!has_line[i] && !feature_lines<polygonmesh>::is_one_fan(mesh_, v)) stays[i] = true;
     }
+    for (std::size_t k = 0; k < named.size(); ++k)
+      if (!is_on_surface[k])  // it meets the surface at its ends
+        for (const unsigned v : {named[k].first, named[k].second})
+          if (patch_of_[v] != none) stays[v] = true;
     std::vector<vec3> points;
     for (const vert_id v : verts(mesh_)) points.push_back(concino::point(mesh_, v));
     lines_.emplace(points, std::move(on_lines), stays, std::max(least_cosine, 0.0));
@@ -166,15 +176,15 @@ class kept_surface {
     else normals_[v] = to.normal;
   }
 
-  /// The numbers of the parts between lines in which the polys at v lie, in the order of `polys`. Two polys are in one
-  /// part if edges at v that are not on lines connect them.
-  void find_sectors(const vert_id& v, const std::vector<poly_id>& polys, std::vector<unsigned>& sectors) const {
-    sectors.assign(polys.size(), none);
+  /// The numbers of the fans in which the polys at v lie, in the order of `polys`: two of them are in one fan if edges
+  /// at v that are not on lines connect them.
+  void find_fans(const vert_id& v, const std::vector<poly_id>& polys, std::vector<unsigned>& fans) const {
+    fans.assign(polys.size(), none);
     std::vector<std::size_t> found;
-    unsigned sector = 0;
+    unsigned fan = 0;
     for (std::size_t seed = 0; seed < polys.size(); ++seed) {
-      if (sectors[seed] != none) continue;
-      sectors[seed] = sector;
+      if (fans[seed] != none) continue;
+      fans[seed] = fan;
       found.assign(1, seed);
       while (!found.empty()) {
         const poly_id p = polys[found.back()];
@@ -184,11 +194,11 @@ class kept_surface {
           if (is_line_[e.raw()] || (a != v && b != v)) continue;
           for (const poly_id q : adj_e2p(mesh_, e)) {
             const auto i = static_cast<std::size_t>(std::find(polys.begin(), polys.end(), q) - polys.begin());
-            if (sectors[i] == none) sectors[i] = sector, found.push_back(i);
+            if (fans[i] == none) fans[i] = fan, found.push_back(i);
           }
         }
       }
-      ++sector;
+      ++fan;
     }
   }
 };

@@ -29,12 +29,12 @@ class point_smoother {
   corner_normals<M> normals_;
   double largest_ = 0;  // no corner may have a worse shape than 1 / largest_
 
-  using normals = typename corner_normals<M>::by_sector;
+  using normals = typename corner_normals<M>::by_fan;
 
   /// The matrix of the corner that k points to, as seen from vert number v.
   corner_matrix<dimension> matrix_of(const unsigned* k, unsigned v, const normals& n) const {
     const corner_frame& f = corners_.frames[*k];
-    return {f, corners_.ideals[f.ideal], points_, n[normals_.sector(k)], v, points_[v]};
+    return {f, corners_.ideals[f.ideal], points_, n[normals_.fan(k)], v, points_[v]};
   }
 
   /// Calls each(frame, matrix) for the corners whose tip is v.
@@ -48,7 +48,7 @@ class point_smoother {
 
   corner_energy energy(unsigned v, const normals& n, const vec3& x, double delta, bool has_derivatives = false) const {
     return energy_at<dimension>(
-        corners_, points_, [&](const unsigned* k) -> const vec3& { return n[normals_.sector(k)]; }, v, x, delta,
+        corners_, points_, [&](const unsigned* k) -> const vec3& { return n[normals_.fan(k)]; }, v, x, delta,
         has_derivatives);
   }
 
@@ -159,6 +159,7 @@ class point_smoother {
     changed_.assign(points_.size(), 1);
     std::vector<bool> stays = fixed_verts(m, is_fixed);
     vert_pairs named = features.edges_of_lines();
+    // the boundary of a surface is among its lines, that of a volume is a surface
     if constexpr (dimension == 2) {
       for (const edge_t<M> e : edges(m)) {
         if (runs_both_ways(m, e)) continue;
@@ -175,7 +176,7 @@ class point_smoother {
         if (is_boundary(m, v)) stays[features.number(v)] = true;
     }
     if (dimension == 2 || slides) kept_.emplace(features.surface(unit), std::move(named), feature_angle_deg, stays);
-    if (dimension == 2 && slides) normals_.find_sectors(*kept_);
+    if (dimension == 2 && slides) normals_.find_fans(*kept_);
     for (unsigned v = 0; v < points_.size(); ++v) {
       const vert_motion motion = kept_ ? kept_->motions[v] : vert_motion::space;
       if (!stays[v] && motion != vert_motion::none && (slides || motion != vert_motion::line)) free_.push_back(v);
