@@ -9,7 +9,9 @@
 #include <concino/remesh/detail/smoothing/feature_polylines.hpp>
 #include <concino/remesh/detail/unit_points.hpp>
 
+#include <cstdint>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace concino::detail {
