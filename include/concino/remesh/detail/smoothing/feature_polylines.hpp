@@ -22,18 +22,16 @@ class feature_polylines {
     unsigned begin, end;  // its places; a closed line ends with its first vert
     bool is_closed;
   };
-  std::vector<vec3> points_;           // of the input, by place
-  std::vector<double> input_, now_;    // how far along its line the vert at each place was and is
-  std::vector<unsigned> line_of_;      // by place
+  std::vector<vec3> points_;         // of the input, by place
+  std::vector<double> input_, now_;  // how far along its line the vert at each place was and is
+  std::vector<unsigned> line_of_;    // by place
   std::vector<line> lines_;
-  std::vector<unsigned> place_of_;     // by vert, of those that slide
+  std::vector<unsigned> place_of_;  // by vert, of those that slide
 
   double length(const line& l) const { return input_[l.end - 1]; }
 
   /// x in the range of the line; that of a closed one repeats.
-  double wrapped(const line& l, double x) const {
-    return l.is_closed ? x - std::floor(x / length(l)) * length(l) : x;
-  }
+  double wrapped(const line& l, double x) const { return l.is_closed ? x - std::floor(x / length(l)) * length(l) : x; }
 
   /// The place where the segment with x begins.
   unsigned segment(const line& l, double x) const {

@@ -19,7 +19,9 @@ namespace concino::detail {
 /// No edge is named; all polys have one label.
 struct no_features {
   template<class E>
-  bool operator()(const E&) const { return false; }
+  bool operator()(const E&) const {
+    return false;
+  }
 };
 
 template<class M, class E, class L>

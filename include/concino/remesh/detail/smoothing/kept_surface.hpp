@@ -49,8 +49,8 @@ class kept_surface {
 
   polygonmesh mesh_;
   std::optional<poly_tree<polygonmesh>> tree_;
-  std::vector<bool> is_line_;      // by edge
-  std::vector<unsigned> patches_;  // by poly: polys with one number are connected by edges that are not part of lines
+  std::vector<bool> is_line_;       // by edge
+  std::vector<unsigned> patches_;   // by poly: polys with one number are connected by edges that are not part of lines
   std::vector<unsigned> patch_of_;  // by vert that moves over the surface
   std::vector<vec3> normals_;       // by vert that moves over the surface, of either sign
   std::optional<feature_polylines> lines_;
@@ -141,11 +141,11 @@ class kept_surface {
     for (const vert_id v : verts(mesh_)) points.push_back(concino::point(mesh_, v));
     lines_.emplace(points, std::move(on_lines), stays, std::max(least_cosine, 0.0));
     for (unsigned i = 0; i < stays.size(); ++i)
-      motions.push_back(stays[i]              ? vert_motion::none
-                        : lines_->has(i)      ? vert_motion::line
-                        : has_line[i]         ? vert_motion::none
+      motions.push_back(stays[i]               ? vert_motion::none
+                        : lines_->has(i)       ? vert_motion::line
+                        : has_line[i]          ? vert_motion::none
                         : patch_of_[i] == none ? vert_motion::space
-                                              : vert_motion::surface);
+                                               : vert_motion::surface);
   }
 
   std::vector<vert_motion> motions;  // by vert

@@ -24,7 +24,7 @@ class point_smoother {
   std::vector<vec3> points_;
   std::vector<unsigned> free_, changed_;  // verts that may move; by vert, the last round in which a corner at it
                                           // changed
-  std::optional<kept_surface> kept_;   // of surfaces, and of volumes if verts slide
+  std::optional<kept_surface> kept_;      // of surfaces, and of volumes if verts slide
   const bool slides_;
   corner_normals<M> normals_;
   double largest_ = 0;  // no corner may have a worse shape than 1 / largest_
