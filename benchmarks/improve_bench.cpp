@@ -49,6 +49,7 @@ int main(int argc, char** argv) {
     concino::hexmesh hexes(bench::hex_grid(p.data.tiny ? 3 : 50));
     concino::jitter(hexes, 0.3);
     compare_improvement(p, "smooth_points.hex125k", hexes, metric::scaled_jacobian, [](concino::hexmesh& m) { return concino::smooth_points(m).num_moves; });
+    compare_improvement(p, "smooth_points.hex125k.slides", hexes, metric::scaled_jacobian, [](concino::hexmesh& m) { return concino::smooth_points(m, {.slides = true}).num_moves; });
     concino::trimesh triangles(p.data.bunny16());
     compare_improvement(p, "smooth_points.bunny16", triangles, metric::mean_ratio, [](concino::trimesh& m) { return concino::smooth_points(m).num_moves; });
   });

@@ -10,6 +10,7 @@
 
 #include <doctest/doctest.h>
 
+#include <type_traits>
 #include <vector>
 
 namespace cn = concino;
@@ -239,6 +240,10 @@ TEST_CASE("editable archetypes: improvement of tets") {
     const auto r = cn::improve(m, {.min_dihedral_deg = 50, .max_rounds = 3});
     CHECK(r.num_flips + r.num_moves + r.num_collapses > 0);
     CHECK(r.num_new_verts > 0);
+    using A = std::remove_cvref_t<decltype(m)>;
+    const auto is_fixed = [](const cn::vert_t<A>&) { return false; };
+    const auto is_feature = [](const cn::edge_t<A>&) { return false; };
+    CHECK(cn::smooth_points(m, {.max_rounds = 1, .slides = true}, is_fixed, is_feature, [](const cn::poly_t<A>&) { return 1; }).num_moves > 0);
     return {};
   });
 }

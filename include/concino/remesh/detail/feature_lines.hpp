@@ -43,6 +43,22 @@ class feature_lines {
     return n != 2 || dot(normals[0], normals[1]) < least_cosine;
   }
 
+  vert_freedom find_freedom(const M& m, const vert_t<M>& v, double least_cosine) const {
+    vec3 along[2];
+    unsigned n = 0;
+    for (const edge_t<M> e : adj_v2e(m, v)) {
+      if (!has(m, e)) continue;
+      const auto ends = end_verts(m, e);
+      const vec3 d = to_vec3(point(m, ends.first == v ? ends.second : ends.first)) - to_vec3(point(m, v));
+      const double longest = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+      if (n < 2 && longest > 0) along[n] = d / longest, along[n] = along[n] / norm(along[n]);
+      ++n;
+    }
+    if (n == 0) return is_one_fan(m, v) ? vert_freedom::surface : vert_freedom::none;
+    return n == 2 && dot(along[0], along[1]) <= -least_cosine ? vert_freedom::line : vert_freedom::none;
+  }
+
+ public:
   /// Whether the polys at v are one fan: each is reached from the first across edges at v.
   static bool is_one_fan(const M& m, const vert_t<M>& v) {
     std::vector<poly_t<M>> fan;
@@ -61,22 +77,6 @@ class feature_lines {
     return fan.size() == n;
   }
 
-  vert_freedom find_freedom(const M& m, const vert_t<M>& v, double least_cosine) const {
-    vec3 along[2];
-    unsigned n = 0;
-    for (const edge_t<M> e : adj_v2e(m, v)) {
-      if (!has(m, e)) continue;
-      const auto ends = end_verts(m, e);
-      const vec3 d = to_vec3(point(m, ends.first == v ? ends.second : ends.first)) - to_vec3(point(m, v));
-      const double longest = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
-      if (n < 2 && longest > 0) along[n] = d / longest, along[n] = along[n] / norm(along[n]);
-      ++n;
-    }
-    if (n == 0) return is_one_fan(m, v) ? vert_freedom::surface : vert_freedom::none;
-    return n == 2 && dot(along[0], along[1]) <= -least_cosine ? vert_freedom::line : vert_freedom::none;
-  }
-
- public:
   /// is_named(e): whether the caller wants e to be part of a line.
   template<class F>
   feature_lines(const M& m, double angle_deg, const F& is_named)

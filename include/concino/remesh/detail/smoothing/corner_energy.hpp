@@ -3,7 +3,7 @@
 #pragma once
 
 #include <concino/core/vec3.hpp>
-#include <concino/remesh/detail/corner_frames.hpp>
+#include <concino/remesh/detail/smoothing/corner_frames.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -66,16 +66,17 @@ struct corner_matrix {
   }
 };
 
-/// The energy at vert number v if its point is x. delta: 0, or a positive number if corners may be inverted.
-template<unsigned D, class M>
-corner_energy energy_at(const corner_frames<M>& all, const std::vector<vec3>& points, const vec3& normal, unsigned v,
+/// The energy at vert number v if its point is x. normal_of(k): the normal of the corner that k, as in corner_frames,
+/// points to. delta: 0, or a positive number if corners may be inverted.
+template<unsigned D, class M, class F>
+corner_energy energy_at(const corner_frames<M>& all, const std::vector<vec3>& points, const F& normal_of, unsigned v,
                         const vec3& x, double delta, bool has_derivatives) {
   corner_energy e;
   constexpr double power = 2.0 / D;
   for (const unsigned* k = all.begin(v); k != all.end(v); ++k) {
     const corner_frame& f = all.frames[*k];
     const ideal_corner& ideal = all.ideals[f.ideal];
-    const corner_matrix<D> c(f, ideal, points, normal, v, x);
+    const corner_matrix<D> c(f, ideal, points, normal_of(k), v, x);
     const double det = c.determinant(), squares = c.squares(), root = std::sqrt(det * det + 4 * delta * delta);
     const double h = delta > 0 ? 0.5 * (det + root) : det;
     if (!(det > 0)) ++e.num_inverted;

@@ -58,6 +58,7 @@ class corner_frames {
 
   std::vector<std::size_t> first_;  // by vert
   std::vector<unsigned> at_;
+  std::vector<std::size_t> end_of_poly_;  // by number of the poly: behind the last of its frames
   core::small_array<std::array<unsigned, 3>, 64> of_faces_;  // the corners of the faces of one poly: vert before, vert,
                                                              // vert after
   core::small_array<unsigned, 64> sizes_;
@@ -127,7 +128,8 @@ class corner_frames {
     std::vector<unsigned> number(vert_index_bound(m));
     unsigned n = 0;
     for (const vert_t<M> v : verts(m)) number[index_of(m, v)] = n++;
-    for (const poly_t<M> p : polys(m)) read_poly(m, p, number);
+    end_of_poly_.reserve(num_polys(m));
+    for (const poly_t<M> p : polys(m)) read_poly(m, p, number), end_of_poly_.push_back(frames.size());
     first_.assign(n + 1, 0);
     for (const corner_frame& f : frames)
       for (unsigned i = 0; i <= dimension_v<M>; ++i) ++first_[f.verts[i] + 1];
@@ -138,9 +140,16 @@ class corner_frames {
       for (unsigned i = 0; i <= dimension_v<M>; ++i) at_[end[frames[k].verts[i]]++] = k;
   }
 
-  /// The frames that have vert number v.
+  /// Pointers to the numbers of the frames that have vert number v; place(k) tells all of them apart.
   const unsigned* begin(unsigned v) const { return at_.data() + first_[v]; }
   const unsigned* end(unsigned v) const { return at_.data() + first_[v + 1]; }
+  std::size_t place(const unsigned* k) const { return static_cast<std::size_t>(k - at_.data()); }
+  /// The number, in polys(m), of the poly of a frame.
+  unsigned poly_of(unsigned frame) const {
+    const auto at = std::upper_bound(end_of_poly_.begin(), end_of_poly_.end(), frame);
+    return static_cast<unsigned>(at - end_of_poly_.begin());
+  }
+  std::size_t num_places() const { return at_.size(); }
 };
 
 }  // namespace concino::detail
