@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concino/concepts/sparse_solver.hpp>
+#include <concino/core/iterable.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/deform/deform_options.hpp>
 #include <concino/deform/detail/arap/arap_problem.hpp>
@@ -112,14 +113,14 @@ class prepared_deform {
 /// Source: Sorkine and Alexa 2007, "As-rigid-as-possible surface modeling"; of volumes, Chao, Pinkall, Sanan and
 ///         Schroeder 2010. The rotations are those of Horn 1987, by quaternions.
 template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = ldlt>
-  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> &&
+  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && core::iterable<V> &&
       SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
           prepared_deform<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_deform(
               M&& m, const V& handles, const prepare_deform_options& options = {}, Solver&& solver = {}) {
     return {m, handles, virtual_elements, options, solver};
   }
 template<class M, class V = std::initializer_list<vert_t<M>>, class D, class Solver = ldlt>
-  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && Discretisation<D, M> &&
+  requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && core::iterable<V> && Discretisation<D, M> &&
       SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
           prepared_deform<std::remove_cvref_t<M>, std::remove_cvref_t<Solver>> prepare_deform(
               M&& m, const V& handles, const D& discretisation, const prepare_deform_options& options = {},
