@@ -195,10 +195,12 @@ class gmsh_writer {
       tag += static_cast<std::int64_t>(l->elements.size());
     }
     const std::size_t n = of_nodes ? m_.points.size() : listed->elements.size();
-    if (n == 0 && (p.kind == element_kind::face || p.kind == element_kind::edge)) {
-      c_.report.lost.push_back(
-          core::joined({to_string(p.kind), " property \"", p.name,
-                        "\", which has default values only: .msh lists elements with other values"}));
+    if (n == 0) {
+      const bool is_listed_by_value = p.kind == element_kind::face || p.kind == element_kind::edge;
+      c_.report.lost.push_back(core::joined(
+          {to_string(p.kind), " property \"", p.name,
+           is_listed_by_value ? "\", which has default values only: .msh lists elements with other values"
+                              : "\", which has no values"}));
       return;
     }
     const std::string_view section = of_nodes ? "NodeData" : "ElementData";

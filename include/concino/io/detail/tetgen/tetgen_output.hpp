@@ -18,6 +18,7 @@ struct tetgen_values {
 
   tetgen_values(write_context& c, const flat_mesh& m, element_kind kind) {
     const bool of_verts = kind == element_kind::vert;
+    if ((of_verts ? m.points.size() : m.num_polys) == 0) return;  // a reader finds no values
     label = of_verts ? m.vert_values<int>("label") : m.poly_values<int>("label");
     if (label) c.declare_stored<int>(kind, "label");
     for (;;) {

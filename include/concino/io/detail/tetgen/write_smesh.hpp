@@ -9,8 +9,8 @@ namespace concino::detail {
 /// Writes points, facets, and that there are no holes and no regions. has_polygons: as .poly.
 inline void write_smesh(write_context& c, flat_mesh& m, bool has_polygons) {
   write_tetgen_points(c.out, c, m);
-  const flat_values<int> label = m.poly_values<int>("label");
-  c.declare_stored<int>(element_kind::poly, "label");
+  const flat_values<int> label = m.num_polys > 0 ? m.poly_values<int>("label") : flat_values<int>();
+  if (label) c.declare_stored<int>(element_kind::poly, "label");
   c.out << m.num_polys << (label ? " 1\n" : " 0\n");
   for (std::size_t p = 0; p < m.num_polys; ++p) {
     if (has_polygons) {
