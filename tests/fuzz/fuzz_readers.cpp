@@ -14,6 +14,7 @@
 #include <concino/io/detail/values/read_field.hpp>
 
 #include <support/formats.hpp>
+#include <support/temporary.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -59,15 +60,16 @@ bool succeeds(const F& f) {
   return false;
 }
 
-/// Checks a mesh that was read, and that every format which can hold it gives the same text for what it reads back. MEDIT and VTK list faces with
-/// values in the order of the mesh, which from OpenFOAM is any; a cell without volume may be turned by OpenFOAM's reader: there the texts may differ.
+/// Checks a mesh that was read, and that every format which can hold it gives the same text for what it reads back. The texts may differ in two cases.
+/// MEDIT and VTK list faces with values in the order of the mesh, which from OpenFOAM is any. The reader of OpenFOAM turns cells outward, and which side
+/// of a cell that is not closed is outside depends on the order of its faces.
 template<class M>
 void check_mesh(const M& m, format_id from) {
   for (std::size_t v = 0; v < m.points().size(); ++v)
     if (!is_finite(m.points()[v])) finding("a point that is not finite");
   const auto laws = check_laws(m);
   if (!laws.empty()) finding("a broken law: " + laws[0].law, laws[0].what);
-  validate(m);
+  const bool has_open_cells = validate(m).count(defect_kind::open_cell) > 0;
   for (const format_id f : testing::formats_with_reader(text_formats))
     for (const bool binary : {false, true}) {
       std::string first, second;
@@ -83,8 +85,8 @@ void check_mesh(const M& m, format_id from) {
       } catch (const error& e) {
         finding("a mesh that cannot be read back: " + std::string(f.name()) + ": " + e.what(), first);
       }
-      const bool is_foam = from == foam_text_format{}, to_foam = f == foam_text_format{};
-      if (second != first && is_foam == to_foam) finding("another second save in " + std::string(f.name()), first + "\n---\n" + second);
+      const bool may_differ = f == foam_text_format{} ? has_open_cells && from != f : from == foam_text_format{};
+      if (second != first && !may_differ) finding("another second save in " + std::string(f.name()), first + "\n---\n" + second);
     }
 }
 
@@ -106,11 +108,8 @@ void fuzz_mesh(std::string_view text, format_id format) {
 
 /// The parts of a text between lines of dashes are the files .node, .ele, .face and .edge.
 void fuzz_tetgen(std::string_view text, format_id) {
-  static const std::string base = [] {
-    std::string folder = "/tmp/concino_fuzz_XXXXXX";
-    if (!::mkdtemp(folder.data())) std::abort();
-    return folder + "/m";
-  }();
+  static const testing::temporary_folder folder;
+  const std::string base = folder / "m";
   for (const char* const extension : {".node", ".ele", ".face", ".edge"}) {
     const std::size_t end = std::min(text.find("--\n"), text.size());
     write_seed(base + extension, text.substr(0, end));

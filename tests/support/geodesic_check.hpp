@@ -21,12 +21,11 @@ void check_geodesics_of() {
     });
     REQUIRE(known != table.end());
     REQUIRE(known->errors.size() == 4);
-    for (const std::size_t i : {0u, 1u}) {
-      const double tolerance = 0.01 + 0.05 * known->errors[i];
-      CHECK(row.errors[i] <= known->errors[i] + tolerance);
-      // The largest error is that of one vert. On graded Voronoi cells it is 0.047 or 0.024, as the last bits of the points are on this system.
-      CHECK(row.errors[i] >= (i == 0 ? 1.0 : 0.5) * known->errors[i] - tolerance);
-    }
+    const auto is_near = [](double error, double stored_error) { return std::abs(error - stored_error) <= 0.01 + 0.05 * stored_error; };
+    CHECK(is_near(row.errors[0], known->errors[0]));
+    // Points that are moved by their last bit turn the largest error on these cells into this one. Systems differ in that bit.
+    const bool has_second_result = row.kind == "polyhedra" && row.family == "Voronoi_graded_by_cubes";
+    CHECK((is_near(row.errors[1], known->errors[1]) || (has_second_result && std::abs(row.errors[1] - 0.024481) < 1e-4)));
   }
 }
 
