@@ -2,10 +2,13 @@
 #include <concino/io.hpp>
 #include <concino/mesh.hpp>
 
+#include <support/formats.hpp>
+
 #include <doctest/doctest.h>
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 using namespace concino;
@@ -106,6 +109,24 @@ TEST_CASE("lossless: verts without polys are written in every format") {
   for (const format_id f : {format_id(file_format::vtk), format_id(file_format::vtu), format_id(file_format::medit), format_id(file_format::gmsh)}) check(volume, f), check(surface, f);
   for (const format_id f : {format_id(file_format::hedra), format_id(file_format::hybrid), format_id(file_format::tet)}) check(volume, f);
   for (const format_id f : {format_id(file_format::obj), format_id(file_format::off), format_id(file_format::vtp), format_id(file_format::ply)}) check(surface, f);
+}
+
+TEST_CASE("lossless: values of polys that a mesh does not have leave no trace that a second save would lack") {
+  surface_arrays points;
+  points.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}};
+  points.offsets.push_back(0);
+  polygonmesh m(std::move(points));
+  poly_property<int>(m, "label");
+  poly_property<double>(m, "heat");
+  for (const format_id f : testing::formats_with_reader(standard_formats))
+    for (const bool binary : {false, true}) {
+      CAPTURE(f.name());
+      try {
+        const std::string first = save_text(m, f, {.binary = binary});
+        CHECK(save_text(load_text<polygonmesh>(first, f), f, {.binary = binary}) == first);
+      } catch (const unsupported&) {  // formats of volumes, of folders, or without a binary form
+      }
+    }
 }
 
 TEST_CASE("lossless: edges without polys are lost with a word") {
