@@ -23,7 +23,7 @@ flags=(-std=c++20 -O0 -DFMT_HEADER_ONLY -I"$source_folder/concepts" -I"$source_f
 case $1 in
   libcxx)
     compiler=$(find_clang) || { echo "SKIPPED: libc++: no clang++ 14 or later"; exit 0; }
-    flags+=(-stdlib=libc++ -isystem /usr/include/suitesparse)
+    flags+=(-stdlib=libc++ -isystem /usr/include/suitesparse -isystem /usr/include/lib3mf)
     link=(-pthread)
     if ! echo '#include <vector>' | "$compiler" "${flags[@]}" -x c++ -fsyntax-only - 2>/dev/null; then
       echo "SKIPPED: libc++: not installed (Debian: $(packages_of libcxx | xargs))"
