@@ -1,5 +1,6 @@
 #include <concino/io/detail/stl/read_stl.hpp>
 
+#include <concino/io/save.hpp>
 #include <concino/io/stl.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 #include <concino/mesh/property.hpp>
@@ -135,6 +136,16 @@ TEST_CASE_TEMPLATE("write_stl: loading gives the same triangles, and the second 
   CHECK(find_poly_property<std::uint16_t>(again, "attribute")[poly_id{2}] == 513);
   CHECK(save_text(again, file_format::stl, {.binary = true}) == bytes);
   CHECK(save_text(M(), file_format::stl) == "solid \nendsolid \n");
+}
+
+TEST_CASE("write_stl: verts at 0 and at -0 are one vert, and the second save is the first") {
+  const trimesh m({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0., 0, -0.}, {0, 0, 1}}, {{0, 1, 2}, {2, 4, 3}});
+  for (const bool binary : {false, true}) {
+    const std::string first = save_text(m, file_format::stl, {.binary = binary});
+    const auto back = load_text<trimesh>(first, file_format::stl);
+    CHECK(num_verts(back) == 4);
+    CHECK(save_text(back, file_format::stl, {.binary = binary}) == first);
+  }
 }
 
 TEST_CASE("write_stl: what STL does not hold is lost with a word, or refused") {

@@ -21,6 +21,9 @@ class stl_writer {
   flat_values<std::uint16_t> attribute_;
   flat_values<std::string> object_;
   bool rounded_ = false;
+  std::vector<vec3> points_;          // those that readers tell apart, as the file holds them
+  std::vector<std::size_t> of_vert_;  // the place of each vert in points_, or unused
+  static constexpr std::size_t unused = static_cast<std::size_t>(-1);
   polygon_triangulator triangulate_;
   std::vector<vec3> corners_;
 
@@ -62,10 +65,17 @@ class stl_writer {
   }
   void collect_corners(std::size_t p) {
     corners_.clear();
-    for (const vert_id v : m_.poly_verts[p]) {
-      const vec3& q = m_.points[v.raw()];
-      corners_.push_back({stored(q.x), stored(q.y), stored(q.z)});
-    }
+    for (const vert_id v : m_.poly_verts[p]) corners_.push_back(points_[of_vert_[v.raw()]]);
+  }
+  /// Fills points_ and of_vert_. Verts that readers unite are written alike, also if one is at 0 and the other at -0.
+  void number_points() {
+    point_numbers number(points_);
+    of_vert_.assign(m_.points.size(), unused);
+    for (std::size_t p = 0; p < m_.num_polys; ++p)
+      for (const vert_id v : m_.poly_verts[p]) {
+        const vec3& q = m_.points[v.raw()];
+        if (of_vert_[v.raw()] == unused) of_vert_[v.raw()] = number({stored(q.x), stored(q.y), stored(q.z)}).raw();
+      }
   }
 
   /// The unit normal, or zero if the triangle has none. Sides are scaled first, so that products are finite.
@@ -122,21 +132,17 @@ class stl_writer {
   }
 
   void write() {
+    number_points();
     std::uint64_t num_triangles = 0;
-    std::vector<vec3> points;
-    point_numbers number(points);
-    std::vector<bool> is_used(m_.points.size());
     std::size_t num_polygons = 0;
     for (std::size_t p = 0; p < m_.num_polys; ++p) {
       collect_corners(p);
       check(p);
       num_polygons += corners_.size() != 3;
       for_each_triangle([&](const auto&) { ++num_triangles; });
-      for (const vec3& x : corners_) number(x);
-      for (const vert_id v : m_.poly_verts[p]) is_used[v.raw()] = true;
     }
     if (num_triangles > 0xFFFFFFFFu) c_.throw_cannot_hold(".stl", {"so many triangles"}, ".ply");
-    const auto num_used = static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), true));
+    const auto num_unused = static_cast<std::size_t>(std::count(of_vert_.begin(), of_vert_.end(), unused));
     if (binary_) {
       constexpr std::string_view title = "binary STL";
       c_.out << title << std::string(80 - title.size(), ' ');
@@ -154,16 +160,16 @@ class stl_writer {
       c_.report_progress();
     }
     if (!binary_) c_.out << (m_.num_polys ? "" : "solid \n") << "endsolid " << name << '\n';
-    report(num_used, points.size(), num_polygons);
+    report(num_unused, num_polygons);
   }
 
  private:
-  void report(std::size_t num_used, std::size_t num_points, std::size_t num_polygons) {
+  void report(std::size_t num_unused, std::size_t num_polygons) {
     const auto lost = [&](std::size_t n, const char* what) {
       if (n) c_.report.lost.push_back(core::joined({n, what}));
     };
-    lost(m_.points.size() - num_used, " verts of no poly: .stl lists the corners of triangles only");
-    lost(num_used - num_points, " verts at the point of another one: readers of .stl unite them");
+    lost(num_unused, " verts of no poly: .stl lists the corners of triangles only");
+    lost(m_.points.size() - num_unused - points_.size(), " verts at the point of another one: readers of .stl unite them");
     lost(num_polygons, " polygons were cut into triangles");
     if (rounded_) c_.report.lost.push_back("binary .stl holds floats: coordinates were rounded to 32 bits");
   }
