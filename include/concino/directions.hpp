@@ -1,0 +1,5 @@
+// Direction fields on surfaces: the smoothest ones, singularities, connections.
+#pragma once
+
+#include <concino/directions/direction_field.hpp>
+#include <concino/directions/singularities.hpp>
