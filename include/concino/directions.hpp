@@ -1,0 +1,5 @@
+// Fields of directions on surfaces, and of frames in volumes.
+#pragma once
+
+#include <concino/directions/frame_field.hpp>
+#include <concino/directions/frame_singularities.hpp>
