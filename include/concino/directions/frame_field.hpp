@@ -76,7 +76,7 @@ frame_field_result<std::remove_cvref_t<M>> frame_field(M&& m, const frame_field_
   if (num_polys(m) == 0) core::throw_joined<invalid_mesh>({"frame_field: the mesh has no polys"});
   if (!inverted.empty())
     core::throw_joined<invalid_mesh>(
-        {"frame_field: poly ", inverted[0], " cannot be cut into tets of positive volume; untangle() may help"});
+        {"frame_field: poly ", inverted[0], " cannot be cut into tets of positive volume; validate() lists such polys"});
   auto normals = detail::normals_of_parts(
       detail::polygons_of_boundary(m, core::numbered(m, verts(m), vert_index_bound(m))), num_verts(tets),
       profiled->sharp_angle);
