@@ -1,5 +1,7 @@
-// Direction fields on surfaces: the smoothest ones, singularities, connections.
+// Fields of directions on surfaces, and of frames in volumes.
 #pragma once
 
 #include <concino/directions/direction_field.hpp>
+#include <concino/directions/frame_field.hpp>
+#include <concino/directions/frame_singularities.hpp>
 #include <concino/directions/singularities.hpp>

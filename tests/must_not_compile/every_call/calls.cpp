@@ -2,6 +2,7 @@
 #include <concino/concepts/archetypes.hpp>
 #include <concino/convert.hpp>
 #include <concino/deform.hpp>
+#include <concino/directions.hpp>
 #include <concino/edit.hpp>
 #include <concino/fields.hpp>
 #include <concino/generate.hpp>
@@ -193,6 +194,7 @@ void no_adapter(const stranger& other) {
   cn::harmonic_coordinates(other);  // refused
   cn::skin(other);  // refused
   cn::prepare_deform(other);  // refused
+  cn::frame_field(other);  // refused
   cn::biharmonic_deform(other);  // refused
   cn::heat_weights(other);  // refused
   cn::bounded_biharmonic_weights(other);  // refused
@@ -266,6 +268,7 @@ void temporary() {
   cn::harmonic_coordinates(made());  // refused
   cn::skin(made());  // refused
   cn::prepare_deform(made());  // refused
+  cn::frame_field(made());  // refused
   cn::biharmonic_deform(made());  // refused
   cn::prepare_poisson(made());  // refused
   cn::poisson(made());  // refused
@@ -426,6 +429,7 @@ void no_points(const cn::trimesh& m) {
   cn::harmonic_coordinates(pure);  // refused
   cn::skin(pure);  // refused
   cn::prepare_deform(pure);  // refused
+  cn::frame_field(pure);  // refused
   cn::biharmonic_deform(pure);  // refused
   cn::heat_weights(pure);  // refused
   cn::bounded_biharmonic_weights(pure);  // refused

@@ -1,0 +1,8 @@
+#include "call.hpp"
+
+#include <concino/directions.hpp>
+
+void call_directions() {
+  call("frame_field", [](auto& m) { cn::frame_field(m); }, volumes);
+  call("singular_edges", [](auto& m) { cn::singular_edges(cn::frame_field(m)); }, volumes);
+}
