@@ -91,7 +91,7 @@ class petsc {
   }
 
   const petsc_options& options() const { return iteration_.options(); }
-  static constexpr bool is_iterative() { return true; }
+  bool is_iterative() const { return options().preconditioner != petsc_preconditioner::mumps; }
   int iterations() const { return report_.iterations; }
   double residual() const { return report_.residual; }
   bool has_converged() const { return report_.has_converged; }
