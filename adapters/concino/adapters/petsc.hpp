@@ -3,9 +3,9 @@
 // Needs: PETSc 3.18 with MPI (Debian: petsc-dev), and a petsc_session in main.
 #pragma once
 
-#include <concino/adapters/detail/mpi_agreement.hpp>
-#include <concino/adapters/detail/petsc_iteration.hpp>
-#include <concino/adapters/detail/petsc_rows.hpp>
+#include <concino/adapters/detail/mpi/mpi_agreement.hpp>
+#include <concino/adapters/detail/petsc/petsc_iteration.hpp>
+#include <concino/adapters/detail/petsc/petsc_rows.hpp>
 #include <concino/adapters/petsc_options.hpp>
 #include <concino/adapters/petsc_session.hpp>
 #include <concino/core/number_text.hpp>
@@ -34,12 +34,13 @@ namespace concino {
 /// Errors: invalid_argument if PETSc is not running, or an option is out of its range. factorize throws it if vectors
 ///         of near_null_space do not fit, or an option of the database with the prefix (without prefix, one that begins
 ///         with ksp_, pc_ or mg_) is misspelt or unused. factorize throws solver_error, with the reason, if the matrix
-///         is not square, differs in size between processes, has entries that are not finite, or rows that are 0; for
-///         symmetric systems also if it is not symmetric, or has a diagonal entry that is not positive. solve throws it
-///         if nothing was factorised, the right-hand side has another size or is not finite, or the tolerance is
-///         missed; the message contains iterations, residual, tolerance and PETSc's reason. Singular matrices fail in
-///         this way, unless the iteration finds a solution for that right-hand side. What one process finds wrong is
-///         thrown on all of the communicator. After a failed factorize there is no factorised matrix.
+///         is not square, differs in size between processes, has entries that are not finite, or rows that are 0. For
+///         symmetric systems it also does so if the matrix is not symmetric, or has a diagonal entry that is not
+///         positive. solve throws it if nothing was factorised, the right-hand side has another size or is not finite,
+///         or the tolerance is missed; the message contains iterations, residual, tolerance and PETSc's reason.
+///         Singular matrices fail in this way, unless the iteration finds a solution for that right-hand side. What one
+///         process finds wrong is thrown on all of the communicator. After a failed factorize there is no factorised
+///         matrix.
 /// Source: PETSc (Balay et al.); Hestenes, Stiefel 1952; Saad, Schultz 1986; Vanek, Mandel, Brezina 1996 (GAMG);
 ///         Henson, Yang 2002 (BoomerAMG); Amestoy, Duff, L'Excellent, Koster 2001 (MUMPS).
 class petsc {
@@ -84,8 +85,7 @@ class petsc {
     if (!report_.has_converged && !options().accept_missed_tolerance)
       core::throw_joined<solver_error>({"petsc: not converged after ", static_cast<std::size_t>(report_.iterations),
                                         " iterations: the residual is ", core::number_text(report_.residual),
-                                        ", the tolerance ", core::number_text(iteration_.tolerance()), "; ",
-                                        reason()});
+                                        ", the tolerance ", core::number_text(iteration_.tolerance()), "; ", reason()});
     core::check_solution("petsc", x);
     return x;
   }
@@ -138,16 +138,23 @@ class petsc {
 
   const char* reason() const {
     switch (report_.reason) {
-      case KSP_DIVERGED_ITS: return "allow more iterations or a larger tolerance, or choose another preconditioner";
-      case KSP_DIVERGED_INDEFINITE_MAT: return "the matrix is not positive definite: use petsc_system::general";
+      case KSP_DIVERGED_ITS:
+        return "allow more iterations or a larger tolerance, or choose another preconditioner";
+      case KSP_DIVERGED_INDEFINITE_MAT:
+        return "the matrix is not positive definite: use petsc_system::general";
       case KSP_DIVERGED_INDEFINITE_PC:
         return "the preconditioner is not positive definite: the matrix is indefinite or singular";
-      case KSP_DIVERGED_DTOL: return "the iteration diverges: choose another preconditioner";
-      case KSP_DIVERGED_NANORINF: return "numbers overflow: the matrix is singular, or badly conditioned";
-      case KSP_DIVERGED_PC_FAILED: return "the preconditioner cannot be computed: the matrix is singular";
+      case KSP_DIVERGED_DTOL:
+        return "the iteration diverges: choose another preconditioner";
+      case KSP_DIVERGED_NANORINF:
+        return "numbers overflow: the matrix is singular, or badly conditioned";
+      case KSP_DIVERGED_PC_FAILED:
+        return "the preconditioner cannot be computed: the matrix is singular";
       case KSP_DIVERGED_BREAKDOWN:
-      case KSP_DIVERGED_BREAKDOWN_BICG: return "the iteration breaks down: choose another one by -ksp_type";
-      default: return "the matrix is singular, or badly conditioned: set accept_missed_tolerance to get what is reached";
+      case KSP_DIVERGED_BREAKDOWN_BICG:
+        return "the iteration breaks down: choose another one by -ksp_type";
+      default:
+        return "the matrix is singular or badly conditioned: set accept_missed_tolerance to get what is reached";
     }
   }
 };

@@ -1,4 +1,4 @@
-// Starts PETSc and MPI for the lifetime of an object, and ends them. A program that uses concino::petsc has one in main.
+// Starts PETSc and MPI, and ends them at the end of a scope. A program that uses concino::petsc has one in main.
 // Needs: PETSc 3.18 with MPI (Debian: petsc-dev).
 #pragma once
 
@@ -12,8 +12,9 @@ namespace concino {
 
 /// PETSc and MPI, from here to the end of the scope. Options of the command line go to PETSc's database, such as
 /// -pc_type hypre or, for solvers with a prefix, -poisson_pc_type hypre.
-/// Needs:  at most one object at a time, made before any solver of PETSc and destroyed after all of them. Where PETSc
-///         is running already, the object does nothing; where MPI is, it ends PETSc alone. MPI starts once in a program.
+/// Needs:  at most one object at a time, constructed before any solver of PETSc and destroyed after all of them. Where
+///         PETSc is running already, the object does nothing; where MPI is, it ends PETSc alone. MPI starts once in a
+///         program.
 /// Result: signals are handled as before: PETSc's own handler of them is removed.
 /// Errors: solver_error if PETSc cannot start. If the scope is left by an exception, PETSc and MPI are not ended, since
 ///         ending waits for all processes: the process that does not catch it ends, and mpirun ends the others.

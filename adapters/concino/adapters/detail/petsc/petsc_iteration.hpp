@@ -1,9 +1,9 @@
 // A linear system whose rows are distributed over processes, and PETSc's iteration for it.
 #pragma once
 
-#include <concino/adapters/detail/mpi_agreement.hpp>
-#include <concino/adapters/detail/petsc_calls.hpp>
-#include <concino/adapters/detail/petsc_rows.hpp>
+#include <concino/adapters/detail/mpi/mpi_agreement.hpp>
+#include <concino/adapters/detail/petsc/petsc_calls.hpp>
+#include <concino/adapters/detail/petsc/petsc_rows.hpp>
 #include <concino/adapters/petsc_options.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/core/system_checks.hpp>

@@ -1,4 +1,4 @@
-// The main of the test programs that use PETSc: PETSc and MPI run from its beginning to its end.
+// The main of the test programs in which MPI and PETSc run, from its beginning to its end.
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <concino/adapters/petsc_session.hpp>
 
