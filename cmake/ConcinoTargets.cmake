@@ -90,7 +90,7 @@ function(concino_library name)
 endfunction()
 
 # concino_adapter(<name> [SHARES <prefix>...] [COMPILES <file>] [FIND "<find_package arguments>"...] [LINK <target>...])
-# A leaf: headers of adapters/concino/adapters that use one foreign library: <name>.hpp, <name>_*.hpp, and of detail/ those that begin with <name>_ or with
+# A leaf: headers of adapters/concino/adapters that use one foreign library: <name>.hpp, <name>_*.hpp, and of detail/ and its folders those that begin with <name>_ or with
 # a prefix that it shares with others. COMPILES: a file of detail/ that has foreign code, which becomes a static library without warnings.
 # CONCINO_WITH_<NAME> says AUTO (where found), ON or OFF.
 function(concino_adapter name)
@@ -106,7 +106,7 @@ function(concino_adapter name)
   set(folder ${PROJECT_SOURCE_DIR}/adapters/concino/adapters)
   set(patterns ${folder}/${name}.hpp ${folder}/${name}_*.hpp)
   foreach(prefix IN LISTS arg_SHARES ITEMS ${name})
-    list(APPEND patterns ${folder}/detail/${prefix}_*.hpp)
+    list(APPEND patterns ${folder}/detail/${prefix}_*.hpp ${folder}/detail/*/${prefix}_*.hpp)
   endforeach()
   file(GLOB files CONFIGURE_DEPENDS ${patterns})
   if(NOT files)

@@ -1,0 +1,16 @@
+# PETSc with real numbers, and the MPI that it was built with: target PETSc::PETSc. Debian's PETSc has a file for pkg-config, and none for CMake.
+find_package(PkgConfig QUIET)
+if(PKG_CONFIG_FOUND)
+  pkg_check_modules(PC_PETSC QUIET PETSc)
+endif()
+find_path(PETSC_INCLUDE_DIR petscksp.h HINTS ${PC_PETSC_INCLUDE_DIRS})
+find_library(PETSC_LIBRARY NAMES petsc_real petsc HINTS ${PC_PETSC_LIBRARY_DIRS})
+mark_as_advanced(PETSC_INCLUDE_DIR PETSC_LIBRARY)
+set(MPI_CXX_SKIP_MPICXX TRUE)  # MPI's own classes for C++, which were removed from the standard
+find_package(MPI QUIET COMPONENTS CXX)
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(PETSc REQUIRED_VARS PETSC_LIBRARY PETSC_INCLUDE_DIR MPI_CXX_FOUND VERSION_VAR PC_PETSC_VERSION)
+if(PETSc_FOUND AND NOT TARGET PETSc::PETSc)
+  add_library(PETSc::PETSc INTERFACE IMPORTED)
+  set_target_properties(PETSc::PETSc PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${PETSC_INCLUDE_DIR}" INTERFACE_LINK_LIBRARIES "${PETSC_LIBRARY};MPI::MPI_CXX")
+endif()
