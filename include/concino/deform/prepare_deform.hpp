@@ -10,6 +10,7 @@
 #include <concino/operators/laplacian.hpp>
 #include <concino/solve/ldlt.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <initializer_list>
 #include <memory>
@@ -38,7 +39,8 @@ class prepared_deform {
     detail::arap_problem problem = make_problem(m, handles, discretisation, options.rigidity);
     std::unique_ptr<Solver> own;
     if constexpr (requires { Solver(solver.options()); }) own = std::make_unique<Solver>(solver.options());
-    else own = std::make_unique<Solver>();
+    else if constexpr (std::default_initializable<Solver>) own = std::make_unique<Solver>();
+    else own = std::make_unique<Solver>(solver);
     const Eigen::SparseMatrix<double> lower = problem.lower_triangle();
     detail::report_progress(profiled->progress, 0.2, "factorising");
     if (problem.num_unknowns() > 0)
