@@ -2,6 +2,7 @@
 
 #include <concino/concepts/archetypes.hpp>
 #include <concino/deform/affine_map.hpp>
+#include <concino/deform/detail/skin/best_rotation.hpp>
 #include <concino/generate/grid.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/operators/uniform.hpp>
@@ -42,44 +43,80 @@ auto keys(const P& pairs) {
 }  // namespace
 
 TEST_CASE_TEMPLATE("prepare_deform: reproduces rigid motions, and its energy falls", M, CONCINO_ALL_KINDS) {
-  const M m(grid_arrays<M>(4));
-  auto pairs = ends(m);
-  const auto arap = prepare_deform(m, keys(pairs));
-  for (auto& [v, x] : pairs) x = moved(x);
-  const auto x = arap.with_positions(pairs);
-  double worst = 0;
-  for (const auto v : verts(m)) worst = std::max(worst, distance(x.points[v], moved(to_vec3(point(m, v)))));
-  CHECK(worst < 1e-10);
-  CHECK(x.has_converged);
-  // from a bad start
-  auto start = make_vert_map<vec3>(m);
-  for (const auto v : verts(m)) start[v] = moved(to_vec3(point(m, v))) + 0.2 * vec3{std::sin(9.0 * static_cast<double>(index_of(m, v))), std::sin(7.0 * static_cast<double>(index_of(m, v))), 0};
-  const auto y = arap.with_positions_from(start, pairs, {.max_iterations = 3000, .tolerance = 0});
-  worst = 0;
-  for (const auto v : verts(m)) worst = std::max(worst, distance(y.points[v], moved(to_vec3(point(m, v)))));
-  CHECK(worst < 1e-10);
-  // one end turned by a right angle
-  for (auto& [v, p] : pairs) {
-    p = to_vec3(point(m, v));
-    if (p.x == 1) p = rotation({1, 0, 0}, {1, 0, 0}, 1.5)(p) + vec3{0.5, 0, 0};
+  for (const rigid_cells rigidity : {rigid_cells::spokes, rigid_cells::spokes_and_rims}) {
+    CAPTURE(rigidity);
+    const M m(grid_arrays<M>(4));
+    auto pairs = ends(m);
+    const auto arap = prepare_deform(m, keys(pairs), {.rigidity = rigidity});
+    for (auto& [v, x] : pairs) x = moved(x);
+    const auto x = arap.with_positions(pairs);
+    double worst = 0;
+    for (const auto v : verts(m)) worst = std::max(worst, distance(x.points[v], moved(to_vec3(point(m, v)))));
+    CHECK(worst < 1e-10);
+    CHECK(x.has_converged);
+    // from a bad start
+    auto start = make_vert_map<vec3>(m);
+    for (const auto v : verts(m)) start[v] = moved(to_vec3(point(m, v))) + 0.2 * vec3{std::sin(9.0 * static_cast<double>(index_of(m, v))), std::sin(7.0 * static_cast<double>(index_of(m, v))), 0};
+    const auto y = arap.with_positions_from(start, pairs, {.max_iterations = 3000, .tolerance = 0});
+    worst = 0;
+    for (const auto v : verts(m)) worst = std::max(worst, distance(y.points[v], moved(to_vec3(point(m, v)))));
+    CHECK(worst < 1e-10);
+    // one end turned by a right angle
+    for (auto& [v, p] : pairs) {
+      p = to_vec3(point(m, v));
+      if (p.x == 1) p = rotation({1, 0, 0}, {1, 0, 0}, 1.5)(p) + vec3{0.5, 0, 0};
+    }
+    const auto z = arap.with_positions(pairs, {.max_iterations = 200, .tolerance = 1e-9});
+    CHECK(z.energies.size() > 3);
+    for (std::size_t i = 1; i < z.energies.size(); ++i) CHECK(z.energies[i] <= z.energies[i - 1]);
+    for (const auto& [v, p] : pairs) CHECK(z.points[v] == p);
+    const auto g = only_embedded_mesh(m);
+    std::vector<std::pair<vert_t<decltype(g)>, vec3>> same;
+    for (const auto v : verts(g))
+      for (const auto& [w, p] : pairs)
+        if (index_of(g, v) == index_of(m, w)) same.push_back({v, p});
+    const auto on_archetype = prepare_deform(g, keys(same), {.rigidity = rigidity}).with_positions(same, {.max_iterations = 200, .tolerance = 1e-9});
+    for (const auto v : verts(g))
+      for (const auto w : verts(m))
+        if (index_of(g, v) == index_of(m, w)) CHECK(distance(on_archetype.points[v], z.points[w]) < 1e-9);
+    // warm starts need fewer iterations
+    const auto again = arap.with_positions_from(z.points, pairs, {.max_iterations = 200, .tolerance = 1e-6});
+    CHECK(again.energies.size() <= 3);
+    CHECK(arap.with_positions(pairs, {.max_iterations = 0}).energies.size() == 1);
   }
-  const auto z = arap.with_positions(pairs, {.max_iterations = 200, .tolerance = 1e-9});
-  CHECK(z.energies.size() > 3);
-  for (std::size_t i = 1; i < z.energies.size(); ++i) CHECK(z.energies[i] <= z.energies[i - 1]);
-  for (const auto& [v, p] : pairs) CHECK(z.points[v] == p);
-  const auto g = only_embedded_mesh(m);
-  std::vector<std::pair<vert_t<decltype(g)>, vec3>> same;
-  for (const auto v : verts(g))
-    for (const auto& [w, p] : pairs)
-      if (index_of(g, v) == index_of(m, w)) same.push_back({v, p});
-  const auto on_archetype = prepare_deform(g, keys(same)).with_positions(same, {.max_iterations = 200, .tolerance = 1e-9});
-  for (const auto v : verts(g))
-    for (const auto w : verts(m))
-      if (index_of(g, v) == index_of(m, w)) CHECK(distance(on_archetype.points[v], z.points[w]) < 1e-9);
-  // warm starts need fewer iterations
-  const auto again = arap.with_positions_from(z.points, pairs, {.max_iterations = 200, .tolerance = 1e-6});
-  CHECK(again.energies.size() <= 3);
-  CHECK(arap.with_positions(pairs, {.max_iterations = 0}).energies.size() == 1);
+}
+
+TEST_CASE_TEMPLATE("prepare_deform: the energy of spokes and rims is what its definition says", M, CONCINO_ALL_KINDS) {
+  const M m(grid_arrays<M>(2));
+  auto pairs = ends(m);
+  const auto arap = prepare_deform(m, keys(pairs), {.rigidity = rigid_cells::spokes_and_rims});
+  CHECK(arap.num_made_positive() == 0);
+  auto start = make_vert_map<vec3>(m);
+  for (const auto v : verts(m)) {
+    const vec3 x = to_vec3(point(m, v));
+    start[v] = rotated(x) + 0.3 * vec3{std::sin(5 * x.y), x.x * x.y, std::cos(3 * x.x + x.z)};
+  }
+  for (auto& [v, x] : pairs) x = start[v];
+  const double energy = arap.with_positions_from(start, pairs, {.max_iterations = 0}).energies[0];
+  auto of_poly = virtual_elements.poly_matrices(m);
+  local_matrix<vert_t<M>> k;
+  double expected = 0;
+  for (const auto v : verts(m)) {
+    detail::moment_matrix moments;
+    double squares = 0;  // of both, minus twice the products with the best rotation
+    for (const auto p : adj_v2p(m, v)) {
+      of_poly(p, k);
+      for (std::size_t i = 0; i < k.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+          const vec3 e = to_vec3(point(m, k.verts[i])) - to_vec3(point(m, k.verts[j])), d = start[k.verts[i]] - start[k.verts[j]];
+          moments.add(-k.at(i, j), e, d);
+          squares -= k.at(i, j) * (dot(e, e) + dot(d, d));
+        }
+    }
+    const auto r = detail::best_rotation(moments);
+    expected += squares - 2 * (dot(r[0], moments.of[0]) + dot(r[1], moments.of[1]) + dot(r[2], moments.of[2]));
+  }
+  CHECK(energy == doctest::Approx(expected).epsilon(1e-11));
 }
 
 TEST_CASE("prepare_deform: a closed form: a rod that is stretched") {
@@ -97,24 +134,27 @@ TEST_CASE("prepare_deform: a closed form: a rod that is stretched") {
 
 TEST_CASE("prepare_deform: a bar twisted by 180 degrees in steps of 30 has no inverted cell") {
   tetmesh bar = make_grid<tetmesh>({.cells = {16, 4, 4}, .max = {4, 1, 1}});
-  auto pairs = ends(bar, 4);
-  const auto rest = pairs;
-  const auto arap = prepare_deform(bar, keys(pairs));
-  auto x = arap.with_positions(pairs);
-  for (int step = 1; step <= 6; ++step) {
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-      if (rest[i].second.x == 4) pairs[i].second = rotation({4, 0.5, 0.5}, {1, 0, 0}, step * std::numbers::pi / 6)(rest[i].second);
-    x = arap.with_positions_from(x.points, pairs, {.max_iterations = 200, .tolerance = 1e-5});
-    auto twisted = bar;
-    for (const auto v : verts(bar)) set_point(twisted, v, x.points[v]);
-    std::size_t inverted = 0;
-    for (const auto p : polys(twisted)) inverted += !(volume(twisted, p) > 0);
-    CHECK(inverted == 0);
-    for (std::size_t i = 1; i < x.energies.size(); ++i) CHECK(x.energies[i] <= x.energies[i - 1]);
+  for (const rigid_cells rigidity : {rigid_cells::spokes, rigid_cells::spokes_and_rims}) {
+    CAPTURE(rigidity);
+    auto pairs = ends(bar, 4);
+    const auto rest = pairs;
+    const auto arap = prepare_deform(bar, keys(pairs), {.rigidity = rigidity});
+    auto x = arap.with_positions(pairs);
+    for (int step = 1; step <= 6; ++step) {
+      for (std::size_t i = 0; i < pairs.size(); ++i)
+        if (rest[i].second.x == 4) pairs[i].second = rotation({4, 0.5, 0.5}, {1, 0, 0}, step * std::numbers::pi / 6)(rest[i].second);
+      x = arap.with_positions_from(x.points, pairs, {.max_iterations = 200, .tolerance = 1e-5});
+      auto twisted = bar;
+      for (const auto v : verts(bar)) set_point(twisted, v, x.points[v]);
+      std::size_t inverted = 0;
+      for (const auto p : polys(twisted)) inverted += !(volume(twisted, p) > 0);
+      CHECK(inverted == 0);
+      for (std::size_t i = 1; i < x.energies.size(); ++i) CHECK(x.energies[i] <= x.energies[i - 1]);
+    }
+    // the middle is turned by half of it, and the ends are where they were put
+    for (const auto v : verts(bar))
+      if (point(bar, v).x == 2) CHECK(distance(x.points[v], rotation({4, 0.5, 0.5}, {1, 0, 0}, std::numbers::pi / 2)(point(bar, v))) < 0.1);
   }
-  // the middle is turned by half of it, and the ends are where they were put
-  for (const auto v : verts(bar))
-    if (point(bar, v).x == 2) CHECK(distance(x.points[v], rotation({4, 0.5, 0.5}, {1, 0, 0}, std::numbers::pi / 2)(point(bar, v))) < 0.1);
 }
 
 TEST_CASE("prepare_deform: scales exactly, and does not depend on the order of elements") {
@@ -124,19 +164,22 @@ TEST_CASE("prepare_deform: scales exactly, and does not depend on the order of e
   for (auto* all : {&pairs, &tiny_pairs})
     for (auto& [v, x] : *all)
       if (x.x > 0) x = rotation({x.x, 0, 0}, {1, 0, 0}, 1)(x);
-  const auto x = prepare_deform(m, keys(pairs)).with_positions(pairs), y = prepare_deform(tiny, keys(tiny_pairs)).with_positions(tiny_pairs);
-  for (const auto v : verts(m)) CHECK(distance(x.points[v] * 0x1p-200, y.points[v]) <= 1e-14 * 0x1p-200);
-  CHECK(y.energies.size() == x.energies.size());
-  // verts in reverse order
-  surface_arrays back = arrays;
-  const auto last = static_cast<std::uint32_t>(arrays.points.size() - 1);
-  std::reverse(back.points.begin(), back.points.end());
-  for (auto& v : back.verts) v = vert_id{last - v.raw()};
-  const polygonmesh reversed(back);
-  std::vector<std::pair<vert_id, vec3>> other;
-  for (const auto& [v, p] : pairs) other.push_back({vert_id{last - v.raw()}, p});
-  const auto z = prepare_deform(reversed, keys(other)).with_positions(other);
-  for (const auto v : verts(m)) CHECK(distance(x.points[v], z.points[vert_id{last - v.raw()}]) < 1e-10);
+  for (const rigid_cells rigidity : {rigid_cells::spokes, rigid_cells::spokes_and_rims}) {
+    const prepare_deform_options options{.rigidity = rigidity};
+    const auto x = prepare_deform(m, keys(pairs), options).with_positions(pairs), y = prepare_deform(tiny, keys(tiny_pairs), options).with_positions(tiny_pairs);
+    for (const auto v : verts(m)) CHECK(distance(x.points[v] * 0x1p-200, y.points[v]) <= 1e-14 * 0x1p-200);
+    CHECK(y.energies.size() == x.energies.size());
+    // verts in reverse order
+    surface_arrays back = arrays;
+    const auto last = static_cast<std::uint32_t>(arrays.points.size() - 1);
+    std::reverse(back.points.begin(), back.points.end());
+    for (auto& v : back.verts) v = vert_id{last - v.raw()};
+    const polygonmesh reversed(back);
+    std::vector<std::pair<vert_id, vec3>> other;
+    for (const auto& [v, p] : pairs) other.push_back({vert_id{last - v.raw()}, p});
+    const auto z = prepare_deform(reversed, keys(other), options).with_positions(other);
+    for (const auto v : verts(m)) CHECK(distance(x.points[v], z.points[vert_id{last - v.raw()}]) < 1e-10);
+  }
 }
 
 TEST_CASE("prepare_deform: components with handles of their own, few handles, and verts without edges") {
@@ -166,6 +209,11 @@ TEST_CASE("prepare_deform: negative weights are counted") {
   CHECK(arap.num_made_positive() == 1);
   const auto x = arap.with_positions({{vert_id{2}, {5, 1, 0}}, {vert_id{3}, {5, -1, 0}}});
   for (std::size_t i = 1; i < x.energies.size(); ++i) CHECK(x.energies[i] <= x.energies[i - 1]);
+  // with rims they need not be made positive
+  const auto rims = prepare_deform(m, {vert_id{2}, vert_id{3}}, {.rigidity = rigid_cells::spokes_and_rims});
+  CHECK(rims.num_made_positive() == 0);
+  const auto y = rims.with_positions({{vert_id{2}, {5, 1, 0}}, {vert_id{3}, {5, -1, 0}}});
+  for (std::size_t i = 1; i < y.energies.size(); ++i) CHECK(y.energies[i] <= y.energies[i - 1]);
 }
 
 TEST_CASE("prepare_deform: bad input") {
@@ -186,9 +234,13 @@ TEST_CASE("prepare_deform: bad input") {
   auto start = make_vert_map<vec3>(m);
   start[vert_id{4}].x = not_a_number;
   CHECK_THROWS_AS((void)arap.with_positions_from(start, {{a, {0, 0, 0}}, {b, {0, 0, 0}}}), invalid_argument);
+  const trimesh two(two_grids_arrays<trimesh>(2));
   auto bad = m;
   set_point(bad, vert_id{4}, vec3{not_a_number, 0, 0});
   CHECK_THROWS_AS((void)prepare_deform(bad, {a}), invalid_mesh);
+  CHECK_THROWS_WITH_AS((void)prepare_deform(m, {a}, uniform, {.rigidity = rigid_cells::spokes_and_rims}), "prepare_deform: spokes and rims need a discretisation with matrices of polys, such as virtual_elements", unsupported);
+  CHECK_THROWS_WITH_AS((void)prepare_deform(two, {a}, {.rigidity = rigid_cells::spokes_and_rims}), doctest::Contains("the component of vert 9, which has 9 verts, has no handle"), solver_error);
+  CHECK_THROWS_AS((void)prepare_deform(bad, {a}, {.rigidity = rigid_cells::spokes_and_rims}), invalid_mesh);
   CHECK_THROWS_AS((void)prepare_deform(m, {a}, {.progress = [](double, std::string_view) { return false; }}), cancelled);
   const trimesh empty;
   CHECK(prepare_deform(empty, std::vector<vert_id>{}).with_positions(std::vector<std::pair<vert_id, vec3>>{}).has_converged);

@@ -10,8 +10,15 @@
 
 namespace concino {
 
+/// The edges that are to be as rigid as possible together, by the rotation of a vert.
+enum class rigid_cells : unsigned char {
+  spokes,          // those at the vert, with the weights of the Laplacian; negative ones are made positive
+  spokes_and_rims  // those of all polys at the vert, with the weights of the polys, whatever their signs
+};
+
 struct prepare_deform_options {
-  concino::progress progress = nullptr;  // called with "factorising"
+  rigid_cells rigidity = rigid_cells::spokes;
+  concino::progress progress = nullptr;   // called with "factorising"
   concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
 

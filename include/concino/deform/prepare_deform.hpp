@@ -10,6 +10,7 @@
 #include <concino/operators/laplacian.hpp>
 #include <concino/solve/ldlt.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <initializer_list>
 #include <memory>
@@ -35,11 +36,11 @@ class prepared_deform {
                   const Solver& solver)
       : mesh_(m) {
     const core::profiled_options profiled(options, "prepare_deform");
-    detail::arap_problem problem(detail::points_by_index(m, "prepare_deform"), detail::indices_of_points(m),
-                                 laplacian(m, discretisation), detail::handle_indices(m, handles, "prepare_deform"));
+    detail::arap_problem problem = make_problem(m, handles, discretisation, options.rigidity);
     std::unique_ptr<Solver> own;
     if constexpr (requires { Solver(solver.options()); }) own = std::make_unique<Solver>(solver.options());
-    else own = std::make_unique<Solver>();
+    else if constexpr (std::default_initializable<Solver>) own = std::make_unique<Solver>();
+    else own = std::make_unique<Solver>(solver);
     const Eigen::SparseMatrix<double> lower = problem.lower_triangle();
     detail::report_progress(profiled->progress, 0.2, "factorising");
     if (problem.num_unknowns() > 0)
@@ -74,8 +75,9 @@ class prepared_deform {
   /// Needs:  start: a map of points, such as the member points of a result.
   /// Errors: also invalid_argument if a point of start is not finite.
   template<class Map, class D = std::initializer_list<std::pair<vert_t<M>, vec3>>>
-    requires requirement::gives_points<Map, vert_t<M>>
-  deform_result<M> with_positions_from(const Map& start, const D& positions, const deform_options& options = {}) const {
+    requires requirement::gives_points<Map, vert_t<M>> deform_result<M> with_positions_from(
+        const Map& start, const D& positions, const deform_options& options = {})
+  const {
     auto all = detail::handle_positions(mesh_.get(), positions, prepared_->problem);
     for (const vert_t<M> v : verts(mesh_.get())) {
       const std::size_t i = index_of(mesh_.get(), v);
@@ -87,6 +89,21 @@ class prepared_deform {
   }
 
  private:
+  template<class V, class D>
+  static detail::arap_problem make_problem(const M& m, const V& handles, const D& discretisation, rigid_cells cells) {
+    auto rest = detail::points_by_index(m, "prepare_deform");
+    const auto used = detail::indices_of_points(m);
+    const auto indices = detail::handle_indices(m, handles, "prepare_deform");
+    if (cells == rigid_cells::spokes) return {std::move(rest), used, laplacian(m, discretisation), indices};
+    if constexpr (requirement::has_poly_matrices<D, M>) {
+      auto all = detail::arap_polys_of(m, discretisation);
+      const auto of_polys = all.laplacian(rest.size());
+      return {std::move(rest), used, of_polys, indices, std::move(all)};
+    } else {
+      core::throw_joined<unsupported>({"prepare_deform: spokes and rims need a discretisation with matrices of polys, ",
+                                       "such as virtual_elements"});
+    }
+  }
   deform_result<M> iterate(std::vector<vec3> x, const deform_options& options) const {
     detail::check_limits(options.max_iterations, options.tolerance);
     deform_result<M> result{make_vert_map<vec3>(mesh_.get()), {}, false};
@@ -106,12 +123,17 @@ class prepared_deform {
 /// Result: an object with with_positions(...). Its energy is the sum, over the verts and their edges, of the weight
 ///         times the squared difference between the edge and its rest, rotated by the best rotation of the vert: a
 ///         rigid motion costs nothing. Edges are pairs of verts with a weight in the Laplacian, diagonals of polys too.
-///         Negative weights are made positive; num_made_positive() counts them.
+///         Negative weights are made positive; num_made_positive() counts them. With options.rigidity =
+///         rigid_cells::spokes_and_rims the edges of a vert are those of all its polys, with the weights in the matrix
+///         of the poly. Their sum in a poly is never negative, so that no sign is changed. A surface resists bending
+///         then, also where triangles are obtuse.
 /// Cost:   one factorisation for the verts that are no handles.
 /// Errors: solver_error if a component has no handle; it names one of its verts and their number. invalid_mesh if a
-///         point is not finite, or a handle is no vert of m. Those of laplacian with this discretisation. cancelled.
-/// Source: Sorkine and Alexa 2007, "As-rigid-as-possible surface modeling"; of volumes, Chao, Pinkall, Sanan and
-///         Schroeder 2010. The rotations are those of Horn 1987, by quaternions.
+///         point is not finite, or a handle is no vert of m. unsupported for spokes and rims if the discretisation has
+///         no matrices of polys. Those of laplacian with this discretisation. cancelled.
+/// Source: Sorkine and Alexa 2007, "As-rigid-as-possible surface modeling"; of volumes, and spokes and rims, Chao,
+///         Pinkall, Sanan and Schroeder 2010, "A simple geometric model for elastic deformation". The rotations are
+///         those of Horn 1987, by quaternions.
 template<class M, class V = std::initializer_list<vert_t<M>>, class Solver = ldlt>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && core::iterable<V> &&
       SparseSolver<std::remove_cvref_t<Solver>, Eigen::SparseMatrix<double>, Eigen::VectorXd>
@@ -129,9 +151,17 @@ template<class M, class V = std::initializer_list<vert_t<M>>, class D, class Sol
   }
 
 // What to write instead of calls that cannot compile.
-template<class... T> void prepare_deform(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
-template<class... T> void prepare_deform(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
-template<class... T> void prepare_deform(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
-template<class... T> void prepare_deform(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
+template<class... T>
+void prepare_deform(mistake::no_mesh<mistake::adapt_the_mesh>, ...) =
+    delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T>
+void prepare_deform(mistake::temporary_mesh<mistake::name_the_mesh>,
+                    ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T>
+void prepare_deform(mistake::no_points<mistake::give_points>,
+                    ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class... T>
+void prepare_deform(mistake::any_mesh, mistake::number<mistake::name_the_element>,
+                    ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
 
 }  // namespace concino

@@ -12,7 +12,12 @@
 namespace concino::detail {
 
 CONCINO_INLINE double arap_problem::local_step(const std::vector<vec3>& x,
-                                               std::vector<std::array<vec3, 3>>& rotations) const {
+                                               std::vector<rotation_columns>& rotations) const {
+  return polys_.is_empty() ? rotate_spokes(x, rotations) : polys_.local_step(rest_, x, rotations);
+}
+
+CONCINO_INLINE double arap_problem::rotate_spokes(const std::vector<vec3>& x,
+                                                  std::vector<rotation_columns>& rotations) const {
   std::vector<double> energy(rest_.size());
   parallel_for(
       rest_.size(),
@@ -28,7 +33,7 @@ CONCINO_INLINE double arap_problem::local_step(const std::vector<vec3>& x,
         const auto& r = rotations[v] = best_rotation(moments, 0.5 * twice_bound);
         double sum = 0;
         for (std::uint32_t k = first_[v]; k < first_[v + 1]; ++k) {
-          const vec3 e = rest_[to_[k]] - rest_[v], d = x[to_[k]] - x[v] - (e.x * r[0] + e.y * r[1] + e.z * r[2]);
+          const vec3 e = rest_[to_[k]] - rest_[v], d = x[to_[k]] - x[v] - turned(r, e);
           sum += weight_[k] * dot(d, d);
         }
         energy[v] = sum;
@@ -39,24 +44,30 @@ CONCINO_INLINE double arap_problem::local_step(const std::vector<vec3>& x,
   return whole;
 }
 
+CONCINO_INLINE vec3 arap_problem::spokes_side(std::size_t v, const std::vector<rotation_columns>& rotations) const {
+  vec3 sum;
+  for (std::uint32_t k = first_[v]; k < first_[v + 1]; ++k) {
+    const vec3 e = (0.5 * weight_[k]) * (rest_[v] - rest_[to_[k]]);
+    sum += turned(rotations[v], e) + turned(rotations[to_[k]], e);
+  }
+  return sum;
+}
+
 CONCINO_INLINE void arap_problem::global_step(core::solver_ref solver, const Eigen::SparseMatrix<double>& lower,
-                                              const std::vector<std::array<vec3, 3>>& rotations, bool check,
+                                              const std::vector<rotation_columns>& rotations, bool check,
                                               std::vector<vec3>& x) const {
   const auto n = static_cast<Eigen::Index>(num_unknowns());
   if (n == 0) return;
   std::array<Eigen::VectorXd, 3> b{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n)};
+  std::vector<rotation_columns> of_polys;
+  if (!polys_.is_empty()) of_polys = polys_.sums_of(rotations);
   parallel_for(
       num_unknowns(),
       [&](std::size_t row) {
         const std::uint32_t v = vert_of_unknown_[row];
-        vec3 sum;
-        for (std::uint32_t k = first_[v]; k < first_[v + 1]; ++k) {
-          const std::uint32_t w = to_[k];
-          const vec3 e = (0.5 * weight_[k]) * (rest_[v] - rest_[w]);
-          const auto &r = rotations[v], &s = rotations[w];
-          sum += e.x * (r[0] + s[0]) + e.y * (r[1] + s[1]) + e.z * (r[2] + s[2]);
-          if (unknown_[w] == not_unknown) sum += weight_[k] * x[w];
-        }
+        vec3 sum = polys_.is_empty() ? spokes_side(v, rotations) : polys_.right_side(v, of_polys);
+        for (std::uint32_t k = first_[v]; k < first_[v + 1]; ++k)
+          if (unknown_[to_[k]] == not_unknown) sum += weight_[k] * x[to_[k]];
         for (std::size_t d = 0; d < 3; ++d) b[d][static_cast<Eigen::Index>(row)] = sum[d];
       },
       256);
@@ -74,7 +85,7 @@ CONCINO_INLINE std::vector<double> arap_problem::iterate(core::solver_ref solver
                                                          bool& has_converged) const {
   std::vector<vec3> x(points.size());
   for (std::size_t v = 0; v < x.size(); ++v) x[v] = points[v] / unit_;
-  std::vector<std::array<vec3, 3>> rotations(x.size());
+  std::vector<rotation_columns> rotations(x.size());
   std::vector<double> energies{local_step(x, rotations)};
   double whole = 0;  // the energy of a shape that shrinks to a point: the measure of rounding errors
   for (std::size_t v = 0; v < rest_.size(); ++v)

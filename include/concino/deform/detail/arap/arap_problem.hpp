@@ -4,10 +4,10 @@
 #include <concino/core/compiled.hpp>
 #include <concino/core/residual.hpp>
 #include <concino/core/vec3.hpp>
+#include <concino/deform/detail/arap/arap_polys.hpp>
 
 #include <Eigen/SparseCore>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -27,19 +27,22 @@ class arap_problem {
   double unit_ = 1, weight_unit_ = 1;
   std::vector<std::uint32_t> first_{0}, to_;  // edges from each vert
   std::vector<double> weight_;
-  std::vector<std::uint32_t> component_;      // of each vert; those without edges have one of their own
+  std::vector<std::uint32_t> component_;  // of each vert; those without edges have one of their own
   std::vector<std::uint32_t> unknown_, vert_of_unknown_, handles_;  // handles: each once
   std::vector<bool> is_handle_;
   std::size_t num_made_positive_ = 0, num_components_ = 0;
+  arap_polys polys_;  // empty: spokes, by the edges
 
   void keep_edges(const Eigen::SparseMatrix<double>& laplacian);
   void number_components();
 
  public:
-  /// laplacian: both triangles; points of all indices, those of deleted verts arbitrary.
+  /// laplacian: both triangles; points of all indices, those of deleted verts arbitrary. polys: empty for spokes; for
+  /// spokes and rims laplacian is theirs.
   /// Errors: solver_error if a component with edges has no handle.
   arap_problem(std::vector<vec3> points, const std::vector<std::size_t>& used,
-               const Eigen::SparseMatrix<double>& laplacian, const std::vector<std::size_t>& handles);
+               const Eigen::SparseMatrix<double>& laplacian, const std::vector<std::size_t>& handles,
+               arap_polys polys = {});
 
   std::size_t num_made_positive() const { return num_made_positive_; }
   std::size_t num_unknowns() const { return vert_of_unknown_.size(); }
@@ -61,9 +64,13 @@ class arap_problem {
 
  private:
   /// The best rotation at each vert, and the energy.
-  double local_step(const std::vector<vec3>& x, std::vector<std::array<vec3, 3>>& rotations) const;
+  double local_step(const std::vector<vec3>& x, std::vector<rotation_columns>& rotations) const;
+  /// The same with spokes.
+  double rotate_spokes(const std::vector<vec3>& x, std::vector<rotation_columns>& rotations) const;
+  /// The right side of the equation of a vert with spokes, without the handles.
+  vec3 spokes_side(std::size_t v, const std::vector<rotation_columns>& rotations) const;
   void global_step(core::solver_ref solver, const Eigen::SparseMatrix<double>& lower,
-                   const std::vector<std::array<vec3, 3>>& rotations, bool check, std::vector<vec3>& x) const;
+                   const std::vector<rotation_columns>& rotations, bool check, std::vector<vec3>& x) const;
 };
 
 }  // namespace concino::detail

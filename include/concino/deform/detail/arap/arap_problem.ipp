@@ -36,10 +36,10 @@ CONCINO_INLINE void arap_problem::keep_edges(const Eigen::SparseMatrix<double>& 
       // smaller ones are 0 but for rounding
       const double rounding =
           1e-12 * (diagonal[static_cast<std::size_t>(c)] + diagonal[static_cast<std::size_t>(it.row())]);
-      if (it.row() == c || !(std::abs(it.value()) > rounding)) continue;
+      if (it.row() == c || !(std::abs(it.value()) > (polys_.is_empty() ? rounding : 0))) continue;
       to_.push_back(static_cast<std::uint32_t>(it.row()));
-      weight_.push_back(std::abs(it.value()) / weight_unit_);
-      twice_negative += it.value() < 0;
+      weight_.push_back((polys_.is_empty() ? std::abs(it.value()) : it.value()) / weight_unit_);
+      twice_negative += polys_.is_empty() && it.value() < 0;
     }
     first_.push_back(static_cast<std::uint32_t>(to_.size()));
   }
@@ -65,8 +65,9 @@ CONCINO_INLINE void arap_problem::number_components() {
 
 CONCINO_INLINE arap_problem::arap_problem(std::vector<vec3> points, const std::vector<std::size_t>& used,
                                           const Eigen::SparseMatrix<double>& laplacian,
-                                          const std::vector<std::size_t>& handles)
-    : rest_(std::move(points)), unknown_(rest_.size(), not_unknown), is_handle_(rest_.size(), false) {
+                                          const std::vector<std::size_t>& handles, arap_polys polys)
+    : rest_(std::move(points)), unknown_(rest_.size(), not_unknown), is_handle_(rest_.size(), false),
+      polys_(std::move(polys)) {
   double size = 0;
   if (!used.empty())
     for (const std::size_t v : used) {
@@ -76,6 +77,7 @@ CONCINO_INLINE arap_problem::arap_problem(std::vector<vec3> points, const std::v
   unit_ = power_of_two_above(size);
   for (vec3& x : rest_) x /= unit_;
   keep_edges(laplacian);
+  if (!polys_.is_empty()) polys_.prepare(rest_, weight_unit_);
   number_components();
   std::vector<bool> has_handle(num_components_, false);
   for (const std::size_t v : handles) {
