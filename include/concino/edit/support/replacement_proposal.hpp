@@ -9,8 +9,6 @@
 
 namespace concino::core {
 
-using detail::replaced_vert;
-
 /// What invariants ask about a replacement of polys besides its cavity. Verts and old polys have the numbers that they
 /// have in the cavity.
 template<class M>

@@ -21,11 +21,27 @@ class cell_replacement {
   std::vector<std::uint32_t> changed_;  // polys of the patch that remain
   core::local_numbers numbers_;         // in the cavity, of labels
   correspondence from_;
+  std::vector<replaced_vert> successors_, of_removed_;  // of all verts; of removed ones that have only one
   std::size_t num_kept_ = 0, num_removed_ = 0;
 
   template<class T>
   static id_span<T> span(const std::vector<T>& v) {
     return {v.data(), v.data() + v.size()};
+  }
+
+  void find_successors(const cube_tables& t, const cell_edit& e) {
+    for (std::size_t i = 0; i < e.labels.size(); ++i)
+      if (const unsigned v = numbers_.find(t.poly_verts[i]); v != numbers_.none)
+        successors_.push_back({v, numbers_.find(e.labels[i])});
+    std::sort(successors_.begin(), successors_.end());
+    successors_.erase(std::unique(successors_.begin(), successors_.end()), successors_.end());
+    const std::size_t n = successors_.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const unsigned v = successors_[i].vert;
+      const bool has_others =
+          (i > 0 && successors_[i - 1].vert == v) || (i + 1 < n && successors_[i + 1].vert == v);
+      if (v + num_removed_ >= verts_.size() && !has_others) of_removed_.push_back(successors_[i]);
+    }
   }
 
   core::replacement_origins<M> origins(const cell_patch<M>& patch, const cell_edit& e) const {
@@ -35,11 +51,7 @@ class cell_replacement {
     for (const std::uint32_t p : e.added_from)
       from.polys.push_back(
           static_cast<unsigned>(std::lower_bound(changed_.begin(), changed_.end(), p) - changed_.begin()));
-    for (std::size_t i = 0; i < e.labels.size(); ++i)
-      if (const unsigned v = numbers_.find(t.poly_verts[i]); v != numbers_.none)
-        from.verts.push_back({v, numbers_.find(e.labels[i])});
-    std::sort(from.verts.begin(), from.verts.end());
-    from.verts.erase(std::unique(from.verts.begin(), from.verts.end()), from.verts.end());
+    from.verts = successors_;
     for (std::uint32_t p = 0; p < t.num_polys(); ++p)
       if (!e.is_gone[p] && !std::binary_search(changed_.begin(), changed_.end(), p))
         from.neighbours.push_back(patch.polys[p]);
@@ -54,13 +66,11 @@ class cell_replacement {
     const cube_tables& t = patch.t;
     const unsigned n = t.num_corners();
     std::vector<std::uint32_t> from;
-    const auto changes = [&](std::uint32_t p) {
-      for (unsigned k = 0; k < n; ++k)
-        if (e.labels[p * n + k] != t.poly_verts[p * n + k]) return true;
-      return false;
-    };
+    std::vector<unsigned char> changes(t.num_polys());
+    for (std::size_t i = 0; i < e.labels.size(); ++i) changes[i / n] |= e.labels[i] != t.poly_verts[i];
+    for (const std::uint32_t p : e.added_from) changes[p] = 1;  // its values are those of new polys
     for (std::uint32_t p = 0; p < t.num_polys(); ++p)
-      if (!e.is_gone[p] && changes(p)) changed_.push_back(p), polys_.push_back(patch.polys[p]);
+      if (!e.is_gone[p] && changes[p]) changed_.push_back(p), polys_.push_back(patch.polys[p]);
     num_kept_ = polys_.size();
     std::vector<unsigned char> is_removed(t.num_verts);
     for (const std::uint32_t v : e.removed) is_removed[v] = 1;
@@ -95,6 +105,7 @@ class cell_replacement {
       from_.verts.add(std::span<const origin>(origins));
     }
     new_verts.resize(points_.size()), new_polys.resize(ends_.size());
+    find_successors(t, e);
   }
 
   cavity<M> lists() const {
@@ -108,7 +119,7 @@ class cell_replacement {
     return core::ask_about_replacement(keep, m, lists(), origins(plan.patch, plan.e));
   }
   void apply(M& m) {
-    replace_polys(m, lists(), cavity_result<M>{new_verts.data(), new_polys.data()}, from_, {}, [] {});
+    replace_polys(m, lists(), cavity_result<M>{new_verts.data(), new_polys.data()}, from_, {}, [] {}, of_removed_);
   }
 };
 

@@ -10,18 +10,10 @@
 #include <concino/edit/replace_polys.hpp>
 
 #include <cmath>
-#include <compare>
 #include <span>
 #include <vector>
 
 namespace concino::detail {
-
-/// A vert, and the one that takes its place.
-struct replaced_vert {
-  unsigned vert, by;
-
-  friend auto operator<=>(const replaced_vert&, const replaced_vert&) = default;
-};
 
 /// All verts have local numbers, in the order in which they are met; new ones have `new_vert`, `new_vert` + 1, ...
 template<class M>
