@@ -39,9 +39,9 @@ int main(int argc, char** argv) {
   // A sheet is taken out, unless that would change the topology, or make a hex worse than is asked for.
   cn::hexmesh m = ball;
   const auto sheet = cn::sheet_of(m, sheets[3].edges[0]);
-  const auto refused = cn::can_collapse_sheet(m, sheet, {.keep = cn::min_poly_quality(0.9)});
+  const auto refused = cn::can_collapse_sheet(m, sheet, {.keep = {cn::min_quality(0.9, cn::metric::scaled_jacobian)}});
   fmt::print("with scaled Jacobians of 0.9: {}\n", refused ? "allowed" : refused.why);
-  const auto back = cn::collapse_sheet(m, sheet, {.keep = cn::min_poly_quality(0.1)});
+  const auto back = cn::collapse_sheet(m, sheet, {.keep = {cn::min_quality(0.1, cn::metric::scaled_jacobian)}});
   say("without the sheet", m);
   const cn::hexmesh coarser = m;
 

@@ -6,7 +6,6 @@
 #include <concino/layout/collapse_sheet.hpp>
 #include <concino/layout/diagonal_collapse.hpp>
 #include <concino/layout/insert_sheet.hpp>
-#include <concino/layout/proposed_polys.hpp>
 #include <concino/layout/separatrices.hpp>
 #include <concino/layout/sheets.hpp>
 #include <concino/layout/singularities.hpp>

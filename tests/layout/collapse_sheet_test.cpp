@@ -2,7 +2,6 @@
 #include <concino/layout/collapse_sheet.hpp>
 #include <concino/layout/diagonal_collapse.hpp>
 #include <concino/layout/insert_sheet.hpp>
-#include <concino/layout/proposed_polys.hpp>
 
 #include <concino/concepts/archetypes.hpp>
 #include <concino/edit/transaction.hpp>
@@ -136,15 +135,6 @@ TEST_CASE_TEMPLATE("collapses and insertions: refusals leave the mesh equal", M,
   // two polys that touch at a vert or an edge
   const auto pair = dimension_v<M> == 2 ? std::vector<poly_id>{poly_id{0}, poly_id{4}} : std::vector<poly_id>{poly_id{0}, poly_id{13}};
   CHECK_FALSE(pillow(grid, pair));
-  // conditions
-  const auto never = [](const proposed_polys& e) {
-    CHECK(e.num_polys() > 0);
-    return permission{refusal::invariant, "never"};
-  };
-  CHECK(pillow(grid, all(), {.keep = never}).why == "never");
-  CHECK(pillow(grid, all(), {.keep = min_poly_quality(0.9999)}).reason == refusal::invariant);
-  CHECK(can_pillow(grid, all(), {.keep = min_poly_quality(0.1)}));
-  CHECK(collapse_layer(grid, layer_through(grid, edge_id{0}), {.keep = never}).reason == refusal::invariant);
   CHECK(record_of(grid) == old);
   for (const double bad : {-0.1, 1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
     CHECK_THROWS_AS(insert_layer(grid, std::vector<facet_t<M>>{within}, {.thickness = bad}), invalid_argument);

@@ -23,15 +23,18 @@ void save_verts(const M& m, std::span<const vert_t<M>> changed, const auto& save
 /// Replaces polys as rewire does, and carries the values of named properties over.
 /// Needs:  EditableMesh M; a cavity with the laws of rewire; from.verts: the verts of which each new vert was made, in
 ///         the order of c.points; from.polys: the old poly of which each new one was made. finish() changes values of
-///         properties at the verts `changed` and at new ones; it cannot fail.
-/// Result: none; `made` has the new elements. A new edge or face has the values of an old one that has all verts of
+///         properties at the verts `changed` and at new ones; it cannot fail. replaced: removed verts with those that
+///         take their places, by their numbers in the cavity, each once.
+/// Result: none; `made` has the new elements. Edges and faces that old polys have too keep their values. A new one has
+///         those of the old ones that become it where verts are replaced, else of an old one that has all verts of
 ///         which its own were made, else default ones; corners have those of the old poly. In an open transaction all
 ///         of it can be undone.
 /// Cost:   the elements at the verts of the cavity, but O(mesh) the first time, and sorting these.
 /// Errors: those of rewire. The mesh is unchanged then, also if memory runs out.
 template<EditableMesh M, class Finish>
 void replace_polys(M& m, const cavity<M>& c, const cavity_result<M>& made, const correspondence& from,
-                   std::span<const std::type_identity_t<vert_t<M>>> changed, const Finish& finish) {
+                   std::span<const std::type_identity_t<vert_t<M>>> changed, const Finish& finish,
+                   std::span<const replaced_vert> replaced = {}) {
   const auto rewire_all = [&] {
     if (c.polys.size() > 0) rewire(m, c, made);
   };
@@ -40,7 +43,7 @@ void replace_polys(M& m, const cavity<M>& c, const cavity_result<M>& made, const
       const auto first_new = static_cast<unsigned>(c.verts.size());
       const std::size_t num_new = (c.poly_ends.size() > 0 ? c.poly_ends : c.ends).size();
       detail::edit_values<M> values(m, {c.verts.begin(), c.verts.size()}, first_new, c.points.size());
-      detail::replaced_origins<M>(m, c, from, values).add(traits<M>::properties(m));
+      detail::replaced_origins<M>(m, c, from, replaced, values).add(traits<M>::properties(m));
       values.find(traits<M>::properties(m));
       detail::replace_saved(
           m,

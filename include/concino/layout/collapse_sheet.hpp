@@ -12,7 +12,7 @@
 namespace concino {
 
 struct collapse_sheet_options {
-  shape_condition keep = {};  // the edit is refused if this refuses the polys that change, as min_poly_quality(0.1) may
+  std::vector<invariant> keep = {};  // see edit_options; asked about the polys that change
 };
 
 /// What collapse_chord returns: a permission, and the edges to which the chord has become, for insert_chord. There are
@@ -64,7 +64,7 @@ template<class M>
 permission can_collapse(const M& m, const std::vector<edge_t<M>>& along, const collapse_sheet_options& options,
                         const char* caller) {
   const planned_collapse<M> plan(m, along, caller);
-  return plan.e.allowed ? cell_replacement<M>(m, plan.patch, plan.e).ask(m, options.keep) : plan.e.allowed;
+  return plan.e.allowed ? cell_replacement<M>(m, plan.patch, plan.e).ask(m, plan, options.keep) : plan.e.allowed;
 }
 
 template<class M>
@@ -73,7 +73,7 @@ permission collapse(M& m, const std::vector<edge_t<M>>& along, const collapse_sh
   const planned_collapse<M> plan(m, along, caller);
   if (!plan.e.allowed) return plan.e.allowed;
   cell_replacement<M> replacement(m, plan.patch, plan.e);
-  if (const permission p = replacement.ask(m, options.keep); !p) return p;
+  if (const permission p = replacement.ask(m, plan, options.keep); !p) return p;
   const bool has_inverse = !plan.has_touching_edges(m);
   if (has_inverse) becomes.reserve(plan.e.facets.size());
   replacement.apply(m);
@@ -113,7 +113,7 @@ permission check_sheet(const M& m, const sheet<M>& s, const char* caller) {
 /// Whether a chord of quads can be collapsed.
 /// Needs:  an EditableSurfaceMesh whose polys are quads, with points; a chord of it.
 /// Result: true, or the reason: the topology would change, as where the chord connects two boundaries, two edges or
-///         quads would have the same verts, or the condition in the options refuses the quads that change.
+///         quads would have the same verts, or an invariant does not hold.
 /// Cost:   the polys at the verts of the chord, and sorting these.
 /// Errors: as collapse_chord.
 template<EditableSurfaceMesh M>

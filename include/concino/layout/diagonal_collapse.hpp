@@ -36,7 +36,7 @@ struct planned_diagonal {
 /// Whether a quad can be collapsed along the diagonal from v.
 /// Needs:  an EditableSurfaceMesh whose polys at p are quads, with points; a poly of it and a vert of the poly.
 /// Result: true, or the reason: both ends of the diagonal are on the boundary, two edges or quads would have the same
-///         verts, or the condition in the options refuses the quads that change.
+///         verts, or an invariant does not hold.
 /// Cost:   the polys at the verts of p, and sorting these.
 /// Errors: as diagonal_collapse.
 template<EditableSurfaceMesh M>
@@ -44,7 +44,8 @@ template<EditableSurfaceMesh M>
                                                                          const collapse_sheet_options& options = {}) {
     detail::check_member(m, p, "can_diagonal_collapse", "poly");
     const detail::planned_diagonal<M> plan(m, p, v, "can_diagonal_collapse");
-    return plan.e.allowed ? detail::cell_replacement<M>(m, plan.patch, plan.e).ask(m, options.keep) : plan.e.allowed;
+    if (!plan.e.allowed) return plan.e.allowed;
+    return detail::cell_replacement<M>(m, plan.patch, plan.e).ask(m, plan, options.keep);
   }
 
 /// Collapses a quad along a diagonal: v and the opposite corner become one vert, p vanishes, and of its edges each two
@@ -63,7 +64,7 @@ template<EditableSurfaceMesh M>
     const detail::planned_diagonal<M> plan(m, p, v, "diagonal_collapse");
     if (!plan.e.allowed) return {plan.e.allowed, vert_t<M>{}};
     detail::cell_replacement<M> replacement(m, plan.patch, plan.e);
-    if (const permission r = replacement.ask(m, options.keep); !r) return {r, vert_t<M>{}};
+    if (const permission r = replacement.ask(m, plan, options.keep); !r) return {r, vert_t<M>{}};
     replacement.apply(m);
     return {{}, plan.e.points.empty() ? plan.kept : replacement.new_verts[0]};
   }

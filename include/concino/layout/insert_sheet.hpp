@@ -14,12 +14,12 @@ namespace concino {
 struct insert_sheet_options {
   double thickness = 1 / 3.0;  // in [0, 1): by which part of the polys on either side the new ones push these back;
                                // with 0 they have no thickness
-  shape_condition keep = {};   // the edit is refused if this refuses the polys that change and the new ones
+  std::vector<invariant> keep = {};  // see edit_options; asked about the polys that change and the new ones
 };
 struct pillow_options {
   double thickness = 1 / 3.0;  // as that of insert_sheet_options
   bool at_boundary = true;     // whether the layer also covers facets of the polys at the boundary; else it ends there
-  shape_condition keep = {};   // as that of insert_sheet_options
+  std::vector<invariant> keep = {};  // as that of insert_sheet_options
 };
 
 /// What an insertion returns: a permission, the new polys, in the order of the edges or faces, and an edge of them that
@@ -83,19 +83,19 @@ std::vector<facet_t<M>> facets_around(const M& m, std::span<const poly_t<M>> som
 }
 
 template<class M>
-permission can_insert(const M& m, const std::vector<facet_t<M>>& along, double thickness, const shape_condition& keep,
-                      const char* caller) {
+permission can_insert(const M& m, const std::vector<facet_t<M>>& along, double thickness,
+                      const std::vector<invariant>& keep, const char* caller) {
   const planned_insertion<M> plan(m, along, thickness, caller);
-  return plan.e.allowed ? cell_replacement<M>(m, plan.patch, plan.e).ask(m, keep) : plan.e.allowed;
+  return plan.e.allowed ? cell_replacement<M>(m, plan.patch, plan.e).ask(m, plan, keep) : plan.e.allowed;
 }
 
 template<class M>
-inserted_sheet<M> insert(M& m, const std::vector<facet_t<M>>& along, double thickness, const shape_condition& keep,
-                         const char* caller) {
+inserted_sheet<M> insert(M& m, const std::vector<facet_t<M>>& along, double thickness,
+                         const std::vector<invariant>& keep, const char* caller) {
   const planned_insertion<M> plan(m, along, thickness, caller);
   if (!plan.e.allowed) return {plan.e.allowed, {}, edge_t<M>{}};
   cell_replacement<M> replacement(m, plan.patch, plan.e);
-  if (const permission p = replacement.ask(m, keep); !p) return {p, {}, edge_t<M>{}};
+  if (const permission p = replacement.ask(m, plan, keep); !p) return {p, {}, edge_t<M>{}};
   inserted_sheet<M> r;
   r.polys.reserve(along.size());
   replacement.apply(m);
@@ -110,7 +110,7 @@ inserted_sheet<M> insert(M& m, const std::vector<facet_t<M>>& along, double thic
 /// Whether a chord of quads can be inserted along edges.
 /// Needs:  an EditableSurfaceMesh whose polys are quads, with points; edges of it.
 /// Result: true, or the reason: the edges are not a closed curve or one from boundary to boundary, meet or touch
-///         themselves, or the condition in the options refuses a quad. Edges at the boundary are allowed: outside of
+///         themselves, or an invariant does not hold. Edges at the boundary are allowed: outside of
 ///         the mesh is a side of them.
 /// Cost:   the polys at the verts of the edges, and sorting these.
 /// Errors: as insert_chord.
@@ -142,7 +142,7 @@ template<EditableSurfaceMesh M>
 /// Whether a sheet of hexes can be inserted along faces.
 /// Needs:  an EditableVolumeMesh of hexes, with points; faces of it.
 /// Result: true, or the reason: the faces are not a closed surface or one that ends at the boundary, meet or touch
-///         themselves, or the condition in the options refuses a hex.
+///         themselves, or an invariant does not hold.
 /// Cost:   the polys at the verts of the faces, and sorting these.
 /// Errors: as insert_sheet.
 template<EditableVolumeMesh M>

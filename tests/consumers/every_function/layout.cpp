@@ -1,5 +1,6 @@
 #include "call.hpp"
 
+#include <concino/edit.hpp>
 #include <concino/layout.hpp>
 
 #include <vector>
@@ -24,7 +25,7 @@ void call_layout() {
   call("can_insert_sheet", [](auto& m) { cn::can_insert_sheet(m, cn::collapse_sheet(m, cn::sheet_of(m, first(cn::edges(m)))).faces); }, hexes);
   call("insert_sheet", [](auto& m) { cn::insert_sheet(m, cn::collapse_sheet(m, cn::sheet_of(m, first(cn::edges(m)))).faces); }, hexes);
   call("can_pillow", [](auto& m) { cn::can_pillow(m, std::vector{first(cn::polys(m))}); }, cubes);
-  call("pillow", [](auto& m) { cn::pillow(m, std::vector{first(cn::polys(m))}, {.keep = cn::min_poly_quality(0.01)}); }, cubes);
+  call("pillow", [](auto& m) { cn::pillow(m, std::vector{first(cn::polys(m))}, {.keep = {cn::min_quality(0.01)}}); }, cubes);
   call("can_diagonal_collapse", [](auto& m) { cn::can_diagonal_collapse(m, first(cn::polys(m)), cn::vert_id{0}); }, quads);
   call("diagonal_collapse", [](auto& m) { cn::diagonal_collapse(m, first(cn::polys(m)), cn::vert_id{0}); }, quads);
   call("coarse_layout", [](auto& m) { cn::coarse_layout(m); }, cubes);

@@ -9,13 +9,24 @@
 #include <concino/mesh/support/carried_values.hpp>
 
 #include <algorithm>
+#include <compare>
 #include <map>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
-namespace concino::detail {
+namespace concino {
+
+/// A vert that an edit removes, and the one that takes its place: an existing one, or a new one. Both have the numbers
+/// that the operator gives them.
+struct replaced_vert {
+  unsigned vert, by;
+
+  friend auto operator<=>(const replaced_vert&, const replaced_vert&) = default;
+};
+
+namespace detail {
 
 /// Models whose named properties follow the edits.
 template<class M> concept carries_values = HasProperties<M> && requires(const M& m, poly_t<M> p) {
@@ -160,4 +171,6 @@ class edit_values {
   }
 };
 
-}  // namespace concino::detail
+}  // namespace detail
+
+}  // namespace concino

@@ -6,6 +6,7 @@
 #include <concino/core/local_numbers.hpp>
 #include <concino/edit/detail/edit_values.hpp>
 #include <concino/edit/detail/saved_edit.hpp>
+#include <concino/mesh/support/standard_cells.hpp>
 
 #include <algorithm>
 #include <span>
@@ -15,8 +16,9 @@
 namespace concino::detail {
 
 /// Verts have local numbers, those of the cavity. Edges and faces that old polys have keep their values. Others come
-/// from the one old edge or face that has all verts of which theirs were made; else from those that vanish and have no
-/// other verts, apart from removed ones; or they have none.
+/// from the old edges or faces that become them where verts take the places of removed ones; else from the one old edge
+/// or face that has all verts of which theirs were made, if these are enough for one; else from those that vanish and
+/// have no other verts, apart from removed ones without a successor; or they have none.
 template<class M>
 class replaced_origins {
   using key = std::vector<unsigned>;  // sorted numbers of verts
@@ -26,32 +28,35 @@ class replaced_origins {
   const correspondence& from_;
   edit_values<M>& to_;
   core::local_numbers number_of_vert_;  // in the cavity
+  std::vector<unsigned> successor_;     // by number: a vert itself, or the one that takes its place, or `none`
 
   std::size_t num_polys() const { return (c_.poly_ends.size() > 0 ? c_.poly_ends : c_.ends).size(); }
-  /// Calls f(first, last) for the corners of each polygon of new poly k: its faces, or itself.
+  /// Calls f(first, last) for the corners of each polygon of new poly k: its faces, or itself in a surface.
   template<class F>
   void for_each_list(std::size_t k, const F& f) const {
     const auto start = [](const id_span<unsigned>& ends, std::size_t i) { return i == 0 ? 0u : ends[i - 1]; };
+    if constexpr (dimension_v<M> == 3 && arity_v<M> > 0) return for_each_face(c_.corners.begin() + c_.ends[k], f);
     if (c_.poly_ends.size() == 0) return f(c_.corners.begin() + start(c_.ends, k), c_.corners.begin() + c_.ends[k]);
     for (unsigned i = start(c_.poly_ends, k); i < c_.poly_ends[k]; ++i)
       f(c_.corners.begin() + start(c_.ends, i), c_.corners.begin() + c_.ends[i]);
+  }
+  /// The same for a tet or hex whose corners end here.
+  template<class F>
+  void for_each_face(const unsigned* end, const F& f) const {
+    const standard_cell& cell = standard_cell_of(arity_v<M> == 4 ? cell_shape::tet : cell_shape::hex);
+    for (unsigned i = 0; i < cell.num_faces; ++i) {
+      unsigned list[4] = {}, n = 0;
+      for (; n < cell.face_size[i]; ++n) list[n] = (end - cell.num_verts)[cell.face_vert[i][n]];
+      f(list, list + n);
+    }
   }
   /// Calls f for the edges (n = 2) or the faces (n = 3) of new poly k, as lists of verts.
   template<class F>
   void for_each_edge_or_face(std::size_t k, unsigned n, const F& f) const {
     for_each_list(k, [&](const unsigned* first, const unsigned* last) {
       const auto size = static_cast<std::size_t>(last - first);
-      if constexpr (dimension_v<M> == 3 && arity_v<M> == 4) {  // one list is a tet, whose parts are all of its pairs
-                                                               // and triples
-        for (unsigned i = 0; i < 4; ++i)
-          for (unsigned j = i + 1; j < 4; ++j) {
-            if (n == 2) f(key{first[i], first[j]});
-            for (unsigned l = j + 1; n == 3 && l < 4; ++l) f(key{first[i], first[j], first[l]});
-          }
-      } else {
-        if (n == 3) f(key(first, last));
-        for (std::size_t i = 0; n == 2 && i < size; ++i) f(key{first[i], first[i + 1 < size ? i + 1 : 0]});
-      }
+      if (n == 3) f(key(first, last));
+      for (std::size_t i = 0; n == 2 && i < size; ++i) f(key{first[i], first[i + 1 < size ? i + 1 : 0]});
     });
   }
   static key sorted(key x) {
@@ -79,7 +84,8 @@ class replaced_origins {
                     std::vector<origin>& found) const {
     std::vector<std::uint32_t> allowed = wanted;
     for (std::size_t i = c_.verts.size() - c_.removed; i < c_.verts.size(); ++i)
-      allowed.push_back(static_cast<std::uint32_t>(index_of(m_, c_.verts[i])));
+      if (successor_[i] == number_of_vert_.none)
+        allowed.push_back(static_cast<std::uint32_t>(index_of(m_, c_.verts[i])));
     std::sort(allowed.begin(), allowed.end());
     const auto stays = [&](const std::vector<std::uint32_t>& list) {
       key local;  // by number in the cavity
@@ -97,6 +103,25 @@ class replaced_origins {
           found.push_back(one);
       }
     }
+  }
+
+  /// What old edges or faces with removed verts become, sorted, with their positions in `old`.
+  std::vector<std::pair<key, std::size_t>> successors(const old_list& old, unsigned n) const {
+    std::vector<std::pair<key, std::size_t>> all;
+    for (std::size_t i = 0; i < old.size(); ++i) {
+      key x;
+      bool is_known = true, stays = true;
+      for (const std::uint32_t v : old[i].first) {
+        const unsigned number = number_of_vert_.find(v);
+        x.push_back(successor_[number]);
+        is_known = is_known && x.back() != number_of_vert_.none, stays = stays && x.back() == number;
+      }
+      x = sorted(std::move(x));
+      x.erase(std::unique(x.begin(), x.end()), x.end());
+      if (is_known && !stays && x.size() >= n) all.emplace_back(std::move(x), i);
+    }
+    std::sort(all.begin(), all.end());
+    return all;
   }
 
   /// Finds the new edges or faces, and their origins among those of the old polys.
@@ -121,15 +146,19 @@ class replaced_origins {
       for_each_edge_or_face(k, n, [&](const key& x) { keys.push_back(sorted(x)); });
     std::sort(keys.begin(), keys.end());
     keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+    const auto become = successors(old, n);
+    const auto by_verts = [](const auto& a, const auto& b) { return a.first < b.first; };
     for (const key& x : keys) {
       const auto wanted = origin_verts(x);
-      const auto by_verts = [](const auto& a, const auto& b) { return a.first < b.first; };
       const bool is_old = x.back() < c_.verts.size() &&
                           std::binary_search(old.begin(), old.end(), std::pair{wanted, std::size_t{0}}, by_verts);
       if (is_old) continue;
       std::vector<origin> found;
+      const auto same = std::equal_range(become.begin(), become.end(), std::pair{x, std::size_t{0}}, by_verts);
+      for (auto i = same.first; i != same.second; ++i)
+        found.push_back({static_cast<std::uint32_t>(old[i->second].second)});
       const auto at = std::equal_range(old_at.begin(), old_at.end(), std::pair{wanted[0], std::size_t{0}}, by_verts);
-      for (auto i = at.first; i != at.second && found.empty(); ++i)
+      for (auto i = at.first; i != at.second && found.empty() && wanted.size() >= n; ++i)
         if (const auto& list = old[i->second];
             std::includes(list.first.begin(), list.first.end(), wanted.begin(), wanted.end()))
           found.push_back({static_cast<std::uint32_t>(list.second)});
@@ -183,9 +212,14 @@ class replaced_origins {
   }
 
  public:
-  replaced_origins(const M& m, const cavity<M>& c, const correspondence& from, edit_values<M>& to)
+  replaced_origins(const M& m, const cavity<M>& c, const correspondence& from, std::span<const replaced_vert> replaced,
+                   edit_values<M>& to)
       : m_(m), c_(c), from_(from), to_(to) {
-    for (const vert_t<M>& v : c.verts) number_of_vert_.add(index_of(m, v));
+    for (const vert_t<M>& v : c.verts) {
+      const unsigned number = number_of_vert_.add(index_of(m, v));
+      successor_.push_back(number < c.verts.size() - c.removed ? number : number_of_vert_.none);
+    }
+    for (const replaced_vert& x : replaced) successor_[x.vert] = x.by;
   }
 
   void add(const property_set& all) {

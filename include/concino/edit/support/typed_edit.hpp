@@ -26,9 +26,8 @@ const detail::cavity_builder<M>& cavity_of_simplices(const proposed_edit& e, con
 /// Errors: invalid_argument if e is an edit of another mesh.
 template<class M, class F>
 permission with_cavity_of_edit(const proposed_edit& e, const M& m, const char* name, const F& f) {
-  if constexpr (EditableGeneralMesh<M>)
-    if (e.mesh_type == &detail::general_tag<M> && e.mesh == &m)
-      return f(*static_cast<const detail::general_cavity<M>*>(e.cavity));
+  if (e.mesh_type == &detail::general_tag<M> && e.mesh == &m)
+    return f(*static_cast<const detail::general_cavity<M>*>(e.cavity));
   return f(cavity_of_simplices(e, m, name));
 }
 

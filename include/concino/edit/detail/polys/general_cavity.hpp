@@ -28,6 +28,7 @@ class general_cavity {
   std::vector<vec3> points_;
   std::vector<std::vector<origin>> vert_origins_;  // of new verts: local numbers
   std::vector<unsigned> removed_;
+  std::vector<replaced_vert> replaced_verts_;
   unsigned kept_vert_ = none, moved_ = none;
   std::size_t num_old_ = 0, num_new_ = 0;
   vec3 moved_to_;
@@ -121,6 +122,9 @@ class general_cavity {
   /// Removes vert b, which becomes one with a.
   void merge(unsigned a, unsigned b) { kept_vert_ = a, removed_.push_back(b); }
   void move(unsigned v, const vec3& x) { moved_ = v, moved_to_ = x; }
+  /// Says what becomes of a vert, in edits that replace several at once.
+  void replace_vert(const replaced_vert& x) { replaced_verts_.push_back(x); }
+  const std::vector<replaced_vert>& replaced_verts() const { return replaced_verts_; }
 
   /// The lists of the new polys with verts in the order of the cavity.
   struct prepared {

@@ -1,4 +1,4 @@
-// Asks invariants whether an edit of polys with any number of verts is allowed.
+// Asks invariants whether an edit of polys with any number of verts, or one of several quads or hexes, is allowed.
 #pragma once
 
 #include <concino/edit/detail/polys/general_cavity.hpp>
@@ -8,7 +8,7 @@
 
 namespace concino::detail {
 
-/// Its address stands for the type of a mesh whose polys may have any number of verts.
+/// Its address stands for the type of a mesh, in edits whose polys are lists.
 template<class M> inline constexpr char general_tag = 0;
 
 /// The first refusal. Nothing is computed if there are no invariants.
