@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/io/detail/values/name_runs.hpp>
-#include <concino/io/detail/vtk_xml/vtk_pieces.hpp>
+#include <concino/io/detail/vtk_xml/vtk_united_points.hpp>
 #include <concino/io/detail/vtk_xml/vtk_xml_cells.hpp>
 
 #include <algorithm>
@@ -36,7 +36,8 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
     if (index_.num_texts) report_.skipped.push_back(core::joined({index_.num_texts, " arrays of texts"}));
     for (const std::string& name : index_.bit_arrays)
       report_.skipped.push_back(core::joined({"array \"", name, "\" of bits"}));
-    merge_pieces();
+    if (index_.pieces.size() > 1)
+      unite_points(grid_, vtk_point_merger(grid_, first_point_), has_faces_, index_.pieces.size(), report_);
     drop_ghosts();
     // all verts were compared with it
     if (!grid_.points.empty()) grid_.largest = static_cast<std::uint32_t>(grid_.points.size() - 1);
@@ -170,54 +171,6 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
     });
   }
 
-  /// Gives points of different pieces at the same place, with the same values, one number.
-  void merge_pieces() {
-    if (index_.pieces.size() < 2) return;
-    const std::size_t n = grid_.points.size();
-    const vtk_point_merger merged(grid_, first_point_);
-    constexpr const char* where = " points at the place of a point of an earlier piece ";
-    report_.notes.push_back(core::joined(
-        {index_.pieces.size(), " pieces were joined: ", n - merged.kept.size(), where, "became that point"}));
-    if (merged.num_different)
-      report_.notes.push_back(
-          core::joined({merged.num_different, where, "stayed apart: they have other values, the first one in \"",
-                        *merged.different, "\""}));
-    if (merged.num_coincident)
-      report_.notes.push_back(
-          core::joined({merged.num_coincident, where, "stayed apart: a piece has several points there"}));
-    if (merged.kept.size() == n) return;
-    for (std::size_t c = 0; c < grid_.size(); ++c) renumber(c, merged.number);
-    keep(element_kind::vert, merged.kept);
-    std::vector<vec3> points;
-    points.reserve(merged.kept.size());
-    for (const std::uint32_t i : merged.kept) points.push_back(grid_.points[i]);
-    grid_.points = std::move(points);
-  }
-  void renumber(std::size_t c, const std::vector<std::uint32_t>& number) {
-    const std::size_t end = grid_.cell_ends[c];
-    std::size_t i = grid_.first(c);
-    if (grid_.types[c] != vtk_polyhedron || !has_faces_) {
-      for (; i < end; ++i) grid_.verts[i] = vert_id{number[grid_.verts[i].raw()]};
-      return;
-    }
-    for (++i; i < end;) {
-      const std::size_t face_end = i + 1 + grid_.verts[i].raw();
-      for (++i; i < face_end; ++i) grid_.verts[i] = vert_id{number[grid_.verts[i].raw()]};
-    }
-  }
-
-  /// Keeps only these values of the columns of a kind.
-  void keep(element_kind kind, const std::vector<std::uint32_t>& kept) {
-    for (property_column& c : grid_.columns) {
-      if (c.kind != kind) continue;
-      const value_type& type = c.values->operations();
-      auto* const bytes = static_cast<unsigned char*>(c.values->data());
-      for (std::size_t i = 0; i < kept.size(); ++i)
-        if (kept[i] != i) std::memcpy(bytes + i * type.size, bytes + kept[i] * type.size, type.size);
-      c.values->resize(kept.size());
-    }
-  }
-
   /// Drops cells that another piece has too, and hidden ones.
   void drop_ghosts() {
     constexpr unsigned duplicate = 1, hidden = 32;
@@ -242,7 +195,7 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
     grid_.verts.resize(verts);
     grid_.types.resize(kept.size());
     grid_.cell_ends.resize(kept.size());
-    keep(element_kind::poly, kept);
+    keep_values(grid_, element_kind::poly, kept);
     kept_cells_ = std::move(kept);
   }
 };

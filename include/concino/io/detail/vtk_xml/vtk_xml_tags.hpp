@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/io/detail/vtk_xml/vtk_xml_data.hpp>
-#include <concino/io/detail/vtk_xml/xml_scanner.hpp>
+#include <concino/io/detail/vtk_xml/xml_elements.hpp>
 
 namespace concino::detail {
 
@@ -43,72 +43,34 @@ struct vtk_xml_index {
   std::vector<vtk_xml_entry> entries;
   std::uint64_t num_texts = 0;           // arrays of texts
   std::vector<std::string> bit_arrays;   // the names of arrays of bits
-  std::string normals, textures;         // the arrays that are named as such, of the first piece
+  // the arrays that are named as such, of the first piece
+  std::string normals, textures, global_ids;
 };
 
-class vtk_xml_tags : xml_scanner {
+class vtk_xml_tags : xml_elements {
   vtk_xml_index& index_;
-  std::vector<std::uint64_t> open_;  // the elements around the next tag: where the name of each begins in the text, and
-                                     // its size
   vtk_xml_part part_ = vtk_xml_part::none;
   bool in_grid_ = false;
 
  public:
-  vtk_xml_tags(const read_context& in, vtk_xml_index& index) : xml_scanner(in.text, in.name), index_(index) {}
+  vtk_xml_tags(const read_context& in, vtk_xml_index& index) : xml_elements(in.text, in.name), index_(index) {}
 
   void read() {
-    xml_tag tag;
-    if (!next(tag) || tag.name != "VTKFile" || !tag.begins) fail(tag.at ? tag.at : at, "<VTKFile>");
-    file(tag);
-    open(tag.name);
-    while (!open_.empty() && next(tag)) {
-      if (tag.begins) {
-        if (tag.name == "AppendedData") return appended(tag);
-        begin(tag);
-        if (!tag.ends) open(tag.name);
-      } else if (last_open() != tag.name) {
-        fail(tag.at, {"</", last_open(), ">"}, {"</", tag.name.substr(0, 40), ">"});
-      } else {
-        open_.pop_back(), open_.pop_back();
-        if (part_of(tag.name) != vtk_xml_part::none) part_ = vtk_xml_part::none;
-      }
-    }
-    if (!open_.empty()) fail(end(), {"</", last_open().substr(0, 40), ">"}, {"the end of the file"});
+    read_elements(
+        [&](const xml_tag& tag) { file(tag); },
+        [&](const xml_tag& tag) {
+          const bool is_data = tag.name == "AppendedData";
+          if (is_data) appended(tag);
+          else begin(tag);
+          return !is_data;
+        },
+        [&](std::string_view element) {
+          if (part_of(element) != vtk_xml_part::none) part_ = vtk_xml_part::none;
+        });
     if (!in_grid_) fail(end(), "<UnstructuredGrid> or <PolyData>");
   }
 
  private:
-  void open(std::string_view element) {
-    open_.push_back(static_cast<std::uint64_t>(element.data() - text_cursor::begin()));
-    open_.push_back(element.size());
-  }
-  std::string_view last_open() const { return {text_cursor::begin() + open_[open_.size() - 2], open_.back()}; }
-
-  std::string text_of(const xml_tag& tag, std::string_view name) const {
-    std::string value;
-    attribute(tag, name, value);
-    return value;
-  }
-  std::uint64_t number_of(const xml_tag& tag, std::string_view name, std::uint64_t otherwise) const {
-    std::string value;
-    if (!attribute(tag, name, value)) return otherwise;
-    std::uint64_t n = 0;
-    const char* first = value.data();
-    const char* const last = first + value.size();
-    while (first != last && is_space(*first)) ++first;
-    const char* rest = first;
-    bool fits = true;
-    for (; rest != last && is_digit(*rest); ++rest) {
-      const auto digit = static_cast<std::uint64_t>(*rest - '0');
-      fits = fits && n <= (~std::uint64_t{0} - digit) / 10;
-      n = 10 * n + digit;
-    }
-    fits = fits && rest != first;
-    while (rest != last && is_space(*rest)) ++rest;
-    if (!fits || rest != last) fail(tag.at, {name, ", a number"}, {"'", std::string_view(value).substr(0, 40), "'"});
-    return n;
-  }
-
   void file(const xml_tag& tag) {
     const std::string type = text_of(tag, "type"), order = text_of(tag, "byte_order"),
                       header = text_of(tag, "header_type"), compressor = text_of(tag, "compressor");
@@ -156,6 +118,7 @@ class vtk_xml_tags : xml_scanner {
       if (part == vtk_xml_part::of_points && index_.pieces.size() == 1) {
         index_.normals = text_of(tag, "Normals");
         index_.textures = text_of(tag, "TCoords");
+        index_.global_ids = text_of(tag, "GlobalIds");
       }
     } else if (tag.name == "DataArray" || tag.name == "Array") {
       if (part_ == vtk_xml_part::none || (index_.pieces.empty() && part_ != vtk_xml_part::of_mesh)) return;
