@@ -3,3 +3,4 @@
 
 #include <concino/directions/direction_field.hpp>
 #include <concino/directions/singularities.hpp>
+#include <concino/directions/trivial_connection.hpp>
