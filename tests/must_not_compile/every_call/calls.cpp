@@ -189,6 +189,9 @@ void no_adapter(const stranger& other) {
   cn::injective_map(other);  // refused
   cn::map_distortion(other);  // refused
   cn::uv_at_corners(other);  // refused
+  cn::direction_field(other);  // refused
+  cn::singularities(other);  // refused
+  cn::trivial_connection(other);  // refused
   cn::cage_coordinates(other);  // refused
   cn::green_coordinates(other);  // refused
   cn::harmonic_coordinates(other);  // refused
@@ -337,6 +340,8 @@ void temporary() {
   cn::spectral_conformal(made());  // refused
   cn::arap_map(made());  // refused
   cn::injective_map(made());  // refused
+  cn::direction_field(made());  // refused
+  cn::trivial_connection(made());  // refused
   cn::map_distortion(made());  // refused
   cn::uv_at_corners(made());  // refused
   cn::make_poly_map<int>(made());  // refused
@@ -424,6 +429,8 @@ void no_points(const cn::trimesh& m) {
   cn::arap_map(pure);  // refused
   cn::injective_map(pure);  // refused
   cn::map_distortion(pure);  // refused
+  cn::direction_field(pure);  // refused
+  cn::trivial_connection(pure);  // refused
   cn::cage_coordinates(pure);  // refused
   cn::green_coordinates(pure);  // refused
   cn::harmonic_coordinates(pure);  // refused

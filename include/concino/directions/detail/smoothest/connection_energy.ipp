@@ -2,35 +2,14 @@
 #pragma once
 
 #include <concino/directions/detail/smoothest/connection_energy.hpp>
+#include <concino/directions/detail/surface/poly_planes.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 #include <concino/operators/virtual_elements.hpp>
 
 #include <cmath>
-#include <numbers>
+#include <utility>
 
 namespace concino::detail {
-
-/// By corner: the angle in the plane of the poly minus the angle in the frame of the vert, along the bisector.
-inline void corner_turns(const oriented_surface& s, std::size_t p, std::vector<double>& turn) {
-  const vec3 area = s.vector_area(p), n = area / norm(area);
-  const auto flat = [&](const vec3& x) { return x - dot(x, n) * n; };
-  vec3 u;
-  for (std::uint32_t c = s.first[p]; c < s.first[p + 1]; ++c)  // the longest edge, which has a direction
-    if (const vec3 x = flat(s.points[s.vert[s.next[c]]] - s.points[s.vert[c]]); norm(x) > norm(u)) u = x;
-  u = u / norm(u);
-  const vec3 v = cross(n, u);
-  const auto angle_of = [&](std::uint32_t a, std::uint32_t b) {
-    const vec3 x = s.points[s.vert[b]] - s.points[s.vert[a]];
-    return std::atan2(dot(x, v), dot(x, u));
-  };
-  turn.clear();
-  for (std::uint32_t c = s.first[p]; c < s.first[p + 1]; ++c) {
-    const double along = angle_of(c, s.next[c]);
-    double inside = angle_of(c, s.previous[c]) - along;
-    if (inside < 0) inside += 2 * std::numbers::pi;
-    turn.push_back(along + inside / 2 - (s.from[c] + s.angle[c] / 2));
-  }
-}
 
 CONCINO_INLINE connection_energy make_connection_energy(const oriented_surface& s, int n) {
   surface_arrays a;
@@ -42,16 +21,16 @@ CONCINO_INLINE connection_energy make_connection_energy(const oriented_surface& 
   local_matrix<vert_id> local;
   connection_energy r;
   r.diagonal.assign(s.num_verts(), 0.0);
-  std::vector<double> turn;
+  const poly_planes planes(s);
   std::vector<complex_value> factor;
   std::size_t p = 0;
   for (const poly_id poly : polys(m)) {
     stiffness(poly, local);
-    corner_turns(s, p, turn);
     factor.assign(local.size(), {});
     for (std::size_t k = 0; k < local.size(); ++k)
       for (std::uint32_t c = s.first[p]; c < s.first[p + 1]; ++c)
-        if (s.vert[c] == index_of(m, local.verts[k])) factor[k] = unit_complex(n * turn[c - s.first[p]]);
+        if (s.vert[c] == index_of(m, local.verts[k]))
+          factor[k] = unit_complex(n * (planes.along[c] + planes.inside[c] / 2 - s.from[c] - s.angle[c] / 2));
     for (std::size_t k = 0; k < local.size(); ++k) {
       const auto i = static_cast<std::uint32_t>(index_of(m, local.verts[k]));
       r.diagonal[i] += local.at(k, k);

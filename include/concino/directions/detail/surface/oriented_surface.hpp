@@ -73,9 +73,10 @@ struct oriented_surface {
   void pair_edges(const char* caller);
   void orient(const char* caller);
   void turn_poly(std::size_t p);
-  void check_and_scale(const char* caller);
+  [[noreturn, gnu::cold]] void throw_no_area(std::size_t p, const char* caller) const;
+  void scale(const char* caller);
   void label_components();
-  void measure_angles();
+  void measure_angles(const char* caller);
   void walk_fans(const char* caller);
   void place_axes();
 };

@@ -100,25 +100,21 @@ CONCINO_INLINE void oriented_surface::orient(const char* caller) {
   if (any) pair_edges(caller);
 }
 
-CONCINO_INLINE void oriented_surface::check_and_scale(const char* caller) {
-  if (num_polys() == 0) core::throw_joined<invalid_mesh>({caller, ": the mesh has no polys"});
-  const auto refuse = [&](std::size_t p) {
-    core::throw_joined<invalid_mesh>({caller, ": poly ", poly_index[p],
-                                      " has no area, or points that are not finite; remove it or move its verts"});
-  };
+CONCINO_INLINE void oriented_surface::throw_no_area(std::size_t p, const char* caller) const {
+  core::throw_joined<invalid_mesh>({caller, ": poly ", poly_index[p],
+                                    " has no area, or points that are not finite; remove it or move its verts"});
+}
+
+CONCINO_INLINE void oriented_surface::scale(const char* caller) {
   double largest = 0;
   for (std::size_t c = 0; c < vert.size(); ++c) {
     const vec3& x = points[vert[c]];
-    if (!is_finite(x)) refuse(poly[c]);
+    if (!is_finite(x)) throw_no_area(poly[c], caller);
     largest = std::max({largest, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
   }
-  if (edge.size() != vert.size())
-    core::throw_joined<invalid_mesh>({caller, ": a poly has another number of edges than of verts"});
   exponent = largest > 0 ? std::ilogb(largest) : 0;
   const double half = std::ldexp(1.0, -(exponent / 2)), other_half = std::ldexp(1.0, exponent / 2 - exponent);
   for (vec3& x : points) x = other_half * (half * x);
-  for (std::size_t p = 0; p < num_polys(); ++p)
-    if (first[p + 1] - first[p] < 3 || !(norm(vector_area(p)) > 0)) refuse(p);
 }
 
 CONCINO_INLINE void oriented_surface::label_components() {
@@ -143,11 +139,12 @@ CONCINO_INLINE void oriented_surface::label_components() {
   }
 }
 
-CONCINO_INLINE void oriented_surface::measure_angles() {
+CONCINO_INLINE void oriented_surface::measure_angles(const char* caller) {
   angle.resize(vert.size());
   mass.assign(num_verts(), 0.0);
   for (std::size_t p = 0; p < num_polys(); ++p) {
     const vec3 area = vector_area(p);
+    if (!(norm(area) > 0)) throw_no_area(p, caller);
     const std::uint32_t n = first[p + 1] - first[p];
     for (std::uint32_t c = first[p]; c < first[p + 1]; ++c) {
       angle[c] = angle_at_corner(points[vert[previous[c]]], points[vert[c]], points[vert[next[c]]],
@@ -226,13 +223,16 @@ CONCINO_INLINE void oriented_surface::place_axes() {
 }
 
 CONCINO_INLINE void oriented_surface::complete(const char* caller) {
+  if (num_polys() == 0) core::throw_joined<invalid_mesh>({caller, ": the mesh has no polys"});
+  if (edge.size() != vert.size())
+    core::throw_joined<invalid_mesh>({caller, ": a poly has another number of edges than of verts"});
   is_turned.assign(num_polys(), 0);
   number_corners();
-  check_and_scale(caller);
+  scale(caller);
   pair_edges(caller);
   orient(caller);
   label_components();
-  measure_angles();
+  measure_angles(caller);
   walk_fans(caller);
   place_axes();
 }

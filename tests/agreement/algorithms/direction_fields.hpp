@@ -1,0 +1,58 @@
+// Compares direction fields and their singularities.
+#pragma once
+
+#include <agreement/algorithms/virtual_elements.hpp>
+
+#include <concino/directions.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace concino::agreement {
+
+struct directions_of {
+  static constexpr const char* name = "direction fields";
+  template<class M> static constexpr bool runs_on = SurfaceMesh<M> && Embedded<M>;
+
+  template<class B, class In>
+  static bool check(const B& both, const In& in) {
+    if (!in.manifold || both.polys.all.empty() || !all_polys_have_measure(both.native)) return false;
+    using native_mesh = std::remove_cvref_t<decltype(both.native)>;
+    using other_mesh = std::remove_cvref_t<decltype(both.other)>;
+    const auto first = *adj_p2v(both.native, both.polys.all.front()).begin();
+    direction_field_options<native_mesh> options{.hard = {{first, {1, 0.3, 0.2}}}};
+    direction_field_options<other_mesh> same{.hard = {{both.verts.to(first), {1, 0.3, 0.2}}}};
+    const auto f = direction_field(both.native, options);
+    const auto g = direction_field(both.other, same);
+    expect(f.energies().size() == g.energies().size(), "as many components");
+    if (in.in_one_piece)
+      for (const auto v : both.verts.all) {
+        if (std::abs(f.value(v)) < 1e-6) continue;
+        const auto w = both.verts.to(v);
+        double turns = 4 * std::acos(std::min(1.0, std::max(-1.0, dot(f.direction(v), g.direction(w))))) / (2 * std::numbers::pi);
+        turns -= std::round(turns);
+        expect(std::abs(turns) < 1e-6, "the directions");
+        expect_close(std::abs(f.value(v)), std::abs(g.value(w)), 1e4, "the values");
+      }
+    int sum = 0, other_sum = 0;
+    for (const auto& s : singularities(f)) sum += s.index;
+    for (const auto& b : boundary_turns(f)) sum += b.index;
+    for (const auto& s : singularities(g)) other_sum += s.index;
+    for (const auto& b : boundary_turns(g)) other_sum += b.index;
+    expect(sum == other_sum, "the sum of the indices");
+    if (in.closed && in.in_one_piece) {
+      const std::vector<std::pair<vert_t<native_mesh>, int>> none;
+      const std::vector<std::pair<vert_t<other_mesh>, int>> also_none;
+      const auto w = trivial_connection(both.native, none), u = trivial_connection(both.other, also_none);
+      for (const auto v : both.verts.all) {
+        expect_close(w.index(v), 0, 1e4, "the index");
+        expect_close(u.index(both.verts.to(v)), 0, 1e4, "the index");
+      }
+    }
+    return true;
+  }
+};
+
+}  // namespace concino::agreement
