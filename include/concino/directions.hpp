@@ -3,3 +3,4 @@
 
 #include <concino/directions/frame_field.hpp>
 #include <concino/directions/frame_singularities.hpp>
+#include <concino/directions/principal_curvatures.hpp>
