@@ -5,4 +5,5 @@
 void call_directions() {
   call("frame_field", [](auto& m) { cn::frame_field(m); }, volumes);
   call("singular_edges", [](auto& m) { cn::singular_edges(cn::frame_field(m)); }, volumes);
+  call("principal_curvatures", [](auto& m) { cn::principal_curvatures(m); }, surfaces);
 }

@@ -195,6 +195,7 @@ void no_adapter(const stranger& other) {
   cn::skin(other);  // refused
   cn::prepare_deform(other);  // refused
   cn::frame_field(other);  // refused
+  cn::principal_curvatures(other);  // refused
   cn::biharmonic_deform(other);  // refused
   cn::heat_weights(other);  // refused
   cn::bounded_biharmonic_weights(other);  // refused
@@ -269,6 +270,7 @@ void temporary() {
   cn::skin(made());  // refused
   cn::prepare_deform(made());  // refused
   cn::frame_field(made());  // refused
+  cn::principal_curvatures(made());  // refused
   cn::biharmonic_deform(made());  // refused
   cn::prepare_poisson(made());  // refused
   cn::poisson(made());  // refused
@@ -430,6 +432,7 @@ void no_points(const cn::trimesh& m) {
   cn::skin(pure);  // refused
   cn::prepare_deform(pure);  // refused
   cn::frame_field(pure);  // refused
+  cn::principal_curvatures(pure);  // refused
   cn::biharmonic_deform(pure);  // refused
   cn::heat_weights(pure);  // refused
   cn::bounded_biharmonic_weights(pure);  // refused
