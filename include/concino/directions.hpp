@@ -7,3 +7,5 @@
 #include <concino/directions/rosy.hpp>
 #include <concino/directions/singularities.hpp>
 #include <concino/directions/trivial_connection.hpp>
+#include <concino/directions/principal_curvatures.hpp>
+#include <concino/directions/stripes.hpp>

@@ -17,9 +17,10 @@
 namespace concino {
 
 struct frame_field_options {
-  double sharp_angle = 45;    // degrees, from 0 to 180: boundary edges with a larger angle between their normals are sharp
-  int max_rounds = 300;       // 1 or more
-  double tolerance = 1e-4;    // from 0 to 1: it ends when the mean change of a round, of functions of length 1, is less
+  double sharp_angle = 45;  // degrees, from 0 to 180: boundary edges with more between the normals of their faces are
+                            // sharp
+  int max_rounds = 300;     // 1 or more
+  double tolerance = 1e-4;  // from 0 to 1: it ends when the mean change of a round, of functions of length 1, is less
   concino::progress progress = nullptr;   // called with "frame_field" after each round
   concino::profiler* profiler = nullptr;  // measures the call and its steps
 };
@@ -28,7 +29,7 @@ template<class M>
 struct frame_field_result {
   vert_map<M, orthonormal_frame> verts;
   poly_map<M, orthonormal_frame> polys;
-  double energy = 0;           // the integral of the squared gradient of the functions of the frames, in units of length
+  double energy = 0;           // the integral of the squared gradient of the functions of the frames; a length
   int rounds = 0;              // how many were made
   bool has_converged = false;  // whether the last round changed less than the tolerance
 };
@@ -54,11 +55,11 @@ boundary_polygons polygons_of_boundary(const M& m, const std::vector<std::uint32
 /// as smooth as they can be and aligned to the boundary. Hexes that follow them are like cubes.
 /// auto frames = frame_field(tets); frames.polys[p][0];
 /// Needs:  Embedded VolumeMesh M, no temporary, of any polys.
-/// Result: orthonormal, right-handed frames. At a vert where the boundary is smooth, the first vector is vert_normal,
+/// Result: orthonormal, right-handed frames. At a vert where the boundary is smooth the first vector is vert_normal,
 ///         the direction of the sum of the area vectors. Where it is not, on a sharp edge or at a corner, the frame is
-///         the best for the normals of all parts there, and contains them if they are perpendicular. The frame of a poly is nearest to
-///         the mean of those of its verts. The problem is not convex: the result is a local minimum, found in the same
-///         way each time. Verts of no poly have the axes as frames.
+///         the best for the normals of all parts there, and contains them if they are perpendicular. The frame of a
+///         poly is nearest to the mean of those of its verts. The problem is not convex: the result is a local minimum,
+///         found in the same way each time. Verts of no poly have the axes as frames.
 /// Cost:   a factorisation for each of some lengths, and nine solves in each round. Computed on the verts of
 ///         to_tets(m).
 /// Errors: invalid_mesh if m has no polys, a point is not finite, or a poly has no positive volume; invalid_argument if
@@ -75,16 +76,17 @@ frame_field_result<std::remove_cvref_t<M>> frame_field(M&& m, const frame_field_
   const tetmesh tets = to_tets(m, {.properties = false, .inverted_cells = &inverted});
   if (num_polys(m) == 0) core::throw_joined<invalid_mesh>({"frame_field: the mesh has no polys"});
   if (!inverted.empty())
-    core::throw_joined<invalid_mesh>(
-        {"frame_field: poly ", inverted[0], " cannot be cut into tets of positive volume; validate() lists such polys"});
+    core::throw_joined<invalid_mesh>({"frame_field: poly ", inverted[0],
+                                      " cannot be cut into tets of positive volume; validate() lists such polys"});
   auto normals = detail::normals_of_parts(
       detail::polygons_of_boundary(m, core::numbered(m, verts(m), vert_index_bound(m))), num_verts(tets),
       profiled->sharp_angle);
   const detail::smooth_frames found = detail::solve_frames(
       tets, std::move(normals), {profiled->max_rounds, profiled->tolerance, profiled->progress});
 
-  frame_field_result<std::remove_cvref_t<M>> result{make_vert_map<orthonormal_frame>(m), make_poly_map<orthonormal_frame>(m),
-                                                    found.energy, found.rounds, found.has_converged};
+  frame_field_result<std::remove_cvref_t<M>> result{make_vert_map<orthonormal_frame>(m),
+                                                    make_poly_map<orthonormal_frame>(m), found.energy, found.rounds,
+                                                    found.has_converged};
   std::size_t i = 0;
   for (const vert_t<M> v : verts(m)) result.verts[v] = found.frames[i++];
   const detail::closest_frame closest;

@@ -17,14 +17,14 @@ namespace concino {
 /// The lines around which frames turn, as a graph in space.
 template<class M>
 struct singular_lines {
-  skeleton lines;                // vert i is the centre of faces[i], for all of them; then one for each poly between them
+  skeleton lines;                // vert i is the centre of faces[i], for all of them; then one for each poly between
   std::vector<face_t<M>> faces;  // those that a line crosses, in the order of faces(m)
   std::vector<int> valences;     // at each: how many hexes a mesh along the frames has around the line, such as 3 or 5;
                                  // 0 if there is no such mesh, since the frames turn about a diagonal
 };
 
-/// The singular edges of a field of frames, which cross the faces where the frames at the verts turn: each of them
-/// turned to the one before, all around the face, the first comes back as another of the 24 frames of its cube.
+/// The singular edges of a field of frames. They cross the faces around which frames turn: each frame at the verts is
+/// replaced by the one of its cube that is nearest to the one before, and the first comes back as another.
 /// auto lines = singular_edges(frame_field(tets)).lines;
 /// Needs:  frames of frame_field, whose mesh has not changed.
 /// Result: the lines, from face to face. The index of a line is (4 - valence) / 4. In a mesh of tets, lines end on the

@@ -16,4 +16,7 @@ void call_directions() {
   call("load_rosy", [] { cn::save_rosy(cn::rosy{4, {{1, 0, 0}}}, "field.rosy"); cn::load_rosy("field.rosy"); });
   call("load_rosy_text", [] { cn::load_rosy_text("1 4\n1 0 0\n"); });
   call("save_rosy", [] { cn::save_rosy(cn::rosy{4, {{1, 0, 0}}}, "field.rosy"); });
+  call("principal_curvatures", [](auto& m) { cn::principal_curvatures(m); }, surfaces);
+  call("stripes", [](auto& m) { cn::stripes(m, cn::direction_field(m, {.symmetry = 2}), 1); }, surfaces);
+  call("stripe_lines", [](auto& m) { cn::stripe_lines(cn::stripes(m, cn::direction_field(m, {.symmetry = 2}), 1)); }, surfaces);
 }

@@ -198,6 +198,8 @@ void no_adapter(const stranger& other) {
   cn::skin(other);  // refused
   cn::prepare_deform(other);  // refused
   cn::frame_field(other);  // refused
+  cn::principal_curvatures(other);  // refused
+  cn::stripes(other);  // refused
   cn::biharmonic_deform(other);  // refused
   cn::heat_weights(other);  // refused
   cn::bounded_biharmonic_weights(other);  // refused
@@ -272,6 +274,8 @@ void temporary() {
   cn::skin(made());  // refused
   cn::prepare_deform(made());  // refused
   cn::frame_field(made());  // refused
+  cn::principal_curvatures(made());  // refused
+  cn::stripes(made());  // refused
   cn::biharmonic_deform(made());  // refused
   cn::prepare_poisson(made());  // refused
   cn::poisson(made());  // refused
@@ -437,6 +441,8 @@ void no_points(const cn::trimesh& m) {
   cn::skin(pure);  // refused
   cn::prepare_deform(pure);  // refused
   cn::frame_field(pure);  // refused
+  cn::principal_curvatures(pure);  // refused
+  cn::stripes(pure);  // refused
   cn::biharmonic_deform(pure);  // refused
   cn::heat_weights(pure);  // refused
   cn::bounded_biharmonic_weights(pure);  // refused
