@@ -45,9 +45,9 @@ inline std::vector<int> metis_parts(const partition_graph& g, int n) {
 ///         METIS fails.
 /// Source: Karypis, Kumar 1998, "Multilevel k-way partitioning scheme for irregular graphs".
 template<class M>
-  requires DualGraph<M> && requirement::is_lvalue_or_view<M>
-partition_result<std::remove_cvref_t<M>> partition(M&& m, std::size_t n, metis_t) {
-  return detail::partition_polys<std::remove_cvref_t<M>>(m, n, detail::metis_parts);
-}
+  requires DualGraph<M> && requirement::is_lvalue_or_view<M> partition_result<std::remove_cvref_t<M>> partition(
+      M&& m, std::size_t n, metis_t) {
+    return detail::partition_polys<std::remove_cvref_t<M>>(m, n, detail::metis_parts);
+  }
 
 }  // namespace concino

@@ -160,7 +160,9 @@ class petsc_iteration {
                                options_.max_iterations > 0 ? options_.max_iterations : 10'000));
     PetscCall(KSPGetPC(krylov_, &preconditioner));
     switch (options_.preconditioner) {
-      case petsc_preconditioner::gamg: PetscCall(PCSetType(preconditioner, PCGAMG)); break;
+      case petsc_preconditioner::gamg:
+        PetscCall(PCSetType(preconditioner, PCGAMG));
+        break;
       case petsc_preconditioner::boomeramg:
         PetscCall(PCSetType(preconditioner, PCHYPRE));
         PetscCall(PCHYPRESetType(preconditioner, "boomeramg"));
