@@ -91,7 +91,7 @@ endfunction()
 
 # concino_adapter(<name> [SHARES <prefix>...] [COMPILES <file>] [FIND "<find_package arguments>"...] [LINK <target>...])
 # A leaf: headers of adapters/concino/adapters that use one foreign library: <name>.hpp, <name>_*.hpp, and of detail/ and its folders those that begin with <name>_ or with
-# a prefix that it shares with others. COMPILES: a file of detail/ that has foreign code, which becomes a static library without warnings.
+# a prefix that it shares with others. LINK may name targets of adapters above it. COMPILES: a file of detail/ that has foreign code, which becomes a static library without warnings.
 # CONCINO_WITH_<NAME> says AUTO (where found), ON or OFF.
 function(concino_adapter name)
   cmake_parse_arguments(arg "" "COMPILES" "SHARES;FIND;LINK" ${ARGN})
@@ -118,6 +118,13 @@ function(concino_adapter name)
     return()
   endif()
   concino_find_all(missing "${arg_FIND}")
+  if(NOT missing)
+    foreach(link IN LISTS arg_LINK)
+      if(link MATCHES "^concino::" AND NOT TARGET ${link})
+        list(APPEND missing ${link})  # another adapter that is switched off or not found
+      endif()
+    endforeach()
+  endif()
   if(missing)
     list(JOIN missing ", " missing)
     set_property(GLOBAL PROPERTY concino_state_${name} "not found (${missing}; Debian: ${packages})")
@@ -128,6 +135,10 @@ function(concino_adapter name)
   endif()
   set_property(GLOBAL PROPERTY concino_state_${name} "on")
   concino_make_target(${name} ROOT adapters FILES ${files} LINK concino::concino ${arg_LINK} FIND ${arg_FIND})
+  set(needs ${arg_LINK})
+  list(FILTER needs INCLUDE REGEX "^concino::")
+  list(TRANSFORM needs REPLACE "^concino::" "")
+  set_property(GLOBAL PROPERTY concino_needs_${name} "${needs}")
   if(arg_COMPILES)
     set(optional EXCLUDE_FROM_ALL)  # but built for those who link it
     if(CONCINO_INSTALL)

@@ -38,16 +38,16 @@ inline std::vector<int> metis_parts(const partition_graph& g, int n) {
 /// Needs:  DualGraph M, which outlives the result; n: the number of parts. Polys are neighbours across an edge of a
 ///         surface, or a face of a volume.
 /// Result: see partition_result. Each part is connected across facets if the mesh is: pieces that METIS leaves beside
-///         the largest of a part are joined to a neighbouring part. If n is at least the number of polys, each poly is a
-///         part, and others are empty. The result is the same for every call.
+///         the largest of a part are joined to a neighbouring part. If n is at least the number of polys, each poly is
+///         a part, and others are empty. The result is the same for every call.
 /// Cost:   O(P + F) time and memory, about a microsecond per poly.
 /// Errors: invalid_argument if n is 0; unsupported if 32-bit indices cannot count the pairs of neighbours; error if
 ///         METIS fails.
 /// Source: Karypis, Kumar 1998, "Multilevel k-way partitioning scheme for irregular graphs".
 template<class M>
-  requires DualGraph<M> && requirement::is_lvalue_or_view<M>
-partition_result<std::remove_cvref_t<M>> partition(M&& m, std::size_t n, metis_t) {
-  return detail::partition_polys<std::remove_cvref_t<M>>(m, n, detail::metis_parts);
-}
+  requires DualGraph<M> && requirement::is_lvalue_or_view<M> partition_result<std::remove_cvref_t<M>> partition(
+      M&& m, std::size_t n, metis_t) {
+    return detail::partition_polys<std::remove_cvref_t<M>>(m, n, detail::metis_parts);
+  }
 
 }  // namespace concino

@@ -5,10 +5,10 @@
 
 #include <concino/adapters/detail/mpi/mpi_agreement.hpp>
 #include <concino/adapters/detail/petsc/petsc_iteration.hpp>
+#include <concino/adapters/detail/petsc/petsc_report.hpp>
 #include <concino/adapters/detail/petsc/petsc_rows.hpp>
 #include <concino/adapters/petsc_options.hpp>
 #include <concino/adapters/petsc_session.hpp>
-#include <concino/core/number_text.hpp>
 #include <concino/core/system_checks.hpp>
 
 #include <Eigen/SparseCore>
@@ -47,7 +47,7 @@ class petsc {
   detail::petsc_iteration iteration_;
   std::vector<int> counts_, starts_;  // rows of each process
   Eigen::Index rows_ = -1;
-  mutable detail::petsc_iteration::report report_;
+  mutable detail::petsc_report report_;
 
  public:
   static constexpr bool reads_both_triangles = true;
@@ -82,15 +82,15 @@ class petsc {
     const std::vector<double> own = iteration_.solve(right.data() + starts_[rank], report_);
     (MPI_Allgatherv)(own.data(), counts_[rank], MPI_DOUBLE, x.data(), counts_.data(), starts_.data(), MPI_DOUBLE,
                      communicator());
-    if (!report_.has_converged && !options().accept_missed_tolerance)
-      core::throw_joined<solver_error>({"petsc: not converged after ", static_cast<std::size_t>(report_.iterations),
-                                        " iterations: the residual is ", core::number_text(report_.residual),
-                                        ", the tolerance ", core::number_text(iteration_.tolerance()), "; ", reason()});
+    if (!options().accept_missed_tolerance) report_.check(iteration_.tolerance());
     core::check_solution("petsc", x);
     return x;
   }
 
   const petsc_options& options() const { return iteration_.options(); }
+  /// For functions that solve with the options of this object: iterations(), residual() and has_converged() describe
+  /// their solve.
+  void record(const detail::petsc_report& report) const { report_ = report; }
   bool is_iterative() const { return options().preconditioner != petsc_preconditioner::mumps; }
   int iterations() const { return report_.iterations; }
   double residual() const { return report_.residual; }
@@ -134,28 +134,6 @@ class petsc {
     (MPI_Allreduce)(MPI_IN_PLACE, smallest_and_negative_largest, 2, MPI_LONG_LONG, MPI_MIN, communicator());
     if (smallest_and_negative_largest[0] != -smallest_and_negative_largest[1])
       throw solver_error("petsc: the matrices of the processes have different sizes");
-  }
-
-  const char* reason() const {
-    switch (report_.reason) {
-      case KSP_DIVERGED_ITS:
-        return "allow more iterations or a larger tolerance, or choose another preconditioner";
-      case KSP_DIVERGED_INDEFINITE_MAT:
-        return "the matrix is not positive definite: use petsc_system::general";
-      case KSP_DIVERGED_INDEFINITE_PC:
-        return "the preconditioner is not positive definite: the matrix is indefinite or singular";
-      case KSP_DIVERGED_DTOL:
-        return "the iteration diverges: choose another preconditioner";
-      case KSP_DIVERGED_NANORINF:
-        return "numbers overflow: the matrix is singular, or badly conditioned";
-      case KSP_DIVERGED_PC_FAILED:
-        return "the preconditioner cannot be computed: the matrix is singular";
-      case KSP_DIVERGED_BREAKDOWN:
-      case KSP_DIVERGED_BREAKDOWN_BICG:
-        return "the iteration breaks down: choose another one by -ksp_type";
-      default:
-        return "the matrix is singular or badly conditioned: set accept_missed_tolerance to get what is reached";
-    }
   }
 };
 

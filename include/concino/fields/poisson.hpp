@@ -214,7 +214,8 @@ template<class M, class F, class T = detail::field_value_of<F, M>, class Solver 
   requires EmbeddedMesh<M> && requirement::is_lvalue_or_view<M> && requirement::is_given_field<F, M> &&
       SparseSolver<Solver, Eigen::SparseMatrix<double>, Eigen::VectorXd>
           vert_map<M, T> poisson(M&& m, const F& f,
-                                 const poisson_options<std::remove_cvref_t<M>, std::type_identity_t<T>>& options = {},
+                                 const poisson_options<std::remove_cvref_t<M>, detail::field_value_of<F, M>>& options =
+                                     {},
                                  Solver&& solver = {}) {
     return poisson(m, f, virtual_elements, options, solver);
   }

@@ -26,13 +26,20 @@ inline error_kind kind_of(const std::exception& e) {
 
 [[noreturn, gnu::cold]] inline void throw_of_kind(error_kind kind, const std::string& what) {
   switch (kind) {
-    case error_kind::invalid_mesh: throw invalid_mesh(what);
-    case error_kind::invalid_argument: throw invalid_argument(what);
-    case error_kind::solver_error: throw solver_error(what);
-    case error_kind::unsupported: throw unsupported(what);
-    case error_kind::io_error: throw io_error(what);
-    case error_kind::cancelled: throw cancelled(what);
-    case error_kind::other: break;
+    case error_kind::invalid_mesh:
+      throw invalid_mesh(what);
+    case error_kind::invalid_argument:
+      throw invalid_argument(what);
+    case error_kind::solver_error:
+      throw solver_error(what);
+    case error_kind::unsupported:
+      throw unsupported(what);
+    case error_kind::io_error:
+      throw io_error(what);
+    case error_kind::cancelled:
+      throw cancelled(what);
+    case error_kind::other:
+      break;
   }
   throw error(what);
 }

@@ -71,8 +71,9 @@ inline std::size_t join_pieces(const partition_graph& g, std::vector<int>& part_
   if (waiting.empty()) return 0;
   for (std::size_t i = 0; i < g.size(); ++i)
     if (new_part[pieces.piece_of[i]] < 0) nodes[pieces.piece_of[i]].push_back(i);
-  std::sort(waiting.begin(), waiting.end(),
-            [&](std::size_t a, std::size_t b) { return std::pair(pieces.sizes[a], a) < std::pair(pieces.sizes[b], b); });
+  std::sort(waiting.begin(), waiting.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(pieces.sizes[a], a) < std::pair(pieces.sizes[b], b);
+  });
   std::size_t joined = 0;
   std::vector<std::size_t> edges(parts);
   for (bool changes = true; changes && !waiting.empty();) {

@@ -62,13 +62,16 @@ class petsc_errors {
     if (code == 0) return;
     const char* kind = nullptr;
     if (first_.empty()) static_cast<void>(PetscErrorMessage(code, &kind, nullptr));
-    core::throw_joined<solver_error>({"petsc: ", during, " failed: ", !first_.empty() ? first_.c_str()
-                                      : kind ? kind : "no reason is known"});
+    core::throw_joined<solver_error>({"petsc: ", during, " failed: ",
+                                      !first_.empty() ? first_.c_str()
+                                      : kind          ? kind
+                                                      : "no reason is known"});
   }
 };
 
 inline void check_petsc_is_running() {
-  static_assert(std::is_same_v<PetscScalar, double>, "concino: petsc needs a PETSc of real numbers in double precision");
+  static_assert(std::is_same_v<PetscScalar, double>,
+                "concino: petsc needs a PETSc of real numbers in double precision");
   if (!PetscInitializeCalled || PetscFinalizeCalled)
     throw invalid_argument("petsc: PETSc is not running: write concino::petsc_session session(argc, argv) in main");
 }

@@ -3,7 +3,9 @@
 
 #include <concino/adapters/detail/mpi/mpi_agreement.hpp>
 #include <concino/adapters/detail/petsc/petsc_calls.hpp>
+#include <concino/adapters/detail/petsc/petsc_report.hpp>
 #include <concino/adapters/detail/petsc/petsc_rows.hpp>
+#include <concino/adapters/detail/petsc/petsc_unused_options.hpp>
 #include <concino/adapters/petsc_options.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/core/system_checks.hpp>
@@ -29,13 +31,6 @@ class petsc_iteration {
   std::vector<std::string> unused_;
 
  public:
-  struct report {
-    int iterations = 0;
-    double residual = 0;
-    bool has_converged = true;
-    KSPConvergedReason reason = KSP_CONVERGED_RTOL;
-  };
-
   explicit petsc_iteration(const petsc_options& options) : options_(options) {
     check_petsc_is_running();
     if (!(options.tolerance > 0 && options.tolerance < 1))
@@ -52,24 +47,29 @@ class petsc_iteration {
 
   /// rows: those of this process, numbered on from those of the processes before it.
   void factorize(const petsc_rows& rows) {
-    const petsc_errors errors;
-    double largest = 0;
-    for (const double value : rows.values) largest = std::max(largest, std::abs(value));
-    (MPI_Allreduce)(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, options_.communicator);
-    scale_ = core::power_of_two_to_scale(largest);
-    fill(errors, rows);
-    set_near_null_space(errors, rows);
-    krylov_.reset();
-    errors.check(KSPCreate(options_.communicator, krylov_.address()), "creating the solver");
-    errors.check(choose(), "setting its options");
-    errors.check(KSPSetUp(krylov_), "computing the preconditioner");
-    errors.check(KSPSetUpOnBlocks(krylov_), "computing the preconditioner");
-    check_preconditioner(errors);
-    find_unused_options(errors);
+    factorize_scaled(rows.values, rows.first, rows.size(), [&](const petsc_errors& errors, const double* values) {
+      errors.check(MatSetType(matrix_, MATAIJ), "creating the matrix");
+      // each does nothing for matrices of the other type
+      errors.check(MatSeqAIJSetPreallocationCSR(matrix_, rows.starts.data(), rows.columns.data(), values),
+                   "filling the matrix");
+      errors.check(MatMPIAIJSetPreallocationCSR(matrix_, rows.starts.data(), rows.columns.data(), values),
+                   "filling the matrix");
+    });
+  }
+  /// entries: of any rows, which PETSc sums over all processes. Its lists are used up.
+  void factorize(petsc_entries& entries) {
+    factorize_scaled(entries.values, entries.first, entries.size,
+                     [&](const petsc_errors& errors, const double* values) {
+                       errors.check(MatSetType(matrix_, MATAIJ), "creating the matrix");
+                       errors.check(MatSetPreallocationCOO(matrix_, static_cast<PetscCount>(entries.values.size()),
+                                                           entries.rows.data(), entries.columns.data()),
+                                    "filling the matrix");
+                       errors.check(MatSetValuesCOO(matrix_, values, INSERT_VALUES), "filling the matrix");
+                     });
   }
 
   /// b: the entries of this process. Returns those of the solution, and says how it was reached.
-  std::vector<double> solve(const double* b, report& r) const {
+  std::vector<double> solve(const double* b, petsc_report& r) const {
     const petsc_errors errors;
     r = {};
     PetscInt size = 0;
@@ -96,26 +96,34 @@ class petsc_iteration {
   double tolerance() const { return tolerance_; }
 
  private:
-  void fill(const petsc_errors& errors, const petsc_rows& rows) {
-    std::vector<double> values = rows.values;
+  template<class Fill>
+  void factorize_scaled(std::vector<double> values, PetscInt first, PetscInt size, const Fill& fill) {
+    const petsc_errors errors;
+    double largest = 0;
+    for (const double value : values) largest = std::max(largest, std::abs(value));
+    (MPI_Allreduce)(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, options_.communicator);
+    scale_ = core::power_of_two_to_scale(largest);
     for (double& value : values) value *= scale_;
     errors.check(MatCreate(options_.communicator, matrix_.address()), "creating the matrix");
-    errors.check(MatSetSizes(matrix_, rows.size(), rows.size(), PETSC_DETERMINE, PETSC_DETERMINE),
-                 "creating the matrix");
-    errors.check(MatSetType(matrix_, MATAIJ), "creating the matrix");
-    // each does nothing for matrices of the other type
-    errors.check(MatSeqAIJSetPreallocationCSR(matrix_, rows.starts.data(), rows.columns.data(), values.data()),
-                 "filling the matrix");
-    errors.check(MatMPIAIJSetPreallocationCSR(matrix_, rows.starts.data(), rows.columns.data(), values.data()),
-                 "filling the matrix");
+    errors.check(MatSetSizes(matrix_, size, size, PETSC_DETERMINE, PETSC_DETERMINE), "creating the matrix");
+    fill(errors, values.data());
     if (options_.system == petsc_system::symmetric_definite)
       errors.check(MatSetOption(matrix_, MAT_SPD, PETSC_TRUE), "filling the matrix");
     errors.check(MatCreateVecs(matrix_, solution_.address(), right_.address()), "creating vectors");
     errors.check(VecDuplicate(right_, rest_.address()), "creating vectors");
+    set_near_null_space(errors, first, size);
+    krylov_.reset();
+    errors.check(KSPCreate(options_.communicator, krylov_.address()), "creating the solver");
+    errors.check(choose(), "setting its options");
+    errors.check(KSPSetUp(krylov_), "computing the preconditioner");
+    errors.check(KSPSetUpOnBlocks(krylov_), "computing the preconditioner");
+    check_preconditioner(errors);
+    unused_ = find_unused_options(errors, options_.prefix);
+    if (!options_.accept_unused_options) check_unused_options(unused_);
   }
 
   /// PETSc wants orthonormal vectors.
-  void set_near_null_space(const petsc_errors& errors, const petsc_rows& rows) {
+  void set_near_null_space(const petsc_errors& errors, PetscInt first, PetscInt size) {
     const std::vector<Eigen::VectorXd>& given = options_.near_null_space;
     if (given.empty()) return;
     std::vector<petsc_vector> owners(given.size());
@@ -124,7 +132,7 @@ class petsc_iteration {
       errors.check(VecDuplicate(solution_, owners[k].address()), "the near-null space");
       PetscScalar* values = nullptr;
       errors.check(VecGetArrayWrite(owners[k], &values), "the near-null space");
-      for (PetscInt i = 0; i < rows.size(); ++i) values[i] = given[k][static_cast<Eigen::Index>(rows.first + i)];
+      for (PetscInt i = 0; i < size; ++i) values[i] = given[k][static_cast<Eigen::Index>(first + i)];
       errors.check(VecRestoreArrayWrite(owners[k], &values), "the near-null space");
       PetscReal before = 0, after = 0;
       errors.check(VecNorm(owners[k], NORM_2, &before), "the near-null space");
@@ -160,7 +168,9 @@ class petsc_iteration {
                                options_.max_iterations > 0 ? options_.max_iterations : 10'000));
     PetscCall(KSPGetPC(krylov_, &preconditioner));
     switch (options_.preconditioner) {
-      case petsc_preconditioner::gamg: PetscCall(PCSetType(preconditioner, PCGAMG)); break;
+      case petsc_preconditioner::gamg:
+        PetscCall(PCSetType(preconditioner, PCGAMG));
+        break;
       case petsc_preconditioner::boomeramg:
         PetscCall(PCSetType(preconditioner, PCHYPRE));
         PetscCall(PCHYPRESetType(preconditioner, "boomeramg"));
@@ -189,28 +199,8 @@ class petsc_iteration {
       throw solver_error("petsc: the preconditioner cannot be computed: the matrix is singular, or badly conditioned");
   }
 
-  /// Options of the database with the prefix of this solver, or those of solvers if it has none, that nothing has read.
-  void find_unused_options(const petsc_errors& errors) {
-    PetscInt n = 0;
-    char **names = nullptr, **values = nullptr;
-    unused_.clear();
-    errors.check(PetscOptionsLeftGet(nullptr, &n, &names, &values), "reading the options");
-    for (PetscInt i = 0; i < n; ++i) {
-      const std::string name = names[i];
-      const auto begins_with = [&](const char* text) { return name.rfind(text, 0) == 0; };
-      if (!options_.prefix.empty() ? begins_with(options_.prefix.c_str())
-                                   : begins_with("ksp_") || begins_with("pc_") || begins_with("mg_"))
-        unused_.push_back(name);
-    }
-    errors.check(PetscOptionsLeftRestore(nullptr, &n, &names, &values), "reading the options");
-    if (!unused_.empty() && !options_.accept_unused_options)
-      core::throw_joined<invalid_argument>({"petsc: the option -", unused_.front(),
-                                            " is misspelt, or has no effect on this solver; correct or remove it, or"
-                                            " set accept_unused_options"});
-  }
-
   /// Continues from the solution so far while that halves the residual: the iteration only estimates it.
-  void iterate(const petsc_errors& errors, report& r) const {
+  void iterate(const petsc_errors& errors, petsc_report& r) const {
     PetscReal of_right = 0;
     errors.check(VecNorm(right_, NORM_2, &of_right), "solving");
     r.has_converged = false;

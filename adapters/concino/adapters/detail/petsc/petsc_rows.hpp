@@ -25,6 +25,14 @@ struct petsc_rows {
   PetscInt size() const { return static_cast<PetscInt>(starts.size()) - 1; }
 };
 
+/// Entries anywhere in the matrix, of which this process has the rows first, first + 1, ..., first + size - 1. Those of
+/// one place are summed.
+struct petsc_entries {
+  PetscInt first = 0, size = 0;
+  std::vector<PetscInt> rows = {}, columns = {};
+  std::vector<double> values = {};
+};
+
 /// Rows first to last - 1 of a compressed matrix.
 inline petsc_rows rows_of(const Eigen::SparseMatrix<double>& a, int first, int last) {
   petsc_rows r;

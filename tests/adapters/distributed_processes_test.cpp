@@ -1,0 +1,114 @@
+// Distributed meshes on several processes. Every test also passes on one.
+#include <concino/adapters/distributed.hpp>
+#include <concino/adapters/metis_partition.hpp>
+
+#include <concino/geometry/measure.hpp>
+#include <concino/validate.hpp>
+
+#include <support/distributed.hpp>
+#include <support/kinds.hpp>
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
+using namespace concino;
+using namespace concino::testing;
+using namespace distributed_tests;
+
+TEST_CASE_TEMPLATE("distributed: each process holds its part and the polys that share a vert with it", M, CONCINO_ALL_KINDS) {
+  const M m = two_grids<M>(3);
+  for (const auto& part : parts_of(m)) {
+    const distributed<M> d(MPI_COMM_WORLD, is_first() ? m : M(), part);
+    static_assert(EmbeddedMesh<distributed<M>>);
+    CHECK(d.num_global_verts() == num_verts(m));
+    CHECK(d.num_global_polys() == num_polys(m));
+    CHECK(check_laws(d).empty());
+    std::set<std::uint64_t> expected, found;
+    for (const auto p : polys(m)) {
+      bool is_near = false;
+      for (const auto v : adj_p2v(m, p))
+        for (const auto q : adj_v2p(m, v)) is_near = is_near || part[q] == rank();
+      if (is_near) expected.insert(number(m, p));
+    }
+    for (const auto p : polys(d)) {
+      found.insert(d.global_number(p));
+      CHECK(d.is_ghost(p) == (part[poly_at(m, d.global_number(p))] != rank()));
+      CHECK(d.owner(p) == part[poly_at(m, d.global_number(p))]);
+    }
+    CHECK(found == expected);
+    std::size_t own = 0;
+    for (const auto v : verts(d)) {
+      const vec3 a = point(d, v), b = point(m, vert_at(m, d.global_number(v)));
+      CHECK((a.x == b.x && a.y == b.y && a.z == b.z));
+      own += !d.is_ghost(v);
+    }
+    CHECK(sum_of_all(static_cast<double>(own)) == static_cast<double>(num_verts(m)));
+    CHECK(std::abs(sum_of_all(total_measure(owned_part(d))) - total_measure(m)) < 1e-12);
+    // every local poly has the verts of the poly with that number
+    for (const auto p : polys(d)) {
+      std::vector<std::uint64_t> local, whole;
+      for (const auto v : adj_p2v(d, p)) local.push_back(d.global_number(v));
+      for (const auto v : adj_p2v(m, poly_at(m, d.global_number(p)))) whole.push_back(number(m, v));
+      CHECK(local == whole);
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("distributed: values of ghosts come from their owners", M, CONCINO_KINDS) {
+  const M m = grid<M>(4);
+  for (const auto& part : parts_of(m)) {
+    const distributed<M> d(MPI_COMM_WORLD, is_first() ? m : M(), part);
+    auto u = make_vert_map<double>(d, -1.0);
+    auto w = make_poly_map<vec3>(d);
+    for (const auto v : verts(d))
+      if (!d.is_ghost(v)) u[v] = std::sqrt(static_cast<double>(d.global_number(v)));
+    for (const auto p : polys(d))
+      if (!d.is_ghost(p)) w[p] = {static_cast<double>(d.global_number(p)), 1, static_cast<double>(d.owner(p))};
+    exchange_ghosts(u);
+    exchange_ghosts(w);
+    for (const auto v : verts(d)) CHECK(u[v] == std::sqrt(static_cast<double>(d.global_number(v))));
+    for (const auto p : polys(d)) CHECK((w[p].x == static_cast<double>(d.global_number(p)) && w[p].z == d.owner(p)));
+  }
+}
+
+TEST_CASE("distributed: a poly in no part is an error on all processes") {
+  const trimesh m = grid<trimesh>(2);
+  auto part = make_poly_map<int>(m, 0);
+  part[poly_id{3}] = 100;
+  CHECK_THROWS_WITH_AS(distributed<trimesh>(MPI_COMM_WORLD, m, part), doctest::Contains("distributed: poly 3 is in part 100; there are "), invalid_argument);
+}
+
+TEST_CASE("distributed: an error of one process is thrown on all") {
+  const int last = number_of_processes() - 1;
+  const auto on_last = [&](auto error) {
+    detail::on_all(MPI_COMM_WORLD, [&] {
+      if (rank() == last) throw error;
+    });
+  };
+  CHECK_THROWS_WITH_AS(on_last(invalid_mesh("a mesh")), "a mesh", invalid_mesh);
+  CHECK_THROWS_WITH_AS(on_last(unsupported("u")), "u", unsupported);
+  CHECK_THROWS_WITH_AS(on_last(io_error("")), "", io_error);
+  CHECK_THROWS_AS(on_last(cancelled("c")), cancelled);
+  CHECK_THROWS_WITH_AS(on_last(solver_error(std::string(100000, 'x'))), std::string(100000, 'x').c_str(), solver_error);
+  detail::on_all(MPI_COMM_WORLD, [] {});
+}
+
+TEST_CASE("distributed: takes empty and non-manifold meshes") {
+  const trimesh empty;
+  const distributed<trimesh> none(MPI_COMM_WORLD, empty, make_poly_map<int>(empty, 0));
+  CHECK(num_polys(none) == 0);
+  CHECK(none.num_global_verts() == 0);
+  // three triangles at one edge, and one that touches at a vert
+  const trimesh fan({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {2, 0, 0}, {2, 1, 0}}, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {1, 5, 6}});
+  auto part = make_poly_map<int>(fan, 0);
+  for (const poly_id p : polys(fan)) part[p] = static_cast<int>(index_of(fan, p)) % number_of_processes();
+  const distributed<trimesh> d(MPI_COMM_WORLD, fan, part);
+  CHECK(d.num_global_polys() == 4);
+  if (number_of_processes() >= 4) CHECK(num_polys(d) == (rank() < 4 ? 4 : 0));
+  CHECK(check_laws(d).empty());
+}

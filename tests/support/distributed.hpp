@@ -1,0 +1,57 @@
+// What tests of distributed meshes share: processes, partitions, and elements by their number.
+#pragma once
+
+#include <concino/adapters/metis_partition.hpp>
+#include <concino/mesh/element_map.hpp>
+
+#include <mpi.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace distributed_tests {
+
+inline int rank() {
+  int r = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &r);
+  return r;
+}
+inline int number_of_processes() {
+  int n = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &n);
+  return n;
+}
+inline bool is_first() { return rank() == 0; }
+
+inline double sum_of_all(double x) {
+  MPI_Allreduce(MPI_IN_PLACE, &x, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+  return x;
+}
+
+/// Native meshes without deleted elements number verts and polys by index.
+template<class M, class X>
+std::uint64_t number(const M& m, const X& x) { return concino::index_of(m, x); }
+template<class M>
+auto vert_at(const M&, std::uint64_t i) { return concino::vert_t<M>{static_cast<unsigned>(i)}; }
+template<class M>
+auto poly_at(const M&, std::uint64_t i) { return concino::poly_t<M>{static_cast<unsigned>(i)}; }
+
+/// Partitions for this number of processes: by METIS; every n-th poly, so that parts are scattered; all polys on the last process; and slabs of equal
+/// numbers of polys, which are thin on small grids.
+template<class M>
+std::vector<concino::poly_map<M, int>> parts_of(const M& m) {
+  const auto n = static_cast<std::size_t>(number_of_processes());
+  std::vector<concino::poly_map<M, int>> r(4, concino::make_poly_map<int>(m, 0));
+  r[0] = concino::partition(m, n, concino::metis).part;
+  std::size_t i = 0;
+  for (const auto p : concino::polys(m)) {
+    r[1][p] = static_cast<int>(i % n);
+    r[2][p] = static_cast<int>(n - 1);
+    r[3][p] = static_cast<int>(i * n / concino::num_polys(m));
+    ++i;
+  }
+  return r;
+}
+
+}  // namespace distributed_tests
