@@ -8,49 +8,85 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 
 namespace concino::detail {
 
-CONCINO_INLINE double arap_problem::local_step(const std::vector<vec3>& x,
-                                               std::vector<rotation_columns>& rotations) const {
-  return polys_.is_empty() ? rotate_spokes(x, rotations) : polys_.local_step(rest_, x, rotations);
+CONCINO_INLINE double arap_problem::rotate(std::size_t first, std::size_t n, const std::vector<vec3>& x,
+                                           rotation_columns* rotations, double& whole) const {
+  moment_matrix moments[max_rotations];
+  double bounds[max_rotations] = {};
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t v = first + i;
+    for (std::uint32_t k = first_[v]; k < first_[v + 1]; ++k) {
+      const vec3 e = rest_[to_[k]] - rest_[v], d = x[to_[k]] - x[v];
+      if (polys_.is_empty()) moments[i].add(0.5 * weight_[k], e, d);
+      else moments[i].add(1, out_[k], d);
+      bounds[i] += 0.25 * weight_[k] * (dot(e, e) + dot(d, d));
+    }
+    whole += bounds[i];
+    if (!polys_.is_empty()) bounds[i] = std::numeric_limits<double>::infinity();  // only the sum over all verts is one
+  }
+  best_rotations(n, moments, bounds, rotations);
+  double sum = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t c = 0; c < 3; ++c) sum += dot(rotations[i][c], moments[i].of[c]);
+  return sum;
 }
 
-CONCINO_INLINE double arap_problem::rotate_spokes(const std::vector<vec3>& x,
-                                                  std::vector<rotation_columns>& rotations) const {
-  std::vector<double> energy(rest_.size());
+CONCINO_INLINE double arap_problem::local_step(const std::vector<vec3>& x,
+                                               std::vector<rotation_columns>& rotations) const {
+  constexpr std::size_t block = 32 * max_rotations;
+  struct sums {
+    double products = 0, whole = 0;
+  };
+  std::vector<sums> of_block((x.size() + block - 1) / block);
   parallel_for(
-      rest_.size(),
+      of_block.size(),
+      [&](std::size_t b) {
+        for (std::size_t v = b * block; v < std::min(x.size(), (b + 1) * block); v += max_rotations)
+          of_block[b].products +=
+              rotate(v, std::min(max_rotations, x.size() - v), x, rotations.data() + v, of_block[b].whole);
+      },
+      1);
+  sums all;
+  for (const sums& s : of_block) all.products += s.products, all.whole += s.whole;
+  const double rest = all.whole - all.products;
+  return rest > 1e-5 * all.whole ? 2 * rest : energy(x, rotations);
+}
+
+CONCINO_INLINE double arap_problem::energy(const std::vector<vec3>& x,
+                                           const std::vector<rotation_columns>& rotations) const {
+  if (!polys_.is_empty()) return polys_.energy(rest_, x, rotations);
+  std::vector<double> of_vert(x.size());
+  parallel_for(
+      x.size(),
       [&](std::size_t v) {
-        if (first_[v] == first_[v + 1]) return;
-        moment_matrix moments;
-        double twice_bound = 0;  // what the sum of products would be if all edges were their rest, rotated
         for (std::uint32_t k = first_[v]; k < first_[v + 1]; ++k) {
-          const vec3 e = rest_[to_[k]] - rest_[v], d = x[to_[k]] - x[v];
-          moments.add(weight_[k], e, d);
-          twice_bound += weight_[k] * (dot(e, e) + dot(d, d));
+          const vec3 d = x[to_[k]] - x[v] - turned(rotations[v], rest_[to_[k]] - rest_[v]);
+          of_vert[v] += 0.5 * weight_[k] * dot(d, d);
         }
-        const auto& r = rotations[v] = best_rotation(moments, 0.5 * twice_bound);
-        double sum = 0;
-        for (std::uint32_t k = first_[v]; k < first_[v + 1]; ++k) {
-          const vec3 e = rest_[to_[k]] - rest_[v], d = x[to_[k]] - x[v] - turned(r, e);
-          sum += weight_[k] * dot(d, d);
-        }
-        energy[v] = sum;
       },
       256);
   double whole = 0;
-  for (const double e : energy) whole += e;
+  for (const double e : of_vert) whole += e;
   return whole;
 }
 
-CONCINO_INLINE vec3 arap_problem::spokes_side(std::size_t v, const std::vector<rotation_columns>& rotations) const {
-  vec3 sum;
-  for (std::uint32_t k = first_[v]; k < first_[v + 1]; ++k) {
-    const vec3 e = (0.5 * weight_[k]) * (rest_[v] - rest_[to_[k]]);
-    sum += turned(rotations[v], e) + turned(rotations[to_[k]], e);
+CONCINO_INLINE vec3 arap_problem::right_side(std::size_t v, const std::vector<rotation_columns>& rotations) const {
+  vec3 sum, own;
+  if (polys_.is_empty()) {
+    for (std::uint32_t k = first_[v]; k < first_[v + 1]; ++k) {
+      const vec3 e = (0.5 * weight_[k]) * (rest_[v] - rest_[to_[k]]);
+      own += e;
+      sum += turned(rotations[to_[k]], e);
+    }
+  } else {
+    own = own_[v];
+    for (std::uint32_t k = first_[v]; k < first_[v + 1]; ++k) sum += turned(rotations[to_[k]], in_[k]);
   }
-  return sum;
+  return sum + turned(rotations[v], own);
 }
 
 CONCINO_INLINE void arap_problem::global_step(core::solver_ref solver, const Eigen::SparseMatrix<double>& lower,
@@ -59,13 +95,11 @@ CONCINO_INLINE void arap_problem::global_step(core::solver_ref solver, const Eig
   const auto n = static_cast<Eigen::Index>(num_unknowns());
   if (n == 0) return;
   std::array<Eigen::VectorXd, 3> b{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n)};
-  std::vector<rotation_columns> of_polys;
-  if (!polys_.is_empty()) of_polys = polys_.sums_of(rotations);
   parallel_for(
       num_unknowns(),
       [&](std::size_t row) {
         const std::uint32_t v = vert_of_unknown_[row];
-        vec3 sum = polys_.is_empty() ? spokes_side(v, rotations) : polys_.right_side(v, of_polys);
+        vec3 sum = right_side(v, rotations);
         for (std::uint32_t k = first_[v]; k < first_[v + 1]; ++k)
           if (unknown_[to_[k]] == not_unknown) sum += weight_[k] * x[to_[k]];
         for (std::size_t d = 0; d < 3; ++d) b[d][static_cast<Eigen::Index>(row)] = sum[d];

@@ -1,4 +1,4 @@
-// As rigid as possible with spokes and rims: the matrices of polys, and their part of both steps of an iteration.
+// As rigid as possible with spokes and rims: the matrices of polys.
 #pragma once
 
 #include <concino/core/compiled.hpp>
@@ -8,54 +8,50 @@
 
 #include <Eigen/SparseCore>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace concino::detail {
 
-/// The images of the unit vectors under a rotation, or a sum of such.
-using rotation_columns = std::array<vec3, 3>;
-inline vec3 turned(const rotation_columns& r, const vec3& a) { return a.x * r[0] + a.y * r[1] + a.z * r[2]; }
-
 /// The energy is the sum, over the polys and their verts, of the weights of pairs of verts of the poly times the squared
 /// difference between the pair and its rest, rotated by the rotation of the vert. The sum over the pairs of a poly is
 /// not negative, though single weights may be. Verts are numbers.
 class arap_polys {
-  std::vector<std::uint32_t> first_{0}, vert_;  // the verts of each poly; a place is an index of vert_
+  std::vector<std::uint32_t> first_{0}, vert_;  // the verts of each poly
   std::vector<std::size_t> first_weight_{0};
-  std::vector<double> weight_;                             // of each poly the pairs (1, 0), (2, 0), (2, 1), (3, 0) ...
-  std::vector<std::uint32_t> first_place_, place_, poly_;  // the places of each vert; the poly of each place
-  std::vector<vec3> pull_;  // of each place: the sum of weights times the edges to it in its poly, at rest
+  std::vector<double> weight_;  // of each poly the pairs (1, 0), (2, 0), (2, 1), (3, 0) ...
 
-  /// The sum of weights times the squares of differences of y, one for each vert of the poly.
-  double squares(std::size_t poly, const std::vector<vec3>& y) const;
+  template<class F>
+  void for_each_pair(std::size_t poly, const F& f) const {
+    const double* w = weight_.data() + first_weight_[poly];
+    for (std::uint32_t i = first_[poly]; i < first_[poly + 1]; ++i)
+      for (std::uint32_t j = first_[poly]; j < i; ++j) f(i - first_[poly], j - first_[poly], *w++);
+  }
+  double energy_of(std::size_t poly, const std::vector<vec3>& rest, const std::vector<vec3>& x,
+                   const std::vector<rotation_columns>& rotations, std::vector<vec3>& difference) const;
 
  public:
   bool is_empty() const { return vert_.empty(); }
+  std::size_t num_polys() const { return first_.size() - 1; }
 
   /// Adds a poly with this lower triangle of its matrix, row after row.
   void add(const std::vector<std::uint32_t>& verts, const std::vector<double>& entries);
 
-  /// Minus the matrix of the energy for given rotations, both triangles. size: more than any vert.
+  /// Minus the matrix of the energy for given rotations, both triangles, with zeros. size: more than any vert.
   Eigen::SparseMatrix<double> laplacian(std::size_t size) const;
+  void divide_weights(double unit);
 
-  /// To be called once, after the last poly: the points at rest, and the unit of weights from now on.
-  void prepare(const std::vector<vec3>& rest, double weight_unit);
+  /// The moments of a vert v are the sum of out[k] * (x of to[k]) over its edges k, and the right side of its equation
+  /// is the sum of the rotations of to[k] times in[k], and of its own rotation times own[v]. first, to: the edges from
+  /// each vert, by the pattern of the Laplacian.
+  void sum_edges(const std::vector<vec3>& rest, const std::vector<std::uint32_t>& first,
+                 const std::vector<std::uint32_t>& to, std::vector<vec3>& out, std::vector<vec3>& in,
+                 std::vector<vec3>& own) const;
 
-  /// The best rotation at each vert with polys, and the energy.
-  double local_step(const std::vector<vec3>& rest, const std::vector<vec3>& x,
-                    std::vector<rotation_columns>& rotations) const;
-
-  /// The sum of the rotations of the verts of each poly; the right side of the equation of a vert, for these sums.
-  std::vector<rotation_columns> sums_of(const std::vector<rotation_columns>& rotations) const;
-  vec3 right_side(std::size_t vert, const std::vector<rotation_columns>& sums) const {
-    vec3 sum;
-    for (std::uint32_t k = first_place_[vert]; k < first_place_[vert + 1]; ++k)
-      sum += turned(sums[poly_[place_[k]]], pull_[place_[k]]);
-    return sum;
-  }
+  /// Without cancellation where the rotations of a poly are nearly equal.
+  double energy(const std::vector<vec3>& rest, const std::vector<vec3>& x,
+                const std::vector<rotation_columns>& rotations) const;
 };
 
 /// The matrices of the polys of m.

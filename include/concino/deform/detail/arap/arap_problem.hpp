@@ -26,12 +26,13 @@ class arap_problem {
   std::vector<vec3> rest_;
   double unit_ = 1, weight_unit_ = 1;
   std::vector<std::uint32_t> first_{0}, to_;  // edges from each vert
-  std::vector<double> weight_;
-  std::vector<std::uint32_t> component_;  // of each vert; those without edges have one of their own
+  std::vector<double> weight_;                // of the equations; twice those of spokes
+  std::vector<std::uint32_t> component_;      // of each vert; those without edges have one of their own
   std::vector<std::uint32_t> unknown_, vert_of_unknown_, handles_;  // handles: each once
   std::vector<bool> is_handle_;
   std::size_t num_made_positive_ = 0, num_components_ = 0;
-  arap_polys polys_;  // empty: spokes, by the edges
+  arap_polys polys_;                  // empty: spokes, by the edges
+  std::vector<vec3> out_, in_, own_;  // see arap_polys::sum_edges; empty: spokes
 
   void keep_edges(const Eigen::SparseMatrix<double>& laplacian);
   void number_components();
@@ -65,10 +66,14 @@ class arap_problem {
  private:
   /// The best rotation at each vert, and the energy.
   double local_step(const std::vector<vec3>& x, std::vector<rotation_columns>& rotations) const;
-  /// The same with spokes.
-  double rotate_spokes(const std::vector<vec3>& x, std::vector<rotation_columns>& rotations) const;
-  /// The right side of the equation of a vert with spokes, without the handles.
-  vec3 spokes_side(std::size_t v, const std::vector<rotation_columns>& rotations) const;
+  /// The rotations of n verts. Returns the sum of products with the edges; adds to whole what it would be if all edges
+  /// were their rest, rotated.
+  double rotate(std::size_t first, std::size_t n, const std::vector<vec3>& x, rotation_columns* rotations,
+                double& whole) const;
+  /// Without cancellation.
+  double energy(const std::vector<vec3>& x, const std::vector<rotation_columns>& rotations) const;
+  /// The right side of the equation of a vert, without the handles.
+  vec3 right_side(std::size_t v, const std::vector<rotation_columns>& rotations) const;
   void global_step(core::solver_ref solver, const Eigen::SparseMatrix<double>& lower,
                    const std::vector<rotation_columns>& rotations, bool check, std::vector<vec3>& x) const;
 };

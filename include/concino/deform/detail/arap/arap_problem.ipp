@@ -33,13 +33,16 @@ CONCINO_INLINE void arap_problem::keep_edges(const Eigen::SparseMatrix<double>& 
   std::size_t twice_negative = 0;
   for (int c = 0; c < laplacian.outerSize(); ++c) {
     for (Eigen::SparseMatrix<double>::InnerIterator it(laplacian, c); it; ++it) {
-      // smaller ones are 0 but for rounding
-      const double rounding =
-          1e-12 * (diagonal[static_cast<std::size_t>(c)] + diagonal[static_cast<std::size_t>(it.row())]);
-      if (it.row() == c || !(std::abs(it.value()) > (polys_.is_empty() ? rounding : 0))) continue;
+      if (it.row() == c) continue;
+      if (polys_.is_empty()) {
+        // smaller ones are 0 but for rounding
+        const double rounding =
+            1e-12 * (diagonal[static_cast<std::size_t>(c)] + diagonal[static_cast<std::size_t>(it.row())]);
+        if (!(std::abs(it.value()) > rounding)) continue;
+        twice_negative += it.value() < 0;
+      }
       to_.push_back(static_cast<std::uint32_t>(it.row()));
-      weight_.push_back((polys_.is_empty() ? std::abs(it.value()) : it.value()) / weight_unit_);
-      twice_negative += polys_.is_empty() && it.value() < 0;
+      weight_.push_back((polys_.is_empty() ? 2 * std::abs(it.value()) : it.value()) / weight_unit_);
     }
     first_.push_back(static_cast<std::uint32_t>(to_.size()));
   }
@@ -77,7 +80,10 @@ CONCINO_INLINE arap_problem::arap_problem(std::vector<vec3> points, const std::v
   unit_ = power_of_two_above(size);
   for (vec3& x : rest_) x /= unit_;
   keep_edges(laplacian);
-  if (!polys_.is_empty()) polys_.prepare(rest_, weight_unit_);
+  if (!polys_.is_empty()) {
+    polys_.divide_weights(weight_unit_);
+    polys_.sum_edges(rest_, first_, to_, out_, in_, own_);
+  }
   number_components();
   std::vector<bool> has_handle(num_components_, false);
   for (const std::size_t v : handles) {
