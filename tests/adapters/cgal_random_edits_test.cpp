@@ -27,6 +27,6 @@ TEST_CASE("CGAL: random edits by every operator") {
 TEST_CASE("CGAL: random edits of polygons") {
   std::mt19937 random(13);
   const mesh m = ct::cgal_surface<mesh::Point>(ct::polygon_grid(3));
-  const auto count = ct::edit_polys_at_random(m, random, ct::long_run() ? 500000 : 5000);
+  const auto count = ct::edit_polys_at_random(m, random, ct::long_run() ? 1000000 : 10000);
   for (unsigned what = 0; what <= ct::p_collapse; ++what) CHECK_MESSAGE(count.done[what] > 0, "operator " << what);
 }

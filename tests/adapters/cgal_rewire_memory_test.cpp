@@ -4,6 +4,7 @@
 #include <support/cgal.hpp>
 #include <support/failing_allocations.hpp>
 #include <support/foreign_operators.hpp>
+#include <support/foreign_poly_edits.hpp>
 #include <support/ignored_leaks.hpp>
 #include <support/kinds.hpp>
 
@@ -76,6 +77,11 @@ void collects_or_changes_nothing(const F& value_of) {
 TEST_CASE("CGAL: edits that run out of memory change nothing") {
   const auto m = testing::cgal_surface<kernel_point>(testing::triangle_grid(2));
   testing::edits_are_all_or_nothing(m, 3, [](const auto& f) { return testing::for_each_failing_allocation(f); });
+}
+
+TEST_CASE("CGAL: edits of polygons and chords that run out of memory change nothing") {
+  const auto m = testing::cgal_surface<kernel_point>(testing::quad_grid(3));
+  testing::poly_edits_are_all_or_nothing(m, [](const auto& f) { return testing::for_each_failing_allocation(f); });
 }
 
 TEST_CASE("CGAL: garbage_collect that runs out of memory changes nothing") {

@@ -26,6 +26,6 @@ TEST_CASE("OpenMesh: random edits of polygons") {
   std::mt19937 random(13);
   poly_double m;
   fill(m, ct::polygon_grid(3));
-  const auto count = ct::edit_polys_at_random(m, random, ct::long_run() ? 500000 : 5000);
+  const auto count = ct::edit_polys_at_random(m, random, ct::long_run() ? 1000000 : 10000);
   for (unsigned what = 0; what <= ct::p_collapse; ++what) CHECK_MESSAGE(count.done[what] > 0, "operator " << what);
 }

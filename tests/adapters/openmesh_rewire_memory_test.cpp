@@ -1,6 +1,7 @@
 // Edits of OpenMesh meshes and their transactions change nothing if memory runs out.
 #include <support/failing_allocations.hpp>
 #include <support/foreign_operators.hpp>
+#include <support/foreign_poly_edits.hpp>
 #include <support/kinds.hpp>
 #include <support/openmesh.hpp>
 
@@ -11,6 +12,12 @@ TEST_CASE_TEMPLATE("OpenMesh: edits that run out of memory change nothing", M, C
   M m;
   fill(m, testing::triangle_grid(2));
   testing::edits_are_all_or_nothing(m, 3, [](const auto& f) { return testing::for_each_failing_allocation(f, 8); });  // OpenMesh's assertions allocate memory
+}
+
+TEST_CASE("OpenMesh: edits of polygons and chords that run out of memory change nothing") {
+  poly_double m;
+  fill(m, testing::quad_grid(3));
+  testing::poly_edits_are_all_or_nothing(m, [](const auto& f) { return testing::for_each_failing_allocation(f, 8); });
 }
 
 TEST_CASE("OpenMesh: a transaction for which there is no memory can be opened later") {

@@ -55,11 +55,15 @@ TEST_CASE("edge_split: edges of one triangle and of five") {
   equals_rebuilt(m);
 }
 
-TEST_CASE("edge_split: refuses quads, and throws for edges of other meshes and parameters outside the edge; nothing changes") {
-  cn::quadmesh q = cn::testing::grid<cn::quadmesh>(2);
+template<class M> concept has_edge_split = requires(M m, cn::edge_t<M> e) { cn::edge_split(m, e); cn::can_edge_split(m, e); };
+static_assert(has_edge_split<cn::trimesh> && has_edge_split<cn::polygonmesh> && has_edge_split<cn::tetmesh> && has_edge_split<cn::polyhedralmesh>);
+static_assert(!has_edge_split<cn::quadmesh> && !has_edge_split<cn::hexmesh>);
+
+TEST_CASE("edge_split: refuses quads where simplices are asked for, and throws for edges of other meshes and parameters outside the edge; nothing changes") {
+  cn::polygonmesh q(cn::testing::quad_grid(2));
   const auto before = cn::testing::whole(q);
-  CHECK(cn::can_edge_split(q, cn::edge_id{0}).reason == cn::refusal::not_simplices);
-  const auto made = cn::edge_split(q, cn::edge_id{0});
+  CHECK(cn::can_edge_split(q, cn::edge_id{0}, 0.5, {.only_simplices = true}).reason == cn::refusal::not_simplices);
+  const auto made = cn::edge_split(q, cn::edge_id{0}, 0.5, {.only_simplices = true});
   CHECK_FALSE(made);
   CHECK(made.why == "a poly at the element is not a triangle or a tet");
   CHECK(cn::testing::whole(q) == before);

@@ -24,10 +24,11 @@ void edit(const M& start, unsigned seed, unsigned tries) {
   for (unsigned what = 0; what < num_poly_operators; ++what) counts += " " + std::to_string(count.done[what]) + "/" + std::to_string(count.refused[what]);
   MESSAGE("done/refused:" << counts);
 }
-unsigned num_tries() { return long_run() ? 500000 : 5000; }
+/// For each operator, as many as those of triangles and tets in random_edits_test.cpp and random_elements_test.cpp.
+unsigned num_tries() { return long_run() ? 1000000 : 10000; }
 
 }  // namespace
 
 TEST_CASE("random edits of polys: polygons") { edit(grid<cn::polygonmesh>(4), 1, num_tries()); }
-TEST_CASE("random edits of polys: polyhedra") { edit(grid<cn::polyhedralmesh>(2), 2, num_tries()); }
-TEST_CASE("random edits of polys: hexes as polyhedra") { edit(cn::polyhedralmesh(extrude(quad_grid(3), 3)), 3, num_tries()); }
+TEST_CASE("random edits of polys: polyhedra") { edit(grid<cn::polyhedralmesh>(2), 2, num_tries() / 2); }
+TEST_CASE("random edits of polys: hexes as polyhedra") { edit(cn::polyhedralmesh(extrude(quad_grid(3), 3)), 3, num_tries() / 2); }

@@ -58,7 +58,9 @@ void edit_somewhere(M& m, std::mt19937& random) {
     case 4: {
       std::vector<cn::edge_id> e;
       for (const auto x : cn::edges(m)) e.push_back(x);
-      if (!e.empty()) cn::edge_split(m, some(e, random));
+      if (e.empty()) break;
+      if constexpr (cn::requirement::can_split_edges<M>) cn::edge_split(m, some(e, random));
+      else cn::edge_collapse(m, some(e, random));  // is refused
       break;
     }
     default:

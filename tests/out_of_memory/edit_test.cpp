@@ -201,5 +201,44 @@ TEST_CASE_TEMPLATE("an edit of polygons or polyhedra that runs out of memory cha
     const auto corners = listed(cn::adj_p2v(m, cn::poly_id{0}));
     check(m, [=](M& x) { return bool(cn::poly_cut(x, cn::poly_id{0}, corners[0], corners[3])); });
   }
+  M numbers = cn::testing::grid<M>(cn::VolumeMesh<M> ? 1 : 2);  // a transaction needs values that can be copied byte by byte
+  cn::vert_property<double>(numbers, "a");
+  cn::poly_property<int>(numbers, "d");
+  check(numbers, [=](M& x) {
+    cn::transaction t(x);
+    const auto made = cn::edge_split(x, edge);
+    const bool done = made && cn::edge_merge(x, made.vert) && cn::merge_polys(x, between);
+    t.commit();
+    return done;
+  });
   CHECK(failed > 100);
+}
+
+TEST_CASE_TEMPLATE("agglomerate_while that runs out of memory keeps the merges that were made", M, cn::polygonmesh, cn::polyhedralmesh) {
+  M start = cn::testing::grid<M>(cn::VolumeMesh<M> ? 1 : 2);
+  cn::vert_property<double>(start, "a");
+  cn::poly_property<int>(start, "d");
+  M merged = start;
+  const auto merge = [](M& m) { return cn::agglomerate_while(m, cn::min_quality(-1, cn::metric::star_shapedness), {.target = cn::num_polys(m) / 2}); };
+  REQUIRE(merge(merged).num_merges > 0);
+  const auto expected = cn::num_polys(merged);
+  const auto old = cn::testing::whole(start);
+  const auto result = for_each_failing_allocation([&](const auto& attempt) {
+    M m = start;
+    if (!attempt([&] { merge(m); })) return;
+    CHECK(cn::num_polys(m) >= expected);
+    CHECK(cn::check_laws(m).empty());
+  });
+  CHECK(result.failed > 20);
+  CHECK(result.leaks == 0);
+  const auto undone = for_each_failing_allocation([&](const auto& attempt) {
+    M m = start;
+    const bool is_undone = attempt([&] {
+      cn::transaction t(m);
+      merge(m);
+      t.commit();
+    });
+    CHECK((cn::testing::whole(m) == old) == is_undone);
+  });
+  CHECK(undone.failed > 20);
 }

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -95,8 +96,12 @@ void expect_grids(const M& m, const L& l) {
   CHECK(l.periodic == is_periodic);
   CHECK(l.blocks.has_value() == l.why_no_blocks.empty());
   if (is_periodic) CHECK(!l.blocks);
-  // A facet between two blocks lies at an end of both, and so do those that it continues in each.
+  // A facet between two blocks lies at an end of both, and so do those that it continues in each. What is beside one side of a block is one side of a block,
+  // or the boundary.
+  using side = std::array<std::uint32_t, 3>;  // a block, an axis, an end
+  std::map<side, std::set<side>> beside;
   for (const auto f : facets(m)) {
+    std::vector<side> its_sides;
     for (const auto p : adj_facet2p(m, f)) {
       std::array<std::uint32_t, 3> low{~0u, ~0u, ~0u}, high{};
       std::uint32_t k = 0;
@@ -114,6 +119,7 @@ void expect_grids(const M& m, const L& l) {
       for (std::size_t i = 0; i < d; ++i)
         if (low[i] == high[i]) {
           is_at_end = low[i] == 0 || low[i] == block.size[i];
+          its_sides.push_back({l.block[p], static_cast<std::uint32_t>(i), low[i] == 0 ? 0u : 1u});
           at_seam = block.periodic[i];
         }
       if (l.is_interface[f]) CHECK(is_at_end);
@@ -121,7 +127,11 @@ void expect_grids(const M& m, const L& l) {
       for (const auto q : other_polys(m, p, f))
         if (!(l.block[q] == l.block[p])) CHECK(l.is_interface[f]);
     }
+    if (!l.is_interface[f] || its_sides.size() > 2) continue;
+    if (its_sides.size() == 1) beside[its_sides[0]].insert(side{~0u, 0, 0});
+    else if (its_sides.size() == 2) beside[its_sides[0]].insert(its_sides[1]), beside[its_sides[1]].insert(its_sides[0]);
   }
+  for (const auto& [one, others] : beside) CHECK(others.size() == 1);
   if (!l.blocks) return;
   CHECK(num_polys(*l.blocks) == l.num_blocks);
   REQUIRE(num_verts(*l.blocks) == l.block_verts.size());

@@ -60,6 +60,8 @@ namespace requirement {
 
 // Compilers print this line: convert<polygonmesh>(m) and convert<polyhedralmesh>(m) make such meshes of others.
 template<class M> concept has_polys_of_any_size = arity_v<M> == 0;  // else convert<polygonmesh>(m), <polyhedralmesh>
+template<class M>
+concept can_split_edges = arity_v<M> == 0 || arity_v<M> == dimension_v<M> + 1;  // else as above
 
 }  // namespace requirement
 

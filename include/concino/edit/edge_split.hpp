@@ -73,11 +73,11 @@ inline void check_parameter(double t, const char* edit) {
 
 }  // namespace detail
 
-/// Whether e can be split: no two polys at it have the same verts, the polys of a quadmesh or hexmesh are none that can
-/// be split, and the invariants hold. Any number of polys is allowed.
-/// Needs:  EditableMesh M, an edge of m.      Result: true, or the reason.      Cost: O(polys at e).      Errors: as
-///         edge_split.
+/// Whether e can be split: no two polys at it have the same verts, and the invariants hold. Any number of polys is
+/// allowed.
+/// Needs:  as edge_split.      Result: true, or the reason.      Cost: O(polys at e).      Errors: as edge_split.
 template<EditableMesh M>
+  requires requirement::can_split_edges<M>
 permission can_edge_split(const M& m, edge_t<M> e, double t = 0.5, const edge_split_options& options = {}) {
   detail::check_element(m, e, "can_edge_split", "edge");
   detail::check_parameter(t, "can_edge_split");
@@ -96,13 +96,15 @@ permission can_edge_split(const M& m, edge_t<M> e, double t = 0.5, const edge_sp
 /// Splits e at (1 - t) a + t b, where a and b are its ends as end_verts lists them. If all polys at it are triangles of
 /// a surface, or tets of a tetmesh, each is divided into two. Else the new vert becomes a corner of all of them, and of
 /// their faces; edge_merge is the inverse.
-/// Needs:  EditableMesh M; 0 < t < 1.
+/// Needs:  EditableMesh M whose polys are simplices, or may have any number of verts: quads are made polygons and hexes
+///         polyhedra first, by convert<polygonmesh>(m) and convert<polyhedralmesh>(m). An edge of m; 0 < t < 1.
 /// Result: the new vert, or the reason why not. Of each poly that is divided the half at a keeps the descriptor. Other
 ///         descriptors remain valid, apart from e and, in general polyhedra, the faces at it.
 /// Cost:   the elements at the verts of the polys at e, but O(mesh) the first time.
 /// Errors: invalid_mesh if e is not an edge of m; invalid_argument if t is not between 0 and 1. The mesh is unchanged
 ///         then, also if memory runs out.
 template<EditableMesh M>
+  requires requirement::can_split_edges<M>
 vert_result<M> edge_split(M& m, edge_t<M> e, double t = 0.5, const edge_split_options& options = {}) {
   detail::check_element(m, e, "edge_split", "edge");
   detail::check_parameter(t, "edge_split");
@@ -129,5 +131,13 @@ vert_result<M> edge_split(M& m, edge_t<M> e, double t = 0.5, const edge_split_op
   c.apply(m);
   return {{}, c.new_vert()};
 }
+
+// What to write instead of calls that cannot compile.
+template<EditableMesh M, class... T>
+  requires(!requirement::can_split_edges<M>)
+void can_edge_split(const M&, const T&...) = delete;  // quads or hexes: make m a polygonmesh or polyhedralmesh
+template<EditableMesh M, class... T>
+  requires(!requirement::can_split_edges<M>)
+void edge_split(const M&, const T&...) = delete;  // quads or hexes: make m a polygonmesh or polyhedralmesh
 
 }  // namespace concino

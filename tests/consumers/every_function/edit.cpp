@@ -63,10 +63,11 @@ void call_edge_edits() {
   call("edge_flip", [](auto& m) {
     if (const auto e = inner_edge(m); cn::can_edge_flip(m, e)) cn::edge_flip(m, e);
   }, all);
-  call("can_edge_split", [](auto& m) { cn::can_edge_split(m, inner_edge(m)); }, all);
+  constexpr kinds<cn::trimesh, cn::polygonmesh, cn::tetmesh, cn::polyhedralmesh> split;
+  call("can_edge_split", [](auto& m) { cn::can_edge_split(m, inner_edge(m)); }, split);
   call("edge_split", [](auto& m) {
     if (const auto e = inner_edge(m); cn::can_edge_split(m, e)) cn::edge_split(m, e);
-  }, all);
+  }, split);
   call("can_face_flip", [](auto& m) { cn::can_face_flip(m, first(cn::faces(m))); }, volumes);
   call("face_flip", [](auto& m) {
     for (const auto f : cn::faces(m))
