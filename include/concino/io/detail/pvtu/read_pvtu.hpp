@@ -70,8 +70,10 @@ class pvtu_reader {
     in.name = path;
     in.report = &report;
     const auto done = static_cast<double>(k), pieces = static_cast<double>(index_.pieces.size());
+    double most = 0;  // arrays are not read in the order of the file
     const auto of_all = [&](double fraction, const char* label) {
-      return (*in_.progress)((done + fraction) / pieces, label);
+      most = std::max(most, fraction);
+      return (*in_.progress)((done + most) / pieces, label);
     };
     const concino::progress progress =
         in_.progress && *in_.progress ? concino::progress(of_all) : concino::progress();
