@@ -61,7 +61,7 @@ class medit_cutter : medit_binary {
         out_.report.skipped.push_back(core::joined({"section ", s.keyword, ", ", header.count, " rows"}));
       if (s.nodes || header.count == 0) continue;
       is_volume_ = is_volume_ || s.is_volume();
-      (s.is_volume() && !has_verts_ ? before : parts_).push_back({header});
+      (s.is_volume() && !has_verts_ ? before : parts_).push_back({header, 0, {}, {0, 0}, false});
     }
     if (!has_verts_) fail(end(), {"a section Vertices"});
     parts_.insert(parts_.end(), before.begin(), before.end());
