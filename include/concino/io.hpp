@@ -31,6 +31,7 @@
 #include <concino/io/options.hpp>
 #include <concino/io/ovm.hpp>
 #include <concino/io/ply.hpp>
+#include <concino/io/pvtu.hpp>
 #include <concino/io/save.hpp>
 #include <concino/io/skeleton.hpp>
 #include <concino/io/skeleton_graph.hpp>

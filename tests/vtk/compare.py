@@ -14,7 +14,9 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkUnstruct
 from vtkmodules.vtkFiltersGeneral import vtkCellValidator
 from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter, vtkUnstructuredGridReader, vtkUnstructuredGridWriter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter, vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter
+from vtkmodules.vtkIOParallelXML import vtkXMLPUnstructuredGridWriter
+from vtkmodules.vtkIOXML import (vtkXMLPolyDataReader, vtkXMLPolyDataWriter, vtkXMLPUnstructuredGridReader, vtkXMLUnstructuredGridReader,
+                                 vtkXMLUnstructuredGridWriter)
 
 
 # convex polygons with their areas
@@ -116,6 +118,10 @@ def write(data, folder, name):
         getattr(w, f"SetDataModeTo{mode}")()
         w.SetCompressorTypeToNone()
         paths.append((w, f"{name}_{mode}.{'vtu' if is_grid else 'vtp'}"))
+    if is_grid:
+        w = vtkXMLPUnstructuredGridWriter()
+        w.SetCompressorTypeToNone()
+        paths.append((w, f"{name}_in_pieces.pvtu"))
     for w, file in paths:
         w.SetInputData(data)
         w.SetFileName(os.path.join(folder, file))
@@ -125,7 +131,8 @@ def write(data, folder, name):
 
 
 def read(path):
-    reader = {".vtk": vtkUnstructuredGridReader, ".vtu": vtkXMLUnstructuredGridReader, ".vtp": vtkXMLPolyDataReader}[path[-4:]]()
+    reader = {".vtk": vtkUnstructuredGridReader, ".vtu": vtkXMLUnstructuredGridReader, ".vtp": vtkXMLPolyDataReader,
+              ".pvtu": vtkXMLPUnstructuredGridReader}[os.path.splitext(path)[1]]()
     reader.SetFileName(path)
     reader.Update()
     return reader.GetOutput()
@@ -148,6 +155,22 @@ def described(data):
         size = measured.GetArray("Volume" if cell.GetCellDimension() == 3 else "Area").GetValue(i)
         cells.append((data.GetCellType(i), size, number.GetValue(i), states.GetValue(i), looks_up))
     return cells
+
+
+def pieces_agree(path):
+    """Whether the pieces of a .pvtu file are, by the numbers of points and cells, the mesh of the .vtu file of that name; and what is wrong if not."""
+    whole, parts = read(path[:-5] + ".vtu"), read(path)
+    point_ids, cell_ids = parts.GetPointData().GetGlobalIds(), parts.GetCellData().GetGlobalIds()
+    if not point_ids or not cell_ids:
+        return "no global ids"
+    for i in range(parts.GetNumberOfPoints()):
+        if parts.GetPoint(i) != whole.GetPoint(int(point_ids.GetTuple1(i))):
+            return f"another place of point {i}"
+    if {int(point_ids.GetTuple1(i)) for i in range(parts.GetNumberOfPoints())} != set(range(whole.GetNumberOfPoints())):
+        return "not all points"
+    cells = described(parts)
+    order = sorted(range(len(cells)), key=lambda i: cell_ids.GetTuple1(i))
+    return "" if [cells[i] for i in order] == described(whole) else "other cells"
 
 
 def near(a, b):
@@ -206,6 +229,12 @@ def main(program, folder):
                     wrong.append(f"{file}{form}{extension}: not valid for VTK, {polys} expected: {cells}")
                 if [(c[0], c[2]) for c in cells] != [(p[0], p[2]) for p in polys]:
                     wrong.append(f"{file}{form}{extension}: types and numbers of {polys} expected: {cells}")
+    for file in wanted:
+        for form in ("_text", "_binary"):
+            compared += 1
+            difference = pieces_agree(os.path.join(ours, file + form + ".pvtu"))
+            if difference:
+                wrong.append(f"{file}{form}.pvtu: {difference}")
     print(f"{compared} files compared, {len(wrong)} differences")
     print("\n".join(wrong[:50]))
     return 1 if wrong or compared < 1000 else 0

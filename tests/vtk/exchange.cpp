@@ -1,6 +1,7 @@
 // Exchanges files with VTK, which compare.py runs:  exchange FOLDER FILE...
 // Reads each file, prints "file NAME", a line "note ..." for each remark of the report, and for each poly "measure X number N": its area or volume, and its
-// value of the property "number". Saves the mesh as FOLDER/NAME_text.vtk, ..._binary.vtk, and the same as .vtu and, if it is a surface, as .vtp.
+// value of the property "number". Saves the mesh as FOLDER/NAME_text.vtk, ..._binary.vtk, and the same as .vtu and, if it is a surface, as .vtp; also as
+// .pvtu, with the even polys and the odd ones as pieces.
 #include <concino/geometry/measure.hpp>
 #include <concino/io.hpp>
 
@@ -29,6 +30,9 @@ void save_mesh(const M& m, const std::string& folder, const std::string& name) {
     if (cn::dimension_v<M> == 3 && std::string(extension) == ".vtp") continue;
     for (const bool binary : {false, true}) cn::save(m, folder + "/" + name + (binary ? "_binary" : "_text") + extension, {.binary = binary});
   }
+  auto part = cn::make_poly_map<int>(m);
+  for (const auto p : cn::polys(m)) part[p] = static_cast<int>(cn::index_of(m, p) % 2);
+  for (const bool binary : {false, true}) cn::save_pvtu(m, folder + "/" + name + (binary ? "_binary" : "_text") + ".pvtu", part, {.binary = binary});
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <concino/io/detail/openfoam/openfoam_format.hpp>
 #include <concino/io/detail/ovm/ovm_format.hpp>
 #include <concino/io/detail/ply/ply_format.hpp>
+#include <concino/io/detail/pvtu/pvtu_format.hpp>
 #include <concino/io/detail/stl/stl_format.hpp>
 #include <concino/io/detail/tet/tet_format.hpp>
 #include <concino/io/detail/tetgen/ele_format.hpp>
@@ -27,7 +28,7 @@ namespace concino {
 /// that are only written. Add your own: standard_formats + my_format{}.
 inline constexpr format_list<obj_format, off_format, medit_format, hedra_format, hybrid_format, tet_format, iv_format,
                              vtk_format, vtu_format, vtp_format, ply_format, stl_format, gmsh_format, openfoam_format,
-                             ele_format, smesh_format, poly_format, abaqus_format, ovm_format, gltf_format>
+                             ele_format, smesh_format, poly_format, abaqus_format, ovm_format, gltf_format, pvtu_format>
     standard_formats{};
 
 }  // namespace concino

@@ -13,6 +13,7 @@
 #include <concino/io/detail/openfoam/read_openfoam.hpp>
 #include <concino/io/detail/ovm/read_ovm.hpp>
 #include <concino/io/detail/ply/read_ply.hpp>
+#include <concino/io/detail/pvtu/read_pvtu.hpp>
 #include <concino/io/detail/stl/read_stl.hpp>
 #include <concino/io/detail/tet/read_tet.hpp>
 #include <concino/io/detail/tetgen/read_ele.hpp>
@@ -35,6 +36,8 @@ template void vtk_format::read<file_contents>(const read_context&, file_contents
 template void vtk_format::read<volume_contents>(const read_context&, volume_contents&);
 template void vtu_format::read<file_contents>(const read_context&, file_contents&);
 template void vtu_format::read<volume_contents>(const read_context&, volume_contents&);
+template void pvtu_format::read<file_contents>(const read_context&, file_contents&);
+template void pvtu_format::read<volume_contents>(const read_context&, volume_contents&);
 template void gmsh_format::read<file_contents>(const read_context&, file_contents&);
 template void gmsh_format::read<volume_contents>(const read_context&, volume_contents&);
 template void ele_format::read<volume_contents>(const read_context&, volume_contents&);

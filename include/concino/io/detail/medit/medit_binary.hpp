@@ -110,10 +110,10 @@ class medit_binary : protected text_cursor {
   }
   void report_rounded() {}
 
- private:
   std::size_t real_size() const { return version_ == 1 ? 4 : 8; }
   std::size_t integer_size() const { return version_ == 4 ? 8 : 4; }
 
+ private:
   [[noreturn, gnu::noinline, gnu::cold]] void fail_index(std::int64_t i, std::uint64_t bound, const char* what) const {
     if (bound == 0) fail(at - integer_size(), {what, ", but there is nothing to refer to"}, {i});
     fail(at - integer_size(), {what, " from 1 to ", bound}, {i});

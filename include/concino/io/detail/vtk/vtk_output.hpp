@@ -153,7 +153,8 @@ template<class Context>  // as above
 struct vtk_output_arrays {
   std::vector<vtk_output_array> of_verts, of_cells, of_mesh;
 
-  vtk_output_arrays(Context& c, flat_mesh& m, bool has_bits) {
+  /// keeps_defaults: also arrays of faces that have default values only, as in a piece of a mesh.
+  vtk_output_arrays(Context& c, flat_mesh& m, bool has_bits, bool keeps_defaults = false) {
     const std::vector<flat_property> all = m.property_list();
     for (const element_kind kind : {element_kind::vert, element_kind::poly, element_kind::face, element_kind::mesh})
       for (const flat_property& p : all) {
@@ -184,7 +185,7 @@ struct vtk_output_arrays {
         }
         c.declare_stored(kind, p.name, *p.type);
       }
-    drop_defaults(c, m);
+    if (!keeps_defaults) drop_defaults(c, m);
   }
 
   /// Whether a face has a value other than the default one.

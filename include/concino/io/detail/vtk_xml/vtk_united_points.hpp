@@ -3,6 +3,7 @@
 
 #include <concino/io/detail/vtk_xml/vtk_pieces.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -11,14 +12,18 @@
 
 namespace concino::detail {
 
-/// Keeps only these values of the columns of a kind, in this order, which is that of the elements.
+/// Keeps only these values of the columns of a kind, in this order.
 inline void keep_values(vtk_grid& grid, element_kind kind, const std::vector<std::uint32_t>& kept) {
+  const bool in_place = std::is_sorted(kept.begin(), kept.end());  // no value is overwritten before it is read
+  std::vector<unsigned char> copy;
   for (property_column& c : grid.columns) {
     if (c.kind != kind) continue;
-    const value_type& type = c.values->operations();
-    auto* const bytes = static_cast<unsigned char*>(c.values->data());
+    const std::size_t size = c.values->operations().size;
+    auto* const to = static_cast<unsigned char*>(c.values->data());
+    if (!in_place) copy.assign(to, to + c.values->size() * size);
+    const unsigned char* const from = in_place ? to : copy.data();
     for (std::size_t i = 0; i < kept.size(); ++i)
-      if (kept[i] != i) std::memcpy(bytes + i * type.size, bytes + kept[i] * type.size, type.size);
+      if (from + kept[i] * size != to + i * size) std::memcpy(to + i * size, from + kept[i] * size, size);
     c.values->resize(kept.size());
   }
 }

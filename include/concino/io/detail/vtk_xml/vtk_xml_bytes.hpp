@@ -38,6 +38,7 @@ class vtk_xml_bytes : public vtk_cursor {
   bool base64_ = false;
   base64_reader base64_source_{nullptr, nullptr};
   const char* raw_ = nullptr;
+  const char* raw_of_blocks_ = nullptr;  // the first compressed block
   std::vector<unsigned char> compressed_;
 
  protected:
@@ -108,6 +109,28 @@ class vtk_xml_bytes : public vtk_cursor {
     }
   }
 
+  /// Appends the bytes of some numbers of an array, in the order of this machine. Of a compressed array only the blocks
+  /// that have them are decompressed. Needs: the array is appended as bytes, and has these numbers.
+  void append_numbers(const vtk_xml_array& a, std::size_t number_size, std::uint64_t first, std::uint64_t count,
+                      std::string& to) {
+    if (count == 0) return;
+    const std::uint64_t before = num_read_, begin = first * number_size, end = begin + count * number_size;
+    const std::size_t old_size = to.size();
+    open(a);
+    if (!encoding_.compressed) to.append(raw_ + begin, raw_ + end);
+    for (std::uint64_t i = encoding_.compressed ? begin / block_size_ : num_blocks(); i < num_blocks(); ++i) {
+      const std::uint64_t at = i * block_size_, size = inflated_size(i);
+      if (at >= end) break;
+      buffer_.resize(std::max<std::size_t>(buffer_.size(), size));
+      raw_ = raw_of_blocks_ + block_begins_[i];
+      inflate_block(a, i, buffer_.data());
+      const auto* const bytes = reinterpret_cast<const char*>(buffer_.data());
+      to.append(bytes + (std::max(begin, at) - at), bytes + (std::min(end, at + size) - at));
+    }
+    num_read_ = before;  // an array may be read in several parts
+    if (encoding_.swapped) swap_bytes(to.data() + old_size, count, number_size);
+  }
+
  private:
   std::uint64_t source_left() const {
     return base64_ ? base64_source_.max_left() : static_cast<std::uint64_t>(text_end() - raw_);
@@ -155,14 +178,14 @@ class vtk_xml_bytes : public vtk_cursor {
       fail_array(a, {"sizes of blocks"}, {block_size_, " and ", last});
     bytes_ = blocks ? block_size_ * (blocks - (last ? 1 : 0)) + last : 0;
     std::uint64_t sum = 0;
-    block_begins_.clear();
-    block_begins_.push_back(0);
+    block_begins_.assign(1, 0);
     for (std::uint64_t i = 0; i < blocks; ++i) {
       const std::uint64_t n = word(a);
       if (n > in_.text.size()) fail_array(a, {"blocks no larger than the file"}, {n, " bytes"});
       sum += n;
       block_begins_.push_back(sum);
     }
+    raw_of_blocks_ = raw_;
     // zlib shrinks by at most 1032
     if (sum > source_left() || bytes_ / 1040 > sum)
       fail_array(a, {"sizes that zlib data can have"}, {bytes_, " bytes from ", sum});

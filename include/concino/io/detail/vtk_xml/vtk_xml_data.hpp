@@ -89,6 +89,27 @@ class vtk_xml_data : public vtk_xml_bytes {
     for_each_part<std::int64_t>(a, n, use);
   }
 
+  template<class N, class T>
+  static void convert_from(const unsigned char* from, std::size_t n, T* to) {
+    for (std::size_t k = 0; k < n; ++k) {
+      N x;
+      std::memcpy(&x, from + k * sizeof(N), sizeof x);
+      to[k] = static_cast<T>(x);
+    }
+  }
+  /// Converts n integers.
+  static void convert(vtk_number type, const unsigned char* from, std::size_t n, std::int64_t* to) {
+    switch (type) {
+      case vtk_number::int8: return convert_from<std::int8_t>(from, n, to);
+      case vtk_number::uint8: return convert_from<std::uint8_t>(from, n, to);
+      case vtk_number::int16: return convert_from<std::int16_t>(from, n, to);
+      case vtk_number::uint16: return convert_from<std::uint16_t>(from, n, to);
+      case vtk_number::int32: return convert_from<std::int32_t>(from, n, to);
+      case vtk_number::uint32: return convert_from<std::uint32_t>(from, n, to);
+      default: return convert_from<std::int64_t>(from, n, to);
+    }
+  }
+
  private:
   static std::uint64_t count_words(const vtk_xml_array& a) {
     std::uint64_t n = 0;
@@ -117,25 +138,6 @@ class vtk_xml_data : public vtk_xml_bytes {
     buffer_.resize(n * vtk_names_of(a.type).size);
     read_array(a, n, buffer_.data());
     return buffer_.data();
-  }
-  template<class N, class T>
-  static void convert_from(const unsigned char* from, std::size_t n, T* to) {
-    for (std::size_t k = 0; k < n; ++k) {
-      N x;
-      std::memcpy(&x, from + k * sizeof(N), sizeof x);
-      to[k] = static_cast<T>(x);
-    }
-  }
-  static void convert(vtk_number type, const unsigned char* from, std::size_t n, std::int64_t* to) {
-    switch (type) {
-      case vtk_number::int8: return convert_from<std::int8_t>(from, n, to);
-      case vtk_number::uint8: return convert_from<std::uint8_t>(from, n, to);
-      case vtk_number::int16: return convert_from<std::int16_t>(from, n, to);
-      case vtk_number::uint16: return convert_from<std::uint16_t>(from, n, to);
-      case vtk_number::int32: return convert_from<std::int32_t>(from, n, to);
-      case vtk_number::uint32: return convert_from<std::uint32_t>(from, n, to);
-      default: return convert_from<std::int64_t>(from, n, to);
-    }
   }
   /// Needs: at most `largest_part` numbers.
   static void convert(vtk_number type, const unsigned char* from, std::size_t n, double* to) {

@@ -93,19 +93,35 @@ void write_vtk_xml_arrays(vtk_xml_output<Context>& out, const std::vector<vtk_ou
   }
 }
 
+/// The property of verts and polys whose values are numbers that they have in all pieces of a mesh.
+inline constexpr std::string_view global_id = "global_id";
+
+/// The attribute of a tag that says which of these arrays holds such numbers; empty if none does.
+inline const char* global_ids_attribute(const std::vector<vtk_output_array>& all) {
+  for (const vtk_output_array& a : all)
+    if (a.name == global_id && a.type.number < vtk_number::float32 && a.type.components == 1)
+      return " GlobalIds=\"global_id\"";
+  return "";
+}
+
+/// The attributes of the tag around these arrays of verts that say which of them are normals, textures and numbers.
+inline std::string active_vert_arrays(const std::vector<vtk_output_array>& all) {
+  std::string active;
+  for (const vtk_output_array& a : all) {
+    if (a.name == "normal" && a.type.number == vtk_number::float64 && a.type.components == 3)
+      active += " Normals=\"normal\"";
+    if (a.name == "texture" && a.type.number == vtk_number::float64 && a.type.components == 2)
+      active += " TCoords=\"texture\"";
+  }
+  return active += global_ids_attribute(all);
+}
+
 /// Writes <Points>, and <PointData> before it.
 template<class Context>
 void write_vtk_xml_points(vtk_xml_output<Context>& out, Context& c, const flat_mesh& m,
                           const vtk_output_arrays<Context>& arrays) {
   if (!arrays.of_verts.empty()) {
-    std::string active;
-    for (const vtk_output_array& a : arrays.of_verts) {
-      if (a.name == "normal" && a.type.number == vtk_number::float64 && a.type.components == 3)
-        active += " Normals=\"normal\"";
-      if (a.name == "texture" && a.type.number == vtk_number::float64 && a.type.components == 2)
-        active += " TCoords=\"texture\"";
-    }
-    out.tag("<PointData", active, ">");
+    out.tag("<PointData", active_vert_arrays(arrays.of_verts), ">");
     write_vtk_xml_arrays(out, arrays.of_verts, m.points.size(), "",
                          [](const vtk_output_array& a, std::size_t i) { return a.value(i); });
     out.tag("</PointData>");

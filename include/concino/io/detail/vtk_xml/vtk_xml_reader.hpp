@@ -43,6 +43,11 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
     if (!grid_.points.empty()) grid_.largest = static_cast<std::uint32_t>(grid_.points.size() - 1);
   }
 
+  /// What the tags of the file say.
+  const vtk_xml_index& index() const { return index_; }
+  /// The line of the tag of the first piece; 1 if there is none.
+  std::size_t line_of_piece() const { return index_.pieces.empty() ? 1 : line_of(index_.pieces[0].at); }
+
   [[noreturn, gnu::noinline, gnu::cold]] void fail_at_cell(std::size_t cell, core::message expected,
                                                            core::message found) override {
     const place_in_piece x = piece_of(cell);

@@ -44,7 +44,7 @@ struct vtk_xml_index {
   std::uint64_t num_texts = 0;           // arrays of texts
   std::vector<std::string> bit_arrays;   // the names of arrays of bits
   // the arrays that are named as such, of the first piece
-  std::string normals, textures, global_ids;
+  std::string normals, textures, global_point_ids, global_cell_ids;
 };
 
 class vtk_xml_tags : xml_elements {
@@ -118,8 +118,10 @@ class vtk_xml_tags : xml_elements {
       if (part == vtk_xml_part::of_points && index_.pieces.size() == 1) {
         index_.normals = text_of(tag, "Normals");
         index_.textures = text_of(tag, "TCoords");
-        index_.global_ids = text_of(tag, "GlobalIds");
+        index_.global_point_ids = text_of(tag, "GlobalIds");
       }
+      if (part == vtk_xml_part::of_cells && index_.pieces.size() == 1)
+        index_.global_cell_ids = text_of(tag, "GlobalIds");
     } else if (tag.name == "DataArray" || tag.name == "Array") {
       if (part_ == vtk_xml_part::none || (index_.pieces.empty() && part_ != vtk_xml_part::of_mesh)) return;
       array(tag);

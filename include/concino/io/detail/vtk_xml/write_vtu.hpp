@@ -76,13 +76,17 @@ class vtu_writer {
   }
 
  public:
-  vtu_writer(Context& c, flat_mesh& m) : c_(c), m_(m), arrays_(c, m, false), cells_(c, m) {
+  /// is_piece: all properties are written, so that every piece of a mesh has the same arrays.
+  vtu_writer(Context& c, flat_mesh& m, bool is_piece = false)
+      : c_(c), m_(m), arrays_(c, m, false, is_piece), cells_(c, m) {
     if (arrays_.any_of_faces()) cells_.add_faces(c, [&](std::size_t f) { return arrays_.face_has_value(f); });
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       num_verts_ += verts_of(i).size();
       if (cells_.type(i) == vtk_polyhedron) num_face_numbers_ += cells_.verts(i).size();
     }
   }
+
+  const vtk_output_arrays<Context>& arrays() const { return arrays_; }
 
   void write() {
     vtk_xml_output<Context> out(c_, std::max<std::uint64_t>({8 * num_verts_, 8 * num_face_numbers_, 72 * cells_.size(),
@@ -100,7 +104,7 @@ class vtu_writer {
       write_vtk_xml_points(out, c_, m_, arrays_);
       cells(out);
       if (!arrays_.of_cells.empty()) {
-        out.tag("<CellData>");
+        out.tag("<CellData", global_ids_attribute(arrays_.of_cells), ">");
         write_vtk_xml_arrays(out, arrays_.of_cells, cells_.size(), "", [&](const vtk_output_array& a, std::size_t i) {
           return i < m_.num_polys ? a.value(i) : a.face_value(cells_.faces[i - m_.num_polys]);
         });
