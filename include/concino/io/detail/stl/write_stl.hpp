@@ -169,7 +169,8 @@ class stl_writer {
       if (n) c_.report.lost.push_back(core::joined({n, what}));
     };
     lost(num_unused, " verts of no poly: .stl lists the corners of triangles only");
-    lost(m_.points.size() - num_unused - points_.size(), " verts at the point of another one: readers of .stl unite them");
+    lost(m_.points.size() - num_unused - points_.size(),
+         " verts at the point of another one: readers of .stl unite them");
     lost(num_polygons, " polygons were cut into triangles");
     if (rounded_) c_.report.lost.push_back("binary .stl holds floats: coordinates were rounded to 32 bits");
   }
