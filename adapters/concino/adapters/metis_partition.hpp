@@ -19,13 +19,13 @@ namespace detail {
 
 inline std::vector<int> metis_parts(const partition_graph& g, int n) {
   static_assert(sizeof(idx_t) == sizeof(int), "METIS was built with 64-bit indices");
-  std::vector<int> offsets = g.offsets, neighbours = g.neighbours, part(g.size());
+  std::vector<int> ends = g.offsets, neighbours = g.neighbours, part(g.size());
   idx_t nodes = static_cast<idx_t>(g.size()), constraints = 1, parts = n, cut = 0, options[METIS_NOPTIONS];
   METIS_SetDefaultOptions(options);
   options[METIS_OPTION_NUMBERING] = 0;
   options[METIS_OPTION_SEED] = 1;
   if (neighbours.empty()) neighbours.push_back(0);  // METIS accepts no empty array
-  const int code = METIS_PartGraphKway(&nodes, &constraints, offsets.data(), neighbours.data(), nullptr, nullptr,
+  const int code = METIS_PartGraphKway(&nodes, &constraints, ends.data(), neighbours.data(), nullptr, nullptr,
                                        nullptr, &parts, nullptr, nullptr, options, &cut, part.data());
   if (code != METIS_OK)
     throw error(code == METIS_ERROR_MEMORY ? "partition: METIS ran out of memory" : "partition: METIS failed");
@@ -45,9 +45,9 @@ inline std::vector<int> metis_parts(const partition_graph& g, int n) {
 ///         METIS fails.
 /// Source: Karypis, Kumar 1998, "Multilevel k-way partitioning scheme for irregular graphs".
 template<class M>
-  requires DualGraph<M> && requirement::is_lvalue_or_view<M> partition_result<std::remove_cvref_t<M>> partition(
-      M&& m, std::size_t n, metis_t) {
-    return detail::partition_polys<std::remove_cvref_t<M>>(m, n, detail::metis_parts);
-  }
+  requires requirement::is_lvalue_or_view<M> && DualGraph<M>
+partition_result<std::remove_cvref_t<M>> partition(M&& m, std::size_t n, metis_t) {
+  return detail::partition_polys<std::remove_cvref_t<M>>(m, n, detail::metis_parts);
+}
 
 }  // namespace concino

@@ -27,7 +27,7 @@ struct partition_result {
 namespace detail {
 
 template<class M>
-partition_graph dual_graph_of(const M& m) {
+partition_graph partition_graph_of(const M& m) {
   std::vector<int> number(poly_index_bound(m), -1);
   int count = 0;
   for (const poly_t<M> p : polys(m)) number[index_of(m, p)] = count++;
@@ -47,7 +47,7 @@ template<class M, class F>
 partition_result<M> partition_polys(const M& m, std::size_t n, F compute) {
   if (n == 0 || n > static_cast<std::size_t>(std::numeric_limits<int>::max()))
     throw invalid_argument("partition: the number of parts must be 1 or more, and fit into an int");
-  const partition_graph g = dual_graph_of(m);
+  const partition_graph g = partition_graph_of(m);
   std::vector<int> part_of(g.size(), 0);
   partition_result<M> r{make_poly_map<int>(m, 0), std::vector<std::size_t>(n, 0)};
   if (n >= g.size()) {
