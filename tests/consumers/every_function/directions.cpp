@@ -6,6 +6,9 @@ void call_directions() {
   call("frame_field", [](auto& m) { cn::frame_field(m); }, volumes);
   call("singular_edges", [](auto& m) { cn::singular_edges(cn::frame_field(m)); }, volumes);
   call("principal_curvatures", [](auto& m) { cn::principal_curvatures(m); }, surfaces);
+  call("direction_field", [](auto& m) { cn::direction_field(m); }, surfaces);
+  call("singularities", [](auto& m) { cn::singularities(cn::direction_field(m)); }, surfaces);
+  call("boundary_turns", [](auto& m) { cn::boundary_turns(cn::direction_field(m)); }, surfaces);
   call("stripes", [](auto& m) { cn::stripes(m, cn::direction_field(m, {.symmetry = 2}), 1); }, surfaces);
   call("stripe_lines", [](auto& m) { cn::stripe_lines(cn::stripes(m, cn::direction_field(m, {.symmetry = 2}), 1)); }, surfaces);
 }
