@@ -13,8 +13,8 @@
 
 namespace concino {
 
-/// The principal curvatures and directions at the verts of a surface: auto k = principal_curvatures(m); then k[v].k1 and
-/// k[v].d1 are the larger curvature and its direction, k[v].k2 and k[v].d2 the smaller ones.
+/// The principal curvatures and directions at the verts of a surface: auto k = principal_curvatures(m); then k[v].k1
+/// and k[v].d1 are the larger curvature and its direction, k[v].k2 and k[v].d2 the smaller ones.
 /// Needs:  Embedded SurfaceMesh M, no temporary, of polys of any shape.
 /// Result: a map. At each vert it is that of the quadratic polynomial that fits the verts of its polys, and of their
 ///         polys, best. The sign is that for vert_normal as normal: a sphere with outward normals has positive

@@ -35,8 +35,8 @@ struct stripe_singularity {
 
 template<class M>
 struct stripes_result {
-  corner_map<M, double> angles;  // radians: 2 pi from one stripe to the next. The cosine is the same at both polys of an
-                                 // edge, the angle is so up to its sign and multiples of 2 pi
+  corner_map<M, double> angles;  // radians: 2 pi from one stripe to the next. The cosine is the same at both polys of
+                                 // an edge, the angle is so up to its sign and multiples of 2 pi
   std::vector<stripe_singularity<poly_t<M>>> singular;  // in the order of polys(m). There angles jump between the last
                                                         // and the first corner
   double energy = 0;    // how much the distances differ from what is asked: the integral of the squared difference of
@@ -70,8 +70,8 @@ stripes_result<std::remove_cvref_t<M>> stripes(M&& m, const direction_field_resu
     throw invalid_argument("stripes: the field is one of another mesh");
   const detail::stripe_angles found = detail::find_stripes(
       s, field.symmetry(), field.values(), std::ldexp(frequency, s.exponent), profiled->progress);
-  stripes_result<std::remove_cvref_t<M>> result{make_corner_map<double>(m), {}, std::ldexp(found.energy, -2 * s.exponent),
-                                                found.residual};
+  stripes_result<std::remove_cvref_t<M>> result{
+      make_corner_map<double>(m), {}, std::ldexp(found.energy, -2 * s.exponent), found.residual};
   std::size_t p = 0;
   for (const poly_t<M> poly : polys(m)) {
     std::size_t k = 0;

@@ -17,6 +17,9 @@ void call_directions() {
   call("load_rosy_text", [] { cn::load_rosy_text("1 4\n1 0 0\n"); });
   call("save_rosy", [] { cn::save_rosy(cn::rosy{4, {{1, 0, 0}}}, "field.rosy"); });
   call("principal_curvatures", [](auto& m) { cn::principal_curvatures(m); }, surfaces);
+  call("direction_field", [](auto& m) { cn::direction_field(m); }, surfaces);
+  call("singularities", [](auto& m) { cn::singularities(cn::direction_field(m)); }, surfaces);
+  call("boundary_turns", [](auto& m) { cn::boundary_turns(cn::direction_field(m)); }, surfaces);
   call("stripes", [](auto& m) { cn::stripes(m, cn::direction_field(m, {.symmetry = 2}), 1); }, surfaces);
   call("stripe_lines", [](auto& m) { cn::stripe_lines(cn::stripes(m, cn::direction_field(m, {.symmetry = 2}), 1)); }, surfaces);
 }
