@@ -23,8 +23,8 @@ namespace concino {
 
 template<class M>
 struct direction_field_options {
-  int symmetry = 4;  // n, 1 to 16: how many directions a vert has, with equal angles between them. 1: vectors; 2: lines;
-                     // 4: crosses
+  int symmetry = 4;  // n, 1 to 16: how many directions a vert has, with equal angles between them. 1: vectors; 2:
+                     // lines; 4: crosses
   std::vector<std::pair<vert_t<M>, vec3>> hard = {};  // verts, and one of the directions there; any length
   std::vector<std::pair<vert_t<M>, vec3>> soft = {};  // as hard, but as a wish
   double soft_weight = 1;          // of wishes, above 0; 1: as much as the Laplacian's weight of the vert

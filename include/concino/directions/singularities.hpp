@@ -10,7 +10,7 @@
 
 namespace concino {
 
-/// An element round which the directions of a field turn by index n-ths of a full turn: 1 for 4 directions is a quarter.
+/// An element round which the directions of a field turn by index n-ths of a full turn: for 4 directions by quarters.
 template<class X>
 struct field_singularity {
   X element;
@@ -49,8 +49,8 @@ std::vector<field_singularity<poly_t<M>>> singularities(const direction_field_re
 /// Needs:  a field of direction_field, and its mesh unchanged.
 /// Result: one for each loop, by its first edge in the order of polys: the turns of the tangent of the boundary
 ///         against the field, in n-ths of a full turn, along the loop with the surface on the left. For a field that
-///         does not turn in a flat disk this is n; for one along the boundary 0. With the indices of singularities they
-///         sum to n chi on each component.
+///         does not turn in a flat disk this is n; for one along a smooth boundary it is 0. With the indices of
+///         singularities they sum to n chi on each component.
 /// Cost:   O(corners).      Errors: none.
 /// Source: the theorem of Poincare and Hopf, for surfaces with boundary.
 template<class M>

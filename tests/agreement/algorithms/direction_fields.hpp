@@ -45,7 +45,8 @@ struct directions_of {
     if (in.closed && in.in_one_piece) {
       const std::vector<std::pair<vert_t<native_mesh>, int>> none;
       const std::vector<std::pair<vert_t<other_mesh>, int>> also_none;
-      const auto w = trivial_connection(both.native, none), u = trivial_connection(both.other, also_none);
+      const auto w = trivial_connection(both.native, none);
+      const auto u = trivial_connection(both.other, also_none);
       for (const auto v : both.verts.all) {
         expect_close(w.index(v), 0, 1e4, "the index");
         expect_close(u.index(both.verts.to(v)), 0, 1e4, "the index");

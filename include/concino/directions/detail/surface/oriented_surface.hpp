@@ -16,7 +16,8 @@
 namespace concino::detail {
 
 /// Verts and edges have the numbers of the mesh; polys are numbered in its order, from 0. All polys of a component
-/// have the orientation of its first. Corner c is one of vert[c], and stands for the edge from there to the next corner.
+/// have the orientation of its first. Corner c is one of vert[c], and stands for the edge from there to the next
+/// corner.
 ///
 /// Frames: angle 0 of a vert is along its first edge in the mesh, and angles increase counter-clockwise as its
 /// component is oriented. Angles are those of the polys. Inside the surface they are multiplied by a number that makes

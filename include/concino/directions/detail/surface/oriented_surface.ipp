@@ -52,7 +52,8 @@ CONCINO_INLINE void oriented_surface::pair_edges(const char* caller) {
     }
     if (twin[other] != none)
       core::throw_joined<unsupported>({caller, ": edge ", edge[c],
-                                       " has more than two polys, so that there is no tangent plane; remove polys there"});
+                                       " has more than two polys, so that there is no tangent plane; remove polys "
+                                       "there"});
     twin[other] = c;
     twin[c] = other;
   }
