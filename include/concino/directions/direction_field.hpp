@@ -120,7 +120,7 @@ std::pair<std::size_t, complex_value> power_of(const M& m, const oriented_surfac
 }
 
 template<class M>
-void check_options(const direction_field_options<M>& options, const char* caller) {
+void check_direction_options(const direction_field_options<M>& options, const char* caller) {
   const auto refuse = [&](const char* what) { core::throw_joined<invalid_argument>({caller, ": ", what}); };
   if (options.symmetry < 1 || options.symmetry > 16) refuse("symmetry must be from 1 to 16");
   if (!(options.soft_weight > 0 && std::isfinite(options.soft_weight)))
@@ -157,7 +157,7 @@ direction_field_result<std::remove_cvref_t<M>> direction_field(
     M&& m, const direction_field_options<std::remove_cvref_t<M>>& options = {}) {
   constexpr const char* caller = "direction_field";
   const core::profiled_options profiled(options, caller);
-  detail::check_options(options, caller);
+  detail::check_direction_options(options, caller);
   detail::report_progress(profiled->progress, 0, caller);
   const std::remove_cvref_t<M>& mesh = m;
   const int n = options.symmetry;

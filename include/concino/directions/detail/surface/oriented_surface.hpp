@@ -1,7 +1,7 @@
 // A surface as flat arrays with polys of one orientation, with a frame of tangent vectors at each vert.
 #pragma once
 
-#include <concino/concepts/surface_mesh.hpp>
+#include <concino/concepts/mesh.hpp>
 #include <concino/core/compiled.hpp>
 #include <concino/core/error.hpp>
 #include <concino/core/vec3.hpp>
