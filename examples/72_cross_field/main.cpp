@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
@@ -20,10 +21,17 @@ template<class M, class Field>
 cn::image draw(const M& m, const std::vector<Field>& directions, const std::vector<std::pair<cn::vec3, int>>& singular) {
   cn::scene s;
   s.add(m, {.color = cn::srgb(0.93f, 0.9f, 0.84f)});
-  for (const Field& d : directions) s.add_arrows(m, d, {.scale = 0.42, .equal_lengths = true, .count = 900, .radius = 0.012});
+  for (const Field& d : directions) s.add_arrows(m, d, {.scale = 0.45, .equal_lengths = true, .count = 220, .radius = 0.02});
   for (const auto& [x, index] : singular)
     s.add_points(std::vector<cn::vec3>{x}, {.radius = 0.09, .color = index > 0 ? cn::srgb(0.84f, 0.13f, 0.14f) : cn::srgb(0.1f, 0.3f, 0.8f)});
-  return cn::render(s, {.width = 330, .height = 230, .camera = cn::view_options{.towards = {0.25, -0.9, 1}, .up = {0, 1, 0}}, .samples = 2, .occlusion_rays = 16, .ground = false});
+  return cn::render(s, {.width = 176, .height = 108, .camera = cn::view_options{.towards = {0, -0.5, 1}, .up = {0, 1, 0}}, .samples = 3, .occlusion_rays = 0, .ground = false});
+}
+
+cn::vert_id nearest(const cn::quadmesh& m, const cn::vec3& x) {
+  cn::vert_id best{0};
+  for (const auto v : cn::verts(m))
+    if (cn::distance(cn::point(m, v), x) < cn::distance(cn::point(m, best), x)) best = v;
+  return best;
 }
 
 int main(int argc, char** argv) {
@@ -48,9 +56,9 @@ int main(int argc, char** argv) {
   fmt::print("sum of the indices: {}\n", sum);
 
   // The same number of turns, in two verts only. Indices that sum to something else are refused.
-  const cn::vert_id a{0}, b{5};
+  const cn::vert_id a = nearest(m, {0.5, 1.5, 1}), b = nearest(m, {2.5, 1.5, 1});
   const auto w = cn::trivial_connection(m, {{a, -4}, {b, -4}}, {.symmetry = 4});
-  for (const auto& s : cn::singularities(w)) fmt::print("given: vert {}, index {}\n", s.element.raw(), s.index);
+  for (const auto& s : cn::singularities(w)) fmt::print("given: vert {}, index {}, an error below 1e-10: {}\n", s.element.raw(), s.index, std::abs(w.index(s.element) - s.index) < 1e-10);
   try {
     cn::trivial_connection(m, {{a, -4}}, {.symmetry = 4});
   } catch (const cn::invalid_argument& e) {
@@ -72,6 +80,6 @@ int main(int argc, char** argv) {
       for (const auto p : cn::polys(m)) at_polys.back()[p] = w.direction(p, k);
     }
     const std::vector<cn::image> pictures{draw(m, at_verts, singular), draw(m, at_polys, {{cn::point(m, a), -4}, {cn::point(m, b), -4}})};
-    cn::save_png(cn::make_sheet(pictures, {.columns = 2, .captions = {"smoothest, along curvature", "two given singularities"}}), argv[1]);
+    cn::save_png(cn::make_sheet(pictures, {.columns = 2, .captions = {"smoothest, along curvature", "two given ones"}}), argv[1]);
   }
 }

@@ -29,7 +29,8 @@ struct rosy {
 ///         not from 1 to 16, or there are more or fewer vectors than the first line says.
 rosy load_rosy(const std::string& path);
 /// Reads the same from a text in memory. Messages call it `name`.
-/// Needs, Result, Cost: as load_rosy.      Errors: as load_rosy, except io_error.
+/// Needs:  as load_rosy.      Result: as load_rosy.
+/// Cost:   as load_rosy.      Errors: as load_rosy, except io_error.
 rosy load_rosy_text(std::string_view text, std::string_view name = "text");
 
 /// Writes a .rosy file. Of a field of direction_field it has the first direction at each vert, in the order of

@@ -31,7 +31,7 @@ struct boundary_turn {
 ///         component the indices sum to n chi, where chi is the Euler characteristic; together with boundary_turns on
 ///         one with boundary. They do not depend on the order of storage or the size.
 /// Cost:   O(corners).      Errors: none.
-/// Source: Knoppel, Crane, Pinkall, Schroder 2013, "Globally optimal direction fields", section 5; polygons as they are.
+/// Source: Knoppel, Crane, Pinkall, Schroder 2013, "Globally optimal direction fields", section 5.
 template<class M>
 std::vector<field_singularity<poly_t<M>>> singularities(const direction_field_result<M>& field) {
   const detail::oriented_surface& s = field.surface();

@@ -43,12 +43,14 @@ struct directions_of {
     for (const auto& b : boundary_turns(g)) other_sum += b.index;
     expect(sum == other_sum, "the sum of the indices");
     if (in.closed && in.in_one_piece) {
-      const std::vector<std::pair<vert_t<native_mesh>, int>> none;
-      const std::vector<std::pair<vert_t<other_mesh>, int>> also_none;
-      const auto w = trivial_connection(both.native, none), u = trivial_connection(both.other, also_none);
+      const int chi = sum / 4;
+      const std::vector<std::pair<vert_t<native_mesh>, int>> indices{{first, chi}};
+      const std::vector<std::pair<vert_t<other_mesh>, int>> same_indices{{both.verts.to(first), chi}};
+      const auto w = trivial_connection(both.native, indices);
+      const auto u = trivial_connection(both.other, same_indices);
       for (const auto v : both.verts.all) {
-        expect_close(w.index(v), 0, 1e4, "the index");
-        expect_close(u.index(both.verts.to(v)), 0, 1e4, "the index");
+        expect_close(w.index(v), v == first ? chi : 0, 1e4, "the index");
+        expect_close(u.index(both.verts.to(v)), v == first ? chi : 0, 1e4, "the index");
       }
     }
     return true;

@@ -1,4 +1,4 @@
-// Connections with given holonomy: the angles by which they turn directions at edges, more than parallel transport does.
+// Connections with given holonomy: the angles by which they turn directions at edges beyond parallel transport.
 #pragma once
 
 #include <concino/core/compiled.hpp>
