@@ -18,17 +18,17 @@
 
 namespace concino::detail {
 
-/// The unknown verts, numbered over all processes, and the prescribed values. Vectors have an entry for each local vert,
-/// by index. Every function is collective.
+/// The unknown verts, numbered over all processes, and the prescribed values. Vectors have an entry for each local
+/// vert, by index. Every function is collective.
 template<class M>
 class distributed_problem {
   const distributed<M>* mesh_;
   const char* caller_;
   struct prescription {
     double value = 0;
-    std::uint8_t is_given = 0, is_contradicted = 0;
+    std::uint8_t is_prescribed = 0, is_contradicted = 0;
   };
-  std::vector<prescription> given_;
+  std::vector<prescription> values_;
   std::vector<PetscInt> unknown_;  // the row of each local vert; -1 if it is none
   std::vector<char> has_polys_;
   std::vector<vert_t<M>> own_;  // unknown verts of this process, by row
@@ -46,24 +46,24 @@ class distributed_problem {
         if (!std::isfinite(static_cast<double>(x)))
           core::throw_joined<invalid_argument>(
               {caller_, ": the value given at vert ", mesh_->global_number(v), " is not finite"});
-        combine(given_[index(v)], {static_cast<double>(x), 1, 0});
+        combine(values_[index(v)], {static_cast<double>(x), 1, 0});
       }
     });
-    exchange().to_owners(given_.data(), combine);
-    exchange().to_ghosts(given_.data());
+    exchange().to_owners(values_.data(), combine);
+    exchange().to_ghosts(values_.data());
     on_all(mesh_->communicator(), [&] {
       for (const vert_t<M> v : verts(mesh_->base()))
-        if (given_[index(v)].is_contradicted)
+        if (values_[index(v)].is_contradicted)
           core::throw_joined<invalid_argument>(
               {caller_, ": vert ", mesh_->global_number(v), " is given two different values"});
     });
   }
   static void combine(prescription& known, const prescription& other) {
-    if (!other.is_given) return;
-    if (known.is_given && known.value != other.value) known.is_contradicted = 1;
+    if (!other.is_prescribed) return;
+    if (known.is_prescribed && known.value != other.value) known.is_contradicted = 1;
     known.is_contradicted |= other.is_contradicted;
-    if (!known.is_given) known.value = other.value;
-    known.is_given = 1;
+    if (!known.is_prescribed) known.value = other.value;
+    known.is_prescribed = 1;
   }
 
   /// Every component has a prescribed value: whether it has one spreads through the polys of each process, and from
@@ -78,8 +78,8 @@ class distributed_problem {
         else sets.unite(first, index(v));
       }
     }
-    std::vector<char> is_reached(given_.size()), reached_set(given_.size());
-    for (std::size_t i = 0; i < given_.size(); ++i) is_reached[i] = static_cast<char>(given_[i].is_given);
+    std::vector<char> is_reached(values_.size()), reached_set(values_.size());
+    for (std::size_t i = 0; i < values_.size(); ++i) is_reached[i] = static_cast<char>(values_[i].is_prescribed);
     for (int changes = 1; changes;) {
       changes = 0;
       for (const vert_t<M> v : verts(m))
@@ -108,7 +108,7 @@ class distributed_problem {
   void number_unknowns() {
     const M& m = mesh_->base();
     for (const vert_t<M> v : verts(m))
-      if (!mesh_->is_ghost(v) && has_polys_[index(v)] && !given_[index(v)].is_given) own_.push_back(v);
+      if (!mesh_->is_ghost(v) && has_polys_[index(v)] && !values_[index(v)].is_prescribed) own_.push_back(v);
     long long count = static_cast<long long>(own_.size()), before = 0, total = 0;
     (MPI_Exscan)(&count, &before, 1, MPI_LONG_LONG, MPI_SUM, mesh_->communicator());
     (MPI_Allreduce)(&count, &total, 1, MPI_LONG_LONG, MPI_SUM, mesh_->communicator());
@@ -125,8 +125,8 @@ class distributed_problem {
   template<class Values>
   /// is_definite: no component needs a value.
   distributed_problem(const distributed<M>& m, const Values& values, const char* caller, bool is_definite = false)
-      : mesh_(&m), caller_(caller), given_(vert_index_bound(m)), unknown_(given_.size(), -1),
-        has_polys_(given_.size()) {
+      : mesh_(&m), caller_(caller), values_(vert_index_bound(m)), unknown_(values_.size(), -1),
+        has_polys_(values_.size()) {
     for (const poly_t<M> p : polys(m))
       for (const vert_t<M> v : adj_p2v(m, p)) has_polys_[index(v)] = 1;
     read(values);
@@ -136,7 +136,7 @@ class distributed_problem {
 
   const distributed<M>& mesh() const { return *mesh_; }
   const char* caller() const { return caller_; }
-  std::vector<double> zeros() const { return std::vector<double>(given_.size(), 0.0); }
+  std::vector<double> zeros() const { return std::vector<double>(values_.size(), 0.0); }
   PetscInt first_row() const { return first_; }
   /// The row of the local vert with this index; -1 if it is not unknown.
   PetscInt row(std::size_t index) const { return unknown_[index]; }
@@ -147,7 +147,7 @@ class distributed_problem {
   vert_map<distributed<M>, double> prescribed(double isolated_value) const {
     auto u = make_vert_map<double>(*mesh_, isolated_value);
     for (const vert_t<M> v : verts(mesh_->base()))
-      if (given_[index(v)].is_given) u[v] = given_[index(v)].value;
+      if (values_[index(v)].is_prescribed) u[v] = values_[index(v)].value;
     return u;
   }
 };
