@@ -1,5 +1,6 @@
 // Distributed meshes on several processes. Every test also passes on one.
 #include <concino/adapters/distributed.hpp>
+#include <concino/adapters/distributed_gather.hpp>
 #include <concino/adapters/metis_partition.hpp>
 
 #include <concino/geometry/measure.hpp>
@@ -72,6 +73,11 @@ TEST_CASE_TEMPLATE("distributed: values of ghosts come from their owners", M, CO
     exchange_ghosts(u);
     exchange_ghosts(w);
     for (const auto v : verts(d)) CHECK(u[v] == std::sqrt(static_cast<double>(d.global_number(v))));
+    const auto all = gather(u);
+    const auto of_polys = gather(w);
+    CHECK(all.size() == (is_first() ? num_verts(m) : 0));
+    for (std::size_t i = 0; i < all.size(); ++i) CHECK(all[i] == std::sqrt(static_cast<double>(i)));
+    for (std::size_t i = 0; i < of_polys.size(); ++i) CHECK(of_polys[i].x == static_cast<double>(i));
     for (const auto p : polys(d)) CHECK((w[p].x == static_cast<double>(d.global_number(p)) && w[p].z == d.owner(p)));
   }
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <concino/adapters/detail/distributed/distributed_problem.hpp>
+#include <concino/adapters/detail/distributed/distributed_system.hpp>
 #include <concino/adapters/detail/mpi/mpi_agreement.hpp>
 #include <concino/adapters/distributed.hpp>
 #include <concino/adapters/petsc.hpp>
@@ -27,7 +28,10 @@ vert_map<distributed<M>, double> distributed_harmonic_map(const distributed<M>& 
   const distributed_problem<M> problem(m, values, "harmonic_map");
   Eigen::SparseMatrix<double> a;
   on_all(m.communicator(), [&] { a = -laplacian(owned_part(m)); });
-  return problem.solve(a, problem.zeros(), options.isolated_value, solver);
+  const distributed_system<M> system(problem, std::move(a), solver.options());
+  auto u = problem.prescribed(options.isolated_value);
+  system.solve(problem.zeros(), u, solver);
+  return u;
 }
 
 }  // namespace detail

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <concino/adapters/detail/distributed/distributed_problem.hpp>
+#include <concino/adapters/detail/distributed/distributed_system.hpp>
 #include <concino/adapters/detail/mpi/mpi_agreement.hpp>
 #include <concino/adapters/distributed.hpp>
 #include <concino/adapters/petsc.hpp>
@@ -14,6 +15,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace concino {
@@ -45,7 +47,10 @@ vert_map<distributed<M>, double> distributed_poisson(const distributed<M>& m, co
       for (Eigen::SparseMatrix<double>::InnerIterator e(mass, c); e; ++e)
         load[static_cast<std::size_t>(e.row())] += e.value() * of[static_cast<std::size_t>(c)];
   });
-  return problem.solve(a, std::move(load), options.isolated_value, solver);
+  const distributed_system<M> system(problem, std::move(a), solver.options());
+  auto u = problem.prescribed(options.isolated_value);
+  system.solve(std::move(load), u, solver);
+  return u;
 }
 
 }  // namespace detail

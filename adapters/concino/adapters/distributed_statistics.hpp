@@ -39,7 +39,7 @@ struct extreme {
 };
 
 /// The least value of all processes, the lowest number of several.
-inline extreme least_of_all(extreme own, MPI_Comm communicator) {
+inline extreme min_over_processes(extreme own, MPI_Comm communicator) {
   double value = own.value;
   (MPI_Allreduce)(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_MIN, communicator);
   std::uint64_t number = own.value == value ? own.number : std::numeric_limits<std::uint64_t>::max();
@@ -71,7 +71,7 @@ distributed_statistics gather_over_processes(const distributed<M>& m, const Elem
   distributed_statistics r;
   r.count = counts[0], r.not_finite = counts[1];
   if (r.count == 0) return r;
-  low = least_of_all(low, all), high = least_of_all(high, all);
+  low = min_over_processes(low, all), high = min_over_processes(high, all);
   r.min = low.value, r.min_at = low.number, r.max = -high.value, r.max_at = high.number;
   double total_weight = 0;
   for (const double w : weights) total_weight += w;

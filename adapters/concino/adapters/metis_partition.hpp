@@ -19,13 +19,13 @@ namespace detail {
 
 inline std::vector<int> metis_parts(const partition_graph& g, int n) {
   static_assert(sizeof(idx_t) == sizeof(int), "METIS was built with 64-bit indices");
-  std::vector<int> ends = g.offsets, neighbours = g.neighbours, part(g.size());
+  std::vector<int> starts = g.offsets, neighbours = g.neighbours, part(g.size());
   idx_t nodes = static_cast<idx_t>(g.size()), constraints = 1, parts = n, cut = 0, options[METIS_NOPTIONS];
   METIS_SetDefaultOptions(options);
   options[METIS_OPTION_NUMBERING] = 0;
   options[METIS_OPTION_SEED] = 1;
   if (neighbours.empty()) neighbours.push_back(0);  // METIS accepts no empty array
-  const int code = METIS_PartGraphKway(&nodes, &constraints, ends.data(), neighbours.data(), nullptr, nullptr,
+  const int code = METIS_PartGraphKway(&nodes, &constraints, starts.data(), neighbours.data(), nullptr, nullptr,
                                        nullptr, &parts, nullptr, nullptr, options, &cut, part.data());
   if (code != METIS_OK)
     throw error(code == METIS_ERROR_MEMORY ? "partition: METIS ran out of memory" : "partition: METIS failed");

@@ -124,7 +124,6 @@ class prepared_poisson {
     detail::poisson_problem<M> problem;
     std::unique_ptr<Solver> solver;
   };
-
   detail::mesh_ref<M> mesh_;
   std::shared_ptr<const preparation> prepared_;
 

@@ -1,39 +1,34 @@
-// Systems over the verts of a distributed mesh, with prescribed values: assembled by parts, summed and solved by PETSc.
+// The unknown verts of a problem on a distributed mesh, and the values that are prescribed at others.
 #pragma once
 
 #include <concino/adapters/detail/mpi/mpi_agreement.hpp>
-#include <concino/adapters/detail/petsc/petsc_iteration.hpp>
-#include <concino/adapters/detail/petsc/petsc_report.hpp>
-#include <concino/adapters/detail/petsc/petsc_rows.hpp>
 #include <concino/adapters/distributed.hpp>
-#include <concino/adapters/petsc.hpp>
 #include <concino/core/error.hpp>
 #include <concino/core/number_text.hpp>
 #include <concino/graph/disjoint_sets.hpp>
 
-#include <Eigen/SparseCore>
+#include <petscsys.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <type_traits>
 #include <vector>
 
 namespace concino::detail {
 
-/// The unknown verts, numbered over all processes, and the prescribed values. Vectors have an entry for each local vert,
-/// by index. Every function is collective.
+/// The unknown verts, numbered over all processes, and the prescribed values. Vectors have an entry for each local
+/// vert, by index. Every function is collective.
 template<class M>
 class distributed_problem {
   const distributed<M>* mesh_;
   const char* caller_;
   struct prescription {
     double value = 0;
-    std::uint8_t is_given = 0, is_contradicted = 0;
+    std::uint8_t is_prescribed = 0, is_contradicted = 0;
   };
-  std::vector<prescription> given_;
+  std::vector<prescription> values_;
   std::vector<PetscInt> unknown_;  // the row of each local vert; -1 if it is none
   std::vector<char> has_polys_;
   std::vector<vert_t<M>> own_;  // unknown verts of this process, by row
@@ -51,24 +46,24 @@ class distributed_problem {
         if (!std::isfinite(static_cast<double>(x)))
           core::throw_joined<invalid_argument>(
               {caller_, ": the value given at vert ", mesh_->global_number(v), " is not finite"});
-        combine(given_[index(v)], {static_cast<double>(x), 1, 0});
+        combine(values_[index(v)], {static_cast<double>(x), 1, 0});
       }
     });
-    exchange().to_owners(given_.data(), combine);
-    exchange().to_ghosts(given_.data());
+    exchange().to_owners(values_.data(), combine);
+    exchange().to_ghosts(values_.data());
     on_all(mesh_->communicator(), [&] {
       for (const vert_t<M> v : verts(mesh_->base()))
-        if (given_[index(v)].is_contradicted)
+        if (values_[index(v)].is_contradicted)
           core::throw_joined<invalid_argument>(
               {caller_, ": vert ", mesh_->global_number(v), " is given two different values"});
     });
   }
   static void combine(prescription& known, const prescription& other) {
-    if (!other.is_given) return;
-    if (known.is_given && known.value != other.value) known.is_contradicted = 1;
+    if (!other.is_prescribed) return;
+    if (known.is_prescribed && known.value != other.value) known.is_contradicted = 1;
     known.is_contradicted |= other.is_contradicted;
-    if (!known.is_given) known.value = other.value;
-    known.is_given = 1;
+    if (!known.is_prescribed) known.value = other.value;
+    known.is_prescribed = 1;
   }
 
   /// Every component has a prescribed value: whether it has one spreads through the polys of each process, and from
@@ -83,8 +78,8 @@ class distributed_problem {
         else sets.unite(first, index(v));
       }
     }
-    std::vector<char> is_reached(given_.size()), reached_set(given_.size());
-    for (std::size_t i = 0; i < given_.size(); ++i) is_reached[i] = static_cast<char>(given_[i].is_given);
+    std::vector<char> is_reached(values_.size()), reached_set(values_.size());
+    for (std::size_t i = 0; i < values_.size(); ++i) is_reached[i] = static_cast<char>(values_[i].is_prescribed);
     for (int changes = 1; changes;) {
       changes = 0;
       for (const vert_t<M> v : verts(m))
@@ -113,7 +108,7 @@ class distributed_problem {
   void number_unknowns() {
     const M& m = mesh_->base();
     for (const vert_t<M> v : verts(m))
-      if (!mesh_->is_ghost(v) && has_polys_[index(v)] && !given_[index(v)].is_given) own_.push_back(v);
+      if (!mesh_->is_ghost(v) && has_polys_[index(v)] && !values_[index(v)].is_prescribed) own_.push_back(v);
     long long count = static_cast<long long>(own_.size()), before = 0, total = 0;
     (MPI_Exscan)(&count, &before, 1, MPI_LONG_LONG, MPI_SUM, mesh_->communicator());
     (MPI_Allreduce)(&count, &total, 1, MPI_LONG_LONG, MPI_SUM, mesh_->communicator());
@@ -128,69 +123,33 @@ class distributed_problem {
  public:
   /// values: pairs of a local vert and its value; each process may give any of its own and of its ghosts.
   template<class Values>
-  distributed_problem(const distributed<M>& m, const Values& values, const char* caller)
-      : mesh_(&m), caller_(caller), given_(vert_index_bound(m)), unknown_(given_.size(), -1),
-        has_polys_(given_.size()) {
+  /// is_definite: no component needs a value.
+  distributed_problem(const distributed<M>& m, const Values& values, const char* caller, bool is_definite = false)
+      : mesh_(&m), caller_(caller), values_(vert_index_bound(m)), unknown_(values_.size(), -1),
+        has_polys_(values_.size()) {
     for (const poly_t<M> p : polys(m))
       for (const vert_t<M> v : adj_p2v(m, p)) has_polys_[index(v)] = 1;
     read(values);
-    check_components();
+    if (!is_definite) check_components();
     number_unknowns();
   }
 
-  std::vector<double> zeros() const { return std::vector<double>(given_.size(), 0.0); }
+  const distributed<M>& mesh() const { return *mesh_; }
+  const char* caller() const { return caller_; }
+  std::vector<double> zeros() const { return std::vector<double>(values_.size(), 0.0); }
+  PetscInt first_row() const { return first_; }
+  /// The row of the local vert with this index; -1 if it is not unknown.
+  PetscInt row(std::size_t index) const { return unknown_[index]; }
+  /// The unknown verts of this process, by row.
+  const std::vector<vert_t<M>>& own() const { return own_; }
 
-  /// Solves a u = load for the unknown verts, where a and load are the sums of those of all parts, each computed from
-  /// the polys of one process. Verts without polys get isolated_value.
-  template<class Solver>
-  vert_map<distributed<M>, double> solve(const Eigen::SparseMatrix<double>& a, std::vector<double> load,
-                                         double isolated_value, const Solver& solver) const {
-    petsc_options options = solver.options();
-    options.communicator = mesh_->communicator();
-    on_all(options.communicator, [&] {
-      if (!options.near_null_space.empty())
-        core::throw_joined<unsupported>({caller_, ": near_null_space is not for distributed meshes"});
-    });
-    petsc_entries entries;
-    entries.first = first_;
-    entries.size = static_cast<PetscInt>(own_.size());
-    for (int c = 0; c < a.outerSize(); ++c)
-      for (Eigen::SparseMatrix<double>::InnerIterator e(a, c); e; ++e) {
-        const auto row = static_cast<std::size_t>(e.row()), column = static_cast<std::size_t>(c);
-        if (unknown_[row] < 0) continue;
-        if (unknown_[column] < 0) {
-          load[row] -= e.value() * given_[column].value;
-          continue;
-        }
-        entries.rows.push_back(unknown_[row]);
-        entries.columns.push_back(unknown_[column]);
-        entries.values.push_back(e.value());
-      }
-    exchange().to_owners(load.data(), [](double& sum, double x) { sum += x; });
+  /// The given values, isolated_value at all other verts.
+  vert_map<distributed<M>, double> prescribed(double isolated_value) const {
     auto u = make_vert_map<double>(*mesh_, isolated_value);
     for (const vert_t<M> v : verts(mesh_->base()))
-      if (given_[index(v)].is_given) u[v] = given_[index(v)].value;
-    std::vector<double> right;
-    for (const vert_t<M> v : own_) right.push_back(load[index(v)]);
-    int has_unknowns = !own_.empty();
-    (MPI_Allreduce)(MPI_IN_PLACE, &has_unknowns, 1, MPI_INT, MPI_MAX, options.communicator);
-    petsc_report report;
-    if (has_unknowns) {
-      petsc_iteration iteration(options);
-      iteration.factorize(entries);
-      const std::vector<double> x = iteration.solve(right.data(), report);
-      solver.record(report);
-      if (!options.accept_missed_tolerance) report.check(iteration.tolerance());
-      for (std::size_t k = 0; k < own_.size(); ++k) u[own_[k]] = x[k];
-    } else {
-      solver.record(report);
-    }
-    exchange_ghosts(u);
+      if (values_[index(v)].is_prescribed) u[v] = values_[index(v)].value;
     return u;
   }
 };
-
-/// A solver whose options distributed problems use.
-template<class S> concept solver_for_distributed = std::is_same_v<std::remove_cvref_t<S>, petsc>;
 
 }  // namespace concino::detail

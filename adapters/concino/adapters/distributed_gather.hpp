@@ -1,0 +1,61 @@
+// The values of a map of a distributed mesh, brought to the first process: gather(u).
+// Needs: MPI (Debian: petsc-dev brings it; libopenmpi-dev).
+#pragma once
+
+#include <concino/adapters/detail/mpi/mpi_agreement.hpp>
+#include <concino/adapters/detail/mpi/mpi_bytes.hpp>
+#include <concino/adapters/distributed.hpp>
+#include <concino/mesh/element_map.hpp>
+
+#include <mpi.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+namespace concino {
+
+/// All values of a map, to print, save or draw them. All processes call it together.
+/// Needs:  a map of verts or polys of a distributed mesh; T is trivially copyable. Ghosts are not read.
+/// Result: on the first process the values by global number; on others nothing.
+/// Cost:   the first process holds all values, and gets one message from each other.
+/// Errors: none.
+template<class M, class X, class T>
+  requires std::is_trivially_copyable_v<T> std::vector<T> gather(const element_map<distributed<M>, X, T>& map) {
+    const distributed<M>& m = map.mesh();
+    std::vector<std::uint64_t> numbers;
+    std::vector<T> values, all;
+    const auto take = [&](const auto& elements) {
+      for (const X& x : elements) {
+        if (m.is_ghost(x)) continue;
+        numbers.push_back(m.global_number(x));
+        values.push_back(map[x]);
+      }
+    };
+    constexpr bool of_verts = std::is_same_v<X, vert_t<M>>;
+    if constexpr (of_verts) take(verts(m));
+    else take(polys(m));
+    if (m.rank() > 0) {
+      detail::byte_writer writer;
+      writer.put(numbers);
+      writer.put(values);
+      detail::send_bytes(writer.bytes(), 0, m.communicator());
+      return {};
+    }
+    int size = 1;
+    (MPI_Comm_size)(m.communicator(), &size);
+    all.resize(static_cast<std::size_t>(of_verts ? m.num_global_verts() : m.num_global_polys()));
+    for (int r = 0; r < size; ++r) {
+      if (r > 0) {
+        const std::vector<char> bytes = detail::receive_bytes(r, m.communicator());
+        detail::byte_reader reader(bytes);
+        reader.get(numbers);
+        reader.get(values);
+      }
+      for (std::size_t k = 0; k < numbers.size(); ++k) all[static_cast<std::size_t>(numbers[k])] = values[k];
+    }
+    return all;
+  }
+
+}  // namespace concino

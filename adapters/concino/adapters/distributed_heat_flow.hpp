@@ -1,0 +1,118 @@
+// Heat flow on distributed meshes: heat_flow(d, u, time).
+// Needs: PETSc 3.18 with MPI (Debian: petsc-dev), and a petsc_session in main.
+#pragma once
+
+#include <concino/adapters/detail/distributed/distributed_problem.hpp>
+#include <concino/adapters/detail/distributed/distributed_system.hpp>
+#include <concino/adapters/detail/mpi/mpi_agreement.hpp>
+#include <concino/adapters/distributed.hpp>
+#include <concino/adapters/petsc.hpp>
+#include <concino/core/number_text.hpp>
+#include <concino/fields/heat_flow.hpp>
+#include <concino/operators/laplacian.hpp>
+#include <concino/operators/mass_matrix.hpp>
+
+#include <Eigen/SparseCore>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace concino {
+
+namespace detail {
+
+template<class M>
+void check_heat_flow_options(double time, const heat_flow_options<distributed<M>>& options) {
+  if (!(time >= 0 && std::isfinite(time)))
+    core::throw_joined<invalid_argument>(
+        {"heat_flow: time is ", core::number_text(time), "; it must be finite and 0 or more"});
+  if (options.steps < 1)
+    core::throw_joined<invalid_argument>({"heat_flow: steps is ", options.steps, "; it must be 1 or more"});
+}
+
+/// The field at the local verts, from those that own them, and pairs of it at the fixed verts.
+template<class M, class F>
+vert_map<distributed<M>, double> initial_heat(const distributed<M>& m, const F& f) {
+  auto u = make_vert_map<double>(m, 0.0);
+  on_all(m.communicator(), [&] {
+    for (const vert_t<M> v : verts(m)) {
+      u[v] = static_cast<double>(f[v]);
+      if (!m.is_ghost(v) && !std::isfinite(u[v]))
+        core::throw_joined<invalid_argument>(
+            {"heat_flow: the initial value at vert ", m.global_number(v), " is not finite"});
+    }
+  });
+  exchange_ghosts(u);
+  return u;
+}
+
+template<class M, class F>
+vert_map<distributed<M>, double> distributed_heat_flow(const distributed<M>& m, const F& f, double time,
+                                                       const heat_flow_options<distributed<M>>& options,
+                                                       const petsc& solver) {
+  on_all(m.communicator(), [&] { check_heat_flow_options<M>(time, options); });
+  auto u = initial_heat(m, f);
+  std::vector<std::pair<vert_t<M>, double>> fixed;
+  on_all(m.communicator(), [&] {
+    for (const vert_t<M>& v : options.fixed) {
+      if (!contains(m, v)) throw invalid_mesh("heat_flow: what is fixed is no vert of this process");
+      fixed.emplace_back(v, u[v]);
+    }
+  });
+  const distributed_problem<M> problem(m, fixed, "heat_flow", true);
+  const bool is_second_order = options.scheme == heat_scheme::second_order;
+  const double step = (is_second_order ? alexander_gamma : 1) * (time / options.steps);
+  Eigen::SparseMatrix<double> mass, a;
+  on_all(m.communicator(), [&] {
+    const auto part = owned_part(m);
+    mass = mass_matrix(part, {.lumped = options.lumped});
+    a = mass - step * laplacian(part);
+  });
+  const distributed_system<M> system(problem, std::move(a), solver.options());
+  const auto apply = [&](vert_map<distributed<M>, double>& x) {  // A^-1 M
+    std::vector<double> load = problem.zeros();
+    for (int c = 0; c < mass.outerSize(); ++c)
+      for (Eigen::SparseMatrix<double>::InnerIterator e(mass, c); e; ++e)
+        load[static_cast<std::size_t>(e.row())] += e.value() * x.data()[c];
+    system.solve(std::move(load), x, solver);
+  };
+  constexpr double forward = (1 - alexander_gamma) / alexander_gamma;
+  for (int i = 0; i < options.steps; ++i) {  // the stages of heat_flow of one process
+    if (is_second_order) {
+      auto stage = u;
+      apply(stage);
+      for (const vert_t<M> v : verts(m))
+        if (problem.row(index_of(m, v)) >= 0) u[v] += forward * (stage[v] - u[v]);
+    }
+    apply(u);
+  }
+  return u;
+}
+
+}  // namespace detail
+
+/// heat_flow of the whole mesh, which all its processes compute together.
+/// Needs:  a distributed mesh. f[v] is a number for each local vert; those of ghosts are not used. options.fixed: local
+///         verts; each process gives those of its verts, and may repeat those of its ghosts. solver: a petsc, whose
+///         communicator is replaced by that of the mesh.
+/// Result: as heat_flow of the mesh that was divided, at local verts, ghosts included. solver.iterations() and
+///         solver.residual() describe the last solve. progress and profiler are not used.
+/// Cost:   as that of one process divided by their number, and messages between neighbours in each iteration.
+/// Errors: as heat_flow; verts are named by their global numbers. Every error is thrown on all processes.
+/// Source: as heat_flow.
+template<class M, class F, class Solver = petsc>
+  requires detail::solver_for_distributed<Solver> vert_map < distributed<M>,
+double > heat_flow(const distributed<M>& m, const F& f, double time,
+                   const heat_flow_options<distributed<M>>& options = {}, Solver&& solver = {}) {
+  return detail::distributed_heat_flow(m, f, time, options, solver);
+}
+template<class M, class F, class Solver = petsc>
+  requires detail::solver_for_distributed<Solver> vert_map < distributed<M>,
+double > heat_flow(distributed<M>& m, const F& f, double time, const heat_flow_options<distributed<M>>& options = {},
+                   Solver&& solver = {}) {
+  return detail::distributed_heat_flow(m, f, time, options, solver);
+}
+
+}  // namespace concino
