@@ -194,6 +194,7 @@ void no_adapter(const stranger& other) {
   cn::skin(other);  // refused
   cn::prepare_deform(other);  // refused
   cn::biharmonic_deform(other);  // refused
+  cn::laplacian_deform(other);  // refused
   cn::heat_weights(other);  // refused
   cn::bounded_biharmonic_weights(other);  // refused
   cn::transfer_weights(other);  // refused
@@ -267,6 +268,7 @@ void temporary() {
   cn::skin(made());  // refused
   cn::prepare_deform(made());  // refused
   cn::biharmonic_deform(made());  // refused
+  cn::laplacian_deform(made());  // refused
   cn::prepare_poisson(made());  // refused
   cn::poisson(made());  // refused
   cn::prepare_heat_flow(made());  // refused
@@ -427,6 +429,7 @@ void no_points(const cn::trimesh& m) {
   cn::skin(pure);  // refused
   cn::prepare_deform(pure);  // refused
   cn::biharmonic_deform(pure);  // refused
+  cn::laplacian_deform(pure);  // refused
   cn::heat_weights(pure);  // refused
   cn::bounded_biharmonic_weights(pure);  // refused
   cn::transfer_weights(pure);  // refused
