@@ -44,7 +44,8 @@ template<class M, class D = std::initializer_list<std::pair<vert_t<M>, vec3>>, c
     for (const std::size_t i : handles.index) from.push_back(rest[i]);
     const affine_map rigid = best_rigid_motion(from, handles.position);
     std::vector<std::pair<vert_t<M>, vec3>> values;
-    for (std::size_t i = 0; i < from.size(); ++i) values.push_back({handles.vert[i], handles.position[i] - rigid(from[i])});
+    for (std::size_t i = 0; i < from.size(); ++i)
+      values.push_back({handles.vert[i], handles.position[i] - rigid(from[i])});
     auto x = harmonic_map<vec3>(m, values, {.exponent = profiled->exponent, .progress = profiled->progress}, solver);
     for (const vert_t<M> v : verts(m)) x[v] += rigid(rest[index_of(m, v)]);
     for (std::size_t i = 0; i < from.size(); ++i) x[handles.vert[i]] = handles.position[i];  // to the last digit

@@ -1,5 +1,5 @@
-// Laplacian editing: deformation by handles that keeps the details of a surface, or the shape of a volume, by one linear
-// solve.
+// Laplacian editing: deformation by handles that keeps the details of a surface, or the shape of a volume, by one
+// linear solve.
 #pragma once
 
 #include <concino/concepts/sparse_solver.hpp>

@@ -25,7 +25,8 @@ class laplacian_editing {
   Eigen::VectorXd load_;
 
   /// The rows of the changes of the Laplacian vectors: what remains of those of a displacement u, when those of the
-  /// start are mapped by the similarity I + T(u) that is best for the edges of the vert. Divided by the roots of masses.
+  /// start are mapped by the similarity I + T(u) that is best for the edges of the vert. Divided by the roots of
+  /// masses.
   Eigen::SparseMatrix<double, Eigen::RowMajor> change_of_vectors(const Eigen::SparseMatrix<double>& laplacian,
                                                                  const std::vector<double>& mass) const;
 
