@@ -75,9 +75,8 @@ class prepared_deform {
   /// Needs:  start: a map of points, such as the member points of a result.
   /// Errors: also invalid_argument if a point of start is not finite.
   template<class Map, class D = std::initializer_list<std::pair<vert_t<M>, vec3>>>
-    requires requirement::gives_points<Map, vert_t<M>> deform_result<M> with_positions_from(
-        const Map& start, const D& positions, const deform_options& options = {})
-  const {
+    requires requirement::gives_points<Map, vert_t<M>>
+  deform_result<M> with_positions_from(const Map& start, const D& positions, const deform_options& options = {}) const {
     auto all = detail::handle_positions(mesh_.get(), positions, prepared_->problem);
     for (const vert_t<M> v : verts(mesh_.get())) {
       const std::size_t i = index_of(mesh_.get(), v);
