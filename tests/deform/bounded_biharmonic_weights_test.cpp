@@ -89,17 +89,18 @@ TEST_CASE("bounded_biharmonic_weights: on voxels are near those on tets of shape
     std::size_t n;    // voxels along the box
     double radius, max_difference, mean_difference;
   };
-  for (const auto& [file, refinements, n, radius, max_difference, mean_difference] :
+  for (const shape& one :
        {shape{"tet/cube_tet.vtk", 1, 16, 0.4, 0.02, 0.01}, shape{"fields/kuhn_6.mesh", 1, 16, 0.4, 0.02, 0.01}, shape{"tet/tet_in_box.node", 3, 20, 0.4, 0.02, 0.01},
         shape{"tet/sphere_octant.mesh", 0, 20, 0.3, 0.1, 0.02}}) {
+    const std::string file = one.file;
     CAPTURE(file);
     const auto path = corpus(file);
     if (path.empty()) {
-      skip(std::string(file) + " is absent");
+      skip(file + " is absent");
       continue;
     }
     tetmesh tets = load<tetmesh>(path);
-    for (int i = 0; i < refinements; ++i) tets = subdivide_1_to_8(tets);
+    for (int i = 0; i < one.refinements; ++i) tets = subdivide_1_to_8(tets);
     const auto surface = boundary_surface(tets);
     const auto box = bounding_box(surface);
     const vec3 sides = box.max - box.min, direction{1, 0.37, 0.11};
@@ -109,7 +110,7 @@ TEST_CASE("bounded_biharmonic_weights: on voxels are near those on tets of shape
       if (dot(p, direction) < dot(low, direction)) low = p;
       if (dot(p, direction) > dot(high, direction)) high = p;
     }
-    const double size = radius * std::max({sides.x, sides.y, sides.z});
+    const double size = one.radius * std::max({sides.x, sides.y, sides.z});
     const auto weights_on = [&](const auto& volume) {
       std::vector<std::vector<vert_id>> balls(2);
       for (const auto v : verts(volume)) {
@@ -118,7 +119,7 @@ TEST_CASE("bounded_biharmonic_weights: on voxels are near those on tets of shape
       }
       return transfer_weights(volume, bounded_biharmonic_weights(volume, balls), surface);
     };
-    const auto on_tets = weights_on(tets), on_voxels = weights_on(voxel_hexes(surface, n));
+    const auto on_tets = weights_on(tets), on_voxels = weights_on(voxel_hexes(surface, one.n));
     double worst = 0, sum = 0;
     for (const auto v : verts(surface)) {
       const double d = std::abs(on_tets.weight(v.raw(), 0) - on_voxels.weight(v.raw(), 0));
@@ -127,8 +128,8 @@ TEST_CASE("bounded_biharmonic_weights: on voxels are near those on tets of shape
     }
     const double mean = sum / static_cast<double>(num_verts(surface));
     MESSAGE(file << ": difference of weights on voxels and on tets: " << worst << ", in the mean " << mean);
-    CHECK(worst < max_difference);
-    CHECK(mean < mean_difference);
+    CHECK(worst < one.max_difference);
+    CHECK(mean < one.mean_difference);
   }
 }
 
