@@ -10,6 +10,7 @@
 #include <concino/deform/green_coordinates.hpp>
 #include <concino/deform/harmonic_coordinates.hpp>
 #include <concino/deform/heat_weights.hpp>
+#include <concino/deform/laplacian_deform.hpp>
 #include <concino/deform/prepare_deform.hpp>
 #include <concino/deform/skin.hpp>
 #include <concino/deform/skin_weights.hpp>

@@ -3,8 +3,13 @@
 #include <concino/concepts/archetypes.hpp>
 #include <concino/generate/boundary_surface.hpp>
 #include <concino/generate/grid.hpp>
+#include <concino/generate/subdivide_1_to_8.hpp>
 #include <concino/generate/voxel_hexes.hpp>
+#include <concino/geometry/bounding_box.hpp>
+#include <concino/io/load.hpp>
+#include <concino/mesh/tetmesh.hpp>
 
+#include <support/corpus.hpp>
 #include <support/kinds.hpp>
 
 #include <doctest/doctest.h>
@@ -12,6 +17,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <string>
 
 using namespace concino;
 using namespace concino::testing;
@@ -72,6 +78,59 @@ TEST_CASE("bounded_biharmonic_weights: on voxels are near those on tets") {
   }
   MESSAGE("difference of weights on voxels and on tets: " << worst);
   CHECK(worst < 0.02);
+}
+
+TEST_CASE("bounded_biharmonic_weights: on voxels are near those on tets of shapes of the corpus") {
+  if (!long_run()) return skip("only in long runs");
+  // Handles are balls around the two surface verts that are farthest along a direction; the radius is a part of the longest side of the box.
+  struct shape {
+    const char* file;
+    int refinements;  // of the tets, so that they are accurate enough to compare with
+    std::size_t n;    // voxels along the box
+    double radius, max_difference, mean_difference;
+  };
+  for (const shape& one :
+       {shape{"tet/cube_tet.vtk", 1, 16, 0.4, 0.02, 0.01}, shape{"fields/kuhn_6.mesh", 1, 16, 0.4, 0.02, 0.01}, shape{"tet/tet_in_box.node", 3, 20, 0.4, 0.02, 0.01},
+        shape{"tet/sphere_octant.mesh", 0, 20, 0.3, 0.1, 0.02}}) {
+    const std::string file = one.file;
+    CAPTURE(file);
+    const auto path = corpus(file);
+    if (path.empty()) {
+      skip(file + " is absent");
+      continue;
+    }
+    tetmesh tets = load<tetmesh>(path);
+    for (int i = 0; i < one.refinements; ++i) tets = subdivide_1_to_8(tets);
+    const auto surface = boundary_surface(tets);
+    const auto box = bounding_box(surface);
+    const vec3 sides = box.max - box.min, direction{1, 0.37, 0.11};
+    vec3 low = point(surface, vert_id{0}), high = low;
+    for (const auto v : verts(surface)) {
+      const vec3 p = point(surface, v);
+      if (dot(p, direction) < dot(low, direction)) low = p;
+      if (dot(p, direction) > dot(high, direction)) high = p;
+    }
+    const double size = one.radius * std::max({sides.x, sides.y, sides.z});
+    const auto weights_on = [&](const auto& volume) {
+      std::vector<std::vector<vert_id>> balls(2);
+      for (const auto v : verts(volume)) {
+        if (distance(point(volume, v), low) < size) balls[0].push_back(v);
+        else if (distance(point(volume, v), high) < size) balls[1].push_back(v);
+      }
+      return transfer_weights(volume, bounded_biharmonic_weights(volume, balls), surface);
+    };
+    const auto on_tets = weights_on(tets), on_voxels = weights_on(voxel_hexes(surface, one.n));
+    double worst = 0, sum = 0;
+    for (const auto v : verts(surface)) {
+      const double d = std::abs(on_tets.weight(v.raw(), 0) - on_voxels.weight(v.raw(), 0));
+      worst = std::max(worst, d);
+      sum += d;
+    }
+    const double mean = sum / static_cast<double>(num_verts(surface));
+    MESSAGE(file << ": difference of weights on voxels and on tets: " << worst << ", in the mean " << mean);
+    CHECK(worst < one.max_difference);
+    CHECK(mean < one.mean_difference);
+  }
 }
 
 TEST_CASE("bounded_biharmonic_weights, transfer_weights: bad input") {

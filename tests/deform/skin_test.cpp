@@ -164,7 +164,11 @@ TEST_CASE("skin: the rig bends its elbow, and dual quaternions keep its volume b
   }
   CHECK(sum > 1);
   const auto fewer = w.at_most(2);
-  for (const auto v : verts(m)) CHECK(fewer.bones(v.raw()).size() <= 2);
+  for (const auto v : verts(m)) {
+    CHECK(fewer.bones(v.raw()).size() <= 2);
+    const auto row = fewer.weights(v.raw());
+    CHECK(std::abs(std::accumulate(row.begin(), row.end(), 0.0) - 1) < 1e-14);
+  }
   CHECK(skin(m, fewer, bent(1.5), linear_blend).values().size() == num_verts(m));
 }
 

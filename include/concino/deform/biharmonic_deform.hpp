@@ -3,6 +3,7 @@
 
 #include <concino/core/mistakes.hpp>
 #include <concino/deform/affine_map.hpp>
+#include <concino/deform/detail/arap/handle_positions.hpp>
 #include <concino/deform/detail/cages/weighted_sums.hpp>
 #include <concino/fields/harmonic_map.hpp>
 
@@ -36,23 +37,18 @@ template<class M, class D = std::initializer_list<std::pair<vert_t<M>, vec3>>, c
                                               Solver&& solver = {}) {
     constexpr const char* caller = "biharmonic_deform";
     const core::profiled_options profiled(options, caller);
-    const std::vector<vec3> rest = detail::points_by_index(m, caller);
-    std::vector<vec3> from, to;
+    const std::remove_cvref_t<M>& mesh_in = m;
+    const std::vector<vec3> rest = detail::points_by_index(mesh_in, caller);
+    const detail::placed_handles<std::remove_cvref_t<M>> handles = detail::place_handles(mesh_in, positions, caller);
+    std::vector<vec3> from;
+    for (const std::size_t i : handles.index) from.push_back(rest[i]);
+    const affine_map rigid = best_rigid_motion(from, handles.position);
     std::vector<std::pair<vert_t<M>, vec3>> values;
-    for (const auto& [vert, position] : positions) {
-      const vert_t<M> v = vert;
-      if (!contains(m, v)) core::throw_joined<invalid_mesh>({caller, ": a handle is no vert of the mesh"});
-      from.push_back(rest[index_of(m, v)]);
-      to.push_back(to_vec3(position));
-      if (!is_finite(to.back())) detail::throw_point_not_finite(caller, "the position of vert", index_of(m, v));
-      values.push_back({v, to.back()});
-    }
-    if (values.empty()) core::throw_joined<invalid_argument>({caller, ": there are no handles"});
-    const affine_map rigid = best_rigid_motion(from, to);
-    for (std::size_t i = 0; i < values.size(); ++i) values[i].second -= rigid(from[i]);
+    for (std::size_t i = 0; i < from.size(); ++i)
+      values.push_back({handles.vert[i], handles.position[i] - rigid(from[i])});
     auto x = harmonic_map<vec3>(m, values, {.exponent = profiled->exponent, .progress = profiled->progress}, solver);
     for (const vert_t<M> v : verts(m)) x[v] += rigid(rest[index_of(m, v)]);
-    for (std::size_t i = 0; i < values.size(); ++i) x[values[i].first] = to[i];  // to the last digit
+    for (std::size_t i = 0; i < from.size(); ++i) x[handles.vert[i]] = handles.position[i];  // to the last digit
     return x;
   }
 

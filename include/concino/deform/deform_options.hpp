@@ -17,7 +17,7 @@ enum class rigid_cells : unsigned char {
 };
 
 struct prepare_deform_options {
-  rigid_cells rigidity = rigid_cells::spokes;
+  rigid_cells rigidity = rigid_cells::spokes;  // which edges a rotation is fitted to
   concino::progress progress = nullptr;   // called with "factorising"
   concino::profiler* profiler = nullptr;  // measures the call and its steps
 };

@@ -75,9 +75,8 @@ class prepared_deform {
   /// Needs:  start: a map of points, such as the member points of a result.
   /// Errors: also invalid_argument if a point of start is not finite.
   template<class Map, class D = std::initializer_list<std::pair<vert_t<M>, vec3>>>
-    requires requirement::gives_points<Map, vert_t<M>> deform_result<M> with_positions_from(
-        const Map& start, const D& positions, const deform_options& options = {})
-  const {
+    requires requirement::gives_points<Map, vert_t<M>>
+  deform_result<M> with_positions_from(const Map& start, const D& positions, const deform_options& options = {}) const {
     auto all = detail::handle_positions(mesh_.get(), positions, prepared_->problem);
     for (const vert_t<M> v : verts(mesh_.get())) {
       const std::size_t i = index_of(mesh_.get(), v);
@@ -151,17 +150,9 @@ template<class M, class V = std::initializer_list<vert_t<M>>, class D, class Sol
   }
 
 // What to write instead of calls that cannot compile.
-template<class... T>
-void prepare_deform(mistake::no_mesh<mistake::adapt_the_mesh>, ...) =
-    delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
-template<class... T>
-void prepare_deform(mistake::temporary_mesh<mistake::name_the_mesh>,
-                    ...) = delete;  // give the mesh a name: auto m = ...;
-template<class... T>
-void prepare_deform(mistake::no_points<mistake::give_points>,
-                    ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
-template<class... T>
-void prepare_deform(mistake::any_mesh, mistake::number<mistake::name_the_element>,
-                    ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
+template<class... T> void prepare_deform(mistake::no_mesh<mistake::adapt_the_mesh>, ...) = delete;  // #include <concino/adapters/openmesh.hpp> or another adapter; incomplete mesh_traits: explain_any_mesh<M>() or explain_primal_graph<M>()
+template<class... T> void prepare_deform(mistake::temporary_mesh<mistake::name_the_mesh>, ...) = delete;  // give the mesh a name: auto m = ...;
+template<class... T> void prepare_deform(mistake::no_points<mistake::give_points>, ...) = delete;  // needs Embedded: mesh_traits<M>::point(m, v), or with_points(m, map)
+template<class... T> void prepare_deform(mistake::any_mesh, mistake::number<mistake::name_the_element>, ...) = delete;  // elements have types: vert_id{0}, poly_id{0} ..., not 0
 
 }  // namespace concino

@@ -4,7 +4,9 @@
 #include <agreement/algorithms/sizes.hpp>
 
 #include <concino/deform/cage_coordinates.hpp>
+#include <concino/deform/laplacian_deform.hpp>
 #include <concino/deform/prepare_deform.hpp>
+#include <concino/deform/skin.hpp>
 #include <concino/generate/icosphere.hpp>
 
 #include <algorithm>
@@ -44,10 +46,45 @@ struct deformations {
       positions.push_back({v, x}), same.push_back({both.verts.to(v), x});
       handles.push_back(v), same_handles.push_back(both.verts.to(v));
     }
-    const auto x = prepare_deform(n, handles).with_positions(positions, {.max_iterations = 3, .tolerance = 0});
-    const auto y = prepare_deform(m, same_handles).with_positions(same, {.max_iterations = 3, .tolerance = 0});
-    expect(x.energies.size() == y.energies.size(), "the iterations");
-    for (const auto v : both.verts.all) expect_close(x.points[v], y.points[both.verts.to(v)], largest, "the points by handles");
+    for (const rigid_cells rigidity : {rigid_cells::spokes, rigid_cells::spokes_and_rims}) {
+      const auto x = prepare_deform(n, handles, {.rigidity = rigidity}).with_positions(positions, {.max_iterations = 3, .tolerance = 0});
+      const auto y = prepare_deform(m, same_handles, {.rigidity = rigidity}).with_positions(same, {.max_iterations = 3, .tolerance = 0});
+      expect(x.energies.size() == y.energies.size(), "the iterations");
+      for (const auto v : both.verts.all) expect_close(x.points[v], y.points[both.verts.to(v)], largest, "the points by handles");
+    }
+    // all other verts are handles too, so that flat parts are determined
+    std::vector<std::pair<vert_t<typename B::native_mesh>, vec3>> others;
+    std::vector<std::pair<vert_t<typename B::other_mesh>, vec3>> same_others;
+    for (const auto v : both.verts.all) {
+      if (index_of(n, v) % 5 == 0) continue;
+      const vec3 x = point(n, v) + vec3{0, 0, 0.01 * size * static_cast<double>(index_of(n, v) % 4)};
+      others.push_back({v, x}), same_others.push_back({both.verts.to(v), x});
+    }
+    const auto edit = [](const auto& mesh, const auto& where, auto& points) {
+      try {
+        points = laplacian_deform(mesh, where);
+        return true;
+      } catch (const solver_error&) {  // a component with handles on a line
+        return false;
+      }
+    };
+    auto edited = make_vert_map<vec3>(n);
+    auto same_edited = make_vert_map<vec3>(m);
+    const bool has_points = edit(n, others, edited);
+    expect(has_points == edit(m, same_others, same_edited), "whether handles determine the points");
+    if (has_points)
+      for (const auto v : both.verts.all) expect_close(edited[v], same_edited[both.verts.to(v)], largest, "the points that keep details");
+    // two bones, with weights that depend on the vert
+    std::vector<skin_weight> weights, same_weights;
+    for (const auto v : both.verts.all)
+      for (const std::size_t bone : {0u, 1u}) {
+        const double weight = 1 + static_cast<double>((index_of(n, v) + bone) % 3);
+        weights.push_back({index_of(n, v), bone, weight}), same_weights.push_back({index_of(m, both.verts.to(v)), bone, weight});
+      }
+    const std::vector<affine_map> bend{affine_map(), rotation(all.min, {1, 2, 3}, 1)};
+    const auto bent_here = skin(n, {vert_index_bound(n), 2, weights}, bend, dual_quaternions);
+    const auto bent_there = skin(m, {vert_index_bound(m), 2, same_weights}, bend, dual_quaternions);
+    for (const auto v : both.verts.all) expect_close(bent_here[v], bent_there[both.verts.to(v)], largest, "the points by bones");
     return true;
   }
 };

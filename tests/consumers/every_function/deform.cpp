@@ -4,6 +4,7 @@
 #include <concino/generate.hpp>
 
 #include <array>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,11 @@ void call_deform() {
     cn::prepare_deform(m, {v}).with_positions({{v, cn::vec3{1, 2, 3}}});
   }, all);
   call("biharmonic_deform", [&](auto& m) { cn::biharmonic_deform(m, {{*cn::verts(m).begin(), cn::vec3{1, 2, 3}}}); }, all);
+  call("laplacian_deform", [&](auto& m) {
+    std::vector<std::pair<cn::vert_t<std::remove_cvref_t<decltype(m)>>, cn::vec3>> everywhere;
+    for (const auto v : cn::verts(m)) everywhere.push_back({v, cn::vec3{1, 2, 3}});
+    cn::laplacian_deform(m, everywhere);
+  }, all);
   const cn::skeleton k({{-0.5, 0, 0}, {0, 0, 0}, {0.5, 0, 0}}, {{a, b}, {b, cn::vert_id{2}}});
   call("heat_weights", [&] { cn::heat_weights(cage, k); });
   call("bounded_biharmonic_weights", [&] { cn::bounded_biharmonic_weights(box, {{a}, {b}}); });

@@ -201,6 +201,7 @@ void no_adapter(const stranger& other) {
   cn::principal_curvatures(other);  // refused
   cn::stripes(other);  // refused
   cn::biharmonic_deform(other);  // refused
+  cn::laplacian_deform(other);  // refused
   cn::heat_weights(other);  // refused
   cn::bounded_biharmonic_weights(other);  // refused
   cn::transfer_weights(other);  // refused
@@ -277,6 +278,7 @@ void temporary() {
   cn::principal_curvatures(made());  // refused
   cn::stripes(made());  // refused
   cn::biharmonic_deform(made());  // refused
+  cn::laplacian_deform(made());  // refused
   cn::prepare_poisson(made());  // refused
   cn::poisson(made());  // refused
   cn::prepare_heat_flow(made());  // refused
@@ -444,6 +446,7 @@ void no_points(const cn::trimesh& m) {
   cn::principal_curvatures(pure);  // refused
   cn::stripes(pure);  // refused
   cn::biharmonic_deform(pure);  // refused
+  cn::laplacian_deform(pure);  // refused
   cn::heat_weights(pure);  // refused
   cn::bounded_biharmonic_weights(pure);  // refused
   cn::transfer_weights(pure);  // refused

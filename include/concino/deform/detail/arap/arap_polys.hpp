@@ -14,9 +14,9 @@
 
 namespace concino::detail {
 
-/// The energy is the sum, over the polys and their verts, of the weights of pairs of verts of the poly times the squared
-/// difference between the pair and its rest, rotated by the rotation of the vert. The sum over the pairs of a poly is
-/// not negative, though single weights may be. Verts are numbers.
+/// The energy is the sum, over the polys and their verts, of the weights of pairs of verts of the poly times the
+/// squared difference between the pair and its rest, rotated by the rotation of the vert. The sum over the pairs of a
+/// poly is not negative, though single weights may be. Verts are numbers.
 class arap_polys {
   std::vector<std::uint32_t> first_{0}, vert_;  // the verts of each poly
   std::vector<std::size_t> first_weight_{0};

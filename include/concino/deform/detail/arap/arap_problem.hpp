@@ -5,6 +5,7 @@
 #include <concino/core/residual.hpp>
 #include <concino/core/vec3.hpp>
 #include <concino/deform/detail/arap/arap_polys.hpp>
+#include <concino/deform/detail/arap/components.hpp>
 
 #include <Eigen/SparseCore>
 
@@ -27,15 +28,14 @@ class arap_problem {
   double unit_ = 1, weight_unit_ = 1;
   std::vector<std::uint32_t> first_{0}, to_;  // edges from each vert
   std::vector<double> weight_;                // of the equations; twice those of spokes
-  std::vector<std::uint32_t> component_;      // of each vert; those without edges have one of their own
+  edge_components components_;
   std::vector<std::uint32_t> unknown_, vert_of_unknown_, handles_;  // handles: each once
   std::vector<bool> is_handle_;
-  std::size_t num_made_positive_ = 0, num_components_ = 0;
+  std::size_t num_made_positive_ = 0;
   arap_polys polys_;                  // empty: spokes, by the edges
   std::vector<vec3> out_, in_, own_;  // see arap_polys::sum_edges; empty: spokes
 
   void keep_edges(const Eigen::SparseMatrix<double>& laplacian);
-  void number_components();
 
  public:
   /// laplacian: both triangles; points of all indices, those of deleted verts arbitrary. polys: empty for spokes; for

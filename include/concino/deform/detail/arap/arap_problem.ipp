@@ -3,7 +3,6 @@
 #pragma once
 
 #include <concino/core/error.hpp>
-#include <concino/deform/affine_map.hpp>
 #include <concino/deform/detail/arap/arap_problem.hpp>
 
 #include <algorithm>
@@ -11,14 +10,6 @@
 #include <utility>
 
 namespace concino::detail {
-
-/// The power of 2 next above x, or 1 if x is not positive.
-CONCINO_INLINE double power_of_two_above(double x) {
-  if (!(x > 0)) return 1;
-  int exponent = 0;
-  std::frexp(x, &exponent);
-  return std::ldexp(1.0, std::clamp(exponent, -1000, 1000));
-}
 
 CONCINO_INLINE void arap_problem::keep_edges(const Eigen::SparseMatrix<double>& laplacian) {
   double largest = 0;
@@ -49,55 +40,29 @@ CONCINO_INLINE void arap_problem::keep_edges(const Eigen::SparseMatrix<double>& 
   num_made_positive_ = twice_negative / 2;
 }
 
-CONCINO_INLINE void arap_problem::number_components() {
-  component_.assign(rest_.size(), not_unknown);
-  std::vector<std::uint32_t> open;
-  for (std::uint32_t v = 0; v < rest_.size(); ++v) {
-    if (component_[v] != not_unknown) continue;
-    component_[v] = static_cast<std::uint32_t>(num_components_);
-    open.push_back(v);
-    while (!open.empty()) {
-      const std::uint32_t w = open.back();
-      open.pop_back();
-      for (std::uint32_t k = first_[w]; k < first_[w + 1]; ++k)
-        if (component_[to_[k]] == not_unknown) component_[to_[k]] = component_[v], open.push_back(to_[k]);
-    }
-    ++num_components_;
-  }
-}
-
 CONCINO_INLINE arap_problem::arap_problem(std::vector<vec3> points, const std::vector<std::size_t>& used,
                                           const Eigen::SparseMatrix<double>& laplacian,
                                           const std::vector<std::size_t>& handles, arap_polys polys)
     : rest_(std::move(points)), unknown_(rest_.size(), not_unknown), is_handle_(rest_.size(), false),
       polys_(std::move(polys)) {
-  double size = 0;
-  if (!used.empty())
-    for (const std::size_t v : used) {
-      const vec3 d = rest_[v] - rest_[used.front()];
-      size = std::max({size, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
-    }
-  unit_ = power_of_two_above(size);
+  unit_ = unit_of(rest_, used);
   for (vec3& x : rest_) x /= unit_;
   keep_edges(laplacian);
   if (!polys_.is_empty()) {
     polys_.divide_weights(weight_unit_);
     polys_.sum_edges(rest_, first_, to_, out_, in_, own_);
   }
-  number_components();
-  std::vector<bool> has_handle(num_components_, false);
+  components_ = edge_components::find(rest_.size(), first_.data(), to_.data());
+  std::vector<bool> has_handle(components_.number, false);
   for (const std::size_t v : handles) {
     if (!is_handle_[v]) handles_.push_back(static_cast<std::uint32_t>(v));
     is_handle_[v] = true;
-    has_handle[component_[v]] = true;
+    has_handle[components_.of[v]] = true;
   }
   for (const std::size_t v : used) {
     if (is_handle_[v] || first_[v] == first_[v + 1]) continue;
-    if (!has_handle[component_[v]]) {
-      const auto n = std::count(component_.begin(), component_.end(), component_[v]);
-      core::throw_joined<solver_error>({"prepare_deform: the component of vert ", v, ", which has ", n,
-                                        " verts, has no handle, so that its place is not determined"});
-    }
+    if (!has_handle[components_.of[v]])
+      throw_not_determined("prepare_deform", components_, v, "has no handle, so that its place is not determined");
     unknown_[v] = static_cast<std::uint32_t>(vert_of_unknown_.size());
     vert_of_unknown_.push_back(static_cast<std::uint32_t>(v));
   }
@@ -123,19 +88,10 @@ CONCINO_INLINE Eigen::SparseMatrix<double> arap_problem::lower_triangle() const 
 }
 
 CONCINO_INLINE std::vector<vec3> arap_problem::rigid_start(const std::vector<vec3>& position) const {
-  std::vector<std::vector<vec3>> from(num_components_), to(num_components_);
-  std::vector<vec3> all_from, all_to;
-  for (const std::uint32_t v : handles_) {
-    from[component_[v]].push_back(rest_[v]), to[component_[v]].push_back(position[v] / unit_);
-    all_from.push_back(rest_[v]), all_to.push_back(position[v] / unit_);
-  }
-  const affine_map of_all = best_rigid_motion(all_from, all_to);
-  std::vector<affine_map> motion(num_components_, of_all);
-  for (std::size_t c = 0; c < num_components_; ++c)
-    if (!from[c].empty()) motion[c] = best_rigid_motion(from[c], to[c]);
-  std::vector<vec3> x(rest_.size());
-  for (std::size_t v = 0; v < rest_.size(); ++v)
-    x[v] = is_handle_[v] ? position[v] : unit_ * motion[component_[v]](rest_[v]);
+  std::vector<vec3> at(rest_.size());
+  for (const std::uint32_t v : handles_) at[v] = position[v] / unit_;
+  std::vector<vec3> x = components_.moved(rest_, handles_, at);
+  for (std::size_t v = 0; v < rest_.size(); ++v) x[v] = is_handle_[v] ? position[v] : unit_ * x[v];
   return x;
 }
 

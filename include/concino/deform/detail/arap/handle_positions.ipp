@@ -10,8 +10,11 @@ namespace concino::detail {
 CONCINO_INLINE void throw_no_handle_vert(const char* caller) {
   core::throw_joined<invalid_mesh>({caller, ": a handle is no vert of the mesh"});
 }
-CONCINO_INLINE void throw_other_position(std::size_t vert) {
-  core::throw_joined<invalid_argument>({"with_positions: vert ", vert, " is given two different positions"});
+CONCINO_INLINE void throw_other_position(const char* caller, std::size_t vert) {
+  core::throw_joined<invalid_argument>({caller, ": vert ", vert, " is given two different positions"});
+}
+CONCINO_INLINE void throw_no_handles(const char* caller) {
+  core::throw_joined<invalid_argument>({caller, ": there are no handles"});
 }
 CONCINO_INLINE void throw_not_a_handle(std::size_t vert) {
   core::throw_joined<invalid_argument>(
