@@ -66,7 +66,7 @@ bool cut_and_merge_face(M& m, const concino::face_t<M>& f) {
   return made && concino::face_merge(m, made.faces[0], made.faces[1]);
 }
 
-/// Edits of 20,000 edges, facets, polys or faces of polygons or polyhedra, and 20,000 merges of the smallest polys.
+/// Edits of 5,000 edges, facets, polys or faces of polygons or polyhedra, and 5,000 merges of the smallest polys.
 template<class M>
 void poly_edits(const bench::program& p, const std::string& name, const M& m) {
   const auto run = [&](const char* edit, const auto& range, auto f) {
@@ -75,7 +75,7 @@ void poly_edits(const bench::program& p, const std::string& name, const M& m) {
     std::vector<std::remove_cvref_t<decltype(*range.begin())>> all;
     for (const auto x : range) all.push_back(x);
     std::shuffle(all.begin(), all.end(), std::mt19937(7));  // in order, merges would make one poly that grows
-    if (all.size() > 20'000) all.resize(20'000);
+    if (all.size() > 5'000) all.resize(5'000);
     p.print(bench::compare(work, p.rounds, {{"concino", [&, f] {
       auto copy = std::make_unique<M>(m);
       return bench::seconds_of([&] {
@@ -95,7 +95,7 @@ void poly_edits(const bench::program& p, const std::string& name, const M& m) {
   if constexpr (concino::VolumeMesh<M>) run("face-cut-merge", concino::faces(m), [](M& x, auto f) { return cut_and_merge_face(x, f); });
   const std::string work = "edit.polys.agglomerate." + name;
   if (!p.wants(work)) return;
-  const std::size_t merges = std::min<std::size_t>(20'000, concino::num_polys(m) / 2);
+  const std::size_t merges = std::min<std::size_t>(5'000, concino::num_polys(m) / 2);
   p.print(bench::compare(work, p.rounds, {{"concino", [&] {
     auto copy = std::make_unique<M>(m);
     return bench::seconds_of([&] {
