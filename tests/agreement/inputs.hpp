@@ -79,7 +79,8 @@ auto inputs() {
       return crooked(arity_v<K> == 3 ? triangulated(quads) : arity_v<K> == 4 ? quads : with_middles(quads));
     };
     r.push_back({"torus", shaped(rolled_grid(5, 4)), true, true});
-    r.push_back({"torus beside a sphere", shaped(beside(rolled_grid(4, 3), voxel_skin({{0, 0, 0}}))), true, true, false});
+    const auto both = beside(rolled_grid(4, 3), voxel_skin({{0, 0, 0}}));
+    r.push_back({"torus beside a sphere", arity_v<K> == 0 ? crooked(with_offsets(both)) : shaped(both), true, true, false});  // as polygons they are quads
   }
   std::mt19937 random(5);
   const auto soup = random_soup<K>(random, 9, 5);

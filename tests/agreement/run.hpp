@@ -53,8 +53,8 @@ class record {
 };
 
 template<class A>
-constexpr bool needs_simplices() {
-  if constexpr (requires { A::needs_simplices; }) return A::needs_simplices;
+constexpr bool needs_a_shape() {
+  if constexpr (requires { A::needs_a_shape; }) return A::needs_a_shape;
   return false;
 }
 
@@ -92,7 +92,7 @@ void run_on() {
     }
   });
   INFO(std::string(Algorithm::name) << " on " << std::string(Model::name));
-  expect(times > 0 || !is_modelled || needs_simplices<Algorithm>(), "some input is one for this algorithm");
+  expect(times > 0 || !is_modelled || needs_a_shape<Algorithm>(), "some input is one for this algorithm");
   written.write(times > 0);
 }
 

@@ -26,9 +26,9 @@ void save_verts(const M& m, std::span<const vert_t<M>> changed, const auto& save
 ///         properties at the verts `changed` and at new ones; it cannot fail. replaced: removed verts with those that
 ///         take their places, by their numbers in the cavity, each once.
 /// Result: none; `made` has the new elements. Edges and faces that old polys have too keep their values. A new one has
-///         those of the old ones that become it where verts are replaced, else of an old one that has all verts of
-///         which its own were made, else default ones; corners have those of the old poly. In an open transaction all
-///         of it can be undone.
+///         those of the old ones that become it where verts are replaced. Else it has those of an old one that has all
+///         verts of which its own were made, else default ones. Corners have those of the old poly. In an open
+///         transaction all of it can be undone.
 /// Cost:   the elements at the verts of the cavity, but O(mesh) the first time, and sorting these.
 /// Errors: those of rewire. The mesh is unchanged then, also if memory runs out.
 template<EditableMesh M, class Finish>

@@ -98,7 +98,7 @@ struct harmonic {
 /// The same with the weights of triangles and tets; on other meshes there is nothing to compare.
 struct cotangents {
   static constexpr const char* name = "cotangents";
-  static constexpr bool needs_simplices = true;
+  static constexpr bool needs_a_shape = true;
   template<class M> static constexpr bool runs_on = EmbeddedMesh<M>;
 
   template<class B, class In>

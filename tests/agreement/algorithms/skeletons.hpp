@@ -51,7 +51,7 @@ struct bones_of {
 
 struct skeletons {
   static constexpr const char* name = "skeleton_of";
-  static constexpr bool needs_simplices = true;
+  static constexpr bool needs_a_shape = true;
   template<class M> static constexpr bool runs_on = SurfaceMesh<M> && Embedded<M>;
 
   template<class B, class In>

@@ -9,7 +9,7 @@ namespace concino::agreement {
 
 struct straight_distances {
   static constexpr const char* name = "exact_geodesics";
-  static constexpr bool needs_simplices = true;
+  static constexpr bool needs_a_shape = true;
   template<class M> static constexpr bool runs_on = SurfaceMesh<M> && Embedded<M>;
 
   template<class B, class In>

@@ -35,7 +35,8 @@ class replaced_origins {
   template<class F>
   void for_each_list(std::size_t k, const F& f) const {
     const auto start = [](const id_span<unsigned>& ends, std::size_t i) { return i == 0 ? 0u : ends[i - 1]; };
-    if constexpr (dimension_v<M> == 3 && arity_v<M> > 0) return for_each_face(c_.corners.begin() + c_.ends[k], f);
+    if constexpr (VolumeMesh<M> && arity_v<M> > 0)  // the corners of cells are not those of one polygon
+      return for_each_face(c_.corners.begin() + c_.ends[k], f);
     if (c_.poly_ends.size() == 0) return f(c_.corners.begin() + start(c_.ends, k), c_.corners.begin() + c_.ends[k]);
     for (unsigned i = start(c_.poly_ends, k); i < c_.poly_ends[k]; ++i)
       f(c_.corners.begin() + start(c_.ends, i), c_.corners.begin() + c_.ends[i]);
