@@ -2,8 +2,8 @@
 #pragma once
 
 #include <concino/io/detail/file_slice/file_slice.hpp>
+#include <concino/io/detail/file_slice/vtu_ranges.hpp>
 #include <concino/io/detail/vtk/vtk_grid.hpp>
-#include <concino/io/detail/vtk_xml/vtk_xml_tags.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -14,22 +14,15 @@
 namespace concino::detail {
 
 /// Reads the cells of one slice of a .vtu file, and numbers its points anew.
-class vtu_slice_cells : protected vtk_xml_data {
+class vtu_slice_cells : protected vtu_ranges {
  protected:
-  struct run {
-    std::uint64_t first, count;
-  };
-  using runs = std::vector<run>;
-
   file_slice& out_;
-  vtk_xml_index index_;
-  const vtk_xml_piece* piece_ = nullptr;
   runs cells_, points_;          // of the slice: polys, then faces with values; points, and some between them
   std::uint64_t num_cells_ = 0;  // of the slice
   std::vector<std::int64_t> connectivity_, ends_, faces_, face_ends_;
   std::string types_;
 
-  vtu_slice_cells(const read_context& in, file_slice& out) : vtk_xml_data(in), out_(out) {}
+  vtu_slice_cells(const read_context& in, file_slice& out) : vtu_ranges(in), out_(out) {}
   ~vtu_slice_cells() = default;
 
   void read(slice_choice choice) {
@@ -46,8 +39,6 @@ class vtu_slice_cells : protected vtk_xml_data {
     for (std::int64_t& v : connectivity_) v = number_of(v);
     renumber_polyhedra();
   }
-
-  static std::size_t size_of(const vtk_xml_array& a) { return vtk_names_of(a.type).size; }
 
  private:
   std::size_t first_face_ = 0;  // the run of cells of the first face
@@ -73,35 +64,6 @@ class vtu_slice_cells : protected vtk_xml_data {
       out_.report.skipped.push_back(core::joined({index_.num_texts, " arrays of texts"}));
     for (const std::string& name : index_.bit_arrays)
       out_.report.skipped.push_back(core::joined({"array \"", name, "\" of bits"}));
-  }
-
-  const vtk_xml_array* find(std::string_view name) const {
-    for (const vtk_xml_entry& e : index_.entries)
-      if (e.part == vtk_xml_part::cells && e.array.name == name) return &e.array;
-    return nullptr;
-  }
-  const vtk_xml_array& need(std::string_view name) const {
-    const vtk_xml_array* const a = find(name);
-    if (!a) fail(piece_->at, {"the array \"", name, "\""}, {"a piece without it"});
-    return *a;
-  }
-
-  /// Appends some numbers of an array, as integers.
-  void append_integers(const vtk_xml_array& a, std::uint64_t first, std::uint64_t count,
-                       std::vector<std::int64_t>& to) {
-    if (a.type == vtk_number::float32 || a.type == vtk_number::float64)
-      fail(a.at, {"integers"}, {"reals in the array \"", a.name, "\""});
-    std::string bytes;
-    append_numbers(a, size_of(a), first, count, bytes);
-    to.resize(to.size() + count);
-    convert(a.type, reinterpret_cast<const unsigned char*>(bytes.data()), count, to.data() + (to.size() - count));
-  }
-
-  /// Adds an element to runs, which takes all up to `gap` elements before it along.
-  static void add(runs& all, std::uint64_t element, std::uint64_t gap) {
-    if (!all.empty() && element - (all.back().first + all.back().count) <= gap)
-      all.back().count = element + 1 - all.back().first;
-    else all.push_back({element, 1});
   }
 
   /// Calls use(cell, type) for all cells.
@@ -152,22 +114,13 @@ class vtu_slice_cells : protected vtk_xml_data {
     types_ += static_cast<char>(type);
   }
 
-  /// Where the lists of the cells of a run begin and end, in an array of such ends.
-  std::vector<std::int64_t> ends_of(const vtk_xml_array& a, const run& r) {
-    std::vector<std::int64_t> all(r.first == 0 ? 1 : 0);
-    append_integers(a, r.first == 0 ? 0 : r.first - 1, r.count + (r.first == 0 ? 0 : 1), all);
-    return all;
-  }
-  void check_ends(const vtk_xml_array& a, const std::vector<std::int64_t>& all, std::uint64_t bound) const {
-    for (std::size_t i = 0; i < all.size(); ++i)
-      if (all[i] < (i ? all[i - 1] : 0) || static_cast<std::uint64_t>(all[i]) > bound)
-        fail_array(a, {"ends that do not decrease, up to ", bound}, {all[i]});
-  }
-  /// Appends the verts of the cells of a run, and where the list of each ends.
-  void append_lists(const run& r, std::vector<std::int64_t>& lists, std::vector<std::int64_t>& ends) {
+  /// Appends the verts of the cells of a run, and where the list of each ends. `last` is where the lists of the run
+  /// before end in the file: runs that overlap would have more verts than the file.
+  void append_lists(const run& r, std::vector<std::int64_t>& lists, std::vector<std::int64_t>& ends,
+                    std::int64_t& last) {
     const vtk_xml_array &offsets = need("offsets"), &verts = need("connectivity");
     const std::vector<std::int64_t> all = ends_of(offsets, r);
-    check_ends(offsets, all, count_numbers(verts));
+    check_ends(offsets, all, count_numbers(verts), last);
     const auto before = static_cast<std::int64_t>(lists.size()), begin = all.front();
     append_integers(verts, static_cast<std::uint64_t>(begin), static_cast<std::uint64_t>(all.back() - begin), lists);
     for (std::size_t i = 1; i < all.size(); ++i) ends.push_back(before + all[i] - begin);
@@ -178,26 +131,33 @@ class vtu_slice_cells : protected vtk_xml_data {
       fail_array(a, {"point indices below ", piece_->points}, {v});
   }
 
+  /// Where the list of the last polyhedron before a cell ends; cells that are no polyhedra have -1.
+  std::int64_t end_before(const vtk_xml_array& offsets, std::uint64_t cell) {
+    std::vector<std::int64_t> some;
+    for (std::uint64_t c = cell; c > 0; c -= some.size()) {
+      const std::uint64_t count = std::min<std::uint64_t>(c, 1 << 13);
+      some.clear();
+      append_integers(offsets, c - count, count, some);
+      for (auto end = some.rbegin(); end != some.rend(); ++end)
+        if (*end >= 0) return *end;
+    }
+    return 0;
+  }
+
   void read_cells() {
-    for (const run& r : cells_) append_lists(r, connectivity_, ends_);
+    std::int64_t last_vert = 0, last_face = 0;
+    for (const run& r : cells_) append_lists(r, connectivity_, ends_, last_vert);
     if (types_.find(static_cast<char>(vtk_polyhedron)) == types_.npos) return;
     const vtk_xml_array &faces = need("faces"), &offsets = need("faceoffsets");
     require_numbers(offsets, piece_->cells);
     const std::uint64_t bound = count_numbers(faces);
     for (const run& r : cells_) {
-      std::vector<std::int64_t> all = ends_of(offsets, r), begin(1, 0);
-      // cells that are no polyhedra have -1: the list begins where that of the last polyhedron before ends
-      for (std::uint64_t c = r.first; c > 0; --c) {
-        begin.clear();
-        append_integers(offsets, c - 1, 1, begin);
-        if (begin[0] >= 0) break;
-        begin[0] = 0;
-      }
-      all[0] = begin[0];
+      std::vector<std::int64_t> all = ends_of(offsets, r);
+      all[0] = end_before(offsets, r.first);
       std::vector<std::int64_t> lists = all;
       for (std::size_t i = 1; i < lists.size(); ++i)
         if (lists[i] < 0) lists[i] = lists[i - 1];
-      check_ends(offsets, lists, bound);
+      check_ends(offsets, lists, bound, last_face);
       const auto before = static_cast<std::int64_t>(faces_.size());
       append_integers(faces, static_cast<std::uint64_t>(lists.front()),
                       static_cast<std::uint64_t>(lists.back() - lists.front()), faces_);
@@ -214,11 +174,12 @@ class vtu_slice_cells : protected vtk_xml_data {
       if (kind_of_vtk_cell(type) == vtk_kind::polygon) add(faces, c, 0);
     });
     std::vector<std::int64_t> verts, ends;
+    std::int64_t last = 0;
     for (const run& all : faces)
       for (run r{all.first, 0}; r.first < all.first + all.count; r.first += r.count) {
         r.count = std::min<std::uint64_t>(1 << 14, all.first + all.count - r.first);
         verts.clear(), ends.clear();
-        append_lists(r, verts, ends);
+        append_lists(r, verts, ends, last);
         for (std::size_t i = 0, begin = 0; i < ends.size(); begin = static_cast<std::size_t>(ends[i++]))
           add_face(r.first + i, {verts.begin() + static_cast<std::ptrdiff_t>(begin), verts.begin() + ends[i]});
       }
