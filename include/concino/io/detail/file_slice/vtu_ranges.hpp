@@ -48,9 +48,10 @@ class vtu_ranges : protected vtk_xml_data {
     convert(a.type, reinterpret_cast<const unsigned char*>(bytes.data()), count, to.data() + (to.size() - count));
   }
 
-  /// Adds an element to runs, which takes all up to `gap` elements before it along.
+  /// Adds an element to runs, which takes all up to `gap` elements before it along. Runs are short, so that what is
+  /// read of one takes little memory.
   static void add(runs& all, std::uint64_t element, std::uint64_t gap) {
-    if (!all.empty() && element - (all.back().first + all.back().count) <= gap)
+    if (!all.empty() && all.back().count < 4096 && element - (all.back().first + all.back().count) <= gap)
       all.back().count = element + 1 - all.back().first;
     else all.push_back({element, 1});
   }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,7 +20,8 @@ class vtu_slice_cells : protected vtu_ranges {
   file_slice& out_;
   runs cells_, points_;          // of the slice: polys, then faces with values; points, and some between them
   std::uint64_t num_cells_ = 0;  // of the slice
-  std::vector<std::int64_t> connectivity_, ends_, faces_, face_ends_;
+  std::vector<std::uint32_t> connectivity_, ends_, faces_;  // with the numbers of verts in the slice
+  std::vector<std::int64_t> face_ends_;                     // -1 for cells that are no polyhedra
   std::string types_;
 
   vtu_slice_cells(const read_context& in, file_slice& out) : vtu_ranges(in), out_(out) {}
@@ -30,14 +32,14 @@ class vtu_slice_cells : protected vtu_ranges {
     encoding_ = index_.encoding;
     require_one_piece();
     choose_polys(choice);
-    read_cells();
-    out_.verts.reserve(connectivity_.size());
-    for (const std::int64_t v : connectivity_) out_.verts.push_back(static_cast<std::uint64_t>(v));
+    for_each_list(cells_, [&](std::uint64_t, std::span<const std::int64_t> list) {
+      for (const std::int64_t v : list) out_.add_vert(static_cast<std::uint64_t>(v));
+    });
     out_.sort_verts();
+    for_each_list(cells_, [&](std::uint64_t, std::span<const std::int64_t> list) { add_list(list); });
+    if (types_.find(static_cast<char>(vtk_polyhedron)) != types_.npos) read_polyhedra();
     add_faces();
-    for (const std::uint64_t v : out_.verts) add(points_, v, 4096);
-    for (std::int64_t& v : connectivity_) v = number_of(v);
-    renumber_polyhedra();
+    for (const std::uint64_t v : out_.verts) add(points_, v, 1024);
   }
 
  private:
@@ -114,17 +116,31 @@ class vtu_slice_cells : protected vtu_ranges {
     types_ += static_cast<char>(type);
   }
 
-  /// Appends the verts of the cells of a run, and where the list of each ends. `last` is where the lists of the run
-  /// before end in the file: runs that overlap would have more verts than the file.
-  void append_lists(const run& r, std::vector<std::int64_t>& lists, std::vector<std::int64_t>& ends,
-                    std::int64_t& last) {
+  /// Calls use(cell, verts) for the cells of runs.
+  template<class Use>
+  void for_each_list(const runs& all, const Use& use) {
+    if (all.empty()) return;
     const vtk_xml_array &offsets = need("offsets"), &verts = need("connectivity");
-    const std::vector<std::int64_t> all = ends_of(offsets, r);
-    check_ends(offsets, all, count_numbers(verts), last);
-    const auto before = static_cast<std::int64_t>(lists.size()), begin = all.front();
-    append_integers(verts, static_cast<std::uint64_t>(begin), static_cast<std::uint64_t>(all.back() - begin), lists);
-    for (std::size_t i = 1; i < all.size(); ++i) ends.push_back(before + all[i] - begin);
-    for (auto i = static_cast<std::size_t>(before); i < lists.size(); ++i) check_vert(verts, lists[i]);
+    const std::uint64_t bound = count_numbers(verts);
+    std::vector<std::int64_t> list;
+    std::int64_t last = 0;
+    for (const run& r : all) {
+      const std::vector<std::int64_t> ends = ends_of(offsets, r);
+      check_ends(offsets, ends, bound, last);
+      list.clear();
+      append_integers(verts, static_cast<std::uint64_t>(ends.front()),
+                      static_cast<std::uint64_t>(ends.back() - ends.front()), list);
+      for (const std::int64_t v : list) check_vert(verts, v);
+      for (std::size_t i = 0; i < r.count; ++i)
+        use(r.first + i, std::span<const std::int64_t>(list.data() + (ends[i] - ends[0]),
+                                                       static_cast<std::size_t>(ends[i + 1] - ends[i])));
+    }
+  }
+  /// Adds the verts of a cell.
+  void add_list(std::span<const std::int64_t> list) {
+    if (connectivity_.size() + list.size() > max_ids) fail_to_count("corners");
+    for (const std::int64_t v : list) connectivity_.push_back(number_of(v));
+    ends_.push_back(static_cast<std::uint32_t>(connectivity_.size()));
   }
   void check_vert(const vtk_xml_array& a, std::int64_t v) const {
     if (v < 0 || static_cast<std::uint64_t>(v) >= piece_->points)
@@ -144,25 +160,48 @@ class vtu_slice_cells : protected vtu_ranges {
     return 0;
   }
 
-  void read_cells() {
-    std::int64_t last_vert = 0, last_face = 0;
-    for (const run& r : cells_) append_lists(r, connectivity_, ends_, last_vert);
-    if (types_.find(static_cast<char>(vtk_polyhedron)) == types_.npos) return;
+  void read_polyhedra() {
     const vtk_xml_array &faces = need("faces"), &offsets = need("faceoffsets");
     require_numbers(offsets, piece_->cells);
     const std::uint64_t bound = count_numbers(faces);
+    std::int64_t last = 0;
+    std::vector<std::int64_t> list;
     for (const run& r : cells_) {
-      std::vector<std::int64_t> all = ends_of(offsets, r);
-      all[0] = end_before(offsets, r.first);
-      std::vector<std::int64_t> lists = all;
-      for (std::size_t i = 1; i < lists.size(); ++i)
-        if (lists[i] < 0) lists[i] = lists[i - 1];
-      check_ends(offsets, lists, bound, last_face);
-      const auto before = static_cast<std::int64_t>(faces_.size());
-      append_integers(faces, static_cast<std::uint64_t>(lists.front()),
-                      static_cast<std::uint64_t>(lists.back() - lists.front()), faces_);
-      for (std::size_t i = 1; i < all.size(); ++i)
-        face_ends_.push_back(all[i] < 0 ? -1 : before + all[i] - lists.front());
+      const std::vector<std::int64_t> given = ends_of(offsets, r);
+      std::vector<std::int64_t> ends = given;
+      ends[0] = end_before(offsets, r.first);
+      for (std::size_t i = 1; i < ends.size(); ++i)
+        if (ends[i] < 0) ends[i] = ends[i - 1];
+      check_ends(offsets, ends, bound, last);
+      list.clear();
+      append_integers(faces, static_cast<std::uint64_t>(ends.front()),
+                      static_cast<std::uint64_t>(ends.back() - ends.front()), list);
+      for (std::size_t i = 0; i < r.count; ++i) {
+        const bool is_polyhedron = given[i + 1] >= 0;
+        const std::int64_t *const at = list.data() + (ends[i] - ends[0]), *const end = at + (ends[i + 1] - ends[i]);
+        if (is_polyhedron) add_polyhedron(faces, at, end);
+        face_ends_.push_back(is_polyhedron ? static_cast<std::int64_t>(faces_.size()) : -1);
+      }
+    }
+  }
+  /// The list of a polyhedron has the number of its faces, and for each the number of its verts and these. Wrong
+  /// lengths are left to the reader.
+  void add_polyhedron(const vtk_xml_array& faces, const std::int64_t* at, const std::int64_t* end) {
+    if (faces_.size() + static_cast<std::size_t>(end - at) > max_ids) fail_to_count("corners of faces");
+    std::int64_t left = 0;  // verts of the face
+    for (bool is_first = true; at != end; ++at, is_first = false) {
+      const bool is_vert = left > 0;
+      if (is_vert) {
+        check_vert(faces, *at);
+        if (!out_.has(static_cast<std::uint64_t>(*at)))
+          fail_array(faces, {"points of the polyhedron, which the array \"connectivity\" lists"}, {*at});
+        --left;
+      } else {
+        if (*at < 0 || *at > static_cast<std::int64_t>(max_ids))
+          fail_array(faces, {"numbers of faces and of their verts"}, {*at});
+        if (!is_first) left = *at;
+      }
+      faces_.push_back(is_vert ? number_of(*at) : static_cast<std::uint32_t>(*at));
     }
   }
 
@@ -173,52 +212,20 @@ class vtu_slice_cells : protected vtu_ranges {
     for_each_type([&](std::uint64_t c, unsigned type) {
       if (kind_of_vtk_cell(type) == vtk_kind::polygon) add(faces, c, 0);
     });
-    std::vector<std::int64_t> verts, ends;
-    std::int64_t last = 0;
-    for (const run& all : faces)
-      for (run r{all.first, 0}; r.first < all.first + all.count; r.first += r.count) {
-        r.count = std::min<std::uint64_t>(1 << 14, all.first + all.count - r.first);
-        verts.clear(), ends.clear();
-        append_lists(r, verts, ends, last);
-        for (std::size_t i = 0, begin = 0; i < ends.size(); begin = static_cast<std::size_t>(ends[i++]))
-          add_face(r.first + i, {verts.begin() + static_cast<std::ptrdiff_t>(begin), verts.begin() + ends[i]});
-      }
-  }
-  void add_face(std::uint64_t cell, const std::vector<std::int64_t>& verts) {
-    for (const std::int64_t v : verts)
-      if (!out_.has(static_cast<std::uint64_t>(v))) return;
-    if (num_cells_++ == max_ids) fail_to_count("cells");
-    if (cells_.size() == first_face_) cells_.push_back({cell, 1});
-    else add(cells_, cell, 0);
-    types_ += 7;  // a polygon of any size
-    connectivity_.insert(connectivity_.end(), verts.begin(), verts.end());
-    ends_.push_back(static_cast<std::int64_t>(connectivity_.size()));
-    if (!face_ends_.empty()) face_ends_.push_back(-1);
+    for_each_list(faces, [&](std::uint64_t cell, std::span<const std::int64_t> list) {
+      for (const std::int64_t v : list)
+        if (!out_.has(static_cast<std::uint64_t>(v))) return;
+      if (cells_.size() == first_face_) cells_.push_back({cell, 1});
+      else add(cells_, cell, 0);
+      if (num_cells_++ == max_ids) fail_to_count("cells");
+      types_ += 7;  // a polygon of any size
+      add_list(list);
+      if (!face_ends_.empty()) face_ends_.push_back(-1);
+    });
   }
 
-  std::int64_t number_of(std::int64_t v) const {
-    return static_cast<std::int64_t>(out_.number_of(static_cast<std::uint64_t>(v)));
-  }
-
-  /// The list of a polyhedron has the number of its faces, and for each the number of its verts and these. Wrong lengths
-  /// are left to the reader.
-  void renumber_polyhedra() {
-    std::int64_t begin = 0;
-    for (const std::int64_t end : face_ends_) {
-      if (end < 0) continue;
-      for (std::int64_t i = begin + 1; i < end;) {
-        const std::int64_t n = faces_[static_cast<std::size_t>(i++)];
-        for (std::int64_t k = 0; k < n && i < end; ++k, ++i) {
-          std::int64_t& v = faces_[static_cast<std::size_t>(i)];
-          check_vert(need("faces"), v);
-          if (!out_.has(static_cast<std::uint64_t>(v)))
-            fail_array(need("faces"), {"points of the polyhedron, which the array \"connectivity\" lists"}, {v});
-          v = number_of(v);
-        }
-        if (n < 0) break;
-      }
-      begin = end;
-    }
+  std::uint32_t number_of(std::int64_t v) const {
+    return static_cast<std::uint32_t>(out_.number_of(static_cast<std::uint64_t>(v)));
   }
 };
 

@@ -155,7 +155,8 @@ CONCINO_INLINE void joined_grid::sort_cells(const std::vector<std::int64_t>& ids
   const bool is_volume = std::any_of(grid.types.begin(), grid.types.end(), is_cell);
   std::vector<std::uint32_t> order = sorted_positions(ids);
   // polygons of a volume are faces with values, which have no numbers, and stay behind the cells
-  if (is_volume) std::stable_partition(order.begin(), order.end(), [&](std::uint32_t c) { return is_cell(grid.types[c]); });
+  if (is_volume)
+    std::stable_partition(order.begin(), order.end(), [&](std::uint32_t c) { return is_cell(grid.types[c]); });
   for (std::size_t k = 1; k < order.size() && (!is_volume || is_cell(grid.types[order[k]])); ++k)
     if (const std::uint32_t a = order[k - 1], b = order[k]; ids[a] == ids[b])
       throw parse_error(piece_of_cell(b).path, piece_of_cell(b).line,
