@@ -44,8 +44,8 @@ namespace concino {
 ///         (material_table) has all their lines. Also "texture" (std::array<double, 2>) and "normal" (vec3) of corners;
 ///         a corner without one has not-a-number. From .mesh and .meshb: "label" of edges and faces too, "corner",
 ///         "required", "ridge" and "entity" (int, 0 or 1; "entity" is 1 where the file lists an edge or face) of verts,
-///         edges, faces and polys, "normal" of verts. From .vtk, .vtu, .pvtu and .vtp: every array of numbers, by its name
-///         and type, for verts, polys, the mesh, and the faces of a volume that the file lists. An array of cells with
+///         edges, faces and polys, "normal" of verts. From .vtk, .vtu, .pvtu and .vtp: every array of numbers, by its
+///         name and type, for verts, polys, the mesh, and the faces of a volume that the file lists. An array of cells with
 ///         default values at all polys, or at all these faces, belongs to the others only. From .ply: every number and
 ///         list of verts, edges and polys, "normal" and "texture" of verts, "texture" of corners, as ply_format::read
 ///         says. From .stl: "object" of polys, "attribute" (std::uint16_t) of polys. From .msh and polyMesh: "label"
