@@ -4,6 +4,7 @@
 #include <concino/io/detail/pvtu/joined_grid.hpp>
 #include <concino/io/detail/vtk/vtk_numbers.hpp>
 #include <concino/io/detail/vtk_xml/vtk_united_points.hpp>
+#include <concino/mesh/support/limits.hpp>
 
 #include <algorithm>
 #include <cstring>
@@ -173,7 +174,7 @@ CONCINO_INLINE void joined_grid::sort_cells(const std::vector<std::int64_t>& ids
   grid.types = std::move(sorted.types);
   grid.verts = std::move(sorted.verts);
   grid.cell_ends = std::move(sorted.cell_ends);
-  keep_values(grid, element_kind::poly, order);
+  keep_grid_values(grid, element_kind::poly, order);
   order_ = std::move(order);
 }
 
@@ -184,7 +185,7 @@ CONCINO_INLINE void joined_grid::finish(const std::string& point_ids, const std:
     std::vector<std::size_t> first_point;
     for (const piece& p : pieces_) first_point.push_back(p.first_point);
     first_point.push_back(grid.points.size());
-    unite_points(grid, vtk_point_merger(grid, first_point), has_faces_, pieces_.size(), report_);
+    unite_points_of_pieces(grid, vtk_point_merger(grid, first_point), has_faces_, pieces_.size(), report_);
   }
   if (const std::vector<std::int64_t> of_cells = ids(element_kind::poly, cell_ids); !of_cells.empty())
     sort_cells(of_cells, cell_ids);
