@@ -18,7 +18,9 @@ inline void sort_once(std::vector<std::uint32_t>& all) {
   all.erase(std::unique(all.begin(), all.end()), all.end());
 }
 
-CONCINO_INLINE vert_id part_flat_mesh::number_of(vert_id v) const { return vert_id{position_in_sorted(verts_, v.raw())}; }
+CONCINO_INLINE vert_id part_flat_mesh::number_of(vert_id v) const {
+  return vert_id{position_in_sorted(verts_, v.raw())};
+}
 
 CONCINO_INLINE void part_flat_mesh::collect_verts(std::span<const std::uint32_t> more) {
   verts_.assign(more.begin(), more.end());

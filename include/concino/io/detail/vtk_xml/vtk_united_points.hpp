@@ -57,8 +57,8 @@ inline void renumber_points(vtk_grid& grid, const std::vector<std::uint32_t>& nu
 }
 
 /// Gives points of different pieces at the same place, with the same values, one number. Reports how many.
-inline void unite_points_of_pieces(vtk_grid& grid, const vtk_point_merger& merged, bool has_faces, std::size_t num_pieces,
-                         load_report& report) {
+inline void unite_points_of_pieces(vtk_grid& grid, const vtk_point_merger& merged, bool has_faces,
+                                   std::size_t num_pieces, load_report& report) {
   const std::size_t n = grid.points.size();
   constexpr const char* where = " points at the place of a point of an earlier piece ";
   report.notes.push_back(
