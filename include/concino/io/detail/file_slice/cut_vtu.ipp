@@ -69,34 +69,34 @@ class vtu_cutter : vtu_slice_cells {
   }
 
   /// Writes on the line of a tag of the whole file, or behind it.
-  void tag(const char* at, core::message text) {
-    for (const std::size_t line = line_of(at); line_ < line; ++line_) out_.text += '\n';
+  void tag(const char* place, core::message text) {
+    for (const std::size_t line = line_of(place); line_ < line; ++line_) out_.text += '\n';
     out_.text += core::joined(text);
   }
   void write_tags() {
     constexpr bool is_little = std::endian::native == std::endian::little;
-    const char* at = text_cursor::begin();
-    tag(at, {"<VTKFile type=\"UnstructuredGrid\" byte_order=\"", is_little ? "Little" : "Big",
+    const char* place = text_cursor::begin();
+    tag(place, {"<VTKFile type=\"UnstructuredGrid\" byte_order=\"", is_little ? "Little" : "Big",
              "Endian\" header_type=\"UInt64\"><UnstructuredGrid>"});
     bool in_piece = false;
     vtk_xml_part part = vtk_xml_part::none;
     const auto begin_part = [&](vtk_xml_part next) {
       if (next == part) return;
-      if (part != vtk_xml_part::none) tag(at, {"</", element_of(part), ">"});
+      if (part != vtk_xml_part::none) tag(place, {"</", element_of(part), ">"});
       if (!in_piece && next != vtk_xml_part::of_mesh) {
         tag(piece_->at, {"<Piece NumberOfPoints=\"", out_.verts.size(), "\" NumberOfCells=\"", num_cells_, "\">"});
         in_piece = true;
       }
       part = next;
-      if (part != vtk_xml_part::none) tag(at, {"<", element_of(part), attributes_of(part), ">"});
+      if (part != vtk_xml_part::none) tag(place, {"<", element_of(part), attributes_of(part), ">"});
     };
     for (const vtk_xml_entry* const e : arrays_) {
       begin_part(e->part);
-      at = e->array.at;
+      place = e->array.at;
       array_tag(*e);
     }
     begin_part(vtk_xml_part::none);
-    tag(at, {in_piece ? "</Piece>" : "", "</UnstructuredGrid><AppendedData encoding=\"raw\">_"});
+    tag(place, {in_piece ? "</Piece>" : "", "</UnstructuredGrid><AppendedData encoding=\"raw\">_"});
   }
   void array_tag(const vtk_xml_entry& e) {
     const vtk_xml_array& a = e.array;

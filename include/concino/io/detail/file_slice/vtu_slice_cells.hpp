@@ -120,17 +120,17 @@ class vtu_slice_cells : protected vtu_ranges {
   template<class Use>
   void for_each_list(const runs& all, const Use& use) {
     if (all.empty()) return;
-    const vtk_xml_array &offsets = need("offsets"), &verts = need("connectivity");
-    const std::uint64_t bound = count_numbers(verts);
+    const vtk_xml_array &ends_in_file = need("offsets"), &lists = need("connectivity");
+    const std::uint64_t bound = count_numbers(lists);
     std::vector<std::int64_t> list;
     std::int64_t last = 0;
     for (const run& r : all) {
-      const std::vector<std::int64_t> ends = ends_of(offsets, r);
-      check_ends(offsets, ends, bound, last);
+      const std::vector<std::int64_t> ends = ends_of(ends_in_file, r);
+      check_ends(ends_in_file, ends, bound, last);
       list.clear();
-      append_integers(verts, static_cast<std::uint64_t>(ends.front()),
+      append_integers(lists, static_cast<std::uint64_t>(ends.front()),
                       static_cast<std::uint64_t>(ends.back() - ends.front()), list);
-      for (const std::int64_t v : list) check_vert(verts, v);
+      for (const std::int64_t v : list) check_vert(lists, v);
       for (std::size_t i = 0; i < r.count; ++i)
         use(r.first + i, std::span<const std::int64_t>(list.data() + (ends[i] - ends[0]),
                                                        static_cast<std::size_t>(ends[i + 1] - ends[i])));
@@ -148,12 +148,12 @@ class vtu_slice_cells : protected vtu_ranges {
   }
 
   /// Where the list of the last polyhedron before a cell ends; cells that are no polyhedra have -1.
-  std::int64_t end_before(const vtk_xml_array& offsets, std::uint64_t cell) {
+  std::int64_t end_before(const vtk_xml_array& face_ends, std::uint64_t cell) {
     std::vector<std::int64_t> some;
     for (std::uint64_t c = cell; c > 0; c -= some.size()) {
       const std::uint64_t count = std::min<std::uint64_t>(c, 1 << 13);
       some.clear();
-      append_integers(offsets, c - count, count, some);
+      append_integers(face_ends, c - count, count, some);
       for (auto end = some.rbegin(); end != some.rend(); ++end)
         if (*end >= 0) return *end;
     }
@@ -161,47 +161,48 @@ class vtu_slice_cells : protected vtu_ranges {
   }
 
   void read_polyhedra() {
-    const vtk_xml_array &faces = need("faces"), &offsets = need("faceoffsets");
-    require_numbers(offsets, piece_->cells);
+    const vtk_xml_array &faces = need("faces"), &face_ends = need("faceoffsets");
+    require_numbers(face_ends, piece_->cells);
     const std::uint64_t bound = count_numbers(faces);
     std::int64_t last = 0;
     std::vector<std::int64_t> list;
     for (const run& r : cells_) {
-      const std::vector<std::int64_t> given = ends_of(offsets, r);
+      const std::vector<std::int64_t> given = ends_of(face_ends, r);
       std::vector<std::int64_t> ends = given;
-      ends[0] = end_before(offsets, r.first);
+      ends[0] = end_before(face_ends, r.first);
       for (std::size_t i = 1; i < ends.size(); ++i)
         if (ends[i] < 0) ends[i] = ends[i - 1];
-      check_ends(offsets, ends, bound, last);
+      check_ends(face_ends, ends, bound, last);
       list.clear();
       append_integers(faces, static_cast<std::uint64_t>(ends.front()),
                       static_cast<std::uint64_t>(ends.back() - ends.front()), list);
       for (std::size_t i = 0; i < r.count; ++i) {
         const bool is_polyhedron = given[i + 1] >= 0;
-        const std::int64_t *const at = list.data() + (ends[i] - ends[0]), *const end = at + (ends[i + 1] - ends[i]);
-        if (is_polyhedron) add_polyhedron(faces, at, end);
+        const std::int64_t* const first = list.data() + (ends[i] - ends[0]);
+        if (is_polyhedron) add_polyhedron(faces, {first, static_cast<std::size_t>(ends[i + 1] - ends[i])});
         face_ends_.push_back(is_polyhedron ? static_cast<std::int64_t>(faces_.size()) : -1);
       }
     }
   }
   /// The list of a polyhedron has the number of its faces, and for each the number of its verts and these. Wrong
   /// lengths are left to the reader.
-  void add_polyhedron(const vtk_xml_array& faces, const std::int64_t* at, const std::int64_t* end) {
-    if (faces_.size() + static_cast<std::size_t>(end - at) > max_ids) fail_to_count("corners of faces");
+  void add_polyhedron(const vtk_xml_array& faces, std::span<const std::int64_t> list) {
+    if (faces_.size() + list.size() > max_ids) fail_to_count("corners of faces");
     std::int64_t left = 0;  // verts of the face
-    for (bool is_first = true; at != end; ++at, is_first = false) {
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const std::int64_t x = list[i];
       const bool is_vert = left > 0;
       if (is_vert) {
-        check_vert(faces, *at);
-        if (!out_.has(static_cast<std::uint64_t>(*at)))
-          fail_array(faces, {"points of the polyhedron, which the array \"connectivity\" lists"}, {*at});
+        check_vert(faces, x);
+        if (!out_.has(static_cast<std::uint64_t>(x)))
+          fail_array(faces, {"points of the polyhedron, which the array \"connectivity\" lists"}, {x});
         --left;
       } else {
-        if (*at < 0 || *at > static_cast<std::int64_t>(max_ids))
-          fail_array(faces, {"numbers of faces and of their verts"}, {*at});
-        if (!is_first) left = *at;
+        if (x < 0 || x > static_cast<std::int64_t>(max_ids))
+          fail_array(faces, {"numbers of faces and of their verts"}, {x});
+        if (i > 0) left = x;
       }
-      faces_.push_back(is_vert ? number_of(*at) : static_cast<std::uint32_t>(*at));
+      faces_.push_back(is_vert ? number_of(x) : static_cast<std::uint32_t>(x));
     }
   }
 
