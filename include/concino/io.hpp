@@ -22,6 +22,7 @@
 #include <concino/io/label_names.hpp>
 #include <concino/io/load.hpp>
 #include <concino/io/load_any.hpp>
+#include <concino/io/load_slice.hpp>
 #include <concino/io/material_table.hpp>
 #include <concino/io/medit.hpp>
 #include <concino/io/numbers.hpp>

@@ -253,6 +253,9 @@ void write_seeds(const reader& r, const std::string& folder) {
       write_seed(prefix, "#Inventor V2.1 ascii\nSeparator { VertexProperty { vertex [ 0 0 0, 1 0 0, 0 1 0, 0 0 1 ] } IndexedFaceSet { coordIndex [ 0, 2, 1, -1, 0, 1, 3, -1 ] "
                          "materialIndex [ 0, 1 ] } Coordinate3 { point [ 0 0 0, 1 0 0, 1 1 0, 0 1 0 ] } IndexedFaceSet { coordIndex [ 0, 1, 2, 3, -1 ] } }\n");
     if (r.name == "gmsh") write_gmsh_seeds(prefix);
+    if (r.name == "pvtu")  // the pieces are other files
+      write_seed(prefix, "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\">\n<PUnstructuredGrid GhostLevel=\"1\">\n<PPointData GlobalIds=\"i\">\n<PDataArray type=\"Int64\" "
+                         "Name=\"i\"/>\n</PPointData>\n<PPoints>\n<PDataArray type=\"Float32\" NumberOfComponents=\"3\"/>\n</PPoints>\n<Piece Source=\"a/b.vtu\"/>\n</PUnstructuredGrid>\n</VTKFile>\n");
     if (r.name == "abaqus") {
       write_seed(prefix + "_cells", "*HEADING\n** a comment\n*PART, NAME=p\n*NODE, NSET=all\n1, 0, 0, 0\n2, 1, 0, 0\n3, 1, 1, 0\n4, 0, 1, 0\n5, 0, 0, 1\n6, 1, 0, 1\n7, 1, 1, 1\n8, 0, 1, 1\n90, .5, .5, 2\n"
                                     "*Element, type=C3D8R, elset=\"a hex\"\n10, 1, 2, 3, 4,\n5, 6, 7, 8\n*ELEMENT, TYPE=C3D5\n20, 5, 6, 7, 8, 90\n*NSET, NSET=n, GENERATE\n1, 8, 2\n*ELSET, ELSET=e\n20, a hex\n"

@@ -153,7 +153,8 @@ std::vector<std::string> samples_of(format_id format) {
 template<class M, class F>
 bool saves(const M& m, format_id format, bool binary, const std::string& path, const F& loaded) {
   try {
-    save(m, path, {.format = format, .binary = binary});
+    if (format == file_format::pvtu) save_pvtu(m, path, make_poly_map<int>(m), {.binary = binary});  // save has no parts
+    else save(m, path, {.format = format, .binary = binary});
   } catch (const unsupported&) {
     return false;
   }

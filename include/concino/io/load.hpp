@@ -31,10 +31,10 @@
 namespace concino {
 
 /// Reads a mesh from a file. The extension, in upper or lower case, determines which of standard_formats it is in:
-/// .obj, .off, .mesh, .meshb, .hedra, .hybrid, .tet, .iv, .vtk, .vtu, .vtp, .ply, .stl or .ovm. Others are .pvtu of VTK,
-/// with its pieces, .msh of Gmsh, .ele, .node, .smesh and .poly of TetGen, and .inp of Abaqus. A file that begins like a
-/// file of another of these formats is read as what it is, and the report has a note. A polyMesh folder of OpenFOAM is
-/// read by the path of the folder, or of a case with constant/polyMesh.
+/// .obj, .off, .mesh, .meshb, .hedra, .hybrid, .tet, .iv, .vtk, .vtu, .vtp, .ply, .stl or .ovm. Others are .pvtu of
+/// VTK, with its pieces, .msh of Gmsh, .ele, .node, .smesh and .poly of TetGen, and .inp of Abaqus. A file that begins
+/// like a file of another of these formats is read as what it is, and the report has a note. A polyMesh folder of
+/// OpenFOAM is read by the path of the folder, or of a case with constant/polyMesh.
 /// Needs:  Loadable M.
 /// Result: the mesh, with its elements in the order of the file. A polyhedralmesh can hold any volume and a polygonmesh
 ///         any surface; the other kinds accept only what they can hold. Values in the file become properties of the
@@ -44,17 +44,17 @@ namespace concino {
 ///         (material_table) has all their lines. Also "texture" (std::array<double, 2>) and "normal" (vec3) of corners;
 ///         a corner without one has not-a-number. From .mesh and .meshb: "label" of edges and faces too, "corner",
 ///         "required", "ridge" and "entity" (int, 0 or 1; "entity" is 1 where the file lists an edge or face) of verts,
-///         edges, faces and polys, "normal" of verts. From .vtk, .vtu, .pvtu and .vtp: every array of numbers, by its name and
-///         type, for verts, polys, the mesh, and the faces of a volume that the file lists. An array of cells with
-///         default values at all polys, or at all these faces, belongs to the others only. From .ply: every number and
-///         list of verts, edges and polys, "normal" and "texture" of verts, "texture" of corners, as ply_format::read
-///         says. From .stl: "object" of polys, "attribute" (std::uint16_t) of polys. From .msh and polyMesh: "label"
-///         (int) of elements, and the mesh property "label_names" (label_names), which has their names; of polyMesh
-///         the number of the patch of a face from 1, and of the cellZone of a poly. From .ovm: every property of verts,
-///         edges, faces, polys and the mesh. From .ele and .node, which are read together, and from .smesh and .poly:
-///         "attribute_1", ... (double) of verts, and of the polys of .ele. If .face and .edge are beside .ele: "label"
-///         of faces and edges. From .inp: each set (int, 0 or 1) of verts or polys, by its name. The read() of each
-///         format says more. options.report lists what was skipped, reoriented or worth a remark.
+///         edges, faces and polys, "normal" of verts. From .vtk, .vtu, .pvtu and .vtp: every array of numbers, by its
+///         name and type, for verts, polys, the mesh, and the faces of a volume that the file lists. An array of cells
+///         with default values at all polys, or at all these faces, belongs to the others only. From .ply: every number
+///         and list of verts, edges and polys, "normal" and "texture" of verts, "texture" of corners, as
+///         ply_format::read says. From .stl: "object" of polys, "attribute" (std::uint16_t) of polys. From .msh and
+///         polyMesh: "label" (int) of elements, and the mesh property "label_names" (label_names), which has their
+///         names; of polyMesh the number of the patch of a face from 1, and of the cellZone of a poly. From .ovm: every
+///         property of verts, edges, faces, polys and the mesh. From .ele and .node, which are read together, and from
+///         .smesh and .poly: "attribute_1", ... (double) of verts, and of the polys of .ele. If .face and .edge are
+///         beside .ele: "label" of faces and edges. From .inp: each set (int, 0 or 1) of verts or polys, by its name.
+///         The read() of each format says more. options.report lists what was skipped, reoriented or worth a remark.
 /// Cost:   one pass over the file, which is read into memory as a whole (or mapped: options.map); the arrays are moved
 ///         into the mesh.
 /// Errors: io_error if the file cannot be read, or shrinks or grows meanwhile. parse_error with the line if it breaks

@@ -75,9 +75,9 @@ inline constexpr long long max_part = 65535;  // no process opens more files
 ///         together, or none is, unless the program is killed while they get their names. Other files stay, such as
 ///         more pieces of an earlier save.
 /// Cost:   as save_vtu, and O(n log n); a copy of the properties.
-/// Errors: as save_vtu. invalid_argument for a part below 0 or above 65535, for options.as_boundary, and if m has a property
-///         "global_id" with a value twice or without integers. io_error also if the process cannot open a file for each
-///         piece.
+/// Errors: as save_vtu. invalid_argument for a part below 0 or above 65535, for options.as_boundary, and if m has a
+///         property "global_id" with a value twice or without integers. io_error also if the process cannot open a file
+///         for each piece.
 template<EmbeddedMesh M, class L>
   requires requirement::gives_parts<L, M>
 void save_pvtu(const M& m, const std::string& path, const L& part, const save_options& options = {}) {

@@ -61,6 +61,9 @@ class text_sink {
     return sink;
   }
 
+  /// Makes room for n bytes, so that a text in memory takes no more.
+  void expect(std::size_t n) { reserve(n); }
+
   text_sink& operator<<(char c) {  // not inlined: there are many calls, and the numbers between them take longer
     *reserve(1) = c;
     ++used_;

@@ -65,6 +65,15 @@ void call_io() {
   call("load", [](auto& m) { cn::save(m, "m.vtu"), cn::load<std::remove_reference_t<decltype(m)>>("m.vtu"); }, all);
   call("save_text", [](auto& m) { cn::save_text(m, cn::file_format::vtu); }, all);
   call("load_text", [](auto& m) { cn::load_text<std::remove_reference_t<decltype(m)>>(cn::save_text(m, cn::file_format::vtu), cn::file_format::vtu); }, all);
+  call("save_pvtu", [](auto& m) { cn::save_pvtu(m, "m.pvtu", cn::make_poly_map<int>(m)); }, all);
+  call("load_pvtu", [](auto& m) {
+    cn::save_pvtu(m, "m.pvtu", cn::make_poly_map<int>(m));
+    cn::load_pvtu<std::remove_reference_t<decltype(m)>>("m.pvtu");
+  }, all);
+  call("load_slice", [](auto& m) {
+    cn::save(m, "m.vtu", {.binary = true});
+    cn::load_slice<std::remove_reference_t<decltype(m)>>("m.vtu", 0, 2);
+  }, all);
   call("load_any", [](auto& m) { cn::save(m, "m.vtu"), cn::load_any("m.vtu"); }, all);
   call("save_field", [](auto& m) {
     cn::save_field(heights(m), m, "verts.txt");

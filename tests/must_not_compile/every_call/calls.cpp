@@ -158,6 +158,7 @@ void no_adapter(const stranger& other) {
   cn::poly_mass_matrix(other);  // refused
   cn::vert_gradient_matrix(other);  // refused
   cn::save(other);  // refused
+  cn::save_pvtu(other);  // refused
   cn::save_text(other);  // refused
   cn::save_field(0, other);  // refused
   cn::load_vert_field<double>(other);  // refused
@@ -473,6 +474,7 @@ void no_points(const cn::trimesh& m) {
   cn::poly_mass_matrix(pure);  // refused
   cn::vert_gradient_matrix(pure);  // refused
   cn::save(pure);  // refused
+  cn::save_pvtu(pure);  // refused
   cn::save_text(pure);  // refused
   cn::ambient_occlusion(pure);  // refused
   cn::ambient_occlusion_at_verts(pure);  // refused
@@ -625,6 +627,8 @@ void no_format(const cn::trimesh& m, const stranger& other) {
   cn::load_text<cn::trimesh>("a", other);  // refused
   cn::save(m, "a", other);  // refused
   cn::save_text(m, other);  // refused
+  cn::save_pvtu(m, "a", other);  // refused
+  cn::load_slice<stranger>("a", 0, 1);  // refused
 }
 
 // No back end.

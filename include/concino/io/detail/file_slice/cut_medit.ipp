@@ -27,6 +27,7 @@ class medit_cutter : medit_binary {
   file_slice& out_;
   medit_section_header verts_;
   bool has_verts_ = false, is_volume_ = false;
+  bool marks_polygons_ = false;                   // of a surface
   std::vector<part> parts_;                       // of all sections but Vertices, in the order in which polys are read
   std::vector<std::uint64_t> kept_[3], normals_;  // rows of triangles, quads and edges, and normals, of the slice
 
@@ -93,6 +94,8 @@ class medit_cutter : medit_binary {
     out_.first_poly = choice.first_of(choice.slice, out_.num_polys);
     const std::uint64_t last = choice.first_of(choice.slice + 1, out_.num_polys);
     std::uint64_t before = 0;
+    for (const part& p : parts_)
+      marks_polygons_ = marks_polygons_ || (!is_volume_ && p.header.section->rows == medit_rows::marked_polygons);
     for (part& p : parts_) {
       const medit_section& s = *p.header.section;
       if (!is_poly(s)) continue;
@@ -103,8 +106,8 @@ class medit_cutter : medit_binary {
       p.range = {row(out_.first_poly), row(last)};
       before += p.header.count;
       for_each_row(p.header, p.range, [&](std::uint64_t r, const std::uint64_t* v) {
-        out_.verts.insert(out_.verts.end(), v, v + s.arity);
-        if (!is_volume_) kept_[elements_of(s)].push_back(p.first_row + r);
+        for (std::uint32_t k = 0; k < s.arity; ++k) out_.add_vert(v[k]);
+        if (marks_polygons_) kept_[elements_of(s)].push_back(p.first_row + r);
       });
     }
     out_.sort_verts();
@@ -203,12 +206,15 @@ class medit_cutter : medit_binary {
     medit_output out(sink, true);
     out.add_section(nullptr, out_.verts.size());
     std::vector<const part*> planned;
+    std::size_t bytes = 1000 + 28 * out_.verts.size();
     for (const part& p : parts_) {
       const std::uint64_t n = p.is_range ? p.range.end - p.range.first : p.rows.size();
       if (n == 0) continue;
       out.add_section(p.header.section, n);
       planned.push_back(&p);
+      bytes += n * 4 * (p.header.section->arity + 1);
     }
+    sink.expect(bytes);
     out.begin_file();
     out.begin();
     write_vertices(out);

@@ -35,9 +35,14 @@ class vtu_cutter : vtu_slice_cells {
     if (name == "connectivity" || name == "offsets" || name == "types") return num_cells_ > 0;
     return (name == "faces" || name == "faceoffsets") && !face_ends_.empty();
   }
-  /// A list of the cells that consists of integers.
-  std::vector<std::int64_t>& list(std::string_view name) {
-    return name == "connectivity" ? connectivity_ : name == "offsets" ? ends_ : name == "faces" ? faces_ : face_ends_;
+  /// The type and the bytes of a list of the cells.
+  std::pair<vtk_number, std::string_view> list(std::string_view name) const {
+    const auto bytes_of = [](const auto& all) {
+      return std::string_view(reinterpret_cast<const char*>(all.data()), all.size() * sizeof(all[0]));
+    };
+    if (name == "types") return {vtk_number::uint8, types_};
+    if (name == "faceoffsets") return {vtk_number::int64, bytes_of(face_ends_)};
+    return {vtk_number::uint32, bytes_of(name == "connectivity" ? connectivity_ : name == "offsets" ? ends_ : faces_)};
   }
 
   /// Whether the file has as many values as elements. Reports the array as skipped if not. Errors: parse_error for
@@ -64,44 +69,40 @@ class vtu_cutter : vtu_slice_cells {
   }
 
   /// Writes on the line of a tag of the whole file, or behind it.
-  void tag(const char* at, core::message text) {
-    for (const std::size_t line = line_of(at); line_ < line; ++line_) out_.text += '\n';
+  void tag(const char* place, core::message text) {
+    for (const std::size_t line = line_of(place); line_ < line; ++line_) out_.text += '\n';
     out_.text += core::joined(text);
   }
   void write_tags() {
     constexpr bool is_little = std::endian::native == std::endian::little;
-    const char* at = text_cursor::begin();
-    tag(at, {"<VTKFile type=\"UnstructuredGrid\" byte_order=\"", is_little ? "Little" : "Big",
+    const char* place = text_cursor::begin();
+    tag(place, {"<VTKFile type=\"UnstructuredGrid\" byte_order=\"", is_little ? "Little" : "Big",
              "Endian\" header_type=\"UInt64\"><UnstructuredGrid>"});
     bool in_piece = false;
     vtk_xml_part part = vtk_xml_part::none;
     const auto begin_part = [&](vtk_xml_part next) {
       if (next == part) return;
-      if (part != vtk_xml_part::none) tag(at, {"</", element_of(part), ">"});
+      if (part != vtk_xml_part::none) tag(place, {"</", element_of(part), ">"});
       if (!in_piece && next != vtk_xml_part::of_mesh) {
         tag(piece_->at, {"<Piece NumberOfPoints=\"", out_.verts.size(), "\" NumberOfCells=\"", num_cells_, "\">"});
         in_piece = true;
       }
       part = next;
-      if (part != vtk_xml_part::none) tag(at, {"<", element_of(part), attributes_of(part), ">"});
+      if (part != vtk_xml_part::none) tag(place, {"<", element_of(part), attributes_of(part), ">"});
     };
     for (const vtk_xml_entry* const e : arrays_) {
       begin_part(e->part);
-      at = e->array.at;
+      place = e->array.at;
       array_tag(*e);
     }
     begin_part(vtk_xml_part::none);
-    tag(at, {in_piece ? "</Piece>" : "", "</UnstructuredGrid><AppendedData encoding=\"raw\">_"});
+    tag(place, {in_piece ? "</Piece>" : "", "</UnstructuredGrid><AppendedData encoding=\"raw\">_"});
   }
   void array_tag(const vtk_xml_entry& e) {
     const vtk_xml_array& a = e.array;
-    vtk_number type = a.type;
-    std::uint64_t bytes = num_values(e) * a.components * size_of(a);
-    if (e.part == vtk_xml_part::cells) {
-      const bool is_types = a.name == "types";
-      type = is_types ? vtk_number::uint8 : vtk_number::int64;
-      bytes = is_types ? types_.size() : 8 * list(a.name).size();
-    }
+    const bool is_list = e.part == vtk_xml_part::cells;
+    const vtk_number type = is_list ? list(a.name).first : a.type;
+    const std::uint64_t bytes = is_list ? list(a.name).second.size() : num_values(e) * a.components * size_of(a);
     tag(a.at, {"<DataArray type=\"", vtk_names_of(type).xml, "\" Name=\"", xml_text(a.name), "\" NumberOfComponents=\"",
                a.components, "\" NumberOfTuples=\"", a.tuples, "\" format=\"appended\" offset=\"", offset_, "\"/>"});
     offset_ += 8 + bytes;
@@ -124,17 +125,10 @@ class vtu_cutter : vtu_slice_cells {
   }
 
   void header(std::uint64_t bytes) { out_.text.append(reinterpret_cast<const char*>(&bytes), 8); }
-  /// Appends a list of the cells, and frees it.
   void append_list(std::string_view name) {
-    if (name == "types") {
-      header(types_.size());
-      out_.text += types_;
-      return;
-    }
-    std::vector<std::int64_t> all;
-    all.swap(list(name));
-    header(8 * all.size());
-    out_.text.append(reinterpret_cast<const char*>(all.data()), 8 * all.size());
+    const std::string_view bytes = list(name).second;
+    header(bytes.size());
+    out_.text += bytes;
   }
   void append_values(const vtk_xml_entry& e) {
     const std::uint64_t k = e.array.components;

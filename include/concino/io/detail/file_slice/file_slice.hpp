@@ -32,6 +32,14 @@ struct file_slice {
   std::vector<std::uint64_t> verts;                            // the numbers of the verts in the whole file
   load_report report;                                          // what was skipped before the text is read
 
+  std::size_t room = 1 << 16;  // verts are sorted when there are so many, as most are there several times
+
+  void add_vert(std::uint64_t v) {
+    verts.push_back(v);
+    if (verts.size() < room) return;
+    sort_verts();
+    room = std::max(room, 2 * verts.size());
+  }
   bool has(std::uint64_t v) const { return std::binary_search(verts.begin(), verts.end(), v); }
   /// The number in the slice of a vert that is there.
   std::uint64_t number_of(std::uint64_t v) const {
@@ -41,7 +49,6 @@ struct file_slice {
   void sort_verts() {
     std::sort(verts.begin(), verts.end());
     verts.erase(std::unique(verts.begin(), verts.end()), verts.end());
-    verts.shrink_to_fit();
   }
 };
 

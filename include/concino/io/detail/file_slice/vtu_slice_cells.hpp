@@ -2,11 +2,12 @@
 #pragma once
 
 #include <concino/io/detail/file_slice/file_slice.hpp>
+#include <concino/io/detail/file_slice/vtu_ranges.hpp>
 #include <concino/io/detail/vtk/vtk_grid.hpp>
-#include <concino/io/detail/vtk_xml/vtk_xml_tags.hpp>
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,22 +15,16 @@
 namespace concino::detail {
 
 /// Reads the cells of one slice of a .vtu file, and numbers its points anew.
-class vtu_slice_cells : protected vtk_xml_data {
+class vtu_slice_cells : protected vtu_ranges {
  protected:
-  struct run {
-    std::uint64_t first, count;
-  };
-  using runs = std::vector<run>;
-
   file_slice& out_;
-  vtk_xml_index index_;
-  const vtk_xml_piece* piece_ = nullptr;
   runs cells_, points_;          // of the slice: polys, then faces with values; points, and some between them
   std::uint64_t num_cells_ = 0;  // of the slice
-  std::vector<std::int64_t> connectivity_, ends_, faces_, face_ends_;
+  std::vector<std::uint32_t> connectivity_, ends_, faces_;  // with the numbers of verts in the slice
+  std::vector<std::int64_t> face_ends_;                     // -1 for cells that are no polyhedra
   std::string types_;
 
-  vtu_slice_cells(const read_context& in, file_slice& out) : vtk_xml_data(in), out_(out) {}
+  vtu_slice_cells(const read_context& in, file_slice& out) : vtu_ranges(in), out_(out) {}
   ~vtu_slice_cells() = default;
 
   void read(slice_choice choice) {
@@ -37,17 +32,15 @@ class vtu_slice_cells : protected vtk_xml_data {
     encoding_ = index_.encoding;
     require_one_piece();
     choose_polys(choice);
-    read_cells();
-    out_.verts.reserve(connectivity_.size());
-    for (const std::int64_t v : connectivity_) out_.verts.push_back(static_cast<std::uint64_t>(v));
+    for_each_list(cells_, [&](std::uint64_t, std::span<const std::int64_t> list) {
+      for (const std::int64_t v : list) out_.add_vert(static_cast<std::uint64_t>(v));
+    });
     out_.sort_verts();
+    for_each_list(cells_, [&](std::uint64_t, std::span<const std::int64_t> list) { add_list(list); });
+    if (types_.find(static_cast<char>(vtk_polyhedron)) != types_.npos) read_polyhedra();
     add_faces();
-    for (const std::uint64_t v : out_.verts) add(points_, v, 4096);
-    for (std::int64_t& v : connectivity_) v = number_of(v);
-    renumber_polyhedra();
+    for (const std::uint64_t v : out_.verts) add(points_, v, 1024);
   }
-
-  static std::size_t size_of(const vtk_xml_array& a) { return vtk_names_of(a.type).size; }
 
  private:
   std::size_t first_face_ = 0;  // the run of cells of the first face
@@ -73,35 +66,6 @@ class vtu_slice_cells : protected vtk_xml_data {
       out_.report.skipped.push_back(core::joined({index_.num_texts, " arrays of texts"}));
     for (const std::string& name : index_.bit_arrays)
       out_.report.skipped.push_back(core::joined({"array \"", name, "\" of bits"}));
-  }
-
-  const vtk_xml_array* find(std::string_view name) const {
-    for (const vtk_xml_entry& e : index_.entries)
-      if (e.part == vtk_xml_part::cells && e.array.name == name) return &e.array;
-    return nullptr;
-  }
-  const vtk_xml_array& need(std::string_view name) const {
-    const vtk_xml_array* const a = find(name);
-    if (!a) fail(piece_->at, {"the array \"", name, "\""}, {"a piece without it"});
-    return *a;
-  }
-
-  /// Appends some numbers of an array, as integers.
-  void append_integers(const vtk_xml_array& a, std::uint64_t first, std::uint64_t count,
-                       std::vector<std::int64_t>& to) {
-    if (a.type == vtk_number::float32 || a.type == vtk_number::float64)
-      fail(a.at, {"integers"}, {"reals in the array \"", a.name, "\""});
-    std::string bytes;
-    append_numbers(a, size_of(a), first, count, bytes);
-    to.resize(to.size() + count);
-    convert(a.type, reinterpret_cast<const unsigned char*>(bytes.data()), count, to.data() + (to.size() - count));
-  }
-
-  /// Adds an element to runs, which takes all up to `gap` elements before it along.
-  static void add(runs& all, std::uint64_t element, std::uint64_t gap) {
-    if (!all.empty() && element - (all.back().first + all.back().count) <= gap)
-      all.back().count = element + 1 - all.back().first;
-    else all.push_back({element, 1});
   }
 
   /// Calls use(cell, type) for all cells.
@@ -152,57 +116,93 @@ class vtu_slice_cells : protected vtk_xml_data {
     types_ += static_cast<char>(type);
   }
 
-  /// Where the lists of the cells of a run begin and end, in an array of such ends.
-  std::vector<std::int64_t> ends_of(const vtk_xml_array& a, const run& r) {
-    std::vector<std::int64_t> all(r.first == 0 ? 1 : 0);
-    append_integers(a, r.first == 0 ? 0 : r.first - 1, r.count + (r.first == 0 ? 0 : 1), all);
-    return all;
+  /// Calls use(cell, verts) for the cells of runs.
+  template<class Use>
+  void for_each_list(const runs& all, const Use& use) {
+    if (all.empty()) return;
+    const vtk_xml_array &ends_in_file = need("offsets"), &lists = need("connectivity");
+    const std::uint64_t bound = count_numbers(lists);
+    std::vector<std::int64_t> list;
+    std::int64_t last = 0;
+    for (const run& r : all) {
+      const std::vector<std::int64_t> ends = ends_of(ends_in_file, r);
+      check_ends(ends_in_file, ends, bound, last);
+      list.clear();
+      append_integers(lists, static_cast<std::uint64_t>(ends.front()),
+                      static_cast<std::uint64_t>(ends.back() - ends.front()), list);
+      for (const std::int64_t v : list) check_vert(lists, v);
+      for (std::size_t i = 0; i < r.count; ++i)
+        use(r.first + i, std::span<const std::int64_t>(list.data() + (ends[i] - ends[0]),
+                                                       static_cast<std::size_t>(ends[i + 1] - ends[i])));
+    }
   }
-  void check_ends(const vtk_xml_array& a, const std::vector<std::int64_t>& all, std::uint64_t bound) const {
-    for (std::size_t i = 0; i < all.size(); ++i)
-      if (all[i] < (i ? all[i - 1] : 0) || static_cast<std::uint64_t>(all[i]) > bound)
-        fail_array(a, {"ends that do not decrease, up to ", bound}, {all[i]});
-  }
-  /// Appends the verts of the cells of a run, and where the list of each ends.
-  void append_lists(const run& r, std::vector<std::int64_t>& lists, std::vector<std::int64_t>& ends) {
-    const vtk_xml_array &offsets = need("offsets"), &verts = need("connectivity");
-    const std::vector<std::int64_t> all = ends_of(offsets, r);
-    check_ends(offsets, all, count_numbers(verts));
-    const auto before = static_cast<std::int64_t>(lists.size()), begin = all.front();
-    append_integers(verts, static_cast<std::uint64_t>(begin), static_cast<std::uint64_t>(all.back() - begin), lists);
-    for (std::size_t i = 1; i < all.size(); ++i) ends.push_back(before + all[i] - begin);
-    for (auto i = static_cast<std::size_t>(before); i < lists.size(); ++i) check_vert(verts, lists[i]);
+  /// Adds the verts of a cell.
+  void add_list(std::span<const std::int64_t> list) {
+    if (connectivity_.size() + list.size() > max_ids) fail_to_count("corners");
+    for (const std::int64_t v : list) connectivity_.push_back(number_of(v));
+    ends_.push_back(static_cast<std::uint32_t>(connectivity_.size()));
   }
   void check_vert(const vtk_xml_array& a, std::int64_t v) const {
     if (v < 0 || static_cast<std::uint64_t>(v) >= piece_->points)
       fail_array(a, {"point indices below ", piece_->points}, {v});
   }
 
-  void read_cells() {
-    for (const run& r : cells_) append_lists(r, connectivity_, ends_);
-    if (types_.find(static_cast<char>(vtk_polyhedron)) == types_.npos) return;
-    const vtk_xml_array &faces = need("faces"), &offsets = need("faceoffsets");
-    require_numbers(offsets, piece_->cells);
+  /// Where the list of the last polyhedron before a cell ends; cells that are no polyhedra have -1.
+  std::int64_t end_before(const vtk_xml_array& face_ends, std::uint64_t cell) {
+    std::vector<std::int64_t> some;
+    for (std::uint64_t c = cell; c > 0; c -= some.size()) {
+      const std::uint64_t count = std::min<std::uint64_t>(c, 1 << 13);
+      some.clear();
+      append_integers(face_ends, c - count, count, some);
+      for (auto end = some.rbegin(); end != some.rend(); ++end)
+        if (*end >= 0) return *end;
+    }
+    return 0;
+  }
+
+  void read_polyhedra() {
+    const vtk_xml_array &faces = need("faces"), &face_ends = need("faceoffsets");
+    require_numbers(face_ends, piece_->cells);
     const std::uint64_t bound = count_numbers(faces);
+    std::int64_t last = 0;
+    std::vector<std::int64_t> list;
     for (const run& r : cells_) {
-      std::vector<std::int64_t> all = ends_of(offsets, r), begin(1, 0);
-      // cells that are no polyhedra have -1: the list begins where that of the last polyhedron before ends
-      for (std::uint64_t c = r.first; c > 0; --c) {
-        begin.clear();
-        append_integers(offsets, c - 1, 1, begin);
-        if (begin[0] >= 0) break;
-        begin[0] = 0;
+      const std::vector<std::int64_t> given = ends_of(face_ends, r);
+      std::vector<std::int64_t> ends = given;
+      ends[0] = end_before(face_ends, r.first);
+      for (std::size_t i = 1; i < ends.size(); ++i)
+        if (ends[i] < 0) ends[i] = ends[i - 1];
+      check_ends(face_ends, ends, bound, last);
+      list.clear();
+      append_integers(faces, static_cast<std::uint64_t>(ends.front()),
+                      static_cast<std::uint64_t>(ends.back() - ends.front()), list);
+      for (std::size_t i = 0; i < r.count; ++i) {
+        const bool is_polyhedron = given[i + 1] >= 0;
+        const std::int64_t* const first = list.data() + (ends[i] - ends[0]);
+        if (is_polyhedron) add_polyhedron(faces, {first, static_cast<std::size_t>(ends[i + 1] - ends[i])});
+        face_ends_.push_back(is_polyhedron ? static_cast<std::int64_t>(faces_.size()) : -1);
       }
-      all[0] = begin[0];
-      std::vector<std::int64_t> lists = all;
-      for (std::size_t i = 1; i < lists.size(); ++i)
-        if (lists[i] < 0) lists[i] = lists[i - 1];
-      check_ends(offsets, lists, bound);
-      const auto before = static_cast<std::int64_t>(faces_.size());
-      append_integers(faces, static_cast<std::uint64_t>(lists.front()),
-                      static_cast<std::uint64_t>(lists.back() - lists.front()), faces_);
-      for (std::size_t i = 1; i < all.size(); ++i)
-        face_ends_.push_back(all[i] < 0 ? -1 : before + all[i] - lists.front());
+    }
+  }
+  /// The list of a polyhedron has the number of its faces, and for each the number of its verts and these. Wrong
+  /// lengths are left to the reader.
+  void add_polyhedron(const vtk_xml_array& faces, std::span<const std::int64_t> list) {
+    if (faces_.size() + list.size() > max_ids) fail_to_count("corners of faces");
+    std::int64_t left = 0;  // verts of the face
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const std::int64_t x = list[i];
+      const bool is_vert = left > 0;
+      if (is_vert) {
+        check_vert(faces, x);
+        if (!out_.has(static_cast<std::uint64_t>(x)))
+          fail_array(faces, {"points of the polyhedron, which the array \"connectivity\" lists"}, {x});
+        --left;
+      } else {
+        if (x < 0 || x > static_cast<std::int64_t>(max_ids))
+          fail_array(faces, {"numbers of faces and of their verts"}, {x});
+        if (i > 0) left = x;
+      }
+      faces_.push_back(is_vert ? number_of(x) : static_cast<std::uint32_t>(x));
     }
   }
 
@@ -213,51 +213,20 @@ class vtu_slice_cells : protected vtk_xml_data {
     for_each_type([&](std::uint64_t c, unsigned type) {
       if (kind_of_vtk_cell(type) == vtk_kind::polygon) add(faces, c, 0);
     });
-    std::vector<std::int64_t> verts, ends;
-    for (const run& all : faces)
-      for (run r{all.first, 0}; r.first < all.first + all.count; r.first += r.count) {
-        r.count = std::min<std::uint64_t>(1 << 14, all.first + all.count - r.first);
-        verts.clear(), ends.clear();
-        append_lists(r, verts, ends);
-        for (std::size_t i = 0, begin = 0; i < ends.size(); begin = static_cast<std::size_t>(ends[i++]))
-          add_face(r.first + i, {verts.begin() + static_cast<std::ptrdiff_t>(begin), verts.begin() + ends[i]});
-      }
-  }
-  void add_face(std::uint64_t cell, const std::vector<std::int64_t>& verts) {
-    for (const std::int64_t v : verts)
-      if (!out_.has(static_cast<std::uint64_t>(v))) return;
-    if (num_cells_++ == max_ids) fail_to_count("cells");
-    if (cells_.size() == first_face_) cells_.push_back({cell, 1});
-    else add(cells_, cell, 0);
-    types_ += 7;  // a polygon of any size
-    connectivity_.insert(connectivity_.end(), verts.begin(), verts.end());
-    ends_.push_back(static_cast<std::int64_t>(connectivity_.size()));
-    if (!face_ends_.empty()) face_ends_.push_back(-1);
+    for_each_list(faces, [&](std::uint64_t cell, std::span<const std::int64_t> list) {
+      for (const std::int64_t v : list)
+        if (!out_.has(static_cast<std::uint64_t>(v))) return;
+      if (cells_.size() == first_face_) cells_.push_back({cell, 1});
+      else add(cells_, cell, 0);
+      if (num_cells_++ == max_ids) fail_to_count("cells");
+      types_ += 7;  // a polygon of any size
+      add_list(list);
+      if (!face_ends_.empty()) face_ends_.push_back(-1);
+    });
   }
 
-  std::int64_t number_of(std::int64_t v) const {
-    return static_cast<std::int64_t>(out_.number_of(static_cast<std::uint64_t>(v)));
-  }
-
-  /// The list of a polyhedron has the number of its faces, and for each the number of its verts and these. Wrong lengths
-  /// are left to the reader.
-  void renumber_polyhedra() {
-    std::int64_t begin = 0;
-    for (const std::int64_t end : face_ends_) {
-      if (end < 0) continue;
-      for (std::int64_t i = begin + 1; i < end;) {
-        const std::int64_t n = faces_[static_cast<std::size_t>(i++)];
-        for (std::int64_t k = 0; k < n && i < end; ++k, ++i) {
-          std::int64_t& v = faces_[static_cast<std::size_t>(i)];
-          check_vert(need("faces"), v);
-          if (!out_.has(static_cast<std::uint64_t>(v)))
-            fail_array(need("faces"), {"points of the polyhedron, which the array \"connectivity\" lists"}, {v});
-          v = number_of(v);
-        }
-        if (n < 0) break;
-      }
-      begin = end;
-    }
+  std::uint32_t number_of(std::int64_t v) const {
+    return static_cast<std::uint32_t>(out_.number_of(static_cast<std::uint64_t>(v)));
   }
 };
 

@@ -8,7 +8,7 @@
 namespace concino::detail {
 
 /// The position of a number in a sorted list that has it.
-inline std::uint32_t position_in(const std::vector<std::uint32_t>& sorted, std::uint32_t x) {
+inline std::uint32_t position_in_sorted(const std::vector<std::uint32_t>& sorted, std::uint32_t x) {
   return static_cast<std::uint32_t>(std::lower_bound(sorted.begin(), sorted.end(), x) - sorted.begin());
 }
 
@@ -18,7 +18,9 @@ inline void sort_once(std::vector<std::uint32_t>& all) {
   all.erase(std::unique(all.begin(), all.end()), all.end());
 }
 
-CONCINO_INLINE vert_id part_flat_mesh::number_of(vert_id v) const { return vert_id{position_in(verts_, v.raw())}; }
+CONCINO_INLINE vert_id part_flat_mesh::number_of(vert_id v) const {
+  return vert_id{position_in_sorted(verts_, v.raw())};
+}
 
 CONCINO_INLINE void part_flat_mesh::collect_verts(std::span<const std::uint32_t> more) {
   verts_.assign(more.begin(), more.end());
@@ -77,7 +79,7 @@ CONCINO_INLINE void part_flat_mesh::make_polyhedra() {
     const std::span<const face_id> of_poly = all.poly_faces[p];
     const auto first = static_cast<std::size_t>(of_poly.data() - all.poly_faces.values.data());
     for (std::size_t i = 0; i < of_poly.size(); ++i) {
-      poly_faces_.push_back(face_id{position_in(faces, of_poly[i].raw())});
+      poly_faces_.push_back(face_id{position_in_sorted(faces, of_poly[i].raw())});
       outward_.push_back(all.outward[first + i]);
     }
     poly_face_offsets_.push_back(poly_faces_.size());

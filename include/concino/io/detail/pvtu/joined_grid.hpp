@@ -48,7 +48,7 @@ class joined_grid final : public vtk_places {
   /// Errors: parse_error if points of one number are at different places, or two cells have one number.
   void finish(const std::string& point_ids, const std::string& cell_ids);
 
-  [[noreturn]] void fail_at_cell(std::size_t cell, core::message expected, core::message found) override;
+  [[noreturn, gnu::cold]] void fail_at_cell(std::size_t cell, core::message expected, core::message found) override;
   std::string place_of_cell(std::size_t cell) override;
 };
 

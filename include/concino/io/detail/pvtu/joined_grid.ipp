@@ -4,6 +4,7 @@
 #include <concino/io/detail/pvtu/joined_grid.hpp>
 #include <concino/io/detail/vtk/vtk_numbers.hpp>
 #include <concino/io/detail/vtk_xml/vtk_united_points.hpp>
+#include <concino/mesh/support/limits.hpp>
 
 #include <algorithm>
 #include <cstring>
@@ -155,7 +156,8 @@ CONCINO_INLINE void joined_grid::sort_cells(const std::vector<std::int64_t>& ids
   const bool is_volume = std::any_of(grid.types.begin(), grid.types.end(), is_cell);
   std::vector<std::uint32_t> order = sorted_positions(ids);
   // polygons of a volume are faces with values, which have no numbers, and stay behind the cells
-  if (is_volume) std::stable_partition(order.begin(), order.end(), [&](std::uint32_t c) { return is_cell(grid.types[c]); });
+  if (is_volume)
+    std::stable_partition(order.begin(), order.end(), [&](std::uint32_t c) { return is_cell(grid.types[c]); });
   for (std::size_t k = 1; k < order.size() && (!is_volume || is_cell(grid.types[order[k]])); ++k)
     if (const std::uint32_t a = order[k - 1], b = order[k]; ids[a] == ids[b])
       throw parse_error(piece_of_cell(b).path, piece_of_cell(b).line,
@@ -172,7 +174,7 @@ CONCINO_INLINE void joined_grid::sort_cells(const std::vector<std::int64_t>& ids
   grid.types = std::move(sorted.types);
   grid.verts = std::move(sorted.verts);
   grid.cell_ends = std::move(sorted.cell_ends);
-  keep_values(grid, element_kind::poly, order);
+  keep_grid_values(grid, element_kind::poly, order);
   order_ = std::move(order);
 }
 
@@ -183,7 +185,7 @@ CONCINO_INLINE void joined_grid::finish(const std::string& point_ids, const std:
     std::vector<std::size_t> first_point;
     for (const piece& p : pieces_) first_point.push_back(p.first_point);
     first_point.push_back(grid.points.size());
-    unite_points(grid, vtk_point_merger(grid, first_point), has_faces_, pieces_.size(), report_);
+    unite_points_of_pieces(grid, vtk_point_merger(grid, first_point), has_faces_, pieces_.size(), report_);
   }
   if (const std::vector<std::int64_t> of_cells = ids(element_kind::poly, cell_ids); !of_cells.empty())
     sort_cells(of_cells, cell_ids);

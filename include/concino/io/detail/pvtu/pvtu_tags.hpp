@@ -7,9 +7,13 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace concino::detail {
+
+/// Whether a path leads to a file in the folder where it begins, or below it.
+bool stays_in_folder(std::string_view path);
 
 /// An array that every piece has.
 struct pvtu_array {

@@ -8,8 +8,7 @@
 
 namespace concino::detail {
 
-/// Whether a path leads to a file in the folder where it begins, or below it.
-inline bool stays_in_folder(std::string_view path) {
+CONCINO_INLINE bool stays_in_folder(std::string_view path) {
   if (path.empty() || path.starts_with('/') || path.find_first_of(std::string_view(":\0", 2)) != path.npos)
     return false;
   while (!path.empty()) {

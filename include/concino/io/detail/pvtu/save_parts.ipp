@@ -88,7 +88,7 @@ inline property_set properties_of_pieces(write_context& whole_file, flat_mesh& m
   return kept;
 }
 
-inline std::vector<piece_arrays::array> arrays_of(const std::vector<vtk_output_array>& all) {
+inline std::vector<piece_arrays::array> listed_arrays(const std::vector<vtk_output_array>& all) {
   std::vector<piece_arrays::array> r;
   for (const vtk_output_array& a : all) r.push_back({a.name, a.type.number, a.type.components});
   return r;
@@ -102,7 +102,7 @@ inline piece_arrays save_part(flat_mesh& part, text_sink& out, const std::string
   vtu_writer<write_context> writer(c, part, true);
   writer.write();
   const auto& arrays = writer.arrays();
-  return {arrays_of(arrays.of_verts), arrays_of(arrays.of_cells), vtk_number::float64,
+  return {listed_arrays(arrays.of_verts), listed_arrays(arrays.of_cells), vtk_number::float64,
           active_vert_arrays(arrays.of_verts), global_ids_attribute(arrays.of_cells)};
 }
 

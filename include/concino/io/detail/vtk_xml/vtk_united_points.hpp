@@ -13,7 +13,7 @@
 namespace concino::detail {
 
 /// Keeps only these values of the columns of a kind, in this order.
-inline void keep_values(vtk_grid& grid, element_kind kind, const std::vector<std::uint32_t>& kept) {
+inline void keep_grid_values(vtk_grid& grid, element_kind kind, const std::vector<std::uint32_t>& kept) {
   const bool in_place = std::is_sorted(kept.begin(), kept.end());  // no value is overwritten before it is read
   std::vector<unsigned char> copy;
   for (property_column& c : grid.columns) {
@@ -49,7 +49,7 @@ inline void renumber_points(vtk_grid& grid, const std::vector<std::uint32_t>& nu
                             const std::vector<std::uint32_t>& kept, bool has_faces) {
   for (std::size_t c = 0; c < grid.size(); ++c)
     for_each_vert_of(grid, c, has_faces, [&](vert_id& v) { v = vert_id{number[v.raw()]}; });
-  keep_values(grid, element_kind::vert, kept);
+  keep_grid_values(grid, element_kind::vert, kept);
   std::vector<vec3> points;
   points.reserve(kept.size());
   for (const std::uint32_t i : kept) points.push_back(grid.points[i]);
@@ -57,8 +57,8 @@ inline void renumber_points(vtk_grid& grid, const std::vector<std::uint32_t>& nu
 }
 
 /// Gives points of different pieces at the same place, with the same values, one number. Reports how many.
-inline void unite_points(vtk_grid& grid, const vtk_point_merger& merged, bool has_faces, std::size_t num_pieces,
-                         load_report& report) {
+inline void unite_points_of_pieces(vtk_grid& grid, const vtk_point_merger& merged, bool has_faces,
+                                   std::size_t num_pieces, load_report& report) {
   const std::size_t n = grid.points.size();
   constexpr const char* where = " points at the place of a point of an earlier piece ";
   report.notes.push_back(

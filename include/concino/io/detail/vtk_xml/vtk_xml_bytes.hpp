@@ -119,13 +119,13 @@ class vtk_xml_bytes : public vtk_cursor {
     open(a);
     if (!encoding_.compressed) to.append(raw_ + begin, raw_ + end);
     for (std::uint64_t i = encoding_.compressed ? begin / block_size_ : num_blocks(); i < num_blocks(); ++i) {
-      const std::uint64_t block = i * block_size_, size = inflated_size(i);
-      if (block >= end) break;
+      const std::uint64_t from = i * block_size_, size = inflated_size(i);
+      if (from >= end) break;
       buffer_.resize(std::max<std::size_t>(buffer_.size(), size));
       raw_ = raw_of_blocks_ + block_begins_[i];
       inflate_block(a, i, buffer_.data());
       const auto* const bytes = reinterpret_cast<const char*>(buffer_.data());
-      to.append(bytes + (std::max(begin, block) - block), bytes + (std::min(end, block + size) - block));
+      to.append(bytes + (std::max(begin, from) - from), bytes + (std::min(end, from + size) - from));
     }
     num_read_ = before;  // an array may be read in several parts
     if (encoding_.swapped) swap_bytes(to.data() + old_size, count, number_size);

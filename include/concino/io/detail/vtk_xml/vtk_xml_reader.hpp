@@ -37,7 +37,7 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
     for (const std::string& name : index_.bit_arrays)
       report_.skipped.push_back(core::joined({"array \"", name, "\" of bits"}));
     if (index_.pieces.size() > 1)
-      unite_points(grid_, vtk_point_merger(grid_, first_point_), has_faces_, index_.pieces.size(), report_);
+      unite_points_of_pieces(grid_, vtk_point_merger(grid_, first_point_), has_faces_, index_.pieces.size(), report_);
     drop_ghosts();
     // all verts were compared with it
     if (!grid_.points.empty()) grid_.largest = static_cast<std::uint32_t>(grid_.points.size() - 1);
@@ -200,7 +200,7 @@ class vtk_xml_reader : public vtk_xml_cells, public vtk_places {
     grid_.verts.resize(verts);
     grid_.types.resize(kept.size());
     grid_.cell_ends.resize(kept.size());
-    keep_values(grid_, element_kind::poly, kept);
+    keep_grid_values(grid_, element_kind::poly, kept);
     kept_cells_ = std::move(kept);
   }
 };
