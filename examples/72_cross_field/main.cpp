@@ -1,5 +1,5 @@
-// A cross field on a surface with two handles, as smooth as possible: four directions at each vert, which follow the curvature. They cannot agree everywhere.
-// The indices of the verts or polys where they do not have a fixed sum. Directions with given singularities are the second picture.
+// A cross field on a surface with two handles, as smooth as possible: four directions at each vert, which follow the curvature. They cannot agree everywhere:
+// some polys are singular, and the sum of their indices is fixed. Directions with given singular verts are the second picture.
 #include <concino/directions.hpp>
 #include <concino/generate.hpp>
 #include <concino/geometry.hpp>

@@ -1,4 +1,4 @@
-// Compares direction fields and their singularities.
+// Compares direction fields, their singularities, and stripes across them.
 #pragma once
 
 #include <agreement/algorithms/virtual_elements.hpp>
@@ -15,6 +15,20 @@ namespace concino::agreement {
 struct directions_of {
   static constexpr const char* name = "direction fields";
   template<class M> static constexpr bool runs_on = SurfaceMesh<M> && Embedded<M>;
+
+  /// Where the smallest eigenvalue is not simple, stripes differ, but not how even they are.
+  template<class B, class V>
+  static void compare_stripes(const B& both, const V& first) {
+    const double frequency = 2 / std::sqrt(total_measure(both.native));
+    direction_field_options<std::remove_cvref_t<decltype(both.native)>> options{.symmetry = 2, .hard = {{first, {1, 0.3, 0.2}}}};
+    direction_field_options<std::remove_cvref_t<decltype(both.other)>> same{.symmetry = 2, .hard = {{both.verts.to(first), {1, 0.3, 0.2}}}};
+    const auto f = direction_field(both.native, options);
+    const auto g = direction_field(both.other, same);
+    const auto s = stripes(both.native, f, frequency);
+    const auto t = stripes(both.other, g, frequency);
+    const double square = 4 * std::numbers::pi * std::numbers::pi * frequency * frequency;
+    if (std::max(s.residual, t.residual) < 1e-8) expect(std::abs(s.energy - t.energy) < 1e-6 * square, "the energy of stripes");
+  }
 
   template<class B, class In>
   static bool check(const B& both, const In& in) {
@@ -42,6 +56,7 @@ struct directions_of {
     for (const auto& s : singularities(g)) other_sum += s.index;
     for (const auto& b : boundary_turns(g)) other_sum += b.index;
     expect(sum == other_sum, "the sum of the indices");
+    if (in.in_one_piece) compare_stripes(both, first);
     if (in.closed && in.in_one_piece) {
       const int chi = sum / 4;
       const std::vector<std::pair<vert_t<native_mesh>, int>> indices{{first, chi}};
