@@ -76,6 +76,25 @@ TEST_CASE_TEMPLATE("distributed: harmonic maps and Poisson's equation equal thos
   }
 }
 
+TEST_CASE("distributed: harmonic maps of non-manifold meshes equal those of one process") {
+  // three sheets of triangles at one line, and one that touches at a vert
+  const trimesh m({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, -1, 0}, {1, -1, 0}, {0, 0, 1}, {1, 0, 1}, {3, 1, 0}, {3, -1, 0}, {4, 0, 0}},
+                  {{0, 1, 3}, {1, 4, 3}, {1, 2, 4}, {0, 1, 5}, {1, 6, 5}, {1, 2, 6}, {0, 1, 7}, {1, 8, 7}, {1, 2, 8}, {2, 10, 9}, {10, 11, 9}});
+  const auto values_at_ends = [](const auto& mesh) {
+    std::vector<std::pair<vert_id, double>> r;
+    for (const auto v : verts(mesh)) {
+      const vec3 x = point(mesh, v);
+      if (x.x == 0 || x.x == 4) r.emplace_back(v, x.x + x.z);
+    }
+    return r;
+  };
+  const auto u = harmonic_map(m, values_at_ends(m), {}, ldlt());
+  for (const auto& part : parts_of(m)) {
+    const distributed<trimesh> d(MPI_COMM_WORLD, is_first() ? m : trimesh(), part);
+    CHECK(largest_difference(d, m, harmonic_map(d, values_at_ends(d), {}, petsc({.preconditioner = petsc_preconditioner::mumps})), u) < 1e-10);
+  }
+}
+
 TEST_CASE_TEMPLATE("distributed: total_measure and statistics equal those of one process", M, CONCINO_KINDS) {
   const M m = two_grids<M>(3);
   auto u = make_vert_map<double>(m, 0.0);
