@@ -33,7 +33,7 @@ struct laplacian_deform_options {
 ///         Laplacian vector divided by the mass, by virtual elements. Vectors at rest are mapped by the similarity
 ///         that is best for the edges of the vert, which is linear in the result. Each component is moved by the best
 ///         rigid motion of its handles first. So similarities of the handles move the mesh likewise, and details turn
-///         with the surface. Turns of handles against each other are linearised: from some 60 degrees on
+///         with the surface. Turns of handles against each other are linearised: where they are large,
 ///         prepare_deform keeps shapes better. Verts without edges move with all handles.
 /// Cost:   one factorisation with three unknowns for each vert that is no handle, coupled over two edges.
 /// Errors: invalid_argument if there are no handles, a position is not finite, or a vert gets two different ones.
