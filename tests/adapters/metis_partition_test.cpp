@@ -106,18 +106,18 @@ TEST_CASE("partition: takes more parts than polys, and empty meshes") {
 
 TEST_CASE("partition: joins the pieces of a part to neighbouring parts") {
   // a path of 9 nodes; parts 0 0 0 1 0 1 1 1 2: the single node of part 1 is joined to part 0, and so is what was cut off
-  detail::partition_graph g;
+  concino::detail::partition_graph g;
   for (int i = 0; i < 9; ++i) {
     if (i > 0) g.neighbours.push_back(i - 1);
     if (i < 8) g.neighbours.push_back(i + 1);
     g.offsets.push_back(static_cast<int>(g.neighbours.size()));
   }
   std::vector<int> part{0, 0, 0, 1, 0, 1, 1, 1, 2};
-  CHECK(detail::join_pieces(g, part, 3) == 1);
+  CHECK(concino::detail::join_pieces(g, part, 3) == 1);
   CHECK((part == std::vector<int>{0, 0, 0, 0, 0, 1, 1, 1, 2}));
-  CHECK(detail::join_pieces(g, part, 3) == 0);
+  CHECK(concino::detail::join_pieces(g, part, 3) == 0);
   g = {{0, 0, 0, 0}, {}};  // no edges: pieces without a neighbour keep their part
   part = {0, 1, 0};
-  CHECK(detail::join_pieces(g, part, 2) == 0);
+  CHECK(concino::detail::join_pieces(g, part, 2) == 0);
   CHECK((part == std::vector<int>{0, 1, 0}));
 }
