@@ -1,13 +1,19 @@
 // Meshes of which each process reads a slice, compared with those that the first process divides.
 #include <concino/adapters/distributed.hpp>
+#include <concino/adapters/distributed_files.hpp>
 #include <concino/adapters/distributed_gather.hpp>
 #include <concino/adapters/distributed_load.hpp>
 
+#include <concino/convert/convert.hpp>
 #include <concino/geometry/measure.hpp>
+#include <concino/io/load_any.hpp>
 #include <concino/io/medit.hpp>
+#include <concino/io/pvtu.hpp>
 #include <concino/io/vtu.hpp>
+#include <concino/mesh/submesh.hpp>
 #include <concino/validate.hpp>
 
+#include <support/corpus_meshes.hpp>
 #include <support/distributed.hpp>
 #include <support/kinds.hpp>
 #include <support/temporary.hpp>
@@ -18,8 +24,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 using namespace concino;
@@ -150,6 +158,30 @@ TEST_CASE("load_distributed: verts of no poly, non-manifold meshes and empty one
               folder / "fan.vtu");
   const trimesh fan({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {2, 0, 0}, {2, 1, 0}}, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {1, 5, 6}});
   check_same(load_distributed<trimesh>(MPI_COMM_WORLD, folder / "fan.vtu"), fan);
+}
+
+TEST_CASE("load_distributed: files of the corpus, saved in pieces and read again") {
+  for (const corpus_row& row : corpus_meshes()) {
+    if (std::filesystem::file_size(row.file) > (long_run() ? 1000000 : 20000)) continue;
+    CAPTURE(row.name);
+    std::visit(
+        [&]<class M>(const M& whole) {
+          const shared_folder folder;
+          save_binary(whole, folder / "m.vtu");
+          const auto d = load_distributed<M>(MPI_COMM_WORLD, folder / "m.vtu");
+          const M of_file = load_vtu<M>(folder / "m.vtu");
+          const M m = convert<M>(submesh(of_file, [](const poly_t<M>&) { return true; }));  // without verts of no poly
+          check_same(d, m);
+          save_pvtu(d, folder / "d.pvtu");
+          if (is_first()) {
+            const M r = load_pvtu<M>(folder / "d.pvtu");
+            CHECK(num_verts(r) == num_verts(m));
+            CHECK(num_polys(r) == num_polys(m));
+            CHECK(std::abs(total_measure(r) - total_measure(m)) <= 1e-12 * std::abs(total_measure(m)));
+          }
+        },
+        load_any(row.file.string()));
+  }
 }
 
 TEST_CASE("load_distributed: errors are thrown on all processes") {

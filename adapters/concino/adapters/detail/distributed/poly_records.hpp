@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -31,6 +30,12 @@ struct poly_records {
   std::size_t num_polys() const { return poly_numbers.size(); }
   std::size_t begin(std::size_t p) const { return p == 0 ? 0 : ends[p - 1]; }
 
+  /// Makes room, so that no array takes twice the memory that it needs.
+  void reserve(std::size_t poly_count, std::size_t vert_count, std::size_t word_count) {
+    poly_numbers.reserve(poly_count), poly_owners.reserve(poly_count), ends.reserve(poly_count);
+    vert_numbers.reserve(vert_count), vert_owners.reserve(vert_count), points.reserve(vert_count);
+    words.reserve(word_count);
+  }
   /// Calls f(word) for the verts of a poly, repeatedly for those of several faces.
   template<class F>
   void for_each_vert(std::size_t p, bool has_faces, F f) const {
@@ -67,6 +72,7 @@ template<class M>
 poly_records records_of(const mesh_slice<M>& s) {
   poly_records r;
   r.vert_numbers = s.global_vert;
+  r.reserve(num_polys(s.mesh), num_verts(s.mesh), arity_v<M> * num_polys(s.mesh));
   for (const vert_t<M> v : verts(s.mesh)) r.points.push_back(point(s.mesh, v));
   for (const poly_t<M> p : polys(s.mesh)) {
     r.poly_numbers.push_back(s.first_poly + r.poly_numbers.size());
@@ -93,12 +99,15 @@ poly_records records_of(const mesh_slice<M>& s) {
 inline poly_records selected_records(const poly_records& all, const std::vector<std::size_t>& polys, bool has_faces) {
   constexpr std::uint32_t none = ~0u;
   poly_records r;
-  std::vector<std::uint32_t> used;
-  for (const std::size_t p : polys) all.for_each_vert(p, has_faces, [&](std::uint32_t v) { used.push_back(v); });
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
   std::vector<std::uint32_t> new_vert(all.vert_numbers.size(), none);
-  for (const std::uint32_t v : used) {
+  std::size_t num_words = 0, vert_count = 0;
+  for (const std::size_t p : polys) {
+    num_words += all.ends[p] - all.begin(p);
+    all.for_each_vert(p, has_faces, [&](std::uint32_t v) { vert_count += std::exchange(new_vert[v], 0u) == none; });
+  }
+  r.reserve(polys.size(), vert_count, num_words);
+  for (std::size_t v = 0; v < new_vert.size(); ++v) {
+    if (new_vert[v] == none) continue;
     new_vert[v] = static_cast<std::uint32_t>(r.vert_numbers.size());
     r.append_vert(all, v);
   }
@@ -116,11 +125,21 @@ inline poly_records merged_records(const std::vector<poly_records>& parts, bool 
   poly_records r;
   std::vector<place> places;
   std::vector<std::vector<std::uint32_t>> new_vert(parts.size());
+  std::size_t poly_count = 0, vert_count = 0, word_count = 0;
+  for (const poly_records& part : parts) {
+    poly_count += part.num_polys();
+    vert_count += part.vert_numbers.size();
+    word_count += part.words.size();
+  }
+  places.reserve(std::max(poly_count, vert_count));
   for (std::size_t k = 0; k < parts.size(); ++k) {
     new_vert[k].resize(parts[k].vert_numbers.size());
     for (std::size_t v = 0; v < new_vert[k].size(); ++v) places.push_back({parts[k].vert_numbers[v], k, v});
   }
   std::sort(places.begin(), places.end());
+  vert_count = 0;
+  for (std::size_t k = 0; k < places.size(); ++k) vert_count += k == 0 || places[k - 1] < places[k];
+  r.reserve(poly_count, vert_count, word_count);
   for (const place& x : places) {
     if (r.vert_numbers.empty() || r.vert_numbers.back() != x.number) r.append_vert(parts[x.part], x.index);
     new_vert[x.part][x.index] = static_cast<std::uint32_t>(r.vert_numbers.size() - 1);
@@ -142,6 +161,7 @@ mesh_part<part_arrays<M>> part_of_records(poly_records&& r) {
   part.poly_numbers = std::move(r.poly_numbers), part.poly_owners = std::move(r.poly_owners);
   if constexpr (from_polyhedra<M>) {
     face_soup soup;
+    soup.reserve(r.ends.size(), r.words.size() / 4, r.words.size());
     for (std::size_t p = 0, at = 0; p < r.ends.size(); ++p) {
       while (at < r.ends[p]) {
         for (std::uint32_t n = r.words[at++]; n > 0; --n) soup.face_verts.push_back(vert_id{r.words[at++]});
@@ -154,9 +174,11 @@ mesh_part<part_arrays<M>> part_of_records(poly_records&& r) {
   } else {
     part.arrays.points = std::move(r.points);
     part.arrays.arity = static_cast<std::uint32_t>(arity_v<M>);
+    part.arrays.verts.reserve(r.words.size());
     for (const std::uint32_t v : r.words) part.arrays.verts.push_back(vert_id{v});
     if constexpr (from_surface<M>)
       if (arity_v<M> == 0) {
+        part.arrays.offsets.reserve(r.ends.size() + 1);
         part.arrays.offsets.push_back(0);
         for (const std::size_t end : r.ends) part.arrays.offsets.push_back(static_cast<std::uint32_t>(end));
       }

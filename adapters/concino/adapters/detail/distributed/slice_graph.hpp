@@ -47,6 +47,10 @@ slice_graph graph_of(const mesh_slice<M>& s) {
   slice_graph g;
   g.first = s.first_poly, g.size = num_polys(s.mesh), g.num_polys = s.num_polys, g.num_verts = s.num_verts;
   std::vector<std::uint64_t> around;
+  std::size_t num_open = 0;
+  for (const facet_t<M> x : facets(s.mesh)) num_open += num_elements(adj_facet2p(s.mesh, x)) == 1;
+  g.open.reserve(num_open);
+  g.neighbours.reserve(2 * (num_facets(s.mesh) - num_open));
   for (const facet_t<M> x : facets(s.mesh)) {
     around.clear();
     for (const poly_t<M> p : adj_facet2p(s.mesh, x)) around.push_back(s.first_poly + index_of(s.mesh, p));
