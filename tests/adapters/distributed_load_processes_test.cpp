@@ -191,4 +191,8 @@ TEST_CASE("load_distributed: errors are thrown on all processes") {
   save_binary(grid<quadmesh>(2), folder / "quads.vtu");
   CHECK_THROWS_AS(load_distributed<trimesh>(MPI_COMM_WORLD, folder / "text.vtu"), unsupported);
   CHECK_THROWS_AS(load_distributed<trimesh>(MPI_COMM_WORLD, folder / "quads.vtu"), error);
+  // the quad is in the slice of the last process alone
+  save_binary(polygonmesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}}, {{0, 1, 2}, {0, 2, 3}, {1, 4, 2}, {4, 5, 2}, {0, 1, 2, 3}}),
+              folder / "last.vtu");
+  CHECK_THROWS_WITH_AS(load_distributed<trimesh>(MPI_COMM_WORLD, folder / "last.vtu"), doctest::Contains("last.vtu"), error);
 }

@@ -22,7 +22,8 @@
 
 namespace concino {
 
-/// A map of verts or polys of a distributed mesh and its name in a file, as in {"temperature", u}. It refers to the map.
+/// A map of verts or polys of a distributed mesh and its name in a file, as in {"temperature", u}. It refers to the
+/// map.
 /// Needs:  numbers or vec3.
 template<class M>
 class named_values {
@@ -34,8 +35,9 @@ class named_values {
 
  public:
   template<class X, class T>
-    requires((std::is_same_v<X, vert_t<M>> || std::is_same_v<X, poly_t<M>>) &&
-             (std::is_same_v<T, vec3> || (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>)))
+    requires((std::is_same_v<X, vert_t<M>> ||
+              std::is_same_v<X, poly_t<M>>)&&(std::is_same_v<T, vec3> ||
+                                              (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>)))
   named_values(std::string name, const element_map<distributed<M>, X, T>& map)
       : name_(std::move(name)), kind_(std::is_same_v<X, vert_t<M>> ? element_kind::vert : element_kind::poly),
         mesh_(&map.mesh()) {
@@ -65,8 +67,8 @@ class named_values {
 /// Needs:  a distributed mesh; values: maps of it, with the same names in the same order on all processes. Values of
 ///         ghosts are not used.
 /// Result: for m.pvtu, the pieces m_0.vtu, m_1.vtu, ... in the same folder, one for each process, empty if it has no
-///         polys. load_pvtu restores the whole mesh in its order, by the numbers "global_id" (std::int64_t) of verts and
-///         polys. Their processes are in "owner" (int). The files get their names when all are written, that of the
+///         polys. load_pvtu restores the whole mesh in its order, by the numbers "global_id" (std::int64_t) of verts
+///         and polys. Their processes are in "owner" (int). The files get their names when all are written, that of the
 ///         .pvtu file last. progress and report are those of the process.
 /// Cost:   as save_vtu for the part, and a copy of the values.
 /// Errors: as save_vtu. invalid_argument for options.as_boundary; for names that are repeated, reserved or different

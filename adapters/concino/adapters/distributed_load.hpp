@@ -2,9 +2,9 @@
 // Needs: PETSc 3.18 with MPI and PT-Scotch (Debian: petsc-dev), and a petsc_session in main.
 #pragma once
 
-#include <concino/adapters/detail/distributed/poly_records.hpp>
-#include <concino/adapters/detail/distributed/shared_verts.hpp>
-#include <concino/adapters/detail/distributed/slice_graph.hpp>
+#include <concino/adapters/detail/distributed/distributed_graph.hpp>
+#include <concino/adapters/detail/distributed/distributed_records.hpp>
+#include <concino/adapters/detail/distributed/distributed_verts.hpp>
 #include <concino/adapters/detail/mpi/mpi_agreement.hpp>
 #include <concino/adapters/detail/petsc/petsc_calls.hpp>
 #include <concino/adapters/distributed.hpp>
@@ -33,8 +33,7 @@ poly_records load_records(MPI_Comm communicator, const std::string& path, const 
   slice_graph graph;
   on_all(communicator, [&] {
     check_petsc_is_running();
-    const auto slice =
-        load_slice<M>(path, static_cast<std::size_t>(rank), static_cast<std::size_t>(size), options);
+    const auto slice = load_slice<M>(path, static_cast<std::size_t>(rank), static_cast<std::size_t>(size), options);
     own = records_of(slice);
     graph = graph_of(slice);
   });
@@ -55,8 +54,8 @@ poly_records load_records(MPI_Comm communicator, const std::string& path, const 
 }  // namespace detail
 
 /// Reads a mesh, of which each process reads a slice. PT-Scotch divides the graph of the polys, and these are sent to
-/// their processes; none ever holds the whole mesh. All processes of the communicator call it together, and see the same
-/// file.
+/// their processes; none ever holds the whole mesh. All processes of the communicator call it together, and see the
+/// same file.
 /// Needs:  Loadable M; a file as for load_slice, a binary .vtu or .meshb.
 /// Result: as if the mesh of load<M>(path) had been divided into nearly equal parts, but without its verts of no poly:
 ///         global numbers leave them out. A part may be in several pieces, and empty where there are few polys. Faces

@@ -29,8 +29,9 @@ template<class T>
     for (std::size_t r = 0; r < sent.size(); ++r) {
       const std::size_t in = received[r].size() * sizeof(T), out = sent[r].size() * sizeof(T);
       for (std::size_t at = 0; at < in; at += longest_message)
-        (MPI_Irecv)(reinterpret_cast<char*>(received[r].data()) + at, static_cast<int>(std::min(longest_message, in - at)),
-                    MPI_BYTE, static_cast<int>(r), 2, communicator, &requests.emplace_back());
+        (MPI_Irecv)(reinterpret_cast<char*>(received[r].data()) + at,
+                    static_cast<int>(std::min(longest_message, in - at)), MPI_BYTE, static_cast<int>(r), 2,
+                    communicator, &requests.emplace_back());
       for (std::size_t at = 0; at < out; at += longest_message)
         (MPI_Isend)(reinterpret_cast<const char*>(sent[r].data()) + at,
                     static_cast<int>(std::min(longest_message, out - at)), MPI_BYTE, static_cast<int>(r), 2,

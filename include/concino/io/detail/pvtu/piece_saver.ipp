@@ -3,7 +3,8 @@
 
 #include <concino/io/detail/files/paths.hpp>
 #include <concino/io/detail/formats/part_flat_mesh.hpp>
-#include <concino/io/detail/pvtu/save_parts.ipp>
+#include <concino/io/detail/pvtu/pvtu_master.hpp>
+#include <concino/io/detail/pvtu/save_parts.hpp>
 #include <concino/io/support/piece_saver.hpp>
 
 #include <algorithm>

@@ -130,7 +130,9 @@ inline std::vector<int> parts_of_slices(MPI_Comm communicator, const slice_graph
   petsc_object<Mat, MatDestroy> graph;  // owns the arrays
   petsc_object<MatPartitioning, MatPartitioningDestroy> partitioning;
   petsc_object<IS, ISDestroy> result;
-  const auto check = [&](PetscErrorCode code) { on_all(communicator, [&] { errors.check(code, "the partition of polys"); }); };
+  const auto check = [&](PetscErrorCode code) {
+    on_all(communicator, [&] { errors.check(code, "the partition of polys"); });
+  };
   check(MatCreateMPIAdj(communicator, static_cast<PetscInt>(g.size), static_cast<PetscInt>(g.num_polys), starts,
                         columns, nullptr, graph.address()));
   check(MatPartitioningCreate(communicator, partitioning.address()));

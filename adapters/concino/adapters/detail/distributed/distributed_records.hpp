@@ -76,9 +76,7 @@ poly_records records_of(const mesh_slice<M>& s) {
   for (const vert_t<M> v : verts(s.mesh)) r.points.push_back(point(s.mesh, v));
   for (const poly_t<M> p : polys(s.mesh)) {
     r.poly_numbers.push_back(s.first_poly + r.poly_numbers.size());
-    const auto push = [&](const vert_t<M>& v) {
-      r.words.push_back(static_cast<std::uint32_t>(index_of(s.mesh, v)));
-    };
+    const auto push = [&](const vert_t<M>& v) { r.words.push_back(static_cast<std::uint32_t>(index_of(s.mesh, v))); };
     if constexpr (from_polyhedra<M>) {
       for (const face_t<M> f : adj_p2f(s.mesh, p)) {
         r.words.push_back(static_cast<std::uint32_t>(num_elements(adj_f2v(s.mesh, f))));

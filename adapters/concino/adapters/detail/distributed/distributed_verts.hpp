@@ -1,8 +1,8 @@
 // Which processes have polys at a vert, and ghosts of polys, where no process knows the whole mesh.
 #pragma once
 
-#include <concino/adapters/detail/distributed/poly_records.hpp>
-#include <concino/adapters/detail/distributed/slice_graph.hpp>
+#include <concino/adapters/detail/distributed/distributed_graph.hpp>
+#include <concino/adapters/detail/distributed/distributed_records.hpp>
 #include <concino/adapters/detail/mpi/mpi_agreement.hpp>
 #include <concino/adapters/detail/mpi/mpi_all_to_all.hpp>
 #include <concino/adapters/detail/mpi/mpi_bytes.hpp>
@@ -71,7 +71,8 @@ inline shared_verts share_verts(MPI_Comm communicator, const std::vector<std::ui
     for (std::size_t k = 0; k < who.size(); ++k) count += k == 0 || who[k].first != who[k - 1].first;
   });
   (MPI_Exscan)(&count, &first, 1, MPI_UINT64_T, MPI_SUM, communicator);
-  std::vector<std::vector<std::uint64_t>> answers(processes);  // for each vert its number, how many processes, and these
+  std::vector<std::vector<std::uint64_t>> answers(
+      processes);  // for each vert its number, how many processes, and these
   on_all(communicator, [&] {
     for (std::size_t begin = 0, end; begin < who.size(); begin = end, ++first) {
       for (end = begin; end < who.size() && who[end].first == who[begin].first;) ++end;
