@@ -83,7 +83,7 @@ void save_pvtu(const distributed<M>& m, const std::string& path, const std::vect
   detail::check_named_values(m, values);
   detail::piece_of_process piece;
   detail::on_all(all, [&] {
-    piece = detail::piece_of(m);
+    piece = detail::local_piece(m);
     for (const named_values<M>& v : values) v.store(piece.properties);
   });
   for (const named_values<M>& v : values) v.update_ghosts(piece.properties);

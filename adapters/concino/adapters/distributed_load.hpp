@@ -35,7 +35,7 @@ poly_records load_records(MPI_Comm communicator, const std::string& path, const 
     check_petsc_is_running();
     const auto slice = load_slice<M>(path, static_cast<std::size_t>(rank), static_cast<std::size_t>(size), options);
     own = records_of(slice);
-    graph = graph_of(slice);
+    graph = graph_of_slice(slice);
   });
   vert_bound = graph.num_verts;
   join_slices(communicator, graph);

@@ -43,7 +43,7 @@ struct slice_graph {
 };
 
 template<class M>
-slice_graph graph_of(const mesh_slice<M>& s) {
+slice_graph graph_of_slice(const mesh_slice<M>& s) {
   slice_graph g;
   g.first = s.first_poly, g.size = num_polys(s.mesh), g.num_polys = s.num_polys, g.num_verts = s.num_verts;
   std::vector<std::uint64_t> around;

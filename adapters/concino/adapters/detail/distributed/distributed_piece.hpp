@@ -34,7 +34,7 @@ void store_numbers(const distributed<M>& m, element_kind kind, const Elements& e
 }
 
 template<class M>
-piece_of_process piece_of(const distributed<M>& m) {
+piece_of_process local_piece(const distributed<M>& m) {
   piece_of_process r;
   for (const poly_t<M> p : polys(m))
     if (!m.is_ghost(p)) r.polys.push_back(static_cast<std::uint32_t>(index_of(m, p)));
