@@ -4,10 +4,14 @@
 #include <concino/adapters/metis_partition.hpp>
 #include <concino/mesh/element_map.hpp>
 
+#include <support/temporary.hpp>
+
 #include <mpi.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace distributed_tests {
@@ -53,5 +57,24 @@ std::vector<concino::poly_map<M, int>> parts_of(const M& m) {
   }
   return r;
 }
+
+/// A folder that all processes see, from the first one. Its end waits for all of them.
+class shared_folder {
+  std::optional<concino::testing::temporary_folder> own_;
+  std::string path_;
+
+ public:
+  shared_folder() {
+    if (is_first()) path_ = own_.emplace().path();
+    int length = static_cast<int>(path_.size());
+    MPI_Bcast(&length, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    path_.resize(static_cast<std::size_t>(length));
+    MPI_Bcast(path_.data(), length, MPI_CHAR, 0, MPI_COMM_WORLD);
+  }
+  shared_folder(const shared_folder&) = delete;
+  shared_folder& operator=(const shared_folder&) = delete;
+  ~shared_folder() { MPI_Barrier(MPI_COMM_WORLD); }
+  std::string operator/(const std::string& file) const { return path_ + "/" + file; }
+};
 
 }  // namespace distributed_tests

@@ -53,9 +53,12 @@ class distributed {
   /// Needs:  part[p] is the process of each poly p of m, as in partition(m, n, metis).part; n processes or fewer.
   /// Cost:   the first process reads the whole mesh once for each process, and holds all parts for a while.
   template<class Part>
-  distributed(MPI_Comm communicator, const M& m, const Part& part) : communicator_(communicator) {
+  distributed(MPI_Comm communicator, const M& m, const Part& part)
+      : distributed(communicator, detail::scatter(communicator, m, part)) {}
+
+  /// From the arrays of each process, as load_distributed has them.
+  distributed(MPI_Comm communicator, detail::mesh_part<detail::part_arrays<M>>&& own) : communicator_(communicator) {
     (MPI_Comm_rank)(communicator, &rank_);
-    auto own = detail::scatter(communicator, m, part);
     vert_numbers_ = std::move(own.vert_numbers), vert_owners_ = std::move(own.vert_owners);
     poly_numbers_ = std::move(own.poly_numbers), poly_owners_ = std::move(own.poly_owners);
     detail::on_all(communicator, [&] { mesh_ = M(std::move(own.arrays)); });

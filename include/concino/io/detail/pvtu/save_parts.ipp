@@ -94,8 +94,8 @@ inline std::vector<piece_arrays::array> listed_arrays(const std::vector<vtk_outp
   return r;
 }
 
-/// Writes a part.      Result: its arrays.
-inline piece_arrays save_part(flat_mesh& part, text_sink& out, const std::string& name, const save_options& options) {
+CONCINO_INLINE piece_arrays save_part(flat_mesh& part, text_sink& out, const std::string& name,
+                                      const save_options& options) {
   save_report unused;  // what is lost was reported for the whole mesh
   write_context c{out, name, name, options, unused};
   c.num_elements = part.points.size() + part.num_polys;
@@ -106,12 +106,16 @@ inline piece_arrays save_part(flat_mesh& part, text_sink& out, const std::string
           active_vert_arrays(arrays.of_verts), global_ids_attribute(arrays.of_cells)};
 }
 
+CONCINO_INLINE void check_parts_are_wanted(const std::string& path, const save_options& options) {
+  if (options.as_boundary)
+    core::throw_joined<invalid_argument>({path, ": save_pvtu saves the parts of a mesh, and no boundary"});
+}
+
 CONCINO_INLINE void save_parts(flat_mesh_source mesh, std::span<const std::uint32_t> part_of_poly,
                                const std::string& path, const save_options& input_options) {
   const core::profiled_options profiled(input_options, "save_pvtu");
   const save_options& options = *profiled;
-  if (options.as_boundary)
-    core::throw_joined<invalid_argument>({path, ": save_pvtu saves the parts of a mesh, and no boundary"});
+  check_parts_are_wanted(path, options);
   check_path(path);
   const std::string target = resolve_links(path);
   const std::string folder = target.substr(0, target.rfind('/') + 1), file_name = target.substr(folder.size()),

@@ -1,0 +1,150 @@
+// Which polys of the slices of a mesh are neighbours, and parts of them by PT-Scotch.
+#pragma once
+
+#include <concino/adapters/detail/mpi/mpi_agreement.hpp>
+#include <concino/adapters/detail/mpi/mpi_all_to_all.hpp>
+#include <concino/adapters/detail/petsc/petsc_calls.hpp>
+#include <concino/concepts/facets.hpp>
+#include <concino/core/message.hpp>
+#include <concino/io/load_slice.hpp>
+
+#include <petscmat.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace concino::detail {
+
+/// The graph of the polys of a slice. Pairs of neighbours are in both orders; the first is of this slice.
+struct slice_graph {
+  /// A facet of which this process has one poly. Its lowest three verts stand for it: if two facets of polyhedra have
+  /// them in common, the parts have some facets more between them.
+  struct open_facet {
+    std::uint64_t verts[3];
+    std::uint64_t poly;
+
+    bool has_verts_of(const open_facet& o) const {
+      return verts[0] == o.verts[0] && verts[1] == o.verts[1] && verts[2] == o.verts[2];
+    }
+    bool operator<(const open_facet& o) const {
+      return std::lexicographical_compare(verts, verts + 3, o.verts, o.verts + 3);
+    }
+  };
+  using pair = std::array<std::uint64_t, 2>;
+
+  std::uint64_t first = 0, size = 0, num_polys = 0, num_verts = 0;
+  std::vector<pair> neighbours;
+  std::vector<open_facet> open;
+};
+
+template<class M>
+slice_graph graph_of_slice(const mesh_slice<M>& s) {
+  slice_graph g;
+  g.first = s.first_poly, g.size = num_polys(s.mesh), g.num_polys = s.num_polys, g.num_verts = s.num_verts;
+  std::vector<std::uint64_t> around;
+  std::size_t num_open = 0;
+  for (const facet_t<M> x : facets(s.mesh)) num_open += num_elements(adj_facet2p(s.mesh, x)) == 1;
+  g.open.reserve(num_open);
+  g.neighbours.reserve(2 * (num_facets(s.mesh) - num_open));
+  for (const facet_t<M> x : facets(s.mesh)) {
+    around.clear();
+    for (const poly_t<M> p : adj_facet2p(s.mesh, x)) around.push_back(s.first_poly + index_of(s.mesh, p));
+    for (const std::uint64_t p : around)
+      for (const std::uint64_t q : around)
+        if (p != q) g.neighbours.push_back({p, q});
+    if (around.size() != 1) continue;
+    const std::uint64_t poly = around[0];
+    around.clear();
+    for (const vert_t<M> v : adj_facet2v(s.mesh, x)) around.push_back(s.global_vert[index_of(s.mesh, v)]);
+    std::sort(around.begin(), around.end());
+    around.resize(std::max<std::size_t>(around.size(), 3), std::numeric_limits<std::uint64_t>::max());
+    g.open.push_back({{around[0], around[1], around[2]}, poly});
+  }
+  return g;
+}
+
+/// The process, of so many, that is asked about a vert: they share the numbers below bound in order.
+inline std::size_t process_of_vert(std::uint64_t v, std::uint64_t bound, std::size_t processes) {
+  return static_cast<std::size_t>(v / (bound / processes + 1));
+}
+
+/// Adds the pairs of neighbours in different slices. Collective.
+inline void join_slices(MPI_Comm communicator, slice_graph& g) {
+  int size = 1;
+  (MPI_Comm_size)(communicator, &size);
+  const auto processes = static_cast<std::size_t>(size);
+  std::vector<std::vector<slice_graph::open_facet>> sent(processes);
+  on_all(communicator, [&] {
+    for (const auto& x : g.open) sent[process_of_vert(x.verts[0], g.num_verts, processes)].push_back(x);
+    std::vector<slice_graph::open_facet>().swap(g.open);
+  });
+  const auto received = all_to_all(communicator, sent);
+  std::vector<std::vector<slice_graph::pair>> answers(processes);
+  on_all(communicator, [&] {
+    std::vector<std::pair<slice_graph::open_facet, std::size_t>> all;  // and who has it
+    for (std::size_t r = 0; r < processes; ++r)
+      for (const auto& x : received[r]) all.emplace_back(x, r);
+    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (std::size_t k = 1; k < all.size(); ++k) {  // several polys at a facet become a path
+      const auto& [x, of_x] = all[k - 1];
+      const auto& [y, of_y] = all[k];
+      if (!x.has_verts_of(y) || x.poly == y.poly) continue;
+      answers[of_x].push_back({x.poly, y.poly});
+      answers[of_y].push_back({y.poly, x.poly});
+    }
+  });
+  const auto pairs = all_to_all(communicator, answers);
+  on_all(communicator, [&] {
+    for (const auto& of_process : pairs) g.neighbours.insert(g.neighbours.end(), of_process.begin(), of_process.end());
+    std::sort(g.neighbours.begin(), g.neighbours.end());
+    g.neighbours.erase(std::unique(g.neighbours.begin(), g.neighbours.end()), g.neighbours.end());
+  });
+}
+
+/// The part of each poly of the slice of this process, as many parts as there are processes. Collective.
+inline std::vector<int> parts_of_slices(MPI_Comm communicator, const slice_graph& g) {
+  int size = 1;
+  (MPI_Comm_size)(communicator, &size);
+  std::vector<int> part(static_cast<std::size_t>(g.size), 0);
+  if (size == 1 || g.num_polys == 0) return part;
+  PetscInt *starts = nullptr, *columns = nullptr;
+  const petsc_errors errors;
+  on_all(communicator, [&] {
+    if (std::max<std::uint64_t>(g.num_polys, g.neighbours.size()) >= PETSC_MAX_INT)
+      core::throw_joined<unsupported>(
+          {"load_distributed: PETSc has too few bits to number ", g.num_polys, " polys and their neighbours"});
+    errors.check(PetscMalloc1(static_cast<std::size_t>(g.size) + 1, &starts), "the partition of polys");
+    errors.check(PetscMalloc1(g.neighbours.size() + 1, &columns), "the partition of polys");
+    std::fill(starts, starts + g.size + 1, 0);
+    for (std::size_t k = 0; k < g.neighbours.size(); ++k) {
+      ++starts[g.neighbours[k][0] - g.first + 1];
+      columns[k] = static_cast<PetscInt>(g.neighbours[k][1]);
+    }
+    for (std::uint64_t i = 0; i < g.size; ++i) starts[i + 1] += starts[i];
+  });
+  petsc_object<Mat, MatDestroy> graph;  // owns the arrays
+  petsc_object<MatPartitioning, MatPartitioningDestroy> partitioning;
+  petsc_object<IS, ISDestroy> result;
+  const auto check = [&](PetscErrorCode code) {
+    on_all(communicator, [&] { errors.check(code, "the partition of polys"); });
+  };
+  check(MatCreateMPIAdj(communicator, static_cast<PetscInt>(g.size), static_cast<PetscInt>(g.num_polys), starts,
+                        columns, nullptr, graph.address()));
+  check(MatPartitioningCreate(communicator, partitioning.address()));
+  check(MatPartitioningSetAdjacency(partitioning, graph));
+  check(MatPartitioningSetType(partitioning, MATPARTITIONINGPTSCOTCH));
+  check(MatPartitioningSetNParts(partitioning, size));
+  check(MatPartitioningApply(partitioning, result.address()));
+  const PetscInt* of_poly = nullptr;
+  check(ISGetIndices(result, &of_poly));
+  for (std::size_t i = 0; i < part.size(); ++i) part[i] = static_cast<int>(of_poly[i]);
+  check(ISRestoreIndices(result, &of_poly));
+  return part;
+}
+
+}  // namespace concino::detail

@@ -1,0 +1,77 @@
+// What a process saves of a distributed mesh: its polys, its verts without polys, and their numbers and owners.
+#pragma once
+
+#include <concino/adapters/detail/mpi/mpi_agreement.hpp>
+#include <concino/adapters/distributed.hpp>
+#include <concino/core/message.hpp>
+#include <concino/mesh/property_set.hpp>
+
+#include <mpi.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace concino::detail {
+
+/// The elements by index in the local mesh, and properties of all local elements.
+struct piece_of_process {
+  std::vector<std::uint32_t> polys, loose_verts;
+  property_set properties;
+};
+
+template<class M, class Elements>
+void store_numbers(const distributed<M>& m, element_kind kind, const Elements& elements, std::size_t bound,
+                   property_set& all) {
+  auto* const ids = static_cast<std::int64_t*>(all.get(kind, "global_id", values_of<std::int64_t>, bound)->data());
+  auto* const owners = static_cast<int*>(all.get(kind, "owner", values_of<int>, bound)->data());
+  for (const auto x : elements) {
+    ids[index_of(m, x)] = static_cast<std::int64_t>(m.global_number(x));
+    owners[index_of(m, x)] = m.owner(x);
+  }
+}
+
+template<class M>
+piece_of_process local_piece(const distributed<M>& m) {
+  piece_of_process r;
+  for (const poly_t<M> p : polys(m))
+    if (!m.is_ghost(p)) r.polys.push_back(static_cast<std::uint32_t>(index_of(m, p)));
+  for (const vert_t<M> v : verts(m))
+    if (num_elements(adj_v2p(m, v)) == 0) r.loose_verts.push_back(static_cast<std::uint32_t>(index_of(m, v)));
+  store_numbers(m, element_kind::vert, verts(m), vert_index_bound(m), r.properties);
+  store_numbers(m, element_kind::poly, polys(m), poly_index_bound(m), r.properties);
+  return r;
+}
+
+/// Collective. Errors: invalid_argument.
+template<class M, class Values>
+void check_named_values(const distributed<M>& m, const Values& values) {
+  std::string list;  // of this process, and of the first one
+  on_all(m.communicator(), [&] {
+    std::set<std::string> names;
+    for (const auto& v : values) {
+      if (&v.mesh() != &m)
+        core::throw_joined<invalid_argument>({"save_pvtu: \"", v.name(), "\" is a map of another mesh"});
+      if (v.name() == "global_id" || v.name() == "owner")
+        core::throw_joined<invalid_argument>(
+            {"save_pvtu: \"", v.name(), "\" is the name of what save_pvtu adds; choose another"});
+      const std::string name = core::joined({to_string(v.kind()), " \"", v.name(), "\""});
+      if (!names.insert(name).second) core::throw_joined<invalid_argument>({"save_pvtu: two maps are named ", name});
+      list += core::joined({list.empty() ? "" : ", ", name});
+    }
+  });
+  std::string first = list;
+  auto length = static_cast<std::uint64_t>(first.size());
+  (MPI_Bcast)(&length, 1, MPI_UINT64_T, 0, m.communicator());
+  first.resize(static_cast<std::size_t>(length));
+  (MPI_Bcast)(first.data(), static_cast<int>(length), MPI_CHAR, 0, m.communicator());
+  on_all(m.communicator(), [&] {
+    if (list != first)
+      core::throw_joined<invalid_argument>(
+          {"save_pvtu: the maps are not the same on all processes: ", first, "; ", list});
+  });
+}
+
+}  // namespace concino::detail
