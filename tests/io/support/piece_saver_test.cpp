@@ -20,8 +20,8 @@ using namespace concino::testing;
 TEST_CASE_TEMPLATE("piece_saver: pieces get their names together, and are the mesh", M, CONCINO_ALL_KINDS) {
   const M m = two_grids<M>(2);
   property_set numbers;
-  auto* const of_verts = static_cast<std::int64_t*>(numbers.get(element_kind::vert, "global_id", detail::values_of<std::int64_t>, num_verts(m))->data());
-  auto* const of_polys = static_cast<std::int64_t*>(numbers.get(element_kind::poly, "global_id", detail::values_of<std::int64_t>, num_polys(m))->data());
+  auto* const of_verts = static_cast<std::int64_t*>(numbers.get(element_kind::vert, "global_id", concino::detail::values_of<std::int64_t>, num_verts(m))->data());
+  auto* const of_polys = static_cast<std::int64_t*>(numbers.get(element_kind::poly, "global_id", concino::detail::values_of<std::int64_t>, num_polys(m))->data());
   for (std::size_t i = 0; i < num_verts(m); ++i) of_verts[i] = static_cast<std::int64_t>(i);
   for (std::size_t i = 0; i < num_polys(m); ++i) of_polys[i] = static_cast<std::int64_t>(i);
   std::vector<std::uint32_t> polys_of[3], loose;  // every second poly, none, the others
