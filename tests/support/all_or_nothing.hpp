@@ -12,9 +12,10 @@
 
 namespace concino::testing {
 
-/// Runs edit(m) with each of its allocations failing, and checks that m is unchanged and can be edited afterwards.
+/// Runs edit(m) with each of its allocations failing, and checks that m is unchanged and can be edited afterwards. sparsity: see
+/// for_each_failing_allocation.
 template<class M, class F>
-std::size_t all_or_nothing(const M& before, const F& edit) {
+std::size_t all_or_nothing(const M& before, const F& edit, std::size_t sparsity = 0) {
   const std::vector<double> old = whole(before);
   M edited = before;
   edit(edited);
@@ -29,7 +30,7 @@ std::size_t all_or_nothing(const M& before, const F& edit) {
       looked = true;
     }
     CHECK(whole(m) == expected);
-  });
+  }, sparsity);
   CHECK(result.leaks == 0);
   return result.failed;
 }
