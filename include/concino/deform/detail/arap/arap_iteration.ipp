@@ -13,45 +13,30 @@
 
 namespace concino::detail {
 
-CONCINO_INLINE double arap_problem::rotate(std::size_t first, std::size_t n, const std::vector<vec3>& x,
-                                           rotation_columns* rotations, double& whole) const {
-  moment_matrix moments[max_rotations];
-  double bounds[max_rotations] = {};
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t v = first + i;
-    for (std::uint32_t k = first_[v]; k < first_[v + 1]; ++k) {
-      const vec3 e = rest_[to_[k]] - rest_[v], d = x[to_[k]] - x[v];
-      if (polys_.is_empty()) moments[i].add(0.5 * weight_[k], e, d);
-      else moments[i].add(1, out_[k], d);
-      bounds[i] += 0.25 * weight_[k] * (dot(e, e) + dot(d, d));
-    }
-    whole += bounds[i];
-    if (!polys_.is_empty()) bounds[i] = std::numeric_limits<double>::infinity();  // only the sum over all verts is one
+CONCINO_INLINE arap_problem::vert_sums arap_problem::rotate(std::size_t v, const std::vector<vec3>& x,
+                                                            rotation_columns& rotation) const {
+  moment_matrix moments;
+  double whole = 0;
+  for (std::uint32_t k = first_[v]; k < first_[v + 1]; ++k) {
+    const vec3 e = rest_[to_[k]] - rest_[v], d = x[to_[k]] - x[v];
+    if (polys_.is_empty()) moments.add(0.5 * weight_[k], e, d);
+    else moments.add(1, out_[k], d);
+    whole += 0.25 * weight_[k] * (dot(e, e) + dot(d, d));
   }
-  best_rotations(n, moments, bounds, rotations);
-  double sum = 0;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t c = 0; c < 3; ++c) sum += dot(rotations[i][c], moments[i].of[c]);
-  return sum;
+  // With polys only the sum of `whole` over all verts is a bound.
+  rotation = best_rotation(moments, polys_.is_empty() ? whole : std::numeric_limits<double>::infinity());
+  double products = 0;
+  for (std::size_t c = 0; c < 3; ++c) products += dot(rotation[c], moments.of[c]);
+  return {products, whole};
 }
 
 CONCINO_INLINE double arap_problem::local_step(const std::vector<vec3>& x,
                                                std::vector<rotation_columns>& rotations) const {
-  constexpr std::size_t block = 32 * max_rotations;
-  struct sums {
-    double products = 0, whole = 0;
-  };
-  std::vector<sums> of_block((x.size() + block - 1) / block);
+  std::vector<vert_sums> of_vert(x.size());
   parallel_for(
-      of_block.size(),
-      [&](std::size_t b) {
-        for (std::size_t v = b * block; v < std::min(x.size(), (b + 1) * block); v += max_rotations)
-          of_block[b].products +=
-              rotate(v, std::min(max_rotations, x.size() - v), x, rotations.data() + v, of_block[b].whole);
-      },
-      1);
-  sums all;
-  for (const sums& s : of_block) all.products += s.products, all.whole += s.whole;
+      x.size(), [&](std::size_t v) { of_vert[v] = rotate(v, x, rotations[v]); }, 256);
+  vert_sums all;
+  for (const vert_sums& s : of_vert) all.products += s.products, all.whole += s.whole;
   const double rest = all.whole - all.products;
   return rest > 1e-5 * all.whole ? 2 * rest : energy(x, rotations);
 }

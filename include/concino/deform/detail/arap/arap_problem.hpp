@@ -66,10 +66,12 @@ class arap_problem {
  private:
   /// The best rotation at each vert, and the energy.
   double local_step(const std::vector<vec3>& x, std::vector<rotation_columns>& rotations) const;
-  /// The rotations of n verts. Returns the sum of products with the edges; adds to whole what it would be if all edges
-  /// were their rest, rotated.
-  double rotate(std::size_t first, std::size_t n, const std::vector<vec3>& x, rotation_columns* rotations,
-                double& whole) const;
+  struct vert_sums {
+    double products = 0;  // of its edges with their rest, rotated
+    double whole = 0;     // what that would be if the edges were their rest, rotated
+  };
+  /// Finds the best rotation of a vert.
+  vert_sums rotate(std::size_t v, const std::vector<vec3>& x, rotation_columns& rotation) const;
   /// Without cancellation.
   double energy(const std::vector<vec3>& x, const std::vector<rotation_columns>& rotations) const;
   /// The right side of the equation of a vert, without the handles.

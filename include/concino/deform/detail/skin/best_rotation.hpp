@@ -5,7 +5,6 @@
 #include <concino/core/vec3.hpp>
 
 #include <array>
-#include <cstddef>
 #include <limits>
 
 namespace concino::detail {
@@ -28,10 +27,6 @@ inline vec3 turned(const rotation_columns& r, const vec3& a) { return a.x * r[0]
 /// The rotation R for which the sum of R a . b is largest. If several are, the one with the smallest angle. bound: not
 /// below that sum; the nearer, the quicker.
 rotation_columns best_rotation(const moment_matrix& moments, double bound = std::numeric_limits<double>::infinity());
-
-/// The same for n sums, computed side by side. n: at most max_rotations.
-inline constexpr std::size_t max_rotations = 8;
-void best_rotations(std::size_t n, const moment_matrix* moments, const double* bounds, rotation_columns* rotations);
 
 }  // namespace concino::detail
 
