@@ -132,6 +132,8 @@ TEST_CASE("stripes: bad input") {
   CHECK_THROWS_WITH_AS((void)stripes(m, crosses, 1), "stripes: the field has symmetry 4; 1 or 2 is needed", invalid_argument);
   for (const double f : {0.0, -1.0, not_a_number, std::numeric_limits<double>::infinity()})
     CHECK_THROWS_WITH_AS((void)stripes(m, lines, f), "stripes: the frequency must be finite and above 0", invalid_argument);
+  for (const double f : {1e5, 1e20, 1e308})
+    CHECK_THROWS_WITH_AS((void)stripes(m, lines, f), "stripes: more than 1,000 stripes would cross an edge; choose a lower frequency", invalid_argument);
   CHECK_THROWS_AS((void)stripes(m, lines, 1, {.progress = [](double, std::string_view) { return false; }}), cancelled);
   const trimesh other = icosphere(2);
   CHECK_THROWS_WITH_AS((void)stripes(other, lines, 1), "stripes: the field is one of another mesh", invalid_argument);

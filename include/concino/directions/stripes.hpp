@@ -53,7 +53,7 @@ struct stripes_result {
 ///         too far apart, some begin or end in singular polys.
 /// Cost:   one factorisation of a matrix with two rows for each vert, and up to 100 solves.
 /// Errors: invalid_argument if the field is one of another mesh or has another symmetry, or the frequency is not finite
-///         and above 0; solver_error; cancelled.
+///         and above 0, or so high that more than 1,000 stripes would cross an edge; solver_error; cancelled.
 /// Source: Knoppel, Crane, Pinkall, Schroder 2015, "Stripe patterns on surfaces", with virtual elements in place of
 ///         their linear elements.
 template<class M>

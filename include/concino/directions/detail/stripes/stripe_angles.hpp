@@ -19,7 +19,7 @@ struct stripe_angles {
 };
 
 /// field: n-th powers of the directions by vert, n = 1 or 2. frequency: stripes per unit of the points.
-/// Errors: those of ldlt; cancelled.
+/// Errors: invalid_argument if more than 1,000 stripes would cross an edge; those of ldlt; cancelled.
 stripe_angles find_stripes(const oriented_surface& s, int n, const std::vector<std::complex<double>>& field,
                            double frequency, const progress& on_progress);
 

@@ -5,6 +5,7 @@
 #include <concino/directions/detail/surface/poly_planes.hpp>
 
 #include <concino/core/eigenproblem.hpp>
+#include <concino/core/error.hpp>
 #include <concino/mesh/polygonmesh.hpp>
 #include <concino/operators/virtual_elements.hpp>
 #include <concino/solve/ldlt.hpp>
@@ -161,9 +162,18 @@ CONCINO_INLINE std::pair<double, double> growth_along_edge(const oriented_surfac
   return {wanted + std::remainder(difference, 2 * pi), sign};
 }
 
+/// Errors: invalid_argument if more than a thousand stripes would cross an edge. Their lines would fill the memory.
+CONCINO_INLINE void check_frequency(const oriented_surface& s, double frequency) {
+  constexpr double most_stripes = 1000;
+  for (std::uint32_t c = 0; c < s.vert.size(); ++c)
+    if (!(frequency * norm(s.points[s.vert[s.next[c]]] - s.points[s.vert[c]]) <= most_stripes))
+      throw invalid_argument("stripes: more than 1,000 stripes would cross an edge; choose a lower frequency");
+}
+
 CONCINO_INLINE stripe_angles find_stripes(const oriented_surface& s, int n,
                                           const std::vector<std::complex<double>>& field, double frequency,
                                           const progress& on_progress) {
+  check_frequency(s, frequency);
   stripe_angles result;
   const Eigen::SparseMatrix<double> energy = stripe_energy(s, corner_waves(s, n, field, frequency));
   const Eigen::VectorXd x = smallest_waves(s, energy, on_progress, result);
