@@ -5,12 +5,15 @@
 
 #include <support/corpus.hpp>
 
+#include <doctest/doctest.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace concino::testing {
@@ -61,6 +64,16 @@ inline std::vector<corpus_row> corpus_meshes() {
     }
   }
   return rows;
+}
+
+/// Calls f(mesh) for the meshes whose files are small, in long runs for most.
+template<class F>
+void for_each_small_corpus_mesh(const F& f) {
+  for (const corpus_row& row : corpus_meshes()) {
+    if (std::filesystem::file_size(row.file) > (long_run() ? 3000000 : 100000)) continue;
+    CAPTURE(row.name);
+    std::visit(f, load_any(row.file.string()));
+  }
 }
 
 }  // namespace concino::testing
