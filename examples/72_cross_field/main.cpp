@@ -21,7 +21,7 @@ template<class M, class Field>
 cn::image draw(const M& m, const std::vector<Field>& directions, const std::vector<std::pair<cn::vec3, int>>& singular) {
   cn::scene s;
   s.add(m, {.color = cn::srgb(0.93f, 0.9f, 0.84f)});
-  for (const Field& d : directions) s.add_arrows(m, d, {.scale = 0.45, .equal_lengths = true, .count = 220, .radius = 0.02});
+  for (const Field& d : directions) s.add_arrows(m, d, {.scale = 0.45, .equal_lengths = true, .count = 220, .radius = 0.02, .heads = false});
   for (const auto& [x, index] : singular)
     s.add_points(std::vector<cn::vec3>{x}, {.radius = 0.09, .color = index > 0 ? cn::srgb(0.84f, 0.13f, 0.14f) : cn::srgb(0.1f, 0.3f, 0.8f)});
   return cn::render(s, {.width = 176, .height = 108, .camera = cn::view_options{.towards = {0, -0.5, 1}, .up = {0, 1, 0}}, .samples = 3, .occlusion_rays = 0, .ground = false});

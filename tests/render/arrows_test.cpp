@@ -82,6 +82,22 @@ TEST_CASE("make_arrows: at verts of a mesh or of a graph, equal, centred, colour
   CHECK(make_arrows(primal(m), g).points == make_arrows(m, g).points);
 }
 
+TEST_CASE("make_arrows: rods without heads, as long as the arrows") {
+  const hexmesh m = testing::grid<hexmesh>(2);
+  const auto g = make_poly_map<vec3>(m, vec3{1, 2, 2});
+  const auto arrows = arrows_in(make_arrows(m, g, {.centered = true, .corners = 8}), 8);
+  const drawable d = make_arrows(m, g, {.heads = false, .centered = true, .corners = 8});
+  check_closed(d);
+  CHECK(testing::euler_characteristic(d) == 2 * 8);
+  REQUIRE(d.points.size() == 8 * 16);
+  for (std::size_t k = 0; k < 8; ++k) {
+    vec3 tail, tip;
+    for (std::size_t i = 0; i < 8; ++i) tail += d.points[16 * k + i] / 8, tip += d.points[16 * k + 8 + i] / 8;
+    CHECK(max_norm(tail - arrows[k].tail) < 1e-12);
+    CHECK(max_norm(tip - arrows[k].tip) < 1e-12);
+  }
+}
+
 TEST_CASE("make_arrows: vectors without a direction are left out and counted; long ones are limited") {
   const quadmesh m = testing::grid<quadmesh>(4);
   auto g = make_poly_map<vec3>(m, vec3{1, 0, 0});

@@ -28,6 +28,7 @@ struct arrow_options {
                                           // all
   double radius = 0;                      // of the shafts, in units of the mesh, 0 or more; 0: 7 % of the length for
                                           // the mean norm. A tenth of the length at most
+  bool heads = true;                      // false: rods, for directions without a sense, such as lines and crosses
   rgb color = srgb(0.13f, 0.13f, 0.15f);  // if they are not coloured by norm
   bool color_by_norm = false;             // instead: look.scale of the result is linear over the norms
   colormap map = colormap::blue_to_yellow;  // of the norms

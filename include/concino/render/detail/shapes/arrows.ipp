@@ -59,6 +59,16 @@ CONCINO_INLINE chosen_vectors choose_vectors(const flat_vectors& field, std::siz
   return c;
 }
 
+/// A rod along a unit vector, with flat ends.
+CONCINO_INLINE void add_rod(tube_builder& build, const vec3& tail, const vec3& d, double length, double radius) {
+  const double thickness = std::min(radius, length / 10);
+  const tube_frame f = frame_along(d);
+  const std::uint32_t first = build.ring(tail, thickness, f), second = build.ring(tail + d * length, thickness, f);
+  build.close_flat(first, -d);
+  build.connect(first, second);
+  build.close_flat(second, d, true);
+}
+
 /// An arrow along a unit vector: a shaft with a flat end, and a cone of twice its radius or more.
 CONCINO_INLINE void add_arrow(tube_builder& build, const vec3& tail, const vec3& d, double length, double radius) {
   const double shaft = std::min(radius, length / 10), head = 2.4 * shaft, head_length = 5 * shaft;
@@ -100,8 +110,8 @@ CONCINO_INLINE drawable arrows_of(const flat_vectors& field, const arrow_options
     }
     const vec3 direction = v / size;
     if (!(length > 0)) continue;  // it is too short for a double
-    add_arrow(build, chosen.points[k] - direction * (o.centered ? length / 2 : 0), direction / norm(direction), length,
-              radius);
+    (o.heads ? add_arrow : add_rod)(build, chosen.points[k] - direction * (o.centered ? length / 2 : 0),
+                                    direction / norm(direction), length, radius);
   }
   if (o.color_by_norm) d.look.scale = value_scale::linear(norms);
   return d;

@@ -66,8 +66,8 @@ class tube_builder {
 
   /// A ring of quads around f.d, all with one normal: between rings in one plane, the second of them larger.
   void connect_flat(std::uint32_t first, std::uint32_t second, const vec3& normal);
-  /// A flat end of a tube, before its first ring.
-  void close_flat(std::uint32_t ring, const vec3& normal);
+  /// A flat end of a tube, before its first ring or after its last.
+  void close_flat(std::uint32_t ring, const vec3& normal, bool is_last = false);
   /// The cone from a ring to its tip, of this radius and height.
   void add_cone(std::uint32_t ring, double radius, double height, const vec3& tip, const vec3& d);
 

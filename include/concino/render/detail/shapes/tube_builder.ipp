@@ -126,9 +126,9 @@ CONCINO_INLINE void tube_builder::connect_flat(std::uint32_t first, std::uint32_
   to_.normals.resize(to_.corners.size(), to_normal3(normal));
 }
 
-CONCINO_INLINE void tube_builder::close_flat(std::uint32_t ring, const vec3& normal) {
+CONCINO_INLINE void tube_builder::close_flat(std::uint32_t ring, const vec3& normal, bool is_last) {
   const auto at = static_cast<std::uint32_t>(to_.corners.size());
-  for (std::uint32_t i = corners_; i-- > 0;) to_.corners.push_back(ring + i);
+  for (std::uint32_t i = 0; i < corners_; ++i) to_.corners.push_back(ring + (is_last ? i : corners_ - 1 - i));
   to_.normals.resize(to_.corners.size(), to_normal3(normal));
   for (std::uint32_t i = 2; i < corners_; ++i) {
     to_.triangles.push_back({at, at + i - 1, at + i});
