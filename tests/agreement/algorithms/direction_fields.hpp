@@ -57,16 +57,21 @@ struct directions_of {
     for (const auto& b : boundary_turns(g)) other_sum += b.index;
     expect(sum == other_sum, "the sum of the indices");
     if (in.in_one_piece) compare_stripes(both, first);
-    if (in.closed && in.in_one_piece) {
-      const int chi = sum / 4;
-      const std::vector<std::pair<vert_t<native_mesh>, int>> indices{{first, chi}};
-      const std::vector<std::pair<vert_t<other_mesh>, int>> same_indices{{both.verts.to(first), chi}};
+    if (in.in_one_piece) {
+      const int chi = sum / 4, index = in.closed ? chi : 0;
+      std::vector<std::pair<vert_t<native_mesh>, int>> indices;
+      std::vector<std::pair<vert_t<other_mesh>, int>> same_indices;
+      if (in.closed) indices = {{first, chi}}, same_indices = {{both.verts.to(first), chi}};
       const auto w = trivial_connection(both.native, indices);
       const auto u = trivial_connection(both.other, same_indices);
       for (const auto v : both.verts.all) {
-        expect_close(w.index(v), v == first ? chi : 0, 1e4, "the index");
-        expect_close(u.index(both.verts.to(v)), v == first ? chi : 0, 1e4, "the index");
+        expect_close(w.index(v), v == first ? index : 0, 1e4, "the index");
+        expect_close(u.index(both.verts.to(v)), v == first ? index : 0, 1e4, "the index");
       }
+      int loops = 0, other_loops = 0;
+      for (const auto& b : boundary_turns(w)) loops += b.index;
+      for (const auto& b : boundary_turns(u)) other_loops += b.index;
+      expect(loops == chi - index && other_loops == chi - index, "the sum of the indices of loops");
     }
     return true;
   }
