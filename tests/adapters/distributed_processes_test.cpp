@@ -3,6 +3,7 @@
 #include <concino/adapters/distributed_gather.hpp>
 #include <concino/adapters/metis_partition.hpp>
 
+#include <concino/core/system_checks.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/validate.hpp>
 
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -101,6 +103,27 @@ TEST_CASE("distributed: an error of one process is thrown on all") {
   CHECK_THROWS_WITH_AS(on_last(io_error("")), "", io_error);
   CHECK_THROWS_AS(on_last(cancelled("c")), cancelled);
   CHECK_THROWS_WITH_AS(on_last(solver_error(std::string(100000, 'x'))), std::string(100000, 'x').c_str(), solver_error);
+  CHECK_THROWS_WITH_AS(on_last(invalid_argument("i")), "i", invalid_argument);
+  CHECK_THROWS_WITH_AS(on_last(error("e")), "e", error);
+  if (number_of_processes() > 1 && rank() < last) CHECK_THROWS_WITH_AS(on_last(std::length_error("of the standard library")), "of the standard library", error);
+  else CHECK_THROWS_WITH_AS(on_last(std::length_error("of the standard library")), "of the standard library", std::length_error);
+  try {
+    on_last(parse_error("a.obj", 7, "a number", "\"x\""));
+    FAIL("there is no error");
+  } catch (const parse_error& e) {
+    CHECK(std::string(e.what()) == "a.obj:7: expected a number, found \"x\"");
+    CHECK(e.file == "a.obj");
+    CHECK(e.line == 7);
+    CHECK(e.expected == "a number");
+    CHECK(e.found == "\"x\"");
+  }
+  try {
+    on_last(core::singular_row("row 3", 3));
+    FAIL("there is no error");
+  } catch (const core::singular_row& e) {
+    CHECK(std::string(e.what()) == "row 3");
+    CHECK(e.row == 3);
+  }
   detail::on_all(MPI_COMM_WORLD, [] {});
 }
 

@@ -1,13 +1,17 @@
 // What tests of distributed meshes share: processes, partitions, and elements by their number.
 #pragma once
 
+#include <concino/adapters/distributed.hpp>
 #include <concino/adapters/metis_partition.hpp>
+#include <concino/core/vec3.hpp>
 #include <concino/mesh/element_map.hpp>
 
 #include <support/temporary.hpp>
 
 #include <mpi.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -56,6 +60,19 @@ std::vector<concino::poly_map<M, int>> parts_of(const M& m) {
     ++i;
   }
   return r;
+}
+
+inline double magnitude(double x) { return std::abs(x); }
+inline double magnitude(const concino::vec3& x) { return concino::norm(x); }
+
+/// Between a map of a distributed mesh and one of the whole mesh, at the verts of this process and its ghosts, relative to the largest value of the latter.
+template<class M, class X, class T>
+double largest_difference(const concino::element_map<concino::distributed<M>, X, T>& u, const concino::element_map<M, X, T>& expected) {
+  double worst = 0, largest = 0;
+  for (const auto v : concino::verts(expected.mesh())) largest = std::max(largest, magnitude(expected[v]));
+  for (const auto v : concino::verts(u.mesh()))
+    worst = std::max(worst, magnitude(u[v] - expected[vert_at(expected.mesh(), u.mesh().global_number(v))]));
+  return worst / largest;
 }
 
 /// A folder that all processes see, from the first one. Its end waits for all of them.

@@ -70,7 +70,7 @@ vert_map<distributed<M>, double> distributed_heat_flow(const distributed<M>& m, 
     mass = mass_matrix(part, {.lumped = options.lumped});
     a = mass - step * laplacian(part);
   });
-  const distributed_system<M> system(problem, std::move(a), solver.options());
+  const distributed_system<M> system(problem, a, solver.options());
   const auto apply = [&](vert_map<distributed<M>, double>& x) {  // A^-1 M
     std::vector<double> load = problem.zeros();
     for (int c = 0; c < mass.outerSize(); ++c)
@@ -84,7 +84,7 @@ vert_map<distributed<M>, double> distributed_heat_flow(const distributed<M>& m, 
       auto stage = u;
       apply(stage);
       for (const vert_t<M> v : verts(m))
-        if (problem.row(index_of(m, v)) >= 0) u[v] += forward * (stage[v] - u[v]);
+        if (problem.is_unknown(index_of(m, v))) u[v] += forward * (stage[v] - u[v]);
     }
     apply(u);
   }

@@ -29,6 +29,12 @@ struct harmonic_map_options {
 
 namespace detail {
 
+inline void check_exponent(int exponent, const char* caller) {
+  if (exponent < 1)
+    core::throw_joined<invalid_argument>(
+        {caller, ": exponent is ", core::number_text(exponent), "; it must be 1 or more"});
+}
+
 /// The unknowns and their system, with prescribed values at some verts. Shared by harmonic_map and
 /// prepare_harmonic_map.
 template<class M>
@@ -40,9 +46,7 @@ class harmonic_problem {
   template<class V, class D>
   static constrained_system<M> make_system(const M& m, const V& fixed, const D& discretisation,
                                            const harmonic_map_options& options) {
-    if (options.exponent < 1)
-      core::throw_joined<invalid_argument>(
-          {caller, ": exponent is ", core::number_text(options.exponent), "; it must be 1 or more"});
+    check_exponent(options.exponent, caller);
     report_progress(options.progress, 0, "harmonic map");
     constrained_verts<M> constrained(m);
     constrained.constrain(m, fixed, caller);

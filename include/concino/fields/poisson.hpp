@@ -44,6 +44,22 @@ struct prepare_poisson_options {
 
 namespace detail {
 
+/// The right-hand side M f + S of a mesh at this size. In units, u is f times length^2, and a flux times length.
+/// product: M f. name: see add_fluxes.
+template<class T, class M, class N, class Name = facet_by_index>
+right_hand_sides<T> poisson_load(const views::scaled<M>& at, right_hand_sides<T>&& product, const N& fluxes,
+                                 const char* caller, const Name& name = {}) {
+  const auto enlarge = [&] {
+    if (at.exponent() == 0) return;
+    for (auto& column : product)
+      for (Eigen::Index i = 0; i < column.size(); ++i) column[i] = std::ldexp(column[i], at.exponent());
+  };
+  enlarge();
+  add_fluxes<T>(at, fluxes, product, caller, name);
+  enlarge();
+  return std::move(product);
+}
+
 /// The unknowns and their system, with prescribed values at some verts. Shared by poisson and prepare_poisson. All
 /// computations use coordinates times 2^-exponent, so that the size is near 1.
 template<class M>
@@ -58,20 +74,10 @@ class poisson_problem {
     mass_.swap(mass);
   }
 
-  void enlarge(auto& rhs) const {
-    if (exponent_ == 0) return;
-    for (auto& column : rhs)
-      for (Eigen::Index i = 0; i < column.size(); ++i) column[i] = std::ldexp(column[i], exponent_);
-  }
-
-  /// The right-hand side M f + S at this size. In units, u is f times length^2, and a flux times length.
   template<class T, class F>
   right_hand_sides<T> load(const M& m, const F& f, const poisson_options<M, T>& options) const {
-    auto sum = mass_times<T>(m, mass_, f, "poisson: the load f");
-    enlarge(sum);
-    add_fluxes<T>(views::scaled<M>(m, exponent_), options.fluxes, sum, caller);
-    enlarge(sum);
-    return sum;
+    return poisson_load<T>(views::scaled<M>(m, exponent_), mass_times<T>(m, mass_, f, "poisson: the load f"),
+                           options.fluxes, caller);
   }
 
  public:

@@ -1,11 +1,13 @@
-// The unknown verts of a problem on a distributed mesh, and the values that are prescribed at others.
+// The verts of a problem on a distributed mesh: rows of its matrices, prescribed values, and those that are unknown.
 #pragma once
 
 #include <concino/adapters/detail/mpi/mpi_agreement.hpp>
 #include <concino/adapters/distributed.hpp>
 #include <concino/core/error.hpp>
-#include <concino/core/number_text.hpp>
+#include <concino/core/message.hpp>
+#include <concino/fields/harmonic_map.hpp>
 #include <concino/graph/disjoint_sets.hpp>
+#include <concino/mesh/element_map.hpp>
 
 #include <petscsys.h>
 
@@ -18,20 +20,19 @@
 
 namespace concino::detail {
 
-/// The unknown verts, numbered over all processes, and the prescribed values. Vectors have an entry for each local
-/// vert, by index. Every function is collective.
-template<class M>
+/// The verts that have polys, numbered over all processes as rows of matrices, and the prescribed values. Vectors have
+/// an entry for each local vert, by index. The constructor is collective. T: double or vec3.
+template<class M, field_value T = double>
 class distributed_problem {
   const distributed<M>* mesh_;
   const char* caller_;
   struct prescription {
-    double value = 0;
+    T value = {};
     std::uint8_t is_prescribed = 0, is_contradicted = 0;
   };
   std::vector<prescription> values_;
-  std::vector<PetscInt> unknown_;  // the row of each local vert; -1 if it is none
-  std::vector<char> has_polys_;
-  std::vector<vert_t<M>> own_;  // unknown verts of this process, by row
+  std::vector<PetscInt> rows_;  // of each local vert; -1 if it has no polys
+  std::vector<vert_t<M>> own_;  // the verts of this process, by row
   PetscInt first_ = 0;
 
   std::size_t index(const vert_t<M>& v) const { return index_of(mesh_->base(), v); }
@@ -40,13 +41,16 @@ class distributed_problem {
   template<class Values>
   void read(const Values& values) {
     on_all(mesh_->communicator(), [&] {
-      for (const auto& [v, x] : values) {
+      for (const auto& [vert, number] : values) {
+        const vert_t<M> v = vert;
+        const T x = as_field_value<T>(number);
         if (!contains(mesh_->base(), v))
           core::throw_joined<invalid_mesh>({caller_, ": a value is given at what is no vert of this process"});
-        if (!std::isfinite(static_cast<double>(x)))
-          core::throw_joined<invalid_argument>(
-              {caller_, ": the value given at vert ", mesh_->global_number(v), " is not finite"});
-        combine(values_[index(v)], {static_cast<double>(x), 1, 0});
+        for (std::size_t k = 0; k < component_count<T>; ++k)
+          if (!std::isfinite(field_component(x, k)))
+            core::throw_joined<invalid_argument>(
+                {caller_, ": the value given at vert ", mesh_->global_number(v), " is not finite"});
+        combine(values_[index(v)], {x, 1, 0});
       }
     });
     exchange().to_owners(values_.data(), combine);
@@ -60,7 +64,7 @@ class distributed_problem {
   }
   static void combine(prescription& known, const prescription& other) {
     if (!other.is_prescribed) return;
-    if (known.is_prescribed && known.value != other.value) known.is_contradicted = 1;
+    if (known.is_prescribed && !(known.value == other.value)) known.is_contradicted = 1;
     known.is_contradicted |= other.is_contradicted;
     if (!known.is_prescribed) known.value = other.value;
     known.is_prescribed = 1;
@@ -98,54 +102,56 @@ class distributed_problem {
     }
     std::uint64_t alone = std::numeric_limits<std::uint64_t>::max();
     for (const vert_t<M> v : verts(m))
-      if (has_polys_[index(v)] && !is_reached[index(v)]) alone = std::min(alone, mesh_->global_number(v));
+      if (rows_[index(v)] >= 0 && !is_reached[index(v)]) alone = std::min(alone, mesh_->global_number(v));
     (MPI_Allreduce)(MPI_IN_PLACE, &alone, 1, MPI_UINT64_T, MPI_MIN, mesh_->communicator());
     if (alone != std::numeric_limits<std::uint64_t>::max())
       core::throw_joined<solver_error>(
           {caller_, ": the component of vert ", alone, " has no prescribed value; give one at any of its verts"});
   }
 
-  void number_unknowns() {
+  void number_rows() {
     const M& m = mesh_->base();
+    std::vector<char> has_polys(rows_.size());
+    for (const poly_t<M> p : polys(m))
+      for (const vert_t<M> v : adj_p2v(m, p)) has_polys[index(v)] = 1;
     for (const vert_t<M> v : verts(m))
-      if (!mesh_->is_ghost(v) && has_polys_[index(v)] && !values_[index(v)].is_prescribed) own_.push_back(v);
+      if (!mesh_->is_ghost(v) && has_polys[index(v)]) own_.push_back(v);
     long long count = static_cast<long long>(own_.size()), before = 0, total = 0;
     (MPI_Exscan)(&count, &before, 1, MPI_LONG_LONG, MPI_SUM, mesh_->communicator());
     (MPI_Allreduce)(&count, &total, 1, MPI_LONG_LONG, MPI_SUM, mesh_->communicator());
     if (mesh_->rank() == 0) before = 0;  // MPI leaves it undefined
     if (total > std::numeric_limits<PetscInt>::max())
-      core::throw_joined<unsupported>({caller_, ": PETSc was built with indices that cannot count the unknowns"});
+      core::throw_joined<unsupported>({caller_, ": PETSc was built with indices that cannot count the verts"});
     first_ = static_cast<PetscInt>(before);
-    for (std::size_t k = 0; k < own_.size(); ++k) unknown_[index(own_[k])] = first_ + static_cast<PetscInt>(k);
-    exchange().to_ghosts(unknown_.data());
+    for (std::size_t k = 0; k < own_.size(); ++k) rows_[index(own_[k])] = first_ + static_cast<PetscInt>(k);
+    exchange().to_ghosts(rows_.data());
   }
 
  public:
   /// values: pairs of a local vert and its value; each process may give any of its own and of its ghosts.
-  template<class Values>
   /// is_definite: no component needs a value.
+  template<class Values>
   distributed_problem(const distributed<M>& m, const Values& values, const char* caller, bool is_definite = false)
-      : mesh_(&m), caller_(caller), values_(vert_index_bound(m)), unknown_(values_.size(), -1),
-        has_polys_(values_.size()) {
-    for (const poly_t<M> p : polys(m))
-      for (const vert_t<M> v : adj_p2v(m, p)) has_polys_[index(v)] = 1;
+      : mesh_(&m), caller_(caller), values_(vert_index_bound(m)), rows_(values_.size(), -1) {
+    number_rows();
     read(values);
     if (!is_definite) check_components();
-    number_unknowns();
   }
 
   const distributed<M>& mesh() const { return *mesh_; }
   const char* caller() const { return caller_; }
-  std::vector<double> zeros() const { return std::vector<double>(values_.size(), 0.0); }
+  std::vector<T> zeros() const { return std::vector<T>(values_.size(), T{}); }
   PetscInt first_row() const { return first_; }
-  /// The row of the local vert with this index; -1 if it is not unknown.
-  PetscInt row(std::size_t index) const { return unknown_[index]; }
-  /// The unknown verts of this process, by row.
+  /// The row of the local vert with this index in matrices over all verts that have polys; -1 if it has none.
+  PetscInt matrix_row(std::size_t index) const { return rows_[index]; }
+  /// The verts of this process that have polys, by row.
   const std::vector<vert_t<M>>& own() const { return own_; }
+  /// Whether the local vert with this index has polys and no prescribed value.
+  bool is_unknown(std::size_t index) const { return rows_[index] >= 0 && !values_[index].is_prescribed; }
 
   /// The given values, isolated_value at all other verts.
-  vert_map<distributed<M>, double> prescribed(double isolated_value) const {
-    auto u = make_vert_map<double>(*mesh_, isolated_value);
+  vert_map<distributed<M>, T> prescribed(double isolated_value) const {
+    auto u = make_vert_map<T>(*mesh_, same_in_all_components<T>(isolated_value));
     for (const vert_t<M> v : verts(mesh_->base()))
       if (values_[index(v)].is_prescribed) u[v] = values_[index(v)].value;
     return u;

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace concino::detail {
@@ -47,25 +48,35 @@ class petsc_iteration {
 
   /// rows: those of this process, numbered on from those of the processes before it.
   void factorize(const petsc_rows& rows) {
-    factorize_scaled(rows.values, rows.first, rows.size(), [&](const petsc_errors& errors, const double* values) {
-      errors.check(MatSetType(matrix_, MATAIJ), "creating the matrix");
-      // each does nothing for matrices of the other type
-      errors.check(MatSeqAIJSetPreallocationCSR(matrix_, rows.starts.data(), rows.columns.data(), values),
-                   "filling the matrix");
-      errors.check(MatMPIAIJSetPreallocationCSR(matrix_, rows.starts.data(), rows.columns.data(), values),
-                   "filling the matrix");
-    });
+    const petsc_errors errors;
+    double largest = 0;
+    for (const double value : rows.values) largest = std::max(largest, std::abs(value));
+    (MPI_Allreduce)(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, options_.communicator);
+    scale_ = core::power_of_two_to_scale(largest);
+    std::vector<double> values = rows.values;
+    for (double& value : values) value *= scale_;
+    errors.check(MatCreate(options_.communicator, matrix_.address()), "creating the matrix");
+    errors.check(MatSetSizes(matrix_, rows.size(), rows.size(), PETSC_DETERMINE, PETSC_DETERMINE),
+                 "creating the matrix");
+    errors.check(MatSetType(matrix_, MATAIJ), "creating the matrix");
+    // each does nothing for matrices of the other type
+    errors.check(MatSeqAIJSetPreallocationCSR(matrix_, rows.starts.data(), rows.columns.data(), values.data()),
+                 "filling the matrix");
+    errors.check(MatMPIAIJSetPreallocationCSR(matrix_, rows.starts.data(), rows.columns.data(), values.data()),
+                 "filling the matrix");
+    prepare(errors, rows.first, rows.size());
   }
-  /// entries: of any rows, which PETSc sums over all processes. Its lists are used up.
-  void factorize(petsc_entries& entries) {
-    factorize_scaled(entries.values, entries.first, entries.size,
-                     [&](const petsc_errors& errors, const double* values) {
-                       errors.check(MatSetType(matrix_, MATAIJ), "creating the matrix");
-                       errors.check(MatSetPreallocationCOO(matrix_, static_cast<PetscCount>(entries.values.size()),
-                                                           entries.rows.data(), entries.columns.data()),
-                                    "filling the matrix");
-                       errors.check(MatSetValuesCOO(matrix_, values, INSERT_VALUES), "filling the matrix");
-                     });
+  /// matrix: square, on all processes of the communicator.
+  void factorize(petsc_matrix matrix) {
+    const petsc_errors errors;
+    PetscReal largest = 0;
+    PetscInt first = 0, end = 0;
+    errors.check(MatNorm(matrix, NORM_INFINITY, &largest), "scaling the matrix");
+    errors.check(MatGetOwnershipRange(matrix, &first, &end), "scaling the matrix");
+    scale_ = core::power_of_two_to_scale(largest);
+    errors.check(MatScale(matrix, scale_), "scaling the matrix");
+    matrix_ = std::move(matrix);
+    prepare(errors, first, end - first);
   }
 
   /// b: the entries of this process. Returns those of the solution, and says how it was reached.
@@ -96,17 +107,7 @@ class petsc_iteration {
   double tolerance() const { return tolerance_; }
 
  private:
-  template<class Fill>
-  void factorize_scaled(std::vector<double> values, PetscInt first, PetscInt size, const Fill& fill) {
-    const petsc_errors errors;
-    double largest = 0;
-    for (const double value : values) largest = std::max(largest, std::abs(value));
-    (MPI_Allreduce)(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, options_.communicator);
-    scale_ = core::power_of_two_to_scale(largest);
-    for (double& value : values) value *= scale_;
-    errors.check(MatCreate(options_.communicator, matrix_.address()), "creating the matrix");
-    errors.check(MatSetSizes(matrix_, size, size, PETSC_DETERMINE, PETSC_DETERMINE), "creating the matrix");
-    fill(errors, values.data());
+  void prepare(const petsc_errors& errors, PetscInt first, PetscInt size) {
     if (options_.system == petsc_system::symmetric_definite)
       errors.check(MatSetOption(matrix_, MAT_SPD, PETSC_TRUE), "filling the matrix");
     errors.check(MatCreateVecs(matrix_, solution_.address(), right_.address()), "creating vectors");

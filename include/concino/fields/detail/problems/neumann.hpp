@@ -1,6 +1,8 @@
 // Prescribed derivatives across the boundary (Neumann conditions), and their load on the verts there.
 #pragma once
 
+#include <concino/core/error.hpp>
+#include <concino/core/message.hpp>
 #include <concino/fields/detail/problems/dirichlet.hpp>
 #include <concino/geometry/edge_length.hpp>
 #include <concino/mesh/facet_map.hpp>
@@ -9,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace concino {
@@ -38,17 +41,24 @@ void integrate_over(const M& m, const facet_t<M>& x, F&& share) {
   }
 }
 
-template<class M>
-[[noreturn, gnu::noinline, gnu::cold]] void throw_bad_flux(const char* caller, const M& m, const facet_t<M>& x,
-                                                           const char* what) {
-  const char* const word = dimension_v<M> == 2 ? "edge " : "face ";
-  core::throw_joined<invalid_argument>({caller, ": the flux given at ", word, index_of(m, x), what});
+/// An edge or face in messages.
+struct facet_by_index {
+  template<class M>
+  std::string operator()(const M& m, const facet_t<M>& x) const {
+    return core::joined({dimension_v<M> == 2 ? "edge " : "face ", index_of(m, x)});
+  }
+};
+
+[[noreturn, gnu::noinline, gnu::cold]] inline void throw_bad_flux(const char* caller, const std::string& facet,
+                                                                  const char* what) {
+  core::throw_joined<invalid_argument>({caller, ": the flux given at ", facet, what});
 }
 
+/// name(m, facet): the facet in messages.
 /// Errors: invalid_mesh if a flux is given at what is no edge or face of m, or at one that is not on the boundary;
 ///         invalid_argument if one is not finite, or two different ones are given at one facet.
-template<class T, AnyMesh M, class N>
-void add_fluxes(const M& m, const N& fluxes, right_hand_sides<T>& load, const char* caller) {
+template<class T, AnyMesh M, class N, class Name = facet_by_index>
+void add_fluxes(const M& m, const N& fluxes, right_hand_sides<T>& load, const char* caller, const Name& name = {}) {
   constexpr bool is_surface = dimension_v<M> == 2;
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   if (!(fluxes.begin() != fluxes.end())) return;
@@ -63,15 +73,14 @@ void add_fluxes(const M& m, const N& fluxes, right_hand_sides<T>& load, const ch
                        : ": a flux is given at something that is not a face of the mesh; take faces from faces(m)"});
     const std::size_t polys = num_elements(adj_facet2p(m, x));
     if (polys != 1)
-      core::throw_joined<invalid_mesh>({caller, ": a flux is given at ", is_surface ? "edge " : "face ", index_of(m, x),
-                                        ", which has ", polys,
+      core::throw_joined<invalid_mesh>({caller, ": a flux is given at ", name(m, x), ", which has ", polys,
                                         " polys; give fluxes on the boundary only, where there is one poly"});
     T& before = known[x];
     const bool again = !std::isnan(field_component(before, 0));
     for (std::size_t k = 0; k < component_count<T>; ++k) {
-      if (!std::isfinite(field_component(flux, k))) throw_bad_flux(caller, m, x, " is not finite");
+      if (!std::isfinite(field_component(flux, k))) throw_bad_flux(caller, name(m, x), " is not finite");
       if (again && field_component(before, k) != field_component(flux, k))
-        throw_bad_flux(caller, m, x, " differs from another one given there; keep one");
+        throw_bad_flux(caller, name(m, x), " differs from another one given there; keep one");
     }
     if (again) continue;
     before = flux;

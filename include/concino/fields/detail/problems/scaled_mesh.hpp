@@ -40,21 +40,24 @@ struct mesh_traits<views::scaled<M>> : detail::forward_all<views::scaled<M>, M>,
 
 namespace detail {
 
-/// The exponent of the power of two that divides the largest coordinate into [1/2, 1). 0 if all coordinates are 0 or
-/// not finite.
+/// The largest coordinate of those that are finite.
 template<AnyMesh M>
-int length_exponent(const M& m) {
+double largest_coordinate(const M& m) {
   double largest = 0;
   for (const vert_t<M> v : verts(m)) {
     const vec3 x = to_vec3(point(m, v));
     if (is_finite(x)) largest = std::max({largest, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
   }
-  return largest > 0 ? std::ilogb(largest) + 1 : 0;
+  return largest;
 }
+
+/// The exponent of the power of two that divides the largest coordinate into [1/2, 1). 0 if all coordinates are 0 or
+/// not finite.
+inline int length_exponent(double largest) { return largest > 0 ? std::ilogb(largest) + 1 : 0; }
 
 template<AnyMesh M>
 views::scaled<M> scaled_to_unit(const M& m) {
-  return {m, length_exponent(m)};
+  return {m, length_exponent(largest_coordinate(m))};
 }
 
 /// Whether D can be evaluated on a scaled mesh.
