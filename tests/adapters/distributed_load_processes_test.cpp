@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <random>
 #include <string>
 #include <utility>
 #include <variant>
@@ -153,8 +154,36 @@ TEST_CASE("load_distributed: parts are nearly equal, and have few facets between
       first = owner[number(m, p)];
     }
   }
+  concino::detail::partition_pieces pieces(concino::detail::partition_graph_of(m), owner);
+  CHECK(pieces.sizes.size() == static_cast<std::size_t>(number_of_processes()));
   // slabs of whole layers have 64 faces between two of them
   CHECK(static_cast<double>(cut) <= 1.3 * 64 * (number_of_processes() - 1));
+}
+
+TEST_CASE_TEMPLATE("load_distributed: pieces of parts join neighbours as in the whole mesh", M, CONCINO_ALL_KINDS) {
+  const shared_folder folder;
+  const auto n = static_cast<std::size_t>(number_of_processes());
+  const M m = two_grids<M>(3);
+  save_binary(m, folder / "m.vtu");
+  concino::detail::slice_graph g;
+  {
+    const auto slice = load_slice<M>(folder / "m.vtu", static_cast<std::size_t>(rank()), n);
+    g = concino::detail::graph_of_slice(slice);
+  }
+  concino::detail::join_slices(MPI_COMM_WORLD, g);
+  std::mt19937 random(7);
+  for (int trial = 0; trial < 12; ++trial) {
+    std::vector<int> whole(num_polys(m));
+    for (std::size_t p = 0; p < whole.size(); ++p)
+      whole[p] = static_cast<int>(trial < 4 ? (p >> trial) % n : trial < 8 && p > 0 && random() % 4 ? static_cast<unsigned>(whole[p - 1]) : random() % n);
+    std::vector<int> part(whole.begin() + static_cast<std::ptrdiff_t>(g.first), whole.begin() + static_cast<std::ptrdiff_t>(g.first + g.size));
+    concino::detail::join_pieces_of_slices(MPI_COMM_WORLD, g, part);
+    const std::size_t num_joined = concino::detail::join_pieces(concino::detail::partition_graph_of(m), whole, n);
+    CHECK((num_joined > 0 || n == 1));
+    std::size_t num_wrong = 0;
+    for (std::size_t i = 0; i < part.size(); ++i) num_wrong += part[i] != whole[static_cast<std::size_t>(g.first) + i];
+    CHECK(num_wrong == 0);
+  }
 }
 
 TEST_CASE("load_distributed: verts of no poly, non-manifold meshes and empty ones") {

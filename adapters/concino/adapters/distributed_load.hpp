@@ -3,6 +3,7 @@
 #pragma once
 
 #include <concino/adapters/detail/distributed/distributed_graph.hpp>
+#include <concino/adapters/detail/distributed/distributed_pieces.hpp>
 #include <concino/adapters/detail/distributed/distributed_records.hpp>
 #include <concino/adapters/detail/distributed/distributed_verts.hpp>
 #include <concino/adapters/detail/mpi/mpi_agreement.hpp>
@@ -51,7 +52,8 @@ poly_records load_records(MPI_Comm communicator, const std::string& path, const 
     values = {};
   });
   join_slices(communicator, graph);
-  const std::vector<int> part = parts_of_slices(communicator, graph);
+  std::vector<int> part = parts_of_slices(communicator, graph);
+  join_pieces_of_slices(communicator, graph, part);
   std::vector<std::vector<std::size_t>> sent(static_cast<std::size_t>(size));
   on_all(communicator, [&] {
     graph = {};
@@ -84,8 +86,8 @@ void add_unused_verts(const std::string& path, const std::vector<std::uint64_t>&
 /// their processes; none ever holds the whole mesh. All processes of the communicator call it together, and see the
 /// same file.
 /// Needs:  Loadable M; a file as for load_slice, a binary .vtu or .meshb.
-/// Result: as if the mesh of load<M>(path) had been divided into nearly equal parts. A part may be in several pieces,
-///         and empty where there are few polys. Faces of polyhedra may have other numbers and first verts. progress and
+/// Result: as if the mesh of load<M>(path) had been divided into nearly equal parts. They are connected across facets
+///         if the mesh is, by the rule of partition, and may be empty where there are few polys. Faces of polyhedra may have other numbers and first verts. progress and
 ///         report are those of the slice of the process.
 /// Cost:   O(n log n) time and the memory of some copies, for the slice, the part and its ghosts.
 /// Errors: as load_slice, thrown on all processes; a parse_error of one is an error of the same message on the others.
