@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -92,6 +93,50 @@ TEST_CASE_TEMPLATE("save_pvtu: the pieces of all processes are the whole mesh in
     }
 }
 
+TEST_CASE_TEMPLATE("save_pvtu: named properties", M, CONCINO_ALL_KINDS) {
+  M m = mesh_to_save<M>();
+  add_values(m);
+  vert_property<double>(m, "owner");  // save_pvtu has its own
+  const shared_folder folder;
+  distributed<M> d(MPI_COMM_WORLD, m, parts_of(m)[1]);
+  auto heat = vert_property<double>(d, "heat");
+  for (const auto v : verts(d)) heat[v] = d.is_ghost(v) ? -1 : 2 * static_cast<double>(d.global_number(v));
+  auto label = make_poly_map<double>(d, 0.0);
+  for (const auto p : polys(d)) label[p] = static_cast<double>(d.global_number(p)) / 2;
+  remove_property(d, element_kind::poly, "byte");
+  save_pvtu(d, folder / "m.pvtu", {{"label", label}}, {.binary = true});
+  if (is_first()) {
+    const M r = load_pvtu<M>(folder / "m.pvtu");
+    REQUIRE(num_verts(r) == num_verts(m));
+    const auto names = [](const M& x) {
+      std::set<std::string> all;
+      for (const property_info& p : property_list(x))
+        if (p.kind != element_kind::face) all.insert(std::string(to_string(p.kind)) + " " + p.name);
+      return all;
+    };
+    std::set<std::string> expected = names(m);
+    expected.erase("poly byte");
+    expected.insert({"vert global_id", "poly global_id", "poly owner"});
+    CHECK(names(r) == expected);
+    const auto read_heat = find_vert_property<double>(r, "heat");
+    const auto read_label = find_poly_property<double>(r, "label");
+    const auto normal = find_vert_property<vec3>(r, "normal");
+    const auto color = find_poly_property<rgba>(r, "color"), expected_color = find_poly_property<rgba>(m, "color");
+    std::size_t num_wrong = 0;
+    for (const auto v : verts(r)) {
+      const auto i = static_cast<double>(number(r, v));
+      num_wrong += read_heat[v] != 2 * i;
+      num_wrong += !(normal[v] == vec3{i, 0, -i});
+    }
+    for (const auto p : polys(r)) {
+      num_wrong += read_label[p] != static_cast<double>(number(r, p)) / 2;
+      num_wrong += !(color[p] == expected_color[poly_at(m, number(r, p))]);
+    }
+    CHECK(num_wrong == 0);
+    CHECK(*find_mesh_property<double>(r, "time") == 0.75);
+  }
+}
+
 TEST_CASE("save_pvtu: an empty distributed mesh") {
   const shared_folder folder;
   const trimesh m;
@@ -111,7 +156,10 @@ TEST_CASE("save_pvtu: what one process finds wrong is thrown on all, and no file
   CHECK_THROWS_WITH_AS(save_pvtu(d, path, {{"owner", u}}), doctest::Contains("\"owner\" is the name of what save_pvtu adds"), invalid_argument);
   CHECK_THROWS_WITH_AS(save_pvtu(d, path, {{"u", of_other}}), "save_pvtu: \"u\" is a map of another mesh", invalid_argument);
   CHECK_THROWS_WITH_AS(save_pvtu(d, path, {}, {.as_boundary = rank() == last}), doctest::Contains("and no boundary"), invalid_argument);
-  if (last > 0) CHECK_THROWS_WITH_AS(save_pvtu(d, path, {{uv, u}}), doctest::Contains("the maps are not the same on all processes"), invalid_argument);
+  if (last > 0) CHECK_THROWS_WITH_AS(save_pvtu(d, path, {{uv, u}}), doctest::Contains("the maps and properties are not the same on all processes"), invalid_argument);
+  distributed<trimesh> with_own(MPI_COMM_WORLD, m, parts_of(m)[0]);
+  if (rank() == last) vert_property<double>(with_own, "own");
+  if (last > 0) CHECK_THROWS_WITH_AS(save_pvtu(with_own, path), doctest::Contains("not the same on all processes: ; vert \"own\""), invalid_argument);
   const std::string elsewhere = rank() == last ? path + "/no/folder.pvtu" : path;
   if (is_first()) write_file(path, "old");
   MPI_Barrier(MPI_COMM_WORLD);

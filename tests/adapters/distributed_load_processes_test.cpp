@@ -4,13 +4,12 @@
 #include <concino/adapters/distributed_gather.hpp>
 #include <concino/adapters/distributed_load.hpp>
 
-#include <concino/convert/convert.hpp>
 #include <concino/geometry/measure.hpp>
 #include <concino/io/load_any.hpp>
 #include <concino/io/medit.hpp>
 #include <concino/io/pvtu.hpp>
 #include <concino/io/vtu.hpp>
-#include <concino/mesh/submesh.hpp>
+#include <concino/mesh/property.hpp>
 #include <concino/validate.hpp>
 
 #include <support/corpus_meshes.hpp>
@@ -25,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <random>
 #include <string>
 #include <utility>
 #include <variant>
@@ -67,7 +67,7 @@ std::vector<std::vector<std::uint64_t>> lists_of(const distributed<M>& m) {
   return all;
 }
 
-/// m: the mesh of the file, without verts of no poly.
+/// m: the mesh of the file.
 template<class M>
 void check_same(const distributed<M>& d, const M& m) {
   CHECK(d.num_global_verts() == num_verts(m));
@@ -92,6 +92,7 @@ void check_same(const distributed<M>& d, const M& m) {
     num_wrong += !(std::abs(measure(d, p) - measure(expected, q)) < 1e-14);
   }
   CHECK(num_wrong == 0);
+  check_properties(d, m);
   auto u = make_vert_map<double>(d, -1.0);
   for (const auto v : verts(d))
     if (!d.is_ghost(v)) u[v] = static_cast<double>(d.global_number(v));
@@ -111,14 +112,25 @@ void save_binary(const M& m, const std::string& path) {
 TEST_CASE_TEMPLATE("load_distributed: the same as the whole mesh divided in the same way", M, CONCINO_ALL_KINDS) {
   const shared_folder folder;
   for (const unsigned n : {1u, 4u}) {
-    save_binary(two_grids<M>(n), folder / "m.vtu");
-    auto arrays = two_grids_arrays<M>(n);
-    arrays.points.pop_back();  // no poly has it
-    const M m(std::move(arrays));
-    const auto d = load_distributed<M>(MPI_COMM_WORLD, folder / "m.vtu");
-    check_same(d, m);
+    M m = two_grids<M>(n);
+    add_values(m);
+    save_binary(m, folder / "m.vtu");
+    check_same(load_distributed<M>(MPI_COMM_WORLD, folder / "m.vtu"), load_vtu<M>(folder / "m.vtu"));
     MPI_Barrier(MPI_COMM_WORLD);
   }
+}
+
+TEST_CASE_TEMPLATE("load_distributed: MEDIT files", M, trimesh, quadmesh, tetmesh, hexmesh) {
+  const shared_folder folder;
+  M m = two_grids<M>(2);
+  add_values(m);
+  auto corner = vert_property<int>(m, "corner"), of_verts = vert_property<int>(m, "label");
+  for (const auto v : verts(m)) corner[v] = index_of(m, v) < 5, of_verts[v] = static_cast<int>(index_of(m, v));
+  if (is_first()) save_medit(m, folder / "m.meshb", {.binary = true});
+  MPI_Barrier(MPI_COMM_WORLD);
+  const M of_file = load_medit<M>(folder / "m.meshb");
+  CHECK(property_list(of_file).size() >= 4);
+  check_same(load_distributed<M>(MPI_COMM_WORLD, folder / "m.meshb"), of_file);
 }
 
 TEST_CASE("load_distributed: parts are nearly equal, and have few facets between them") {
@@ -142,8 +154,36 @@ TEST_CASE("load_distributed: parts are nearly equal, and have few facets between
       first = owner[number(m, p)];
     }
   }
+  concino::detail::partition_pieces pieces(concino::detail::partition_graph_of(m), owner);
+  CHECK(pieces.sizes.size() == static_cast<std::size_t>(number_of_processes()));
   // slabs of whole layers have 64 faces between two of them
   CHECK(static_cast<double>(cut) <= 1.3 * 64 * (number_of_processes() - 1));
+}
+
+TEST_CASE_TEMPLATE("load_distributed: pieces of parts join neighbours as in the whole mesh", M, CONCINO_ALL_KINDS) {
+  const shared_folder folder;
+  const auto n = static_cast<std::size_t>(number_of_processes());
+  const M m = two_grids<M>(3);
+  save_binary(m, folder / "m.vtu");
+  concino::detail::slice_graph g;
+  {
+    const auto slice = load_slice<M>(folder / "m.vtu", static_cast<std::size_t>(rank()), n);
+    g = concino::detail::graph_of_slice(slice);
+  }
+  concino::detail::join_slices(MPI_COMM_WORLD, g);
+  std::mt19937 random(7);
+  for (int trial = 0; trial < 12; ++trial) {
+    std::vector<int> whole(num_polys(m));
+    for (std::size_t p = 0; p < whole.size(); ++p)
+      whole[p] = static_cast<int>(trial < 4 ? (p >> trial) % n : trial < 8 && p > 0 && random() % 4 ? static_cast<unsigned>(whole[p - 1]) : random() % n);
+    std::vector<int> part(whole.begin() + static_cast<std::ptrdiff_t>(g.first), whole.begin() + static_cast<std::ptrdiff_t>(g.first + g.size));
+    concino::detail::join_pieces_of_slices(MPI_COMM_WORLD, g, part);
+    const std::size_t num_joined = concino::detail::join_pieces(concino::detail::partition_graph_of(m), whole, n);
+    CHECK((num_joined > 0 || n == 1));
+    std::size_t num_wrong = 0;
+    for (std::size_t i = 0; i < part.size(); ++i) num_wrong += part[i] != whole[static_cast<std::size_t>(g.first) + i];
+    CHECK(num_wrong == 0);
+  }
 }
 
 TEST_CASE("load_distributed: verts of no poly, non-manifold meshes and empty ones") {
@@ -151,13 +191,13 @@ TEST_CASE("load_distributed: verts of no poly, non-manifold meshes and empty one
   save_binary(trimesh(), folder / "empty.vtu");
   check_same(load_distributed<trimesh>(MPI_COMM_WORLD, folder / "empty.vtu"), trimesh());
   save_binary(trimesh({{0, 0, 0}, {1, 0, 0}}, {}), folder / "loose.vtu");
-  check_same(load_distributed<trimesh>(MPI_COMM_WORLD, folder / "loose.vtu"), trimesh());
+  check_same(load_distributed<trimesh>(MPI_COMM_WORLD, folder / "loose.vtu"), trimesh({{0, 0, 0}, {1, 0, 0}}, {}));
   // three triangles at one edge, one that touches at a vert; with verts of no poly before, between and after theirs
-  save_binary(trimesh({{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {8, 8, 8}, {0, -1, 0}, {0, 0, 1}, {2, 0, 0}, {2, 1, 0}, {7, 7, 7}},
-                      {{1, 2, 3}, {1, 2, 5}, {1, 2, 6}, {2, 7, 8}}),
-              folder / "fan.vtu");
-  const trimesh fan({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {2, 0, 0}, {2, 1, 0}}, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {1, 5, 6}});
-  check_same(load_distributed<trimesh>(MPI_COMM_WORLD, folder / "fan.vtu"), fan);
+  trimesh fan({{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {8, 8, 8}, {0, -1, 0}, {0, 0, 1}, {2, 0, 0}, {2, 1, 0}, {7, 7, 7}},
+              {{1, 2, 3}, {1, 2, 5}, {1, 2, 6}, {2, 7, 8}});
+  add_values(fan);
+  save_binary(fan, folder / "fan.vtu");
+  check_same(load_distributed<trimesh>(MPI_COMM_WORLD, folder / "fan.vtu"), load_vtu<trimesh>(folder / "fan.vtu"));
 }
 
 TEST_CASE("load_distributed: files of the corpus, saved in pieces and read again") {
@@ -169,8 +209,7 @@ TEST_CASE("load_distributed: files of the corpus, saved in pieces and read again
           const shared_folder folder;
           save_binary(whole, folder / "m.vtu");
           const auto d = load_distributed<M>(MPI_COMM_WORLD, folder / "m.vtu");
-          const M of_file = load_vtu<M>(folder / "m.vtu");
-          const M m = convert<M>(submesh(of_file, [](const poly_t<M>&) { return true; }));  // without verts of no poly
+          const M m = load_vtu<M>(folder / "m.vtu");
           check_same(d, m);
           save_pvtu(d, folder / "d.pvtu");
           if (is_first()) {

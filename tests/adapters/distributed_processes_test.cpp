@@ -5,6 +5,7 @@
 
 #include <concino/core/system_checks.hpp>
 #include <concino/geometry/measure.hpp>
+#include <concino/mesh/property.hpp>
 #include <concino/validate.hpp>
 
 #include <support/distributed.hpp>
@@ -81,6 +82,26 @@ TEST_CASE_TEMPLATE("distributed: values of ghosts come from their owners", M, CO
     for (std::size_t i = 0; i < all.size(); ++i) CHECK(all[i] == std::sqrt(static_cast<double>(i)));
     for (std::size_t i = 0; i < of_polys.size(); ++i) CHECK(of_polys[i].x == static_cast<double>(i));
     for (const auto p : polys(d)) CHECK((w[p].x == static_cast<double>(d.global_number(p)) && w[p].z == d.owner(p)));
+  }
+}
+
+TEST_CASE_TEMPLATE("distributed: named properties of verts, polys and the mesh", M, CONCINO_ALL_KINDS) {
+  M m = two_grids<M>(2);
+  add_values(m);
+  set_property_rule(m, element_kind::vert, "heat", property_rule::sum);
+  poly_property<std::string>(m, "name");
+  edge_property<int>(m, "ridge");
+  M other;  // of the other processes, which is not read
+  poly_property<float>(other, "label");
+  for (const auto& part : parts_of(m)) {
+    const distributed<M> d(MPI_COMM_WORLD, is_first() ? m : other, part);
+    check_properties(d, m);
+    const auto heat = gather(d, find_vert_property<double>(d, "heat"));
+    const auto label = gather(d, find_poly_property<int>(d, "label"));
+    REQUIRE(heat.size() == (is_first() ? num_verts(m) : 0));
+    REQUIRE(label.size() == (is_first() ? num_polys(m) : 0));
+    for (std::size_t i = 0; i < heat.size(); ++i) CHECK(heat[i] == 0.25 + static_cast<double>(i));
+    for (std::size_t i = 0; i < label.size(); ++i) CHECK(label[i] == (2 * i >= num_polys(m) ? static_cast<int>(3 * i) : 0));
   }
 }
 

@@ -1,16 +1,22 @@
-// What tests of distributed meshes share: processes, partitions, and elements by their number.
+// What tests of distributed meshes share: processes, partitions, elements by their number, and properties.
 #pragma once
 
 #include <concino/adapters/distributed.hpp>
 #include <concino/adapters/metis_partition.hpp>
+#include <concino/core/rgba.hpp>
 #include <concino/core/vec3.hpp>
 #include <concino/mesh/element_map.hpp>
+#include <concino/mesh/property.hpp>
 
+#include <support/same_mesh.hpp>
 #include <support/temporary.hpp>
+
+#include <doctest/doctest.h>
 
 #include <mpi.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -73,6 +79,56 @@ double largest_difference(const concino::element_map<concino::distributed<M>, X,
   for (const auto v : concino::verts(u.mesh()))
     worst = std::max(worst, magnitude(u[v] - expected[vert_at(expected.mesh(), u.mesh().global_number(v))]));
   return worst / largest;
+}
+
+/// Gives a mesh properties of many types. Those of polys have values in their second half alone, those of faces at a few alone.
+template<class M>
+void add_values(M& m) {
+  using namespace concino;
+  auto heat = vert_property<double>(m, "heat");
+  auto texture = vert_property<std::array<float, 2>>(m, "texture");
+  auto normal = vert_property<vec3>(m, "normal");
+  for (const auto v : verts(m)) {
+    const auto i = static_cast<double>(index_of(m, v));
+    heat[v] = 0.25 + i, texture[v] = {static_cast<float>(i), 1}, normal[v] = {i, 0, -i};
+  }
+  auto label = poly_property<int>(m, "label");
+  auto byte = poly_property<std::uint8_t>(m, "byte");
+  auto color = poly_property<rgba>(m, "color");
+  for (const auto p : polys(m))
+    if (const std::size_t i = index_of(m, p); 2 * i >= num_polys(m)) label[p] = static_cast<int>(3 * i), byte[p] = 7, color[p] = {0, 0.5f, 0, 1};
+  *mesh_property<double>(m, "time") = 0.75;
+  if constexpr (dimension_v<M> == 3) {
+    auto patch = face_property<int>(m, "patch");
+    for (const auto f : faces(m)) patch[f] = index_of(m, f) < 3;
+  }
+}
+
+/// Checks that a distributed mesh has the properties of the whole mesh, at ghosts too, except names and those of edges, faces and corners.
+template<class M>
+void check_properties(const concino::distributed<M>& d, const M& m) {
+  using namespace concino;
+  std::size_t num_kept = 0, num_wrong = 0;
+  for (const property_info& p : property_list(m)) {
+    const bool is_kept = p.kind == element_kind::vert || p.kind == element_kind::poly || p.kind == element_kind::mesh;
+    if (!is_kept || *p.type == typeid(std::string)) continue;
+    ++num_kept;
+    CAPTURE(p.name);
+    REQUIRE(traits<distributed<M>>::properties(d).values_if_any(p.kind, p.name, *p.type) != nullptr);
+    const std::string whole = concino::testing::bytes_of_property(m, p), local = concino::testing::bytes_of_property(d, p);
+    const auto compare = [&](const auto& elements, std::size_t bound) {
+      for (const auto x : elements) {
+        const std::size_t size = whole.size() / bound;
+        num_wrong += local.compare(index_of(d, x) * size, size, whole, d.global_number(x) * size, size) != 0;
+      }
+    };
+    if (p.kind == element_kind::vert) compare(verts(d), vert_index_bound(m));
+    else if (p.kind == element_kind::poly) compare(polys(d), poly_index_bound(m));
+    else num_wrong += local != whole;
+    for (const property_info& q : property_list(d)) num_wrong += q.kind == p.kind && q.name == p.name && q.rule != p.rule;
+  }
+  CHECK(num_wrong == 0);
+  CHECK(property_list(d).size() == num_kept);
 }
 
 /// A folder that all processes see, from the first one. Its end waits for all of them.

@@ -7,6 +7,7 @@
 #include <concino/adapters/detail/mpi/mpi_agreement.hpp>
 #include <concino/concepts/views/forward.hpp>
 #include <concino/mesh/element_map.hpp>
+#include <concino/mesh/property.hpp>
 #include <concino/mesh/submesh.hpp>
 
 #include <mpi.h>
@@ -23,7 +24,9 @@ namespace concino {
 /// share a vert with one of them. It models what M models; the elements are the local ones, and the functions of this
 /// library that do not say otherwise compute with them alone. Each poly belongs to one process, and each vert to the
 /// lowest of the processes whose polys it has. Verts without polys belong to the first process. Local elements have the
-/// order of their global numbers, verts without polys come last.
+/// order of their global numbers, verts without polys come last. Named properties of verts, polys and the mesh, whose
+/// values are numbers, arrays of 2, 3, 4, 6 or 9 numbers, vec3 or rgba, are those of the whole mesh; others are not
+/// kept: names, and those of edges, faces and corners.
 /// Needs:  M: one of the six meshes of this library.
 /// Errors: every error of the constructor is thrown on all processes. invalid_argument if a poly is in no part of
 ///         0, 1, ... number of processes - 1.
@@ -61,7 +64,10 @@ class distributed {
     (MPI_Comm_rank)(communicator, &rank_);
     vert_numbers_ = std::move(own.vert_numbers), vert_owners_ = std::move(own.vert_owners);
     poly_numbers_ = std::move(own.poly_numbers), poly_owners_ = std::move(own.poly_owners);
-    detail::on_all(communicator, [&] { mesh_ = M(std::move(own.arrays)); });
+    detail::on_all(communicator, [&] {
+      mesh_ = M(std::move(own.arrays));
+      own.store_properties(mesh_.properties());
+    });
     vert_exchange_ = exchange_of(communicator, vert_numbers_, vert_owners_);
     poly_exchange_ = exchange_of(communicator, poly_numbers_, poly_owners_);
     totals_[0] = static_cast<std::uint64_t>(std::count(vert_owners_.begin(), vert_owners_.end(), rank_));
@@ -71,6 +77,8 @@ class distributed {
 
   /// The mesh of the part and its ghosts.
   const M& base() const { return mesh_; }
+  /// Its named properties, which vert_property(d, "u") and the like use.
+  property_set& properties() { return mesh_.properties(); }
   MPI_Comm communicator() const { return communicator_; }
   int rank() const { return rank_; }
 
@@ -93,7 +101,11 @@ class distributed {
 template<class M>
 struct mesh_traits<distributed<M>> : detail::forward_all<distributed<M>, M>,
                                      detail::forward_points<distributed<M>, M>,
-                                     detail::fixed_arity<arity_v<M>> {};
+                                     detail::forward_properties<distributed<M>, M>,
+                                     detail::fixed_arity<arity_v<M>> {
+  using detail::forward_properties<distributed<M>, M>::properties;
+  static property_set& properties(distributed<M>& m) { return m.properties(); }
+};
 
 /// Brings the values at ghosts up to date, from the processes that own them. All processes call it together.
 /// Needs:  a map of verts or polys of a distributed mesh; T is trivially copyable.

@@ -31,7 +31,6 @@ class named_values {
   element_kind kind_;
   const distributed<M>* mesh_;
   std::function<void(property_set&)> store_;
-  std::function<void(property_set&)> update_ghosts_;
 
  public:
   template<class X, class T>
@@ -41,35 +40,30 @@ class named_values {
   named_values(std::string name, const element_map<distributed<M>, X, T>& map)
       : name_(std::move(name)), kind_(std::is_same_v<X, vert_t<M>> ? element_kind::vert : element_kind::poly),
         mesh_(&map.mesh()) {
-    const auto column = [name = name_, kind = kind_, bound = map.values().size()](property_set& all) {
-      return static_cast<T*>(all.get(kind, name, detail::values_of<T>, bound)->data());
-    };
-    store_ = [column, &map](property_set& all) {
-      T* const values = column(all);
+    store_ = [name = name_, kind = kind_, &map](property_set& all) {
+      all.remove(kind, name);
+      auto* const values = static_cast<T*>(all.get(kind, name, detail::values_of<T>, map.values().size())->data());
       for (std::size_t i = 0; i < map.values().size(); ++i) values[i] = map.values()[i];
-    };
-    update_ghosts_ = [column, m = mesh_](property_set& all) {
-      m->exchange(static_cast<const X*>(nullptr)).to_ghosts(column(all));
     };
   }
 
   const std::string& name() const { return name_; }
   element_kind kind() const { return kind_; }
   const distributed<M>& mesh() const { return *mesh_; }
-  /// Copies the values to a property.
+  /// Copies the values to a property, which replaces one of the same name.
   void store(property_set& all) const { store_(all); }
-  /// Brings the values of ghosts in the property up to date. All processes call it together.
-  void update_ghosts(property_set& all) const { update_ghosts_(all); }
 };
 
 /// Saves a distributed mesh: each process writes its polys, and the first one the .pvtu file that names the pieces. All
 /// processes call it together, and see the same folder.
-/// Needs:  a distributed mesh; values: maps of it, with the same names in the same order on all processes. Values of
-///         ghosts are not used.
+/// Needs:  a distributed mesh, with the same properties on all processes; values: maps of it, with the same names in the
+///         same order on all processes. Values of ghosts are not used.
 /// Result: for m.pvtu, the pieces m_0.vtu, m_1.vtu, ... in the same folder, one for each process, empty if it has no
 ///         polys. load_pvtu restores the whole mesh in its order, by the numbers "global_id" (std::int64_t) of verts
 ///         and polys. Their processes are in "owner" (int). The files get their names when all are written, that of the
-///         .pvtu file last. progress and report are those of the process.
+///         .pvtu file last. The named properties of verts, polys and the mesh are saved too, if .vtu files can hold
+///         them and no map has the name; remove_property(d, kind, name) before leaves one out. progress and report are
+///         those of the process.
 /// Cost:   as save_vtu for the part, and a copy of the values.
 /// Errors: as save_vtu. invalid_argument for options.as_boundary; for names that are repeated, reserved or different
 ///         between processes; for a map of another mesh. Every error is thrown on all processes; until the files get
@@ -86,7 +80,7 @@ void save_pvtu(const distributed<M>& m, const std::string& path, const std::vect
     piece = detail::local_piece(m);
     for (const named_values<M>& v : values) v.store(piece.properties);
   });
-  for (const named_values<M>& v : values) v.update_ghosts(piece.properties);
+  detail::update_ghosts(m, piece.properties);
   std::optional<core::piece_saver> saver;
   for (const bool is_first : {true, false})  // the first process creates the folder
     detail::on_all(all, [&] {

@@ -1,11 +1,11 @@
-// The values of a map of a distributed mesh, brought to the first process: gather(u).
+// The values of a map or property of a distributed mesh, brought to the first process: gather(u), gather(d, u).
 // Needs: MPI (Debian: petsc-dev brings it; libopenmpi-dev).
 #pragma once
 
-#include <concino/adapters/detail/mpi/mpi_agreement.hpp>
 #include <concino/adapters/detail/mpi/mpi_bytes.hpp>
 #include <concino/adapters/distributed.hpp>
 #include <concino/mesh/element_map.hpp>
+#include <concino/mesh/property.hpp>
 
 #include <mpi.h>
 
@@ -16,46 +16,60 @@
 
 namespace concino {
 
-/// All values of a map, to print, save or draw them. All processes call it together.
-/// Needs:  a map of verts or polys of a distributed mesh; T is trivially copyable. Ghosts are not read.
+namespace detail {
+
+template<class X, class T, class M, class Values>
+std::vector<T> gather_values(const distributed<M>& m, const Values& of) {
+  std::vector<std::uint64_t> numbers;
+  std::vector<T> values, all;
+  const auto take = [&](const auto& elements) {
+    for (const X& x : elements) {
+      if (m.is_ghost(x)) continue;
+      numbers.push_back(m.global_number(x));
+      values.push_back(of[x]);
+    }
+  };
+  constexpr bool of_verts = std::is_same_v<X, vert_t<M>>;
+  if constexpr (of_verts) take(verts(m));
+  else take(polys(m));
+  if (m.rank() > 0) {
+    byte_writer writer;
+    writer.put(numbers);
+    writer.put(values);
+    send_bytes(writer.bytes(), 0, m.communicator());
+    return {};
+  }
+  int size = 1;
+  (MPI_Comm_size)(m.communicator(), &size);
+  all.resize(static_cast<std::size_t>(of_verts ? m.num_global_verts() : m.num_global_polys()));
+  for (int r = 0; r < size; ++r) {
+    if (r > 0) {
+      const std::vector<char> bytes = receive_bytes(r, m.communicator());
+      byte_reader reader(bytes);
+      reader.get(numbers);
+      reader.get(values);
+    }
+    for (std::size_t k = 0; k < numbers.size(); ++k) all[static_cast<std::size_t>(numbers[k])] = values[k];
+  }
+  return all;
+}
+
+}  // namespace detail
+
+/// All values of a map or of a named property, to print, save or draw them. All processes call it together.
+/// Needs:  a map of verts or polys of a distributed mesh, or such a property; T is trivially copyable. Ghosts are not
+///         read.
 /// Result: on the first process the values by global number; on others nothing.
 /// Cost:   the first process holds all values, and gets one message from each other.
 /// Errors: none.
 template<class M, class X, class T>
   requires std::is_trivially_copyable_v<T> std::vector<T> gather(const element_map<distributed<M>, X, T>& map) {
-    const distributed<M>& m = map.mesh();
-    std::vector<std::uint64_t> numbers;
-    std::vector<T> values, all;
-    const auto take = [&](const auto& elements) {
-      for (const X& x : elements) {
-        if (m.is_ghost(x)) continue;
-        numbers.push_back(m.global_number(x));
-        values.push_back(map[x]);
-      }
-    };
-    constexpr bool of_verts = std::is_same_v<X, vert_t<M>>;
-    if constexpr (of_verts) take(verts(m));
-    else take(polys(m));
-    if (m.rank() > 0) {
-      detail::byte_writer writer;
-      writer.put(numbers);
-      writer.put(values);
-      detail::send_bytes(writer.bytes(), 0, m.communicator());
-      return {};
-    }
-    int size = 1;
-    (MPI_Comm_size)(m.communicator(), &size);
-    all.resize(static_cast<std::size_t>(of_verts ? m.num_global_verts() : m.num_global_polys()));
-    for (int r = 0; r < size; ++r) {
-      if (r > 0) {
-        const std::vector<char> bytes = detail::receive_bytes(r, m.communicator());
-        detail::byte_reader reader(bytes);
-        reader.get(numbers);
-        reader.get(values);
-      }
-      for (std::size_t k = 0; k < numbers.size(); ++k) all[static_cast<std::size_t>(numbers[k])] = values[k];
-    }
-    return all;
+    return detail::gather_values<X, T>(map.mesh(), map);
+  }
+template<class M, class X, class T>
+  requires std::is_trivially_copyable_v<T> std::vector<std::remove_const_t<T>> gather(const distributed<M>& m,
+                                                                                      const property_map<X, T>& u) {
+    return detail::gather_values<X, std::remove_const_t<T>>(m, u);
   }
 
 }  // namespace concino

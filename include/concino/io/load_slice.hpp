@@ -30,6 +30,25 @@ struct mesh_slice {
   std::uint64_t num_polys = 0, num_verts = 0;  // of the whole file
 };
 
+namespace detail {
+
+template<class M>
+mesh_slice<M> load_chosen_slice(const std::string& path, slice_choice choice, const load_options& options) {
+  const core::profiled_options profiled(options, "load_slice");
+  constexpr format_list<vtu_format, medit_format> formats{};
+  file_slice slice = slice_of_file(path, choice, *profiled);
+  contents_for<M, std::remove_const_t<decltype(formats)>> contents;
+  read_text<from_surface<M>, wants_volumes<M>>(slice.text, slice.name, formats, slice.is_medit ? 1 : 0, wanted_for<M>,
+                                               *profiled, contents);
+  std::string().swap(slice.text);
+  if (load_report* const report = options.report)
+    report->skipped.insert(report->skipped.end(), slice.report.skipped.begin(), slice.report.skipped.end());
+  return {mesh_of<M>(contents, slice.name, options.report), slice.first_poly, std::move(slice.verts), slice.num_polys,
+          slice.num_verts};
+}
+
+}  // namespace detail
+
 /// Reads slice k of n equal slices of the polys of a file, with the verts of these polys. The n slices together have
 /// each poly once, and a vert as often as slices have polys at it.
 /// Needs:  Loadable M; k < n. A binary .meshb file, or a .vtu file with appended raw bytes, compressed or not, as
@@ -44,17 +63,7 @@ struct mesh_slice {
 ///         as one binary file before. cancelled.
 template<Loadable M>
 mesh_slice<M> load_slice(const std::string& path, std::size_t k, std::size_t n, const load_options& options = {}) {
-  const core::profiled_options profiled(options, "load_slice");
-  constexpr format_list<vtu_format, medit_format> formats{};
-  detail::file_slice slice = detail::slice_of_file(path, {k, n}, *profiled);
-  detail::contents_for<M, std::remove_const_t<decltype(formats)>> contents;
-  detail::read_text<detail::from_surface<M>, detail::wants_volumes<M>>(
-      slice.text, slice.name, formats, slice.is_medit ? 1 : 0, detail::wanted_for<M>, *profiled, contents);
-  std::string().swap(slice.text);
-  if (load_report* const report = options.report)
-    report->skipped.insert(report->skipped.end(), slice.report.skipped.begin(), slice.report.skipped.end());
-  return {detail::mesh_of<M>(contents, slice.name, options.report), slice.first_poly, std::move(slice.verts),
-          slice.num_polys, slice.num_verts};
+  return detail::load_chosen_slice<M>(path, {k, n}, options);
 }
 
 // What to write instead of calls that cannot compile.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <type_traits>
 #include <vector>
 
@@ -21,28 +22,27 @@ class ghost_exchange {
   std::vector<partner> owned_, ghosts_;  // copies of owned elements elsewhere; own copies of elements elsewhere
   MPI_Comm communicator_ = MPI_COMM_SELF;
 
-  /// Sends values of the elements of `from`, and calls take(index, value) for those of `to`.
-  template<class T, class Value, class Take>
-  void move(const std::vector<partner>& from, const std::vector<partner>& to, const Value& value,
+  /// Sends values of the elements of `from`, of `size` bytes each, and calls take(index, value) for those of `to`.
+  template<class Take>
+  void move(const std::vector<partner>& from, const std::vector<partner>& to, const char* values, std::size_t size,
             const Take& take) const {
-    static_assert(std::is_trivially_copyable_v<T>);
-    std::vector<std::vector<T>> sent(from.size()), received(to.size());
+    std::vector<std::vector<char>> sent(from.size()), received(to.size());
     std::vector<MPI_Request> requests;
     for (std::size_t k = 0; k < to.size(); ++k) {
-      received[k].resize(to[k].indices.size());
-      requests.emplace_back();
-      (MPI_Irecv)(received[k].data(), static_cast<int>(received[k].size() * sizeof(T)), MPI_BYTE, to[k].rank, 1,
-                  communicator_, &requests.back());
+      received[k].resize(to[k].indices.size() * size);
+      (MPI_Irecv)(received[k].data(), static_cast<int>(received[k].size()), MPI_BYTE, to[k].rank, 1, communicator_,
+                  &requests.emplace_back());
     }
     for (std::size_t k = 0; k < from.size(); ++k) {
-      for (const std::size_t i : from[k].indices) sent[k].push_back(value(i));
-      requests.emplace_back();
-      (MPI_Isend)(sent[k].data(), static_cast<int>(sent[k].size() * sizeof(T)), MPI_BYTE, from[k].rank, 1,
-                  communicator_, &requests.back());
+      sent[k].reserve(from[k].indices.size() * size);
+      for (const std::size_t i : from[k].indices)
+        sent[k].insert(sent[k].end(), values + i * size, values + (i + 1) * size);
+      (MPI_Isend)(sent[k].data(), static_cast<int>(sent[k].size()), MPI_BYTE, from[k].rank, 1, communicator_,
+                  &requests.emplace_back());
     }
     (MPI_Waitall)(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
     for (std::size_t k = 0; k < to.size(); ++k)
-      for (std::size_t j = 0; j < received[k].size(); ++j) take(to[k].indices[j], received[k][j]);
+      for (std::size_t j = 0; j < to[k].indices.size(); ++j) take(to[k].indices[j], received[k].data() + j * size);
   }
 
  public:
@@ -85,18 +85,26 @@ class ghost_exchange {
     }
   }
 
-  /// Copies values[i] of each owned element to its ghosts.
+  /// Copies the values of owned elements, of `size` bytes each, to their ghosts.
+  void to_ghosts(void* values, std::size_t size) const {
+    char* const bytes = static_cast<char*>(values);
+    move(owned_, ghosts_, bytes, size,
+         [&](std::size_t i, const char* value) { std::memcpy(bytes + i * size, value, size); });
+  }
   template<class T>
   void to_ghosts(T* values) const {
-    move<T>(
-        owned_, ghosts_, [&](std::size_t i) { return values[i]; }, [&](std::size_t i, const T& x) { values[i] = x; });
+    static_assert(std::is_trivially_copyable_v<T>);
+    to_ghosts(values, sizeof(T));
   }
   /// Calls combine(values[i] of the owner, values[i] of a ghost) for all ghosts, in the order of their processes.
   template<class T, class Combine>
   void to_owners(T* values, const Combine& combine) const {
-    move<T>(
-        ghosts_, owned_, [&](std::size_t i) { return values[i]; },
-        [&](std::size_t i, const T& x) { combine(values[i], x); });
+    static_assert(std::is_trivially_copyable_v<T>);
+    move(ghosts_, owned_, reinterpret_cast<const char*>(values), sizeof(T), [&](std::size_t i, const char* value) {
+      T x;
+      std::memcpy(&x, value, sizeof x);
+      combine(values[i], x);
+    });
   }
 };
 

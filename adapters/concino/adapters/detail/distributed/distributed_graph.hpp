@@ -72,6 +72,12 @@ slice_graph graph_of_slice(const mesh_slice<M>& s) {
 inline std::size_t process_of_vert(std::uint64_t v, std::uint64_t bound, std::size_t processes) {
   return static_cast<std::size_t>(v / (bound / processes + 1));
 }
+/// The verts of which process r is asked: from the first to the second - 1.
+inline std::pair<std::uint64_t, std::uint64_t> verts_of_process(std::uint64_t r, std::uint64_t bound,
+                                                                std::size_t processes) {
+  const std::uint64_t n = bound / processes + 1;
+  return {std::min(r * n, bound), std::min((r + 1) * n, bound)};
+}
 
 /// Adds the pairs of neighbours in different slices. Collective.
 inline void join_slices(MPI_Comm communicator, slice_graph& g) {

@@ -16,7 +16,7 @@
 
 namespace concino::detail {
 
-/// The elements by index in the local mesh, and properties of all local elements.
+/// The elements by index in the local mesh, and properties of all local elements: those of the mesh, numbers and owners.
 struct piece_of_process {
   std::vector<std::uint32_t> polys, loose_verts;
   property_set properties;
@@ -33,9 +33,39 @@ void store_numbers(const distributed<M>& m, element_kind kind, const Elements& e
   }
 }
 
+/// The properties of a distributed mesh that a piece has: those of verts, polys and the mesh, but for names that
+/// save_pvtu uses itself.
+template<class M>
+property_set properties_of_piece(const distributed<M>& m) {
+  const property_set& all = traits<distributed<M>>::properties(m);
+  property_set kept;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const property_info p = all.info(i);
+    const bool is_reserved = p.kind != element_kind::mesh && (p.name == "global_id" || p.name == "owner");
+    if (p.kind == element_kind::edge || p.kind == element_kind::face || p.kind == element_kind::corner || is_reserved)
+      continue;
+    const column& values = *all.values(i);
+    column copies(values);
+    kept.get(p.kind, p.name, values.operations(), values.size())->swap_values(copies);
+  }
+  return kept;
+}
+
+/// Brings values of the piece at ghosts up to date. All processes have the same properties. Collective.
+template<class M>
+void update_ghosts(const distributed<M>& m, const property_set& all) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const column& values = *all.values(i);
+    if (!values.is_bytes()) continue;  // no file has them
+    if (all.kind(i) == element_kind::vert)
+      m.exchange(static_cast<const vert_t<M>*>(nullptr)).to_ghosts(values.data(), values.operations().size);
+  }
+}
+
 template<class M>
 piece_of_process local_piece(const distributed<M>& m) {
   piece_of_process r;
+  r.properties = properties_of_piece(m);
   for (const poly_t<M> p : polys(m))
     if (!m.is_ghost(p)) r.polys.push_back(static_cast<std::uint32_t>(index_of(m, p)));
   for (const vert_t<M> v : verts(m))
@@ -45,7 +75,7 @@ piece_of_process local_piece(const distributed<M>& m) {
   return r;
 }
 
-/// Collective. Errors: invalid_argument.
+/// Checks the names of what is saved. Collective. Errors: invalid_argument.
 template<class M, class Values>
 void check_named_values(const distributed<M>& m, const Values& values) {
   std::string list;  // of this process, and of the first one
@@ -61,6 +91,10 @@ void check_named_values(const distributed<M>& m, const Values& values) {
       if (!names.insert(name).second) core::throw_joined<invalid_argument>({"save_pvtu: two maps are named ", name});
       list += core::joined({list.empty() ? "" : ", ", name});
     }
+    const property_set& properties = traits<distributed<M>>::properties(m);
+    for (std::size_t i = 0; i < properties.size(); ++i)
+      list += core::joined({list.empty() ? "" : ", ", to_string(properties.kind(i)), " \"", properties.info(i).name,
+                            "\""});
   });
   std::string first = list;
   auto length = static_cast<std::uint64_t>(first.size());
@@ -70,7 +104,7 @@ void check_named_values(const distributed<M>& m, const Values& values) {
   on_all(m.communicator(), [&] {
     if (list != first)
       core::throw_joined<invalid_argument>(
-          {"save_pvtu: the maps are not the same on all processes: ", first, "; ", list});
+          {"save_pvtu: the maps and properties are not the same on all processes: ", first, "; ", list});
   });
 }
 

@@ -17,6 +17,11 @@
 
 namespace concino::detail {
 
+/// Appends row i of rows of this size.
+inline void append_row(const std::vector<char>& from, std::size_t size, std::size_t i, std::vector<char>& to) {
+  to.insert(to.end(), from.data() + i * size, from.data() + (i + 1) * size);
+}
+
 /// Polys and all their verts.
 struct poly_records {
   std::vector<std::uint64_t> poly_numbers, vert_numbers;  // in the whole mesh; those of verts increase
@@ -26,9 +31,13 @@ struct poly_records {
   // Verts, as places in vert_numbers, in the order of adj_p2v. Of a polyhedron its faces: for each the number of its
   // verts, and these, counter-clockwise seen from outside.
   std::vector<std::uint32_t> words;
+  std::vector<char> poly_values, vert_values;             // rows of properties
 
   std::size_t num_polys() const { return poly_numbers.size(); }
   std::size_t begin(std::size_t p) const { return p == 0 ? 0 : ends[p - 1]; }
+
+  std::size_t poly_row() const { return poly_numbers.empty() ? 0 : poly_values.size() / poly_numbers.size(); }
+  std::size_t vert_row() const { return vert_numbers.empty() ? 0 : vert_values.size() / vert_numbers.size(); }
 
   /// Makes room, so that no array takes twice the memory that it needs.
   void reserve(std::size_t poly_count, std::size_t vert_count, std::size_t word_count) {
@@ -55,16 +64,19 @@ struct poly_records {
       for (; n > 0; --n) words.push_back(new_vert(others.words[at++]));
     }
     ends.push_back(words.size());
+    append_row(others.poly_values, others.poly_row(), p, poly_values);
   }
   void append_vert(const poly_records& others, std::size_t v) {
     vert_numbers.push_back(others.vert_numbers[v]);
     points.push_back(others.points[v]);
     if (!others.vert_owners.empty()) vert_owners.push_back(others.vert_owners[v]);
+    append_row(others.vert_values, others.vert_row(), v, vert_values);
   }
   /// Calls f(array) for every array.
   template<class F>
   void for_each_array(F f) {
     f(poly_numbers), f(vert_numbers), f(poly_owners), f(vert_owners), f(points), f(ends), f(words);
+    f(poly_values), f(vert_values);
   }
 };
 
@@ -104,6 +116,7 @@ inline poly_records selected_records(const poly_records& all, const std::vector<
     all.for_each_vert(p, has_faces, [&](std::uint32_t v) { vert_count += std::exchange(new_vert[v], 0u) == none; });
   }
   r.reserve(polys.size(), vert_count, num_words);
+  r.poly_values.reserve(polys.size() * all.poly_row()), r.vert_values.reserve(vert_count * all.vert_row());
   for (std::size_t v = 0; v < new_vert.size(); ++v) {
     if (new_vert[v] == none) continue;
     new_vert[v] = static_cast<std::uint32_t>(r.vert_numbers.size());
@@ -123,11 +136,12 @@ inline poly_records merged_records(const std::vector<poly_records>& parts, bool 
   poly_records r;
   std::vector<place> places;
   std::vector<std::vector<std::uint32_t>> new_vert(parts.size());
-  std::size_t poly_count = 0, vert_count = 0, word_count = 0;
+  std::size_t poly_count = 0, vert_count = 0, word_count = 0, poly_row = 0, vert_row = 0;
   for (const poly_records& part : parts) {
     poly_count += part.num_polys();
     vert_count += part.vert_numbers.size();
     word_count += part.words.size();
+    poly_row = std::max(poly_row, part.poly_row()), vert_row = std::max(vert_row, part.vert_row());
   }
   places.reserve(std::max(poly_count, vert_count));
   for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -138,6 +152,7 @@ inline poly_records merged_records(const std::vector<poly_records>& parts, bool 
   vert_count = 0;
   for (std::size_t k = 0; k < places.size(); ++k) vert_count += k == 0 || places[k - 1] < places[k];
   r.reserve(poly_count, vert_count, word_count);
+  r.poly_values.reserve(poly_count * poly_row), r.vert_values.reserve(vert_count * vert_row);
   for (const place& x : places) {
     if (r.vert_numbers.empty() || r.vert_numbers.back() != x.number) r.append_vert(parts[x.part], x.index);
     new_vert[x.part][x.index] = static_cast<std::uint32_t>(r.vert_numbers.size() - 1);
@@ -155,6 +170,7 @@ inline poly_records merged_records(const std::vector<poly_records>& parts, bool 
 template<class M>
 mesh_part<part_arrays<M>> part_of_records(poly_records&& r) {
   mesh_part<part_arrays<M>> part;
+  part.vert_values = std::move(r.vert_values), part.poly_values = std::move(r.poly_values);
   part.vert_numbers = std::move(r.vert_numbers), part.vert_owners = std::move(r.vert_owners);
   part.poly_numbers = std::move(r.poly_numbers), part.poly_owners = std::move(r.poly_owners);
   if constexpr (from_polyhedra<M>) {

@@ -1,10 +1,12 @@
 // The parts of one mesh, sent from the first process to all.
 #pragma once
 
+#include <concino/adapters/detail/distributed/distributed_values.hpp>
 #include <concino/adapters/detail/mpi/mpi_agreement.hpp>
 #include <concino/adapters/detail/mpi/mpi_bytes.hpp>
 #include <concino/concepts/mesh.hpp>
 #include <concino/mesh/arrays.hpp>
+#include <concino/mesh/property_set.hpp>
 #include <concino/mesh/submesh.hpp>
 #include <concino/mesh/support/arrays_of.hpp>
 
@@ -19,17 +21,24 @@
 
 namespace concino::detail {
 
-/// What a process gets: arrays of its part and ghosts, and the numbers and owners of their verts and polys.
+/// What a process gets: arrays of its part and ghosts, the numbers and owners of their verts and polys, and properties.
 template<class Arrays>
 struct mesh_part {
   Arrays arrays;
   std::vector<std::uint64_t> vert_numbers, poly_numbers;
   std::vector<int> vert_owners, poly_owners;
+  sent_properties properties;
+  std::vector<char> vert_values, poly_values, mesh_values;  // rows of the properties
 
+  void store_properties(property_set& to) const {
+    properties.store(vert_values, element_kind::vert, to);
+    properties.store(poly_values, element_kind::poly, to);
+    properties.store(mesh_values, element_kind::mesh, to);
+  }
   /// Calls f(array) for every array.
   template<class F>
   void for_each_array(F f) {
-    f(arrays.points);
+    f(vert_values), f(poly_values), f(mesh_values), f(arrays.points);
     if constexpr (std::is_same_v<Arrays, polyhedra_arrays>) {
       f(arrays.face_offsets), f(arrays.face_verts), f(arrays.poly_offsets), f(arrays.poly_faces), f(arrays.outward);
     } else {
@@ -50,6 +59,7 @@ class mesh_divider {
   const M* mesh_;
   std::vector<int> poly_owner_, vert_owner_;  // by index
   std::vector<std::uint32_t> vert_number_, poly_number_;
+  sent_properties properties_;
 
   template<class S>
   void fill(const S& s, const std::vector<std::uint32_t>& number, surface_arrays& a) const {
@@ -59,6 +69,7 @@ class mesh_divider {
   void fill(const S& s, const std::vector<std::uint32_t>& number, cell_arrays& a) const {
     a.points = core::copy_points(s);
     a.arity = static_cast<std::uint32_t>(arity_v<M>);
+    a.verts.reserve(a.arity * num_polys(s));
     for (const poly_t<S> p : polys(s))
       for (const vert_t<S> v : adj_p2v(s, p)) a.verts.push_back(vert_id{number[index_of(s, v)]});
   }
@@ -86,6 +97,7 @@ class mesh_divider {
       }
     }
     for (int& o : vert_owner_) o = o == processes ? 0 : o;
+    properties_.add(traits<M>::properties(m), false);
   }
 
   mesh_part<part_arrays<M>> part_of(int process) const {
@@ -99,23 +111,31 @@ class mesh_divider {
       return false;
     });
     mesh_part<part_arrays<M>> r;
+    std::vector<std::uint32_t> vert_indices, poly_indices;
     for (const poly_t<M> p : polys(s)) {
+      poly_indices.push_back(static_cast<std::uint32_t>(index_of(*mesh_, p)));
       r.poly_numbers.push_back(poly_number_[index_of(*mesh_, p)]);
       r.poly_owners.push_back(poly_owner_[index_of(*mesh_, p)]);
     }
     for (const vert_t<M> v : verts(s)) {
       is_used[index_of(*mesh_, v)] = 1;
+      vert_indices.push_back(static_cast<std::uint32_t>(index_of(*mesh_, v)));
       r.vert_numbers.push_back(vert_number_[index_of(*mesh_, v)]);
       r.vert_owners.push_back(vert_owner_[index_of(*mesh_, v)]);
     }
     fill(s, core::numbered(s, verts(s), vert_index_bound(s)), r.arrays);
-    if (process > 0) return r;
     for (const vert_t<M> v : verts(*mesh_)) {  // those without polys
-      if (is_used[index_of(*mesh_, v)] || num_elements(adj_v2p(*mesh_, v)) > 0) continue;
+      if (process > 0 || is_used[index_of(*mesh_, v)] || num_elements(adj_v2p(*mesh_, v)) > 0) continue;
+      vert_indices.push_back(static_cast<std::uint32_t>(index_of(*mesh_, v)));
       r.arrays.points.push_back(to_vec3(point(*mesh_, v)));
       r.vert_numbers.push_back(vert_number_[index_of(*mesh_, v)]);
       r.vert_owners.push_back(0);
     }
+    const property_set& all = traits<M>::properties(*mesh_);
+    r.properties = properties_;
+    properties_.append_rows(all, element_kind::vert, vert_indices, r.vert_values);
+    properties_.append_rows(all, element_kind::poly, poly_indices, r.poly_values);
+    properties_.append_rows(all, element_kind::mesh, {0}, r.mesh_values);
     return r;
   }
 };
@@ -135,6 +155,7 @@ mesh_part<part_arrays<M>> scatter(MPI_Comm communicator, const M& m, const Part&
     for (int r = 1; r < size; ++r) {
       auto other = divider.part_of(r);
       byte_writer writer;
+      writer.put(other.properties.bytes());
       other.for_each_array([&](const auto& array) { writer.put(array); });
       messages[static_cast<std::size_t>(r)] = writer.bytes();
     }
@@ -142,6 +163,9 @@ mesh_part<part_arrays<M>> scatter(MPI_Comm communicator, const M& m, const Part&
   if (rank > 0) {
     const std::vector<char> bytes = receive_bytes(0, communicator);
     byte_reader reader(bytes);
+    std::vector<char> properties;
+    reader.get(properties);
+    own.properties.add(properties);
     own.for_each_array([&](auto& array) { reader.get(array); });
     if constexpr (!std::is_same_v<part_arrays<M>, polyhedra_arrays>)
       own.arrays.arity = static_cast<std::uint32_t>(arity_v<M>);

@@ -43,54 +43,64 @@ inline std::vector<poly_records> send_records(MPI_Comm communicator, const poly_
   return received;
 }
 
-/// The processes that have a poly at each of the verts of this process, and numbers of all verts without gaps.
+/// The processes that have a poly at each of the verts of this process, and on the first one all verts of no poly.
 struct shared_verts {
-  std::vector<std::uint64_t> numbers;
   std::vector<std::size_t> ends;
   std::vector<int> processes;  // of each vert, increasing, this one too
+  std::vector<std::uint64_t> unused;
 };
+
+/// The verts from first to last - 1 that are not in a sorted list.
+inline std::vector<std::uint64_t> unused_verts(const std::vector<std::pair<std::uint64_t, int>>& used,
+                                               std::uint64_t first, std::uint64_t last) {
+  std::vector<std::uint64_t> r;
+  for (const auto& [v, process] : used) {
+    for (; first < v; ++first) r.push_back(first);
+    first = v + 1;
+  }
+  for (; first < last; ++first) r.push_back(first);
+  return r;
+}
 
 /// Every process asks others about its verts, whose numbers are below vert_bound: each of these answers for a range of
 /// numbers. Collective.
 inline shared_verts share_verts(MPI_Comm communicator, const std::vector<std::uint64_t>& verts,
                                 std::uint64_t vert_bound) {
-  int size = 1;
+  int size = 1, rank = 0;
   (MPI_Comm_size)(communicator, &size);
+  (MPI_Comm_rank)(communicator, &rank);
   const auto processes = static_cast<std::size_t>(size);
   std::vector<std::vector<std::uint64_t>> questions(processes);
   on_all(communicator, [&] {
     for (const std::uint64_t v : verts) questions[process_of_vert(v, vert_bound, processes)].push_back(v);
   });
   const auto asked = all_to_all(communicator, questions);
-  std::vector<std::pair<std::uint64_t, int>> who;  // the verts of the range, and each process that asks
-  std::uint64_t count = 0, first = 0;
+  std::vector<std::vector<int>> answers(processes);  // for each vert how many processes, and these
+  std::vector<std::vector<std::uint64_t>> unused(processes);
   on_all(communicator, [&] {
+    std::vector<std::pair<std::uint64_t, int>> who;  // the verts of the range, and each process that asks
     for (std::size_t r = 0; r < processes; ++r)
       for (const std::uint64_t v : asked[r]) who.emplace_back(v, static_cast<int>(r));
     std::sort(who.begin(), who.end());
-    for (std::size_t k = 0; k < who.size(); ++k) count += k == 0 || who[k].first != who[k - 1].first;
-  });
-  (MPI_Exscan)(&count, &first, 1, MPI_UINT64_T, MPI_SUM, communicator);
-  std::vector<std::vector<std::uint64_t>> answers(
-      processes);  // for each vert its number, how many processes, and these
-  on_all(communicator, [&] {
-    for (std::size_t begin = 0, end; begin < who.size(); begin = end, ++first) {
+    for (std::size_t begin = 0, end; begin < who.size(); begin = end) {
       for (end = begin; end < who.size() && who[end].first == who[begin].first;) ++end;
       for (std::size_t k = begin; k < end; ++k) {
         auto& answer = answers[static_cast<std::size_t>(who[k].second)];
-        answer.push_back(first);
-        answer.push_back(end - begin);
-        for (std::size_t j = begin; j < end; ++j) answer.push_back(static_cast<std::uint64_t>(who[j].second));
+        answer.push_back(static_cast<int>(end - begin));
+        for (std::size_t j = begin; j < end; ++j) answer.push_back(who[j].second);
       }
     }
+    const auto [first, last] = verts_of_process(static_cast<std::uint64_t>(rank), vert_bound, processes);
+    unused[0] = unused_verts(who, first, last);
   });
   const auto answered = all_to_all(communicator, answers);  // in the order of the verts, as ranges increase
+  unused = all_to_all(communicator, unused);
   shared_verts r;
   on_all(communicator, [&] {
+    for (const auto& some : unused) r.unused.insert(r.unused.end(), some.begin(), some.end());
     for (const auto& answer : answered)
       for (std::size_t at = 0; at < answer.size();) {
-        r.numbers.push_back(answer[at++]);
-        for (std::uint64_t n = answer[at++]; n > 0; --n) r.processes.push_back(static_cast<int>(answer[at++]));
+        for (int n = answer[at++]; n > 0; --n) r.processes.push_back(answer[at++]);
         r.ends.push_back(r.processes.size());
       }
   });
@@ -98,15 +108,16 @@ inline shared_verts share_verts(MPI_Comm communicator, const std::vector<std::ui
 }
 
 /// Adds the polys of other processes that share a vert with one of these. All polys are owned by this process at first.
-/// Verts get numbers without gaps, and owners. Collective.
-inline poly_records with_ghosts(MPI_Comm communicator, poly_records own, std::uint64_t vert_bound, bool has_faces) {
+/// Verts get owners. The first process gets the numbers of all verts of no poly. Collective.
+inline poly_records with_ghosts(MPI_Comm communicator, poly_records own, std::uint64_t vert_bound, bool has_faces,
+                                std::vector<std::uint64_t>& unused) {
   int size = 1, rank = 0;
   (MPI_Comm_size)(communicator, &size);
   (MPI_Comm_rank)(communicator, &rank);
   shared_verts shared = share_verts(communicator, own.vert_numbers, vert_bound);
   std::vector<std::vector<std::size_t>> sent(static_cast<std::size_t>(size));
   on_all(communicator, [&] {
-    own.vert_numbers = std::move(shared.numbers);
+    unused = std::move(shared.unused);
     own.poly_owners.assign(own.num_polys(), rank);
     own.vert_owners.clear();
     for (std::size_t v = 0; v < shared.ends.size(); ++v)

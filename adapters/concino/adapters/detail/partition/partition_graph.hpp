@@ -13,12 +13,20 @@ namespace concino::detail {
 struct partition_graph {
   std::vector<int> offsets = {0};
   std::vector<int> neighbours = {};
+  std::vector<std::size_t> sizes = {};    // how many nodes of a finer graph each stands for; empty: 1
+  std::vector<std::size_t> weights = {};  // how many of its edges each entry of neighbours stands for; empty: 1
 
   std::size_t size() const { return offsets.size() - 1; }
+  std::size_t size_of(std::size_t i) const { return sizes.empty() ? 1 : sizes[i]; }
+  /// Calls f(neighbour, weight).
+  template<class F>
+  void for_each_edge(std::size_t i, F f) const {
+    for (auto k = static_cast<std::size_t>(offsets[i]); k < static_cast<std::size_t>(offsets[i + 1]); ++k)
+      f(static_cast<std::size_t>(neighbours[k]), weights.empty() ? 1 : weights[k]);
+  }
   template<class F>
   void for_each_neighbour(std::size_t i, F f) const {
-    for (int k = offsets[i]; k < offsets[i + 1]; ++k)
-      f(static_cast<std::size_t>(neighbours[static_cast<std::size_t>(k)]));
+    for_each_edge(i, [&](std::size_t j, std::size_t) { f(j); });
   }
 };
 
@@ -26,7 +34,7 @@ struct partition_graph {
 struct partition_pieces {
   std::vector<std::size_t> piece_of;  // of each node
   std::vector<int> part;              // of each piece
-  std::vector<std::size_t> sizes;     // of each piece, in nodes
+  std::vector<std::size_t> sizes;     // of each piece: the sum of those of its nodes
 
   partition_pieces(const partition_graph& g, const std::vector<int>& part_of) : piece_of(g.size(), g.size()) {
     std::vector<std::size_t> stack;
@@ -39,7 +47,7 @@ struct partition_pieces {
       for (stack.push_back(first); !stack.empty();) {
         const std::size_t i = stack.back();
         stack.pop_back();
-        ++sizes[piece];
+        sizes[piece] += g.size_of(i);
         g.for_each_neighbour(i, [&](std::size_t j) {
           if (piece_of[j] != g.size() || part_of[j] != part_of[first]) return;
           piece_of[j] = piece;
@@ -81,8 +89,9 @@ inline std::size_t join_pieces(const partition_graph& g, std::vector<int>& part_
     std::erase_if(waiting, [&](std::size_t p) {
       std::fill(edges.begin(), edges.end(), std::size_t{0});
       for (const std::size_t i : nodes[p])
-        g.for_each_neighbour(i, [&](std::size_t j) {
-          if (const int other = new_part[pieces.piece_of[j]]; other >= 0) ++edges[static_cast<std::size_t>(other)];
+        g.for_each_edge(i, [&](std::size_t j, std::size_t weight) {
+          if (const int other = new_part[pieces.piece_of[j]]; other >= 0)
+            edges[static_cast<std::size_t>(other)] += weight;
         });
       const auto best = std::max_element(edges.begin(), edges.end());
       if (*best == 0) return false;

@@ -200,7 +200,8 @@ class medit_cutter : medit_binary {
   void cut(slice_choice choice) {
     find_sections();
     choose_polys(choice);
-    choose_listed();
+    if (choice.only_verts) out_.verts = *choice.only_verts;
+    else choose_listed();
     choose_marks();
     text_sink sink;
     medit_output out(sink, true);

@@ -13,12 +13,14 @@
 
 namespace concino::detail {
 
-/// One of n slices of the polys of a file, all of the same size but for one poly.
+/// One of n slices of the polys of a file, all of the same size but for one poly; or some verts without polys.
 struct slice_choice {
   std::size_t slice = 0, num_slices = 1;
+  const std::vector<std::uint64_t>* only_verts = nullptr;  // increasing numbers; null: a slice of polys
 
   /// The first poly of a slice, of so many polys.
   std::uint64_t first_of(std::size_t k, std::uint64_t polys) const {
+    if (only_verts) return 0;
     return polys / num_slices * k + polys % num_slices * k / num_slices;
   }
 };

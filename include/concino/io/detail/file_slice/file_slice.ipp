@@ -25,7 +25,8 @@ CONCINO_INLINE file_slice slice_of_file(const std::string& path, slice_choice ch
   else
     core::throw_joined<unsupported>(
         {path, ": slices are read of binary .vtu and .meshb files; convert it by save(m, path, {.binary = true})"});
-  slice.name = core::joined({path, " (slice ", choice.slice, " of ", choice.num_slices, ")"});
+  slice.name =
+      choice.only_verts ? path : core::joined({path, " (slice ", choice.slice, " of ", choice.num_slices, ")"});
   file.close(path);
   return slice;
 }
