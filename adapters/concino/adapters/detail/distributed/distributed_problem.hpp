@@ -41,6 +41,7 @@ class distributed_problem {
   void read(const Values& values) {
     on_all(mesh_->communicator(), [&] {
       for (const auto& [v, x] : values) {
+        if (v == vert_t<M>()) continue;  // of other processes
         if (!contains(mesh_->base(), v))
           core::throw_joined<invalid_mesh>({caller_, ": a value is given at what is no vert of this process"});
         if (!std::isfinite(static_cast<double>(x)))
