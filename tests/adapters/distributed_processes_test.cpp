@@ -81,6 +81,12 @@ TEST_CASE_TEMPLATE("distributed: values of ghosts come from their owners", M, CO
     CHECK(all.size() == (is_first() ? num_verts(m) : 0));
     for (std::size_t i = 0; i < all.size(); ++i) CHECK(all[i] == std::sqrt(static_cast<double>(i)));
     for (std::size_t i = 0; i < of_polys.size(); ++i) CHECK(of_polys[i].x == static_cast<double>(i));
+    const auto at_verts = gather(u, m);
+    const auto at_polys = gather(w, m);
+    for (const auto v : verts(m)) CHECK(at_verts[v] == (is_first() ? std::sqrt(static_cast<double>(number(m, v))) : 0.0));
+    for (const auto p : polys(m)) CHECK(at_polys[p].x == (is_first() ? static_cast<double>(number(m, p)) : 0.0));
+    const M other = grid<M>(3);
+    CHECK_THROWS_WITH_AS(gather(u, other), "gather: the mesh is not the one that was divided", invalid_mesh);
     for (const auto p : polys(d)) CHECK((w[p].x == static_cast<double>(d.global_number(p)) && w[p].z == d.owner(p)));
   }
 }
@@ -103,6 +109,22 @@ TEST_CASE_TEMPLATE("distributed: named properties of verts, polys and the mesh",
     for (std::size_t i = 0; i < heat.size(); ++i) CHECK(heat[i] == 0.25 + static_cast<double>(i));
     for (std::size_t i = 0; i < label.size(); ++i) CHECK(label[i] == (2 * i >= num_polys(m) ? static_cast<int>(3 * i) : 0));
   }
+}
+
+TEST_CASE("distributed: verts are found by their global numbers") {
+  // verts 0, 3 and 5 have no polys
+  const trimesh m({{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {8, 8, 8}, {0, 1, 0}, {7, 7, 7}, {1, 1, 0}}, {{1, 2, 4}, {2, 6, 4}});
+  auto part = make_poly_map<int>(m, 0);
+  part[poly_id{1}] = number_of_processes() - 1;
+  const distributed<trimesh> d(MPI_COMM_WORLD, m, part);
+  for (std::uint64_t i = 0; i < num_verts(m); ++i) {
+    vert_id expected;
+    for (const vert_id v : verts(d))
+      if (d.global_number(v) == i) expected = v;
+    CHECK(d.vert(i) == expected);
+    if (is_first()) CHECK(expected != vert_id());
+  }
+  CHECK_THROWS_WITH_AS(d.vert(7), "distributed: there is no vert 7; the mesh has 7 verts", invalid_argument);
 }
 
 TEST_CASE("distributed: a poly in no part is an error on all processes") {

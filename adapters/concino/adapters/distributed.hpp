@@ -6,6 +6,7 @@
 #include <concino/adapters/detail/distributed/distributed_scatter.hpp>
 #include <concino/adapters/detail/mpi/mpi_agreement.hpp>
 #include <concino/concepts/views/forward.hpp>
+#include <concino/core/message.hpp>
 #include <concino/mesh/element_map.hpp>
 #include <concino/mesh/property.hpp>
 #include <concino/mesh/submesh.hpp>
@@ -37,6 +38,7 @@ class distributed {
   int rank_ = 0;
   std::vector<std::uint64_t> vert_numbers_, poly_numbers_;
   std::vector<int> vert_owners_, poly_owners_;
+  std::size_t num_verts_in_order_ = 0;  // then follow verts without polys, in their order
   detail::ghost_exchange vert_exchange_, poly_exchange_;
   std::uint64_t totals_[2] = {0, 0};
 
@@ -64,6 +66,8 @@ class distributed {
     (MPI_Comm_rank)(communicator, &rank_);
     vert_numbers_ = std::move(own.vert_numbers), vert_owners_ = std::move(own.vert_owners);
     poly_numbers_ = std::move(own.poly_numbers), poly_owners_ = std::move(own.poly_owners);
+    const auto loose = std::is_sorted_until(vert_numbers_.begin(), vert_numbers_.end());
+    num_verts_in_order_ = static_cast<std::size_t>(loose - vert_numbers_.begin());
     detail::on_all(communicator, [&] {
       mesh_ = M(std::move(own.arrays));
       own.store_properties(mesh_.properties());
@@ -90,6 +94,19 @@ class distributed {
   /// The position in the order of the whole mesh.
   std::uint64_t global_number(const vert_t<M>& v) const { return vert_numbers_[index_of(mesh_, v)]; }
   std::uint64_t global_number(const poly_t<M>& p) const { return poly_numbers_[index_of(mesh_, p)]; }
+  /// The local vert with a global number, or vert_t<M>{} on processes that do not have it.
+  /// Cost:   O(log V).
+  /// Errors: invalid_argument if there is no such vert.
+  vert_t<M> vert(std::uint64_t number) const {
+    if (number >= num_global_verts())
+      core::throw_joined<invalid_argument>(
+          {"distributed: there is no vert ", number, "; the mesh has ", num_global_verts(), " verts"});
+    const auto begin = vert_numbers_.begin(), loose = begin + static_cast<std::ptrdiff_t>(num_verts_in_order_);
+    for (const auto& [first, last] : {std::pair(begin, loose), std::pair(loose, vert_numbers_.end())})
+      if (const auto found = std::lower_bound(first, last, number); found != last && *found == number)
+        return vert_t<M>{static_cast<std::size_t>(found - begin)};
+    return {};
+  }
   /// The numbers of verts and polys of the whole mesh.
   std::uint64_t num_global_verts() const { return totals_[0]; }
   std::uint64_t num_global_polys() const { return totals_[1]; }

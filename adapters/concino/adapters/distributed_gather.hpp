@@ -72,4 +72,31 @@ template<class M, class X, class T>
     return detail::gather_values<X, std::remove_const_t<T>>(m, u);
   }
 
+/// The same as a map of the whole mesh, to save or draw it. All processes call it together.
+/// Needs:  as gather(map). m: on the first process, the mesh that was divided; others may pass any mesh.
+/// Result: on the first process the values at the verts or polys of m; on others T() everywhere.
+/// Cost:   as gather(map).
+/// Errors: invalid_mesh on all processes if m has another number of verts or polys.
+template<class M, class X, class T>
+element_map<M, X, T> gather(const element_map<distributed<M>, X, T>& map, const M& m) {
+  constexpr bool of_verts = std::is_same_v<X, vert_t<M>>;
+  const distributed<M>& d = map.mesh();
+  detail::on_all(d.communicator(), [&] {
+    const bool is_other = of_verts ? num_verts(m) != d.num_global_verts() : num_polys(m) != d.num_global_polys();
+    if (d.rank() == 0 && is_other) throw invalid_mesh("gather: the mesh is not the one that was divided");
+  });
+  const std::vector<T> values = gather(map);
+  std::size_t next = 0;
+  const auto give = [&](const auto& elements, element_map<M, X, T> r) {
+    for (const X& x : elements)
+      if (next < values.size()) r[x] = values[next++];
+    return r;
+  };
+  if constexpr (of_verts) return give(verts(m), make_vert_map<T>(m, T()));
+  else return give(polys(m), make_poly_map<T>(m, T()));
+}
+
+template<class M, class X, class T>
+void gather(const element_map<distributed<M>, X, T>&, const M&&) = delete;  // give the mesh a name: auto m = load...
+
 }  // namespace concino

@@ -6,6 +6,7 @@
 
 #include <petscsys.h>
 
+#include <cstddef>
 #include <exception>
 
 namespace concino {
@@ -30,6 +31,13 @@ class petsc_session {
     is_owner_ = true;
     static_cast<void>(PetscPopSignalHandler());
   }
+  /// Of MPI_COMM_WORLD.
+  std::size_t num_processes() const {
+    int size = 1;
+    (MPI_Comm_size)(MPI_COMM_WORLD, &size);
+    return static_cast<std::size_t>(size);
+  }
+
   petsc_session(const petsc_session&) = delete;
   petsc_session& operator=(const petsc_session&) = delete;
   ~petsc_session() {

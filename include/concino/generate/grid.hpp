@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace concino {
 
@@ -44,14 +47,22 @@ inline void check_grid(const char* what, const grid_options& o, std::size_t axes
   if (axes == 2 && !std::isfinite(o.min.z)) core::throw_joined<invalid_argument>({what, ": min.z is not finite"});
 }
 
-inline surface_arrays quad_grid(const grid_options& o) {
-  const auto [nx, ny, unused] = o.cells;
-  const spaced x("make_grid", "x", o.min.x, o.max.x, nx), y("make_grid", "y", o.min.y, o.max.y, ny);
+/// The cells begin[k], ..., end[k] - 1 along each axis: all of a grid, or a block of it.
+struct grid_block {
+  std::array<std::size_t, 3> begin, end;
+
+  std::size_t size(std::size_t axis) const { return end[axis] - begin[axis]; }
+};
+
+inline surface_arrays quad_grid(const grid_options& o, const grid_block& b) {
+  const spaced x("make_grid", "x", o.min.x, o.max.x, o.cells[0]), y("make_grid", "y", o.min.y, o.max.y, o.cells[1]);
+  const std::size_t nx = b.size(0), ny = b.size(1);
   surface_arrays a{{}, {}, {}, 4};
+  if (nx == 0 || ny == 0) return a;
   a.points.reserve((nx + 1) * (ny + 1));
   a.verts.reserve(4 * nx * ny);
-  for (std::size_t j = 0; j <= ny; ++j)
-    for (std::size_t i = 0; i <= nx; ++i) a.points.push_back({x[i], y[j], o.min.z});
+  for (std::size_t j = b.begin[1]; j <= b.end[1]; ++j)
+    for (std::size_t i = b.begin[0]; i <= b.end[0]; ++i) a.points.push_back({x[i], y[j], o.min.z});
   for (std::size_t j = 0; j < ny; ++j)
     for (std::size_t i = 0; i < nx; ++i)
       for (const std::size_t step : {std::size_t{0}, std::size_t{1}, nx + 2, nx + 1})
@@ -62,52 +73,86 @@ inline surface_arrays quad_grid(const grid_options& o) {
 /// Rows of hexagons, every other row shifted by half a cell. Zigzag lines separate the rows, and vertical edges connect
 /// the lines. The verts of a line are at half cells i = 0 .. 2 nx; row j has its vertical edges at the i with the same
 /// parity as j.
-inline surface_arrays honeycomb(const grid_options& o) {
-  const auto [nx, ny, unused] = o.cells;
-  const std::size_t ends = 2 * nx, top = (ny - 1) % 2;  // parity of the vertical edges at the uppermost line
-  // Zigzags of a sixth of a row up and down: the hexagons are affine images of regular ones.
-  const spaced x("make_grid", "x", o.min.x, o.max.x, ends), y("make_grid", "y", o.min.y, o.max.y, 6 * ny);
-  const auto has = [&, cells_up = ny](std::size_t i, std::size_t line) {
+class honeycomb {
+  std::size_t nx_, ny_, ends_, top_;  // top: parity of the vertical edges at the uppermost line
+
+  bool has(std::size_t i, std::size_t line) const {
     if (line == 0) return i % 2 == 0;
-    return line < cells_up || i % 2 == top || i == 0 || i == ends;
-  };
-  const auto vert = [&, w = nx, h = ny](std::size_t i, std::size_t line) {
+    return line < ny_ || i % 2 == top_ || i == 0 || i == ends_;
+  }
+
+ public:
+  explicit honeycomb(const grid_options& o)
+      : nx_(o.cells[0]), ny_(o.cells[1]), ends_(2 * nx_), top_((ny_ - 1) % 2) {}
+
+  /// The number of the vert at a half cell of a line, and that of the first cell of a row.
+  std::size_t vert(std::size_t i, std::size_t line) const {
     if (line == 0) return i / 2;
-    const std::size_t first = w + 1 + (line - 1) * (ends + 1);
-    if (line < h) return first + i;
-    return first + (top == 0 ? i / 2 : i == ends ? w + 1 : (i + 1) / 2);
-  };
+    const std::size_t first = nx_ + 1 + (line - 1) * (ends_ + 1);
+    if (line < ny_) return first + i;
+    return first + (top_ == 0 ? i / 2 : i == ends_ ? nx_ + 1 : (i + 1) / 2);
+  }
+  std::size_t first_cell(std::size_t row) const { return row * nx_ + row / 2; }
+
+  /// Calls f(column, row) for the cells of a block. Shifted rows have one more, which goes with the last column.
+  template<class F>
+  void for_each_cell(const grid_block& b, F f) const {
+    for (std::size_t row = b.begin[1]; row < b.end[1]; ++row) {
+      const std::size_t more = row % 2 == 1 && b.size(0) > 0 && b.end[0] == nx_;
+      for (std::size_t c = b.begin[0]; c < b.end[0] + more; ++c) f(c, row);
+    }
+  }
+  /// Calls f(i, line) for the verts of a cell, counter-clockwise.
+  template<class F>
+  void for_each_vert(std::size_t column, std::size_t row, F f) const {
+    const std::size_t shift = row % 2, left = std::max(2 * column, shift) - shift,
+                      right = std::min(2 * column + 2 - shift, ends_);
+    for (std::size_t i = left; i <= right; ++i)
+      if (has(i, row)) f(i, row);
+    for (std::size_t i = right + 1; i-- > left;)
+      if (has(i, row + 1)) f(i, row + 1);
+  }
+};
+
+inline surface_arrays hexagon_grid(const grid_options& o, const grid_block& b) {
+  const honeycomb cells(o);
+  // Zigzags of a sixth of a row up and down: the hexagons are affine images of regular ones.
+  const spaced x("make_grid", "x", o.min.x, o.max.x, 2 * o.cells[0]),
+      y("make_grid", "y", o.min.y, o.max.y, 6 * o.cells[1]);
+  const std::size_t left = 2 * b.begin[0] - (b.begin[0] > 0), width = 2 * b.end[0] - left + 1;
+  std::vector<std::uint32_t> vert((b.size(1) + 1) * width, 0);  // by half cell and line: 1 if it is used, then its index
   surface_arrays a;
   a.offsets.push_back(0);
-  for (std::size_t line = 0; line <= ny; ++line)
-    for (std::size_t i = 0; i <= ends; ++i) {
-      if (!has(i, line)) continue;
-      const bool at_border = line == 0 || line == ny, up = (i + line) % 2 == 0;
-      a.points.push_back({x[i], y[at_border ? 6 * line : up ? 6 * line + 1 : 6 * line - 1], o.min.z});
-    }
-  for (std::size_t row = 0; row < ny; ++row)
-    for (std::size_t left = 0; left < ends;) {
-      const std::size_t right = std::min(left % 2 == row % 2 ? left + 2 : left + 1, ends);
-      for (std::size_t i = left; i <= right; ++i)
-        if (has(i, row)) a.verts.push_back(vert_id{vert(i, row)});
-      for (std::size_t i = right + 1; i-- > left;)
-        if (has(i, row + 1)) a.verts.push_back(vert_id{vert(i, row + 1)});
-      a.offsets.push_back(static_cast<std::uint32_t>(a.verts.size()));
-      left = right;
-    }
+  cells.for_each_cell(b, [&](std::size_t column, std::size_t row) {
+    cells.for_each_vert(column, row, [&](std::size_t i, std::size_t line) {
+      const std::size_t place = (line - b.begin[1]) * width + i - left;
+      vert[place] = 1;
+      a.verts.push_back(vert_id{place});
+    });
+    a.offsets.push_back(static_cast<std::uint32_t>(a.verts.size()));
+  });
+  for (std::size_t place = 0; place < vert.size(); ++place) {
+    if (vert[place] == 0) continue;
+    vert[place] = static_cast<std::uint32_t>(a.points.size());
+    const std::size_t line = b.begin[1] + place / width, i = left + place % width;
+    const bool at_border = line == 0 || line == o.cells[1], up = (i + line) % 2 == 0;
+    a.points.push_back({x[i], y[at_border ? 6 * line : up ? 6 * line + 1 : 6 * line - 1], o.min.z});
+  }
+  for (vert_id& v : a.verts) v = vert_id{vert[v.raw()]};
   return a;
 }
 
-inline cell_arrays hex_grid(const grid_options& o) {
-  const auto [nx, ny, nz] = o.cells;
-  const spaced x("make_grid", "x", o.min.x, o.max.x, nx), y("make_grid", "y", o.min.y, o.max.y, ny),
-      z("make_grid", "z", o.min.z, o.max.z, nz);
+inline cell_arrays hex_grid(const grid_options& o, const grid_block& b) {
+  const spaced x("make_grid", "x", o.min.x, o.max.x, o.cells[0]), y("make_grid", "y", o.min.y, o.max.y, o.cells[1]),
+      z("make_grid", "z", o.min.z, o.max.z, o.cells[2]);
+  const std::size_t nx = b.size(0), ny = b.size(1), nz = b.size(2);
   cell_arrays a{{}, {}, 8};
+  if (nx == 0 || ny == 0 || nz == 0) return a;
   a.points.reserve((nx + 1) * (ny + 1) * (nz + 1));
   a.verts.reserve(8 * nx * ny * nz);
-  for (std::size_t k = 0; k <= nz; ++k)
-    for (std::size_t j = 0; j <= ny; ++j)
-      for (std::size_t i = 0; i <= nx; ++i) a.points.push_back({x[i], y[j], z[k]});
+  for (std::size_t k = b.begin[2]; k <= b.end[2]; ++k)
+    for (std::size_t j = b.begin[1]; j <= b.end[1]; ++j)
+      for (std::size_t i = b.begin[0]; i <= b.end[0]; ++i) a.points.push_back({x[i], y[j], z[k]});
   const std::size_t row = nx + 1, layer = row * (ny + 1);
   for (std::size_t k = 0; k < nz; ++k)
     for (std::size_t j = 0; j < ny; ++j)
@@ -116,6 +161,24 @@ inline cell_arrays hex_grid(const grid_options& o) {
           for (const std::size_t step : {std::size_t{0}, std::size_t{1}, row + 1, row})
             a.verts.push_back(vert_id{v + step});
   return a;
+}
+
+/// A block of the grid, as a mesh of its own: polys and verts in the order of the whole grid.
+/// Errors: invalid_argument, as make_grid.
+template<class M>
+M make_grid_block(const grid_options& options, const grid_block& b) {
+  const double x = static_cast<double>(b.size(0)), y = static_cast<double>(b.size(1)),
+               z = static_cast<double>(b.size(2));
+  if constexpr (dimension_v<M> == 3) {  // volumes are built of cubes, surfaces of squares
+    check_element_counts<M>("make_grid", "cells", (x + 1) * (y + 1) * (z + 1), x * y * z);
+    return construct_from_hexes<M>(hex_grid(options, b));
+  } else if constexpr (arity_v<M> > 0) {  // triangles and quads; general polygons are hexagons
+    check_element_counts<M>("make_grid", "cells", (x + 1) * (y + 1), x * y);
+    return construct_from_quads<M>(quad_grid(options, b));
+  } else {
+    check_element_counts<M>("make_grid", "cells", (2 * x + 1) * (y + 1), (x + 1) * y);
+    return construct_from_arrays<M>(hexagon_grid(options, b));
+  }
 }
 
 }  // namespace detail
@@ -134,18 +197,7 @@ inline cell_arrays hex_grid(const grid_options& o) {
 template<requirement::can_be_generated M>
 M make_grid(const grid_options& options = {}) {
   detail::check_grid("make_grid", options, dimension_v<M>);
-  const double x = static_cast<double>(options.cells[0]), y = static_cast<double>(options.cells[1]),
-               z = static_cast<double>(options.cells[2]);
-  if constexpr (dimension_v<M> == 3) {  // volumes are built of cubes, surfaces of squares
-    detail::check_element_counts<M>("make_grid", "cells", (x + 1) * (y + 1) * (z + 1), x * y * z);
-    return detail::construct_from_hexes<M>(detail::hex_grid(options));
-  } else if constexpr (arity_v<M> > 0) {  // triangles and quads; general polygons are hexagons
-    detail::check_element_counts<M>("make_grid", "cells", (x + 1) * (y + 1), x * y);
-    return detail::construct_from_quads<M>(detail::quad_grid(options));
-  } else {
-    detail::check_element_counts<M>("make_grid", "cells", (2 * x + 1) * (y + 1), (x + 1) * y);
-    return detail::construct_from_arrays<M>(detail::honeycomb(options));
-  }
+  return detail::make_grid_block<M>(options, {{0, 0, 0}, options.cells});
 }
 
 // What to write instead of calls that cannot compile.

@@ -43,6 +43,7 @@ class distributed_problem {
     on_all(mesh_->communicator(), [&] {
       for (const auto& [vert, number] : values) {
         const vert_t<M> v = vert;
+        if (v == vert_t<M>()) continue;  // of other processes
         const T x = as_field_value<T>(number);
         if (!contains(mesh_->base(), v))
           core::throw_joined<invalid_mesh>({caller_, ": a value is given at what is no vert of this process"});
