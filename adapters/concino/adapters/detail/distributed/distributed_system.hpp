@@ -70,6 +70,9 @@ class distributed_system {
     iteration_->factorize(all);
   }
 
+  bool is_factorised() const { return !iteration_ || iteration_->is_factorised(); }
+  double tolerance() const { return iteration_ ? iteration_->tolerance() : 0; }
+
   /// Computes the unknown values of u, so that a u = load in their rows. load: that of the polys of this process, which
   /// are summed too. Ghosts of u are up to date before and after.
   void solve(std::vector<double> load, vert_map<distributed<M>, double>& u, const petsc& solver) const {

@@ -40,16 +40,23 @@ struct mesh_traits<views::scaled<M>> : detail::forward_all<views::scaled<M>, M>,
 
 namespace detail {
 
-/// The exponent of the power of two that divides the largest coordinate into [1/2, 1). 0 if all coordinates are 0 or
-/// not finite.
+/// The largest coordinate, by its absolute value, of the points that are finite.
 template<AnyMesh M>
-int length_exponent(const M& m) {
+double largest_finite_coordinate(const M& m) {
   double largest = 0;
   for (const vert_t<M> v : verts(m)) {
     const vec3 x = to_vec3(point(m, v));
     if (is_finite(x)) largest = std::max({largest, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
   }
-  return largest > 0 ? std::ilogb(largest) + 1 : 0;
+  return largest;
+}
+
+/// The exponent of the power of two that divides the largest coordinate into [1/2, 1). 0 if it is 0.
+inline int length_exponent(double largest) { return largest > 0 ? std::ilogb(largest) + 1 : 0; }
+
+template<AnyMesh M>
+int length_exponent(const M& m) {
+  return length_exponent(largest_finite_coordinate(m));
 }
 
 template<AnyMesh M>
