@@ -160,8 +160,8 @@ vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const query& q) c
   double first = -infinity;
   for (const double x : least)
     if (x < infinity) first = std::max(first, x);
-  const std::vector<double> longest =
-      prepared_->graph.path_lengths_from(q.starts, needs_all ? infinity : first + detail::distance_constants::longest_path(decay));
+  const std::vector<double> longest = prepared_->graph.path_lengths_from(
+      q.starts, needs_all ? infinity : first + detail::distance_constants::longest_path(decay));
   const Eigen::VectorXd potential = prepared_->system.integrate_gradient(log_heat(q, least, longest));
   const detail::euclidean_distance straight(q.sources);
   std::vector<double> shortest(size);

@@ -104,8 +104,7 @@ class distributed_geodesics {
     });
     exchange_ghosts(is_dirichlet);
     const auto marks = is_dirichlet.values();
-    const bool has_boundary =
-        is_any_over_processes(all(), std::find(marks.begin(), marks.end(), 1) != marks.end());
+    const bool has_boundary = is_any_over_processes(all(), std::find(marks.begin(), marks.end(), 1) != marks.end());
     if (!has_boundary || boundary != heat_boundary::dirichlet) {
       neumann_.emplace(problem_, heat, solver_);
       if (is_heat_negative()) {
@@ -214,7 +213,7 @@ class distributed_geodesics {
   template<class S>
   vert_map<distributed<M>, double> distance_from(const S& input) const {
     const std::vector<distributed_source> sources = gather_sources(mesh_, exponent_, input);
-    const std::vector<double> least = least_distances(sources);
+    const std::vector<double> least = min_distances(sources);
     double first = -infinity;
     for (const double x : least)
       if (x < infinity) first = std::max(first, x);
@@ -227,14 +226,13 @@ class distributed_geodesics {
       if (const std::size_t c = components_.of_vert[i]; c != distributed_components::none && least[c] < infinity)
         is_complete = is_complete && log_u[i] > -infinity;
     if (is_any_over_processes(all(), !is_complete)) fill(log_u);
-    const Eigen::VectorXd potential =
-        solve_over_processes(mesh_, *poisson_, direction_load(corners_, log_u), solver_);
+    const Eigen::VectorXd potential = solve_over_processes(mesh_, *poisson_, direction_load(corners_, log_u), solver_);
     return shifted(sources, least, path, potential);
   }
 
  private:
   /// The least initial distance in each component.
-  std::vector<double> least_distances(const std::vector<distributed_source>& sources) const {
+  std::vector<double> min_distances(const std::vector<distributed_source>& sources) const {
     std::vector<double> least(components_.size(), infinity);
     for (const vert_t<M> v : verts(mesh_))
       if (const std::size_t c = components_.of_vert[index(v)]; c != distributed_components::none)
