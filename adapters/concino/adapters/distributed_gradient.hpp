@@ -2,6 +2,7 @@
 // Needs: MPI (Debian: petsc-dev brings it; libopenmpi-dev).
 #pragma once
 
+#include <concino/adapters/detail/distributed/values_with_ghosts.hpp>
 #include <concino/adapters/detail/mpi/mpi_agreement.hpp>
 #include <concino/adapters/distributed.hpp>
 #include <concino/concepts/maps.hpp>
@@ -12,18 +13,6 @@
 namespace concino {
 
 namespace detail {
-
-/// The values of u at the verts of this process, and at ghosts those of their owners. Collective.
-template<class M, class U>
-vert_map<distributed<M>, double> values_with_ghosts(const distributed<M>& m, const U& u) {
-  auto r = make_vert_map<double>(m, 0.0);
-  on_all(m.communicator(), [&] {
-    for (const vert_t<M> v : verts(m))
-      if (!m.is_ghost(v)) r[v] = static_cast<double>(u[v]);
-  });
-  exchange_ghosts(r);
-  return r;
-}
 
 template<class M, class U>
 poly_map<distributed<M>, vec3> distributed_gradient(const distributed<M>& m, const U& u) {

@@ -5,6 +5,7 @@
 #include <concino/core/compiled.hpp>
 #include <concino/core/error.hpp>
 #include <concino/core/message.hpp>
+#include <concino/core/number_in_messages.hpp>
 #include <concino/geometry/measure.hpp>
 
 #include <algorithm>
@@ -17,19 +18,10 @@ namespace concino {
 
 namespace detail {
 
-/// The number of a poly in messages: its index, or the number in the whole mesh if m is a part of it or a view of one.
-template<class M>
-std::size_t number_in_messages(const M& m, const poly_t<M>& p) {
-  if constexpr (requires { m.global_number(p); }) return static_cast<std::size_t>(m.global_number(p));
-  else if constexpr (requires { m.base().global_number(p); }) return number_in_messages(m.base(), p);
-  else if constexpr (requires { m.base().base().global_number(p); }) return number_in_messages(m.base().base(), p);
-  else return index_of(m, p);
-}
-
 template<class M>
 [[noreturn, gnu::noinline, gnu::cold]] void throw_no_measure(const char* caller, const M& m, const poly_t<M>& p) {
   core::throw_joined<invalid_mesh>(
-      {caller, ": poly ", number_in_messages(m, p), dimension_v<M> == 2 ? " has no area" : " has no volume",
+      {caller, ": poly ", core::number_in_messages(m, p), dimension_v<M> == 2 ? " has no area" : " has no volume",
        ", or points that are not finite, so functions on it have no gradient; remove it or move its verts"});
 }
 

@@ -25,8 +25,8 @@ struct distributed_components {
   std::size_t size() const { return first_vert.size(); }
 };
 
-/// Of each local vert the lowest global number in its component; the largest number for verts of no poly. Lowest numbers
-/// spread through the polys of each process, and from process to process until nothing changes. Collective.
+/// Of each local vert the lowest global number in its component; the largest 64-bit number for verts of no poly. Lowest
+/// numbers spread through the polys of each process, and from process to process until nothing changes. Collective.
 template<class M>
 std::vector<std::uint64_t> component_labels(const distributed<M>& m) {
   constexpr auto none = std::numeric_limits<std::uint64_t>::max();

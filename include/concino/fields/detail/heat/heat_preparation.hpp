@@ -111,9 +111,9 @@ double poly_width(const M& m, const poly_t<M>& p) {
 struct square_width_sums {
   double sum = 0, measure = 0;
 
-  /// The squared width of polys, averaged by measure. Its root is the length that the mesh can resolve. Many small polys
-  /// in a corner, or many short edges around a poly, do not change heat flow between distant places. A long thin poly
-  /// resolves nothing finer than its length.
+  /// The squared width of polys, averaged by measure. Its root is the length that the mesh can resolve. Many small
+  /// polys in a corner, or many short edges around a poly, do not change heat flow between distant places. A long thin
+  /// poly resolves nothing finer than its length.
   double mean() const { return measure > 0 ? sum / measure : 0; }
 };
 
