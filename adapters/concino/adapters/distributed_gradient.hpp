@@ -2,7 +2,7 @@
 // Needs: MPI (Debian: petsc-dev brings it; libopenmpi-dev).
 #pragma once
 
-#include <concino/adapters/detail/distributed/values_with_ghosts.hpp>
+#include <concino/adapters/detail/distributed/distributed_values.hpp>
 #include <concino/adapters/detail/mpi/mpi_agreement.hpp>
 #include <concino/adapters/distributed.hpp>
 #include <concino/concepts/maps.hpp>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <concino/adapters/detail/distributed/distributed_polys.hpp>
-#include <concino/adapters/detail/distributed/values_with_ghosts.hpp>
+#include <concino/adapters/detail/distributed/distributed_values.hpp>
 #include <concino/adapters/detail/mpi/mpi_agreement.hpp>
 #include <concino/adapters/distributed.hpp>
 #include <concino/concepts/maps.hpp>
@@ -19,9 +19,9 @@ namespace concino {
 /// The piece of this process of the isosurface of the whole mesh. All its processes call it together.
 /// Needs:  a distributed mesh of a volume; u[v] is a number for each local vert; those of ghosts are not read. The same
 ///         values on all processes, one or several.
-/// Result: as isosurface, the polygons in the polys of this process. Each polygon of the isosurface of the mesh that was
-///         divided is in exactly one piece, so areas and numbers of polys sum to those of one process. Verts between
-///         pieces are in each of them.
+/// Result: as isosurface, the polygons in the polys of this process. Each polygon of the isosurface of the mesh that
+///         was divided is in exactly one piece, so areas and numbers of polys sum to those of one process. Verts
+///         between pieces are in each of them.
 /// Cost:   as isosurface of the local mesh, and one message to and from each process with common verts.
 /// Errors: as isosurface; verts and polys are named by their global numbers. Every error is thrown on all processes.
 /// Source: as isosurface.
@@ -33,7 +33,8 @@ template<class To = polygonmesh, class M, class U, class V = std::initializer_li
     const auto all = detail::values_with_ghosts(m, u);
     level_surface<distributed<M>, To> piece;
     detail::on_all(m.communicator(), [&] {
-      piece = detail::find_isosurface<To>(m, all, values, "isosurface", [&](const poly_t<M>& p) { return !m.is_ghost(p); });
+      const auto is_own = [&](const poly_t<M>& p) { return !m.is_ghost(p); };
+      piece = detail::find_isosurface<To>(m, all, values, "isosurface", is_own);
     });
     return piece;
   }

@@ -10,7 +10,6 @@
 #include <concino/adapters/detail/mpi/mpi_all_to_all.hpp>
 #include <concino/adapters/distributed.hpp>
 #include <concino/adapters/petsc.hpp>
-#include <concino/core/lexicographic.hpp>
 #include <concino/fields/detail/heat/distance_constants.hpp>
 #include <concino/fields/detail/heat/geodesic_preparation.hpp>
 #include <concino/fields/detail/heat/heat_matrix.hpp>
@@ -115,43 +114,10 @@ class distributed_geodesics {
     if (has_boundary) dirichlet_.emplace(problem_, with_dirichlet_verts(std::move(heat), marks), solver_);
   }
 
-  /// A source at the lexicographically first vert of each component.
-  std::vector<distributed_source> one_source_per_component() const {
-    const views::scaled<distributed<M>> scaled(mesh_, exponent_);
-    const auto is_before = [](const distributed_source& a, const distributed_source& b) {
-      if (core::is_lexicographically_less(a.position, b.position)) return true;
-      return !core::is_lexicographically_less(b.position, a.position) && a.vert < b.vert;
-    };
-    struct candidate {
-      std::size_t component;
-      distributed_source source;
-    };
-    std::vector<candidate> own(components_.size());
-    std::vector<char> is_known(own.size());
-    for (const vert_t<M> v : verts(mesh_)) {
-      const std::size_t c = components_.of_vert[index(v)];
-      if (c == distributed_components::none || mesh_.is_ghost(v)) continue;
-      const candidate x{c, {mesh_.global_number(v), 0, point(scaled, v)}};
-      if (!is_known[c] || is_before(x.source, own[c].source)) own[c] = x;
-      is_known[c] = 1;
-    }
-    for (std::size_t c = own.size(); c-- > 0;)
-      if (!is_known[c]) own.erase(own.begin() + static_cast<std::ptrdiff_t>(c));
-    std::vector<candidate> every = all_from_all(all(), own);
-    std::sort(every.begin(), every.end(), [&](const candidate& a, const candidate& b) {
-      return a.component != b.component ? a.component < b.component : is_before(a.source, b.source);
-    });
-    std::vector<distributed_source> first;
-    for (std::size_t k = 0; k < every.size(); ++k)
-      if (k == 0 || every[k].component != every[k - 1].component) first.push_back(every[k].source);
-    std::sort(first.begin(), first.end(), [](const auto& a, const auto& b) { return a.vert < b.vert; });
-    return first;
-  }
-
   /// As heat_system.
   bool is_heat_negative() const {
     const std::vector<double> log_u =
-        log_heat(one_source_per_component(), std::vector<double>(components_.size(), 0.0));
+        log_heat(one_source_per_component(mesh_, exponent_, components_), std::vector<double>(components_.size(), 0.0));
     std::vector<double> counts(2);
     for (const vert_t<M> v : problem_.own()) {
       counts[0] += log_u[index(v)] == -infinity;

@@ -1,10 +1,12 @@
 // The sources of distances on a distributed mesh, and lengths of paths near them.
 #pragma once
 
+#include <concino/adapters/detail/distributed/distributed_components.hpp>
 #include <concino/adapters/detail/distributed/distributed_polys.hpp>
 #include <concino/adapters/detail/mpi/mpi_agreement.hpp>
 #include <concino/adapters/detail/mpi/mpi_all_to_all.hpp>
 #include <concino/adapters/distributed.hpp>
+#include <concino/core/lexicographic.hpp>
 #include <concino/core/vec3.hpp>
 #include <concino/fields/detail/heat/build_distance_graph.hpp>
 #include <concino/fields/detail/heat/distance_bounds.hpp>
@@ -55,6 +57,39 @@ inline const distributed_source* source_at(const std::vector<distributed_source>
   const auto at = std::lower_bound(sources.begin(), sources.end(), vert,
                                    [](const distributed_source& s, std::uint64_t v) { return s.vert < v; });
   return at != sources.end() && at->vert == vert ? &*at : nullptr;
+}
+
+/// A source at the lexicographically first vert of each component. Collective.
+template<class M>
+std::vector<distributed_source> one_source_per_component(const distributed<M>& m, int exponent,
+                                                         const distributed_components& components) {
+  const views::scaled<distributed<M>> scaled(m, exponent);
+  const auto is_before = [](const distributed_source& a, const distributed_source& b) {
+    if (core::is_lexicographically_less(a.position, b.position)) return true;
+    return !core::is_lexicographically_less(b.position, a.position) && a.vert < b.vert;
+  };
+  struct candidate {
+    std::size_t component;  // none: not on this process
+    distributed_source source;
+  };
+  constexpr std::size_t none = distributed_components::none;
+  std::vector<candidate> own(components.size(), candidate{none, {}});
+  for (const vert_t<M> v : verts(m)) {
+    const std::size_t c = components.of_vert[index_of(m, v)];
+    if (c == none || m.is_ghost(v)) continue;
+    const candidate x{c, {m.global_number(v), 0, point(scaled, v)}};
+    if (own[c].component == none || is_before(x.source, own[c].source)) own[c] = x;
+  }
+  std::erase_if(own, [](const candidate& x) { return x.component == none; });
+  std::vector<candidate> every = all_from_all(m.communicator(), own);
+  std::sort(every.begin(), every.end(), [&](const candidate& a, const candidate& b) {
+    return a.component != b.component ? a.component < b.component : is_before(a.source, b.source);
+  });
+  std::vector<distributed_source> first;
+  for (std::size_t k = 0; k < every.size(); ++k)
+    if (k == 0 || every[k].component != every[k - 1].component) first.push_back(every[k].source);
+  std::sort(first.begin(), first.end(), [](const auto& a, const auto& b) { return a.vert < b.vert; });
+  return first;
 }
 
 inline euclidean_distance straight_distance(const std::vector<distributed_source>& sources) {
