@@ -142,7 +142,7 @@ void exchange_ghosts(element_map<distributed<M>, X, T>& map) {
 /// Errors: none.
 template<class M>
 auto owned_part(const distributed<M>& m) {
-  return submesh(m.base(), [&](const poly_t<M>& p) { return !m.is_ghost(p); });
+  return submesh(m, [&](const poly_t<M>& p) { return !m.is_ghost(p); });
 }
 template<class M>
 void owned_part(const distributed<M>&&) = delete;  // give the mesh a name: distributed d(...);

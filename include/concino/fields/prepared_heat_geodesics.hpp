@@ -5,6 +5,7 @@
 #include <concino/core/message.hpp>
 #include <concino/core/mistakes.hpp>
 #include <concino/core/number_text.hpp>
+#include <concino/fields/detail/heat/distance_constants.hpp>
 #include <concino/fields/detail/heat/euclidean_distance.hpp>
 #include <concino/fields/detail/heat/geodesic_preparation.hpp>
 #include <concino/fields/detail/heat/geodesic_sources.hpp>
@@ -44,11 +45,8 @@ class prepared_heat_geodesics {
   double scale_down(double length) const { return std::ldexp(length, -prepared_->exponent); }
 
   void add_source(query& q, const vert_t<M>& v, double distance) const {
-    if (!contains(mesh_.get(), v))
-      throw invalid_mesh("heat_geodesics: a source is not a vert of the mesh; take it from verts(m)");
-    if (!std::isfinite(distance))
-      core::throw_joined<invalid_argument>(
-          {"heat_geodesics: the initial distance at vert ", index_of(mesh_.get(), v), " is not finite"});
+    const M& m = mesh_.get();
+    detail::check_distance_source(m, v, distance, [&] { return index_of(m, v); });
     const int i = number(v);
     q.starts.push_back({i, static_cast<int>(q.sources.size()), 0, scale_down(distance)});
     q.sources.push_back({prepared_->graph.position(static_cast<std::size_t>(i)), scale_down(distance)});
@@ -140,56 +138,46 @@ std::vector<double> prepared_heat_geodesics<M, Solver>::log_heat(const query& q,
   bool complete = true;
   for (std::size_t i = 0; i < least.size(); ++i)
     complete = complete && (heat[i] > -infinity || least[component(i)] == infinity);
-  if (!complete) detail::fill_along_edges(scaled_mesh(mesh_.get(), prepared_->exponent), decay, heat);
+  if (complete) return heat;
+  std::vector<unsigned char> is_open(heat.size());
+  for (std::size_t i = 0; i < heat.size(); ++i) is_open[i] = heat[i] == -infinity;
+  detail::fill_along_edges(scaled_mesh(mesh_.get(), prepared_->exponent), decay, is_open, heat);
   return heat;
 }
 
 template<class M, class Solver>
 vert_map<M, double> prepared_heat_geodesics<M, Solver>::answer(const query& q) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (q.starts.empty()) throw invalid_argument("heat_geodesics: there is no source; give at least one vert");
+  detail::check_has_source(!q.starts.empty());
   const double decay = std::sqrt(prepared_->time);
   auto distance_at = make_vert_map<double>(mesh_.get(), infinity);
   const auto size = distance_at.values().size();
   std::vector<double> least(size, infinity);  // of the initial distances in each component
   for (const auto& s : q.starts)
     least[component(index(s))] = std::min(least[component(index(s))], path_length_at_source(s));
-  // The integral of the gradient is known up to a constant in each component, and it is too round at a source. The
-  // constant is fitted to bounds of the distances near the sources; tighter bounds have more weight.
-  // Verts are used up to `near` times `decay` from a source, if the path over the mesh is longer than the straight line
-  // by at most `max_doubt` of it. The numbers are not round, as those of regular grids are: rounding must not decide
-  // which verts are used. Where the distance from the nearest source is only rounding, as at the corners of a square
-  // around a source in its centre, verts are not used.
-  constexpr double near = 2 + 1e-6, max_doubt = 0.2 + 1e-6, rounding = 1e-6;
   // Without clamp, longer paths are only needed as a guess.
   const bool needs_all = prepared_->clamp || prepared_->system.is_iterative();
   double first = -infinity;
   for (const double x : least)
     if (x < infinity) first = std::max(first, x);
-  const std::vector<double> longest =
-      prepared_->graph.path_lengths_from(q.starts, needs_all ? infinity : first + (1 + max_doubt) * near * decay);
+  const std::vector<double> longest = prepared_->graph.path_lengths_from(
+      q.starts, needs_all ? infinity : first + detail::distance_constants::longest_path(decay));
   const Eigen::VectorXd potential = prepared_->system.integrate_gradient(log_heat(q, least, longest));
   const detail::euclidean_distance straight(q.sources);
-  std::vector<double> shortest(size), sum(size), weight(size);
+  std::vector<double> shortest(size);
+  detail::distance_constants constants(size, decay);
   for (std::size_t i = 0; i < size; ++i) {
     if (!(longest[i] < infinity)) continue;
     shortest[i] = straight(prepared_->graph.position(i));
-    const std::size_t c = component(i);
-    const double off = shortest[i] - least[c], doubt = longest[i] - shortest[i];
-    if (!(off > rounding * decay && off <= near * decay && doubt <= max_doubt * off)) continue;
-    const double trust = off / (doubt + 0.01 * off), w = prepared_->mass[i] * trust * trust;
-    sum[c] += w * (shortest[i] + doubt / 2 - potential[static_cast<Eigen::Index>(i)]);
-    weight[c] += w;
+    constants.add(component(i), shortest[i], longest[i], least[component(i)], prepared_->mass[i],
+                  potential[static_cast<Eigen::Index>(i)]);
   }
   for (const auto& s : q.starts)
-    if (const std::size_t c = component(index(s)); !(weight[c] > 0)) {
-      sum[c] += path_length_at_source(s) - potential[s.vert];
-      weight[c] -= 1;
-    }
+    constants.add_source(component(index(s)), path_length_at_source(s), potential[s.vert]);
   for (std::size_t i = 0; i < size; ++i) {
     const std::size_t c = component(i);
     if (least[c] == infinity || (prepared_->clamp && !(longest[i] < infinity))) continue;
-    double d = potential[static_cast<Eigen::Index>(i)] + sum[c] / std::abs(weight[c]);
+    double d = potential[static_cast<Eigen::Index>(i)] + constants(c);
     if (prepared_->clamp) d = std::max(std::min(d, longest[i]), shortest[i]);
     distance_at.values()[i] = std::ldexp(std::max(least[c], d), prepared_->exponent);
   }

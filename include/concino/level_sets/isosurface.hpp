@@ -37,13 +37,19 @@ template<class To> concept is_level_surface_mesh = std::same_as<To, polygonmesh>
 
 namespace detail {
 
-template<class To, class M, class U, class V>
-level_surface<M, To> find_isosurface(const M& m, const U& u, const V& values, const char* caller) {
+struct choose_every_poly {
+  bool operator()(const auto&) const { return true; }
+};
+
+/// The polygons in the polys for which is_chosen(p).
+template<class To, class M, class U, class V, class IsChosen = choose_every_poly>
+level_surface<M, To> find_isosurface(const M& m, const U& u, const V& values, const char* caller,
+                                     const IsChosen& is_chosen = {}) {
   check_vert_values(m, u, caller);
   bool has_properties = false;
   if constexpr (ShowsProperties<M>) has_properties = traits<M>::properties(m).size() > 0;
   level_surface_builder<M> builder(m, arity_v<To> == 3, has_properties);
-  for (const double level : sorted_levels(values, caller)) builder.add(u, level, caller);
+  for (const double level : sorted_levels(values, caller)) builder.add(u, level, caller, is_chosen);
   level_surface<M, To> result{{}, std::move(builder.places), std::move(builder.polys), std::move(builder.values)};
   correspondence from;
   from.verts = std::move(builder.origins);

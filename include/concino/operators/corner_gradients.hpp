@@ -5,6 +5,7 @@
 #include <concino/core/compiled.hpp>
 #include <concino/core/error.hpp>
 #include <concino/core/message.hpp>
+#include <concino/core/number_in_messages.hpp>
 #include <concino/geometry/measure.hpp>
 
 #include <algorithm>
@@ -20,7 +21,7 @@ namespace detail {
 template<class M>
 [[noreturn, gnu::noinline, gnu::cold]] void throw_no_measure(const char* caller, const M& m, const poly_t<M>& p) {
   core::throw_joined<invalid_mesh>(
-      {caller, ": poly ", index_of(m, p), dimension_v<M> == 2 ? " has no area" : " has no volume",
+      {caller, ": poly ", core::number_in_messages(m, p), dimension_v<M> == 2 ? " has no area" : " has no volume",
        ", or points that are not finite, so functions on it have no gradient; remove it or move its verts"});
 }
 

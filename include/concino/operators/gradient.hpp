@@ -23,6 +23,48 @@ vec3 gradient_of(const Local& local, const U& u) {
   return sum;
 }
 
+template<class M, class U>
+poly_map<M, vec3> find_gradient(const M& m, const U& u) {
+  auto result = make_poly_map<vec3>(m);
+  core::poly_chunks<M>(m).template for_each<poly_gradients<M>>(
+      [&](auto& local, const poly_t<M>& p, std::size_t) {
+        local.visit(m, p);
+        if (!local.has_gradients()) throw_no_measure("gradient", m, p);
+        result[p] = gradient_of(local, u);
+        return 0;
+      });
+  return result;
+}
+
+template<class M, class U>
+vert_map<M, vec3> find_vert_gradient(const M& m, const U& u) {
+  struct weighted {
+    vec3 sum;
+    double size = 0;
+  };
+  std::vector<weighted> of_poly(poly_index_bound(m)), of_vert(vert_index_bound(m));
+  core::poly_chunks<M>(m).template for_each<poly_gradients<M>>(
+      [&](auto& local, const poly_t<M>& p, std::size_t) {
+        local.visit(m, p);
+        if (!local.has_gradients()) throw_no_measure("vert_gradient", m, p);
+        const double size = std::abs(local.measure);
+        of_poly[index_of(m, p)] = {size * gradient_of(local, u), size};
+        return 0;
+      });
+  for (const poly_t<M> p : polys(m)) {
+    const weighted& w = of_poly[index_of(m, p)];
+    for (const vert_t<M> v : adj_p2v(m, p)) {
+      weighted& at = of_vert[index_of(m, v)];
+      at.sum += w.sum;
+      at.size += w.size;
+    }
+  }
+  auto result = make_vert_map<vec3>(m);
+  for (std::size_t i = 0; i < of_vert.size(); ++i)
+    if (of_vert[i].size > 0) result.values()[i] = of_vert[i].sum / of_vert[i].size;
+  return result;
+}
+
 }  // namespace detail
 
 /// The mean gradient of u over each poly: gradient_matrix(m) times u.
@@ -35,16 +77,7 @@ vec3 gradient_of(const Local& local, const U& u) {
 template<class M, class U>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && requirement::gives_numbers<U, vert_t<M>>
 poly_map<M, vec3> gradient(M&& m, const U& u) {
-  using mesh = std::remove_cvref_t<M>;
-  auto result = make_poly_map<vec3>(m);
-  core::poly_chunks<mesh>(m).template for_each<poly_gradients<mesh>>(
-      [&](auto& local, const poly_t<mesh>& p, std::size_t) {
-        local.visit(m, p);
-        if (!local.has_gradients()) detail::throw_no_measure("gradient", m, p);
-        result[p] = detail::gradient_of(local, u);
-        return 0;
-      });
-  return result;
+  return detail::find_gradient(m, u);
 }
 
 /// The gradient of u at each vert: the mean over the polys around it, weighted by their areas or volumes;
@@ -58,32 +91,7 @@ poly_map<M, vec3> gradient(M&& m, const U& u) {
 template<class M, class U>
   requires requirement::is_lvalue_or_view<M> && EmbeddedMesh<M> && requirement::gives_numbers<U, vert_t<M>>
 vert_map<M, vec3> vert_gradient(M&& m, const U& u) {
-  using mesh = std::remove_cvref_t<M>;
-  struct weighted {
-    vec3 sum;
-    double size = 0;
-  };
-  std::vector<weighted> of_poly(poly_index_bound(m)), of_vert(vert_index_bound(m));
-  core::poly_chunks<mesh>(m).template for_each<poly_gradients<mesh>>(
-      [&](auto& local, const poly_t<mesh>& p, std::size_t) {
-        local.visit(m, p);
-        if (!local.has_gradients()) detail::throw_no_measure("vert_gradient", m, p);
-        const double size = std::abs(local.measure);
-        of_poly[index_of(m, p)] = {size * detail::gradient_of(local, u), size};
-        return 0;
-      });
-  for (const poly_t<mesh> p : polys(m)) {
-    const weighted& w = of_poly[index_of(m, p)];
-    for (const vert_t<mesh> v : adj_p2v(m, p)) {
-      weighted& at = of_vert[index_of(m, v)];
-      at.sum += w.sum;
-      at.size += w.size;
-    }
-  }
-  auto result = make_vert_map<vec3>(m);
-  for (std::size_t i = 0; i < of_vert.size(); ++i)
-    if (of_vert[i].size > 0) result.values()[i] = of_vert[i].sum / of_vert[i].size;
-  return result;
+  return detail::find_vert_gradient(m, u);
 }
 
 // What to write instead of calls that cannot compile.

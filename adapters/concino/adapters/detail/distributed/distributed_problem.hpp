@@ -1,12 +1,13 @@
 // The verts of a problem on a distributed mesh: rows of its matrices, prescribed values, and those that are unknown.
 #pragma once
 
+#include <concino/adapters/detail/distributed/distributed_components.hpp>
 #include <concino/adapters/detail/mpi/mpi_agreement.hpp>
+#include <concino/adapters/detail/mpi/mpi_all_to_all.hpp>
 #include <concino/adapters/distributed.hpp>
 #include <concino/core/error.hpp>
 #include <concino/core/message.hpp>
 #include <concino/fields/harmonic_map.hpp>
-#include <concino/graph/disjoint_sets.hpp>
 #include <concino/mesh/element_map.hpp>
 
 #include <petscsys.h>
@@ -71,43 +72,17 @@ class distributed_problem {
     known.is_prescribed = 1;
   }
 
-  /// Every component has a prescribed value: whether it has one spreads through the polys of each process, and from
-  /// process to process until nothing changes.
+  /// Every component has a prescribed value.
   void check_components() const {
-    const M& m = mesh_->base();
-    disjoint_sets sets(vert_index_bound(m));
-    for (const poly_t<M> p : polys(m)) {
-      std::size_t first = sets.size();
-      for (const vert_t<M> v : adj_p2v(m, p)) {
-        if (first == sets.size()) first = index(v);
-        else sets.unite(first, index(v));
-      }
-    }
-    std::vector<char> is_reached(values_.size()), reached_set(values_.size());
-    for (std::size_t i = 0; i < values_.size(); ++i) is_reached[i] = static_cast<char>(values_[i].is_prescribed);
-    for (int changes = 1; changes;) {
-      changes = 0;
-      for (const vert_t<M> v : verts(m))
-        if (is_reached[index(v)]) reached_set[sets.root(index(v))] = 1;
-      for (const vert_t<M> v : verts(m)) {
-        const bool reaches = reached_set[sets.root(index(v))] && !is_reached[index(v)];
-        is_reached[index(v)] |= static_cast<char>(reaches);
-        changes |= reaches;
-      }
-      exchange().to_owners(is_reached.data(), [&](char& known, char other) {
-        changes |= other && !known;
-        known |= other;
-      });
-      exchange().to_ghosts(is_reached.data());
-      (MPI_Allreduce)(MPI_IN_PLACE, &changes, 1, MPI_INT, MPI_MAX, mesh_->communicator());
-    }
-    std::uint64_t alone = std::numeric_limits<std::uint64_t>::max();
-    for (const vert_t<M> v : verts(m))
-      if (rows_[index(v)] >= 0 && !is_reached[index(v)]) alone = std::min(alone, mesh_->global_number(v));
-    (MPI_Allreduce)(MPI_IN_PLACE, &alone, 1, MPI_UINT64_T, MPI_MIN, mesh_->communicator());
-    if (alone != std::numeric_limits<std::uint64_t>::max())
-      core::throw_joined<solver_error>(
-          {caller_, ": the component of vert ", alone, " has no prescribed value; give one at any of its verts"});
+    const distributed_components components = find_components(*mesh_);
+    std::vector<double> has_value(components.size());
+    for (std::size_t i = 0; i < values_.size(); ++i)
+      if (values_[i].is_prescribed && rows_[i] >= 0) has_value[components.of_vert[i]] = 1;
+    add_over_processes(mesh_->communicator(), has_value);
+    for (std::size_t k = 0; k < has_value.size(); ++k)
+      if (!(has_value[k] > 0))
+        core::throw_joined<solver_error>({caller_, ": the component of vert ", components.first_vert[k],
+                                          " has no prescribed value; give one at any of its verts"});
   }
 
   void number_rows() {

@@ -80,29 +80,36 @@ struct poly_records {
   }
 };
 
+/// The polys of a mesh without deleted elements, which has these numbers.
 template<class M>
-poly_records records_of(const mesh_slice<M>& s) {
+poly_records records_of(const M& m, std::vector<std::uint64_t> vert_numbers, std::vector<std::uint64_t> poly_numbers) {
   poly_records r;
-  r.vert_numbers = s.global_vert;
-  r.reserve(num_polys(s.mesh), num_verts(s.mesh), arity_v<M> * num_polys(s.mesh));
-  for (const vert_t<M> v : verts(s.mesh)) r.points.push_back(point(s.mesh, v));
-  for (const poly_t<M> p : polys(s.mesh)) {
-    r.poly_numbers.push_back(s.first_poly + r.poly_numbers.size());
-    const auto push = [&](const vert_t<M>& v) { r.words.push_back(static_cast<std::uint32_t>(index_of(s.mesh, v))); };
+  r.vert_numbers = std::move(vert_numbers);
+  r.poly_numbers = std::move(poly_numbers);
+  r.reserve(num_polys(m), num_verts(m), arity_v<M> * num_polys(m));
+  for (const vert_t<M> v : verts(m)) r.points.push_back(point(m, v));
+  for (const poly_t<M> p : polys(m)) {
+    const auto push = [&](const vert_t<M>& v) { r.words.push_back(static_cast<std::uint32_t>(index_of(m, v))); };
     if constexpr (from_polyhedra<M>) {
-      for (const face_t<M> f : adj_p2f(s.mesh, p)) {
-        r.words.push_back(static_cast<std::uint32_t>(num_elements(adj_f2v(s.mesh, f))));
+      for (const face_t<M> f : adj_p2f(m, p)) {
+        r.words.push_back(static_cast<std::uint32_t>(num_elements(adj_f2v(m, f))));
         const std::size_t first = r.words.size();
-        for (const vert_t<M> v : adj_f2v(s.mesh, f)) push(v);
-        if (!face_is_outward(s.mesh, p, f))
+        for (const vert_t<M> v : adj_f2v(m, f)) push(v);
+        if (!face_is_outward(m, p, f))
           std::reverse(r.words.begin() + static_cast<std::ptrdiff_t>(first), r.words.end());
       }
     } else {
-      for (const vert_t<M> v : adj_p2v(s.mesh, p)) push(v);
+      for (const vert_t<M> v : adj_p2v(m, p)) push(v);
     }
     r.ends.push_back(r.words.size());
   }
   return r;
+}
+template<class M>
+poly_records records_of(const mesh_slice<M>& s) {
+  std::vector<std::uint64_t> poly_numbers(num_polys(s.mesh));
+  for (std::size_t p = 0; p < poly_numbers.size(); ++p) poly_numbers[p] = s.first_poly + p;
+  return records_of(s.mesh, s.global_vert, std::move(poly_numbers));
 }
 
 /// Some of the polys, in this order, and their verts.

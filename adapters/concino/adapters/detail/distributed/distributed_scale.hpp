@@ -11,7 +11,7 @@ namespace concino::detail {
 /// length_exponent of the whole mesh. Collective.
 template<class M>
 int common_length_exponent(const distributed<M>& m) {
-  double largest = largest_coordinate(m.base());
+  double largest = largest_finite_coordinate(m.base());
   (MPI_Allreduce)(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, m.communicator());
   return length_exponent(largest);
 }

@@ -103,6 +103,9 @@ class distributed_system {
     iteration_->factorize(submatrix(own_options.communicator, whole_, unknown));
   }
 
+  bool is_factorised() const { return !iteration_ || iteration_->is_factorised(); }
+  double tolerance() const { return iteration_ ? iteration_->tolerance() : 0; }
+
   /// Computes the unknown values of u. load: that of the polys of this process, which are summed too. Ghosts of u are up
   /// to date before and after.
   void solve(std::vector<T> load, vert_map<distributed<M>, T>& u, const petsc& solver) const {

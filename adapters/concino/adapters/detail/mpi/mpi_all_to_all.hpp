@@ -41,4 +41,23 @@ template<class T>
     return received;
   }
 
+/// The values of all processes, in the order of these, on every one. Collective.
+template<class T>
+std::vector<T> all_from_all(MPI_Comm communicator, const std::vector<T>& own) {
+  int size = 1;
+  (MPI_Comm_size)(communicator, &size);
+  std::vector<T> all;
+  for (const auto& values : all_to_all(communicator, std::vector<std::vector<T>>(static_cast<std::size_t>(size), own)))
+    all.insert(all.end(), values.begin(), values.end());
+  return all;
+}
+
+/// Replaces values[i] by its sum over all processes, which have as many values. Collective.
+inline void add_over_processes(MPI_Comm communicator, std::vector<double>& values) {
+  for (std::size_t at = 0; at < values.size(); at += longest_message / sizeof(double))
+    (MPI_Allreduce)(MPI_IN_PLACE, values.data() + at,
+                    static_cast<int>(std::min(longest_message / sizeof(double), values.size() - at)), MPI_DOUBLE,
+                    MPI_SUM, communicator);
+}
+
 }  // namespace concino::detail

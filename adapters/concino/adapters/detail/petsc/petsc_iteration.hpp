@@ -105,6 +105,18 @@ class petsc_iteration {
 
   /// The tolerance, which the database of options may override.
   double tolerance() const { return tolerance_; }
+  /// Whether the preconditioner is a factor of the whole matrix, by the options or the database.
+  bool is_factorised() const {
+    const petsc_errors errors;
+    PC preconditioner = nullptr;
+    PetscBool is_cholesky = PETSC_FALSE, is_lu = PETSC_FALSE;
+    errors.check(KSPGetPC(krylov_, &preconditioner), "reading the options");
+    errors.check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(preconditioner), PCCHOLESKY, &is_cholesky),
+                 "reading the options");
+    errors.check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(preconditioner), PCLU, &is_lu),
+                 "reading the options");
+    return is_cholesky || is_lu;
+  }
 
  private:
   void prepare(const petsc_errors& errors, PetscInt first, PetscInt size) {

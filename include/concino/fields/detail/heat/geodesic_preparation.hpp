@@ -20,6 +20,12 @@
 
 namespace concino::detail {
 
+inline void check_heat_time(double time) {
+  if (!(time >= 0 && time <= std::numeric_limits<double>::max()))
+    core::throw_joined<invalid_argument>(
+        {"heat_geodesics: time is ", core::number_text(time), "; it must be finite and 0 or more"});
+}
+
 /// All lengths are those of the scaled mesh.
 template<class Solver>
 struct geodesic_preparation {
@@ -50,15 +56,13 @@ geodesic_preparation<Solver> prepare_geodesics(const M& mesh_in, const D& discre
                                                const heat_geodesics_options& input_options, const Solver& solver) {
   const core::profiled_options profiled(input_options, "prepare_heat_geodesics");
   const heat_geodesics_options& options = *profiled;
-  if (!(options.time >= 0 && options.time <= std::numeric_limits<double>::max()))
-    core::throw_joined<invalid_argument>(
-        {"heat_geodesics: time is ", core::number_text(options.time), "; it must be finite and 0 or more"});
+  check_heat_time(options.time);
   report_progress(options.progress, 0, "heat geodesics");
   const views::scaled<M> m = scaled_to_unit(mesh_in);
   corner_fluxes corners = fluxes_of(m);
   const double edge = mean_edge_length(m);
   const double time = options.time > 0 ? std::ldexp(options.time, -2 * m.exponent())
-                                       : 2 * mean_square_width(m) / dimension_v<M>;
+                                       : default_heat_time<M>(square_widths(m));
   constexpr bool along_edges = requirement::has_masses<D, M>;  // lengths are still those of the mesh
   Eigen::SparseMatrix<double> stiffness;
   if constexpr (along_edges) stiffness = with_diagonal(lower_stiffness(m, virtual_elements));

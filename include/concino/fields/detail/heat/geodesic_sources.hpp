@@ -2,8 +2,11 @@
 #pragma once
 
 #include <concino/concepts/mesh.hpp>
+#include <concino/core/error.hpp>
 #include <concino/core/iterable.hpp>
+#include <concino/core/message.hpp>
 
+#include <cmath>
 #include <concepts>
 #include <type_traits>
 #include <utility>
@@ -35,6 +38,19 @@ void for_each_distance_source(const S& sources, F&& add) {
   } else {
     add(static_cast<vert_t<M>>(sources), 0.0);
   }
+}
+
+/// number(): that of v in messages.
+/// Errors: as heat_geodesics.
+template<class M, class Number>
+void check_distance_source(const M& m, const vert_t<M>& v, double distance, const Number& number) {
+  if (!contains(m, v))
+    throw invalid_mesh("heat_geodesics: a source is not a vert of the mesh; take it from verts(m)");
+  if (!std::isfinite(distance))
+    core::throw_joined<invalid_argument>({"heat_geodesics: the initial distance at vert ", number(), " is not finite"});
+}
+inline void check_has_source(bool has_source) {
+  if (!has_source) throw invalid_argument("heat_geodesics: there is no source; give at least one vert");
 }
 
 }  // namespace concino::detail

@@ -5,6 +5,7 @@
 #include <concino/core/error.hpp>
 #include <concino/core/residual.hpp>
 #include <concino/fields/detail/heat/heat_bands.hpp>
+#include <concino/fields/detail/heat/rescaled_heat.hpp>
 #include <concino/fields/detail/problems/make_similar_solver.hpp>
 
 #include <Eigen/SparseCore>
@@ -22,31 +23,9 @@
 
 namespace concino::detail {
 
-/// A vert at which heat starts.
-struct heat_source {
-  int vert;
-  double strength;  // greater than 0
-};
-
-/// Heat at each vert, times 2^(2 scale_exponent) for each round of continuation before the one that found it.
-struct rescaled_heat {
-  /// An exponent e: heat starts from 2^e and is used down to 2^-e, which is a distance of about 1.4 e times the square
-  /// root of the time.
-  static constexpr int scale_exponent = 900;
-
-  std::vector<double> heat;  // 0 where it is not positive
-  std::vector<int> round;    // -1 where no heat was found
-
-  static double log_of(double x, int in_round) {
-    return x > 0 ? std::log(x) - in_round * (2 * scale_exponent * std::log(2.0))
-                 : -std::numeric_limits<double>::infinity();
-  }
-  double log(std::size_t i) const { return log_of(heat[i], round[i]); }
-};
-
 template<class Solver>
 class heat_equation {
-  static constexpr int max_rounds = 100;  // of continuing underflowed heat
+  static constexpr int scale_exponent = 900;  // of rescaled_heat
   static constexpr double band_tolerance = 2e-3;  // distances then differ from those by a factor by about 1e-4 of the
                                                   // largest
 
@@ -72,47 +51,15 @@ class heat_equation {
 
   /// By the factorised solver. component: of each vert, the number of one vert of it. 2^unit is about the mass of a
   /// vert.
-  ///
-  /// Where heat underflows double precision, it is continued from there. Let u be known down to a threshold, and v
-  /// equal to u there and 0 beyond. The rest, u - v, solves the same system with the right-hand side b - K v. This is
-  /// not 0 on both sides of the frontier only, and can be scaled by any factor.
-  rescaled_heat solve_rescaled(const std::vector<heat_source>& sources, std::span<const int> component,
-                               int unit) const {
-    const std::size_t size = component.size();
-    constexpr int up = rescaled_heat::scale_exponent;
-    const double least = std::ldexp(1.0, -up);
-    Eigen::VectorXd b = Eigen::VectorXd::Zero(lower_.cols()), u;
-    std::vector<unsigned char> has_source(size);
+  rescaled_heat heat_from(const std::vector<heat_source>& sources, std::span<const int> component, int unit) const {
+    std::vector<unsigned char> has_source(component.size()), is_heated(component.size());
     for (const heat_source& s : sources)
       has_source[static_cast<std::size_t>(component[static_cast<std::size_t>(s.vert)])] = 1;
-    const auto is_heated = [&](std::size_t i) { return has_source[static_cast<std::size_t>(component[i])] != 0; };
-    rescaled_heat found{std::vector<double>(size), std::vector<int>(size, -1)};
-    const auto add_sources = [&](int round) {  // those that are still unreached, because they are weaker than others
-      bool any = false;
-      for (const heat_source& s : sources) {
-        if (found.round[static_cast<std::size_t>(s.vert)] >= 0) continue;
-        b[s.vert] += std::ldexp(s.strength, up + unit + 2 * up * round);
-        any = true;
-      }
-      return any;
-    };
-    std::size_t left = 0;
-    for (std::size_t i = 0; i < size; ++i) left += is_heated(i);
-    for (int round = 0; left > 0 && round < max_rounds; ++round) {
-      if (round > 0) continuation_rhs(u, found.round, round - 1, 2 * up, b);
-      const bool waits = add_sources(round);
-      u = solver_->solve(b);
-      const std::size_t before = left;
-      for (std::size_t i = 0; i < size; ++i) {
-        const double x = u[static_cast<Eigen::Index>(i)];
-        if (found.round[i] >= 0 || !(std::abs(x) > least) || !is_heated(i)) continue;
-        found.round[i] = round;
-        if (x > 0) found.heat[i] = x;
-        --left;
-      }
-      if (left == before && !waits) break;
-    }
-    return found;
+    for (std::size_t i = 0; i < is_heated.size(); ++i)
+      is_heated[i] = has_source[static_cast<std::size_t>(component[i])];
+    return solve_rescaled(
+        lower_, sources, is_heated, unit, scale_exponent, [&](const Eigen::VectorXd& b) { return solver_->solve(b); },
+        [](bool x) { return x; });
   }
 
   /// The logarithm of heat, by iterations; see heat_bands. like: a solver of the type that bands with many small polys
@@ -173,30 +120,6 @@ class heat_equation {
     } catch (const solver_error&) {
       return false;  // iterations in the band continue
     }
-  }
-
-  /// b = -K v where v is 0, and the corresponding correction where v is u, times 2^up. v is u at the verts settled in
-  /// `round`, else 0.
-  void continuation_rhs(const Eigen::VectorXd& u, const std::vector<int>& round_of, int round, int up,
-                        Eigen::VectorXd& b) const {
-    b.setZero();
-    for (int c = 0; c < lower_.cols(); ++c)
-      for (int k = lower_.outerIndexPtr()[c]; k < lower_.outerIndexPtr()[c + 1]; ++k) {
-        const int r = lower_.innerIndexPtr()[k];
-        const int of_r = round_of[static_cast<std::size_t>(r)], of_c = round_of[static_cast<std::size_t>(c)];
-        int known = -1, beyond = -1;
-        if (of_r == round && of_c < 0) {
-          known = r;
-          beyond = c;
-        } else if (of_c == round && of_r < 0) {
-          known = c;
-          beyond = r;
-        } else {
-          continue;
-        }
-        b[beyond] -= std::ldexp(lower_.valuePtr()[k] * u[known], up);
-        b[known] += std::ldexp(lower_.valuePtr()[k] * u[beyond], up);
-      }
   }
 };
 

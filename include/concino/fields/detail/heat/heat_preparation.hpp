@@ -107,31 +107,42 @@ double poly_width(const M& m, const poly_t<M>& p) {
   return 2 * farthest;
 }
 
-/// The squared width of polys, averaged by measure. Its root is the length that the mesh can resolve. Many small polys
-/// in a corner, or many short edges around a poly, do not change heat flow between distant places. A long thin poly
-/// resolves nothing finer than its length.
+/// The sum of the squared widths of polys times their measures, and the sum of the measures.
+struct square_width_sums {
+  double sum = 0, measure = 0;
+
+  /// The squared width of polys, averaged by measure. Its root is the length that the mesh can resolve. Many small
+  /// polys in a corner, or many short edges around a poly, do not change heat flow between distant places. A long thin
+  /// poly resolves nothing finer than its length.
+  double mean() const { return measure > 0 ? sum / measure : 0; }
+};
+
 template<AnyMesh M>
-double mean_square_width(const M& m) {
-  double sum = 0, total = 0;
+square_width_sums square_widths(const M& m) {
+  square_width_sums r;
   for (const poly_t<M> p : polys(m)) {
     const double size = std::abs(measure(m, p)), width = poly_width(m, p);
-    sum += size * width * width;
-    total += size;
+    r.sum += size * width * width;
+    r.measure += size;
   }
-  return total > 0 ? sum / total : 0;
+  return r;
 }
 
-/// Sets log_u where it is -inf and the vert can be reached along edges from others: to the value at the end of a
-/// shortest path minus its length over `decay`. Heat decays in the same way.
+/// How long heat flows if no time is chosen.
 template<AnyMesh M>
-void fill_along_edges(const M& m, double decay, std::vector<double>& log_u) {
+double default_heat_time(const square_width_sums& widths) { return 2 * widths.mean() / dimension_v<M>; }
+
+/// Raises log_u at the open verts that can be reached along edges from verts with a value: to the value at the end of a
+/// shortest path minus its length over `decay`. Heat decays in the same way. Paths pass through open verts only.
+template<AnyMesh M>
+void fill_along_edges(const M& m, double decay, const std::vector<unsigned char>& is_open, std::vector<double>& log_u) {
   constexpr double none = -std::numeric_limits<double>::infinity();
   const auto at = [&](const vert_t<M>& v) -> double& { return log_u[static_cast<std::size_t>(index_of(m, v))]; };
-  std::vector<vert_t<M>> beside;  // verts with a value and a neighbour without one
+  std::vector<vert_t<M>> beside;  // verts with a value and an open neighbour
   for (const vert_t<M> v : verts(m)) {
     if (at(v) == none) continue;
     for (const vert_t<M> w : adj_v2v(m, v)) {
-      if (at(w) != none) continue;
+      if (!is_open[index_of(m, w)]) continue;
       beside.push_back(v);
       break;
     }
@@ -141,10 +152,10 @@ void fill_along_edges(const M& m, double decay, std::vector<double>& log_u) {
     return distance(to_vec3(point(m, v)), to_vec3(point(m, w))) / decay;
   };
   const auto known = concino::dijkstra(m, beside, length,
-                                       {.may_enter = [&](const vert_t<M>& v) { return at(v) == none; },
+                                       {.may_enter = [&](const vert_t<M>& v) { return is_open[index_of(m, v)] != 0; },
                                         .initial_distance = [&](const vert_t<M>& v) { return -at(v); }});
   for (const vert_t<M> v : verts(m))
-    if (at(v) == none) at(v) = -known[v];
+    if (is_open[index_of(m, v)]) at(v) = std::max(at(v), -known[v]);
 }
 
 }  // namespace concino::detail

@@ -30,6 +30,36 @@ struct corner_fluxes {
   std::vector<vec3> flux;
 };
 
+/// The load of Poisson's equation for the function whose gradient is nearest to the unit vectors along the gradient of
+/// -log_u, which has the direction of that of -u. Gradients that are very small or large are divided by their largest
+/// component before they are squared. Polys where the gradient is zero up to rounding have no direction and do not
+/// contribute.
+inline Eigen::VectorXd direction_load(const corner_fluxes& corners, const std::vector<double>& log_u) {
+  const auto largest_component = [](const vec3& x) {
+    return std::max(std::abs(x.x), std::max(std::abs(x.y), std::abs(x.z)));
+  };
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(log_u.size()));
+  for (std::size_t p = 0; p + 1 < corners.begin.size(); ++p) {
+    const std::size_t first = corners.begin[p], end = corners.begin[p + 1];
+    if (first == end) continue;
+    const double here = log_u[static_cast<std::size_t>(corners.vert[first])];
+    if (here == -std::numeric_limits<double>::infinity()) continue;
+    vec3 g;
+    double terms = 0;
+    for (std::size_t k = first + 1; k < end; ++k) {
+      const vec3 term = (here - log_u[static_cast<std::size_t>(corners.vert[k])]) * corners.flux[k];
+      g += term;
+      terms = std::max(terms, largest_component(term));
+    }
+    const double largest = largest_component(g);
+    if (!(largest > 1e-10 * terms)) continue;
+    if (!(largest > 0x1p-400 && largest < 0x1p400)) g = g / largest;
+    const vec3 direction = (1 / std::sqrt(dot(g, g))) * g;
+    for (std::size_t k = first; k < end; ++k) b[corners.vert[k]] += dot(corners.flux[k], direction);
+  }
+  return b;
+}
+
 template<class Solver>
 class heat_system {
   static constexpr double none = -std::numeric_limits<double>::infinity();
@@ -131,56 +161,16 @@ class heat_system {
       for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = log_of_sum(sum[i], other[i]);
       return sum;
     }
-    const rescaled_heat a = heats_.front().solve_rescaled(sources, component_, unit_);
-    std::vector<double> sum(a.heat.size());
-    if (heats_.size() == 1) {
-      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] = a.log(i);
-      return sum;
-    }
-    const rescaled_heat b = heats_.back().solve_rescaled(sources, component_, unit_);
-    for (std::size_t i = 0; i < sum.size(); ++i) {
-      if (a.round[i] == b.round[i]) sum[i] = a.log_of(a.heat[i] + b.heat[i], a.round[i]);
-      else sum[i] = log_of_sum(a.log(i), b.log(i));
-    }
-    return sum;
+    const rescaled_heat a = heats_.front().heat_from(sources, component_, unit_);
+    if (heats_.size() == 1) return a.logs();
+    return a.logs_of_sum(heats_.back().heat_from(sources, component_, unit_));
   }
 
-  /// The function whose gradient is nearest to the unit vectors along the gradient of -log_u, which has the direction
-  /// of that of -u. Gradients that are very small or large are divided by their largest component before they are
-  /// squared. Polys where the gradient is zero up to rounding have no direction and do not contribute.
+  /// The function whose gradient is nearest to the directions of direction_load.
   Eigen::VectorXd integrate_gradient(const std::vector<double>& log_u) const {
-    Eigen::VectorXd b = Eigen::VectorXd::Zero(poisson_.cols());
-    for (std::size_t p = 0; p + 1 < corners_.begin.size(); ++p) {
-      const std::size_t first = corners_.begin[p], end = corners_.begin[p + 1];
-      if (first == end) continue;
-      const double here = log_u[static_cast<std::size_t>(corners_.vert[first])];
-      if (here == none) continue;
-      vec3 g;
-      double terms = 0;
-      for (std::size_t k = first + 1; k < end; ++k) {
-        const vec3 term = (here - log_u[static_cast<std::size_t>(corners_.vert[k])]) * corners_.flux[k];
-        g += term;
-        terms = std::max(terms, largest_component(term));
-      }
-      const double largest = largest_component(g);
-      if (!(largest > 1e-10 * terms)) continue;
-      if (!(largest > 0x1p-400 && largest < 0x1p400)) g = g / largest;
-      const vec3 direction = (1 / std::sqrt(dot(g, g))) * g;
-      for (std::size_t k = first; k < end; ++k) b[corners_.vert[k]] += dot(corners_.flux[k], direction);
-    }
+    const Eigen::VectorXd b = direction_load(corners_, log_u);
     if (!is_iterative_) return poisson_solver_->solve(b);
     return core::solve_and_check(*poisson_solver_, poisson_, b, "heat_geodesics");
-  }
-
- private:
-  static double largest_component(const vec3& x) {
-    return std::max(std::abs(x.x), std::max(std::abs(x.y), std::abs(x.z)));
-  }
-
-  /// The logarithm of the sum of two numbers that are given by theirs.
-  static double log_of_sum(double x, double y) {
-    const double large = std::max(x, y), small = std::min(x, y);
-    return small == none ? large : large + std::log1p(std::exp(small - large));
   }
 };
 

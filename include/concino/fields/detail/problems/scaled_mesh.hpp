@@ -40,9 +40,9 @@ struct mesh_traits<views::scaled<M>> : detail::forward_all<views::scaled<M>, M>,
 
 namespace detail {
 
-/// The largest coordinate of those that are finite.
+/// The largest coordinate, by its absolute value, of the points that are finite.
 template<AnyMesh M>
-double largest_coordinate(const M& m) {
+double largest_finite_coordinate(const M& m) {
   double largest = 0;
   for (const vert_t<M> v : verts(m)) {
     const vec3 x = to_vec3(point(m, v));
@@ -57,7 +57,7 @@ inline int length_exponent(double largest) { return largest > 0 ? std::ilogb(lar
 
 template<AnyMesh M>
 views::scaled<M> scaled_to_unit(const M& m) {
-  return {m, length_exponent(largest_coordinate(m))};
+  return {m, length_exponent(largest_finite_coordinate(m))};
 }
 
 /// Whether D can be evaluated on a scaled mesh.

@@ -4,6 +4,7 @@
 #include <concino/concepts/maps.hpp>
 #include <concino/concepts/mesh.hpp>
 #include <concino/core/error.hpp>
+#include <concino/core/number_in_messages.hpp>
 #include <concino/core/parallel.hpp>
 
 #include <algorithm>
@@ -88,7 +89,7 @@ std::vector<unsigned char> level_states(const M& m, const U& u, double level, co
       verts(m),
       [&](const vert_t<M>& v) {
         const double x = static_cast<double>(u[v]);
-        if (std::isnan(x)) throw_value_is_nan(caller, index_of(m, v));
+        if (std::isnan(x)) throw_value_is_nan(caller, core::number_in_messages(m, v));
         states[index_of(m, v)] = level_state(x, level);
       },
       8192);

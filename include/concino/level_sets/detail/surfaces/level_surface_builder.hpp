@@ -1,6 +1,7 @@
 // Makes a surface of polygons or of triangles of the level sets of a volume.
 #pragma once
 
+#include <concino/core/number_in_messages.hpp>
 #include <concino/geometry/triangulate_polygon.hpp>
 #include <concino/level_sets/detail/cut/crossed_volume_reader.hpp>
 #include <concino/level_sets/detail/surfaces/level_polygons.hpp>
@@ -37,37 +38,54 @@ class level_surface_builder {
     else a_.offsets.push_back(0);
   }
 
-  template<class U>
-  void add(const U& u, double level, const char* caller) {
+  /// Of the polygons only those in polys for which is_chosen(p).
+  template<class U, class IsChosen>
+  void add(const U& u, double level, const char* caller, const IsChosen& is_chosen) {
     const std::vector<poly_t<M>> cells = crossed_polys(m_, level_states(m_, u, level, caller));
     const crossed_volume_reader<M> crossed(m_, u, level, cells);
+    std::vector<std::uint32_t> names;
+    for (const poly_t<M>& p : cells) names.push_back(static_cast<std::uint32_t>(core::number_in_messages(m_, p)));
     cell_cuts cuts(crossed.arrays, arity_v<M> > 0 ? cell_cuts::cells_are::spheres : cell_cuts::cells_are::unknown,
-                   caller, crossed.poly_indices);
+                   caller, names);
     polygon_sheets sheets;
     level_polygons(cuts, sheets).add_all();
-    add_polygons(sheets.make(), crossed, cells, level);
+    add_polygons(sheets.make(), crossed, cells, level, is_chosen);
   }
 
   surface_arrays arrays() && { return std::move(a_); }
 
  private:
+  template<class IsChosen>
   void add_polygons(const level_surface_arrays& made, const crossed_volume_reader<M>& crossed,
-                    const std::vector<poly_t<M>>& cells, double level) {
-    const std::size_t num_verts = a_.points.size();
-    for (const level_place& x : made.places) {
-      places.push_back(crossed.mesh_point_of(m_, x));
+                    const std::vector<poly_t<M>>& cells, double level, const IsChosen& is_chosen) {
+    std::vector<unsigned char> is_used(made.places.size());
+    for_each_polygon(made, cells, is_chosen, [&](const poly_t<M>&, std::uint32_t first, std::uint32_t end) {
+      for (std::uint32_t k = first; k < end; ++k) is_used[made.verts[k]] = 1;
+    });
+    std::vector<vert_id> vert(made.places.size());
+    for (std::size_t i = 0; i < vert.size(); ++i) {
+      if (!is_used[i]) continue;
+      vert[i] = vert_id{a_.points.size()};
+      places.push_back(crossed.mesh_point_of(m_, made.places[i]));
       a_.points.push_back(places.back().position);
-      if (with_origins_) origins.add(std::span<const origin>(crossed.origins_of(x)));
+      if (with_origins_) origins.add(std::span<const origin>(crossed.origins_of(made.places[i])));
     }
     std::vector<vert_id> polygon;
-    std::uint32_t k = 0;
-    for (std::size_t i = 0; i < made.ends.size(); ++i) {
+    for_each_polygon(made, cells, is_chosen, [&](const poly_t<M>& p, std::uint32_t first, std::uint32_t end) {
       polygon.clear();
-      for (; k < made.ends[i]; ++k) polygon.push_back(vert_id{num_verts + made.verts[k]});
+      for (std::uint32_t k = first; k < end; ++k) polygon.push_back(vert[made.verts[k]]);
       const std::size_t n = add_polygon(polygon);
-      polys.insert(polys.end(), n, cells[made.cells[i]]);
+      polys.insert(polys.end(), n, p);
       values.insert(values.end(), n, level);
-    }
+    });
+  }
+
+  /// Calls f(poly, first, end) for the polygons in chosen polys; first and end are positions in made.verts.
+  template<class IsChosen, class F>
+  static void for_each_polygon(const level_surface_arrays& made, const std::vector<poly_t<M>>& cells,
+                               const IsChosen& is_chosen, F f) {
+    for (std::size_t i = 0; i < made.ends.size(); ++i)
+      if (const poly_t<M>& p = cells[made.cells[i]]; is_chosen(p)) f(p, i == 0 ? 0u : made.ends[i - 1], made.ends[i]);
   }
 
   /// Adds a polygon, or its triangles. Returns how many polys it adds.
