@@ -78,6 +78,14 @@ class distributed_arcs {
         arcs_(std::move(arcs)) {}
   distributed_arcs(const distributed_arcs&) = delete;
   distributed_arcs& operator=(const distributed_arcs&) = delete;
+  /// Boost cancels the requests that wait for further messages, and keeps their memory.
+  ~distributed_arcs() {
+    for (MPI_Request& request : group_.impl_->requests) {
+      (MPI_Cancel)(&request);
+      (MPI_Wait)(&request, MPI_STATUS_IGNORE);
+    }
+    group_.impl_->requests.clear();
+  }
 
   friend const process_group_type& process_group(const distributed_arcs& g) { return g.group_; }
   const process_group_type& process_group() const { return group_; }

@@ -29,7 +29,7 @@ template<class M> primal_graph<base_mesh_t<M>> graph_of_base(const primal_graph<
 template<class M> dual_graph<base_mesh_t<M>> graph_of_base(const dual_graph<M>& g) { return {base_mesh(g.m)}; }
 
 template<class G>
-const ghost_exchange& exchange_of(const G& g) { return g.m.exchange(static_cast<const typename G::node*>(nullptr)); }
+const ghost_exchange& node_exchange(const G& g) { return g.m.exchange(static_cast<const typename G::node*>(nullptr)); }
 
 /// The nodes of this process, whose position in `own` is their number for Parallel BGL, and what all local nodes are
 /// there, by index. Collective.
@@ -50,7 +50,7 @@ struct distributed_nodes {
         own.push_back(x);
       }
     });
-    exchange_of(g).to_ghosts(number.data());
+    node_exchange(g).to_ghosts(number.data());
     for (const auto x : g.nodes())
       vertices[g.index(x)] = vertex(static_cast<boost::processor_id_type>(g.m.owner(x)), number[g.index(x)]);
   }
@@ -76,7 +76,7 @@ std::vector<char> mark_sources(const G& g, const S& sources, const char* caller)
   });
   (MPI_Allreduce)(MPI_IN_PLACE, &any, 1, MPI_INT, MPI_MAX, g.m.communicator());
   if (!any) throw_empty_list(caller, "source", G::element_name);
-  exchange_of(g).to_owners(is_source.data(), [](char& known, char other) { known |= other; });
+  node_exchange(g).to_owners(is_source.data(), [](char& known, char other) { known |= other; });
   return is_source;
 }
 
