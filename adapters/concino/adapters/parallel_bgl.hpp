@@ -3,9 +3,9 @@
 // Needs: Boost's Parallel BGL and Boost.MPI (Debian: libboost-graph-parallel-dev, libboost-mpi-dev), and MPI.
 #pragma once
 
+#include <concino/adapters/detail/mpi/mpi_agreement.hpp>
 #include <concino/adapters/detail/parallel_bgl/parallel_bgl_components.hpp>
 #include <concino/adapters/detail/parallel_bgl/parallel_bgl_search.hpp>
-#include <concino/adapters/detail/mpi/mpi_agreement.hpp>
 #include <concino/adapters/distributed.hpp>
 #include <concino/core/error.hpp>
 #include <concino/core/message.hpp>
@@ -15,7 +15,6 @@
 
 #include <cmath>
 #include <initializer_list>
-#include <limits>
 #include <type_traits>
 
 namespace concino {

@@ -5,6 +5,7 @@
 #include <concino/graph/components.hpp>
 
 #include <boost/graph/distributed/connected_components.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>

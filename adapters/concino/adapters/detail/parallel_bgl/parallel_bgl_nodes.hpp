@@ -1,11 +1,12 @@
 // The nodes of a distributed mesh, verts or polys, as vertices of Parallel BGL, and the arcs from those of a process.
 #pragma once
 
-#include <concino/adapters/detail/parallel_bgl/parallel_bgl_graph.hpp>
 #include <concino/adapters/detail/mpi/mpi_agreement.hpp>
+#include <concino/adapters/detail/parallel_bgl/parallel_bgl_graph.hpp>
 #include <concino/adapters/distributed.hpp>
 #include <concino/core/iterable.hpp>
 #include <concino/core/message.hpp>
+#include <concino/core/number_text.hpp>
 #include <concino/graph/detail/crossings.hpp>
 #include <concino/graph/detail/graph_of.hpp>
 

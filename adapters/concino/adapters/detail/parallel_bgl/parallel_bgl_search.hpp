@@ -2,13 +2,12 @@
 #pragma once
 
 #include <concino/adapters/detail/parallel_bgl/parallel_bgl_nodes.hpp>
-#include <concino/graph/detail/for_each.hpp>
 
 #include <boost/graph/distributed/delta_stepping_shortest_paths.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <mpi.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
