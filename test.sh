@@ -86,7 +86,7 @@ check() {
   failed=$((failed + ${counts#* }))
 }
 
-needs=(build concino fmt bunny doctest ctags lld meshio boost_graph cgal cholmod clipper distributed eigen embree lib3mf metis openmesh petsc spectra stb tetgen zlib)
+needs=(build concino fmt bunny doctest ctags lld meshio boost_graph cgal cholmod clipper distributed eigen embree lib3mf metis openmesh parallel_bgl petsc spectra stb tetgen zlib)
 find_clang >/dev/null || needs+=(clang)
 if [ $((full + long)) -gt 0 ]; then
   needs+=(sanitizers vtk browser program)
