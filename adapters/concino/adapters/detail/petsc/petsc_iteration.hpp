@@ -116,9 +116,7 @@ class petsc_iteration {
     krylov_.reset();
     errors.check(KSPCreate(options_.communicator, krylov_.address()), "creating the solver");
     errors.check(choose(), "setting its options");
-    errors.check(KSPSetUp(krylov_), "computing the preconditioner");
-    errors.check(KSPSetUpOnBlocks(krylov_), "computing the preconditioner");
-    check_preconditioner(errors);
+    compute_preconditioner(errors);
     unused_ = find_unused_options(errors, options_.prefix);
     if (!options_.accept_unused_options) check_unused_options(unused_);
   }
@@ -188,16 +186,40 @@ class petsc_iteration {
     return 0;
   }
 
-  void check_preconditioner(const petsc_errors& errors) const {
+  void compute_preconditioner(const petsc_errors& errors) {
+    PCFailedReason failed = PC_NOERROR;
+    for (int percent = 40; percent < 1000; percent *= 2) {
+      errors.check(KSPSetUp(krylov_), "computing the preconditioner");
+      errors.check(KSPSetUpOnBlocks(krylov_), "computing the preconditioner");
+      failed = failure_of_preconditioner(errors);
+      if (failed != PC_FACTOR_OUTMEMORY) break;
+      errors.check(allow_memory(percent), "computing the preconditioner");
+    }
+    if (failed == PC_FACTOR_OUTMEMORY) throw solver_error("petsc: the factorisation ran out of memory");
+    if (failed != PC_NOERROR)
+      throw solver_error("petsc: the preconditioner cannot be computed: the matrix is singular, or badly conditioned");
+  }
+
+  PCFailedReason failure_of_preconditioner(const petsc_errors& errors) const {
     PC preconditioner = nullptr;
     PCFailedReason failed = PC_NOERROR;
     errors.check(KSPGetPC(krylov_, &preconditioner), "computing the preconditioner");
     errors.check(PCGetFailedReason(preconditioner, &failed), "computing the preconditioner");
     int code = static_cast<int>(failed);  // each process knows only its own
     (MPI_Allreduce)(MPI_IN_PLACE, &code, 1, MPI_INT, MPI_MAX, options_.communicator);
-    if (code == PC_FACTOR_OUTMEMORY) throw solver_error("petsc: the factorisation ran out of memory");
-    if (code != PC_NOERROR)
-      throw solver_error("petsc: the preconditioner cannot be computed: the matrix is singular, or badly conditioned");
+    return static_cast<PCFailedReason>(code);
+  }
+
+  /// MUMPS estimates its memory, on several processes often too low. Allows this much more than the estimate.
+  PetscErrorCode allow_memory(int percent) {
+    PC preconditioner = nullptr;
+    Mat factor = nullptr;
+    PetscCall(KSPGetPC(krylov_, &preconditioner));
+    PetscCall(PCReset(preconditioner));
+    PetscCall(KSPSetOperators(krylov_, matrix_, matrix_));
+    PetscCall(PCFactorSetUpMatSolverType(preconditioner));
+    PetscCall(PCFactorGetMatrix(preconditioner, &factor));
+    return MatMumpsSetIcntl(factor, 14, percent);
   }
 
   /// Continues from the solution so far while that halves the residual: the iteration only estimates it.
