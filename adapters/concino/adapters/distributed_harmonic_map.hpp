@@ -56,8 +56,8 @@ vert_map<distributed<M>, T> distributed_harmonic_map(const distributed<M>& m, co
 /// harmonic_map of the whole mesh, which all its processes compute together. harmonic_map<vec3> maps to space,
 /// coordinate by coordinate.
 /// Needs:  a distributed mesh. values: pairs of a local vert and a number (or point); each process gives those of its
-///         verts, and may repeat those of its ghosts. T: double or vec3. solver: a petsc, whose communicator is replaced
-///         by that of the mesh. The options are the same on all processes.
+///         verts, and may repeat those of its ghosts. T: double or vec3. solver: a petsc, whose communicator is
+///         replaced by that of the mesh. The options are the same on all processes.
 /// Result: as harmonic_map of the mesh that was divided, at local verts, ghosts included. solver.iterations() and
 ///         solver.residual() describe the last solve. progress and profiler are not used.
 /// Cost:   as that of one process divided by their number, and messages between neighbours in each iteration.
