@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 using namespace concino;
@@ -40,6 +41,26 @@ TEST_CASE_TEMPLATE("distributed: heat flow equals that of one process", M, CONCI
       double worst = 0;
       for (const auto v : verts(d)) worst = std::max(worst, std::abs(y[v] - expected[vert_at(m, d.global_number(v))]));
       CHECK(worst < 1e-10);
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("distributed: vectors flow as on one process, in any unit, and verts without polys are not read", M, CONCINO_KINDS) {
+  const M m = two_grids<M>(3);  // the last vert has no polys
+  auto a = two_grids_arrays<M>(3);
+  for (vec3& p : a.points) p *= 0x1p-300;
+  const M small(std::move(a));
+  const auto at = [](const vec3& p) { return p.z == 5 ? vec3{0, std::nan(""), 1} : vec3{std::sin(3 * p.x), p.y * p.y, p.x + p.z}; };
+  const auto expected = heat_flow(m, at, 0.02, {.steps = 2}, ldlt());
+  for (const auto& part : parts_of(m)) {
+    const distributed<M> d(MPI_COMM_WORLD, m, part), e(MPI_COMM_WORLD, small, part);
+    const auto u = heat_flow(d, at, 0.02, {.steps = 2}, petsc({.preconditioner = petsc_preconditioner::mumps}));
+    const auto u_small = heat_flow(e, [&](const vec3& p) { return at(0x1p300 * p); }, std::ldexp(0.02, -600), {.steps = 2},
+                                   petsc({.preconditioner = petsc_preconditioner::mumps}));
+    for (const auto v : verts(d)) {
+      if (num_elements(adj_v2p(d, v)) == 0) continue;
+      CHECK(norm(u[v] - expected[vert_at(m, d.global_number(v))]) < 1e-10);
+      CHECK(norm(u_small[v] - u[v]) < 1e-10);
     }
   }
 }

@@ -96,8 +96,8 @@ vert_map<distributed<M>, T> distributed_poisson(const distributed<M>& m, const F
 /// poisson of the whole mesh, which all its processes compute together.
 /// Needs:  a distributed mesh. f: as for poisson, at each vert of the polys of this process, the same on all processes
 ///         that share the vert. options.values: as for harmonic_map of distributed meshes. options.fluxes: each process
-///         gives those at edges (faces of volumes) of its polys; those at facets of ghosts alone are not used. solver: a
-///         petsc, whose communicator is replaced by that of the mesh.
+///         gives those at edges (faces of volumes) of its polys; those at facets of ghosts alone are not used. solver:
+///         a petsc, whose communicator is replaced by that of the mesh.
 /// Result: as poisson of the mesh that was divided, at local verts, ghosts included. solver.iterations() and
 ///         solver.residual() describe the last solve. progress and profiler are not used.
 /// Cost:   as that of one process divided by their number, and messages between neighbours in each iteration.

@@ -15,7 +15,6 @@
 #include <concino/fields/detail/problems/scaled_mesh.hpp>
 #include <concino/solve/auto_solver.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <initializer_list>
 #include <memory>
@@ -43,22 +42,6 @@ struct prepare_poisson_options {
 };
 
 namespace detail {
-
-/// The right-hand side M f + S of a mesh at this size. In units, u is f times length^2, and a flux times length.
-/// product: M f. name: see add_fluxes.
-template<class T, class M, class N, class Name = facet_by_index>
-right_hand_sides<T> poisson_load(const views::scaled<M>& at, right_hand_sides<T>&& product, const N& fluxes,
-                                 const char* caller, const Name& name = {}) {
-  const auto enlarge = [&] {
-    if (at.exponent() == 0) return;
-    for (auto& column : product)
-      for (Eigen::Index i = 0; i < column.size(); ++i) column[i] = std::ldexp(column[i], at.exponent());
-  };
-  enlarge();
-  add_fluxes<T>(at, fluxes, product, caller, name);
-  enlarge();
-  return std::move(product);
-}
 
 /// The unknowns and their system, with prescribed values at some verts. Shared by poisson and prepare_poisson. All
 /// computations use coordinates times 2^-exponent, so that the size is near 1.

@@ -87,8 +87,8 @@ class distributed_system {
 
  public:
   /// a: computed from the polys of this process; the matrix A is the sum of those of all processes. By index of the
-  /// local verts, both triangles. Solves A (D A)^(exponent-1) u = load; D is diagonal, with these entries by row of this
-  /// process.
+  /// local verts, both triangles. The system is A (D A)^(exponent-1) u = load; D is diagonal, with these entries by row
+  /// of this process.
   distributed_system(const distributed_problem<M, T>& problem, const Eigen::SparseMatrix<double>& a,
                      const petsc_options& options, int exponent = 1, const std::vector<double>& diagonal = {})
       : problem_(&problem) {
@@ -106,8 +106,8 @@ class distributed_system {
   bool is_factorised() const { return !iteration_ || iteration_->is_factorised(); }
   double tolerance() const { return iteration_ ? iteration_->tolerance() : 0; }
 
-  /// Computes the unknown values of u. load: that of the polys of this process, which are summed too. Ghosts of u are up
-  /// to date before and after.
+  /// Computes the unknown values of u. load: that of the polys of this process, which are summed too. Ghosts of u are
+  /// up to date before and after.
   void solve(std::vector<T> load, vert_map<distributed<M>, T>& u, const petsc& solver) const {
     petsc_report report;
     if (iteration_) {

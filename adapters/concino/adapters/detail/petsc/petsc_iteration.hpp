@@ -3,6 +3,7 @@
 
 #include <concino/adapters/detail/mpi/mpi_agreement.hpp>
 #include <concino/adapters/detail/petsc/petsc_calls.hpp>
+#include <concino/adapters/detail/petsc/petsc_preconditioner.hpp>
 #include <concino/adapters/detail/petsc/petsc_report.hpp>
 #include <concino/adapters/detail/petsc/petsc_rows.hpp>
 #include <concino/adapters/detail/petsc/petsc_unused_options.hpp>
@@ -127,10 +128,11 @@ class petsc_iteration {
     set_near_null_space(errors, first, size);
     krylov_.reset();
     errors.check(KSPCreate(options_.communicator, krylov_.address()), "creating the solver");
-    errors.check(choose(), "setting its options");
-    errors.check(KSPSetUp(krylov_), "computing the preconditioner");
-    errors.check(KSPSetUpOnBlocks(krylov_), "computing the preconditioner");
-    check_preconditioner(errors);
+    errors.check(set_options(krylov_, matrix_, options_), "setting its options");
+    PetscReal tolerance = 0;
+    errors.check(KSPGetTolerances(krylov_, &tolerance, nullptr, nullptr, nullptr), "setting its options");
+    tolerance_ = tolerance;
+    compute_preconditioner(errors, krylov_, matrix_, options_.communicator);
     unused_ = find_unused_options(errors, options_.prefix);
     if (!options_.accept_unused_options) check_unused_options(unused_);
   }
@@ -166,50 +168,6 @@ class petsc_iteration {
                                     vectors.data(), space.address()),
                  "the near-null space");
     errors.check(MatSetNearNullSpace(matrix_, space), "the near-null space");
-  }
-
-  /// The options of this solver, then those of the database.
-  PetscErrorCode choose() {
-    const bool is_symmetric = options_.system == petsc_system::symmetric_definite;
-    PC preconditioner = nullptr;
-    PetscCall(KSPSetOptionsPrefix(krylov_, options_.prefix.c_str()));
-    PetscCall(KSPSetOperators(krylov_, matrix_, matrix_));
-    PetscCall(KSPSetType(krylov_, is_symmetric ? KSPCG : KSPGMRES));
-    if (!is_symmetric) PetscCall(KSPSetPCSide(krylov_, PC_RIGHT));
-    PetscCall(KSPSetNormType(krylov_, KSP_NORM_UNPRECONDITIONED));
-    PetscCall(KSPSetTolerances(krylov_, options_.tolerance, 0, PETSC_DEFAULT,
-                               options_.max_iterations > 0 ? options_.max_iterations : 10'000));
-    PetscCall(KSPGetPC(krylov_, &preconditioner));
-    switch (options_.preconditioner) {
-      case petsc_preconditioner::gamg:
-        PetscCall(PCSetType(preconditioner, PCGAMG));
-        break;
-      case petsc_preconditioner::boomeramg:
-        PetscCall(PCSetType(preconditioner, PCHYPRE));
-        PetscCall(PCHYPRESetType(preconditioner, "boomeramg"));
-        break;
-      case petsc_preconditioner::mumps:
-        PetscCall(PCSetType(preconditioner, is_symmetric ? PCCHOLESKY : PCLU));
-        PetscCall(PCFactorSetMatSolverType(preconditioner, MATSOLVERMUMPS));
-        break;
-    }
-    PetscCall(KSPSetFromOptions(krylov_));
-    PetscReal tolerance = 0;
-    PetscCall(KSPGetTolerances(krylov_, &tolerance, nullptr, nullptr, nullptr));
-    tolerance_ = tolerance;
-    return 0;
-  }
-
-  void check_preconditioner(const petsc_errors& errors) const {
-    PC preconditioner = nullptr;
-    PCFailedReason failed = PC_NOERROR;
-    errors.check(KSPGetPC(krylov_, &preconditioner), "computing the preconditioner");
-    errors.check(PCGetFailedReason(preconditioner, &failed), "computing the preconditioner");
-    int code = static_cast<int>(failed);  // each process knows only its own
-    (MPI_Allreduce)(MPI_IN_PLACE, &code, 1, MPI_INT, MPI_MAX, options_.communicator);
-    if (code == PC_FACTOR_OUTMEMORY) throw solver_error("petsc: the factorisation ran out of memory");
-    if (code != PC_NOERROR)
-      throw solver_error("petsc: the preconditioner cannot be computed: the matrix is singular, or badly conditioned");
   }
 
   /// Continues from the solution so far while that halves the residual: the iteration only estimates it.

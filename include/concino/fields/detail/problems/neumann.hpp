@@ -4,6 +4,7 @@
 #include <concino/core/error.hpp>
 #include <concino/core/message.hpp>
 #include <concino/fields/detail/problems/dirichlet.hpp>
+#include <concino/fields/detail/problems/scaled_mesh.hpp>
 #include <concino/geometry/edge_length.hpp>
 #include <concino/mesh/facet_map.hpp>
 #include <concino/operators/corner_gradients.hpp>
@@ -12,6 +13,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace concino {
@@ -89,6 +91,22 @@ void add_fluxes(const M& m, const N& fluxes, right_hand_sides<T>& load, const ch
         load[k][static_cast<Eigen::Index>(index_of(m, v))] += size * field_component(flux, k);
     });
   }
+}
+
+/// The right-hand side M f + S of a mesh at this size. In units, u is f times length^2, and a flux times length.
+/// product: M f. name: see add_fluxes.
+template<class T, class M, class N, class Name = facet_by_index>
+right_hand_sides<T> poisson_load(const views::scaled<M>& at, right_hand_sides<T>&& product, const N& fluxes,
+                                 const char* caller, const Name& name = {}) {
+  const auto enlarge = [&] {
+    if (at.exponent() == 0) return;
+    for (auto& column : product)
+      for (Eigen::Index i = 0; i < column.size(); ++i) column[i] = std::ldexp(column[i], at.exponent());
+  };
+  enlarge();
+  add_fluxes<T>(at, fluxes, product, caller, name);
+  enlarge();
+  return std::move(product);
 }
 
 }  // namespace detail
