@@ -53,10 +53,11 @@ struct rescaled_heat {
   }
 };
 
-/// Adds to b the rows of -K v where v is 0, and the corresponding correction where v is u, times 2^up. v is u at the
-/// verts found in `round`, else 0. lower: the lower triangle of K.
-inline void add_continuation(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& u,
+/// b = -K v where v is 0, and the corresponding correction where v is u, times 2^up. v is u at the verts found in
+/// `round`, else 0. lower: the lower triangle of K.
+inline void continuation_rhs(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& u,
                              const std::vector<int>& round_of, int round, int up, Eigen::VectorXd& b) {
+  b.setZero();
   for (int c = 0; c < lower.cols(); ++c)
     for (int k = lower.outerIndexPtr()[c]; k < lower.outerIndexPtr()[c + 1]; ++k) {
       const int r = lower.innerIndexPtr()[k];
@@ -103,10 +104,7 @@ rescaled_heat solve_rescaled(const Eigen::SparseMatrix<double>& lower, const std
   std::size_t left = 0;
   for (const unsigned char heated : is_heated) left += heated != 0;
   for (int round = 0; is_any(left > 0) && round < max_rounds; ++round) {
-    if (round > 0) {
-      b.setZero();
-      add_continuation(lower, u, found.round, round - 1, 2 * up, b);
-    }
+    if (round > 0) continuation_rhs(lower, u, found.round, round - 1, 2 * up, b);
     const bool waits = add_sources(round);
     u = solve(b);
     const std::size_t before = left;
