@@ -42,11 +42,9 @@ class distributed {
 
   static detail::ghost_exchange exchange_of(MPI_Comm communicator, const std::vector<std::uint64_t>& numbers,
                                             const std::vector<int>& owners) {
-    std::vector<std::pair<std::uint64_t, std::size_t>> sorted;
-    for (std::size_t i = 0; i < numbers.size(); ++i) sorted.emplace_back(numbers[i], i);
-    std::sort(sorted.begin(), sorted.end());
+    const auto sorted_end = std::is_sorted_until(numbers.begin(), numbers.end());  // no ghost is a vert without polys
     return {communicator, numbers, owners, [&](std::uint64_t number) {
-              return std::lower_bound(sorted.begin(), sorted.end(), std::pair(number, std::size_t{0}))->second;
+              return static_cast<std::size_t>(std::lower_bound(numbers.begin(), sorted_end, number) - numbers.begin());
             }};
   }
 
