@@ -9,6 +9,7 @@
 #include <concino/adapters/detail/mpi/mpi_agreement.hpp>
 #include <concino/adapters/detail/petsc/petsc_calls.hpp>
 #include <concino/adapters/distributed.hpp>
+#include <concino/core/message.hpp>
 #include <concino/io/load_slice.hpp>
 #include <concino/io/support/load_verts.hpp>
 #include <concino/mesh/property_set.hpp>
@@ -37,8 +38,8 @@ inline void add_report(load_report& all, const load_report& more) {
   add(all.notes, more.notes);
 }
 
-/// Each process reads its polys in so many slices, one after another: the mesh of a slice takes more memory than what is
-/// kept of it.
+/// Each process reads its polys in so many slices, one after another: the mesh of a slice takes more memory than what
+/// is kept of it.
 inline constexpr std::size_t slices_of_process = 4;
 
 /// Calls use(slice) for each slice of this process.
@@ -83,7 +84,8 @@ slice_graph read_graph(MPI_Comm communicator, const std::string& path, const loa
 /// PT-Scotch finds these. Result: the polys that belong to this process. Collective.
 template<class M>
 poly_records send_slices(MPI_Comm communicator, const std::string& path, const load_options& input_options,
-                         const std::vector<int>& part, mesh_part<part_arrays<M>>& of_part) {
+                         std::uint64_t num_verts, const std::vector<int>& part,
+                         mesh_part<part_arrays<M>>& of_part) {
   int size = 1;
   (MPI_Comm_size)(communicator, &size);
   load_options options = input_options;
@@ -95,10 +97,11 @@ poly_records send_slices(MPI_Comm communicator, const std::string& path, const l
     poly_records some;
     std::vector<std::vector<std::size_t>> sent(static_cast<std::size_t>(size));
     on_all(communicator, [&] {
+      if (slice.num_verts != num_verts || before + num_polys(slice.mesh) > part.size())
+        core::throw_joined<io_error>({path, ": changes while it is read"});
       some = records_of(slice);
       const property_set values = std::move(slice.mesh.properties());
       slice.mesh = {};
-      if (before + some.num_polys() > part.size()) throw io_error(core::joined({path, ": changes while it is read"}));
       properties.append_rows(values, element_kind::vert, indices_below(some.vert_numbers.size()), some.vert_values);
       properties.append_rows(values, element_kind::poly, indices_below(some.num_polys()), some.poly_values);
       if (of_part.mesh_values.empty()) properties.append_rows(values, element_kind::mesh, {0}, of_part.mesh_values);
@@ -151,7 +154,7 @@ distributed<M> load_distributed(MPI_Comm communicator, const std::string& path, 
   std::vector<int> part_of_poly = detail::parts_of_slices(communicator, graph);
   detail::join_pieces_of_slices(communicator, graph, part_of_poly);
   graph = {};
-  detail::poly_records own = detail::send_slices<M>(communicator, path, options, part_of_poly, of_file);
+  detail::poly_records own = detail::send_slices<M>(communicator, path, options, vert_bound, part_of_poly, of_file);
   std::vector<std::uint64_t> unused;
   own = detail::with_ghosts(communicator, std::move(own), vert_bound, detail::from_polyhedra<M>, unused);
   detail::on_all(communicator, [&] {

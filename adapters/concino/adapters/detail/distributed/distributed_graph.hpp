@@ -143,8 +143,8 @@ inline std::vector<int> parts_of_slices(MPI_Comm communicator, const slice_graph
     errors.check(PetscMalloc1(most + 1, &columns), "the partition of polys");
     starts[0] = 0;
     g.for_each_row([&](std::size_t i, const std::vector<std::uint64_t>& row) {
-      std::transform(row.begin(), row.end(), columns + starts[i], [](std::uint64_t q) { return static_cast<PetscInt>(q); });
-      starts[i + 1] = starts[i] + static_cast<PetscInt>(row.size());
+      starts[i + 1] = starts[i];
+      for (const std::uint64_t q : row) columns[starts[i + 1]++] = static_cast<PetscInt>(q);
     });
   });
   petsc_object<Mat, MatDestroy> graph;  // owns the arrays

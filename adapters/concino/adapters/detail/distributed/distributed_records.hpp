@@ -139,15 +139,15 @@ struct record_place {
   std::uint32_t part, index;
   bool operator<(const record_place& o) const { return number < o.number; }
 };
-/// The elements of all parts by their numbers; numbers_of(part) is an array of them.
-template<class Numbers>
-std::vector<record_place> sorted_places(const std::vector<poly_records>& parts, const Numbers& numbers_of) {
+/// The elements of all parts by their numbers, which are in one of the arrays.
+inline std::vector<record_place> sorted_places(const std::vector<poly_records>& parts,
+                                               std::vector<std::uint64_t> poly_records::*numbers) {
   std::vector<record_place> r;
   std::size_t count = 0;
-  for (const poly_records& part : parts) count += numbers_of(part).size();
+  for (const poly_records& part : parts) count += (part.*numbers).size();
   r.reserve(count);
   for (std::uint32_t k = 0; k < parts.size(); ++k)
-    for (std::uint32_t i = 0; const std::uint64_t number : numbers_of(parts[k])) r.push_back({number, k, i++});
+    for (std::uint32_t i = 0; const std::uint64_t number : parts[k].*numbers) r.push_back({number, k, i++});
   std::sort(r.begin(), r.end());
   return r;
 }
@@ -157,7 +157,7 @@ std::vector<record_place> sorted_places(const std::vector<poly_records>& parts, 
 inline poly_records merged_records(std::vector<poly_records> parts, bool has_faces) {
   poly_records r;
   std::vector<std::vector<std::uint32_t>> new_vert(parts.size());
-  std::vector<record_place> places = sorted_places(parts, [](const poly_records& x) -> const auto& { return x.vert_numbers; });
+  std::vector<record_place> places = sorted_places(parts, &poly_records::vert_numbers);
   std::size_t vert_count = 0, word_count = 0, poly_row = 0, vert_row = 0;
   for (std::size_t k = 0; k < places.size(); ++k) vert_count += k == 0 || places[k - 1] < places[k];
   for (std::size_t k = 0; k < parts.size(); ++k) {
@@ -172,7 +172,7 @@ inline poly_records merged_records(std::vector<poly_records> parts, bool has_fac
     new_vert[x.part][x.index] = static_cast<std::uint32_t>(r.vert_numbers.size() - 1);
   }
   for (poly_records& part : parts) part.free_verts();
-  places = sorted_places(parts, [](const poly_records& x) -> const auto& { return x.poly_numbers; });
+  places = sorted_places(parts, &poly_records::poly_numbers);
   r.reserve(places.size(), 0, word_count);
   r.poly_values.reserve(places.size() * poly_row);
   for (const record_place& x : places)
