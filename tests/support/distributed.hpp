@@ -127,6 +127,8 @@ void check_properties(const concino::distributed<M>& d, const M& m) {
     else num_wrong += local != whole;
     for (const property_info& q : property_list(d)) num_wrong += q.kind == p.kind && q.name == p.name && q.rule != p.rule;
   }
+  const property_set& all = traits<distributed<M>>::properties(d);
+  for (std::size_t i = 0; i < all.size(); ++i) num_wrong += all.kind(i) == element_kind::mesh && all.values(i)->size() != 1;
   CHECK(num_wrong == 0);
   CHECK(property_list(d).size() == num_kept);
 }

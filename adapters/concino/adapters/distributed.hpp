@@ -25,9 +25,9 @@ namespace concino {
 /// share a vert with one of them. It models what M models; the elements are the local ones, and the functions of this
 /// library that do not say otherwise compute with them alone. Each poly belongs to one process, and each vert to the
 /// lowest of the processes whose polys it has. Verts without polys belong to the first process. Local elements have the
-/// order of their global numbers, verts without polys come last. Named properties of verts, polys and the mesh, whose
-/// values are numbers, arrays of 2, 3, 4, 6 or 9 numbers, vec3 or rgba, are those of the whole mesh; others are not
-/// kept: names, and those of edges, faces and corners.
+/// order of their global numbers, verts without polys come last. Named properties of verts, polys and the mesh are kept
+/// if their values are numbers, arrays of 2, 3, 4, 6 or 9 numbers, vec3 or rgba. Names, and properties of edges, faces
+/// and corners, are not.
 /// Needs:  M: one of the six meshes of this library.
 /// Errors: every error of the constructor is thrown on all processes. invalid_argument if a poly is in no part of
 ///         0, 1, ... number of processes - 1.
@@ -44,11 +44,9 @@ class distributed {
 
   static detail::ghost_exchange exchange_of(MPI_Comm communicator, const std::vector<std::uint64_t>& numbers,
                                             const std::vector<int>& owners) {
-    std::vector<std::pair<std::uint64_t, std::size_t>> sorted;
-    for (std::size_t i = 0; i < numbers.size(); ++i) sorted.emplace_back(numbers[i], i);
-    std::sort(sorted.begin(), sorted.end());
+    const auto sorted_end = std::is_sorted_until(numbers.begin(), numbers.end());  // no ghost is a vert without polys
     return {communicator, numbers, owners, [&](std::uint64_t number) {
-              return std::lower_bound(sorted.begin(), sorted.end(), std::pair(number, std::size_t{0}))->second;
+              return static_cast<std::size_t>(std::lower_bound(numbers.begin(), sorted_end, number) - numbers.begin());
             }};
   }
 

@@ -56,8 +56,8 @@ class named_values {
 
 /// Saves a distributed mesh: each process writes its polys, and the first one the .pvtu file that names the pieces. All
 /// processes call it together, and see the same folder.
-/// Needs:  a distributed mesh, with the same properties on all processes; values: maps of it, with the same names in the
-///         same order on all processes. Values of ghosts are not used.
+/// Needs:  a distributed mesh, with the same properties on all processes; values: maps of it, with the same names in
+///         the same order on all processes. Values of ghosts are not used.
 /// Result: for m.pvtu, the pieces m_0.vtu, m_1.vtu, ... in the same folder, one for each process, empty if it has no
 ///         polys. load_pvtu restores the whole mesh in its order, by the numbers "global_id" (std::int64_t) of verts
 ///         and polys. Their processes are in "owner" (int). The files get their names when all are written, that of the

@@ -9,12 +9,14 @@
 #include <concino/adapters/detail/mpi/mpi_agreement.hpp>
 #include <concino/adapters/detail/petsc/petsc_calls.hpp>
 #include <concino/adapters/distributed.hpp>
+#include <concino/core/message.hpp>
 #include <concino/io/load_slice.hpp>
 #include <concino/io/support/load_verts.hpp>
 #include <concino/mesh/property_set.hpp>
 
 #include <mpi.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -25,43 +27,91 @@ namespace concino {
 
 namespace detail {
 
-/// The polys that belong to this process, from the slice that it reads. The part gets the properties, and their values
-/// for the mesh as a whole. Collective.
-template<class M>
-poly_records load_records(MPI_Comm communicator, const std::string& path, const load_options& options,
-                          std::uint64_t& vert_bound, mesh_part<part_arrays<M>>& of_part) {
+/// Adds what happened in another slice; each sentence is there once.
+inline void add_report(load_report& all, const load_report& more) {
+  const auto add = [](std::vector<std::string>& to, const std::vector<std::string>& sentences) {
+    for (const std::string& x : sentences)
+      if (std::find(to.begin(), to.end(), x) == to.end()) to.push_back(x);
+  };
+  all.reoriented_polys += more.reoriented_polys;
+  add(all.skipped, more.skipped);
+  add(all.notes, more.notes);
+}
+
+/// Each process reads its polys in so many slices, one after another: the mesh of a slice takes more memory than what
+/// is kept of it.
+inline constexpr std::size_t slices_of_process = 4;
+
+/// Calls use(slice) for each slice of this process.
+template<class M, class Use>
+void for_each_slice(MPI_Comm communicator, const std::string& path, const load_options& options, const Use& use) {
   int size = 1, rank = 0;
   (MPI_Comm_size)(communicator, &size);
   (MPI_Comm_rank)(communicator, &rank);
-  poly_records own;
+  for (std::size_t k = 0; k < slices_of_process; ++k) {
+    mesh_slice<M> slice;
+    on_all(communicator, [&] {
+      slice = load_slice<M>(path, static_cast<std::size_t>(rank) * slices_of_process + k,
+                            static_cast<std::size_t>(size) * slices_of_process, options);
+    });
+    use(slice);
+  }
+}
+
+/// The graph of the polys that this process reads, and the properties of the file. Collective.
+template<class M>
+slice_graph read_graph(MPI_Comm communicator, const std::string& path, const load_options& options,
+                       sent_properties& properties) {
+  on_all(communicator, [] { check_petsc_is_running(); });
   slice_graph graph;
-  property_set values;
-  on_all(communicator, [&] {
-    check_petsc_is_running();
-    auto slice = load_slice<M>(path, static_cast<std::size_t>(rank), static_cast<std::size_t>(size), options);
-    own = records_of(slice);
-    graph = graph_of_slice(slice);
-    values = std::move(slice.mesh.properties());
+  load_report report;
+  for_each_slice<M>(communicator, path, options, [&](const mesh_slice<M>& slice) {
+    on_all(communicator, [&] {
+      append_slice(graph, slice);
+      properties.add(slice.mesh.properties(), true);
+      if (options.report) add_report(report, *options.report);
+    });
   });
-  vert_bound = graph.num_verts;
-  const sent_properties& properties = of_part.properties = joined_properties(communicator, values);
   on_all(communicator, [&] {
-    properties.append_rows(values, element_kind::vert, indices_below(own.vert_numbers.size()), own.vert_values);
-    properties.append_rows(values, element_kind::poly, indices_below(own.num_polys()), own.poly_values);
-    properties.append_rows(values, element_kind::mesh, {0}, of_part.mesh_values);
-    values = {};
+    if (options.report) *options.report = report;
   });
+  properties = joined_properties(communicator, properties);
   join_slices(communicator, graph);
-  std::vector<int> part = parts_of_slices(communicator, graph);
-  join_pieces_of_slices(communicator, graph, part);
-  std::vector<std::vector<std::size_t>> sent(static_cast<std::size_t>(size));
-  on_all(communicator, [&] {
-    graph = {};
-    for (std::size_t p = 0; p < part.size(); ++p) sent[static_cast<std::size_t>(part[p])].push_back(p);
+  return graph;
+}
+
+/// Reads the slices again, and sends their polys to the processes in `part`: that is cheaper than to keep them while
+/// PT-Scotch finds these. Result: the polys that belong to this process. Collective.
+template<class M>
+poly_records send_slices(MPI_Comm communicator, const std::string& path, const load_options& input_options,
+                         std::uint64_t num_verts, const std::vector<int>& part,
+                         mesh_part<part_arrays<M>>& of_part) {
+  int size = 1;
+  (MPI_Comm_size)(communicator, &size);
+  load_options options = input_options;
+  options.report = nullptr, options.progress = {};
+  const sent_properties& properties = of_part.properties;
+  std::vector<poly_records> parts;
+  std::size_t before = 0;  // polys of earlier slices
+  for_each_slice<M>(communicator, path, options, [&](mesh_slice<M>& slice) {
+    poly_records some;
+    std::vector<std::vector<std::size_t>> sent(static_cast<std::size_t>(size));
+    on_all(communicator, [&] {
+      if (slice.num_verts != num_verts || before + num_polys(slice.mesh) > part.size())
+        core::throw_joined<io_error>({path, ": changes while it is read"});
+      some = records_of(slice);
+      const property_set values = std::move(slice.mesh.properties());
+      slice.mesh = {};
+      properties.append_rows(values, element_kind::vert, indices_below(some.vert_numbers.size()), some.vert_values);
+      properties.append_rows(values, element_kind::poly, indices_below(some.num_polys()), some.poly_values);
+      if (of_part.mesh_values.empty()) properties.append_rows(values, element_kind::mesh, {0}, of_part.mesh_values);
+      for (std::size_t p = 0; p < some.num_polys(); ++p) sent[static_cast<std::size_t>(part[before + p])].push_back(p);
+      before += some.num_polys();
+    });
+    for (poly_records& x : send_records(communicator, some, sent, from_polyhedra<M>)) parts.push_back(std::move(x));
   });
-  const std::vector<poly_records> parts = send_records(communicator, own, sent, from_polyhedra<M>);
-  own = {};
-  on_all(communicator, [&] { own = merged_records(parts, from_polyhedra<M>); });
+  poly_records own;
+  on_all(communicator, [&] { own = merged_records(std::move(parts), from_polyhedra<M>); });
   return own;
 }
 
@@ -87,19 +137,25 @@ void add_unused_verts(const std::string& path, const std::vector<std::uint64_t>&
 /// same file.
 /// Needs:  Loadable M; a file as for load_slice, a binary .vtu or .meshb.
 /// Result: as if the mesh of load<M>(path) had been divided into nearly equal parts. They are connected across facets
-///         if the mesh is, by the rule of partition, and may be empty where there are few polys. Faces of polyhedra may have other numbers and first verts. progress and
-///         report are those of the slice of the process.
-/// Cost:   O(n log n) time and the memory of some copies, for the slice, the part and its ghosts.
+///         if the mesh is, by the rule of partition, and may be empty where there are few polys. Faces of polyhedra may
+///         have other numbers and first verts. Each process reads four slices, one after another: progress is that of
+///         each, report of all of them.
+/// Cost:   O(n log n) time and the memory of some copies, for the slices, the part and its ghosts. The file is read
+///         twice.
 /// Errors: as load_slice, thrown on all processes; a parse_error of one is an error of the same message on the others.
 ///         invalid_argument without a petsc_session, unsupported if 32-bit indices cannot count the pairs of
 ///         neighbours, solver_error if PT-Scotch fails.
 /// Source: Chevalier, Pellegrini 2008, "PT-Scotch: a tool for efficient parallel graph ordering".
 template<Loadable M>
 distributed<M> load_distributed(MPI_Comm communicator, const std::string& path, const load_options& options = {}) {
-  std::uint64_t vert_bound = 0;
-  std::vector<std::uint64_t> unused;
   detail::mesh_part<detail::part_arrays<M>> part, of_file;
-  detail::poly_records own = detail::load_records<M>(communicator, path, options, vert_bound, of_file);
+  detail::slice_graph graph = detail::read_graph<M>(communicator, path, options, of_file.properties);
+  const std::uint64_t vert_bound = graph.num_verts;
+  std::vector<int> part_of_poly = detail::parts_of_slices(communicator, graph);
+  detail::join_pieces_of_slices(communicator, graph, part_of_poly);
+  graph = {};
+  detail::poly_records own = detail::send_slices<M>(communicator, path, options, vert_bound, part_of_poly, of_file);
+  std::vector<std::uint64_t> unused;
   own = detail::with_ghosts(communicator, std::move(own), vert_bound, detail::from_polyhedra<M>, unused);
   detail::on_all(communicator, [&] {
     part = detail::part_of_records<M>(std::move(own));

@@ -74,8 +74,12 @@ TEST_CASE_TEMPLATE("load_verts: verts of a .meshb file", M, trimesh, quadmesh, t
   check_verts(m, folder / "m.meshb");
 }
 
-TEST_CASE("load_verts: errors are those of load_slice") {
+TEST_CASE("load_verts: errors are those of load_slice, and verts that the file does not have") {
   const temporary_folder folder;
+  save(grid<trimesh>(1), folder / "m.vtu", {.binary = true});
+  save(grid<trimesh>(1), folder / "m.meshb");
+  for (const char* const file : {"m.vtu", "m.meshb"})
+    CHECK_THROWS_WITH_AS(core::load_verts<trimesh>(folder / file, {0, 4}), "load_verts: there is no vert 4; the file has 4", invalid_argument);
   CHECK_THROWS_AS(core::load_verts<trimesh>(folder / "none.vtu", {0}), io_error);
   save(grid<trimesh>(1), folder / "text.vtu");
   CHECK_THROWS_AS(core::load_verts<trimesh>(folder / "text.vtu", {0}), unsupported);

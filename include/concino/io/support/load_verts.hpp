@@ -13,7 +13,7 @@ namespace concino::core {
 /// Needs:  Loadable M; a file as for load_slice; numbers of its verts, which increase.
 /// Result: a slice with these verts and their properties, and no polys.
 /// Cost:   as load_slice for these verts.
-/// Errors: as load_slice.
+/// Errors: as load_slice; invalid_argument if the file has fewer verts.
 template<Loadable M>
 mesh_slice<M> load_verts(const std::string& path, const std::vector<std::uint64_t>& verts,
                          const load_options& options = {}) {

@@ -20,10 +20,10 @@
 
 namespace concino::detail {
 
-/// The graph of the polys of a slice. Pairs of neighbours are in both orders; the first is of this slice.
+/// The graph of the polys that this process reads, in several slices of the file.
 struct slice_graph {
-  /// A facet of which this process has one poly. Its lowest three verts stand for it: if two facets of polyhedra have
-  /// them in common, the parts have some facets more between them.
+  /// A facet of which a slice has one poly. Its lowest three verts stand for it: if two facets of polyhedra have them
+  /// in common, the parts have some facets more between them.
   struct open_facet {
     std::uint64_t verts[3];
     std::uint64_t poly;
@@ -37,35 +37,50 @@ struct slice_graph {
   };
   using pair = std::array<std::uint64_t, 2>;
 
-  std::uint64_t first = 0, size = 0, num_polys = 0, num_verts = 0;
-  std::vector<pair> neighbours;
+  std::uint64_t first = 0, num_polys = 0, num_verts = 0;  // the first poly; the latter are those of the whole file
+  std::vector<std::uint32_t> ends, inner;  // of each poly, its neighbours in its slice, as places among these polys
+  std::vector<pair> outer;                 // sorted: these polys, and their neighbours in other slices
   std::vector<open_facet> open;
+
+  std::size_t size() const { return ends.size(); }
+  bool has(std::uint64_t poly) const { return poly >= first && poly < first + size(); }
+  /// Calls f(place, neighbours) for each poly, with sorted numbers of polys, each once.
+  template<class F>
+  void for_each_row(F f) const {
+    std::vector<std::uint64_t> row;
+    auto next = outer.begin();
+    for (std::size_t i = 0; i < size(); ++i) {
+      row.clear();
+      for (std::size_t k = i == 0 ? 0 : ends[i - 1]; k < ends[i]; ++k) row.push_back(first + inner[k]);
+      for (; next != outer.end() && (*next)[0] == first + i; ++next) row.push_back((*next)[1]);
+      std::sort(row.begin(), row.end());
+      row.erase(std::unique(row.begin(), row.end()), row.end());
+      f(i, row);
+    }
+  }
 };
 
+/// Adds the polys of the next slice of the file to a graph.
 template<class M>
-slice_graph graph_of_slice(const mesh_slice<M>& s) {
-  slice_graph g;
-  g.first = s.first_poly, g.size = num_polys(s.mesh), g.num_polys = s.num_polys, g.num_verts = s.num_verts;
+void append_slice(slice_graph& g, const mesh_slice<M>& s) {
+  if (g.size() == 0) g.first = s.first_poly;
+  g.num_polys = s.num_polys, g.num_verts = s.num_verts;
+  const auto shift = static_cast<std::uint32_t>(s.first_poly - g.first);
+  for (const poly_t<M> p : polys(s.mesh)) {
+    for (const poly_t<M> q : adj_p2p(s.mesh, p))
+      g.inner.push_back(shift + static_cast<std::uint32_t>(index_of(s.mesh, q)));
+    g.ends.push_back(static_cast<std::uint32_t>(g.inner.size()));
+  }
   std::vector<std::uint64_t> around;
-  std::size_t num_open = 0;
-  for (const facet_t<M> x : facets(s.mesh)) num_open += num_elements(adj_facet2p(s.mesh, x)) == 1;
-  g.open.reserve(num_open);
-  g.neighbours.reserve(2 * (num_facets(s.mesh) - num_open));
   for (const facet_t<M> x : facets(s.mesh)) {
-    around.clear();
-    for (const poly_t<M> p : adj_facet2p(s.mesh, x)) around.push_back(s.first_poly + index_of(s.mesh, p));
-    for (const std::uint64_t p : around)
-      for (const std::uint64_t q : around)
-        if (p != q) g.neighbours.push_back({p, q});
-    if (around.size() != 1) continue;
-    const std::uint64_t poly = around[0];
+    if (num_elements(adj_facet2p(s.mesh, x)) != 1) continue;
     around.clear();
     for (const vert_t<M> v : adj_facet2v(s.mesh, x)) around.push_back(s.global_vert[index_of(s.mesh, v)]);
     std::sort(around.begin(), around.end());
     around.resize(std::max<std::size_t>(around.size(), 3), std::numeric_limits<std::uint64_t>::max());
-    g.open.push_back({{around[0], around[1], around[2]}, poly});
+    const poly_t<M> p = *adj_facet2p(s.mesh, x).begin();
+    g.open.push_back({{around[0], around[1], around[2]}, s.first_poly + index_of(s.mesh, p)});
   }
-  return g;
 }
 
 /// The process, of so many, that is asked about a vert: they share the numbers below bound in order.
@@ -79,7 +94,7 @@ inline std::pair<std::uint64_t, std::uint64_t> verts_of_process(std::uint64_t r,
   return {std::min(r * n, bound), std::min((r + 1) * n, bound)};
 }
 
-/// Adds the pairs of neighbours in different slices. Collective.
+/// Adds the pairs of neighbours in different slices, of this process or several. Collective.
 inline void join_slices(MPI_Comm communicator, slice_graph& g) {
   int size = 1;
   (MPI_Comm_size)(communicator, &size);
@@ -106,32 +121,31 @@ inline void join_slices(MPI_Comm communicator, slice_graph& g) {
   });
   const auto pairs = all_to_all(communicator, answers);
   on_all(communicator, [&] {
-    for (const auto& of_process : pairs) g.neighbours.insert(g.neighbours.end(), of_process.begin(), of_process.end());
-    std::sort(g.neighbours.begin(), g.neighbours.end());
-    g.neighbours.erase(std::unique(g.neighbours.begin(), g.neighbours.end()), g.neighbours.end());
+    for (const auto& of_process : pairs) g.outer.insert(g.outer.end(), of_process.begin(), of_process.end());
+    std::sort(g.outer.begin(), g.outer.end());
   });
 }
 
-/// The part of each poly of the slice of this process, as many parts as there are processes. Collective.
+/// The part of each poly that this process reads, as many parts as there are processes. Collective.
 inline std::vector<int> parts_of_slices(MPI_Comm communicator, const slice_graph& g) {
   int size = 1;
   (MPI_Comm_size)(communicator, &size);
-  std::vector<int> part(static_cast<std::size_t>(g.size), 0);
+  std::vector<int> part(g.size(), 0);
   if (size == 1 || g.num_polys == 0) return part;
   PetscInt *starts = nullptr, *columns = nullptr;
   const petsc_errors errors;
   on_all(communicator, [&] {
-    if (std::max<std::uint64_t>(g.num_polys, g.neighbours.size()) >= PETSC_MAX_INT)
+    const std::size_t most = g.inner.size() + g.outer.size();
+    if (std::max<std::uint64_t>(g.num_polys, most) >= PETSC_MAX_INT)
       core::throw_joined<unsupported>(
           {"load_distributed: PETSc has too few bits to number ", g.num_polys, " polys and their neighbours"});
-    errors.check(PetscMalloc1(static_cast<std::size_t>(g.size) + 1, &starts), "the partition of polys");
-    errors.check(PetscMalloc1(g.neighbours.size() + 1, &columns), "the partition of polys");
-    std::fill(starts, starts + g.size + 1, 0);
-    for (std::size_t k = 0; k < g.neighbours.size(); ++k) {
-      ++starts[g.neighbours[k][0] - g.first + 1];
-      columns[k] = static_cast<PetscInt>(g.neighbours[k][1]);
-    }
-    for (std::uint64_t i = 0; i < g.size; ++i) starts[i + 1] += starts[i];
+    errors.check(PetscMalloc1(g.size() + 1, &starts), "the partition of polys");
+    errors.check(PetscMalloc1(most + 1, &columns), "the partition of polys");
+    starts[0] = 0;
+    g.for_each_row([&](std::size_t i, const std::vector<std::uint64_t>& row) {
+      starts[i + 1] = starts[i];
+      for (const std::uint64_t q : row) columns[starts[i + 1]++] = static_cast<PetscInt>(q);
+    });
   });
   petsc_object<Mat, MatDestroy> graph;  // owns the arrays
   petsc_object<MatPartitioning, MatPartitioningDestroy> partitioning;
@@ -139,7 +153,7 @@ inline std::vector<int> parts_of_slices(MPI_Comm communicator, const slice_graph
   const auto check = [&](PetscErrorCode code) {
     on_all(communicator, [&] { errors.check(code, "the partition of polys"); });
   };
-  check(MatCreateMPIAdj(communicator, static_cast<PetscInt>(g.size), static_cast<PetscInt>(g.num_polys), starts,
+  check(MatCreateMPIAdj(communicator, static_cast<PetscInt>(g.size()), static_cast<PetscInt>(g.num_polys), starts,
                         columns, nullptr, graph.address()));
   check(MatPartitioningCreate(communicator, partitioning.address()));
   check(MatPartitioningSetAdjacency(partitioning, graph));

@@ -101,15 +101,12 @@ grid_numbers numbers_of_hexagons(const grid_options& o, const grid_block& b, con
 /// The polys of a block, without ghosts.
 template<class M>
 poly_records grid_records(const grid_options& o, const grid_block& b) {
-  mesh_slice<M> slice{make_grid_block<M>(o, b), 0, {}, 0, 0};
+  const M block = make_grid_block<M>(o, b);
   grid_numbers numbers;
-  if constexpr (dimension_v<M> == 2 && arity_v<M> == 0) numbers = numbers_of_hexagons(o, b, slice.mesh);
+  if constexpr (dimension_v<M> == 2 && arity_v<M> == 0) numbers = numbers_of_hexagons(o, b, block);
   else
     numbers = numbers_of_cells(o, b, dimension_v<M>, arity_v<M> == 3 ? 2 : arity_v<M> == 4 && dimension_v<M> == 3 ? 6 : 1);
-  slice.global_vert = std::move(numbers.verts);
-  poly_records r = records_of(slice);
-  r.poly_numbers = std::move(numbers.polys);
-  return r;
+  return records_of(block, std::move(numbers.verts), std::move(numbers.polys));
 }
 
 }  // namespace concino::detail

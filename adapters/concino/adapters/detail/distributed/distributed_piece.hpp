@@ -16,7 +16,7 @@
 
 namespace concino::detail {
 
-/// The elements by index in the local mesh, and properties of all local elements: those of the mesh, numbers and owners.
+/// The elements by index in the local mesh, and properties of all local elements: named ones, numbers and owners.
 struct piece_of_process {
   std::vector<std::uint32_t> polys, loose_verts;
   property_set properties;

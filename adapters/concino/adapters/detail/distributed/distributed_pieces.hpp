@@ -16,7 +16,7 @@
 
 namespace concino::detail {
 
-/// A connected piece of the polys of a part within one slice, as a node of a graph of all these.
+/// A connected piece of the polys of a part that one process reads, as a node of a graph of all these.
 struct slice_piece {
   std::uint64_t size;
   int part;
@@ -28,16 +28,15 @@ struct slice_piece_edge {
   bool operator<(const slice_piece_edge& o) const { return std::pair(from, to) < std::pair(o.from, o.to); }
 };
 
-/// The graph of the polys of one slice alone.
+/// The graph of the polys of this process alone.
 inline partition_graph graph_within(const slice_graph& g) {
   partition_graph r;
-  r.offsets.assign(static_cast<std::size_t>(g.size) + 1, 0);
-  for (const auto& [p, q] : g.neighbours)
-    if (q >= g.first && q < g.first + g.size) {
-      ++r.offsets[static_cast<std::size_t>(p - g.first) + 1];
-      r.neighbours.push_back(static_cast<int>(q - g.first));
-    }
-  for (std::size_t i = 0; i < g.size; ++i) r.offsets[i + 1] += r.offsets[i];
+  r.offsets.reserve(g.size() + 1);
+  g.for_each_row([&](std::size_t, const std::vector<std::uint64_t>& row) {
+    for (const std::uint64_t q : row)
+      if (g.has(q)) r.neighbours.push_back(static_cast<int>(q - g.first));
+    r.offsets.push_back(static_cast<int>(r.neighbours.size()));
+  });
   return r;
 }
 
@@ -52,7 +51,7 @@ inline void unite_edges(std::vector<slice_piece_edge>& edges) {
   edges.swap(united);
 }
 
-/// The edges between pieces, from those of this slice. Its pieces have the numbers from first_piece on. Collective.
+/// The edges between pieces, from those of this process. Its pieces have the numbers from first_piece on. Collective.
 inline std::vector<slice_piece_edge> edges_of_pieces(MPI_Comm communicator, const slice_graph& g,
                                                      const partition_pieces& pieces, std::uint64_t first_piece) {
   struct neighbour {
@@ -68,33 +67,33 @@ inline std::vector<slice_piece_edge> edges_of_pieces(MPI_Comm communicator, cons
   std::vector<slice_piece_edge> edges;
   std::vector<std::vector<neighbour>> sent(first_polys.size());
   on_all(communicator, [&] {
-    for (const auto& [p, q] : g.neighbours) {
-      if (q >= g.first && q < g.first + g.size) {
-        if (piece_of(p) != piece_of(q)) edges.push_back({piece_of(p), piece_of(q), 1});
-        continue;
+    g.for_each_row([&](std::size_t i, const std::vector<std::uint64_t>& row) {
+      const std::uint64_t piece = piece_of(g.first + i);
+      for (const std::uint64_t q : row) {
+        const auto after = std::upper_bound(first_polys.begin(), first_polys.end(), q);
+        if (!g.has(q)) sent[static_cast<std::size_t>(after - first_polys.begin() - 1)].push_back({piece, q});
+        else if (piece != piece_of(q)) edges.push_back({piece, piece_of(q), 1});
       }
-      const auto after = std::upper_bound(first_polys.begin(), first_polys.end(), q);
-      sent[static_cast<std::size_t>(after - first_polys.begin() - 1)].push_back({piece_of(p), q});
-    }
+    });
   });
   const auto received = all_to_all(communicator, sent);
   on_all(communicator, [&] {
-    for (const auto& of_slice : received)
-      for (const neighbour& x : of_slice) edges.push_back({piece_of(x.poly), x.piece, 1});
+    for (const auto& of_process : received)
+      for (const neighbour& x : of_process) edges.push_back({piece_of(x.poly), x.piece, 1});
     unite_edges(edges);
   });
   return edges;
 }
 
-/// The graph of the pieces of all slices.
+/// The graph of the pieces of all processes.
 inline partition_graph graph_of_pieces(const std::vector<std::vector<slice_piece>>& nodes,
                                        const std::vector<std::vector<slice_piece_edge>>& edges) {
   partition_graph g;
-  for (const auto& of_slice : nodes)
-    for (const slice_piece& x : of_slice) g.sizes.push_back(static_cast<std::size_t>(x.size));
+  for (const auto& of_process : nodes)
+    for (const slice_piece& x : of_process) g.sizes.push_back(static_cast<std::size_t>(x.size));
   g.offsets.assign(g.sizes.size() + 1, 0);
-  for (const auto& of_slice : edges)
-    for (const slice_piece_edge& e : of_slice) {
+  for (const auto& of_process : edges)
+    for (const slice_piece_edge& e : of_process) {
       ++g.offsets[static_cast<std::size_t>(e.from) + 1];
       g.neighbours.push_back(static_cast<int>(e.to));
       g.weights.push_back(static_cast<std::size_t>(e.weight));
@@ -103,8 +102,8 @@ inline partition_graph graph_of_pieces(const std::vector<std::vector<slice_piece
   return g;
 }
 
-/// join_pieces for the polys of all slices; part is that of each poly of the slice of this process. The first process
-/// joins pieces in the graph of those that lie within one slice, which is small. Collective.
+/// join_pieces for the polys of all slices; part is that of each poly that this process reads. The first process
+/// joins pieces in the graph of those that one process reads, which is small. Collective.
 inline void join_pieces_of_slices(MPI_Comm communicator, const slice_graph& g, std::vector<int>& part) {
   int size = 1, rank = 0;
   (MPI_Comm_size)(communicator, &size);
@@ -126,8 +125,8 @@ inline void join_pieces_of_slices(MPI_Comm communicator, const slice_graph& g, s
   on_all(communicator, [&] {
     if (rank > 0) return;
     std::vector<int> all;
-    for (const auto& of_slice : nodes)
-      for (const slice_piece& x : of_slice) all.push_back(x.part);
+    for (const auto& of_process : nodes)
+      for (const slice_piece& x : of_process) all.push_back(x.part);
     join_pieces(graph_of_pieces(nodes, edges), all, processes);
     auto next = all.begin();
     for (std::size_t r = 0; r < processes; ++r) {

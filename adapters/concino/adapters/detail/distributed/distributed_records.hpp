@@ -45,6 +45,12 @@ struct poly_records {
     vert_numbers.reserve(vert_count), vert_owners.reserve(vert_count), points.reserve(vert_count);
     words.reserve(word_count);
   }
+  void free_verts() {
+    std::vector<std::uint64_t>().swap(vert_numbers);
+    std::vector<int>().swap(vert_owners);
+    std::vector<vec3>().swap(points);
+    std::vector<char>().swap(vert_values);
+  }
   /// Calls f(word) for the verts of a poly, repeatedly for those of several faces.
   template<class F>
   void for_each_vert(std::size_t p, bool has_faces, F f) const {
@@ -106,10 +112,10 @@ poly_records records_of(const M& m, std::vector<std::uint64_t> vert_numbers, std
   return r;
 }
 template<class M>
-poly_records records_of(const mesh_slice<M>& s) {
+poly_records records_of(mesh_slice<M>& s) {
   std::vector<std::uint64_t> poly_numbers(num_polys(s.mesh));
   for (std::size_t p = 0; p < poly_numbers.size(); ++p) poly_numbers[p] = s.first_poly + p;
-  return records_of(s.mesh, s.global_vert, std::move(poly_numbers));
+  return records_of(s.mesh, std::move(s.global_vert), std::move(poly_numbers));
 }
 
 /// Some of the polys, in this order, and their verts.
@@ -133,42 +139,49 @@ inline poly_records selected_records(const poly_records& all, const std::vector<
   return r;
 }
 
-/// All polys of several records, which have different ones, by their numbers.
-inline poly_records merged_records(const std::vector<poly_records>& parts, bool has_faces) {
-  struct place {
-    std::uint64_t number;
-    std::size_t part, index;
-    bool operator<(const place& o) const { return number < o.number; }
-  };
+/// An element of one of several records.
+struct record_place {
+  std::uint64_t number;
+  std::uint32_t part, index;
+  bool operator<(const record_place& o) const { return number < o.number; }
+};
+/// The elements of all parts by their numbers, which are in one of the arrays.
+inline std::vector<record_place> sorted_places(const std::vector<poly_records>& parts,
+                                               std::vector<std::uint64_t> poly_records::*numbers) {
+  std::vector<record_place> r;
+  std::size_t count = 0;
+  for (const poly_records& part : parts) count += (part.*numbers).size();
+  r.reserve(count);
+  for (std::uint32_t k = 0; k < parts.size(); ++k)
+    for (std::uint32_t i = 0; const std::uint64_t number : parts[k].*numbers) r.push_back({number, k, i++});
+  std::sort(r.begin(), r.end());
+  return r;
+}
+
+/// All polys of several records, which have different ones, by their numbers. Arrays of the parts are freed as soon as
+/// they are copied.
+inline poly_records merged_records(std::vector<poly_records> parts, bool has_faces) {
   poly_records r;
-  std::vector<place> places;
   std::vector<std::vector<std::uint32_t>> new_vert(parts.size());
-  std::size_t poly_count = 0, vert_count = 0, word_count = 0, poly_row = 0, vert_row = 0;
-  for (const poly_records& part : parts) {
-    poly_count += part.num_polys();
-    vert_count += part.vert_numbers.size();
-    word_count += part.words.size();
-    poly_row = std::max(poly_row, part.poly_row()), vert_row = std::max(vert_row, part.vert_row());
-  }
-  places.reserve(std::max(poly_count, vert_count));
+  std::vector<record_place> places = sorted_places(parts, &poly_records::vert_numbers);
+  std::size_t vert_count = 0, word_count = 0, poly_row = 0, vert_row = 0;
+  for (std::size_t k = 0; k < places.size(); ++k) vert_count += k == 0 || places[k - 1] < places[k];
   for (std::size_t k = 0; k < parts.size(); ++k) {
     new_vert[k].resize(parts[k].vert_numbers.size());
-    for (std::size_t v = 0; v < new_vert[k].size(); ++v) places.push_back({parts[k].vert_numbers[v], k, v});
+    word_count += parts[k].words.size();
+    poly_row = std::max(poly_row, parts[k].poly_row()), vert_row = std::max(vert_row, parts[k].vert_row());
   }
-  std::sort(places.begin(), places.end());
-  vert_count = 0;
-  for (std::size_t k = 0; k < places.size(); ++k) vert_count += k == 0 || places[k - 1] < places[k];
-  r.reserve(poly_count, vert_count, word_count);
-  r.poly_values.reserve(poly_count * poly_row), r.vert_values.reserve(vert_count * vert_row);
-  for (const place& x : places) {
+  r.reserve(0, vert_count, 0);
+  r.vert_values.reserve(vert_count * vert_row);
+  for (const record_place& x : places) {
     if (r.vert_numbers.empty() || r.vert_numbers.back() != x.number) r.append_vert(parts[x.part], x.index);
     new_vert[x.part][x.index] = static_cast<std::uint32_t>(r.vert_numbers.size() - 1);
   }
-  places.clear();
-  for (std::size_t k = 0; k < parts.size(); ++k)
-    for (std::size_t p = 0; p < parts[k].num_polys(); ++p) places.push_back({parts[k].poly_numbers[p], k, p});
-  std::sort(places.begin(), places.end());
-  for (const place& x : places)
+  for (poly_records& part : parts) part.free_verts();
+  places = sorted_places(parts, &poly_records::poly_numbers);
+  r.reserve(places.size(), 0, word_count);
+  r.poly_values.reserve(places.size() * poly_row);
+  for (const record_place& x : places)
     r.append(parts[x.part], x.index, has_faces, [&](std::uint32_t v) { return new_vert[x.part][v]; });
   return r;
 }
@@ -197,6 +210,7 @@ mesh_part<part_arrays<M>> part_of_records(poly_records&& r) {
     part.arrays.arity = static_cast<std::uint32_t>(arity_v<M>);
     part.arrays.verts.reserve(r.words.size());
     for (const std::uint32_t v : r.words) part.arrays.verts.push_back(vert_id{v});
+    std::vector<std::uint32_t>().swap(r.words);
     if constexpr (from_surface<M>)
       if (arity_v<M> == 0) {
         part.arrays.offsets.reserve(r.ends.size() + 1);

@@ -157,13 +157,11 @@ class sent_properties {
 };
 
 /// The properties of the slices of all processes. Collective.
-inline sent_properties joined_properties(MPI_Comm communicator, const property_set& of_slice) {
+inline sent_properties joined_properties(MPI_Comm communicator, const sent_properties& own) {
   int size = 1;
   (MPI_Comm_size)(communicator, &size);
   std::vector<std::vector<char>> sent;
   on_all(communicator, [&] {
-    sent_properties own;
-    own.add(of_slice, true);
     sent.assign(static_cast<std::size_t>(size), own.bytes());
   });
   const auto received = all_to_all(communicator, sent);

@@ -74,13 +74,15 @@ inline shared_verts share_verts(MPI_Comm communicator, const std::vector<std::ui
   on_all(communicator, [&] {
     for (const std::uint64_t v : verts) questions[process_of_vert(v, vert_bound, processes)].push_back(v);
   });
-  const auto asked = all_to_all(communicator, questions);
+  auto asked = all_to_all(communicator, questions);
+  questions.clear();
   std::vector<std::vector<int>> answers(processes);  // for each vert how many processes, and these
   std::vector<std::vector<std::uint64_t>> unused(processes);
   on_all(communicator, [&] {
     std::vector<std::pair<std::uint64_t, int>> who;  // the verts of the range, and each process that asks
     for (std::size_t r = 0; r < processes; ++r)
       for (const std::uint64_t v : asked[r]) who.emplace_back(v, static_cast<int>(r));
+    asked.clear();
     std::sort(who.begin(), who.end());
     for (std::size_t begin = 0, end; begin < who.size(); begin = end) {
       for (end = begin; end < who.size() && who[end].first == who[begin].first;) ++end;
@@ -132,8 +134,9 @@ inline poly_records with_ghosts(MPI_Comm communicator, poly_records own, std::ui
   });
   std::vector<poly_records> parts = send_records(communicator, own, sent, has_faces);
   on_all(communicator, [&] {
+    shared = {}, sent.clear();
     parts.push_back(std::move(own));
-    own = merged_records(parts, has_faces);
+    own = merged_records(std::move(parts), has_faces);
   });
   return own;
 }

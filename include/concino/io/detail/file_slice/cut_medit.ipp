@@ -200,7 +200,7 @@ class medit_cutter : medit_binary {
   void cut(slice_choice choice) {
     find_sections();
     choose_polys(choice);
-    if (choice.only_verts) out_.verts = *choice.only_verts;
+    if (choice.only_verts) out_.verts = choice.checked_verts(out_.num_verts);
     else choose_listed();
     choose_marks();
     text_sink sink;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <concino/core/compiled.hpp>
+#include <concino/core/error.hpp>
+#include <concino/core/message.hpp>
 #include <concino/io/options.hpp>
 
 #include <algorithm>
@@ -22,6 +24,13 @@ struct slice_choice {
   std::uint64_t first_of(std::size_t k, std::uint64_t polys) const {
     if (only_verts) return 0;
     return polys / num_slices * k + polys % num_slices * k / num_slices;
+  }
+  /// Errors: invalid_argument if the file has too few.
+  const std::vector<std::uint64_t>& checked_verts(std::uint64_t num_verts) const {
+    if (!only_verts->empty() && only_verts->back() >= num_verts)
+      core::throw_joined<invalid_argument>(
+          {"load_verts: there is no vert ", only_verts->back(), "; the file has ", num_verts});
+    return *only_verts;
   }
 };
 

@@ -36,7 +36,7 @@ class vtu_slice_cells : protected vtu_ranges {
       for (const std::int64_t v : list) out_.add_vert(static_cast<std::uint64_t>(v));
     });
     out_.sort_verts();
-    if (choice.only_verts) out_.verts = *choice.only_verts;
+    if (choice.only_verts) out_.verts = choice.checked_verts(out_.num_verts);
     for_each_list(cells_, [&](std::uint64_t, std::span<const std::int64_t> list) { add_list(list); });
     if (types_.find(static_cast<char>(vtk_polyhedron)) != types_.npos) read_polyhedra();
     if (!choice.only_verts) add_faces();
