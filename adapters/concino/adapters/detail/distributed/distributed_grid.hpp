@@ -4,7 +4,6 @@
 #include <concino/adapters/detail/distributed/distributed_records.hpp>
 #include <concino/concepts/mesh.hpp>
 #include <concino/generate/grid.hpp>
-#include <concino/io/load_slice.hpp>
 
 #include <array>
 #include <cstddef>
