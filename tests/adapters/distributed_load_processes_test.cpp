@@ -103,18 +103,19 @@ TEST_CASE_TEMPLATE("load_distributed: pieces of parts join neighbours as in the 
   for (const std::size_t k : {0u, 1u}) concino::detail::append_slice(g, load_slice<M>(folder / "m.vtu", 2 * static_cast<std::size_t>(rank()) + k, 2 * n));
   concino::detail::join_slices(MPI_COMM_WORLD, g);
   std::mt19937 random(7);
+  std::size_t num_joined = 0;
   for (int trial = 0; trial < 12; ++trial) {
     std::vector<int> whole(num_polys(m));
     for (std::size_t p = 0; p < whole.size(); ++p)
       whole[p] = static_cast<int>(trial < 4 ? (p >> trial) % n : trial < 8 && p > 0 && random() % 4 ? static_cast<unsigned>(whole[p - 1]) : random() % n);
     std::vector<int> part(whole.begin() + static_cast<std::ptrdiff_t>(g.first), whole.begin() + static_cast<std::ptrdiff_t>(g.first + g.size()));
     concino::detail::join_pieces_of_slices(MPI_COMM_WORLD, g, part);
-    const std::size_t num_joined = concino::detail::join_pieces(concino::detail::partition_graph_of(m), whole, n);
-    CHECK((num_joined > 0 || n == 1));
+    num_joined += concino::detail::join_pieces(concino::detail::partition_graph_of(m), whole, n);
     std::size_t num_wrong = 0;
     for (std::size_t i = 0; i < part.size(); ++i) num_wrong += part[i] != whole[static_cast<std::size_t>(g.first) + i];
     CHECK(num_wrong == 0);
   }
+  CHECK((num_joined > 12 || n == 1));
 }
 
 TEST_CASE("load_distributed: verts of no poly, non-manifold meshes and empty ones") {
@@ -152,6 +153,15 @@ TEST_CASE("load_distributed: files of the corpus, saved in pieces and read again
         },
         load_any(row.file.string()));
   }
+}
+
+TEST_CASE("load_distributed: the report is that of all slices, with each sentence once") {
+  load_report all;
+  concino::detail::add_report(all, {1, {"an array"}, {"a note"}});
+  concino::detail::add_report(all, {2, {"an array", "another"}, {}});
+  CHECK(all.reoriented_polys == 3);
+  CHECK(all.skipped == std::vector<std::string>{"an array", "another"});
+  CHECK(all.notes == std::vector<std::string>{"a note"});
 }
 
 TEST_CASE("load_distributed: errors are thrown on all processes") {

@@ -136,10 +136,10 @@ void add_unused_verts(const std::string& path, const std::vector<std::uint64_t>&
 /// their processes; none ever holds the whole mesh. All processes of the communicator call it together, and see the
 /// same file.
 /// Needs:  Loadable M; a file as for load_slice, a binary .vtu or .meshb.
-/// Result: as if the mesh of load<M>(path) had been divided into nearly equal parts. They are connected across facets
-///         if the mesh is, by the rule of partition, and may be empty where there are few polys. Faces of polyhedra may
-///         have other numbers and first verts. Each process reads four slices, one after another: progress is that of
-///         each, report of all of them.
+/// Result: as if the mesh of load<M>(path) had been divided into nearly equal parts. They may be empty where there are
+///         few polys. They are connected across facets if the mesh is and no facet has three polys, by the rule of
+///         partition. Faces of polyhedra may have other numbers and first verts. Each process reads four slices, one
+///         after another: progress is that of each, report of all of them.
 /// Cost:   O(n log n) time and the memory of some copies, for the slices, the part and its ghosts. The file is read
 ///         twice.
 /// Errors: as load_slice, thrown on all processes; a parse_error of one is an error of the same message on the others.

@@ -51,13 +51,13 @@ property_set properties_of_piece(const distributed<M>& m) {
   return kept;
 }
 
-/// Brings values of the piece at ghosts up to date. All processes have the same properties. Collective.
+/// Brings the values of verts that other processes own up to date; polys of others are in no piece. All processes have
+/// the same properties. Collective.
 template<class M>
 void update_ghosts(const distributed<M>& m, const property_set& all) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const column& values = *all.values(i);
-    if (!values.is_bytes()) continue;  // no file has them
-    if (all.kind(i) == element_kind::vert)
+    if (all.kind(i) == element_kind::vert && values.is_bytes())  // no file has others
       m.exchange(static_cast<const vert_t<M>*>(nullptr)).to_ghosts(values.data(), values.operations().size);
   }
 }

@@ -30,10 +30,15 @@ struct mesh_part {
   sent_properties properties;
   std::vector<char> vert_values, poly_values, mesh_values;  // rows of the properties
 
-  void store_properties(property_set& to) const {
-    properties.store(vert_values, element_kind::vert, to);
-    properties.store(poly_values, element_kind::poly, to);
-    properties.store(mesh_values, element_kind::mesh, to);
+  /// Moves the rows to the properties of a mesh.
+  void store_properties(property_set& to) {
+    const auto store = [&](std::vector<char>& rows, element_kind kind) {
+      properties.store(rows, kind, to);
+      std::vector<char>().swap(rows);
+    };
+    store(vert_values, element_kind::vert);
+    store(poly_values, element_kind::poly);
+    store(mesh_values, element_kind::mesh);
   }
   /// Calls f(array) for every array.
   template<class F>
@@ -124,7 +129,7 @@ class mesh_divider {
       r.vert_owners.push_back(vert_owner_[index_of(*mesh_, v)]);
     }
     fill(s, core::numbered(s, verts(s), vert_index_bound(s)), r.arrays);
-    for (const vert_t<M> v : verts(*mesh_)) {  // those without polys
+    for (const vert_t<M> v : verts(*mesh_)) {  // those without polys, for the first process
       if (process > 0 || is_used[index_of(*mesh_, v)] || num_elements(adj_v2p(*mesh_, v)) > 0) continue;
       vert_indices.push_back(static_cast<std::uint32_t>(index_of(*mesh_, v)));
       r.arrays.points.push_back(to_vec3(point(*mesh_, v)));
