@@ -38,7 +38,8 @@ vert_map<distributed<M>, double> distributed_harmonic_map(const distributed<M>& 
 
 /// harmonic_map of the whole mesh, which all its processes compute together.
 /// Needs:  a distributed mesh. values: pairs of a local vert and a number; each process gives those of its verts, and
-///         may repeat those of its ghosts; pairs of vert_t<M>{} are left out, so that d.vert(number) may be given. solver: a petsc, whose communicator is replaced by that of the mesh.
+///         may repeat those of its ghosts. Pairs of vert_t<M>{} are left out, so that d.vert(number) may be given.
+///         solver: a petsc, whose communicator is replaced by that of the mesh.
 /// Result: as harmonic_map of the mesh that was divided, at local verts, ghosts included. solver.iterations() and
 ///         solver.residual() describe the solve. options.exponent is 1; progress and profiler are not used.
 /// Cost:   as that of one process divided by their number, and messages between neighbours in each iteration.
