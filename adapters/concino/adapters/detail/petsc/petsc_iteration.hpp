@@ -3,6 +3,7 @@
 
 #include <concino/adapters/detail/mpi/mpi_agreement.hpp>
 #include <concino/adapters/detail/petsc/petsc_calls.hpp>
+#include <concino/adapters/detail/petsc/petsc_default_options.hpp>
 #include <concino/adapters/detail/petsc/petsc_report.hpp>
 #include <concino/adapters/detail/petsc/petsc_rows.hpp>
 #include <concino/adapters/detail/petsc/petsc_unused_options.hpp>
@@ -114,9 +115,12 @@ class petsc_iteration {
     set_near_null_space(errors, first, size);
     krylov_.reset();
     errors.check(KSPCreate(options_.communicator, krylov_.address()), "creating the solver");
-    errors.check(choose(), "setting its options");
-    errors.check(KSPSetUp(krylov_), "computing the preconditioner");
-    errors.check(KSPSetUpOnBlocks(krylov_), "computing the preconditioner");
+    {
+      const petsc_default_options defaults(options_.prefix);
+      errors.check(choose(), "setting its options");
+      errors.check(KSPSetUp(krylov_), "computing the preconditioner");
+      errors.check(KSPSetUpOnBlocks(krylov_), "computing the preconditioner");
+    }
     check_preconditioner(errors);
     unused_ = find_unused_options(errors, options_.prefix);
     if (!options_.accept_unused_options) check_unused_options(unused_);
@@ -196,7 +200,9 @@ class petsc_iteration {
     (MPI_Allreduce)(MPI_IN_PLACE, &code, 1, MPI_INT, MPI_MAX, options_.communicator);
     if (code == PC_FACTOR_OUTMEMORY) throw solver_error("petsc: the factorisation ran out of memory");
     if (code != PC_NOERROR)
-      throw solver_error("petsc: the preconditioner cannot be computed: the matrix is singular, or badly conditioned");
+      core::throw_joined<solver_error>({"petsc: the preconditioner cannot be computed: the matrix is singular, ",
+                                        options_.system == petsc_system::general ? "" : "not positive definite, ",
+                                        "or badly conditioned"});
   }
 
   /// Continues from the solution so far while that halves the residual: the iteration only estimates it.
