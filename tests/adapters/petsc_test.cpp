@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -128,9 +129,9 @@ TEST_CASE("petsc: matrices that do not suit the system are errors with the reaso
   CHECK_THROWS_WITH_AS(solver.factorize(from(3, 3, {{0, 0, 1.0}, {1, 1, -2.0}, {2, 2, 1.0}})),
                        "petsc: the matrix is not positive definite: the diagonal entry of row 1 is -2", solver_error);
   CHECK_THROWS_WITH_AS(general.factorize(from(3, 3, {{0, 0, 1.0}, {1, 0, 0.0}, {2, 2, 1.0}})), "petsc: the matrix is singular: row 1 is 0", solver_error);
-  solver.factorize(from(2, 2, {{0, 0, 1.0}, {0, 1, 2.0}, {1, 0, 2.0}, {1, 1, 1.0}}));  // indefinite, with a positive diagonal
   std::string said;
   try {
+    solver.factorize(from(2, 2, {{0, 0, 1.0}, {0, 1, 2.0}, {1, 0, 2.0}, {1, 1, 1.0}}));  // indefinite, with a positive diagonal
     const Eigen::VectorXd x = solver.solve(Eigen::Vector2d(1, -1));
     CHECK(distance(x, Eigen::Vector2d(-1, 1)) < 1e-12);
   } catch (const solver_error& e) {
@@ -147,6 +148,29 @@ TEST_CASE("petsc: solves unsymmetric systems") {
     const Eigen::VectorXd x = random_vector(400);
     CHECK(distance(solver.solve(a * x), x) < 1e-9);
     CHECK(solver.residual() <= 1e-12);
+  }
+}
+
+TEST_CASE("petsc: own defaults of multigrid yield to the database, and leave it as it was") {
+  const sparse a = grid(30, 0.01);
+  const Eigen::VectorXd b = random_vector(900);
+  const auto iterations = [&](petsc_preconditioner p) {
+    petsc solver({.prefix = "own_", .preconditioner = p});
+    solver.factorize(a);
+    solver.solve(b);
+    return solver.iterations();
+  };
+  for (const auto& [preconditioner, option, value] :
+       {std::tuple{petsc_preconditioner::gamg, "-own_pc_gamg_aggressive_coarsening", "1"}, std::tuple{petsc_preconditioner::boomeramg, "-own_pc_hypre_boomeramg_P_max", "1"}}) {
+    const int by_default = iterations(preconditioner);
+    PetscBool is_given = PETSC_TRUE;
+    REQUIRE(PetscOptionsHasName(nullptr, nullptr, option, &is_given) == 0);
+    CHECK_FALSE(is_given);
+    REQUIRE(PetscOptionsSetValue(nullptr, option, value) == 0);
+    CHECK(iterations(preconditioner) > by_default);
+    REQUIRE(PetscOptionsHasName(nullptr, nullptr, option, &is_given) == 0);
+    CHECK(is_given);
+    REQUIRE(PetscOptionsClearValue(nullptr, option) == 0);
   }
 }
 

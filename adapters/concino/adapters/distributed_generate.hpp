@@ -25,8 +25,8 @@ namespace concino {
 ///         number gives slabs. Numbers of cells differ by at most one along an axis, and blocks are empty where an axis
 ///         has fewer cells than blocks. Faces of polyhedra may have other numbers and first verts.
 /// Cost:   O(n log n) time and the memory of some copies, for the block and its ghosts, which come from the neighbours.
-/// Errors: invalid_argument as make_grid, thrown on all processes; only the block and its ghosts must have fewer elements
-///         than 32-bit descriptors.
+/// Errors: invalid_argument as make_grid, thrown on all processes; only a block with its ghosts must have fewer
+///         elements than 32-bit descriptors.
 template<class M>
 distributed<M> make_distributed_grid(MPI_Comm communicator, const grid_options& options = {}) {
   int size = 1, rank = 0;

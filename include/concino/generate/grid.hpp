@@ -120,7 +120,7 @@ inline surface_arrays hexagon_grid(const grid_options& o, const grid_block& b) {
   const spaced x("make_grid", "x", o.min.x, o.max.x, 2 * o.cells[0]),
       y("make_grid", "y", o.min.y, o.max.y, 6 * o.cells[1]);
   const std::size_t left = 2 * b.begin[0] - (b.begin[0] > 0), width = 2 * b.end[0] - left + 1;
-  std::vector<std::uint32_t> vert((b.size(1) + 1) * width, 0);  // by half cell and line: 1 if it is used, then its index
+  std::vector<std::uint32_t> vert((b.size(1) + 1) * width, 0);  // by line and half cell: 1 if used, then its index
   surface_arrays a;
   a.offsets.push_back(0);
   cells.for_each_cell(b, [&](std::size_t column, std::size_t row) {

@@ -52,8 +52,9 @@ class grid_division {
 /// A bound of the numbers of verts.
 template<class M>
 std::uint64_t num_grid_verts(const grid_options& o) {
-  if constexpr (dimension_v<M> == 3) return (o.cells[0] + 1) * (o.cells[1] + 1) * (o.cells[2] + 1);
-  else if constexpr (arity_v<M> > 0) return (o.cells[0] + 1) * (o.cells[1] + 1);
+  const std::uint64_t of_layer = (o.cells[0] + 1) * (o.cells[1] + 1);
+  if constexpr (dimension_v<M> == 3) return of_layer * (o.cells[2] + 1);  // surfaces have one layer
+  else if constexpr (arity_v<M> > 0) return of_layer;                     // general polygons are hexagons
   else return honeycomb(o).vert(2 * o.cells[0], o.cells[1]) + 1;
 }
 
@@ -75,7 +76,8 @@ inline grid_numbers numbers_of_cells(const grid_options& o, const grid_block& b,
   for (std::uint64_t k = first_layer; k < end_layer; ++k)
     for (std::uint64_t j = b.begin[1]; j < b.end[1]; ++j)
       for (std::uint64_t i = b.begin[0]; i < b.end[0]; ++i)
-        for (std::size_t p = 0; p < polys_per_cell; ++p) r.polys.push_back(((k * ny + j) * nx + i) * polys_per_cell + p);
+        for (std::size_t p = 0; p < polys_per_cell; ++p)
+          r.polys.push_back(((k * ny + j) * nx + i) * polys_per_cell + p);
   return r;
 }
 
@@ -102,9 +104,11 @@ template<class M>
 poly_records grid_records(const grid_options& o, const grid_block& b) {
   const M block = make_grid_block<M>(o, b);
   grid_numbers numbers;
-  if constexpr (dimension_v<M> == 2 && arity_v<M> == 0) numbers = numbers_of_hexagons(o, b, block);
-  else
-    numbers = numbers_of_cells(o, b, dimension_v<M>, arity_v<M> == 3 ? 2 : arity_v<M> == 4 && dimension_v<M> == 3 ? 6 : 1);
+  constexpr bool is_volume = dimension_v<M> == 3;
+  constexpr std::size_t polys_per_cell = arity_v<M> == 3 ? 2 : is_volume && arity_v<M> == 4 ? 6 : 1;
+  if constexpr (is_volume || arity_v<M> > 0)  // general polygons are hexagons
+    numbers = numbers_of_cells(o, b, dimension_v<M>, polys_per_cell);
+  else numbers = numbers_of_hexagons(o, b, block);
   return records_of(block, std::move(numbers.verts), std::move(numbers.polys));
 }
 

@@ -3,6 +3,7 @@
 
 #include <concino/adapters/detail/mpi/mpi_agreement.hpp>
 #include <concino/adapters/detail/petsc/petsc_calls.hpp>
+#include <concino/adapters/detail/petsc/petsc_default_options.hpp>
 #include <concino/adapters/detail/petsc/petsc_preconditioner.hpp>
 #include <concino/adapters/detail/petsc/petsc_report.hpp>
 #include <concino/adapters/detail/petsc/petsc_rows.hpp>
@@ -128,11 +129,14 @@ class petsc_iteration {
     set_near_null_space(errors, first, size);
     krylov_.reset();
     errors.check(KSPCreate(options_.communicator, krylov_.address()), "creating the solver");
-    errors.check(set_options(krylov_, matrix_, options_), "setting its options");
+    {
+      const petsc_default_options defaults(options_.prefix);
+      errors.check(set_options(krylov_, matrix_, options_), "setting its options");
+      compute_preconditioner(errors, krylov_, matrix_, options_.communicator);
+    }
     PetscReal tolerance = 0;
     errors.check(KSPGetTolerances(krylov_, &tolerance, nullptr, nullptr, nullptr), "setting its options");
     tolerance_ = tolerance;
-    compute_preconditioner(errors, krylov_, matrix_, options_.communicator);
     unused_ = find_unused_options(errors, options_.prefix);
     if (!options_.accept_unused_options) check_unused_options(unused_);
   }
