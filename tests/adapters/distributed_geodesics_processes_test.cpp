@@ -110,6 +110,15 @@ TEST_CASE("distributed: heat geodesics obey the options, and where heat is negat
     }
 }
 
+TEST_CASE("distributed: heat geodesics after a very short time equal those of one process") {
+  const quadmesh m = grid<quadmesh>(6);
+  const sources_of<quadmesh> sources = {{vert_id{0}, 0.0}, {vert_id{48}, 0.01}};
+  const auto expected = heat_geodesics(m, sources, {.time = 1e-7}, ldlt());
+  const distributed<quadmesh> d(MPI_COMM_WORLD, is_first() ? m : quadmesh(), parts_of(m)[0]);
+  CHECK(difference(m, heat_geodesics(d, own_sources(d, sources), {.time = 1e-7}, petsc({.preconditioner = petsc_preconditioner::mumps})), expected) < 1e-10);
+  CHECK(difference(m, heat_geodesics(d, own_sources(d, sources), {.time = 1e-7}), expected) < 1e-6);
+}
+
 TEST_CASE("distributed: heat geodesics of non-manifold meshes equal those of one process") {
   surface_arrays a{{}, {}, {}, 4};  // five sheets at one line
   constexpr unsigned n = 6;

@@ -37,8 +37,8 @@ vert_map<distributed<M>, double> distributed_heat_geodesics(const distributed<M>
 /// Result: as heat_geodesics of the mesh that was divided, at local verts, ghosts included. A vert that several
 ///         processes give counts once, with the least initial distance. A factorisation by MUMPS gives the distances
 ///         of one process but for rounding; other preconditioners at a tolerance of 1e-12 differ by less than 1e-6 of
-///         the largest distance. solver.iterations() and solver.residual() describe the last solve. progress and
-///         profiler are not used.
+///         the largest distance, but need a time of at least 1e-5 squared edges. solver.iterations() and
+///         solver.residual() describe the last solve. progress and profiler are not used.
 /// Cost:   as that of one process divided by their number, and messages between neighbours in each iteration. Without
 ///         a factorisation, heat takes a solve for each 12 sqrt(time) of distance. Every process holds all sources. The
 ///         first one gets the polys within a distance of 3 sqrt(time) of them, or farther by initial distances.
