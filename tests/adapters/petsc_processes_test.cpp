@@ -6,6 +6,7 @@
 #include <support/systems.hpp>
 
 #include <cmath>
+#include <cstddef>
 
 using namespace concino;
 using namespace systems;
@@ -39,6 +40,12 @@ TEST_CASE("petsc: processes that solve together get the solution of one") {
       const Eigen::VectorXd x = alone.solve(b);
       CHECK(distance(solver.solve(b), x) < 1e-10 * x.cwiseAbs().maxCoeff());
     }
+}
+
+TEST_CASE("petsc: a session knows the number of processes") {
+  int argc = 0;
+  char** argv = nullptr;
+  CHECK(petsc_session(argc, argv).num_processes() == static_cast<std::size_t>(number_of_processes()));
 }
 
 TEST_CASE("petsc: what one process finds wrong is an error on all") {
