@@ -158,9 +158,9 @@ trivial_connection_result<M> connection_result(const M& m, const oriented_surfac
 /// Errors: invalid_mesh if the surface has no polys, a poly has no area or points that are not finite, or an index or
 ///         `start` is at what is none of its elements. unsupported if it is not orientable, an edge has more than two
 ///         polys, the polys at a vert are not one fan, or a poly crosses itself. invalid_argument if the sums do not
-///         match, a vert or a loop has two indices, a vert with an index is at the boundary, an edge of a loop is not,
-///         generators are not as many as there are, `start` is not finite or 0 in the plane of its poly, or symmetry is
-///         out of range. solver_error; cancelled.
+///         match, a vert or a loop has two indices, a vert with an index is at the boundary, or an edge of a loop is
+///         not. invalid_argument if generators are not as many as there are, `start` is not finite or 0 in the plane of
+///         its poly, or symmetry is out of range. solver_error; cancelled.
 /// Source: Crane, Desbrun, Schroder 2010, "Trivial connections on discrete surfaces".
 template<class M, class I = std::initializer_list<std::pair<vert_t<M>, int>>>
   requires requirement::is_lvalue_or_view<M> && SurfaceMesh<M> && Embedded<M>

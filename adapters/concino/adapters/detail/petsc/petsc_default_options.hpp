@@ -1,6 +1,8 @@
 // Options of multigrid that suit meshes better than PETSc's own defaults, where the database of options has none.
 #pragma once
 
+#include <concino/core/message.hpp>
+
 #include <petscsys.h>
 
 #include <string>
@@ -22,10 +24,10 @@ class petsc_default_options {
 
  public:
   explicit petsc_default_options(const std::string& prefix) {
-    add("-" + prefix + "pc_gamg_aggressive_coarsening", "0");
-    add("-" + prefix + "pc_hypre_boomeramg_coarsen_type", "HMIS");
-    add("-" + prefix + "pc_hypre_boomeramg_interp_type", "ext+i");
-    add("-" + prefix + "pc_hypre_boomeramg_P_max", "4");
+    add(core::joined({"-", prefix, "pc_gamg_aggressive_coarsening"}), "0");
+    add(core::joined({"-", prefix, "pc_hypre_boomeramg_coarsen_type"}), "HMIS");
+    add(core::joined({"-", prefix, "pc_hypre_boomeramg_interp_type"}), "ext+i");
+    add(core::joined({"-", prefix, "pc_hypre_boomeramg_P_max"}), "4");
   }
   petsc_default_options(const petsc_default_options&) = delete;
   petsc_default_options& operator=(const petsc_default_options&) = delete;

@@ -132,7 +132,7 @@ class petsc_iteration {
     {
       const petsc_default_options defaults(options_.prefix);
       errors.check(set_options(krylov_, matrix_, options_), "setting its options");
-      compute_preconditioner(errors, krylov_, matrix_, options_.communicator);
+      compute_preconditioner(errors, krylov_, matrix_, options_);
     }
     PetscReal tolerance = 0;
     errors.check(KSPGetTolerances(krylov_, &tolerance, nullptr, nullptr, nullptr), "setting its options");

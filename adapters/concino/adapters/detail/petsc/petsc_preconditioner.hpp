@@ -4,6 +4,7 @@
 #include <concino/adapters/detail/petsc/petsc_calls.hpp>
 #include <concino/adapters/petsc_options.hpp>
 #include <concino/core/error.hpp>
+#include <concino/core/message.hpp>
 
 #include <petscksp.h>
 
@@ -62,18 +63,20 @@ inline PetscErrorCode allow_memory(KSP krylov, Mat matrix, int percent) {
 
 /// MUMPS' estimate, plus 20 percent, is too low for some matrices that several processes share.
 /// Errors: solver_error.
-inline void compute_preconditioner(const petsc_errors& errors, KSP krylov, Mat matrix, MPI_Comm communicator) {
+inline void compute_preconditioner(const petsc_errors& errors, KSP krylov, Mat matrix, const petsc_options& options) {
   PCFailedReason failed = PC_NOERROR;
   for (int percent = 40; percent < 1000; percent *= 2) {
     errors.check(KSPSetUp(krylov), "computing the preconditioner");
     errors.check(KSPSetUpOnBlocks(krylov), "computing the preconditioner");
-    failed = failure_of_preconditioner(errors, krylov, communicator);
+    failed = failure_of_preconditioner(errors, krylov, options.communicator);
     if (failed != PC_FACTOR_OUTMEMORY) break;
     errors.check(allow_memory(krylov, matrix, percent), "computing the preconditioner");
   }
   if (failed == PC_FACTOR_OUTMEMORY) throw solver_error("petsc: the factorisation ran out of memory");
   if (failed != PC_NOERROR)
-    throw solver_error("petsc: the preconditioner cannot be computed: the matrix is singular, or badly conditioned");
+    core::throw_joined<solver_error>({"petsc: the preconditioner cannot be computed: the matrix is singular, ",
+                                      options.system == petsc_system::general ? "" : "not positive definite, ",
+                                      "or badly conditioned"});
 }
 
 }  // namespace concino::detail

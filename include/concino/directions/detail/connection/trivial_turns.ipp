@@ -46,7 +46,7 @@ struct strip_tree {
   }
 
   /// Across the edge of corner c, up from there, and down to the poly of c.
-  poly_strip strip_across(const oriented_surface& s, std::uint32_t c) const {
+  poly_strip strip_of(const oriented_surface& s, std::uint32_t c) const {
     poly_strip strip{c}, down;
     std::uint32_t a = s.poly[s.twin[c]], b = s.poly[c];
     while (a != b) {
@@ -73,7 +73,7 @@ CONCINO_INLINE std::vector<poly_strip> generating_strips(const oriented_surface&
     const std::uint32_t twin = s.twin[c];
     if (twin == oriented_surface::none || twin < c || tree.up[s.poly[c]] == c || tree.up[s.poly[twin]] == twin)
       continue;
-    if (!joined.unite(place[s.vert[c]], place[s.vert[s.next[c]]])) strips.push_back(tree.strip_across(s, c));
+    if (!joined.unite(place[s.vert[c]], place[s.vert[s.next[c]]])) strips.push_back(tree.strip_of(s, c));
   }
   return strips;
 }
@@ -119,7 +119,7 @@ struct turn_equations {
   std::vector<int> row;            // by place; -1: none
   std::vector<int> column;         // by corner, of its edge; -1 at the boundary
   std::vector<int> row_of_strip;
-  int num_given = 0, num_rows = 0;
+  int num_known = 0, num_rows = 0;
   Eigen::SparseMatrix<double> a;
 
   turn_equations(const oriented_surface& s, const std::vector<poly_strip>& strips, const wanted_turns& wanted)
@@ -139,18 +139,20 @@ struct turn_equations {
   }
 
   void number_rows(const oriented_surface& s, std::size_t num_strips, const wanted_turns& wanted) {
-    const auto is_place = [&](std::size_t v) { return s.component[v] != oriented_surface::none && wanted.place[v] == v; };
+    const auto is_place = [&](std::size_t v) {
+      return s.component[v] != oriented_surface::none && wanted.place[v] == v;
+    };
     std::vector<std::size_t> without_row(s.num_components, s.num_verts());
     for (std::size_t v = 0; v < s.num_verts(); ++v)
       if (is_place(v) && (!wanted.holonomy[v] || without_row[s.component[v]] == s.num_verts()))
         without_row[s.component[v]] = v;
-    for (const bool is_given : {true, false}) {
+    for (const bool is_known : {true, false}) {
       for (std::size_t v = 0; v < s.num_verts(); ++v)
-        if (is_place(v) && wanted.holonomy[v].has_value() == is_given && without_row[s.component[v]] != v)
+        if (is_place(v) && wanted.holonomy[v].has_value() == is_known && without_row[s.component[v]] != v)
           row[v] = num_rows++;
-      for (std::size_t k = 0; k < num_strips && wanted.of_strip.empty() != is_given; ++k)
+      for (std::size_t k = 0; k < num_strips && wanted.of_strip.empty() != is_known; ++k)
         row_of_strip.push_back(num_rows++);
-      if (is_given) num_given = num_rows;
+      if (is_known) num_known = num_rows;
     }
   }
 
@@ -186,10 +188,10 @@ CONCINO_INLINE trivial_turns find_trivial_turns(const oriented_surface& s, const
     parallel[equations.row_of_strip[k]] = r.of_strip[k];
     if (!wanted.of_strip.empty()) turn[equations.row_of_strip[k]] = wanted.of_strip[k];
   }
-  if (equations.num_given < equations.num_rows) {
+  if (equations.num_known < equations.num_rows) {
     const Eigen::VectorXd free =
-        parallel + equations.a * equations.smallest((turn - parallel).head(equations.num_given));
-    for (int k = equations.num_given; k < equations.num_rows; ++k)
+        parallel + equations.a * equations.smallest((turn - parallel).head(equations.num_known));
+    for (int k = equations.num_known; k < equations.num_rows; ++k)
       turn[k] = wanted.step * std::round(free[k] / wanted.step);
   }
   const Eigen::VectorXd x = equations.smallest(turn - parallel);
