@@ -28,7 +28,7 @@ struct distributed_components {
 /// Of each local vert the lowest global number in its component; the largest 64-bit number for verts of no poly. Lowest
 /// numbers spread through the polys of each process, and from process to process until nothing changes. Collective.
 template<class M>
-std::vector<std::uint64_t> component_labels(const distributed<M>& m) {
+std::vector<std::uint64_t> component_numbers(const distributed<M>& m) {
   constexpr auto none = std::numeric_limits<std::uint64_t>::max();
   disjoint_sets sets(vert_index_bound(m));
   std::vector<std::uint64_t> label(sets.size(), none), lowest(sets.size());
@@ -60,7 +60,7 @@ std::vector<std::uint64_t> component_labels(const distributed<M>& m) {
 /// Collective.
 template<class M>
 distributed_components find_components(const distributed<M>& m) {
-  const std::vector<std::uint64_t> label = component_labels(m);
+  const std::vector<std::uint64_t> label = component_numbers(m);
   std::vector<std::uint64_t> own;
   for (const vert_t<M> v : verts(m))
     if (!m.is_ghost(v) && label[index_of(m, v)] == m.global_number(v)) own.push_back(m.global_number(v));

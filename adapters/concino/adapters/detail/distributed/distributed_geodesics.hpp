@@ -11,11 +11,8 @@
 #include <concino/adapters/detail/mpi/mpi_all_to_all.hpp>
 #include <concino/adapters/distributed.hpp>
 #include <concino/adapters/petsc.hpp>
-#include <concino/fields/detail/heat/distance_constants.hpp>
-#include <concino/fields/detail/heat/geodesic_preparation.hpp>
-#include <concino/fields/detail/heat/heat_matrix.hpp>
-#include <concino/fields/detail/heat/heat_preparation.hpp>
 #include <concino/fields/heat_geodesics_options.hpp>
+#include <concino/fields/support/heat_geodesics_parts.hpp>
 #include <concino/graph/boundary_verts.hpp>
 #include <concino/operators/virtual_elements.hpp>
 

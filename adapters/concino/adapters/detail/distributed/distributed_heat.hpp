@@ -5,7 +5,7 @@
 #include <concino/adapters/detail/distributed/distributed_system.hpp>
 #include <concino/adapters/distributed.hpp>
 #include <concino/adapters/petsc.hpp>
-#include <concino/fields/detail/heat/rescaled_heat.hpp>
+#include <concino/fields/support/heat_geodesics_parts.hpp>
 
 #include <Eigen/SparseCore>
 

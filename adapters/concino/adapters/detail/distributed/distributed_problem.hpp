@@ -7,7 +7,7 @@
 #include <concino/adapters/distributed.hpp>
 #include <concino/core/error.hpp>
 #include <concino/core/message.hpp>
-#include <concino/fields/harmonic_map.hpp>
+#include <concino/fields/support/linear_problem_parts.hpp>
 #include <concino/mesh/element_map.hpp>
 
 #include <petscsys.h>

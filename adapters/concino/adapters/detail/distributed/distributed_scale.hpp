@@ -2,7 +2,7 @@
 #pragma once
 
 #include <concino/adapters/distributed.hpp>
-#include <concino/fields/harmonic_map.hpp>
+#include <concino/fields/support/linear_problem_parts.hpp>
 
 #include <mpi.h>
 

@@ -8,11 +8,7 @@
 #include <concino/adapters/distributed.hpp>
 #include <concino/core/lexicographic.hpp>
 #include <concino/core/vec3.hpp>
-#include <concino/fields/detail/heat/build_distance_graph.hpp>
-#include <concino/fields/detail/heat/distance_bounds.hpp>
-#include <concino/fields/detail/heat/euclidean_distance.hpp>
-#include <concino/fields/detail/heat/geodesic_sources.hpp>
-#include <concino/fields/detail/problems/scaled_mesh.hpp>
+#include <concino/fields/support/heat_geodesics_parts.hpp>
 
 #include <algorithm>
 #include <cmath>

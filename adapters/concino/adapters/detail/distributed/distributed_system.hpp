@@ -11,7 +11,7 @@
 #include <concino/adapters/distributed.hpp>
 #include <concino/adapters/petsc.hpp>
 #include <concino/core/message.hpp>
-#include <concino/fields/harmonic_map.hpp>
+#include <concino/fields/support/linear_problem_parts.hpp>
 #include <concino/mesh/element_map.hpp>
 
 #include <Eigen/SparseCore>

@@ -7,8 +7,7 @@
 #include <concino/core/iterable.hpp>
 #include <concino/core/message.hpp>
 #include <concino/core/number_text.hpp>
-#include <concino/graph/detail/crossings.hpp>
-#include <concino/graph/detail/graph_of.hpp>
+#include <concino/graph/support/graph_parts.hpp>
 
 #include <mpi.h>
 
