@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace concino {
 
@@ -40,7 +41,8 @@ distributed<M> make_distributed_grid(MPI_Comm communicator, const grid_options& 
     own = detail::grid_records<M>(options, division.block(static_cast<std::size_t>(rank)));
     vert_bound = detail::num_grid_verts<M>(options);
   });
-  own = detail::with_ghosts(communicator, std::move(own), vert_bound, detail::from_polyhedra<M>);
+  std::vector<std::uint64_t> unused;  // a grid has no verts of no poly
+  own = detail::with_ghosts(communicator, std::move(own), vert_bound, detail::from_polyhedra<M>, unused);
   detail::mesh_part<detail::part_arrays<M>> part;
   detail::on_all(communicator, [&] { part = detail::part_of_records<M>(std::move(own)); });
   return distributed<M>(communicator, std::move(part));
