@@ -9,7 +9,6 @@
 #include <concino/io/pvtu.hpp>
 #include <concino/io/vtu.hpp>
 #include <concino/mesh/property.hpp>
-#include <concino/validate.hpp>
 #include <concino/mesh/submesh.hpp>
 
 #include <support/corpus_meshes.hpp>

@@ -2,8 +2,8 @@
 // Needs: PETSc 3.18 with MPI (Debian: petsc-dev).
 #pragma once
 
-#include <concino/adapters/detail/distributed/distributed_polys.hpp>
 #include <concino/adapters/detail/distributed/distributed_ghost_values.hpp>
+#include <concino/adapters/detail/distributed/distributed_polys.hpp>
 #include <concino/adapters/detail/mpi/mpi_agreement.hpp>
 #include <concino/adapters/distributed.hpp>
 #include <concino/concepts/maps.hpp>
