@@ -47,7 +47,7 @@ bool is_around(const vec3& p) { return p.x == 0 || p.x == 1 || p.y == 0 || p.y =
 
 /// Also at facets of ghosts, which are not on the boundary of the whole.
 template<class M>
-auto fluxes_of(const M& m) {
+auto boundary_fluxes(const M& m) {
   std::vector<std::pair<facet_t<M>, double>> r;
   for (const auto x : facets(m))
     if (is_boundary(m, x)) r.emplace_back(x, number_at(to_vec3(point(m, *adj_facet2v(m, x).begin()))));
@@ -78,11 +78,11 @@ TEST_CASE_TEMPLATE("distributed: harmonic maps and Poisson's equation of 10,000 
   CHECK(num_verts(m) - values.size() > 8000);
   CHECK(num_verts(m) - values.size() < 12'000);
   const auto u = on_first(m, [&] { return harmonic_map(m, values, {}, direct()); });
-  const auto w = on_first(m, [&] { return poisson(m, number_at, {.values = values, .fluxes = fluxes_of(m)}, direct()); });
+  const auto w = on_first(m, [&] { return poisson(m, number_at, {.values = values, .fluxes = boundary_fluxes(m)}, direct()); });
   const auto d = divided(m);
   const auto own_values = values_where(d, is_at_side);
   CHECK(largest_difference(harmonic_map(d, own_values, {}, direct()), u) < 1e-10);
-  CHECK(largest_difference(poisson(d, number_at, {.values = own_values, .fluxes = fluxes_of(d)}, direct()), w) < 1e-10);
+  CHECK(largest_difference(poisson(d, number_at, {.values = own_values, .fluxes = boundary_fluxes(d)}, direct()), w) < 1e-10);
 }
 
 // The condition of the matrix grows with its power: with values at one side alone it is 1e9, and the maps differ by 2e-10.

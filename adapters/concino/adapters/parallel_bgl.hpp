@@ -155,7 +155,7 @@ template<class M>
 auto connected_components(
     M&& m, const connected_components_options<detail::default_node_of<M>,
                                               detail::crossed_t<detail::default_graph_of<M>>>& options = {}) {
-  return detail::distributed_components(detail::graph_of_base(detail::default_graph_of<M>{m}), options);
+  return detail::find_distributed_components(detail::graph_of_base(detail::default_graph_of<M>{m}), options);
 }
 
 }  // namespace concino

@@ -43,7 +43,7 @@ inline std::vector<std::uint64_t> lowest_numbers(const distributed_arcs& g,
 }
 
 template<class G, class Options>
-auto distributed_components(const G& g, const Options& options) {
+auto find_distributed_components(const G& g, const Options& options) {
   const distributed_nodes<G> nodes(g);
   arc_lists lists = arcs_of(g, nodes, {}, unit_lengths(), options, "connected_components");
   auto labels = make_node_map<int>(g, -1);
