@@ -28,7 +28,8 @@ namespace detail {
 /// Errors: invalid_argument if the load is not finite at a vert of the polys of this process.
 template<class T, class M, class F>
 void check_load(const distributed<M>& m, const F& f) {
-  for (const vert_t<M> v : verts(owned_part(m))) {
+  const auto part = owned_part(m);
+  for (const vert_t<M> v : verts(part)) {
     const T x = as_field_value<T>(value_at(m, f, v));
     for (std::size_t k = 0; k < component_count<T>; ++k)
       if (!std::isfinite(field_component(x, k)))
