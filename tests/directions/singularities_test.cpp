@@ -85,7 +85,7 @@ TEST_CASE("singularities: all surfaces of the corpus") {
   if (rows.empty()) return skip("no corpus");
   for (const corpus_row& row : rows) {
     CAPTURE(row.name);
-    if (!long_run() && std::filesystem::file_size(row.file) > 300'000) continue;
+    if (!long_run() && std::filesystem::file_size(row.file) > 100'000) continue;
     const auto column = [&](const char* name) { return row.column.count(name) ? row.column.at(name) : std::string(); };
     const auto any = load_any(row.file.string());
     std::visit(
