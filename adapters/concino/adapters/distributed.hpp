@@ -120,6 +120,11 @@ struct mesh_traits<distributed<M>> : detail::forward_all<distributed<M>, M>,
                                      detail::fixed_arity<arity_v<M>> {
   using detail::forward_properties<distributed<M>, M>::properties;
   static property_set& properties(distributed<M>& m) { return m.properties(); }
+  template<class X>  // a vert or poly
+    requires requires(const distributed<M>& m, const X& x) { m.global_number(x); }
+  static std::size_t number_in_messages(const distributed<M>& m, const X& x) {
+    return static_cast<std::size_t>(m.global_number(x));
+  }
 };
 
 /// Brings the values at ghosts up to date, from the processes that own them. All processes call it together.

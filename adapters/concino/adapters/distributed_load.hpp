@@ -142,7 +142,7 @@ void add_unused_verts(const std::string& path, const std::vector<std::uint64_t>&
 ///         after another: progress is that of each, report of all of them.
 /// Cost:   O(n log n) time and the memory of some copies, for the slices, the part and its ghosts. The file is read
 ///         twice.
-/// Errors: as load_slice, thrown on all processes; a parse_error of one is an error of the same message on the others.
+/// Errors: as load_slice, thrown on all processes. io_error if the file changes while it is read.
 ///         invalid_argument without a petsc_session, unsupported if 32-bit indices cannot count the pairs of
 ///         neighbours, solver_error if PT-Scotch fails.
 /// Source: Chevalier, Pellegrini 2008, "PT-Scotch: a tool for efficient parallel graph ordering".

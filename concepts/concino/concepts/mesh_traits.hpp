@@ -37,6 +37,8 @@
 //   edges_in_order                           false if adj_p2e or adj_f2e violates SM7 or VM8: then the verbs sort
 //   properties                               (m): named properties, see <concino/mesh/property.hpp>
 //   first_corner corner_index_bound          (m, p), (m): numbers of corners, for properties of these
+//   number_in_messages                       (m, x): how messages name a vert or poly of a part of a larger mesh;
+//                                            otherwise by index_of
 //   base_requirements                        what a base class of the traits needs, see below
 //   tables                                   (m): for indexed_surface and indexed_volume, the base classes of
 //                                            <concino/mesh/indexed_base.hpp>

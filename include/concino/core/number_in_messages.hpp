@@ -7,12 +7,10 @@
 
 namespace concino::core {
 
-/// The index of a vert or poly; in a mesh that is a part of another one, or in a view of it, its number in that one.
+/// The index of a vert or poly, or what the traits say.
 template<class M, class X>
 std::size_t number_in_messages(const M& m, const X& x) {
-  if constexpr (requires { m.global_number(x); }) return static_cast<std::size_t>(m.global_number(x));
-  else if constexpr (requires { m.base().global_number(x); }) return number_in_messages(m.base(), x);
-  else if constexpr (requires { m.base().base().global_number(x); }) return number_in_messages(m.base().base(), x);
+  if constexpr (requires { traits<M>::number_in_messages(m, x); }) return traits<M>::number_in_messages(m, x);
   else return index_of(m, x);
 }
 

@@ -128,6 +128,14 @@ struct forward_properties {
   static std::size_t corner_index_bound(const V& m) { return traits<B>::corner_index_bound(m.base()); }
 };
 
+/// Forwards the numbers by which messages name elements, if M has them.
+template<class V, class M>
+struct forward_numbers {
+  template<class X, class B = M>
+    requires requires(const B& m, const X& x) { traits<B>::number_in_messages(m, x); }
+  static std::size_t number_in_messages(const V& m, const X& x) { return traits<B>::number_in_messages(m.base(), x); }
+};
+
 /// The arity of polys, if it is fixed.
 template<int Arity> struct fixed_arity { static constexpr int arity = Arity; };
 template<> struct fixed_arity<0> {};

@@ -31,7 +31,9 @@ class scaled : public view_base<M> {
 }  // namespace views
 
 template<class M>
-struct mesh_traits<views::scaled<M>> : detail::forward_all<views::scaled<M>, M>, detail::fixed_arity<arity_v<M>> {
+struct mesh_traits<views::scaled<M>> : detail::forward_all<views::scaled<M>, M>,
+                                       detail::forward_numbers<views::scaled<M>, M>,
+                                       detail::fixed_arity<arity_v<M>> {
   static constexpr bool is_view = true;
   static vec3 point(const views::scaled<M>& m, const vert_t<M>& v) {
     return m.scale_down(to_vec3(traits<M>::point(m.base(), v)));

@@ -110,7 +110,7 @@ namespace concino::detail {
 
 /// Verts, edges and points of a view V that shows a part of a mesh M. Descriptors and indices are those of M.
 template<class V, class M>
-struct partial_view_traits : forward_points<V, M> {
+struct partial_view_traits : forward_points<V, M>, forward_numbers<V, M> {
   using vert = vert_t<M>;
   using edge = edge_t<M>;
   static constexpr bool is_view = true;
